@@ -1,0 +1,108 @@
+# The front door: thin names over CMake presets (CMakePresets.json). `make help` lists them.
+
+PREFIX ?= /usr/local
+JOBS   ?= $(shell nproc)
+BUILD  := build
+export CMAKE_GENERATOR ?= $(if $(shell command -v ninja),Ninja,Unix Makefiles)
+export CTEST_OUTPUT_ON_FAILURE := 1
+
+WHIRL    := $(BUILD)/whirl
+INSTALL  := scripts/install-dependencies.sh
+# A build that exists keeps its options: `make` after `make test` does not throw the tests out.
+CONFIGURE = test -f $(BUILD)/CMakeCache.txt || cmake --preset release -DWHIRL_TESTS=OFF
+COMPILE   = cmake --build $(BUILD) --parallel $(JOBS) --target whirl
+SOURCES   = $(shell git ls-files '*.c' '*.h' 2>/dev/null || find cli src include tests examples bench -name '*.[ch]')
+
+.PHONY: all help test test-sanitized test-fuzzed paper bench soak install format lint asan tsan clang fuzz clean
+.DEFAULT_GOAL := all
+
+all:            ## build/whirl
+	@$(INSTALL) --check build
+	@$(CONFIGURE)
+	@$(COMPILE)
+
+help:           ## these lines
+	@sed -n 's/^\([a-z ]*\):.*##/  make \1  /p' Makefile
+
+dependencies-%:
+	@$(INSTALL) $(subst -, ,$*)
+
+# ---------------------------------------------------------------- tests
+
+test: dependencies-build-report-test ## everything is built, run and proved
+	cmake --preset release -DWHIRL_TESTS=ON
+	cmake --build $(BUILD) --parallel $(JOBS)
+	cmake --preset asan
+	cmake --build $(BUILD)/asan --parallel $(JOBS)
+	cmake --preset fuzz
+	cmake --build $(BUILD)/fuzz --parallel $(JOBS) --target fuzz_case
+	$(MAKE) --no-print-directory -j2 --output-sync=target test-sanitized test-fuzzed
+	ctest --test-dir $(BUILD) -j $(JOBS)
+
+# Units and commands once more under the sanitizers; validation there is part of the soak.
+test-sanitized:
+	ctest --test-dir $(BUILD)/asan -L 'unit|cli' --no-tests=error
+
+test-fuzzed:
+	scripts/fuzz.sh $(BUILD)/fuzz 60
+
+soak: test tsan clang ## what takes longer: long fuzzing, all tests under the sanitizers, both compilers
+	ctest --test-dir $(BUILD)/asan --timeout 7200 -j $(JOBS)
+	scripts/fuzz.sh $(BUILD)/fuzz 1800
+
+asan clang: %: dependencies-build-report-test ## all tests in that build
+	cmake --preset $*
+	cmake --build $(BUILD)/$* --parallel $(JOBS)
+	ctest --test-dir $(BUILD)/$* -j $(JOBS) --timeout 3600
+
+tsan: dependencies-build-test ## a threaded study under the thread sanitizer
+	cmake --preset tsan -DWHIRL_TESTS=OFF
+	cmake --build $(BUILD)/tsan --parallel $(JOBS) --target whirl
+	scripts/thread-check.sh $(BUILD)/tsan
+
+fuzz: dependencies-build-test ## the case reader is fuzzed for ten minutes
+	cmake --preset fuzz
+	cmake --build $(BUILD)/fuzz --parallel $(JOBS) --target fuzz_case
+	scripts/fuzz.sh $(BUILD)/fuzz 600
+
+# ---------------------------------------------------------------- the paper
+
+PAPER   := $(BUILD)/paper
+READINGS := paper paper-literal paper-derived
+RESULTS := $(READINGS:%=$(PAPER)/%.h5)
+
+paper: dependencies-build-report ## the 2015 paper's study, from its three case files to a report
+	@$(CONFIGURE)
+	@$(COMPILE)
+	@mkdir -p $(PAPER)
+	@$(MAKE) --no-print-directory $(PAPER)/report/report.html
+	@echo "The report is $(PAPER)/report/report.html"
+
+# A run is done again when its case or the command has changed since. These rules are for `make paper`, which builds
+# the command first.
+$(PAPER)/%.h5: cases/%.yaml $(WHIRL)
+	$(WHIRL) run $< -o $@
+
+$(PAPER)/report/report.html: $(RESULTS) cases/paper-claims.yaml
+	$(WHIRL) report $(RESULTS) -o $(@D) --claims cases/paper-claims.yaml
+
+# ---------------------------------------------------------------- the rest
+
+bench: dependencies-build-test-bench ## measured speed, as a ratio to a straightforward loop
+	cmake --preset release -DWHIRL_BENCH=ON
+	cmake --build $(BUILD) --parallel $(JOBS)
+	cmake --build $(BUILD) --target bench
+
+install: all    ## into PREFIX (/usr/local)
+	cmake --build $(BUILD) --parallel $(JOBS)
+	cmake --install $(BUILD) --prefix $(abspath $(PREFIX))
+
+format: dependencies-lint ## the sources, by clang-format
+	clang-format -i $(SOURCES)
+
+lint: dependencies-build-test-lint ## clang-format, clang-tidy and cppcheck, without changing anything
+	cmake --preset release -DWHIRL_TESTS=ON
+	scripts/lint.sh $(BUILD) $(SOURCES)
+
+clean:          ## removes what was built
+	rm -rf $(BUILD)

@@ -1,0 +1,72 @@
+/// whirl check: all that is wrong with case files, or what they hold.
+#include "command.h"
+
+#include <stdio.h>
+
+#include "summary.h"
+
+static error_t parse(int key, char *argument, struct argp_state *state) {
+    (void)argument;
+    int *first = state->input;
+    switch (key) {
+    case ARGP_KEY_ARG:
+        return ARGP_ERR_UNKNOWN; // all of them at once, below
+    case ARGP_KEY_ARGS:
+        *first = state->next;
+        return 0;
+    case ARGP_KEY_NO_ARGS:
+        require_option(state, NULL, "CASE.yaml");
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+/// A case that reads well must also give a rotor and a study.
+static whirl_status describe_case(const char *path, const whirl_case *object) {
+    whirl_rotor *rotor = NULL;
+    whirl_status status = whirl_case_rotor(object, NULL, 0, &rotor);
+    if (status.code != WHIRL_OK) return status;
+    whirl_study study;
+    status = whirl_case_study(object, &study);
+    if (status.code == WHIRL_OK) {
+        const whirl_system *const system = whirl_rotor_system(rotor);
+        printf("%s: good\n  %s\n", path, whirl_case_title(object));
+        printf("  %zu station%s:", system->probe_count, system->probe_count == 1 ? "" : "s");
+        for (size_t i = 0; i < system->probe_count; i++) printf("%s %s", i ? "," : "", system->probes[i].name);
+        putchar('\n');
+        summarize_study(&study);
+    }
+    whirl_rotor_free(rotor);
+    return status;
+}
+
+static int check_file(const char *path) {
+    whirl_problems problems = {0};
+    whirl_case *object = NULL;
+    whirl_status status = whirl_case_load(path, &problems, &object);
+    if (status.code != WHIRL_OK) return complain_of_problems(&problems, &status);
+    status = describe_case(path, object);
+    whirl_case_free(object);
+    if (status.code == WHIRL_OK) return EXIT_DONE;
+    complain("%s: %s", path, status.message);
+    return EXIT_BAD_INPUT;
+}
+
+static int run(int argc, char **argv) {
+    static const struct argp argp = {
+        .parser = parse,
+        .args_doc = "CASE.yaml...",
+        .doc = "Reads case files and says all that is wrong with them: file, line, column, key, what was found and "
+               "what is "
+               "expected. For a good one: its stations and how much there is to compute.",
+    };
+    int first = argc;
+    if (argp_parse(&argp, argc, argv, 0, NULL, &first) != 0) return EXIT_FAILED;
+    int outcome = EXIT_DONE;
+    for (int i = first; i < argc; i++)
+        if (check_file(argv[i]) != EXIT_DONE) outcome = EXIT_BAD_INPUT;
+    return outcome == EXIT_DONE ? finish_output() : outcome;
+}
+
+const command check_command = {"check", "say all that is wrong with case files", run};

@@ -1,0 +1,42 @@
+/// The whirl command: one file a subcommand, each a line in the table of main.c.
+#ifndef CLI_COMMAND_H
+#define CLI_COMMAND_H
+
+#include <argp.h>
+
+#include "whirl/whirl.h"
+
+/// Exit statuses of the whole command.
+enum { EXIT_DONE = 0, EXIT_FAILED = 1, EXIT_BAD_INPUT = 2 };
+
+typedef struct command {
+    const char *name;
+    const char *meaning;               ///< one line for `whirl --help`
+    int (*run)(int argc, char **argv); ///< argv[0] is "whirl NAME"; gives the exit status
+} command;
+
+extern const command run_command, check_command, describe_command, report_command, export_command;
+
+/// Prints "whirl: ..." and a newline on standard error.
+void complain(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
+/// Complains of a status; gives the exit status that goes with it.
+int complain_of(const whirl_status *status);
+
+/// Ends a parse with a sentence and EXIT_BAD_INPUT.
+void bad_argument(const struct argp_state *state, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/// Complains of an option that must be there and is not, when `value` is NULL.
+void require_option(const struct argp_state *state, const char *value, const char *option);
+
+/// Complains of all problems of a file, one a line, and of how many they are; `status` speaks where there are none.
+/// Frees them and gives EXIT_BAD_INPUT.
+int complain_of_problems(whirl_problems *problems, const whirl_status *status);
+
+/// The file's name without folders and without `suffix`; writes at most `size` bytes.
+void base_name(const char *path, const char *suffix, char *name, size_t size);
+
+/// Flushes standard output; complains and gives EXIT_FAILED when something could not be written.
+int finish_output(void);
+
+#endif

@@ -1,0 +1,185 @@
+/// whirl describe: the descriptor tables, which also drive the case reader.
+#include "command.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+// ---------------------------------------------------------------- one name that can be described
+
+typedef enum subject_kind { SUBJECT_GROUP, SUBJECT_ANALYSIS, SUBJECT_METHOD } subject_kind;
+
+typedef struct subject {
+    subject_kind kind;
+    const char *part; ///< what it is: "element", "station", ...
+    const char *name, *meaning, *source;
+    const whirl_group *group; ///< of SUBJECT_GROUP
+} subject;
+
+enum { MAX_SUBJECTS = 128 };
+
+typedef struct catalogue {
+    subject items[MAX_SUBJECTS];
+    size_t count;
+} catalogue;
+
+static void add_subject(catalogue *all, subject one) {
+    if (all->count < MAX_SUBJECTS) all->items[all->count++] = one;
+}
+
+static void add_group(catalogue *all, const char *part, const whirl_group *group) {
+    add_subject(all, (subject){SUBJECT_GROUP, part, group->name, group->meaning, group->source, group});
+}
+
+static void add_groups(catalogue *all, const char *part, const whirl_group *const *groups) {
+    for (; *groups && (*groups)->name; groups++) add_group(all, part, *groups);
+}
+
+/// Everything that has a descriptor, in the order of a case file.
+static void collect(catalogue *all) {
+    add_group(all, "stations", whirl_station_keys());
+    add_groups(all, "elements", whirl_element_groups());
+    add_groups(all, "groups of a case file", whirl_case_groups());
+    const whirl_method *method;
+    for (size_t i = 0; (method = whirl_method_at(i)) != NULL; i++)
+        add_subject(all, (subject){SUBJECT_METHOD, "methods of integration", method->name, method->meaning, "", NULL});
+    for (const whirl_analysis *analysis = whirl_analyses(); analysis->name; analysis++)
+        add_subject(all,
+                    (subject){SUBJECT_ANALYSIS, "analyses", analysis->name, analysis->meaning, analysis->source, NULL});
+}
+
+// ---------------------------------------------------------------- printing
+
+/// Prints text and blanks up to `width` columns; UTF-8 continuation bytes take none.
+static void print_padded(const char *text, size_t width) {
+    size_t columns = 0;
+    for (const char *c = text; *c; c++) columns += ((unsigned char)*c & 0xC0u) != 0x80u;
+    printf("%s%*s", text, columns < width ? (int)(width - columns) : 0, "");
+}
+
+static void list_all(const catalogue *all) {
+    const char *part = "";
+    for (size_t i = 0; i < all->count; i++) {
+        const subject *const one = &all->items[i];
+        if (strcmp(part, one->part) != 0) printf("%s%s:\n", *part ? "\n" : "", one->part);
+        part = one->part;
+        fputs("  ", stdout);
+        print_padded(one->name, 16);
+        puts(one->meaning);
+    }
+    puts("\n'whirl describe NAME' shows the keys of one with units, defaults, ranges and sources.");
+}
+
+/// The range in words: "> 0", "0 to 1", "any".
+static void range_text(const whirl_range *range, char *text, size_t size) {
+    const bool low = isfinite(range->low) || range->low > 0, high = isfinite(range->high) || range->high < 0;
+    if (low && high)
+        snprintf(text, size, "%s%g to %s%g", range->low_open ? "above " : "", range->low,
+                 range->high_open ? "below " : "", range->high);
+    else if (low)
+        snprintf(text, size, "%s %g", range->low_open ? ">" : ">=", range->low);
+    else if (high)
+        snprintf(text, size, "%s %g", range->high_open ? "<" : "<=", range->high);
+    else
+        snprintf(text, size, "any");
+}
+
+static void allowed_text(const whirl_key *key, char *text, size_t size) {
+    switch (key->kind) {
+    case WHIRL_KEY_CHOICE:
+        snprintf(text, size, "%s", key->choices);
+        return;
+    case WHIRL_KEY_STATION:
+        snprintf(text, size, "a station");
+        return;
+    case WHIRL_KEY_STATIONS:
+        snprintf(text, size, "two stations");
+        return;
+    case WHIRL_KEY_WHOLE:
+    case WHIRL_KEY_NUMBER:
+        range_text(&key->range, text, size);
+        return;
+    }
+}
+
+static void print_key(const whirl_key *key) {
+    char allowed[128] = "";
+    allowed_text(key, allowed, sizeof allowed);
+    fputs("  ", stdout);
+    print_padded(key->name, 23);
+    print_padded(*key->symbol ? key->symbol : "-", 10);
+    print_padded(*key->unit ? key->unit : "-", 10);
+    print_padded(key->required ? "required" : *key->fallback ? key->fallback : "-", 12);
+    printf("%s\n      %s", allowed, key->meaning);
+    if (*key->source) printf(" [%s]", key->source);
+    putchar('\n');
+}
+
+static void print_subject(const subject *one) {
+    printf("%s: %s\n", one->name, one->meaning);
+    if (*one->source) printf("Source: %s\n", one->source);
+    if (one->kind == SUBJECT_METHOD) puts("Written as `integrate: {method: ...}`.");
+    if (one->kind == SUBJECT_ANALYSIS) puts("Written in the list `analyze: [...]`.");
+    if (!one->group || one->group->key_count == 0) return;
+    fputs("\n  ", stdout);
+    print_padded("name", 23);
+    print_padded("symbol", 10);
+    print_padded("unit", 10);
+    print_padded("default", 12);
+    puts("range");
+    for (size_t i = 0; i < one->group->key_count; i++) print_key(&one->group->keys[i]);
+    if (one->group->shorthand) printf("\n`%s: VALUE` alone sets %s.\n", one->group->name, one->group->shorthand);
+}
+
+/// Prints all subjects of that name (an element and an analysis may share one); EXIT_BAD_INPUT when there is none.
+static int describe(const catalogue *all, const char *name) {
+    const char *names[MAX_SUBJECTS];
+    size_t found = 0;
+    for (size_t i = 0; i < all->count; i++) {
+        const subject *const one = &all->items[i];
+        names[i] = one->name;
+        if (strcmp(one->name, name) != 0) continue;
+        if (found++) putchar('\n');
+        print_subject(one);
+    }
+    if (found) return EXIT_DONE;
+    const char *nearest = whirl_nearest_name(name, names, all->count);
+    if (nearest)
+        complain("there is nothing called '%s' to describe, did you mean '%s'?", name, nearest);
+    else
+        complain("there is nothing called '%s' to describe; 'whirl describe' lists what there is", name);
+    return EXIT_BAD_INPUT;
+}
+
+// ---------------------------------------------------------------- command
+
+static error_t parse(int key, char *argument, struct argp_state *state) {
+    const char **name = state->input;
+    if (key != ARGP_KEY_ARG) return ARGP_ERR_UNKNOWN;
+    if (*name) bad_argument(state, "takes one name, '%s' is one too many", argument);
+    *name = argument;
+    return 0;
+}
+
+static int run(int argc, char **argv) {
+    static const struct argp argp = {
+        .parser = parse,
+        .args_doc = "[NAME]",
+        .doc =
+            "Lists what a case file may hold: the keys of stations, the elements, the groups of the study, the methods "
+            "of integration and the analyses. With NAME: its keys with symbol, unit, default, range, meaning and "
+            "source.",
+    };
+    const char *name = NULL;
+    if (argp_parse(&argp, argc, argv, 0, NULL, &name) != 0) return EXIT_FAILED;
+    catalogue all = {.count = 0};
+    collect(&all);
+    int outcome = EXIT_DONE;
+    if (name)
+        outcome = describe(&all, name);
+    else
+        list_all(&all);
+    return outcome == EXIT_DONE ? finish_output() : outcome;
+}
+
+const command describe_command = {"describe", "list elements, keys, methods and analyses, or show one in full", run};

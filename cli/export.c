@@ -1,0 +1,54 @@
+/// whirl export: a result as CSV.
+#include "command.h"
+
+#include <stdio.h>
+
+typedef struct export_arguments {
+    const char *result, *csv;
+} export_arguments;
+
+static const struct argp_option options[] = {
+    {.name = "csv", .key = 'c', .arg = "DIR", .doc = "Folder for the CSV files; it is made when it is not there"},
+    {0},
+};
+
+static error_t parse(int key, char *argument, struct argp_state *state) {
+    export_arguments *arguments = state->input;
+    switch (key) {
+    case 'c':
+        arguments->csv = argument;
+        return 0;
+    case ARGP_KEY_ARG:
+        if (arguments->result) bad_argument(state, "takes one result, '%s' is one too many", argument);
+        arguments->result = argument;
+        return 0;
+    case ARGP_KEY_END:
+        require_option(state, arguments->result, "RESULT.h5");
+        require_option(state, arguments->csv, "--csv DIR");
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static int run(int argc, char **argv) {
+    static const struct argp argp = {
+        .options = options,
+        .parser = parse,
+        .args_doc = "RESULT.h5 --csv DIR",
+        .doc = "Writes every table of a result as CSV files, units in the headings.",
+    };
+    export_arguments arguments = {0};
+    if (argp_parse(&argp, argc, argv, 0, NULL, &arguments) != 0) return EXIT_FAILED;
+    whirl_result *result = NULL;
+    whirl_status status = whirl_result_read(arguments.result, &result);
+    if (status.code != WHIRL_OK) {
+        complain_of(&status);
+        return EXIT_BAD_INPUT;
+    }
+    status = whirl_result_export_csv(result, arguments.csv);
+    whirl_result_free(result);
+    return complain_of(&status);
+}
+
+const command export_command = {"export", "write a result as CSV", run};

@@ -1,0 +1,31 @@
+#include "interrupt.h"
+
+#include <signal.h>
+#include <stddef.h>
+#include <string.h>
+
+// A signal handler can reach nothing but static storage.
+static volatile bool stopped;
+static volatile sig_atomic_t received;
+
+static void on_signal(int number) {
+    received = number;
+    stopped = true;
+}
+
+const volatile bool *interrupt_watch(void) {
+    static const int signals[] = {SIGINT, SIGTERM, SIGHUP};
+    struct sigaction action = {.sa_handler = on_signal, .sa_flags = SA_RESETHAND | SA_RESTART};
+    sigemptyset(&action.sa_mask);
+    for (size_t i = 0; i < sizeof signals / sizeof *signals; i++) {
+        struct sigaction before;
+        // What a parent has set to be ignored (nohup) stays ignored.
+        if (sigaction(signals[i], NULL, &before) == 0 && before.sa_handler != SIG_IGN)
+            sigaction(signals[i], &action, NULL);
+    }
+    return &stopped;
+}
+
+const char *interrupt_text(void) {
+    return received ? strsignal(received) : NULL;
+}

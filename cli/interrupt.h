@@ -1,0 +1,13 @@
+/// An interrupt from the keyboard or a scheduler ends a run in good order.
+#ifndef CLI_INTERRUPT_H
+#define CLI_INTERRUPT_H
+
+#include <stdbool.h>
+
+/// From now on SIGINT, SIGTERM and SIGHUP set the flag that is returned; a second one kills as usual.
+const volatile bool *interrupt_watch(void);
+
+/// What happened, in words, or NULL while nothing has.
+const char *interrupt_text(void);
+
+#endif

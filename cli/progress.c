@@ -1,0 +1,77 @@
+#include "progress.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+enum { MIN_WIDTH = 40, MAX_WIDTH = 120, MAX_BAR = 40 };
+
+progress_view progress_begin(void) {
+    return (progress_view){.terminal = isatty(STDERR_FILENO) == 1};
+}
+
+static int terminal_width(void) {
+    struct winsize size;
+    if (ioctl(STDERR_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return 80;
+    return size.ws_col < MIN_WIDTH ? MIN_WIDTH : size.ws_col > MAX_WIDTH ? MAX_WIDTH : size.ws_col;
+}
+
+/// "12 s", "3:05 min", "2:10 h".
+static void duration_text(double seconds, char *text, size_t size) {
+    const long whole = lround(fmin(fmax(seconds, 0), 1e8));
+    if (whole < 60)
+        snprintf(text, size, "%ld s", whole);
+    else if (whole < 3600)
+        snprintf(text, size, "%ld:%02ld min", whole / 60, whole % 60);
+    else
+        snprintf(text, size, "%ld:%02ld h", whole / 3600, whole / 60 % 60);
+}
+
+static double done_share(const whirl_progress *progress) {
+    return progress->revolutions_total > 0 ? fmin(progress->revolutions_done / progress->revolutions_total, 1) : 0;
+}
+
+/// "37 %, 190 of 521 points, 5.31e+03 revolutions/s, 1:04 min left".
+static void state_text(const whirl_progress *progress, char *text, size_t size) {
+    const double rate = progress->seconds > 0 ? progress->revolutions_done / progress->seconds : 0;
+    char left[32] = "?";
+    if (rate > 0) duration_text((progress->revolutions_total - progress->revolutions_done) / rate, left, sizeof left);
+    snprintf(text, size, "%3.0f %%, %zu of %zu points, %.3g revolutions/s, %s left", floor(100 * done_share(progress)),
+             progress->points_done, progress->points_total, rate, left);
+}
+
+static void draw_bar(const whirl_progress *progress, const char *state) {
+    const int width = terminal_width();
+    int bar = width - (int)strlen(state) - 5;
+    if (bar > MAX_BAR) bar = MAX_BAR;
+    if (bar < 4) {
+        fprintf(stderr, "\r%.*s\033[K", width - 1, state);
+        return;
+    }
+    const int filled = (int)(done_share(progress) * bar);
+    fputs("\r[", stderr);
+    for (int i = 0; i < bar; i++) fputc(i < filled ? '=' : ' ', stderr);
+    fprintf(stderr, "] %s\033[K", state);
+}
+
+void progress_show(void *view_pointer, const whirl_progress *progress) {
+    progress_view *const view = view_pointer;
+    char state[160];
+    state_text(progress, state, sizeof state);
+    if (view->terminal) {
+        draw_bar(progress, state);
+        view->drawn = true;
+        return;
+    }
+    const int tenth = (int)(10 * done_share(progress));
+    if (tenth <= view->last_tenth) return;
+    view->last_tenth = tenth;
+    fprintf(stderr, "whirl: %s\n", state);
+}
+
+void progress_end(progress_view *view) {
+    if (view->drawn) fputs("\r\033[K", stderr);
+    view->drawn = false;
+}

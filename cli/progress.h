@@ -1,0 +1,24 @@
+/// Progress of a run on standard error: a bar on a terminal, plain lines elsewhere.
+#ifndef CLI_PROGRESS_H
+#define CLI_PROGRESS_H
+
+#include <stdbool.h>
+
+#include "whirl/study.h"
+
+typedef struct progress_view {
+    bool terminal;
+    int last_tenth; ///< of the run that a plain line was written for
+    bool drawn;     ///< a bar stands on the current line
+} progress_view;
+
+/// A view that suits standard error.
+progress_view progress_begin(void);
+
+/// Shows how far the run is; `view` is a progress_view. As whirl_run_options.progress wants it.
+void progress_show(void *view, const whirl_progress *progress);
+
+/// Takes the bar away.
+void progress_end(progress_view *view);
+
+#endif

@@ -1,0 +1,137 @@
+/// whirl report: figures and a page from results.
+#include "command.h"
+
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct report_arguments {
+    char **results; ///< paths, borrowed from argv
+    size_t count;
+    const char *directory, *claims, *gnuplot;
+    bool quiet;
+} report_arguments;
+
+/// One result with the folder name that it gets in the report.
+typedef struct entry {
+    whirl_result *result;
+    char name[WHIRL_NAME_SIZE];
+} entry;
+
+enum { KEY_CLAIMS = 256, KEY_GNUPLOT };
+
+static const struct argp_option options[] = {
+    {.name = "output", .key = 'o', .arg = "DIR", .doc = "Folder for the report; it is made when it is not there"},
+    {.name = "claims",
+     .key = KEY_CLAIMS,
+     .arg = "FILE",
+     .doc = "Set what a paper or a measurement says beside what is found"},
+    {.name = "gnuplot",
+     .key = KEY_GNUPLOT,
+     .arg = "PROGRAM",
+     .doc = "Draw with this gnuplot (default: the one on the PATH)"},
+    {.name = "quiet", .key = 'q', .doc = "Say nothing but errors"},
+    {0},
+};
+
+static error_t parse(int key, char *argument, struct argp_state *state) {
+    report_arguments *arguments = state->input;
+    switch (key) {
+    case 'o':
+        arguments->directory = argument;
+        return 0;
+    case 'q':
+        arguments->quiet = true;
+        return 0;
+    case KEY_CLAIMS:
+        arguments->claims = argument;
+        return 0;
+    case KEY_GNUPLOT:
+        arguments->gnuplot = argument;
+        return 0;
+    case ARGP_KEY_ARG:
+        return ARGP_ERR_UNKNOWN; // all of them at once, below
+    case ARGP_KEY_ARGS:
+        arguments->results = state->argv + state->next;
+        arguments->count = (size_t)(state->argc - state->next);
+        return 0;
+    case ARGP_KEY_NO_ARGS:
+        require_option(state, NULL, "RESULT.h5");
+        return 0;
+    case ARGP_KEY_END:
+        require_option(state, arguments->directory, "-o DIR");
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+/// Reads one result; the name of its file becomes its folder in the report and must differ from those before.
+static int read_entry(const char *path, entry *entries, size_t index) {
+    entry *const mine = &entries[index];
+    base_name(path, ".h5", mine->name, sizeof mine->name);
+    for (size_t i = 0; i < index; i++)
+        if (strcmp(entries[i].name, mine->name) == 0) {
+            complain("two results are called '%s': their folders in the report would be one; rename one of them",
+                     mine->name);
+            return EXIT_BAD_INPUT;
+        }
+    const whirl_status status = whirl_result_read(path, &mine->result);
+    if (status.code == WHIRL_OK) return EXIT_DONE;
+    complain_of(&status);
+    return EXIT_BAD_INPUT;
+}
+
+static int read_claims(const char *path, whirl_claims **claims) {
+    whirl_problems problems = {0};
+    const whirl_status status = whirl_claims_load(path, &problems, claims);
+    return status.code == WHIRL_OK ? EXIT_DONE : complain_of_problems(&problems, &status);
+}
+
+static int write_report(const report_arguments *arguments, const entry *entries, const whirl_claims *claims) {
+    const whirl_result **const results = calloc(arguments->count, sizeof *results);
+    const char **const names = calloc(arguments->count, sizeof *names);
+    whirl_status status = whirl_fail(WHIRL_NO_MEMORY, "%s", whirl_code_text(WHIRL_NO_MEMORY));
+    if (results && names) {
+        for (size_t i = 0; i < arguments->count; i++) {
+            results[i] = entries[i].result;
+            names[i] = entries[i].name;
+        }
+        const whirl_report_options how = {.claims = claims, .gnuplot = arguments->gnuplot, .quiet = arguments->quiet};
+        status = whirl_report_write(results, names, arguments->count, arguments->directory, &how);
+    }
+    free(results);
+    free(names);
+    if (status.code == WHIRL_OK && !arguments->quiet) printf("%s/report.html\n", arguments->directory);
+    return complain_of(&status);
+}
+
+static int run(int argc, char **argv) {
+    static const struct argp argp = {
+        .options = options,
+        .parser = parse,
+        .args_doc = "RESULT.h5... -o DIR",
+        .doc = "Draws the figures of results with gnuplot and writes a page, DIR/report.html, that shows them all. "
+               "Scripts and data are kept beside the figures.",
+    };
+    report_arguments arguments = {0};
+    if (argp_parse(&argp, argc, argv, 0, NULL, &arguments) != 0) return EXIT_FAILED;
+    whirl_claims *claims = NULL;
+    entry *const entries = calloc(arguments.count, sizeof *entries);
+    int outcome = EXIT_DONE;
+    if (!entries) {
+        complain("%s", whirl_code_text(WHIRL_NO_MEMORY));
+        outcome = EXIT_FAILED;
+    }
+    for (size_t i = 0; outcome == EXIT_DONE && i < arguments.count; i++)
+        outcome = read_entry(arguments.results[i], entries, i);
+    if (outcome == EXIT_DONE && arguments.claims) outcome = read_claims(arguments.claims, &claims);
+    if (outcome == EXIT_DONE) outcome = write_report(&arguments, entries, claims);
+    for (size_t i = 0; entries && i < arguments.count; i++) whirl_result_free(entries[i].result);
+    free(entries);
+    whirl_claims_free(claims);
+    return outcome;
+}
+
+const command report_command = {"report", "draw figures and write a page from results", run};

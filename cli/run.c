@@ -1,0 +1,212 @@
+/// whirl run: computes the study of a case.
+#include "command.h"
+
+#include <errno.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "interrupt.h"
+#include "output.h"
+#include "progress.h"
+#include "summary.h"
+
+enum { MAX_OVERRIDES = 64, MAX_THREADS = 1024, PATH_SIZE = 4096, FACT_SIZE = 256 };
+
+typedef struct run_arguments {
+    const char *case_path, *output;
+    const char *overrides[MAX_OVERRIDES];
+    size_t override_count;
+    int threads; ///< 0: all cores
+    bool json, quiet;
+    char default_output[PATH_SIZE];
+} run_arguments;
+
+// ---------------------------------------------------------------- arguments
+
+enum { KEY_SET = 256, KEY_THREADS, KEY_JSON };
+
+static const struct argp_option options[] = {
+    {.name = "output",
+     .key = 'o',
+     .arg = "RESULT.h5",
+     .doc = "Write the result here (default: the case's name with .h5, in the current folder)"},
+    {.name = "set",
+     .key = KEY_SET,
+     .arg = "NAME=VALUE",
+     .doc =
+         "Give a parameter of the case another value, as in --set r_k=0.45 or --set 'omega=6000 rpm'; may be repeated"},
+    {.name = "threads",
+     .key = KEY_THREADS,
+     .arg = "N",
+     .doc = "Compute on N threads (default: all cores); the result is the same for every N"},
+    {.name = "json",
+     .key = KEY_JSON,
+     .doc = "Print the points as one JSON document on standard output; a result file is then written only with -o"},
+    {.name = "quiet", .key = 'q', .doc = "No progress and no summary"},
+    {0},
+};
+
+static int parse_threads(const char *text, const struct argp_state *state) {
+    char *end = NULL;
+    errno = 0;
+    const long value = strtol(text, &end, 10);
+    if (end == text || *end != '\0' || errno != 0 || value < 1 || value > MAX_THREADS)
+        bad_argument(state, "--threads is '%s', expected a whole number from 1 to %d", text, MAX_THREADS);
+    return (int)value;
+}
+
+/// The case's name with .h5, in the current folder.
+static void name_output(run_arguments *arguments) {
+    char name[PATH_SIZE - 4];
+    base_name(arguments->case_path, ".yaml", name, sizeof name);
+    base_name(name, ".yml", name, sizeof name);
+    snprintf(arguments->default_output, sizeof arguments->default_output, "%s.h5", name);
+    arguments->output = arguments->default_output;
+}
+
+static error_t parse(int key, char *argument, struct argp_state *state) {
+    run_arguments *arguments = state->input;
+    switch (key) {
+    case 'o':
+        arguments->output = argument;
+        return 0;
+    case 'q':
+        arguments->quiet = true;
+        return 0;
+    case KEY_JSON:
+        arguments->json = true;
+        return 0;
+    case KEY_THREADS:
+        arguments->threads = parse_threads(argument, state);
+        return 0;
+    case KEY_SET:
+        if (arguments->override_count == MAX_OVERRIDES)
+            bad_argument(state, "--set is given more than %d times", MAX_OVERRIDES);
+        arguments->overrides[arguments->override_count++] = argument;
+        return 0;
+    case ARGP_KEY_ARG:
+        if (arguments->case_path) bad_argument(state, "takes one case, '%s' is one too many", argument);
+        arguments->case_path = argument;
+        return 0;
+    case ARGP_KEY_END:
+        require_option(state, arguments->case_path, "CASE.yaml");
+        if (!arguments->output && !arguments->json) name_output(arguments);
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+// ---------------------------------------------------------------- from case to result
+
+static int load(const run_arguments *arguments, whirl_case **object) {
+    whirl_problems problems = {0};
+    whirl_status status = whirl_case_load(arguments->case_path, &problems, object);
+    if (status.code != WHIRL_OK) return complain_of_problems(&problems, &status);
+    for (size_t i = 0; i < arguments->override_count; i++) {
+        status = whirl_case_set(*object, arguments->overrides[i]);
+        if (status.code == WHIRL_OK) continue;
+        complain("--set %s: %s", arguments->overrides[i], status.message);
+        return EXIT_BAD_INPUT;
+    }
+    return EXIT_DONE;
+}
+
+static int compute(const run_arguments *arguments, const whirl_case *object, whirl_result **result) {
+    progress_view view = progress_begin();
+    const whirl_run_options how = {
+        .threads = arguments->threads,
+        .progress = arguments->quiet ? NULL : progress_show,
+        .context = &view,
+        .stop = interrupt_watch(),
+    };
+    const whirl_status status = whirl_case_run(object, &how, result);
+    progress_end(&view);
+    if (status.code != WHIRL_STOPPED) return complain_of(&status);
+    const char *why = interrupt_text();
+    complain("stopped (%s); no result was written", why ? why : "interrupted");
+    return EXIT_FAILED;
+}
+
+// ---------------------------------------------------------------- how it was computed
+
+static void now_text(char *text, size_t size) {
+    const time_t now = time(NULL);
+    struct tm parts;
+    if (!gmtime_r(&now, &parts) || strftime(text, size, "%Y-%m-%dT%H:%M:%SZ", &parts) == 0) text[0] = '\0';
+}
+
+static void join(int argc, char **argv, char *text, size_t size) {
+    size_t used = 0;
+    text[0] = '\0';
+    for (int i = 0; i < argc && used < size; i++)
+        used += (size_t)snprintf(text + used, size - used, "%s%s", i ? " " : "", argv[i]);
+}
+
+static whirl_status add_facts(whirl_result *result, const char *const facts[][2], size_t count) {
+    whirl_status status = whirl_ok();
+    for (size_t i = 0; i < count && status.code == WHIRL_OK; i++)
+        status = whirl_result_add_fact(result, facts[i][0], facts[i][1]);
+    return status;
+}
+
+// ---------------------------------------------------------------- output
+
+static int deliver(const run_arguments *arguments, const whirl_result *result) {
+    if (arguments->output) {
+        const whirl_status status = whirl_result_write(result, arguments->output);
+        if (status.code != WHIRL_OK) {
+            complain_of(&status);
+            return EXIT_FAILED;
+        }
+    }
+    if (arguments->json) {
+        const whirl_status status = whirl_result_write_json(result, stdout);
+        if (status.code != WHIRL_OK) return complain_of(&status);
+    } else if (!arguments->quiet) {
+        summarize_result(result);
+        printf("%s\n", arguments->output);
+    }
+    return finish_output();
+}
+
+static int run_case(const run_arguments *arguments, const char *command_line) {
+    char started[32], finished[32];
+    whirl_case *object = NULL;
+    whirl_result *result = NULL;
+    now_text(started, sizeof started);
+    int outcome = load(arguments, &object);
+    if (outcome == EXIT_DONE && arguments->output && !output_is_writable(arguments->output, arguments->case_path))
+        outcome = EXIT_BAD_INPUT;
+    if (outcome == EXIT_DONE) outcome = compute(arguments, object, &result);
+    if (outcome == EXIT_DONE) {
+        now_text(finished, sizeof finished);
+        const char *const facts[][2] = {{"command line", command_line}, {"started", started}, {"finished", finished}};
+        const whirl_status status = add_facts(result, facts, sizeof facts / sizeof *facts);
+        outcome = status.code == WHIRL_OK ? deliver(arguments, result) : complain_of(&status);
+    }
+    whirl_result_free(result);
+    whirl_case_free(object);
+    return outcome;
+}
+
+static int run(int argc, char **argv) {
+    static const struct argp argp = {
+        .options = options,
+        .parser = parse,
+        .args_doc = "CASE.yaml",
+        .doc = "Computes the study of a case and writes the result as one HDF5 file. Where a motion diverges, that is "
+               "a result "
+               "and not a failure.",
+    };
+    run_arguments arguments = {0};
+    char command_line[FACT_SIZE]; // argp reorders argv
+    join(argc, argv, command_line, sizeof command_line);
+    if (argp_parse(&argp, argc, argv, 0, NULL, &arguments) != 0) return EXIT_FAILED;
+    return run_case(&arguments, command_line);
+}
+
+const command run_command = {"run", "compute the study of a case", run};

@@ -1,0 +1,138 @@
+#include "summary.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { LONGEST_LIST = 12, MAX_VERDICTS = WHIRL_MAX_PERIOD + 8, VERDICT_SIZE = 96 };
+
+/// The number of a field of one column, NaN when the table has none.
+static double number(const whirl_table *table, size_t point, const char *field, size_t which) {
+    const double *values = whirl_table_field(table, point, field, which);
+    return values ? *values : NAN;
+}
+
+static bool rubs(const whirl_result *result, const whirl_table *table, size_t point) {
+    for (size_t i = 0; i < result->contact_count; i++)
+        if (number(table, point, "rub/share", i) > 0) return true;
+    return false;
+}
+
+// ---------------------------------------------------------------- one point
+
+static void print_rubs(const whirl_result *result, const whirl_table *table, size_t point) {
+    for (size_t i = 0; i < result->contact_count; i++) {
+        const double share = number(table, point, "rub/share", i);
+        if (share > 0)
+            printf("  %s: %.3g %% of the time\n", result->contacts[i], 100 * share);
+        else if (share >= 0)
+            printf("  %s: no contact\n", result->contacts[i]);
+    }
+}
+
+/// "max radius: disc 1.154, journal 0.957 (length scale 0.0002 m)".
+static void print_radii(const whirl_result *result, const whirl_table *table, size_t point) {
+    if (!whirl_layout_field(&table->layout, "orbit/max_radius")) return;
+    fputs("  largest radius:", stdout);
+    for (size_t i = 0; i < result->station_count; i++)
+        printf("%s %s %.4g", i ? "," : "", result->stations[i].name, number(table, point, "orbit/max_radius", i));
+    printf(" (in %g m)\n", result->length_scale);
+}
+
+static void print_point(const whirl_result *result, const whirl_table *table) {
+    const whirl_verdict verdict = whirl_table_verdict(table, 0);
+    char text[WHIRL_MESSAGE_SIZE];
+    whirl_verdict_name(&verdict, text, sizeof text);
+    printf("%s: %s\n", table->name, text);
+    whirl_verdict_reason(&verdict, text, sizeof text);
+    if (text[0]) printf("  %s\n", text);
+    if (isfinite(verdict.exponent.value))
+        printf("  largest exponent: %.4f +- %.4f per revolution\n", verdict.exponent.value, verdict.exponent.error);
+    if (verdict.regime == WHIRL_DIVERGING) return;
+    print_rubs(result, table, 0);
+    print_radii(result, table, 0);
+}
+
+// ---------------------------------------------------------------- many points
+
+static const char *parameter_unit(const whirl_result *result, const char *name) {
+    for (size_t i = 0; i < result->parameter_count; i++)
+        if (strcmp(result->parameters[i].name, name) == 0 && strcmp(result->parameters[i].unit, "1") != 0)
+            return result->parameters[i].unit;
+    return "";
+}
+
+static void print_list(const whirl_result *result, const whirl_table *table) {
+    const char *unit = parameter_unit(result, table->parameter);
+    for (size_t point = 0; point < table->count; point++) {
+        const whirl_verdict verdict = whirl_table_verdict(table, point);
+        char name[VERDICT_SIZE];
+        whirl_verdict_name(&verdict, name, sizeof name);
+        printf("  %10.6g %s%s%-26s", table->values[point], unit, *unit ? "  " : " ", name);
+        if (isfinite(verdict.exponent.value))
+            printf(" exponent %8.4f +- %.4f", verdict.exponent.value, verdict.exponent.error);
+        puts(rubs(result, table, point) ? "  rub" : "");
+    }
+}
+
+typedef struct verdict_counts {
+    size_t count, of[MAX_VERDICTS];
+    char names[MAX_VERDICTS][VERDICT_SIZE];
+} verdict_counts;
+
+/// Counts a verdict; all divergences are one, and so are the quasi-periodic motions.
+static void count_verdict(verdict_counts *tally, const whirl_verdict *verdict) {
+    char name[VERDICT_SIZE];
+    if (verdict->regime == WHIRL_PERIODIC)
+        whirl_verdict_name(verdict, name, sizeof name);
+    else
+        snprintf(name, sizeof name, "%s", whirl_regime_name(verdict->regime));
+    size_t i = 0;
+    while (i < tally->count && strcmp(tally->names[i], name) != 0) i++;
+    if (i == MAX_VERDICTS) return;
+    if (i == tally->count) memcpy(tally->names[tally->count++], name, sizeof name);
+    tally->of[i]++;
+}
+
+/// Verdicts in the order in which the sweep meets them.
+static void print_counts(const whirl_result *result, const whirl_table *table) {
+    verdict_counts tally = {.count = 0};
+    size_t rubbing = 0;
+    for (size_t point = 0; point < table->count; point++) {
+        const whirl_verdict verdict = whirl_table_verdict(table, point);
+        count_verdict(&tally, &verdict);
+        rubbing += rubs(result, table, point);
+    }
+    for (size_t i = 0; i < tally.count; i++) printf("  %6zu  %s\n", tally.of[i], tally.names[i]);
+    if (result->contact_count > 0) printf("  %6zu  with rub\n", rubbing);
+}
+
+void summarize_result(const whirl_result *result) {
+    printf("%s\n", result->title);
+    for (size_t i = 0; i < result->table_count; i++) {
+        const whirl_table *const table = &result->tables[i];
+        if (table->parameter[0] == '\0' && table->count == 1) {
+            print_point(result, table);
+            continue;
+        }
+        printf("%s of %s: %zu points\n", table->name, table->parameter, table->count);
+        if (table->count <= LONGEST_LIST)
+            print_list(result, table);
+        else
+            print_counts(result, table);
+    }
+}
+
+void summarize_study(const whirl_study *study) {
+    for (size_t i = 0; i < study->batch_count; i++) {
+        const whirl_batch *const batch = &study->batches[i];
+        const double points = (double)batch->count * (batch->carry == WHIRL_CARRY_BOTH ? 2 : 1);
+        const double revolutions = (double)batch->record.transient + batch->record.record;
+        printf("  %s", batch->name);
+        if (batch->parameter[0]) printf(" of %s", batch->parameter);
+        printf(": %.0f point%s, %.0f revolutions of %d %s each", points, points == 1 ? "" : "s", revolutions,
+               batch->integrate.steps_per_revolution, batch->integrate.method);
+        printf(" steps, %.3g in all\n", points * revolutions * batch->integrate.steps_per_revolution);
+    }
+}

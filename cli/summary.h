@@ -1,0 +1,14 @@
+/// What `whirl run` and `whirl check` say at the end.
+#ifndef CLI_SUMMARY_H
+#define CLI_SUMMARY_H
+
+#include "whirl/result.h"
+#include "whirl/study.h"
+
+/// What was found, on standard output: every point of a short table, counts of verdicts of a long one.
+void summarize_result(const whirl_result *result);
+
+/// One line a batch: points, revolutions, steps.
+void summarize_study(const whirl_study *study);
+
+#endif

@@ -1,0 +1,56 @@
+# The facts of the build that src/base/build.c tells: compiler, flags and libraries when configuring, the git revision
+# at every build. To be included after whirl_layer(base), when the compile options are set.
+#   cmake -DSOURCE=<folder> -DHEADER=<file> -P cmake/build_info.cmake    writes the revision (what the build runs)
+
+if(CMAKE_SCRIPT_MODE_FILE)
+  set(revision "unknown")
+  execute_process(COMMAND git -C ${SOURCE} rev-parse HEAD OUTPUT_VARIABLE head RESULT_VARIABLE failed
+                  ERROR_QUIET OUTPUT_STRIP_TRAILING_WHITESPACE)
+  if(failed EQUAL 0)
+    set(revision "${head}")
+    execute_process(COMMAND git -C ${SOURCE} status --porcelain --untracked-files=no OUTPUT_VARIABLE changes ERROR_QUIET)
+    if(changes)
+      string(APPEND revision ", modified")
+    endif()
+  endif()
+  # Rewritten only when it changes, so that nothing is compiled again for nothing.
+  file(CONFIGURE OUTPUT ${HEADER} CONTENT "#define BUILD_REVISION \"@revision@\"\n" @ONLY)
+  return()
+endif()
+
+set(folder ${PROJECT_BINARY_DIR}/build_info)
+set(BUILD_COMPILER "${CMAKE_C_COMPILER_ID} ${CMAKE_C_COMPILER_VERSION}")
+set(BUILD_TYPE "${CMAKE_BUILD_TYPE}")
+
+# Flags that shape the code; warnings do not.
+string(TOUPPER "${CMAKE_BUILD_TYPE}" kind)
+get_directory_property(options COMPILE_OPTIONS)
+separate_arguments(given UNIX_COMMAND "${CMAKE_C_FLAGS} ${CMAKE_C_FLAGS_${kind}}")
+set(flags ${given} ${options})
+list(FILTER flags EXCLUDE REGEX "^-W")
+list(JOIN flags " " BUILD_FLAGS)
+string(REPLACE "\\" "\\\\" BUILD_FLAGS "${BUILD_FLAGS}")
+string(REPLACE "\"" "\\\"" BUILD_FLAGS "${BUILD_FLAGS}")
+
+# SUNDIALS comes without a pkg-config file and says its version in a header.
+set(sundials_version "of unknown version")
+set(sundials_header "${SUNDIALS::CVODE_INCLUDE}/sundials/sundials_config.h")
+if(EXISTS "${sundials_header}")
+  file(STRINGS "${sundials_header}" line REGEX "#define SUNDIALS_VERSION ")
+  string(REGEX MATCH "\"(.+)\"" line "${line}")
+  set(sundials_version "${CMAKE_MATCH_1}")
+endif()
+set(libraries "HDF5 ${HDF5_VERSION}" "SUNDIALS ${sundials_version}" "libyaml ${YAML_VERSION}"
+    "muParser ${MUPARSER_VERSION}" "UDUNITS ${UDUNITS_VERSION}" "Jansson ${JANSSON_VERSION}" "KissFFT ${KISSFFT_VERSION}"
+    "OpenMP ${OpenMP_C_VERSION}")
+list(JOIN libraries ", " BUILD_LIBRARIES)
+
+configure_file(${CMAKE_CURRENT_LIST_DIR}/build_info.h.in ${folder}/build_info.h @ONLY)
+
+set(write_revision ${CMAKE_COMMAND} -DSOURCE=${PROJECT_SOURCE_DIR} -DHEADER=${folder}/build_revision.h
+    -P ${CMAKE_CURRENT_LIST_FILE})
+add_custom_target(build_revision ALL COMMAND ${write_revision} BYPRODUCTS ${folder}/build_revision.h
+                  COMMENT "Git revision" VERBATIM)
+add_dependencies(whirl_base build_revision)
+set_source_files_properties(${PROJECT_SOURCE_DIR}/src/base/build.c PROPERTIES COMPILE_DEFINITIONS BUILD_INFO
+                            INCLUDE_DIRECTORIES ${folder})

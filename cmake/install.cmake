@@ -1,0 +1,40 @@
+# `cmake --install`: the command, libwhirl shared and static, headers, pkg-config and CMake package files, the man page,
+# bash completion and the cases.
+include(CMakePackageConfigHelpers)
+
+set_target_properties(whirl_shared PROPERTIES EXPORT_NAME whirl)
+install(TARGETS whirl RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS whirl_shared EXPORT whirlTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS whirl_static ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(DIRECTORY include/whirl ${PROJECT_BINARY_DIR}/include/whirl DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+        FILES_MATCHING PATTERN "*.h")
+install(FILES docs/whirl.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(FILES cli/completion.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME whirl)
+install(DIRECTORY cases DESTINATION ${CMAKE_INSTALL_DATADIR}/whirl FILES_MATCHING PATTERN "*.yaml")
+
+# The static library leaves its own libraries to the program that links it: those that have a pkg-config file by that
+# name, the others as linker options.
+set(WHIRL_STATIC_MODULES hdf5-serial yaml-0.1 udunits muparser jansson kissfft-float)
+set(WHIRL_STATIC_OPTIONS "")
+get_target_property(sundials SUNDIALS::CVODE INTERFACE_LINK_LIBRARIES)
+foreach(file ${sundials})
+  get_filename_component(name ${file} NAME_WE)
+  string(REGEX REPLACE "^lib" "-l" option ${name})
+  list(APPEND WHIRL_STATIC_OPTIONS ${option})
+endforeach()
+list(APPEND WHIRL_STATIC_OPTIONS ${OpenMP_C_FLAGS} -lm)
+string(JOIN " " WHIRL_PC_MODULES ${WHIRL_STATIC_MODULES})
+string(JOIN " " WHIRL_PC_OPTIONS ${WHIRL_STATIC_OPTIONS})
+
+# From the folder of libraries up to the prefix, so that an installed tree can be moved.
+string(REGEX REPLACE "[^/]+" ".." WHIRL_PC_PREFIX ${CMAKE_INSTALL_LIBDIR})
+configure_file(cmake/whirl.pc.in whirl.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/whirl.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+
+set(package ${CMAKE_INSTALL_LIBDIR}/cmake/whirl)
+install(EXPORT whirlTargets NAMESPACE whirl:: DESTINATION ${package})
+configure_package_config_file(cmake/whirlConfig.cmake.in whirlConfig.cmake INSTALL_DESTINATION ${package}
+                              PATH_VARS CMAKE_INSTALL_LIBDIR CMAKE_INSTALL_INCLUDEDIR)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/whirlConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/whirlConfig.cmake ${PROJECT_BINARY_DIR}/whirlConfigVersion.cmake
+        DESTINATION ${package})

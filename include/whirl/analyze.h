@@ -1,0 +1,227 @@
+/// Analyses: what is said of one point (one parameter set, one start).
+///
+/// First a motion is *recorded* (whirl_record_motion): states once per revolution, waveforms, extremes, contact
+/// statistics and the growth of a small disturbance are gathered while the integrator runs. Then each *analysis*
+/// turns the record into numbers. The numbers of a point lie in one block of doubles whose *layout* names them:
+/// analyses describe their fields, and case files, result files and exports follow from that.
+#ifndef WHIRL_ANALYZE_H
+#define WHIRL_ANALYZE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "whirl/integrate.h"
+#include "whirl/status.h"
+#include "whirl/system.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+// ---------------------------------------------------------------- recording
+
+typedef struct whirl_record_options {
+    int transient; ///< revolutions that pass before anything is recorded, >= 0
+    int record;    ///< revolutions recorded, >= 1
+    /// Revolutions before the end over which the Poincare section and the growth of a disturbance are followed,
+    /// record <= watch <= transient + record; 0: the record and the second half of the transient.
+    int watch;
+    int waveform_revolutions; ///< last revolutions whose waveform is kept as a result, 0 <= ... <= record
+    /// Samples of the waveform a revolution, at least (the next divisor of steps_per_revolution is taken).
+    int samples_per_revolution;
+    double highest_order; ///< spectra are kept up to this order of the running speed
+    bool spectra;         ///< keep whole spectra, not only their peaks
+    bool waveform;        ///< waveforms are needed (for spectra or to be kept)
+    bool growth;          ///< follow a disturbance (costs a second trajectory while watched)
+} whirl_record_options;
+
+/// transient 1100, record 100, watch 0, waveform_revolutions 0, samples_per_revolution 64, highest_order 5,
+/// spectra false, waveform true, growth true.
+whirl_record_options whirl_record_default(void);
+
+/// Revolutions watched, with the default resolved.
+int whirl_record_watch(const whirl_record_options *options);
+
+/// Samples of a waveform a revolution: the smallest divisor of `steps_per_revolution` that is at least
+/// options->samples_per_revolution.
+int whirl_record_samples(const whirl_record_options *options, int steps_per_revolution);
+
+/// What was gathered of one motion. Lengths in the system's own; one block, freed by whirl_record_free.
+/// After a divergence only `diverged_at` and `motion` mean anything.
+typedef struct whirl_record {
+    size_t dimension, probe_count, contact_count;
+    const whirl_probe *probes; ///< of the system; borrowed
+    double period;
+    whirl_motion motion;
+    double diverged_at; ///< revolution (counted from 1) in which the motion left its bounds, 0 where it did not
+
+    size_t section_count; ///< revolutions watched
+    double *section;      ///< [section_count][dimension] states at the ends of the watched revolutions, oldest first
+    size_t record_count;  ///< of these the last ones, which are the record
+
+    size_t growth_count; ///< 0 when no disturbance was followed
+    double *growth;      ///< [growth_count] ln of the disturbance's growth in each watched revolution
+
+    size_t sample_count;           ///< samples of the waveform over the record, 0 when not wanted
+    size_t samples_per_revolution; ///< whose ends are at t = period/samples_per_revolution, ..., period
+    double *waveform;              ///< [probe_count][2][sample_count] x, then y, of every probe
+
+    double *low, *high; ///< [dimension] bounds of every coordinate over the record
+    double *max_radius; ///< [probe_count] largest sqrt(x^2 + y^2) over the record
+    double *min_radius; ///< [probe_count] smallest
+    double *mean;       ///< [probe_count][2] mean position over the record
+    double
+        *backward; ///< [probe_count] share of the time that x vy - y vx < 0: whirl against the rotation, about (0, 0)
+    double *contact_share;  ///< [contact_count] share of the time in contact
+    double *contact_number; ///< [contact_count] times that contact began
+    double *contact_force;  ///< [contact_count] largest normal force, in the model's unit
+
+    double *end; ///< [dimension] the last state
+} whirl_record;
+
+/// Called after every revolution of a motion; false asks for a stop.
+typedef struct whirl_monitor {
+    bool (*revolution_done)(void *context);
+    void *context;
+} whirl_monitor;
+
+/// Integrates from `start` [dimension] and records. The record belongs to the caller.
+/// WHIRL_BAD_INPUT for options that contradict each other, WHIRL_NO_MEMORY; WHIRL_STOPPED when `monitor`
+/// (which may be NULL) asked for it.
+whirl_status whirl_record_motion(const whirl_system *system, const whirl_integrate_options *integrate,
+                                 const whirl_record_options *options, const double *start, const whirl_monitor *monitor,
+                                 whirl_record **record);
+void whirl_record_free(whirl_record *record);
+
+// ---------------------------------------------------------------- single analyses, for any record
+
+/// A mean with its standard error.
+typedef struct whirl_estimate {
+    double value, error;
+} whirl_estimate;
+
+/// Largest Lyapunov exponent per revolution (natural logarithm): the mean growth of a disturbance over the watched
+/// revolutions after the first tenth, with the standard error of block means. NaN where nothing was followed.
+whirl_estimate whirl_lyapunov_largest(const whirl_record *record);
+
+typedef enum whirl_regime {
+    WHIRL_UNDETERMINED = 0,
+    WHIRL_PERIODIC,
+    WHIRL_QUASI_PERIODIC,
+    WHIRL_CHAOTIC,
+    WHIRL_DIVERGING
+} whirl_regime;
+
+enum { WHIRL_MAX_PERIOD = 64 };
+
+/// A verdict with the evidence it rests on.
+typedef struct whirl_verdict {
+    whirl_regime regime;
+    int period;         ///< k of P-k for a periodic motion, else 0
+    int curves;         ///< closed curves of a quasi-periodic motion's section, else 0
+    double diverged_at; ///< revolution, else 0
+    // evidence
+    whirl_estimate exponent; ///< largest, per revolution
+    double
+        recurrence; ///< smallest over k <= 64 of the largest return distance |z(n+k) - z(n)|, over the size of the motion
+    int recurrence_period; ///< the k that gives it (the smallest k below the tolerance, where there is one)
+    double
+        recurrence_trend; ///< that distance in the last quarter of the watched revolutions over that in the first: < 1 settles
+    double
+        regularity; ///< decimal digits to which weighted Birkhoff averages over two halves agree: high on tori, low in chaos
+} whirl_verdict;
+
+/// Judges the motion. See docs/theory.md, "Verdicts".
+whirl_verdict whirl_judge(const whirl_record *record);
+
+/// "periodic", "quasi-periodic", "chaotic", "diverged", "undetermined". Static text.
+const char *whirl_regime_name(whirl_regime regime);
+
+/// "P-2", "quasi-periodic (1 curve)", "chaotic", "diverged at revolution 17", "undetermined". Writes at most `size` bytes.
+void whirl_verdict_name(const whirl_verdict *verdict, char *text, size_t size);
+
+/// Why, in one sentence from the evidence. Writes at most `size` bytes.
+void whirl_verdict_reason(const whirl_verdict *verdict, char *text, size_t size);
+
+enum { WHIRL_MAX_LINES = 16 };
+
+/// A line of a spectrum. Amplitudes are zero to peak.
+typedef struct whirl_line {
+    double order;             ///< frequency over the running speed, > 0
+    double x, y;              ///< amplitudes of the two coordinates
+    double forward, backward; ///< of the two circular motions that make it up (full spectrum of x + iy)
+} whirl_line;
+
+/// Spectra of one probe over the record: Hann window over all samples, mean removed, resolution 1/record orders.
+typedef struct whirl_spectrum {
+    size_t count;                       ///< orders 0 .. highest
+    double resolution;                  ///< orders between two bins
+    double *x, *y, *forward, *backward; ///< [count] amplitudes, zero to peak; one block, freed by whirl_spectrum_free
+    size_t line_count;
+    whirl_line lines[WHIRL_MAX_LINES]; ///< interpolated peaks, largest first
+} whirl_spectrum;
+
+/// Spectrum of probe `probe` up to `highest_order`. WHIRL_BAD_INPUT when the record has no waveform.
+whirl_status whirl_spectrum_new(const whirl_record *record, size_t probe, double highest_order,
+                                whirl_spectrum **spectrum);
+void whirl_spectrum_free(whirl_spectrum *spectrum);
+
+// ---------------------------------------------------------------- analyses by name, and their fields
+
+typedef enum whirl_extent { WHIRL_PER_POINT = 0, WHIRL_PER_STATION, WHIRL_PER_CONTACT } whirl_extent;
+
+/// One named group of numbers in the block of a point: for every point, station (probe) or contact
+/// an array [rows][columns] (1 x 1: a number), row-major. Missing values are NaN.
+typedef struct whirl_field {
+    char name[WHIRL_NAME_SIZE]; ///< "analysis/quantity", as "lyapunov/largest"
+    const char *unit; ///< "length", "force", "1", "revolution", "1/revolution", "order"; "length" is the case's scale
+    const char *meaning; ///< one line; for columns their names, separated by ", "
+    whirl_extent extent;
+    size_t rows, columns;
+    size_t repeat; ///< 1, or the number of stations or contacts
+    size_t offset; ///< of the first number in the block; the next repetition follows after rows * columns
+} whirl_field;
+
+enum { WHIRL_MAX_FIELDS = 64 };
+
+/// The fields of a point's block.
+typedef struct whirl_layout {
+    size_t field_count;
+    whirl_field fields[WHIRL_MAX_FIELDS];
+    size_t size; ///< doubles of the block
+} whirl_layout;
+
+/// An analysis as it describes itself.
+typedef struct whirl_analysis {
+    const char *name;    ///< as written in a case file: "poincare", "spectrum", ...
+    const char *meaning; ///< one line
+    const char *source;
+} whirl_analysis;
+
+/// All analyses; static, ended by an entry whose name is NULL.
+const whirl_analysis *whirl_analyses(void);
+
+/// A choice of analyses, one bit for the index in whirl_analyses().
+typedef unsigned whirl_analysis_set;
+
+/// Adds the analysis of that name; false when there is none.
+bool whirl_analysis_add(whirl_analysis_set *set, const char *name);
+
+/// The layout of a point's block for a system, options and choice. WHIRL_BAD_INPUT for contradicting options.
+whirl_status whirl_layout_new(const whirl_system *system, const whirl_integrate_options *integrate,
+                              const whirl_record_options *options, whirl_analysis_set set, whirl_layout *layout);
+
+/// The field of that name, or NULL.
+const whirl_field *whirl_layout_field(const whirl_layout *layout, const char *name);
+
+/// Fills `block` [layout->size] with what the chosen analyses say of the record.
+whirl_status whirl_analyze(const whirl_record *record, const whirl_record_options *options, whirl_analysis_set set,
+                           const whirl_layout *layout, double *block);
+
+/// The verdict that a block holds; regime WHIRL_UNDETERMINED with NaN evidence when it holds none.
+whirl_verdict whirl_block_verdict(const whirl_layout *layout, const double *block);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,77 @@
+/// Cases: one YAML file that describes a rotor, its parameters and a study.
+#ifndef WHIRL_CASE_H
+#define WHIRL_CASE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "whirl/descriptor.h"
+#include "whirl/result.h"
+#include "whirl/rotor.h"
+#include "whirl/status.h"
+#include "whirl/study.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/// Something wrong in a file. Lines and columns count from 1; 0 where there is no place (a --set on the command line).
+typedef struct whirl_problem {
+    int line, column;
+    char key[128];     ///< path of the key, "rotor.stations.disc.mass"
+    char message[256]; ///< "is -3 kg, expected a number above 0 kg"
+} whirl_problem;
+
+/// A list of problems, all that were found; starts as {0}. Freed by whirl_problems_free.
+typedef struct whirl_problems {
+    size_t count, capacity;
+    whirl_problem *items;
+    char file[256];
+} whirl_problems;
+
+/// "paper.yaml:12:7: rotor.stations.disc.mass: is -3 kg, expected ...". Writes at most `size` bytes.
+void whirl_problem_text(const whirl_problems *problems, size_t index, char *text, size_t size);
+void whirl_problems_free(whirl_problems *problems);
+
+/// A parsed case: immutable but for whirl_case_set, safe to share between threads afterwards.
+typedef struct whirl_case whirl_case;
+
+/// Reads and checks a case file. WHIRL_BAD_INPUT when anything is wrong: `problems` then lists all of it (at most 100).
+/// Files above 1 MiB, aliases, and nesting deeper than 32 are refused.
+whirl_status whirl_case_load(const char *path, whirl_problems *problems, whirl_case **out);
+
+/// The same from memory; `name` stands for the file in messages. Never runs long and never crashes, whatever the bytes.
+whirl_status whirl_case_parse(const char *text, size_t length, const char *name, whirl_problems *problems,
+                              whirl_case **out);
+void whirl_case_free(whirl_case *object);
+
+/// Overrides a parameter: "r_k=0.45", "omega=6000 rpm", "c== 2*0.1e-3". The whole case is checked again:
+/// WHIRL_BAD_INPUT (nearest name named) leaves it as it was.
+whirl_status whirl_case_set(whirl_case *object, const char *assignment);
+
+const char *whirl_case_title(const whirl_case *object);
+
+/// Value of a parameter in SI. WHIRL_BAD_INPUT for an unknown name.
+whirl_status whirl_case_parameter(const whirl_case *object, const char *name, double *value);
+
+/// The rotor with parameter `name` at `value` (name NULL: as the case says). Freed by whirl_rotor_free. Thread-safe.
+whirl_status whirl_case_rotor(const whirl_case *object, const char *name, double value, whirl_rotor **rotor);
+
+/// The study of the case. It borrows from the case, which must outlive it.
+whirl_status whirl_case_study(const whirl_case *object, whirl_study *study);
+
+/// Fills the parts of a result that the case knows: title, text, scales, parameters, stations, contacts.
+whirl_status whirl_case_describe_result(const whirl_case *object, whirl_result *result);
+
+/// Runs the case's study and describes the result, provenance included: the whole way in one call.
+/// Errors as whirl_study_run.
+whirl_status whirl_case_run(const whirl_case *object, const whirl_run_options *options, whirl_result **result);
+
+/// The groups of keys of a case file outside rotor elements and stations (case, rotor, study, sweep, integrate, ...);
+/// static, ended by an entry whose name is NULL.
+const whirl_group *const *whirl_case_groups(void);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

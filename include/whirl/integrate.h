@@ -1,0 +1,65 @@
+/// Integrators: carry a state over whole revolutions. They know systems, not rotors.
+#ifndef WHIRL_INTEGRATE_H
+#define WHIRL_INTEGRATE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "whirl/status.h"
+#include "whirl/system.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct whirl_integrate_options {
+    char method[WHIRL_NAME_SIZE]; ///< a name of whirl_method_at()
+    /// Instants of a revolution at which an observer is called, equally spaced; for a fixed-step method also its steps.
+    int steps_per_revolution;
+    double rtol;  ///< relative tolerance of adaptive methods
+    double atol;  ///< absolute tolerance of adaptive methods, in the state's units
+    double limit; ///< a state with a coordinate beyond +-limit counts as diverged, in the state's units
+} whirl_integrate_options;
+
+/// rk4, 1024 steps a revolution (the 2015 paper's), rtol 1e-9, atol 1e-12, limit 1e6.
+whirl_integrate_options whirl_integrate_default(void);
+
+/// A method as it describes itself.
+typedef struct whirl_method {
+    const char *name;
+    const char *meaning;
+    bool adaptive; ///< uses rtol and atol, and finds the zeros of the switching functions
+} whirl_method;
+
+/// The methods that this build has, by index from 0; NULL past the last. Static.
+const whirl_method *whirl_method_at(size_t index);
+
+/// Called at the end of each of the steps_per_revolution equal parts of a revolution: t in (0, period], x the state.
+typedef void (*whirl_observe_fn)(void *observer, double t, const double *x);
+
+typedef enum whirl_motion {
+    WHIRL_BOUNDED = 0,
+    WHIRL_DIVERGED, ///< not finite, or beyond the limit: a result, not a failure
+    WHIRL_STUCK     ///< the solver could not go on (step size underflow, endless switching)
+} whirl_motion;
+
+/// A method with its workspace for one system; not to be shared between threads.
+typedef struct whirl_integrator whirl_integrator;
+
+/// Makes an integrator; `system` is borrowed and must outlive it. WHIRL_BAD_INPUT with a sentence for an unknown
+/// method, steps_per_revolution < 1, or tolerances that are not positive. Freed by whirl_integrator_free.
+whirl_status whirl_integrator_new(const whirl_system *system, const whirl_integrate_options *options,
+                                  whirl_integrator **integrator);
+
+/// Carries x [dimension] over one period, from t = 0 to t = period. `observe` may be NULL.
+/// A pure function of x: nothing is remembered from one call to the next, so calls for several states may alternate.
+/// After anything but WHIRL_BOUNDED x is what was reached and must not be continued.
+whirl_motion whirl_integrator_revolve(whirl_integrator *integrator, double *x, whirl_observe_fn observe,
+                                      void *observer);
+
+void whirl_integrator_free(whirl_integrator *integrator);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,30 @@
+/// Reports: figures and an HTML page from results.
+#ifndef WHIRL_REPORT_H
+#define WHIRL_REPORT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "whirl/claims.h"
+#include "whirl/result.h"
+#include "whirl/status.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct whirl_report_options {
+    const whirl_claims *claims; ///< NULL: none
+    const char *gnuplot;        ///< program; NULL: "gnuplot" on the PATH
+    bool quiet;
+} whirl_report_options;
+
+/// Writes DIR/report.html, and for every result DIR/<name>/ with figures (PNG, PDF), their gnuplot scripts and data.
+/// `names` [count] become folder names. WHIRL_MISSING_PROGRAM when gnuplot is not there: scripts and data are written all the same.
+whirl_status whirl_report_write(const whirl_result *const *results, const char *const *names, size_t count,
+                                const char *directory, const whirl_report_options *options);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

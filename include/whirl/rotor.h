@@ -1,0 +1,80 @@
+/// Rotors: stations joined by elements.
+///
+/// A *design* lists stations and elements with their parameters in SI; a *rotor* is built from it once and is
+/// immutable. It gives the equations of motion, scaled: time tau = omega t (one revolution is 2 pi), lengths in
+/// `length_scale`. The state holds x and y of every station in the order of the design, then their derivatives
+/// by tau: x1, y1, x2, y2, ..., x1', y1', x2', y2', ... The shaft turns counter-clockwise (x towards y).
+#ifndef WHIRL_ROTOR_H
+#define WHIRL_ROTOR_H
+
+#include <stddef.h>
+
+#include "whirl/descriptor.h"
+#include "whirl/status.h"
+#include "whirl/system.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum { WHIRL_MAX_STATIONS = 256, WHIRL_MAX_ELEMENTS = 1024 };
+
+/// The keys of a station (mass, damping, eccentricity, ...).
+const whirl_group *whirl_station_keys(void);
+
+/// The keys of all elements, in the order in which they act; static, ended by an entry whose name is NULL.
+const whirl_group *const *whirl_element_groups(void);
+
+/// The element of that name, or NULL.
+const whirl_group *whirl_element_group(const char *name);
+
+/// One key of a station or an element with its value. `number` is in the key's SI unit; `text` is for words:
+/// a choice, a station, or two stations "disc, journal". Where text is not NULL it counts. Borrowed.
+typedef struct whirl_setting {
+    const char *key;
+    double number;
+    const char *text;
+} whirl_setting;
+
+/// A list of stations and elements, being written.
+typedef struct whirl_design whirl_design;
+
+/// Starts a design. speed: omega in rad/s, > 0; length_scale in m, > 0.
+whirl_status whirl_design_new(double speed, double length_scale, whirl_design **design);
+
+/// Adds a station; its name must be new, a word of letters, digits, '_' and '-', and not "ground".
+/// WHIRL_BAD_INPUT with a sentence for an unknown, missing, repeated or out-of-range key.
+whirl_status whirl_design_station(whirl_design *design, const char *name, const whirl_setting *settings, size_t count);
+
+/// Adds an element of a kind of whirl_element_groups(); its stations must be there already. Errors as above.
+whirl_status whirl_design_element(whirl_design *design, const char *kind, const whirl_setting *settings, size_t count);
+
+void whirl_design_free(whirl_design *design);
+
+typedef struct whirl_rotor whirl_rotor;
+
+/// Builds the rotor. The design is not kept. WHIRL_BAD_INPUT for a design that is no machine (no station, ...).
+whirl_status whirl_rotor_new(const whirl_design *design, whirl_rotor **rotor);
+void whirl_rotor_free(whirl_rotor *rotor);
+
+/// The rotor as a system of first order; borrowed, lives as long as the rotor. One probe a station.
+const whirl_system *whirl_rotor_system(const whirl_rotor *rotor);
+
+double whirl_rotor_speed(const whirl_rotor *rotor);        ///< rad/s
+double whirl_rotor_length_scale(const whirl_rotor *rotor); ///< m
+
+/// Newtons per unit of the normal forces that the system's `contacts` gives: m omega^2 length of the first station.
+double whirl_rotor_force_scale(const whirl_rotor *rotor);
+
+/// Names of the contacts ("rub at disc"), as many as the system's contact_count; borrowed.
+const char *const *whirl_rotor_contact_names(const whirl_rotor *rotor);
+
+/// Short-bearing film force of Capone (1991) on a journal at (x, y) in clearances with velocity (vx, vy) in
+/// clearances per radian, per unit of F0: validation formula of the film element.
+/// A journal at or beyond the wall (x^2 + y^2 >= 1) gives NaN.
+void whirl_film_force(double x, double y, double vx, double vy, double force[2]);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,83 @@
+/// Studies: which points are computed, on which threads.
+///
+/// A point is a pure function of (family, batch, index) and is written to its own slot, so the number of threads
+/// changes no bit of a result.
+#ifndef WHIRL_STUDY_H
+#define WHIRL_STUDY_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "whirl/analyze.h"
+#include "whirl/integrate.h"
+#include "whirl/result.h"
+#include "whirl/status.h"
+#include "whirl/system.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/// One member of a family of machines, with the state it starts from. `release(owner)` frees all of it.
+typedef struct whirl_machine {
+    const whirl_system *system;
+    const double *start; ///< [system->dimension]
+    void *owner;
+    void (*release)(void *owner);
+} whirl_machine;
+
+/// How the starts of neighbouring points hang together.
+typedef enum whirl_carry {
+    WHIRL_CARRY_NONE = 0, ///< every point starts from its machine's start
+    WHIRL_CARRY_FORWARD,  ///< the attractor is followed from the first value to the last
+    WHIRL_CARRY_REVERSE,  ///< ... from the last to the first
+    WHIRL_CARRY_BOTH      ///< both, as two branches: hysteresis shows
+} whirl_carry;
+
+/// Points that are computed alike.
+typedef struct whirl_batch {
+    char name[WHIRL_NAME_SIZE];      ///< "response", "sweep", "detail"
+    char parameter[WHIRL_NAME_SIZE]; ///< what varies; "" for a single point
+    size_t count;
+    const double *values; ///< [count] of the parameter, in SI; borrowed; NULL when nothing varies
+    whirl_carry carry;
+    whirl_integrate_options integrate;
+    whirl_record_options record;
+    whirl_analysis_set analyses;
+} whirl_batch;
+
+enum { WHIRL_MAX_BATCHES = 4 };
+
+typedef struct whirl_study {
+    size_t batch_count;
+    whirl_batch batches[WHIRL_MAX_BATCHES];
+    /// Makes the machine for a value of the batch's parameter; called from several threads at once.
+    /// All machines of a study have the same dimension, probes and contacts.
+    whirl_status (*machine)(const void *family, const whirl_batch *batch, double value, whirl_machine *machine);
+    const void *family; ///< borrowed
+} whirl_study;
+
+/// How far a run has come.
+typedef struct whirl_progress {
+    size_t points_done, points_total;
+    double revolutions_done, revolutions_total;
+    double seconds; ///< since the start
+} whirl_progress;
+
+typedef struct whirl_run_options {
+    int threads; ///< 0: all cores
+    /// Called a few times a second from one thread at a time, and at the end. May be NULL.
+    void (*progress)(void *context, const whirl_progress *progress);
+    void *context;
+    const volatile bool *stop; ///< NULL, or becomes true when the run shall end early
+} whirl_run_options;
+
+/// Runs all batches. `result` gets one table a batch; its `about` is empty (see whirl_case_describe_result).
+/// The first error of a point ends the run. WHIRL_STOPPED when stopped: then there is no result.
+/// The result is freed by whirl_result_free.
+whirl_status whirl_study_run(const whirl_study *study, const whirl_run_options *options, whirl_result **result);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,65 @@
+/// A system: what the integrators and the analyses know of a machine. Rotors give one; a user of the library
+/// can write one by hand (see examples/duffing.c).
+///
+///     dx/dt = f(t, x),   f(t + period, x) = f(t, x)
+///
+/// A system is immutable and shared by all threads; the functions must depend on their arguments alone.
+#ifndef WHIRL_SYSTEM_H
+#define WHIRL_SYSTEM_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {
+    WHIRL_NAME_SIZE = 64,    ///< bytes of a name of a station, parameter, ... with its end
+    WHIRL_MAX_FORCING = 16,  ///< most values that depend on time alone
+    WHIRL_MAX_SWITCHES = 64, ///< most switching functions
+    WHIRL_MAX_CONTACTS = 64, ///< most unilateral contacts
+    WHIRL_MAX_PROBES = 256   ///< most probes
+};
+
+/// A pair of displacement coordinates that is observed together, as a pair of proximity probes sees a shaft.
+/// `x` and `y` index the state; `vx` and `vy` their derivatives. For a system with one coordinate set y = x and vy = vx.
+typedef struct whirl_probe {
+    char name[WHIRL_NAME_SIZE];
+    size_t x, y, vx, vy;
+    /// Clearance of the journal bearing here in the state's units of length, 0 where there is none:
+    /// radius / clearance is the eccentricity ratio.
+    double clearance;
+} whirl_probe;
+
+typedef struct whirl_system {
+    size_t dimension; ///< length of x
+    double period;    ///< of the forcing, and from one Poincare section to the next, in units of t ("one revolution")
+
+    /// Optional: the values that depend on time alone (cos t, sin t, ...), so that an integrator may tabulate them.
+    /// Writes `forcing_count` numbers. NULL when forcing_count is 0.
+    size_t forcing_count;
+    void (*forcing)(const void *model, double t, double *forcing);
+
+    /// The right-hand side. t runs from 0 to period in every revolution; `forcing` holds the values at t.
+    void (*rhs)(const void *model, double t, const double *forcing, const double *x, double *dxdt);
+
+    /// Optional: switching functions, smooth in (t, x), whose zeros are where rhs is not smooth (contact,
+    /// release, slip reversal). Writes `switch_count` values. Integrators with root finding stop there.
+    size_t switch_count;
+    void (*switches)(const void *model, double t, const double *x, double *values);
+
+    /// Optional: unilateral contacts. Writes for each of `contact_count` the normal force, 0 while open,
+    /// in the model's unit of force (see whirl_rotor_force_scale for rotors).
+    size_t contact_count;
+    void (*contacts)(const void *model, const double *x, double *normal_force);
+
+    size_t probe_count;
+    const whirl_probe *probes; ///< borrowed; lives as long as the system
+
+    const void *model; ///< handed to every function; borrowed
+} whirl_system;
+
+#ifdef __cplusplus
+}
+#endif
+#endif

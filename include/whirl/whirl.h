@@ -1,0 +1,20 @@
+/// whirl: nonlinear dynamics of rotating machines. Includes everything.
+///
+///     case -> rotor -> integrate -> analyze -> study -> result -> report
+#ifndef WHIRL_H
+#define WHIRL_H
+
+#include "whirl/analyze.h"
+#include "whirl/case.h"
+#include "whirl/claims.h"
+#include "whirl/descriptor.h"
+#include "whirl/integrate.h"
+#include "whirl/report.h"
+#include "whirl/result.h"
+#include "whirl/rotor.h"
+#include "whirl/status.h"
+#include "whirl/study.h"
+#include "whirl/system.h"
+#include "whirl/version.h"
+
+#endif

@@ -1,0 +1,81 @@
+#!/bin/bash
+# Installs the Debian 12 packages that whirl needs and that are missing; does nothing when all is there.
+#
+#   scripts/install-dependencies.sh [--check] GROUP...
+#
+# Groups: build (library and command), report (figures), test (all tests), lint, bench.
+# --check only says what is missing, with exit status 1.
+set -euo pipefail
+
+declare -A packages=(
+    # The unit database comes with libudunits2-dev (libudunits2-0 depends on libudunits2-data).
+    [build]="build-essential cmake ninja-build pkg-config git libsundials-dev libhdf5-dev libyaml-dev
+             libudunits2-dev libmuparser-dev libjansson-dev libkissfft-dev"
+    [report]="gnuplot-nox"
+    # clang with its run time: the fuzz target, and a second compiler that must agree; libomp-dev is its OpenMP.
+    [test]="libcmocka-dev liblapacke-dev libopenblas-dev clang libclang-rt-14-dev libomp-dev valgrind
+            python3-h5py"
+    [lint]="clang-format clang-tidy cppcheck"
+    [bench]="libgsl-dev"
+)
+
+say() { printf 'dependencies: %s\n' "$*" >&2; }
+
+check_only=false
+if [ "${1:-}" = --check ]; then
+    check_only=true
+    shift
+fi
+wanted=()
+for group in "$@"; do
+    if [ -z "${packages[$group]:-}" ]; then
+        say "there is no group '$group', expected one of: build report test lint bench"
+        exit 2
+    fi
+    read -r -d '' -a names <<<"${packages[$group]}" || true
+    wanted+=("${names[@]}")
+done
+if [ ${#wanted[@]} -eq 0 ]; then
+    say "name at least one group: build report test lint bench"
+    exit 2
+fi
+
+if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+    # Another system: whoever works there has the libraries under other names, and CMake says which it does not find.
+    say "this is not a Debian system, so nothing is installed here; whirl needs what Debian 12 calls: ${wanted[*]}"
+    exit 0
+fi
+
+missing=()
+# shellcheck disable=SC2016 # ${Package} is dpkg-query's, not the shell's.
+installed=" $(dpkg-query -W -f '${db:Status-Status} ${Package}\n' "${wanted[@]}" 2>/dev/null |
+    sed -n 's/^installed //p' | tr '\n' ' ') "
+for name in "${wanted[@]}"; do
+    case $installed in
+    *" $name "*) ;;
+    *) missing+=("$name") ;;
+    esac
+done
+[ ${#missing[@]} -gt 0 ] || exit 0
+
+say "missing: ${missing[*]}"
+if $check_only; then
+    say "'scripts/install-dependencies.sh $*' installs them (so do 'make test' and 'make paper')"
+    exit 1
+fi
+
+as_root=()
+if [ "$(id -u)" -ne 0 ]; then
+    if ! command -v sudo >/dev/null; then
+        say "neither root nor sudo: ask your administrator for 'apt-get install ${missing[*]}'"
+        exit 1
+    fi
+    as_root=(sudo)
+fi
+apt() { "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -o Acquire::Retries=3 "$@"; }
+
+say "installing them with apt-get"
+# The package lists of a fresh system are empty, and those of an old one name files that are gone.
+apt update -qq
+apt install -y -qq --no-install-recommends "${missing[@]}"
+say "installed: ${missing[*]}"

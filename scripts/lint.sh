@@ -1,0 +1,13 @@
+#!/bin/bash
+# clang-format, clang-tidy and cppcheck without changing anything:  scripts/lint.sh BUILD SOURCE...
+set -euo pipefail
+build=$1
+shift
+clang-format --dry-run -Werror "$@"
+units=()
+for source in "$@"; do
+    case $source in tests/fuzz/* | bench/*) ;; *.c) units+=("$source") ;; esac
+done
+printf '%s\n' "${units[@]}" | xargs -P "$(nproc)" -n 4 clang-tidy -p "$build" --quiet --warnings-as-errors='*'
+cppcheck --quiet --std=c11 --language=c --enable=warning,performance,portability --inline-suppr --error-exitcode=1 \
+    --suppressions-list=scripts/cppcheck-suppressions.txt -I include -I "$build/include" -j "$(nproc)" cli src examples

@@ -1,0 +1,54 @@
+/// What an analysis is made of: the fields that it adds to the block of a point, and how it fills them.
+#ifndef ANALYZE_ANALYSIS_H
+#define ANALYZE_ANALYSIS_H
+
+#include <stddef.h>
+
+#include "whirl/analyze.h"
+
+enum { MAX_ANALYSIS_FIELDS = 16 };
+
+/// What the sizes of the fields depend on.
+typedef struct block_shape {
+    size_t station_count, contact_count;
+    size_t samples_per_revolution;
+    const whirl_record_options *options;
+} block_shape;
+
+/// A field before the sizes are known.
+typedef struct field_plan {
+    const char *quantity; ///< the name is "analysis/quantity"
+    const char *unit;     ///< as whirl_field.unit
+    const char *meaning;
+    whirl_extent extent;
+    size_t columns;
+    size_t (*rows)(const block_shape *shape); ///< NULL: one row; a field of no rows is left out
+} field_plan;
+
+/// Where an analysis writes: its fields in the order of its plan, NULL for those that were left out.
+typedef struct block_view {
+    const whirl_field *fields[MAX_ANALYSIS_FIELDS];
+    double *block;
+} block_view;
+
+/// The numbers [rows][columns] of a field for a station or contact (0 for fields of the point);
+/// NULL when the field was left out.
+double *view_numbers(const block_view *view, size_t field, size_t which);
+
+/// An analysis. `compute` is called for bounded motions only, on fields full of NaN.
+typedef struct analysis_plan {
+    const field_plan *fields;
+    size_t field_count;
+    bool needs_waveform, needs_growth; ///< options without them contradict the choice of this analysis
+    whirl_status (*compute)(const whirl_record *record, const whirl_record_options *options, const block_view *view);
+    /// Optional: fills what a motion that left its bounds still has to say.
+    void (*compute_diverged)(const whirl_record *record, const block_view *view);
+} analysis_plan;
+
+extern const analysis_plan poincare_analysis, orbit_analysis, rub_analysis, waveform_analysis, spectrum_analysis,
+    lyapunov_analysis, regime_analysis;
+
+/// The plans, in the order of whirl_analyses().
+extern const analysis_plan *const analysis_plans[];
+
+#endif

@@ -1,0 +1,72 @@
+// Weighted Birkhoff averages: the mean of an observable along the motion, weighted by a smooth bump. On a torus (and
+// on a periodic motion) it converges faster than any power of the number of points, in chaos only like its square root,
+// so that the agreement of two halves tells them apart (Das, Sander, Yorke, "Super convergence of ergodic averages for
+// quasiperiodic orbits", Nonlinearity 2018). A motion that still settles disagrees as well.
+#include <math.h>
+
+#include "section.h"
+
+/// The bump exp(-1/(t (1 - t))) at t = (n + 1)/(count + 1).
+static double bump(size_t n, size_t count) {
+    const double t = (double)(n + 1) / (double)(count + 1);
+    return exp(-1.0 / (t * (1.0 - t)));
+}
+
+/// Weighted averages of one coordinate and of its square about `centre` over `count` points from `first`.
+typedef struct moments {
+    double mean, square;
+} moments;
+
+static moments weighted_moments(const section *all, size_t coordinate, size_t first, size_t count, double centre) {
+    double weights = 0.0, sum = 0.0, squares = 0.0;
+    for (size_t n = 0; n < count; n++) {
+        const double w = bump(n, count);
+        const double u = all->points[(first + n) * all->dimension + coordinate] - centre;
+        weights += w;
+        sum += w * u;
+        squares += w * u * u;
+    }
+    return (moments){sum / weights, squares / weights};
+}
+
+/// Sums over the coordinates of the section.
+typedef struct comparison {
+    double difference; ///< mean square difference of the averages of the halves, in spreads
+    double early, late; ///< square of the spread of the halves
+} comparison;
+
+static double variance(const section *all, size_t coordinate, double *mean) {
+    double sum = 0.0, squares = 0.0;
+    for (size_t n = 0; n < all->count; n++) sum += all->points[n * all->dimension + coordinate];
+    *mean = sum / (double)all->count;
+    for (size_t n = 0; n < all->count; n++) {
+        const double u = all->points[n * all->dimension + coordinate] - *mean;
+        squares += u * u;
+    }
+    return squares / (double)all->count;
+}
+
+static void compare_halves(const section *all, size_t coordinate, double largest_variance, comparison *sums) {
+    double centre;
+    const double spread = variance(all, coordinate, &centre);
+    if (!(spread > 1e-12 * largest_variance)) return; // nothing but rounding moves here
+    const size_t half = all->count / 2;
+    const moments early = weighted_moments(all, coordinate, 0, half, centre);
+    const moments late = weighted_moments(all, coordinate, all->count - half, half, centre);
+    const double mean = (late.mean - early.mean) * (late.mean - early.mean) / spread;
+    const double square = (late.square - early.square) * (late.square - early.square) / (spread * spread);
+    sums->difference = fmax(sums->difference, fmax(mean, square));
+    sums->early += early.square - early.mean * early.mean;
+    sums->late += late.square - late.mean * late.mean;
+}
+
+regularity regularity_find(const section *all) {
+    enum { FEWEST_POINTS = 16 };
+    if (all->count < FEWEST_POINTS) return (regularity){NAN, NAN};
+    double largest = 0.0, mean;
+    for (size_t i = 0; i < all->dimension; i++) largest = fmax(largest, variance(all, i, &mean));
+    comparison sums = {0};
+    for (size_t i = 0; i < all->dimension; i++) compare_halves(all, i, largest, &sums);
+    if (!(sums.early > 0.0)) return (regularity){16.0, 1.0}; // a single point
+    return (regularity){fmin(16.0, -0.5 * log10(fmax(sums.difference, 1e-32))), sqrt(fmax(sums.late, 0.0) / sums.early)};
+}

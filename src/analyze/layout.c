@@ -1,0 +1,127 @@
+// The block of a point: which numbers lie where, and how the analyses fill them.
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "analysis.h"
+
+static whirl_status check_options(const whirl_record_options *options) {
+    if (options->record < 1) {
+        return whirl_fail(WHIRL_BAD_INPUT, "%d revolutions are to be recorded, expected 1 or more", options->record);
+    }
+    if (options->waveform_revolutions < 0 || options->waveform_revolutions > options->record) {
+        return whirl_fail(WHIRL_BAD_INPUT, "the waveform of %d revolutions is to be kept, expected 0 to %d, the recorded ones",
+                          options->waveform_revolutions, options->record);
+    }
+    if (!(options->highest_order > 0.0) || !isfinite(options->highest_order)) {
+        return whirl_fail(WHIRL_BAD_INPUT, "the highest order of spectra is %g, expected a number above 0",
+                          options->highest_order);
+    }
+    return whirl_ok();
+}
+
+static whirl_status check_needs(const char *name, const analysis_plan *plan, const whirl_record_options *options) {
+    if (plan->needs_waveform && !options->waveform) {
+        return whirl_fail(WHIRL_BAD_INPUT, "the analysis '%s' needs waveforms, but none are recorded", name);
+    }
+    if (plan->needs_growth && !options->growth) {
+        return whirl_fail(WHIRL_BAD_INPUT, "the analysis '%s' needs the growth of a disturbance, but none is followed",
+                          name);
+    }
+    return whirl_ok();
+}
+
+static size_t repetitions(whirl_extent extent, const block_shape *shape) {
+    switch (extent) {
+    case WHIRL_PER_STATION:
+        return shape->station_count;
+    case WHIRL_PER_CONTACT:
+        return shape->contact_count;
+    case WHIRL_PER_POINT:
+        break;
+    }
+    return 1;
+}
+
+static whirl_status add_field(whirl_layout *layout, const char *analysis, const field_plan *plan,
+                              const block_shape *shape) {
+    const size_t rows = plan->rows ? plan->rows(shape) : 1;
+    const size_t repeat = repetitions(plan->extent, shape);
+    if (rows == 0 || repeat == 0) return whirl_ok();
+    if (layout->field_count == WHIRL_MAX_FIELDS) {
+        return whirl_fail(WHIRL_BAD_INPUT, "the chosen analyses have more than %d fields", WHIRL_MAX_FIELDS);
+    }
+    whirl_field *field = &layout->fields[layout->field_count++];
+    *field = (whirl_field){.unit = plan->unit,
+                           .meaning = plan->meaning,
+                           .extent = plan->extent,
+                           .rows = rows,
+                           .columns = plan->columns,
+                           .repeat = repeat,
+                           .offset = layout->size};
+    snprintf(field->name, sizeof field->name, "%s/%s", analysis, plan->quantity);
+    layout->size += rows * plan->columns * repeat;
+    return whirl_ok();
+}
+
+whirl_status whirl_layout_new(const whirl_system *system, const whirl_integrate_options *integrate,
+                              const whirl_record_options *options, whirl_analysis_set set, whirl_layout *layout) {
+    *layout = (whirl_layout){0};
+    whirl_status status = check_options(options);
+    const block_shape shape = {
+        .station_count = system->probe_count,
+        .contact_count = system->contact_count,
+        .samples_per_revolution = (size_t)whirl_record_samples(options, integrate->steps_per_revolution),
+        .options = options,
+    };
+    for (size_t a = 0; analysis_plans[a] && status.code == WHIRL_OK; a++) {
+        if (!(set >> a & 1u)) continue;
+        const char *name = whirl_analyses()[a].name;
+        const analysis_plan *plan = analysis_plans[a];
+        status = check_needs(name, plan, options);
+        for (size_t f = 0; f < plan->field_count && status.code == WHIRL_OK; f++) {
+            status = add_field(layout, name, &plan->fields[f], &shape);
+        }
+    }
+    return status;
+}
+
+const whirl_field *whirl_layout_field(const whirl_layout *layout, const char *name) {
+    for (size_t f = 0; f < layout->field_count; f++) {
+        if (strcmp(layout->fields[f].name, name) == 0) return &layout->fields[f];
+    }
+    return NULL;
+}
+
+double *view_numbers(const block_view *view, size_t field, size_t which) {
+    const whirl_field *f = view->fields[field];
+    return f && which < f->repeat ? view->block + f->offset + which * f->rows * f->columns : NULL;
+}
+
+static block_view view_of(const whirl_layout *layout, size_t analysis, double *block) {
+    const analysis_plan *plan = analysis_plans[analysis];
+    block_view view = {.block = block};
+    for (size_t f = 0; f < plan->field_count; f++) {
+        char name[WHIRL_NAME_SIZE];
+        snprintf(name, sizeof name, "%s/%s", whirl_analyses()[analysis].name, plan->fields[f].quantity);
+        view.fields[f] = whirl_layout_field(layout, name);
+    }
+    return view;
+}
+
+whirl_status whirl_analyze(const whirl_record *record, const whirl_record_options *options, whirl_analysis_set set,
+                           const whirl_layout *layout, double *block) {
+    for (size_t i = 0; i < layout->size; i++) block[i] = NAN;
+    whirl_status status = whirl_ok();
+    for (size_t a = 0; analysis_plans[a] && status.code == WHIRL_OK; a++) {
+        if (!(set >> a & 1u)) continue;
+        const analysis_plan *plan = analysis_plans[a];
+        const block_view view = view_of(layout, a, block);
+        if (record->motion == WHIRL_BOUNDED) {
+            status = plan->compute(record, options, &view);
+        } else if (plan->compute_diverged) {
+            plan->compute_diverged(record, &view);
+        }
+    }
+    return status;
+}

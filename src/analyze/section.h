@@ -1,0 +1,56 @@
+/// A run of points of a Poincare section, oldest first, and what is found in it.
+#ifndef ANALYZE_SECTION_H
+#define ANALYZE_SECTION_H
+
+#include <stddef.h>
+
+#include "whirl/analyze.h"
+
+typedef struct section {
+    size_t count, dimension;
+    const double *points; ///< [count][dimension]
+} section;
+
+/// The last `count` points.
+section section_tail(const section *all, size_t count);
+
+/// Euclidean distance of points a and b.
+double section_distance(const section *all, size_t a, size_t b);
+
+/// The size against which distances are judged: half the diagonal of the motion's bounds over the record. It is not
+/// taken below 1e-7 of the largest coordinate nor below 1e-12, where only rounding is left: an equilibrium returns.
+double motion_size(const whirl_record *record);
+
+// ---------------------------------------------------------------- recurrence.c
+
+/// Returns to earlier points of the section.
+typedef struct recurrence {
+    size_t window;    ///< last points of the section that were compared
+    int period;       ///< the smallest k that returns within the tolerance, else the k that returns best; 0: too few points
+    double distance;  ///< largest |z(n+k) - z(n)| over the window, over the size of the motion
+    double separation; ///< smallest such distance for a proper divisor of k: how far the k points are apart; infinite for k = 1
+    double trend;     ///< largest |z(n+k) - z(n)| in the last quarter of the section over that in the first
+} recurrence;
+
+/// A motion returns when it comes back within this share of its size.
+static const double recurrence_tolerance = 1e-6;
+
+recurrence recurrence_find(const section *all, size_t record_count, double size);
+
+// ---------------------------------------------------------------- birkhoff.c
+
+/// What weighted averages over the two halves of the section say.
+typedef struct regularity {
+    double digits; ///< decimal digits to which the averages agree, at most 16
+    double spread; ///< size of the second half over that of the first
+} regularity;
+
+regularity regularity_find(const section *all);
+
+// ---------------------------------------------------------------- curves.c
+
+/// Number of closed curves on which the points lie and which they visit in turn; 0 where they do not.
+/// The last 2000 points are looked at. 0 also when memory is short.
+int curves_count(const section *all);
+
+#endif

@@ -1,0 +1,33 @@
+// Waveforms: displacements over the last revolutions of the record.
+#include "analysis.h"
+
+static size_t kept_samples(const block_shape *shape) {
+    return (size_t)shape->options->waveform_revolutions * shape->samples_per_revolution;
+}
+
+enum { SAMPLES };
+
+static const field_plan fields[] = {
+    [SAMPLES] = {"samples", "length", "x, y", WHIRL_PER_STATION, 2, kept_samples},
+};
+
+static whirl_status compute(const whirl_record *record, const whirl_record_options *options, const block_view *view) {
+    const size_t kept = (size_t)options->waveform_revolutions * record->samples_per_revolution;
+    if (kept > record->sample_count) {
+        return whirl_fail(WHIRL_BAD_INPUT, "the record holds %zu samples of a waveform, expected %zu or more",
+                          record->sample_count, kept);
+    }
+    for (size_t s = 0; s < record->probe_count && kept > 0; s++) {
+        const double *x = record->waveform + (2 * s + 1) * record->sample_count - kept;
+        const double *y = x + record->sample_count;
+        double *out = view_numbers(view, SAMPLES, s);
+        for (size_t j = 0; j < kept; j++) {
+            *out++ = x[j];
+            *out++ = y[j];
+        }
+    }
+    return whirl_ok();
+}
+
+const analysis_plan waveform_analysis = {
+    .fields = fields, .field_count = 1, .needs_waveform = true, .compute = compute};

@@ -1,0 +1,13 @@
+// What this library was built from and with.
+#ifndef BASE_BUILD_H
+#define BASE_BUILD_H
+
+typedef struct build_fact {
+    const char *name, *value;
+} build_fact;
+
+// "version", "revision", "compiler", "flags", "build type", "libraries"; static, ended by an entry whose name is NULL.
+// What is not known (a source archive has no revision) is "unknown".
+const build_fact *build_facts(void);
+
+#endif

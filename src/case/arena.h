@@ -1,0 +1,19 @@
+/// Memory that is freed as a whole.
+#ifndef CASE_ARENA_H
+#define CASE_ARENA_H
+
+#include <stddef.h>
+
+typedef struct arena {
+    struct arena_chunk *chunks; ///< newest first
+} arena;
+
+/// `size` zeroed bytes, aligned for any object; NULL when memory ran out. Lives until arena_free.
+void *arena_take(arena *arena, size_t size);
+
+/// A copy of `length` bytes with a final zero, or NULL.
+char *arena_text(arena *arena, const char *text, size_t length);
+
+void arena_free(arena *arena);
+
+#endif

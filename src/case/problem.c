@@ -1,0 +1,123 @@
+#include "problem.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MAX_PROBLEMS = 100 };
+
+// Without memory the problem is counted all the same, so that nothing wrong passes.
+static whirl_problem *add_problem(whirl_problems *problems) {
+    if (!problems->items) {
+        problems->items = calloc(MAX_PROBLEMS, sizeof *problems->items);
+        problems->capacity = problems->items ? MAX_PROBLEMS : 0;
+    }
+    if (!problems->items) {
+        problems->count = 1;
+        return NULL;
+    }
+    return problems->count < problems->capacity ? &problems->items[problems->count++] : NULL;
+}
+
+static void place(whirl_problem *problem, const node *where, bool at_key) {
+    const bool word = where->kind == NODE_TEXT && !node_is_null(where);
+    const bool use_key = where->key && where->key_line > 0 && (at_key || !word);
+    problem->line = use_key ? where->key_line : where->line;
+    problem->column = use_key ? where->key_column : where->column;
+    node_path(where, problem->key, sizeof problem->key);
+}
+
+void problem_in_file(whirl_problems *problems, int line, int column, const char *format, ...) {
+    whirl_problem *problem = add_problem(problems);
+    if (!problem) return;
+    problem->line = line;
+    problem->column = column;
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(problem->message, sizeof problem->message, format, arguments);
+    va_end(arguments);
+}
+
+void problem_at(whirl_problems *problems, const node *where, const char *format, ...) {
+    whirl_problem *problem = add_problem(problems);
+    if (!problem) return;
+    place(problem, where, false);
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(problem->message, sizeof problem->message, format, arguments);
+    va_end(arguments);
+}
+
+void problem_at_key(whirl_problems *problems, const node *where, const char *format, ...) {
+    whirl_problem *problem = add_problem(problems);
+    if (!problem) return;
+    place(problem, where, true);
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(problem->message, sizeof problem->message, format, arguments);
+    va_end(arguments);
+}
+
+void problem_missing(whirl_problems *problems, const node *mapping, const char *key, const char *format, ...) {
+    whirl_problem *problem = add_problem(problems);
+    if (!problem) return;
+    place(problem, mapping, true);
+    const size_t used = strlen(problem->key);
+    snprintf(problem->key + used, sizeof problem->key - used, "%s%s", used ? "." : "", key);
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(problem->message, sizeof problem->message, format, arguments);
+    va_end(arguments);
+}
+
+static bool stands_before(const whirl_problem *a, const whirl_problem *b) {
+    return a->line != b->line ? a->line < b->line : a->column < b->column;
+}
+
+void problems_sort(whirl_problems *problems) {
+    if (!problems->items) return;
+    for (size_t i = 1; i < problems->count; i++) {
+        const whirl_problem moved = problems->items[i];
+        size_t k = i;
+        for (; k > 0 && stands_before(&moved, &problems->items[k - 1]); k--) problems->items[k] = problems->items[k - 1];
+        problems->items[k] = moved;
+    }
+}
+
+const char *text_shown(const char *text, char shown[SHOWN_SIZE]) {
+    const size_t room = SHOWN_SIZE - 4;
+    size_t length = strlen(text);
+    const bool cut = length > room;
+    if (cut) length = room;
+    // A character of several bytes is not cut in two.
+    while (cut && length > 0 && ((unsigned char)text[length] & 0xC0) == 0x80) length--;
+    for (size_t i = 0; i < length; i++) shown[i] = text[i] == '\n' || text[i] == '\t' ? ' ' : text[i];
+    strcpy(shown + length, cut ? "..." : "");
+    return shown;
+}
+
+const char *node_shown(const node *node, char text[SHOWN_SIZE]) {
+    if (node->kind == NODE_LIST) return "a list";
+    if (node->kind == NODE_MAPPING) return "a mapping";
+    return node->text[0] == '\0' ? "empty" : text_shown(node->text, text);
+}
+
+void whirl_problem_text(const whirl_problems *problems, size_t index, char *text, size_t size) {
+    if (!problems->items || index >= problems->count) {
+        snprintf(text, size, "%s", problems->items ? "" : "no memory to say what is wrong");
+        return;
+    }
+    const whirl_problem *problem = &problems->items[index];
+    char place[64] = "";
+    if (problem->line > 0) snprintf(place, sizeof place, "%d:%d:", problem->line, problem->column);
+    const char *colon = problems->file[0] ? ":" : "";
+    const char *space = problems->file[0] || place[0] ? " " : "";
+    snprintf(text, size, "%s%s%s%s%s%s%s", problems->file, colon, place, space, problem->key,
+             problem->key[0] ? ": " : "", problem->message);
+}
+
+void whirl_problems_free(whirl_problems *problems) {
+    free(problems->items);
+    *problems = (whirl_problems){0};
+}

@@ -1,0 +1,228 @@
+// libyaml's events become nodes one by one, so that the limits hold while parsing: no input makes it take long.
+#include "tree.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <yaml.h>
+
+#include "problem.h"
+#include "source.h"
+
+typedef struct builder {
+    arena *arena;
+    whirl_problems *problems;
+    node *root;
+    node *open; ///< the list or mapping that is being filled
+    char *key;  ///< of the next member, or NULL
+    int key_line, key_column;
+    size_t depth, nodes;
+    bool done, no_memory;
+} builder;
+
+static int line_of(const yaml_event_t *event) { return (int)event->start_mark.line + 1; }
+static int column_of(const yaml_event_t *event) { return (int)event->start_mark.column + 1; }
+
+// Anything that stops the parsing: one problem, said once.
+static bool stop(builder *b, const yaml_event_t *event, const char *message) {
+    problem_in_file(b->problems, line_of(event), column_of(event), "%s", message);
+    return false;
+}
+
+static node *add_node(builder *b, const yaml_event_t *event, node_kind kind) {
+    node *made = arena_take(b->arena, sizeof *made);
+    if (!made) {
+        b->no_memory = true;
+        return NULL;
+    }
+    *made = (node){.kind = kind, .line = line_of(event), .column = column_of(event), .parent = b->open};
+    if (!b->open) {
+        b->root = made;
+        return made;
+    }
+    made->index = ++b->open->count;
+    if (b->open->kind == NODE_MAPPING) {
+        made->key = b->key;
+        made->key_line = b->key_line;
+        made->key_column = b->key_column;
+        b->key = NULL;
+    }
+    *(b->open->last ? &b->open->last->next : &b->open->first) = made;
+    b->open->last = made;
+    return made;
+}
+
+// Escapes in quotes can make what source_check refuses.
+static bool is_printable(const char *text, size_t length) {
+    for (size_t i = 0; i < length; i++) {
+        const unsigned char c = (unsigned char)text[i];
+        const bool c1 = c == 0xC2 && i + 1 < length && (unsigned char)text[i + 1] < 0xA0;
+        if ((c < 0x20 && c != '\n' && c != '\t') || c == 0x7F || c1) return false;
+        if (utf8_length((const unsigned char *)text + i, length - i) == 0 && (c & 0xC0) != 0x80) return false;
+    }
+    return true;
+}
+
+static bool take_scalar(builder *b, const yaml_event_t *event) {
+    const char *value = (const char *)event->data.scalar.value;
+    const size_t length = event->data.scalar.length;
+    if (event->data.scalar.anchor) return stop(b, event, "has an anchor (&), expected a case without anchors and aliases");
+    if (event->data.scalar.tag) return stop(b, event, "has a tag (!), expected a case without tags");
+    if (!is_printable(value, length)) return stop(b, event, "has a control character, expected text");
+    char *text = arena_text(b->arena, value, length);
+    b->no_memory = b->no_memory || !text;
+    if (!text) return false;
+    if (b->open && b->open->kind == NODE_MAPPING && !b->key) {
+        if (length == 0) return stop(b, event, "has an empty key, expected a name");
+        b->key = text;
+        b->key_line = line_of(event);
+        b->key_column = column_of(event);
+        return true;
+    }
+    node *made = add_node(b, event, NODE_TEXT);
+    if (!made) return false;
+    made->text = text;
+    made->quoted = event->data.scalar.style != YAML_PLAIN_SCALAR_STYLE;
+    b->done = b->done || !b->open;
+    return true;
+}
+
+static bool open_collection(builder *b, const yaml_event_t *event, node_kind kind, const void *anchor, const void *tag) {
+    if (anchor) return stop(b, event, "has an anchor (&), expected a case without anchors and aliases");
+    if (tag) return stop(b, event, "has a tag (!), expected a case without tags");
+    if (b->open && b->open->kind == NODE_MAPPING && !b->key)
+        return stop(b, event, "has a list or a mapping for a key, expected a name");
+    if (++b->depth > TREE_MAX_DEPTH) return stop(b, event, "is nested deeper than 32 levels, expected a case");
+    node *made = add_node(b, event, kind);
+    if (!made) return false;
+    b->open = made;
+    return true;
+}
+
+static bool close_collection(builder *b) {
+    node *closed = b->open;
+    b->depth--;
+    // The parent was made by this builder, so that writing to it is right.
+    b->open = NULL;
+    if (closed->parent) memcpy(&b->open, &closed->parent, sizeof b->open);
+    b->done = b->done || !b->open;
+    return true;
+}
+
+// false ends the parsing.
+static bool take_event(builder *b, const yaml_event_t *event) {
+    if (++b->nodes > TREE_MAX_NODES) return stop(b, event, "has more than 100000 values, expected a case");
+    switch (event->type) {
+    case YAML_DOCUMENT_START_EVENT:
+        return b->done ? stop(b, event, "begins a second document, expected one") : true;
+    case YAML_ALIAS_EVENT:
+        return stop(b, event, "has an alias (*), expected a case without anchors and aliases");
+    case YAML_SCALAR_EVENT:
+        return take_scalar(b, event);
+    case YAML_SEQUENCE_START_EVENT:
+        return open_collection(b, event, NODE_LIST, event->data.sequence_start.anchor, event->data.sequence_start.tag);
+    case YAML_MAPPING_START_EVENT:
+        return open_collection(b, event, NODE_MAPPING, event->data.mapping_start.anchor, event->data.mapping_start.tag);
+    case YAML_SEQUENCE_END_EVENT:
+    case YAML_MAPPING_END_EVENT:
+        return close_collection(b);
+    case YAML_STREAM_END_EVENT:
+        return false;
+    default:
+        return true;
+    }
+}
+
+static void report_syntax(builder *b, const yaml_parser_t *parser) {
+    if (parser->error == YAML_MEMORY_ERROR) {
+        b->no_memory = true;
+        return;
+    }
+    const bool context = parser->context != NULL;
+    problem_in_file(b->problems, (int)parser->problem_mark.line + 1, (int)parser->problem_mark.column + 1,
+                    "is not YAML: %s%s%s%s", parser->problem ? parser->problem : "it cannot be read",
+                    context ? " (" : "", context ? parser->context : "", context ? ")" : "");
+}
+
+static void parse(builder *b, yaml_parser_t *parser) {
+    for (bool more = true; more;) {
+        yaml_event_t event;
+        if (!yaml_parser_parse(parser, &event)) {
+            report_syntax(b, parser);
+            return;
+        }
+        more = take_event(b, &event);
+        yaml_event_delete(&event);
+    }
+}
+
+static int by_key(const void *a, const void *b) {
+    const node *one = *(const node *const *)a, *other = *(const node *const *)b;
+    const int order = strcmp(one->key, other->key);
+    return order ? order : one->index < other->index ? -1 : 1;
+}
+
+static bool report_duplicates(const node *mapping, whirl_problems *problems) {
+    const node **members = malloc((mapping->count + 1) * sizeof *members);
+    if (!members) return false;
+    size_t count = 0;
+    for (const node *member = mapping->first; member; member = member->next) members[count++] = member;
+    qsort(members, count, sizeof *members, by_key);
+    for (size_t i = 1; i < count; i++)
+        if (strcmp(members[i]->key, members[i - 1]->key) == 0)
+            problem_at_key(problems, members[i], "stands here again, first in line %d", members[i - 1]->key_line);
+    free(members);
+    return true;
+}
+
+// The depth of the tree, and so of the recursion, is at most TREE_MAX_DEPTH.
+static bool check_keys(const node *at, whirl_problems *problems) {
+    if (at->kind == NODE_MAPPING && at->count > 1 && !report_duplicates(at, problems)) return false;
+    for (const node *child = at->first; child; child = child->next)
+        if (!check_keys(child, problems)) return false;
+    return true;
+}
+
+whirl_status tree_read(const char *text, size_t length, arena *arena, whirl_problems *problems, node **root) {
+    *root = NULL;
+    source_check(text, length, problems);
+    if (problems->count > 0) return whirl_fail(WHIRL_BAD_INPUT, "%.200s is not text", problems->file);
+    yaml_parser_t parser;
+    if (!yaml_parser_initialize(&parser)) return whirl_fail(WHIRL_NO_MEMORY, "no memory to parse %.200s", problems->file);
+    yaml_parser_set_encoding(&parser, YAML_UTF8_ENCODING);
+    yaml_parser_set_input_string(&parser, (const unsigned char *)text, length);
+    builder b = {.arena = arena, .problems = problems};
+    parse(&b, &parser);
+    yaml_parser_delete(&parser);
+    if (b.no_memory || (b.done && !check_keys(b.root, problems)))
+        return whirl_fail(WHIRL_NO_MEMORY, "no memory to parse %.200s", problems->file);
+    if (!b.done && problems->count == 0) problem_in_file(problems, 1, 1, "is empty, expected a mapping of keys");
+    *root = b.done ? b.root : NULL;
+    if (problems->count > 0) return whirl_fail(WHIRL_BAD_INPUT, "%.200s cannot be read", problems->file);
+    return whirl_ok();
+}
+
+const node *node_member(const node *mapping, const char *key) {
+    for (const node *member = mapping->first; member; member = member->next)
+        if (strcmp(member->key, key) == 0) return member;
+    return NULL;
+}
+
+bool node_is_null(const node *node) {
+    if (node->kind != NODE_TEXT || node->quoted) return false;
+    return node->text[0] == '\0' || strcmp(node->text, "~") == 0 || strcmp(node->text, "null") == 0;
+}
+
+void node_path(const node *node, char *text, size_t size) {
+    text[0] = '\0';
+    if (!node->parent) {
+        snprintf(text, size, "%s", node->key ? node->key : "");
+        return;
+    }
+    node_path(node->parent, text, size);
+    const size_t used = strlen(text);
+    if (node->key)
+        snprintf(text + used, size - used, "%s%s", used ? "." : "", node->key);
+    else
+        snprintf(text + used, size - used, "[%zu]", node->index);
+}

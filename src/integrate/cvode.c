@@ -1,0 +1,162 @@
+// SUNDIALS CVODE (Hindmarsh et al. 2005) with root finding: the independent reference.
+//
+// Every revolution starts afresh at t = 0, and the integration starts afresh at every zero of a switching function, so
+// that no step straddles a contact.
+#include <cvode/cvode.h>
+#include <math.h>
+#include <nvector/nvector_serial.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sunlinsol/sunlinsol_dense.h>
+#include <sunmatrix/sunmatrix_dense.h>
+#include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
+
+#include "method.h"
+
+enum { MAX_SWITCHES_A_REVOLUTION = 10000, MAX_STEPS_A_CALL = 100000 };
+
+typedef struct cvode {
+    SUNContext context;
+    void *memory;
+    N_Vector state;
+    SUNMatrix matrix;
+    SUNLinearSolver linear;
+    SUNNonlinearSolver nonlinear;
+} cvode;
+
+static int right_hand_side(realtype t, N_Vector x, N_Vector slope, void *data) {
+    const whirl_system *system = data;
+    double forcing[WHIRL_MAX_FORCING];
+    if (system->forcing_count > 0) system->forcing(system->model, t, forcing);
+    double *out = NV_DATA_S(slope);
+    system->rhs(system->model, t, forcing, NV_DATA_S(x), out);
+    for (size_t i = 0; i < system->dimension; i++)
+        if (!isfinite(out[i])) return 1; // recoverable: CVODE tries a smaller step
+    return 0;
+}
+
+static int switching(realtype t, N_Vector x, realtype *values, void *data) {
+    const whirl_system *system = data;
+    system->switches(system->model, t, NV_DATA_S(x), values);
+    return 0;
+}
+
+static void silent(int code, const char *module, const char *function, char *message, void *data) {
+    (void)code, (void)module, (void)function, (void)message, (void)data;
+}
+
+static void end(whirl_integrator *integrator) {
+    cvode *work = integrator->workspace;
+    if (!work) return;
+    if (work->memory) CVodeFree(&work->memory);
+    if (work->linear) SUNLinSolFree(work->linear);
+    if (work->nonlinear) SUNNonlinSolFree(work->nonlinear);
+    if (work->matrix) SUNMatDestroy(work->matrix);
+    if (work->state) N_VDestroy(work->state);
+    if (work->context) SUNContext_Free(&work->context);
+    free(work);
+}
+
+/// BDF solves its equations by Newton's method with a dense matrix, Adams by fixed-point iteration.
+static int attach_solvers(cvode *work, int kind) {
+    const sunindextype n = NV_LENGTH_S(work->state);
+    if (kind == CV_ADAMS) {
+        work->nonlinear = SUNNonlinSol_FixedPoint(work->state, 0, work->context);
+        return work->nonlinear ? CVodeSetNonlinearSolver(work->memory, work->nonlinear) : CV_MEM_FAIL;
+    }
+    work->matrix = SUNDenseMatrix(n, n, work->context);
+    work->linear = work->matrix ? SUNLinSol_Dense(work->state, work->matrix, work->context) : NULL;
+    return work->linear ? CVodeSetLinearSolver(work->memory, work->linear, work->matrix) : CV_MEM_FAIL;
+}
+
+static int configure(cvode *work, const whirl_integrator *integrator, int kind) {
+    const whirl_system *system = integrator->system;
+    int code = CVodeInit(work->memory, right_hand_side, 0.0, work->state);
+    if (code == CV_SUCCESS) code = CVodeSetErrHandlerFn(work->memory, silent, NULL);
+    if (code == CV_SUCCESS) code = CVodeSStolerances(work->memory, integrator->options.rtol, integrator->options.atol);
+    // The model is only read; CVODE's interface has no const.
+    if (code == CV_SUCCESS) code = CVodeSetUserData(work->memory, (void *)(uintptr_t)system);
+    if (code == CV_SUCCESS) code = CVodeSetMaxNumSteps(work->memory, MAX_STEPS_A_CALL);
+    if (code == CV_SUCCESS) code = attach_solvers(work, kind);
+    if (code == CV_SUCCESS && system->switch_count > 0) {
+        code = CVodeRootInit(work->memory, (int)system->switch_count, switching);
+        if (code == CV_SUCCESS) code = CVodeSetNoInactiveRootWarn(work->memory);
+    }
+    return code;
+}
+
+static whirl_status start(whirl_integrator *integrator, int kind) {
+    cvode *work = calloc(1, sizeof *work);
+    if (!work) return whirl_fail(WHIRL_NO_MEMORY, "no memory for CVODE");
+    integrator->workspace = work;
+    int code = SUNContext_Create(NULL, &work->context);
+    if (code == 0) work->state = N_VNew_Serial((sunindextype)integrator->system->dimension, work->context);
+    if (work->state) work->memory = CVodeCreate(kind, work->context);
+    code = work->memory ? configure(work, integrator, kind) : CV_MEM_FAIL;
+    if (code == CV_SUCCESS) return whirl_ok();
+    end(integrator);
+    integrator->workspace = NULL;
+    return whirl_fail(WHIRL_NUMERICAL_FAILURE, "CVODE could not be set up (code %d)", code);
+}
+
+static whirl_status start_adams(whirl_integrator *integrator) {
+    return start(integrator, CV_ADAMS);
+}
+static whirl_status start_bdf(whirl_integrator *integrator) {
+    return start(integrator, CV_BDF);
+}
+
+/// Integrates from *t to `target`, starting afresh wherever a switching function passes zero.
+static whirl_motion advance(const whirl_integrator *integrator, double *t, double target, int *switches) {
+    cvode *work = integrator->workspace;
+    for (;;) {
+        const int code = CVode(work->memory, target, work->state, t, CV_NORMAL);
+        if (code == CV_ROOT_RETURN) {
+            if (++*switches > MAX_SWITCHES_A_REVOLUTION) return WHIRL_STUCK;
+            if (CVodeReInit(work->memory, *t, work->state) != CV_SUCCESS) return WHIRL_STUCK;
+            CVodeSetStopTime(work->memory, integrator->system->period);
+            // Closer than CVODE can step: there already.
+            if (target - *t <= 1e-14 * integrator->system->period) return WHIRL_BOUNDED;
+            continue;
+        }
+        if (code == CV_SUCCESS || code == CV_TSTOP_RETURN) return WHIRL_BOUNDED;
+        return state_motion(integrator, NV_DATA_S(work->state)) == WHIRL_DIVERGED ? WHIRL_DIVERGED : WHIRL_STUCK;
+    }
+}
+
+static whirl_motion revolve(whirl_integrator *integrator, double *x, whirl_observe_fn observe, void *observer) {
+    cvode *work = integrator->workspace;
+    const double period = integrator->system->period;
+    const int samples = observe ? integrator->options.steps_per_revolution : 1;
+    const size_t bytes = integrator->system->dimension * sizeof *x;
+    memcpy(NV_DATA_S(work->state), x, bytes);
+    if (CVodeReInit(work->memory, 0.0, work->state) != CV_SUCCESS) return WHIRL_STUCK;
+    CVodeSetStopTime(work->memory, period);
+    double t = 0.0;
+    int switches = 0;
+    whirl_motion motion = WHIRL_BOUNDED;
+    for (int i = 1; i <= samples && motion == WHIRL_BOUNDED; i++) {
+        const double target = period * ((double)i / samples);
+        motion = advance(integrator, &t, target, &switches);
+        if (motion == WHIRL_BOUNDED) motion = state_motion(integrator, NV_DATA_S(work->state));
+        if (motion == WHIRL_BOUNDED && observe) observe(observer, target, NV_DATA_S(work->state));
+    }
+    memcpy(x, NV_DATA_S(work->state), bytes);
+    return motion;
+}
+
+const method cvode_adams_method = {
+    .about = {"cvode-adams", "SUNDIALS CVODE, Adams-Moulton of order 1 to 12, contacts located", true},
+    .start = start_adams,
+    .revolve = revolve,
+    .end = end,
+};
+
+const method cvode_bdf_method = {
+    .about = {"cvode-bdf", "SUNDIALS CVODE, backward differentiation of order 1 to 5 for stiff films, contacts located",
+              true},
+    .start = start_bdf,
+    .revolve = revolve,
+    .end = end,
+};

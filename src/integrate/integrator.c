@@ -1,0 +1,91 @@
+// The integrators behind one interface.
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "method.h"
+#include "whirl/descriptor.h"
+
+static const method *const methods[] = {&rk4_method, &cvode_adams_method, &cvode_bdf_method, NULL};
+enum { METHOD_COUNT = sizeof methods / sizeof *methods - 1, MAX_STEPS = 1 << 24 };
+
+whirl_integrate_options whirl_integrate_default(void) {
+    return (whirl_integrate_options){
+        .method = "rk4", .steps_per_revolution = 1024, .rtol = 1e-9, .atol = 1e-12, .limit = 1e6};
+}
+
+const whirl_method *whirl_method_at(size_t index) {
+    return index < METHOD_COUNT ? &methods[index]->about : NULL;
+}
+
+static whirl_status find_method(const char *name, const method **found) {
+    const char *names[METHOD_COUNT];
+    for (size_t i = 0; i < METHOD_COUNT; i++) {
+        names[i] = methods[i]->about.name;
+        if (strcmp(names[i], name) == 0) {
+            *found = methods[i];
+            return whirl_ok();
+        }
+    }
+    const char *near = whirl_nearest_name(name, names, METHOD_COUNT);
+    if (near) return whirl_fail(WHIRL_BAD_INPUT, "no method is called '%.40s', did you mean '%s'?", name, near);
+    return whirl_fail(WHIRL_BAD_INPUT, "no method is called '%.40s'", name);
+}
+
+static bool positive(double value) {
+    return isfinite(value) && value > 0.0;
+}
+
+static whirl_status check(const whirl_system *system, const whirl_integrate_options *options) {
+    if (system->dimension == 0 || !system->rhs)
+        return whirl_fail(WHIRL_BAD_INPUT, "the system has no equations, expected a dimension and a right-hand side");
+    if (!positive(system->period))
+        return whirl_fail(WHIRL_BAD_INPUT, "the system's period is %g, expected a number above 0", system->period);
+    if (system->forcing_count > WHIRL_MAX_FORCING || system->switch_count > WHIRL_MAX_SWITCHES ||
+        system->contact_count > WHIRL_MAX_CONTACTS || system->probe_count > WHIRL_MAX_PROBES)
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "the system has more forcing values, switches, contacts or probes than whirl takes");
+    if (options->steps_per_revolution < 1 || options->steps_per_revolution > MAX_STEPS)
+        return whirl_fail(WHIRL_BAD_INPUT, "steps_per_revolution is %d, expected 1 to %d",
+                          options->steps_per_revolution, MAX_STEPS);
+    if (!positive(options->rtol) || !positive(options->atol) || !positive(options->limit))
+        return whirl_fail(WHIRL_BAD_INPUT, "rtol, atol and limit are %g, %g and %g, expected numbers above 0",
+                          options->rtol, options->atol, options->limit);
+    return whirl_ok();
+}
+
+whirl_status whirl_integrator_new(const whirl_system *system, const whirl_integrate_options *options,
+                                  whirl_integrator **out) {
+    const method *chosen = NULL;
+    *out = NULL;
+    whirl_status status = check(system, options);
+    if (status.code == WHIRL_OK) status = find_method(options->method, &chosen);
+    if (status.code != WHIRL_OK) return status;
+    whirl_integrator *integrator = calloc(1, sizeof *integrator);
+    if (!integrator) return whirl_fail(WHIRL_NO_MEMORY, "no memory for an integrator");
+    *integrator = (whirl_integrator){.system = system, .options = *options, .method = chosen};
+    status = chosen->start(integrator);
+    if (status.code != WHIRL_OK) {
+        free(integrator);
+        return status;
+    }
+    *out = integrator;
+    return whirl_ok();
+}
+
+whirl_motion whirl_integrator_revolve(whirl_integrator *integrator, double *x, whirl_observe_fn observe,
+                                      void *observer) {
+    return integrator->method->revolve(integrator, x, observe, observer);
+}
+
+void whirl_integrator_free(whirl_integrator *integrator) {
+    if (!integrator) return;
+    integrator->method->end(integrator);
+    free(integrator);
+}
+
+whirl_motion state_motion(const whirl_integrator *integrator, const double *x) {
+    for (size_t i = 0; i < integrator->system->dimension; i++)
+        if (!(fabs(x[i]) <= integrator->options.limit)) return WHIRL_DIVERGED; // NaN too
+    return WHIRL_BOUNDED;
+}

@@ -1,0 +1,132 @@
+#include "claim_parts.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "quantities.h"
+
+/// A line is where the claim says it is within this many orders.
+static const double LINE_TOLERANCE = 0.02;
+/// Lines below this share of the largest do not count as present.
+static const double LINE_SHARE = 0.05;
+
+static double line_amplitude(const double *line) { return fmax(line[1], line[2]); }
+
+/// The lines of the spectrum that count, largest first.
+static numbers present_lines(const claim_view *view, size_t point) {
+    numbers lines = point_lines(view->table, point, view->station);
+    double most = 0.0;
+    for (size_t i = 0; i < lines.rows; i++) most = fmax(most, line_amplitude(&lines.at[5 * i]));
+    // The analysis sorts by size, so that the small ones stand at the end.
+    while (lines.rows > 0 && line_amplitude(&lines.at[5 * (lines.rows - 1)]) < LINE_SHARE * most) lines.rows--;
+    return lines;
+}
+
+// ---------------------------------------------------------------- regime and curves
+
+static bool states_regime(const whirl_claim *claim) { return claim->has_regime; }
+
+static double score_regime(const claim_view *view, size_t point) {
+    const whirl_verdict verdict = whirl_table_verdict(view->table, point);
+    if (verdict.regime != view->claim->regime) return 0.0;
+    return view->claim->period == 0 || verdict.period == view->claim->period ? 1.0 : 0.0;
+}
+
+static bool states_curves(const whirl_claim *claim) { return claim->curves > 0; }
+
+static double score_curves(const claim_view *view, size_t point) {
+    return whirl_table_verdict(view->table, point).curves == view->claim->curves ? 1.0 : 0.0;
+}
+
+// ---------------------------------------------------------------- contact
+
+static bool states_contact(const whirl_claim *claim) { return claim->has_contact; }
+
+static double score_contact(const claim_view *view, size_t point) {
+    // A rotor without a stator does not rub.
+    const double share = view->result->contact_count ? rub_share(view->table, point, view->result->contact_count) : 0.0;
+    if (isnan(share)) return NAN;
+    return (share > 0.0) == view->claim->contact ? 1.0 : 0.0;
+}
+
+// ---------------------------------------------------------------- lines
+
+static bool states_lines(const whirl_claim *claim) { return claim->line_count > 0; }
+
+static double score_lines(const claim_view *view, size_t point) {
+    const numbers lines = present_lines(view, point);
+    if (!lines.at) return NAN;
+    for (size_t c = 0; c < view->claim->line_count; c++) {
+        bool there = false;
+        for (size_t i = 0; i < lines.rows; i++)
+            there = there || fabs(lines.at[5 * i] - view->claim->lines[c]) <= LINE_TOLERANCE;
+        if (!there) return 0.0;
+    }
+    return 1.0;
+}
+
+static bool states_only_lines(const whirl_claim *claim) { return claim->only_lines; }
+
+static double score_only_lines(const claim_view *view, size_t point) {
+    const numbers lines = present_lines(view, point);
+    if (!lines.at) return NAN;
+    for (size_t i = 0; i < lines.rows; i++) {
+        bool claimed = false;
+        for (size_t c = 0; c < view->claim->line_count; c++)
+            claimed = claimed || fabs(lines.at[5 * i] - view->claim->lines[c]) <= LINE_TOLERANCE;
+        if (!claimed) return 0.0;
+    }
+    return 1.0;
+}
+
+// ---------------------------------------------------------------- band
+
+static bool states_band(const whirl_claim *claim) { return claim->has_band; }
+
+/// Half for the large lines below the running speed (those of at least half the largest of them) lying in the band,
+/// half for there being many, as a broad band has: three or more in it.
+static double score_band(const claim_view *view, size_t point) {
+    const numbers lines = present_lines(view, point);
+    if (!lines.at) return NAN;
+    const double *band = view->claim->band;
+    double largest = 0.0;
+    size_t inside = 0;
+    bool contained = true;
+    for (size_t i = 0; i < lines.rows; i++) {
+        const double order = lines.at[5 * i], amplitude = line_amplitude(&lines.at[5 * i]);
+        if (order >= 1.0 - LINE_TOLERANCE) continue;
+        largest = fmax(largest, amplitude);
+        const bool within = order >= band[0] - LINE_TOLERANCE && order <= band[1] + LINE_TOLERANCE;
+        inside += within;
+        contained = contained && (within || amplitude < 0.5 * largest);
+    }
+    if (largest == 0.0 || !contained) return 0.0;
+    return inside >= 3 ? 1.0 : 0.5;
+}
+
+// ---------------------------------------------------------------- sense of whirl
+
+static bool states_whirl(const whirl_claim *claim) { return claim->has_whirl; }
+
+static double score_whirl(const claim_view *view, size_t point) {
+    const bool diverged = whirl_table_verdict(view->table, point).regime == WHIRL_DIVERGING;
+    if (strcmp(view->claim->whirl, "diverging-backward") == 0 && diverged) return 1.0;
+    const double backward = backward_share(view->table, point, view->station);
+    if (isnan(backward)) return diverged ? 0.0 : NAN;
+    if (strcmp(view->claim->whirl, "forward") == 0) return backward < 0.5 ? 1.0 : 0.0;
+    return backward > 0.5 ? 1.0 : 0.0;
+}
+
+const claim_part *claim_parts(void) {
+    static const claim_part parts[] = {
+        {"regime", states_regime, score_regime},
+        {"number of curves", states_curves, score_curves},
+        {"contact", states_contact, score_contact},
+        {"lines", states_lines, score_lines},
+        {"no other lines", states_only_lines, score_only_lines},
+        {"band of lines", states_band, score_band},
+        {"whirl", states_whirl, score_whirl},
+        {NULL, NULL, NULL},
+    };
+    return parts;
+}

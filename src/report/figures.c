@@ -1,0 +1,84 @@
+#include "figures.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "gnuplot.h"
+
+static bool taken(const figure_list *list, const figure *what) {
+    for (const figure *other = list->items; other < what; other++)
+        if (other->result == what->result && strcmp(other->stem, what->stem) == 0) return true;
+    return false;
+}
+
+figure *figure_add(figure_list *list, size_t result, const char *stem) {
+    if (list->count == list->capacity) {
+        const size_t capacity = list->capacity ? 2 * list->capacity : 32;
+        figure *items = realloc(list->items, capacity * sizeof *items);
+        if (!items) return NULL;
+        list->items = items;
+        list->capacity = capacity;
+    }
+    figure *what = &list->items[list->count++];
+    *what = (figure){.result = result, .point = NO_POINT};
+    char safe[STEM_SIZE - 24];
+    safe_name(stem, safe, sizeof safe);
+    snprintf(what->stem, sizeof what->stem, "%s", safe);
+    for (unsigned again = 2; taken(list, what); again++) snprintf(what->stem, sizeof what->stem, "%s-%u", safe, again);
+    return what;
+}
+
+void script_begin(FILE *script, const figure *what, const char *title, double height) {
+    fprintf(script, "# %s: ", what->stem);
+    gnuplot_comment(script, title);
+    fprintf(script, "\n# Run in this folder to draw it again:  gnuplot %s.gp\n", what->stem);
+    fprintf(script, "title_text = ");
+    gnuplot_string(script, title);
+    fprintf(script, "\nname = '%s'\nwidth_cm = 18.0\nheight_cm = %.2f\ndots_per_inch = 300\n", what->stem, height);
+    fputs("set encoding utf8\n"
+          "set border 31 linewidth 0.6 linecolor rgb '#303030'\n"
+          "set tics scale 0.5 textcolor rgb '#303030'\n"
+          "set xtics nomirror\nset ytics nomirror\n"
+          "set style line 1 linecolor rgb '#0072B2' linewidth 0.9\n"
+          "set style line 2 linecolor rgb '#D55E00' linewidth 0.9\n"
+          "set style line 9 linecolor rgb '#9A9A9A' linewidth 0.5 dashtype 2\n"
+          "unset key\n",
+          script);
+}
+
+void script_loop(FILE *script) {
+    fputs("do for [format in 'png pdf'] {\n"
+          "if (format eq 'png') {\n"
+          "  set terminal pngcairo noenhanced background 'white' font 'Sans,8' \\\n"
+          "    size int(width_cm/2.54*dots_per_inch), int(height_cm/2.54*dots_per_inch) \\\n"
+          "    fontscale dots_per_inch/72.0 linewidth dots_per_inch/72.0 pointscale dots_per_inch/72.0\n"
+          "} else {\n"
+          "  set terminal pdfcairo noenhanced background 'white' font 'Sans,8' fontscale 1 size width_cm cm, height_cm cm\n"
+          "}\n"
+          "set output name.'.'.format\n"
+          "set multiplot\n",
+          script);
+}
+
+void script_end(FILE *script) { fputs("unset multiplot\nunset output\n}\n", script); }
+
+void script_panel(FILE *script, double left, double right, double bottom, double top) {
+    fprintf(script, "set lmargin at screen %.5f\nset rmargin at screen %.5f\n", left, right);
+    fprintf(script, "set bmargin at screen %.5f\nset tmargin at screen %.5f\n", bottom, top);
+}
+
+span span_empty(void) { return (span){(double)INFINITY, -(double)INFINITY}; }
+
+void span_widen(span *range, double value) {
+    if (!isfinite(value)) return;
+    if (value < range->low) range->low = value;
+    if (value > range->high) range->high = value;
+}
+
+span span_with_margin(span range, double margin, double least) {
+    if (range.low > range.high) return (span){0.0, 1.0};
+    const double middle = 0.5 * (range.low + range.high);
+    const double width = fmax((1.0 + 2.0 * margin) * (range.high - range.low), least);
+    return (span){middle - 0.5 * width, middle + 0.5 * width};
+}

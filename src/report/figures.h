@@ -1,0 +1,69 @@
+// The figures of a report: every one is a gnuplot script with data files beside it.
+#ifndef REPORT_FIGURES_H
+#define REPORT_FIGURES_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "output.h"
+#include "whirl/result.h"
+#include "whirl/status.h"
+
+enum { STEM_SIZE = 200, NO_POINT = -1 };
+
+typedef struct figure {
+    size_t result;       ///< index of the result it shows
+    long point;          ///< of the detail table, or NO_POINT for a bifurcation diagram
+    size_t station;
+    char stem[STEM_SIZE]; ///< file name without ending; STEM.gp, STEM.png, STEM.pdf
+    char data[3][STEM_SIZE]; ///< names of the data files, "" where there are fewer
+    char title[200];
+    char caption[600];
+    bool drawn;
+} figure;
+
+typedef struct figure_list {
+    size_t count, capacity;
+    figure *items;
+} figure_list;
+
+/// Room for one more figure of a result at the end of the list, zeroed but for its stem, which is `stem` made a file
+/// name that no other figure of the result has. NULL when memory ran out.
+figure *figure_add(figure_list *list, size_t result, const char *stem);
+
+/// What figures are made from and where they go.
+typedef struct drawing {
+    const whirl_result *result;
+    size_t index;       ///< of the result
+    const char *folder; ///< where its files go
+    figure_list *list;
+} drawing;
+
+/// Writes data and scripts of the bifurcation diagrams, one a station, of the table "sweep" if there is one.
+whirl_status draw_bifurcations(const drawing *to);
+
+/// Writes data and scripts of the panels of every point of the detail table and every station.
+whirl_status draw_points(const drawing *to);
+
+/// Writes the beginning of a script: what it draws, and the variables and settings that all figures share.
+/// `height` in cm; figures are 18 cm wide.
+void script_begin(FILE *script, const figure *what, const char *title, double height);
+
+/// Begins the loop over the two formats; what follows is drawn once as PNG and once as PDF.
+void script_loop(FILE *script);
+void script_end(FILE *script);
+
+/// Places the next panel: left, right, bottom, top as shares of the figure.
+void script_panel(FILE *script, double left, double right, double bottom, double top);
+
+/// A range that holds low .. high with a margin on both sides, and is at least `least` wide.
+typedef struct span {
+    double low, high;
+} span;
+
+/// The empty span, to be widened.
+span span_empty(void);
+void span_widen(span *range, double value); ///< values that are not finite are left out
+span span_with_margin(span range, double margin, double least);
+
+#endif

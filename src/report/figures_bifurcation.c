@@ -1,0 +1,381 @@
+// Bifurcation diagrams: the Poincare section of a station against the swept parameter, coloured by regime, above the
+// largest Lyapunov exponent, the largest radius and the time in contact on the same axis.
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "figures.h"
+#include "gnuplot.h"
+#include "quantities.h"
+#include "regimes.h"
+
+enum {
+    GRID = 2000,        ///< dots nearer to each other than 1/GRID of the axis are written once
+    MOST_DOTS = 100000, ///< of a figure, so that its PDF stays small
+    LEAST_DOTS = 64     ///< of a point
+};
+
+/// What the panels share.
+typedef struct diagram {
+    const whirl_result *result;
+    const whirl_table *table;
+    size_t station;
+    span parameter, x, y, exponent, radius;
+    bool rub, present[CLASS_COUNT], both;
+    char label[LABEL_SIZE], length[LABEL_SIZE];
+    double edge; ///< half the distance of two points of the sweep
+} diagram;
+
+static int by_value(const void *left, const void *right) {
+    const double a = *(const double *)left, b = *(const double *)right;
+    return (a > b) - (a < b);
+}
+
+/// The range of the exponents without the rare deep minima at superstable points, which would flatten all else.
+static span exponent_span(const whirl_table *table) {
+    span range = span_empty();
+    double *sorted = malloc((table->count + 1) * sizeof *sorted);
+    size_t count = 0;
+    for (size_t i = 0; sorted && i < table->count; i++) {
+        const double value = whirl_table_verdict(table, i).exponent.value;
+        if (isfinite(value)) sorted[count++] = value;
+    }
+    if (count > 0) {
+        qsort(sorted, count, sizeof *sorted, by_value);
+        const double low = sorted[count / 20], high = sorted[count - 1 - count / 20], reach = 1.5 * (high - low);
+        span_widen(&range, fmax(sorted[0], low - reach));
+        span_widen(&range, fmin(sorted[count - 1], high + reach));
+        span_widen(&range, 0.0);
+    }
+    free(sorted);
+    return span_with_margin(range, 0.08, 0.01);
+}
+
+static void survey(diagram *of) {
+    const whirl_table *table = of->table;
+    span parameter = span_empty(), x = span_empty(), y = span_empty(), radius = span_empty();
+    for (size_t i = 0; i < table->count; i++) {
+        const numbers section = point_section(table, i, of->station);
+        const whirl_verdict verdict = whirl_table_verdict(table, i);
+        of->present[regime_class_of(&verdict)] = true;
+        of->both |= table->branch[i] < 0;
+        span_widen(&parameter, table->values[i]);
+        span_widen(&radius, max_radius(table, i, of->station));
+        for (size_t k = 0; k < section.rows; k++) {
+            span_widen(&x, section.at[4 * k]);
+            span_widen(&y, section.at[4 * k + 1]);
+        }
+    }
+    const double width = parameter.high - parameter.low;
+    of->edge = table->count > 1 && width > 0.0 ? fabs(0.5 * (table->values[1] - table->values[0])) : 0.5;
+    of->parameter = span_with_margin(parameter, 0.012, 2.0 * of->edge);
+    of->x = span_with_margin(x, 0.04, 1e-6);
+    of->y = span_with_margin(y, 0.04, 1e-6);
+    of->radius = span_with_margin(radius, 0.08, 1e-6);
+    of->exponent = exponent_span(table);
+    of->rub = has_rub(table, of->result->contact_count);
+    parameter_label(of->result, table->parameter, of->label, sizeof of->label);
+    length_symbol(of->result, of->length, sizeof of->length);
+}
+
+// ---------------------------------------------------------------- data
+
+/// A dot on the grid of the figure, and where in the section it comes from.
+typedef struct dot {
+    int x, y;
+    size_t row;
+} dot;
+
+static int by_place(const void *left, const void *right) {
+    const dot *a = left, *b = right;
+    if (a->x != b->x) return a->x < b->x ? -1 : 1;
+    if (a->y != b->y) return a->y < b->y ? -1 : 1;
+    return (a->row > b->row) - (a->row < b->row);
+}
+
+static int cell(double value, span range) { return (int)(GRID * (value - range.low) / (range.high - range.low)); }
+
+static void write_dots(FILE *data, const diagram *of, size_t point, dot *dots) {
+    const numbers section = point_section(of->table, point, of->station);
+    const size_t share = MOST_DOTS / (of->table->count + 1), most = share > LEAST_DOTS ? share : LEAST_DOTS;
+    const size_t count = section.rows < most ? section.rows : most;
+    for (size_t k = 0; k < count; k++) {
+        const size_t row = section.rows - count + k;
+        dots[k] = (dot){cell(section.at[4 * row], of->x), cell(section.at[4 * row + 1], of->y), row};
+    }
+    qsort(dots, count, sizeof *dots, by_place);
+    for (size_t k = 0; k < count; k++) {
+        if (k > 0 && dots[k].x == dots[k - 1].x && dots[k].y == dots[k - 1].y) continue;
+        const double *at = &section.at[4 * dots[k].row];
+        fprintf(data, "%.10g %.7g %.7g\n", of->table->values[point], at[0], at[1]);
+    }
+}
+
+/// One block (gnuplot: index) for each class that is present and each branch, in that order.
+static whirl_status write_section_data(const drawing *to, const diagram *of, const char *name) {
+    output file;
+    whirl_status status = output_open(&file, to->folder, name);
+    if (status.code != WHIRL_OK) return status;
+    const size_t rows = whirl_layout_field(&of->table->layout, "poincare/section")->rows;
+    dot *dots = malloc((rows + 1) * sizeof *dots);
+    fprintf(file.stream, "# parameter (SI)  x  y (lengths in %.10g m); dots that coincide in print stand once\n",
+            of->result->length_scale);
+    for (int kind = 0; kind < CLASS_COUNT && dots; kind++) {
+        if (!of->present[kind]) continue;
+        for (int branch = 1; branch >= (of->both ? -1 : 1); branch -= 2) {
+            fprintf(file.stream, "\n\n# %s%s\n", regime_class_name((regime_class)kind),
+                    of->both ? branch > 0 ? ", from the first value on" : ", from the last value on" : "");
+            fprintf(file.stream, "nan nan nan\n"); // keeps the count of the blocks where a block is empty
+            for (size_t i = 0; i < of->table->count; i++) {
+                const whirl_verdict verdict = whirl_table_verdict(of->table, i);
+                const int side = of->table->branch[i] < 0 ? -1 : 1;
+                if ((int)regime_class_of(&verdict) == kind && side == branch) write_dots(file.stream, of, i, dots);
+            }
+        }
+    }
+    const bool memory = dots != NULL;
+    free(dots);
+    status = output_close(&file);
+    return memory ? status : whirl_fail(WHIRL_NO_MEMORY, "no memory for the dots of a bifurcation diagram");
+}
+
+/// One line a point, one block a branch.
+static whirl_status write_sweep_data(const drawing *to, const diagram *of) {
+    output file;
+    const whirl_status status = output_open(&file, to->folder, "sweep.dat");
+    if (status.code != WHIRL_OK) return status;
+    fprintf(file.stream, "# parameter (SI)  class  exponent (1/revolution)  its error  rub share");
+    for (size_t s = 0; s < of->result->station_count; s++)
+        fprintf(file.stream, "  largest radius of station %zu (%.10g m)", s + 1, of->result->length_scale);
+    fprintf(file.stream, "\n# classes:");
+    for (int kind = 0; kind < CLASS_COUNT; kind++)
+        fprintf(file.stream, " %d %s;", kind, regime_class_name((regime_class)kind));
+    fputc('\n', file.stream);
+    for (int branch = 1; branch >= (of->both ? -1 : 1); branch -= 2) {
+        for (size_t i = 0; i < of->table->count; i++) {
+            if ((of->table->branch[i] < 0 ? -1 : 1) != branch) continue;
+            const whirl_verdict verdict = whirl_table_verdict(of->table, i);
+            fprintf(file.stream, "%.10g %d %.6g %.3g %.6g", of->table->values[i], (int)regime_class_of(&verdict),
+                    verdict.exponent.value, verdict.exponent.error,
+                    rub_share(of->table, i, of->result->contact_count));
+            for (size_t s = 0; s < of->result->station_count; s++)
+                fprintf(file.stream, " %.7g", max_radius(of->table, i, s));
+            fputc('\n', file.stream);
+        }
+        fputs("\n\n", file.stream);
+    }
+    return output_close(&file);
+}
+
+// ---------------------------------------------------------------- script
+
+static void band_limits(const diagram *of, size_t first, size_t last, double *low, double *high) {
+    const double a = of->table->values[first], b = of->table->values[last];
+    *low = fmin(a, b) - of->edge;
+    *high = fmax(a, b) + of->edge;
+}
+
+/// Shades the ranges of the parameter in which there is contact, behind the panels that follow.
+static void write_rub_bands(FILE *script, const diagram *of) {
+    const whirl_table *table = of->table;
+    const size_t contacts = of->result->contact_count;
+    for (size_t i = 0; of->rub && i < table->count; i++) {
+        if (!(rub_share(table, i, contacts) > 0.0)) continue;
+        size_t last = i;
+        while (last + 1 < table->count && table->branch[last + 1] == table->branch[i] &&
+               rub_share(table, last + 1, contacts) > 0.0)
+            last++;
+        double low, high;
+        band_limits(of, i, last, &low, &high);
+        fprintf(script,
+                "set object rectangle from %.8g, graph 0 to %.8g, graph 1 behind fillcolor rgb '#F7EBDD' "
+                "fillstyle solid noborder\n",
+                low, high);
+        i = last;
+    }
+}
+
+/// A ribbon above the first panel that shows the regime of every point, one strip a branch.
+static void write_ribbon(FILE *script, const diagram *of) {
+    const size_t most = of->table->count;
+    regime_interval *intervals = malloc((most + 1) * sizeof *intervals);
+    const size_t count = intervals ? regime_intervals(of->table, of->result->contact_count, intervals, most) : 0;
+    for (size_t i = 0; i < count; i++) {
+        double low, high;
+        band_limits(of, intervals[i].first, intervals[i].last, &low, &high);
+        const double bottom = intervals[i].branch < 0 ? 1.055 : 1.02;
+        fprintf(script,
+                "set object %zu rectangle from %.8g, graph %.3f to %.8g, graph %.3f front noclip "
+                "fillcolor rgb '%s' fillstyle solid noborder\n",
+                1000 + i, low, bottom, high, bottom + 0.03, regime_class_colour(intervals[i].kind));
+    }
+    if (count > 0) fprintf(script, "ribbon = %zu\n", 1000 + count);
+    free(intervals);
+}
+
+static void write_key(FILE *script, const diagram *of) {
+    fputs("set key at screen 0.54, screen 0.962 center top horizontal Left reverse samplen 0.5 width 1 spacing 0.9\n", script);
+    fputs("plot ", script);
+    for (int kind = 0; kind < CLASS_COUNT; kind++)
+        if (of->present[kind])
+            fprintf(script, "keyentry with points pointtype 7 pointsize 0.5 linecolor rgb '%s' title '%s', \\\n  ",
+                    regime_class_colour((regime_class)kind), regime_class_name((regime_class)kind));
+    if (of->rub)
+        fputs("keyentry with boxes fillstyle solid 1 noborder linecolor rgb '#EBCFAE' title 'rub', \\\n  ", script);
+    if (of->both)
+        fputs("keyentry with points pointtype 7 pointsize 0.2 linecolor rgb '#303030' title 'from the first value', \\\n"
+              "  keyentry with points pointtype 1 pointsize 0.35 linewidth 0.5 linecolor rgb '#303030' "
+              "title 'from the last value', \\\n  ",
+              script);
+}
+
+/// The dots of coordinate `column` of the section.
+static void write_section_panel(FILE *script, const diagram *of, const char *data, char coordinate, int column) {
+    const span range = column == 2 ? of->x : of->y;
+    fprintf(script, "set yrange [%.8g:%.8g]\nset ylabel '%c / '.length_symbol\n", range.low, range.high, coordinate);
+    const bool key = column == 2;
+    if (key)
+        write_key(script, of);
+    else
+        fputs("unset key\nplot ", script);
+    int index = 0;
+    for (int kind = 0; kind < CLASS_COUNT; kind++) {
+        if (!of->present[kind]) continue;
+        for (int branch = 1; branch >= (of->both ? -1 : 1); branch -= 2)
+            fprintf(script, "%s'%s' index %d using 1:%d with points pointtype %d pointsize %s linewidth 0.3 linecolor rgb '%s' notitle",
+                    index ? ", \\\n  " : "", data, index, column, branch > 0 ? 7 : 1, branch > 0 ? "dot_size" : "2.5*dot_size",
+                    regime_class_colour((regime_class)kind)), index++;
+    }
+    fputc('\n', script);
+}
+
+static void write_exponent_panel(FILE *script, const diagram *of) {
+    fprintf(script,
+            "set yrange [%.8g:%.8g]\nset ylabel \"largest exponent\\n(1/revolution)\"\n"
+            "plot 0 linestyle 9 notitle, \\\n"
+            "  'sweep.dat' using 1:3:4 with yerrorbars pointtype 7 pointsize 0 linewidth 0.4 linecolor rgb '#9A9A9A' notitle",
+            of->exponent.low, of->exponent.high);
+    for (int branch = 0; branch < (of->both ? 2 : 1); branch++)
+        fprintf(script, ", \\\n  'sweep.dat' index %d using 1:3:(colour($2)) with points pointtype %d pointsize %s linewidth 0.3 linecolor rgb variable notitle",
+                branch, branch ? 1 : 7, branch ? "3*dot_size" : "2*dot_size");
+    fputc('\n', script);
+}
+
+static void write_line_panel(FILE *script, const diagram *of, size_t column, const char *scale, const char *style) {
+    fputs("plot ", script);
+    for (int branch = 0; branch < (of->both ? 2 : 1); branch++)
+        fprintf(script, "%s'sweep.dat' index %d using 1:(%s*$%zu) %s notitle", branch ? ", \\\n  " : "", branch, scale,
+                column, branch ? "with lines linestyle 2" : style);
+    fputc('\n', script);
+}
+
+static void write_radius_panel(FILE *script, const diagram *of) {
+    const double clearance = of->result->stations[of->station].clearance;
+    const double scale = clearance > 0.0 ? 1.0 / clearance : 1.0;
+    fprintf(script, "set yrange [%.8g:%.8g]\n", scale * of->radius.low, scale * of->radius.high);
+    if (clearance > 0.0)
+        fputs("set ylabel \"largest\\neccentricity\"\n", script);
+    else
+        fputs("set ylabel \"largest\\nradius / \".length_symbol\n", script);
+    char factor[32];
+    snprintf(factor, sizeof factor, "%.10g", scale);
+    write_line_panel(script, of, 6 + of->station, factor, "with lines linestyle 1");
+}
+
+static void write_rub_panel(FILE *script, const diagram *of) {
+    fputs("set yrange [0:*<1]\nset ylabel \"time in\\ncontact (%)\"\nset yrange [0:*]\n", script);
+    write_line_panel(script, of, 5, "100", "with lines linestyle 1");
+}
+
+static void write_colour_function(FILE *script) {
+    fputs("colours = '", script);
+    for (int kind = 0; kind < CLASS_COUNT; kind++)
+        fprintf(script, "%s0x%s", kind ? " " : "", regime_class_colour((regime_class)kind) + 1);
+    fputs("'\ncolour(class) = int(word(colours, int(class) + 1))\n", script);
+}
+
+/// Heights of the panels from the top, in parts.
+static void write_panels(FILE *script, const diagram *of, const char *data) {
+    static const double parts[] = {3.0, 3.0, 1.9, 1.3, 1.1};
+    const int count = of->rub ? 5 : 4;
+    const double bottom = 0.058, top = of->both ? 0.897 : 0.904, gap = 0.014;
+    double sum = 0.0;
+    for (int i = 0; i < count; i++) sum += parts[i];
+    const double unit = (top - bottom - gap * (count - 1)) / sum;
+    double high = top;
+    for (int i = 0; i < count; i++) {
+        const double low = high - parts[i] * unit;
+        script_panel(script, 0.105, 0.985, low, high);
+        if (i == count - 1) fputs("set format x '%g'\nset xlabel parameter_label\n", script);
+        if (i == 0) write_section_panel(script, of, data, 'x', 2);
+        if (i == 0) fputs("do for [i = 1000:ribbon - 1] { unset object i }\nunset label\n", script);
+        if (i == 1) write_section_panel(script, of, data, 'y', 3);
+        if (i == 2) write_exponent_panel(script, of);
+        if (i == 3) write_radius_panel(script, of);
+        if (i == 4) write_rub_panel(script, of);
+        high = low - gap;
+    }
+}
+
+static whirl_status write_script(const drawing *to, const diagram *of, const figure *what) {
+    char name[STEM_SIZE + 4];
+    output file;
+    snprintf(name, sizeof name, "%s.gp", what->stem);
+    const whirl_status status = output_open(&file, to->folder, name);
+    if (status.code != WHIRL_OK) return status;
+    FILE *script = file.stream;
+    script_begin(script, what, what->title, of->rub ? 23.0 : 21.0);
+    fputs("parameter_label = ", script);
+    gnuplot_string(script, of->label);
+    fputs("\nlength_symbol = ", script);
+    gnuplot_string(script, of->length);
+    fputs("\ndot_size = 0.1\nribbon = 1000\n", script);
+    write_colour_function(script);
+    fprintf(script, "set xrange [%.10g:%.10g]\n", of->parameter.low, of->parameter.high);
+    script_loop(script);
+    fputs("set format x ''\nunset xlabel\nset ylabel offset 0.5, 0\n"
+          "set label 1 title_text at screen 0.545, screen 0.982 center font ',9'\n",
+          script);
+    write_rub_bands(script, of);
+    write_ribbon(script, of);
+    write_panels(script, of, what->data[0]);
+    fputs("unset object\n", script);
+    script_end(script);
+    return output_close(&file);
+}
+
+static whirl_status draw_station(const drawing *to, diagram *of) {
+    const char *station = to->result->stations[of->station].name;
+    char stem[STEM_SIZE];
+    snprintf(stem, sizeof stem, "bifurcation-%s", station);
+    figure *what = figure_add(to->list, to->index, stem);
+    if (!what) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the list of figures");
+    what->station = of->station;
+    snprintf(what->data[0], sizeof what->data[0], "%.190s.dat", what->stem);
+    snprintf(what->data[1], sizeof what->data[1], "sweep.dat");
+    snprintf(what->title, sizeof what->title, "Bifurcation diagram of %s over %s", station, of->table->parameter);
+    snprintf(what->caption, sizeof what->caption,
+             "Poincare section of %s (one dot a revolution) over %s, coloured by regime; the ribbon on top repeats the "
+             "regime%s.%s Below: largest Lyapunov exponent with its standard error, %s%s.",
+             station, of->table->parameter,
+             of->both ? " (lower strip: followed from the first value on; upper strip: from the last)" : "",
+             of->rub ? " Shaded: the rotor rubs." : "",
+             to->result->stations[of->station].clearance > 0.0 ? "largest eccentricity ratio" : "largest radius",
+             of->rub ? ", share of time in contact" : "");
+    const whirl_status status = write_section_data(to, of, what->data[0]);
+    return status.code == WHIRL_OK ? write_script(to, of, what) : status;
+}
+
+whirl_status draw_bifurcations(const drawing *to) {
+    const whirl_table *table = whirl_result_table(to->result, "sweep");
+    if (!table || table->count == 0 || !whirl_layout_field(&table->layout, "poincare/section")) return whirl_ok();
+    whirl_status status = whirl_ok();
+    for (size_t s = 0; s < to->result->station_count && status.code == WHIRL_OK; s++) {
+        diagram of = {.result = to->result, .table = table, .station = s};
+        survey(&of);
+        if (s == 0) status = write_sweep_data(to, &of);
+        if (status.code == WHIRL_OK) status = draw_station(to, &of);
+    }
+    return status;
+}

@@ -1,0 +1,318 @@
+// Panels of one point and station, as the 2015 paper's figures 4 to 11 show them: waveform, orbit, spectrum and Poincare
+// map, and the full spectrum below.
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "figures.h"
+#include "gnuplot.h"
+#include "quantities.h"
+
+enum {
+    MOST_BINS = 2500,  ///< of a drawn spectrum: more are grouped and the largest of a group is kept (peak hold)
+    MOST_LABELS = 6,   ///< spectral lines that get their order written beside them
+    SHOWN_TURNS = 10   ///< revolutions of the waveform panel
+};
+
+/// A point at a station with what there is of it.
+typedef struct subject {
+    const whirl_result *result;
+    const whirl_table *table;
+    size_t point, station;
+    numbers waveform, section, spectrum, lines;
+    size_t turn; ///< samples of the waveform a revolution
+    span x, y;   ///< of the orbit, or of the section where there is no waveform
+    double size; ///< of the motion: the larger side of its box
+} subject;
+
+static subject subject_of(const whirl_result *result, const whirl_table *table, size_t point, size_t station) {
+    subject of = {.result = result, .table = table, .point = point, .station = station};
+    of.waveform = point_waveform(table, point, station);
+    of.section = point_section(table, point, station);
+    of.spectrum = point_spectrum(table, point, station);
+    of.lines = point_lines(table, point, station);
+    of.turn = (size_t)whirl_record_samples(&table->record, table->integrate.steps_per_revolution);
+    if (of.turn == 0) of.turn = 1;
+    of.x = of.y = span_empty();
+    for (size_t k = 0; k < of.waveform.rows; k++) {
+        span_widen(&of.x, of.waveform.at[2 * k]);
+        span_widen(&of.y, of.waveform.at[2 * k + 1]);
+    }
+    for (size_t k = 0; k < of.section.rows; k++) {
+        span_widen(&of.x, of.section.at[4 * k]);
+        span_widen(&of.y, of.section.at[4 * k + 1]);
+    }
+    of.size = fmax(fmax(of.x.high - of.x.low, of.y.high - of.y.low), 1e-9);
+    return of;
+}
+
+// ---------------------------------------------------------------- data
+
+/// Revolutions before the end, x, y; the end of every revolution (the instant of the section) stands in a second block.
+static void write_waveform(FILE *data, const subject *of) {
+    const size_t rows = of->waveform.rows;
+    fprintf(data, "# revolution  x  y (lengths in %.10g m)\n", of->result->length_scale);
+    for (int marks = 0; marks < 2; marks++) {
+        for (size_t k = 0; k < rows; k++)
+            if (!marks || (rows - 1 - k) % of->turn == 0)
+                fprintf(data, "%.8g %.8g %.8g\n", (double)(k + 1) / (double)of->turn, of->waveform.at[2 * k],
+                        of->waveform.at[2 * k + 1]);
+        if (!marks) fputs("\n\n# once a revolution\n", data);
+    }
+}
+
+static void write_section(FILE *data, const subject *of) {
+    fprintf(data, "# x  y (lengths in %.10g m)  x'  y' (per radian of the rotation), once a revolution\n",
+            of->result->length_scale);
+    for (size_t k = 0; k < of->section.rows; k++) {
+        const double *at = &of->section.at[4 * k];
+        fprintf(data, "%.10g %.10g %.10g %.10g\n", at[0], at[1], at[2], at[3]);
+    }
+}
+
+static void write_spectrum(FILE *data, const subject *of) {
+    const size_t group = (of->spectrum.rows + MOST_BINS - 1) / MOST_BINS;
+    fprintf(data, "# order  x  y  forward  backward (amplitudes, zero to peak, in %.10g m)\n", of->result->length_scale);
+    if (group > 1) fprintf(data, "# %zu bins of %.6g orders each stand as one: the largest amplitudes\n", group,
+                           of->spectrum.rows > 1 ? of->spectrum.at[5] - of->spectrum.at[0] : 0.0);
+    for (size_t first = 0; first < of->spectrum.rows; first += group) {
+        double most[5] = {of->spectrum.at[5 * first], 0.0, 0.0, 0.0, 0.0};
+        for (size_t k = first; k < first + group && k < of->spectrum.rows; k++) {
+            const double *at = &of->spectrum.at[5 * k];
+            if (fmax(at[1], at[2]) > fmax(most[1], most[2])) most[0] = at[0];
+            for (int c = 1; c < 5; c++) most[c] = fmax(most[c], at[c]);
+        }
+        fprintf(data, "%.8g %.6g %.6g %.6g %.6g\n", most[0], most[1], most[2], most[3], most[4]);
+    }
+}
+
+static whirl_status write_data(const drawing *to, const subject *of, figure *what) {
+    static const char *const kinds[] = {"waveform", "section", "spectrum"};
+    static void (*const writers[])(FILE *, const subject *) = {write_waveform, write_section, write_spectrum};
+    const numbers arrays[] = {of->waveform, of->section, of->spectrum};
+    for (int i = 0; i < 3; i++) {
+        if (!arrays[i].at) continue;
+        output file;
+        snprintf(what->data[i], sizeof what->data[i], "%.180s-%s.dat", what->stem, kinds[i]);
+        whirl_status status = output_open(&file, to->folder, what->data[i]);
+        if (status.code != WHIRL_OK) return status;
+        writers[i](file.stream, of);
+        status = output_close(&file);
+        if (status.code != WHIRL_OK) return status;
+    }
+    return whirl_ok();
+}
+
+// ---------------------------------------------------------------- panels
+
+static void write_panel_title(FILE *script, const char *title) {
+    fprintf(script, "set title '%s' offset 0, -0.7 font ',8'\n", title);
+}
+
+static void write_waveform_panel(FILE *script, const subject *of, const figure *what) {
+    const double turns = (double)of->waveform.rows / (double)of->turn, shown = fmin(turns, SHOWN_TURNS);
+    span both = of->x;
+    span_widen(&both, of->y.low);
+    span_widen(&both, of->y.high);
+    both = span_with_margin(both, 0.12, 1e-9);
+    write_panel_title(script, "Waveform");
+    fprintf(script,
+            "set xlabel 'revolution'\nset ylabel 'x / '.length_symbol.', y / '.length_symbol\n"
+            "set xrange [%.8g:%.8g]\nset yrange [%.10g:%.10g]\n"
+            "set key inside top right horizontal samplen 1.5 font ',7'\n"
+            "plot '%s' index 0 using 1:2 with lines linestyle 1 title 'x', '' index 0 using 1:3 with lines linestyle 2 title 'y', \\\n"
+            "  '' index 1 using 1:2 with points pointtype 7 pointsize 0.25 linecolor rgb '#303030' notitle, "
+            "'' index 1 using 1:3 with points pointtype 7 pointsize 0.25 linecolor rgb '#303030' notitle\nunset key\n",
+            turns - shown, turns, both.low, both.high, what->data[0]);
+}
+
+/// A square window of side `side` around the middle of the two spans.
+static void write_square(FILE *script, span x, span y, double side) {
+    const double mx = 0.5 * (x.low + x.high), my = 0.5 * (y.low + y.high);
+    fprintf(script, "set xrange [%.12g:%.12g]\nset yrange [%.12g:%.12g]\n", mx - 0.5 * side, mx + 0.5 * side,
+            my - 0.5 * side, my + 0.5 * side);
+    fputs("set xlabel 'x / '.length_symbol\nset ylabel 'y / '.length_symbol\n"
+          "set size ratio -1\nset xtics autofreq\nset ytics autofreq\n",
+          script);
+}
+
+static void write_orbit_panel(FILE *script, const subject *of, const figure *what) {
+    const double clearance = of->result->stations[of->station].clearance;
+    write_panel_title(script, clearance > 0.0 ? "Orbit (dots: once a revolution; grey: bearing clearance)"
+                                              : "Orbit (dots: once a revolution)");
+    write_square(script, of->x, of->y, 1.16 * of->size);
+    fputs("plot ", script);
+    if (clearance > 0.0)
+        fprintf(script,
+                "sample [angle = 0:2*pi:pi/3000] '+' using (%.10g*cos(angle)):(%.10g*sin(angle)) with lines linewidth 1.2 "
+                "linecolor rgb '#9A9A9A', \\\n  ",
+                clearance, clearance);
+    fprintf(script,
+            "'%s' index 0 using 2:3 with lines linestyle 1 linewidth 0.5, \\\n"
+            "  '' index 1 using 2:3 with points pointtype 7 pointsize 0.35 linecolor rgb '#D55E00'\nset size noratio\n",
+            what->data[0]);
+}
+
+/// The window follows the section, but never below a fifth of the motion: rounding noise of a fixed point is no structure.
+static void write_section_panel(FILE *script, const subject *of, const figure *what) {
+    span x = span_empty(), y = span_empty();
+    for (size_t k = 0; k < of->section.rows; k++) {
+        span_widen(&x, of->section.at[4 * k]);
+        span_widen(&y, of->section.at[4 * k + 1]);
+    }
+    const double extent = fmax(x.high - x.low, y.high - y.low);
+    write_panel_title(script, "Poincare map");
+    write_square(script, x, y, fmax(1.24 * extent, 0.2 * of->size));
+    const double size = of->section.rows > 1000 && extent > 1e-3 * of->size ? 0.12 : 0.3;
+    fprintf(script, "plot '%s' using 1:2 with points pointtype 7 pointsize %.2f linecolor rgb '#0072B2'\nset size noratio\n",
+            what->data[1], size);
+}
+
+static double amplitude(const double *line, int full) {
+    return full ? fmax(line[3], line[4]) : fmax(line[1], line[2]);
+}
+
+/// Writes the orders of the largest lines above them, but none that would run into one that is there already.
+static void write_line_labels(FILE *script, const subject *of, double highest, int full) {
+    double placed[2 * MOST_LABELS];
+    int count = 0;
+    for (size_t k = 0; k < of->lines.rows && count < MOST_LABELS; k++) {
+        const double *line = &of->lines.at[5 * k];
+        const int backward = full && line[4] > line[3];
+        const double order = backward ? -line[0] : line[0], width = full ? 0.07 * highest : 0.075 * highest;
+        bool fits = amplitude(line, full) >= 0.04 * amplitude(of->lines.at, full) && line[0] < highest;
+        for (int i = 0; i < count; i++) fits = fits && fabs(placed[i] - order) >= width;
+        if (!fits) continue;
+        placed[count++] = order;
+        fprintf(script, "set label %d '%.3g' at %.6g, %.6g center offset 0, 0.45 font ',6.5'\n", 100 + count, line[0],
+                order, amplitude(line, full));
+    }
+}
+
+/// The order up to which the spectrum is drawn.
+static double highest_order(const subject *of) {
+    const double last = of->spectrum.at[5 * (of->spectrum.rows - 1)];
+    return last > 0.0 ? last : 1.0;
+}
+
+static double tallest(const subject *of, int full) {
+    double most = 0.0;
+    for (size_t k = 0; k < of->spectrum.rows; k++) most = fmax(most, amplitude(&of->spectrum.at[5 * k], full));
+    return most > 0.0 ? most : 1.0;
+}
+
+static void write_spectrum_panel(FILE *script, const subject *of, const figure *what) {
+    const double highest = highest_order(of);
+    write_panel_title(script, "Spectrum");
+    fprintf(script,
+            "set xlabel 'order of the running speed'\nset ylabel 'amplitude / '.length_symbol\n"
+            "set xrange [0:%.6g]\nset yrange [0:%.8g]\nset xtics %g\n"
+            "set key inside top right horizontal samplen 1.5 font ',7'\n",
+            highest, 1.22 * tallest(of, 0), highest <= 6.0 ? 1.0 : ceil(highest / 6.0));
+    write_line_labels(script, of, highest, 0);
+    fprintf(script,
+            "plot '%s' using 1:3 with lines linestyle 2 linewidth 0.6 title 'y', '' using 1:2 with lines linestyle 1 linewidth 0.6 title 'x'\n"
+            "unset key\ndo for [i = 101:%d] { unset label i }\n",
+            what->data[2], 100 + MOST_LABELS);
+}
+
+static void write_full_spectrum_panel(FILE *script, const subject *of, const figure *what) {
+    const double highest = highest_order(of);
+    write_panel_title(script, "Full spectrum of x + iy");
+    fprintf(script,
+            "set xlabel 'order of the running speed (negative: backward whirl)'\nset ylabel 'amplitude / '.length_symbol\n"
+            "set xrange [%.6g:%.6g]\nset yrange [0:%.8g]\nset xtics %g\n",
+            -highest, highest, 1.24 * tallest(of, 1), highest <= 6.0 ? 1.0 : ceil(highest / 6.0));
+    write_line_labels(script, of, highest, 1);
+    fprintf(script,
+            "set label 98 'backward' at graph 0.015, 0.9 left font ',7' textcolor rgb '#D55E00'\n"
+            "set label 99 'forward' at graph 0.985, 0.9 right font ',7' textcolor rgb '#0072B2'\n"
+            "plot '%s' using (-$1):5 with lines linestyle 2 linewidth 0.6, '' using 1:4 with lines linestyle 1 linewidth 0.6\n"
+            "do for [i = 98:%d] { unset label i }\n",
+            what->data[2], 100 + MOST_LABELS);
+}
+
+/// Draws the panels that there are data for, two a row, the full spectrum across below.
+static void write_panels(FILE *script, const subject *of, const figure *what, double height) {
+    static void (*const panels[])(FILE *, const subject *, const figure *) = {
+        write_waveform_panel, write_orbit_panel, write_spectrum_panel, write_section_panel};
+    const bool there[] = {of->waveform.at, of->waveform.at, of->spectrum.at, of->section.at};
+    const double side = 6.6 / height, gap = 1.75 / height, square = 6.6 / 18.0;
+    double high = 1.0 - 1.55 / height;
+    int place = 0;
+    for (int i = 0; i < 4; i++) {
+        if (!there[i]) continue;
+        // The right column is square, for orbits and maps; where only they are left they may stand on the left too.
+        if (place % 2 == 0)
+            script_panel(script, 0.085, i % 2 ? 0.085 + square : 0.53, high - side, high);
+        else
+            script_panel(script, 0.985 - square, 0.985, high - side, high);
+        panels[i](script, of, what);
+        if (place % 2 == 1) high -= side + gap;
+        place++;
+    }
+    if (place % 2 == 1) high -= side + gap;
+    if (!of->spectrum.at) return;
+    script_panel(script, 0.085, 0.985, high - 4.6 / height, high);
+    write_full_spectrum_panel(script, of, what);
+}
+
+static double figure_height(const subject *of) {
+    const int panels = (of->waveform.at ? 2 : 0) + (of->spectrum.at ? 1 : 0) + (of->section.at ? 1 : 0);
+    const int rows = (panels + 1) / 2;
+    return 1.55 + rows * (6.6 + 1.75) + (of->spectrum.at ? 4.6 + 1.2 : -0.4);
+}
+
+static whirl_status write_script(const drawing *to, const subject *of, const figure *what) {
+    char name[STEM_SIZE + 4], length[LABEL_SIZE];
+    output file;
+    snprintf(name, sizeof name, "%s.gp", what->stem);
+    const whirl_status status = output_open(&file, to->folder, name);
+    if (status.code != WHIRL_OK) return status;
+    const double height = figure_height(of);
+    script_begin(file.stream, what, what->title, height);
+    length_symbol(of->result, length, sizeof length);
+    fputs("length_symbol = ", file.stream);
+    gnuplot_string(file.stream, length);
+    fputs("\n", file.stream);
+    script_loop(file.stream);
+    fprintf(file.stream, "set label 1 title_text at screen 0.5, screen %.4f center font ',9'\n", 1.0 - 0.5 / height);
+    write_panels(file.stream, of, what, height);
+    fputs("unset label 1\n", file.stream);
+    script_end(file.stream);
+    return output_close(&file);
+}
+
+static whirl_status draw_point(const drawing *to, const subject *of) {
+    char point[LABEL_SIZE], verdict_text[LABEL_SIZE], stem[STEM_SIZE];
+    const char *station = of->result->stations[of->station].name;
+    const whirl_verdict verdict = whirl_table_verdict(of->table, of->point);
+    point_label(of->result, of->table, of->point, point, sizeof point);
+    whirl_verdict_name(&verdict, verdict_text, sizeof verdict_text);
+    if (*of->table->parameter)
+        snprintf(stem, sizeof stem, "%s-%.6g-%s", of->table->parameter, of->table->values[of->point], station);
+    else
+        snprintf(stem, sizeof stem, "%s-%s", of->table->name, station);
+    figure *what = figure_add(to->list, to->index, stem);
+    if (!what) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the list of figures");
+    what->point = (long)of->point;
+    what->station = of->station;
+    snprintf(what->title, sizeof what->title, "%.80s, %.60s: %.56s", point, station, verdict_text);
+    snprintf(what->caption, sizeof what->caption, "%.120s, %.60s: %.100s.%s", point, station, verdict_text,
+             of->waveform.at ? "" : " No waveform was kept.");
+    const whirl_status status = write_data(to, of, what);
+    return status.code == WHIRL_OK ? write_script(to, of, what) : status;
+}
+
+whirl_status draw_points(const drawing *to) {
+    const whirl_table *table = detail_table(to->result);
+    whirl_status status = whirl_ok();
+    for (size_t i = 0; table && i < table->count; i++) {
+        for (size_t s = 0; s < to->result->station_count && status.code == WHIRL_OK; s++) {
+            const subject of = subject_of(to->result, table, i, s);
+            if (of.waveform.at || of.section.at || of.spectrum.at) status = draw_point(to, &of);
+        }
+    }
+    return status;
+}

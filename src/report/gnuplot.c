@@ -1,0 +1,145 @@
+#include "gnuplot.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "utf8.h"
+
+enum { MOST_PROCESSES = 8, COMMAND_MISSING = 127, LOG_NAME_SIZE = 512 };
+
+void gnuplot_string(FILE *script, const char *text) {
+    fputc('\'', script);
+    while (*text) {
+        const size_t length = utf8_length(text);
+        if (*text == '\'')
+            fputs("''", script);
+        else if (length == 1 && ((unsigned char)*text < 0x20 || *text == 0x7F))
+            fputc(' ', script);
+        else if (length == 0)
+            fputc('?', script);
+        else
+            fwrite(text, 1, length, script);
+        text += length ? length : 1;
+    }
+    fputc('\'', script);
+}
+
+void gnuplot_comment(FILE *script, const char *text) {
+    for (; *text; text++) {
+        const unsigned char letter = (unsigned char)*text;
+        fputc(letter < 0x20 || letter == '\\' ? ' ' : letter, script);
+    }
+}
+
+/// Becomes gnuplot in the job's folder. Only calls that are safe between fork and exec.
+static _Noreturn void become_gnuplot(const char *program, const gnuplot_job *job, const char *log) {
+    if (chdir(job->folder) != 0) _exit(1);
+    const int nothing = open("/dev/null", O_RDONLY);
+    const int words = open(log, O_WRONLY | O_CREAT | O_TRUNC, 0666);
+    if (nothing < 0 || words < 0) _exit(1);
+    dup2(nothing, STDIN_FILENO);
+    dup2(words, STDOUT_FILENO);
+    dup2(words, STDERR_FILENO);
+    char name[] = "gnuplot";
+    char script[LOG_NAME_SIZE];
+    strncpy(script, job->script, sizeof script - 1);
+    script[sizeof script - 1] = '\0';
+    char *const arguments[] = {name, script, NULL};
+    execvp(program, arguments);
+    _exit(errno == ENOENT || errno == EACCES ? COMMAND_MISSING : 1);
+}
+
+static void log_name(const gnuplot_job *job, char *log) {
+    snprintf(log, LOG_NAME_SIZE, "%.500s.log", job->script);
+}
+
+static void remove_empty_log(const gnuplot_job *job) {
+    char log[LOG_NAME_SIZE], path[4096 + LOG_NAME_SIZE];
+    struct stat found;
+    log_name(job, log);
+    snprintf(path, sizeof path, "%.4000s/%s", job->folder, log);
+    if (stat(path, &found) == 0 && found.st_size == 0) unlink(path);
+}
+
+static pid_t start(const char *program, const gnuplot_job *job) {
+    char log[LOG_NAME_SIZE];
+    log_name(job, log);
+    const pid_t child = fork();
+    if (child == 0) become_gnuplot(program, job, log);
+    return child;
+}
+
+/// The children that are running, with the job of each.
+typedef struct crew {
+    size_t count;
+    pid_t child[MOST_PROCESSES];
+    size_t job[MOST_PROCESSES];
+} crew;
+
+/// Waits for the oldest child; its exit status.
+static int finish_oldest(crew *running, gnuplot_job *jobs) {
+    int wait_status = 0;
+    while (waitpid(running->child[0], &wait_status, 0) < 0)
+        if (errno != EINTR) return 1;
+    gnuplot_job *job = &jobs[running->job[0]];
+    const int code = WIFEXITED(wait_status) ? WEXITSTATUS(wait_status) : 1;
+    job->drawn = code == 0;
+    remove_empty_log(job);
+    running->count--;
+    memmove(running->child, running->child + 1, running->count * sizeof *running->child);
+    memmove(running->job, running->job + 1, running->count * sizeof *running->job);
+    return code;
+}
+
+static size_t process_count(void) {
+    const long cores = sysconf(_SC_NPROCESSORS_ONLN);
+    return cores < 1 ? 1 : cores > MOST_PROCESSES ? MOST_PROCESSES : (size_t)cores;
+}
+
+static whirl_status run_all(const char *program, gnuplot_job *jobs, size_t count) {
+    const size_t most = process_count();
+    crew running = {0};
+    bool missing = false;
+    for (size_t next = 0; next < count || running.count > 0;) {
+        if (next < count && running.count < most && !missing) {
+            const pid_t child = start(program, &jobs[next]);
+            if (child > 0) {
+                running.child[running.count] = child;
+                running.job[running.count++] = next;
+            }
+            next++;
+        } else if (running.count > 0) {
+            missing |= finish_oldest(&running, jobs) == COMMAND_MISSING;
+        } else {
+            break;
+        }
+    }
+    if (missing)
+        return whirl_fail(WHIRL_MISSING_PROGRAM,
+                          "%s is not installed, so no figure was drawn; the scripts and data are there "
+                          "(apt-get install gnuplot-nox)",
+                          program);
+    for (size_t i = 0; i < count; i++)
+        if (!jobs[i].drawn)
+            return whirl_fail(WHIRL_IO_ERROR, "gnuplot failed on %.200s/%.100s (see the .log file beside it)",
+                              jobs[i].folder, jobs[i].script);
+    return whirl_ok();
+}
+
+whirl_status gnuplot_run(const char *program, gnuplot_job *jobs, size_t count) {
+    for (size_t i = 0; i < count; i++) jobs[i].drawn = false;
+    if (!program) return run_all("gnuplot", jobs, count);
+    if (!strchr(program, '/')) return run_all(program, jobs, count);
+    // The scripts run in other folders: a path relative to this one would not be found from there.
+    char *absolute = realpath(program, NULL);
+    if (!absolute)
+        return whirl_fail(WHIRL_MISSING_PROGRAM, "%.300s is not there, so no figure was drawn; the scripts and data are", program);
+    const whirl_status status = run_all(absolute, jobs, count);
+    free(absolute);
+    return status;
+}

@@ -1,0 +1,41 @@
+#include "html.h"
+
+#include <stdarg.h>
+
+#include "utf8.h"
+
+static const char *entity(char letter) {
+    switch (letter) {
+    case '<': return "&lt;";
+    case '>': return "&gt;";
+    case '&': return "&amp;";
+    case '"': return "&quot;";
+    case '\'': return "&#39;";
+    default: return NULL;
+    }
+}
+
+void html_text(FILE *stream, const char *text) {
+    while (*text) {
+        const size_t length = utf8_length(text);
+        const unsigned char letter = (unsigned char)*text;
+        const char *replacement = length == 1 ? entity(*text) : NULL;
+        const int control = (letter < 0x20 && letter != '\n' && letter != '\t') || letter == 0x7F;
+        if (replacement)
+            fputs(replacement, stream);
+        else if (length == 0 || control)
+            fputs("\xEF\xBF\xBD", stream);
+        else
+            fwrite(text, 1, length, stream);
+        text += length ? length : 1;
+    }
+}
+
+void html_printf(FILE *stream, const char *format, ...) {
+    char text[4096];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    html_text(stream, text);
+}

@@ -1,0 +1,69 @@
+#include "output.h"
+
+#include <errno.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+whirl_status output_open(output *file, const char *folder, const char *name) {
+    const int length = snprintf(file->path, sizeof file->path, "%s/%s", folder, name);
+    if (length < 0 || (size_t)length >= sizeof file->path)
+        return whirl_fail(WHIRL_IO_ERROR, "the path %.100s.../%.100s is too long", folder, name);
+    snprintf(file->temporary, sizeof file->temporary, "%s.part", file->path);
+    file->stream = fopen(file->temporary, "w");
+    if (!file->stream)
+        return whirl_fail(WHIRL_IO_ERROR, "%.300s cannot be written: %s", file->path, strerror(errno));
+    return whirl_ok();
+}
+
+whirl_status output_close(output *file) {
+    errno = 0;
+    const int failed = ferror(file->stream);
+    const int unclosed = fclose(file->stream);
+    file->stream = NULL;
+    if (!failed && !unclosed && rename(file->temporary, file->path) == 0) return whirl_ok();
+    const int reason = errno;
+    unlink(file->temporary);
+    return whirl_fail(WHIRL_IO_ERROR, "%.300s cannot be written: %s", file->path,
+                      reason ? strerror(reason) : "writing failed (is the disk full?)");
+}
+
+static whirl_status make_one(const char *path) {
+    struct stat found;
+    if (mkdir(path, 0777) == 0) return whirl_ok();
+    const int reason = errno;
+    if (stat(path, &found) == 0) {
+        if (S_ISDIR(found.st_mode)) return whirl_ok();
+        return whirl_fail(WHIRL_IO_ERROR, "%.300s is a file, expected a folder", path);
+    }
+    return whirl_fail(WHIRL_IO_ERROR, "the folder %.300s cannot be made: %s", path, strerror(reason));
+}
+
+whirl_status folder_make(const char *path) {
+    char part[OUTPUT_PATH_SIZE];
+    const size_t length = strlen(path);
+    if (length == 0 || length >= sizeof part)
+        return whirl_fail(WHIRL_IO_ERROR, "the folder's path is %s", length ? "too long" : "empty");
+    memcpy(part, path, length + 1);
+    for (size_t i = 1; i < length; i++) {
+        if (part[i] != '/') continue;
+        part[i] = '\0';
+        const whirl_status status = make_one(part);
+        if (status.code != WHIRL_OK) return status;
+        part[i] = '/';
+    }
+    return make_one(part);
+}
+
+void safe_name(const char *text, char *name, size_t size) {
+    static const char allowed[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._+-";
+    size_t length = 0;
+    if (size == 0) return;
+    for (; *text && length + 1 < size; text++) {
+        const char letter = strchr(allowed, *text) ? *text : '-';
+        const int begins_badly = length == 0 && (letter == '.' || letter == '-');
+        if (!begins_badly) name[length++] = letter;
+    }
+    name[length] = '\0';
+    if (length == 0) snprintf(name, size, "unnamed");
+}

@@ -1,0 +1,31 @@
+// Files of a report: written to a temporary name and renamed, so that none is ever half there.
+#ifndef REPORT_OUTPUT_H
+#define REPORT_OUTPUT_H
+
+#include <limits.h>
+#include <stdio.h>
+
+#include "whirl/status.h"
+
+enum { OUTPUT_PATH_SIZE = 4096 };
+
+typedef struct output {
+    FILE *stream;
+    char path[OUTPUT_PATH_SIZE];
+    char temporary[OUTPUT_PATH_SIZE + 8];
+} output;
+
+/// Opens `folder`/`name` for writing. WHIRL_IO_ERROR with a sentence.
+whirl_status output_open(output *file, const char *folder, const char *name);
+
+/// Closes the file, looks for errors (a full disk) and gives it its name. A file that failed is removed.
+whirl_status output_close(output *file);
+
+/// Makes a folder and those above it; one that is there already is fine.
+whirl_status folder_make(const char *path);
+
+/// The text as a file name: letters, digits, '.', '_', '+' and '-' stay, all else becomes '-'; never empty,
+/// never beginning with '.' or '-'.
+void safe_name(const char *text, char *name, size_t size);
+
+#endif

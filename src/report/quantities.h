@@ -1,0 +1,51 @@
+// The numbers of a result that a report shows, and how they are labelled.
+#ifndef REPORT_QUANTITIES_H
+#define REPORT_QUANTITIES_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "whirl/analyze.h"
+#include "whirl/result.h"
+
+enum { LABEL_SIZE = 128 };
+
+/// An array of the table: numbers [rows][columns], or NULL with rows 0 where there is none.
+typedef struct numbers {
+    const double *at;
+    size_t rows, columns;
+} numbers;
+
+/// The array of a field for a point and a station or contact; at = NULL where the field is absent or its first number is NaN.
+numbers point_numbers(const whirl_table *table, size_t point, const char *field, size_t which);
+
+numbers point_section(const whirl_table *table, size_t point, size_t station);  ///< x, y, vx, vy once a revolution
+numbers point_waveform(const whirl_table *table, size_t point, size_t station); ///< x, y
+numbers point_spectrum(const whirl_table *table, size_t point, size_t station); ///< order, x, y, forward, backward
+numbers point_lines(const whirl_table *table, size_t point, size_t station);    ///< the same, of the peaks, largest first
+
+double max_radius(const whirl_table *table, size_t point, size_t station);     ///< NaN where not computed
+double backward_share(const whirl_table *table, size_t point, size_t station); ///< NaN where not computed
+
+/// Share of the time in contact, the largest of all contacts; NaN where not computed or there are no contacts.
+double rub_share(const whirl_table *table, size_t point, size_t contact_count);
+
+/// Whether the table knows of contacts at all.
+bool has_rub(const whirl_table *table, size_t contact_count);
+
+/// Value, unit ("rad/s", "" for a plain number) of the parameter of that name.
+const char *parameter_unit(const whirl_result *result, const char *name);
+
+/// "r_k" or "omega (rad/s)": for axes and column headings.
+void parameter_label(const whirl_result *result, const char *name, char *label, size_t size);
+
+/// "r_k = 0.46" or "omega = 650 rad/s"; for a table without a parameter its name.
+void point_label(const whirl_result *result, const whirl_table *table, size_t point, char *label, size_t size);
+
+/// What lengths are divided by, for axes: "c" where a parameter of that name is the length scale, "(0.2 mm)", or "m".
+void length_symbol(const whirl_result *result, char *symbol, size_t size);
+
+/// The table whose points are shown one by one: "detail", else "response"; NULL where there is neither.
+const whirl_table *detail_table(const whirl_result *result);
+
+#endif

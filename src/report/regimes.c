@@ -1,0 +1,64 @@
+#include "regimes.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "quantities.h"
+
+static const struct {
+    const char *name, *colour;
+} classes[CLASS_COUNT] = {
+    [CLASS_P1] = {"P-1", "#0072B2"},
+    [CLASS_P2] = {"P-2", "#56B4E9"},
+    [CLASS_P4] = {"P-4", "#009E73"},
+    [CLASS_OTHER_PERIOD] = {"other P-k", "#E69F00"},
+    [CLASS_QUASI_PERIODIC] = {"quasi-periodic", "#B0479A"},
+    [CLASS_CHAOTIC] = {"chaotic", "#000000"},
+    [CLASS_UNDETERMINED] = {"undetermined", "#8C8C8C"},
+    [CLASS_DIVERGED] = {"diverged", "#D55E00"},
+};
+
+regime_class regime_class_of(const whirl_verdict *verdict) {
+    switch (verdict->regime) {
+    case WHIRL_PERIODIC:
+        return verdict->period == 1   ? CLASS_P1
+               : verdict->period == 2 ? CLASS_P2
+               : verdict->period == 4 ? CLASS_P4
+                                      : CLASS_OTHER_PERIOD;
+    case WHIRL_QUASI_PERIODIC: return CLASS_QUASI_PERIODIC;
+    case WHIRL_CHAOTIC: return CLASS_CHAOTIC;
+    case WHIRL_DIVERGING: return CLASS_DIVERGED;
+    default: return CLASS_UNDETERMINED;
+    }
+}
+
+const char *regime_class_name(regime_class kind) { return classes[kind].name; }
+
+const char *regime_class_colour(regime_class kind) { return classes[kind].colour; }
+
+void regime_name(const whirl_verdict *verdict, char *text, size_t size) {
+    if (verdict->regime == WHIRL_PERIODIC)
+        snprintf(text, size, "P-%d", verdict->period);
+    else
+        snprintf(text, size, "%s", whirl_regime_name(verdict->regime));
+}
+
+size_t regime_intervals(const whirl_table *table, size_t contact_count, regime_interval *intervals, size_t most) {
+    size_t count = 0;
+    regime_interval now = {0};
+    for (size_t i = 0; i < table->count; i++) {
+        const whirl_verdict verdict = whirl_table_verdict(table, i);
+        char name[sizeof now.name];
+        regime_name(&verdict, name, sizeof name);
+        if (i == 0 || strcmp(name, now.name) != 0 || table->branch[i] != now.branch) {
+            if (i > 0 && count++ < most) intervals[count - 1] = now;
+            now = (regime_interval){.kind = regime_class_of(&verdict), .first = i, .branch = table->branch[i]};
+            memcpy(now.name, name, sizeof name);
+        }
+        now.last = i;
+        now.count++;
+        now.rubbing += rub_share(table, i, contact_count) > 0.0;
+    }
+    if (table->count > 0 && count++ < most) intervals[count - 1] = now;
+    return count;
+}

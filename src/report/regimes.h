@@ -1,0 +1,45 @@
+// Regimes as figures and pages show them: classes with colours, and intervals along a sweep.
+#ifndef REPORT_REGIMES_H
+#define REPORT_REGIMES_H
+
+#include <stddef.h>
+
+#include "whirl/analyze.h"
+#include "whirl/result.h"
+
+typedef enum regime_class {
+    CLASS_P1 = 0,
+    CLASS_P2,
+    CLASS_P4,
+    CLASS_OTHER_PERIOD,
+    CLASS_QUASI_PERIODIC,
+    CLASS_CHAOTIC,
+    CLASS_UNDETERMINED,
+    CLASS_DIVERGED,
+    CLASS_COUNT
+} regime_class;
+
+regime_class regime_class_of(const whirl_verdict *verdict);
+
+/// "P-1", "other P-k", "chaotic", ... Static text.
+const char *regime_class_name(regime_class kind);
+
+/// "#0072B2": told apart by readers of any colour vision (after Okabe and Ito 2008). Static text.
+const char *regime_class_colour(regime_class kind);
+
+/// "P-1", "P-8", "quasi-periodic", "chaotic", ...: what neighbouring points must share to make an interval.
+void regime_name(const whirl_verdict *verdict, char *text, size_t size);
+
+/// Consecutive points of a sweep with the same regime.
+typedef struct regime_interval {
+    char name[64];
+    regime_class kind;
+    size_t first, last, count; ///< points of the table
+    size_t rubbing;            ///< of these, points in contact at some time
+    int branch;
+} regime_interval;
+
+/// Merges the points of the table into intervals, in their order. Returns their number; at most `most` are written.
+size_t regime_intervals(const whirl_table *table, size_t contact_count, regime_interval *intervals, size_t most);
+
+#endif

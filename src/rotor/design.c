@@ -1,0 +1,201 @@
+// Writing a design: settings are checked against the descriptors, here and nowhere else.
+#include "design.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+whirl_status whirl_design_new(double speed, double length_scale, whirl_design **design) {
+    *design = NULL;
+    if (!(isfinite(speed) && speed > 0.0))
+        return whirl_fail(WHIRL_BAD_INPUT, "speed is %g rad/s, expected a number above 0", speed);
+    if (!(isfinite(length_scale) && length_scale > 0.0))
+        return whirl_fail(WHIRL_BAD_INPUT, "length_scale is %g m, expected a number above 0", length_scale);
+    *design = calloc(1, sizeof **design);
+    if (!*design) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a design");
+    (*design)->speed = speed;
+    (*design)->length = length_scale;
+    return whirl_ok();
+}
+
+void whirl_design_free(whirl_design *design) {
+    if (!design) return;
+    for (size_t i = 0; i < design->station_count; i++) free(design->stations[i].values);
+    for (size_t i = 0; i < design->element_count; i++) free(design->elements[i].values);
+    free(design);
+}
+
+static bool find_station(const whirl_design *design, const char *name, size_t length, size_t *station) {
+    for (size_t i = 0; i < design->station_count; i++) {
+        const char *known = design->stations[i].name;
+        if (strlen(known) == length && strncmp(known, name, length) == 0) {
+            *station = i;
+            return true;
+        }
+    }
+    return false;
+}
+
+static whirl_status unknown_station(const whirl_design *design, const char *name, size_t length) {
+    const char *names[WHIRL_MAX_STATIONS];
+    char word[WHIRL_NAME_SIZE] = "";
+    memcpy(word, name, length < sizeof word ? length : sizeof word - 1);
+    for (size_t i = 0; i < design->station_count; i++) names[i] = design->stations[i].name;
+    const char *near = whirl_nearest_name(word, names, design->station_count);
+    if (near) return whirl_fail(WHIRL_BAD_INPUT, "no station is called '%s', did you mean '%s'?", word, near);
+    return whirl_fail(WHIRL_BAD_INPUT, "no station is called '%s'", word);
+}
+
+static whirl_status read_station(const whirl_design *design, const char *name, size_t length, bool ground_allowed,
+                                 size_t *station) {
+    if (ground_allowed && length == strlen("ground") && strncmp(name, "ground", length) == 0) {
+        *station = GROUND;
+        return whirl_ok();
+    }
+    if (find_station(design, name, length, station)) return whirl_ok();
+    return unknown_station(design, name, length);
+}
+
+/// "disc, journal" with any space around the names.
+static whirl_status read_stations(const whirl_design *design, const char *text, size_t stations[2]) {
+    for (int i = 0; i < 2; i++) {
+        text += strspn(text, " \t");
+        const size_t length = strcspn(text, ", \t");
+        const char *end = text + length;
+        end += strspn(end, " \t");
+        if (length == 0 || *end != (i == 0 ? ',' : '\0'))
+            return whirl_fail(WHIRL_BAD_INPUT, "is not two stations, expected 'one, other'");
+        const whirl_status status = read_station(design, text, length, true, &stations[i]);
+        if (status.code != WHIRL_OK) return status;
+        text = end + 1;
+    }
+    if (stations[0] == GROUND && stations[1] == GROUND)
+        return whirl_fail(WHIRL_BAD_INPUT, "joins ground with ground, expected at least one station");
+    return whirl_ok();
+}
+
+static whirl_status read_value(const whirl_design *design, const whirl_key *key, const whirl_setting *setting,
+                               key_value *value) {
+    const bool is_word =
+        key->kind == WHIRL_KEY_CHOICE || key->kind == WHIRL_KEY_STATION || key->kind == WHIRL_KEY_STATIONS;
+    if (is_word != (setting->text != NULL))
+        return whirl_fail(WHIRL_BAD_INPUT, "expected a %s", is_word ? "word" : "number");
+    value->given = true;
+    switch (key->kind) {
+    case WHIRL_KEY_NUMBER:
+    case WHIRL_KEY_WHOLE:
+        value->number = setting->number;
+        return whirl_key_check_number(key, setting->number);
+    case WHIRL_KEY_CHOICE:
+        value->choice = whirl_key_choice(key, setting->text);
+        if (value->choice < 0)
+            return whirl_fail(WHIRL_BAD_INPUT, "is '%.40s', expected one of %s", setting->text, key->choices);
+        return whirl_ok();
+    case WHIRL_KEY_STATION:
+        return read_station(design, setting->text, strlen(setting->text), false, &value->station[0]);
+    case WHIRL_KEY_STATIONS:
+        return read_stations(design, setting->text, value->station);
+    }
+    return whirl_ok();
+}
+
+static void set_fallback(const whirl_key *key, key_value *value) {
+    if (key->fallback[0] == '\0') return;
+    if (key->kind == WHIRL_KEY_CHOICE)
+        value->choice = whirl_key_choice(key, key->fallback);
+    else
+        value->number = strtod(key->fallback, NULL);
+}
+
+static whirl_status unknown_key(const whirl_group *group, const char *name) {
+    const char *names[32];
+    for (size_t i = 0; i < group->key_count; i++) names[i] = group->keys[i].name;
+    const char *near = whirl_nearest_name(name, names, group->key_count);
+    if (near) return whirl_fail(WHIRL_BAD_INPUT, "%s has no key '%.40s', did you mean '%s'?", group->name, name, near);
+    return whirl_fail(WHIRL_BAD_INPUT, "%s has no key '%.40s'", group->name, name);
+}
+
+static whirl_status read_settings(const whirl_design *design, const whirl_group *group, const whirl_setting *settings,
+                                  size_t count, key_value *values) {
+    for (size_t i = 0; i < group->key_count; i++) set_fallback(&group->keys[i], &values[i]);
+    for (size_t i = 0; i < count; i++) {
+        const whirl_key *key = whirl_group_key(group, settings[i].key);
+        if (!key) return unknown_key(group, settings[i].key);
+        key_value *value = &values[key - group->keys];
+        if (value->given) return whirl_fail(WHIRL_BAD_INPUT, "%s gives %s twice", group->name, key->name);
+        const whirl_status status = read_value(design, key, &settings[i], value);
+        if (status.code != WHIRL_OK)
+            return whirl_fail(status.code, "%s.%s %.300s", group->name, key->name, status.message);
+    }
+    for (size_t i = 0; i < group->key_count; i++)
+        if (group->keys[i].required && !values[i].given)
+            return whirl_fail(WHIRL_BAD_INPUT, "%s has no %s, expected %s", group->name, group->keys[i].name,
+                              group->keys[i].meaning);
+    return whirl_ok();
+}
+
+static whirl_status check_station_name(const whirl_design *design, const char *name) {
+    size_t station;
+    const size_t length = strlen(name);
+    if (length == 0 || length >= WHIRL_NAME_SIZE)
+        return whirl_fail(WHIRL_BAD_INPUT, "a station's name has %zu letters, expected 1 to %d", length,
+                          WHIRL_NAME_SIZE - 1);
+    for (const char *c = name; *c; c++)
+        if (!isalnum((unsigned char)*c) && *c != '_' && *c != '-')
+            return whirl_fail(WHIRL_BAD_INPUT, "station '%s' is no name, expected letters, digits, '_' and '-'", name);
+    if (strcmp(name, "ground") == 0)
+        return whirl_fail(WHIRL_BAD_INPUT, "a station is called 'ground', which stands for the ground itself");
+    if (find_station(design, name, length, &station))
+        return whirl_fail(WHIRL_BAD_INPUT, "station '%s' is there twice", name);
+    if (design->station_count == WHIRL_MAX_STATIONS)
+        return whirl_fail(WHIRL_BAD_INPUT, "there are more than %d stations", WHIRL_MAX_STATIONS);
+    return whirl_ok();
+}
+
+whirl_status whirl_design_station(whirl_design *design, const char *name, const whirl_setting *settings, size_t count) {
+    whirl_status status = check_station_name(design, name);
+    if (status.code != WHIRL_OK) return status;
+    key_value *values = calloc(station_group.key_count, sizeof *values);
+    if (!values) return whirl_fail(WHIRL_NO_MEMORY, "no memory for station '%s'", name);
+    status = read_settings(design, &station_group, settings, count, values);
+    if (status.code != WHIRL_OK) {
+        free(values);
+        return status;
+    }
+    design_station *station = &design->stations[design->station_count++];
+    strcpy(station->name, name);
+    station->values = values;
+    return whirl_ok();
+}
+
+static const element_type *find_type(const char *kind) {
+    for (const element_type *const *type = element_types; *type; type++)
+        if (strcmp((*type)->group.name, kind) == 0) return *type;
+    return NULL;
+}
+
+static whirl_status unknown_element(const char *kind) {
+    const char *names[32];
+    size_t count = 0;
+    for (const element_type *const *type = element_types; *type; type++) names[count++] = (*type)->group.name;
+    const char *near = whirl_nearest_name(kind, names, count);
+    if (near) return whirl_fail(WHIRL_BAD_INPUT, "no element is called '%.40s', did you mean '%s'?", kind, near);
+    return whirl_fail(WHIRL_BAD_INPUT, "no element is called '%.40s'", kind);
+}
+
+whirl_status whirl_design_element(whirl_design *design, const char *kind, const whirl_setting *settings, size_t count) {
+    const element_type *type = find_type(kind);
+    if (!type) return unknown_element(kind);
+    if (design->element_count == WHIRL_MAX_ELEMENTS)
+        return whirl_fail(WHIRL_BAD_INPUT, "there are more than %d elements", WHIRL_MAX_ELEMENTS);
+    key_value *values = calloc(type->group.key_count, sizeof *values);
+    if (!values) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a %s", kind);
+    const whirl_status status = read_settings(design, &type->group, settings, count, values);
+    if (status.code != WHIRL_OK) {
+        free(values);
+        return status;
+    }
+    design->elements[design->element_count++] = (design_element){type, values};
+    return whirl_ok();
+}

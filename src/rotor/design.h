@@ -1,0 +1,25 @@
+/// A design as the builder of the rotor sees it.
+#ifndef ROTOR_DESIGN_H
+#define ROTOR_DESIGN_H
+
+#include "element.h"
+#include "whirl/rotor.h"
+
+typedef struct design_station {
+    char name[WHIRL_NAME_SIZE];
+    key_value *values; ///< [station_group.key_count]
+} design_station;
+
+typedef struct design_element {
+    const element_type *type;
+    key_value *values; ///< [type->group.key_count]
+} design_element;
+
+struct whirl_design {
+    double speed, length;
+    size_t station_count, element_count;
+    design_station stations[WHIRL_MAX_STATIONS];
+    design_element elements[WHIRL_MAX_ELEMENTS];
+};
+
+#endif

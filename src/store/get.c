@@ -1,0 +1,308 @@
+// Reading from HDF5, distrusting what is there: see items.h.
+#include "image.h"
+#include "items.h"
+
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+// Says what is wrong with `name` of `object` ("": with the object itself).
+static void fail_get(whirl_status *status, hid_t object, const char *name, const char *wrong) {
+    char folder[160] = "";
+    H5Iget_name(object, folder, sizeof folder);
+    const char *slash = name[0] == '\0' || strcmp(folder, "/") == 0 ? "" : "/";
+    *status = whirl_fail(WHIRL_BAD_INPUT, "%s%s%.80s %s", folder, slash, name, wrong);
+}
+
+static void fail_library(whirl_status *status, hid_t object, const char *name) {
+    char reason[160], wrong[200];
+    image_reason(reason, sizeof reason);
+    snprintf(wrong, sizeof wrong, "cannot be read: %s", reason);
+    fail_get(status, object, name, wrong);
+}
+
+// ---------------------------------------------------------------- attributes
+
+static hid_t open_attribute(whirl_status *status, hid_t object, const char *name) {
+    if (status->code != WHIRL_OK) return H5I_INVALID_HID;
+    const htri_t there = H5Aexists(object, name);
+    if (there == 0) {
+        fail_get(status, object, name, "is missing");
+        return H5I_INVALID_HID;
+    }
+    const hid_t attribute = there > 0 ? H5Aopen(object, name, H5P_DEFAULT) : H5I_INVALID_HID;
+    if (attribute < 0) fail_library(status, object, name);
+    return attribute;
+}
+
+// Number of elements where the attribute is a scalar (rank 0) or a list (rank 1); false for all else.
+static bool attribute_extent(hid_t attribute, int rank, hsize_t *count) {
+    const hid_t space = H5Aget_space(attribute);
+    bool well = space >= 0 && H5Sget_simple_extent_type(space) == (rank == 0 ? H5S_SCALAR : H5S_SIMPLE) &&
+                H5Sget_simple_extent_ndims(space) == rank;
+    *count = 1;
+    if (well && rank == 1) well = H5Sget_simple_extent_dims(space, count, NULL) == 1;
+    if (space >= 0) H5Sclose(space);
+    return well;
+}
+
+// Is it a text of fixed length as put.c writes it, of at most `size` bytes?
+static bool is_text(hid_t type, size_t size) {
+    return type >= 0 && H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) == 0 &&
+           H5Tget_strpad(type) == H5T_STR_NULLTERM && H5Tget_size(type) > 0 && H5Tget_size(type) <= size;
+}
+
+static hid_t memory_text(size_t size) {
+    const hid_t type = H5Tcopy(H5T_C_S1);
+    if (type < 0) return type;
+    if (H5Tset_size(type, size) >= 0 && H5Tset_cset(type, H5T_CSET_UTF8) >= 0) return type;
+    H5Tclose(type);
+    return H5I_INVALID_HID;
+}
+
+static void read_number(whirl_status *status, hid_t object, const char *name, hid_t kind, hid_t memory, void *value) {
+    const hid_t attribute = open_attribute(status, object, name);
+    if (attribute < 0) return;
+    hsize_t count;
+    const hid_t type = H5Aget_type(attribute);
+    if (type < 0 || H5Tequal(type, kind) <= 0 || !attribute_extent(attribute, 0, &count))
+        fail_get(status, object, name, "is not a number of the expected kind");
+    else if (H5Aread(attribute, memory, value) < 0)
+        fail_library(status, object, name);
+    if (type >= 0) H5Tclose(type);
+    H5Aclose(attribute);
+}
+
+void get_number_attribute(whirl_status *status, hid_t object, const char *name, double *value) {
+    read_number(status, object, name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, value);
+}
+
+int64_t get_whole_attribute(whirl_status *status, hid_t object, const char *name, int64_t low, int64_t high) {
+    int64_t value = low;
+    read_number(status, object, name, H5T_STD_I64LE, H5T_NATIVE_INT64, &value);
+    if (status->code == WHIRL_OK && (value < low || value > high)) {
+        char wrong[120];
+        snprintf(wrong, sizeof wrong, "is %lld, expected %lld to %lld", (long long)value, (long long)low,
+                 (long long)high);
+        fail_get(status, object, name, wrong);
+    }
+    return status->code == WHIRL_OK ? value : low;
+}
+
+// A text that fills its field has no end of its own.
+static void end_texts(char *first, size_t stride, size_t count) {
+    for (size_t i = 0; i < count; ++i) first[i * stride + stride - 1] = '\0';
+}
+
+// Texts of an attribute of that rank; returns how many.
+static size_t read_texts(whirl_status *status, hid_t object, const char *name, int rank, char *first, size_t stride,
+                         size_t most) {
+    const hid_t attribute = open_attribute(status, object, name);
+    if (attribute < 0) return 0;
+    hsize_t count = 0;
+    const hid_t type = H5Aget_type(attribute), memory = memory_text(stride);
+    if (!attribute_extent(attribute, rank, &count) || count > most)
+        fail_get(status, object, name, "has an unexpected number of texts");
+    else if (!is_text(type, stride))
+        fail_get(status, object, name, "is not a text, or too long");
+    else if (count > 0 && (memory < 0 || H5Aread(attribute, memory, first) < 0))
+        fail_library(status, object, name);
+    if (type >= 0) H5Tclose(type);
+    if (memory >= 0) H5Tclose(memory);
+    H5Aclose(attribute);
+    if (status->code != WHIRL_OK) return 0;
+    end_texts(first, stride, (size_t)count);
+    return (size_t)count;
+}
+
+void get_text_attribute(whirl_status *status, hid_t object, const char *name, char *text, size_t size) {
+    read_texts(status, object, name, 0, text, size, 1);
+}
+
+size_t get_texts_attribute(whirl_status *status, hid_t object, const char *name, char *first, size_t stride,
+                           size_t most) {
+    return read_texts(status, object, name, 1, first, stride, most);
+}
+
+size_t get_attribute_count(whirl_status *status, hid_t object, size_t most) {
+    if (status->code != WHIRL_OK) return 0;
+    const int count = H5Aget_num_attrs(object);
+    if (count >= 0 && (size_t)count <= most) return (size_t)count;
+    fail_get(status, object, "", "has too many attributes");
+    return 0;
+}
+
+void get_attribute_name(whirl_status *status, hid_t object, size_t index, char *name, size_t size) {
+    if (status->code != WHIRL_OK) return;
+    const ssize_t length =
+        H5Aget_name_by_idx(object, ".", H5_INDEX_CRT_ORDER, H5_ITER_INC, index, name, size, H5P_DEFAULT);
+    if (length < 0) fail_library(status, object, "");
+    if (length >= (ssize_t)size) fail_get(status, object, "", "has an attribute whose name is too long");
+}
+
+// ---------------------------------------------------------------- groups and datasets
+
+// Follows `path` ("rub/share") link by link: only links to objects of this very group count.
+static bool only_hard_links(hid_t parent, const char *path) {
+    char part[200];
+    const size_t length = strlen(path);
+    if (length == 0 || length >= sizeof part) return false;
+    for (size_t end = 1; end <= length; ++end) {
+        if (path[end] != '/' && path[end] != '\0') continue;
+        memcpy(part, path, end);
+        part[end] = '\0';
+        H5L_info_t link;
+        if (H5Lexists(parent, part, H5P_DEFAULT) <= 0 || H5Lget_info(parent, part, &link, H5P_DEFAULT) < 0 ||
+            link.type != H5L_TYPE_HARD)
+            return false;
+    }
+    return true;
+}
+
+static hid_t open_object(whirl_status *status, hid_t parent, const char *name, H5I_type_t kind) {
+    if (status->code != WHIRL_OK) return H5I_INVALID_HID;
+    if (!only_hard_links(parent, name)) {
+        fail_get(status, parent, name, "is missing");
+        return H5I_INVALID_HID;
+    }
+    const hid_t object = H5Oopen(parent, name, H5P_DEFAULT);
+    if (object < 0) {
+        fail_library(status, parent, name);
+    } else if (H5Iget_type(object) != kind) {
+        fail_get(status, parent, name, kind == H5I_GROUP ? "is not a group" : "is not a dataset");
+        H5Oclose(object);
+        return H5I_INVALID_HID;
+    }
+    return object;
+}
+
+hid_t get_group(whirl_status *status, hid_t parent, const char *name) {
+    return open_object(status, parent, name, H5I_GROUP);
+}
+
+// Is the dataset stored as put.c does, in chunks no larger than itself and with checksums alone?
+static bool stored_plainly(hid_t dataset, const hsize_t *dimensions, int rank) {
+    hsize_t chunk[ITEMS_MAX_RANK];
+    unsigned flags, configuration;
+    size_t values = 0;
+    const hid_t creation = H5Dget_create_plist(dataset);
+    bool well = creation >= 0 && H5Pget_layout(creation) == H5D_CHUNKED && H5Pget_nfilters(creation) == 1 &&
+                H5Pget_filter2(creation, 0, &flags, &values, NULL, 0, NULL, &configuration) == H5Z_FILTER_FLETCHER32 &&
+                H5Pget_chunk(creation, rank, chunk) == rank;
+    for (int i = 0; well && i < rank; ++i) well = chunk[i] <= (dimensions[i] > 0 ? dimensions[i] : 1);
+    if (creation >= 0) H5Pclose(creation);
+    return well;
+}
+
+// Number of elements of a dataset of that rank; its bytes must really be in the file.
+static bool dataset_extent(hid_t dataset, hsize_t *dimensions, int rank) {
+    const hid_t space = H5Dget_space(dataset), type = H5Dget_type(dataset);
+    bool well = space >= 0 && type >= 0 && H5Sget_simple_extent_type(space) == H5S_SIMPLE &&
+                H5Sget_simple_extent_ndims(space) == rank &&
+                H5Sget_simple_extent_dims(space, dimensions, NULL) == rank &&
+                stored_plainly(dataset, dimensions, rank);
+    const hsize_t stored = well ? H5Dget_storage_size(dataset) : 0;
+    hsize_t bytes = well ? H5Tget_size(type) : 0;
+    for (int i = 0; well && i < rank; ++i) {
+        well = dimensions[i] == 0 || bytes <= stored / dimensions[i];
+        bytes *= dimensions[i];
+    }
+    if (space >= 0) H5Sclose(space);
+    if (type >= 0) H5Tclose(type);
+    return well;
+}
+
+hid_t get_dataset(whirl_status *status, hid_t parent, const char *name) {
+    return open_object(status, parent, name, H5I_DATASET);
+}
+
+size_t get_length(whirl_status *status, hid_t parent, const char *name, size_t most) {
+    const hid_t dataset = get_dataset(status, parent, name);
+    if (dataset < 0) return 0;
+    hsize_t length = 0;
+    if (!dataset_extent(dataset, &length, 1) || length > most) {
+        fail_get(status, parent, name, "is not a list of a sensible length");
+        length = 0;
+    }
+    H5Dclose(dataset);
+    return (size_t)length;
+}
+
+// Reads a dataset whose dimensions must be these.
+static void read_dataset(whirl_status *status, hid_t dataset, hid_t memory, const size_t *dimensions, int rank,
+                         void *values) {
+    hsize_t found[ITEMS_MAX_RANK] = {0};
+    bool well = dataset_extent(dataset, found, rank);
+    bool empty = false;
+    for (int i = 0; well && i < rank; ++i) {
+        well = found[i] == dimensions[i];
+        empty = empty || found[i] == 0;
+    }
+    if (!well)
+        fail_get(status, dataset, "", "has not the expected size");
+    else if (!empty && H5Dread(dataset, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0)
+        fail_library(status, dataset, "");
+}
+
+// A dataset whose type equals `kind` exactly.
+static void read_kind(whirl_status *status, hid_t dataset, hid_t kind, hid_t memory, const size_t *dimensions, int rank,
+                      void *values) {
+    if (status->code != WHIRL_OK) return;
+    const hid_t type = H5Dget_type(dataset);
+    if (type < 0 || H5Tequal(type, kind) <= 0)
+        fail_get(status, dataset, "", "is not of the expected kind");
+    else
+        read_dataset(status, dataset, memory, dimensions, rank, values);
+    if (type >= 0) H5Tclose(type);
+}
+
+void get_array(whirl_status *status, hid_t dataset, double *values, const size_t *dimensions, int rank) {
+    read_kind(status, dataset, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, dimensions, rank, values);
+}
+
+void get_numbers(whirl_status *status, hid_t parent, const char *name, double *values, size_t count) {
+    const hid_t dataset = get_dataset(status, parent, name);
+    get_array(status, dataset, values, &count, 1);
+    if (dataset >= 0) H5Dclose(dataset);
+}
+
+void get_wholes(whirl_status *status, hid_t parent, const char *name, int64_t *values, size_t count) {
+    const hid_t dataset = get_dataset(status, parent, name);
+    read_kind(status, dataset, H5T_STD_I64LE, H5T_NATIVE_INT64, &count, 1, values);
+    if (dataset >= 0) H5Dclose(dataset);
+}
+
+void get_texts(whirl_status *status, hid_t parent, const char *name, char *first, size_t stride, size_t count) {
+    const hid_t dataset = get_dataset(status, parent, name);
+    if (dataset < 0) return;
+    const hid_t type = H5Dget_type(dataset), memory = memory_text(stride);
+    if (!is_text(type, stride) || memory < 0)
+        fail_get(status, parent, name, "is not a list of texts, or too long");
+    else
+        read_dataset(status, dataset, memory, &count, 1, first);
+    if (status->code == WHIRL_OK) end_texts(first, stride, count);
+    if (memory >= 0) H5Tclose(memory);
+    if (type >= 0) H5Tclose(type);
+    H5Dclose(dataset);
+}
+
+char *get_long_text(whirl_status *status, hid_t parent, const char *name, size_t most) {
+    const hid_t dataset = get_dataset(status, parent, name);
+    if (dataset < 0) return NULL;
+    const hid_t type = H5Dget_type(dataset);
+    const size_t size = is_text(type, most + 1) ? H5Tget_size(type) : 0;
+    if (type >= 0) H5Tclose(type);
+    H5Dclose(dataset);
+    if (size == 0) {
+        fail_get(status, parent, name, "is not a text, or too long");
+        return NULL;
+    }
+    char *text = calloc(1, size);
+    if (!text)
+        *status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a text of %zu bytes", size);
+    else
+        get_texts(status, parent, name, text, size, 1);
+    return text;
+}

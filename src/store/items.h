@@ -1,0 +1,79 @@
+// Named values in an HDF5 file: attributes and datasets of texts, doubles and whole numbers.
+//
+// The first failure is kept in the status that every call takes, and later calls then do nothing: the callers read as
+// the list of what a file holds.
+#ifndef STORE_ITEMS_H
+#define STORE_ITEMS_H
+
+#include "whirl/status.h"
+
+#include <hdf5.h>
+#include <stddef.h>
+#include <stdint.h>
+
+enum { ITEMS_MAX_RANK = 4 };
+
+// Texts that lie `stride` bytes apart, each with its end.
+typedef struct texts {
+    const char *first;
+    size_t stride, count;
+} texts;
+
+// ---------------------------------------------------------------- writing (put.c)
+
+void put_text_attribute(whirl_status *status, hid_t object, const char *name, const char *text);
+void put_texts_attribute(whirl_status *status, hid_t object, const char *name, texts list);
+void put_number_attribute(whirl_status *status, hid_t object, const char *name, double value);
+void put_whole_attribute(whirl_status *status, hid_t object, const char *name, int64_t value);
+
+// A group whose attributes keep their order, made with the groups above it. Closed by close_group.
+hid_t put_group(whirl_status *status, hid_t parent, const char *name);
+void close_group(hid_t group);
+
+// Datasets [count], chunked and with Fletcher32 checksums. A count of 0 is allowed.
+void put_texts(whirl_status *status, hid_t parent, const char *name, texts list);
+void put_wholes(whirl_status *status, hid_t parent, const char *name, const int64_t *values, size_t count);
+void put_numbers(whirl_status *status, hid_t parent, const char *name, const double *values, size_t count);
+
+// A dataset of doubles with `rank` dimensions; the groups above it are made. It is left open for its attributes;
+// closed by close_dataset.
+hid_t put_array(whirl_status *status, hid_t parent, const char *name, const double *values, const size_t *dimensions,
+                int rank);
+void close_dataset(hid_t dataset);
+
+// ---------------------------------------------------------------- reading (get.c)
+//
+// Kind, rank and size are checked against what is expected before anything is read; a dataset must be stored as those
+// written here, so that a small file cannot claim a large one; links to other places and files are refused.
+
+// Writes at most `size` bytes, end included; longer texts are refused.
+void get_text_attribute(whirl_status *status, hid_t object, const char *name, char *text, size_t size);
+void get_number_attribute(whirl_status *status, hid_t object, const char *name, double *value);
+int64_t get_whole_attribute(whirl_status *status, hid_t object, const char *name, int64_t low, int64_t high);
+
+// At most `most` texts of at most `stride` bytes with their ends; returns how many there are.
+size_t get_texts_attribute(whirl_status *status, hid_t object, const char *name, char *first, size_t stride,
+                           size_t most);
+
+// Attributes of an object (at most `most`), and the name of one in the order of writing.
+size_t get_attribute_count(whirl_status *status, hid_t object, size_t most);
+void get_attribute_name(whirl_status *status, hid_t object, size_t index, char *name, size_t size);
+
+hid_t get_group(whirl_status *status, hid_t parent, const char *name);
+hid_t get_dataset(whirl_status *status, hid_t parent, const char *name);
+
+// Length of a one-dimensional dataset, at most `most`.
+size_t get_length(whirl_status *status, hid_t parent, const char *name, size_t most);
+
+// All values of datasets [count].
+void get_texts(whirl_status *status, hid_t parent, const char *name, char *first, size_t stride, size_t count);
+void get_wholes(whirl_status *status, hid_t parent, const char *name, int64_t *values, size_t count);
+void get_numbers(whirl_status *status, hid_t parent, const char *name, double *values, size_t count);
+
+// All values of an open dataset of doubles that has exactly these dimensions.
+void get_array(whirl_status *status, hid_t dataset, double *values, const size_t *dimensions, int rank);
+
+// The only text of a dataset, of at most `most` bytes without its end; to be freed.
+char *get_long_text(whirl_status *status, hid_t parent, const char *name, size_t most);
+
+#endif

@@ -1,0 +1,176 @@
+// Writing into HDF5: see items.h.
+#include "image.h"
+#include "items.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { CHUNK_BYTES = 1 << 20 }; // a chunk is at most about this large, so that parts of large results are read quickly
+
+static void fail_put(whirl_status *status, const char *name) {
+    char reason[200];
+    image_reason(reason, sizeof reason);
+    *status = whirl_fail(WHIRL_IO_ERROR, "cannot store %s: %s", name, reason);
+}
+
+// A type for texts of up to `length` bytes; UTF-8, ended by 0.
+static hid_t text_type(size_t length) {
+    const hid_t type = H5Tcopy(H5T_C_S1);
+    if (type < 0) return type;
+    if (H5Tset_size(type, length + 1) < 0 || H5Tset_cset(type, H5T_CSET_UTF8) < 0) {
+        H5Tclose(type);
+        return H5I_INVALID_HID;
+    }
+    return type;
+}
+
+static const char *text_at(texts list, size_t index) { return list.first + index * list.stride; }
+
+static size_t longest(texts list) {
+    size_t length = 0;
+    for (size_t i = 0; i < list.count; ++i) {
+        const size_t here = strlen(text_at(list, i));
+        if (here > length) length = here;
+    }
+    return length;
+}
+
+// The texts one after the other in fields of `size` bytes, filled with 0; to be freed.
+static char *pack_texts(texts list, size_t size) {
+    char *packed = calloc(list.count ? list.count : 1, size);
+    if (!packed) return NULL;
+    for (size_t i = 0; i < list.count; ++i) strcpy(packed + i * size, text_at(list, i));
+    return packed;
+}
+
+static void put_attribute(whirl_status *status, hid_t object, const char *name, hid_t file_type, hid_t memory_type,
+                          hid_t space, const void *values) {
+    if (status->code != WHIRL_OK) return;
+    const hid_t attribute = H5Acreate2(object, name, file_type, space, H5P_DEFAULT, H5P_DEFAULT);
+    if (attribute < 0 || H5Awrite(attribute, memory_type, values) < 0) fail_put(status, name);
+    if (attribute >= 0) H5Aclose(attribute);
+}
+
+static void put_scalar(whirl_status *status, hid_t object, const char *name, hid_t file_type, hid_t memory_type,
+                       const void *value) {
+    const hid_t space = H5Screate(H5S_SCALAR);
+    put_attribute(status, object, name, file_type, memory_type, space, value);
+    H5Sclose(space);
+}
+
+void put_text_attribute(whirl_status *status, hid_t object, const char *name, const char *text) {
+    if (status->code != WHIRL_OK) return;
+    const hid_t type = text_type(strlen(text));
+    put_scalar(status, object, name, type, type, text);
+    H5Tclose(type);
+}
+
+void put_number_attribute(whirl_status *status, hid_t object, const char *name, double value) {
+    put_scalar(status, object, name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, &value);
+}
+
+void put_whole_attribute(whirl_status *status, hid_t object, const char *name, int64_t value) {
+    put_scalar(status, object, name, H5T_STD_I64LE, H5T_NATIVE_INT64, &value);
+}
+
+void put_texts_attribute(whirl_status *status, hid_t object, const char *name, texts list) {
+    if (status->code != WHIRL_OK) return;
+    const size_t size = longest(list) + 1;
+    char *packed = pack_texts(list, size);
+    if (!packed) {
+        *status = whirl_fail(WHIRL_NO_MEMORY, "no memory to store %s", name);
+        return;
+    }
+    const hsize_t count = list.count;
+    const hid_t type = text_type(size - 1), space = H5Screate_simple(1, &count, NULL);
+    put_attribute(status, object, name, type, type, space, packed);
+    H5Sclose(space);
+    H5Tclose(type);
+    free(packed);
+}
+
+hid_t put_group(whirl_status *status, hid_t parent, const char *name) {
+    if (status->code != WHIRL_OK) return H5I_INVALID_HID;
+    const hid_t links = H5Pcreate(H5P_LINK_CREATE), creation = H5Pcreate(H5P_GROUP_CREATE);
+    hid_t group = H5I_INVALID_HID;
+    if (H5Pset_create_intermediate_group(links, 1) >= 0 && H5Pset_obj_track_times(creation, false) >= 0 &&
+        H5Pset_attr_creation_order(creation, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED) >= 0)
+        group = H5Gcreate2(parent, name, links, creation, H5P_DEFAULT);
+    if (group < 0) fail_put(status, name);
+    H5Pclose(links);
+    H5Pclose(creation);
+    return group;
+}
+
+void close_group(hid_t group) {
+    if (group >= 0) H5Gclose(group);
+}
+
+// Halves the longest leading dimension until a chunk is of a good size.
+static void choose_chunk(hsize_t *chunk, const hsize_t *dimensions, int rank, size_t element) {
+    double bytes = (double)element;
+    for (int i = 0; i < rank; ++i) {
+        chunk[i] = dimensions[i] > 0 ? dimensions[i] : 1;
+        bytes *= (double)chunk[i];
+    }
+    for (int i = 0; i < rank; ++i)
+        while (bytes > CHUNK_BYTES && chunk[i] > 1) {
+            bytes *= (double)((chunk[i] + 1) / 2) / (double)chunk[i];
+            chunk[i] = (chunk[i] + 1) / 2;
+        }
+}
+
+static hid_t put_dataset(whirl_status *status, hid_t parent, const char *name, hid_t file_type, hid_t memory_type,
+                         const hsize_t *dimensions, int rank, const void *values) {
+    if (status->code != WHIRL_OK) return H5I_INVALID_HID;
+    hsize_t chunk[ITEMS_MAX_RANK];
+    choose_chunk(chunk, dimensions, rank, H5Tget_size(file_type));
+    const hid_t space = H5Screate_simple(rank, dimensions, NULL);
+    const hid_t links = H5Pcreate(H5P_LINK_CREATE), creation = H5Pcreate(H5P_DATASET_CREATE);
+    hid_t dataset = H5I_INVALID_HID;
+    if (H5Pset_create_intermediate_group(links, 1) >= 0 && H5Pset_chunk(creation, rank, chunk) >= 0 &&
+        H5Pset_fletcher32(creation) >= 0 && H5Pset_obj_track_times(creation, false) >= 0)
+        dataset = H5Dcreate2(parent, name, file_type, space, links, creation, H5P_DEFAULT);
+    if (dataset < 0 || (H5Sget_simple_extent_npoints(space) > 0 &&
+                        H5Dwrite(dataset, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0))
+        fail_put(status, name);
+    H5Pclose(creation);
+    H5Pclose(links);
+    H5Sclose(space);
+    return dataset;
+}
+
+void close_dataset(hid_t dataset) {
+    if (dataset >= 0) H5Dclose(dataset);
+}
+
+void put_texts(whirl_status *status, hid_t parent, const char *name, texts list) {
+    if (status->code != WHIRL_OK) return;
+    const size_t size = longest(list) + 1;
+    char *packed = pack_texts(list, size);
+    if (!packed) {
+        *status = whirl_fail(WHIRL_NO_MEMORY, "no memory to store %s", name);
+        return;
+    }
+    const hsize_t count = list.count;
+    const hid_t type = text_type(size - 1);
+    close_dataset(put_dataset(status, parent, name, type, type, &count, 1, packed));
+    H5Tclose(type);
+    free(packed);
+}
+
+void put_wholes(whirl_status *status, hid_t parent, const char *name, const int64_t *values, size_t count) {
+    const hsize_t dimension = count;
+    close_dataset(put_dataset(status, parent, name, H5T_STD_I64LE, H5T_NATIVE_INT64, &dimension, 1, values));
+}
+
+void put_numbers(whirl_status *status, hid_t parent, const char *name, const double *values, size_t count) {
+    close_dataset(put_array(status, parent, name, values, &count, 1));
+}
+
+hid_t put_array(whirl_status *status, hid_t parent, const char *name, const double *values, const size_t *dimensions,
+                int rank) {
+    hsize_t extents[ITEMS_MAX_RANK];
+    for (int i = 0; i < rank; ++i) extents[i] = dimensions[i];
+    return put_dataset(status, parent, name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, extents, rank, values);
+}

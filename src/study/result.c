@@ -1,0 +1,64 @@
+// Results in memory: what all layers above read.
+#include "whirl/result.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+void whirl_result_free(whirl_result *result) {
+    if (!result) return;
+    for (size_t i = 0; i < result->table_count; ++i) {
+        free(result->tables[i].values);
+        free(result->tables[i].branch);
+        free(result->tables[i].blocks);
+    }
+    free(result->tables);
+    free(result->case_text);
+    free(result->parameters);
+    free(result->stations);
+    free(result->contacts);
+    free(result->facts);
+    free(result);
+}
+
+const whirl_table *whirl_result_table(const whirl_result *result, const char *name) {
+    for (size_t i = 0; i < result->table_count; ++i)
+        if (strcmp(result->tables[i].name, name) == 0) return &result->tables[i];
+    return NULL;
+}
+
+const double *whirl_table_field(const whirl_table *table, size_t point, const char *field, size_t which) {
+    const whirl_field *found = whirl_layout_field(&table->layout, field);
+    if (!found || point >= table->count || which >= found->repeat) return NULL;
+    return table->blocks + point * table->layout.size + found->offset + which * found->rows * found->columns;
+}
+
+whirl_verdict whirl_table_verdict(const whirl_table *table, size_t point) {
+    if (point >= table->count) {
+        const whirl_layout nothing = {0};
+        return whirl_block_verdict(&nothing, NULL);
+    }
+    return whirl_block_verdict(&table->layout, table->blocks + point * table->layout.size);
+}
+
+// Copies what fits and ends it.
+static void copy_text(char *target, size_t size, const char *source) {
+    const size_t length = strnlen(source, size - 1);
+    memcpy(target, source, length);
+    memset(target + length, 0, size - length);
+}
+
+whirl_status whirl_result_add_fact(whirl_result *result, const char *name, const char *value) {
+    for (size_t i = 0; i < result->fact_count; ++i)
+        if (strncmp(result->facts[i].name, name, sizeof result->facts[i].name - 1) == 0) {
+            copy_text(result->facts[i].value, sizeof result->facts[i].value, value);
+            return whirl_ok();
+        }
+    whirl_fact *facts = realloc(result->facts, (result->fact_count + 1) * sizeof *facts);
+    if (!facts) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the fact %s", name);
+    whirl_fact *fact = &facts[result->fact_count];
+    copy_text(fact->name, sizeof fact->name, name);
+    copy_text(fact->value, sizeof fact->value, value);
+    result->facts = facts;
+    ++result->fact_count;
+    return whirl_ok();
+}

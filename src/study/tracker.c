@@ -1,0 +1,40 @@
+#include "tracker.h"
+
+#include "clock.h"
+
+/// Seconds between two reports.
+static const double report_interval = 0.2;
+
+void tracker_begin(tracker *t, const whirl_run_options *options, size_t points, double revolutions) {
+    *t = (tracker){.options = options,
+                   .progress = {.points_total = points, .revolutions_total = revolutions},
+                   .started = clock_seconds()};
+}
+
+bool tracker_advance(tracker *t, double revolutions, size_t points) {
+#pragma omp critical(whirl_tracker)
+    {
+        t->progress.revolutions_done += revolutions;
+        t->progress.points_done += points;
+        const double seconds = clock_seconds() - t->started;
+        if (t->options->progress && seconds - t->reported >= report_interval) {
+            t->reported = t->progress.seconds = seconds;
+            t->options->progress(t->options->context, &t->progress);
+        }
+        if (t->options->stop && *t->options->stop) atomic_store(&t->halt, true);
+    }
+    return !atomic_load(&t->halt);
+}
+
+void tracker_fail(tracker *t, const whirl_status *status) {
+#pragma omp critical(whirl_tracker)
+    {
+        if (t->status.code == WHIRL_OK) t->status = *status;
+        atomic_store(&t->halt, true);
+    }
+}
+
+void tracker_end(tracker *t) {
+    t->progress.seconds = clock_seconds() - t->started;
+    if (t->options->progress) t->options->progress(t->options->context, &t->progress);
+}

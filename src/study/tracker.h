@@ -1,0 +1,29 @@
+/// How far a run has come, told by all threads.
+#ifndef STUDY_TRACKER_H
+#define STUDY_TRACKER_H
+
+#include <stdatomic.h>
+#include <stdbool.h>
+
+#include "whirl/study.h"
+
+typedef struct tracker {
+    const whirl_run_options *options;
+    whirl_progress progress;
+    whirl_status status; ///< the first error of any thread
+    atomic_bool halt;    ///< no further work
+    double started, reported;
+} tracker;
+
+void tracker_begin(tracker *tracker, const whirl_run_options *options, size_t points, double revolutions);
+
+/// Adds to the progress and reports it now and then. False when the run shall end.
+bool tracker_advance(tracker *tracker, double revolutions, size_t points);
+
+/// Notes an error; the first one counts. The run ends.
+void tracker_fail(tracker *tracker, const whirl_status *status);
+
+/// Reports for the last time.
+void tracker_end(tracker *tracker);
+
+#endif

@@ -1,0 +1,44 @@
+/// Flow maps, fixed points and multipliers, through the public integrators.
+#ifndef SUPPORT_FLOW_H
+#define SUPPORT_FLOW_H
+
+#include <complex.h>
+#include <stddef.h>
+
+#include "whirl/integrate.h"
+#include "whirl/system.h"
+
+enum { MAX_DIMENSION = 32 };
+
+/// An integrator of that method; adaptive ones at rtol 1e-12, atol 1e-13.
+whirl_integrator *make_integrator(const whirl_system *system, const char *method, int steps_per_revolution);
+
+/// Carries x over whole revolutions; the test ends when it does not stay bounded.
+void revolve(whirl_integrator *integrator, double *x, int revolutions);
+
+/// d(x after the revolutions)/dx [n][n], row-major, by central differences of fourth order.
+void flow_jacobian(whirl_integrator *integrator, size_t n, const double *x, int revolutions, double step, double *matrix);
+
+/// Newton's method from x on x(revolutions) - x = 0.
+void find_fixed_point(whirl_integrator *integrator, size_t n, double *x, int revolutions);
+
+/// d(dx/dt)/dx [n][n] of a system at t by central differences of sixth order.
+void rhs_jacobian(const whirl_system *system, double t, const double *x, double step, double *matrix);
+
+/// Writes dx/dt at t.
+void evaluate_rhs(const whirl_system *system, double t, const double *x, double *dxdt);
+
+/// Eigenvalues [n] of a row-major matrix, by LAPACK.
+void eigenvalues(size_t n, const double *matrix, double complex *values);
+
+double largest_modulus(size_t n, const double *matrix);
+
+/// Largest real part; *imaginary (may be NULL) gets the modulus of the imaginary part that goes with it.
+double largest_real_part(size_t n, const double *matrix, double *imaginary);
+
+/// Solves matrix x = right in place of right.
+void solve_linear(size_t n, const double *matrix, double *right);
+
+double determinant(size_t n, const double *matrix);
+
+#endif

@@ -1,0 +1,253 @@
+// Cases A5 to A8: rotors in the short-bearing film.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#include <cmocka.h>
+
+#include "support_check.h"
+#include "support_flow.h"
+#include "support_rotor.h"
+#include "whirl/analyze.h"
+
+static const double pi = 3.14159265358979323846;
+
+/// Where a load along -y holds the journal at eccentricity ratio e (A3), and sigma = F0/W there.
+static double place_journal(double e, double position[2]) {
+    const double phi = atan2(pi * sqrt(1.0 - e * e), 4.0 * e);
+    double force[2];
+    position[0] = e * sin(phi);
+    position[1] = -e * cos(phi);
+    whirl_film_force(position[0], position[1], 0.0, 0.0, force);
+    return 1.0 / hypot(force[0], force[1]);
+}
+
+/// Steps for differences: the film has a kink at the centre and a pole at the wall.
+static double difference_step(double e) { return 1e-3 * fmin(e, 1.0 - e); }
+
+/// Largest real part of the eigenvalues about the resting journal of a rigid rotor at speed s.
+static double rigid_growth(double e, double s, double *whirl_ratio) {
+    double position[2], matrix[16];
+    const double sigma = place_journal(e, position);
+    const double state[4] = {position[0], position[1], 0.0, 0.0};
+    whirl_rotor *rotor = make_film_rotor(sigma / (s * s), 1.0 / (s * s), 0.0);
+    rhs_jacobian(whirl_rotor_system(rotor), 0.0, state, difference_step(e), matrix);
+    whirl_rotor_free(rotor);
+    return largest_real_part(4, matrix, whirl_ratio);
+}
+
+/// The speed at which the rotor loses its stability, by bisection between a stable and an unstable speed.
+static double rigid_threshold(double e, double *whirl_ratio) {
+    double low = 1.0, high = 1e4;
+    for (int i = 0; i < 100; i++) {
+        const double middle = 0.5 * (low + high);
+        *(rigid_growth(e, middle, whirl_ratio) > 0.0 ? &high : &low) = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+static void a5_threshold_speed(void **unused) {
+    (void)unused;
+    double nu;
+    // The deviation from the limit is 2.3 e^2.
+    check_digits("A5", "threshold speed for e -> 0 (at e = 1e-5)", "2.763953196", rigid_threshold(1e-5, &nu));
+    check_within("A5", "whirl ratio for e -> 0", 0.5, nu, 1e-8);
+    static const struct {
+        double e;
+        const char *speed, *ratio;
+    } rows[] = {{0.1, "2.741278636", ".50293839"},
+                {0.3, "2.605785828", ".51941739"},
+                {0.45697072, "2.531705709", ".52106604"},
+                {0.5, "2.541730858", ".51464014"}};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        check_digits("A5", words("threshold speed at e = %.8g", rows[i].e), rows[i].speed, rigid_threshold(rows[i].e, &nu));
+        check_digits("A5", words("whirl ratio at e = %.8g", rows[i].e), rows[i].ratio, nu);
+    }
+}
+
+static void a5_smallest_threshold_speed(void **unused) {
+    (void)unused;
+    // Golden section; a minimum is known to the square root of the numbers' accuracy.
+    const double golden = 0.61803398874989485;
+    double a = 0.40, b = 0.52, nu;
+    double c = b - golden * (b - a), d = a + golden * (b - a);
+    double at_c = rigid_threshold(c, &nu), at_d = rigid_threshold(d, &nu);
+    while (b - a > 1e-6) {
+        if (at_c < at_d) {
+            b = d, d = c, at_d = at_c;
+            c = b - golden * (b - a), at_c = rigid_threshold(c, &nu);
+        } else {
+            a = c, c = d, at_c = at_d;
+            d = a + golden * (b - a), at_d = rigid_threshold(d, &nu);
+        }
+    }
+    check_within("A5", "e of the smallest threshold speed", 0.45697072, 0.5 * (a + b), 2e-6);
+}
+
+/// Sign of nu^2 as the formula of case A5 has it, with coefficients by differences: no whirl is possible below 0.
+static double whirl_ratio_squared(double e) {
+    double position[2], m[16];
+    const double sigma = place_journal(e, position);
+    const double state[4] = {position[0], position[1], 0.0, 0.0};
+    whirl_rotor *rotor = make_film_rotor(sigma, 1.0, 0.0);
+    rhs_jacobian(whirl_rotor_system(rotor), 0.0, state, 1e-2 * (1.0 - e), m);
+    whirl_rotor_free(rotor);
+    const double kxx = -m[8], kxy = -m[9], kyx = -m[12], kyy = -m[13];
+    const double cxx = -m[10], cxy = -m[11], cyx = -m[14], cyy = -m[15];
+    const double keq = (kxx * cyy + kyy * cxx - kxy * cyx - kyx * cxy) / (cxx + cyy);
+    return ((keq - kxx) * (keq - kyy) - kxy * kyx) / (cxx * cyy - cxy * cyx);
+}
+
+static void a5_end_of_instability(void **unused) {
+    (void)unused;
+    double low = 0.7, high = 0.8, nu;
+    for (int i = 0; i < 60; i++) {
+        const double middle = 0.5 * (low + high);
+        *(whirl_ratio_squared(middle) > 0.0 ? &low : &high) = middle;
+    }
+    check_within("A5", "e from which every speed is stable", 0.756030386471, 0.5 * (low + high), 5e-12);
+    check_holds("A5", "unstable at e = .7559, s = 1000", rigid_growth(0.7559, 1e3, &nu) > 0.0);
+    bool stable = true;
+    for (double s = 0.5; s < 2000.0; s *= 1.1) stable = stable && rigid_growth(0.7561, s, &nu) < 0.0;
+    check_holds("A5", "stable at e = .7561 for s = .5 to 2000", stable);
+}
+
+/// Threshold speed with a journal of mass mj (of the disc's mass 1) and shaft stiffness k c/W = 2; W = (1 + mj) g.
+static double flexible_threshold(double e, double mj) {
+    double low = 1.0, high = 2.5, position[2];
+    const double sigma = place_journal(e, position), weight = 1.0 + mj, stiffness = 2.0 * weight;
+    for (int i = 0; i < 60; i++) {
+        const double s = 0.5 * (low + high);
+        double matrix[64];
+        whirl_rotor *rotor = make_flexible_film_rotor(s, mj, stiffness, sigma * weight);
+        // The disc hangs below the journal by its own weight over k.
+        const double state[8] = {position[0], position[1] - 1.0 / stiffness, position[0], position[1]};
+        rhs_jacobian(whirl_rotor_system(rotor), 0.0, state, difference_step(e), matrix);
+        *(largest_real_part(8, matrix, NULL) > 0.0 ? &high : &low) = s;
+        whirl_rotor_free(rotor);
+    }
+    return 0.5 * (low + high);
+}
+
+/// Extrapolates values[count] at abscissae at[count] to 0 (Neville).
+static double extrapolate(const double *at, double *values, int count) {
+    for (int level = 1; level < count; level++)
+        for (int i = 0; i < count - level; i++)
+            values[i] = (at[i] * values[i + 1] - at[i + level] * values[i]) / (at[i] - at[i + level]);
+    return values[0];
+}
+
+static void a6_flexible_shaft(void **unused) {
+    (void)unused;
+    const double masses[5] = {0.04, 0.02, 0.01, 0.005, 0.0025};
+    double thresholds[5];
+    for (int i = 0; i < 5; i++) thresholds[i] = flexible_threshold(0.5, masses[i]);
+    check_digits("A6", "threshold speed, mj -> 0", "1.865929769", extrapolate(masses, thresholds, 5));
+    check_digits("A6", "threshold speed, mj = .1 m", "1.9285152416", flexible_threshold(0.5, 0.1));
+}
+
+static void a7_unloaded_rotor(void **unused) {
+    (void)unused;
+    static const struct {
+        double e;
+        const char *rho, *modulus;
+    } rows[] = {{0.3, ".304206515539", ".57499"}, {0.5, ".504787456190", ".10099"}};
+    const double gam = 0.2;
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        // A circle of radius e at the angle tau - psi: -e = Gam f_r + rho cos psi, 0 = Gam f_t + rho sin psi.
+        const double e = rows[i].e;
+        double force[2], matrix[16];
+        whirl_film_force(e, 0.0, 0.0, e, force);
+        const double along = -e - gam * force[0], across = -gam * force[1];
+        const double rho = hypot(along, across), psi = atan2(across, along);
+        check_digits("A7", words("rho at e = %g", e), rows[i].rho, rho);
+
+        whirl_rotor *rotor = make_film_rotor(gam, 0.0, rho);
+        whirl_integrator *integrator = make_integrator(whirl_rotor_system(rotor), "rk4", 4096);
+        double state[4] = {e * cos(psi), -e * sin(psi), e * sin(psi), e * cos(psi)};
+        revolve(integrator, state, 30);
+        check_within("A7", words("radius at e = %g after 30 revolutions", e), e, hypot(state[0], state[1]), 1e-11);
+        flow_jacobian(integrator, 4, state, 1, 1e-3, matrix);
+        check_digits("A7", words("largest Floquet modulus at e = %g", e), rows[i].modulus, largest_modulus(4, matrix));
+        whirl_integrator_free(integrator);
+        whirl_rotor_free(rotor);
+    }
+}
+
+static const double a8_start[4] = {0.1, -0.2, 0.0, 0.0};
+
+/// sigma = .3, s = 3.
+static whirl_rotor *make_a8_rotor(double rho) { return make_film_rotor(0.3 / 9.0, 1.0 / 9.0, rho); }
+
+static whirl_record *record_a8(double rho, int steps, int transient, int record) {
+    whirl_rotor *rotor = make_a8_rotor(rho);
+    whirl_integrate_options integrate = whirl_integrate_default();
+    whirl_record_options options = whirl_record_default();
+    whirl_record *recorded;
+    integrate.steps_per_revolution = steps;
+    options.transient = transient;
+    options.record = record;
+    options.watch = record;
+    options.waveform = false;
+    require_ok(whirl_record_motion(whirl_rotor_system(rotor), &integrate, &options, a8_start, NULL, &recorded));
+    whirl_rotor_free(rotor);
+    return recorded;
+}
+
+/// Compares the section point of the record that is nearest to (x, y), given as digits.
+static void check_section_point(const char *id, const char *what, const whirl_record *record, const char *const digits[2]) {
+    const double x = strtod(digits[0], NULL), y = strtod(digits[1], NULL);
+    const double *best = record->section;
+    for (size_t i = 0; i < record->section_count; i++) {
+        const double *point = record->section + i * record->dimension;
+        if (hypot(point[0] - x, point[1] - y) < hypot(best[0] - x, best[1] - y)) best = point;
+    }
+    check_digits(id, words("%s: x", what), digits[0], best[0]);
+    check_digits(id, words("%s: y", what), digits[1], best[1]);
+}
+
+static void check_a8_periodic(double rho, const char *regime, size_t count, const char *const points[][2]) {
+    // A state of the last revolutions stands for all: the decay of the start takes hundreds of revolutions.
+    whirl_record *record = record_a8(rho, 2048, 2000, 200);
+    const whirl_verdict verdict = whirl_judge(record);
+    char name[64];
+    whirl_verdict_name(&verdict, name, sizeof name);
+    check_text("A8", words("regime at rho = %g", rho), regime, name);
+    for (size_t i = 0; i < count; i++)
+        check_section_point("A8", words("rho = %g, point %zu", rho, i + 1), record, points[i]);
+    whirl_record_free(record);
+}
+
+static void a8_period_doubling(void **unused) {
+    (void)unused;
+    static const char *const two[2][2] = {{".6705633835", "-.3675472557"}, {"-.7547030883", "-.0826070387"}};
+    static const char *const eight[1][2] = {{".3474009627", "-.6666234979"}};
+    static const char *const one[1][2] = {{".2272208938", "-.8044475724"}};
+    check_a8_periodic(0.2, "P-2", 2, two);
+    check_a8_periodic(0.3, "P-8", 1, eight);
+    check_a8_periodic(0.5, "P-1", 1, one);
+}
+
+static void a8_chaos(void **unused) {
+    (void)unused;
+    whirl_record *record = record_a8(0.4, 512, 1000, 20000);
+    const whirl_verdict verdict = whirl_judge(record);
+    const whirl_estimate exponent = whirl_lyapunov_largest(record);
+    check_text("A8", "regime at rho = 0.4", "chaotic", whirl_regime_name(verdict.regime));
+    check_within("A8", "exponent per revolution at rho = 0.4", 0.43, exponent.value, 0.03);
+    check_within("A8", "its standard error", 0.0, exponent.error, 0.01);
+    whirl_record_free(record);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a5_threshold_speed),  cmocka_unit_test(a5_smallest_threshold_speed),
+        cmocka_unit_test(a5_end_of_instability), cmocka_unit_test(a6_flexible_shaft),
+        cmocka_unit_test(a7_unloaded_rotor),   cmocka_unit_test(a8_period_doubling),
+        cmocka_unit_test(a8_chaos),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
