@@ -70,17 +70,18 @@ void evaluate_rhs(const whirl_system *system, double t, const double *x, double 
 }
 
 void rhs_jacobian(const whirl_system *system, double t, const double *x, double step, double *matrix) {
-    static const double offsets[6] = {-3.0, -2.0, -1.0, 1.0, 2.0, 3.0};
-    static const double weights[6] = {-1.0, 9.0, -45.0, 45.0, -9.0, 1.0};
+    static const double weights[5] = {5.0 / 6.0, -5.0 / 21.0, 5.0 / 84.0, -5.0 / 504.0, 1.0 / 1260.0};
     const size_t n = system->dimension;
     memset(matrix, 0, n * n * sizeof *matrix);
     for (size_t j = 0; j < n; j++)
-        for (int k = 0; k < 6; k++) {
-            double state[MAX_DIMENSION], slope[MAX_DIMENSION];
+        for (int k = 1; k <= 5; k++) {
+            double ahead[MAX_DIMENSION], behind[MAX_DIMENSION], state[MAX_DIMENSION];
             memcpy(state, x, n * sizeof *x);
-            state[j] += offsets[k] * step;
-            evaluate_rhs(system, t, state, slope);
-            for (size_t i = 0; i < n; i++) matrix[i * n + j] += weights[k] * slope[i] / (60.0 * step);
+            state[j] = x[j] + k * step;
+            evaluate_rhs(system, t, state, ahead);
+            state[j] = x[j] - k * step;
+            evaluate_rhs(system, t, state, behind);
+            for (size_t i = 0; i < n; i++) matrix[i * n + j] += weights[k - 1] * (ahead[i] - behind[i]) / step;
         }
 }
 

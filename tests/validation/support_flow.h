@@ -22,7 +22,7 @@ void flow_jacobian(whirl_integrator *integrator, size_t n, const double *x, int 
 /// Newton's method from x on x(revolutions) - x = 0.
 void find_fixed_point(whirl_integrator *integrator, size_t n, double *x, int revolutions);
 
-/// d(dx/dt)/dx [n][n] of a system at t by central differences of sixth order.
+/// d(dx/dt)/dx [n][n] of a system at t by central differences of tenth order.
 void rhs_jacobian(const whirl_system *system, double t, const double *x, double step, double *matrix);
 
 /// Writes dx/dt at t.

@@ -1,0 +1,130 @@
+// Designs refuse what is no machine, each time with a sentence that names what was found.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <cmocka.h>
+
+#include "whirl/rotor.h"
+
+static void refused(whirl_status status, const char *words) {
+    assert_int_equal(status.code, WHIRL_BAD_INPUT);
+    if (!strstr(status.message, words)) fail_msg("'%s' does not say '%s'", status.message, words);
+}
+
+static whirl_design *design_with_disc(void) {
+    whirl_design *design;
+    assert_int_equal(whirl_design_new(100, 1e-3, &design).code, WHIRL_OK);
+    assert_int_equal(whirl_design_station(design, "disc", (whirl_setting[]){{"mass", 2, NULL}}, 1).code, WHIRL_OK);
+    return design;
+}
+
+static void test_frame(void **state) {
+    whirl_design *design;
+    (void)state;
+    refused(whirl_design_new(0, 1, &design), "speed");
+    refused(whirl_design_new(NAN, 1, &design), "speed");
+    refused(whirl_design_new(1, -1, &design), "length_scale");
+    assert_null(design);
+}
+
+static void test_stations(void **state) {
+    whirl_design *design = design_with_disc();
+    (void)state;
+    refused(whirl_design_station(design, "disc", (whirl_setting[]){{"mass", 2, NULL}}, 1), "twice");
+    refused(whirl_design_station(design, "ground", (whirl_setting[]){{"mass", 2, NULL}}, 1), "ground");
+    refused(whirl_design_station(design, "a b", (whirl_setting[]){{"mass", 2, NULL}}, 1), "no name");
+    refused(whirl_design_station(design, "", (whirl_setting[]){{"mass", 2, NULL}}, 1), "name");
+    refused(whirl_design_station(design, "b", (whirl_setting[]){{"mass", -3, NULL}}, 1), "mass");
+    refused(whirl_design_station(design, "b", (whirl_setting[]){{"mass", INFINITY, NULL}}, 1), "mass");
+    refused(whirl_design_station(design, "b", (whirl_setting[]){{"mas", 2, NULL}}, 1), "did you mean 'mass'");
+    refused(whirl_design_station(design, "b", (whirl_setting[]){{"mass", 2, NULL}, {"mass", 3, NULL}}, 2), "twice");
+    refused(whirl_design_station(design, "b", NULL, 0), "no mass");
+    refused(whirl_design_station(design, "b", (whirl_setting[]){{"mass", 0, "two"}}, 1), "number");
+    whirl_design_free(design);
+}
+
+static void test_elements(void **state) {
+    whirl_design *design = design_with_disc();
+    (void)state;
+    refused(whirl_design_element(design, "shaf", NULL, 0), "did you mean 'shaft'");
+    refused(whirl_design_element(design, "gearbox", NULL, 0), "no element");
+    refused(whirl_design_element(design, "shaft", (whirl_setting[]){{"between", 0, "disc, dics"}, {"k1", 1, NULL}}, 2),
+            "did you mean 'disc'");
+    refused(whirl_design_element(design, "shaft", (whirl_setting[]){{"between", 0, "disc"}, {"k1", 1, NULL}}, 2), "two stations");
+    refused(whirl_design_element(design, "shaft", (whirl_setting[]){{"between", 0, "ground, ground"}, {"k1", 1, NULL}}, 2),
+            "ground with ground");
+    refused(whirl_design_element(design, "shaft",
+                                 (whirl_setting[]){{"between", 0, "disc, ground"}, {"k1", 1, NULL}, {"signs", 0, "papre"}}, 3),
+            "derived|paper");
+    refused(whirl_design_element(design, "film", (whirl_setting[]){{"at", 0, "disc"}, {"clearance", 1, NULL}, {"count", 1.5, NULL}}, 3),
+            "count");
+    refused(whirl_design_element(design, "rub", (whirl_setting[]){{"at", 0, "ground"}, {"gap", 1, NULL}, {"stiffness", 1, NULL}}, 3),
+            "ground");
+    whirl_design_free(design);
+}
+
+/// Keys that contradict each other are found when the rotor is built.
+static void test_contradictions(void **state) {
+    const struct {
+        const char *kind;
+        whirl_setting settings[4];
+        size_t count;
+        const char *words;
+    } cases[] = {
+        {"shaft", {{"between", 0, "disc,disc"}, {"k1", 1, NULL}}, 2, "twice"},
+        {"film", {{"at", 0, "disc"}, {"clearance", 1e-4, NULL}}, 2, "load, or viscosity"},
+        {"film", {{"at", 0, "disc"}, {"clearance", 1e-4, NULL}, {"load", 1, NULL}, {"radius", 1, NULL}}, 4, "both"},
+        {"rub", {{"at", 0, "disc"}, {"gap", 1, NULL}, {"stiffness", 1, NULL}, {"law", 0, "slip"}}, 4, "radius"},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        whirl_design *design = design_with_disc();
+        whirl_rotor *rotor;
+        assert_int_equal(whirl_design_element(design, cases[i].kind, cases[i].settings, cases[i].count).code, WHIRL_OK);
+        refused(whirl_rotor_new(design, &rotor), cases[i].words);
+        assert_null(rotor);
+        whirl_design_free(design);
+    }
+}
+
+static void test_nothing_is_no_rotor(void **state) {
+    whirl_design *design;
+    whirl_rotor *rotor;
+    (void)state;
+    assert_int_equal(whirl_design_new(1, 1, &design).code, WHIRL_OK);
+    refused(whirl_rotor_new(design, &rotor), "no station");
+    whirl_design_free(design);
+}
+
+/// Every key of every element describes itself: a meaning, a sound range, a default that its own check accepts.
+static void test_descriptors_are_sound(void **state) {
+    const whirl_group *groups[32] = {whirl_station_keys()};
+    size_t count = 1;
+    (void)state;
+    for (const whirl_group *const *group = whirl_element_groups(); *group; group++) groups[count++] = *group;
+    assert_true(count > 5);
+    for (size_t g = 0; g < count; g++) {
+        assert_true(strlen(groups[g]->meaning) > 10);
+        for (size_t k = 0; k < groups[g]->key_count; k++) {
+            const whirl_key *key = &groups[g]->keys[k];
+            assert_true(strlen(key->meaning) > 5);
+            assert_ptr_equal(whirl_group_key(groups[g], key->name), key);
+            assert_false(key->required && key->fallback[0]);
+            if (key->kind == WHIRL_KEY_CHOICE) assert_true(whirl_key_choice(key, key->fallback) >= 0);
+            else if (key->fallback[0]) assert_int_equal(whirl_key_check_number(key, atof(key->fallback)).code, WHIRL_OK);
+        }
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_frame),          cmocka_unit_test(test_stations),
+        cmocka_unit_test(test_elements),       cmocka_unit_test(test_contradictions),
+        cmocka_unit_test(test_nothing_is_no_rotor), cmocka_unit_test(test_descriptors_are_sound),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
