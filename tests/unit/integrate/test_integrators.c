@@ -1,11 +1,11 @@
 // Integrators against closed forms, and what they say of bad options and of motions without bounds.
+#include <cmocka.h>
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <string.h>
-#include <cmocka.h>
 
 #include "whirl/integrate.h"
 
@@ -27,7 +27,8 @@ static double oscillator_solution(double t) {
     const double c1 = -a, c2 = (-2 * b + 0.1 * c1) / wd;
     return a * cos(2 * t) + b * sin(2 * t) + exp(-0.1 * t) * (c1 * cos(wd * t) + c2 * sin(wd * t));
 }
-static const whirl_system forced = {.dimension = 2, .period = 3.14159265358979323846, .forcing_count = 1, .forcing = cosine, .rhs = oscillator};
+static const whirl_system forced = {
+    .dimension = 2, .period = 3.14159265358979323846, .forcing_count = 1, .forcing = cosine, .rhs = oscillator};
 
 static double error_after(const char *method, int steps, double rtol, int revolutions) {
     whirl_integrate_options options = whirl_integrate_default();
@@ -38,14 +39,16 @@ static double error_after(const char *method, int steps, double rtol, int revolu
     options.rtol = rtol;
     options.atol = rtol * 1e-2;
     assert_int_equal(whirl_integrator_new(&forced, &options, &integrator).code, WHIRL_OK);
-    for (int i = 0; i < revolutions; i++) assert_int_equal(whirl_integrator_revolve(integrator, x, NULL, NULL), WHIRL_BOUNDED);
+    for (int i = 0; i < revolutions; i++)
+        assert_int_equal(whirl_integrator_revolve(integrator, x, NULL, NULL), WHIRL_BOUNDED);
     whirl_integrator_free(integrator);
     return fabs(x[0] - oscillator_solution(revolutions * pi));
 }
 
 static void test_rk4_has_order_four(void **state) {
     (void)state;
-    const double coarse = error_after("rk4", 32, 1, 7), fine = error_after("rk4", 64, 1, 7), finest = error_after("rk4", 128, 1, 7);
+    const double coarse = error_after("rk4", 32, 1, 7), fine = error_after("rk4", 64, 1, 7),
+                 finest = error_after("rk4", 128, 1, 7);
     assert_true(fabs(log2(coarse / fine) - 4) < 0.15);
     assert_true(fabs(log2(fine / finest) - 4) < 0.1);
     assert_true(error_after("rk4", 2048, 1, 7) < 1e-12);

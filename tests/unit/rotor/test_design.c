@@ -1,4 +1,5 @@
 // Designs refuse what is no machine, each time with a sentence that names what was found.
+#include <cmocka.h>
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -6,7 +7,6 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-#include <cmocka.h>
 
 #include "whirl/rotor.h"
 
@@ -54,15 +54,20 @@ static void test_elements(void **state) {
     refused(whirl_design_element(design, "gearbox", NULL, 0), "no element");
     refused(whirl_design_element(design, "shaft", (whirl_setting[]){{"between", 0, "disc, dics"}, {"k1", 1, NULL}}, 2),
             "did you mean 'disc'");
-    refused(whirl_design_element(design, "shaft", (whirl_setting[]){{"between", 0, "disc"}, {"k1", 1, NULL}}, 2), "two stations");
-    refused(whirl_design_element(design, "shaft", (whirl_setting[]){{"between", 0, "ground, ground"}, {"k1", 1, NULL}}, 2),
-            "ground with ground");
-    refused(whirl_design_element(design, "shaft",
-                                 (whirl_setting[]){{"between", 0, "disc, ground"}, {"k1", 1, NULL}, {"signs", 0, "papre"}}, 3),
+    refused(whirl_design_element(design, "shaft", (whirl_setting[]){{"between", 0, "disc"}, {"k1", 1, NULL}}, 2),
+            "two stations");
+    refused(
+        whirl_design_element(design, "shaft", (whirl_setting[]){{"between", 0, "ground, ground"}, {"k1", 1, NULL}}, 2),
+        "ground with ground");
+    refused(whirl_design_element(
+                design, "shaft",
+                (whirl_setting[]){{"between", 0, "disc, ground"}, {"k1", 1, NULL}, {"signs", 0, "papre"}}, 3),
             "derived|paper");
-    refused(whirl_design_element(design, "film", (whirl_setting[]){{"at", 0, "disc"}, {"clearance", 1, NULL}, {"count", 1.5, NULL}}, 3),
+    refused(whirl_design_element(design, "film",
+                                 (whirl_setting[]){{"at", 0, "disc"}, {"clearance", 1, NULL}, {"count", 1.5, NULL}}, 3),
             "count");
-    refused(whirl_design_element(design, "rub", (whirl_setting[]){{"at", 0, "ground"}, {"gap", 1, NULL}, {"stiffness", 1, NULL}}, 3),
+    refused(whirl_design_element(design, "rub",
+                                 (whirl_setting[]){{"at", 0, "ground"}, {"gap", 1, NULL}, {"stiffness", 1, NULL}}, 3),
             "ground");
     whirl_design_free(design);
 }
@@ -114,17 +119,22 @@ static void test_descriptors_are_sound(void **state) {
             assert_true(strlen(key->meaning) > 5);
             assert_ptr_equal(whirl_group_key(groups[g], key->name), key);
             assert_false(key->required && key->fallback[0]);
-            if (key->kind == WHIRL_KEY_CHOICE) assert_true(whirl_key_choice(key, key->fallback) >= 0);
-            else if (key->fallback[0]) assert_int_equal(whirl_key_check_number(key, atof(key->fallback)).code, WHIRL_OK);
+            if (key->kind == WHIRL_KEY_CHOICE)
+                assert_true(whirl_key_choice(key, key->fallback) >= 0);
+            else if (key->fallback[0])
+                assert_int_equal(whirl_key_check_number(key, atof(key->fallback)).code, WHIRL_OK);
         }
     }
 }
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_frame),          cmocka_unit_test(test_stations),
-        cmocka_unit_test(test_elements),       cmocka_unit_test(test_contradictions),
-        cmocka_unit_test(test_nothing_is_no_rotor), cmocka_unit_test(test_descriptors_are_sound),
+        cmocka_unit_test(test_frame),
+        cmocka_unit_test(test_stations),
+        cmocka_unit_test(test_elements),
+        cmocka_unit_test(test_contradictions),
+        cmocka_unit_test(test_nothing_is_no_rotor),
+        cmocka_unit_test(test_descriptors_are_sound),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,16 +1,20 @@
 // The equations of motion that a rotor gives, against the same equations typed in from the literature.
+#include <cmocka.h>
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdlib.h>
-#include <cmocka.h>
 
 #include "whirl/rotor.h"
 
-static whirl_setting number(const char *key, double value) { return (whirl_setting){key, value, NULL}; }
-static whirl_setting word(const char *key, const char *text) { return (whirl_setting){key, 0.0, text}; }
+static whirl_setting number(const char *key, double value) {
+    return (whirl_setting){key, value, NULL};
+}
+static whirl_setting word(const char *key, const char *text) {
+    return (whirl_setting){key, 0.0, text};
+}
 
 static void check(whirl_status status) {
     if (status.code != WHIRL_OK) fail_msg("%s", status.message);
@@ -28,18 +32,20 @@ static whirl_rotor *paper_rotor(const char *signs, double r_k) {
     whirl_rotor *rotor;
     check(whirl_design_new(omega, c, &design));
     check(whirl_design_station(
-        design, "disc", (whirl_setting[]){number("mass", 420), number("damping", 4300), number("eccentricity", 0.08 * c)}, 3));
+        design, "disc",
+        (whirl_setting[]){number("mass", 420), number("damping", 4300), number("eccentricity", 0.08 * c)}, 3));
     check(whirl_design_station(design, "journal", (whirl_setting[]){number("mass", 100), number("damping", 9300)}, 2));
-    check(whirl_design_element(
-        design, "shaft",
-        (whirl_setting[]){word("between", "disc, journal"), number("k1", r_k * k2), number("k2", k2), word("signs", signs)}, 4));
+    check(whirl_design_element(design, "shaft",
+                               (whirl_setting[]){word("between", "disc, journal"), number("k1", r_k * k2),
+                                                 number("k2", k2), word("signs", signs)},
+                               4));
     check(whirl_design_element(design, "film",
                                (whirl_setting[]){word("at", "journal"), number("count", 2), number("clearance", c),
                                                  number("load", 0.0042 * 50 * c * omega * omega)},
                                4));
     check(whirl_design_element(design, "rub",
-                               (whirl_setting[]){word("at", "disc"), number("gap", 1.2 * c), number("stiffness", 10 * k2),
-                                                 number("friction", 0.1)},
+                               (whirl_setting[]){word("at", "disc"), number("gap", 1.2 * c),
+                                                 number("stiffness", 10 * k2), number("friction", 0.1)},
                                4));
     check(whirl_design_element(design, "gravity", (whirl_setting[]){number("acceleration", 9.8)}, 1));
     check(whirl_rotor_new(design, &rotor));
@@ -152,11 +158,13 @@ static void test_eccentricity_and_unbalance_are_the_same(void **state) {
         whirl_design *design;
         whirl_rotor *rotor;
         check(whirl_design_new(100, 1e-3, &design));
-        const whirl_setting eccentric[] = {number("mass", 3), number("eccentricity", 2e-4), number("eccentricity_angle", 0.7)};
+        const whirl_setting eccentric[] = {number("mass", 3), number("eccentricity", 2e-4),
+                                           number("eccentricity_angle", 0.7)};
         check(whirl_design_station(design, "disc", eccentric, i ? 1 : 3));
         if (i)
-            check(whirl_design_element(design, "unbalance",
-                                       (whirl_setting[]){word("at", "disc"), number("moment", 6e-4), number("angle", 0.7)}, 3));
+            check(whirl_design_element(
+                design, "unbalance",
+                (whirl_setting[]){word("at", "disc"), number("moment", 6e-4), number("angle", 0.7)}, 3));
         check(whirl_rotor_new(design, &rotor));
         whirl_design_free(design);
         const whirl_system *system = whirl_rotor_system(rotor);
@@ -178,14 +186,16 @@ static void test_friction_follows_the_slip(void **state) {
         check(whirl_design_station(design, "disc", (whirl_setting[]){number("mass", 1)}, 1));
         check(whirl_design_element(design, "rub",
                                    (whirl_setting[]){word("at", "disc"), number("gap", 1), number("stiffness", 4),
-                                                     number("friction", 0.3), word("law", "slip"), number("radius", surface)},
+                                                     number("friction", 0.3), word("law", "slip"),
+                                                     number("radius", surface)},
                                    6));
         check(whirl_rotor_new(design, &rotor));
         whirl_design_free(design);
         const whirl_system *system = whirl_rotor_system(rotor);
         // At (2, 0) with transverse velocity v the surface slips at 5 + v: the normal force is 4, friction 1.2.
         const double z[4] = {2, 0, 0, backward ? -6 : -4};
-        double forcing[WHIRL_MAX_FORCING] = {1, 0, 1, 0}, dz[4], switches[WHIRL_MAX_SWITCHES], normal[WHIRL_MAX_CONTACTS];
+        double forcing[WHIRL_MAX_FORCING] = {1, 0, 1, 0}, dz[4], switches[WHIRL_MAX_SWITCHES],
+               normal[WHIRL_MAX_CONTACTS];
         system->rhs(system->model, 0, forcing, z, dz);
         assert_true(fabs(dz[2] + 4.0) < 1e-15);
         assert_true(fabs(dz[3] - (backward ? 1.2 : -1.2)) < 1e-15);

@@ -1,0 +1,176 @@
+// Recording: what is gathered of motions that are known in closed form.
+#include <cmocka.h>
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include "whirl/analyze.h"
+
+static const double pi = 3.14159265358979323846;
+
+/// Two free motions about a centre: x = cos t, y = direction 0.5 sin t, from (1, 0, 0, direction 0.5); one contact,
+/// closed with force x - 0.6 where x > 0.6.
+static void harmonic(const void *model, double t, const double *forcing, const double *x, double *dxdt) {
+    (void)model, (void)t, (void)forcing;
+    dxdt[0] = x[2];
+    dxdt[1] = x[3];
+    dxdt[2] = -x[0];
+    dxdt[3] = -x[1];
+}
+static void wall(const void *model, const double *x, double *force) {
+    (void)model;
+    force[0] = x[0] > 0.6 ? x[0] - 0.6 : 0.0;
+}
+static const whirl_probe probe = {.name = "disc", .x = 0, .y = 1, .vx = 2, .vy = 3};
+static const whirl_system ellipse = {.dimension = 4,
+                                     .period = 6.28318530717958647692,
+                                     .rhs = harmonic,
+                                     .contact_count = 1,
+                                     .contacts = wall,
+                                     .probe_count = 1,
+                                     .probes = &probe};
+
+static whirl_record *record(const whirl_system *system, const whirl_record_options *options, const double *start,
+                            int steps) {
+    whirl_integrate_options integrate = whirl_integrate_default();
+    whirl_record *made;
+    integrate.steps_per_revolution = steps;
+    const whirl_status status = whirl_record_motion(system, &integrate, options, start, NULL, &made);
+    if (status.code != WHIRL_OK) fail_msg("%s", status.message);
+    return made;
+}
+
+static void test_ellipse(void **state) {
+    (void)state;
+    for (int direction = -1; direction <= 1; direction += 2) {
+        whirl_record_options options = whirl_record_default();
+        options.transient = 4;
+        options.record = 3;
+        const double start[4] = {1, 0, 0, 0.5 * direction};
+        whirl_record *r = record(&ellipse, &options, start, 1024);
+        assert_int_equal(r->motion, WHIRL_BOUNDED);
+        assert_int_equal(r->section_count, 5); // the record and half the transient
+        assert_int_equal(r->record_count, 3);
+        assert_int_equal(r->samples_per_revolution, 64);
+        assert_int_equal(r->sample_count, 3 * 64);
+        assert_true(fabs(r->max_radius[0] - 1) < 1e-9 && fabs(r->min_radius[0] - 0.5) < 1e-9);
+        assert_true(fabs(r->mean[0]) < 1e-9 && fabs(r->mean[1]) < 1e-9);
+        assert_true(r->backward[0] == (direction < 0 ? 1.0 : 0.0));
+        assert_true(fabs(r->low[1] + 0.5) < 1e-9 && fabs(r->high[3] - 0.5) < 1e-9);
+        // In contact while |t| < acos 0.6: a share of acos(0.6)/pi, to one instant of 1024; three beginnings.
+        assert_true(fabs(r->contact_share[0] - acos(0.6) / pi) < 2.0 / 1024);
+        assert_true(r->contact_number[0] == 3.0);
+        assert_true(fabs(r->contact_force[0] - 0.4) < 1e-9);
+        for (size_t i = 0; i < r->sample_count; i++) {
+            const double t = 2 * pi * (double)(i + 1) / 64;
+            assert_true(fabs(r->waveform[i] - cos(t)) < 1e-8);
+            assert_true(fabs(r->waveform[r->sample_count + i] - 0.5 * direction * sin(t)) < 1e-8);
+        }
+        for (size_t i = 0; i < r->section_count; i++) assert_true(fabs(r->section[4 * i] - 1) < 1e-8);
+        // A centre neither attracts nor repels.
+        for (size_t i = 0; i < r->growth_count; i++) assert_true(fabs(r->growth[i]) < 1e-6);
+        assert_true(fabs(r->end[0] - 1) < 1e-8);
+        whirl_record_free(r);
+    }
+}
+
+/// x' = -a x, y' = -b y with the slower rate a: a disturbance shrinks by exp(-a) a revolution once it is aligned.
+static void node(const void *model, double t, const double *forcing, const double *x, double *dxdt) {
+    (void)model, (void)t, (void)forcing;
+    dxdt[0] = -0.25 * (x[0] - 1);
+    dxdt[1] = -2.0 * (x[1] - 2);
+}
+
+static void test_growth_is_the_largest_exponent(void **state) {
+    const whirl_system system = {.dimension = 2, .period = 1, .rhs = node};
+    whirl_record_options options = whirl_record_default();
+    const double start[2] = {3, 3};
+    (void)state;
+    options.transient = 40;
+    options.record = 40;
+    options.waveform = false;
+    whirl_record *r = record(&system, &options, start, 128);
+    assert_int_equal(r->growth_count, 60);
+    assert_int_equal(r->sample_count, 0);
+    for (size_t i = 20; i < r->growth_count; i++) assert_true(fabs(r->growth[i] + 0.25) < 1e-6);
+    whirl_record_free(r);
+}
+
+/// x' = a x: leaves |x| <= limit in a revolution that is known.
+static void explosion(const void *model, double t, const double *forcing, const double *x, double *dxdt) {
+    (void)model, (void)t, (void)forcing;
+    dxdt[0] = x[0];
+}
+
+static void test_divergence_has_its_revolution(void **state) {
+    const whirl_system system = {.dimension = 1, .period = 1, .rhs = explosion};
+    whirl_record_options options = whirl_record_default();
+    const double start[1] = {1};
+    (void)state;
+    whirl_record *r = record(&system, &options, start, 64);
+    assert_int_equal(r->motion, WHIRL_DIVERGED);
+    assert_true(r->diverged_at == 14.0); // e^13 < 1e6 < e^14
+    whirl_record_free(r);
+}
+
+static void test_samples_divide_the_steps(void **state) {
+    whirl_record_options options = whirl_record_default();
+    (void)state;
+    assert_int_equal(whirl_record_samples(&options, 1024), 64);
+    assert_int_equal(whirl_record_samples(&options, 1000), 100);
+    assert_int_equal(whirl_record_samples(&options, 997), 997);
+    assert_int_equal(whirl_record_samples(&options, 48), 48);
+}
+
+static bool stop_after_three(void *context) {
+    int *count = context;
+    return ++*count < 3;
+}
+
+static void test_a_monitor_can_stop(void **state) {
+    whirl_record_options options = whirl_record_default();
+    whirl_integrate_options integrate = whirl_integrate_default();
+    whirl_record *r;
+    int count = 0;
+    const whirl_monitor monitor = {stop_after_three, &count};
+    const double start[4] = {1, 0, 0, 0.5};
+    (void)state;
+    assert_int_equal(whirl_record_motion(&ellipse, &integrate, &options, start, &monitor, &r).code, WHIRL_STOPPED);
+    assert_null(r);
+    assert_int_equal(count, 3);
+}
+
+static void test_contradicting_options_are_refused(void **state) {
+    whirl_integrate_options integrate = whirl_integrate_default();
+    const double start[4] = {1, 0, 0, 0.5};
+    whirl_record_options bad[5];
+    whirl_record *r;
+    (void)state;
+    for (int i = 0; i < 5; i++) bad[i] = whirl_record_default();
+    bad[0].record = 0;
+    bad[1].transient = -1;
+    bad[2].watch = 50;
+    bad[3].waveform_revolutions = 101;
+    bad[4].samples_per_revolution = 0;
+    for (int i = 0; i < 5; i++) {
+        const whirl_status status = whirl_record_motion(&ellipse, &integrate, &bad[i], start, NULL, &r);
+        assert_int_equal(status.code, WHIRL_BAD_INPUT);
+        assert_true(strlen(status.message) > 20);
+        assert_null(r);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_ellipse),
+        cmocka_unit_test(test_growth_is_the_largest_exponent),
+        cmocka_unit_test(test_divergence_has_its_revolution),
+        cmocka_unit_test(test_samples_divide_the_steps),
+        cmocka_unit_test(test_a_monitor_can_stop),
+        cmocka_unit_test(test_contradicting_options_are_refused),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

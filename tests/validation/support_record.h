@@ -1,0 +1,22 @@
+/// Long motions recorded by the library, and what its analyses say of them.
+#ifndef SUPPORT_RECORD_H
+#define SUPPORT_RECORD_H
+
+#include "whirl/analyze.h"
+
+/// Records `record` revolutions after `transient`, by RK4, without waveforms; all recorded revolutions are watched.
+whirl_record *record_motion(const whirl_system *system, const double *start, int steps_per_revolution, int transient,
+                            int record);
+
+/// Compares the library's verdict in words: "P-2", "chaotic".
+void check_regime(const char *id, const char *what, const char *expected, const whirl_record *record);
+
+/// Compares the recorded section point (state 0, state 1) that is nearest to the printed one.
+void check_section_point(const char *id, const char *what, const whirl_record *record, const char *x, const char *y);
+
+/// Compares the largest exponent, per unit of time with `unit_of_time` of them in a revolution, and demands a standard
+/// error below a third of the tolerance.
+void check_exponent(const char *id, const char *what, double expected, double tolerance, const whirl_record *record,
+                    double unit_of_time);
+
+#endif
