@@ -38,7 +38,7 @@ _whirl() {
     fi
     case $before in
     -o | --output)
-        [ "$command" = run ] && _whirl_files "$word" h5 || _whirl_files "$word"
+        if [ "$command" = run ]; then _whirl_files "$word" h5; else _whirl_files "$word"; fi
         return
         ;;
     --csv) _whirl_files "$word"; return ;;

@@ -8,6 +8,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "cores.h"
 #include "interrupt.h"
 #include "output.h"
 #include "progress.h"
@@ -19,7 +20,7 @@ typedef struct run_arguments {
     const char *case_path, *output;
     const char *overrides[MAX_OVERRIDES];
     size_t override_count;
-    int threads; ///< 0: all cores
+    int threads;
     bool json, quiet;
     char default_output[PATH_SIZE];
 } run_arguments;
@@ -174,7 +175,7 @@ static int deliver(const run_arguments *arguments, const whirl_result *result) {
 }
 
 static int run_case(const run_arguments *arguments, const char *command_line) {
-    char started[32], finished[32];
+    char started[32], finished[32], threads[16];
     whirl_case *object = NULL;
     whirl_result *result = NULL;
     now_text(started, sizeof started);
@@ -184,7 +185,9 @@ static int run_case(const run_arguments *arguments, const char *command_line) {
     if (outcome == EXIT_DONE) outcome = compute(arguments, object, &result);
     if (outcome == EXIT_DONE) {
         now_text(finished, sizeof finished);
-        const char *const facts[][2] = {{"command line", command_line}, {"started", started}, {"finished", finished}};
+        snprintf(threads, sizeof threads, "%d", arguments->threads);
+        const char *const facts[][2] = {
+            {"command line", command_line}, {"started", started}, {"finished", finished}, {"threads", threads}};
         const whirl_status status = add_facts(result, facts, sizeof facts / sizeof *facts);
         outcome = status.code == WHIRL_OK ? deliver(arguments, result) : complain_of(&status);
     }
@@ -202,7 +205,7 @@ static int run(int argc, char **argv) {
                "a result "
                "and not a failure.",
     };
-    run_arguments arguments = {0};
+    run_arguments arguments = {.threads = available_cores()};
     char command_line[FACT_SIZE]; // argp reorders argv
     join(argc, argv, command_line, sizeof command_line);
     if (argp_parse(&argp, argc, argv, 0, NULL, &arguments) != 0) return EXIT_FAILED;

@@ -31,7 +31,7 @@ static moments weighted_moments(const section *all, size_t coordinate, size_t fi
 
 /// Sums over the coordinates of the section.
 typedef struct comparison {
-    double difference; ///< mean square difference of the averages of the halves, in spreads
+    double difference;  ///< mean square difference of the averages of the halves, in spreads
     double early, late; ///< square of the spread of the halves
 } comparison;
 
@@ -68,5 +68,6 @@ regularity regularity_find(const section *all) {
     comparison sums = {0};
     for (size_t i = 0; i < all->dimension; i++) compare_halves(all, i, largest, &sums);
     if (!(sums.early > 0.0)) return (regularity){16.0, 1.0}; // a single point
-    return (regularity){fmin(16.0, -0.5 * log10(fmax(sums.difference, 1e-32))), sqrt(fmax(sums.late, 0.0) / sums.early)};
+    return (regularity){fmin(16.0, -0.5 * log10(fmax(sums.difference, 1e-32))),
+                        sqrt(fmax(sums.late, 0.0) / sums.early)};
 }

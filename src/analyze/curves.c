@@ -22,20 +22,18 @@ typedef struct tree {
     edge *edges;      ///< [count - 1], in the order in which they joined
     edge *longest;    ///< the same, longest first
     size_t *label;    ///< [count] curve of each point
-    size_t *parent;   ///< [count] nearest point on the way to the root; the root its own
-    double *distance; ///< [count] work: distance to the tree; later: points on the longest path
-    size_t *nearest;  ///< [count] work
+    double *distance; ///< [count] work: to the nearest point of the tree, -1 for points in it
+    size_t *nearest;  ///< [count] work: that point
 } tree;
 
 static tree *tree_new(size_t count) {
-    tree *t = malloc(sizeof *t + 2 * count * sizeof(edge) + count * (3 * sizeof(size_t) + sizeof(double)));
+    tree *t = malloc(sizeof *t + 2 * count * sizeof(edge) + count * (2 * sizeof(size_t) + sizeof(double)));
     if (!t) return NULL;
     t->count = count;
     t->edges = (edge *)(t + 1);
     t->longest = t->edges + count;
     t->label = (size_t *)(t->longest + count);
-    t->parent = t->label + count;
-    t->nearest = t->parent + count;
+    t->nearest = t->label + count;
     t->distance = (double *)(t->nearest + count);
     return t;
 }
@@ -47,7 +45,6 @@ static int longer_first(const void *a, const void *b) {
 
 /// Prim's algorithm, from point 0.
 static void grow(tree *t, const section *points) {
-    t->parent[0] = 0;
     for (size_t i = 1; i < t->count; i++) {
         t->distance[i] = section_distance(points, 0, i);
         t->nearest[i] = 0;
@@ -59,7 +56,6 @@ static void grow(tree *t, const section *points) {
             if (t->distance[i] >= 0.0 && (next == 0 || t->distance[i] < t->distance[next])) next = i;
         }
         t->edges[e] = (edge){next, t->nearest[next], t->distance[next]};
-        t->parent[next] = t->nearest[next];
         t->distance[next] = -1.0;
         for (size_t i = 1; i < t->count; i++) {
             if (t->distance[i] < 0.0) continue;
@@ -98,4 +94,70 @@ static bool visited_in_turn(const tree *t, size_t parts) {
         }
     }
     return true;
+}
+
+/// The longest path through a part, in points, and its ends.
+typedef struct part_path {
+    size_t size, length, ends[2];
+} part_path;
+
+/// Longest way down from a point, in points, and where it ends.
+typedef struct descent {
+    size_t length, end;
+} descent;
+
+/// Longest paths of all parts: children join after their parents, so one pass from the last to the first does.
+static void longest_paths(const tree *t, size_t parts, descent *down, part_path *paths) {
+    for (size_t p = 0; p < parts; p++) paths[p] = (part_path){0};
+    for (size_t i = 0; i < t->count; i++) {
+        down[i] = (descent){1, i};
+        part_path *own = &paths[t->label[i]];
+        own->size++;
+        if (own->length == 0) *own = (part_path){own->size, 1, {i, i}};
+    }
+    for (size_t e = t->count - 1; e-- > 0;) {
+        const size_t child = t->edges[e].point, parent = t->edges[e].parent;
+        if (t->label[child] != t->label[parent]) continue;
+        part_path *own = &paths[t->label[child]];
+        const size_t through = down[parent].length + down[child].length;
+        if (through > own->length) *own = (part_path){own->size, through, {down[parent].end, down[child].end}};
+        if (down[child].length + 1 > down[parent].length)
+            down[parent] = (descent){down[child].length + 1, down[child].end};
+    }
+}
+
+/// Whether every part is one closed curve: nearly all of its points on one path whose ends are neighbours.
+static bool all_closed(const tree *t, const section *points, size_t parts) {
+    const double least_on_path = 0.9;  // of the points; the rest are twigs where a curve passes close to itself
+    const double widest_closing = 3.0; // longest edges on the curves: gaps of a rotation differ by a small factor
+    descent *down = malloc(t->count * sizeof *down);
+    part_path paths[MOST_CURVES];
+    if (!down) return false;
+    longest_paths(t, parts, down, paths);
+    free(down);
+    const double longest_on_curve = t->longest[parts - 1].length;
+    for (size_t p = 0; p < parts; p++) {
+        if ((double)paths[p].length < least_on_path * (double)paths[p].size) return false;
+        if (section_distance(points, paths[p].ends[0], paths[p].ends[1]) > widest_closing * longest_on_curve)
+            return false;
+    }
+    return true;
+}
+
+int curves_count(const section *all) {
+    const double clear_gap = 1.5; // between curves, over the longest edge on one
+    const section points = section_tail(all, MOST_POINTS);
+    if (points.count < FEWEST_POINTS_A_CURVE) return 0;
+    tree *t = tree_new(points.count);
+    if (!t) return 0;
+    grow(t, &points);
+    int found = 0;
+    for (size_t parts = points.count / FEWEST_POINTS_A_CURVE; parts >= 1 && found == 0; parts--) {
+        if (parts > MOST_CURVES) continue;
+        if (parts > 1 && t->longest[parts - 2].length < clear_gap * t->longest[parts - 1].length) continue;
+        label_parts(t, parts - 1);
+        if (visited_in_turn(t, parts) && all_closed(t, &points, parts)) found = (int)parts;
+    }
+    free(t);
+    return found;
 }

@@ -10,7 +10,8 @@ static whirl_status check_options(const whirl_record_options *options) {
         return whirl_fail(WHIRL_BAD_INPUT, "%d revolutions are to be recorded, expected 1 or more", options->record);
     }
     if (options->waveform_revolutions < 0 || options->waveform_revolutions > options->record) {
-        return whirl_fail(WHIRL_BAD_INPUT, "the waveform of %d revolutions is to be kept, expected 0 to %d, the recorded ones",
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "the waveform of %d revolutions is to be kept, expected 0 to %d, the recorded ones",
                           options->waveform_revolutions, options->record);
     }
     if (!(options->highest_order > 0.0) || !isfinite(options->highest_order)) {

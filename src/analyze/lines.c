@@ -74,7 +74,8 @@ static void subtract(pair_transform *value, const sinusoid *line, double at, dou
 }
 
 /// The transform at `at` less what all lines but `own` leak there. Lines whose main lobes overlap that of `own` stay.
-static pair_transform isolated(const windowed_pair *signal, const sinusoid *lines, size_t count, size_t own, double at) {
+static pair_transform isolated(const windowed_pair *signal, const sinusoid *lines, size_t count, size_t own,
+                               double at) {
     pair_transform value = transform_at(signal, at);
     for (size_t m = 0; m < count; m++) {
         if (m == own) {
@@ -128,7 +129,9 @@ static whirl_line line_of(const sinusoid *s) {
                         .backward = cabs(s->x - I * s->y)};
 }
 
-static double line_size(const whirl_line *line) { return fmax(line->x, line->y); }
+static double line_size(const whirl_line *line) {
+    return fmax(line->x, line->y);
+}
 
 static int larger_first(const void *a, const void *b) {
     const double first = line_size(a), second = line_size(b);

@@ -1,7 +1,9 @@
 // Poincare sections: the state of every station once per revolution, in step with the forcing.
 #include "analysis.h"
 
-static size_t recorded_revolutions(const block_shape *shape) { return (size_t)shape->options->record; }
+static size_t recorded_revolutions(const block_shape *shape) {
+    return (size_t)shape->options->record;
+}
 
 enum { SECTION };
 

@@ -130,7 +130,8 @@ whirl_status whirl_spectrum_new(const whirl_record *record, size_t probe, double
     const size_t revolutions = count / record->samples_per_revolution;
     const size_t kept = bin_count(revolutions, record->samples_per_revolution, highest_order);
     // Two bins more, so that a line at the highest order has a right side.
-    const size_t bins = bin_count(revolutions, record->samples_per_revolution, highest_order + 2.0 / (double)revolutions);
+    const size_t bins =
+        bin_count(revolutions, record->samples_per_revolution, highest_order + 2.0 / (double)revolutions);
 
     whirl_spectrum *made = empty_spectrum(kept, 1.0 / (double)revolutions);
     workspace *work = workspace_new(count, bins);
@@ -152,7 +153,9 @@ whirl_status whirl_spectrum_new(const whirl_record *record, size_t probe, double
     return whirl_ok();
 }
 
-void whirl_spectrum_free(whirl_spectrum *spectrum) { free(spectrum); }
+void whirl_spectrum_free(whirl_spectrum *spectrum) {
+    free(spectrum);
+}
 
 static size_t most_lines(const block_shape *shape) {
     (void)shape;

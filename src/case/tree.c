@@ -100,11 +100,8 @@ static bool open_collection(builder *b, const yaml_event_t *event, node_kind kin
 }
 
 static bool close_collection(builder *b) {
-    node *closed = b->open;
     b->depth--;
-    // The parent was made by this builder, so that writing to it is right.
-    b->open = NULL;
-    if (closed->parent) memcpy(&b->open, &closed->parent, sizeof b->open);
+    b->open = b->open->parent;
     b->done = b->done || !b->open;
     return true;
 }
@@ -198,8 +195,7 @@ whirl_status tree_read(const char *text, size_t length, arena *arena, whirl_prob
         return whirl_fail(WHIRL_NO_MEMORY, "no memory to parse %.200s", problems->file);
     if (!b.done && problems->count == 0) problem_in_file(problems, 1, 1, "is empty, expected a mapping of keys");
     *root = b.done ? b.root : NULL;
-    if (problems->count > 0) return whirl_fail(WHIRL_BAD_INPUT, "%.200s cannot be read", problems->file);
-    return whirl_ok();
+    return b.done ? whirl_ok() : whirl_fail(WHIRL_BAD_INPUT, "%.200s cannot be read", problems->file);
 }
 
 const node *node_member(const node *mapping, const char *key) {

@@ -21,12 +21,13 @@ typedef struct node {
     const char *key;             ///< of a mapping's member, else NULL
     int key_line, key_column;    ///< of that key
     size_t index;                ///< of a list's item, from 1
-    const struct node *parent;   ///< NULL for the root
+    struct node *parent;         ///< NULL for the root
     struct node *first, *last, *next;
     size_t count;                ///< of items or members
 } node;
 
-/// Parses one document. What is wrong goes to `problems` (then the status is WHIRL_BAD_INPUT); memory is the arena's.
+/// Parses one document. What is wrong goes to `problems`; the status is WHIRL_BAD_INPUT when there is no tree because of
+/// it. Keys that stand twice are reported and kept. Memory is the arena's.
 whirl_status tree_read(const char *text, size_t length, arena *arena, whirl_problems *problems, node **root);
 
 /// The member of a mapping with that key, or NULL.

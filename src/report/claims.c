@@ -2,6 +2,7 @@
 // part is compared at every point that the claim speaks of, and scores the share of the points that agree.
 #include <math.h>
 #include <stdarg.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 

@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "output.h"
+#include "report_file.h"
 #include "whirl/result.h"
 #include "whirl/status.h"
 

@@ -114,8 +114,8 @@ static void write_dots(FILE *data, const diagram *of, size_t point, dot *dots) {
 
 /// One block (gnuplot: index) for each class that is present and each branch, in that order.
 static whirl_status write_section_data(const drawing *to, const diagram *of, const char *name) {
-    output file;
-    whirl_status status = output_open(&file, to->folder, name);
+    report_file file;
+    whirl_status status = report_file_open(&file, to->folder, name);
     if (status.code != WHIRL_OK) return status;
     const size_t rows = whirl_layout_field(&of->table->layout, "poincare/section")->rows;
     dot *dots = malloc((rows + 1) * sizeof *dots);
@@ -136,14 +136,14 @@ static whirl_status write_section_data(const drawing *to, const diagram *of, con
     }
     const bool memory = dots != NULL;
     free(dots);
-    status = output_close(&file);
+    status = report_file_close(&file);
     return memory ? status : whirl_fail(WHIRL_NO_MEMORY, "no memory for the dots of a bifurcation diagram");
 }
 
 /// One line a point, one block a branch.
 static whirl_status write_sweep_data(const drawing *to, const diagram *of) {
-    output file;
-    const whirl_status status = output_open(&file, to->folder, "sweep.dat");
+    report_file file;
+    const whirl_status status = report_file_open(&file, to->folder, "sweep.dat");
     if (status.code != WHIRL_OK) return status;
     fprintf(file.stream, "# parameter (SI)  class  exponent (1/revolution)  its error  rub share");
     for (size_t s = 0; s < of->result->station_count; s++)
@@ -165,7 +165,7 @@ static whirl_status write_sweep_data(const drawing *to, const diagram *of) {
         }
         fputs("\n\n", file.stream);
     }
-    return output_close(&file);
+    return report_file_close(&file);
 }
 
 // ---------------------------------------------------------------- script
@@ -320,9 +320,9 @@ static void write_panels(FILE *script, const diagram *of, const char *data) {
 
 static whirl_status write_script(const drawing *to, const diagram *of, const figure *what) {
     char name[STEM_SIZE + 4];
-    output file;
+    report_file file;
     snprintf(name, sizeof name, "%s.gp", what->stem);
-    const whirl_status status = output_open(&file, to->folder, name);
+    const whirl_status status = report_file_open(&file, to->folder, name);
     if (status.code != WHIRL_OK) return status;
     FILE *script = file.stream;
     script_begin(script, what, what->title, of->rub ? 23.0 : 21.0);
@@ -342,7 +342,7 @@ static whirl_status write_script(const drawing *to, const diagram *of, const fig
     write_panels(script, of, what->data[0]);
     fputs("unset object\n", script);
     script_end(script);
-    return output_close(&file);
+    return report_file_close(&file);
 }
 
 static whirl_status draw_station(const drawing *to, diagram *of) {

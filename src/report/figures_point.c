@@ -93,12 +93,12 @@ static whirl_status write_data(const drawing *to, const subject *of, figure *wha
     const numbers arrays[] = {of->waveform, of->section, of->spectrum};
     for (int i = 0; i < 3; i++) {
         if (!arrays[i].at) continue;
-        output file;
+        report_file file;
         snprintf(what->data[i], sizeof what->data[i], "%.180s-%s.dat", what->stem, kinds[i]);
-        whirl_status status = output_open(&file, to->folder, what->data[i]);
+        whirl_status status = report_file_open(&file, to->folder, what->data[i]);
         if (status.code != WHIRL_OK) return status;
         writers[i](file.stream, of);
-        status = output_close(&file);
+        status = report_file_close(&file);
         if (status.code != WHIRL_OK) return status;
     }
     return whirl_ok();
@@ -266,9 +266,9 @@ static double figure_height(const subject *of) {
 
 static whirl_status write_script(const drawing *to, const subject *of, const figure *what) {
     char name[STEM_SIZE + 4], length[LABEL_SIZE];
-    output file;
+    report_file file;
     snprintf(name, sizeof name, "%s.gp", what->stem);
-    const whirl_status status = output_open(&file, to->folder, name);
+    const whirl_status status = report_file_open(&file, to->folder, name);
     if (status.code != WHIRL_OK) return status;
     const double height = figure_height(of);
     script_begin(file.stream, what, what->title, height);
@@ -281,7 +281,7 @@ static whirl_status write_script(const drawing *to, const subject *of, const fig
     write_panels(file.stream, of, what, height);
     fputs("unset label 1\n", file.stream);
     script_end(file.stream);
-    return output_close(&file);
+    return report_file_close(&file);
 }
 
 static whirl_status draw_point(const drawing *to, const subject *of) {
@@ -291,14 +291,14 @@ static whirl_status draw_point(const drawing *to, const subject *of) {
     point_label(of->result, of->table, of->point, point, sizeof point);
     whirl_verdict_name(&verdict, verdict_text, sizeof verdict_text);
     if (*of->table->parameter)
-        snprintf(stem, sizeof stem, "%s-%.6g-%s", of->table->parameter, of->table->values[of->point], station);
+        snprintf(stem, sizeof stem, "%.63s-%.6g-%.63s", of->table->parameter, of->table->values[of->point], station);
     else
         snprintf(stem, sizeof stem, "%s-%s", of->table->name, station);
     figure *what = figure_add(to->list, to->index, stem);
     if (!what) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the list of figures");
     what->point = (long)of->point;
     what->station = of->station;
-    snprintf(what->title, sizeof what->title, "%.80s, %.60s: %.56s", point, station, verdict_text);
+    snprintf(what->title, sizeof what->title, "%.80s, %.60s: %.54s", point, station, verdict_text);
     snprintf(what->caption, sizeof what->caption, "%.120s, %.60s: %.100s.%s", point, station, verdict_text,
              of->waveform.at ? "" : " No waveform was kept.");
     const whirl_status status = write_data(to, of, what);

@@ -274,18 +274,33 @@ void get_wholes(whirl_status *status, hid_t parent, const char *name, int64_t *v
     if (dataset >= 0) H5Dclose(dataset);
 }
 
-void get_texts(whirl_status *status, hid_t parent, const char *name, char *first, size_t stride, size_t count) {
+// Texts without gaps between them.
+static void read_packed_texts(whirl_status *status, hid_t parent, const char *name, char *packed, size_t size,
+                              size_t count) {
     const hid_t dataset = get_dataset(status, parent, name);
     if (dataset < 0) return;
-    const hid_t type = H5Dget_type(dataset), memory = memory_text(stride);
-    if (!is_text(type, stride) || memory < 0)
+    const hid_t type = H5Dget_type(dataset), memory = memory_text(size);
+    if (!is_text(type, size) || memory < 0)
         fail_get(status, parent, name, "is not a list of texts, or too long");
     else
-        read_dataset(status, dataset, memory, &count, 1, first);
-    if (status->code == WHIRL_OK) end_texts(first, stride, count);
+        read_dataset(status, dataset, memory, &count, 1, packed);
+    if (status->code == WHIRL_OK) end_texts(packed, size, count);
     if (memory >= 0) H5Tclose(memory);
     if (type >= 0) H5Tclose(type);
     H5Dclose(dataset);
+}
+
+void get_texts(whirl_status *status, hid_t parent, const char *name, char *first, size_t size, size_t stride,
+               size_t count) {
+    if (status->code != WHIRL_OK) return;
+    char *packed = calloc(count ? count : 1, size);
+    if (!packed) {
+        *status = whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu texts", count);
+        return;
+    }
+    read_packed_texts(status, parent, name, packed, size, count);
+    for (size_t i = 0; status->code == WHIRL_OK && i < count; ++i) memcpy(first + i * stride, packed + i * size, size);
+    free(packed);
 }
 
 char *get_long_text(whirl_status *status, hid_t parent, const char *name, size_t most) {
@@ -303,6 +318,6 @@ char *get_long_text(whirl_status *status, hid_t parent, const char *name, size_t
     if (!text)
         *status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a text of %zu bytes", size);
     else
-        get_texts(status, parent, name, text, size, 1);
+        read_packed_texts(status, parent, name, text, size, 1);
     return text;
 }

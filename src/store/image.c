@@ -81,7 +81,7 @@ static herr_t leave_data(void *data) {
 static hid_t memory_access(void) {
     const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
     if (access < 0) return access;
-    if (H5Pset_fapl_core(access, GROWTH, false) < 0 ||
+    if (H5Pset_fapl_core(access, GROWTH, false) < 0 || H5Pset_fclose_degree(access, H5F_CLOSE_STRONG) < 0 ||
         H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110) < 0) {
         H5Pclose(access);
         return H5I_INVALID_HID;
@@ -144,12 +144,34 @@ static whirl_status check_superblock(const unsigned char *bytes, size_t size) {
     return whirl_ok();
 }
 
+// The bytes are lent to HDF5, which would copy them twice.
+static void *lend(size_t size, H5FD_file_image_op_t operation, void *data) {
+    (void)size, (void)operation;
+    return data;
+}
+
+static void *lend_copy(void *to, const void *from, size_t size, H5FD_file_image_op_t operation, void *data) {
+    (void)operation, (void)data;
+    return to == from ? to : memcpy(to, from, size);
+}
+
+static herr_t lend_end(void *bytes, H5FD_file_image_op_t operation, void *data) {
+    (void)bytes, (void)operation, (void)data;
+    return 0;
+}
+
 whirl_status image_open(unsigned char *bytes, size_t size, hid_t *file) {
     *file = H5I_INVALID_HID;
     const whirl_status superblock = check_superblock(bytes, size);
     if (superblock.code != WHIRL_OK) return superblock;
+    H5FD_file_image_callbacks_t callbacks = {.image_malloc = lend,
+                                             .image_memcpy = lend_copy,
+                                             .image_free = lend_end,
+                                             .udata_copy = same_data,
+                                             .udata_free = leave_data,
+                                             .udata = bytes};
     const hid_t access = memory_access();
-    if (access >= 0 && H5Pset_file_image(access, bytes, size) >= 0)
+    if (access >= 0 && H5Pset_file_image_callbacks(access, &callbacks) >= 0 && H5Pset_file_image(access, bytes, size) >= 0)
         *file = H5Fopen("whirl result", H5F_ACC_RDONLY, access);
     char text[200];
     image_reason(text, sizeof text);

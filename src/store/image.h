@@ -36,7 +36,7 @@ whirl_status image_finish(image *out);
 // Frees the bytes, and closes the file where it was not finished.
 void image_free(image *out);
 
-// Opens a copy of the bytes as a file for reading; closed by H5Fclose. WHIRL_BAD_INPUT when they are not one of image_create.
+// Opens bytes as a file for reading; they must live until it is closed by H5Fclose. WHIRL_BAD_INPUT when they are not one of image_create.
 whirl_status image_open(unsigned char *bytes, size_t size, hid_t *file);
 
 #endif

@@ -65,8 +65,9 @@ hid_t get_dataset(whirl_status *status, hid_t parent, const char *name);
 // Length of a one-dimensional dataset, at most `most`.
 size_t get_length(whirl_status *status, hid_t parent, const char *name, size_t most);
 
-// All values of datasets [count].
-void get_texts(whirl_status *status, hid_t parent, const char *name, char *first, size_t stride, size_t count);
+// All values of datasets [count]. Texts of at most `size` bytes, end included, go to places `stride` bytes apart.
+void get_texts(whirl_status *status, hid_t parent, const char *name, char *first, size_t size, size_t stride,
+               size_t count);
 void get_wholes(whirl_status *status, hid_t parent, const char *name, int64_t *values, size_t count);
 void get_numbers(whirl_status *status, hid_t parent, const char *name, double *values, size_t count);
 

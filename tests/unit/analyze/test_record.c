@@ -1,11 +1,12 @@
 // Recording: what is gathered of motions that are known in closed form.
-#include <cmocka.h>
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <string.h>
+
+#include <cmocka.h>
 
 #include "whirl/analyze.h"
 

@@ -1,11 +1,12 @@
 // Integrators against closed forms, and what they say of bad options and of motions without bounds.
-#include <cmocka.h>
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <string.h>
+
+#include <cmocka.h>
 
 #include "whirl/integrate.h"
 

@@ -1,5 +1,4 @@
 // Designs refuse what is no machine, each time with a sentence that names what was found.
-#include <cmocka.h>
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -7,6 +6,8 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include <cmocka.h>
 
 #include "whirl/rotor.h"
 

@@ -1,11 +1,12 @@
 // The equations of motion that a rotor gives, against the same equations typed in from the literature.
-#include <cmocka.h>
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdlib.h>
+
+#include <cmocka.h>
 
 #include "whirl/rotor.h"
 

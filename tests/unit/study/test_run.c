@@ -1,5 +1,4 @@
 // Studies over a family of systems that a user writes: slots, carried branches, threads, errors and stops.
-#include <cmocka.h>
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -7,6 +6,8 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include <cmocka.h>
 
 #include "whirl/study.h"
 

@@ -1,11 +1,11 @@
-#include "output.h"
+#include "report_file.h"
 
 #include <errno.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-whirl_status output_open(output *file, const char *folder, const char *name) {
+whirl_status report_file_open(report_file *file, const char *folder, const char *name) {
     const int length = snprintf(file->path, sizeof file->path, "%s/%s", folder, name);
     if (length < 0 || (size_t)length >= sizeof file->path)
         return whirl_fail(WHIRL_IO_ERROR, "the path %.100s.../%.100s is too long", folder, name);
@@ -16,7 +16,7 @@ whirl_status output_open(output *file, const char *folder, const char *name) {
     return whirl_ok();
 }
 
-whirl_status output_close(output *file) {
+whirl_status report_file_close(report_file *file) {
     errno = 0;
     const int failed = ferror(file->stream);
     const int unclosed = fclose(file->stream);
@@ -40,7 +40,7 @@ static whirl_status make_one(const char *path) {
 }
 
 whirl_status folder_make(const char *path) {
-    char part[OUTPUT_PATH_SIZE];
+    char part[FILE_PATH_SIZE];
     const size_t length = strlen(path);
     if (length == 0 || length >= sizeof part)
         return whirl_fail(WHIRL_IO_ERROR, "the folder's path is %s", length ? "too long" : "empty");

@@ -1,25 +1,25 @@
 // Files of a report: written to a temporary name and renamed, so that none is ever half there.
-#ifndef REPORT_OUTPUT_H
-#define REPORT_OUTPUT_H
+#ifndef REPORT_FILE_H
+#define REPORT_FILE_H
 
 #include <limits.h>
 #include <stdio.h>
 
 #include "whirl/status.h"
 
-enum { OUTPUT_PATH_SIZE = 4096 };
+enum { FILE_PATH_SIZE = 4096 };
 
-typedef struct output {
+typedef struct report_file {
     FILE *stream;
-    char path[OUTPUT_PATH_SIZE];
-    char temporary[OUTPUT_PATH_SIZE + 8];
-} output;
+    char path[FILE_PATH_SIZE];
+    char temporary[FILE_PATH_SIZE + 8];
+} report_file;
 
 /// Opens `folder`/`name` for writing. WHIRL_IO_ERROR with a sentence.
-whirl_status output_open(output *file, const char *folder, const char *name);
+whirl_status report_file_open(report_file *file, const char *folder, const char *name);
 
 /// Closes the file, looks for errors (a full disk) and gives it its name. A file that failed is removed.
-whirl_status output_close(output *file);
+whirl_status report_file_close(report_file *file);
 
 /// Makes a folder and those above it; one that is there already is fine.
 whirl_status folder_make(const char *path);

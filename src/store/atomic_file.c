@@ -1,4 +1,4 @@
-#include "output.h"
+#include "atomic_file.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -27,7 +27,7 @@ static void parent_of(const char *path, char *folder) {
 // What stands in the way of writing to `path`, before anything is tried.
 static whirl_status check_place(const char *path) {
     struct stat found;
-    char folder[OUTPUT_PATH_SIZE];
+    char folder[ATOMIC_PATH_SIZE];
     if (path[0] == '\0') return whirl_fail(WHIRL_IO_ERROR, "cannot write a file without a name");
     if (stat(path, &found) == 0 && S_ISDIR(found.st_mode)) return cannot_write(path, "it is a folder");
     if (stat(path, &found) == 0 && !S_ISREG(found.st_mode)) return cannot_write(path, "it is no ordinary file");
@@ -38,7 +38,7 @@ static whirl_status check_place(const char *path) {
     return whirl_ok();
 }
 
-whirl_status output_open(output *out, const char *path) {
+whirl_status atomic_file_open(atomic_file *out, const char *path) {
     out->stream = NULL;
     // Room for the suffix of the temporary name.
     if (strlen(path) + 32 > sizeof out->path) return whirl_fail(WHIRL_IO_ERROR, "cannot write: the path is too long");
@@ -60,7 +60,7 @@ whirl_status output_open(output *out, const char *path) {
 
 // Makes the new name last through a power failure. Some file systems cannot sync a folder; the file is whole all the same.
 static void sync_folder(const char *path) {
-    char folder[OUTPUT_PATH_SIZE];
+    char folder[ATOMIC_PATH_SIZE];
     parent_of(path, folder);
     const int file = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (file < 0) return;
@@ -68,7 +68,7 @@ static void sync_folder(const char *path) {
     close(file);
 }
 
-whirl_status output_commit(output *out) {
+whirl_status atomic_file_commit(atomic_file *out) {
     errno = 0;
     int reason = 0;
     if (fflush(out->stream) != 0 || ferror(out->stream) || fsync(fileno(out->stream)) != 0) reason = errno ? errno : EIO;
@@ -83,15 +83,15 @@ whirl_status output_commit(output *out) {
     return whirl_ok();
 }
 
-void output_discard(output *out) {
+void atomic_file_discard(atomic_file *out) {
     if (!out->stream) return;
     fclose(out->stream);
     out->stream = NULL;
     unlink(out->temporary);
 }
 
-whirl_status output_folder(const char *path) {
-    char folder[OUTPUT_PATH_SIZE];
+whirl_status atomic_folder(const char *path) {
+    char folder[ATOMIC_PATH_SIZE];
     struct stat found;
     if (strlen(path) >= sizeof folder) return whirl_fail(WHIRL_IO_ERROR, "cannot make a folder: the path is too long");
     strcpy(folder, path);

@@ -1,0 +1,303 @@
+#include "parameters.h"
+
+#include <ctype.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "problem.h"
+
+size_t parameters_find(const parameters *parameters, const char *name) {
+    for (size_t i = 0; i < parameters->count; i++)
+        if (strcmp(parameters->items[i].name, name) == 0) return i;
+    return parameters->count;
+}
+
+// ---------------------------------------------------------------- names in expressions
+
+typedef struct lookup {
+    const parameters *parameters;
+    char name[WHIRL_NAME_SIZE]; // the last one that was asked for
+} lookup;
+
+static bool parameter_is_known(void *context, const char *name, size_t length) {
+    lookup *l = context;
+    if (length >= sizeof l->name) length = sizeof l->name - 1;
+    memcpy(l->name, name, length);
+    l->name[length] = '\0';
+    return parameters_find(l->parameters, l->name) < l->parameters->count;
+}
+
+// The text after "=", or NULL where there is no expression.
+static const char *expression_of(const char *text) {
+    return text[0] == '=' ? text + 1 + strspn(text + 1, " ") : NULL;
+}
+
+// A line break in an expression is a space.
+static const char *one_line(reader *reader, const char *text) {
+    char *copy = arena_text(reader->arena, text, strlen(text));
+    reader->no_memory = reader->no_memory || !copy;
+    for (char *c = copy; c && *c; c++)
+        if (*c == '\n' || *c == '\t') *c = ' ';
+    return copy;
+}
+
+static bool read_expression(reader *reader, const parameters *known, const node *where, const char *text,
+                            formula *result) {
+    lookup l = {.parameters = known};
+    char why[WHY_SIZE], shown[SHOWN_SIZE];
+    const char *expression = one_line(reader, text);
+    if (!expression) return false;
+    if (expression_check(expression, parameter_is_known, &l, why)) {
+        *result = (formula){.expression = expression};
+        return true;
+    }
+    const char *near = why[0] ? NULL : whirl_nearest_name(l.name, known->names, known->count);
+    if (why[0])
+        problem_at(reader->problems, where, "%s", why);
+    else if (near)
+        problem_at(reader->problems, where, "is = %s, but no parameter is called %s, did you mean %s?",
+                   text_shown(expression, shown), l.name, near);
+    else
+        problem_at(reader->problems, where, "is = %s, but no parameter is called %s", text_shown(expression, shown),
+                   l.name);
+    return false;
+}
+
+// "= omega" has the unit of omega. An expression that is more than a name has a unit that nobody knows.
+static const char *unit_of(const parameters *parameters, const char *expression) {
+    char name[WHIRL_NAME_SIZE];
+    const size_t length = strcspn(expression, " ");
+    if (length >= sizeof name || expression[length + strspn(expression + length, " ")]) return "";
+    memcpy(name, expression, length);
+    name[length] = '\0';
+    const size_t index = parameters_find(parameters, name);
+    return index < parameters->count ? parameters->items[index].unit : "";
+}
+
+bool formula_read(reader *reader, const node *where, const whirl_key *key, formula *result) {
+    char why[WHY_SIZE], shown[SHOWN_SIZE];
+    if (where->kind != NODE_TEXT) {
+        problem_at(reader->problems, where, "is %s, expected a number", node_shown(where, shown));
+        return false;
+    }
+    const char *expression = expression_of(where->text);
+    if (expression) {
+        if (!read_expression(reader, reader->parameters, where, expression, result)) return false;
+        const char *unit = unit_of(reader->parameters, result->expression);
+        if (!unit[0] || !key->unit[0] || strcmp(unit, "1") == 0 || quantity_fits(unit, key->unit, why)) return true;
+        problem_at(reader->problems, where, "= %s %s", text_shown(expression, shown), why);
+        return false;
+    }
+    quantity read;
+    if (!quantity_read(where->text, key->unit, &read, why)) {
+        problem_at(reader->problems, where, "%s", why);
+        return false;
+    }
+    *result = (formula){.number = read.value};
+    const whirl_status status = whirl_key_check_number(key, read.value);
+    if (status.code != WHIRL_OK) problem_at(reader->problems, where, "%s", status.message);
+    return status.code == WHIRL_OK;
+}
+
+// ---------------------------------------------------------------- reading
+
+static bool is_identifier(const char *name) {
+    if (!isalpha((unsigned char)name[0]) && name[0] != '_') return false;
+    for (const char *c = name; *c; c++)
+        if (!isalnum((unsigned char)*c) && *c != '_') return false;
+    return strlen(name) < WHIRL_NAME_SIZE;
+}
+
+static void check_name(reader *reader, const node *where) {
+    char shown[SHOWN_SIZE];
+    if (!is_identifier(where->key))
+        problem_at_key(reader->problems, where, "is no name for a parameter, expected a letter, then letters, digits and '_'");
+    else if (expression_has_word(where->key))
+        problem_at_key(reader->problems, where, "%s is a function or constant of expressions, expected another name",
+                       text_shown(where->key, shown));
+}
+
+// A value from outside stands nowhere in the file.
+static const node *outside(reader *reader, const override *override) {
+    node *made = arena_take(reader->arena, sizeof *made);
+    if (made) *made = (node){.kind = NODE_TEXT, .text = override->text, .key = override->name};
+    reader->no_memory = reader->no_memory || !made;
+    return made;
+}
+
+// The unit of what the file says binds what is set from outside: a length stays a length.
+static bool read_quantity(reader *reader, const node *where, const char *expected, parameter *result) {
+    char why[WHY_SIZE];
+    quantity read;
+    if (!quantity_read(where->text, expected, &read, why)) {
+        problem_at(reader->problems, where, "%s", why);
+        return false;
+    }
+    char *unit = arena_text(reader->arena, read.unit, strlen(read.unit));
+    reader->no_memory = reader->no_memory || !unit;
+    result->value = (formula){.number = read.value};
+    result->unit = unit ? unit : "1";
+    return true;
+}
+
+static void read_one(reader *reader, const parameters *all, const node *where, const char *expected,
+                     parameter *result) {
+    char shown[SHOWN_SIZE];
+    result->unit = "1";
+    result->place = where;
+    result->text = where->kind == NODE_TEXT ? where->text : "";
+    const char *expression = where->kind == NODE_TEXT ? expression_of(where->text) : NULL;
+    if (where->kind != NODE_TEXT || node_is_null(where)) {
+        problem_at(reader->problems, where, "is %s, expected a number, a quantity or an expression",
+                   node_is_null(where) ? "empty" : node_shown(where, shown));
+    } else if (expression) {
+        result->unit = "";
+        read_expression(reader, all, where, expression, &result->value);
+    } else {
+        read_quantity(reader, where, expected, result);
+    }
+}
+
+static const override *find_override(const char *name, const override *overrides, size_t count) {
+    for (size_t i = count; i > 0; i--)
+        if (strcmp(overrides[i - 1].name, name) == 0) return &overrides[i - 1];
+    return NULL;
+}
+
+static bool allocate(reader *reader, size_t count, parameters *result) {
+    result->items = arena_take(reader->arena, count * sizeof *result->items);
+    result->names = arena_take(reader->arena, count * sizeof *result->names);
+    result->order = arena_take(reader->arena, count * sizeof *result->order);
+    const bool done = result->items && result->names && result->order;
+    reader->no_memory = reader->no_memory || !done;
+    return done;
+}
+
+// ---------------------------------------------------------------- order
+
+typedef struct walk {
+    const parameters *parameters;
+    reader *reader;
+    parameters *result;
+    size_t done;                       // indices in result->order
+    unsigned char state[PARAMETERS_MAX]; // 0 not seen, 1 on the path, 2 done
+    size_t path[PARAMETERS_MAX], depth;
+    bool cyclic;
+} walk;
+
+// "a -> b -> a"
+static void report_cycle(walk *w, size_t again) {
+    char text[160] = "";
+    size_t first = 0;
+    while (w->path[first] != again) first++;
+    for (size_t i = first; i <= w->depth; i++) {
+        const size_t used = strlen(text);
+        const size_t index = i < w->depth ? w->path[i] : again;
+        snprintf(text + used, sizeof text - used, "%s%s", used ? " -> " : "", w->result->items[index].name);
+    }
+    problem_at(w->reader->problems, w->result->items[again].place, "depends on itself: %s", text);
+    w->cyclic = true;
+}
+
+static void visit(walk *w, size_t index);
+
+static bool visit_name(void *context, const char *name, size_t length) {
+    walk *w = context;
+    lookup l = {.parameters = w->result};
+    if (!parameter_is_known(&l, name, length)) return false;
+    visit(w, parameters_find(w->result, l.name));
+    return true;
+}
+
+// Depth first; at most PARAMETERS_MAX deep.
+static void visit(walk *w, size_t index) {
+    char why[WHY_SIZE];
+    parameter *item = &w->result->items[index];
+    if (w->state[index] == 1 && !w->cyclic) report_cycle(w, index);
+    if (w->state[index]) return;
+    w->state[index] = 1;
+    w->path[w->depth++] = index;
+    if (item->value.expression) {
+        expression_check(item->value.expression, visit_name, w, why);
+        item->unit = unit_of(w->result, item->value.expression);
+    }
+    w->depth--;
+    w->state[index] = 2;
+    w->result->order[w->done++] = index;
+}
+
+static void sort_by_dependence(reader *reader, parameters *result) {
+    walk w = {.reader = reader, .result = result};
+    for (size_t i = 0; i < result->count; i++) {
+        w.cyclic = false; // one report for every cycle
+        visit(&w, i);
+    }
+}
+
+void parameters_read(reader *reader, const node *where, const override *overrides, size_t override_count,
+                     parameters *result) {
+    char shown[SHOWN_SIZE];
+    *result = (parameters){0};
+    if (!where || node_is_null(where)) return;
+    if (where->kind != NODE_MAPPING) {
+        problem_at(reader->problems, where, "is %s, expected a mapping from names to values", node_shown(where, shown));
+        return;
+    }
+    if (where->count > PARAMETERS_MAX) {
+        problem_at(reader->problems, where, "has %zu parameters, expected at most %d", where->count, PARAMETERS_MAX);
+        return;
+    }
+    if (!allocate(reader, where->count, result)) return;
+    // All names first: an expression may use what stands below it. A name that stands twice counts once.
+    for (const node *member = where->first; member; member = member->next) {
+        check_name(reader, member);
+        if (parameters_find(result, member->key) < result->count) continue;
+        result->items[result->count] = (parameter){.name = member->key, .place = member};
+        result->names[result->count++] = member->key;
+    }
+    for (size_t i = 0; i < result->count; i++) {
+        parameter *item = &result->items[i];
+        const override *set = find_override(item->name, overrides, override_count);
+        read_one(reader, result, item->place, "", item);
+        const node *place = set ? outside(reader, set) : NULL;
+        const char *bound = strcmp(item->unit, "1") == 0 ? "" : item->unit;
+        *item = place ? (parameter){.name = item->name} : *item;
+        if (place) read_one(reader, result, place, bound, item);
+    }
+    sort_by_dependence(reader, result);
+}
+
+// ---------------------------------------------------------------- values
+
+whirl_status valuation_open(valuation *v, const parameters *parameters, const char *name, double value) {
+    *v = (valuation){.parameters = parameters, .culprit = PARAMETERS_MAX};
+    const size_t given = name ? parameters_find(parameters, name) : parameters->count;
+    if (name && given == parameters->count) return whirl_fail(WHIRL_BAD_INPUT, "no parameter is called %.63s", name);
+    v->evaluator = evaluator_new(parameters->names, v->values, parameters->count);
+    if (!v->evaluator) return whirl_fail(WHIRL_NO_MEMORY, "no memory to evaluate expressions");
+    for (size_t i = 0; i < parameters->count; i++) {
+        const size_t index = parameters->order[i];
+        const formula *formula = &parameters->items[index].value;
+        if (index == given) {
+            v->values[index] = value;
+            continue;
+        }
+        const whirl_status status = valuation_number(v, formula, &v->values[index]);
+        if (status.code == WHIRL_OK) continue;
+        v->culprit = index;
+        return whirl_fail(status.code, "parameter %.63s %.300s", parameters->items[index].name, status.message);
+    }
+    return whirl_ok();
+}
+
+void valuation_close(valuation *v) {
+    evaluator_free(v->evaluator);
+    v->evaluator = NULL;
+}
+
+whirl_status valuation_number(valuation *v, const formula *formula, double *number) {
+    char why[WHY_SIZE];
+    *number = formula->number;
+    if (!formula->expression || evaluator_value(v->evaluator, formula->expression, number, why)) return whirl_ok();
+    return whirl_fail(WHIRL_BAD_INPUT, "%s", why);
+}

@@ -1,0 +1,248 @@
+// Units by UDUNITS-2.
+//
+// UDUNITS takes the radian for a dimensionless unit and reciprocals for convertible: 50 Hz would pass for 50 rad/s,
+// and 1 s for 1 Hz. Here a unit fits only when its quotient with the expected one is dimensionless and both or neither
+// hold radians. UDUNITS keeps state of its own and is not thread-safe, hence the lock; the unit system is read once.
+#include "quantity.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <pthread.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <udunits2.h>
+
+#include "problem.h"
+
+enum { LONGEST_NUMBER = 60, LONGEST_UNIT = 60 };
+
+static pthread_mutex_t units_lock = PTHREAD_MUTEX_INITIALIZER;
+static ut_system *units; // guarded by units_lock
+
+// Units that engineers write and UDUNITS does not know.
+static void add_unit(const char *name, const char *meaning) {
+    ut_unit *unit = ut_parse(units, meaning, UT_ASCII);
+    if (unit) ut_map_name_to_unit(name, UT_ASCII, unit);
+    ut_free(unit);
+}
+
+static bool units_ready(void) {
+    if (units) return true;
+    ut_set_error_message_handler(ut_ignore);
+    units = ut_read_xml(NULL);
+    if (!units) return false;
+    add_unit("deg", "degree");
+    add_unit("cP", "mPa.s");
+    return true;
+}
+
+// UDUNITS also reads numbers, dates and logarithms as units; only products of names and powers are meant here.
+static bool looks_like_unit(const char *text) {
+    const size_t length = strlen(text);
+    if (length == 0 || length > LONGEST_UNIT) return false;
+    for (size_t i = 0; i < length; i++) {
+        const unsigned char c = (unsigned char)text[i], before = i > 0 ? (unsigned char)text[i - 1] : ' ';
+        const unsigned char after = (unsigned char)text[i + 1];
+        const bool after_name = isalnum(before) || before >= 0x80 || before == ')' || before == '^' || before == '-';
+        const bool whole = text[0] == '1' && text[1] == '/'; // "1/s"
+        if (isdigit(c) && !after_name && !(whole && i == 0)) return false;
+        if (c == '-' && !(after_name && isdigit(after))) return false;
+        if (!isalnum(c) && c < 0x80 && !strchr(" ./^*-()%", c)) return false;
+    }
+    return strncmp(text, "lg(", 3) != 0 && strncmp(text, "ln(", 3) != 0 && strncmp(text, "lb(", 3) != 0 &&
+           !strstr(text, " since ") && !strstr(text, " after ") && !strstr(text, " from ") && !strstr(text, " ref ");
+}
+
+static ut_unit *parse_unit(const char *text) {
+    if (strcmp(text, "1") == 0) return ut_get_dimensionless_unit_one(units);
+    return looks_like_unit(text) ? ut_parse(units, text, UT_UTF8) : NULL;
+}
+
+static bool has_radian(const ut_unit *unit) {
+    char text[256];
+    const int length = ut_format(unit, text, sizeof text, UT_ASCII | UT_DEFINITION);
+    if (length < 0 || (size_t)length >= sizeof text) return false;
+    return strstr(text, "rad") != NULL;
+}
+
+static bool same_dimension(const ut_unit *a, const ut_unit *b) {
+    ut_unit *ratio = ut_divide(a, b);
+    const bool same = ratio && ut_is_dimensionless(ratio);
+    ut_free(ratio);
+    return same && (ut_is_dimensionless(a) || has_radian(a) == has_radian(b));
+}
+
+static bool convert(ut_unit *from, ut_unit *to, double *value) {
+    cv_converter *converter = ut_get_converter(from, to);
+    if (!converter) return false;
+    *value = cv_convert_double(converter, *value);
+    cv_free(converter);
+    return true;
+}
+
+// SI units by the names that engineers know; others are written as products of base units.
+static const char *const si_units[] = {"m",    "kg",  "s",     "rad", "rad/s", "N",    "N/m",  "N s/m", "Pa s",
+                                       "Pa",   "m/s", "m/s2",  "J",   "W",     "kg m", "1/s",  "m2",    "m3",
+                                       "kg/m3", "kg m2", "m2/s", "rad/s2"};
+
+static bool to_named_unit(ut_unit *unit, quantity *result) {
+    for (size_t i = 0; i < sizeof si_units / sizeof *si_units; i++) {
+        ut_unit *candidate = ut_parse(units, si_units[i], UT_ASCII);
+        const bool fits = candidate && has_radian(candidate) == has_radian(unit) && same_dimension(unit, candidate);
+        const bool done = fits && convert(unit, candidate, &result->value);
+        ut_free(candidate);
+        if (!done) continue;
+        snprintf(result->unit, sizeof result->unit, "%s", si_units[i]);
+        return true;
+    }
+    return false;
+}
+
+// "0.001 m2.kg.s-3" is 0.001 times its SI unit "m2.kg.s-3".
+static bool to_base_units(ut_unit *unit, quantity *result) {
+    char text[256];
+    const int length = ut_format(unit, text, sizeof text, UT_ASCII | UT_DEFINITION);
+    if (length < 0 || (size_t)length >= sizeof text) return false;
+    const char *base = text, *end;
+    double factor;
+    if (quantity_number(text, &factor, &end)) base = end + strspn(end, " ");
+    text[strcspn(text, "@")] = '\0';
+    for (size_t i = strlen(text); i > 0 && text[i - 1] == ' '; i--) text[i - 1] = '\0';
+    ut_unit *si = ut_parse(units, base, UT_ASCII);
+    const bool done = si && strlen(base) < sizeof result->unit && convert(unit, si, &result->value);
+    if (done) snprintf(result->unit, sizeof result->unit, "%.63s", base);
+    ut_free(si);
+    return done;
+}
+
+static bool to_si(ut_unit *unit, quantity *result) {
+    if (!ut_is_dimensionless(unit) || has_radian(unit)) return to_named_unit(unit, result) || to_base_units(unit, result);
+    ut_unit *one = ut_get_dimensionless_unit_one(units);
+    const bool done = one && convert(unit, one, &result->value);
+    ut_free(one);
+    snprintf(result->unit, sizeof result->unit, "1");
+    return done;
+}
+
+// "a number in kg", "a plain number", "a number with or without a unit".
+static void describe_expected(const char *expected, char text[WHY_SIZE / 2]) {
+    if (expected[0] == '\0')
+        snprintf(text, WHY_SIZE / 2, "a number, or a number and a unit");
+    else if (strcmp(expected, "1") == 0)
+        snprintf(text, WHY_SIZE / 2, "a plain number");
+    else if (strcmp(expected, "rad/s") == 0)
+        snprintf(text, WHY_SIZE / 2, "a number in rad/s or rpm");
+    else
+        snprintf(text, WHY_SIZE / 2, "a number in %.60s", expected);
+}
+
+// What to say of a unit that does not fit. A frequency is no angular speed, and nobody should have to guess 2 pi.
+static void describe_misfit(const ut_unit *unit, const char *expected, char text[WHY_SIZE / 2]) {
+    ut_unit *hertz = ut_parse(units, "1/s", UT_ASCII);
+    if (hertz && strcmp(expected, "rad/s") == 0 && same_dimension(unit, hertz))
+        snprintf(text, WHY_SIZE / 2, "expected a unit of rad/s, such as rpm (1 Hz = 60 rpm)");
+    else if (strcmp(expected, "1") == 0)
+        snprintf(text, WHY_SIZE / 2, "expected a plain number");
+    else
+        snprintf(text, WHY_SIZE / 2, "expected a unit of %.60s", expected);
+    ut_free(hertz);
+}
+
+bool quantity_number(const char *text, double *value, const char **end) {
+    const char *c = text + (*text == '-' || *text == '+');
+    const size_t whole = strspn(c, "0123456789");
+    c += whole;
+    size_t fraction = 0;
+    if (*c == '.') {
+        fraction = strspn(c + 1, "0123456789");
+        c += 1 + fraction;
+    }
+    if (whole + fraction == 0) return false;
+    if (*c == 'e' || *c == 'E') {
+        const char *exponent = c + 1 + (c[1] == '-' || c[1] == '+');
+        const size_t digits = strspn(exponent, "0123456789");
+        if (digits > 0) c = exponent + digits;
+    }
+    const size_t length = (size_t)(c - text);
+    char copy[LONGEST_NUMBER + 1];
+    if (length > LONGEST_NUMBER) return false;
+    memcpy(copy, text, length);
+    copy[length] = '\0';
+    *value = strtod(copy, NULL); // the digits alone, lest strtod finds a hexadecimal number
+    *end = c;
+    return true;
+}
+
+// The unit's text follows the number; both are checked against what is expected.
+static bool read_unit(const char *text, const char *unit_text, const char *expected, quantity *result,
+                      char why[WHY_SIZE]) {
+    char shown[SHOWN_SIZE], expectation[WHY_SIZE / 2];
+    if (!units_ready()) {
+        snprintf(why, WHY_SIZE, "has a unit, but the unit database of UDUNITS-2 cannot be read");
+        return false;
+    }
+    ut_unit *unit = parse_unit(unit_text);
+    ut_unit *wanted = unit && expected[0] ? parse_unit(expected) : NULL;
+    bool done = false;
+    if (!unit) {
+        describe_expected(expected, expectation);
+        snprintf(why, WHY_SIZE, "is %s, expected %s (no unit is called %.40s)", text_shown(text, shown), expectation,
+                 unit_text);
+    } else if (!expected[0]) {
+        done = to_si(unit, result);
+        if (!done) snprintf(why, WHY_SIZE, "is %s, expected a unit that converts to SI", text_shown(text, shown));
+    } else if (wanted && same_dimension(unit, wanted) && convert(unit, wanted, &result->value)) {
+        snprintf(result->unit, sizeof result->unit, "%.63s", expected);
+        done = true;
+    } else {
+        describe_misfit(unit, expected, expectation);
+        snprintf(why, WHY_SIZE, "is in %.40s, %s", unit_text, expectation);
+    }
+    ut_free(unit);
+    ut_free(wanted);
+    return done;
+}
+
+bool quantity_read(const char *text, const char *expected, quantity *result, char why[WHY_SIZE]) {
+    char shown[SHOWN_SIZE], expectation[WHY_SIZE / 2];
+    const char *end;
+    *result = (quantity){.unit = "1"};
+    describe_expected(expected, expectation);
+    text_shown(text, shown);
+    if (!quantity_number(text, &result->value, &end)) {
+        snprintf(why, WHY_SIZE, "is %s, expected %s", text[0] ? shown : "empty", expectation);
+        return false;
+    }
+    bool done = true;
+    if (*end == ' ') {
+        pthread_mutex_lock(&units_lock);
+        done = read_unit(text, end + strspn(end, " "), expected, result, why);
+        pthread_mutex_unlock(&units_lock);
+    } else if (*end) {
+        snprintf(why, WHY_SIZE, "is %s, expected %s, with a space before the unit", shown, expectation);
+        done = false;
+    }
+    if (done && !isfinite(result->value)) {
+        snprintf(why, WHY_SIZE, "is %s, too large for a number", shown);
+        done = false;
+    }
+    return done;
+}
+
+bool quantity_fits(const char *unit_text, const char *expected, char why[WHY_SIZE]) {
+    pthread_mutex_lock(&units_lock);
+    bool fits = true;
+    ut_unit *unit = units_ready() ? ut_parse(units, unit_text, UT_ASCII) : NULL;
+    ut_unit *wanted = unit ? ut_parse(units, expected, UT_ASCII) : NULL;
+    if (unit && wanted) fits = same_dimension(unit, wanted);
+    char expectation[WHY_SIZE / 2];
+    if (!fits) {
+        describe_misfit(unit, expected, expectation);
+        snprintf(why, WHY_SIZE, "is in %.40s, %s", unit_text, expectation);
+    }
+    ut_free(unit);
+    ut_free(wanted);
+    pthread_mutex_unlock(&units_lock);
+    return fits;
+}

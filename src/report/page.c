@@ -1,0 +1,61 @@
+#include "page.h"
+
+#include <string.h>
+
+#include "html.h"
+#include "whirl/version.h"
+
+static const char *page_title(const page *to) {
+    if (to->claims && *to->claims->source) return to->claims->source;
+    return to->count > 0 && *to->results[0]->title ? to->results[0]->title : "Results of whirl";
+}
+
+static void write_head(const page *to) {
+    fputs("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+          "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src 'self' file: data:; "
+          "style-src 'unsafe-inline'\">\n<title>",
+          to->stream);
+    html_text(to->stream, page_title(to));
+    fputs("</title>\n", to->stream);
+    page_style(to->stream);
+    fputs("</head>\n<body>\n<header>\n<h1>", to->stream);
+    html_text(to->stream, page_title(to));
+    fputs("</h1>\n<p class=\"soft\">", to->stream);
+    html_printf(to->stream, "%zu result%s, %swritten by whirl %s.", to->count, to->count == 1 ? "" : "s",
+                to->claims ? "set beside what the source says, " : "", WHIRL_VERSION);
+    fputs("</p>\n</header>\n", to->stream);
+}
+
+static void write_contents(const page *to) {
+    fputs("<nav><ul>\n", to->stream);
+    if (to->claims) fputs("<li><a href=\"#claims\">Claims</a></li>\n", to->stream);
+    for (size_t r = 0; r < to->count; r++) {
+        fprintf(to->stream, "<li><a href=\"#result-%zu\">", r + 1);
+        html_text(to->stream, to->names[r]);
+        fputs("</a></li>\n", to->stream);
+    }
+    fputs("</ul></nav>\n", to->stream);
+}
+
+static void write_result(const page *to, size_t result) {
+    fprintf(to->stream, "<section id=\"result-%zu\">\n<h2>", result + 1);
+    html_text(to->stream, *to->results[result]->title ? to->results[result]->title : to->names[result]);
+    fputs(" <span class=\"soft small\">", to->stream);
+    html_text(to->stream, to->names[result]);
+    fputs("</span></h2>\n", to->stream);
+    page_computed(to, result);
+    page_intervals(to, result);
+    page_points(to, result);
+    page_figures(to, result);
+    page_provenance(to, result);
+    fputs("</section>\n", to->stream);
+}
+
+void page_write(const page *to) {
+    write_head(to);
+    if (to->count > 1 || to->claims) write_contents(to);
+    if (to->claims) page_claims(to);
+    for (size_t r = 0; r < to->count; r++) write_result(to, r);
+    fputs("</body>\n</html>\n", to->stream);
+}

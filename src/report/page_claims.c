@@ -1,0 +1,131 @@
+// The claims beside what was found.
+#include <math.h>
+#include <string.h>
+
+#include "html.h"
+#include "page.h"
+
+static const struct {
+    const char *text, *style;
+} badges[] = {
+    [WHIRL_NOT_COMPARED] = {"not compared", "none"},
+    [WHIRL_AGREES] = {"agrees", "agrees"},
+    [WHIRL_AGREES_PARTLY] = {"partly", "partly"},
+    [WHIRL_DISAGREES] = {"disagrees", "disagrees"},
+};
+
+static const comparison *outcome(const page *to, size_t claim, size_t result) {
+    return &to->comparisons[claim * to->count + result];
+}
+
+static void write_badge(FILE *stream, whirl_agreement agreement) {
+    fprintf(stream, "<span class=\"badge %s\">%s</span>", badges[agreement].style, badges[agreement].text);
+}
+
+static void write_where(const page *to, const whirl_claim *claim) {
+    html_text(to->stream, claim->where);
+    fputs("<br><span class=\"soft small\">", to->stream);
+    if (claim->from == claim->to)
+        html_printf(to->stream, "%s = %.4g", to->claims->parameter, claim->from);
+    else
+        html_printf(to->stream, "%s = %.4g to %.4g", to->claims->parameter, claim->from, claim->to);
+    fputs("</span>", to->stream);
+}
+
+static void write_table(const page *to) {
+    fputs("<div class=\"scroll\"><table class=\"claims\">\n<thead><tr><th>Where</th><th>The source says</th>", to->stream);
+    for (size_t r = 0; r < to->count; r++) {
+        fprintf(to->stream, "<th><a href=\"#result-%zu\">", r + 1);
+        html_text(to->stream, to->names[r]);
+        fputs("</a></th>", to->stream);
+    }
+    fputs("</tr></thead>\n<tbody>\n", to->stream);
+    for (size_t c = 0; c < to->claims->count; c++) {
+        fputs("<tr><th>", to->stream);
+        write_where(to, &to->claims->items[c]);
+        fputs("</th><td class=\"says\">", to->stream);
+        html_text(to->stream, to->claims->items[c].says);
+        fputs("</td>", to->stream);
+        for (size_t r = 0; r < to->count; r++) {
+            fputs("<td>", to->stream);
+            write_badge(to->stream, outcome(to, c, r)->agreement);
+            fputs("<br>", to->stream);
+            html_text(to->stream, outcome(to, c, r)->found);
+            fputs("</td>", to->stream);
+        }
+        fputs("</tr>\n", to->stream);
+    }
+    fputs("</tbody></table></div>\n", to->stream);
+}
+
+static void write_counts(const page *to) {
+    static const whirl_agreement order[] = {WHIRL_AGREES, WHIRL_AGREES_PARTLY, WHIRL_DISAGREES, WHIRL_NOT_COMPARED};
+    fputs("<table>\n<thead><tr><th>Result</th><th class=\"number\">agrees</th><th class=\"number\">partly</th>"
+          "<th class=\"number\">disagrees</th><th class=\"number\">not compared</th></tr></thead>\n<tbody>\n",
+          to->stream);
+    for (size_t r = 0; r < to->count; r++) {
+        size_t counts[4] = {0};
+        for (size_t c = 0; c < to->claims->count; c++) counts[outcome(to, c, r)->agreement]++;
+        fputs("<tr><th>", to->stream);
+        html_text(to->stream, to->names[r]);
+        fputs("</th>", to->stream);
+        for (int i = 0; i < 4; i++) fprintf(to->stream, "<td class=\"number\">%zu</td>", counts[order[i]]);
+        fprintf(to->stream, "</tr>\n");
+    }
+    fputs("</tbody></table>\n", to->stream);
+}
+
+/// The best agreement that any result reaches.
+static whirl_agreement best(const page *to, size_t claim) {
+    whirl_agreement found = WHIRL_NOT_COMPARED;
+    for (size_t r = 0; r < to->count; r++) {
+        const whirl_agreement here = outcome(to, claim, r)->agreement;
+        if (here != WHIRL_NOT_COMPARED && (found == WHIRL_NOT_COMPARED || here < found)) found = here;
+    }
+    return found;
+}
+
+static void write_missed(const page *to, size_t claim) {
+    const whirl_claim *of = &to->claims->items[claim];
+    const whirl_agreement reached = best(to, claim);
+    fputs("<li><strong>", to->stream);
+    html_printf(to->stream, "%s, %s = %.4g", of->where, to->claims->parameter, of->from);
+    if (of->from != of->to) html_printf(to->stream, " to %.4g", of->to);
+    fputs("</strong>: ", to->stream);
+    html_text(to->stream, of->says);
+    fputs(reached == WHIRL_AGREES_PARTLY ? ". Met in part. Found:" : ". Met by no result. Found:", to->stream);
+    for (size_t r = 0; r < to->count; r++) {
+        const comparison *here = outcome(to, claim, r);
+        if (here->agreement != reached) continue;
+        html_printf(to->stream, " %s: %s.", to->names[r], here->found);
+    }
+    fputs("</li>\n", to->stream);
+}
+
+static void write_all_missed(const page *to) {
+    size_t missed = 0;
+    for (size_t c = 0; c < to->claims->count; c++) missed += best(to, c) >= WHIRL_AGREES_PARTLY;
+    fputs("<h3>What was not reproduced</h3>\n", to->stream);
+    if (missed == 0) {
+        fputs("<p>Every claim that could be compared is met in full by at least one result.</p>\n", to->stream);
+        return;
+    }
+    fprintf(to->stream, "<p>%zu of %zu claims %s met in full by no result.</p>\n<ul>\n", missed, to->claims->count,
+            missed == 1 ? "is" : "are");
+    for (size_t c = 0; c < to->claims->count; c++)
+        if (best(to, c) >= WHIRL_AGREES_PARTLY) write_missed(to, c);
+    fputs("</ul>\n", to->stream);
+}
+
+void page_claims(const page *to) {
+    fputs("<section id=\"claims\">\n<h2>What the source says, and what was found</h2>\n"
+          "<p>A claim about a range is compared at every point of the sweep within it: it <em>agrees</em> when all points "
+          "do, <em>partly</em> when at least half of them do, or when some of the things it states hold and others do "
+          "not. A spectral line counts as present within 0.02 orders and from 5&nbsp;% of the largest line up. Nothing "
+          "was adjusted to agree after the results were computed.</p>\n",
+          to->stream);
+    write_counts(to);
+    write_table(to);
+    write_all_missed(to);
+    fputs("</section>\n", to->stream);
+}

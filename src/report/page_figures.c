@@ -1,0 +1,52 @@
+// The figures with their captions, and the files that they were made from.
+#include "html.h"
+#include "page.h"
+
+static void write_links(const page *to, const figure *what) {
+    const char *folder = to->folders[what->result];
+    fputs(" <span class=\"soft\">", to->stream);
+    if (what->drawn) fprintf(to->stream, "<a href=\"%s/%s.pdf\">PDF</a>, ", folder, what->stem);
+    fprintf(to->stream, "<a href=\"%s/%s.gp\">script</a>", folder, what->stem);
+    for (int i = 0; i < 3; i++)
+        if (*what->data[i]) fprintf(to->stream, ", <a href=\"%s/%s\">%s</a>", folder, what->data[i], what->data[i]);
+    fputs("</span>", to->stream);
+}
+
+static void write_figure(const page *to, const figure *what) {
+    const char *folder = to->folders[what->result];
+    fputs("<figure>\n", to->stream);
+    if (what->drawn) {
+        fprintf(to->stream, "<a href=\"%s/%s.png\"><img loading=\"lazy\" src=\"%s/%s.png\" alt=\"", folder, what->stem,
+                folder, what->stem);
+        html_text(to->stream, what->title);
+        fputs("\"></a>\n", to->stream);
+    } else {
+        fputs("<div class=\"missing\">This figure was not drawn; its script and data are beside this page.</div>\n",
+              to->stream);
+    }
+    fputs("<figcaption>", to->stream);
+    html_text(to->stream, what->caption);
+    write_links(to, what);
+    fputs("</figcaption>\n</figure>\n", to->stream);
+}
+
+void page_figures(const page *to, size_t index) {
+    bool points = false, diagrams = false;
+    for (size_t i = 0; i < to->figures->count; i++) {
+        const figure *what = &to->figures->items[i];
+        if (what->result != index) continue;
+        if (what->point == NO_POINT) {
+            if (!diagrams) fputs("<h3>Bifurcation diagrams</h3>\n<div class=\"pair\">\n", to->stream);
+            diagrams = true;
+        } else {
+            if (!points && diagrams) fputs("</div>\n", to->stream);
+            if (!points)
+                fputs("<h3>Motion at single points</h3>\n<p>Waveform, orbit, spectrum, Poincare map (once a revolution) and "
+                      "full spectrum of every station.</p>\n<div class=\"pair\">\n",
+                      to->stream);
+            points = true;
+        }
+        write_figure(to, what);
+    }
+    if (points || diagrams) fputs("</div>\n", to->stream);
+}

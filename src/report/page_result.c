@@ -1,0 +1,123 @@
+// What was computed, with which numbers, and where it came from.
+#include <math.h>
+#include <string.h>
+
+#include "html.h"
+#include "page.h"
+#include "quantities.h"
+
+static void write_row(FILE *stream, const char *term, const char *text) {
+    fputs("<dt>", stream);
+    html_text(stream, term);
+    fputs("</dt><dd>", stream);
+    html_text(stream, text);
+    fputs("</dd>\n", stream);
+}
+
+static void describe_points(const whirl_result *result, const whirl_table *table, char *text, size_t size) {
+    char label[LABEL_SIZE];
+    if (!*table->parameter) {
+        snprintf(text, size, "%zu point%s", table->count, table->count == 1 ? "" : "s");
+        return;
+    }
+    parameter_label(result, table->parameter, label, sizeof label);
+    size_t forward = 0;
+    bool reverse = false;
+    for (size_t i = 0; i < table->count; i++) {
+        forward += table->branch[i] >= 0;
+        reverse = reverse || table->branch[i] < 0;
+    }
+    const size_t last = forward > 0 && reverse ? forward - 1 : table->count - 1;
+    snprintf(text, size, "%s from %.6g to %.6g, %zu points%s", label, table->values[0], table->values[last], table->count,
+             forward && reverse ? " (both ways, each start carried from the point before)"
+             : reverse || (table->count && table->branch[0] > 0) ? " (each start carried from the point before)"
+                                                                 : "");
+}
+
+static void write_tables(FILE *stream, const whirl_result *result) {
+    fputs("<div class=\"scroll\"><table>\n<thead><tr><th>Part of the study</th><th>Points</th><th>Method</th>"
+          "<th class=\"number\">Steps a revolution</th><th class=\"number\">Transient</th><th class=\"number\">Recorded</th>"
+          "</tr></thead>\n<tbody>\n",
+          stream);
+    for (size_t t = 0; t < result->table_count; t++) {
+        const whirl_table *table = &result->tables[t];
+        char points[512];
+        if (table->count == 0) continue;
+        describe_points(result, table, points, sizeof points);
+        fputs("<tr><th>", stream);
+        html_text(stream, table->name);
+        fputs("</th><td>", stream);
+        html_text(stream, points);
+        fputs("</td><td>", stream);
+        html_text(stream, table->integrate.method);
+        fprintf(stream,
+                "</td><td class=\"number\">%d</td><td class=\"number\">%d revolutions</td>"
+                "<td class=\"number\">%d revolutions</td></tr>\n",
+                table->integrate.steps_per_revolution, table->record.transient, table->record.record);
+    }
+    fputs("</tbody></table></div>\n", stream);
+}
+
+static void write_parameters(FILE *stream, const whirl_result *result) {
+    if (result->parameter_count == 0) return;
+    fputs("<div class=\"scroll\"><table>\n<thead><tr><th>Parameter</th><th>As given</th><th class=\"number\">In SI</th>"
+          "<th>Unit</th></tr></thead>\n<tbody>\n",
+          stream);
+    for (size_t i = 0; i < result->parameter_count; i++) {
+        const whirl_parameter *parameter = &result->parameters[i];
+        fputs("<tr><th>", stream);
+        html_text(stream, parameter->name);
+        fputs("</th><td>", stream);
+        html_text(stream, parameter->text);
+        fprintf(stream, "</td><td class=\"number\">%.8g</td><td>", parameter->value);
+        html_text(stream, parameter_unit(result, parameter->name));
+        fputs("</td></tr>\n", stream);
+    }
+    fputs("</tbody></table></div>\n", stream);
+}
+
+void page_computed(const page *to, size_t index) {
+    const whirl_result *result = to->results[index];
+    char text[1024];
+    fputs("<h3>What was computed</h3>\n<dl>\n", to->stream);
+    if (*result->case_name) write_row(to->stream, "Case", result->case_name);
+    snprintf(text, sizeof text, "%.6g rad/s (%.6g revolutions a minute)", result->speed,
+             result->speed * 60.0 / 6.283185307179586);
+    write_row(to->stream, "Speed of rotation", text);
+    snprintf(text, sizeof text, "%.6g m", result->length_scale);
+    write_row(to->stream, "Unit of length", text);
+    text[0] = '\0';
+    for (size_t s = 0; s < result->station_count; s++) {
+        const size_t used = strlen(text);
+        const whirl_probe *station = &result->stations[s];
+        snprintf(text + used, sizeof text - used, "%s%s%s", s ? ", " : "", station->name,
+                 station->clearance > 0.0 ? " (journal bearing)" : "");
+    }
+    write_row(to->stream, "Stations", text);
+    if (result->contact_count > 0) {
+        text[0] = '\0';
+        for (size_t c = 0; c < result->contact_count; c++) {
+            const size_t used = strlen(text);
+            snprintf(text + used, sizeof text - used, "%s%s", c ? ", " : "", result->contacts[c]);
+        }
+        write_row(to->stream, "Contacts", text);
+    }
+    fputs("</dl>\n", to->stream);
+    write_tables(to->stream, result);
+    write_parameters(to->stream, result);
+}
+
+void page_provenance(const page *to, size_t index) {
+    const whirl_result *result = to->results[index];
+    if (result->fact_count > 0) {
+        fputs("<h3>Provenance</h3>\n<dl>\n", to->stream);
+        for (size_t i = 0; i < result->fact_count; i++)
+            write_row(to->stream, result->facts[i].name, result->facts[i].value);
+        fputs("</dl>\n", to->stream);
+    }
+    if (result->case_text && *result->case_text) {
+        fputs("<details><summary>The case file</summary>\n<pre>", to->stream);
+        html_text(to->stream, result->case_text);
+        fputs("</pre></details>\n", to->stream);
+    }
+}

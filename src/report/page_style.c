@@ -1,0 +1,51 @@
+#include "page.h"
+
+void page_style(FILE *stream) {
+    static const char *const rules[] = {
+        ":root{color-scheme:light dark;--paper:#fff;--ink:#1c1e21;--soft:#5d646c;--line:#d9dde2;--wash:#f5f6f8;"
+        "--link:#00588f;--good:#00664a;--half:#8a5a00;--bad:#a63a00}",
+        "@media (prefers-color-scheme:dark){:root{--paper:#16181b;--ink:#e4e6e9;--soft:#a0a7af;--line:#363b41;"
+        "--wash:#1e2125;--link:#7cc0f0;--good:#4fc79b;--half:#e6b04d;--bad:#f0875a}}",
+        "*{box-sizing:border-box}",
+        "body{margin:0 auto;max-width:76rem;padding:2rem 1.5rem 5rem;background:var(--paper);color:var(--ink);"
+        "font:16px/1.55 system-ui,-apple-system,'Segoe UI','DejaVu Sans',sans-serif}",
+        "h1{font-size:1.7rem;line-height:1.25;margin:0 0 .5rem}",
+        "h2{font-size:1.35rem;line-height:1.3;margin:3.2rem 0 .6rem;padding-top:1rem;border-top:2px solid var(--ink)}",
+        "h3{font-size:1.05rem;margin:2.2rem 0 .5rem}",
+        "p{max-width:46rem;margin:.6rem 0}",
+        "a{color:var(--link)}",
+        ".soft{color:var(--soft)}.small{font-size:.86rem}",
+        "nav ul{list-style:none;padding:0;margin:1rem 0;display:flex;flex-wrap:wrap;gap:.3rem 1.4rem}",
+        ".scroll{overflow-x:auto}",
+        "table{border-collapse:collapse;font-size:.86rem;line-height:1.4;margin:.8rem 0;font-variant-numeric:tabular-nums}",
+        "th,td{text-align:left;vertical-align:top;padding:.38rem .75rem .38rem 0;border-bottom:1px solid var(--line)}",
+        "thead th{border-bottom:1.5px solid var(--ink);font-weight:600;vertical-align:bottom}",
+        "tbody th{font-weight:600;white-space:nowrap}",
+        ".number{text-align:right;white-space:nowrap}",
+        "tr.reason td{color:var(--soft);border-bottom:1.5px solid var(--line);padding-top:.1rem}",
+        "tr.open td,tr.open th{border-bottom:0}",
+        ".claims td{min-width:13rem}.claims td.says{min-width:12rem}",
+        ".badge{display:inline-block;font-weight:600;font-size:.8rem;padding:0 .45rem;border:1.5px solid;border-radius:.6rem;"
+        "margin-bottom:.2rem;white-space:nowrap}",
+        ".agrees{color:var(--good)}.partly{color:var(--half)}.disagrees{color:var(--bad)}.none{color:var(--soft)}",
+        ".swatch{display:inline-block;width:.75em;height:.75em;border-radius:50%;margin-right:.45em;"
+        "border:1px solid var(--soft);vertical-align:-.03em}",
+        "dl{display:grid;grid-template-columns:max-content 1fr;gap:.2rem 1.2rem;font-size:.92rem;margin:.8rem 0}",
+        "dt{color:var(--soft)}dd{margin:0;overflow-wrap:anywhere}",
+        "figure{margin:1.6rem 0 2.4rem}",
+        "figure img{display:block;width:100%;max-width:52rem;height:auto;background:#fff;border:1px solid var(--line)}",
+        "figcaption{max-width:52rem;font-size:.86rem;margin-top:.5rem}",
+        ".pair{display:grid;grid-template-columns:repeat(auto-fit,minmax(26rem,1fr));gap:0 1.6rem}",
+        ".missing{border:1px dashed var(--line);background:var(--wash);padding:2rem;max-width:52rem}",
+        "details{margin:.8rem 0}summary{cursor:pointer;color:var(--link)}",
+        "pre{overflow-x:auto;background:var(--wash);padding:1rem;font-size:.82rem;line-height:1.4}",
+        "@media print{:root{color-scheme:light;--paper:#fff;--ink:#000;--soft:#444;--line:#bbb;--wash:#fff;--link:#000;"
+        "--good:#00664a;--half:#8a5a00;--bad:#a63a00}body{font-size:10pt;max-width:none;padding:0}h2{break-before:page}"
+        "h2:first-of-type{break-before:auto}figure,tr{break-inside:avoid}h3{break-after:avoid}nav,summary{display:none}"
+        "a{text-decoration:none}figure img{max-width:17cm;border:0}.pair{display:block}.scroll{overflow:visible}"
+        ".claims td{min-width:0}table{font-size:8pt}}",
+    };
+    fputs("<style>\n", stream);
+    for (size_t i = 0; i < sizeof rules / sizeof *rules; i++) fprintf(stream, "%s\n", rules[i]);
+    fputs("</style>\n", stream);
+}

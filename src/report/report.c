@@ -1,0 +1,131 @@
+// The report as a whole: data and scripts, then the figures, then the page.
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "figures.h"
+#include "gnuplot.h"
+#include "page.h"
+#include "whirl/report.h"
+
+/// What is made on the way, freed by report_free.
+typedef struct report {
+    char (*folders)[FOLDER_NAME_SIZE];
+    char (*paths)[FILE_PATH_SIZE];
+    comparison *comparisons;
+    figure_list figures;
+} report;
+
+static void report_free(report *made) {
+    free(made->folders);
+    free(made->paths);
+    free(made->comparisons);
+    free(made->figures.items);
+}
+
+/// A folder name for every result, no two alike.
+static void name_folders(report *made, const char *const *names, size_t count) {
+    for (size_t r = 0; r < count; r++) {
+        char safe[FOLDER_NAME_SIZE - 24];
+        safe_name(names[r], safe, sizeof safe);
+        snprintf(made->folders[r], FOLDER_NAME_SIZE, "%s", safe);
+        for (unsigned again = 2, taken = 1; taken; again++) {
+            taken = 0;
+            for (size_t k = 0; k < r; k++) taken |= strcmp(made->folders[k], made->folders[r]) == 0;
+            if (taken) snprintf(made->folders[r], FOLDER_NAME_SIZE, "%s-%u", safe, again);
+        }
+    }
+}
+
+static whirl_status write_figures(report *made, const whirl_result *const *results, size_t count, const char *directory) {
+    for (size_t r = 0; r < count; r++) {
+        const int length = snprintf(made->paths[r], FILE_PATH_SIZE, "%s/%s", directory, made->folders[r]);
+        if (length < 0 || length >= FILE_PATH_SIZE)
+            return whirl_fail(WHIRL_IO_ERROR, "the path %.200s... is too long", directory);
+        const drawing to = {results[r], r, made->paths[r], &made->figures};
+        whirl_status status = folder_make(made->paths[r]);
+        if (status.code == WHIRL_OK) status = draw_bifurcations(&to);
+        if (status.code == WHIRL_OK) status = draw_points(&to);
+        if (status.code != WHIRL_OK) return status;
+    }
+    return whirl_ok();
+}
+
+/// Runs all scripts and notes in the figures whether they were drawn.
+static whirl_status draw(report *made, const char *program) {
+    const size_t count = made->figures.count;
+    gnuplot_job *jobs = calloc(count + 1, sizeof *jobs);
+    char (*scripts)[STEM_SIZE + 4] = calloc(count + 1, sizeof *scripts);
+    whirl_status status = whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu figures", count);
+    if (jobs && scripts) {
+        for (size_t i = 0; i < count; i++) {
+            const figure *what = &made->figures.items[i];
+            snprintf(scripts[i], sizeof scripts[i], "%s.gp", what->stem);
+            jobs[i] = (gnuplot_job){made->paths[what->result], scripts[i], false};
+        }
+        status = gnuplot_run(program, jobs, count);
+        for (size_t i = 0; i < count; i++) made->figures.items[i].drawn = jobs[i].drawn;
+    }
+    free(jobs);
+    free(scripts);
+    return status;
+}
+
+static void compare(report *made, const whirl_result *const *results, size_t count, const whirl_claims *claims) {
+    for (size_t c = 0; c < claims->count; c++) {
+        for (size_t r = 0; r < count; r++) {
+            comparison *here = &made->comparisons[c * count + r];
+            here->agreement = whirl_claim_compare(claims, &claims->items[c], results[r], here->found, sizeof here->found);
+        }
+    }
+}
+
+static whirl_status write_page(const report *made, const whirl_result *const *results, const char *const *names,
+                               size_t count, const char *directory, const whirl_claims *claims) {
+    report_file file;
+    const whirl_status status = report_file_open(&file, directory, "report.html");
+    if (status.code != WHIRL_OK) return status;
+    const page to = {
+        .stream = file.stream,
+        .results = results,
+        .names = names,
+        .folders = (const char(*)[FOLDER_NAME_SIZE])made->folders,
+        .count = count,
+        .claims = claims,
+        .comparisons = made->comparisons,
+        .figures = &made->figures,
+    };
+    page_write(&to);
+    return report_file_close(&file);
+}
+
+static whirl_status make(report *made, const whirl_result *const *results, const char *const *names, size_t count,
+                         const char *directory, const whirl_report_options *options) {
+    whirl_status status = folder_make(directory);
+    if (status.code == WHIRL_OK) status = write_figures(made, results, count, directory);
+    if (status.code != WHIRL_OK) return status;
+    const whirl_status drawn = draw(made, options->gnuplot);
+    if (drawn.code == WHIRL_NO_MEMORY) return drawn;
+    if (options->claims) compare(made, results, count, options->claims);
+    status = write_page(made, results, names, count, directory, options->claims);
+    return status.code == WHIRL_OK ? drawn : status;
+}
+
+whirl_status whirl_report_write(const whirl_result *const *results, const char *const *names, size_t count,
+                                const char *directory, const whirl_report_options *options) {
+    static const whirl_report_options none = {0};
+    if (!options) options = &none;
+    const size_t claims = options->claims ? options->claims->count : 0;
+    report made = {
+        .folders = calloc(count + 1, sizeof *made.folders),
+        .paths = calloc(count + 1, sizeof *made.paths),
+        .comparisons = calloc(claims * count + 1, sizeof *made.comparisons),
+    };
+    whirl_status status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a report of %zu results", count);
+    if (made.folders && made.paths && made.comparisons) {
+        name_folders(&made, names, count);
+        status = make(&made, results, names, count, directory, options);
+    }
+    report_free(&made);
+    return status;
+}

@@ -1,0 +1,34 @@
+#include "format.h"
+
+#include <string.h>
+
+const char *const format_extents[3] = {
+    [WHIRL_PER_POINT] = "point", [WHIRL_PER_STATION] = "station", [WHIRL_PER_CONTACT] = "contact"};
+
+bool format_reserved(const char *name) {
+    static const char *const reserved[] = {"case", "parameters", "stations", "contacts", "provenance"};
+    for (size_t i = 0; i < sizeof reserved / sizeof *reserved; ++i)
+        if (strcmp(name, reserved[i]) == 0) return true;
+    return false;
+}
+
+bool format_is_name(const char *name, int slashes) {
+    static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
+    for (;; --slashes) {
+        const size_t length = strspn(name, letters);
+        if (length == 0) return false;
+        name += length;
+        if (*name == '\0') return slashes == 0;
+        if (*name != '/') return false;
+        ++name;
+    }
+}
+
+int format_dimensions(const whirl_field *field, size_t points, size_t dimensions[4]) {
+    int rank = 0;
+    dimensions[rank++] = points;
+    if (field->extent != WHIRL_PER_POINT) dimensions[rank++] = field->repeat;
+    if (field->rows != 1) dimensions[rank++] = field->rows;
+    if (field->columns != 1) dimensions[rank++] = field->columns;
+    return rank;
+}

@@ -1,0 +1,34 @@
+// Names and bounds that writing and reading share. The layout of the file is described in docs/result-file.md.
+#ifndef STORE_FORMAT_H
+#define STORE_FORMAT_H
+
+#include "whirl/result.h"
+
+#include <stdbool.h>
+
+#define FORMAT_NAME "whirl result"
+
+enum {
+    FORMAT_VERSION = 1,
+    FORMAT_MAX_TABLES = 64,
+    FORMAT_MAX_FACTS = 1024,
+    FORMAT_MAX_PARAMETERS = 100000,
+    FORMAT_MAX_CASE_BYTES = 1 << 20,
+    FORMAT_MAX_MEANING = 512, // bytes of a field's meaning with its end
+    FORMAT_MAX_ANALYSES = 32  // bits of a whirl_analysis_set
+};
+
+// What stands in the attribute "extent" of a field.
+extern const char *const format_extents[3];
+
+// Groups of a file that are no tables.
+bool format_reserved(const char *name);
+
+// A name of letters, digits, '_', '-' and `slashes` times '/' between them: what may name tables (0) and fields (1).
+bool format_is_name(const char *name, int slashes);
+
+// Dimensions of the dataset of a field: [points][station or contact][rows][columns] without rows and columns that are
+// 1. Returns their number.
+int format_dimensions(const whirl_field *field, size_t points, size_t dimensions[4]);
+
+#endif

@@ -1,0 +1,341 @@
+// A result from an HDF5 file, which may come from anywhere: nothing in it is believed before it is checked.
+#include "read.h"
+
+#include "bytes.h"
+#include "format.h"
+#include "image.h"
+#include "items.h"
+
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+
+// Zeroed memory, or NULL with the status set.
+static void *take(whirl_status *status, size_t count, size_t size) {
+    if (status->code != WHIRL_OK) return NULL;
+    void *memory = calloc(count ? count : 1, size);
+    if (!memory) *status = whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu x %zu bytes", count, size);
+    return memory;
+}
+
+// ---------------------------------------------------------------- the case and its parts
+
+static void get_case(whirl_status *status, hid_t file, whirl_result *result) {
+    const hid_t group = get_group(status, file, "case");
+    result->case_text = get_long_text(status, group, "text", FORMAT_MAX_CASE_BYTES);
+    get_text_attribute(status, group, "name", result->case_name, sizeof result->case_name);
+    get_number_attribute(status, group, "speed", &result->speed);
+    get_number_attribute(status, group, "length_scale", &result->length_scale);
+    get_number_attribute(status, group, "force_scale", &result->force_scale);
+    close_group(group);
+}
+
+static void get_parameters(whirl_status *status, hid_t file, whirl_result *result) {
+    const hid_t group = get_group(status, file, "parameters");
+    const size_t count = get_length(status, group, "value", FORMAT_MAX_PARAMETERS);
+    double *values = take(status, count, sizeof *values);
+    whirl_parameter *parameters = take(status, count, sizeof *parameters);
+    result->parameters = parameters;
+    get_numbers(status, group, "value", values, count);
+    if (status->code == WHIRL_OK) {
+        const size_t stride = sizeof *parameters;
+        get_texts(status, group, "name", parameters->name, sizeof parameters->name, stride, count);
+        get_texts(status, group, "unit", parameters->unit, sizeof parameters->unit, stride, count);
+        get_texts(status, group, "text", parameters->text, sizeof parameters->text, stride, count);
+        for (size_t i = 0; i < count; ++i) parameters[i].value = values[i];
+        result->parameter_count = count;
+    }
+    close_group(group);
+    free(values);
+}
+
+// State indices of all stations; a rotor has four coordinates a station, other systems may have more.
+static void get_indices(whirl_status *status, hid_t group, const char *name, size_t *first, size_t stride,
+                        size_t count) {
+    int64_t values[WHIRL_MAX_PROBES];
+    get_wholes(status, group, name, values, count);
+    for (size_t i = 0; status->code == WHIRL_OK && i < count; ++i) {
+        if (values[i] < 0 || values[i] > INT_MAX)
+            *status = whirl_fail(WHIRL_BAD_INPUT, "/stations/%s holds %lld, expected an index", name,
+                                 (long long)values[i]);
+        else
+            memcpy((char *)first + i * stride, &(size_t){(size_t)values[i]}, sizeof *first);
+    }
+}
+
+static void get_stations(whirl_status *status, hid_t file, whirl_result *result) {
+    double clearance[WHIRL_MAX_PROBES];
+    const hid_t group = get_group(status, file, "stations");
+    const size_t count = get_length(status, group, "clearance", WHIRL_MAX_PROBES);
+    whirl_probe *stations = take(status, count, sizeof *stations);
+    result->stations = stations;
+    get_numbers(status, group, "clearance", clearance, count);
+    if (status->code == WHIRL_OK) {
+        const size_t stride = sizeof *stations;
+        get_texts(status, group, "name", stations->name, sizeof stations->name, stride, count);
+        get_indices(status, group, "x", &stations->x, stride, count);
+        get_indices(status, group, "y", &stations->y, stride, count);
+        get_indices(status, group, "vx", &stations->vx, stride, count);
+        get_indices(status, group, "vy", &stations->vy, stride, count);
+        for (size_t i = 0; i < count; ++i) stations[i].clearance = clearance[i];
+        result->station_count = count;
+    }
+    close_group(group);
+}
+
+static void get_contacts(whirl_status *status, hid_t file, whirl_result *result) {
+    const hid_t group = get_group(status, file, "contacts");
+    const size_t count = get_length(status, group, "name", WHIRL_MAX_CONTACTS);
+    result->contacts = take(status, count, WHIRL_NAME_SIZE);
+    get_texts(status, group, "name", (char *)result->contacts, WHIRL_NAME_SIZE, WHIRL_NAME_SIZE, count);
+    if (status->code == WHIRL_OK) result->contact_count = count;
+    close_group(group);
+}
+
+static void get_provenance(whirl_status *status, hid_t file, whirl_result *result) {
+    const hid_t group = get_group(status, file, "provenance");
+    const size_t count = get_attribute_count(status, group, FORMAT_MAX_FACTS);
+    whirl_fact *facts = take(status, count, sizeof *facts);
+    result->facts = facts;
+    for (size_t i = 0; status->code == WHIRL_OK && i < count; ++i) {
+        get_attribute_name(status, group, i, facts[i].name, sizeof facts[i].name);
+        get_text_attribute(status, group, facts[i].name, facts[i].value, sizeof facts[i].value);
+    }
+    if (status->code == WHIRL_OK) result->fact_count = count;
+    close_group(group);
+}
+
+// ---------------------------------------------------------------- tables
+
+static void get_integrate(whirl_status *status, hid_t group, whirl_integrate_options *options) {
+    get_text_attribute(status, group, "method", options->method, sizeof options->method);
+    options->steps_per_revolution = (int)get_whole_attribute(status, group, "steps_per_revolution", 1, INT_MAX);
+    get_number_attribute(status, group, "rtol", &options->rtol);
+    get_number_attribute(status, group, "atol", &options->atol);
+    get_number_attribute(status, group, "limit", &options->limit);
+}
+
+static void get_record(whirl_status *status, hid_t group, whirl_record_options *options) {
+    options->transient = (int)get_whole_attribute(status, group, "transient", 0, INT_MAX);
+    options->record = (int)get_whole_attribute(status, group, "record", 1, INT_MAX);
+    options->watch = (int)get_whole_attribute(status, group, "watch", 0, INT_MAX);
+    options->waveform_revolutions = (int)get_whole_attribute(status, group, "waveform_revolutions", 0, INT_MAX);
+    options->samples_per_revolution = (int)get_whole_attribute(status, group, "samples_per_revolution", 1, INT_MAX);
+    get_number_attribute(status, group, "highest_order", &options->highest_order);
+    options->spectra = get_whole_attribute(status, group, "spectra", 0, 1) != 0;
+    options->waveform = get_whole_attribute(status, group, "waveform", 0, 1) != 0;
+    options->growth = get_whole_attribute(status, group, "growth", 0, 1) != 0;
+}
+
+// Analyses of a later version are none of ours; their fields are read all the same.
+static void get_analyses(whirl_status *status, hid_t group, whirl_analysis_set *set) {
+    char names[FORMAT_MAX_ANALYSES][WHIRL_NAME_SIZE];
+    const size_t count =
+        get_texts_attribute(status, group, "analyses", names[0], WHIRL_NAME_SIZE, FORMAT_MAX_ANALYSES);
+    for (size_t i = 0; i < count; ++i) whirl_analysis_add(set, names[i]);
+}
+
+// Words of a field that a table was read with; a field of a running program points to the registry's.
+typedef struct field_words {
+    char unit[WHIRL_NAME_SIZE], meaning[FORMAT_MAX_MEANING];
+} field_words;
+
+static void get_extent(whirl_status *status, hid_t dataset, const whirl_result *result, whirl_field *field) {
+    const size_t repeats[3] = {1, result->station_count, result->contact_count};
+    char word[WHIRL_NAME_SIZE] = "";
+    get_text_attribute(status, dataset, "extent", word, sizeof word);
+    if (status->code != WHIRL_OK) return;
+    for (int extent = 0; extent < 3; ++extent)
+        if (strcmp(word, format_extents[extent]) == 0) {
+            field->extent = (whirl_extent)extent;
+            field->repeat = (size_t)get_whole_attribute(status, dataset, "repeat", (int64_t)repeats[extent],
+                                                        (int64_t)repeats[extent]);
+            return;
+        }
+    *status = whirl_fail(WHIRL_BAD_INPUT, "%s: extent is '%s', expected point, station or contact", field->name, word);
+}
+
+// The rest of the program takes the shape of its own fields for granted: a single number, so many columns.
+static void check_known(whirl_status *status, const whirl_layout *known, const whirl_field *field) {
+    const whirl_field *ours = whirl_layout_field(known, field->name);
+    if (status->code != WHIRL_OK || !ours) return;
+    if (ours->extent != field->extent || ours->columns != field->columns || (ours->rows == 1 && field->rows != 1))
+        *status = whirl_fail(WHIRL_BAD_INPUT, "%s has %zu x %zu numbers a %s, expected %zu x %zu a %s", field->name,
+                             field->rows, field->columns, format_extents[field->extent], ours->rows, ours->columns,
+                             format_extents[ours->extent]);
+}
+
+// Shape and words of one field. Its numbers, `count` times the shape, must have room in a file of `limit` bytes.
+static void get_field(whirl_status *status, hid_t group, const whirl_result *result, size_t count, size_t limit,
+                      whirl_layout *layout, whirl_field *field, field_words *words) {
+    const hid_t dataset = get_dataset(status, group, field->name);
+    get_text_attribute(status, dataset, "unit", words->unit, sizeof words->unit);
+    get_text_attribute(status, dataset, "meaning", words->meaning, sizeof words->meaning);
+    field->unit = words->unit;
+    field->meaning = words->meaning;
+    get_extent(status, dataset, result, field);
+    field->rows = (size_t)get_whole_attribute(status, dataset, "rows", 0, INT_MAX);
+    field->columns = (size_t)get_whole_attribute(status, dataset, "columns", 0, INT_MAX);
+    close_dataset(dataset);
+    if (status->code != WHIRL_OK) return;
+    // Two factors below 2^31 and one of at most 256: no overflow in double, and none in size_t once it is small.
+    const double numbers = (double)field->rows * (double)field->columns * (double)field->repeat;
+    if (numbers * (double)(count ? count : 1) > (double)(limit / sizeof(double))) {
+        *status = whirl_fail(WHIRL_BAD_INPUT, "%s claims more numbers than the file has", field->name);
+        return;
+    }
+    field->offset = layout->size;
+    layout->size += field->repeat * field->rows * field->columns;
+}
+
+static void get_field_names(whirl_status *status, hid_t group, const char *table, whirl_layout *layout) {
+    char names[WHIRL_MAX_FIELDS][WHIRL_NAME_SIZE];
+    const size_t count = get_texts_attribute(status, group, "fields", names[0], WHIRL_NAME_SIZE, WHIRL_MAX_FIELDS);
+    for (size_t i = 0; i < count; ++i) {
+        if (!format_is_name(names[i], 1) || whirl_layout_field(layout, names[i])) {
+            *status = whirl_fail(WHIRL_BAD_INPUT, "/%s has a field '%s', expected a new analysis/quantity", table,
+                                 names[i]);
+            return;
+        }
+        memcpy(layout->fields[i].name, names[i], WHIRL_NAME_SIZE);
+        layout->field_count = i + 1;
+    }
+}
+
+// Values of the parameter, and behind them in the same memory the words of the fields.
+static field_words *take_values(whirl_status *status, whirl_table *table) {
+    const size_t numbers = table->count * sizeof(double);
+    table->values = take(status, 1, numbers + table->layout.field_count * sizeof(field_words) + 1);
+    return table->values ? (field_words *)((char *)table->values + numbers) : NULL;
+}
+
+static void get_branch(whirl_status *status, hid_t group, whirl_table *table) {
+    int64_t *branch = take(status, table->count, sizeof *branch);
+    table->branch = take(status, table->count, sizeof *table->branch);
+    get_wholes(status, group, "branch", branch, table->count);
+    for (size_t i = 0; status->code == WHIRL_OK && i < table->count; ++i) {
+        if (branch[i] < -1 || branch[i] > 1)
+            *status = whirl_fail(WHIRL_BAD_INPUT, "/%s/branch holds %lld, expected -1, 0 or 1", table->name,
+                                 (long long)branch[i]);
+        else
+            table->branch[i] = (int)branch[i];
+    }
+    free(branch);
+}
+
+// The numbers of a field into all blocks.
+static void get_numbers_of(whirl_status *status, hid_t group, whirl_table *table, const whirl_field *field) {
+    const size_t length = field->repeat * field->rows * field->columns;
+    double *values = take(status, table->count * length, sizeof *values);
+    const hid_t dataset = get_dataset(status, group, field->name);
+    size_t dimensions[4];
+    const int rank = format_dimensions(field, table->count, dimensions);
+    get_array(status, dataset, values, dimensions, rank);
+    close_dataset(dataset);
+    for (size_t i = 0; status->code == WHIRL_OK && length > 0 && i < table->count; ++i)
+        memcpy(table->blocks + i * table->layout.size + field->offset, values + i * length, length * sizeof *values);
+    free(values);
+}
+
+static void get_table(whirl_status *status, hid_t file, const whirl_result *result, const whirl_layout *known,
+                      size_t limit, whirl_table *table) {
+    const hid_t group = get_group(status, file, table->name);
+    whirl_layout *layout = &table->layout;
+    get_text_attribute(status, group, "parameter", table->parameter, sizeof table->parameter);
+    get_analyses(status, group, &table->analyses);
+    get_integrate(status, group, &table->integrate);
+    get_record(status, group, &table->record);
+    get_field_names(status, group, table->name, layout);
+    table->count = get_length(status, group, "values", limit / sizeof(double));
+    field_words *words = take_values(status, table);
+    get_numbers(status, group, "values", table->values, table->count);
+    get_branch(status, group, table);
+    for (size_t i = 0; status->code == WHIRL_OK && i < layout->field_count; ++i) {
+        get_field(status, group, result, table->count, limit, layout, &layout->fields[i], &words[i]);
+        check_known(status, known, &layout->fields[i]);
+    }
+    // Each field has room in the file, so all of them have in 64 times its size; datasets are then checked one by one.
+    table->blocks = take(status, table->count * layout->size, sizeof *table->blocks);
+    for (size_t i = 0; i < layout->field_count; ++i) get_numbers_of(status, group, table, &layout->fields[i]);
+    close_group(group);
+}
+
+// Every field that this version has, to compare shapes with.
+static whirl_status known_fields(const whirl_result *result, whirl_layout *known) {
+    const whirl_system system = {.probe_count = 1, .contact_count = 1, .probes = result->stations};
+    const whirl_integrate_options integrate = whirl_integrate_default();
+    whirl_record_options options = whirl_record_default();
+    // More than one row for all that can have more.
+    options.spectra = true;
+    options.waveform_revolutions = options.record;
+    whirl_analysis_set all = 0;
+    for (const whirl_analysis *analysis = whirl_analyses(); analysis->name; ++analysis)
+        whirl_analysis_add(&all, analysis->name);
+    return whirl_layout_new(&system, &integrate, &options, all, known);
+}
+
+static void get_tables(whirl_status *status, hid_t file, size_t limit, whirl_result *result) {
+    char names[FORMAT_MAX_TABLES][WHIRL_NAME_SIZE];
+    whirl_layout known = {0};
+    const size_t count = get_texts_attribute(status, file, "tables", names[0], WHIRL_NAME_SIZE, FORMAT_MAX_TABLES);
+    result->tables = take(status, count, sizeof *result->tables);
+    if (status->code == WHIRL_OK) *status = known_fields(result, &known);
+    for (size_t i = 0; status->code == WHIRL_OK && i < count; ++i) {
+        if (!format_is_name(names[i], 0) || format_reserved(names[i]) || whirl_result_table(result, names[i])) {
+            *status = whirl_fail(WHIRL_BAD_INPUT, "'%s' cannot name a table", names[i]);
+            return;
+        }
+        memcpy(result->tables[i].name, names[i], WHIRL_NAME_SIZE);
+        result->table_count = i + 1;
+        get_table(status, file, result, &known, limit, &result->tables[i]);
+    }
+}
+
+// ---------------------------------------------------------------- the whole
+
+static void check_format(whirl_status *status, hid_t file) {
+    char format[WHIRL_NAME_SIZE] = "";
+    get_text_attribute(status, file, "format", format, sizeof format);
+    if (status->code == WHIRL_OK && strcmp(format, FORMAT_NAME) != 0)
+        *status = whirl_fail(WHIRL_BAD_INPUT, "is an HDF5 file, but not a result of whirl");
+    const int64_t version = get_whole_attribute(status, file, "format_version", 1, INT_MAX);
+    if (status->code == WHIRL_OK && version > FORMAT_VERSION)
+        *status = whirl_fail(WHIRL_BAD_INPUT, "has format version %lld; this whirl reads up to %d", (long long)version,
+                             FORMAT_VERSION);
+}
+
+static void get_result(whirl_status *status, hid_t file, size_t limit, whirl_result *result) {
+    check_format(status, file);
+    get_text_attribute(status, file, "title", result->title, sizeof result->title);
+    get_case(status, file, result);
+    get_parameters(status, file, result);
+    get_stations(status, file, result);
+    get_contacts(status, file, result);
+    get_provenance(status, file, result);
+    get_tables(status, file, limit, result);
+}
+
+whirl_status read_result(unsigned char *bytes, size_t size, const char *name, whirl_result **result) {
+    *result = calloc(1, sizeof **result);
+    if (!*result) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a result");
+    const image_errors errors = image_quiet();
+    hid_t file;
+    whirl_status status = image_open(bytes, size, &file);
+    get_result(&status, file, size, *result);
+    if (file >= 0) H5Fclose(file);
+    image_loud(errors);
+    if (status.code == WHIRL_OK) return status;
+    whirl_result_free(*result);
+    *result = NULL;
+    return whirl_fail(status.code, "%.120s: %.250s", name, status.message);
+}
+
+whirl_status whirl_result_read(const char *path, whirl_result **result) {
+    unsigned char *bytes = NULL;
+    size_t size = 0;
+    *result = NULL;
+    whirl_status status = bytes_read(path, &bytes, &size);
+    if (status.code == WHIRL_OK) status = read_result(bytes, size, path, result);
+    free(bytes);
+    return status;
+}

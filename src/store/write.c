@@ -1,0 +1,327 @@
+// A result as an HDF5 file.
+#include "format.h"
+#include "image.h"
+#include "items.h"
+#include "atomic_file.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+// ---------------------------------------------------------------- the case and its parts
+
+static texts texts_of(const char *first, size_t stride, size_t count) { return (texts){first, stride, count}; }
+
+static void put_case(whirl_status *status, hid_t file, const whirl_result *result) {
+    const char *text = result->case_text ? result->case_text : "";
+    if (strlen(text) > FORMAT_MAX_CASE_BYTES) {
+        *status = whirl_fail(WHIRL_BAD_INPUT, "the text of the case has %zu bytes, expected at most %d", strlen(text),
+                             FORMAT_MAX_CASE_BYTES);
+        return;
+    }
+    const hid_t group = put_group(status, file, "case");
+    put_texts(status, group, "text", texts_of(text, 0, 1));
+    put_text_attribute(status, group, "name", result->case_name);
+    put_number_attribute(status, group, "speed", result->speed);
+    put_text_attribute(status, group, "speed_unit", "rad/s");
+    put_number_attribute(status, group, "length_scale", result->length_scale);
+    put_text_attribute(status, group, "length_scale_unit", "m");
+    put_number_attribute(status, group, "force_scale", result->force_scale);
+    put_text_attribute(status, group, "force_scale_unit", "N");
+    close_group(group);
+}
+
+static void put_parameters(whirl_status *status, hid_t file, const whirl_result *result) {
+    const size_t count = result->parameter_count, stride = sizeof *result->parameters;
+    const whirl_parameter *parameters = result->parameters;
+    double *values = malloc((count ? count : 1) * sizeof *values);
+    if (!values) {
+        *status = whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu parameters", count);
+        return;
+    }
+    for (size_t i = 0; i < count; ++i) values[i] = parameters[i].value;
+    const hid_t group = put_group(status, file, "parameters");
+    put_texts(status, group, "name", texts_of(count ? parameters->name : "", stride, count));
+    put_numbers(status, group, "value", values, count);
+    put_texts(status, group, "unit", texts_of(count ? parameters->unit : "", stride, count));
+    put_texts(status, group, "text", texts_of(count ? parameters->text : "", stride, count));
+    close_group(group);
+    free(values);
+}
+
+static void put_stations(whirl_status *status, hid_t file, const whirl_result *result) {
+    const size_t count = result->station_count;
+    if (count > WHIRL_MAX_PROBES) {
+        *status = whirl_fail(WHIRL_BAD_INPUT, "there are %zu stations, expected at most %d", count, WHIRL_MAX_PROBES);
+        return;
+    }
+    const whirl_probe *stations = result->stations;
+    double clearance[WHIRL_MAX_PROBES];
+    int64_t x[WHIRL_MAX_PROBES], y[WHIRL_MAX_PROBES], vx[WHIRL_MAX_PROBES], vy[WHIRL_MAX_PROBES];
+    for (size_t i = 0; i < count; ++i) {
+        clearance[i] = stations[i].clearance;
+        x[i] = (int64_t)stations[i].x, y[i] = (int64_t)stations[i].y;
+        vx[i] = (int64_t)stations[i].vx, vy[i] = (int64_t)stations[i].vy;
+    }
+    const hid_t group = put_group(status, file, "stations");
+    put_texts(status, group, "name", texts_of(count ? stations->name : "", sizeof *stations, count));
+    put_numbers(status, group, "clearance", clearance, count);
+    put_wholes(status, group, "x", x, count);
+    put_wholes(status, group, "y", y, count);
+    put_wholes(status, group, "vx", vx, count);
+    put_wholes(status, group, "vy", vy, count);
+    close_group(group);
+}
+
+static void put_contacts(whirl_status *status, hid_t file, const whirl_result *result) {
+    const size_t count = result->contact_count;
+    const hid_t group = put_group(status, file, "contacts");
+    put_texts(status, group, "name", texts_of(count ? result->contacts[0] : "", WHIRL_NAME_SIZE, count));
+    close_group(group);
+}
+
+static void put_provenance(whirl_status *status, hid_t file, const whirl_result *result) {
+    const hid_t group = put_group(status, file, "provenance");
+    for (size_t i = 0; i < result->fact_count; ++i)
+        put_text_attribute(status, group, result->facts[i].name, result->facts[i].value);
+    close_group(group);
+}
+
+// ---------------------------------------------------------------- tables
+
+static void put_integrate(whirl_status *status, hid_t group, const whirl_integrate_options *options) {
+    put_text_attribute(status, group, "method", options->method);
+    put_whole_attribute(status, group, "steps_per_revolution", options->steps_per_revolution);
+    put_number_attribute(status, group, "rtol", options->rtol);
+    put_number_attribute(status, group, "atol", options->atol);
+    put_number_attribute(status, group, "limit", options->limit);
+}
+
+static void put_record(whirl_status *status, hid_t group, const whirl_record_options *options) {
+    put_whole_attribute(status, group, "transient", options->transient);
+    put_whole_attribute(status, group, "record", options->record);
+    put_whole_attribute(status, group, "watch", options->watch);
+    put_whole_attribute(status, group, "waveform_revolutions", options->waveform_revolutions);
+    put_whole_attribute(status, group, "samples_per_revolution", options->samples_per_revolution);
+    put_number_attribute(status, group, "highest_order", options->highest_order);
+    put_whole_attribute(status, group, "spectra", options->spectra);
+    put_whole_attribute(status, group, "waveform", options->waveform);
+    put_whole_attribute(status, group, "growth", options->growth);
+}
+
+// Bits have a meaning in one version only; names last.
+static void put_analyses(whirl_status *status, hid_t group, whirl_analysis_set set) {
+    char names[FORMAT_MAX_ANALYSES][WHIRL_NAME_SIZE];
+    size_t count = 0;
+    const whirl_analysis *analyses = whirl_analyses();
+    for (size_t i = 0; i < FORMAT_MAX_ANALYSES && analyses[i].name; ++i)
+        if (set >> i & 1u) snprintf(names[count++], WHIRL_NAME_SIZE, "%s", analyses[i].name);
+    put_texts_attribute(status, group, "analyses", texts_of(names[0], WHIRL_NAME_SIZE, count));
+}
+
+typedef struct si_unit {
+    double factor;
+    const char *unit;
+} si_unit;
+
+// What one unit of a field is in SI.
+static si_unit si_of(const char *unit, const whirl_result *result) {
+    const double two_pi = 2.0 * acos(-1.0);
+    if (strcmp(unit, "length") == 0) return (si_unit){result->length_scale, "m"};
+    if (strcmp(unit, "force") == 0) return (si_unit){result->force_scale, "N"};
+    if (strcmp(unit, "revolution") == 0) return (si_unit){two_pi / result->speed, "s"};
+    if (strcmp(unit, "1/revolution") == 0) return (si_unit){result->speed / two_pi, "1/s"};
+    if (strcmp(unit, "order") == 0) return (si_unit){result->speed / two_pi, "Hz"};
+    return (si_unit){1.0, unit};
+}
+
+// Names of the columns where the meaning lists them: "x, y" or "x, y, vx, vy (what the velocities are)".
+static void put_column_names(whirl_status *status, hid_t dataset, const whirl_field *field) {
+    char names[32][WHIRL_NAME_SIZE];
+    if (field->columns < 2 || field->columns > sizeof names / sizeof *names) return;
+    size_t count = 0;
+    const char *from = field->meaning;
+    while (count < field->columns) {
+        const size_t length = strcspn(from, ",(");
+        size_t end = length;
+        while (end > 0 && from[end - 1] == ' ') --end;
+        if (end == 0 || end >= WHIRL_NAME_SIZE) return;
+        memcpy(names[count], from, end);
+        names[count++][end] = '\0';
+        from += length;
+        if (*from != ',') break;
+        from += 1 + strspn(from + 1, " ");
+    }
+    if (count == field->columns)
+        put_texts_attribute(status, dataset, "column_names", texts_of(names[0], WHIRL_NAME_SIZE, count));
+}
+
+// The numbers of a field from all blocks, one point after the other; to be freed.
+static double *gather(const whirl_table *table, const whirl_field *field) {
+    const size_t length = field->repeat * field->rows * field->columns;
+    double *values = calloc(table->count * length + 1, sizeof *values);
+    if (!values) return NULL;
+    for (size_t i = 0; i < table->count && length > 0; ++i)
+        memcpy(values + i * length, table->blocks + i * table->layout.size + field->offset, length * sizeof *values);
+    return values;
+}
+
+static void put_field(whirl_status *status, hid_t group, const whirl_result *result, const whirl_table *table,
+                      const whirl_field *field) {
+    if (status->code != WHIRL_OK) return;
+    double *values = gather(table, field);
+    if (!values) {
+        *status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the field %s", field->name);
+        return;
+    }
+    size_t dimensions[4];
+    const int rank = format_dimensions(field, table->count, dimensions);
+    const hid_t dataset = put_array(status, group, field->name, values, dimensions, rank);
+    const si_unit si = si_of(field->unit, result);
+    put_text_attribute(status, dataset, "unit", field->unit);
+    put_number_attribute(status, dataset, "SI_factor", si.factor);
+    put_text_attribute(status, dataset, "SI_unit", si.unit);
+    put_text_attribute(status, dataset, "meaning", field->meaning);
+    put_column_names(status, dataset, field);
+    put_text_attribute(status, dataset, "extent", format_extents[field->extent]);
+    put_whole_attribute(status, dataset, "repeat", (int64_t)field->repeat);
+    put_whole_attribute(status, dataset, "rows", (int64_t)field->rows);
+    put_whole_attribute(status, dataset, "columns", (int64_t)field->columns);
+    close_dataset(dataset);
+    free(values);
+}
+
+// Verdicts in words, for people: readers of this library take the numbers.
+static void put_verdicts(whirl_status *status, hid_t group, const whirl_table *table) {
+    enum { NAME = WHIRL_NAME_SIZE, REASON = WHIRL_MESSAGE_SIZE };
+    if (status->code != WHIRL_OK) return;
+    char *names = malloc((table->count ? table->count : 1) * (NAME + REASON));
+    if (!names) {
+        *status = whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu verdicts", table->count);
+        return;
+    }
+    char *reasons = names + table->count * NAME;
+    for (size_t i = 0; i < table->count; ++i) {
+        const whirl_verdict verdict = whirl_table_verdict(table, i);
+        whirl_verdict_name(&verdict, names + i * NAME, NAME);
+        whirl_verdict_reason(&verdict, reasons + i * REASON, REASON);
+    }
+    const hid_t verdicts = put_group(status, group, "verdict");
+    put_texts(status, verdicts, "name", texts_of(names, NAME, table->count));
+    put_texts(status, verdicts, "reason", texts_of(reasons, REASON, table->count));
+    close_group(verdicts);
+    free(names);
+}
+
+// Is there a verdict in the blocks?
+static bool has_verdict(const whirl_layout *layout) {
+    for (size_t i = 0; i < layout->field_count; ++i)
+        if (strncmp(layout->fields[i].name, "regime/", 7) == 0) return true;
+    return false;
+}
+
+// Reading lays fields out one after the other, so that is how they must lie.
+static whirl_status check_layout(const whirl_table *table) {
+    const whirl_layout *layout = &table->layout;
+    size_t offset = 0;
+    for (size_t i = 0; i < layout->field_count; ++i) {
+        const whirl_field *field = &layout->fields[i];
+        if (!format_is_name(field->name, 1) || strncmp(field->name, "verdict/", 8) == 0)
+            return whirl_fail(WHIRL_BAD_INPUT, "table %s: '%s' cannot name a field, expected analysis/quantity",
+                              table->name, field->name);
+        if (field->offset != offset)
+            return whirl_fail(WHIRL_BAD_INPUT, "table %s: the field %s lies at %zu, expected %zu", table->name,
+                              field->name, field->offset, offset);
+        if (strlen(field->meaning) >= FORMAT_MAX_MEANING)
+            return whirl_fail(WHIRL_BAD_INPUT, "table %s: the meaning of %s is longer than %d bytes", table->name,
+                              field->name, FORMAT_MAX_MEANING - 1);
+        offset += field->repeat * field->rows * field->columns;
+    }
+    if (offset != layout->size)
+        return whirl_fail(WHIRL_BAD_INPUT, "table %s: a block has %zu numbers, expected %zu", table->name, layout->size,
+                          offset);
+    return whirl_ok();
+}
+
+static void put_branch(whirl_status *status, hid_t group, const whirl_table *table) {
+    int64_t *branch = malloc((table->count ? table->count : 1) * sizeof *branch);
+    if (!branch) {
+        *status = whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points", table->count);
+        return;
+    }
+    for (size_t i = 0; i < table->count; ++i) branch[i] = table->branch[i];
+    put_wholes(status, group, "branch", branch, table->count);
+    free(branch);
+}
+
+static void put_table(whirl_status *status, hid_t file, const whirl_result *result, const whirl_table *table) {
+    if (status->code == WHIRL_OK) *status = check_layout(table);
+    const hid_t group = put_group(status, file, table->name);
+    const whirl_layout *layout = &table->layout;
+    put_text_attribute(status, group, "parameter", table->parameter);
+    put_analyses(status, group, table->analyses);
+    put_texts_attribute(status, group, "fields",
+                        texts_of(layout->fields[0].name, sizeof *layout->fields, layout->field_count));
+    put_integrate(status, group, &table->integrate);
+    put_record(status, group, &table->record);
+    put_numbers(status, group, "values", table->values, table->count);
+    put_branch(status, group, table);
+    for (size_t i = 0; i < layout->field_count; ++i) put_field(status, group, result, table, &layout->fields[i]);
+    if (has_verdict(layout)) put_verdicts(status, group, table);
+    close_group(group);
+}
+
+// ---------------------------------------------------------------- the whole
+
+static whirl_status check_tables(const whirl_result *result) {
+    if (result->table_count > FORMAT_MAX_TABLES)
+        return whirl_fail(WHIRL_BAD_INPUT, "there are %zu tables, expected at most %d", result->table_count,
+                          FORMAT_MAX_TABLES);
+    for (size_t i = 0; i < result->table_count; ++i) {
+        const char *name = result->tables[i].name;
+        if (!format_is_name(name, 0) || format_reserved(name) || whirl_result_table(result, name) != &result->tables[i])
+            return whirl_fail(WHIRL_BAD_INPUT, "'%s' cannot name a table, expected a new word of letters and digits",
+                              name);
+    }
+    return whirl_ok();
+}
+
+static void put_result(whirl_status *status, hid_t file, const whirl_result *result) {
+    *status = check_tables(result);
+    put_text_attribute(status, file, "format", FORMAT_NAME);
+    put_whole_attribute(status, file, "format_version", FORMAT_VERSION);
+    put_text_attribute(status, file, "title", result->title);
+    put_texts_attribute(status, file, "tables",
+                        texts_of(result->table_count ? result->tables->name : "", sizeof *result->tables,
+                                 result->table_count));
+    if (status->code == WHIRL_OK) put_case(status, file, result);
+    if (status->code == WHIRL_OK) put_parameters(status, file, result);
+    if (status->code == WHIRL_OK) put_stations(status, file, result);
+    put_contacts(status, file, result);
+    put_provenance(status, file, result);
+    for (size_t i = 0; i < result->table_count; ++i) put_table(status, file, result, &result->tables[i]);
+}
+
+static whirl_status write_bytes(const image *made, const char *path) {
+    atomic_file out;
+    const whirl_status status = atomic_file_open(&out, path);
+    if (status.code != WHIRL_OK) return status;
+    fwrite(made->bytes, 1, made->size, out.stream);
+    return atomic_file_commit(&out);
+}
+
+whirl_status whirl_result_write(const whirl_result *result, const char *path) {
+    const image_errors errors = image_quiet();
+    image made;
+    whirl_status status = image_create(&made);
+    if (status.code == WHIRL_OK) put_result(&status, made.file, result);
+    if (status.code == WHIRL_OK) status = image_finish(&made);
+    image_loud(errors);
+    if (status.code == WHIRL_OK)
+        status = write_bytes(&made, path);
+    else
+        status = whirl_fail(status.code, "cannot write %.100s: %.250s", path, status.message);
+    image_free(&made);
+    return status;
+}

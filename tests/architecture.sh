@@ -1,0 +1,91 @@
+#!/bin/bash
+# The house keeps its rules:  architecture.sh ROOT [LIBRARY]
+# A layer includes the public headers, those of base and its own; outside libraries are met in one layer only; libwhirl.so
+# exports nothing but whirl_*; every public function has a comment.
+set -u
+root=$(realpath "$1")
+library=$(realpath "${2:-}" 2>/dev/null)
+cd "$root" || exit 1
+failures=0
+fail() {
+    echo "FAILED: $*"
+    failures=$((failures + 1))
+}
+
+# ---- which public headers a layer may use: its own and those below it
+
+base="status.h descriptor.h version.h" # everyone's
+declare -A below=(
+    [base]=""
+    [rotor]="system.h rotor.h"
+    [integrate]="system.h integrate.h"
+    [analyze]="system.h integrate.h analyze.h"
+    [study]="system.h integrate.h analyze.h result.h study.h"
+    [case]="system.h rotor.h integrate.h analyze.h result.h study.h case.h claims.h"
+    [store]="system.h integrate.h analyze.h result.h"
+    [report]="system.h integrate.h analyze.h result.h study.h case.h claims.h report.h"
+)
+for folder in src/*/; do
+    layer=$(basename "$folder")
+    [ -n "${below[$layer]+known}" ] || { fail "src/$layer is no layer that this test knows"; continue; }
+    while IFS=: read -r file header; do
+        case " $base ${below[$layer]} " in
+        *" $header "*) ;;
+        *) fail "$file includes whirl/$header, which is not below $layer" ;;
+        esac
+    done < <(grep -roE '#include "whirl/[a-z]+\.h"' "$folder" | sed -E 's,#include "whirl/([^"]*)",\1,')
+    while IFS=: read -r file header; do
+        [ -e "$folder$header" ] || [ -e "src/base/$header" ] || [ -e "cmake/$header.in" ] ||
+            grep -q "$header" CMakeLists.txt cmake/*.cmake || fail "$file includes $header of another layer"
+    done < <(grep -roE '#include "[^/"]+"' "$folder" | sed -E 's,#include "([^"]*)",\1,')
+done
+
+# ---- outside libraries, each in one layer
+
+only_in() { # LAYER PATTERN
+    while read -r file; do
+        [ -n "$file" ] && fail "$file meets $2, which belongs in src/$1"
+    done < <(grep -rlE "#include <($2)" include src cli examples | grep -v "^src/$1/")
+    grep -rqE "#include <($2)" "src/$1" || fail "src/$1 does not use $2 any more: mend this test"
+}
+only_in store 'H5|hdf5'
+only_in case 'yaml\.h'
+only_in case 'udunits2'
+only_in case 'muParser'
+only_in integrate 'cvode|nvector|sundials|sunmatrix|sunlinsol'
+only_in analyze 'kissfft|kiss_fft'
+only_in report 'jansson'
+only_in study 'omp\.h'
+
+# ---- the library
+
+while read -r header line text; do
+    fail "include/whirl/$header:$line has no comment: $text"
+done < <(awk '
+    FNR == 1 { commented = 0; depth = 0 }
+    { file = FILENAME; sub(".*/", "", file) }
+    /^\/\/\// { commented = 1; next }
+    # A declaration of a function starts at the margin; those that follow one another may share the comment above the
+    # first. What is freed by a function is said where it is made.
+    depth == 0 && /^[a-z].*whirl_[a-z_]+\(/ && !/^typedef/ && !/_free\(/ {
+        if (!commented && $0 !~ /\/\/\/</) print file, FNR, $0
+        commented = 1
+    }
+    /^$/ { commented = 0 }
+    { depth += gsub(/\{/, "{") - gsub(/\}/, "}"); if (depth < 0 || /extern "C"/) depth = 0 }
+' include/whirl/*.h)
+
+if [ -n "$library" ] && [ -e "$library" ]; then
+    exported=$(nm -D --defined-only "$library" | awk '{print $3}')
+    foreign=$(grep -v '^whirl_' <<<"$exported")
+    [ -z "$foreign" ] || fail "libwhirl.so exports: $foreign"
+    # Each function of the headers is there, and nothing that no header declares.
+    declared=$(sed -E 's,//.*,,' include/whirl/*.h | grep -v typedef | grep -oE '\bwhirl_[a-z0-9_]+\(' | tr -d '(' | sort -u)
+    missing=$(comm -23 <(echo "$declared") <(sort -u <<<"$exported"))
+    extra=$(comm -13 <(echo "$declared") <(sort -u <<<"$exported"))
+    [ -z "$missing" ] || fail "declared and not in libwhirl.so: $missing"
+    [ -z "$extra" ] || fail "in libwhirl.so and not declared: $extra"
+fi
+if grep -rnE '^(static )?[a-z_ ]*\bint main\(' src; then fail "a layer has a main"; fi
+[ $failures -eq 0 ] && echo "the layers keep their rules"
+exit $((failures > 0))
