@@ -1,9 +1,7 @@
 /// whirl COMMAND ...: finds the command and hands over.
 #include "command.h"
 
-#include <stdint.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 static const command *const commands[] = {&run_command, &check_command, &describe_command, &report_command,
@@ -21,19 +19,13 @@ static void print_version(FILE *stream, struct argp_state *state) {
     fprintf(stream, "whirl %s\n", WHIRL_VERSION);
 }
 
-/// Adds the table of commands to the help text.
-static char *add_commands(int key, const char *text, void *input) {
-    (void)input;
-    if (key != ARGP_KEY_HELP_POST_DOC) return (char *)(uintptr_t)text; // argp asks for the same address back
-    size_t size = strlen(text) + 64;
-    for (int i = 0; i < COMMAND_COUNT; i++) size += strlen(commands[i]->name) + strlen(commands[i]->meaning) + 16;
-    char *help = malloc(size);
-    if (!help) return NULL;
-    int used = snprintf(help, size, "Commands:\n");
+/// The table of commands as argp shows it in the help text, beside the options.
+static void list_commands(struct argp_option options[COMMAND_COUNT + 2]) {
+    *options++ = (struct argp_option){.doc = "Commands:", .group = 1};
     for (int i = 0; i < COMMAND_COUNT; i++)
-        used += snprintf(help + used, size - (size_t)used, "  %-10s %s\n", commands[i]->name, commands[i]->meaning);
-    snprintf(help + used, size - (size_t)used, "\n%s", text);
-    return help;
+        *options++ = (struct argp_option){
+            .name = commands[i]->name, .flags = OPTION_DOC, .doc = commands[i]->meaning, .group = 1};
+    *options = (struct argp_option){0};
 }
 
 static error_t parse(int key, char *argument, struct argp_state *state) {
@@ -67,13 +59,15 @@ static const command *find_command(const char *name) {
 }
 
 int main(int argc, char **argv) {
-    static const struct argp argp = {
+    struct argp_option options[COMMAND_COUNT + 2];
+    list_commands(options);
+    const struct argp argp = {
+        .options = options,
         .parser = parse,
         .args_doc = "COMMAND [ARGUMENT...]",
         .doc = "Nonlinear dynamics of rotating machines: from a case file to a report.\v"
                "'whirl COMMAND --help' shows what a command takes; 'man whirl' has it all.\n"
                "Exit status: 0 done, 1 failed while running, 2 bad input.",
-        .help_filter = add_commands,
     };
     argp_err_exit_status = EXIT_BAD_INPUT;
     argp_program_version_hook = print_version;

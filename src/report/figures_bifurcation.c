@@ -38,7 +38,7 @@ static span exponent_span(const whirl_table *table) {
     double *sorted = malloc((table->count + 1) * sizeof *sorted);
     size_t count = 0;
     for (size_t i = 0; sorted && i < table->count; i++) {
-        const double value = whirl_table_verdict(table, i).exponent.value;
+        const double value = point_exponent(table, i).value;
         if (isfinite(value)) sorted[count++] = value;
     }
     if (count > 0) {
@@ -156,8 +156,9 @@ static whirl_status write_sweep_data(const drawing *to, const diagram *of) {
         for (size_t i = 0; i < of->table->count; i++) {
             if ((of->table->branch[i] < 0 ? -1 : 1) != branch) continue;
             const whirl_verdict verdict = whirl_table_verdict(of->table, i);
+            const whirl_estimate exponent = point_exponent(of->table, i);
             fprintf(file.stream, "%.10g %d %.6g %.3g %.6g", of->table->values[i], (int)regime_class_of(&verdict),
-                    verdict.exponent.value, verdict.exponent.error,
+                    exponent.value, exponent.error,
                     rub_share(of->table, i, of->result->contact_count));
             for (size_t s = 0; s < of->result->station_count; s++)
                 fprintf(file.stream, " %.7g", max_radius(of->table, i, s));

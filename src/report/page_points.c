@@ -123,6 +123,7 @@ static void write_lines(FILE *stream, numbers lines) {
 /// The columns that belong to the point and stretch over the rows of its stations.
 static void write_point_columns(FILE *stream, const whirl_table *table, size_t point, const whirl_result *result) {
     const whirl_verdict verdict = whirl_table_verdict(table, point);
+    const whirl_estimate exponent = point_exponent(table, point);
     const int rows = (int)result->station_count;
     char text[LABEL_SIZE];
     fprintf(stream, "<th rowspan=\"%d\">", rows);
@@ -135,10 +136,10 @@ static void write_point_columns(FILE *stream, const whirl_table *table, size_t p
     whirl_verdict_name(&verdict, text, sizeof text);
     html_text(stream, text);
     fprintf(stream, "</td><td class=\"number\" rowspan=\"%d\">", rows);
-    if (isnan(verdict.exponent.value))
+    if (isnan(exponent.value))
         fputs("&ndash;", stream);
     else
-        fprintf(stream, "%.4f&nbsp;&plusmn;&nbsp;%.4f", verdict.exponent.value, verdict.exponent.error);
+        fprintf(stream, "%.4f&nbsp;&plusmn;&nbsp;%.4f", exponent.value, exponent.error);
     fputs("</td>", stream);
     write_number(stream, "%.3g %%", 100.0 * rub_share(table, point, result->contact_count), rows);
 }

@@ -40,6 +40,12 @@ static double single(const whirl_table *table, size_t point, const char *field, 
     return found.at ? found.at[0] : (double)NAN;
 }
 
+whirl_estimate point_exponent(const whirl_table *table, size_t point) {
+    const double value = single(table, point, "lyapunov/largest", 0);
+    if (isnan(value)) return whirl_table_verdict(table, point).exponent;
+    return (whirl_estimate){value, single(table, point, "lyapunov/error", 0)};
+}
+
 double max_radius(const whirl_table *table, size_t point, size_t station) {
     return single(table, point, "orbit/max_radius", station);
 }

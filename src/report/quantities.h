@@ -24,6 +24,9 @@ numbers point_waveform(const whirl_table *table, size_t point, size_t station); 
 numbers point_spectrum(const whirl_table *table, size_t point, size_t station); ///< order, x, y, forward, backward
 numbers point_lines(const whirl_table *table, size_t point, size_t station);    ///< the same, of the peaks, largest first
 
+/// Largest Lyapunov exponent per revolution: the analysis "lyapunov", else the verdict's evidence; NaN where there is neither.
+whirl_estimate point_exponent(const whirl_table *table, size_t point);
+
 double max_radius(const whirl_table *table, size_t point, size_t station);     ///< NaN where not computed
 double backward_share(const whirl_table *table, size_t point, size_t station); ///< NaN where not computed
 

@@ -15,6 +15,7 @@ enum {
     FORMAT_MAX_PARAMETERS = 100000,
     FORMAT_MAX_CASE_BYTES = 1 << 20,
     FORMAT_MAX_MEANING = 512, // bytes of a field's meaning with its end
+    FORMAT_MAX_COLUMNS = 32,  // that are named
     FORMAT_MAX_ANALYSES = 32  // bits of a whirl_analysis_set
 };
 
@@ -30,5 +31,8 @@ bool format_is_name(const char *name, int slashes);
 // Dimensions of the dataset of a field: [points][station or contact][rows][columns] without rows and columns that are
 // 1. Returns their number.
 int format_dimensions(const whirl_field *field, size_t points, size_t dimensions[4]);
+
+// Names of the columns of a field with two or more, where its meaning lists them: "x, y" or "x, y, vx, vy (remark)".
+bool format_column_names(const whirl_field *field, char names[FORMAT_MAX_COLUMNS][WHIRL_NAME_SIZE]);
 
 #endif

@@ -136,25 +136,10 @@ static si_unit si_of(const char *unit, const whirl_result *result) {
     return (si_unit){1.0, unit};
 }
 
-// Names of the columns where the meaning lists them: "x, y" or "x, y, vx, vy (what the velocities are)".
 static void put_column_names(whirl_status *status, hid_t dataset, const whirl_field *field) {
-    char names[32][WHIRL_NAME_SIZE];
-    if (field->columns < 2 || field->columns > sizeof names / sizeof *names) return;
-    size_t count = 0;
-    const char *from = field->meaning;
-    while (count < field->columns) {
-        const size_t length = strcspn(from, ",(");
-        size_t end = length;
-        while (end > 0 && from[end - 1] == ' ') --end;
-        if (end == 0 || end >= WHIRL_NAME_SIZE) return;
-        memcpy(names[count], from, end);
-        names[count++][end] = '\0';
-        from += length;
-        if (*from != ',') break;
-        from += 1 + strspn(from + 1, " ");
-    }
-    if (count == field->columns)
-        put_texts_attribute(status, dataset, "column_names", texts_of(names[0], WHIRL_NAME_SIZE, count));
+    char names[FORMAT_MAX_COLUMNS][WHIRL_NAME_SIZE];
+    if (format_column_names(field, names))
+        put_texts_attribute(status, dataset, "column_names", texts_of(names[0], WHIRL_NAME_SIZE, field->columns));
 }
 
 // The numbers of a field from all blocks, one point after the other; to be freed.

@@ -1,0 +1,230 @@
+// Results as CSV files (RFC 4180). The files are described in docs/result-file.md.
+#include "atomic_file.h"
+#include "format.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+// A line being written.
+typedef struct line {
+    FILE *stream;
+    bool started;
+} line;
+
+static void put_cell(line *row, const char *text) {
+    if (row->started) fputc(',', row->stream);
+    row->started = true;
+    if (!text[strcspn(text, ",\"\r\n")]) {
+        fputs(text, row->stream);
+        return;
+    }
+    fputc('"', row->stream);
+    for (; *text; ++text) {
+        if (*text == '"') fputc('"', row->stream);
+        fputc(*text, row->stream);
+    }
+    fputc('"', row->stream);
+}
+
+static void put_number_cell(line *row, double value) {
+    char text[40];
+    // 17 digits give the same double back; the sign of a missing value means nothing.
+    snprintf(text, sizeof text, "%.17g", value);
+    put_cell(row, isnan(value) ? "NaN" : text);
+}
+
+static void put_count_cell(line *row, size_t value) {
+    char text[24];
+    snprintf(text, sizeof text, "%zu", value);
+    put_cell(row, text);
+}
+
+static void end_line(line *row) {
+    fputs("\r\n", row->stream);
+    row->started = false;
+}
+
+// ---------------------------------------------------------------- headings
+
+// A unit in brackets; scales are written out: "[0.0002 m]".
+static void unit_text(const whirl_result *result, const char *unit, char *text, size_t size) {
+    const bool length = strcmp(unit, "length") == 0, force = strcmp(unit, "force") == 0;
+    const double scale = length ? result->length_scale : result->force_scale;
+    if ((length || force) && scale != 1.0)
+        snprintf(text, size, "[%.10g %s]", scale, length ? "m" : "N");
+    else
+        snprintf(text, size, "[%s]", length ? "m" : force ? "N" : unit);
+}
+
+static const char *repetition_name(const whirl_result *result, const whirl_field *field, size_t which) {
+    if (field->extent == WHIRL_PER_STATION && which < result->station_count) return result->stations[which].name;
+    if (field->extent == WHIRL_PER_CONTACT && which < result->contact_count) return result->contacts[which];
+    return "";
+}
+
+// Name of a column of a field; "" where it has but one.
+static void column_text(const whirl_field *field, size_t column, char *text, size_t size) {
+    char names[FORMAT_MAX_COLUMNS][WHIRL_NAME_SIZE];
+    if (field->columns == 1)
+        snprintf(text, size, "%s", "");
+    else if (format_column_names(field, names))
+        snprintf(text, size, "%s", names[column]);
+    else
+        snprintf(text, size, "column %zu", column + 1);
+}
+
+// "orbit/mean disc x [0.0002 m]".
+static void put_field_heading(line *row, const whirl_result *result, const whirl_field *field, size_t which,
+                              size_t column) {
+    char unit[WHIRL_NAME_SIZE + 40], name[WHIRL_NAME_SIZE], text[400];
+    unit_text(result, field->unit, unit, sizeof unit);
+    column_text(field, column, name, sizeof name);
+    const char *station = repetition_name(result, field, which);
+    snprintf(text, sizeof text, "%s%s%s%s%s %s", field->name, *station ? " " : "", station, *name ? " " : "", name, unit);
+    put_cell(row, text);
+}
+
+static void put_point_headings(line *row, const whirl_result *result, const whirl_table *table) {
+    put_cell(row, "point");
+    if (*table->parameter) {
+        const char *unit = "1";
+        for (size_t i = 0; i < result->parameter_count; ++i)
+            if (strcmp(result->parameters[i].name, table->parameter) == 0) unit = result->parameters[i].unit;
+        char text[2 * WHIRL_NAME_SIZE + 8];
+        snprintf(text, sizeof text, "%s [%s]", table->parameter, unit);
+        put_cell(row, text);
+    }
+    put_cell(row, "branch");
+}
+
+static void put_point_cells(line *row, const whirl_table *table, size_t point) {
+    char branch[16];
+    snprintf(branch, sizeof branch, "%d", table->branch[point]);
+    put_count_cell(row, point + 1);
+    if (*table->parameter) put_number_cell(row, table->values[point]);
+    put_cell(row, branch);
+}
+
+// ---------------------------------------------------------------- files
+
+static void write_points(FILE *stream, const whirl_result *result, const whirl_table *table, const whirl_field *unused) {
+    (void)unused;
+    line row = {stream, false};
+    const whirl_layout *layout = &table->layout;
+    put_point_headings(&row, result, table);
+    put_cell(&row, "verdict");
+    for (const whirl_field *field = layout->fields; field < layout->fields + layout->field_count; ++field)
+        for (size_t i = 0; field->rows == 1 && i < field->repeat * field->columns; ++i)
+            put_field_heading(&row, result, field, i / field->columns, i % field->columns);
+    end_line(&row);
+    for (size_t point = 0; point < table->count; ++point) {
+        char verdict[WHIRL_NAME_SIZE];
+        const whirl_verdict found = whirl_table_verdict(table, point);
+        whirl_verdict_name(&found, verdict, sizeof verdict);
+        put_point_cells(&row, table, point);
+        put_cell(&row, verdict);
+        const double *block = table->blocks + point * layout->size;
+        for (const whirl_field *field = layout->fields; field < layout->fields + layout->field_count; ++field)
+            for (size_t i = 0; field->rows == 1 && i < field->repeat * field->columns; ++i)
+                put_number_cell(&row, block[field->offset + i]);
+        end_line(&row);
+    }
+}
+
+static bool all_missing(const double *numbers, size_t count) {
+    for (size_t i = 0; i < count; ++i)
+        if (!isnan(numbers[i])) return false;
+    return true;
+}
+
+static void put_rows_headings(line *row, const whirl_result *result, const whirl_table *table,
+                              const whirl_field *field) {
+    put_point_headings(row, result, table);
+    if (field->extent != WHIRL_PER_POINT) put_cell(row, format_extents[field->extent]);
+    put_cell(row, "row");
+    char unit[WHIRL_NAME_SIZE + 40], name[WHIRL_NAME_SIZE], text[2 * WHIRL_NAME_SIZE + 48];
+    unit_text(result, field->unit, unit, sizeof unit);
+    for (size_t i = 0; i < field->columns; ++i) {
+        column_text(field, i, name, sizeof name);
+        // Spectra have their orders in a column beside the amplitudes, whose unit the field states.
+        const char *own = strcmp(name, "order") == 0 ? "[1]" : unit;
+        snprintf(text, sizeof text, "%s %s", *name ? name : "value", own);
+        put_cell(row, text);
+    }
+    end_line(row);
+}
+
+// A line for each row of a field; rows without any number are left out.
+static void write_rows(FILE *stream, const whirl_result *result, const whirl_table *table, const whirl_field *field) {
+    line row = {stream, false};
+    put_rows_headings(&row, result, table, field);
+    for (size_t i = 0; i < table->count * field->repeat * field->rows; ++i) {
+        const size_t point = i / (field->repeat * field->rows), inner = i % (field->repeat * field->rows);
+        const double *numbers =
+            table->blocks + point * table->layout.size + field->offset + inner * field->columns;
+        if (all_missing(numbers, field->columns)) continue;
+        put_point_cells(&row, table, point);
+        if (field->extent != WHIRL_PER_POINT) put_cell(&row, repetition_name(result, field, inner / field->rows));
+        put_count_cell(&row, inner % field->rows + 1);
+        for (size_t c = 0; c < field->columns; ++c) put_number_cell(&row, numbers[c]);
+        end_line(&row);
+    }
+}
+
+static void write_parameters(FILE *stream, const whirl_result *result, const whirl_table *table,
+                             const whirl_field *field) {
+    (void)table, (void)field;
+    line row = {stream, false};
+    put_cell(&row, "name"), put_cell(&row, "value"), put_cell(&row, "unit"), put_cell(&row, "text");
+    end_line(&row);
+    for (size_t i = 0; i < result->parameter_count; ++i) {
+        const whirl_parameter *parameter = &result->parameters[i];
+        put_cell(&row, parameter->name);
+        put_number_cell(&row, parameter->value);
+        put_cell(&row, parameter->unit);
+        put_cell(&row, parameter->text);
+        end_line(&row);
+    }
+}
+
+typedef void (*write_fn)(FILE *stream, const whirl_result *result, const whirl_table *table, const whirl_field *field);
+
+// One file DIR/name.csv, whole or not at all.
+static whirl_status export_file(const char *folder, const char *name, write_fn write, const whirl_result *result,
+                                const whirl_table *table, const whirl_field *field) {
+    char path[ATOMIC_PATH_SIZE];
+    atomic_file out;
+    if (snprintf(path, sizeof path, "%s/%s.csv", folder, name) >= (int)sizeof path)
+        return whirl_fail(WHIRL_IO_ERROR, "cannot write %s.csv: the path is too long", name);
+    const whirl_status status = atomic_file_open(&out, path);
+    if (status.code != WHIRL_OK) return status;
+    write(out.stream, result, table, field);
+    return atomic_file_commit(&out);
+}
+
+static whirl_status export_table(const char *folder, const whirl_result *result, const whirl_table *table) {
+    whirl_status status = export_file(folder, table->name, write_points, result, table, NULL);
+    const whirl_layout *layout = &table->layout;
+    for (size_t i = 0; i < layout->field_count && status.code == WHIRL_OK; ++i) {
+        const whirl_field *field = &layout->fields[i];
+        char name[2 * WHIRL_NAME_SIZE + 8];
+        if (field->rows == 1) continue;
+        snprintf(name, sizeof name, "%s-%s", table->name, field->name);
+        for (char *slash = name; (slash = strchr(slash, '/'));) *slash = '-';
+        status = export_file(folder, name, write_rows, result, table, field);
+    }
+    return status;
+}
+
+whirl_status whirl_result_export_csv(const whirl_result *result, const char *path) {
+    whirl_status status = atomic_folder(path);
+    if (status.code == WHIRL_OK) status = export_file(path, "parameters", write_parameters, result, NULL, NULL);
+    for (size_t i = 0; i < result->table_count && status.code == WHIRL_OK; ++i) {
+        const char *name = result->tables[i].name;
+        if (!format_is_name(name, 0) || format_reserved(name))
+            return whirl_fail(WHIRL_BAD_INPUT, "'%s' cannot name a table", name);
+        status = export_table(path, result, &result->tables[i]);
+    }
+    return status;
+}
