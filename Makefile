@@ -11,7 +11,7 @@ INSTALL  := scripts/install-dependencies.sh
 # A build that exists keeps its options: `make` after `make test` does not throw the tests out.
 CONFIGURE = test -f $(BUILD)/CMakeCache.txt || cmake --preset release -DWHIRL_TESTS=OFF
 COMPILE   = cmake --build $(BUILD) --parallel $(JOBS) --target whirl
-SOURCES   = $(shell git ls-files '*.c' '*.h' 2>/dev/null || find cli src include tests examples bench -name '*.[ch]')
+SOURCES   = $(shell git ls-files --cached --others --exclude-standard '*.c' '*.h')
 
 .PHONY: all help test test-sanitized test-fuzzed paper bench soak install format lint asan tsan clang fuzz clean
 .DEFAULT_GOAL := all

@@ -2,8 +2,10 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "support_check.h"
+#include "support_flow.h"
 
 whirl_record *record_motion(const whirl_system *system, const double *start, int steps_per_revolution, int transient,
                             int record) {
@@ -26,15 +28,32 @@ void check_regime(const char *id, const char *what, const char *expected, const 
     check_text(id, what, expected, name);
 }
 
-void check_section_point(const char *id, const char *what, const whirl_record *record, const char *x, const char *y) {
-    const double at_x = strtod(x, NULL), at_y = strtod(y, NULL);
-    const double *best = record->section;
-    for (size_t i = 0; i < record->section_count; i++) {
-        const double *point = record->section + i * record->dimension;
-        if (hypot(point[0] - at_x, point[1] - at_y) <= hypot(best[0] - at_x, best[1] - at_y)) best = point;
+/// The point of the orbit through `state` that is nearest to (x, y).
+static void find_nearest(whirl_integrator *integrator, size_t n, const double *state, int period, double x, double y,
+                         double nearest[2]) {
+    double at[MAX_DIMENSION], best = INFINITY;
+    memcpy(at, state, n * sizeof *at);
+    for (int i = 0; i < period; i++) {
+        const double distance = hypot(at[0] - x, at[1] - y);
+        if (distance < best) {
+            best = distance;
+            memcpy(nearest, at, 2 * sizeof *nearest);
+        }
+        revolve(integrator, at, 1);
     }
-    check_digits(id, words("%s: x", what), x, best[0]);
-    check_digits(id, words("%s: y", what), y, best[1]);
+}
+
+void check_orbit(const char *id, const char *what, const whirl_record *record, whirl_integrator *integrator, int period,
+                 const printed_point *points, size_t count, double *state) {
+    memcpy(state, record->end, record->dimension * sizeof *state);
+    find_fixed_point(integrator, record->dimension, state, period);
+    for (size_t i = 0; i < count; i++) {
+        double nearest[2] = {NAN, NAN};
+        find_nearest(integrator, record->dimension, state, period, strtod(points[i].x, NULL), strtod(points[i].y, NULL),
+                     nearest);
+        check_digits(id, words("%s: x of point %zu", what, i + 1), points[i].x, nearest[0]);
+        check_digits(id, words("%s: y of point %zu", what, i + 1), points[i].y, nearest[1]);
+    }
 }
 
 void check_exponent(const char *id, const char *what, double expected, double tolerance, const whirl_record *record,

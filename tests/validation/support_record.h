@@ -11,8 +11,15 @@ whirl_record *record_motion(const whirl_system *system, const double *start, int
 /// Compares the library's verdict in words: "P-2", "chaotic".
 void check_regime(const char *id, const char *what, const char *expected, const whirl_record *record);
 
-/// Compares the recorded section point (state 0, state 1) that is nearest to the printed one.
-void check_section_point(const char *id, const char *what, const whirl_record *record, const char *x, const char *y);
+/// A point of a Poincare section (state 0, state 1) as printed.
+typedef struct printed_point {
+    const char *x, *y;
+} printed_point;
+
+/// Sharpens the P-`period` orbit that the record ended on by Newton's method with `integrator`, and compares its
+/// section point nearest to each of the printed ones. *state [dimension] gets a section point of the orbit.
+void check_orbit(const char *id, const char *what, const whirl_record *record, whirl_integrator *integrator, int period,
+                 const printed_point *points, size_t count, double *state);
 
 /// Compares the largest exponent, per unit of time with `unit_of_time` of them in a revolution, and demands a standard
 /// error below a third of the tolerance.

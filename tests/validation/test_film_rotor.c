@@ -186,24 +186,26 @@ static const double a8_start[4] = {0.1, -0.2, 0.0, 0.0};
 /// sigma = .3, s = 3.
 static whirl_rotor *make_a8_rotor(double rho) { return make_film_rotor(0.3 / 9.0, 1.0 / 9.0, rho); }
 
-static void check_a8_periodic(double rho, const char *regime, size_t count, const char *const points[][2]) {
+static void check_a8_periodic(double rho, int period, size_t count, const printed_point *points) {
+    double state[4];
     whirl_rotor *rotor = make_a8_rotor(rho);
-    whirl_record *record = record_motion(whirl_rotor_system(rotor), a8_start, 2048, 2000, 400);
-    check_regime("A8", words("regime at rho = %g", rho), regime, record);
-    for (size_t i = 0; i < count; i++)
-        check_section_point("A8", words("rho = %g, point %zu", rho, i + 1), record, points[i][0], points[i][1]);
+    whirl_record *record = record_motion(whirl_rotor_system(rotor), a8_start, 512, 1000, 400);
+    whirl_integrator *integrator = make_integrator(whirl_rotor_system(rotor), "rk4", 8192);
+    check_regime("A8", words("regime at rho = %g", rho), words("P-%d", period), record);
+    check_orbit("A8", words("rho = %g", rho), record, integrator, period, points, count, state);
+    whirl_integrator_free(integrator);
     whirl_record_free(record);
     whirl_rotor_free(rotor);
 }
 
 static void a8_period_doubling(void **unused) {
     (void)unused;
-    static const char *const two[2][2] = {{".6705633835", "-.3675472557"}, {"-.7547030883", "-.0826070387"}};
-    static const char *const eight[1][2] = {{".3474009627", "-.6666234979"}};
-    static const char *const one[1][2] = {{".2272208938", "-.8044475724"}};
-    check_a8_periodic(0.2, "P-2", 2, two);
-    check_a8_periodic(0.3, "P-8", 1, eight);
-    check_a8_periodic(0.5, "P-1", 1, one);
+    static const printed_point two[2] = {{".6705633835", "-.3675472557"}, {"-.7547030883", "-.0826070387"}};
+    static const printed_point eight = {".3474009627", "-.6666234979"};
+    static const printed_point one = {".2272208938", "-.8044475724"};
+    check_a8_periodic(0.2, 2, 2, two);
+    check_a8_periodic(0.3, 8, 1, &eight);
+    check_a8_periodic(0.5, 1, 1, &one);
 }
 
 static void a8_chaos(void **unused) {

@@ -14,7 +14,7 @@
 #include "support_flow.h"
 #include "support_rotor.h"
 
-enum { STEPS = 8192 };
+enum { STEPS = 16384 };
 
 static void b1_stiffness_matrix(void **unused) {
     (void)unused;
