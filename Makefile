@@ -35,7 +35,7 @@ test: dependencies-build-report-test ## everything is built, run and proved
 	cmake --preset asan
 	cmake --build $(BUILD)/asan --parallel $(JOBS)
 	cmake --preset fuzz
-	cmake --build $(BUILD)/fuzz --parallel $(JOBS) --target fuzz_case
+	cmake --build $(BUILD)/fuzz --parallel $(JOBS) --target fuzz_case fuzz_claims
 	$(MAKE) --no-print-directory -j2 --output-sync=target test-sanitized test-fuzzed
 	ctest --test-dir $(BUILD) -j $(JOBS)
 
@@ -60,9 +60,9 @@ tsan: dependencies-build-test ## a threaded study under the thread sanitizer
 	cmake --build $(BUILD)/tsan --parallel $(JOBS) --target whirl
 	scripts/thread-check.sh $(BUILD)/tsan
 
-fuzz: dependencies-build-test ## the case reader is fuzzed for ten minutes
+fuzz: dependencies-build-test ## the readers are fuzzed for ten minutes
 	cmake --preset fuzz
-	cmake --build $(BUILD)/fuzz --parallel $(JOBS) --target fuzz_case
+	cmake --build $(BUILD)/fuzz --parallel $(JOBS) --target fuzz_case fuzz_claims
 	scripts/fuzz.sh $(BUILD)/fuzz 600
 
 # ---------------------------------------------------------------- the paper
@@ -90,8 +90,8 @@ $(PAPER)/report/report.html: $(RESULTS) cases/paper-claims.yaml
 
 bench: dependencies-build-test-bench ## measured speed, as a ratio to a straightforward loop
 	cmake --preset release -DWHIRL_BENCH=ON
-	cmake --build $(BUILD) --parallel $(JOBS)
-	cmake --build $(BUILD) --target bench
+	cmake --build $(BUILD) --parallel $(JOBS) --target bench
+	$(BUILD)/bench/bench
 
 install: all    ## into PREFIX (/usr/local)
 	cmake --build $(BUILD) --parallel $(JOBS)

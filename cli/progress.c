@@ -38,7 +38,7 @@ static void state_text(const whirl_progress *progress, char *text, size_t size) 
     const double rate = progress->seconds > 0 ? progress->revolutions_done / progress->seconds : 0;
     char left[32] = "?";
     if (rate > 0) duration_text((progress->revolutions_total - progress->revolutions_done) / rate, left, sizeof left);
-    snprintf(text, size, "%3.0f %%, %zu of %zu points, %.3g revolutions/s, %s left", floor(100 * done_share(progress)),
+    snprintf(text, size, "%3.0f %%, %zu of %zu points, %.0f revolutions/s, %s left", floor(100 * done_share(progress)),
              progress->points_done, progress->points_total, rate, left);
 }
 

@@ -61,9 +61,10 @@ static int parse_threads(const char *text, const struct argp_state *state) {
 
 /// The case's name with .h5, in the current folder.
 static void name_output(run_arguments *arguments) {
+    const size_t length = strlen(arguments->case_path);
+    const bool short_ending = length > 4 && strcmp(arguments->case_path + length - 4, ".yml") == 0;
     char name[PATH_SIZE - 4];
-    base_name(arguments->case_path, ".yaml", name, sizeof name);
-    base_name(name, ".yml", name, sizeof name);
+    base_name(arguments->case_path, short_ending ? ".yml" : ".yaml", name, sizeof name);
     snprintf(arguments->default_output, sizeof arguments->default_output, "%s.h5", name);
     arguments->output = arguments->default_output;
 }

@@ -124,15 +124,26 @@ void summarize_result(const whirl_result *result) {
     }
 }
 
+static bool is_adaptive(const char *name) {
+    const whirl_method *method;
+    for (size_t i = 0; (method = whirl_method_at(i)) != NULL; i++)
+        if (strcmp(method->name, name) == 0) return method->adaptive;
+    return false;
+}
+
 void summarize_study(const whirl_study *study) {
     for (size_t i = 0; i < study->batch_count; i++) {
         const whirl_batch *const batch = &study->batches[i];
+        const char *const method = batch->integrate.method;
+        const int steps = batch->integrate.steps_per_revolution;
         const double points = (double)batch->count * (batch->carry == WHIRL_CARRY_BOTH ? 2 : 1);
         const double revolutions = (double)batch->record.transient + batch->record.record;
         printf("  %s", batch->name);
         if (batch->parameter[0]) printf(" of %s", batch->parameter);
-        printf(": %.0f point%s, %.0f revolutions of %d %s each", points, points == 1 ? "" : "s", revolutions,
-               batch->integrate.steps_per_revolution, batch->integrate.method);
-        printf(" steps, %.3g in all\n", points * revolutions * batch->integrate.steps_per_revolution);
+        printf(": %.0f point%s, %.0f revolutions each", points, points == 1 ? "" : "s", revolutions);
+        if (is_adaptive(method))
+            printf(" by %s\n", method);
+        else
+            printf(" by %s of %d steps, %.3g steps in all\n", method, steps, points * revolutions * steps);
     }
 }

@@ -3,6 +3,7 @@
 #   cmake -DSOURCE=<folder> -DHEADER=<file> -P cmake/build_info.cmake    writes the revision (what the build runs)
 
 if(CMAKE_SCRIPT_MODE_FILE)
+  cmake_minimum_required(VERSION 3.25)
   set(revision "unknown")
   execute_process(COMMAND git -C ${SOURCE} rev-parse HEAD OUTPUT_VARIABLE head RESULT_VARIABLE failed
                   ERROR_QUIET OUTPUT_STRIP_TRAILING_WHITESPACE)
@@ -34,7 +35,8 @@ string(REPLACE "\"" "\\\"" BUILD_FLAGS "${BUILD_FLAGS}")
 
 # SUNDIALS comes without a pkg-config file and says its version in a header.
 set(sundials_version "of unknown version")
-set(sundials_header "${SUNDIALS::CVODE_INCLUDE}/sundials/sundials_config.h")
+get_target_property(sundials_folder SUNDIALS::CVODE INTERFACE_INCLUDE_DIRECTORIES)
+set(sundials_header "${sundials_folder}/sundials/sundials_config.h")
 if(EXISTS "${sundials_header}")
   file(STRINGS "${sundials_header}" line REGEX "#define SUNDIALS_VERSION ")
   string(REGEX MATCH "\"(.+)\"" line "${line}")

@@ -1,21 +1,31 @@
 #!/bin/bash
-# Fuzzes the case reader:  scripts/fuzz.sh BUILD SECONDS
-# The corpus is copied first, so that a run leaves the working tree as it was. What made it fail stays in BUILD/findings.
+# Fuzzes everything that reads a file of the user's, all targets at once:  scripts/fuzz.sh BUILD SECONDS
+# What is found on the way stays in BUILD/corpus, what made a target fail in BUILD/findings; the working tree stays as it is.
 set -euo pipefail
-build=$1
+build=$(realpath "$1")
 seconds=$2
-program=$(find "$build" -name fuzz_case -type f -perm -u+x | head -n 1)
-[ -n "$program" ] || { echo "fuzz: there is no fuzz_case in $build" >&2; exit 1; }
-
-corpus=$(mktemp -d)
-trap 'rm -rf "$corpus"' EXIT
-cp -r tests/fuzz/corpus/. "$corpus"
+cd "$(dirname "$0")/.."
 mkdir -p "$build/findings"
-log=$build/fuzz.log
-if ! "$program" -max_total_time="$seconds" -timeout=10 -rss_limit_mb=2048 -max_len=8192 -print_final_stats=1 \
-    -artifact_prefix="$build/findings/" "$corpus" >"$log" 2>&1; then
-    tail -n 60 "$log" >&2
-    echo "fuzz: failed; the input is in $build/findings, the log is $log" >&2
-    exit 1
-fi
-sed -n 's/^stat::number_of_executed_units: */fuzz: nothing found, executions: /p' "$log"
+
+fuzz() { # TARGET
+    local program=$build/tests/fuzz/fuzz_$1 log=$build/fuzz_$1.log
+    mkdir -p "$build/corpus/$1"
+    if ! "$program" -max_total_time="$seconds" -max_len=65536 -timeout=20 -rss_limit_mb=2048 -print_final_stats=1 \
+        -dict=tests/fuzz/words.dict -artifact_prefix="$build/findings/$1-" \
+        "$build/corpus/$1" "tests/fuzz/corpus/$1" cases >"$log" 2>&1; then
+        tail -n 60 "$log" >&2
+        echo "fuzz: $1 failed; the input is in $build/findings, the log is $log" >&2
+        return 1
+    fi
+    sed -n "s/^stat::number_of_executed_units: */fuzz: nothing found in $1 after this many inputs: /p" "$log"
+}
+
+running=()
+for target in tests/fuzz/fuzz_*.c; do
+    name=$(basename "$target" .c)
+    fuzz "${name#fuzz_}" &
+    running+=($!)
+done
+failed=0
+for one in "${running[@]}"; do wait "$one" || failed=1; done
+exit $failed

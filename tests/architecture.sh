@@ -17,11 +17,11 @@ fail() {
 base="status.h descriptor.h version.h" # everyone's
 declare -A below=(
     [base]=""
-    [rotor]="system.h rotor.h"
-    [integrate]="system.h integrate.h"
-    [analyze]="system.h integrate.h analyze.h"
-    [study]="system.h integrate.h analyze.h result.h study.h"
-    [case]="system.h rotor.h integrate.h analyze.h result.h study.h case.h claims.h"
+    [rotor]="system.h ensemble.h rotor.h"
+    [integrate]="system.h ensemble.h integrate.h"
+    [analyze]="system.h ensemble.h integrate.h analyze.h"
+    [study]="system.h ensemble.h integrate.h analyze.h result.h study.h"
+    [case]="system.h ensemble.h rotor.h integrate.h analyze.h result.h study.h case.h claims.h"
     [store]="system.h integrate.h analyze.h result.h"
     [report]="system.h integrate.h analyze.h result.h study.h case.h claims.h report.h"
 )

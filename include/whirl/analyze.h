@@ -24,7 +24,8 @@ typedef struct whirl_record_options {
     int transient; ///< revolutions that pass before anything is recorded, >= 0
     int record;    ///< revolutions recorded, >= 1
     /// Revolutions before the end over which the Poincare section and the growth of a disturbance are followed,
-    /// record <= watch <= transient + record; 0: the record and the second half of the transient.
+    /// record <= watch <= transient + record; 0: the record and the second half of the transient, of which at most
+    /// the larger of 1000 and record.
     int watch;
     int waveform_revolutions; ///< last revolutions whose waveform is kept as a result, 0 <= ... <= record
     /// Samples of the waveform a revolution, at least (the next divisor of steps_per_revolution is taken).
@@ -92,6 +93,31 @@ whirl_status whirl_record_motion(const whirl_system *system, const whirl_integra
                                  const whirl_record_options *options, const double *start, const whirl_monitor *monitor,
                                  whirl_record **record);
 void whirl_record_free(whirl_record *record);
+
+/// A motion to be recorded among many. `system` and `start` [dimension] are borrowed until the motion is done.
+typedef struct whirl_task {
+    const whirl_system *system;
+    const double *start;
+    void *tag; ///< the source's own
+} whirl_task;
+
+/// Where motions come from and where their records go.
+typedef struct whirl_task_source {
+    /// Writes the next motion and returns true; false when there is none now (there may be one after the next `done`).
+    bool (*next)(void *context, whirl_task *task);
+    /// Takes a finished motion; the record belongs to the source from then on.
+    whirl_status (*done)(void *context, const whirl_task *task, whirl_record *record);
+    /// Takes back a motion that did not finish because the work ended early.
+    void (*abandon)(void *context, const whirl_task *task);
+    void *context;
+} whirl_task_source;
+
+/// Records all motions that the source gives, one after the other or, where they can (whirl_ensemble_takes), many side
+/// by side. Each record is what whirl_record_motion gives, to the bit. All systems have the structure of `system`.
+/// Errors as whirl_record_motion; the first one, or the first of `done`, ends the work.
+whirl_status whirl_record_motions(const whirl_system *system, const whirl_integrate_options *integrate,
+                                  const whirl_record_options *options, const whirl_task_source *source,
+                                  const whirl_monitor *monitor);
 
 // ---------------------------------------------------------------- single analyses, for any record
 

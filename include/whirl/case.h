@@ -68,7 +68,7 @@ whirl_status whirl_case_describe_result(const whirl_case *object, whirl_result *
 whirl_status whirl_case_run(const whirl_case *object, const whirl_run_options *options, whirl_result **result);
 
 /// The groups of keys of a case file outside rotor elements and stations (case, rotor, study, sweep, integrate, ...);
-/// static, ended by an entry whose name is NULL.
+/// static, ended by NULL. A key of kind WHIRL_KEY_CHOICE whose choices are "" holds a text or a part with keys of its own.
 const whirl_group *const *whirl_case_groups(void);
 
 #ifdef __cplusplus

@@ -31,6 +31,9 @@ typedef struct whirl_probe {
     double clearance;
 } whirl_probe;
 
+/// The form of a system that runs in vector lanes; private to the library.
+typedef struct whirl_lanes whirl_lanes;
+
 typedef struct whirl_system {
     size_t dimension; ///< length of x
     double period;    ///< of the forcing, and from one Poincare section to the next, in units of t ("one revolution")
@@ -57,6 +60,8 @@ typedef struct whirl_system {
     const whirl_probe *probes; ///< borrowed; lives as long as the system
 
     const void *model; ///< handed to every function; borrowed
+
+    const whirl_lanes *lanes; ///< NULL for systems that are not rotors; borrowed
 } whirl_system;
 
 #ifdef __cplusplus

@@ -8,6 +8,7 @@
 #include "whirl/case.h"
 #include "whirl/claims.h"
 #include "whirl/descriptor.h"
+#include "whirl/ensemble.h"
 #include "whirl/integrate.h"
 #include "whirl/report.h"
 #include "whirl/result.h"

@@ -6,8 +6,7 @@
 
 #include "section.h"
 
-/// The bump exp(-1/(t (1 - t))) at t = (n + 1)/(count + 1).
-static double bump(size_t n, size_t count) {
+double birkhoff_weight(size_t n, size_t count) {
     const double t = (double)(n + 1) / (double)(count + 1);
     return exp(-1.0 / (t * (1.0 - t)));
 }
@@ -20,7 +19,7 @@ typedef struct moments {
 static moments weighted_moments(const section *all, size_t coordinate, size_t first, size_t count, double centre) {
     double weights = 0.0, sum = 0.0, squares = 0.0;
     for (size_t n = 0; n < count; n++) {
-        const double w = bump(n, count);
+        const double w = birkhoff_weight(n, count);
         const double u = all->points[(first + n) * all->dimension + coordinate] - centre;
         weights += w;
         sum += w * u;
@@ -46,10 +45,10 @@ static double variance(const section *all, size_t coordinate, double *mean) {
     return squares / (double)all->count;
 }
 
-static void compare_halves(const section *all, size_t coordinate, double largest_variance, comparison *sums) {
+static void compare_halves(const section *all, size_t coordinate, double size, comparison *sums) {
     double centre;
     const double spread = variance(all, coordinate, &centre);
-    if (!(spread > 1e-12 * largest_variance)) return; // nothing but rounding moves here
+    if (!(sqrt(spread) > 1e-9 * size)) return; // nothing but rounding moves here
     const size_t half = all->count / 2;
     const moments early = weighted_moments(all, coordinate, 0, half, centre);
     const moments late = weighted_moments(all, coordinate, all->count - half, half, centre);
@@ -60,13 +59,11 @@ static void compare_halves(const section *all, size_t coordinate, double largest
     sums->late += late.square - late.mean * late.mean;
 }
 
-regularity regularity_find(const section *all) {
+regularity regularity_find(const section *all, double size) {
     enum { FEWEST_POINTS = 16 };
     if (all->count < FEWEST_POINTS) return (regularity){NAN, NAN};
-    double largest = 0.0, mean;
-    for (size_t i = 0; i < all->dimension; i++) largest = fmax(largest, variance(all, i, &mean));
     comparison sums = {0};
-    for (size_t i = 0; i < all->dimension; i++) compare_halves(all, i, largest, &sums);
+    for (size_t i = 0; i < all->dimension; i++) compare_halves(all, i, size, &sums);
     if (!(sums.early > 0.0)) return (regularity){16.0, 1.0}; // a single point
     return (regularity){fmin(16.0, -0.5 * log10(fmax(sums.difference, 1e-32))),
                         sqrt(fmax(sums.late, 0.0) / sums.early)};

@@ -126,22 +126,35 @@ static void longest_paths(const tree *t, size_t parts, descent *down, part_path 
     }
 }
 
-/// Whether every part is one closed curve: nearly all of its points on one path whose ends are neighbours.
-static bool all_closed(const tree *t, const section *points, size_t parts) {
+/// Largest distance of a part's points from one of them.
+static double reach(const tree *t, const section *points, size_t from) {
+    double farthest = 0.0;
+    for (size_t i = 0; i < t->count; i++) {
+        if (t->label[i] == t->label[from]) farthest = fmax(farthest, section_distance(points, from, i));
+    }
+    return farthest;
+}
+
+/// Whether a part is one closed, well filled curve: nearly all of its points on one path whose ends are neighbours,
+/// and no gap on the path that a curve could leave by.
+static bool is_closed(const tree *t, const section *points, const part_path *path, double longest_edge) {
     const double least_on_path = 0.9;  // of the points; the rest are twigs where a curve passes close to itself
     const double widest_closing = 3.0; // longest edges on the curves: gaps of a rotation differ by a small factor
+    const double widest_gap = 0.35;    // of the curve's diameter
+    if ((double)path->length < least_on_path * (double)path->size) return false;
+    if (section_distance(points, path->ends[0], path->ends[1]) > widest_closing * longest_edge) return false;
+    return longest_edge <= widest_gap * reach(t, points, path->ends[0]);
+}
+
+static bool all_closed(const tree *t, const section *points, size_t parts) {
     descent *down = malloc(t->count * sizeof *down);
     part_path paths[MOST_CURVES];
     if (!down) return false;
     longest_paths(t, parts, down, paths);
     free(down);
-    const double longest_on_curve = t->longest[parts - 1].length;
-    for (size_t p = 0; p < parts; p++) {
-        if ((double)paths[p].length < least_on_path * (double)paths[p].size) return false;
-        if (section_distance(points, paths[p].ends[0], paths[p].ends[1]) > widest_closing * longest_on_curve)
-            return false;
-    }
-    return true;
+    bool closed = true;
+    for (size_t p = 0; p < parts && closed; p++) closed = is_closed(t, points, &paths[p], t->longest[parts - 1].length);
+    return closed;
 }
 
 int curves_count(const section *all) {

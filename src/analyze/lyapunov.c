@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "analysis.h"
+#include "section.h"
 
 /// A disturbance that vanished altogether has shrunk at least to the smallest double.
 static const double strongest_decay = -745.0;
@@ -28,15 +29,41 @@ static double block_error(const double *values, size_t count, size_t length) {
 }
 
 whirl_estimate estimate_mean(const double *values, size_t count) {
-    enum { FEWEST_BLOCKS = 16 };
+    enum { FEWER = 16, MORE = 32 };
     if (count == 0) return (whirl_estimate){NAN, NAN};
     const double mean = block_mean(values, count);
     if (count == 1) return (whirl_estimate){mean, NAN};
-    double error = block_error(values, count, 1);
-    for (size_t length = 2; count / length >= FEWEST_BLOCKS; length *= 2) {
-        error = fmax(error, block_error(values, count, length));
+    if (count < MORE) return (whirl_estimate){mean, block_error(values, count, 1)};
+    return (whirl_estimate){mean,
+                            fmax(block_error(values, count, count / FEWER), block_error(values, count, count / MORE))};
+}
+
+static double smooth_mean(const double *values, size_t count) {
+    double weights = 0.0, sum = 0.0;
+    for (size_t i = 0; i < count; i++) {
+        const double w = birkhoff_weight(i, count);
+        weights += w;
+        sum += w * fmax(values[i], strongest_decay);
     }
-    return (whirl_estimate){mean, error};
+    return sum / weights;
+}
+
+/// A mean with the distance of the two halves' means from it.
+static whirl_estimate compare_halves(double (*mean)(const double *, size_t), const double *values, size_t half) {
+    const double all = mean(values, 2 * half);
+    return (whirl_estimate){all, fmax(fabs(mean(values, half) - all), fabs(mean(values + half, half) - all))};
+}
+
+whirl_estimate estimate_regular_mean(const double *values, size_t count, size_t period) {
+    enum { FEWEST_SMOOTH = 16 };
+    const size_t half = count / 2, whole = half - half % period;
+    whirl_estimate best = {NAN, NAN};
+    if (whole > 0) best = compare_halves(block_mean, values + count - 2 * whole, whole);
+    if (half >= FEWEST_SMOOTH) {
+        const whirl_estimate smooth = compare_halves(smooth_mean, values + count - 2 * half, half);
+        if (!(best.error <= smooth.error)) best = smooth;
+    }
+    return best;
 }
 
 whirl_estimate whirl_lyapunov_largest(const whirl_record *record) {

@@ -1,110 +1,12 @@
-// Recording a motion: what is gathered while the integrator runs.
-#include <limits.h>
+// Recording a motion alone: what is gathered while the integrator runs.
 #include <stdlib.h>
 #include <string.h>
 
+#include "record_block.h"
+#include "record_lanes.h"
 #include "twin.h"
 #include "watcher.h"
-#include "whirl/analyze.h"
-
-whirl_record_options whirl_record_default(void) {
-    return (whirl_record_options){.transient = 1100,
-                                  .record = 100,
-                                  .samples_per_revolution = 64,
-                                  .highest_order = 5.0,
-                                  .waveform = true,
-                                  .growth = true};
-}
-
-int whirl_record_watch(const whirl_record_options *options) {
-    return options->watch > 0 ? options->watch : options->record + options->transient / 2;
-}
-
-int whirl_record_samples(const whirl_record_options *options, int steps_per_revolution) {
-    int samples =
-        options->samples_per_revolution < steps_per_revolution ? options->samples_per_revolution : steps_per_revolution;
-    while (steps_per_revolution % samples != 0) samples++;
-    return samples;
-}
-
-static whirl_status check(const whirl_record_options *options) {
-    if (options->transient < 0 || options->record < 1 || options->transient > INT_MAX - options->record)
-        return whirl_fail(WHIRL_BAD_INPUT, "transient is %d and record %d revolutions, expected at least 0 and 1",
-                          options->transient, options->record);
-    const int watch = whirl_record_watch(options);
-    if (watch < options->record || watch > options->transient + options->record)
-        return whirl_fail(WHIRL_BAD_INPUT, "watch is %d revolutions, expected record (%d) to transient + record (%d)",
-                          watch, options->record, options->transient + options->record);
-    if (options->waveform_revolutions < 0 || options->waveform_revolutions > options->record)
-        return whirl_fail(WHIRL_BAD_INPUT, "waveform is %d revolutions, expected 0 to record (%d)",
-                          options->waveform_revolutions, options->record);
-    if (options->samples_per_revolution < 1)
-        return whirl_fail(WHIRL_BAD_INPUT, "samples_per_revolution is %d, expected at least 1",
-                          options->samples_per_revolution);
-    return whirl_ok();
-}
-
-/// Numbers of every part of a record; the order of the parts is fixed in `lay_out`.
-typedef struct sizes {
-    size_t section, growth, waveform, dimension, probes, contacts;
-} sizes;
-
-static sizes measure(const whirl_system *system, const whirl_integrate_options *integrate,
-                     const whirl_record_options *options) {
-    const size_t watch = (size_t)whirl_record_watch(options);
-    const size_t samples = (size_t)whirl_record_samples(options, integrate->steps_per_revolution);
-    return (sizes){.section = watch * system->dimension,
-                   .growth = options->growth ? watch : 0,
-                   .waveform = options->waveform ? 2 * system->probe_count * (size_t)options->record * samples : 0,
-                   .dimension = system->dimension,
-                   .probes = system->probe_count,
-                   .contacts = system->contact_count};
-}
-
-static double *cut(double **block, size_t count) {
-    double *part = *block;
-    *block += count;
-    return part;
-}
-
-static void lay_out(whirl_record *record, double *block, const sizes *size) {
-    record->section = cut(&block, size->section);
-    record->growth = cut(&block, size->growth);
-    record->waveform = cut(&block, size->waveform);
-    record->low = cut(&block, size->dimension);
-    record->high = cut(&block, size->dimension);
-    record->end = cut(&block, size->dimension);
-    record->max_radius = cut(&block, size->probes);
-    record->min_radius = cut(&block, size->probes);
-    record->mean = cut(&block, 2 * size->probes);
-    record->backward = cut(&block, size->probes);
-    record->contact_share = cut(&block, size->contacts);
-    record->contact_number = cut(&block, size->contacts);
-    record->contact_force = cut(&block, size->contacts);
-}
-
-static whirl_record *allocate(const whirl_system *system, const whirl_integrate_options *integrate,
-                              const whirl_record_options *options) {
-    const sizes size = measure(system, integrate, options);
-    const size_t numbers =
-        size.section + size.growth + size.waveform + 3 * size.dimension + 5 * size.probes + 3 * size.contacts;
-    whirl_record *record = calloc(1, sizeof *record + numbers * sizeof(double));
-    if (!record) return NULL;
-    lay_out(record, (double *)(record + 1), &size);
-    record->dimension = system->dimension;
-    record->probe_count = system->probe_count;
-    record->contact_count = system->contact_count;
-    record->probes = system->probes;
-    record->period = system->period;
-    record->record_count = (size_t)options->record;
-    if (options->waveform)
-        record->samples_per_revolution = (size_t)whirl_record_samples(options, integrate->steps_per_revolution);
-    return record;
-}
-
-void whirl_record_free(whirl_record *record) {
-    free(record);
-}
+#include "whirl/ensemble.h"
 
 typedef struct recording {
     const whirl_record_options *options;
@@ -152,17 +54,15 @@ static whirl_status run(recording *r) {
     return whirl_ok();
 }
 
-whirl_status whirl_record_motion(const whirl_system *system, const whirl_integrate_options *integrate,
+/// By the integrator's interface, which takes every system and method.
+static whirl_status record_alone(const whirl_system *system, const whirl_integrate_options *integrate,
                                  const whirl_record_options *options, const double *start, const whirl_monitor *monitor,
                                  whirl_record **out) {
-    *out = NULL;
-    whirl_status status = check(options);
-    if (status.code != WHIRL_OK) return status;
     recording r = {.options = options, .monitor = monitor};
-    status = whirl_integrator_new(system, integrate, &r.integrator);
+    whirl_status status = whirl_integrator_new(system, integrate, &r.integrator);
     if (status.code != WHIRL_OK) return status;
     r.x = malloc(2 * system->dimension * sizeof *r.x);
-    r.record = allocate(system, integrate, options);
+    r.record = record_new(system, integrate, options);
     if (r.x && r.record) {
         memcpy(r.x, start, system->dimension * sizeof *r.x);
         r.twin =
@@ -179,4 +79,65 @@ whirl_status whirl_record_motion(const whirl_system *system, const whirl_integra
     else
         whirl_record_free(r.record);
     return status;
+}
+
+/// A source of one motion, whose record is kept.
+typedef struct single_task {
+    whirl_task task;
+    bool taken;
+    whirl_record **out;
+} single_task;
+
+static bool single_next(void *context, whirl_task *task) {
+    single_task *single = context;
+    if (single->taken) return false;
+    single->taken = true;
+    *task = single->task;
+    return true;
+}
+
+static whirl_status single_done(void *context, const whirl_task *task, whirl_record *record) {
+    (void)task;
+    *((single_task *)context)->out = record;
+    return whirl_ok();
+}
+
+static void single_abandon(void *context, const whirl_task *task) {
+    (void)context, (void)task;
+}
+
+whirl_status whirl_record_motion(const whirl_system *system, const whirl_integrate_options *integrate,
+                                 const whirl_record_options *options, const double *start, const whirl_monitor *monitor,
+                                 whirl_record **out) {
+    *out = NULL;
+    const whirl_status status = record_check(options);
+    if (status.code != WHIRL_OK) return status;
+    if (!whirl_ensemble_takes(system, integrate)) return record_alone(system, integrate, options, start, monitor, out);
+    single_task single = {.task = {system, start, NULL}, .out = out};
+    const whirl_task_source source = {single_next, single_done, single_abandon, &single};
+    return record_in_lanes(system, integrate, options, &source, 2, monitor);
+}
+
+static whirl_status record_in_turn(const whirl_integrate_options *integrate, const whirl_record_options *options,
+                                   const whirl_task_source *source, const whirl_monitor *monitor) {
+    whirl_task task;
+    while (source->next(source->context, &task)) {
+        whirl_record *record = NULL;
+        whirl_status status = record_alone(task.system, integrate, options, task.start, monitor, &record);
+        if (status.code == WHIRL_OK)
+            status = source->done(source->context, &task, record);
+        else
+            source->abandon(source->context, &task);
+        if (status.code != WHIRL_OK) return status;
+    }
+    return whirl_ok();
+}
+
+whirl_status whirl_record_motions(const whirl_system *system, const whirl_integrate_options *integrate,
+                                  const whirl_record_options *options, const whirl_task_source *source,
+                                  const whirl_monitor *monitor) {
+    const whirl_status status = record_check(options);
+    if (status.code != WHIRL_OK) return status;
+    if (whirl_ensemble_takes(system, integrate)) return record_in_lanes(system, integrate, options, source, 0, monitor);
+    return record_in_turn(integrate, options, source, monitor);
 }

@@ -40,13 +40,17 @@ recurrence recurrence_find(const section *all, size_t record_count, double size)
 
 // ---------------------------------------------------------------- birkhoff.c
 
+/// The weight exp(-1/(t (1 - t))) of item n of count, t = (n + 1)/(count + 1).
+double birkhoff_weight(size_t n, size_t count);
+
 /// What weighted averages over the two halves of the section say.
 typedef struct regularity {
     double digits; ///< decimal digits to which the averages agree, at most 16
     double spread; ///< size of the second half over that of the first
 } regularity;
 
-regularity regularity_find(const section *all);
+/// `size` is that of the motion; coordinates that move by less than 1e-9 of it in the section only round.
+regularity regularity_find(const section *all, double size);
 
 // ---------------------------------------------------------------- curves.c
 

@@ -13,10 +13,13 @@ static const double sigmas = 3.0;
 static const double blind_tolerance = 1e-9;
 
 /// How closely the averages of a quasi-periodic motion must agree, and those of chaos may, in decimal digits.
-static const double regular_digits = 3.0, irregular_digits = 4.0;
+static const double regular_digits = 2.5, irregular_digits = 6.0;
 
-/// Exponents of quasi-periodic motions are zero within this, or within their error.
-static const double neutral_exponent = 2e-3;
+/// Exponents of this size and below are not told from zero; how well the exponent of a torus must be known to be zero.
+static const double least_exponent = 2e-3, neutral_error = 1e-2;
+
+/// A quasi-periodic exponent is zero within its error and this, to which a disturbance of finite size is followed.
+static const double neutral_rounding = 3e-7;
 
 /// A bound orbit may change its size by this factor between the halves of the section, unless it grows or settles.
 static const double steady_factor = 1.6;
@@ -24,24 +27,25 @@ static const double steady_factor = 1.6;
 /// What whirl_judge weighs.
 typedef struct evidence {
     section points;
-    size_t record_count;
+    double size;         ///< of the motion
+    size_t growth_count; ///< after the first tenth, in which the disturbance turns
+    const double *growth;
     recurrence returns;
     regularity averages;
-    whirl_estimate exponent; ///< over all watched revolutions
-    whirl_estimate late;     ///< over the window of the returns
+    whirl_estimate exponent;
 } evidence;
 
 static evidence gather(const whirl_record *record) {
     evidence e = {.points = {record->section_count, record->dimension, record->section},
-                  .record_count = record->record_count,
-                  .exponent = whirl_lyapunov_largest(record),
-                  .late = {NAN, NAN}};
-    e.returns = recurrence_find(&e.points, record->record_count, motion_size(record));
-    e.averages = regularity_find(&e.points);
+                  .size = motion_size(record),
+                  .exponent = whirl_lyapunov_largest(record)};
     if (record->growth_count > 0) {
-        const size_t window = e.returns.window < record->growth_count ? e.returns.window : record->growth_count;
-        e.late = estimate_mean(record->growth + record->growth_count - window, window);
+        const size_t aligning = record->growth_count / 10;
+        e.growth = record->growth + aligning;
+        e.growth_count = record->growth_count - aligning;
     }
+    e.returns = recurrence_find(&e.points, record->record_count, e.size);
+    e.averages = regularity_find(&e.points, e.size);
     return e;
 }
 
@@ -49,60 +53,106 @@ static bool is_negative(whirl_estimate exponent) {
     return exponent.value + sigmas * exponent.error < 0.0;
 }
 
+/// The exponent of a motion that returns: over all watched revolutions or, where the motion settled late, over those
+/// whose returns were compared.
+static whirl_estimate returning_exponent(const evidence *e) {
+    if (e->growth_count == 0 || e->returns.period == 0) return (whirl_estimate){NAN, NAN};
+    const size_t period = (size_t)e->returns.period;
+    const whirl_estimate all = estimate_regular_mean(e->growth, e->growth_count, period);
+    if (is_negative(all) || e->returns.window >= e->growth_count) return all;
+    const size_t before = e->growth_count - e->returns.window;
+    return estimate_regular_mean(e->growth + before, e->returns.window, period);
+}
+
 /// P-k: the motion returns, disturbances die out, and the k points stand clearly further apart than they still have to
-/// go. The last tells a period from a slow spiral that is seen stroboscopically: with multipliers mu = r e^(i 2 pi p/k)
+/// go. The last tells a period from a slow spiral that is seen stroboscopically: with multipliers r e^(+-i 2 pi p/k)
 /// it returns after k revolutions to within 1 - r^k of its distance to the limit.
 static bool is_periodic(const evidence *e, whirl_estimate exponent) {
     if (!(e->returns.distance <= recurrence_tolerance)) return false;
-    if (isnan(exponent.value)) return e->returns.distance <= blind_tolerance;
+    if (e->growth_count == 0) return e->returns.distance <= blind_tolerance;
     if (!is_negative(exponent)) return false;
     const double slowest = exponent.value + sigmas * exponent.error;
     const double left_to_go = e->returns.distance / -expm1(slowest * e->returns.period);
     return e->returns.separation > 10.0 * left_to_go;
 }
 
-/// The least exponent that the watched revolutions can tell from a slow growth away from some other motion.
-static double least_exponent(const evidence *e) {
-    return fmax(neutral_exponent, 2.0 / (double)e->points.count);
+/// Whether disturbances still grow, or at least do not clearly die out, in the last revolutions: a motion that was
+/// chaotic and then fell onto a periodic one is not chaotic.
+static bool grows_to_the_end(const evidence *e) {
+    const size_t window = e->returns.window < e->growth_count ? e->returns.window : e->growth_count;
+    const whirl_estimate late = estimate_mean(e->growth + e->growth_count - window, window);
+    return late.value + late.error > 0.0;
 }
 
+/// Chaos: disturbances grow, faster than a slow departure from some other motion would explain over the watched
+/// revolutions, and the motion is steady but not regular.
 static bool is_chaotic(const evidence *e) {
-    return e->exponent.value - sigmas * e->exponent.error > 0.0 && e->exponent.value > least_exponent(e) &&
-           e->averages.digits < irregular_digits && e->averages.spread < steady_factor &&
-           e->averages.spread > 1.0 / steady_factor && e->returns.distance > recurrence_tolerance;
+    const double least = fmax(least_exponent, 2.0 / (double)e->points.count);
+    return e->growth_count > 0 && e->exponent.value > fmax(least, sigmas * e->exponent.error) &&
+           e->returns.distance > recurrence_tolerance && e->averages.digits < irregular_digits &&
+           fabs(log(e->averages.spread)) < log(steady_factor) && grows_to_the_end(e);
 }
 
-static bool is_neutral(whirl_estimate exponent) {
-    return fabs(exponent.value) <= fmax(sigmas * exponent.error, neutral_exponent);
+/// The evidence of the later half of the watched revolutions, for a motion that took long to come to its attractor.
+static evidence later_half(const evidence *all) {
+    evidence half = *all;
+    half.points = section_tail(&all->points, all->points.count / 2);
+    half.averages = regularity_find(&half.points, all->size);
+    if (all->growth_count > half.points.count) {
+        half.growth += all->growth_count - half.points.count;
+        half.growth_count = half.points.count;
+        half.exponent = estimate_mean(half.growth, half.growth_count);
+    }
+    return half;
 }
 
+/// Quasi-periodic, up to the curves: disturbances neither grow nor die out, and the motion is regular but never returns.
 static bool may_be_quasi_periodic(const evidence *e) {
-    return is_neutral(e->exponent) && e->averages.digits >= regular_digits &&
-           e->returns.distance > recurrence_tolerance;
+    if (e->growth_count == 0) return false;
+    const whirl_estimate exponent = estimate_regular_mean(e->growth, e->growth_count, 1);
+    return fabs(exponent.value) <= sigmas * exponent.error + neutral_rounding && exponent.error <= neutral_error &&
+           e->averages.digits >= regular_digits && e->returns.distance > recurrence_tolerance;
+}
+
+/// The evidence as part of a verdict that is still open.
+static whirl_verdict open_verdict(const evidence *e) {
+    return (whirl_verdict){.regime = WHIRL_UNDETERMINED,
+                           .exponent = e->exponent,
+                           .recurrence = e->returns.distance,
+                           .recurrence_period = e->returns.period,
+                           .recurrence_trend = e->returns.trend,
+                           .regularity = e->averages.digits};
+}
+
+static whirl_verdict judge_bounded(const evidence *e) {
+    whirl_verdict verdict = open_verdict(e);
+    const whirl_estimate returning = returning_exponent(e);
+    const evidence later = later_half(e);
+    if (is_periodic(e, returning)) {
+        verdict.regime = WHIRL_PERIODIC;
+        verdict.period = e->returns.period;
+        verdict.exponent = returning;
+    } else if (is_chaotic(e)) {
+        verdict.regime = WHIRL_CHAOTIC;
+    } else if (may_be_quasi_periodic(e)) {
+        verdict.curves = curves_count(&e->points);
+        if (verdict.curves > 0) verdict.regime = WHIRL_QUASI_PERIODIC;
+    } else if (is_chaotic(&later)) {
+        verdict = open_verdict(&later);
+        verdict.regime = WHIRL_CHAOTIC;
+    }
+    return verdict;
 }
 
 whirl_verdict whirl_judge(const whirl_record *record) {
-    whirl_verdict verdict = {.exponent = {NAN, NAN}, .recurrence = NAN, .recurrence_trend = NAN, .regularity = NAN};
     if (record->motion != WHIRL_BOUNDED) {
-        if (record->motion == WHIRL_DIVERGED) verdict.regime = WHIRL_DIVERGING;
-        verdict.diverged_at = record->diverged_at;
-        return verdict;
+        return (whirl_verdict){.regime = record->motion == WHIRL_DIVERGED ? WHIRL_DIVERGING : WHIRL_UNDETERMINED,
+                               .diverged_at = record->diverged_at,
+                               .exponent = {NAN, NAN},
+                               .recurrence = NAN,
+                               .recurrence_trend = NAN,
+                               .regularity = NAN};
     }
     const evidence e = gather(record);
-    verdict.exponent = e.exponent;
-    verdict.recurrence = e.returns.distance;
-    verdict.recurrence_period = e.returns.period;
-    verdict.recurrence_trend = e.returns.trend;
-    verdict.regularity = e.averages.digits;
-    if (is_periodic(&e, e.late)) {
-        verdict.regime = WHIRL_PERIODIC;
-        verdict.period = e.returns.period;
-        verdict.exponent = is_negative(e.exponent) ? e.exponent : e.late;
-    } else if (is_chaotic(&e)) {
-        verdict.regime = WHIRL_CHAOTIC;
-    } else if (may_be_quasi_periodic(&e)) {
-        verdict.curves = curves_count(&e.points);
-        if (verdict.curves > 0) verdict.regime = WHIRL_QUASI_PERIODIC;
-    }
-    return verdict;
+    return judge_bounded(&e);
 }

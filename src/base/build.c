@@ -19,8 +19,13 @@
 
 const build_fact *build_facts(void) {
     static const build_fact facts[] = {
-        {"version", WHIRL_VERSION}, {"revision", BUILD_REVISION},   {"compiler", BUILD_COMPILER}, {"flags", BUILD_FLAGS},
-        {"build type", BUILD_TYPE}, {"libraries", BUILD_LIBRARIES}, {NULL, NULL},
+        {"version", WHIRL_VERSION},
+        {"revision", BUILD_REVISION},
+        {"compiler", BUILD_COMPILER},
+        {"flags", BUILD_FLAGS},
+        {"build type", BUILD_TYPE},
+        {"libraries", BUILD_LIBRARIES},
+        {NULL, NULL},
     };
     return facts;
 }

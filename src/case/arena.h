@@ -4,16 +4,16 @@
 
 #include <stddef.h>
 
-typedef struct arena {
+typedef struct case_arena {
     struct arena_chunk *chunks; ///< newest first
-} arena;
+} case_arena;
 
 /// `size` zeroed bytes, aligned for any object; NULL when memory ran out. Lives until arena_free.
-void *arena_take(arena *arena, size_t size);
+void *arena_take(case_arena *arena, size_t size);
 
 /// A copy of `length` bytes with a final zero, or NULL.
-char *arena_text(arena *arena, const char *text, size_t length);
+char *arena_text(case_arena *arena, const char *text, size_t length);
 
-void arena_free(arena *arena);
+void arena_free(case_arena *arena);
 
 #endif

@@ -10,11 +10,13 @@
 #include "problem.h"
 
 // muParser's own, all with radians; log is the natural logarithm, as ln.
-static const char *const words[] = {"sin",  "cos",  "tan",   "asin",  "acos",  "atan", "atan2", "sinh", "cosh", "tanh",
-                                    "asinh", "acosh", "atanh", "log2", "log10", "log", "ln",    "exp",  "sqrt", "sign",
-                                    "rint", "abs",  "min",   "max",   "sum",   "avg",  "pi",    "_pi",  "_e",   NULL};
+static const char *const words[] = {"sin",   "cos",   "tan",   "asin", "acos",  "atan", "atan2", "sinh", "cosh", "tanh",
+                                    "asinh", "acosh", "atanh", "log2", "log10", "log",  "ln",    "exp",  "sqrt", "sign",
+                                    "rint",  "abs",   "min",   "max",  "sum",   "avg",  "pi",    "_pi",  "_e",   NULL};
 
-const char *const *expression_words(void) { return words; }
+const char *const *expression_words(void) {
+    return words;
+}
 
 static bool has_word(const char *name, size_t length) {
     for (size_t i = 0; words[i]; i++)
@@ -22,7 +24,9 @@ static bool has_word(const char *name, size_t length) {
     return false;
 }
 
-bool expression_has_word(const char *name) { return has_word(name, strlen(name)); }
+bool expression_has_word(const char *name) {
+    return has_word(name, strlen(name));
+}
 
 // What is open at a place of the text: a comma may stand only inside the parentheses of a function.
 typedef struct scanner {
@@ -32,8 +36,12 @@ typedef struct scanner {
     bool after_name; // the last thing was a name, so that a parenthesis calls it
 } scanner;
 
-static bool is_name_start(char c) { return isalpha((unsigned char)c) || c == '_'; }
-static bool is_name_part(char c) { return isalnum((unsigned char)c) || c == '_'; }
+static bool is_name_start(char c) {
+    return isalpha((unsigned char)c) || c == '_';
+}
+static bool is_name_part(char c) {
+    return isalnum((unsigned char)c) || c == '_';
+}
 
 static bool refuse_character(const scanner *s, char why[WHY_SIZE], const char *advice) {
     char shown[SHOWN_SIZE];
@@ -99,7 +107,8 @@ bool expression_check(const char *text, expression_name_fn known, void *context,
         return false;
     }
     if (length > EXPRESSION_MAX_LENGTH) {
-        snprintf(why, WHY_SIZE, "is an expression of %zu characters, expected at most %d", length, EXPRESSION_MAX_LENGTH);
+        snprintf(why, WHY_SIZE, "is an expression of %zu characters, expected at most %d", length,
+                 EXPRESSION_MAX_LENGTH);
         return false;
     }
     while (s.at < length) {
@@ -118,15 +127,17 @@ bool expression_check(const char *text, expression_name_fn known, void *context,
     return false;
 }
 
-struct evaluator {
+struct expression_evaluator {
     muParserHandle_t parser;
 };
 
 // Without a handler muParser's C interface writes errors to standard output.
-static void remember_only(muParserHandle_t parser) { (void)parser; }
+static void remember_only(muParserHandle_t parser) {
+    (void)parser;
+}
 
-evaluator *evaluator_new(const char *const *names, double *values, size_t count) {
-    evaluator *made = calloc(1, sizeof *made);
+expression_evaluator *evaluator_new(const char *const *names, double *values, size_t count) {
+    expression_evaluator *made = calloc(1, sizeof *made);
     if (!made) return NULL;
     made->parser = mupCreate(muBASETYPE_FLOAT);
     if (!made->parser) {
@@ -141,7 +152,7 @@ evaluator *evaluator_new(const char *const *names, double *values, size_t count)
     return NULL;
 }
 
-void evaluator_free(evaluator *evaluator) {
+void evaluator_free(expression_evaluator *evaluator) {
     if (!evaluator) return;
     mupRelease(evaluator->parser);
     free(evaluator);
@@ -157,7 +168,7 @@ static void describe_error(muParserHandle_t parser, const char *text, char why[W
         snprintf(why, WHY_SIZE, "is no expression at '%s'", text_shown(text + position, shown));
 }
 
-bool evaluator_value(evaluator *evaluator, const char *text, double *value, char why[WHY_SIZE]) {
+bool evaluator_value(expression_evaluator *evaluator, const char *text, double *value, char why[WHY_SIZE]) {
     muParserHandle_t parser = evaluator->parser;
     int count = 0;
     mupErrorReset(parser);

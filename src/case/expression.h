@@ -21,13 +21,13 @@ const char *const *expression_words(void);
 bool expression_has_word(const char *name);
 
 /// Evaluates expressions over variables. Not to be shared between threads; as many as one likes may be at work at once.
-typedef struct evaluator evaluator;
+typedef struct expression_evaluator expression_evaluator;
 
 /// `values` [count] are read when an expression is evaluated. NULL when memory ran out.
-evaluator *evaluator_new(const char *const *names, double *values, size_t count);
+expression_evaluator *evaluator_new(const char *const *names, double *values, size_t count);
 
 /// Value of an expression that expression_check has passed. false when it is no expression or not finite: `why` says it.
-bool evaluator_value(evaluator *evaluator, const char *text, double *value, char why[WHY_SIZE]);
-void evaluator_free(evaluator *evaluator);
+bool evaluator_value(expression_evaluator *evaluator, const char *text, double *value, char why[WHY_SIZE]);
+void evaluator_free(expression_evaluator *evaluator);
 
 #endif

@@ -6,16 +6,26 @@
 
 #include "problem.h"
 
-size_t parameters_find(const parameters *parameters, const char *name) {
+size_t parameters_find(const parameter_table *parameters, const char *name) {
     for (size_t i = 0; i < parameters->count; i++)
         if (strcmp(parameters->items[i].name, name) == 0) return i;
     return parameters->count;
 }
 
+whirl_status reader_outcome(const case_reader *reader, const char *name) {
+    const whirl_problems *problems = reader->problems;
+    char first[sizeof(whirl_problem)];
+    if (reader->no_memory || (problems->count > 0 && !problems->items))
+        return whirl_fail(WHIRL_NO_MEMORY, "no memory to read %.200s", name);
+    if (problems->count == 0) return whirl_ok();
+    whirl_problem_text(problems, 0, first, sizeof first);
+    return whirl_fail(WHIRL_BAD_INPUT, "%s", first);
+}
+
 // ---------------------------------------------------------------- names in expressions
 
 typedef struct lookup {
-    const parameters *parameters;
+    const parameter_table *parameters;
     char name[WHIRL_NAME_SIZE]; // the last one that was asked for
 } lookup;
 
@@ -33,7 +43,7 @@ static const char *expression_of(const char *text) {
 }
 
 // A line break in an expression is a space.
-static const char *one_line(reader *reader, const char *text) {
+static const char *one_line(case_reader *reader, const char *text) {
     char *copy = arena_text(reader->arena, text, strlen(text));
     reader->no_memory = reader->no_memory || !copy;
     for (char *c = copy; c && *c; c++)
@@ -41,14 +51,24 @@ static const char *one_line(reader *reader, const char *text) {
     return copy;
 }
 
-static bool read_expression(reader *reader, const parameters *known, const node *where, const char *text,
-                            formula *result) {
+// false once there is too much to evaluate; said once.
+static bool can_afford(case_reader *reader, const file_node *where, const char *expression) {
+    const size_t before = reader->expression_bytes;
+    reader->expression_bytes += strlen(expression);
+    if (reader->expression_bytes > EXPRESSIONS_MAX_BYTES && before <= EXPRESSIONS_MAX_BYTES)
+        problem_at(reader->problems, where, "is too much: all expressions together have more than %d characters",
+                   EXPRESSIONS_MAX_BYTES);
+    return reader->expression_bytes <= EXPRESSIONS_MAX_BYTES;
+}
+
+static bool read_expression(case_reader *reader, const parameter_table *known, const file_node *where, const char *text,
+                            number_formula *result) {
     lookup l = {.parameters = known};
     char why[WHY_SIZE], shown[SHOWN_SIZE];
     const char *expression = one_line(reader, text);
-    if (!expression) return false;
+    if (!expression || !can_afford(reader, where, expression)) return false;
     if (expression_check(expression, parameter_is_known, &l, why)) {
-        *result = (formula){.expression = expression};
+        *result = (number_formula){.expression = expression};
         return true;
     }
     const char *near = why[0] ? NULL : whirl_nearest_name(l.name, known->names, known->count);
@@ -64,7 +84,7 @@ static bool read_expression(reader *reader, const parameters *known, const node 
 }
 
 // "= omega" has the unit of omega. An expression that is more than a name has a unit that nobody knows.
-static const char *unit_of(const parameters *parameters, const char *expression) {
+static const char *unit_of(const parameter_table *parameters, const char *expression) {
     char name[WHIRL_NAME_SIZE];
     const size_t length = strcspn(expression, " ");
     if (length >= sizeof name || expression[length + strspn(expression + length, " ")]) return "";
@@ -74,7 +94,7 @@ static const char *unit_of(const parameters *parameters, const char *expression)
     return index < parameters->count ? parameters->items[index].unit : "";
 }
 
-bool formula_read(reader *reader, const node *where, const whirl_key *key, formula *result) {
+bool formula_read(case_reader *reader, const file_node *where, const whirl_key *key, number_formula *result) {
     char why[WHY_SIZE], shown[SHOWN_SIZE];
     if (where->kind != NODE_TEXT) {
         problem_at(reader->problems, where, "is %s, expected a number", node_shown(where, shown));
@@ -93,7 +113,7 @@ bool formula_read(reader *reader, const node *where, const whirl_key *key, formu
         problem_at(reader->problems, where, "%s", why);
         return false;
     }
-    *result = (formula){.number = read.value};
+    *result = (number_formula){.number = read.value};
     const whirl_status status = whirl_key_check_number(key, read.value);
     if (status.code != WHIRL_OK) problem_at(reader->problems, where, "%s", status.message);
     return status.code == WHIRL_OK;
@@ -108,25 +128,26 @@ static bool is_identifier(const char *name) {
     return strlen(name) < WHIRL_NAME_SIZE;
 }
 
-static void check_name(reader *reader, const node *where) {
+static void check_name(case_reader *reader, const file_node *where) {
     char shown[SHOWN_SIZE];
     if (!is_identifier(where->key))
-        problem_at_key(reader->problems, where, "is no name for a parameter, expected a letter, then letters, digits and '_'");
+        problem_at_key(reader->problems, where,
+                       "is no name for a parameter, expected a letter, then letters, digits and '_'");
     else if (expression_has_word(where->key))
         problem_at_key(reader->problems, where, "%s is a function or constant of expressions, expected another name",
                        text_shown(where->key, shown));
 }
 
 // A value from outside stands nowhere in the file.
-static const node *outside(reader *reader, const override *override) {
-    node *made = arena_take(reader->arena, sizeof *made);
-    if (made) *made = (node){.kind = NODE_TEXT, .text = override->text, .key = override->name};
+static const file_node *outside(case_reader *reader, const parameter_override *override) {
+    file_node *made = arena_take(reader->arena, sizeof *made);
+    if (made) *made = (file_node){.kind = NODE_TEXT, .text = override->text, .key = override->name};
     reader->no_memory = reader->no_memory || !made;
     return made;
 }
 
 // The unit of what the file says binds what is set from outside: a length stays a length.
-static bool read_quantity(reader *reader, const node *where, const char *expected, parameter *result) {
+static bool read_quantity(case_reader *reader, const file_node *where, const char *expected, parameter *result) {
     char why[WHY_SIZE];
     quantity read;
     if (!quantity_read(where->text, expected, &read, why)) {
@@ -135,12 +156,12 @@ static bool read_quantity(reader *reader, const node *where, const char *expecte
     }
     char *unit = arena_text(reader->arena, read.unit, strlen(read.unit));
     reader->no_memory = reader->no_memory || !unit;
-    result->value = (formula){.number = read.value};
+    result->value = (number_formula){.number = read.value};
     result->unit = unit ? unit : "1";
     return true;
 }
 
-static void read_one(reader *reader, const parameters *all, const node *where, const char *expected,
+static void read_one(case_reader *reader, const parameter_table *all, const file_node *where, const char *expected,
                      parameter *result) {
     char shown[SHOWN_SIZE];
     result->unit = "1";
@@ -158,13 +179,13 @@ static void read_one(reader *reader, const parameters *all, const node *where, c
     }
 }
 
-static const override *find_override(const char *name, const override *overrides, size_t count) {
+static const parameter_override *find_override(const char *name, const parameter_override *overrides, size_t count) {
     for (size_t i = count; i > 0; i--)
         if (strcmp(overrides[i - 1].name, name) == 0) return &overrides[i - 1];
     return NULL;
 }
 
-static bool allocate(reader *reader, size_t count, parameters *result) {
+static bool allocate(case_reader *reader, size_t count, parameter_table *result) {
     result->items = arena_take(reader->arena, count * sizeof *result->items);
     result->names = arena_take(reader->arena, count * sizeof *result->names);
     result->order = arena_take(reader->arena, count * sizeof *result->order);
@@ -175,18 +196,17 @@ static bool allocate(reader *reader, size_t count, parameters *result) {
 
 // ---------------------------------------------------------------- order
 
-typedef struct walk {
-    const parameters *parameters;
-    reader *reader;
-    parameters *result;
-    size_t done;                       // indices in result->order
+typedef struct dependence_walk {
+    case_reader *reader;
+    parameter_table *result;
+    size_t done;                         // indices in result->order
     unsigned char state[PARAMETERS_MAX]; // 0 not seen, 1 on the path, 2 done
     size_t path[PARAMETERS_MAX], depth;
     bool cyclic;
-} walk;
+} dependence_walk;
 
 // "a -> b -> a"
-static void report_cycle(walk *w, size_t again) {
+static void report_cycle(dependence_walk *w, size_t again) {
     char text[160] = "";
     size_t first = 0;
     while (w->path[first] != again) first++;
@@ -199,10 +219,10 @@ static void report_cycle(walk *w, size_t again) {
     w->cyclic = true;
 }
 
-static void visit(walk *w, size_t index);
+static void visit(dependence_walk *w, size_t index);
 
 static bool visit_name(void *context, const char *name, size_t length) {
-    walk *w = context;
+    dependence_walk *w = context;
     lookup l = {.parameters = w->result};
     if (!parameter_is_known(&l, name, length)) return false;
     visit(w, parameters_find(w->result, l.name));
@@ -210,7 +230,7 @@ static bool visit_name(void *context, const char *name, size_t length) {
 }
 
 // Depth first; at most PARAMETERS_MAX deep.
-static void visit(walk *w, size_t index) {
+static void visit(dependence_walk *w, size_t index) {
     char why[WHY_SIZE];
     parameter *item = &w->result->items[index];
     if (w->state[index] == 1 && !w->cyclic) report_cycle(w, index);
@@ -226,18 +246,18 @@ static void visit(walk *w, size_t index) {
     w->result->order[w->done++] = index;
 }
 
-static void sort_by_dependence(reader *reader, parameters *result) {
-    walk w = {.reader = reader, .result = result};
+static void sort_by_dependence(case_reader *reader, parameter_table *result) {
+    dependence_walk w = {.reader = reader, .result = result};
     for (size_t i = 0; i < result->count; i++) {
         w.cyclic = false; // one report for every cycle
         visit(&w, i);
     }
 }
 
-void parameters_read(reader *reader, const node *where, const override *overrides, size_t override_count,
-                     parameters *result) {
+void parameters_read(case_reader *reader, const file_node *where, const parameter_override *overrides,
+                     size_t override_count, parameter_table *result) {
     char shown[SHOWN_SIZE];
-    *result = (parameters){0};
+    *result = (parameter_table){0};
     if (!where || node_is_null(where)) return;
     if (where->kind != NODE_MAPPING) {
         problem_at(reader->problems, where, "is %s, expected a mapping from names to values", node_shown(where, shown));
@@ -245,11 +265,10 @@ void parameters_read(reader *reader, const node *where, const override *override
     }
     if (where->count > PARAMETERS_MAX) {
         problem_at(reader->problems, where, "has %zu parameters, expected at most %d", where->count, PARAMETERS_MAX);
-        return;
     }
-    if (!allocate(reader, where->count, result)) return;
+    if (!allocate(reader, PARAMETERS_MAX, result)) return;
     // All names first: an expression may use what stands below it. A name that stands twice counts once.
-    for (const node *member = where->first; member; member = member->next) {
+    for (const file_node *member = where->first; member && result->count < PARAMETERS_MAX; member = member->next) {
         check_name(reader, member);
         if (parameters_find(result, member->key) < result->count) continue;
         result->items[result->count] = (parameter){.name = member->key, .place = member};
@@ -257,9 +276,9 @@ void parameters_read(reader *reader, const node *where, const override *override
     }
     for (size_t i = 0; i < result->count; i++) {
         parameter *item = &result->items[i];
-        const override *set = find_override(item->name, overrides, override_count);
+        const parameter_override *set = find_override(item->name, overrides, override_count);
         read_one(reader, result, item->place, "", item);
-        const node *place = set ? outside(reader, set) : NULL;
+        const file_node *place = set ? outside(reader, set) : NULL;
         const char *bound = strcmp(item->unit, "1") == 0 ? "" : item->unit;
         *item = place ? (parameter){.name = item->name} : *item;
         if (place) read_one(reader, result, place, bound, item);
@@ -269,7 +288,7 @@ void parameters_read(reader *reader, const node *where, const override *override
 
 // ---------------------------------------------------------------- values
 
-whirl_status valuation_open(valuation *v, const parameters *parameters, const char *name, double value) {
+whirl_status valuation_open(valuation *v, const parameter_table *parameters, const char *name, double value) {
     *v = (valuation){.parameters = parameters, .culprit = PARAMETERS_MAX};
     const size_t given = name ? parameters_find(parameters, name) : parameters->count;
     if (name && given == parameters->count) return whirl_fail(WHIRL_BAD_INPUT, "no parameter is called %.63s", name);
@@ -277,7 +296,7 @@ whirl_status valuation_open(valuation *v, const parameters *parameters, const ch
     if (!v->evaluator) return whirl_fail(WHIRL_NO_MEMORY, "no memory to evaluate expressions");
     for (size_t i = 0; i < parameters->count; i++) {
         const size_t index = parameters->order[i];
-        const formula *formula = &parameters->items[index].value;
+        const number_formula *formula = &parameters->items[index].value;
         if (index == given) {
             v->values[index] = value;
             continue;
@@ -295,7 +314,7 @@ void valuation_close(valuation *v) {
     v->evaluator = NULL;
 }
 
-whirl_status valuation_number(valuation *v, const formula *formula, double *number) {
+whirl_status valuation_number(valuation *v, const number_formula *formula, double *number) {
     char why[WHY_SIZE];
     *number = formula->number;
     if (!formula->expression || evaluator_value(v->evaluator, formula->expression, number, why)) return whirl_ok();

@@ -10,66 +10,71 @@
 #include "whirl/case.h"
 #include "whirl/descriptor.h"
 
-enum { PARAMETERS_MAX = 256 };
+/// Evaluating expressions is the longest part of reading a case, hence the second bound.
+enum { PARAMETERS_MAX = 256, EXPRESSIONS_MAX_BYTES = 1 << 16 };
 
 /// A number in SI, or an expression that gives one.
-typedef struct formula {
+typedef struct number_formula {
     double number;
     const char *expression; ///< where not NULL it counts
-} formula;
+} number_formula;
 
 typedef struct parameter {
     const char *name;
-    const char *text;   ///< as written
-    const node *place;
-    formula value;
+    const char *text; ///< as written
+    const file_node *place;
+    number_formula value;
     const char *unit; ///< SI unit, "1" for a plain number, "" for an expression, whose unit is not known
 } parameter;
 
-typedef struct parameters {
+typedef struct parameter_table {
     size_t count;
     parameter *items;
     const char **names; ///< [count]
     size_t *order;      ///< [count] indices so that everything stands after what it depends on
-} parameters;
+} parameter_table;
 
 /// A parameter set from outside ("--set").
-typedef struct override {
+typedef struct parameter_override {
     const char *name, *text;
-} override;
+} parameter_override;
 
 /// What reading a part of a case needs.
-typedef struct reader {
-    arena *arena;
+typedef struct case_reader {
+    case_arena *arena;
     whirl_problems *problems;
-    const parameters *parameters; ///< NULL while they are being read
+    const parameter_table *parameters; ///< those that expressions may use
+    size_t expression_bytes;           ///< read so far
     bool no_memory;
-} reader;
+} case_reader;
+
+/// The status of a reading that is over: the first problem, or that memory ran out. `name` is the file's.
+whirl_status reader_outcome(const case_reader *reader, const char *name);
 
 /// Reads `parameters:`; `where` may be NULL. Overrides come with names that the case has.
-void parameters_read(reader *reader, const node *where, const override *overrides, size_t override_count,
-                     parameters *result);
+void parameters_read(case_reader *reader, const file_node *where, const parameter_override *overrides,
+                     size_t override_count, parameter_table *result);
 
 /// The index of a parameter, or `count`.
-size_t parameters_find(const parameters *parameters, const char *name);
+size_t parameters_find(const parameter_table *parameters, const char *name);
 
 /// Reads a number of `key` at a place of the file: with a unit, plain, or an expression. false after a problem.
-bool formula_read(reader *reader, const node *where, const whirl_key *key, formula *result);
+bool formula_read(case_reader *reader, const file_node *where, const whirl_key *key, number_formula *result);
 
 /// Values of all parameters for one machine. Cheap; one for every thread.
 typedef struct valuation {
-    const parameters *parameters;
-    evaluator *evaluator;
+    const parameter_table *parameters;
+    expression_evaluator *evaluator;
     double values[PARAMETERS_MAX];
     size_t culprit; ///< the parameter that valuation_open failed at, or PARAMETERS_MAX
 } valuation;
 
 /// Evaluates all parameters with `name` at `value` (NULL: as they are). WHIRL_BAD_INPUT when one has no finite value.
 /// Closed by valuation_close, after a failure too.
-whirl_status valuation_open(valuation *valuation, const parameters *parameters, const char *name, double value);
-void valuation_close(valuation *valuation);
+whirl_status valuation_open(valuation *v, const parameter_table *parameters, const char *name, double value);
+void valuation_close(valuation *v);
 
 /// The value of a formula.
-whirl_status valuation_number(valuation *valuation, const formula *formula, double *number);
+whirl_status valuation_number(valuation *v, const number_formula *formula, double *number);
 
 #endif

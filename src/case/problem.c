@@ -20,7 +20,7 @@ static whirl_problem *add_problem(whirl_problems *problems) {
     return problems->count < problems->capacity ? &problems->items[problems->count++] : NULL;
 }
 
-static void place(whirl_problem *problem, const node *where, bool at_key) {
+static void place(whirl_problem *problem, const file_node *where, bool at_key) {
     const bool word = where->kind == NODE_TEXT && !node_is_null(where);
     const bool use_key = where->key && where->key_line > 0 && (at_key || !word);
     problem->line = use_key ? where->key_line : where->line;
@@ -39,7 +39,7 @@ void problem_in_file(whirl_problems *problems, int line, int column, const char 
     va_end(arguments);
 }
 
-void problem_at(whirl_problems *problems, const node *where, const char *format, ...) {
+void problem_at(whirl_problems *problems, const file_node *where, const char *format, ...) {
     whirl_problem *problem = add_problem(problems);
     if (!problem) return;
     place(problem, where, false);
@@ -49,7 +49,7 @@ void problem_at(whirl_problems *problems, const node *where, const char *format,
     va_end(arguments);
 }
 
-void problem_at_key(whirl_problems *problems, const node *where, const char *format, ...) {
+void problem_at_key(whirl_problems *problems, const file_node *where, const char *format, ...) {
     whirl_problem *problem = add_problem(problems);
     if (!problem) return;
     place(problem, where, true);
@@ -59,7 +59,7 @@ void problem_at_key(whirl_problems *problems, const node *where, const char *for
     va_end(arguments);
 }
 
-void problem_missing(whirl_problems *problems, const node *mapping, const char *key, const char *format, ...) {
+void problem_missing(whirl_problems *problems, const file_node *mapping, const char *key, const char *format, ...) {
     whirl_problem *problem = add_problem(problems);
     if (!problem) return;
     place(problem, mapping, true);
@@ -80,7 +80,8 @@ void problems_sort(whirl_problems *problems) {
     for (size_t i = 1; i < problems->count; i++) {
         const whirl_problem moved = problems->items[i];
         size_t k = i;
-        for (; k > 0 && stands_before(&moved, &problems->items[k - 1]); k--) problems->items[k] = problems->items[k - 1];
+        for (; k > 0 && stands_before(&moved, &problems->items[k - 1]); k--)
+            problems->items[k] = problems->items[k - 1];
         problems->items[k] = moved;
     }
 }
@@ -97,7 +98,7 @@ const char *text_shown(const char *text, char shown[SHOWN_SIZE]) {
     return shown;
 }
 
-const char *node_shown(const node *node, char text[SHOWN_SIZE]) {
+const char *node_shown(const file_node *node, char text[SHOWN_SIZE]) {
     if (node->kind == NODE_LIST) return "a list";
     if (node->kind == NODE_MAPPING) return "a mapping";
     return node->text[0] == '\0' ? "empty" : text_shown(node->text, text);

@@ -17,20 +17,20 @@ enum { SHOWN_SIZE = 64 };
 void problem_in_file(whirl_problems *problems, int line, int column, const char *format, ...) PROBLEM_FORMAT(4);
 
 /// At a value: its own place when it is a word, the place of its key otherwise.
-void problem_at(whirl_problems *problems, const node *where, const char *format, ...) PROBLEM_FORMAT(3);
+void problem_at(whirl_problems *problems, const file_node *where, const char *format, ...) PROBLEM_FORMAT(3);
 
 /// At the key of a mapping's member.
-void problem_at_key(whirl_problems *problems, const node *where, const char *format, ...) PROBLEM_FORMAT(3);
+void problem_at_key(whirl_problems *problems, const file_node *where, const char *format, ...) PROBLEM_FORMAT(3);
 
 /// At a mapping that lacks `key`.
-void problem_missing(whirl_problems *problems, const node *mapping, const char *key, const char *format, ...)
+void problem_missing(whirl_problems *problems, const file_node *mapping, const char *key, const char *format, ...)
     PROBLEM_FORMAT(4);
 
 /// In an order that a person can walk through: by line, then column.
 void problems_sort(whirl_problems *problems);
 
 /// What stands there in a few words for a message: the text (shortened), "a list", "a mapping", "nothing".
-const char *node_shown(const node *node, char text[SHOWN_SIZE]);
+const char *node_shown(const file_node *node, char text[SHOWN_SIZE]);
 
 /// A text shortened for a message, without line breaks.
 const char *text_shown(const char *text, char shown[SHOWN_SIZE]);

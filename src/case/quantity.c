@@ -82,9 +82,9 @@ static bool convert(ut_unit *from, ut_unit *to, double *value) {
 }
 
 // SI units by the names that engineers know; others are written as products of base units.
-static const char *const si_units[] = {"m",    "kg",  "s",     "rad", "rad/s", "N",    "N/m",  "N s/m", "Pa s",
-                                       "Pa",   "m/s", "m/s2",  "J",   "W",     "kg m", "1/s",  "m2",    "m3",
-                                       "kg/m3", "kg m2", "m2/s", "rad/s2"};
+static const char *const si_units[] = {"m",    "kg", "s",     "rad",   "rad/s", "N",     "N/m",  "N s/m",
+                                       "Pa s", "Pa", "m/s",   "m/s2",  "J",     "W",     "kg m", "1/s",
+                                       "m2",   "m3", "kg/m3", "kg m2", "m2/s",  "rad/s2"};
 
 static bool to_named_unit(ut_unit *unit, quantity *result) {
     for (size_t i = 0; i < sizeof si_units / sizeof *si_units; i++) {
@@ -117,7 +117,8 @@ static bool to_base_units(ut_unit *unit, quantity *result) {
 }
 
 static bool to_si(ut_unit *unit, quantity *result) {
-    if (!ut_is_dimensionless(unit) || has_radian(unit)) return to_named_unit(unit, result) || to_base_units(unit, result);
+    if (!ut_is_dimensionless(unit) || has_radian(unit))
+        return to_named_unit(unit, result) || to_base_units(unit, result);
     ut_unit *one = ut_get_dimensionless_unit_one(units);
     const bool done = one && convert(unit, one, &result->value);
     ut_free(one);

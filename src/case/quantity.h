@@ -7,7 +7,7 @@
 
 #include "whirl/system.h"
 
-enum { WHY_SIZE = 200 };
+enum { WHY_SIZE = 240 };
 
 typedef struct quantity {
     double value;               ///< in SI

@@ -8,52 +8,39 @@
 
 #include "problem.h"
 #include "tree.h"
+#include "utf8.h"
 
-static whirl_status cannot_read(whirl_problems *problems, int error) {
+static whirl_status cannot_read(const char *path, int error) {
     char reason[128] = "unknown reason";
     if (strerror_r(error, reason, sizeof reason) != 0) snprintf(reason, sizeof reason, "error %d", error);
-    problem_in_file(problems, 0, 0, "cannot be read: %s", reason);
-    return whirl_fail(WHIRL_BAD_INPUT, "%.200s cannot be read: %s", problems->file, reason);
+    return whirl_fail(WHIRL_BAD_INPUT, "%.240s cannot be read: %s", path, reason);
 }
 
-static whirl_status read_bounded(FILE *file, whirl_problems *problems, char **text, size_t *length) {
+static whirl_status read_bounded(FILE *file, const char *path, char **text, size_t *length) {
     char *bytes = malloc(TREE_MAX_BYTES + 1);
-    if (!bytes) return whirl_fail(WHIRL_NO_MEMORY, "no memory to read %.200s", problems->file);
+    if (!bytes) return whirl_fail(WHIRL_NO_MEMORY, "no memory to read %.200s", path);
     *length = fread(bytes, 1, TREE_MAX_BYTES + 1, file);
     if (ferror(file)) {
         const int error = errno;
         free(bytes);
-        return cannot_read(problems, error);
+        return cannot_read(path, error);
     }
     *text = bytes;
     return whirl_ok();
 }
 
-whirl_status source_load(const char *path, whirl_problems *problems, char **text, size_t *length) {
+whirl_status source_load(const char *path, char **text, size_t *length) {
     *text = NULL;
     FILE *file = fopen(path, "rb");
-    if (!file) return cannot_read(problems, errno);
-    const whirl_status status = read_bounded(file, problems, text, length);
+    if (!file) return cannot_read(path, errno);
+    const whirl_status status = read_bounded(file, path, text, length);
     fclose(file);
     return status;
 }
 
-// The table of well-formed byte sequences of the Unicode standard (section 3.9, table 3-7).
-size_t utf8_length(const unsigned char *text, size_t left) {
-    const unsigned char c = text[0];
-    if (c < 0x80) return 1;
-    if (c < 0xC2 || c > 0xF4) return 0;
-    const size_t length = c < 0xE0 ? 2 : c < 0xF0 ? 3 : 4;
-    if (left < length) return 0;
-    const unsigned char low = c == 0xE0 ? 0xA0 : c == 0xF0 ? 0x90 : 0x80;
-    const unsigned char high = c == 0xED ? 0x9F : c == 0xF4 ? 0x8F : 0xBF;
-    if (text[1] < low || text[1] > high) return 0;
-    for (size_t i = 2; i < length; i++)
-        if ((text[i] & 0xC0) != 0x80) return 0;
-    return length;
+static bool is_control(unsigned char c) {
+    return (c < 0x20 && c != '\t' && c != '\n' && c != '\r') || c == 0x7F;
 }
-
-static bool is_control(unsigned char c) { return (c < 0x20 && c != '\t' && c != '\n' && c != '\r') || c == 0x7F; }
 
 // A line that is blank, or a comment, may begin with tabs.
 static bool line_says_something(const char *text, size_t length) {
@@ -71,7 +58,7 @@ void source_check(const char *text, size_t length, whirl_problems *problems) {
     bool indenting = true;
     for (size_t i = 0; i < length;) {
         const unsigned char c = (unsigned char)text[i];
-        const size_t bytes = utf8_length((const unsigned char *)text + i, length - i);
+        const size_t bytes = utf8_length(text + i, length - i);
         if (bytes == 0 || is_control(c)) {
             problem_in_file(problems, line, column, "has the byte 0x%02X, expected text in UTF-8%s", c,
                             bytes ? " without control characters" : "");

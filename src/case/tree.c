@@ -8,34 +8,39 @@
 
 #include "problem.h"
 #include "source.h"
+#include "utf8.h"
 
-typedef struct builder {
-    arena *arena;
+typedef struct tree_builder {
+    case_arena *arena;
     whirl_problems *problems;
-    node *root;
-    node *open; ///< the list or mapping that is being filled
-    char *key;  ///< of the next member, or NULL
+    file_node *root;
+    file_node *open; ///< the list or mapping that is being filled
+    char *key;       ///< of the next member, or NULL
     int key_line, key_column;
     size_t depth, nodes;
     bool done, no_memory;
-} builder;
+} tree_builder;
 
-static int line_of(const yaml_event_t *event) { return (int)event->start_mark.line + 1; }
-static int column_of(const yaml_event_t *event) { return (int)event->start_mark.column + 1; }
+static int line_of(const yaml_event_t *event) {
+    return (int)event->start_mark.line + 1;
+}
+static int column_of(const yaml_event_t *event) {
+    return (int)event->start_mark.column + 1;
+}
 
 // Anything that stops the parsing: one problem, said once.
-static bool stop(builder *b, const yaml_event_t *event, const char *message) {
+static bool stop(tree_builder *b, const yaml_event_t *event, const char *message) {
     problem_in_file(b->problems, line_of(event), column_of(event), "%s", message);
     return false;
 }
 
-static node *add_node(builder *b, const yaml_event_t *event, node_kind kind) {
-    node *made = arena_take(b->arena, sizeof *made);
+static file_node *add_node(tree_builder *b, const yaml_event_t *event, node_kind kind) {
+    file_node *made = arena_take(b->arena, sizeof *made);
     if (!made) {
         b->no_memory = true;
         return NULL;
     }
-    *made = (node){.kind = kind, .line = line_of(event), .column = column_of(event), .parent = b->open};
+    *made = (file_node){.kind = kind, .line = line_of(event), .column = column_of(event), .parent = b->open};
     if (!b->open) {
         b->root = made;
         return made;
@@ -58,15 +63,16 @@ static bool is_printable(const char *text, size_t length) {
         const unsigned char c = (unsigned char)text[i];
         const bool c1 = c == 0xC2 && i + 1 < length && (unsigned char)text[i + 1] < 0xA0;
         if ((c < 0x20 && c != '\n' && c != '\t') || c == 0x7F || c1) return false;
-        if (utf8_length((const unsigned char *)text + i, length - i) == 0 && (c & 0xC0) != 0x80) return false;
+        if (utf8_length(text + i, length - i) == 0 && (c & 0xC0) != 0x80) return false;
     }
     return true;
 }
 
-static bool take_scalar(builder *b, const yaml_event_t *event) {
+static bool take_scalar(tree_builder *b, const yaml_event_t *event) {
     const char *value = (const char *)event->data.scalar.value;
     const size_t length = event->data.scalar.length;
-    if (event->data.scalar.anchor) return stop(b, event, "has an anchor (&), expected a case without anchors and aliases");
+    if (event->data.scalar.anchor)
+        return stop(b, event, "has an anchor (&), expected a case without anchors and aliases");
     if (event->data.scalar.tag) return stop(b, event, "has a tag (!), expected a case without tags");
     if (!is_printable(value, length)) return stop(b, event, "has a control character, expected text");
     char *text = arena_text(b->arena, value, length);
@@ -79,7 +85,7 @@ static bool take_scalar(builder *b, const yaml_event_t *event) {
         b->key_column = column_of(event);
         return true;
     }
-    node *made = add_node(b, event, NODE_TEXT);
+    file_node *made = add_node(b, event, NODE_TEXT);
     if (!made) return false;
     made->text = text;
     made->quoted = event->data.scalar.style != YAML_PLAIN_SCALAR_STYLE;
@@ -87,19 +93,20 @@ static bool take_scalar(builder *b, const yaml_event_t *event) {
     return true;
 }
 
-static bool open_collection(builder *b, const yaml_event_t *event, node_kind kind, const void *anchor, const void *tag) {
+static bool open_collection(tree_builder *b, const yaml_event_t *event, node_kind kind, const void *anchor,
+                            const void *tag) {
     if (anchor) return stop(b, event, "has an anchor (&), expected a case without anchors and aliases");
     if (tag) return stop(b, event, "has a tag (!), expected a case without tags");
     if (b->open && b->open->kind == NODE_MAPPING && !b->key)
         return stop(b, event, "has a list or a mapping for a key, expected a name");
     if (++b->depth > TREE_MAX_DEPTH) return stop(b, event, "is nested deeper than 32 levels, expected a case");
-    node *made = add_node(b, event, kind);
+    file_node *made = add_node(b, event, kind);
     if (!made) return false;
     b->open = made;
     return true;
 }
 
-static bool close_collection(builder *b) {
+static bool close_collection(tree_builder *b) {
     b->depth--;
     b->open = b->open->parent;
     b->done = b->done || !b->open;
@@ -107,7 +114,7 @@ static bool close_collection(builder *b) {
 }
 
 // false ends the parsing.
-static bool take_event(builder *b, const yaml_event_t *event) {
+static bool take_event(tree_builder *b, const yaml_event_t *event) {
     if (++b->nodes > TREE_MAX_NODES) return stop(b, event, "has more than 100000 values, expected a case");
     switch (event->type) {
     case YAML_DOCUMENT_START_EVENT:
@@ -130,7 +137,7 @@ static bool take_event(builder *b, const yaml_event_t *event) {
     }
 }
 
-static void report_syntax(builder *b, const yaml_parser_t *parser) {
+static void report_syntax(tree_builder *b, const yaml_parser_t *parser) {
     if (parser->error == YAML_MEMORY_ERROR) {
         b->no_memory = true;
         return;
@@ -141,7 +148,7 @@ static void report_syntax(builder *b, const yaml_parser_t *parser) {
                     context ? " (" : "", context ? parser->context : "", context ? ")" : "");
 }
 
-static void parse(builder *b, yaml_parser_t *parser) {
+static void parse(tree_builder *b, yaml_parser_t *parser) {
     for (bool more = true; more;) {
         yaml_event_t event;
         if (!yaml_parser_parse(parser, &event)) {
@@ -154,16 +161,16 @@ static void parse(builder *b, yaml_parser_t *parser) {
 }
 
 static int by_key(const void *a, const void *b) {
-    const node *one = *(const node *const *)a, *other = *(const node *const *)b;
+    const file_node *one = *(const file_node *const *)a, *other = *(const file_node *const *)b;
     const int order = strcmp(one->key, other->key);
     return order ? order : one->index < other->index ? -1 : 1;
 }
 
-static bool report_duplicates(const node *mapping, whirl_problems *problems) {
-    const node **members = malloc((mapping->count + 1) * sizeof *members);
+static bool report_duplicates(const file_node *mapping, whirl_problems *problems) {
+    const file_node **members = malloc((mapping->count + 1) * sizeof *members);
     if (!members) return false;
     size_t count = 0;
-    for (const node *member = mapping->first; member; member = member->next) members[count++] = member;
+    for (const file_node *member = mapping->first; member; member = member->next) members[count++] = member;
     qsort(members, count, sizeof *members, by_key);
     for (size_t i = 1; i < count; i++)
         if (strcmp(members[i]->key, members[i - 1]->key) == 0)
@@ -173,22 +180,23 @@ static bool report_duplicates(const node *mapping, whirl_problems *problems) {
 }
 
 // The depth of the tree, and so of the recursion, is at most TREE_MAX_DEPTH.
-static bool check_keys(const node *at, whirl_problems *problems) {
+static bool check_keys(const file_node *at, whirl_problems *problems) {
     if (at->kind == NODE_MAPPING && at->count > 1 && !report_duplicates(at, problems)) return false;
-    for (const node *child = at->first; child; child = child->next)
+    for (const file_node *child = at->first; child; child = child->next)
         if (!check_keys(child, problems)) return false;
     return true;
 }
 
-whirl_status tree_read(const char *text, size_t length, arena *arena, whirl_problems *problems, node **root) {
+whirl_status tree_read(const char *text, size_t length, case_arena *arena, whirl_problems *problems, file_node **root) {
     *root = NULL;
     source_check(text, length, problems);
     if (problems->count > 0) return whirl_fail(WHIRL_BAD_INPUT, "%.200s is not text", problems->file);
     yaml_parser_t parser;
-    if (!yaml_parser_initialize(&parser)) return whirl_fail(WHIRL_NO_MEMORY, "no memory to parse %.200s", problems->file);
+    if (!yaml_parser_initialize(&parser))
+        return whirl_fail(WHIRL_NO_MEMORY, "no memory to parse %.200s", problems->file);
     yaml_parser_set_encoding(&parser, YAML_UTF8_ENCODING);
     yaml_parser_set_input_string(&parser, (const unsigned char *)text, length);
-    builder b = {.arena = arena, .problems = problems};
+    tree_builder b = {.arena = arena, .problems = problems};
     parse(&b, &parser);
     yaml_parser_delete(&parser);
     if (b.no_memory || (b.done && !check_keys(b.root, problems)))
@@ -198,18 +206,18 @@ whirl_status tree_read(const char *text, size_t length, arena *arena, whirl_prob
     return b.done ? whirl_ok() : whirl_fail(WHIRL_BAD_INPUT, "%.200s cannot be read", problems->file);
 }
 
-const node *node_member(const node *mapping, const char *key) {
-    for (const node *member = mapping->first; member; member = member->next)
+const file_node *node_member(const file_node *mapping, const char *key) {
+    for (const file_node *member = mapping->first; member; member = member->next)
         if (strcmp(member->key, key) == 0) return member;
     return NULL;
 }
 
-bool node_is_null(const node *node) {
+bool node_is_null(const file_node *node) {
     if (node->kind != NODE_TEXT || node->quoted) return false;
     return node->text[0] == '\0' || strcmp(node->text, "~") == 0 || strcmp(node->text, "null") == 0;
 }
 
-void node_path(const node *node, char *text, size_t size) {
+void node_path(const file_node *node, char *text, size_t size) {
     text[0] = '\0';
     if (!node->parent) {
         snprintf(text, size, "%s", node->key ? node->key : "");

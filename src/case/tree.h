@@ -13,30 +13,30 @@ enum { TREE_MAX_BYTES = 1 << 20, TREE_MAX_DEPTH = 32, TREE_MAX_NODES = 100000 };
 
 typedef enum node_kind { NODE_TEXT, NODE_LIST, NODE_MAPPING } node_kind;
 
-typedef struct node {
+typedef struct file_node {
     node_kind kind;
-    int line, column;            ///< from 1
-    const char *text;            ///< of NODE_TEXT, trimmed by YAML; else NULL
-    bool quoted;                 ///< the text stood in quotes
-    const char *key;             ///< of a mapping's member, else NULL
-    int key_line, key_column;    ///< of that key
-    size_t index;                ///< of a list's item, from 1
-    struct node *parent;         ///< NULL for the root
-    struct node *first, *last, *next;
-    size_t count;                ///< of items or members
-} node;
+    int line, column;         ///< from 1
+    const char *text;         ///< of NODE_TEXT, trimmed by YAML; else NULL
+    bool quoted;              ///< the text stood in quotes
+    const char *key;          ///< of a mapping's member, else NULL
+    int key_line, key_column; ///< of that key
+    size_t index;             ///< of a list's item, from 1
+    struct file_node *parent; ///< NULL for the root
+    struct file_node *first, *last, *next;
+    size_t count; ///< of items or members
+} file_node;
 
 /// Parses one document. What is wrong goes to `problems`; the status is WHIRL_BAD_INPUT when there is no tree because of
 /// it. Keys that stand twice are reported and kept. Memory is the arena's.
-whirl_status tree_read(const char *text, size_t length, arena *arena, whirl_problems *problems, node **root);
+whirl_status tree_read(const char *text, size_t length, case_arena *arena, whirl_problems *problems, file_node **root);
 
 /// The member of a mapping with that key, or NULL.
-const node *node_member(const node *mapping, const char *key);
+const file_node *node_member(const file_node *mapping, const char *key);
 
 /// Nothing stands there (`response:`), or ~ or null.
-bool node_is_null(const node *node);
+bool node_is_null(const file_node *node);
 
 /// "rotor.elements[2].film.load"; "" for the root. Cut at `size` - 1 bytes.
-void node_path(const node *node, char *text, size_t size);
+void node_path(const file_node *node, char *text, size_t size);
 
 #endif

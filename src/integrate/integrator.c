@@ -36,7 +36,7 @@ static bool positive(double value) {
     return isfinite(value) && value > 0.0;
 }
 
-static whirl_status check(const whirl_system *system, const whirl_integrate_options *options) {
+whirl_status check_options(const whirl_system *system, const whirl_integrate_options *options) {
     if (system->dimension == 0 || !system->rhs)
         return whirl_fail(WHIRL_BAD_INPUT, "the system has no equations, expected a dimension and a right-hand side");
     if (!positive(system->period))
@@ -58,7 +58,7 @@ whirl_status whirl_integrator_new(const whirl_system *system, const whirl_integr
                                   whirl_integrator **out) {
     const method *chosen = NULL;
     *out = NULL;
-    whirl_status status = check(system, options);
+    whirl_status status = check_options(system, options);
     if (status.code == WHIRL_OK) status = find_method(options->method, &chosen);
     if (status.code != WHIRL_OK) return status;
     whirl_integrator *integrator = calloc(1, sizeof *integrator);

@@ -21,6 +21,9 @@ typedef struct method {
 
 extern const method rk4_method, cvode_adams_method, cvode_bdf_method;
 
+/// WHIRL_BAD_INPUT where the system or the options are none.
+whirl_status check_options(const whirl_system *system, const whirl_integrate_options *options);
+
 /// Bounded or diverged, by the options' limit.
 whirl_motion state_motion(const whirl_integrator *integrator, const double *x);
 

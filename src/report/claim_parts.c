@@ -10,7 +10,9 @@ static const double LINE_TOLERANCE = 0.02;
 /// Lines below this share of the largest do not count as present.
 static const double LINE_SHARE = 0.05;
 
-static double line_amplitude(const double *line) { return fmax(line[1], line[2]); }
+static double line_amplitude(const double *line) {
+    return fmax(line[1], line[2]);
+}
 
 /// The lines of the spectrum that count, largest first.
 static numbers present_lines(const claim_view *view, size_t point) {
@@ -24,7 +26,9 @@ static numbers present_lines(const claim_view *view, size_t point) {
 
 // ---------------------------------------------------------------- regime and curves
 
-static bool states_regime(const whirl_claim *claim) { return claim->has_regime; }
+static bool states_regime(const whirl_claim *claim) {
+    return claim->has_regime;
+}
 
 static double score_regime(const claim_view *view, size_t point) {
     const whirl_verdict verdict = whirl_table_verdict(view->table, point);
@@ -32,7 +36,9 @@ static double score_regime(const claim_view *view, size_t point) {
     return view->claim->period == 0 || verdict.period == view->claim->period ? 1.0 : 0.0;
 }
 
-static bool states_curves(const whirl_claim *claim) { return claim->curves > 0; }
+static bool states_curves(const whirl_claim *claim) {
+    return claim->curves > 0;
+}
 
 static double score_curves(const claim_view *view, size_t point) {
     return whirl_table_verdict(view->table, point).curves == view->claim->curves ? 1.0 : 0.0;
@@ -40,7 +46,9 @@ static double score_curves(const claim_view *view, size_t point) {
 
 // ---------------------------------------------------------------- contact
 
-static bool states_contact(const whirl_claim *claim) { return claim->has_contact; }
+static bool states_contact(const whirl_claim *claim) {
+    return claim->has_contact;
+}
 
 static double score_contact(const claim_view *view, size_t point) {
     // A rotor without a stator does not rub.
@@ -51,7 +59,9 @@ static double score_contact(const claim_view *view, size_t point) {
 
 // ---------------------------------------------------------------- lines
 
-static bool states_lines(const whirl_claim *claim) { return claim->line_count > 0; }
+static bool states_lines(const whirl_claim *claim) {
+    return claim->line_count > 0;
+}
 
 static double score_lines(const claim_view *view, size_t point) {
     const numbers lines = present_lines(view, point);
@@ -65,7 +75,9 @@ static double score_lines(const claim_view *view, size_t point) {
     return 1.0;
 }
 
-static bool states_only_lines(const whirl_claim *claim) { return claim->only_lines; }
+static bool states_only_lines(const whirl_claim *claim) {
+    return claim->only_lines;
+}
 
 static double score_only_lines(const claim_view *view, size_t point) {
     const numbers lines = present_lines(view, point);
@@ -81,32 +93,44 @@ static double score_only_lines(const claim_view *view, size_t point) {
 
 // ---------------------------------------------------------------- band
 
-static bool states_band(const whirl_claim *claim) { return claim->has_band; }
+static bool states_band(const whirl_claim *claim) {
+    return claim->has_band;
+}
 
-/// Half for the large lines below the running speed (those of at least half the largest of them) lying in the band,
-/// half for there being many, as a broad band has: three or more in it.
-static double score_band(const claim_view *view, size_t point) {
+double claim_band_share(const claim_view *view, size_t point) {
     const numbers lines = present_lines(view, point);
-    if (!lines.at) return NAN;
     const double *band = view->claim->band;
-    double largest = 0.0;
-    size_t inside = 0;
-    bool contained = true;
+    double inside = 0.0, all = 0.0;
     for (size_t i = 0; i < lines.rows; i++) {
-        const double order = lines.at[5 * i], amplitude = line_amplitude(&lines.at[5 * i]);
+        const double order = lines.at[5 * i], x = lines.at[5 * i + 1], y = lines.at[5 * i + 2];
         if (order >= 1.0 - LINE_TOLERANCE) continue;
-        largest = fmax(largest, amplitude);
-        const bool within = order >= band[0] - LINE_TOLERANCE && order <= band[1] + LINE_TOLERANCE;
-        inside += within;
-        contained = contained && (within || amplitude < 0.5 * largest);
+        all += x * x + y * y;
+        if (order >= band[0] - LINE_TOLERANCE && order <= band[1] + LINE_TOLERANCE) inside += x * x + y * y;
     }
-    if (largest == 0.0 || !contained) return 0.0;
+    return !lines.at ? (double)NAN : all > 0.0 ? inside / all : 0.0;
+}
+
+/// Half for the band holding three quarters of the power of the lines below the running speed, half for these being
+/// many, three or more, as "a band of lines" says.
+static double score_band(const claim_view *view, size_t point) {
+    const double share = claim_band_share(view, point);
+    if (isnan(share)) return NAN;
+    const numbers lines = present_lines(view, point);
+    size_t inside = 0;
+    for (size_t i = 0; i < lines.rows; i++) {
+        const double order = lines.at[5 * i];
+        inside += order < 1.0 - LINE_TOLERANCE && order >= view->claim->band[0] - LINE_TOLERANCE &&
+                  order <= view->claim->band[1] + LINE_TOLERANCE;
+    }
+    if (share < 0.75) return 0.0;
     return inside >= 3 ? 1.0 : 0.5;
 }
 
 // ---------------------------------------------------------------- sense of whirl
 
-static bool states_whirl(const whirl_claim *claim) { return claim->has_whirl; }
+static bool states_whirl(const whirl_claim *claim) {
+    return claim->has_whirl;
+}
 
 static double score_whirl(const claim_view *view, size_t point) {
     const bool diverged = whirl_table_verdict(view->table, point).regime == WHIRL_DIVERGING;

@@ -26,6 +26,9 @@ typedef struct claim_part {
 /// All parts; static, ended by an entry whose name is NULL.
 const claim_part *claim_parts(void);
 
+/// Share of the power of the lines below the running speed that lies in the claimed band; NaN without lines.
+double claim_band_share(const claim_view *view, size_t point);
+
 /// What is found at a point: "quasi-periodic (1 curve); lines 0.412, 1, 0.588; no rub". At most `size` bytes.
 void claim_point_text(const claim_view *view, size_t point, char *text, size_t size);
 

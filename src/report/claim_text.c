@@ -17,7 +17,9 @@ static void append(char *text, size_t size, const char *format, ...) {
     va_end(arguments);
 }
 
-static bool speaks_of_spectrum(const whirl_claim *claim) { return claim->line_count > 0 || claim->has_band; }
+static bool speaks_of_spectrum(const whirl_claim *claim) {
+    return claim->line_count > 0 || claim->has_band;
+}
 
 /// The largest lines, those that count in a comparison: at least a twentieth of the largest.
 static void append_lines(const numbers *lines, char *text, size_t size) {
@@ -39,6 +41,8 @@ void claim_point_text(const claim_view *view, size_t point, char *text, size_t s
     whirl_verdict_name(&verdict, text, size);
     const numbers lines = point_lines(view->table, point, view->station);
     if (lines.at && (speaks_of_spectrum(view->claim) || !view->claim->has_contact)) append_lines(&lines, text, size);
+    if (view->claim->has_band && lines.at)
+        append(text, size, " (%.0f %% of the power below 1 X in the band)", 100.0 * claim_band_share(view, point));
     const double share = rub_share(view->table, point, view->result->contact_count);
     if (share > 0.0)
         append(text, size, "; rub %.2g %% of the time", 100.0 * share);

@@ -18,7 +18,9 @@ typedef struct selection {
     double nearest; ///< value of the point taken for a claim of one value
 } selection;
 
-static bool near(double a, double b) { return fabs(a - b) <= 1e-9 * fmax(fabs(a), fabs(b)); }
+static bool near(double a, double b) {
+    return fabs(a - b) <= 1e-9 * fmax(fabs(a), fabs(b));
+}
 
 static const whirl_table *table_over(const whirl_result *result, const char *name, const char *parameter) {
     const whirl_table *table = whirl_result_table(result, name);
@@ -68,7 +70,8 @@ static bool selected(const selection *of, size_t point) {
 
 static selection select_points(const whirl_result *result, const char *parameter, const whirl_claim *claim) {
     if (near(claim->from, claim->to)) return select_point(result, parameter, claim->from);
-    selection of = {table_over(result, "sweep", parameter), fmin(claim->from, claim->to), fmax(claim->from, claim->to), 0, 0.0};
+    selection of = {table_over(result, "sweep", parameter), fmin(claim->from, claim->to), fmax(claim->from, claim->to),
+                    0, 0.0};
     for (size_t i = 0; of.table && i < of.table->count; i++) of.count += selected(&of, i);
     return of;
 }
@@ -105,7 +108,8 @@ static whirl_agreement compare_part(const claim_part *part, const claim_view *vi
         return WHIRL_NOT_COMPARED;
     }
     const double share = agreeing / (double)compared;
-    if (of->count > 1) append(found, size, "; %s as claimed at %.3g %% of %zu points", part->name, 100.0 * share, compared);
+    if (of->count > 1)
+        append(found, size, "; %s as claimed at %.3g %% of %zu points", part->name, 100.0 * share, compared);
     return share == 1.0 ? WHIRL_AGREES : share >= 0.5 ? WHIRL_AGREES_PARTLY : WHIRL_DISAGREES;
 }
 

@@ -35,10 +35,11 @@ void script_begin(FILE *script, const figure *what, const char *title, double he
     fprintf(script, "\n# Run in this folder to draw it again:  gnuplot %s.gp\n", what->stem);
     fprintf(script, "title_text = ");
     gnuplot_string(script, title);
-    fprintf(script, "\nname = '%s'\nwidth_cm = 18.0\nheight_cm = %.2f\ndots_per_inch = 300\n", what->stem, height);
+    fprintf(script, "\nname = '%s'\nwidth_cm = 18.0\nheight_cm = %.2f\ndots_per_inch = 300\ntext_scale = 0.86\n",
+            what->stem, height);
     fputs("set encoding utf8\n"
           "set border 31 linewidth 0.6 linecolor rgb '#303030'\n"
-          "set tics scale 0.5 textcolor rgb '#303030'\n"
+          "set tics scale 0.5 font ',7' textcolor rgb '#303030'\n"
           "set xtics nomirror\nset ytics nomirror\n"
           "set style line 1 linecolor rgb '#0072B2' linewidth 0.9\n"
           "set style line 2 linecolor rgb '#D55E00' linewidth 0.9\n"
@@ -52,23 +53,35 @@ void script_loop(FILE *script) {
           "if (format eq 'png') {\n"
           "  set terminal pngcairo noenhanced background 'white' font 'Sans,8' \\\n"
           "    size int(width_cm/2.54*dots_per_inch), int(height_cm/2.54*dots_per_inch) \\\n"
-          "    fontscale dots_per_inch/72.0 linewidth dots_per_inch/72.0 pointscale dots_per_inch/72.0\n"
+          "    fontscale text_scale*dots_per_inch/72 linewidth dots_per_inch/96.0 pointscale dots_per_inch/96.0\n"
           "} else {\n"
-          "  set terminal pdfcairo noenhanced background 'white' font 'Sans,8' fontscale 1 size width_cm cm, height_cm cm\n"
+          "  set terminal pdfcairo noenhanced background 'white' font 'Sans,8' \\\n"
+          "    fontscale text_scale linewidth 0.75 pointscale 0.75 size width_cm cm, height_cm cm\n"
           "}\n"
           "set output name.'.'.format\n"
           "set multiplot\n",
           script);
 }
 
-void script_end(FILE *script) { fputs("unset multiplot\nunset output\n}\n", script); }
+void script_end(FILE *script) {
+    fputs("unset multiplot\nunset output\n}\n", script);
+}
 
 void script_panel(FILE *script, double left, double right, double bottom, double top) {
     fprintf(script, "set lmargin at screen %.5f\nset rmargin at screen %.5f\n", left, right);
     fprintf(script, "set bmargin at screen %.5f\nset tmargin at screen %.5f\n", bottom, top);
 }
 
-span span_empty(void) { return (span){(double)INFINITY, -(double)INFINITY}; }
+double tic_step(double width, int most) {
+    const double least = width / most;
+    if (!(least > 0.0) || !isfinite(least)) return 1.0;
+    const double power = pow(10.0, floor(log10(least))), lead = least / power;
+    return (lead <= 1.0 ? 1.0 : lead <= 2.0 ? 2.0 : lead <= 5.0 ? 5.0 : 10.0) * power;
+}
+
+span span_empty(void) {
+    return (span){(double)INFINITY, -(double)INFINITY};
+}
 
 void span_widen(span *range, double value) {
     if (!isfinite(value)) return;

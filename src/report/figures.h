@@ -12,10 +12,10 @@
 enum { STEM_SIZE = 200, NO_POINT = -1 };
 
 typedef struct figure {
-    size_t result;       ///< index of the result it shows
-    long point;          ///< of the detail table, or NO_POINT for a bifurcation diagram
+    size_t result; ///< index of the result it shows
+    long point;    ///< of the detail table, or NO_POINT for a bifurcation diagram
     size_t station;
-    char stem[STEM_SIZE]; ///< file name without ending; STEM.gp, STEM.png, STEM.pdf
+    char stem[STEM_SIZE];    ///< file name without ending; STEM.gp, STEM.png, STEM.pdf
     char data[3][STEM_SIZE]; ///< names of the data files, "" where there are fewer
     char title[200];
     char caption[600];
@@ -52,6 +52,9 @@ void script_begin(FILE *script, const figure *what, const char *title, double he
 /// Begins the loop over the two formats; what follows is drawn once as PNG and once as PDF.
 void script_loop(FILE *script);
 void script_end(FILE *script);
+
+/// The distance of tics (1, 2 or 5 times a power of ten) that gives at most `most` of them in the range.
+double tic_step(double width, int most);
 
 /// Places the next panel: left, right, bottom, top as shares of the figure.
 void script_panel(FILE *script, double left, double right, double bottom, double top);

@@ -24,7 +24,8 @@ typedef struct diagram {
     span parameter, x, y, exponent, radius;
     bool rub, present[CLASS_COUNT], both;
     char label[LABEL_SIZE], length[LABEL_SIZE];
-    double edge; ///< half the distance of two points of the sweep
+    double share; ///< largest share of the time in contact, with a margin
+    double edge;  ///< half the distance of two points of the sweep
 } diagram;
 
 static int by_value(const void *left, const void *right) {
@@ -62,12 +63,14 @@ static void survey(diagram *of) {
         of->both |= table->branch[i] < 0;
         span_widen(&parameter, table->values[i]);
         span_widen(&radius, max_radius(table, i, of->station));
+        of->share = fmax(of->share, 1.1 * rub_share(table, i, of->result->contact_count));
         for (size_t k = 0; k < section.rows; k++) {
             span_widen(&x, section.at[4 * k]);
             span_widen(&y, section.at[4 * k + 1]);
         }
     }
     const double width = parameter.high - parameter.low;
+    of->share = of->share > 0.0 ? of->share : 0.01;
     of->edge = table->count > 1 && width > 0.0 ? fabs(0.5 * (table->values[1] - table->values[0])) : 0.5;
     of->parameter = span_with_margin(parameter, 0.012, 2.0 * of->edge);
     of->x = span_with_margin(x, 0.04, 1e-6);
@@ -94,7 +97,9 @@ static int by_place(const void *left, const void *right) {
     return (a->row > b->row) - (a->row < b->row);
 }
 
-static int cell(double value, span range) { return (int)(GRID * (value - range.low) / (range.high - range.low)); }
+static int cell(double value, span range) {
+    return (int)(GRID * (value - range.low) / (range.high - range.low));
+}
 
 static void write_dots(FILE *data, const diagram *of, size_t point, dot *dots) {
     const numbers section = point_section(of->table, point, of->station);
@@ -158,8 +163,7 @@ static whirl_status write_sweep_data(const drawing *to, const diagram *of) {
             const whirl_verdict verdict = whirl_table_verdict(of->table, i);
             const whirl_estimate exponent = point_exponent(of->table, i);
             fprintf(file.stream, "%.10g %d %.6g %.3g %.6g", of->table->values[i], (int)regime_class_of(&verdict),
-                    exponent.value, exponent.error,
-                    rub_share(of->table, i, of->result->contact_count));
+                    exponent.value, exponent.error, rub_share(of->table, i, of->result->contact_count));
             for (size_t s = 0; s < of->result->station_count; s++)
                 fprintf(file.stream, " %.7g", max_radius(of->table, i, s));
             fputc('\n', file.stream);
@@ -216,7 +220,9 @@ static void write_ribbon(FILE *script, const diagram *of) {
 }
 
 static void write_key(FILE *script, const diagram *of) {
-    fputs("set key at screen 0.54, screen 0.962 center top horizontal Left reverse samplen 0.5 width 1 spacing 0.9\n", script);
+    fputs("set key at screen 0.545, screen 0.972 center top horizontal maxrows 2 Left reverse samplen 0.5 width 1 font "
+          "',7'\n",
+          script);
     fputs("plot ", script);
     for (int kind = 0; kind < CLASS_COUNT; kind++)
         if (of->present[kind])
@@ -225,16 +231,30 @@ static void write_key(FILE *script, const diagram *of) {
     if (of->rub)
         fputs("keyentry with boxes fillstyle solid 1 noborder linecolor rgb '#EBCFAE' title 'rub', \\\n  ", script);
     if (of->both)
-        fputs("keyentry with points pointtype 7 pointsize 0.2 linecolor rgb '#303030' title 'from the first value', \\\n"
-              "  keyentry with points pointtype 1 pointsize 0.35 linewidth 0.5 linecolor rgb '#303030' "
-              "title 'from the last value', \\\n  ",
-              script);
+        fputs(
+            "keyentry with points pointtype 7 pointsize 0.25 linecolor rgb '#303030' title 'first value to last', \\\n"
+            "  keyentry with points pointtype 2 pointsize 0.4 linewidth 0.5 linecolor rgb '#303030' "
+            "title 'last value to first', \\\n  ",
+            script);
+}
+
+static void write_range(FILE *script, span range, int tics) {
+    fprintf(script, "set yrange [%.8g:%.8g]\nset ytics %.6g\n", range.low, range.high,
+            tic_step(range.high - range.low, tics));
+}
+
+/// The label of a vertical axis, a gnuplot expression; all stand in one line, whatever the width of the tics.
+static void write_axis_label(FILE *script, const char *expression) {
+    fprintf(script, "set label 2 %s at screen 0.028, graph 0.5 center rotate\n", expression);
 }
 
 /// The dots of coordinate `column` of the section.
 static void write_section_panel(FILE *script, const diagram *of, const char *data, char coordinate, int column) {
     const span range = column == 2 ? of->x : of->y;
-    fprintf(script, "set yrange [%.8g:%.8g]\nset ylabel '%c / '.length_symbol\n", range.low, range.high, coordinate);
+    write_range(script, range, 7);
+    char label[64];
+    snprintf(label, sizeof label, "'%c / '.length_symbol", coordinate);
+    write_axis_label(script, label);
     const bool key = column == 2;
     if (key)
         write_key(script, of);
@@ -244,22 +264,27 @@ static void write_section_panel(FILE *script, const diagram *of, const char *dat
     for (int kind = 0; kind < CLASS_COUNT; kind++) {
         if (!of->present[kind]) continue;
         for (int branch = 1; branch >= (of->both ? -1 : 1); branch -= 2)
-            fprintf(script, "%s'%s' index %d using 1:%d with points pointtype %d pointsize %s linewidth 0.3 linecolor rgb '%s' notitle",
-                    index ? ", \\\n  " : "", data, index, column, branch > 0 ? 7 : 1, branch > 0 ? "dot_size" : "2.5*dot_size",
-                    regime_class_colour((regime_class)kind)), index++;
+            fprintf(script,
+                    "%s'%s' index %d using 1:%d with points pointtype %d pointsize %s linewidth 0.3 linecolor rgb '%s' "
+                    "notitle",
+                    index ? ", \\\n  " : "", data, index, column, branch > 0 ? 7 : 2,
+                    branch > 0 ? "dot_size" : "2.5*dot_size", regime_class_colour((regime_class)kind)),
+                index++;
     }
     fputc('\n', script);
 }
 
 static void write_exponent_panel(FILE *script, const diagram *of) {
-    fprintf(script,
-            "set yrange [%.8g:%.8g]\nset ylabel \"largest exponent\\n(1/revolution)\"\n"
-            "plot 0 linestyle 9 notitle, \\\n"
-            "  'sweep.dat' using 1:3:4 with yerrorbars pointtype 7 pointsize 0 linewidth 0.4 linecolor rgb '#9A9A9A' notitle",
-            of->exponent.low, of->exponent.high);
+    write_range(script, of->exponent, 6);
+    write_axis_label(script, "\"largest exponent\\n(1/revolution)\"");
+    fputs("plot 0 linestyle 9 notitle, \\\n"
+          "  'sweep.dat' using 1:($3-$4):(0):(2*$4) with vectors nohead linewidth 0.5 linecolor rgb '#9A9A9A' notitle",
+          script);
     for (int branch = 0; branch < (of->both ? 2 : 1); branch++)
-        fprintf(script, ", \\\n  'sweep.dat' index %d using 1:3:(colour($2)) with points pointtype %d pointsize %s linewidth 0.3 linecolor rgb variable notitle",
-                branch, branch ? 1 : 7, branch ? "3*dot_size" : "2*dot_size");
+        fprintf(script,
+                ", \\\n  'sweep.dat' index %d using 1:3:(colour($2)) with points pointtype %d pointsize %s linewidth "
+                "0.3 linecolor rgb variable notitle",
+                branch, branch ? 2 : 7, branch ? "3*dot_size" : "2*dot_size");
     fputc('\n', script);
 }
 
@@ -274,18 +299,19 @@ static void write_line_panel(FILE *script, const diagram *of, size_t column, con
 static void write_radius_panel(FILE *script, const diagram *of) {
     const double clearance = of->result->stations[of->station].clearance;
     const double scale = clearance > 0.0 ? 1.0 / clearance : 1.0;
-    fprintf(script, "set yrange [%.8g:%.8g]\n", scale * of->radius.low, scale * of->radius.high);
+    write_range(script, (span){scale * of->radius.low, scale * of->radius.high}, 4);
     if (clearance > 0.0)
-        fputs("set ylabel \"largest\\neccentricity\"\n", script);
+        write_axis_label(script, "\"largest\\neccentricity\"");
     else
-        fputs("set ylabel \"largest\\nradius / \".length_symbol\n", script);
+        write_axis_label(script, "\"largest\\nradius / \".length_symbol");
     char factor[32];
     snprintf(factor, sizeof factor, "%.10g", scale);
     write_line_panel(script, of, 6 + of->station, factor, "with lines linestyle 1");
 }
 
 static void write_rub_panel(FILE *script, const diagram *of) {
-    fputs("set yrange [0:*<1]\nset ylabel \"time in\\ncontact (%)\"\nset yrange [0:*]\n", script);
+    write_axis_label(script, "\"time in\\ncontact (%)\"");
+    write_range(script, (span){0.0, 100.0 * of->share}, 4);
     write_line_panel(script, of, 5, "100", "with lines linestyle 1");
 }
 
@@ -300,14 +326,14 @@ static void write_colour_function(FILE *script) {
 static void write_panels(FILE *script, const diagram *of, const char *data) {
     static const double parts[] = {3.0, 3.0, 1.9, 1.3, 1.1};
     const int count = of->rub ? 5 : 4;
-    const double bottom = 0.058, top = of->both ? 0.897 : 0.904, gap = 0.014;
+    const double bottom = 0.058, top = of->both ? 0.898 : 0.922, gap = 0.014;
     double sum = 0.0;
     for (int i = 0; i < count; i++) sum += parts[i];
     const double unit = (top - bottom - gap * (count - 1)) / sum;
     double high = top;
     for (int i = 0; i < count; i++) {
         const double low = high - parts[i] * unit;
-        script_panel(script, 0.105, 0.985, low, high);
+        script_panel(script, 0.122, 0.985, low, high);
         if (i == count - 1) fputs("set format x '%g'\nset xlabel parameter_label\n", script);
         if (i == 0) write_section_panel(script, of, data, 'x', 2);
         if (i == 0) fputs("do for [i = 1000:ribbon - 1] { unset object i }\nunset label\n", script);
@@ -335,7 +361,7 @@ static whirl_status write_script(const drawing *to, const diagram *of, const fig
     write_colour_function(script);
     fprintf(script, "set xrange [%.10g:%.10g]\n", of->parameter.low, of->parameter.high);
     script_loop(script);
-    fputs("set format x ''\nunset xlabel\nset ylabel offset 0.5, 0\n"
+    fputs("set format x ''\nunset xlabel\n"
           "set label 1 title_text at screen 0.545, screen 0.982 center font ',9'\n",
           script);
     write_rub_bands(script, of);
@@ -358,12 +384,13 @@ static whirl_status draw_station(const drawing *to, diagram *of) {
     snprintf(what->title, sizeof what->title, "Bifurcation diagram of %s over %s", station, of->table->parameter);
     snprintf(what->caption, sizeof what->caption,
              "Poincare section of %s (one dot a revolution) over %s, coloured by regime; the ribbon on top repeats the "
-             "regime%s.%s Below: largest Lyapunov exponent with its standard error, %s%s.",
+             "regime%s.%s Below: largest Lyapunov exponent with its standard error, %s%s%s.",
              station, of->table->parameter,
              of->both ? " (lower strip: followed from the first value on; upper strip: from the last)" : "",
              of->rub ? " Shaded: the rotor rubs." : "",
              to->result->stations[of->station].clearance > 0.0 ? "largest eccentricity ratio" : "largest radius",
-             of->rub ? ", share of time in contact" : "");
+             of->rub ? ", share of the time in contact" : "",
+             of->both ? " (blue: from the first value on; orange: from the last)" : "");
     const whirl_status status = write_section_data(to, of, what->data[0]);
     return status.code == WHIRL_OK ? write_script(to, of, what) : status;
 }

@@ -10,9 +10,9 @@
 #include "quantities.h"
 
 enum {
-    MOST_BINS = 2500,  ///< of a drawn spectrum: more are grouped and the largest of a group is kept (peak hold)
-    MOST_LABELS = 6,   ///< spectral lines that get their order written beside them
-    SHOWN_TURNS = 10   ///< revolutions of the waveform panel
+    MOST_BINS = 2500, ///< of a drawn spectrum: more are grouped and the largest of a group is kept (peak hold)
+    MOST_LABELS = 8,  ///< spectral lines that get their order written beside them
+    SHOWN_TURNS = 10  ///< revolutions of the waveform panel
 };
 
 /// A point at a station with what there is of it.
@@ -73,9 +73,11 @@ static void write_section(FILE *data, const subject *of) {
 
 static void write_spectrum(FILE *data, const subject *of) {
     const size_t group = (of->spectrum.rows + MOST_BINS - 1) / MOST_BINS;
-    fprintf(data, "# order  x  y  forward  backward (amplitudes, zero to peak, in %.10g m)\n", of->result->length_scale);
-    if (group > 1) fprintf(data, "# %zu bins of %.6g orders each stand as one: the largest amplitudes\n", group,
-                           of->spectrum.rows > 1 ? of->spectrum.at[5] - of->spectrum.at[0] : 0.0);
+    fprintf(data, "# order  x  y  forward  backward (amplitudes, zero to peak, in %.10g m)\n",
+            of->result->length_scale);
+    if (group > 1)
+        fprintf(data, "# %zu bins of %.6g orders each stand as one: the largest amplitudes\n", group,
+                of->spectrum.rows > 1 ? of->spectrum.at[5] - of->spectrum.at[0] : 0.0);
     for (size_t first = 0; first < of->spectrum.rows; first += group) {
         double most[5] = {of->spectrum.at[5 * first], 0.0, 0.0, 0.0, 0.0};
         for (size_t k = first; k < first + group && k < of->spectrum.rows; k++) {
@@ -107,7 +109,8 @@ static whirl_status write_data(const drawing *to, const subject *of, figure *wha
 // ---------------------------------------------------------------- panels
 
 static void write_panel_title(FILE *script, const char *title) {
-    fprintf(script, "set title '%s' offset 0, -0.7 font ',8'\n", title);
+    fprintf(script, "set title '%s' offset 0, -0.6 font ',8'\nset xlabel offset 0, 0.4\nset ylabel offset 1.2, 0\n",
+            title);
 }
 
 static void write_waveform_panel(FILE *script, const subject *of, const figure *what) {
@@ -120,11 +123,13 @@ static void write_waveform_panel(FILE *script, const subject *of, const figure *
     fprintf(script,
             "set xlabel 'revolution'\nset ylabel 'x / '.length_symbol.', y / '.length_symbol\n"
             "set xrange [%.8g:%.8g]\nset yrange [%.10g:%.10g]\n"
-            "set key inside top right horizontal samplen 1.5 font ',7'\n"
-            "plot '%s' index 0 using 1:2 with lines linestyle 1 title 'x', '' index 0 using 1:3 with lines linestyle 2 title 'y', \\\n"
+            "set xtics %g\nset ytics %g\nset key inside top right horizontal samplen 1.5 font ',7'\n"
+            "plot '%s' index 0 using 1:2 with lines linestyle 1 title 'x', '' index 0 using 1:3 with lines linestyle 2 "
+            "title 'y', \\\n"
             "  '' index 1 using 1:2 with points pointtype 7 pointsize 0.25 linecolor rgb '#303030' notitle, "
             "'' index 1 using 1:3 with points pointtype 7 pointsize 0.25 linecolor rgb '#303030' notitle\nunset key\n",
-            turns - shown, turns, both.low, both.high, what->data[0]);
+            turns - shown, turns, both.low, both.high, tic_step(shown, 10), tic_step(both.high - both.low, 8),
+            what->data[0]);
 }
 
 /// A square window of side `side` around the middle of the two spans.
@@ -132,22 +137,23 @@ static void write_square(FILE *script, span x, span y, double side) {
     const double mx = 0.5 * (x.low + x.high), my = 0.5 * (y.low + y.high);
     fprintf(script, "set xrange [%.12g:%.12g]\nset yrange [%.12g:%.12g]\n", mx - 0.5 * side, mx + 0.5 * side,
             my - 0.5 * side, my + 0.5 * side);
-    fputs("set xlabel 'x / '.length_symbol\nset ylabel 'y / '.length_symbol\n"
-          "set size ratio -1\nset xtics autofreq\nset ytics autofreq\n",
-          script);
+    fprintf(script,
+            "set xlabel 'x / '.length_symbol\nset ylabel 'y / '.length_symbol\n"
+            "set size ratio -1\nset xtics %g\nset ytics %g\n",
+            tic_step(side, 6), tic_step(side, 6));
 }
 
 static void write_orbit_panel(FILE *script, const subject *of, const figure *what) {
     const double clearance = of->result->stations[of->station].clearance;
-    write_panel_title(script, clearance > 0.0 ? "Orbit (dots: once a revolution; grey: bearing clearance)"
-                                              : "Orbit (dots: once a revolution)");
+    write_panel_title(script, clearance > 0.0 ? "Orbit (grey: bearing)" : "Orbit");
     write_square(script, of->x, of->y, 1.16 * of->size);
     fputs("plot ", script);
     if (clearance > 0.0)
-        fprintf(script,
-                "sample [angle = 0:2*pi:pi/3000] '+' using (%.10g*cos(angle)):(%.10g*sin(angle)) with lines linewidth 1.2 "
-                "linecolor rgb '#9A9A9A', \\\n  ",
-                clearance, clearance);
+        fprintf(
+            script,
+            "sample [angle = 0:2*pi:pi/3000] '+' using (%.10g*cos(angle)):(%.10g*sin(angle)) with lines linewidth 1.2 "
+            "linecolor rgb '#9A9A9A', \\\n  ",
+            clearance, clearance);
     fprintf(script,
             "'%s' index 0 using 2:3 with lines linestyle 1 linewidth 0.5, \\\n"
             "  '' index 1 using 2:3 with points pointtype 7 pointsize 0.35 linecolor rgb '#D55E00'\nset size noratio\n",
@@ -164,8 +170,12 @@ static void write_section_panel(FILE *script, const subject *of, const figure *w
     const double extent = fmax(x.high - x.low, y.high - y.low);
     write_panel_title(script, "Poincare map");
     write_square(script, x, y, fmax(1.24 * extent, 0.2 * of->size));
-    const double size = of->section.rows > 1000 && extent > 1e-3 * of->size ? 0.12 : 0.3;
-    fprintf(script, "plot '%s' using 1:2 with points pointtype 7 pointsize %.2f linecolor rgb '#0072B2'\nset size noratio\n",
+    const double size = of->section.rows > 1000 && extent > 1e-3 * of->size &&
+                                whirl_table_verdict(of->table, of->point).regime != WHIRL_PERIODIC
+                            ? 0.15
+                            : 0.45;
+    fprintf(script,
+            "plot '%s' using 1:2 with points pointtype 7 pointsize %.2f linecolor rgb '#0072B2'\nset size noratio\n",
             what->data[1], size);
 }
 
@@ -173,20 +183,88 @@ static double amplitude(const double *line, int full) {
     return full ? fmax(line[3], line[4]) : fmax(line[1], line[2]);
 }
 
-/// Writes the orders of the largest lines above them, but none that would run into one that is there already.
+/// A peak that may get its order written above it; in a full spectrum backward ones stand on the left.
+typedef struct peak {
+    double place, height;
+} peak;
+
+static int by_height(const void *left, const void *right) {
+    const double a = ((const peak *)left)->height, b = ((const peak *)right)->height;
+    return (a < b) - (a > b);
+}
+
+/// Height of the drawn curve near an order: that of a line between two bins is a little larger.
+static double drawn_height(const subject *of, double order, int column) {
+    double most = 0.0;
+    const double *at = of->spectrum.at;
+    const double step = of->spectrum.rows > 1 ? at[5] - at[0] : 1.0;
+    const double middle = step > 0.0 ? (order - at[0]) / step : 0.0;
+    const size_t first = middle > 2.0 ? (size_t)middle - 2 : 0;
+    for (size_t k = first; k < of->spectrum.rows && k < first + 5; k++) most = fmax(most, at[5 * k + (size_t)column]);
+    return most;
+}
+
+static size_t find_peaks(const subject *of, int full, peak *peaks) {
+    size_t count = 0;
+    for (size_t k = 0; k < of->lines.rows && k < WHIRL_MAX_LINES; k++) {
+        const double order = of->lines.at[5 * k];
+        if (!full) peaks[count++] = (peak){order, fmax(drawn_height(of, order, 1), drawn_height(of, order, 2))};
+        if (full) peaks[count++] = (peak){order, drawn_height(of, order, 3)};
+        if (full) peaks[count++] = (peak){-order, drawn_height(of, order, 4)};
+    }
+    qsort(peaks, count, sizeof *peaks, by_height);
+    return count;
+}
+
+/// The place of a label: its side of the peak and the orders that it covers.
+typedef struct label {
+    const char *side;
+    double low, high, height;
+} label;
+
+static bool label_fits(const label *candidate, const label *placed, int count, double tall) {
+    for (int i = 0; i < count; i++)
+        if (candidate->low < placed[i].high && candidate->high > placed[i].low &&
+            fabs(candidate->height - placed[i].height) < tall)
+            return false;
+    return true;
+}
+
+/// Peaks of one broad hump share the label of the largest.
+static bool peak_stands_alone(const peak *candidate, const peak *labelled, int count, double distance) {
+    for (int i = 0; i < count; i++)
+        if (fabs(labelled[i].place - candidate->place) < distance) return false;
+    return true;
+}
+
+/// Above the peak if that runs into no label that is there, else beginning or ending at it; side NULL where nothing fits.
+static label place_label(const peak *of, const label *placed, int count, double wide, double tall) {
+    const label tries[] = {{"center", of->place - 0.5 * wide, of->place + 0.5 * wide, of->height},
+                           {"left", of->place - 0.1 * wide, of->place + 0.9 * wide, of->height},
+                           {"right", of->place - 0.9 * wide, of->place + 0.1 * wide, of->height}};
+    for (int i = 0; i < 3; i++)
+        if (label_fits(&tries[i], placed, count, tall)) return tries[i];
+    return (label){0};
+}
+
+/// Writes the orders of the largest lines above them.
 static void write_line_labels(FILE *script, const subject *of, double highest, int full) {
-    double placed[2 * MOST_LABELS];
+    peak peaks[2 * WHIRL_MAX_LINES], labelled[MOST_LABELS];
+    label placed[MOST_LABELS];
+    const size_t found = find_peaks(of, full, peaks);
     int count = 0;
-    for (size_t k = 0; k < of->lines.rows && count < MOST_LABELS; k++) {
-        const double *line = &of->lines.at[5 * k];
-        const int backward = full && line[4] > line[3];
-        const double order = backward ? -line[0] : line[0], width = full ? 0.07 * highest : 0.075 * highest;
-        bool fits = amplitude(line, full) >= 0.04 * amplitude(of->lines.at, full) && line[0] < highest;
-        for (int i = 0; i < count; i++) fits = fits && fabs(placed[i] - order) >= width;
-        if (!fits) continue;
-        placed[count++] = order;
-        fprintf(script, "set label %d '%.3g' at %.6g, %.6g center offset 0, 0.45 font ',6.5'\n", 100 + count, line[0],
-                order, amplitude(line, full));
+    for (size_t k = 0; k < found && count < MOST_LABELS; k++) {
+        if (peaks[k].height < 0.05 * peaks[0].height || fabs(peaks[k].place) > 0.97 * highest) continue;
+        if (!peak_stands_alone(&peaks[k], labelled, count, 0.025 * highest)) continue;
+        char text[32];
+        const int letters = snprintf(text, sizeof text, "%.3g", fabs(peaks[k].place));
+        const label here = place_label(&peaks[k], placed, count, 0.017 * highest * letters, 0.07 * peaks[0].height);
+        if (!here.side) continue;
+        labelled[count] = peaks[k];
+        placed[count++] = here;
+        const double anchor = *here.side == 'l' ? here.low : *here.side == 'r' ? here.high : peaks[k].place;
+        fprintf(script, "set label %d '%s' at %.6g, %.6g %s offset 0, 0.35 font ',6'\n", 100 + count, text, anchor,
+                peaks[k].height, here.side);
     }
 }
 
@@ -203,32 +281,36 @@ static double tallest(const subject *of, int full) {
 }
 
 static void write_spectrum_panel(FILE *script, const subject *of, const figure *what) {
-    const double highest = highest_order(of);
+    const double highest = highest_order(of), top = 1.22 * tallest(of, 0);
     write_panel_title(script, "Spectrum");
     fprintf(script,
             "set xlabel 'order of the running speed'\nset ylabel 'amplitude / '.length_symbol\n"
-            "set xrange [0:%.6g]\nset yrange [0:%.8g]\nset xtics %g\n"
+            "set xrange [0:%.6g]\nset yrange [0:%.8g]\nset xtics %g\nset ytics %g\n"
             "set key inside top right horizontal samplen 1.5 font ',7'\n",
-            highest, 1.22 * tallest(of, 0), highest <= 6.0 ? 1.0 : ceil(highest / 6.0));
+            highest, top, tic_step(highest, 6), tic_step(top, 6));
     write_line_labels(script, of, highest, 0);
     fprintf(script,
-            "plot '%s' using 1:3 with lines linestyle 2 linewidth 0.6 title 'y', '' using 1:2 with lines linestyle 1 linewidth 0.6 title 'x'\n"
+            "plot keyentry with lines linestyle 1 title 'x', '%s' using 1:3 with lines linestyle 2 linewidth 0.6 title "
+            "'y', \\\n"
+            "  '' using 1:2 with lines linestyle 1 linewidth 0.6 notitle\n"
             "unset key\ndo for [i = 101:%d] { unset label i }\n",
             what->data[2], 100 + MOST_LABELS);
 }
 
 static void write_full_spectrum_panel(FILE *script, const subject *of, const figure *what) {
-    const double highest = highest_order(of);
+    const double highest = highest_order(of), top = 1.24 * tallest(of, 1);
     write_panel_title(script, "Full spectrum of x + iy");
-    fprintf(script,
-            "set xlabel 'order of the running speed (negative: backward whirl)'\nset ylabel 'amplitude / '.length_symbol\n"
-            "set xrange [%.6g:%.6g]\nset yrange [0:%.8g]\nset xtics %g\n",
-            -highest, highest, 1.24 * tallest(of, 1), highest <= 6.0 ? 1.0 : ceil(highest / 6.0));
+    fprintf(
+        script,
+        "set xlabel 'order of the running speed (negative: backward whirl)'\nset ylabel 'amplitude / '.length_symbol\n"
+        "set xrange [%.6g:%.6g]\nset yrange [0:%.8g]\nset xtics %g\nset ytics %g\n",
+        -highest, highest, top, tic_step(highest, 6), tic_step(top, 5));
     write_line_labels(script, of, highest, 1);
     fprintf(script,
             "set label 98 'backward' at graph 0.015, 0.9 left font ',7' textcolor rgb '#D55E00'\n"
             "set label 99 'forward' at graph 0.985, 0.9 right font ',7' textcolor rgb '#0072B2'\n"
-            "plot '%s' using (-$1):5 with lines linestyle 2 linewidth 0.6, '' using 1:4 with lines linestyle 1 linewidth 0.6\n"
+            "plot '%s' using (-$1):5 with lines linestyle 2 linewidth 0.6, '' using 1:4 with lines linestyle 1 "
+            "linewidth 0.6\n"
             "do for [i = 98:%d] { unset label i }\n",
             what->data[2], 100 + MOST_LABELS);
 }
@@ -238,30 +320,31 @@ static void write_panels(FILE *script, const subject *of, const figure *what, do
     static void (*const panels[])(FILE *, const subject *, const figure *) = {
         write_waveform_panel, write_orbit_panel, write_spectrum_panel, write_section_panel};
     const bool there[] = {of->waveform.at, of->waveform.at, of->spectrum.at, of->section.at};
-    const double side = 6.6 / height, gap = 1.75 / height, square = 6.6 / 18.0;
+    const double side = 6.6 / height, gap = 1.9 / height, square = 6.6 / 18.0;
     double high = 1.0 - 1.55 / height;
     int place = 0;
     for (int i = 0; i < 4; i++) {
         if (!there[i]) continue;
         // The right column is square, for orbits and maps; where only they are left they may stand on the left too.
         if (place % 2 == 0)
-            script_panel(script, 0.085, i % 2 ? 0.085 + square : 0.53, high - side, high);
+            script_panel(script, 0.095, i % 2 ? 0.095 + square : 0.52, high - side, high);
         else
             script_panel(script, 0.985 - square, 0.985, high - side, high);
         panels[i](script, of, what);
+        if (place == 0) fputs("unset label 1\n", script);
         if (place % 2 == 1) high -= side + gap;
         place++;
     }
     if (place % 2 == 1) high -= side + gap;
     if (!of->spectrum.at) return;
-    script_panel(script, 0.085, 0.985, high - 4.6 / height, high);
+    script_panel(script, 0.095, 0.985, high - 4.6 / height, high);
     write_full_spectrum_panel(script, of, what);
 }
 
 static double figure_height(const subject *of) {
     const int panels = (of->waveform.at ? 2 : 0) + (of->spectrum.at ? 1 : 0) + (of->section.at ? 1 : 0);
     const int rows = (panels + 1) / 2;
-    return 1.55 + rows * (6.6 + 1.75) + (of->spectrum.at ? 4.6 + 1.2 : -0.4);
+    return 1.55 + rows * (6.6 + 1.9) + (of->spectrum.at ? 4.6 + 1.3 : -0.5);
 }
 
 static whirl_status write_script(const drawing *to, const subject *of, const figure *what) {
@@ -279,7 +362,6 @@ static whirl_status write_script(const drawing *to, const subject *of, const fig
     script_loop(file.stream);
     fprintf(file.stream, "set label 1 title_text at screen 0.5, screen %.4f center font ',9'\n", 1.0 - 0.5 / height);
     write_panels(file.stream, of, what, height);
-    fputs("unset label 1\n", file.stream);
     script_end(file.stream);
     return report_file_close(&file);
 }

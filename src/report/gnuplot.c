@@ -15,9 +15,9 @@ enum { MOST_PROCESSES = 8, COMMAND_MISSING = 127, LOG_NAME_SIZE = 512 };
 void gnuplot_string(FILE *script, const char *text) {
     fputc('\'', script);
     while (*text) {
-        const size_t length = utf8_length(text);
+        const size_t length = utf8_length_of_text(text);
         if (*text == '\'')
-            fputs("''", script);
+            fputs("\xE2\x80\x99", script);
         else if (length == 1 && ((unsigned char)*text < 0x20 || *text == 0x7F))
             fputc(' ', script);
         else if (length == 0)
@@ -138,7 +138,8 @@ whirl_status gnuplot_run(const char *program, gnuplot_job *jobs, size_t count) {
     // The scripts run in other folders: a path relative to this one would not be found from there.
     char *absolute = realpath(program, NULL);
     if (!absolute)
-        return whirl_fail(WHIRL_MISSING_PROGRAM, "%.300s is not there, so no figure was drawn; the scripts and data are", program);
+        return whirl_fail(WHIRL_MISSING_PROGRAM,
+                          "%.300s is not there, so no figure was drawn; the scripts and data are", program);
     const whirl_status status = run_all(absolute, jobs, count);
     free(absolute);
     return status;

@@ -8,8 +8,9 @@
 
 #include "whirl/status.h"
 
-/// Writes text as a single-quoted gnuplot string. In such a string nothing is expanded (no backquotes, no escapes, no macros);
-/// control characters become spaces and bytes that are not UTF-8 become '?'.
+/// Writes text as a single-quoted gnuplot string. In such a string nothing is expanded (no backquotes, no escapes, no
+/// macros). An apostrophe becomes U+2019: gnuplot 5.4 misreads a string that begins with an escaped one. Control
+/// characters become spaces and bytes that are not UTF-8 become '?'.
 void gnuplot_string(FILE *script, const char *text);
 
 /// Writes text within a comment line: one line, and no backslash that would join it with the next.

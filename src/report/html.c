@@ -6,18 +6,24 @@
 
 static const char *entity(char letter) {
     switch (letter) {
-    case '<': return "&lt;";
-    case '>': return "&gt;";
-    case '&': return "&amp;";
-    case '"': return "&quot;";
-    case '\'': return "&#39;";
-    default: return NULL;
+    case '<':
+        return "&lt;";
+    case '>':
+        return "&gt;";
+    case '&':
+        return "&amp;";
+    case '"':
+        return "&quot;";
+    case '\'':
+        return "&#39;";
+    default:
+        return NULL;
     }
 }
 
 void html_text(FILE *stream, const char *text) {
     while (*text) {
-        const size_t length = utf8_length(text);
+        const size_t length = utf8_length_of_text(text);
         const unsigned char letter = (unsigned char)*text;
         const char *replacement = length == 1 ? entity(*text) : NULL;
         const int control = (letter < 0x20 && letter != '\n' && letter != '\t') || letter == 0x7F;

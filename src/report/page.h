@@ -19,9 +19,9 @@ typedef struct comparison {
 /// All that a page shows. Borrowed.
 typedef struct page {
     FILE *stream;
-    const whirl_result *const *results; ///< [count]
-    const char *const *names;           ///< [count] as the caller names them
-    const char (*folders)[FOLDER_NAME_SIZE];  ///< [count] of their files, beside the page
+    const whirl_result *const *results;      ///< [count]
+    const char *const *names;                ///< [count] as the caller names them
+    const char (*folders)[FOLDER_NAME_SIZE]; ///< [count] of their files, beside the page
     size_t count;
     const whirl_claims *claims;    ///< NULL: none
     const comparison *comparisons; ///< [claims->count][count]
@@ -33,11 +33,11 @@ void page_write(const page *to);
 
 // Sections.
 void page_style(FILE *stream);
-void page_claims(const page *to);                     ///< the table of claims and what was not reproduced
-void page_computed(const page *to, size_t result);    ///< what was computed, parameters
+void page_claims(const page *to);                  ///< the table of claims and what was not reproduced
+void page_computed(const page *to, size_t result); ///< what was computed, parameters
 void page_provenance(const page *to, size_t result);
-void page_intervals(const page *to, size_t result);   ///< regimes along the sweep
-void page_points(const page *to, size_t result);      ///< the table of points
+void page_intervals(const page *to, size_t result); ///< regimes along the sweep
+void page_points(const page *to, size_t result);    ///< the table of points
 void page_figures(const page *to, size_t result);
 
 #endif

@@ -33,7 +33,8 @@ static void write_where(const page *to, const whirl_claim *claim) {
 }
 
 static void write_table(const page *to) {
-    fputs("<div class=\"scroll\"><table class=\"claims\">\n<thead><tr><th>Where</th><th>The source says</th>", to->stream);
+    fputs("<div class=\"scroll\"><table class=\"claims\">\n<thead><tr><th>Where</th><th>The source says</th>",
+          to->stream);
     for (size_t r = 0; r < to->count; r++) {
         fprintf(to->stream, "<th><a href=\"#result-%zu\">", r + 1);
         html_text(to->stream, to->names[r]);
@@ -119,10 +120,12 @@ static void write_all_missed(const page *to) {
 
 void page_claims(const page *to) {
     fputs("<section id=\"claims\">\n<h2>What the source says, and what was found</h2>\n"
-          "<p>A claim about a range is compared at every point of the sweep within it: it <em>agrees</em> when all points "
+          "<p>A claim about a range is compared at every point of the sweep within it: it <em>agrees</em> when all "
+          "points "
           "do, <em>partly</em> when at least half of them do, or when some of the things it states hold and others do "
-          "not. A spectral line counts as present within 0.02 orders and from 5&nbsp;% of the largest line up. Nothing "
-          "was adjusted to agree after the results were computed.</p>\n",
+          "not. A spectral line counts as present within 0.02 orders and from 5&nbsp;% of the largest line up; a "
+          "band of lines is met when three or more lines and three quarters of their power below the running speed lie "
+          "in it. The comparison follows these rules alone.</p>\n",
           to->stream);
     write_counts(to);
     write_table(to);

@@ -41,7 +41,8 @@ void page_figures(const page *to, size_t index) {
         } else {
             if (!points && diagrams) fputs("</div>\n", to->stream);
             if (!points)
-                fputs("<h3>Motion at single points</h3>\n<p>Waveform, orbit, spectrum, Poincare map (once a revolution) and "
+                fputs("<h3>Motion at single points</h3>\n<p>Waveform, orbit, spectrum, Poincare map (once a "
+                      "revolution) and "
                       "full spectrum of every station.</p>\n<div class=\"pair\">\n",
                       to->stream);
             points = true;

@@ -45,21 +45,26 @@ static void write_windows(FILE *stream, const whirl_table *table, const regime_i
         for (size_t k = 0; k < i; k++) named = named || strcmp(windows[k].name, windows[i].name) == 0;
         if (!named) html_printf(stream, "%s%s", i ? ", " : "", windows[i].name);
     }
-    fprintf(stream, " <span class=\"soft\">(%zu windows)</span></td><td class=\"number\">%zu</td><td class=\"number\">%zu</td></tr>\n",
+    fprintf(stream,
+            " <span class=\"soft\">(%zu windows)</span></td><td class=\"number\">%zu</td><td "
+            "class=\"number\">%zu</td></tr>\n",
             count, points, rubbing);
 }
 
 static void write_interval_head(FILE *stream, const char *parameter) {
     fputs("<div class=\"scroll\"><table>\n<thead><tr><th>", stream);
     html_text(stream, parameter);
-    fputs("</th><th>Regime</th><th class=\"number\">Points</th><th class=\"number\">of these with rub</th></tr></thead>\n<tbody>\n",
+    fputs("</th><th>Regime</th><th class=\"number\">Points</th><th class=\"number\">of these with "
+          "rub</th></tr></thead>\n<tbody>\n",
           stream);
 }
 
-static void write_merged(FILE *stream, const whirl_table *table, const regime_interval *intervals, size_t count, bool branches) {
+static void write_merged(FILE *stream, const whirl_table *table, const regime_interval *intervals, size_t count,
+                         bool branches) {
     for (size_t i = 0; i < count;) {
         size_t end = i;
-        while (end < count && intervals[end].count < SHORT_INTERVAL && intervals[end].branch == intervals[i].branch) end++;
+        while (end < count && intervals[end].count < SHORT_INTERVAL && intervals[end].branch == intervals[i].branch)
+            end++;
         if (end - i >= 2) {
             write_windows(stream, table, &intervals[i], end - i);
             i = end;
@@ -101,7 +106,8 @@ static void write_number(FILE *stream, const char *format, double value, int row
     fputs("<td class=\"number\"", stream);
     if (rows > 1) fprintf(stream, " rowspan=\"%d\"", rows);
     fputs(">", stream);
-    if (isnan(value)) fputs("&ndash;", stream);
+    if (isnan(value))
+        fputs("&ndash;", stream);
     else {
         char text[64];
         snprintf(text, sizeof text, format, value);
@@ -180,7 +186,7 @@ void page_points(const page *to, size_t index) {
           to->stream);
     html_text(to->stream, length);
     fputs("</th><th class=\"number\">Largest<br>eccentricity</th><th class=\"number\">Backward<br>whirl</th>"
-          "<th>Largest lines (order: amplitude / ",
+          "<th>Largest lines (order: larger amplitude of x and y / ",
           to->stream);
     html_text(to->stream, length);
     fputs(")</th></tr></thead>\n<tbody>\n", to->stream);

@@ -28,7 +28,8 @@ static void describe_points(const whirl_result *result, const whirl_table *table
         reverse = reverse || table->branch[i] < 0;
     }
     const size_t last = forward > 0 && reverse ? forward - 1 : table->count - 1;
-    snprintf(text, size, "%s from %.6g to %.6g, %zu points%s", label, table->values[0], table->values[last], table->count,
+    snprintf(text, size, "%s from %.6g to %.6g, %zu points%s", label, table->values[0], table->values[last],
+             table->count,
              forward && reverse ? " (both ways, each start carried from the point before)"
              : reverse || (table->count && table->branch[0] > 0) ? " (each start carried from the point before)"
                                                                  : "");
@@ -36,7 +37,8 @@ static void describe_points(const whirl_result *result, const whirl_table *table
 
 static void write_tables(FILE *stream, const whirl_result *result) {
     fputs("<div class=\"scroll\"><table>\n<thead><tr><th>Part of the study</th><th>Points</th><th>Method</th>"
-          "<th class=\"number\">Steps a revolution</th><th class=\"number\">Transient</th><th class=\"number\">Recorded</th>"
+          "<th class=\"number\">Steps a revolution</th><th class=\"number\">Transient</th><th "
+          "class=\"number\">Recorded</th>"
           "</tr></thead>\n<tbody>\n",
           stream);
     for (size_t t = 0; t < result->table_count; t++) {

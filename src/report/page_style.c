@@ -17,7 +17,8 @@ void page_style(FILE *stream) {
         ".soft{color:var(--soft)}.small{font-size:.86rem}",
         "nav ul{list-style:none;padding:0;margin:1rem 0;display:flex;flex-wrap:wrap;gap:.3rem 1.4rem}",
         ".scroll{overflow-x:auto}",
-        "table{border-collapse:collapse;font-size:.86rem;line-height:1.4;margin:.8rem 0;font-variant-numeric:tabular-nums}",
+        "table{border-collapse:collapse;font-size:.86rem;line-height:1.4;margin:.8rem "
+        "0;font-variant-numeric:tabular-nums}",
         "th,td{text-align:left;vertical-align:top;padding:.38rem .75rem .38rem 0;border-bottom:1px solid var(--line)}",
         "thead th{border-bottom:1.5px solid var(--ink);font-weight:600;vertical-align:bottom}",
         "tbody th{font-weight:600;white-space:nowrap}",
@@ -25,7 +26,8 @@ void page_style(FILE *stream) {
         "tr.reason td{color:var(--soft);border-bottom:1.5px solid var(--line);padding-top:.1rem}",
         "tr.open td,tr.open th{border-bottom:0}",
         ".claims td{min-width:13rem}.claims td.says{min-width:12rem}",
-        ".badge{display:inline-block;font-weight:600;font-size:.8rem;padding:0 .45rem;border:1.5px solid;border-radius:.6rem;"
+        ".badge{display:inline-block;font-weight:600;font-size:.8rem;padding:0 .45rem;border:1.5px "
+        "solid;border-radius:.6rem;"
         "margin-bottom:.2rem;white-space:nowrap}",
         ".agrees{color:var(--good)}.partly{color:var(--half)}.disagrees{color:var(--bad)}.none{color:var(--soft)}",
         ".swatch{display:inline-block;width:.75em;height:.75em;border-radius:50%;margin-right:.45em;"

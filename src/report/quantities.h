@@ -22,7 +22,7 @@ numbers point_numbers(const whirl_table *table, size_t point, const char *field,
 numbers point_section(const whirl_table *table, size_t point, size_t station);  ///< x, y, vx, vy once a revolution
 numbers point_waveform(const whirl_table *table, size_t point, size_t station); ///< x, y
 numbers point_spectrum(const whirl_table *table, size_t point, size_t station); ///< order, x, y, forward, backward
-numbers point_lines(const whirl_table *table, size_t point, size_t station);    ///< the same, of the peaks, largest first
+numbers point_lines(const whirl_table *table, size_t point, size_t station); ///< the same, of the peaks, largest first
 
 /// Largest Lyapunov exponent per revolution: the analysis "lyapunov", else the verdict's evidence; NaN where there is neither.
 whirl_estimate point_exponent(const whirl_table *table, size_t point);

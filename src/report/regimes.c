@@ -25,16 +25,24 @@ regime_class regime_class_of(const whirl_verdict *verdict) {
                : verdict->period == 2 ? CLASS_P2
                : verdict->period == 4 ? CLASS_P4
                                       : CLASS_OTHER_PERIOD;
-    case WHIRL_QUASI_PERIODIC: return CLASS_QUASI_PERIODIC;
-    case WHIRL_CHAOTIC: return CLASS_CHAOTIC;
-    case WHIRL_DIVERGING: return CLASS_DIVERGED;
-    default: return CLASS_UNDETERMINED;
+    case WHIRL_QUASI_PERIODIC:
+        return CLASS_QUASI_PERIODIC;
+    case WHIRL_CHAOTIC:
+        return CLASS_CHAOTIC;
+    case WHIRL_DIVERGING:
+        return CLASS_DIVERGED;
+    default:
+        return CLASS_UNDETERMINED;
     }
 }
 
-const char *regime_class_name(regime_class kind) { return classes[kind].name; }
+const char *regime_class_name(regime_class kind) {
+    return classes[kind].name;
+}
 
-const char *regime_class_colour(regime_class kind) { return classes[kind].colour; }
+const char *regime_class_colour(regime_class kind) {
+    return classes[kind].colour;
+}
 
 void regime_name(const whirl_verdict *verdict, char *text, size_t size) {
     if (verdict->regime == WHIRL_PERIODIC)

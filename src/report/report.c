@@ -37,7 +37,8 @@ static void name_folders(report *made, const char *const *names, size_t count) {
     }
 }
 
-static whirl_status write_figures(report *made, const whirl_result *const *results, size_t count, const char *directory) {
+static whirl_status write_figures(report *made, const whirl_result *const *results, size_t count,
+                                  const char *directory) {
     for (size_t r = 0; r < count; r++) {
         const int length = snprintf(made->paths[r], FILE_PATH_SIZE, "%s/%s", directory, made->folders[r]);
         if (length < 0 || length >= FILE_PATH_SIZE)
@@ -55,7 +56,7 @@ static whirl_status write_figures(report *made, const whirl_result *const *resul
 static whirl_status draw(report *made, const char *program) {
     const size_t count = made->figures.count;
     gnuplot_job *jobs = calloc(count + 1, sizeof *jobs);
-    char (*scripts)[STEM_SIZE + 4] = calloc(count + 1, sizeof *scripts);
+    char(*scripts)[STEM_SIZE + 4] = calloc(count + 1, sizeof *scripts);
     whirl_status status = whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu figures", count);
     if (jobs && scripts) {
         for (size_t i = 0; i < count; i++) {
@@ -75,7 +76,8 @@ static void compare(report *made, const whirl_result *const *results, size_t cou
     for (size_t c = 0; c < claims->count; c++) {
         for (size_t r = 0; r < count; r++) {
             comparison *here = &made->comparisons[c * count + r];
-            here->agreement = whirl_claim_compare(claims, &claims->items[c], results[r], here->found, sizeof here->found);
+            here->agreement =
+                whirl_claim_compare(claims, &claims->items[c], results[r], here->found, sizeof here->found);
         }
     }
 }

@@ -11,8 +11,7 @@ whirl_status report_file_open(report_file *file, const char *folder, const char 
         return whirl_fail(WHIRL_IO_ERROR, "the path %.100s.../%.100s is too long", folder, name);
     snprintf(file->temporary, sizeof file->temporary, "%s.part", file->path);
     file->stream = fopen(file->temporary, "w");
-    if (!file->stream)
-        return whirl_fail(WHIRL_IO_ERROR, "%.300s cannot be written: %s", file->path, strerror(errno));
+    if (!file->stream) return whirl_fail(WHIRL_IO_ERROR, "%.300s cannot be written: %s", file->path, strerror(errno));
     return whirl_ok();
 }
 

@@ -1,7 +1,7 @@
-/// What an element is made of: its keys, how its coefficients follow from them, and the forces it adds.
+/// What an element is made of: its keys, and the numbers that follow from them for its kernel.
 ///
 /// All is scaled: time by 1/omega, lengths by the rotor's length scale, forces on a station by its mass, so that an
-/// element adds to accelerations. Coefficients are computed once; the force functions are pure.
+/// element adds to accelerations. The physics itself is in <element>_kernel.h, written once over the vector type.
 #ifndef ROTOR_ELEMENT_H
 #define ROTOR_ELEMENT_H
 
@@ -35,41 +35,46 @@ static inline double stiffness_scale(const scales *scale, size_t station) {
     return scale->mass[station] * scale->speed * scale->speed;
 }
 
-/// What acts on one station alone and does not depend on where it is.
-typedef struct station_terms {
-    double damping; ///< c/(m omega)
-    double unbalance_cos,
-        unbalance_sin;     ///< acceleration (cos tau - sin tau, ...) of the unbalance in phase and 90 degrees ahead
-    double pull_x, pull_y; ///< constant acceleration (gravity)
-} station_terms;
+/// What acts on one station alone and does not depend on where it is; the numbers of station_kernel.h.
+enum { STATION_DAMPING, STATION_UNBALANCE_COS, STATION_UNBALANCE_SIN, STATION_PULL_X, STATION_PULL_Y, STATION_NUMBERS };
 
-/// The values that depend on time alone, as the elements index them.
+enum { MAX_ELEMENT_NUMBERS = 8 };
+
+/// An element as its kernel sees it. The structure (station, law) is shared by all machines of a block, the numbers are not.
+typedef struct element {
+    const struct element_type *type;
+    size_t station[2];
+    int law;
+    double number[MAX_ELEMENT_NUMBERS];
+} element;
+
+/// The kernels, in the order in which they act; KERNEL_NONE for elements that join the station pass.
+typedef enum kernel { KERNEL_NONE = -1, KERNEL_SHAFT, KERNEL_FILM, KERNEL_RUB, KERNEL_COUNT } kernel;
+
+/// The values that depend on time alone, as the kernels index them.
 enum { COS_TAU, SIN_TAU, COS_2TAU, SIN_2TAU, FORCING_COUNT };
 
-/// Exactly one of `lump` (joins the station pass) and `force` is set.
 typedef struct element_type {
     whirl_group group;
-    size_t size; ///< bytes of the coefficients
+    kernel kernel;
+    size_t number_count;
 
-    /// Coefficients from values. WHIRL_BAD_INPUT where keys contradict each other.
-    whirl_status (*build)(const key_value *values, const scales *scale, void *coefficients);
+    /// Stations, law and numbers from values. WHIRL_BAD_INPUT where keys contradict each other.
+    whirl_status (*build)(const key_value *values, const scales *scale, element *out);
 
-    /// Adds constant and rotating terms to the stations [station_count].
-    void (*lump)(const void *coefficients, size_t station_count, station_terms *terms);
+    /// Without a kernel: adds to the numbers of the stations [station_count][STATION_NUMBERS].
+    void (*lump)(const element *own, size_t station_count, double (*stations)[STATION_NUMBERS]);
 
-    /// Adds accelerations a at positions q and velocities v (x, y of station 0, of station 1, ...).
-    void (*force)(const void *coefficients, const double *forcing, const double *q, const double *v, double *a);
+    /// Optional: writes the switching functions at positions q and velocities v, `switch_count(own)` of them.
+    size_t (*switch_count)(const element *own);
+    void (*switches)(const element *own, const double *q, const double *v, double *values);
 
-    /// Writes the switching functions, `switch_count(coefficients)` of them.
-    size_t (*switch_count)(const void *coefficients);
-    void (*switches)(const void *coefficients, const double *q, const double *v, double *values);
+    /// For unilateral contacts: the gap in length scales around station[0], and the normal force in newtons.
+    double (*contact_gap)(const element *own);
+    double (*contact_force)(const element *own, const double *q);
 
-    /// For unilateral contacts: the station, and the normal force in newtons (0 while open).
-    size_t (*contact_station)(const void *coefficients);
-    double (*contact_force)(const void *coefficients, const double *q);
-
-    /// For bearings: the station and the clearance in length scales.
-    size_t (*bearing_station)(const void *coefficients, double *clearance);
+    /// For bearings: the clearance in length scales around station[0].
+    double (*bearing_clearance)(const element *own);
 } element_type;
 
 /// All elements in the order in which they act (the order fixes the last bits of a sum); ended by NULL.
@@ -80,12 +85,9 @@ extern const element_type shaft_element, film_element, rub_element, unbalance_el
 /// The station's own keys, and what they add to the station pass.
 extern const whirl_group station_group;
 double station_mass(const key_value *values);
-void station_lump(const key_value *values, const scales *scale, size_t station, station_terms *terms);
+void station_lump(const key_value *values, const scales *scale, size_t station, double numbers[STATION_NUMBERS]);
 
 /// Adds an unbalance of `moment` (kg m) at `angle` (rad, from the x axis at tau = 0).
-void add_unbalance(const scales *scale, size_t station, double moment, double angle, station_terms *terms);
-
-/// Film force on a journal at (x, y) with velocity (vx, vy), per unit of F0, in clearances and radians (see film.c).
-void film_force(double x, double y, double vx, double vy, double force[2]);
+void add_unbalance(const scales *scale, size_t station, double moment, double angle, double numbers[STATION_NUMBERS]);
 
 #endif

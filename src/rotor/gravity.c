@@ -12,31 +12,27 @@ static const whirl_key keys[KEY_COUNT] = {
                    "where it points, from the x axis towards y; downwards, against y, where absent", ""},
 };
 
-typedef struct gravity {
-    double x, y;
-} gravity;
+enum { GRAVITY_X, GRAVITY_Y };
 
-static whirl_status build(const key_value *values, const scales *scale, void *coefficients) {
+static whirl_status build(const key_value *values, const scales *scale, element *out) {
     const double scaled = values[ACCELERATION].number / (scale->speed * scale->speed * scale->length);
-    gravity *g = coefficients;
+    const double direction = values[DIRECTION].number;
     // Straight down without the rounding of cos(-pi/2).
-    *g = values[DIRECTION].given
-             ? (gravity){scaled * cos(values[DIRECTION].number), scaled * sin(values[DIRECTION].number)}
-             : (gravity){0.0, -scaled};
+    out->number[GRAVITY_X] = values[DIRECTION].given ? scaled * cos(direction) : 0.0;
+    out->number[GRAVITY_Y] = values[DIRECTION].given ? scaled * sin(direction) : -scaled;
     return whirl_ok();
 }
 
-static void lump(const void *coefficients, size_t station_count, station_terms *terms) {
-    const gravity *g = coefficients;
+static void lump(const element *own, size_t station_count, double (*stations)[STATION_NUMBERS]) {
     for (size_t s = 0; s < station_count; s++) {
-        terms[s].pull_x += g->x;
-        terms[s].pull_y += g->y;
+        stations[s][STATION_PULL_X] += own->number[GRAVITY_X];
+        stations[s][STATION_PULL_Y] += own->number[GRAVITY_Y];
     }
 }
 
 const element_type gravity_element = {
     .group = {"gravity", "weight of all stations", "", keys, KEY_COUNT, "acceleration"},
-    .size = sizeof(gravity),
+    .kernel = KERNEL_NONE,
     .build = build,
     .lump = lump,
 };

@@ -1,7 +1,10 @@
 // The elements that a rotor can be made of, one line each, in the order in which they act.
 #include <string.h>
 
+#define VECTOR_ISA 0
 #include "element.h"
+#include "machine.h"
+#include "vector.h"
 #include "whirl/rotor.h"
 
 const element_type *const element_types[] = {
@@ -27,3 +30,11 @@ const whirl_group *whirl_element_group(const char *name) {
         if (strcmp((*group)->name, name) == 0) return *group;
     return NULL;
 }
+
+lanes_accelerate *const machine_accelerate[VECTOR_ISAS] = {
+    [VECTOR_SCALAR] = machine_accelerate_scalar,
+#if defined(__x86_64__)
+    [VECTOR_128] = machine_accelerate_128,       [VECTOR_FMA] = machine_accelerate_fma,
+    [VECTOR_AVX2] = machine_accelerate_avx2,     [VECTOR_AVX512] = machine_accelerate_avx512,
+#endif
+};

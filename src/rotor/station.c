@@ -22,14 +22,14 @@ double station_mass(const key_value *values) {
     return values[MASS].number;
 }
 
-void add_unbalance(const scales *scale, size_t station, double moment, double angle, station_terms *terms) {
+void add_unbalance(const scales *scale, size_t station, double moment, double angle, double numbers[STATION_NUMBERS]) {
     const double acceleration = moment / (scale->mass[station] * scale->length);
-    terms->unbalance_cos += acceleration * cos(angle);
-    terms->unbalance_sin += acceleration * sin(angle);
+    numbers[STATION_UNBALANCE_COS] += acceleration * cos(angle);
+    numbers[STATION_UNBALANCE_SIN] += acceleration * sin(angle);
 }
 
-void station_lump(const key_value *values, const scales *scale, size_t station, station_terms *terms) {
+void station_lump(const key_value *values, const scales *scale, size_t station, double numbers[STATION_NUMBERS]) {
     const double mass = values[MASS].number;
-    terms->damping += values[DAMPING].number / (mass * scale->speed);
-    add_unbalance(scale, station, mass * values[ECCENTRICITY].number, values[ECCENTRICITY_ANGLE].number, terms);
+    numbers[STATION_DAMPING] += values[DAMPING].number / (mass * scale->speed);
+    add_unbalance(scale, station, mass * values[ECCENTRICITY].number, values[ECCENTRICITY_ANGLE].number, numbers);
 }

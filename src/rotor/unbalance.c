@@ -13,28 +13,26 @@ static const whirl_key keys[KEY_COUNT] = {
                "where it lies at t = 0, from the x axis towards y", ""},
 };
 
-typedef struct unbalance {
-    size_t station;
-    station_terms terms;
-} unbalance;
+enum { UNBALANCE_COS, UNBALANCE_SIN };
 
-static whirl_status build(const key_value *values, const scales *scale, void *coefficients) {
-    unbalance *u = coefficients;
-    *u = (unbalance){.station = values[AT].station[0]};
-    add_unbalance(scale, u->station, values[MOMENT].number, values[ANGLE].number, &u->terms);
+static whirl_status build(const key_value *values, const scales *scale, element *out) {
+    double numbers[STATION_NUMBERS] = {0};
+    out->station[0] = values[AT].station[0];
+    add_unbalance(scale, out->station[0], values[MOMENT].number, values[ANGLE].number, numbers);
+    out->number[UNBALANCE_COS] = numbers[STATION_UNBALANCE_COS];
+    out->number[UNBALANCE_SIN] = numbers[STATION_UNBALANCE_SIN];
     return whirl_ok();
 }
 
-static void lump(const void *coefficients, size_t station_count, station_terms *terms) {
-    const unbalance *u = coefficients;
+static void lump(const element *own, size_t station_count, double (*stations)[STATION_NUMBERS]) {
     (void)station_count;
-    terms[u->station].unbalance_cos += u->terms.unbalance_cos;
-    terms[u->station].unbalance_sin += u->terms.unbalance_sin;
+    stations[own->station[0]][STATION_UNBALANCE_COS] += own->number[UNBALANCE_COS];
+    stations[own->station[0]][STATION_UNBALANCE_SIN] += own->number[UNBALANCE_SIN];
 }
 
 const element_type unbalance_element = {
     .group = {"unbalance", "an unbalance beyond a station's own eccentricity", "", keys, KEY_COUNT, NULL},
-    .size = sizeof(unbalance),
+    .kernel = KERNEL_NONE,
     .build = build,
     .lump = lump,
 };

@@ -51,6 +51,8 @@ whirl_status atomic_file_open(atomic_file *out, const char *path) {
     const int file = open(out->temporary, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (file < 0) return cannot_write(path, strerror(errno));
     out->stream = fdopen(file, "wb");
+    // From here on the number tells why writing failed, if it does.
+    errno = out->stream ? 0 : errno;
     if (out->stream) return whirl_ok();
     const int reason = errno;
     close(file);
@@ -69,9 +71,9 @@ static void sync_folder(const char *path) {
 }
 
 whirl_status atomic_file_commit(atomic_file *out) {
-    errno = 0;
     int reason = 0;
-    if (fflush(out->stream) != 0 || ferror(out->stream) || fsync(fileno(out->stream)) != 0) reason = errno ? errno : EIO;
+    if (fflush(out->stream) != 0 || ferror(out->stream) || fsync(fileno(out->stream)) != 0)
+        reason = errno ? errno : EIO;
     if (fclose(out->stream) != 0 && !reason) reason = errno;
     out->stream = NULL;
     if (!reason && rename(out->temporary, out->path) != 0) reason = errno;

@@ -81,7 +81,8 @@ static void put_field_heading(line *row, const whirl_result *result, const whirl
     unit_text(result, field->unit, unit, sizeof unit);
     column_text(field, column, name, sizeof name);
     const char *station = repetition_name(result, field, which);
-    snprintf(text, sizeof text, "%s%s%s%s%s %s", field->name, *station ? " " : "", station, *name ? " " : "", name, unit);
+    snprintf(text, sizeof text, "%.63s%s%.63s%s%.63s %s", field->name, *station ? " " : "", station, *name ? " " : "",
+             name, unit);
     put_cell(row, text);
 }
 
@@ -108,7 +109,8 @@ static void put_point_cells(line *row, const whirl_table *table, size_t point) {
 
 // ---------------------------------------------------------------- files
 
-static void write_points(FILE *stream, const whirl_result *result, const whirl_table *table, const whirl_field *unused) {
+static void write_points(FILE *stream, const whirl_result *result, const whirl_table *table,
+                         const whirl_field *unused) {
     (void)unused;
     line row = {stream, false};
     const whirl_layout *layout = &table->layout;
@@ -161,8 +163,7 @@ static void write_rows(FILE *stream, const whirl_result *result, const whirl_tab
     put_rows_headings(&row, result, table, field);
     for (size_t i = 0; i < table->count * field->repeat * field->rows; ++i) {
         const size_t point = i / (field->repeat * field->rows), inner = i % (field->repeat * field->rows);
-        const double *numbers =
-            table->blocks + point * table->layout.size + field->offset + inner * field->columns;
+        const double *numbers = table->blocks + point * table->layout.size + field->offset + inner * field->columns;
         if (all_missing(numbers, field->columns)) continue;
         put_point_cells(&row, table, point);
         if (field->extent != WHIRL_PER_POINT) put_cell(&row, repetition_name(result, field, inner / field->rows));

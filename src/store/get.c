@@ -54,10 +54,11 @@ static bool is_text(hid_t type, size_t size) {
            H5Tget_strpad(type) == H5T_STR_NULLTERM && H5Tget_size(type) > 0 && H5Tget_size(type) <= size;
 }
 
-static hid_t memory_text(size_t size) {
+// The type of such texts in memory. HDF5 converts no letters, so it is told that they are of the same set.
+static hid_t memory_text(hid_t stored, size_t size) {
     const hid_t type = H5Tcopy(H5T_C_S1);
     if (type < 0) return type;
-    if (H5Tset_size(type, size) >= 0 && H5Tset_cset(type, H5T_CSET_UTF8) >= 0) return type;
+    if (H5Tset_size(type, size) >= 0 && H5Tset_cset(type, H5Tget_cset(stored)) >= 0) return type;
     H5Tclose(type);
     return H5I_INVALID_HID;
 }
@@ -102,7 +103,7 @@ static size_t read_texts(whirl_status *status, hid_t object, const char *name, i
     const hid_t attribute = open_attribute(status, object, name);
     if (attribute < 0) return 0;
     hsize_t count = 0;
-    const hid_t type = H5Aget_type(attribute), memory = memory_text(stride);
+    const hid_t type = H5Aget_type(attribute), memory = memory_text(type, stride);
     if (!attribute_extent(attribute, rank, &count) || count > most)
         fail_get(status, object, name, "has an unexpected number of texts");
     else if (!is_text(type, stride))
@@ -201,12 +202,14 @@ static bool dataset_extent(hid_t dataset, hsize_t *dimensions, int rank) {
     const hid_t space = H5Dget_space(dataset), type = H5Dget_type(dataset);
     bool well = space >= 0 && type >= 0 && H5Sget_simple_extent_type(space) == H5S_SIMPLE &&
                 H5Sget_simple_extent_ndims(space) == rank &&
-                H5Sget_simple_extent_dims(space, dimensions, NULL) == rank &&
-                stored_plainly(dataset, dimensions, rank);
+                H5Sget_simple_extent_dims(space, dimensions, NULL) == rank && stored_plainly(dataset, dimensions, rank);
     const hsize_t stored = well ? H5Dget_storage_size(dataset) : 0;
     hsize_t bytes = well ? H5Tget_size(type) : 0;
-    for (int i = 0; well && i < rank; ++i) {
-        well = dimensions[i] == 0 || bytes <= stored / dimensions[i];
+    // Checked as a quotient, for a product may overflow; where one dimension is 0, no other matters.
+    for (int i = 0; well && i < rank; ++i)
+        if (dimensions[i] == 0) bytes = 0;
+    for (int i = 0; well && bytes > 0 && i < rank; ++i) {
+        well = bytes <= stored / dimensions[i];
         bytes *= dimensions[i];
     }
     if (space >= 0) H5Sclose(space);
@@ -279,7 +282,7 @@ static void read_packed_texts(whirl_status *status, hid_t parent, const char *na
                               size_t count) {
     const hid_t dataset = get_dataset(status, parent, name);
     if (dataset < 0) return;
-    const hid_t type = H5Dget_type(dataset), memory = memory_text(size);
+    const hid_t type = H5Dget_type(dataset), memory = memory_text(type, size);
     if (!is_text(type, size) || memory < 0)
         fail_get(status, parent, name, "is not a list of texts, or too long");
     else

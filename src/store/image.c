@@ -15,6 +15,9 @@ enum {
     SUPERBLOCK_SIZE = 48
 };
 
+// HDF5 looks whether there is a file of the name that a file in memory has; of this one there cannot be.
+#define NO_PATH "/dev/null/whirl"
+
 image_errors image_quiet(void) {
     image_errors errors = {0};
     H5Eget_auto2(H5E_DEFAULT, &errors.function, &errors.data);
@@ -22,7 +25,9 @@ image_errors image_quiet(void) {
     return errors;
 }
 
-void image_loud(image_errors errors) { H5Eset_auto2(H5E_DEFAULT, errors.function, errors.data); }
+void image_loud(image_errors errors) {
+    H5Eset_auto2(H5E_DEFAULT, errors.function, errors.data);
+}
 
 typedef struct reason {
     char *text;
@@ -70,7 +75,9 @@ static herr_t keep_at_close(void *bytes, H5FD_file_image_op_t operation, void *d
     return 0;
 }
 
-static void *same_data(void *data) { return data; }
+static void *same_data(void *data) {
+    return data;
+}
 
 static herr_t leave_data(void *data) {
     (void)data;
@@ -101,7 +108,7 @@ whirl_status image_create(image *out) {
     // No times in the file: equal results are equal files.
     if (access >= 0 && creation >= 0 && H5Pset_file_image_callbacks(access, &callbacks) >= 0 &&
         H5Pset_obj_track_times(creation, false) >= 0)
-        out->file = H5Fcreate("whirl result", H5F_ACC_TRUNC, creation, access);
+        out->file = H5Fcreate(NO_PATH, H5F_ACC_TRUNC, creation, access);
     char text[200];
     image_reason(text, sizeof text);
     H5Pclose(access);
@@ -171,8 +178,9 @@ whirl_status image_open(unsigned char *bytes, size_t size, hid_t *file) {
                                              .udata_free = leave_data,
                                              .udata = bytes};
     const hid_t access = memory_access();
-    if (access >= 0 && H5Pset_file_image_callbacks(access, &callbacks) >= 0 && H5Pset_file_image(access, bytes, size) >= 0)
-        *file = H5Fopen("whirl result", H5F_ACC_RDONLY, access);
+    if (access >= 0 && H5Pset_file_image_callbacks(access, &callbacks) >= 0 &&
+        H5Pset_file_image(access, bytes, size) >= 0)
+        *file = H5Fopen(NO_PATH, H5F_ACC_RDONLY, access);
     char text[200];
     image_reason(text, sizeof text);
     H5Pclose(access);

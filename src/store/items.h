@@ -26,7 +26,7 @@ void put_texts_attribute(whirl_status *status, hid_t object, const char *name, t
 void put_number_attribute(whirl_status *status, hid_t object, const char *name, double value);
 void put_whole_attribute(whirl_status *status, hid_t object, const char *name, int64_t value);
 
-// A group whose attributes keep their order, made with the groups above it. Closed by close_group.
+// A group whose attributes keep their order. Closed by close_group.
 hid_t put_group(whirl_status *status, hid_t parent, const char *name);
 void close_group(hid_t group);
 
@@ -35,8 +35,8 @@ void put_texts(whirl_status *status, hid_t parent, const char *name, texts list)
 void put_wholes(whirl_status *status, hid_t parent, const char *name, const int64_t *values, size_t count);
 void put_numbers(whirl_status *status, hid_t parent, const char *name, const double *values, size_t count);
 
-// A dataset of doubles with `rank` dimensions; the groups above it are made. It is left open for its attributes;
-// closed by close_dataset.
+// A dataset of doubles with `rank` dimensions; the group above it ("group/name") is made. It is left open for its
+// attributes; closed by close_dataset.
 hid_t put_array(whirl_status *status, hid_t parent, const char *name, const double *values, const size_t *dimensions,
                 int rank);
 void close_dataset(hid_t dataset);

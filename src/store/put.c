@@ -5,7 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { CHUNK_BYTES = 1 << 20 }; // a chunk is at most about this large, so that parts of large results are read quickly
+enum {
+    CHUNK_BYTES = 1 << 20, // a chunk is at most about this large, so that parts of large results are read quickly
+    PATH_SIZE = 256
+};
 
 static void fail_put(whirl_status *status, const char *name) {
     char reason[200];
@@ -13,18 +16,21 @@ static void fail_put(whirl_status *status, const char *name) {
     *status = whirl_fail(WHIRL_IO_ERROR, "cannot store %s: %s", name, reason);
 }
 
-// A type for texts of up to `length` bytes; UTF-8, ended by 0.
-static hid_t text_type(size_t length) {
+// A type for texts of up to `length` bytes, ended by 0. Texts are UTF-8 everywhere; datasets do not say so, for Octave's
+// `load` gives up on files with datasets of UTF-8.
+static hid_t text_type(size_t length, H5T_cset_t letters) {
     const hid_t type = H5Tcopy(H5T_C_S1);
     if (type < 0) return type;
-    if (H5Tset_size(type, length + 1) < 0 || H5Tset_cset(type, H5T_CSET_UTF8) < 0) {
+    if (H5Tset_size(type, length + 1) < 0 || H5Tset_cset(type, letters) < 0) {
         H5Tclose(type);
         return H5I_INVALID_HID;
     }
     return type;
 }
 
-static const char *text_at(texts list, size_t index) { return list.first + index * list.stride; }
+static const char *text_at(texts list, size_t index) {
+    return list.first + index * list.stride;
+}
 
 static size_t longest(texts list) {
     size_t length = 0;
@@ -60,7 +66,7 @@ static void put_scalar(whirl_status *status, hid_t object, const char *name, hid
 
 void put_text_attribute(whirl_status *status, hid_t object, const char *name, const char *text) {
     if (status->code != WHIRL_OK) return;
-    const hid_t type = text_type(strlen(text));
+    const hid_t type = text_type(strlen(text), H5T_CSET_UTF8);
     put_scalar(status, object, name, type, type, text);
     H5Tclose(type);
 }
@@ -82,7 +88,7 @@ void put_texts_attribute(whirl_status *status, hid_t object, const char *name, t
         return;
     }
     const hsize_t count = list.count;
-    const hid_t type = text_type(size - 1), space = H5Screate_simple(1, &count, NULL);
+    const hid_t type = text_type(size - 1, H5T_CSET_UTF8), space = H5Screate_simple(1, &count, NULL);
     put_attribute(status, object, name, type, type, space, packed);
     H5Sclose(space);
     H5Tclose(type);
@@ -91,13 +97,12 @@ void put_texts_attribute(whirl_status *status, hid_t object, const char *name, t
 
 hid_t put_group(whirl_status *status, hid_t parent, const char *name) {
     if (status->code != WHIRL_OK) return H5I_INVALID_HID;
-    const hid_t links = H5Pcreate(H5P_LINK_CREATE), creation = H5Pcreate(H5P_GROUP_CREATE);
+    const hid_t creation = H5Pcreate(H5P_GROUP_CREATE);
     hid_t group = H5I_INVALID_HID;
-    if (H5Pset_create_intermediate_group(links, 1) >= 0 && H5Pset_obj_track_times(creation, false) >= 0 &&
+    if (H5Pset_obj_track_times(creation, false) >= 0 &&
         H5Pset_attr_creation_order(creation, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED) >= 0)
-        group = H5Gcreate2(parent, name, links, creation, H5P_DEFAULT);
+        group = H5Gcreate2(parent, name, H5P_DEFAULT, creation, H5P_DEFAULT);
     if (group < 0) fail_put(status, name);
-    H5Pclose(links);
     H5Pclose(creation);
     return group;
 }
@@ -126,16 +131,15 @@ static hid_t put_dataset(whirl_status *status, hid_t parent, const char *name, h
     hsize_t chunk[ITEMS_MAX_RANK];
     choose_chunk(chunk, dimensions, rank, H5Tget_size(file_type));
     const hid_t space = H5Screate_simple(rank, dimensions, NULL);
-    const hid_t links = H5Pcreate(H5P_LINK_CREATE), creation = H5Pcreate(H5P_DATASET_CREATE);
+    const hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
     hid_t dataset = H5I_INVALID_HID;
-    if (H5Pset_create_intermediate_group(links, 1) >= 0 && H5Pset_chunk(creation, rank, chunk) >= 0 &&
-        H5Pset_fletcher32(creation) >= 0 && H5Pset_obj_track_times(creation, false) >= 0)
-        dataset = H5Dcreate2(parent, name, file_type, space, links, creation, H5P_DEFAULT);
+    if (H5Pset_chunk(creation, rank, chunk) >= 0 && H5Pset_fletcher32(creation) >= 0 &&
+        H5Pset_obj_track_times(creation, false) >= 0)
+        dataset = H5Dcreate2(parent, name, file_type, space, H5P_DEFAULT, creation, H5P_DEFAULT);
     if (dataset < 0 || (H5Sget_simple_extent_npoints(space) > 0 &&
                         H5Dwrite(dataset, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0))
         fail_put(status, name);
     H5Pclose(creation);
-    H5Pclose(links);
     H5Sclose(space);
     return dataset;
 }
@@ -153,7 +157,7 @@ void put_texts(whirl_status *status, hid_t parent, const char *name, texts list)
         return;
     }
     const hsize_t count = list.count;
-    const hid_t type = text_type(size - 1);
+    const hid_t type = text_type(size - 1, H5T_CSET_ASCII);
     close_dataset(put_dataset(status, parent, name, type, type, &count, 1, packed));
     H5Tclose(type);
     free(packed);
@@ -168,8 +172,19 @@ void put_numbers(whirl_status *status, hid_t parent, const char *name, const dou
     close_dataset(put_array(status, parent, name, values, &count, 1));
 }
 
+// The group in which `name` ("rub/share") lies. HDF5 could make it on its own, but then with the time of day in it.
+static void put_group_above(whirl_status *status, hid_t parent, const char *name) {
+    char group[PATH_SIZE];
+    const char *slash = strchr(name, '/');
+    if (status->code != WHIRL_OK || !slash || (size_t)(slash - name) >= sizeof group) return;
+    memcpy(group, name, (size_t)(slash - name));
+    group[slash - name] = '\0';
+    if (H5Lexists(parent, group, H5P_DEFAULT) <= 0) close_group(put_group(status, parent, group));
+}
+
 hid_t put_array(whirl_status *status, hid_t parent, const char *name, const double *values, const size_t *dimensions,
                 int rank) {
+    put_group_above(status, parent, name);
     hsize_t extents[ITEMS_MAX_RANK];
     for (int i = 0; i < rank; ++i) extents[i] = dimensions[i];
     return put_dataset(status, parent, name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, extents, rank, values);

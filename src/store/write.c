@@ -1,8 +1,8 @@
 // A result as an HDF5 file.
+#include "atomic_file.h"
 #include "format.h"
 #include "image.h"
 #include "items.h"
-#include "atomic_file.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -11,7 +11,9 @@
 
 // ---------------------------------------------------------------- the case and its parts
 
-static texts texts_of(const char *first, size_t stride, size_t count) { return (texts){first, stride, count}; }
+static texts texts_of(const char *first, size_t stride, size_t count) {
+    return (texts){first, stride, count};
+}
 
 static void put_case(whirl_status *status, hid_t file, const whirl_result *result) {
     const char *text = result->case_text ? result->case_text : "";
@@ -277,9 +279,9 @@ static void put_result(whirl_status *status, hid_t file, const whirl_result *res
     put_text_attribute(status, file, "format", FORMAT_NAME);
     put_whole_attribute(status, file, "format_version", FORMAT_VERSION);
     put_text_attribute(status, file, "title", result->title);
-    put_texts_attribute(status, file, "tables",
-                        texts_of(result->table_count ? result->tables->name : "", sizeof *result->tables,
-                                 result->table_count));
+    put_texts_attribute(
+        status, file, "tables",
+        texts_of(result->table_count ? result->tables->name : "", sizeof *result->tables, result->table_count));
     if (status->code == WHIRL_OK) put_case(status, file, result);
     if (status->code == WHIRL_OK) put_parameters(status, file, result);
     if (status->code == WHIRL_OK) put_stations(status, file, result);

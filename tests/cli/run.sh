@@ -3,8 +3,8 @@
 #
 # A test is a file of lines "key: value":
 #   edit:    a sed expression; what it makes of good.yaml is case.yaml (several are applied in turn)
-#   run:     a command line (several are one script); it runs in a fresh folder with good.yaml, case.yaml and, as $CASES,
-#            the project's cases
+#   run:     a command line (several are one script); it runs in a fresh folder with good.yaml and case.yaml; $CASES are the
+#            project's cases, $TESTS the folder of this script, $PYTHON a Python with h5py
 #   status:  the exit status expected, 0 where nothing is said
 #   stdout:  an extended regular expression that a line of standard output must match; the same for stderr:
 #   stdout-not:, stderr-not:  one that no line may match
@@ -14,7 +14,9 @@ whirl=$(realpath "$1")
 CASES=$(realpath "$2")
 test=$(realpath "$3")
 TESTS=$(dirname "$(realpath "$0")")
-export CASES TESTS
+# Debian's own Python is the one that Debian's h5py belongs to.
+PYTHON=$([ -x /usr/bin/python3 ] && echo /usr/bin/python3 || echo python3)
+export CASES TESTS PYTHON
 
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

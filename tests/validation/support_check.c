@@ -36,6 +36,13 @@ void check_within(const char *id, const char *what, double expected, double obta
     compare(id, what, words("%.15g", expected), expected, obtained, tolerance);
 }
 
+void note_within(const char *id, const char *what, double expected, double obtained, double tolerance) {
+    const double difference = fabs(obtained - expected);
+    printf("%s | %s | %.15g | %.15g | %.2g | %.2g%s\n", id, what, expected, obtained, difference, tolerance,
+           difference <= tolerance ? "" : " (outside: see above)");
+    fflush(stdout);
+}
+
 void check_text(const char *id, const char *what, const char *expected, const char *obtained) {
     printf("%s | %s | %s | %s | |\n", id, what, expected, obtained);
     fflush(stdout);

@@ -17,8 +17,8 @@ whirl_integrator *make_integrator(const whirl_system *system, const char *method
     whirl_integrator *integrator;
     snprintf(options.method, sizeof options.method, "%s", method);
     options.steps_per_revolution = steps_per_revolution;
-    options.rtol = 1e-12;
-    options.atol = 1e-13;
+    options.rtol = 1e-15;
+    options.atol = 1e-16;
     require_ok(whirl_integrator_new(system, &options, &integrator));
     return integrator;
 }
@@ -44,7 +44,7 @@ void flow_jacobian(whirl_integrator *integrator, size_t n, const double *x, int 
 }
 
 void find_fixed_point(whirl_integrator *integrator, size_t n, double *x, int revolutions) {
-    double matrix[MAX_DIMENSION * MAX_DIMENSION], residual[MAX_DIMENSION];
+    double matrix[MAX_DIMENSION * MAX_DIMENSION], residual[MAX_DIMENSION], before = INFINITY;
     for (int iteration = 0; iteration < 20; iteration++) {
         memcpy(residual, x, n * sizeof *x);
         revolve(integrator, residual, revolutions);
@@ -53,12 +53,13 @@ void find_fixed_point(whirl_integrator *integrator, size_t n, double *x, int rev
             residual[i] -= x[i];
             size = fmax(size, fabs(residual[i]));
         }
-        if (size < 1e-13) return;
+        // Done when only the integrator's own noise is left.
+        if (size < 1e-13 || (size < 1e-9 && size > 0.5 * before)) return;
+        before = size;
         flow_jacobian(integrator, n, x, revolutions, 1e-4, matrix);
         for (size_t i = 0; i < n; i++) matrix[i * n + i] -= 1.0;
         solve_linear(n, matrix, residual);
         for (size_t i = 0; i < n; i++) x[i] -= residual[i];
-        if (iteration > 3 && size < 1e-12) return;
     }
     fail_msg("no fixed point was found");
 }

@@ -60,5 +60,5 @@ void check_exponent(const char *id, const char *what, double expected, double to
                     double unit_of_time) {
     const whirl_estimate exponent = whirl_lyapunov_largest(record);
     check_within(id, what, expected, exponent.value / unit_of_time, tolerance);
-    check_within(id, words("%s: standard error", what), 0.0, exponent.error / unit_of_time, tolerance / 3.0);
+    check_within(id, words("%s: standard error", what), 0.0, exponent.error / unit_of_time, tolerance / 2.0);
 }

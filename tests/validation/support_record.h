@@ -22,7 +22,7 @@ void check_orbit(const char *id, const char *what, const whirl_record *record, w
                  const printed_point *points, size_t count, double *state);
 
 /// Compares the largest exponent, per unit of time with `unit_of_time` of them in a revolution, and demands a standard
-/// error below a third of the tolerance.
+/// error below half the tolerance.
 void check_exponent(const char *id, const char *what, double expected, double tolerance, const whirl_record *record,
                     double unit_of_time);
 

@@ -60,27 +60,6 @@ static double find_grazing(double outside, double inside) {
     return 0.5 * (outside + inside);
 }
 
-/// Share of the time in contact on the steady motion from rest.
-static double contact_share(double speed) {
-    const rub_case p = {.speed = speed, .zeta = 0.05, .kappa = 2.0, .eccentricity = 0.2, .friction = 0.1};
-    const double start[4] = {0.0, 0.0, 0.0, 0.0};
-    whirl_rotor *rotor = make_rub_rotor(&p);
-    whirl_record *record = record_motion(whirl_rotor_system(rotor), start, 256, 200, 20);
-    const double share = record->contact_share[0];
-    whirl_record_free(record);
-    whirl_rotor_free(rotor);
-    return share;
-}
-
-static void c1_grazing(void **unused) {
-    (void)unused;
-    check_digits("C1", "lower speed at which the gap is just filled", "0.92518172", find_grazing(0.8, 1.0));
-    check_digits("C1", "upper speed", "1.10315704", find_grazing(1.3, 1.0));
-    check_within("C1", "share of contact at w = .92, started from rest", 0.0, contact_share(0.92), 0.0);
-    check_within("C1", "share of contact at w = .93", 1.0, contact_share(0.93), 0.0);
-    check_within("C1", "share of contact at w = 1.15", 0.0, contact_share(1.15), 0.0);
-}
-
 /// A start on the circle of radius A that turns with the shaft, from the balance of forces
 /// [1 + kap (1 - 1/A)(1 + i mu) - w^2 + 2 i zeta w] A e^(-i psi) = e w^2.
 static void start_on_circle(const rub_case *p, double radius, double state[4]) {
@@ -91,6 +70,30 @@ static void start_on_circle(const rub_case *p, double radius, double state[4]) {
     state[1] = cimag(z);
     state[2] = -cimag(z);
     state[3] = creal(z);
+}
+
+/// Share of the time in contact when the rotor starts on the circle of the free rotor.
+static double contact_share(double speed) {
+    rub_case p = {.speed = speed, .zeta = 0.05, .eccentricity = 0.2, .friction = 0.1};
+    double start[4];
+    start_on_circle(&p, 1.0, start);
+    p.kappa = 2.0;
+    whirl_rotor *rotor = make_rub_rotor(&p);
+    whirl_record *record = record_motion(whirl_rotor_system(rotor), start, 1024, 200, 20);
+    const double share = record->contact_share[0];
+    whirl_record_free(record);
+    whirl_rotor_free(rotor);
+    return share;
+}
+
+static void c1_grazing(void **unused) {
+    (void)unused;
+    check_digits("C1", "lower speed at which the gap is just filled", "0.92518172", find_grazing(0.8, 1.0));
+    check_digits("C1", "upper speed", "1.10315704", find_grazing(1.3, 1.0));
+    check_within("C1", "share of contact at w = .925", 0.0, contact_share(0.925), 0.0);
+    check_within("C1", "share of contact at w = .926", 1.0, contact_share(0.926), 0.0);
+    check_within("C1", "share of contact at w = 1.103", 1.0, contact_share(1.103), 0.0);
+    check_within("C1", "share of contact at w = 1.104", 0.0, contact_share(1.104), 0.0);
 }
 
 static void c2_synchronous_rub(void **unused) {
@@ -185,7 +188,7 @@ static const c3_row c3_rows[2] = {
     {"zeta = .05", {.zeta = 0.05, .kappa = 25.0, .friction = 0.1}, "1.618033988750", "1.069200083003",
      ".020396078054", "6.3838636", 30.0},
     {"zeta = .02", {.zeta = 0.02, .kappa = 4.0, .friction = 0.1}, "1.219803902719", "1.138926726602",
-     ".022360679775", "4.0", 8.0},
+     ".022360679775", "4.0000000", 8.0},
 };
 
 static void c3_backward_whirl(void **unused) {
@@ -254,7 +257,7 @@ static double settled_radius(const c3_row *row, double slip_speed, int steps, do
     assert_true(record->diverged_at == 0.0);
     const double middle = 0.5 * (record->max_radius[0] + record->min_radius[0]);
     *spread = record->max_radius[0] - record->min_radius[0];
-    check_within("C3", words("share of backward whirl, %s", row->name), 1.0, record->backward[0], 0.0);
+    assert_true(record->backward[0] == 1.0);
     whirl_record_free(record);
     return middle;
 }
@@ -271,7 +274,7 @@ static void c3_friction_that_follows_the_slip(void **unused) {
                 radius[k] = (at[k] * radius[k + 1] - at[k + level] * radius[k]) / (at[k] - at[k + level]);
         check_digits("C3", words("radius of rolling, %s", row->name), row->rolling, radius[0]);
         const double sharp = settled_radius(row, 0.0, 2048, &spread);
-        check_within("C3", words("the same by the sharp law, %s", row->name), strtod(row->rolling, NULL), sharp, 1e-2);
+        check_within("C3", words("the same by the sharp law, %s", row->name), strtod(row->rolling, NULL), sharp, 1e-3);
     }
 }
 
@@ -310,8 +313,8 @@ static void check_c4_periodic(const c4_row *row) {
     const tangent_model model = {whirl_rotor_system(rotor), rub_jacobian, &p};
     const whirl_system joint = make_tangent_system(&model);
     whirl_record *record = record_motion(model.base, c4_start, 1024, 400, 400);
-    whirl_integrator *plain = make_integrator(model.base, "cvode", 1);
-    whirl_integrator *integrator = make_integrator(&joint, "cvode", 1);
+    whirl_integrator *plain = make_integrator(model.base, "cvode-adams", 1);
+    whirl_integrator *integrator = make_integrator(&joint, "cvode-adams", 1);
     check_regime("C4", words("regime at %s", row->name), words("P-%d", row->period), record);
     check_orbit("C4", row->name, record, plain, row->period, row->points, row->count, state);
     carry_tangents(integrator, 4, state, row->period, matrix);
@@ -320,7 +323,7 @@ static void check_c4_periodic(const c4_row *row) {
     check_multiplier(row->name, matrix, row->real[1], NULL);
     const double time = 2.0 * pi * row->period / p.speed;
     check_within("C4", words("%s, product of the multipliers", row->name), exp(-4.0 * p.zeta * time),
-                 determinant(4, matrix), 1e-9);
+                 determinant(4, matrix), 1e-12);
     whirl_integrator_free(integrator);
     whirl_integrator_free(plain);
     whirl_record_free(record);
@@ -354,19 +357,20 @@ static void c4_chaos(void **unused) {
     const rub_case p = c4_case(3.3);
     double state[4], exponents[4];
     whirl_rotor *rotor = make_rub_rotor(&p);
-    whirl_record *record = record_motion(whirl_rotor_system(rotor), c4_start, 1024, 400, 20000);
+    whirl_record *record = record_motion(whirl_rotor_system(rotor), c4_start, 512, 400, 60000);
     const double time = 2.0 * pi / p.speed;
     check_regime("C4", "regime at w = 3.3", "chaotic", record);
     check_exponent("C4", "largest exponent by time at w = 3.3", 0.180, 0.004, record, time);
 
     const tangent_model model = {whirl_rotor_system(rotor), rub_jacobian, &p};
     const whirl_system joint = make_tangent_system(&model);
-    whirl_integrator *integrator = make_integrator(&joint, "rk4", 1024);
+    whirl_integrator *integrator = make_integrator(&joint, "rk4", 512);
     memcpy(state, record->end, sizeof state);
-    lyapunov_spectrum(integrator, 4, state, 20, 5000, exponents);
+    lyapunov_spectrum(integrator, 4, state, 20, 20000, exponents);
     const double sum = exponents[0] + exponents[1] + exponents[2] + exponents[3];
     check_within("C4", "sum of the exponents by time at w = 3.3", -4.0 * p.zeta, sum / time, 1e-6);
-    check_within("C4", "largest exponent by variational equations", 0.180, exponents[0] / time, 0.008);
+    check_within("C4", "largest exponent by variational equations", 0.180, exponents[0] / time,
+                 hypot(0.004, 3.0 * sqrt(3.0) * whirl_lyapunov_largest(record).error / time));
     whirl_integrator_free(integrator);
     whirl_record_free(record);
     whirl_rotor_free(rotor);
@@ -378,7 +382,7 @@ static void c4_without_contact(void **unused) {
     p.eccentricity = 0.1;
     p.weight = 0.0;
     whirl_rotor *rotor = make_rub_rotor(&p);
-    whirl_record *record = record_motion(whirl_rotor_system(rotor), c4_start, 1024, 100, 1000);
+    whirl_record *record = record_motion(whirl_rotor_system(rotor), c4_start, 256, 100, 20000);
     check_within("C4", "share of contact at e = .1, no weight", 0.0, record->contact_share[0], 0.0);
     check_within("C4", "largest exponent by time without contact", -p.zeta,
                  whirl_lyapunov_largest(record).value * p.speed / (2.0 * pi), 1e-4);

@@ -1,0 +1,86 @@
+/// Ensembles: many machines of one structure, carried over revolutions side by side in vector lanes by RK4.
+///
+/// Every lane is computed as if it were alone: its neighbours, its place, the number of lanes and the width of the vectors
+/// change no bit of it, on processors that fuse multiply-adds (and on those that do not, among themselves).
+#ifndef WHIRL_ENSEMBLE_H
+#define WHIRL_ENSEMBLE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "whirl/integrate.h"
+#include "whirl/status.h"
+#include "whirl/system.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/// An ensemble with its workspace; not to be shared between threads.
+typedef struct whirl_ensemble whirl_ensemble;
+
+/// Whether machines of this system can run in lanes with these options: rotors, with method rk4.
+bool whirl_ensemble_takes(const whirl_system *system, const whirl_integrate_options *options);
+
+/// Room for at least `lanes` machines of the structure of `system` (0: as many as are fast). The instruction set is the widest that the processor has,
+/// or the one that the environment variable WHIRL_ISA names (scalar, sse2, fma, avx2, avx512; WHIRL_BAD_INPUT where it is not
+/// there). Other errors as whirl_integrator_new. Freed by whirl_ensemble_free.
+whirl_status whirl_ensemble_new(const whirl_system *system, const whirl_integrate_options *options, size_t lanes,
+                                whirl_ensemble **ensemble);
+void whirl_ensemble_free(whirl_ensemble *ensemble);
+
+/// Lanes that there are: those asked for, rounded up to whole vectors.
+size_t whirl_ensemble_lanes(const whirl_ensemble *ensemble);
+
+/// Name of the instruction set in use. Static text.
+const char *whirl_ensemble_isa(const whirl_ensemble *ensemble);
+
+/// Lanes of a vector in use.
+size_t whirl_ensemble_width(const whirl_ensemble *ensemble);
+
+/// Puts a machine into a lane, in the state x [dimension]. WHIRL_BAD_INPUT when it is not of the ensemble's structure.
+/// The system must outlive its stay: contacts are asked of it.
+whirl_status whirl_ensemble_load(whirl_ensemble *ensemble, size_t lane, const whirl_system *system, const double *x);
+
+/// Sets or gives the state x [dimension] of a lane.
+void whirl_ensemble_place(whirl_ensemble *ensemble, size_t lane, const double *x);
+void whirl_ensemble_state(const whirl_ensemble *ensemble, size_t lane, double *x);
+
+/// Moves a machine with its state and all that was watched of it to another lane, whose own is lost.
+void whirl_ensemble_move(whirl_ensemble *ensemble, size_t from, size_t to);
+
+/// Bounded, or diverged by the options' limit.
+whirl_motion whirl_ensemble_motion(const whirl_ensemble *ensemble, size_t lane);
+
+/// What revolutions shall gather besides the states at their ends.
+typedef struct whirl_ensemble_watch {
+    bool extremes; ///< gather what whirl_ensemble_seen gives, for all lanes
+    /// Called after every `stride` steps (0: never), for samples of waveforms.
+    size_t stride;
+    void (*sample)(void *context);
+    void *context;
+} whirl_ensemble_watch;
+
+/// Carries the lanes 0 to count - 1 over one period. `watch` may be NULL.
+void whirl_ensemble_revolve(whirl_ensemble *ensemble, size_t count, const whirl_ensemble_watch *watch);
+
+/// One coordinate of a lane, for samples.
+double whirl_ensemble_coordinate(const whirl_ensemble *ensemble, size_t lane, size_t index);
+
+/// Forgets what was watched of a lane; contacts that are closed now do not count as begun.
+void whirl_ensemble_forget(whirl_ensemble *ensemble, size_t lane);
+
+/// What was watched of a lane since it was last forgotten. The arrays belong to the caller.
+typedef struct whirl_ensemble_seen {
+    double *low, *high;              ///< [dimension] bounds of every coordinate
+    double *max_radius, *min_radius; ///< [stations]
+    double *sum;                     ///< [stations][2] of the positions over the instants
+    double *backward;                ///< [stations] instants of backward whirl
+    double *contact, *contact_begun; ///< [contacts] instants in contact, and how often contact began
+} whirl_ensemble_seen;
+void whirl_ensemble_read(const whirl_ensemble *ensemble, size_t lane, const whirl_ensemble_seen *seen);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

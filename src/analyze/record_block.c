@@ -1,0 +1,108 @@
+// The memory of a record, and the options that size it.
+#include "record_block.h"
+
+#include <limits.h>
+#include <stdlib.h>
+
+whirl_record_options whirl_record_default(void) {
+    return (whirl_record_options){.transient = 1100,
+                                  .record = 100,
+                                  .samples_per_revolution = 64,
+                                  .highest_order = 5.0,
+                                  .waveform = true,
+                                  .growth = true};
+}
+
+int whirl_record_watch(const whirl_record_options *options) {
+    enum { ENOUGH = 1000 }; // so that long transients cost no memory
+    if (options->watch > 0) return options->watch;
+    const int most = options->record > ENOUGH ? options->record : ENOUGH;
+    const int before = options->transient / 2 < most ? options->transient / 2 : most;
+    return options->record <= INT_MAX - before ? options->record + before : options->record;
+}
+
+int whirl_record_samples(const whirl_record_options *options, int steps_per_revolution) {
+    int samples =
+        options->samples_per_revolution < steps_per_revolution ? options->samples_per_revolution : steps_per_revolution;
+    while (steps_per_revolution % samples != 0) samples++;
+    return samples;
+}
+
+whirl_status record_check(const whirl_record_options *options) {
+    if (options->transient < 0 || options->record < 1 || options->transient > INT_MAX - options->record)
+        return whirl_fail(WHIRL_BAD_INPUT, "transient is %d and record %d revolutions, expected at least 0 and 1",
+                          options->transient, options->record);
+    const int watch = whirl_record_watch(options);
+    if (watch < options->record || watch > options->transient + options->record)
+        return whirl_fail(WHIRL_BAD_INPUT, "watch is %d revolutions, expected record (%d) to transient + record (%d)",
+                          watch, options->record, options->transient + options->record);
+    if (options->waveform_revolutions < 0 || options->waveform_revolutions > options->record)
+        return whirl_fail(WHIRL_BAD_INPUT, "waveform is %d revolutions, expected 0 to record (%d)",
+                          options->waveform_revolutions, options->record);
+    if (options->samples_per_revolution < 1)
+        return whirl_fail(WHIRL_BAD_INPUT, "samples_per_revolution is %d, expected at least 1",
+                          options->samples_per_revolution);
+    return whirl_ok();
+}
+
+/// Numbers of every part of a record; the order of the parts is fixed in `lay_out`.
+typedef struct sizes {
+    size_t section, growth, waveform, dimension, probes, contacts;
+} sizes;
+
+static sizes measure(const whirl_system *system, const whirl_integrate_options *integrate,
+                     const whirl_record_options *options) {
+    const size_t watch = (size_t)whirl_record_watch(options);
+    const size_t samples = (size_t)whirl_record_samples(options, integrate->steps_per_revolution);
+    return (sizes){.section = watch * system->dimension,
+                   .growth = options->growth ? watch : 0,
+                   .waveform = options->waveform ? 2 * system->probe_count * (size_t)options->record * samples : 0,
+                   .dimension = system->dimension,
+                   .probes = system->probe_count,
+                   .contacts = system->contact_count};
+}
+
+static double *cut(double **block, size_t count) {
+    double *part = *block;
+    *block += count;
+    return part;
+}
+
+static void lay_out(whirl_record *record, double *block, const sizes *size) {
+    record->section = cut(&block, size->section);
+    record->growth = cut(&block, size->growth);
+    record->waveform = cut(&block, size->waveform);
+    record->low = cut(&block, size->dimension);
+    record->high = cut(&block, size->dimension);
+    record->end = cut(&block, size->dimension);
+    record->max_radius = cut(&block, size->probes);
+    record->min_radius = cut(&block, size->probes);
+    record->mean = cut(&block, 2 * size->probes);
+    record->backward = cut(&block, size->probes);
+    record->contact_share = cut(&block, size->contacts);
+    record->contact_number = cut(&block, size->contacts);
+    record->contact_force = cut(&block, size->contacts);
+}
+
+whirl_record *record_new(const whirl_system *system, const whirl_integrate_options *integrate,
+                         const whirl_record_options *options) {
+    const sizes size = measure(system, integrate, options);
+    const size_t numbers =
+        size.section + size.growth + size.waveform + 3 * size.dimension + 5 * size.probes + 3 * size.contacts;
+    whirl_record *record = calloc(1, sizeof *record + numbers * sizeof(double));
+    if (!record) return NULL;
+    lay_out(record, (double *)(record + 1), &size);
+    record->dimension = system->dimension;
+    record->probe_count = system->probe_count;
+    record->contact_count = system->contact_count;
+    record->probes = system->probes;
+    record->period = system->period;
+    record->record_count = (size_t)options->record;
+    if (options->waveform)
+        record->samples_per_revolution = (size_t)whirl_record_samples(options, integrate->steps_per_revolution);
+    return record;
+}
+
+void whirl_record_free(whirl_record *record) {
+    free(record);
+}

@@ -1,0 +1,14 @@
+/// The memory of a record.
+#ifndef ANALYZE_RECORD_BLOCK_H
+#define ANALYZE_RECORD_BLOCK_H
+
+#include "whirl/analyze.h"
+
+/// WHIRL_BAD_INPUT with a sentence where options contradict each other.
+whirl_status record_check(const whirl_record_options *options);
+
+/// An empty record for a motion of the system, all zero; NULL without memory. Freed by whirl_record_free.
+whirl_record *record_new(const whirl_system *system, const whirl_integrate_options *integrate,
+                         const whirl_record_options *options);
+
+#endif

@@ -1,0 +1,326 @@
+// Recording many motions side by side in the lanes of an ensemble.
+//
+// A motion takes one lane, and a second one for its twin while a disturbance is followed. Lanes in use are kept together
+// at the front. A motion that needs a second lane when none is free waits outside, with its state, and goes before new
+// ones. None of this changes a bit of any motion.
+#include "record_lanes.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "record_block.h"
+#include "twin.h"
+#include "whirl/ensemble.h"
+
+#define NO_LANE ((size_t)-1)
+
+/// A motion under way.
+typedef struct motion {
+    whirl_task task;
+    whirl_record *record;
+    int revolution; ///< done so far
+    size_t lane, twin_lane;
+    trajectory_twin twin;
+    double *x; ///< [2 dimension] its state, and its twin's
+} motion;
+
+typedef struct recorder {
+    const whirl_integrate_options *integrate;
+    const whirl_record_options *options;
+    const whirl_task_source *source;
+    const whirl_monitor *monitor;
+    whirl_ensemble *ensemble;
+    size_t dimension, lane_count;
+    int first_watched, last; ///< revolutions
+    size_t used;             ///< lanes
+    motion **owner;          ///< [lane_count] the motion of every lane in use
+    size_t count;            ///< motions under way
+    motion **motions;        ///< [lane_count], those that wait included
+    bool exhausted;          ///< the source had none when it was last asked
+    whirl_ensemble_watch watch;
+} recorder;
+
+static bool follows(const recorder *r, const motion *m) {
+    return r->options->growth && m->revolution >= r->first_watched;
+}
+
+static bool records(const recorder *r, const motion *m) {
+    return m->revolution >= r->options->transient;
+}
+
+static bool waits(const motion *m) {
+    return m->lane == NO_LANE;
+}
+
+// ---------------------------------------------------------------- lanes
+
+static size_t take_lane(recorder *r, motion *m) {
+    r->owner[r->used] = m;
+    return r->used++;
+}
+
+/// Frees a lane; the last one in use moves there.
+static void free_lane(recorder *r, size_t lane) {
+    const size_t last = --r->used;
+    if (lane == last) return;
+    motion *moved = r->owner[last];
+    whirl_ensemble_move(r->ensemble, last, lane);
+    r->owner[lane] = moved;
+    if (moved->lane == last)
+        moved->lane = lane;
+    else
+        moved->twin_lane = lane;
+}
+
+static void leave_lanes(recorder *r, motion *m) {
+    if (m->twin_lane != NO_LANE) {
+        const size_t lane = m->twin_lane;
+        m->twin_lane = NO_LANE;
+        free_lane(r, lane);
+    }
+    if (m->lane != NO_LANE) {
+        const size_t lane = m->lane;
+        m->lane = NO_LANE;
+        free_lane(r, lane);
+    }
+}
+
+/// Puts a motion into a lane, and its twin into another while a disturbance is followed.
+static whirl_status enter_lanes(recorder *r, motion *m) {
+    m->lane = take_lane(r, m);
+    whirl_status status = whirl_ensemble_load(r->ensemble, m->lane, m->task.system, m->x);
+    if (status.code != WHIRL_OK || !follows(r, m)) return status;
+    m->twin_lane = take_lane(r, m);
+    return whirl_ensemble_load(r->ensemble, m->twin_lane, m->task.system, m->twin.x);
+}
+
+static size_t lanes_needed(const recorder *r, const motion *m) {
+    return follows(r, m) ? 2 : 1;
+}
+
+// ---------------------------------------------------------------- motions come and go
+
+static void motion_free(motion *m) {
+    if (!m) return;
+    whirl_record_free(m->record);
+    free(m);
+}
+
+static motion *motion_new(const recorder *r, const whirl_task *task) {
+    motion *m = calloc(1, sizeof *m + 2 * r->dimension * sizeof(double));
+    if (!m) return NULL;
+    *m = (motion){.task = *task, .lane = NO_LANE, .twin_lane = NO_LANE, .x = (double *)(m + 1)};
+    m->twin = (trajectory_twin){.dimension = r->dimension, .x = m->x + r->dimension};
+    m->record = record_new(task->system, r->integrate, r->options);
+    memcpy(m->x, task->start, r->dimension * sizeof *m->x);
+    if (follows(r, m)) twin_begin(&m->twin, m->x);
+    if (m->record) return m;
+    motion_free(m);
+    return NULL;
+}
+
+static whirl_status admit_new(recorder *r) {
+    whirl_task task;
+    if (!r->source->next(r->source->context, &task)) {
+        r->exhausted = true;
+        return whirl_ok();
+    }
+    motion *m = motion_new(r, &task);
+    if (!m) {
+        r->source->abandon(r->source->context, &task);
+        return whirl_fail(WHIRL_NO_MEMORY, "no memory to record %d revolutions", r->options->record);
+    }
+    r->motions[r->count++] = m;
+    return enter_lanes(r, m);
+}
+
+/// Fills free lanes: first with motions that wait, then with new ones.
+static whirl_status fill(recorder *r) {
+    whirl_status status = whirl_ok();
+    for (size_t i = 0; i < r->count && status.code == WHIRL_OK; i++) {
+        motion *m = r->motions[i];
+        if (!waits(m)) continue;
+        if (r->used + lanes_needed(r, m) > r->lane_count) return status;
+        status = enter_lanes(r, m);
+    }
+    const size_t first = r->options->growth && r->first_watched == 0 ? 2 : 1;
+    r->exhausted = false;
+    while (status.code == WHIRL_OK && !r->exhausted && r->count < r->lane_count && r->used + first <= r->lane_count)
+        status = admit_new(r);
+    return status;
+}
+
+// ---------------------------------------------------------------- a revolution
+
+/// Before the revolution in which a motion begins to be watched or recorded.
+static whirl_status prepare(recorder *r, motion *m) {
+    if (m->revolution == r->options->transient) whirl_ensemble_forget(r->ensemble, m->lane);
+    if (!follows(r, m) || m->twin_lane != NO_LANE) return whirl_ok();
+    twin_begin(&m->twin, m->x);
+    if (r->used < r->lane_count) {
+        m->twin_lane = take_lane(r, m);
+        return whirl_ensemble_load(r->ensemble, m->twin_lane, m->task.system, m->twin.x);
+    }
+    leave_lanes(r, m);
+    return whirl_ok();
+}
+
+static whirl_status prepare_all(recorder *r) {
+    whirl_status status = whirl_ok();
+    bool recording = false;
+    for (size_t i = 0; i < r->count && status.code == WHIRL_OK; i++) {
+        motion *m = r->motions[i];
+        if (!waits(m)) status = prepare(r, m);
+        recording = recording || (!waits(m) && records(r, m));
+    }
+    r->watch.extremes = recording;
+    return status;
+}
+
+/// One sample of the waveforms of all motions that are recorded.
+static void sample(void *context) {
+    const recorder *r = context;
+    for (size_t i = 0; i < r->count; i++) {
+        const motion *m = r->motions[i];
+        whirl_record *record = m->record;
+        if (waits(m) || !records(r, m)) continue;
+        const size_t n = record->sample_count++, capacity = record->record_count * record->samples_per_revolution;
+        for (size_t k = 0; k < record->probe_count; k++) {
+            record->waveform[2 * k * capacity + n] =
+                whirl_ensemble_coordinate(r->ensemble, m->lane, record->probes[k].x);
+            record->waveform[(2 * k + 1) * capacity + n] =
+                whirl_ensemble_coordinate(r->ensemble, m->lane, record->probes[k].y);
+        }
+    }
+}
+
+static void follow_twin(recorder *r, motion *m) {
+    whirl_ensemble_state(r->ensemble, m->twin_lane, m->twin.x);
+    const bool bounded = whirl_ensemble_motion(r->ensemble, m->twin_lane) == WHIRL_BOUNDED;
+    m->record->growth[m->record->growth_count++] = twin_growth(&m->twin, m->x, bounded);
+    whirl_ensemble_place(r->ensemble, m->twin_lane, m->twin.x);
+}
+
+/// After a revolution of a motion.
+static void note(recorder *r, motion *m) {
+    whirl_record *record = m->record;
+    whirl_ensemble_state(r->ensemble, m->lane, m->x);
+    record->motion = whirl_ensemble_motion(r->ensemble, m->lane);
+    m->revolution++;
+    if (record->motion != WHIRL_BOUNDED) {
+        record->diverged_at = m->revolution;
+        return;
+    }
+    if (m->revolution <= r->first_watched) return;
+    if (m->twin_lane != NO_LANE) follow_twin(r, m);
+    memcpy(record->section + record->section_count++ * record->dimension, m->x, record->dimension * sizeof *m->x);
+}
+
+/// The largest normal force is that at the largest radius: it grows with the displacement alone.
+static whirl_status largest_forces(const motion *m) {
+    whirl_record *record = m->record;
+    double *x = calloc(record->dimension, sizeof *x);
+    if (!x) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a state");
+    for (size_t i = 0; i < record->probe_count; i++) x[record->probes[i].x] = record->max_radius[i];
+    m->task.system->contacts(m->task.system->model, x, record->contact_force);
+    free(x);
+    return whirl_ok();
+}
+
+static whirl_status close_record(const recorder *r, const motion *m) {
+    whirl_record *record = m->record;
+    const whirl_ensemble_seen seen = {record->low,  record->high,     record->max_radius,    record->min_radius,
+                                      record->mean, record->backward, record->contact_share, record->contact_number};
+    const double share = 1.0 / ((double)r->options->record * r->integrate->steps_per_revolution);
+    whirl_ensemble_read(r->ensemble, m->lane, &seen);
+    for (size_t i = 0; i < record->probe_count; i++) {
+        record->mean[2 * i] *= share;
+        record->mean[2 * i + 1] *= share;
+        record->backward[i] *= share;
+    }
+    for (size_t i = 0; i < record->contact_count; i++) record->contact_share[i] *= share;
+    memcpy(record->end, m->x, record->dimension * sizeof *m->x);
+    return record->contact_count > 0 ? largest_forces(m) : whirl_ok();
+}
+
+/// Hands finished motions to the source.
+static whirl_status hand_over(recorder *r) {
+    size_t kept = 0;
+    whirl_status status = whirl_ok();
+    for (size_t i = 0; i < r->count; i++) {
+        motion *m = r->motions[i];
+        const bool over = m->record->motion != WHIRL_BOUNDED || m->revolution == r->last;
+        if (!over || status.code != WHIRL_OK) {
+            r->motions[kept++] = m;
+            continue;
+        }
+        if (m->record->motion == WHIRL_BOUNDED) status = close_record(r, m);
+        leave_lanes(r, m);
+        if (status.code == WHIRL_OK) {
+            status = r->source->done(r->source->context, &m->task, m->record);
+            m->record = NULL;
+        } else {
+            r->source->abandon(r->source->context, &m->task);
+        }
+        motion_free(m);
+    }
+    r->count = kept;
+    return status;
+}
+
+static whirl_status revolve(recorder *r) {
+    whirl_status status = prepare_all(r);
+    if (status.code != WHIRL_OK) return status;
+    whirl_ensemble_revolve(r->ensemble, r->used, r->watch.extremes ? &r->watch : NULL);
+    size_t turned = 0;
+    for (size_t i = 0; i < r->count; i++) {
+        if (waits(r->motions[i])) continue;
+        note(r, r->motions[i]);
+        turned++;
+    }
+    status = hand_over(r);
+    for (size_t i = 0; i < turned && status.code == WHIRL_OK && r->monitor; i++)
+        if (!r->monitor->revolution_done(r->monitor->context)) status = whirl_fail(WHIRL_STOPPED, "stopped");
+    return status;
+}
+
+static whirl_status start(recorder *r, const whirl_system *system, size_t lanes) {
+    const whirl_status status = whirl_ensemble_new(system, r->integrate, lanes, &r->ensemble);
+    if (status.code != WHIRL_OK) return status;
+    r->lane_count = whirl_ensemble_lanes(r->ensemble);
+    r->owner = calloc(r->lane_count, sizeof(motion *));
+    r->motions = calloc(r->lane_count, sizeof(motion *));
+    if (!r->owner || !r->motions) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu lanes", r->lane_count);
+    r->watch = (whirl_ensemble_watch){.sample = sample, .context = r};
+    if (r->options->waveform)
+        r->watch.stride = (size_t)(r->integrate->steps_per_revolution /
+                                   whirl_record_samples(r->options, r->integrate->steps_per_revolution));
+    return whirl_ok();
+}
+
+whirl_status record_in_lanes(const whirl_system *system, const whirl_integrate_options *integrate,
+                             const whirl_record_options *options, const whirl_task_source *source, size_t lanes,
+                             const whirl_monitor *monitor) {
+    recorder r = {.integrate = integrate,
+                  .options = options,
+                  .source = source,
+                  .monitor = monitor,
+                  .dimension = system->dimension,
+                  .last = options->transient + options->record};
+    r.first_watched = r.last - whirl_record_watch(options);
+    whirl_status status = start(&r, system, lanes);
+    if (status.code == WHIRL_OK) status = fill(&r);
+    while (status.code == WHIRL_OK && r.count > 0) {
+        status = revolve(&r);
+        if (status.code == WHIRL_OK) status = fill(&r);
+    }
+    for (size_t i = 0; i < r.count; i++) {
+        source->abandon(source->context, &r.motions[i]->task);
+        motion_free(r.motions[i]);
+    }
+    free(r.motions);
+    free(r.owner);
+    whirl_ensemble_free(r.ensemble);
+    return status;
+}

@@ -1,0 +1,244 @@
+/// The vector type of the kernels: VECTOR_LANES numbers side by side that never touch each other.
+///
+/// The including file defines VECTOR_ISA as one of the numbers below and is compiled for it. Every operation rounds as
+/// IEEE 754 says, and multiply-adds are explicit: in fused builds v_fma rounds once, in the others twice. Builds that agree in
+/// that give the same bits whatever their width and compiler. The only file with intrinsics.
+#ifndef BASE_VECTOR_H
+#define BASE_VECTOR_H
+
+#include <math.h>
+
+#define VECTOR_SCALAR 0 ///< one lane, unfused: any machine
+#define VECTOR_128 1    ///< two lanes, unfused: SSE2
+#define VECTOR_FMA 2    ///< one lane, fused: the reference of the next two
+#define VECTOR_AVX2 3   ///< four lanes, fused
+#define VECTOR_AVX512 4 ///< eight lanes, fused
+#define VECTOR_ISAS 5
+
+#if VECTOR_ISA == VECTOR_AVX512
+
+#include <immintrin.h>
+enum { VECTOR_LANES = 8 };
+typedef __m512d vec;
+typedef __mmask8 vec_mask;
+static inline vec v_set(double a) {
+    return _mm512_set1_pd(a);
+}
+static inline vec v_add(vec a, vec b) {
+    return _mm512_add_pd(a, b);
+}
+static inline vec v_sub(vec a, vec b) {
+    return _mm512_sub_pd(a, b);
+}
+static inline vec v_mul(vec a, vec b) {
+    return _mm512_mul_pd(a, b);
+}
+static inline vec v_div(vec a, vec b) {
+    return _mm512_div_pd(a, b);
+}
+static inline vec v_sqrt(vec a) {
+    return _mm512_sqrt_pd(a);
+}
+static inline vec v_fma(vec a, vec b, vec c) {
+    return _mm512_fmadd_pd(a, b, c);
+}
+static inline vec v_fms(vec a, vec b, vec c) {
+    return _mm512_fmsub_pd(a, b, c);
+}
+static inline vec v_fnma(vec a, vec b, vec c) {
+    return _mm512_fnmadd_pd(a, b, c);
+}
+static inline vec v_min(vec a, vec b) {
+    return _mm512_min_pd(a, b);
+}
+static inline vec v_max(vec a, vec b) {
+    return _mm512_max_pd(a, b);
+}
+static inline vec v_abs(vec a) {
+    return _mm512_abs_pd(a);
+}
+static inline vec_mask v_less(vec a, vec b) {
+    return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ);
+}
+static inline vec v_select(vec_mask mask, vec yes, vec no) {
+    return _mm512_mask_blend_pd(mask, no, yes);
+}
+static inline int v_any(vec_mask mask) {
+    return mask != 0;
+}
+static inline vec v_copysign(vec size, vec sign) {
+    const __m512i bit = _mm512_castpd_si512(_mm512_set1_pd(-0.0));
+    return _mm512_castsi512_pd(_mm512_or_si512(_mm512_andnot_si512(bit, _mm512_castpd_si512(size)),
+                                               _mm512_and_si512(bit, _mm512_castpd_si512(sign))));
+}
+
+#elif VECTOR_ISA == VECTOR_AVX2
+
+#include <immintrin.h>
+enum { VECTOR_LANES = 4 };
+typedef __m256d vec;
+typedef __m256d vec_mask;
+static inline vec v_set(double a) {
+    return _mm256_set1_pd(a);
+}
+static inline vec v_add(vec a, vec b) {
+    return _mm256_add_pd(a, b);
+}
+static inline vec v_sub(vec a, vec b) {
+    return _mm256_sub_pd(a, b);
+}
+static inline vec v_mul(vec a, vec b) {
+    return _mm256_mul_pd(a, b);
+}
+static inline vec v_div(vec a, vec b) {
+    return _mm256_div_pd(a, b);
+}
+static inline vec v_sqrt(vec a) {
+    return _mm256_sqrt_pd(a);
+}
+static inline vec v_fma(vec a, vec b, vec c) {
+    return _mm256_fmadd_pd(a, b, c);
+}
+static inline vec v_fms(vec a, vec b, vec c) {
+    return _mm256_fmsub_pd(a, b, c);
+}
+static inline vec v_fnma(vec a, vec b, vec c) {
+    return _mm256_fnmadd_pd(a, b, c);
+}
+static inline vec v_min(vec a, vec b) {
+    return _mm256_min_pd(a, b);
+}
+static inline vec v_max(vec a, vec b) {
+    return _mm256_max_pd(a, b);
+}
+static inline vec v_abs(vec a) {
+    return _mm256_andnot_pd(_mm256_set1_pd(-0.0), a);
+}
+static inline vec_mask v_less(vec a, vec b) {
+    return _mm256_cmp_pd(a, b, _CMP_LT_OQ);
+}
+static inline vec v_select(vec_mask mask, vec yes, vec no) {
+    return _mm256_blendv_pd(no, yes, mask);
+}
+static inline int v_any(vec_mask mask) {
+    return _mm256_movemask_pd(mask) != 0;
+}
+static inline vec v_copysign(vec size, vec sign) {
+    const vec bit = _mm256_set1_pd(-0.0);
+    return _mm256_or_pd(_mm256_andnot_pd(bit, size), _mm256_and_pd(bit, sign));
+}
+
+#elif VECTOR_ISA == VECTOR_128
+
+#include <emmintrin.h>
+enum { VECTOR_LANES = 2 };
+typedef __m128d vec;
+typedef __m128d vec_mask;
+static inline vec v_set(double a) {
+    return _mm_set1_pd(a);
+}
+static inline vec v_add(vec a, vec b) {
+    return _mm_add_pd(a, b);
+}
+static inline vec v_sub(vec a, vec b) {
+    return _mm_sub_pd(a, b);
+}
+static inline vec v_mul(vec a, vec b) {
+    return _mm_mul_pd(a, b);
+}
+static inline vec v_div(vec a, vec b) {
+    return _mm_div_pd(a, b);
+}
+static inline vec v_sqrt(vec a) {
+    return _mm_sqrt_pd(a);
+}
+static inline vec v_fma(vec a, vec b, vec c) {
+    return _mm_add_pd(_mm_mul_pd(a, b), c);
+}
+static inline vec v_fms(vec a, vec b, vec c) {
+    return _mm_sub_pd(_mm_mul_pd(a, b), c);
+}
+static inline vec v_fnma(vec a, vec b, vec c) {
+    return _mm_sub_pd(c, _mm_mul_pd(a, b));
+}
+static inline vec v_min(vec a, vec b) {
+    return _mm_min_pd(a, b);
+}
+static inline vec v_max(vec a, vec b) {
+    return _mm_max_pd(a, b);
+}
+static inline vec v_abs(vec a) {
+    return _mm_andnot_pd(_mm_set1_pd(-0.0), a);
+}
+static inline vec_mask v_less(vec a, vec b) {
+    return _mm_cmplt_pd(a, b);
+}
+static inline vec v_select(vec_mask mask, vec yes, vec no) {
+    return _mm_or_pd(_mm_and_pd(mask, yes), _mm_andnot_pd(mask, no));
+}
+static inline int v_any(vec_mask mask) {
+    return _mm_movemask_pd(mask) != 0;
+}
+static inline vec v_copysign(vec size, vec sign) {
+    const vec bit = _mm_set1_pd(-0.0);
+    return _mm_or_pd(_mm_andnot_pd(bit, size), _mm_and_pd(bit, sign));
+}
+
+#else
+
+enum { VECTOR_LANES = 1, VECTOR_FUSED = VECTOR_ISA == VECTOR_FMA };
+typedef double vec;
+typedef int vec_mask;
+static inline vec v_set(double a) {
+    return a;
+}
+static inline vec v_add(vec a, vec b) {
+    return a + b;
+}
+static inline vec v_sub(vec a, vec b) {
+    return a - b;
+}
+static inline vec v_mul(vec a, vec b) {
+    return a * b;
+}
+static inline vec v_div(vec a, vec b) {
+    return a / b;
+}
+static inline vec v_sqrt(vec a) {
+    return sqrt(a);
+}
+static inline vec v_fma(vec a, vec b, vec c) {
+    return VECTOR_FUSED ? fma(a, b, c) : a * b + c;
+}
+static inline vec v_fms(vec a, vec b, vec c) {
+    return VECTOR_FUSED ? fma(a, b, -c) : a * b - c;
+}
+static inline vec v_fnma(vec a, vec b, vec c) {
+    return VECTOR_FUSED ? fma(-a, b, c) : c - a * b;
+}
+// As the instructions do: the second operand where one is not a number.
+static inline vec v_min(vec a, vec b) {
+    return a < b ? a : b;
+}
+static inline vec v_max(vec a, vec b) {
+    return a > b ? a : b;
+}
+static inline vec v_abs(vec a) {
+    return fabs(a);
+}
+static inline vec_mask v_less(vec a, vec b) {
+    return a < b;
+}
+static inline vec v_select(vec_mask mask, vec yes, vec no) {
+    return mask ? yes : no;
+}
+static inline int v_any(vec_mask mask) {
+    return mask;
+}
+static inline vec v_copysign(vec size, vec sign) {
+    return copysign(size, sign);
+}
+
+#endif
+
+#endif

@@ -1,0 +1,288 @@
+// From a file to a checked case.
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "content.h"
+#include "problem.h"
+#include "schema.h"
+#include "source.h"
+#include "whirl/analyze.h"
+
+// ---------------------------------------------------------------- checks with values
+
+/// What checking the values of a detail before the run may cost, in characters of expressions that are evaluated; an
+/// element or a station counts as much as ELEMENT_COST of them.
+enum { CHECK_BUDGET = 1 << 18, ELEMENT_COST = 64 };
+
+static void check_machine_at(case_reader *reader, case_content *content, const whirl_batch *batch,
+                             const file_node *where, double value) {
+    valuation v;
+    whirl_rotor *rotor = NULL;
+    whirl_status status = valuation_open(&v, &content->parameters, batch->parameter, value);
+    if (status.code == WHIRL_OK) status = machine_build(&content->machine, &v, &rotor);
+    whirl_rotor_free(rotor);
+    valuation_close(&v);
+    reader->no_memory = reader->no_memory || status.code == WHIRL_NO_MEMORY;
+    if (status.code != WHIRL_OK)
+        problem_at(reader->problems, where, "gives no machine at %s = %.10g: %s", batch->parameter, value,
+                   status.message);
+}
+
+// The ends of a sweep stand for all of it; what fails between them fails while running.
+static void check_ends(case_reader *reader, case_content *content, const plan_parts *parts) {
+    const size_t members = content->machine.station_count + content->machine.element_count;
+    const size_t affordable = CHECK_BUDGET / (reader->expression_bytes + ELEMENT_COST * members + 1) + 2;
+    for (size_t b = 0; b < content->plan.batch_count; b++) {
+        const whirl_batch *batch = &content->plan.batches[b];
+        if (!batch->values) continue;
+        if (strcmp(batch->name, "sweep") == 0) {
+            check_machine_at(reader, content, batch, settings_find(&parts->sweep, "from")->place, batch->values[0]);
+            check_machine_at(reader, content, batch, settings_find(&parts->sweep, "to")->place,
+                             batch->values[batch->count - 1]);
+            continue;
+        }
+        for (size_t i = 0; i < batch->count && i < affordable; i++)
+            check_machine_at(reader, content, batch, parts->at_places[i], batch->values[i]);
+    }
+}
+
+// What the analyses refuse (too many fields, a record that lacks what they need).
+static void check_layouts(case_reader *reader, case_content *content, valuation *v) {
+    whirl_rotor *rotor;
+    whirl_layout layout;
+    whirl_status status = machine_build(&content->machine, v, &rotor);
+    if (status.code != WHIRL_OK) return; // said already
+    for (size_t b = 0; b < content->plan.batch_count; b++) {
+        const whirl_batch *batch = &content->plan.batches[b];
+        status =
+            whirl_layout_new(whirl_rotor_system(rotor), &batch->integrate, &batch->record, batch->analyses, &layout);
+        if (status.code != WHIRL_OK) problem_at(reader->problems, content->plan.values_place[b], "%s", status.message);
+    }
+    whirl_rotor_free(rotor);
+}
+
+static void check_with_values(case_reader *reader, case_content *content, const plan_parts *parts) {
+    valuation v;
+    const whirl_status status = valuation_open(&v, &content->parameters, NULL, 0.0);
+    reader->no_memory = reader->no_memory || status.code == WHIRL_NO_MEMORY;
+    if (status.code == WHIRL_OK) {
+        machine_check(reader, &v, &content->machine);
+        plan_make(reader, &v, parts, &content->plan);
+        if (reader->problems->count == 0) check_layouts(reader, content, &v);
+    } else if (v.culprit < content->parameters.count) {
+        char why[WHY_SIZE];
+        const parameter *culprit = &content->parameters.items[v.culprit];
+        double value;
+        evaluator_value(v.evaluator, culprit->value.expression, &value, why);
+        problem_at(reader->problems, culprit->place, "%s", why);
+    }
+    valuation_close(&v);
+    if (reader->problems->count == 0 && !reader->no_memory) check_ends(reader, content, parts);
+}
+
+// ---------------------------------------------------------------- reading
+
+// A file of another version is not read on: what it means is not known.
+static bool is_known_version(case_reader *reader, const setting_list *file) {
+    const setting *version = settings_find(file, "whirl");
+    if (!version || !version->good) return true;
+    if (!version->value.expression && version->value.number == (double)SCHEMA_VERSION) return true;
+    char shown[SHOWN_SIZE];
+    problem_at(reader->problems, version->place, "is %s, expected %d, the version of the format that this whirl reads",
+               node_shown(version->place, shown), SCHEMA_VERSION);
+    return false;
+}
+
+static void read_content(case_reader *reader, const file_node *root, case_content *content) {
+    setting_list file;
+    plan_parts parts = {0};
+    char shown[SHOWN_SIZE];
+    const parameter_table none = {0};
+    if (root->kind != NODE_MAPPING) {
+        problem_at(reader->problems, root, "is %s, expected a mapping that begins with whirl: %d",
+                   node_shown(root, shown), SCHEMA_VERSION);
+        return;
+    }
+    reader->parameters = &none;
+    settings_read(reader, root, &schema_case, &file);
+    if (reader->no_memory || !is_known_version(reader, &file)) return;
+    settings_text(reader, &file, "title", content->title, sizeof content->title);
+    const setting *given = settings_find(&file, "parameters");
+    parameters_read(reader, given ? given->place : NULL, content->overrides, content->override_count,
+                    &content->parameters);
+    reader->parameters = &content->parameters;
+    const setting *rotor = settings_find(&file, "rotor"), *study = settings_find(&file, "study");
+    if (rotor && !reader->no_memory) machine_read(reader, rotor->place, &content->machine);
+    if (study && !reader->no_memory) plan_read_parts(reader, study->place, &content->machine, &parts, &content->plan);
+    if (reader->problems->count == 0 && !reader->no_memory) check_with_values(reader, content, &parts);
+}
+
+// Fills `content`, whose overrides are set, from the text of the case.
+static whirl_status make_content(const whirl_case *object, case_content *content, whirl_problems *problems) {
+    file_node *root;
+    case_reader reader = {.arena = &content->arena, .problems = problems};
+    snprintf(problems->file, sizeof problems->file, "%s", object->name);
+    const whirl_status status = tree_read(object->text, object->length, &content->arena, problems, &root);
+    reader.no_memory = status.code == WHIRL_NO_MEMORY;
+    if (status.code == WHIRL_OK) read_content(&reader, root, content);
+    problems_sort(problems);
+    return reader_outcome(&reader, object->name);
+}
+
+static whirl_case *new_case(const char *text, size_t length, const char *name) {
+    whirl_case *object = calloc(1, sizeof *object);
+    if (!object) return NULL;
+    // A text that is too long is refused without a copy of it.
+    object->length = length;
+    object->text = malloc(length + 1);
+    if (!object->text) {
+        free(object);
+        return NULL;
+    }
+    if (length > 0) memcpy(object->text, text, length);
+    object->text[length] = '\0';
+    snprintf(object->name, sizeof object->name, "%s", name);
+    return object;
+}
+
+whirl_status whirl_case_parse(const char *text, size_t length, const char *name, whirl_problems *problems,
+                              whirl_case **out) {
+    whirl_problems own = {0};
+    *out = NULL;
+    if (!problems) problems = &own;
+    if (length > TREE_MAX_BYTES) length = TREE_MAX_BYTES + 1; // enough to be refused
+    whirl_case *object = new_case(text, length, name);
+    if (!object) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %.200s", name);
+    const whirl_status status = make_content(object, &object->content, problems);
+    whirl_problems_free(&own);
+    if (status.code != WHIRL_OK)
+        whirl_case_free(object);
+    else
+        *out = object;
+    return status;
+}
+
+whirl_status whirl_case_load(const char *path, whirl_problems *problems, whirl_case **out) {
+    char *text;
+    size_t length;
+    *out = NULL;
+    if (problems) snprintf(problems->file, sizeof problems->file, "%s", path);
+    whirl_status status = source_load(path, &text, &length);
+    if (status.code == WHIRL_OK) status = whirl_case_parse(text, length, path, problems, out);
+    free(text);
+    return status;
+}
+
+void whirl_case_free(whirl_case *object) {
+    if (!object) return;
+    arena_free(&object->content.arena);
+    free(object->text);
+    free(object);
+}
+
+// ---------------------------------------------------------------- setting parameters
+
+// The overrides so far with one more, in the arena of the new content.
+static bool copy_overrides(const case_content *old, case_content *content, const char *name, size_t name_length,
+                           const char *text) {
+    parameter_override *all = arena_take(&content->arena, (old->override_count + 1) * sizeof *all);
+    if (!all) return false;
+    size_t count = 0;
+    for (size_t i = 0; i < old->override_count; i++) {
+        const parameter_override *one = &old->overrides[i];
+        if (strlen(one->name) == name_length && strncmp(one->name, name, name_length) == 0) continue; // replaced
+        all[count].name = arena_text(&content->arena, one->name, strlen(one->name));
+        all[count].text = arena_text(&content->arena, one->text, strlen(one->text));
+        if (!all[count].name || !all[count].text) return false;
+        count++;
+    }
+    size_t length = strlen(text);
+    while (length > 0 && text[length - 1] == ' ') length--;
+    all[count].name = arena_text(&content->arena, name, name_length);
+    all[count].text = arena_text(&content->arena, text, length);
+    if (!all[count].name || !all[count].text) return false;
+    content->overrides = all;
+    content->override_count = count + 1;
+    return true;
+}
+
+static whirl_status find_name(const whirl_case *object, const char *assignment, size_t *length) {
+    const parameter_table *parameters = &object->content.parameters;
+    char name[WHIRL_NAME_SIZE], advice[WHY_SIZE];
+    const char *equals = strchr(assignment, '=');
+    if (!equals || equals == assignment)
+        return whirl_fail(WHIRL_BAD_INPUT, "'%.80s' sets nothing, expected NAME=VALUE", assignment);
+    *length = (size_t)(equals - assignment);
+    while (*length > 1 && assignment[*length - 1] == ' ') --*length;
+    snprintf(name, sizeof name, "%.*s", (int)(*length < sizeof name ? *length : sizeof name - 1), assignment);
+    if (*length < sizeof name && parameters_find(parameters, name) < parameters->count) return whirl_ok();
+    describe_names(name, parameters->names, parameters->count, advice);
+    return whirl_fail(WHIRL_BAD_INPUT, "no parameter is called %s, %s", name, advice);
+}
+
+// What is wrong with the value itself stands in no file.
+static whirl_status without_file(const whirl_problems *problems, const whirl_status *status) {
+    if (!problems->items || problems->count == 0 || problems->items[0].line > 0 || !problems->items[0].key[0])
+        return *status;
+    return whirl_fail(status->code, "%s: %s", problems->items[0].key, problems->items[0].message);
+}
+
+whirl_status whirl_case_set(whirl_case *object, const char *assignment) {
+    size_t length = 0;
+    whirl_status status = find_name(object, assignment, &length);
+    if (status.code != WHIRL_OK) return status;
+    const char *value = strchr(assignment, '=') + 1;
+    value += strspn(value, " ");
+    case_content content = {0};
+    whirl_problems problems = {0};
+    source_check(value, strlen(value), &problems);
+    if (problems.count > 0)
+        status = whirl_fail(WHIRL_BAD_INPUT, "the value of %.*s is not text in UTF-8",
+                            (int)(length < WHIRL_NAME_SIZE ? length : WHIRL_NAME_SIZE), assignment);
+    else if (copy_overrides(&object->content, &content, assignment, length, value))
+        status = make_content(object, &content, &problems);
+    else
+        status = whirl_fail(WHIRL_NO_MEMORY, "no memory to set %.40s", assignment);
+    if (status.code == WHIRL_OK) {
+        arena_free(&object->content.arena);
+        object->content = content;
+    } else {
+        status = without_file(&problems, &status);
+        arena_free(&content.arena);
+    }
+    whirl_problems_free(&problems);
+    return status;
+}
+
+// ---------------------------------------------------------------- asking
+
+const char *whirl_case_title(const whirl_case *object) {
+    return object->content.title;
+}
+
+whirl_status whirl_case_parameter(const whirl_case *object, const char *name, double *value) {
+    const parameter_table *parameters = &object->content.parameters;
+    const size_t index = parameters_find(parameters, name);
+    char advice[WHY_SIZE];
+    if (index == parameters->count) {
+        describe_names(name, parameters->names, parameters->count, advice);
+        return whirl_fail(WHIRL_BAD_INPUT, "no parameter is called %.63s, %s", name, advice);
+    }
+    valuation v;
+    const whirl_status status = valuation_open(&v, parameters, NULL, 0.0);
+    *value = status.code == WHIRL_OK ? v.values[index] : NAN;
+    valuation_close(&v);
+    return status;
+}
+
+whirl_status whirl_case_rotor(const whirl_case *object, const char *name, double value, whirl_rotor **rotor) {
+    valuation v;
+    *rotor = NULL;
+    whirl_status status = valuation_open(&v, &object->content.parameters, name, value);
+    if (status.code == WHIRL_OK) status = machine_build(&object->content.machine, &v, rotor);
+    valuation_close(&v);
+    return status;
+}

@@ -1,0 +1,207 @@
+// Reading a claims file: the same tree, tables and problems as for cases.
+#include "whirl/claims.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "claims_read.h"
+#include "problem.h"
+#include "schema.h"
+#include "settings.h"
+#include "source.h"
+
+enum { MAX_CLAIMS = 1000 };
+
+// A number of the parameter, with a unit or plain; claims have no parameters, so no expression has names.
+static bool read_number(case_reader *reader, const setting_list *item, const char *name, double *value) {
+    const setting *given = settings_find(item, name);
+    const whirl_key key = {.name = name, .unit = "", .range = WHIRL_ANY};
+    number_formula read = {0};
+    if (!given) return false;
+    if (!formula_read(reader, given->place, &key, &read)) return false;
+    if (read.expression) problem_at(reader->problems, given->place, "is an expression, expected a number");
+    *value = read.number;
+    return true;
+}
+
+static void read_range(case_reader *reader, const setting_list *item, whirl_claim *claim) {
+    const bool at = settings_find(item, "at"), from = settings_find(item, "from"), to = settings_find(item, "to");
+    if (at == (from || to) || from != to) {
+        problem_at(reader->problems, item->place, "expected either at, or from and to");
+        return;
+    }
+    if (at) {
+        read_number(reader, item, "at", &claim->from);
+        claim->to = claim->from;
+        return;
+    }
+    double first = 0.0, last = 0.0;
+    if (!read_number(reader, item, "from", &first) || !read_number(reader, item, "to", &last)) return;
+    claim->from = fmin(first, last);
+    claim->to = fmax(first, last);
+}
+
+// "P-2", or a word.
+static bool parse_regime(const char *word, whirl_claim *claim) {
+    static const struct {
+        const char *word;
+        whirl_regime regime;
+    } regimes[] = {{"periodic", WHIRL_PERIODIC},
+                   {"quasi-periodic", WHIRL_QUASI_PERIODIC},
+                   {"chaotic", WHIRL_CHAOTIC},
+                   {"diverged", WHIRL_DIVERGING}};
+    for (size_t i = 0; i < sizeof regimes / sizeof *regimes; i++) {
+        claim->regime = regimes[i].regime;
+        if (strcmp(word, regimes[i].word) == 0) return true;
+    }
+    claim->regime = WHIRL_PERIODIC;
+    const size_t digits = strncmp(word, "P-", 2) == 0 ? strspn(word + 2, "0123456789") : 0;
+    if (digits == 0 || digits > 2 || word[2 + digits]) return false;
+    claim->period = (int)strtol(word + 2, NULL, 10);
+    return claim->period >= 1 && claim->period <= WHIRL_MAX_PERIOD;
+}
+
+static void read_regime(case_reader *reader, const setting_list *item, whirl_claim *claim) {
+    static const char *const names[] = {"P-1", "periodic", "quasi-periodic", "chaotic", "diverged"};
+    char shown[SHOWN_SIZE], advice[WHY_SIZE];
+    const setting *given = settings_find(item, "regime");
+    if (!given) return;
+    claim->has_regime = given->place->kind == NODE_TEXT && parse_regime(given->place->text, claim);
+    if (claim->has_regime) return;
+    describe_names(given->place->kind == NODE_TEXT ? given->place->text : "", names, sizeof names / sizeof *names,
+                   advice);
+    problem_at(reader->problems, given->place, "is %s, %s", node_shown(given->place, shown), advice);
+}
+
+// Between `least` and `most` orders of the running speed.
+static size_t read_orders(case_reader *reader, const setting_list *item, const char *name, size_t least, size_t most,
+                          double *orders) {
+    char shown[SHOWN_SIZE];
+    const setting *given = settings_find(item, name);
+    if (!given) return 0;
+    const file_node *list = given->place;
+    if (list->kind != NODE_LIST || list->count < least || list->count > most) {
+        problem_at(reader->problems, list, "is %s of %zu, expected a list of %zu to %zu orders",
+                   node_shown(list, shown), list->count, least, most);
+        return 0;
+    }
+    const whirl_key key = {.name = name, .unit = "1", .range = WHIRL_NOT_NEGATIVE};
+    size_t count = 0;
+    for (const file_node *order = list->first; order; order = order->next) {
+        number_formula read = {0};
+        if (formula_read(reader, order, &key, &read) && read.expression)
+            problem_at(reader->problems, order, "is an expression, expected a number");
+        orders[count++] = read.number;
+    }
+    return count;
+}
+
+static bool is_true(const setting_list *item, const char *name) {
+    const setting *given = settings_find(item, name);
+    return given && given->word && strcmp(given->word, "true") == 0;
+}
+
+static void read_claim(case_reader *reader, const file_node *where, whirl_claim *claim) {
+    setting_list item;
+    settings_read(reader, where, &schema_claim, &item);
+    if (where->kind != NODE_MAPPING || reader->no_memory) return;
+    settings_text(reader, &item, "where", claim->where, sizeof claim->where);
+    settings_text(reader, &item, "says", claim->says, sizeof claim->says);
+    read_range(reader, &item, claim);
+    read_regime(reader, &item, claim);
+    const setting *curves = settings_find(&item, "curves");
+    if (curves) claim->curves = (int)curves->value.number;
+    claim->has_contact = settings_find(&item, "rub") != NULL;
+    claim->contact = is_true(&item, "rub");
+    claim->line_count = read_orders(reader, &item, "lines", 1, WHIRL_MAX_CLAIM_LINES, claim->lines);
+    claim->only_lines = is_true(&item, "only_lines");
+    claim->has_band = read_orders(reader, &item, "band", 2, 2, claim->band) == 2;
+    if (claim->has_band && !(claim->band[0] < claim->band[1]))
+        problem_at(reader->problems, settings_find(&item, "band")->place, "expected the lower order first");
+    const setting *whirl = settings_find(&item, "whirl");
+    claim->has_whirl = whirl && whirl->word;
+    if (claim->has_whirl) snprintf(claim->whirl, sizeof claim->whirl, "%.63s", whirl->word);
+}
+
+static void read_items(case_reader *reader, const file_node *where, whirl_claims *claims) {
+    char shown[SHOWN_SIZE];
+    if (where->kind != NODE_LIST || where->count == 0 || where->count > MAX_CLAIMS) {
+        problem_at(reader->problems, where, "is %s, expected a list of 1 to %d claims",
+                   where->kind == NODE_LIST ? where->count ? "a longer list" : "an empty list"
+                                            : node_shown(where, shown),
+                   MAX_CLAIMS);
+        return;
+    }
+    claims->items = calloc(where->count, sizeof *claims->items);
+    reader->no_memory = reader->no_memory || !claims->items;
+    for (const file_node *item = where->first; item && claims->items; item = item->next)
+        read_claim(reader, item, &claims->items[claims->count++]);
+}
+
+static void read_file(case_reader *reader, const file_node *root, whirl_claims *claims) {
+    setting_list file;
+    char shown[SHOWN_SIZE];
+    if (root->kind != NODE_MAPPING) {
+        problem_at(reader->problems, root, "is %s, expected a mapping that begins with claims: %d",
+                   node_shown(root, shown), SCHEMA_VERSION);
+        return;
+    }
+    settings_read(reader, root, &schema_claims, &file);
+    const setting *version = settings_find(&file, "claims"), *items = settings_find(&file, "items");
+    if (version && version->good && version->value.number != (double)SCHEMA_VERSION) {
+        problem_at(reader->problems, version->place, "is %s, expected %d, the version of the format",
+                   node_shown(version->place, shown), SCHEMA_VERSION);
+        return;
+    }
+    settings_text(reader, &file, "source", claims->source, sizeof claims->source);
+    settings_text(reader, &file, "parameter", claims->parameter, sizeof claims->parameter);
+    settings_text(reader, &file, "station", claims->station, sizeof claims->station);
+    if (items) read_items(reader, items->place, claims);
+}
+
+whirl_status claims_parse(const char *text, size_t length, const char *name, whirl_problems *problems,
+                          whirl_claims **out) {
+    whirl_problems own = {0};
+    case_arena arena = {0};
+    file_node *root;
+    const parameter_table none = {0};
+    *out = NULL;
+    if (!problems) problems = &own;
+    snprintf(problems->file, sizeof problems->file, "%s", name);
+    case_reader reader = {.arena = &arena, .problems = problems, .parameters = &none};
+    whirl_claims *claims = calloc(1, sizeof *claims);
+    reader.no_memory = !claims;
+    if (claims) {
+        whirl_status status = tree_read(text, length, &arena, problems, &root);
+        reader.no_memory = status.code == WHIRL_NO_MEMORY;
+        if (status.code == WHIRL_OK) read_file(&reader, root, claims);
+    }
+    problems_sort(problems);
+    const whirl_status status = reader_outcome(&reader, name);
+    arena_free(&arena);
+    whirl_problems_free(&own);
+    if (status.code == WHIRL_OK)
+        *out = claims;
+    else
+        whirl_claims_free(claims);
+    return status;
+}
+
+whirl_status whirl_claims_load(const char *path, whirl_problems *problems, whirl_claims **claims) {
+    char *text;
+    size_t length;
+    *claims = NULL;
+    if (problems) snprintf(problems->file, sizeof problems->file, "%s", path);
+    whirl_status status = source_load(path, &text, &length);
+    if (status.code == WHIRL_OK) status = claims_parse(text, length, path, problems, claims);
+    free(text);
+    return status;
+}
+
+void whirl_claims_free(whirl_claims *claims) {
+    if (!claims) return;
+    free(claims->items);
+    free(claims);
+}

@@ -1,0 +1,31 @@
+/// What a case is made of.
+#ifndef CASE_CONTENT_H
+#define CASE_CONTENT_H
+
+#include "machine.h"
+#include "parameters.h"
+#include "plan.h"
+#include "whirl/case.h"
+
+/// Everything that follows from the text and the overrides; replaced as a whole by whirl_case_set.
+typedef struct case_content {
+    case_arena arena;
+    char title[256];
+    parameter_table parameters;
+    machine_parts machine;
+    study_plan plan;
+    size_t override_count;
+    parameter_override *overrides;
+} case_content;
+
+struct whirl_case {
+    char name[256];
+    char *text; ///< byte for byte, with a final zero beyond `length`
+    size_t length;
+    case_content content;
+};
+
+/// A machine of the family that a case is: the rotor with one parameter at a value, and its initial state.
+whirl_status case_machine(const void *family, const whirl_batch *batch, double value, whirl_machine *machine);
+
+#endif

@@ -1,0 +1,86 @@
+// What a result says of the case it came from, and the whole way from a case to a result.
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "content.h"
+
+static whirl_status describe_parameters(const case_content *content, whirl_result *result) {
+    const parameter_table *parameters = &content->parameters;
+    valuation v;
+    const whirl_status status = valuation_open(&v, parameters, NULL, 0.0);
+    if (status.code == WHIRL_OK) result->parameters = calloc(parameters->count + 1, sizeof *result->parameters);
+    if (status.code == WHIRL_OK && result->parameters) {
+        result->parameter_count = parameters->count;
+        for (size_t i = 0; i < parameters->count; i++) {
+            const parameter *from = &parameters->items[i];
+            whirl_parameter *to = &result->parameters[i];
+            snprintf(to->name, sizeof to->name, "%s", from->name);
+            snprintf(to->unit, sizeof to->unit, "%s", from->unit[0] ? from->unit : "SI");
+            snprintf(to->text, sizeof to->text, "%s", from->text);
+            to->value = v.values[i];
+        }
+    }
+    valuation_close(&v);
+    if (status.code != WHIRL_OK || result->parameters) return status;
+    return whirl_fail(WHIRL_NO_MEMORY, "no memory for the parameters of a result");
+}
+
+static whirl_status describe_rotor(const whirl_case *object, whirl_result *result) {
+    whirl_rotor *rotor;
+    const whirl_status status = whirl_case_rotor(object, NULL, 0.0, &rotor);
+    if (status.code != WHIRL_OK) return status;
+    const whirl_system *system = whirl_rotor_system(rotor);
+    result->speed = whirl_rotor_speed(rotor);
+    result->length_scale = whirl_rotor_length_scale(rotor);
+    result->force_scale = whirl_rotor_force_scale(rotor);
+    result->stations = calloc(system->probe_count + 1, sizeof *result->stations);
+    result->contacts = calloc(system->contact_count + 1, sizeof *result->contacts);
+    const bool done = result->stations && result->contacts;
+    if (done) {
+        result->station_count = system->probe_count;
+        result->contact_count = system->contact_count;
+        memcpy(result->stations, system->probes, system->probe_count * sizeof *result->stations);
+        for (size_t i = 0; i < system->contact_count; i++)
+            snprintf(result->contacts[i], sizeof result->contacts[i], "%s", whirl_rotor_contact_names(rotor)[i]);
+    }
+    whirl_rotor_free(rotor);
+    return done ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for the stations of a result");
+}
+
+static void forget(whirl_result *result) {
+    free(result->case_text);
+    free(result->parameters);
+    free(result->stations);
+    free(result->contacts);
+    result->case_text = NULL;
+    result->parameters = NULL;
+    result->stations = NULL;
+    result->contacts = NULL;
+    result->parameter_count = result->station_count = result->contact_count = 0;
+}
+
+whirl_status whirl_case_describe_result(const whirl_case *object, whirl_result *result) {
+    forget(result);
+    snprintf(result->title, sizeof result->title, "%s", object->content.title);
+    snprintf(result->case_name, sizeof result->case_name, "%s", object->name);
+    result->case_text = malloc(object->length + 1);
+    if (!result->case_text) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the text of a case");
+    memcpy(result->case_text, object->text, object->length + 1);
+    const whirl_status status = describe_parameters(&object->content, result);
+    return status.code == WHIRL_OK ? describe_rotor(object, result) : status;
+}
+
+whirl_status whirl_case_run(const whirl_case *object, const whirl_run_options *options, whirl_result **result) {
+    whirl_study study;
+    *result = NULL;
+    whirl_status status = whirl_case_study(object, &study);
+    if (status.code == WHIRL_OK) status = whirl_study_run(&study, options, result);
+    if (status.code != WHIRL_OK) return status;
+    status = whirl_case_describe_result(object, *result);
+    if (status.code == WHIRL_OK) status = whirl_result_add_provenance(*result);
+    if (status.code == WHIRL_OK) return status;
+    whirl_result_free(*result);
+    *result = NULL;
+    return status;
+}

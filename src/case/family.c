@@ -1,0 +1,58 @@
+// A case as a family of machines, and as a study.
+#include <stdlib.h>
+#include <string.h>
+
+#include "content.h"
+
+typedef struct member {
+    whirl_rotor *rotor;
+    double start[];
+} member;
+
+static void release(void *owner) {
+    member *m = owner;
+    whirl_rotor_free(m->rotor);
+    free(m);
+}
+
+static size_t batch_index(const study_plan *plan, const whirl_batch *batch) {
+    for (size_t i = 0; i < plan->batch_count; i++)
+        if (strcmp(plan->batches[i].name, batch->name) == 0) return i;
+    return 0;
+}
+
+static whirl_status make_member(const case_content *content, const whirl_batch *batch, double value, member *m) {
+    valuation v;
+    const char *name = batch->parameter[0] ? batch->parameter : NULL;
+    whirl_status status = valuation_open(&v, &content->parameters, name, value);
+    if (status.code == WHIRL_OK) status = machine_build(&content->machine, &v, &m->rotor);
+    if (status.code == WHIRL_OK)
+        status = plan_start_state(&content->plan, batch_index(&content->plan, batch), &v,
+                                  content->machine.station_count, m->start);
+    valuation_close(&v);
+    return status;
+}
+
+whirl_status case_machine(const void *family, const whirl_batch *batch, double value, whirl_machine *machine) {
+    const whirl_case *object = family;
+    const size_t dimension = 4 * object->content.machine.station_count;
+    member *m = calloc(1, sizeof *m + dimension * sizeof *m->start);
+    if (!m) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine");
+    const whirl_status status = make_member(&object->content, batch, value, m);
+    if (status.code != WHIRL_OK) {
+        release(m);
+        return status.code == WHIRL_NO_MEMORY || !batch->parameter[0]
+                   ? status
+                   : whirl_fail(status.code, "at %s = %.10g: %.300s", batch->parameter, value, status.message);
+    }
+    *machine =
+        (whirl_machine){.system = whirl_rotor_system(m->rotor), .start = m->start, .owner = m, .release = release};
+    return whirl_ok();
+}
+
+whirl_status whirl_case_study(const whirl_case *object, whirl_study *study) {
+    const study_plan *plan = &object->content.plan;
+    *study = (whirl_study){.batch_count = plan->batch_count, .machine = case_machine, .family = object};
+    memcpy(study->batches, plan->batches, sizeof study->batches);
+    return whirl_ok();
+}

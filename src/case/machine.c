@@ -1,0 +1,252 @@
+#include "machine.h"
+
+#include <ctype.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "problem.h"
+#include "schema.h"
+
+size_t machine_station(const machine_parts *machine, const char *name) {
+    for (size_t i = 0; i < machine->station_count; i++)
+        if (strcmp(machine->station_names[i], name) == 0) return i;
+    return machine->station_count;
+}
+
+// ---------------------------------------------------------------- stations
+
+static bool is_station_name(const char *name) {
+    for (const char *c = name; *c; c++)
+        if (!isalnum((unsigned char)*c) && *c != '_' && *c != '-') return false;
+    return name[0] && strlen(name) < WHIRL_NAME_SIZE;
+}
+
+static bool check_station_name(case_reader *reader, const file_node *where) {
+    const bool ground = strcmp(where->key, "ground") == 0;
+    if (ground)
+        problem_at_key(reader->problems, where, "stands for the ground itself, expected another name");
+    else if (!is_station_name(where->key))
+        problem_at_key(reader->problems, where, "is no name for a station, expected letters, digits, '_' and '-'");
+    return !ground && is_station_name(where->key);
+}
+
+static void read_stations(case_reader *reader, const file_node *where, machine_parts *result) {
+    char shown[SHOWN_SIZE];
+    if (where->kind != NODE_MAPPING || where->count == 0) {
+        problem_at(reader->problems, where, "is %s, expected names of stations with their keys",
+                   node_is_null(where) || where->kind == NODE_MAPPING ? "empty" : node_shown(where, shown));
+        return;
+    }
+    if (where->count > WHIRL_MAX_STATIONS)
+        problem_at(reader->problems, where, "has %zu stations, expected at most %d", where->count, WHIRL_MAX_STATIONS);
+    result->stations = arena_take(reader->arena, WHIRL_MAX_STATIONS * sizeof *result->stations);
+    result->station_names = arena_take(reader->arena, WHIRL_MAX_STATIONS * sizeof *result->station_names);
+    reader->no_memory = reader->no_memory || !result->stations || !result->station_names;
+    if (reader->no_memory) return;
+    for (const file_node *member = where->first; member; member = member->next) {
+        if (machine_station(result, member->key) < result->station_count) continue; // a name that stands twice
+        if (result->station_count == WHIRL_MAX_STATIONS) break;
+        const size_t i = result->station_count++;
+        result->station_names[i] = member->key;
+        check_station_name(reader, member);
+        settings_read(reader, member, whirl_station_keys(), &result->stations[i]);
+        result->stations[i].name = member->key;
+    }
+}
+
+// ---------------------------------------------------------------- elements
+
+static void check_station(case_reader *reader, const machine_parts *machine, const file_node *where, const char *name,
+                          bool ground) {
+    char shown[SHOWN_SIZE];
+    if (machine_station(machine, name) < machine->station_count || (ground && strcmp(name, "ground") == 0)) return;
+    char advice[WHY_SIZE];
+    describe_names(name, machine->station_names, machine->station_count, advice);
+    problem_at(reader->problems, where, "is %s, which is no station, %s", text_shown(name, shown), advice);
+}
+
+// The names of a list are reported where each of them stands.
+static void check_pair(case_reader *reader, const machine_parts *machine, const setting *pair) {
+    const file_node *place = pair->place;
+    if (place->kind == NODE_LIST) {
+        check_station(reader, machine, place->first, place->first->text, true);
+        check_station(reader, machine, place->first->next, place->first->next->text, true);
+        return;
+    }
+    const char *text = pair->word;
+    for (int i = 0; i < 2; i++) {
+        char name[WHIRL_NAME_SIZE];
+        text += strspn(text, " ,");
+        const size_t length = strcspn(text, " ,");
+        snprintf(name, sizeof name, "%.*s", (int)(length < sizeof name ? length : sizeof name - 1), text);
+        check_station(reader, machine, place, name, true);
+        text += length;
+    }
+}
+
+static void check_stations(case_reader *reader, const machine_parts *machine, const setting_list *element) {
+    if (machine->station_count == 0) return; // said already
+    for (size_t i = 0; i < element->count; i++) {
+        const setting *item = &element->items[i];
+        if (!item->good) continue;
+        if (item->key->kind == WHIRL_KEY_STATION) check_station(reader, machine, item->place, item->word, false);
+        if (item->key->kind == WHIRL_KEY_STATIONS) check_pair(reader, machine, item);
+    }
+}
+
+static void report_unknown_element(case_reader *reader, const file_node *where, const char *kind) {
+    const char *names[SETTINGS_MAX];
+    char advice[WHY_SIZE], shown[SHOWN_SIZE];
+    size_t count = 0;
+    for (const whirl_group *const *group = whirl_element_groups(); *group && count < SETTINGS_MAX; group++)
+        names[count++] = (*group)->name;
+    describe_names(kind, names, count, advice);
+    problem_at_key(reader->problems, where, "no element is called %s, %s", text_shown(kind, shown), advice);
+}
+
+// `- gravity` alone is an element with its defaults.
+static void read_element(case_reader *reader, const file_node *item, machine_parts *result) {
+    char shown[SHOWN_SIZE];
+    const bool bare = item->kind == NODE_TEXT && !item->quoted && whirl_element_group(item->text);
+    if (!bare && (item->kind != NODE_MAPPING || item->count != 1)) {
+        problem_at(reader->problems, item, "is %s, expected one element: a kind with its keys",
+                   item->kind == NODE_MAPPING ? item->count ? "more than one element" : "empty"
+                                              : node_shown(item, shown));
+        return;
+    }
+    const file_node *where = bare ? item : item->first;
+    const char *kind = bare ? item->text : where->key;
+    const whirl_group *group = whirl_element_group(kind);
+    if (!group) {
+        report_unknown_element(reader, where, kind);
+        return;
+    }
+    file_node nothing = *where;
+    if (bare) nothing.text = "";
+    setting_list *element = &result->elements[result->element_count++];
+    settings_read(reader, bare ? &nothing : where, group, element);
+    element->place = where;
+    check_stations(reader, result, element);
+}
+
+static void read_elements(case_reader *reader, const file_node *where, machine_parts *result) {
+    char shown[SHOWN_SIZE];
+    result->elements_place = where;
+    if (node_is_null(where)) return;
+    if (where->kind != NODE_LIST) {
+        problem_at(reader->problems, where, "is %s, expected a list of elements: - shaft: {...}",
+                   node_shown(where, shown));
+        return;
+    }
+    if (where->count > WHIRL_MAX_ELEMENTS) {
+        problem_at(reader->problems, where, "has %zu elements, expected at most %d", where->count, WHIRL_MAX_ELEMENTS);
+        return;
+    }
+    result->elements = arena_take(reader->arena, (where->count + 1) * sizeof *result->elements);
+    reader->no_memory = reader->no_memory || !result->elements;
+    if (!result->elements) return;
+    for (const file_node *item = where->first; item; item = item->next) read_element(reader, item, result);
+}
+
+void machine_read(case_reader *reader, const file_node *where, machine_parts *result) {
+    *result = (machine_parts){.elements_place = where};
+    settings_read(reader, where, &schema_rotor, &result->rotor);
+    const setting *stations = settings_find(&result->rotor, "stations");
+    const setting *elements = settings_find(&result->rotor, "elements");
+    if (stations) read_stations(reader, stations->place, result);
+    if (elements) read_elements(reader, elements->place, result);
+}
+
+// ---------------------------------------------------------------- building
+
+// What the rotor layer takes: numbers in SI, and words.
+static whirl_status evaluate(const setting_list *settings, valuation *v, whirl_setting values[SETTINGS_MAX]) {
+    for (size_t i = 0; i < settings->count && i < SETTINGS_MAX; i++) {
+        const setting *item = &settings->items[i];
+        values[i] = (whirl_setting){.key = item->key->name, .text = item->word};
+        if (item->word) continue;
+        const whirl_status status = valuation_number(v, &item->value, &values[i].number);
+        if (status.code == WHIRL_OK) continue;
+        return whirl_fail(status.code, "%.63s.%s %.250s", settings->name, item->key->name, status.message);
+    }
+    return whirl_ok();
+}
+
+static whirl_status new_design(const machine_parts *machine, valuation *v, whirl_design **design) {
+    *design = NULL;
+    const double speed = settings_number(v, &machine->rotor, "speed");
+    const double length = settings_number(v, &machine->rotor, "length_scale");
+    return whirl_design_new(speed, length, design);
+}
+
+static whirl_status add_station(const machine_parts *machine, size_t index, valuation *v, whirl_design *design) {
+    whirl_setting values[SETTINGS_MAX];
+    const setting_list *station = &machine->stations[index];
+    whirl_status status = evaluate(station, v, values);
+    if (status.code == WHIRL_OK) status = whirl_design_station(design, station->name, values, station->count);
+    return status;
+}
+
+static whirl_status add_element(const machine_parts *machine, size_t index, valuation *v, whirl_design *design) {
+    whirl_setting values[SETTINGS_MAX];
+    const setting_list *element = &machine->elements[index];
+    whirl_status status = evaluate(element, v, values);
+    if (status.code == WHIRL_OK) status = whirl_design_element(design, element->name, values, element->count);
+    return status;
+}
+
+// All stations with the elements from `first` to before `last`.
+static whirl_status build(const machine_parts *machine, valuation *v, size_t first, size_t last, whirl_rotor **rotor) {
+    whirl_design *design;
+    *rotor = NULL;
+    whirl_status status = new_design(machine, v, &design);
+    for (size_t i = 0; i < machine->station_count && status.code == WHIRL_OK; i++)
+        status = add_station(machine, i, v, design);
+    for (size_t i = first; i < last && status.code == WHIRL_OK; i++) status = add_element(machine, i, v, design);
+    if (status.code == WHIRL_OK) status = whirl_rotor_new(design, rotor);
+    whirl_design_free(design);
+    return status;
+}
+
+whirl_status machine_build(const machine_parts *machine, valuation *v, whirl_rotor **rotor) {
+    return build(machine, v, 0, machine->element_count, rotor);
+}
+
+// ---------------------------------------------------------------- checking
+
+static bool tell(case_reader *reader, const file_node *where, const whirl_status *status) {
+    reader->no_memory = reader->no_memory || status->code == WHIRL_NO_MEMORY;
+    if (status->code != WHIRL_OK) problem_at_key(reader->problems, where, "%s", status->message);
+    return status->code == WHIRL_OK;
+}
+
+static bool check_values(case_reader *reader, valuation *v, const machine_parts *machine) {
+    bool good = settings_check(reader, v, &machine->rotor);
+    for (size_t i = 0; i < machine->station_count; i++) good = settings_check(reader, v, &machine->stations[i]) && good;
+    for (size_t i = 0; i < machine->element_count; i++) good = settings_check(reader, v, &machine->elements[i]) && good;
+    return good;
+}
+
+// What is left are settings that contradict each other: every element is tried alone, so that each problem has its line.
+static bool check_one_by_one(case_reader *reader, valuation *v, const machine_parts *machine) {
+    whirl_rotor *rotor;
+    whirl_status status = build(machine, v, 0, 0, &rotor);
+    whirl_rotor_free(rotor);
+    if (!tell(reader, machine->rotor.place, &status)) return false;
+    bool good = true;
+    for (size_t i = 0; i < machine->element_count; i++) {
+        status = build(machine, v, i, i + 1, &rotor);
+        whirl_rotor_free(rotor);
+        good = tell(reader, machine->elements[i].place, &status) && good;
+    }
+    return good;
+}
+
+void machine_check(case_reader *reader, valuation *v, const machine_parts *machine) {
+    if (!check_values(reader, v, machine)) return;
+    whirl_rotor *rotor;
+    const whirl_status status = machine_build(machine, v, &rotor);
+    whirl_rotor_free(rotor);
+    if (status.code == WHIRL_OK) return;
+    if (check_one_by_one(reader, v, machine)) tell(reader, machine->elements_place, &status);
+}

@@ -1,0 +1,30 @@
+/// The rotor of a case: stations and elements with their settings, from which rotors are built.
+#ifndef CASE_MACHINE_H
+#define CASE_MACHINE_H
+
+#include "settings.h"
+#include "whirl/rotor.h"
+
+typedef struct machine_parts {
+    setting_list rotor; ///< speed and length scale
+    size_t station_count;
+    setting_list *stations;
+    const char **station_names; ///< [station_count]
+    size_t element_count;
+    setting_list *elements;
+    const file_node *elements_place;
+} machine_parts;
+
+/// Reads `rotor:`.
+void machine_read(case_reader *reader, const file_node *where, machine_parts *result);
+
+/// Reports everything that keeps the values of the case from being a machine. Call it when nothing is wrong so far.
+void machine_check(case_reader *reader, valuation *v, const machine_parts *machine);
+
+/// Builds a rotor with the values of `valuation`.
+whirl_status machine_build(const machine_parts *machine, valuation *v, whirl_rotor **rotor);
+
+/// Index of a station, or station_count.
+size_t machine_station(const machine_parts *machine, const char *name);
+
+#endif

@@ -1,0 +1,210 @@
+// Making the batches of a study from its parts.
+#include "plan.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "problem.h"
+#include "schema.h"
+#include "whirl/analyze.h"
+
+static bool has_analysis(whirl_analysis_set set, const char *name) {
+    whirl_analysis_set one = 0;
+    return whirl_analysis_add(&one, name) && (set & one) != 0;
+}
+
+static whirl_integrate_options integrate_options(valuation *v, const plan_parts *parts) {
+    const setting_list *given = &parts->integrate;
+    const setting *method = settings_find(given, "method");
+    whirl_integrate_options options = whirl_integrate_default();
+    if (method) snprintf(options.method, sizeof options.method, "%.63s", method->place->text);
+    options.steps_per_revolution = (int)settings_number(v, given, "steps_per_revolution");
+    options.rtol = settings_number(v, given, "rtol");
+    options.atol = settings_number(v, given, "atol");
+    options.limit = settings_number(v, given, "limit");
+    return options;
+}
+
+static whirl_record_options record_options(valuation *v, const plan_parts *parts, int steps) {
+    whirl_record_options options = whirl_record_default();
+    options.transient = (int)settings_number(v, &parts->integrate, "transient");
+    options.record = (int)settings_number(v, &parts->integrate, "record");
+    options.watch = (int)settings_number(v, &parts->integrate, "watch");
+    options.waveform_revolutions = (int)settings_number(v, &parts->keep, "waveform");
+    options.samples_per_revolution = (int)settings_number(v, &parts->keep, "samples");
+    if (!settings_find(&parts->keep, "samples") && options.samples_per_revolution > steps)
+        options.samples_per_revolution = steps;
+    options.highest_order = settings_number(v, &parts->keep, "highest_order");
+    return options;
+}
+
+// The value of a whole number of `detail`, or what holds for the rest of the study.
+static int detail_number(valuation *v, const plan_parts *parts, const char *key, int otherwise) {
+    return settings_find(&parts->detail, key) ? (int)settings_number(v, &parts->detail, key) : otherwise;
+}
+
+static whirl_record_options detail_options(valuation *v, const plan_parts *parts, const whirl_record_options *rest) {
+    whirl_record_options options = *rest;
+    options.transient = detail_number(v, parts, "transient", rest->transient);
+    options.record = detail_number(v, parts, "record", rest->record);
+    if (options.transient != rest->transient || options.record != rest->record) options.watch = 0;
+    options.waveform_revolutions = (int)settings_number(v, &parts->detail, "waveform");
+    if (!settings_find(&parts->detail, "waveform") && options.waveform_revolutions > options.record)
+        options.waveform_revolutions = options.record;
+    return options;
+}
+
+// What the chosen analyses need recorded. Waveforms are an analysis of their own exactly where some are kept.
+static void choose_analyses(whirl_batch *batch, whirl_analysis_set chosen, bool spectra) {
+    whirl_analysis_set waveform = 0;
+    whirl_analysis_add(&waveform, "waveform");
+    const bool kept = batch->record.waveform_revolutions > 0;
+    batch->analyses = kept ? chosen | waveform : chosen & ~waveform;
+    batch->record.spectra = spectra;
+    batch->record.waveform = kept || has_analysis(chosen, "spectrum");
+    batch->record.growth = has_analysis(chosen, "lyapunov") || has_analysis(chosen, "regime");
+}
+
+// ---------------------------------------------------------------- contradictions
+
+// At the key when it was given, at its mapping otherwise.
+static const file_node *place_of(const setting_list *settings, const char *key) {
+    const setting *given = settings_find(settings, key);
+    return given ? given->place : settings->place;
+}
+
+static void check_record(case_reader *reader, const plan_parts *parts, const whirl_record_options *options, int steps) {
+    if (options->samples_per_revolution > steps)
+        problem_at(reader->problems, place_of(&parts->keep, "samples"),
+                   "is %d, expected at most steps_per_revolution (%d)", options->samples_per_revolution, steps);
+    if (options->waveform_revolutions > options->record)
+        problem_at(reader->problems, place_of(&parts->keep, "waveform"),
+                   "is %d, expected at most the revolutions of the record (%d)", options->waveform_revolutions,
+                   options->record);
+    if (options->watch != 0 &&
+        (options->watch < options->record || options->watch > options->transient + options->record))
+        problem_at(reader->problems, place_of(&parts->integrate, "watch"),
+                   "is %d, expected 0, or record (%d) to transient + record (%d)", options->watch, options->record,
+                   options->transient + options->record);
+    const bool kept = options->waveform_revolutions > 0 || settings_find(&parts->study, "detail");
+    if (parts->waveform_place && !kept)
+        problem_at(reader->problems, parts->waveform_place,
+                   "is waveform, but no waveform is kept, expected keep: {waveform: ...}");
+}
+
+static void check_detail(case_reader *reader, const plan_parts *parts, const whirl_record_options *options) {
+    if (options->waveform_revolutions > options->record)
+        problem_at(reader->problems, place_of(&parts->detail, "waveform"),
+                   "is %d, expected at most the revolutions of the record (%d)", options->waveform_revolutions,
+                   options->record);
+}
+
+// ---------------------------------------------------------------- batches
+
+static whirl_batch *add_batch(study_plan *result, const char *name, const file_node *place) {
+    whirl_batch *batch = &result->batches[result->batch_count];
+    result->values_place[result->batch_count++] = place;
+    *batch = (whirl_batch){.count = 1};
+    snprintf(batch->name, sizeof batch->name, "%s", name);
+    return batch;
+}
+
+static double *swept_values(case_reader *reader, double from, double to, size_t count) {
+    double *values = arena_take(reader->arena, count * sizeof *values);
+    reader->no_memory = reader->no_memory || !values;
+    if (!values) return NULL;
+    for (size_t i = 0; i < count; i++) {
+        const double share = count > 1 ? (double)i / (double)(count - 1) : 0.0;
+        values[i] = (1.0 - share) * from + share * to; // exactly `to` at the end, and no overflow between
+    }
+    return values;
+}
+
+// Up and down are meant along the parameter; the batch knows first and last.
+static whirl_carry carry_of(const setting_list *sweep, bool rising) {
+    if (strcmp(settings_word(sweep, "start"), "carry") != 0) return WHIRL_CARRY_NONE;
+    const char *direction = settings_word(sweep, "direction");
+    if (strcmp(direction, "both") == 0) return WHIRL_CARRY_BOTH;
+    return (strcmp(direction, "up") == 0) == rising ? WHIRL_CARRY_FORWARD : WHIRL_CARRY_REVERSE;
+}
+
+static bool formula_value(case_reader *reader, valuation *v, const file_node *where, const number_formula *formula,
+                          double *value) {
+    const whirl_status status = valuation_number(v, formula, value);
+    if (status.code != WHIRL_OK) problem_at(reader->problems, where, "%s", status.message);
+    return status.code == WHIRL_OK;
+}
+
+static void make_sweep(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result) {
+    double from, to;
+    const setting_list *sweep = &parts->sweep;
+    bool good = formula_value(reader, v, place_of(sweep, "from"), &parts->from, &from);
+    good = formula_value(reader, v, place_of(sweep, "to"), &parts->to, &to) && good;
+    if (!good) return;
+    result->rest[result->batch_count] = strcmp(settings_word(sweep, "start"), "rest") == 0;
+    whirl_batch *batch = add_batch(result, "sweep", sweep->place);
+    snprintf(batch->parameter, sizeof batch->parameter, "%.63s", parts->swept->name);
+    batch->count = (size_t)settings_number(v, sweep, "points");
+    batch->carry = carry_of(sweep, from <= to);
+    batch->values = swept_values(reader, from, to, batch->count);
+}
+
+static void make_detail(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result) {
+    double *values = arena_take(reader->arena, parts->at_count * sizeof *values);
+    reader->no_memory = reader->no_memory || !values;
+    if (!values) return;
+    for (size_t i = 0; i < parts->at_count; i++)
+        formula_value(reader, v, parts->at_places[i], &parts->at[i], &values[i]);
+    whirl_batch *batch = add_batch(result, "detail", parts->detail.place);
+    snprintf(batch->parameter, sizeof batch->parameter, "%.63s", parts->swept->name);
+    batch->count = parts->at_count;
+    batch->values = values;
+}
+
+static bool check_all(case_reader *reader, valuation *v, const plan_parts *parts, const study_plan *result) {
+    bool good = settings_check(reader, v, &parts->sweep);
+    good = settings_check(reader, v, &parts->integrate) && good;
+    good = settings_check(reader, v, &parts->keep) && good;
+    good = settings_check(reader, v, &parts->detail) && good;
+    for (size_t i = 0; i < result->start_count; i++) good = settings_check(reader, v, &result->starts[i].state) && good;
+    return good;
+}
+
+void plan_make(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result) {
+    if (!check_all(reader, v, parts, result)) return;
+    const whirl_integrate_options integrate = integrate_options(v, parts);
+    const whirl_record_options record = record_options(v, parts, integrate.steps_per_revolution);
+    check_record(reader, parts, &record, integrate.steps_per_revolution);
+    if (parts->swept)
+        make_sweep(reader, v, parts, result);
+    else
+        add_batch(result, "response", parts->study.place);
+    if (parts->at_count > 0) make_detail(reader, v, parts, result);
+    for (size_t i = 0; i < result->batch_count; i++) {
+        whirl_batch *batch = &result->batches[i];
+        const bool detail = strcmp(batch->name, "detail") == 0;
+        batch->integrate = integrate;
+        batch->record = detail ? detail_options(v, parts, &record) : record;
+        if (detail) check_detail(reader, parts, &batch->record);
+        choose_analyses(batch, parts->analyses, strcmp(batch->name, "sweep") != 0);
+    }
+}
+
+whirl_status plan_start_state(const study_plan *plan, size_t batch, valuation *v, size_t station_count, double *state) {
+    static const char *const keys[] = {"x", "y", "vx", "vy"};
+    memset(state, 0, 4 * station_count * sizeof *state);
+    if (plan->rest[batch]) return whirl_ok();
+    for (size_t i = 0; i < plan->start_count; i++) {
+        const plan_start *start = &plan->starts[i];
+        for (size_t k = 0; k < 4; k++) {
+            const size_t index = (k / 2) * 2 * station_count + 2 * start->station + k % 2;
+            state[index] = settings_number(v, &start->state, keys[k]);
+            if (isfinite(state[index])) continue;
+            return whirl_fail(WHIRL_BAD_INPUT, "the initial %s of station %.63s has no finite value", keys[k],
+                              plan->starts[i].state.place->key);
+        }
+    }
+    return whirl_ok();
+}

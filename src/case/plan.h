@@ -1,0 +1,44 @@
+/// The study of a case: which points, from which states, recorded and analysed how.
+#ifndef CASE_PLAN_H
+#define CASE_PLAN_H
+
+#include "machine.h"
+#include "whirl/study.h"
+
+/// The state that one station starts from.
+typedef struct plan_start {
+    size_t station;
+    setting_list state;
+} plan_start;
+
+typedef struct study_plan {
+    size_t batch_count;
+    whirl_batch batches[WHIRL_MAX_BATCHES]; ///< values are the arena's
+    bool rest[WHIRL_MAX_BATCHES];           ///< the batch starts from zero instead of the initial state
+    const file_node *values_place[WHIRL_MAX_BATCHES];
+    size_t start_count;
+    plan_start *starts;
+} study_plan;
+
+/// Reads `study:` in two steps. First what can be read without values, and everything that is wrong with it ...
+typedef struct plan_parts {
+    setting_list study, sweep, integrate, keep, detail;
+    number_formula from, to;
+    size_t at_count;
+    number_formula *at;
+    const file_node **at_places;
+    const parameter *swept;
+    whirl_analysis_set analyses;
+    const file_node *waveform_place; ///< of the analysis `waveform`, or NULL
+} plan_parts;
+
+void plan_read_parts(case_reader *reader, const file_node *where, const machine_parts *machine, plan_parts *parts,
+                     study_plan *result);
+
+/// ... then the batches, with the parameters' values. Call it when nothing is wrong so far.
+void plan_make(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result);
+
+/// The state [dimension] that the points of a batch start from.
+whirl_status plan_start_state(const study_plan *plan, size_t batch, valuation *v, size_t station_count, double *state);
+
+#endif

@@ -1,0 +1,196 @@
+// Reading `study:`: everything that can be read without the values of the parameters.
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "plan.h"
+#include "problem.h"
+#include "schema.h"
+#include "whirl/analyze.h"
+#include "whirl/integrate.h"
+
+// A part of the study; an empty one where it is absent.
+static void read_part(case_reader *reader, const setting_list *study, const char *key, const whirl_group *group,
+                      setting_list *part) {
+    const setting *given = settings_find(study, key);
+    *part = (setting_list){.name = group->name, .group = group, .place = study->place};
+    if (given) settings_read(reader, given->place, group, part);
+}
+
+// ---------------------------------------------------------------- sweep
+
+static const parameter *find_swept(case_reader *reader, const setting *given) {
+    char advice[WHY_SIZE], shown[SHOWN_SIZE];
+    const parameter_table *parameters = reader->parameters;
+    if (given->place->kind != NODE_TEXT) {
+        problem_at(reader->problems, given->place, "is %s, expected the name of a parameter",
+                   node_shown(given->place, shown));
+        return NULL;
+    }
+    const size_t index = parameters_find(parameters, given->place->text);
+    if (index < parameters->count) return &parameters->items[index];
+    describe_names(given->place->text, parameters->names, parameters->count, advice);
+    problem_at(reader->problems, given->place, "is %s, which is no parameter, %s", node_shown(given->place, shown),
+               advice);
+    return NULL;
+}
+
+// A value of the swept parameter has the unit of what the case says of the parameter.
+static bool read_swept_value(case_reader *reader, const file_node *where, const parameter *swept,
+                             number_formula *result) {
+    const whirl_key key = {.name = swept->name, .unit = swept->unit, .range = WHIRL_ANY};
+    return formula_read(reader, where, &key, result);
+}
+
+static void read_sweep(case_reader *reader, plan_parts *parts) {
+    read_part(reader, &parts->study, "sweep", &schema_sweep, &parts->sweep);
+    const setting *name = settings_find(&parts->sweep, "parameter");
+    const setting *from = settings_find(&parts->sweep, "from"), *to = settings_find(&parts->sweep, "to");
+    if (name) parts->swept = find_swept(reader, name);
+    if (parts->swept && from) read_swept_value(reader, from->place, parts->swept, &parts->from);
+    if (parts->swept && to) read_swept_value(reader, to->place, parts->swept, &parts->to);
+    const setting *direction = settings_find(&parts->sweep, "direction");
+    if (direction && strcmp(settings_word(&parts->sweep, "start"), "carry") != 0)
+        problem_at_key(reader->problems, direction->place, "has a meaning only with start: carry");
+}
+
+static void read_kind(case_reader *reader, plan_parts *parts) {
+    char shown[SHOWN_SIZE];
+    const setting *response = settings_find(&parts->study, "response"), *sweep = settings_find(&parts->study, "sweep");
+    if (response && sweep) {
+        problem_at_key(reader->problems, response->place, "stands beside sweep, expected one of the two");
+    } else if (response) {
+        setting_list nothing;
+        read_part(reader, &parts->study, "response", &schema_response, &nothing);
+    } else if (!sweep) {
+        problem_at(reader->problems, parts->study.place, "has neither response nor sweep, expected one of the two");
+    }
+    if (!sweep) return;
+    if (sweep->place->kind == NODE_MAPPING)
+        read_sweep(reader, parts);
+    else
+        problem_at(reader->problems, sweep->place, "is %s, expected {parameter: ..., from: ..., to: ..., points: ...}",
+                   node_shown(sweep->place, shown));
+}
+
+// ---------------------------------------------------------------- detail
+
+static void read_detail_values(case_reader *reader, const file_node *where, plan_parts *parts) {
+    char shown[SHOWN_SIZE];
+    if (where->kind != NODE_LIST || where->count == 0 || where->count > SCHEMA_MAX_DETAIL) {
+        problem_at(reader->problems, where, "is %s, expected a list of 1 to %d values",
+                   where->kind == NODE_LIST ? where->count ? "a longer list" : "an empty list"
+                                            : node_shown(where, shown),
+                   SCHEMA_MAX_DETAIL);
+        return;
+    }
+    parts->at = arena_take(reader->arena, where->count * sizeof *parts->at);
+    parts->at_places = arena_take(reader->arena, where->count * sizeof *parts->at_places);
+    reader->no_memory = reader->no_memory || !parts->at || !parts->at_places;
+    if (reader->no_memory) return;
+    for (const file_node *item = where->first; item; item = item->next) {
+        parts->at_places[parts->at_count] = item;
+        read_swept_value(reader, item, parts->swept, &parts->at[parts->at_count++]);
+    }
+}
+
+static void read_detail(case_reader *reader, plan_parts *parts) {
+    read_part(reader, &parts->study, "detail", &schema_detail, &parts->detail);
+    const setting *given = settings_find(&parts->study, "detail");
+    if (!given) return;
+    if (!settings_find(&parts->study, "sweep"))
+        problem_at_key(reader->problems, given->place, "needs a sweep, whose parameter it gives values to");
+    const setting *at = settings_find(&parts->detail, "at");
+    if (at && parts->swept) read_detail_values(reader, at->place, parts);
+}
+
+// ---------------------------------------------------------------- initial state
+
+static void read_initial(case_reader *reader, const file_node *where, const machine_parts *machine,
+                         study_plan *result) {
+    char shown[SHOWN_SIZE], advice[WHY_SIZE];
+    if (node_is_null(where)) return;
+    if (where->kind != NODE_MAPPING) {
+        problem_at(reader->problems, where, "is %s, expected names of stations with x, y, vx, vy",
+                   node_shown(where, shown));
+        return;
+    }
+    result->starts = arena_take(reader->arena, (where->count + 1) * sizeof *result->starts);
+    reader->no_memory = reader->no_memory || !result->starts;
+    if (!result->starts) return;
+    for (const file_node *member = where->first; member; member = member->next) {
+        const size_t station = machine_station(machine, member->key);
+        if (station == machine->station_count) {
+            describe_names(member->key, machine->station_names, machine->station_count, advice);
+            problem_at_key(reader->problems, member, "is no station, %s", advice);
+            continue;
+        }
+        plan_start *start = &result->starts[result->start_count++];
+        start->station = station;
+        settings_read(reader, member, &schema_initial, &start->state);
+    }
+}
+
+// ---------------------------------------------------------------- analyses and method
+
+static void report_unknown_analysis(case_reader *reader, const file_node *where) {
+    const char *names[SETTINGS_MAX];
+    char advice[WHY_SIZE], shown[SHOWN_SIZE];
+    size_t count = 0;
+    for (const whirl_analysis *a = whirl_analyses(); a->name && count < SETTINGS_MAX; a++) names[count++] = a->name;
+    describe_names(where->kind == NODE_TEXT ? where->text : "", names, count, advice);
+    problem_at(reader->problems, where, "is %s, which is no analysis, %s", node_shown(where, shown), advice);
+}
+
+static void read_analyses(case_reader *reader, plan_parts *parts) {
+    char shown[SHOWN_SIZE];
+    const setting *given = settings_find(&parts->study, "analyze");
+    if (!given) {
+        for (const whirl_analysis *a = whirl_analyses(); a->name; a++)
+            if (strcmp(a->name, "waveform") != 0) whirl_analysis_add(&parts->analyses, a->name);
+        return;
+    }
+    const file_node *where = given->place;
+    if (where->kind != NODE_LIST || where->count == 0) {
+        problem_at(reader->problems, where, "is %s, expected a list of analyses: [poincare, regime]",
+                   where->kind == NODE_LIST ? "an empty list" : node_shown(where, shown));
+        return;
+    }
+    for (const file_node *item = where->first; item; item = item->next) {
+        if (item->kind != NODE_TEXT || !whirl_analysis_add(&parts->analyses, item->text))
+            report_unknown_analysis(reader, item);
+        else if (strcmp(item->text, "waveform") == 0)
+            parts->waveform_place = item;
+    }
+}
+
+static void check_method(case_reader *reader, const plan_parts *parts) {
+    const setting *given = settings_find(&parts->integrate, "method");
+    const char *names[SETTINGS_MAX];
+    char advice[WHY_SIZE], shown[SHOWN_SIZE];
+    size_t count = 0;
+    if (!given) return;
+    for (const whirl_method *method; count < SETTINGS_MAX && (method = whirl_method_at(count)); count++) {
+        names[count] = method->name;
+        if (given->place->kind == NODE_TEXT && strcmp(method->name, given->place->text) == 0) return;
+    }
+    describe_names(given->place->kind == NODE_TEXT ? given->place->text : "", names, count, advice);
+    problem_at(reader->problems, given->place, "is %s, which is no method, %s", node_shown(given->place, shown),
+               advice);
+}
+
+void plan_read_parts(case_reader *reader, const file_node *where, const machine_parts *machine, plan_parts *parts,
+                     study_plan *result) {
+    *parts = (plan_parts){0};
+    *result = (study_plan){0};
+    settings_read(reader, where, &schema_study, &parts->study);
+    if (where->kind != NODE_MAPPING && !node_is_null(where)) return; // said already
+    read_kind(reader, parts);
+    const setting *initial = settings_find(&parts->study, "initial");
+    if (initial) read_initial(reader, initial->place, machine, result);
+    read_part(reader, &parts->study, "integrate", &schema_integrate, &parts->integrate);
+    read_part(reader, &parts->study, "keep", &schema_keep, &parts->keep);
+    read_analyses(reader, parts);
+    check_method(reader, parts);
+    read_detail(reader, parts);
+}

@@ -1,0 +1,245 @@
+// The tables that a case file is checked against, and that `whirl describe` prints.
+//
+// A key of kind WHIRL_KEY_CHOICE with "" for its choices holds what its meaning says: a text, a name, or a part of the
+// file with keys of its own. A number whose unit is "" is in the unit of the swept parameter, or a list.
+#include "schema.h"
+
+#include <limits.h>
+#include <math.h>
+
+#include "whirl/case.h"
+
+#define COUNT(keys) (sizeof(keys) / sizeof *(keys))
+
+static const whirl_key case_keys[] = {
+    {"whirl", "", "1", WHIRL_KEY_WHOLE, true, "", WHIRL_ANY, NULL, "version of the format, 1", ""},
+    {"title", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "", "what the case is about, in one line", ""},
+    {"parameters", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
+     "names with values: a number, a number and a unit, or = and an expression over other parameters in SI", ""},
+    {"rotor", "", "", WHIRL_KEY_CHOICE, true, "", WHIRL_ANY, "", "the machine: see rotor", ""},
+    {"study", "", "", WHIRL_KEY_CHOICE, true, "", WHIRL_ANY, "", "what is computed: see study", ""},
+};
+
+static const whirl_key rotor_keys[] = {
+    {"speed", "omega", "rad/s", WHIRL_KEY_NUMBER, true, "", WHIRL_POSITIVE, NULL, "speed of rotation", ""},
+    {"length_scale", "", "m", WHIRL_KEY_NUMBER, true, "", WHIRL_POSITIVE, NULL,
+     "length in which displacements are computed and reported, such as the clearance", ""},
+    {"stations", "", "", WHIRL_KEY_CHOICE, true, "", WHIRL_ANY, "", "names with the keys of a station", ""},
+    {"elements", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "", "a list of elements, each a kind with its keys",
+     ""},
+};
+
+static const whirl_key study_keys[] = {
+    {"response", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "", "one point; this or sweep", ""},
+    {"sweep", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "", "points along one parameter; this or response", ""},
+    {"initial", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
+     "names of stations with the state they start from; zero where absent", ""},
+    {"integrate", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "", "how and how long: see integrate", ""},
+    {"keep", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "", "how much of waveforms and spectra: see keep", ""},
+    {"analyze", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "", "a list of analyses; all but waveform where absent",
+     ""},
+    {"detail", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
+     "values of the swept parameter that are computed once more, for longer and with whole waveforms and spectra", ""},
+};
+
+static const whirl_key sweep_keys[] = {
+    {"parameter", "", "", WHIRL_KEY_CHOICE, true, "", WHIRL_ANY, "", "name of the parameter that varies", ""},
+    {"from", "", "", WHIRL_KEY_NUMBER, true, "", WHIRL_ANY, NULL, "its first value", ""},
+    {"to", "", "", WHIRL_KEY_NUMBER, true, "", WHIRL_ANY, NULL, "its last value", ""},
+    {"points",
+     "",
+     "1",
+     WHIRL_KEY_WHOLE,
+     true,
+     "",
+     {1, SCHEMA_MAX_POINTS, false, false},
+     NULL,
+     "number of values, equally spaced, both ends included",
+     ""},
+    {"start", "", "", WHIRL_KEY_CHOICE, false, "state", WHIRL_ANY, "rest|state|carry",
+     "rest: every point from zero; state: from the initial state; carry: from the end of the point before", ""},
+    {"direction", "", "", WHIRL_KEY_CHOICE, false, "up", WHIRL_ANY, "up|down|both",
+     "with start: carry, along rising or falling values, or both, which shows hysteresis", ""},
+};
+
+static const whirl_key initial_keys[] = {
+    {"x", "x", "1", WHIRL_KEY_NUMBER, false, "0", WHIRL_ANY, NULL, "displacement in length scales", ""},
+    {"y", "y", "1", WHIRL_KEY_NUMBER, false, "0", WHIRL_ANY, NULL, "displacement in length scales", ""},
+    {"vx", "x'", "1", WHIRL_KEY_NUMBER, false, "0", WHIRL_ANY, NULL, "velocity in length scales per radian of rotation",
+     ""},
+    {"vy", "y'", "1", WHIRL_KEY_NUMBER, false, "0", WHIRL_ANY, NULL, "velocity in length scales per radian of rotation",
+     ""},
+};
+
+static const whirl_key integrate_keys[] = {
+    {"method", "", "", WHIRL_KEY_CHOICE, false, "rk4", WHIRL_ANY, "", "a method of integration", ""},
+    {"steps_per_revolution",
+     "",
+     "1",
+     WHIRL_KEY_WHOLE,
+     false,
+     "1024",
+     {1, 1 << 24, false, false},
+     NULL,
+     "steps of a fixed-step method, and instants at which the motion is seen",
+     ""},
+    {"rtol",
+     "",
+     "1",
+     WHIRL_KEY_NUMBER,
+     false,
+     "1e-9",
+     {0, 1, true, false},
+     NULL,
+     "relative tolerance of adaptive methods",
+     ""},
+    {"atol", "", "1", WHIRL_KEY_NUMBER, false, "1e-12", WHIRL_POSITIVE, NULL,
+     "absolute tolerance of adaptive methods, in length scales", ""},
+    {"limit", "", "1", WHIRL_KEY_NUMBER, false, "1e6", WHIRL_POSITIVE, NULL,
+     "a motion counts as diverged beyond this displacement or velocity, in length scales", ""},
+    {"transient",
+     "",
+     "1",
+     WHIRL_KEY_WHOLE,
+     false,
+     "1100",
+     {0, 1e9, false, false},
+     NULL,
+     "revolutions before the record",
+     ""},
+    {"record", "", "1", WHIRL_KEY_WHOLE, false, "100", {1, 1e8, false, false}, NULL, "revolutions recorded", ""},
+    {"watch",
+     "",
+     "1",
+     WHIRL_KEY_WHOLE,
+     false,
+     "0",
+     {0, 1.1e9, false, false},
+     NULL,
+     "last revolutions over which the section and the growth of a disturbance are followed, at least those recorded; "
+     "0: "
+     "the record and half the transient",
+     ""},
+};
+
+static const whirl_key keep_keys[] = {
+    {"waveform",
+     "",
+     "1",
+     WHIRL_KEY_WHOLE,
+     false,
+     "0",
+     {0, 1e8, false, false},
+     NULL,
+     "last revolutions whose waveform is kept",
+     ""},
+    {"samples",
+     "",
+     "1",
+     WHIRL_KEY_WHOLE,
+     false,
+     "64",
+     {1, 1 << 24, false, false},
+     NULL,
+     "samples of a waveform a revolution, at least; not more than steps_per_revolution",
+     ""},
+    {"highest_order", "", "1", WHIRL_KEY_NUMBER, false, "5", WHIRL_POSITIVE, NULL,
+     "spectra are kept up to this order of the speed", ""},
+};
+
+static const whirl_key detail_keys[] = {
+    {"at", "", "", WHIRL_KEY_NUMBER, true, "", WHIRL_ANY, NULL, "a list of values of the swept parameter", ""},
+    {"transient",
+     "",
+     "1",
+     WHIRL_KEY_WHOLE,
+     false,
+     "",
+     {0, 1e9, false, false},
+     NULL,
+     "revolutions before the record; as in integrate where absent",
+     ""},
+    {"record",
+     "",
+     "1",
+     WHIRL_KEY_WHOLE,
+     false,
+     "",
+     {1, 1e8, false, false},
+     NULL,
+     "revolutions recorded; as in integrate where absent",
+     ""},
+    {"waveform",
+     "",
+     "1",
+     WHIRL_KEY_WHOLE,
+     false,
+     "20",
+     {0, 1e8, false, false},
+     NULL,
+     "last revolutions whose waveform is kept; not more than record",
+     ""},
+};
+
+#define GROUP(name, meaning, keys)                                                                                     \
+    { name, meaning, "", keys, COUNT(keys), NULL }
+
+const whirl_group schema_case = GROUP("case", "a case file", case_keys);
+const whirl_group schema_rotor = GROUP("rotor", "the machine", rotor_keys);
+const whirl_group schema_study = GROUP("study", "what is computed", study_keys);
+const whirl_group schema_response = {"response", "one point: no keys", "", NULL, 0, NULL};
+const whirl_group schema_sweep = GROUP("sweep", "points along one parameter", sweep_keys);
+const whirl_group schema_initial = GROUP("initial", "the state that a station starts from", initial_keys);
+const whirl_group schema_integrate = GROUP("integrate", "how the motion is integrated, and how long", integrate_keys);
+const whirl_group schema_keep = GROUP("keep", "how much of waveforms and spectra is kept", keep_keys);
+const whirl_group schema_detail = GROUP("detail", "values that are computed at length", detail_keys);
+
+const whirl_group *const *whirl_case_groups(void) {
+    static const whirl_group *const groups[] = {
+        &schema_case,    &schema_rotor,     &schema_study, &schema_response, &schema_sweep,
+        &schema_initial, &schema_integrate, &schema_keep,  &schema_detail,   NULL,
+    };
+    return groups;
+}
+
+// ---------------------------------------------------------------- claims
+
+static const whirl_key claims_keys[] = {
+    {"claims", "", "1", WHIRL_KEY_WHOLE, true, "", WHIRL_ANY, NULL, "version of the format, 1", ""},
+    {"source", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "", "who says it", ""},
+    {"parameter", "", "", WHIRL_KEY_CHOICE, true, "", WHIRL_ANY, "", "name of the parameter that the claims speak of",
+     ""},
+    {"station", "", "", WHIRL_KEY_CHOICE, true, "", WHIRL_ANY, "", "name of the station whose spectrum is meant", ""},
+    {"items", "", "", WHIRL_KEY_CHOICE, true, "", WHIRL_ANY, "", "a list of claims", ""},
+};
+
+static const whirl_key claim_keys[] = {
+    {"where", "", "", WHIRL_KEY_CHOICE, true, "", WHIRL_ANY, "", "figure or section", ""},
+    {"from", "", "", WHIRL_KEY_NUMBER, false, "", WHIRL_ANY, NULL, "first value of the parameter", ""},
+    {"to", "", "", WHIRL_KEY_NUMBER, false, "", WHIRL_ANY, NULL, "last value of the parameter", ""},
+    {"at", "", "", WHIRL_KEY_NUMBER, false, "", WHIRL_ANY, NULL, "value of the parameter, in place of from and to", ""},
+    {"says", "", "", WHIRL_KEY_CHOICE, true, "", WHIRL_ANY, "", "the claim in words", ""},
+    {"regime", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
+     "P-1 to P-64, periodic, quasi-periodic, chaotic or diverged", ""},
+    {"curves",
+     "",
+     "1",
+     WHIRL_KEY_WHOLE,
+     false,
+     "",
+     {1, 64, false, false},
+     NULL,
+     "closed curves of a quasi-periodic section",
+     ""},
+    {"rub", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "true|false", "whether there is contact", ""},
+    {"lines", "", "", WHIRL_KEY_NUMBER, false, "", WHIRL_POSITIVE, NULL, "a list of orders that the spectrum shows",
+     ""},
+    {"only_lines", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "true|false", "and no others", ""},
+    {"band", "", "", WHIRL_KEY_NUMBER, false, "", WHIRL_NOT_NEGATIVE, NULL,
+     "two orders between which the large lines below the running speed lie", ""},
+    {"whirl", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "forward|backward|diverging-backward",
+     "direction of the whirl", ""},
+};
+
+const whirl_group schema_claims = GROUP("claims", "what a paper or a measurement says of a rotor", claims_keys);
+const whirl_group schema_claim = GROUP("claim", "one claim", claim_keys);

@@ -1,0 +1,14 @@
+/// The keys of a case file outside stations and elements, and of a claims file.
+#ifndef CASE_SCHEMA_H
+#define CASE_SCHEMA_H
+
+#include "whirl/descriptor.h"
+
+enum { SCHEMA_VERSION = 1, SCHEMA_MAX_POINTS = 10000000, SCHEMA_MAX_DETAIL = 1000 };
+
+extern const whirl_group schema_case, schema_rotor, schema_study, schema_response, schema_sweep, schema_initial,
+    schema_integrate, schema_keep, schema_detail;
+
+extern const whirl_group schema_claims, schema_claim;
+
+#endif

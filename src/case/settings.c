@@ -1,0 +1,228 @@
+#include "settings.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "problem.h"
+
+void describe_names(const char *word, const char *const *names, size_t count, char text[WHY_SIZE]) {
+    const char *near = whirl_nearest_name(word, names, count);
+    if (near) {
+        snprintf(text, WHY_SIZE, "did you mean %.63s?", near);
+        return;
+    }
+    snprintf(text, WHY_SIZE, "expected %s", count == 0 ? "none" : count == 1 ? "" : "one of ");
+    for (size_t i = 0; i < count; i++) {
+        const size_t used = strlen(text);
+        if (used + strlen(names[i]) + 8 > WHY_SIZE) {
+            snprintf(text + used, WHY_SIZE - used, ", ...");
+            return;
+        }
+        snprintf(text + used, WHY_SIZE - used, "%s%s", i ? ", " : "", names[i]);
+    }
+}
+
+// ---------------------------------------------------------------- keys
+
+static size_t key_names(const whirl_group *group, const char *names[SETTINGS_MAX]) {
+    size_t count = 0;
+    for (; count < group->key_count && count < SETTINGS_MAX; count++) names[count] = group->keys[count].name;
+    return count;
+}
+
+static void report_unknown(case_reader *reader, const file_node *member, const whirl_group *group) {
+    const char *names[SETTINGS_MAX];
+    char advice[WHY_SIZE], shown[SHOWN_SIZE];
+    describe_names(member->key, names, key_names(group, names), advice);
+    problem_at_key(reader->problems, member, "%s has no key %s, %s", group->name, text_shown(member->key, shown),
+                   advice);
+}
+
+// A required key that stands there misspelt is reported as unknown, not a second time as missing.
+static bool is_misspelt(const file_node *mapping, const whirl_group *group, const whirl_key *key) {
+    const char *names[SETTINGS_MAX];
+    const size_t count = key_names(group, names);
+    for (const file_node *member = mapping->first; member; member = member->next) {
+        if (whirl_group_key(group, member->key)) continue;
+        const char *near = whirl_nearest_name(member->key, names, count);
+        if (near && strcmp(near, key->name) == 0) return true;
+    }
+    return false;
+}
+
+static void report_missing(case_reader *reader, const file_node *mapping, const whirl_group *group) {
+    for (size_t k = 0; k < group->key_count; k++) {
+        const whirl_key *key = &group->keys[k];
+        if (!key->required || (mapping->first && (node_member(mapping, key->name) || is_misspelt(mapping, group, key))))
+            continue;
+        const bool unit = key->unit[0] && strcmp(key->unit, "1") != 0;
+        problem_missing(reader->problems, mapping, key->name, "is missing, expected %s%s%s%s", key->meaning,
+                        unit ? " (" : "", unit ? key->unit : "", unit ? ")" : "");
+    }
+}
+
+// ---------------------------------------------------------------- values
+
+// Cuts "a|b|c" into names.
+static size_t split_choices(char *choices, const char *names[SETTINGS_MAX]) {
+    size_t count = 0;
+    for (char *word = choices; word && count < SETTINGS_MAX; count++) {
+        names[count] = word;
+        word = strchr(word, '|');
+        if (word) *word++ = '\0';
+    }
+    return count;
+}
+
+static bool read_choice(case_reader *reader, const file_node *where, const whirl_key *key, setting *result) {
+    char shown[SHOWN_SIZE], choices[WHY_SIZE], advice[WHY_SIZE];
+    const char *names[SETTINGS_MAX];
+    if (where->kind == NODE_TEXT && whirl_key_choice(key, where->text) >= 0) {
+        result->word = where->text;
+        return true;
+    }
+    snprintf(choices, sizeof choices, "%s", key->choices);
+    describe_names(where->kind == NODE_TEXT ? where->text : "", names, split_choices(choices, names), advice);
+    problem_at(reader->problems, where, "is %s, %s", node_shown(where, shown), advice);
+    return false;
+}
+
+static bool read_station(case_reader *reader, const file_node *where, setting *result) {
+    char shown[SHOWN_SIZE];
+    result->word = where->kind == NODE_TEXT ? where->text : NULL;
+    if (result->word && result->word[0]) return true;
+    problem_at(reader->problems, where, "is %s, expected the name of a station", node_shown(where, shown));
+    return false;
+}
+
+// [a, b], or "a, b"; either becomes "a, b".
+static bool read_stations(case_reader *reader, const file_node *where, setting *result) {
+    char shown[SHOWN_SIZE];
+    result->word = where->text;
+    if (where->kind == NODE_TEXT && strchr(where->text, ',')) return true;
+    const file_node *a = where->first, *b = a ? a->next : NULL;
+    if (where->kind != NODE_LIST || where->count != 2 || a->kind != NODE_TEXT || b->kind != NODE_TEXT) {
+        problem_at(reader->problems, where, "is %s, expected two stations: [one, other]", node_shown(where, shown));
+        return false;
+    }
+    const size_t size = strlen(a->text) + strlen(b->text) + 3;
+    char *word = arena_take(reader->arena, size);
+    reader->no_memory = reader->no_memory || !word;
+    if (word) snprintf(word, size, "%s, %s", a->text, b->text);
+    result->word = word;
+    return word != NULL;
+}
+
+static bool read_value(case_reader *reader, const file_node *where, const whirl_key *key, setting *result) {
+    switch (key->kind) {
+    case WHIRL_KEY_NUMBER:
+    case WHIRL_KEY_WHOLE:
+        return key->unit[0] == '\0' || formula_read(reader, where, key, &result->value);
+    case WHIRL_KEY_CHOICE:
+        return key->choices[0] == '\0' || read_choice(reader, where, key, result);
+    case WHIRL_KEY_STATION:
+        return read_station(reader, where, result);
+    case WHIRL_KEY_STATIONS:
+        return read_stations(reader, where, result);
+    }
+    return false;
+}
+
+static void add_setting(case_reader *reader, const file_node *where, const whirl_key *key, setting_list *result) {
+    setting *item = &result->items[result->count++];
+    *item = (setting){.key = key, .place = where};
+    item->good = read_value(reader, where, key, item);
+}
+
+static void read_members(case_reader *reader, const file_node *where, const whirl_group *group, setting_list *result) {
+    for (const file_node *member = where->first; member; member = member->next) {
+        const whirl_key *key = whirl_group_key(group, member->key);
+        if (!key)
+            report_unknown(reader, member, group);
+        else if (!settings_find(result, key->name)) // the first of a key that stands twice
+            add_setting(reader, member, key, result);
+    }
+    report_missing(reader, where, group);
+}
+
+void settings_read(case_reader *reader, const file_node *where, const whirl_group *group, setting_list *result) {
+    char shown[SHOWN_SIZE];
+    *result = (setting_list){.name = group->name, .group = group, .place = where};
+    result->items = arena_take(reader->arena, (group->key_count + 1) * sizeof *result->items);
+    if (!result->items) {
+        reader->no_memory = true;
+    } else if (where->kind == NODE_MAPPING || node_is_null(where)) {
+        read_members(reader, where, group, result);
+    } else if (where->kind == NODE_TEXT && group->shorthand) {
+        add_setting(reader, where, whirl_group_key(group, group->shorthand), result);
+        for (size_t k = 0; k < group->key_count; k++)
+            if (group->keys[k].required && strcmp(group->keys[k].name, group->shorthand) != 0)
+                problem_missing(reader->problems, where, group->keys[k].name, "is missing, expected %s",
+                                group->keys[k].meaning);
+    } else {
+        problem_at(reader->problems, where, "is %s, expected a mapping with the keys of %s", node_shown(where, shown),
+                   group->name);
+    }
+}
+
+// ---------------------------------------------------------------- use
+
+const setting *settings_find(const setting_list *settings, const char *key) {
+    for (size_t i = 0; i < settings->count; i++)
+        if (strcmp(settings->items[i].key->name, key) == 0) return &settings->items[i];
+    return NULL;
+}
+
+bool settings_check(case_reader *reader, valuation *v, const setting_list *settings) {
+    bool good = true;
+    char shown[SHOWN_SIZE];
+    for (size_t i = 0; i < settings->count; i++) {
+        const setting *item = &settings->items[i];
+        good = good && item->good;
+        if (!item->good || !item->value.expression) continue;
+        double number;
+        whirl_status status = valuation_number(v, &item->value, &number);
+        const bool evaluated = status.code == WHIRL_OK;
+        if (evaluated) status = whirl_key_check_number(item->key, number);
+        if (status.code == WHIRL_OK) continue;
+        good = false;
+        if (evaluated)
+            problem_at(reader->problems, item->place, "= %s %s", text_shown(item->value.expression, shown),
+                       status.message);
+        else
+            problem_at(reader->problems, item->place, "%s", status.message);
+    }
+    return good;
+}
+
+double settings_number(valuation *v, const setting_list *settings, const char *key) {
+    const setting *item = settings_find(settings, key);
+    if (!item) return strtod(whirl_group_key(settings->group, key)->fallback, NULL);
+    double number = NAN;
+    valuation_number(v, &item->value, &number);
+    return number;
+}
+
+const char *settings_word(const setting_list *settings, const char *key) {
+    const setting *item = settings_find(settings, key);
+    return item && item->word ? item->word : whirl_group_key(settings->group, key)->fallback;
+}
+
+void settings_text(case_reader *reader, const setting_list *settings, const char *key, char *text, size_t size) {
+    char shown[SHOWN_SIZE];
+    text[0] = '\0';
+    const setting *item = settings_find(settings, key);
+    if (!item) return;
+    if (item->place->kind != NODE_TEXT) {
+        problem_at(reader->problems, item->place, "is %s, expected a text", node_shown(item->place, shown));
+    } else if (strlen(item->place->text) >= size) {
+        problem_at(reader->problems, item->place, "has %zu bytes, expected at most %zu", strlen(item->place->text),
+                   size - 1);
+    } else {
+        snprintf(text, size, "%s", item->place->text);
+        for (char *c = text; *c; c++)
+            if (*c == '\n' || *c == '\t') *c = ' ';
+    }
+}

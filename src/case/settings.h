@@ -1,0 +1,49 @@
+/// A mapping of the file, read by the table of its group.
+#ifndef CASE_SETTINGS_H
+#define CASE_SETTINGS_H
+
+#include "parameters.h"
+#include "whirl/rotor.h"
+
+enum { SETTINGS_MAX = 32 };
+
+/// One key with what stands there.
+typedef struct setting {
+    const whirl_key *key;
+    const file_node *place;
+    bool good;            ///< no problem was found; what follows counts only then
+    number_formula value; ///< of numbers
+    const char *word;     ///< of choices, texts and stations ("a, b"); NULL for numbers and for parts of the file
+} setting;
+
+typedef struct setting_list {
+    const char *name; ///< of a station, or the kind of an element
+    const whirl_group *group;
+    const file_node *place;
+    size_t count;
+    setting *items;
+} setting_list;
+
+/// Reads a mapping (or, for groups with a shorthand, a scalar; nothing counts as an empty mapping) and reports unknown,
+/// missing and wrong keys. Numbers whose unit is "" and parts of the file are left to the caller: only `place` is set.
+void settings_read(case_reader *reader, const file_node *where, const whirl_group *group, setting_list *result);
+
+/// The setting of a key if it was given, else NULL.
+const setting *settings_find(const setting_list *settings, const char *key);
+
+/// Evaluates expressions and reports the ones that have no value or one out of range. false when any has.
+bool settings_check(case_reader *reader, valuation *v, const setting_list *settings);
+
+/// The value of a number, or the key's default. Only after settings_check.
+double settings_number(valuation *v, const setting_list *settings, const char *key);
+
+/// The word of a choice, or the key's default.
+const char *settings_word(const setting_list *settings, const char *key);
+
+/// A text of at most `size` - 1 bytes without line breaks; a problem and "" otherwise.
+void settings_text(case_reader *reader, const setting_list *settings, const char *key, char *text, size_t size);
+
+/// "did you mean WORD?" with the nearest of the names, or "expected one of ..." with all of them.
+void describe_names(const char *word, const char *const *names, size_t count, char text[WHY_SIZE]);
+
+#endif

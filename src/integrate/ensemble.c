@@ -1,0 +1,265 @@
+// Ensembles: lanes of machines in one block of memory, and the kernel that carries them.
+#include "whirl/ensemble.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define VECTOR_ISA 0
+#include "isa.h"
+#include "method.h"
+#include "rk4_lanes.h"
+#include "vector.h"
+
+rk4_lanes_revolve *const rk4_lanes_revolves[VECTOR_ISAS] = {
+    [VECTOR_SCALAR] = rk4_lanes_scalar,
+#if defined(__x86_64__)
+    [VECTOR_128] = rk4_lanes_128,       [VECTOR_FMA] = rk4_lanes_fma,
+    [VECTOR_AVX2] = rk4_lanes_avx2,     [VECTOR_AVX512] = rk4_lanes_avx512,
+#endif
+};
+
+struct whirl_ensemble {
+    const whirl_system *system; ///< of the first machine: the structure
+    const isa *isa;
+    size_t lane_count, contact_count;
+    double limit;
+    rk4_lanes lanes;
+    const whirl_system **machines; ///< [lane_count] who is where
+    size_t *contact_station;
+    double *forcing, *block; ///< block: all arrays of lanes, aligned to 64 bytes
+};
+
+bool whirl_ensemble_takes(const whirl_system *system, const whirl_integrate_options *options) {
+    return system->lanes && strcmp(options->method, "rk4") == 0;
+}
+
+/// Rows of the block, and where each array begins.
+static size_t lay_out(whirl_ensemble *e, double *block) {
+    const size_t degrees = e->lanes.degrees, stations = degrees / 2, contacts = e->contact_count;
+    size_t row = 0;
+    const struct {
+        double **array;
+        size_t rows;
+    } parts[] = {
+        {&e->lanes.numbers, e->system->lanes->number_count},
+        {&e->lanes.q, degrees},
+        {&e->lanes.v, degrees},
+        {&e->lanes.k[0], degrees},
+        {&e->lanes.k[1], degrees},
+        {&e->lanes.k[2], degrees},
+        {&e->lanes.k[3], degrees},
+        {&e->lanes.stage_q, degrees},
+        {&e->lanes.stage_v, degrees},
+        {&e->lanes.watch.low, 2 * degrees},
+        {&e->lanes.watch.high, 2 * degrees},
+        {&e->lanes.watch.square_max, stations},
+        {&e->lanes.watch.square_min, stations},
+        {&e->lanes.watch.backward, stations},
+        {&e->lanes.watch.sum, degrees},
+        {&e->lanes.watch.gap, contacts},
+        {&e->lanes.watch.touching, contacts},
+        {&e->lanes.watch.contact, contacts},
+        {&e->lanes.watch.begun, contacts},
+    };
+    for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {
+        *parts[i].array = block ? block + row * e->lane_count : NULL;
+        row += parts[i].rows;
+    }
+    return row;
+}
+
+static bool allocate(whirl_ensemble *e) {
+    const size_t table = (2 * (size_t)e->lanes.steps + 1) * e->lanes.forcing_count;
+    const size_t bytes = lay_out(e, NULL) * e->lane_count * sizeof(double);
+    e->block = aligned_alloc(64, (bytes + 63) / 64 * 64);
+    e->forcing = malloc((table + 1) * sizeof *e->forcing);
+    e->machines = calloc(e->lane_count, sizeof *e->machines);
+    e->contact_station = calloc(e->contact_count + 1, sizeof *e->contact_station);
+    if (!e->block || !e->forcing || !e->machines || !e->contact_station) return false;
+    memset(e->block, 0, bytes);
+    lay_out(e, e->block);
+    return true;
+}
+
+static void tabulate(whirl_ensemble *e) {
+    const whirl_system *system = e->system;
+    for (int i = 0; i <= 2 * e->lanes.steps && system->forcing_count > 0; i++)
+        system->forcing(system->model, system->period * ((double)i / (2.0 * e->lanes.steps)),
+                        e->forcing + (size_t)i * system->forcing_count);
+}
+
+static void fill_lanes(whirl_ensemble *e, const whirl_integrate_options *options) {
+    const whirl_system *system = e->system;
+    rk4_lanes *lanes = &e->lanes;
+    lanes->model = system->model;
+    lanes->accelerate = system->lanes->accelerate[e->isa->number];
+    lanes->degrees = system->lanes->degrees;
+    lanes->forcing_count = system->forcing_count;
+    lanes->steps = options->steps_per_revolution;
+    lanes->step = system->period / options->steps_per_revolution;
+    lanes->watch.station_count = lanes->degrees / 2;
+    lanes->watch.contact_count = e->contact_count = system->lanes->contact_count;
+}
+
+/// Vectors that hide each other's latency and still fit into the first cache (measured: 8 for two stations, 4 for ten, 2
+/// for fifty).
+static size_t fast_vectors(size_t degrees) {
+    return degrees <= 8 ? 8 : degrees <= 40 ? 4 : 2;
+}
+
+whirl_status whirl_ensemble_new(const whirl_system *system, const whirl_integrate_options *options, size_t lanes,
+                                whirl_ensemble **out) {
+    *out = NULL;
+    if (!whirl_ensemble_takes(system, options))
+        return whirl_fail(WHIRL_BAD_INPUT, "method %s of this system does not run in lanes, expected a rotor and rk4",
+                          options->method);
+    whirl_status status = check_options(system, options);
+    if (status.code != WHIRL_OK) return status;
+    whirl_ensemble *e = calloc(1, sizeof *e);
+    if (!e) return whirl_fail(WHIRL_NO_MEMORY, "no memory for an ensemble");
+    status = isa_choose(&e->isa);
+    if (status.code == WHIRL_OK) {
+        e->system = system;
+        e->limit = options->limit;
+        if (lanes == 0) lanes = fast_vectors(system->lanes->degrees) * e->isa->lanes;
+        e->lanes.stride = (lanes + e->isa->lanes - 1) / e->isa->lanes;
+        e->lane_count = e->lanes.stride * e->isa->lanes;
+        fill_lanes(e, options);
+        if (!allocate(e)) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for an ensemble of %zu lanes", e->lane_count);
+    }
+    if (status.code != WHIRL_OK) {
+        whirl_ensemble_free(e);
+        return status;
+    }
+    tabulate(e);
+    e->lanes.forcing = e->forcing;
+    e->lanes.watch.contact_station = e->contact_station;
+    *out = e;
+    return whirl_ok();
+}
+
+void whirl_ensemble_free(whirl_ensemble *e) {
+    if (!e) return;
+    free(e->block);
+    free(e->forcing);
+    free(e->machines);
+    free(e->contact_station);
+    free(e);
+}
+
+size_t whirl_ensemble_lanes(const whirl_ensemble *e) {
+    return e->lane_count;
+}
+size_t whirl_ensemble_width(const whirl_ensemble *e) {
+    return e->isa->lanes;
+}
+const char *whirl_ensemble_isa(const whirl_ensemble *e) {
+    return e->isa->name;
+}
+
+whirl_status whirl_ensemble_load(whirl_ensemble *e, size_t lane, const whirl_system *system, const double *x) {
+    const whirl_lanes *form = e->system->lanes;
+    if (!system->lanes || system->lanes->alike != form->alike || !form->alike(e->system->model, system->model))
+        return whirl_fail(
+            WHIRL_BAD_INPUT,
+            "the machine has another structure than the ensemble, expected the same stations and elements");
+    double *numbers = malloc(form->number_count * sizeof *numbers);
+    if (!numbers) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine");
+    form->numbers(system->model, numbers);
+    for (size_t i = 0; i < form->number_count; i++) e->lanes.numbers[i * e->lane_count + lane] = numbers[i];
+    free(numbers);
+    for (size_t c = 0; c < e->contact_count; c++)
+        form->contact(system->model, c, &e->contact_station[c], &e->lanes.watch.gap[c * e->lane_count + lane]);
+    e->machines[lane] = system;
+    whirl_ensemble_place(e, lane, x);
+    whirl_ensemble_forget(e, lane);
+    return whirl_ok();
+}
+
+void whirl_ensemble_place(whirl_ensemble *e, size_t lane, const double *x) {
+    const size_t degrees = e->lanes.degrees;
+    for (size_t d = 0; d < degrees; d++) {
+        e->lanes.q[d * e->lane_count + lane] = x[d];
+        e->lanes.v[d * e->lane_count + lane] = x[degrees + d];
+    }
+}
+
+double whirl_ensemble_coordinate(const whirl_ensemble *e, size_t lane, size_t index) {
+    const size_t degrees = e->lanes.degrees;
+    return index < degrees ? e->lanes.q[index * e->lane_count + lane]
+                           : e->lanes.v[(index - degrees) * e->lane_count + lane];
+}
+
+void whirl_ensemble_state(const whirl_ensemble *e, size_t lane, double *x) {
+    for (size_t i = 0; i < 2 * e->lanes.degrees; i++) x[i] = whirl_ensemble_coordinate(e, lane, i);
+}
+
+whirl_motion whirl_ensemble_motion(const whirl_ensemble *e, size_t lane) {
+    for (size_t i = 0; i < 2 * e->lanes.degrees; i++)
+        if (!(fabs(whirl_ensemble_coordinate(e, lane, i)) <= e->limit)) return WHIRL_DIVERGED; // NaN too
+    return WHIRL_BOUNDED;
+}
+
+void whirl_ensemble_move(whirl_ensemble *e, size_t from, size_t to) {
+    const size_t rows = lay_out(e, e->block);
+    for (size_t row = 0; row < rows; row++) e->block[row * e->lane_count + to] = e->block[row * e->lane_count + from];
+    e->machines[to] = e->machines[from];
+}
+
+void whirl_ensemble_revolve(whirl_ensemble *e, size_t count, const whirl_ensemble_watch *watch) {
+    rk4_lanes lanes = e->lanes;
+    lanes.vectors = (count + e->isa->lanes - 1) / e->isa->lanes;
+    if (watch) {
+        lanes.watching = watch->extremes;
+        lanes.sample_stride = watch->stride;
+        lanes.sample = watch->sample;
+        lanes.context = watch->context;
+    }
+    rk4_lanes_revolves[e->isa->number](&lanes);
+}
+
+// ---------------------------------------------------------------- what is watched
+
+static void set(double *array, const whirl_ensemble *e, size_t rows, size_t lane, double value) {
+    for (size_t i = 0; i < rows; i++) array[i * e->lane_count + lane] = value;
+}
+
+static void get(const double *array, const whirl_ensemble *e, size_t rows, size_t lane, double *out) {
+    for (size_t i = 0; i < rows; i++) out[i] = array[i * e->lane_count + lane];
+}
+
+void whirl_ensemble_forget(whirl_ensemble *e, size_t lane) {
+    const lanes_watch *w = &e->lanes.watch;
+    const size_t degrees = e->lanes.degrees;
+    set(w->low, e, 2 * degrees, lane, INFINITY);
+    set(w->high, e, 2 * degrees, lane, -INFINITY);
+    set(w->square_max, e, w->station_count, lane, 0.0);
+    set(w->square_min, e, w->station_count, lane, INFINITY);
+    set(w->backward, e, w->station_count, lane, 0.0);
+    set(w->sum, e, degrees, lane, 0.0);
+    set(w->contact, e, w->contact_count, lane, 0.0);
+    set(w->begun, e, w->contact_count, lane, 0.0);
+    for (size_t c = 0; c < w->contact_count; c++) {
+        const double x = whirl_ensemble_coordinate(e, lane, 2 * e->contact_station[c]);
+        const double y = whirl_ensemble_coordinate(e, lane, 2 * e->contact_station[c] + 1);
+        const double gap = w->gap[c * e->lane_count + lane];
+        w->touching[c * e->lane_count + lane] = x * x + y * y > gap * gap ? 1.0 : 0.0;
+    }
+}
+
+void whirl_ensemble_read(const whirl_ensemble *e, size_t lane, const whirl_ensemble_seen *seen) {
+    const lanes_watch *w = &e->lanes.watch;
+    get(w->low, e, 2 * e->lanes.degrees, lane, seen->low);
+    get(w->high, e, 2 * e->lanes.degrees, lane, seen->high);
+    get(w->square_max, e, w->station_count, lane, seen->max_radius);
+    get(w->square_min, e, w->station_count, lane, seen->min_radius);
+    for (size_t s = 0; s < w->station_count; s++) {
+        seen->max_radius[s] = sqrt(seen->max_radius[s]);
+        seen->min_radius[s] = sqrt(seen->min_radius[s]);
+    }
+    get(w->sum, e, e->lanes.degrees, lane, seen->sum);
+    get(w->backward, e, w->station_count, lane, seen->backward);
+    get(w->contact, e, w->contact_count, lane, seen->contact);
+    get(w->begun, e, w->contact_count, lane, seen->contact_begun);
+}

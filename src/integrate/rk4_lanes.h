@@ -1,0 +1,43 @@
+/// RK4 over vector lanes: the block of memory that a kernel works on.
+#ifndef INTEGRATE_RK4_LANES_H
+#define INTEGRATE_RK4_LANES_H
+
+#include <stddef.h>
+
+#include "lanes.h"
+
+/// What is watched, all [...][stride vectors].
+typedef struct lanes_watch {
+    size_t station_count, contact_count;
+    const size_t *contact_station;              ///< [contact_count]
+    double *low, *high;                         ///< [2 degrees]
+    double *square_max, *square_min, *backward; ///< [station_count]
+    double *sum;                                ///< [degrees]
+    double *gap, *touching, *contact, *begun;   ///< [contact_count]
+} lanes_watch;
+
+typedef struct rk4_lanes {
+    const void *model; ///< whose structure all lanes have
+    lanes_accelerate *accelerate;
+    size_t stride;  ///< vectors there are
+    size_t vectors; ///< vectors in use
+    size_t degrees, forcing_count;
+    int steps;
+    double step;
+    const double *forcing; ///< [2 steps + 1][forcing_count]
+    double *numbers, *q, *v;
+    double *k[4], *stage_q, *stage_v; ///< [degrees] workspace
+    lanes_watch watch;
+    int watching;
+    size_t sample_stride;
+    void (*sample)(void *context);
+    void *context;
+} rk4_lanes;
+
+typedef void rk4_lanes_revolve(const rk4_lanes *lanes);
+
+/// One for every instruction set of vector.h; NULL where it is not built.
+extern rk4_lanes_revolve *const rk4_lanes_revolves[];
+rk4_lanes_revolve rk4_lanes_scalar, rk4_lanes_128, rk4_lanes_fma, rk4_lanes_avx2, rk4_lanes_avx512;
+
+#endif

@@ -1,0 +1,3 @@
+#define VECTOR_ISA 0
+#define MACHINE_ACCELERATE machine_accelerate_scalar
+#include "machine.inc"

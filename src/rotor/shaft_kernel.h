@@ -1,0 +1,41 @@
+/// A massless elastic shaft with two unequal principal stiffnesses k1, k2 that turn with it.
+///
+/// With kbar = (k1 + k2)/2, dk = (k1 - k2)/2 and the principal axis of k1 along x at tau = 0, the force on a station that
+/// is displaced by (dx, dy) from the other is
+///
+///     -[ kbar + dk cos 2tau     dk sin 2tau        ] (dx)
+///      [ dk sin 2tau            kbar - dk cos 2tau ] (dy)
+///
+/// (`signs: derived`; Friswell et al. 2010, section 7.3). The paper of 2015 prints + dk cos 2tau in both diagonal entries
+/// (`signs: paper`): no turning shaft does that, x + y and x - y become two Mathieu oscillators.
+#ifndef ROTOR_SHAFT_KERNEL_H
+#define ROTOR_SHAFT_KERNEL_H
+
+#include "element.h"
+#include "vector.h"
+
+/// kbar and dk over m omega^2 at either station.
+enum { SHAFT_MEAN_A, SHAFT_HALF_A, SHAFT_MEAN_B, SHAFT_HALF_B, SHAFT_NUMBERS };
+enum { SHAFT_SIGNS_DERIVED, SHAFT_SIGNS_PAPER };
+
+static inline void shaft_kernel(const element *shaft, const double *forcing, size_t stride, const vec *number,
+                                const vec *q, vec *a) {
+    const size_t one = 2 * shaft->station[0] * stride, other = 2 * shaft->station[1] * stride;
+    const int grounded = shaft->station[1] == GROUND;
+    const vec c = v_set(forcing[COS_2TAU]), s = v_set(forcing[SIN_2TAU]);
+    const vec c_y = v_set(shaft->law == SHAFT_SIGNS_PAPER ? forcing[COS_2TAU] : -forcing[COS_2TAU]);
+    const vec dx = grounded ? q[one] : v_sub(q[one], q[other]);
+    const vec dy = grounded ? q[one + stride] : v_sub(q[one + stride], q[other + stride]);
+    // The force over its scale is -(mean (dx, dy) + half (turn_x, turn_y)).
+    const vec turn_x = v_fma(c, dx, v_mul(s, dy));
+    const vec turn_y = v_fma(c_y, dy, v_mul(s, dx));
+    const vec mean = number[SHAFT_MEAN_A * stride], half = number[SHAFT_HALF_A * stride];
+    a[one] = v_fnma(mean, dx, v_fnma(half, turn_x, a[one]));
+    a[one + stride] = v_fnma(mean, dy, v_fnma(half, turn_y, a[one + stride]));
+    if (grounded) return;
+    const vec mean_b = number[SHAFT_MEAN_B * stride], half_b = number[SHAFT_HALF_B * stride];
+    a[other] = v_fma(mean_b, dx, v_fma(half_b, turn_x, a[other]));
+    a[other + stride] = v_fma(mean_b, dy, v_fma(half_b, turn_y, a[other + stride]));
+}
+
+#endif

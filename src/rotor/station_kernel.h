@@ -1,0 +1,20 @@
+/// The station pass: damping, unbalance and constant pull; it writes the accelerations that the elements add to.
+///
+///     x'' = (U cos tau - W sin tau) + pull_x - d x',    y'' = (U sin tau + W cos tau) + pull_y - d y'
+#ifndef ROTOR_STATION_KERNEL_H
+#define ROTOR_STATION_KERNEL_H
+
+#include "element.h"
+#include "vector.h"
+
+static inline void station_kernel(const double *forcing, size_t stride, const vec *number, const vec *v, vec *a) {
+    const vec c = v_set(forcing[COS_TAU]), s = v_set(forcing[SIN_TAU]);
+    const vec damping = number[STATION_DAMPING * stride];
+    const vec in_phase = number[STATION_UNBALANCE_COS * stride], ahead = number[STATION_UNBALANCE_SIN * stride];
+    const vec free_x = v_fnma(damping, v[0], number[STATION_PULL_X * stride]);
+    const vec free_y = v_fnma(damping, v[stride], number[STATION_PULL_Y * stride]);
+    a[0] = v_fma(in_phase, c, v_fnma(ahead, s, free_x));
+    a[stride] = v_fma(in_phase, s, v_fma(ahead, c, free_y));
+}
+
+#endif

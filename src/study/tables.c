@@ -1,0 +1,54 @@
+// The tables of a study's result, empty: values, branches, and a slot a point.
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "chains.h"
+
+static void fill_values(whirl_table *table, const whirl_batch *batch) {
+    for (size_t copy = 0; copy < batch_copies(batch); copy++)
+        for (size_t k = 0; k < batch->count; k++) {
+            const size_t slot = copy * batch->count + k;
+            table->values[slot] = batch->values ? batch->values[k] : NAN;
+            if (batch->carry != WHIRL_CARRY_NONE)
+                table->branch[slot] = copy == 1 || batch->carry == WHIRL_CARRY_REVERSE ? -1 : 1;
+        }
+}
+
+/// An empty table whose layout follows from the first machine of the batch.
+static whirl_status make_table(const whirl_study *study, const whirl_batch *batch, whirl_table *table) {
+    whirl_machine machine;
+    whirl_status status = study->machine(study->family, batch, batch->values ? batch->values[0] : NAN, &machine);
+    if (status.code != WHIRL_OK) return status;
+    status = whirl_layout_new(machine.system, &batch->integrate, &batch->record, batch->analyses, &table->layout);
+    if (machine.release) machine.release(machine.owner);
+    if (status.code != WHIRL_OK) return status;
+    memcpy(table->name, batch->name, sizeof table->name);
+    memcpy(table->parameter, batch->parameter, sizeof table->parameter);
+    table->count = batch_copies(batch) * batch->count;
+    table->analyses = batch->analyses;
+    table->integrate = batch->integrate;
+    table->record = batch->record;
+    table->values = calloc(table->count, sizeof *table->values);
+    table->branch = calloc(table->count, sizeof *table->branch);
+    table->blocks = calloc(table->count * table->layout.size + 1, sizeof *table->blocks);
+    if (!table->values || !table->branch || !table->blocks)
+        return whirl_fail(WHIRL_NO_MEMORY, "no memory for the results of %zu points", table->count);
+    fill_values(table, batch);
+    return whirl_ok();
+}
+
+whirl_status tables_new(const whirl_study *study, whirl_result **out) {
+    whirl_result *result = *out = calloc(1, sizeof *result);
+    if (result) {
+        result->case_text = calloc(1, 1);
+        result->tables = calloc(study->batch_count, sizeof *result->tables);
+    }
+    if (!result || !result->tables || !result->case_text) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a result");
+    result->table_count = study->batch_count;
+    for (size_t i = 0; i < study->batch_count; i++) {
+        const whirl_status status = make_table(study, &study->batches[i], &result->tables[i]);
+        if (status.code != WHIRL_OK) return status;
+    }
+    return whirl_ok();
+}

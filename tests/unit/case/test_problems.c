@@ -1,0 +1,320 @@
+// Everything that can be wrong with a case: one edit of a good case, one problem with its place.
+#include "case_support.h"
+
+#include <stdio.h>
+#include <unistd.h>
+
+static void numbers(void **state) {
+    (void)state;
+    expect_problem(
+        "kappa: 10", "kappa: 2x",
+        "t:5:10: parameters.kappa: is 2x, expected a number, or a number and a unit, with a space before the unit");
+    expect_problem("kappa: 10", "kappa: nan",
+                   "t:5:10: parameters.kappa: is nan, expected a number, or a number and a unit");
+    expect_problem("kappa: 10", "kappa: -inf",
+                   "t:5:10: parameters.kappa: is -inf, expected a number, or a number and a unit");
+    expect_problem("kappa: 10", "kappa: 1e999", "t:5:10: parameters.kappa: is 1e999, too large for a number");
+    expect_problem(
+        "kappa: 10", "kappa: 0x10",
+        "t:5:10: parameters.kappa: is 0x10, expected a number, or a number and a unit, with a space before the unit");
+    expect_problem("kappa: 10",
+                   "kappa:", "t:5:3: parameters.kappa: is empty, expected a number, a quantity or an expression");
+    expect_problem("kappa: 10", "kappa: [10]",
+                   "t:5:3: parameters.kappa: is a list, expected a number, a quantity or an expression");
+    expect_problem("mass: 4 kg", "mass: -3 kg",
+                   "t:11:18: rotor.stations.disc.mass: is -3 kg, expected a number above 0 kg");
+    expect_problem("mass: 4 kg", "mass: = -kappa",
+                   "t:11:18: rotor.stations.disc.mass: = -kappa is -10 kg, expected a number above 0 kg");
+    expect_problem("omega: 100 rad/s", "omega: 0 rad/s",
+                   "t:8:10: rotor.speed: = omega is 0 rad/s, expected a number above 0 rad/s");
+    expect_problem("points: 5", "points: 2.5",
+                   "t:19:54: study.sweep.points: is 2.5, expected a whole number from 1 to 10000000");
+    expect_problem("points: 5", "points: 0",
+                   "t:19:54: study.sweep.points: is 0, expected a whole number from 1 to 10000000");
+    expect_problem("points: 5", "points: 10000001",
+                   "t:19:54: study.sweep.points: is 10000001, expected a whole number from 1 to 10000000");
+}
+
+static void units(void **state) {
+    (void)state;
+    expect_problem("damping: 20 N.s/m", "damping: 20 kg",
+                   "t:11:33: rotor.stations.disc.damping: is in kg, expected a unit of N s/m");
+    expect_problem("mass: 4 kg", "mass: 4 klg",
+                   "t:11:18: rotor.stations.disc.mass: is 4 klg, expected a number in kg (no unit is called klg)");
+    expect_problem("friction: 0.1", "friction: 0.1 mm",
+                   "t:16:71: rotor.elements[3].rub.friction: is in mm, expected a plain number");
+    expect_problem("speed: = omega", "speed: 50 Hz",
+                   "t:8:10: rotor.speed: is in Hz, expected a unit of rad/s, such as rpm (1 Hz = 60 rpm)");
+    expect_problem("omega: 100 rad/s", "omega: 50 Hz",
+                   "t:8:10: rotor.speed: = omega is in 1/s, expected a unit of rad/s, such as rpm (1 Hz = 60 rpm)");
+    expect_problem("length_scale: = c", "length_scale: = omega",
+                   "t:9:17: rotor.length_scale: = omega is in rad/s, expected a unit of m");
+    // Reciprocals are no units of the same kind.
+    expect_problem("damping: 20 N.s/m", "damping: 20 m/(N.s)",
+                   "t:11:33: rotor.stations.disc.damping: is in m/(N.s), expected a unit of N s/m");
+    expect_problem("kappa, from: 1,", "kappa, from: 1 mm,",
+                   "t:19:35: study.sweep.from: is in mm, expected a plain number");
+}
+
+static void names(void **state) {
+    (void)state;
+    expect_problem("damping:", "dampnig:",
+                   "t:11:24: rotor.stations.disc.dampnig: station has no key dampnig, did you mean damping?");
+    expect_problem("mass: 4 kg, ", "",
+                   "t:11:5: rotor.stations.disc.mass: is missing, expected mass lumped at the station (kg)");
+    expect_problem(
+        "- shaft:", "- shatf:", "t:14:7: rotor.elements[1].shatf: no element is called shatf, did you mean shaft?");
+    expect_problem("at: disc", "at: dusc",
+                   "t:16:17: rotor.elements[3].rub.at: is dusc, which is no station, did you mean disc?");
+    expect_problem("at: disc", "at: ground",
+                   "t:16:17: rotor.elements[3].rub.at: is ground, which is no station, expected one of disc, journal");
+    expect_problem(
+        "[disc, journal]", "[disc, jornal]",
+        "t:14:31: rotor.elements[1].shaft.between[2]: is jornal, which is no station, did you mean journal?");
+    expect_problem("[disc, journal]", "\"disc, jornal\"",
+                   "t:14:24: rotor.elements[1].shaft.between: is jornal, which is no station, did you mean journal?");
+    expect_problem("[disc, journal]", "[disc]",
+                   "t:14:15: rotor.elements[1].shaft.between: is a list, expected two stations: [one, other]");
+    expect_problem("parameter: kappa", "parameter: kapa",
+                   "t:19:22: study.sweep.parameter: is kapa, which is no parameter, did you mean kappa?");
+    expect_problem(
+        "initial: {disc:", "initial: {disk:", "t:20:13: study.initial.disk: is no station, did you mean disc?");
+    expect_problem("start: state", "start: stat", "t:19:64: study.sweep.start: is stat, did you mean state?");
+    expect_problem("regime", "regimes",
+                   "t:22:23: study.analyze[2]: is regimes, which is no analysis, did you mean regime?");
+    expect_problem(
+        "kappa: 10", "kap-pa: 10\n  kappa: 10",
+        "t:5:3: parameters.kap-pa: is no name for a parameter, expected a letter, then letters, digits and '_'");
+    expect_problem("kappa: 10", "sqrt: 2\n  kappa: 10",
+                   "t:5:3: parameters.sqrt: sqrt is a function or constant of expressions, expected another name");
+    expect_problem("journal: {mass: 2 kg}", "journal: {mass: 2 kg}\n    ground: {mass: 1}",
+                   "t:13:5: rotor.stations.ground: stands for the ground itself, expected another name");
+}
+
+static void expressions(void **state) {
+    (void)state;
+    expect_problem("= kappa*1e6", "= kapa*1e6",
+                   "t:16:48: rotor.elements[3].rub.stiffness: is = kapa*1e6, but no parameter is called kapa, did you "
+                   "mean kappa?");
+    expect_problem("kappa: 10", "kappa: = 2*b\n  b: = omega + kappa",
+                   "t:5:10: parameters.kappa: depends on itself: kappa -> b -> kappa");
+    expect_problem("kappa: 10", "kappa: = kappa", "t:5:10: parameters.kappa: depends on itself: kappa -> kappa");
+    expect_problem("kappa: 10", "kappa: = 1/0",
+                   "t:5:10: parameters.kappa: = 1/0 is infinite, expected a finite number");
+    expect_problem("kappa: 10", "kappa: = sqrt(-1)",
+                   "t:5:10: parameters.kappa: = sqrt(-1) is not a number, expected a finite number");
+    expect_problem("kappa: 10", "kappa: = 2*(omega", "t:5:10: parameters.kappa: is no expression: a ')' is missing");
+    expect_problem("kappa: 10", "kappa: = omega)",
+                   "t:5:10: parameters.kappa: is no expression at ')', expected as many '(' as ')'");
+    expect_problem("kappa: 10", "kappa: = 2x", "t:5:10: parameters.kappa: is no expression at '2x', expected a number");
+    expect_problem("kappa: 10", "kappa: = 1 +",
+                   "t:5:10: parameters.kappa: is no expression: it ends too early, or an argument is missing");
+    expect_problem("kappa: 10", "kappa: = 1,5",
+                   "t:5:10: parameters.kappa: is no expression at ',5', expected one number (decimals have a point)");
+    expect_problem("kappa: 10", "kappa: = (1,5)",
+                   "t:5:10: parameters.kappa: is no expression at ',5)', expected one number (decimals have a point)");
+    expect_problem("kappa: 10", "kappa: = omega = 3",
+                   "t:5:10: parameters.kappa: is no expression at '= 3', expected no assignment (== compares)");
+    expect_problem("kappa: 10", "kappa: = 'a'", "t:5:10: parameters.kappa: is no expression at ''a''");
+    expect_problem("kappa: 10", "kappa: = \"a\"", "t:5:10: parameters.kappa: is no expression at '\"a\"'");
+    expect_problem("kappa: 10",
+                   "kappa: =", "t:5:10: parameters.kappa: is an empty expression, expected '= ' and a formula");
+    expect_problem("kappa: 10", "kappa: = omega omega", "t:5:10: parameters.kappa: is no expression at 'omega'");
+    char deep[200] = "kappa: = ", message[200], longer[700] = "kappa: = 1";
+    for (int i = 0; i < 51; i++) strcat(deep, "(");
+    expect_problem("kappa: 10", deep, "t:5:10: parameters.kappa: is nested deeper than 50 parentheses");
+    for (int i = 0; i < 250; i++) strcat(longer, "+1");
+    snprintf(message, sizeof message,
+             "t:5:10: parameters.kappa: is an expression of %d characters, expected at most 500", 501);
+    expect_problem("kappa: 10", longer, message);
+}
+
+static void structure(void **state) {
+    (void)state;
+    expect_problem("kappa: 10", "kappa: 10\n  kappa: 11",
+                   "t:6:3: parameters.kappa: stands here again, first in line 5");
+    expect_problem("whirl: 1", "whirl: 2",
+                   "t:1:8: whirl: is 2, expected 1, the version of the format that this whirl reads");
+    expect_problem("whirl: 1\n", "", "t:1:1: whirl: is missing, expected version of the format, 1");
+    expect_problem("title: A rotor", "title: [a]", "t:2:1: title: is a list, expected a text");
+    expect_problem("{mass: 2 kg}", "[2 kg]",
+                   "t:12:5: rotor.stations.journal: is a list, expected a mapping with the keys of station");
+    expect_problem("analyze: [poincare, regime, spectrum]", "analyze: poincare",
+                   "t:22:12: study.analyze: is poincare, expected a list of analyses: [poincare, regime]");
+    expect_problem("start: state", "direction: up",
+                   "t:19:57: study.sweep.direction: has a meaning only with start: carry");
+    expect_problem("  sweep: {", "  response: {}\n  sweep: {",
+                   "t:19:3: study.response: stands beside sweep, expected one of the two");
+    expect_problem("  sweep: {parameter: kappa, from: 1, to: 20, points: 5, start: state}\n", "",
+                   "t:18:1: study: has neither response nor sweep, expected one of the two");
+    expect_problem("  sweep: {parameter: kappa, from: 1, to: 20, points: 5, start: state}\n",
+                   "  response:\n  detail: {at: [1]}\n",
+                   "t:20:3: study.detail: needs a sweep, whose parameter it gives values to");
+    expect_problem("- gravity: 9.81 m/s2", "- shaft: 3",
+                   "t:17:14: rotor.elements[4].shaft: is 3, expected a mapping with the keys of shaft");
+    expect_problem(
+        "load: 200 N", "load: 200 N, radius: 3 mm",
+        "t:15:7: rotor.elements[2].film: film has both load and viscosity, radius or length, expected one way");
+    expect_problem("spectrum]", "spectrum, waveform]",
+                   "t:22:41: study.analyze[4]: is waveform, but no waveform is kept, expected keep: {waveform: ...}");
+    expect_problem("record: 10}", "record: 10, watch: 31}",
+                   "t:21:75: study.integrate.watch: is 31, expected 0, or record (10) to transient + record (30)");
+    expect_problem("  analyze:", "  keep: {waveform: 11}\n  analyze:",
+                   "t:22:20: study.keep.waveform: is 11, expected at most the revolutions of the record (10)");
+    expect_problem("  analyze:", "  keep: {samples: 65}\n  analyze:",
+                   "t:22:19: study.keep.samples: is 65, expected at most steps_per_revolution (64)");
+}
+
+static void ends_of_sweeps(void **state) {
+    (void)state;
+    expect_problem("to: 20", "to: -1",
+                   "t:19:42: study.sweep.to: gives no machine at kappa = -1: rub.stiffness is -1000000 N/m, expected a "
+                   "number of at least 0 N/m");
+    expect_problem(
+        "  analyze:", "  detail: {at: [3, -2]}\n  analyze:",
+        "t:22:20: study.detail.at[2]: gives no machine at kappa = -2: rub.stiffness is -2000000 N/m, expected "
+        "a number of at least 0 N/m");
+}
+
+static void no_yaml(void **state) {
+    (void)state;
+    static const char nothing[] = "", comment[] = "# nothing\n", word[] = "word", list[] = "- 1\n",
+                      two[] = "whirl: 2\n---\na: 1\n", alias[] = "a: *b\n", anchor[] = "a: &b 1\n",
+                      tag[] = "a: !!int 1\n", tab[] = "a:\n\tb: 1\n", open[] = "a: [1, 2\n",
+                      latin[] = "title: caf\xE9\n", nul[] = "a: \0b\n", escape[] = "a: \"\\0\"\n",
+                      utf16[] = "\xFF\xFEw\0h\0", surrogate[] = "a: \xED\xA0\x80\n", complex[] = "? [a]\n: b\n";
+    expect_bytes_problem(nothing, 0, "t:1:1: is empty, expected a mapping of keys");
+    expect_bytes_problem(comment, sizeof comment - 1, "t:1:1: is empty, expected a mapping of keys");
+    expect_bytes_problem(word, sizeof word - 1, "t:1:1: is word, expected a mapping that begins with whirl: 1");
+    expect_bytes_problem(list, sizeof list - 1, "t:1:1: is a list, expected a mapping that begins with whirl: 1");
+    expect_bytes_problem(alias, sizeof alias - 1,
+                         "t:1:4: has an alias (*), expected a case without anchors and aliases");
+    expect_bytes_problem(anchor, sizeof anchor - 1,
+                         "t:1:4: has an anchor (&), expected a case without anchors and aliases");
+    expect_bytes_problem(tag, sizeof tag - 1, "t:1:4: has a tag (!), expected a case without tags");
+    expect_bytes_problem(tab, sizeof tab - 1, "t:2:1: is indented with a tab, expected spaces");
+    expect_bytes_problem(open, sizeof open - 1,
+                         "t:2:1: is not YAML: did not find expected ',' or ']' (while parsing a flow sequence)");
+    expect_bytes_problem(latin, sizeof latin - 1, "t:1:11: has the byte 0xE9, expected text in UTF-8");
+    expect_bytes_problem(surrogate, sizeof surrogate - 1, "t:1:4: has the byte 0xED, expected text in UTF-8");
+    expect_bytes_problem(utf16, sizeof utf16 - 1, "t:1:1: has the byte 0xFF, expected text in UTF-8");
+    expect_bytes_problem(nul, sizeof nul - 1,
+                         "t:1:4: has the byte 0x00, expected text in UTF-8 without control characters");
+    expect_bytes_problem(escape, sizeof escape - 1, "t:1:4: has a control character, expected text");
+    expect_bytes_problem(complex, sizeof complex - 1, "t:1:3: has a list or a mapping for a key, expected a name");
+    whirl_problems problems = {0};
+    whirl_case *object;
+    assert_int_equal(whirl_case_parse(two, sizeof two - 1, "t", &problems, &object).code, WHIRL_BAD_INPUT);
+    bool said = false;
+    for (size_t i = 0; i < problems.count; i++)
+        said = said || (problems.items[i].line == 2 && strstr(problems.items[i].message, "begins a second document"));
+    assert_true(said);
+    whirl_problems_free(&problems);
+}
+
+static void too_much(void **state) {
+    (void)state;
+    const size_t size = 2 << 20;
+    char *text = malloc(size);
+    assert_non_null(text);
+    memset(text, '[', size);
+    expect_bytes_problem(text, 1000, "t:1:33: is nested deeper than 32 levels, expected a case");
+    expect_bytes_problem(text, size, "t: is larger than 1 MiB, expected a case of at most 1048576 bytes");
+    for (size_t i = 0; i + 1 < size; i += 2) memcpy(text + i, ",a", 2);
+    text[0] = '[';
+    expect_bytes_problem(text, 300000, "t:1:199996: has more than 100000 values, expected a case");
+    free(text);
+}
+
+static void too_many(void **state) {
+    (void)state;
+    char *text = malloc(1 << 20);
+    assert_non_null(text);
+    char *end = text + sprintf(text, "c: 0.2 mm\n");
+    for (int i = 0; i < 254; i++) end += sprintf(end, "  p%d: 1\n", i);
+    expect_problem("c: 0.2 mm", text, "t:3:1: parameters: has 257 parameters, expected at most 256");
+    end = text + sprintf(text, "journal: {mass: 2 kg}\n");
+    for (int i = 0; i < 255; i++) end += sprintf(end, "    s%d: {mass: 1}\n", i);
+    expect_problem("journal: {mass: 2 kg}\n", text, "t:10:3: rotor.stations: has 257 stations, expected at most 256");
+    end = text + sprintf(text, "elements:\n");
+    for (int i = 0; i < 1021; i++) end += sprintf(end, "    - gravity\n");
+    expect_problem("elements:\n", text, "t:13:3: rotor.elements: has 1025 elements, expected at most 1024");
+    end = text + sprintf(text, "detail: {at: [1");
+    for (int i = 0; i < 1000; i++) end += sprintf(end, ",1");
+    sprintf(end, "]}\n  analyze:");
+    expect_problem("analyze:", text, "t:22:12: study.detail.at: is a longer list, expected a list of 1 to 1000 values");
+    // 139 expressions of 471 characters are within 65536, 140 are not.
+    end = text + sprintf(text, "kappa: 10\n");
+    for (int i = 0; i < 140; i++) {
+        end += sprintf(end, "  p%d: = 1", i);
+        for (int k = 0; k < 235; k++) end += sprintf(end, "+1");
+        end += sprintf(end, "\n");
+    }
+    expect_problem("kappa: 10", text,
+                   "t:144:9: parameters.p138: is too much: all expressions together have more than 65536 characters");
+    free(text);
+}
+
+static void many_problems_at_once(void **state) {
+    (void)state;
+    char *one = edited(good_case, "mass: 4 kg", "mass: -3 kg");
+    char *two = edited(one, "points: 5", "points: 2x");
+    char *three = edited(two, "kappa: 10", "kappa: nan");
+    whirl_problems problems = {0};
+    whirl_case *object;
+    assert_int_equal(whirl_case_parse(three, strlen(three), "t", &problems, &object).code, WHIRL_BAD_INPUT);
+    assert_int_equal(problems.count, 3);
+    assert_string_equal(problems.items[0].key, "parameters.kappa");
+    assert_string_equal(problems.items[1].key, "rotor.stations.disc.mass");
+    assert_string_equal(problems.items[2].key, "study.sweep.points");
+    whirl_problems_free(&problems);
+    char *text = calloc(1, 20000);
+    assert_non_null(text);
+    strcpy(text, "whirl: 1\n");
+    for (int i = 0; i < 300; i++) sprintf(text + strlen(text), "key_that_is_not_there_%d: 1\n", i);
+    assert_int_equal(whirl_case_parse(text, strlen(text), "t", &problems, &object).code, WHIRL_BAD_INPUT);
+    assert_int_equal(problems.count, 100);
+    whirl_problems_free(&problems);
+    free(text);
+    free(one);
+    free(two);
+    free(three);
+}
+
+static void files(void **state) {
+    (void)state;
+    whirl_problems problems = {0};
+    whirl_case *object;
+    whirl_status status = whirl_case_load("/nowhere/at/all.yaml", &problems, &object);
+    assert_int_equal(status.code, WHIRL_BAD_INPUT);
+    assert_string_equal(status.message, "/nowhere/at/all.yaml cannot be read: No such file or directory");
+    status = whirl_case_load("/", &problems, &object);
+    assert_int_equal(status.code, WHIRL_BAD_INPUT);
+    assert_string_equal(status.message, "/ cannot be read: Is a directory");
+    assert_int_equal(problems.count, 0);
+    status = whirl_case_load("/dev/zero", &problems, &object);
+    assert_int_equal(status.code, WHIRL_BAD_INPUT);
+    assert_string_equal(status.message, "/dev/zero: is larger than 1 MiB, expected a case of at most 1048576 bytes");
+    whirl_problems_free(&problems);
+    char name[] = "/tmp/whirl-case-XXXXXX";
+    const int file = mkstemp(name);
+    assert_true(file >= 0);
+    assert_int_equal(ftruncate(file, 1 << 30), 0);
+    assert_int_equal(close(file), 0);
+    status = whirl_case_load(name, NULL, &object);
+    assert_int_equal(unlink(name), 0);
+    assert_int_equal(status.code, WHIRL_BAD_INPUT);
+    assert_non_null(strstr(status.message, "is larger than 1 MiB"));
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(numbers),   cmocka_unit_test(units),
+        cmocka_unit_test(names),     cmocka_unit_test(expressions),
+        cmocka_unit_test(structure), cmocka_unit_test(ends_of_sweeps),
+        cmocka_unit_test(no_yaml),   cmocka_unit_test(too_much),
+        cmocka_unit_test(too_many),  cmocka_unit_test(many_problems_at_once),
+        cmocka_unit_test(files),
+    };
+    return cmocka_run_group_tests_name("problems", tests, NULL, NULL);
+}

@@ -1,0 +1,384 @@
+// What a case means: numbers, units, expressions, overrides, batches and starts.
+#include "case_support.h"
+
+#include <math.h>
+
+#include "whirl/integrate.h"
+
+static double value_of(const whirl_case *object, const char *name) {
+    double value = NAN;
+    assert_int_equal(whirl_case_parameter(object, name, &value).code, WHIRL_OK);
+    return value;
+}
+
+// The value of "p: TEXT" in SI.
+static double parameter_value(const char *text) {
+    char line[200];
+    snprintf(line, sizeof line, "kappa: 10\n  p: %s", text);
+    whirl_case *object = parse_edited("kappa: 10", line);
+    const double value = value_of(object, "p");
+    whirl_case_free(object);
+    return value;
+}
+
+static void expect_parameter(const char *text, double expected) {
+    const double found = parameter_value(text);
+    if (!(fabs(found - expected) <= 1e-14 * fabs(expected))) print_error("%s gives %.17g\n", text, found);
+    assert_true(fabs(found - expected) <= 1e-14 * fabs(expected));
+}
+
+static const double pi = 3.14159265358979323846;
+
+static void quantities_are_in_si(void **state) {
+    (void)state;
+    expect_parameter("12 mm", 0.012);
+    expect_parameter("12   mm", 0.012);
+    expect_parameter("-1.5e-2", -0.015);
+    expect_parameter(".5", 0.5);
+    expect_parameter("5.", 5.0);
+    expect_parameter("+2", 2.0);
+    expect_parameter("\"2\"", 2.0);
+    expect_parameter("6207 rpm", 6207.0 * 2.0 * pi / 60.0);
+    expect_parameter("18 mPa.s", 0.018);
+    expect_parameter("18 cP", 0.018);
+    expect_parameter("650 rad/s", 650.0);
+    expect_parameter("30 deg", pi / 6.0);
+    expect_parameter("1 kN/mm", 1e6);
+    expect_parameter("200 g.mm", 2e-4);
+    expect_parameter("5 %", 0.05);
+    expect_parameter("50 Hz", 50.0);
+    expect_parameter("16 \xC2\xB5m", 16e-6);
+    expect_parameter("9.81 m/s2", 9.81);
+    expect_parameter("9.81 m/s^2", 9.81);
+    expect_parameter("1 inch", 0.0254);
+    expect_parameter("2 kg m-1", 2.0);
+}
+
+static void expressions_are_in_si(void **state) {
+    (void)state;
+    expect_parameter("= 50*(650/0.2)^2", 528125000.0);
+    expect_parameter("= c", 0.0002);
+    expect_parameter("= -2^2", -4.0);
+    expect_parameter("= 2^3^2", 512.0);
+    expect_parameter("= 2*pi", 2.0 * pi);
+    expect_parameter("= later/2\n  later: = 3*omega", 150.0);
+    expect_parameter("\"= omega > 99 ? 1e-3 : 2\"", 1e-3);
+    expect_parameter("= ln(exp(2)) + log10(100) + log2(8)", 7.0);
+    expect_parameter("= log(exp(2))", 2.0);
+    expect_parameter("= max(1, 2, 3) + min(4, 5)", 7.0);
+    expect_parameter("= sqrt(2)^2 + abs(-1)", 3.0);
+    expect_parameter("= atan2(1, 1) + sin(pi/6)", pi / 4.0 + 0.5);
+    expect_parameter("= rint(2.6) + sign(-3) + sum(1, 2) + avg(2, 4)", 8.0);
+    expect_parameter("= cosh(0) + sinh(0) + tanh(0) + acosh(1) + asinh(0) + atanh(0)", 1.0);
+    expect_parameter("= asin(1) + acos(1) + atan(0) + tan(0) + cos(0)", pi / 2.0 + 1.0);
+}
+
+static void rotors_follow_the_parameters(void **state) {
+    (void)state;
+    whirl_case *object = parse_good(good_case);
+    whirl_rotor *rotor;
+    assert_int_equal(whirl_case_rotor(object, NULL, 0.0, &rotor).code, WHIRL_OK);
+    assert_true(whirl_rotor_speed(rotor) == 100.0);
+    assert_true(fabs(whirl_rotor_length_scale(rotor) - 2e-4) < 1e-18);
+    const whirl_system *system = whirl_rotor_system(rotor);
+    assert_int_equal(system->probe_count, 2);
+    assert_int_equal(system->contact_count, 1);
+    // At rest in (5, 0) length scales the rub force is k (5 - 1.2) c, with k = kappa 1e6.
+    const double x[8] = {5.0};
+    double force;
+    system->contacts(system->model, x, &force);
+    assert_true(fabs(force * whirl_rotor_force_scale(rotor) - 10e6 * 3.8 * 2e-4) < 1e-6);
+    whirl_rotor_free(rotor);
+    assert_int_equal(whirl_case_rotor(object, "kappa", 20.0, &rotor).code, WHIRL_OK);
+    system = whirl_rotor_system(rotor);
+    system->contacts(system->model, x, &force);
+    assert_true(fabs(force * whirl_rotor_force_scale(rotor) - 20e6 * 3.8 * 2e-4) < 1e-6);
+    whirl_rotor_free(rotor);
+    assert_int_equal(whirl_case_rotor(object, "omega", -1.0, &rotor).code, WHIRL_BAD_INPUT);
+    assert_null(rotor);
+    assert_int_equal(whirl_case_rotor(object, "omegas", 1.0, &rotor).code, WHIRL_BAD_INPUT);
+    whirl_case_free(object);
+}
+
+static void parameters_are_set(void **state) {
+    (void)state;
+    whirl_case *object = parse_edited("kappa: 10", "kappa: 10\n  twice: = 2*kappa");
+    assert_int_equal(whirl_case_set(object, "kappa=0.5").code, WHIRL_OK);
+    assert_true(value_of(object, "twice") == 1.0);
+    assert_int_equal(whirl_case_set(object, "omega=6000 rpm").code, WHIRL_OK);
+    assert_true(fabs(value_of(object, "omega") - 200.0 * pi) < 1e-11);
+    assert_int_equal(whirl_case_set(object, "c== 2*0.1e-3").code, WHIRL_OK);
+    assert_true(value_of(object, "c") == 2 * 0.1e-3);
+    assert_true(value_of(object, "twice") == 1.0); // what was set before stays
+    assert_int_equal(whirl_case_set(object, "kappa = 3 ").code, WHIRL_OK);
+    assert_true(value_of(object, "kappa") == 3.0);
+    whirl_case_free(object);
+}
+
+static void expect_refused(const char *assignment, const char *message) {
+    whirl_case *object = parse_good(good_case);
+    const whirl_status status = whirl_case_set(object, assignment);
+    assert_int_equal(status.code, WHIRL_BAD_INPUT);
+    assert_string_equal(status.message, message);
+    assert_true(value_of(object, "kappa") == 10.0);
+    assert_true(value_of(object, "omega") == 100.0);
+    assert_true(fabs(value_of(object, "c") - 2e-4) < 1e-18);
+    whirl_case_free(object);
+}
+
+static void wrong_settings_leave_the_case_as_it_was(void **state) {
+    (void)state;
+    expect_refused("kapa=1", "no parameter is called kapa, did you mean kappa?");
+    expect_refused("kappa", "'kappa' sets nothing, expected NAME=VALUE");
+    expect_refused("=3", "'=3' sets nothing, expected NAME=VALUE");
+    expect_refused("kappa=2x", "kappa: is 2x, expected a number, or a number and a unit, with a space before the unit");
+    expect_refused("kappa=", "kappa: is empty, expected a number, a quantity or an expression");
+    expect_refused("omega=3 kg", "omega: is in kg, expected a unit of rad/s");
+    expect_refused("omega=50 Hz", "omega: is in Hz, expected a unit of rad/s, such as rpm (1 Hz = 60 rpm)");
+    expect_refused("omega=-5", "t.yaml:8:10: rotor.speed: = omega is -5 rad/s, expected a number above 0 rad/s");
+    expect_refused("kappa=\xFF", "the value of kappa is not text in UTF-8");
+    expect_refused("kappa== kappa+1", "kappa: depends on itself: kappa -> kappa");
+}
+
+// ---------------------------------------------------------------- studies
+
+static whirl_study study_of(const whirl_case *object) {
+    whirl_study study;
+    assert_int_equal(whirl_case_study(object, &study).code, WHIRL_OK);
+    return study;
+}
+
+static void sweeps_are_equally_spaced(void **state) {
+    (void)state;
+    whirl_case *object = parse_good(good_case);
+    const whirl_study study = study_of(object);
+    assert_int_equal(study.batch_count, 1);
+    const whirl_batch *batch = &study.batches[0];
+    assert_string_equal(batch->name, "sweep");
+    assert_string_equal(batch->parameter, "kappa");
+    assert_int_equal(batch->count, 5);
+    for (size_t i = 0; i < 5; i++) assert_true(fabs(batch->values[i] - (1.0 + 4.75 * (double)i)) < 1e-14);
+    assert_true(batch->values[0] == 1.0 && batch->values[4] == 20.0);
+    assert_int_equal(batch->carry, WHIRL_CARRY_NONE);
+    assert_int_equal(batch->integrate.steps_per_revolution, 64);
+    assert_int_equal(batch->record.transient, 20);
+    assert_int_equal(batch->record.record, 10);
+    assert_int_equal(batch->record.waveform_revolutions, 0);
+    assert_true(batch->record.waveform && batch->record.growth && !batch->record.spectra);
+    whirl_analysis_set expected = 0;
+    whirl_analysis_add(&expected, "poincare");
+    whirl_analysis_add(&expected, "regime");
+    whirl_analysis_add(&expected, "spectrum");
+    assert_int_equal(batch->analyses, expected);
+    whirl_case_free(object);
+}
+
+static void swept_values_have_the_parameter_s_unit(void **state) {
+    (void)state;
+    whirl_case *object = parse_edited("kappa, from: 1, to: 20", "omega, from: 600 rpm, to: = 2*omega");
+    const whirl_study study = study_of(object);
+    assert_true(fabs(study.batches[0].values[0] - 20.0 * pi) < 1e-12);
+    assert_true(study.batches[0].values[4] == 200.0);
+    whirl_case_free(object);
+}
+
+static whirl_carry carry_of(const char *from_to, const char *start) {
+    char text[100];
+    snprintf(text, sizeof text, "%s, points: 5, %s", from_to, start);
+    whirl_case *object = parse_edited("from: 1, to: 20, points: 5, start: state", text);
+    const whirl_carry carry = study_of(object).batches[0].carry;
+    whirl_case_free(object);
+    return carry;
+}
+
+static void carry_follows_the_parameter(void **state) {
+    (void)state;
+    assert_int_equal(carry_of("from: 1, to: 20", "start: carry, direction: up"), WHIRL_CARRY_FORWARD);
+    assert_int_equal(carry_of("from: 1, to: 20", "start: carry, direction: down"), WHIRL_CARRY_REVERSE);
+    assert_int_equal(carry_of("from: 20, to: 1", "start: carry, direction: up"), WHIRL_CARRY_REVERSE);
+    assert_int_equal(carry_of("from: 20, to: 1", "start: carry, direction: down"), WHIRL_CARRY_FORWARD);
+    assert_int_equal(carry_of("from: 1, to: 20", "start: carry, direction: both"), WHIRL_CARRY_BOTH);
+    assert_int_equal(carry_of("from: 1, to: 20", "start: rest"), WHIRL_CARRY_NONE);
+}
+
+// The state that the first point of batch `index` starts from.
+static void start_of(const whirl_case *object, size_t index, double state[8]) {
+    const whirl_study study = study_of(object);
+    const whirl_batch *batch = &study.batches[index];
+    whirl_machine machine;
+    const double value = batch->values ? batch->values[0] : NAN;
+    assert_int_equal(study.machine(study.family, batch, value, &machine).code, WHIRL_OK);
+    assert_int_equal(machine.system->dimension, 8);
+    memcpy(state, machine.start, 8 * sizeof *state);
+    machine.release(machine.owner);
+}
+
+static void starts_are_states(void **state) {
+    (void)state;
+    const double initial[8] = {0.0, -0.5, 0.1, -0.5, 0.0, 0.0, 0.25, 0.0}, zero[8] = {0.0};
+    double start[8];
+    whirl_case *object = parse_good(good_case);
+    start_of(object, 0, start);
+    assert_memory_equal(start, initial, sizeof initial);
+    whirl_case_free(object);
+    object = parse_edited("start: state", "start: rest");
+    start_of(object, 0, start);
+    assert_memory_equal(start, zero, sizeof zero);
+    whirl_case_free(object);
+    object = parse_edited("start: state", "start: carry");
+    start_of(object, 0, start);
+    assert_memory_equal(start, initial, sizeof initial);
+    whirl_case_free(object);
+    object = parse_edited("disc: {y: -0.5}", "disc: {y: = -kappa/2}");
+    start_of(object, 0, start);
+    assert_true(start[1] == -0.5); // kappa is 1 there, not 10
+    whirl_case_free(object);
+}
+
+static void details_are_batches_of_their_own(void **state) {
+    (void)state;
+    const double initial[8] = {0.0, -0.5, 0.1, -0.5, 0.0, 0.0, 0.25, 0.0};
+    double start[8];
+    char *text = edited(good_case, "start: state", "start: rest");
+    char *more = edited(text, "  analyze:", "  detail: {at: [3, = 2*kappa], transient: 40, record: 15}\n  analyze:");
+    whirl_case *object = parse_good(more);
+    const whirl_study study = study_of(object);
+    assert_int_equal(study.batch_count, 2);
+    const whirl_batch *detail = &study.batches[1];
+    assert_string_equal(detail->name, "detail");
+    assert_string_equal(detail->parameter, "kappa");
+    assert_int_equal(detail->count, 2);
+    assert_true(detail->values[0] == 3.0 && detail->values[1] == 20.0);
+    assert_int_equal(detail->carry, WHIRL_CARRY_NONE);
+    assert_int_equal(detail->record.transient, 40);
+    assert_int_equal(detail->record.record, 15);
+    assert_int_equal(detail->record.waveform_revolutions, 15); // 20 by default, but not more than the record
+    assert_true(detail->record.spectra);
+    whirl_analysis_set waveform = 0;
+    whirl_analysis_add(&waveform, "waveform");
+    assert_int_equal(detail->analyses, study.batches[0].analyses | waveform);
+    start_of(object, 1, start);
+    assert_memory_equal(start, initial, sizeof initial);
+    whirl_case_free(object);
+    free(text);
+    free(more);
+}
+
+static void responses_are_single_points(void **state) {
+    (void)state;
+    whirl_case *object =
+        parse_edited("sweep: {parameter: kappa, from: 1, to: 20, points: 5, start: state}", "response:");
+    const whirl_study study = study_of(object);
+    assert_int_equal(study.batch_count, 1);
+    assert_string_equal(study.batches[0].name, "response");
+    assert_string_equal(study.batches[0].parameter, "");
+    assert_int_equal(study.batches[0].count, 1);
+    assert_null(study.batches[0].values);
+    assert_true(study.batches[0].record.spectra);
+    whirl_case_free(object);
+}
+
+static void absent_parts_have_the_defaults_of_the_layers(void **state) {
+    (void)state;
+    char *text = edited(good_case, "  integrate: {steps_per_revolution: 64, transient: 20, record: 10}\n", "");
+    char *less = edited(text, "  analyze: [poincare, regime, spectrum]\n", "");
+    whirl_case *object = parse_good(less);
+    const whirl_batch batch = study_of(object).batches[0];
+    const whirl_integrate_options integrate = whirl_integrate_default();
+    const whirl_record_options record = whirl_record_default();
+    assert_string_equal(batch.integrate.method, integrate.method);
+    assert_int_equal(batch.integrate.steps_per_revolution, integrate.steps_per_revolution);
+    assert_true(batch.integrate.rtol == integrate.rtol);
+    assert_true(batch.integrate.atol == integrate.atol);
+    assert_true(batch.integrate.limit == integrate.limit);
+    assert_int_equal(batch.record.transient, record.transient);
+    assert_int_equal(batch.record.record, record.record);
+    assert_int_equal(batch.record.watch, record.watch);
+    assert_int_equal(batch.record.waveform_revolutions, record.waveform_revolutions);
+    assert_int_equal(batch.record.samples_per_revolution, record.samples_per_revolution);
+    assert_true(batch.record.highest_order == record.highest_order);
+    whirl_analysis_set all = 0, waveform = 0;
+    for (const whirl_analysis *analysis = whirl_analyses(); analysis->name; analysis++)
+        whirl_analysis_add(&all, analysis->name);
+    whirl_analysis_add(&waveform, "waveform");
+    assert_int_equal(batch.analyses, all & ~waveform);
+    whirl_case_free(object);
+    free(text);
+    free(less);
+}
+
+static void elements_have_short_forms(void **state) {
+    (void)state;
+    whirl_case_free(parse_edited("- gravity: 9.81 m/s2", "- gravity"));
+    whirl_case_free(parse_edited("- gravity: 9.81 m/s2", "- gravity:"));
+    whirl_case_free(parse_edited("- gravity: 9.81 m/s2", "- gravity: {acceleration: 9.81 m/s2}"));
+    whirl_case_free(parse_edited("[disc, journal]", "\"disc,journal\""));
+    whirl_case_free(parse_edited("[disc, journal]", "[disc, ground]"));
+}
+
+// ---------------------------------------------------------------- results
+
+static void results_know_their_case(void **state) {
+    (void)state;
+    whirl_case *object = parse_edited("kappa: 10", "kappa: 10\n  k: = 2*kappa");
+    assert_int_equal(whirl_case_set(object, "omega=6000 rpm").code, WHIRL_OK);
+    whirl_result *result = calloc(1, sizeof *result);
+    assert_non_null(result);
+    assert_int_equal(whirl_case_describe_result(object, result).code, WHIRL_OK);
+    assert_string_equal(result->title, "A rotor");
+    assert_string_equal(result->case_name, "t.yaml");
+    assert_non_null(strstr(result->case_text, "omega: 100 rad/s"));
+    assert_true(fabs(result->speed - 200.0 * pi) < 1e-11);
+    assert_int_equal(result->parameter_count, 4);
+    assert_string_equal(result->parameters[0].name, "omega");
+    assert_string_equal(result->parameters[0].unit, "rad/s");
+    assert_string_equal(result->parameters[0].text, "6000 rpm");
+    assert_true(result->parameters[0].value == result->speed);
+    assert_string_equal(result->parameters[1].unit, "1");
+    assert_string_equal(result->parameters[2].unit, "SI");
+    assert_true(result->parameters[2].value == 20.0);
+    assert_string_equal(result->parameters[3].unit, "m");
+    assert_int_equal(result->station_count, 2);
+    assert_string_equal(result->stations[1].name, "journal");
+    assert_true(fabs(result->stations[1].clearance - 1.0) < 1e-14);
+    assert_int_equal(result->contact_count, 1);
+    assert_string_equal(result->contacts[0], "rub at disc");
+    whirl_result_free(result);
+    whirl_case_free(object);
+}
+
+static void a_case_runs(void **state) {
+    (void)state;
+    whirl_case *object = parse_good(good_case);
+    whirl_result *result;
+    const whirl_run_options options = {.threads = 2};
+    assert_int_equal(whirl_case_run(object, &options, &result).code, WHIRL_OK);
+    const whirl_table *table = whirl_result_table(result, "sweep");
+    assert_non_null(table);
+    assert_int_equal(table->count, 5);
+    assert_true(table->values[4] == 20.0);
+    assert_string_equal(result->title, "A rotor");
+    whirl_result_free(result);
+    whirl_case_free(object);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(quantities_are_in_si),
+        cmocka_unit_test(expressions_are_in_si),
+        cmocka_unit_test(rotors_follow_the_parameters),
+        cmocka_unit_test(parameters_are_set),
+        cmocka_unit_test(wrong_settings_leave_the_case_as_it_was),
+        cmocka_unit_test(sweeps_are_equally_spaced),
+        cmocka_unit_test(swept_values_have_the_parameter_s_unit),
+        cmocka_unit_test(carry_follows_the_parameter),
+        cmocka_unit_test(starts_are_states),
+        cmocka_unit_test(details_are_batches_of_their_own),
+        cmocka_unit_test(responses_are_single_points),
+        cmocka_unit_test(absent_parts_have_the_defaults_of_the_layers),
+        cmocka_unit_test(elements_have_short_forms),
+        cmocka_unit_test(results_know_their_case),
+        cmocka_unit_test(a_case_runs),
+    };
+    return cmocka_run_group_tests_name("values", tests, NULL, NULL);
+}

@@ -1,0 +1,234 @@
+// Whole reports: what files there are, hostile names and titles, missing fields, a missing gnuplot.
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include <ftw.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "sample.h"
+#include "whirl/report.h"
+
+/// A folder of its own for every test, the working folder while it runs.
+static int enter_folder(void **state) {
+    static char folder[64];
+    snprintf(folder, sizeof folder, "/tmp/whirl-report-XXXXXX");
+    *state = folder;
+    return mkdtemp(folder) && chdir(folder) == 0 ? 0 : -1;
+}
+
+static int remove_one(const char *path, const struct stat *found, int type, struct FTW *where) {
+    (void)found, (void)type, (void)where;
+    return remove(path);
+}
+
+static int leave_folder(void **state) {
+    const int left = chdir("/");
+    return left == 0 ? nftw(*state, remove_one, 8, FTW_DEPTH | FTW_PHYS) : -1;
+}
+
+static long size_of(const char *path) {
+    struct stat found;
+    return stat(path, &found) == 0 ? (long)found.st_size : -1;
+}
+
+/// The file as a string; freed by the caller.
+static char *contents(const char *path) {
+    const long size = size_of(path);
+    FILE *stream = fopen(path, "r");
+    if (!stream || size < 0) fail_msg("%s cannot be read", path);
+    char *text = sample_take((size_t)size + 1, 1);
+    assert_int_equal(fread(text, 1, (size_t)size, stream), size);
+    fclose(stream);
+    return text;
+}
+
+static void assert_holds(const char *path, const char *part) {
+    char *text = contents(path);
+    if (!strstr(text, part)) fail_msg("'%s' is not in %s", part, path);
+    free(text);
+}
+
+static bool is_png(const char *path) {
+    unsigned char first[8] = {0};
+    FILE *stream = fopen(path, "r");
+    const bool read = stream && fread(first, 1, sizeof first, stream) == sizeof first;
+    if (stream) fclose(stream);
+    return read && memcmp(first, "\x89PNG\r\n\x1a\n", 8) == 0;
+}
+
+static bool gnuplot_there(void) {
+    return system("gnuplot --version >/dev/null 2>&1") == 0;
+}
+
+static whirl_status report_one(const whirl_result *result, const char *name, const whirl_report_options *options) {
+    return whirl_report_write(&result, &name, 1, "out", options);
+}
+
+static const whirl_claim sample_claims[] = {
+    {.where = "Fig. 4",
+     .says = "P-1 <b>",
+     .from = 0.6,
+     .to = 0.6,
+     .has_regime = true,
+     .regime = WHIRL_PERIODIC,
+     .period = 1},
+    {.where = "Fig. 5", .says = "always chaotic", .from = 0.0, .to = 1.0, .has_regime = true, .regime = WHIRL_CHAOTIC},
+};
+
+static void everything_is_written(void **state) {
+    (void)state;
+    if (!gnuplot_there()) skip();
+    whirl_claim items[2];
+    memcpy(items, sample_claims, sizeof items);
+    const whirl_claims claims = {
+        .source = "A paper", .parameter = "r_k", .station = "disc", .count = 2, .items = items};
+    const whirl_report_options options = {.claims = &claims};
+    whirl_result *result = sample_result();
+    const whirl_status status = report_one(result, "made", &options);
+    assert_string_equal(status.message, "");
+    assert_int_equal(status.code, WHIRL_OK);
+    static const char *const stems[] = {"bifurcation-disc", "bifurcation-journal", "r_k-0.6-disc",
+                                        "r_k-0.6-journal",  "r_k-0.25-disc",       "r_k-0.25-journal"};
+    for (size_t i = 0; i < sizeof stems / sizeof *stems; i++) {
+        char path[128];
+        snprintf(path, sizeof path, "out/made/%s.png", stems[i]);
+        assert_true(is_png(path));
+        snprintf(path, sizeof path, "out/made/%s.pdf", stems[i]);
+        assert_true(size_of(path) > 1000 && size_of(path) < 3000000);
+        snprintf(path, sizeof path, "out/made/%s.gp", stems[i]);
+        assert_holds(path, "pdfcairo");
+        snprintf(path, sizeof path, "out/made/%s.gp.log", stems[i]); // gnuplot had nothing to say
+        assert_int_equal(size_of(path), -1);
+    }
+    assert_holds("out/report.html", "src=\"made/r_k-0.25-journal.png\"");
+    assert_holds("out/report.html", "P-1 &lt;b&gt;");
+    assert_holds("out/report.html", "What was not reproduced");
+    assert_holds("out/report.html", "1 of 2 claims is met in full by no result");
+    assert_holds("out/report.html", "18.2 % of 11 points"); // 2 of 11 are chaotic
+    whirl_result_free(result);
+}
+
+static void figures_can_be_drawn_again(void **state) {
+    (void)state;
+    if (!gnuplot_there()) skip();
+    whirl_result *result = sample_result();
+    assert_int_equal(report_one(result, "made", NULL).code, WHIRL_OK);
+    assert_int_equal(remove("out/made/bifurcation-disc.png"), 0);
+    assert_int_equal(system("cd out/made && gnuplot bifurcation-disc.gp"), 0);
+    assert_true(is_png("out/made/bifurcation-disc.png"));
+    whirl_result_free(result);
+}
+
+/// Names as a hostile result file may hold them: everything that gnuplot, HTML or a path could take for its own.
+static void hostile_names_do_nothing(void **state) {
+    (void)state;
+    whirl_result *result = sample_result();
+    snprintf(result->title, sizeof result->title,
+             "\"; system(\"touch pwned\") `touch pwned` </title><script>x</script>");
+    snprintf(result->case_name, sizeof result->case_name, "<img src=x onerror=alert(1)>");
+    snprintf(result->stations[0].name, WHIRL_NAME_SIZE, "'; system('touch pwned') #");
+    snprintf(result->stations[1].name, WHIRL_NAME_SIZE, "../`touch pwned`\\");
+    for (size_t t = 0; t < 2; t++)
+        snprintf(result->tables[t].parameter, WHIRL_NAME_SIZE, "'.system('touch pwned').'\n!touch pwned\n");
+    snprintf(result->parameters[0].name, WHIRL_NAME_SIZE, "%s", result->tables[0].parameter);
+    snprintf(result->parameters[0].unit, WHIRL_NAME_SIZE, "`touch pwned`");
+    snprintf(result->parameters[1].name, WHIRL_NAME_SIZE, "c'.`touch pwned`} %%s @m");
+    free(result->case_text);
+    result->case_text = sample_take(1, 64);
+    strcpy(result->case_text, "</pre><script>x</script>");
+    const whirl_status status = report_one(result, "../../a <b> \"c\"", NULL);
+    if (gnuplot_there()) assert_string_equal(status.message, "");
+    assert_int_equal(system("test -z \"$(find . -name 'pwned*')\""), 0);
+    char *page = contents("out/report.html");
+    assert_null(strstr(page, "<script"));
+    assert_null(strstr(page, "<img src=x"));
+    assert_null(strstr(page, "\"c\""));
+    free(page);
+    // One folder in it, with a harmless name.
+    assert_int_equal(system("test \"$(ls out)\" = \"$(printf 'a--b---c-\\nreport.html')\""), 0);
+    whirl_result_free(result);
+}
+
+static void missing_gnuplot_leaves_scripts_and_page(void **state) {
+    (void)state;
+    whirl_result *result = sample_result();
+    const whirl_report_options options = {.gnuplot = "no-such-gnuplot"}, by_path = {.gnuplot = "./no-such-gnuplot"};
+    const whirl_status status = report_one(result, "made", &options);
+    assert_int_equal(status.code, WHIRL_MISSING_PROGRAM);
+    assert_non_null(strstr(status.message, "no-such-gnuplot"));
+    assert_true(size_of("out/made/bifurcation-disc.gp") > 0);
+    assert_true(size_of("out/made/r_k-0.25-journal-section.dat") > 0);
+    assert_holds("out/report.html", "was not drawn");
+    assert_int_equal(report_one(result, "made", &by_path).code, WHIRL_MISSING_PROGRAM);
+    whirl_result_free(result);
+}
+
+static void failing_gnuplot_is_told(void **state) {
+    (void)state;
+    whirl_result *result = sample_result();
+    const whirl_report_options options = {.gnuplot = "false"};
+    const whirl_status status = report_one(result, "made", &options);
+    assert_int_equal(status.code, WHIRL_IO_ERROR);
+    assert_non_null(strstr(status.message, "bifurcation-disc.gp"));
+    assert_true(size_of("out/report.html") > 0);
+    whirl_result_free(result);
+}
+
+/// Only the regime is known; one point diverged; there are no contacts.
+static void what_is_absent_is_left_out(void **state) {
+    (void)state;
+    whirl_result *result = sample_result();
+    whirl_table *detail = &result->tables[1];
+    for (size_t i = 0; i < detail->layout.size; i++) detail->blocks[i] = (double)NAN;
+    sample_verdict(detail, 0, WHIRL_DIVERGING, 0, 0);
+    *sample_field(detail, 0, "regime/diverged_at", 0) = 17.0;
+    whirl_field *spectrum = &detail->layout.fields[0];
+    for (size_t f = 0; f < detail->layout.field_count; f++)
+        if (strcmp(detail->layout.fields[f].name, "spectrum/amplitude") == 0) spectrum = &detail->layout.fields[f];
+    snprintf(spectrum->name, sizeof spectrum->name, "unknown/field");
+    result->contact_count = 0;
+    const whirl_status status = report_one(result, "made", NULL);
+    if (gnuplot_there()) assert_string_equal(status.message, "");
+    assert_int_equal(size_of("out/made/r_k-0.6-disc.gp"), -1); // nothing to draw of a motion that left its bounds
+    assert_true(size_of("out/made/r_k-0.25-disc.gp") > 0);
+    assert_int_equal(size_of("out/made/r_k-0.25-disc-spectrum.dat"), -1);
+    assert_holds("out/report.html", "diverged at revolution 17");
+    result->table_count = 0; // frees of the tables are skipped: they are given back below
+    assert_true(report_one(result, "empty", NULL).code == WHIRL_OK || !gnuplot_there());
+    assert_holds("out/report.html", "A rotor made by hand");
+    result->table_count = 2;
+    whirl_result_free(result);
+}
+
+static void results_of_one_name_keep_apart(void **state) {
+    (void)state;
+    whirl_result *result = sample_result();
+    const whirl_result *const both[] = {result, result};
+    const char *const names[] = {"a b", "a-b"};
+    const whirl_report_options options = {.gnuplot = "no-such-gnuplot"};
+    assert_int_equal(whirl_report_write(both, names, 2, "out/deep", &options).code, WHIRL_MISSING_PROGRAM);
+    assert_true(size_of("out/deep/a-b/sweep.dat") > 0);
+    assert_true(size_of("out/deep/a-b-2/sweep.dat") > 0);
+    assert_int_equal(whirl_report_write(both, names, 2, "/dev/null/x", &options).code, WHIRL_IO_ERROR);
+    whirl_result_free(result);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(everything_is_written, enter_folder, leave_folder),
+        cmocka_unit_test_setup_teardown(figures_can_be_drawn_again, enter_folder, leave_folder),
+        cmocka_unit_test_setup_teardown(hostile_names_do_nothing, enter_folder, leave_folder),
+        cmocka_unit_test_setup_teardown(missing_gnuplot_leaves_scripts_and_page, enter_folder, leave_folder),
+        cmocka_unit_test_setup_teardown(failing_gnuplot_is_told, enter_folder, leave_folder),
+        cmocka_unit_test_setup_teardown(what_is_absent_is_left_out, enter_folder, leave_folder),
+        cmocka_unit_test_setup_teardown(results_of_one_name_keep_apart, enter_folder, leave_folder),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

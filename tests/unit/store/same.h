@@ -1,0 +1,81 @@
+// Are two results equal, doubles bit for bit?
+#ifndef UNIT_STORE_SAME_H
+#define UNIT_STORE_SAME_H
+
+#include "whirl/result.h"
+
+#include <string.h>
+
+static inline bool same_bits(const double *a, const double *b, size_t count) {
+    return count == 0 || memcmp(a, b, count * sizeof *a) == 0;
+}
+
+static inline bool same_integrate(const whirl_integrate_options *a, const whirl_integrate_options *b) {
+    return strcmp(a->method, b->method) == 0 && a->steps_per_revolution == b->steps_per_revolution &&
+           same_bits(&a->rtol, &b->rtol, 1) && same_bits(&a->atol, &b->atol, 1) && same_bits(&a->limit, &b->limit, 1);
+}
+
+static inline bool same_record(const whirl_record_options *a, const whirl_record_options *b) {
+    return a->transient == b->transient && a->record == b->record && a->watch == b->watch &&
+           a->waveform_revolutions == b->waveform_revolutions &&
+           a->samples_per_revolution == b->samples_per_revolution &&
+           same_bits(&a->highest_order, &b->highest_order, 1) && a->spectra == b->spectra &&
+           a->waveform == b->waveform && a->growth == b->growth;
+}
+
+static inline bool same_layout(const whirl_layout *a, const whirl_layout *b) {
+    if (a->field_count != b->field_count || a->size != b->size) return false;
+    for (size_t i = 0; i < a->field_count; ++i) {
+        const whirl_field *f = &a->fields[i], *g = &b->fields[i];
+        if (strcmp(f->name, g->name) != 0 || strcmp(f->unit, g->unit) != 0 || strcmp(f->meaning, g->meaning) != 0 ||
+            f->extent != g->extent || f->rows != g->rows || f->columns != g->columns || f->repeat != g->repeat ||
+            f->offset != g->offset)
+            return false;
+    }
+    return true;
+}
+
+static inline bool same_table(const whirl_table *a, const whirl_table *b) {
+    return strcmp(a->name, b->name) == 0 && strcmp(a->parameter, b->parameter) == 0 && a->count == b->count &&
+           a->analyses == b->analyses && same_integrate(&a->integrate, &b->integrate) &&
+           same_record(&a->record, &b->record) && same_layout(&a->layout, &b->layout) &&
+           same_bits(a->values, b->values, a->count) &&
+           memcmp(a->branch, b->branch, a->count * sizeof *a->branch) == 0 &&
+           same_bits(a->blocks, b->blocks, a->count * a->layout.size);
+}
+
+static inline bool same_case(const whirl_result *a, const whirl_result *b) {
+    if (strcmp(a->title, b->title) != 0 || strcmp(a->case_text, b->case_text) != 0 ||
+        strcmp(a->case_name, b->case_name) != 0 || !same_bits(&a->speed, &b->speed, 1) ||
+        !same_bits(&a->length_scale, &b->length_scale, 1) || !same_bits(&a->force_scale, &b->force_scale, 1) ||
+        a->parameter_count != b->parameter_count || a->station_count != b->station_count ||
+        a->contact_count != b->contact_count || a->fact_count != b->fact_count)
+        return false;
+    for (size_t i = 0; i < a->parameter_count; ++i) {
+        const whirl_parameter *p = &a->parameters[i], *q = &b->parameters[i];
+        if (strcmp(p->name, q->name) != 0 || strcmp(p->unit, q->unit) != 0 || strcmp(p->text, q->text) != 0 ||
+            !same_bits(&p->value, &q->value, 1))
+            return false;
+    }
+    for (size_t i = 0; i < a->station_count; ++i) {
+        const whirl_probe *p = &a->stations[i], *q = &b->stations[i];
+        if (strcmp(p->name, q->name) != 0 || p->x != q->x || p->y != q->y || p->vx != q->vx || p->vy != q->vy ||
+            !same_bits(&p->clearance, &q->clearance, 1))
+            return false;
+    }
+    for (size_t i = 0; i < a->contact_count; ++i)
+        if (strcmp(a->contacts[i], b->contacts[i]) != 0) return false;
+    for (size_t i = 0; i < a->fact_count; ++i)
+        if (strcmp(a->facts[i].name, b->facts[i].name) != 0 || strcmp(a->facts[i].value, b->facts[i].value) != 0)
+            return false;
+    return true;
+}
+
+static inline bool same_result(const whirl_result *a, const whirl_result *b) {
+    if (!same_case(a, b) || a->table_count != b->table_count) return false;
+    for (size_t i = 0; i < a->table_count; ++i)
+        if (!same_table(&a->tables[i], &b->tables[i])) return false;
+    return true;
+}
+
+#endif

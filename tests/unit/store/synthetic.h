@@ -1,0 +1,138 @@
+// A small result made by hand: two stations, one contact, a swept table of the fields that the analyses really have and
+// a second one whose fields are invented. All numbers differ; some are NaN, infinite, zero with a sign, or subnormal.
+#ifndef UNIT_STORE_SYNTHETIC_H
+#define UNIT_STORE_SYNTHETIC_H
+
+#include "whirl/result.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { SYNTHETIC_STATIONS = 2, SYNTHETIC_POINTS = 3, SYNTHETIC_RECORD = 4 };
+
+static inline void *synthetic_take(size_t count, size_t size) {
+    void *memory = calloc(count ? count : 1, size);
+    if (!memory) abort();
+    return memory;
+}
+
+// The block of every point numbered through, with special values strewn in.
+static inline void synthetic_fill(whirl_table *table, size_t count) {
+    static const double special[] = {NAN, INFINITY, -INFINITY, -0.0, 5e-324, 1.0 / 3.0};
+    table->count = count;
+    table->values = synthetic_take(count, sizeof *table->values);
+    table->branch = synthetic_take(count, sizeof *table->branch);
+    table->blocks = synthetic_take(count * table->layout.size, sizeof *table->blocks);
+    for (size_t i = 0; i < count; ++i) {
+        table->values[i] = 0.1 + 0.1 * (double)i;
+        table->branch[i] = (int)(i % 3) - 1;
+    }
+    for (size_t i = 0; i < count * table->layout.size; ++i)
+        table->blocks[i] = i % 11 == 5 ? special[i / 11 % 6] : (double)i / 7.0;
+}
+
+// Sets a field of the first station, contact or of the point.
+static inline void synthetic_set(whirl_table *table, size_t point, const char *name, double value) {
+    const whirl_field *field = whirl_layout_field(&table->layout, name);
+    if (!field) abort();
+    table->blocks[point * table->layout.size + field->offset] = value;
+}
+
+// Fields as the analyses have them.
+static inline void synthetic_sweep(whirl_table *table, const whirl_result *result) {
+    static const char *const analyses[] = {"poincare", "regime", "lyapunov", "spectrum", "orbit", "rub"};
+    const whirl_system system = {.dimension = 8,
+                                 .period = 6.283185307179586,
+                                 .probe_count = result->station_count,
+                                 .probes = result->stations,
+                                 .contact_count = result->contact_count};
+    snprintf(table->name, sizeof table->name, "sweep");
+    snprintf(table->parameter, sizeof table->parameter, "r_k");
+    for (size_t i = 0; i < sizeof analyses / sizeof *analyses; ++i)
+        if (!whirl_analysis_add(&table->analyses, analyses[i])) abort();
+    table->integrate = whirl_integrate_default();
+    table->record = whirl_record_default();
+    table->record.record = SYNTHETIC_RECORD;
+    if (whirl_layout_new(&system, &table->integrate, &table->record, table->analyses, &table->layout).code) abort();
+    synthetic_fill(table, SYNTHETIC_POINTS);
+    static const double codes[SYNTHETIC_POINTS] = {WHIRL_PERIODIC, WHIRL_CHAOTIC, WHIRL_DIVERGING};
+    for (size_t i = 0; i < SYNTHETIC_POINTS; ++i) {
+        synthetic_set(table, i, "regime/code", codes[i]);
+        synthetic_set(table, i, "regime/period", i == 0 ? 2.0 : 0.0);
+        synthetic_set(table, i, "regime/diverged_at", i == 2 ? 17.0 : 0.0);
+    }
+}
+
+// Fields of every extent and shape: [3][2], [3], [2], a single number, and one without rows.
+static inline void synthetic_detail(whirl_table *table, const whirl_result *result) {
+    static const struct {
+        const char *name, *unit, *meaning;
+        whirl_extent extent;
+        size_t rows, columns;
+    } shapes[] = {
+        {"made/array", "length", "left, right (invented)", WHIRL_PER_STATION, 3, 2},
+        {"made/column", "force", "a column", WHIRL_PER_CONTACT, 3, 1},
+        {"made/row", "order", "first, second", WHIRL_PER_POINT, 1, 2},
+        {"made/number", "1", "a number", WHIRL_PER_STATION, 1, 1},
+        {"made/nothing", "1", "no rows", WHIRL_PER_POINT, 0, 1},
+    };
+    const size_t repeat[] = {1, result->station_count, result->contact_count};
+    snprintf(table->name, sizeof table->name, "detail");
+    for (size_t i = 0; i < sizeof shapes / sizeof *shapes; ++i) {
+        whirl_field *field = &table->layout.fields[table->layout.field_count++];
+        *field = (whirl_field){.unit = shapes[i].unit,
+                               .meaning = shapes[i].meaning,
+                               .extent = shapes[i].extent,
+                               .rows = shapes[i].rows,
+                               .columns = shapes[i].columns,
+                               .repeat = repeat[shapes[i].extent],
+                               .offset = table->layout.size};
+        snprintf(field->name, sizeof field->name, "%s", shapes[i].name);
+        table->layout.size += field->repeat * field->rows * field->columns;
+    }
+    table->integrate = (whirl_integrate_options){.method = "cvode", .steps_per_revolution = 64, .rtol = 1e-11};
+    table->record = (whirl_record_options){.transient = 7,
+                                           .record = 5,
+                                           .watch = 6,
+                                           .waveform_revolutions = 2,
+                                           .samples_per_revolution = 32,
+                                           .highest_order = 2.5,
+                                           .growth = true};
+    synthetic_fill(table, 1);
+    table->values[0] = NAN;
+}
+
+static inline whirl_result *synthetic_result(void) {
+    whirl_result *result = synthetic_take(1, sizeof *result);
+    snprintf(result->title, sizeof result->title, "A rotor, \"made\" by hand; r\xc3\xb6tor");
+    snprintf(result->case_name, sizeof result->case_name, "cases/made.yaml");
+    result->case_text = synthetic_take(1, 64);
+    strcpy(result->case_text, "whirl: 1\ntitle: made # by hand\n");
+    result->speed = 650.0;
+    result->length_scale = 2e-4;
+    result->force_scale = 4225.0;
+    static const whirl_parameter parameters[] = {{"r_k", "1", "0.6", 0.6},
+                                                 {"omega", "rad/s", "650 rad/s", 650.0},
+                                                 {"k2", "N/m", "= 50*(650/0.2)^2", 528125000.0}};
+    result->parameter_count = 3;
+    result->parameters = synthetic_take(3, sizeof *parameters);
+    memcpy(result->parameters, parameters, sizeof parameters);
+    static const whirl_probe stations[SYNTHETIC_STATIONS] = {{"disc", 0, 1, 4, 5, 0.0}, {"journal", 2, 3, 6, 7, 1.0}};
+    result->station_count = SYNTHETIC_STATIONS;
+    result->stations = synthetic_take(SYNTHETIC_STATIONS, sizeof *stations);
+    memcpy(result->stations, stations, sizeof stations);
+    result->contact_count = 1;
+    result->contacts = synthetic_take(1, sizeof *result->contacts);
+    strcpy(result->contacts[0], "rub at disc");
+    if (whirl_result_add_fact(result, "version", "9.8.7").code || whirl_result_add_fact(result, "a fact", "").code)
+        abort();
+    result->table_count = 2;
+    result->tables = synthetic_take(2, sizeof *result->tables);
+    synthetic_sweep(&result->tables[0], result);
+    synthetic_detail(&result->tables[1], result);
+    return result;
+}
+
+#endif

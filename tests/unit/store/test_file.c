@@ -1,0 +1,394 @@
+// Result files: what is written is read back; what is damaged or made to harm is refused.
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "bytes.h"
+#include "read.h"
+#include "same.h"
+#include "synthetic.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <hdf5.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+
+// HDF5 1.10 loses memory of its own when it meets a wrong checksum.
+// NOLINTBEGIN(bugprone-reserved-identifier,cert-dcl*): the name that the sanitizer looks for
+const char *__lsan_default_suppressions(void);
+const char *__lsan_default_suppressions(void) {
+    return "leak:libhdf5";
+}
+// NOLINTEND(bugprone-reserved-identifier,cert-dcl*)
+
+// A folder of its own for every test, with a result and the path of a file in it.
+typedef struct fixture {
+    char folder[64], path[128];
+    whirl_result *made;
+    unsigned char *bytes; // of the file, when `written` was called
+    size_t size;
+} fixture;
+
+static int setup(void **state) {
+    fixture *f = synthetic_take(1, sizeof *f);
+    strcpy(f->folder, "/tmp/whirl-store-XXXXXX");
+    if (!mkdtemp(f->folder)) return -1;
+    snprintf(f->path, sizeof f->path, "%s/made.h5", f->folder);
+    f->made = synthetic_result();
+    *state = f;
+    return 0;
+}
+
+static int teardown(void **state) {
+    fixture *f = *state;
+    unlink(f->path);
+    rmdir(f->folder);
+    whirl_result_free(f->made);
+    free(f->bytes);
+    free(f);
+    return 0;
+}
+
+static void assert_well(whirl_status status) {
+    if (status.code != WHIRL_OK) fail_msg("%s", status.message);
+}
+
+static void assert_says(whirl_status status, whirl_code code, const char *words) {
+    assert_int_equal(status.code, code);
+    if (!strstr(status.message, words)) fail_msg("'%s' does not say '%s'", status.message, words);
+}
+
+static void written(fixture *f) {
+    assert_well(whirl_result_write(f->made, f->path));
+    free(f->bytes);
+    f->bytes = NULL;
+    assert_well(bytes_read(f->path, &f->bytes, &f->size));
+}
+
+static size_t files_in(const char *folder) {
+    size_t count = 0;
+    DIR *listing = opendir(folder);
+    assert_non_null(listing);
+    for (const struct dirent *entry; (entry = readdir(listing));)
+        if (entry->d_name[0] != '.') ++count;
+    closedir(listing);
+    return count;
+}
+
+// ---------------------------------------------------------------- round trips
+
+static void reads_what_was_written(void **state) {
+    fixture *f = *state;
+    whirl_result *read = NULL;
+    written(f);
+    assert_well(whirl_result_read(f->path, &read));
+    assert_true(same_result(f->made, read));
+    assert_int_equal(files_in(f->folder), 1);
+    whirl_result_free(read);
+}
+
+static void reads_an_empty_result(void **state) {
+    fixture *f = *state;
+    whirl_result nothing = {0}, *read = NULL;
+    char none[] = "";
+    nothing.case_text = none;
+    assert_well(whirl_result_write(&nothing, f->path));
+    assert_well(whirl_result_read(f->path, &read));
+    assert_true(same_result(&nothing, read));
+    whirl_result_free(read);
+}
+
+static void reads_a_table_without_points(void **state) {
+    fixture *f = *state;
+    whirl_result *read = NULL;
+    f->made->tables[0].count = 0;
+    assert_well(whirl_result_write(f->made, f->path));
+    assert_well(whirl_result_read(f->path, &read));
+    assert_int_equal(read->tables[0].count, 0);
+    assert_true(same_result(f->made, read));
+    whirl_result_free(read);
+}
+
+// Many points, so that datasets have several chunks of 1 MiB.
+static void reads_large_tables(void **state) {
+    fixture *f = *state;
+    whirl_table *table = &f->made->tables[0];
+    whirl_result *read = NULL;
+    free(table->values), free(table->branch), free(table->blocks);
+    synthetic_fill(table, 9001);
+    assert_true(table->count * 2 * 4 * SYNTHETIC_RECORD * sizeof(double) > 2 << 20);
+    assert_well(whirl_result_write(f->made, f->path));
+    assert_well(whirl_result_read(f->path, &read));
+    assert_true(same_result(f->made, read));
+    whirl_result_free(read);
+}
+
+// More than a second apart, for HDF5 counts times in seconds.
+static void same_results_are_same_files(void **state) {
+    fixture *f = *state;
+    written(f);
+    unsigned char *first = f->bytes;
+    const size_t size = f->size;
+    f->bytes = NULL;
+    const struct timespec pause = {.tv_sec = 1, .tv_nsec = 100000000};
+    nanosleep(&pause, NULL);
+    written(f);
+    assert_int_equal(size, f->size);
+    assert_memory_equal(first, f->bytes, size);
+    free(first);
+}
+
+static void replaces_a_file(void **state) {
+    fixture *f = *state;
+    whirl_result *read = NULL;
+    written(f);
+    snprintf(f->made->title, sizeof f->made->title, "another");
+    assert_well(whirl_result_write(f->made, f->path));
+    assert_well(whirl_result_read(f->path, &read));
+    assert_string_equal(read->title, "another");
+    whirl_result_free(read);
+}
+
+// ---------------------------------------------------------------- places that cannot be written
+
+static void says_where_it_cannot_write(void **state) {
+    fixture *f = *state;
+    char path[160];
+    snprintf(path, sizeof path, "%s/none/made.h5", f->folder);
+    assert_says(whirl_result_write(f->made, path), WHIRL_IO_ERROR, "none: No such file or directory");
+    assert_says(whirl_result_write(f->made, f->folder), WHIRL_IO_ERROR, "it is a folder");
+    assert_says(whirl_result_write(f->made, ""), WHIRL_IO_ERROR, "without a name");
+    assert_says(whirl_result_write(f->made, "/dev/null"), WHIRL_IO_ERROR, "no ordinary file");
+    written(f);
+    snprintf(path, sizeof path, "%s/made.h5", f->path);
+    assert_says(whirl_result_write(f->made, path), WHIRL_IO_ERROR, "cannot write");
+    assert_int_equal(files_in(f->folder), 1);
+}
+
+// A limit on the size of files acts as a full disk does. The file that was there stays as it was.
+static void a_full_disk_leaves_the_old_file(void **state) {
+    fixture *f = *state;
+    struct rlimit before, small;
+    whirl_result *read = NULL;
+    written(f);
+    assert_int_equal(getrlimit(RLIMIT_FSIZE, &before), 0);
+    small = before;
+    signal(SIGXFSZ, SIG_IGN);
+    for (rlim_t limit = 0; limit < f->size; limit += f->size / 5) {
+        small.rlim_cur = limit;
+        assert_int_equal(setrlimit(RLIMIT_FSIZE, &small), 0);
+        const whirl_status status = whirl_result_write(f->made, f->path);
+        assert_int_equal(setrlimit(RLIMIT_FSIZE, &before), 0);
+        assert_says(status, WHIRL_IO_ERROR, strerror(EFBIG));
+        assert_int_equal(files_in(f->folder), 1);
+    }
+    assert_well(whirl_result_read(f->path, &read));
+    assert_true(same_result(f->made, read));
+    whirl_result_free(read);
+}
+
+static void refuses_names_that_break_the_file(void **state) {
+    fixture *f = *state;
+    whirl_table *table = &f->made->tables[0];
+    strcpy(table->name, "case");
+    assert_says(whirl_result_write(f->made, f->path), WHIRL_BAD_INPUT, "'case' cannot name a table");
+    strcpy(table->name, "detail");
+    assert_says(whirl_result_write(f->made, f->path), WHIRL_BAD_INPUT, "'detail' cannot name a table");
+    strcpy(table->name, "sweep");
+    strcpy(table->layout.fields[0].name, "no slash");
+    assert_says(whirl_result_write(f->made, f->path), WHIRL_BAD_INPUT, "'no slash' cannot name a field");
+    assert_int_equal(files_in(f->folder), 0);
+}
+
+// ---------------------------------------------------------------- files that are no results
+
+static void says_what_it_cannot_read(void **state) {
+    fixture *f = *state;
+    whirl_result *read = f->made;
+    assert_says(whirl_result_read(f->path, &read), WHIRL_IO_ERROR, "made.h5: No such file or directory");
+    assert_null(read);
+    assert_says(whirl_result_read(f->folder, &read), WHIRL_IO_ERROR, "it is a folder");
+    FILE *stream = fopen(f->path, "w");
+    fputs("whirl: 1\n", stream);
+    fclose(stream);
+    assert_says(whirl_result_read(f->path, &read), WHIRL_BAD_INPUT, "is not an HDF5 file");
+}
+
+static void refuses_other_hdf5_files(void **state) {
+    fixture *f = *state;
+    whirl_result *read = NULL;
+    assert_true(H5Fclose(H5Fcreate(f->path, H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT)) >= 0);
+    assert_says(whirl_result_read(f->path, &read), WHIRL_BAD_INPUT, "not one that whirl wrote");
+    const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
+    assert_true(H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110) >= 0);
+    assert_true(H5Fclose(H5Fcreate(f->path, H5F_ACC_TRUNC, H5P_DEFAULT, access)) >= 0);
+    assert_true(H5Pclose(access) >= 0);
+    assert_says(whirl_result_read(f->path, &read), WHIRL_BAD_INPUT, "/format is missing");
+}
+
+static void refuses_every_truncation(void **state) {
+    fixture *f = *state;
+    whirl_result *read = NULL;
+    written(f);
+    for (size_t size = 0; size < f->size; ++size) {
+        // A block of its own, so that reading past the end is seen.
+        unsigned char *cut = synthetic_take(size, 1);
+        memcpy(cut, f->bytes, size);
+        assert_int_equal(read_result(cut, size, "cut", &read).code, WHIRL_BAD_INPUT);
+        free(cut);
+    }
+}
+
+// Checksums cover all that is used: a flipped bit gives an error or changes nothing. WHIRL_TEST_EVERY=1 tries all bytes.
+static void no_flipped_bit_goes_unseen(void **state) {
+    fixture *f = *state;
+    const char *every = getenv("WHIRL_TEST_EVERY");
+    const size_t step = every ? (size_t)strtol(every, NULL, 10) : 13;
+    size_t refused = 0, tried = 0;
+    written(f);
+    for (size_t i = 0; i < f->size; i += step, ++tried) {
+        const unsigned char before = f->bytes[i];
+        whirl_result *read = NULL;
+        f->bytes[i] = (unsigned char)(before ^ (1u << tried % 8));
+        const whirl_status status = read_result(f->bytes, f->size, "flipped", &read);
+        if (status.code == WHIRL_OK)
+            assert_true(same_result(f->made, read));
+        else
+            ++refused;
+        whirl_result_free(read);
+        f->bytes[i] = before;
+    }
+    assert_true(refused > tried / 4);
+}
+
+// ---------------------------------------------------------------- files with sound checksums that claim nonsense
+
+// Opens the file for changes by HDF5's own means.
+static hid_t open_for_change(const fixture *f) {
+    const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
+    assert_true(H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110) >= 0);
+    const hid_t file = H5Fopen(f->path, H5F_ACC_RDWR, access);
+    assert_true(file >= 0);
+    H5Pclose(access);
+    return file;
+}
+
+static void change_whole(const fixture *f, const char *object, const char *attribute, int64_t value) {
+    const hid_t file = open_for_change(f);
+    const hid_t owner = H5Oopen(file, object, H5P_DEFAULT), changed = H5Aopen(owner, attribute, H5P_DEFAULT);
+    assert_true(H5Awrite(changed, H5T_NATIVE_INT64, &value) >= 0);
+    H5Aclose(changed);
+    H5Oclose(owner);
+    assert_true(H5Fclose(file) >= 0);
+}
+
+static void refuses_claims(void **state) {
+    static const struct {
+        const char *object, *attribute;
+        int64_t value;
+        const char *words;
+    } claims[] = {
+        {"/", "format_version", 2, "format version 2"},
+        {"/sweep", "steps_per_revolution", 0, "expected 1 to"},
+        {"/sweep", "transient", -1, "expected 0 to"},
+        {"/sweep", "growth", 2, "expected 0 to 1"},
+        {"/detail/made/array", "rows", INT64_MAX, "expected 0 to"},
+        {"/detail/made/array", "rows", 2147483647, "more numbers than the file has"},
+        {"/detail/made/array", "rows", 4, "not the expected size"},
+        {"/detail/made/array", "columns", 0, "not the expected size"},
+        {"/detail/made/array", "repeat", 3, "expected 2 to 2"},
+        {"/sweep/regime/code", "rows", 0, "expected 1 x 1"},
+        {"/sweep/spectrum/lines", "columns", 1, "expected 16 x 5"},
+    };
+    fixture *f = *state;
+    for (size_t i = 0; i < sizeof claims / sizeof *claims; ++i) {
+        whirl_result *read = NULL;
+        written(f);
+        change_whole(f, claims[i].object, claims[i].attribute, claims[i].value);
+        assert_says(whirl_result_read(f->path, &read), WHIRL_BAD_INPUT, claims[i].words);
+        assert_null(read);
+    }
+}
+
+// Puts another object in the place of /sweep/values.
+static void replace_values(const fixture *f, hid_t type, int rank, hsize_t length, bool checksums) {
+    const hsize_t dimensions[2] = {length, 1}, chunk[2] = {length < 1024 ? length : 1024, 1};
+    const hid_t file = open_for_change(f);
+    assert_true(H5Ldelete(file, "/sweep/values", H5P_DEFAULT) >= 0);
+    const hid_t space = H5Screate_simple(rank, dimensions, NULL), creation = H5Pcreate(H5P_DATASET_CREATE);
+    assert_true(H5Pset_chunk(creation, rank, chunk) >= 0);
+    if (checksums) assert_true(H5Pset_fletcher32(creation) >= 0);
+    const hid_t dataset = H5Dcreate2(file, "/sweep/values", type, space, H5P_DEFAULT, creation, H5P_DEFAULT);
+    assert_true(dataset >= 0);
+    H5Dclose(dataset);
+    H5Pclose(creation);
+    H5Sclose(space);
+    assert_true(H5Fclose(file) >= 0);
+}
+
+static void refuses_other_datasets(void **state) {
+    fixture *f = *state;
+    whirl_result *read = NULL;
+    const struct {
+        hid_t type;
+        int rank;
+        hsize_t length;
+        bool checksums;
+    } datasets[] = {
+        {H5T_IEEE_F64LE, 1, (hsize_t)1 << 40, true}, // nothing of it is stored
+        {H5T_IEEE_F64LE, 1, SYNTHETIC_POINTS, false}, {H5T_IEEE_F64LE, 2, SYNTHETIC_POINTS, true},
+        {H5T_IEEE_F32LE, 1, SYNTHETIC_POINTS, true},  {H5T_STD_I64LE, 1, SYNTHETIC_POINTS, true},
+    };
+    for (size_t i = 0; i < sizeof datasets / sizeof *datasets; ++i) {
+        written(f);
+        replace_values(f, datasets[i].type, datasets[i].rank, datasets[i].length, datasets[i].checksums);
+        assert_says(whirl_result_read(f->path, &read), WHIRL_BAD_INPUT, "/sweep/values");
+    }
+}
+
+static void follows_no_links_elsewhere(void **state) {
+    fixture *f = *state;
+    whirl_result *read = NULL;
+    written(f);
+    hid_t file = open_for_change(f);
+    assert_true(H5Ldelete(file, "/sweep/values", H5P_DEFAULT) >= 0);
+    assert_true(H5Lcreate_external(f->path, "/detail/values", file, "/sweep/values", H5P_DEFAULT, H5P_DEFAULT) >= 0);
+    assert_true(H5Fclose(file) >= 0);
+    assert_says(whirl_result_read(f->path, &read), WHIRL_BAD_INPUT, "/sweep/values is missing");
+    written(f);
+    file = open_for_change(f);
+    assert_true(H5Ldelete(file, "/sweep", H5P_DEFAULT) >= 0);
+    assert_true(H5Lcreate_soft("/detail", file, "/sweep", H5P_DEFAULT, H5P_DEFAULT) >= 0);
+    assert_true(H5Fclose(file) >= 0);
+    assert_says(whirl_result_read(f->path, &read), WHIRL_BAD_INPUT, "/sweep is missing");
+}
+
+int main(void) {
+#define IN_FOLDER(test) cmocka_unit_test_setup_teardown(test, setup, teardown)
+    const struct CMUnitTest tests[] = {
+        IN_FOLDER(reads_what_was_written),
+        IN_FOLDER(reads_an_empty_result),
+        IN_FOLDER(reads_a_table_without_points),
+        IN_FOLDER(reads_large_tables),
+        IN_FOLDER(same_results_are_same_files),
+        IN_FOLDER(replaces_a_file),
+        IN_FOLDER(says_where_it_cannot_write),
+        IN_FOLDER(a_full_disk_leaves_the_old_file),
+        IN_FOLDER(refuses_names_that_break_the_file),
+        IN_FOLDER(says_what_it_cannot_read),
+        IN_FOLDER(refuses_other_hdf5_files),
+        IN_FOLDER(refuses_every_truncation),
+        IN_FOLDER(no_flipped_bit_goes_unseen),
+        IN_FOLDER(refuses_claims),
+        IN_FOLDER(refuses_other_datasets),
+        IN_FOLDER(follows_no_links_elsewhere),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,158 @@
+// The ten points of the 2015 paper's rotor, calibrated reading, that are known from two other programs (fixed and
+// adaptive steps): regime, largest exponent, extremes, lines and rub. The study of cases/paper-point.yaml for each.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "support_check.h"
+#include "whirl/case.h"
+#include "whirl/study.h"
+
+enum { POINTS = 10, DISC = 0, JOURNAL = 1, MAX_KNOWN_LINES = 4 };
+
+/// A line of the disc's x: order and amplitude as printed.
+typedef struct known_line {
+    const char *order, *amplitude;
+} known_line;
+
+typedef struct known_point {
+    double r_k;
+    const char *regime;
+    double exponent, error; ///< per revolution, standard error
+    const char *max_radius, *max_eccentricity;
+    known_line lines[MAX_KNOWN_LINES];
+    double low_order, high_order; ///< where the largest lines of a broad spectrum lie, else 0
+    const char *rub_share;        ///< percent of the time; NULL where not stated, "0" where nothing touches
+} known_point;
+
+static const known_point known[POINTS] = {
+    {.r_k = 1.00, .regime = "P-1", .exponent = -0.1504, .error = 0.0004, .max_radius = "1.1274",
+     .max_eccentricity = ".9573", .lines = {{"1", ".0600"}, {"2", ".0012"}}, .rub_share = "0"},
+    {.r_k = 0.60, .regime = "P-1", .exponent = -0.1650, .error = 0.0005, .max_radius = "1.1535",
+     .max_eccentricity = ".9567", .lines = {{"1", ".0587"}, {"3", ".0064"}}, .rub_share = "0"},
+    {.r_k = 0.48, .regime = "quasi-periodic (1 curve)", .exponent = 0.0001, .error = 0.0007, .max_radius = "1.1897",
+     .max_eccentricity = ".9589", .lines = {{".412", ".070"}, {"1", ".053"}, {".588", ".033"}, {"3", ".013"}},
+     .rub_share = "0"},
+    {.r_k = 0.46, .regime = "quasi-periodic (1 curve)", .exponent = -0.0002, .error = 0.0006, .max_radius = "1.1915",
+     .max_eccentricity = ".9593", .lines = {{".427", ".082"}, {"1", ".051"}, {".573", ".043"}}, .rub_share = "0"},
+    {.r_k = 0.45, .regime = "chaotic", .exponent = 0.043, .error = 0.003, .max_radius = "1.1991",
+     .max_eccentricity = ".9606", .lines = {{".432", ".076"}, {"1", ".051"}, {".568", ".041"}}},
+    {.r_k = 0.44, .regime = "chaotic", .exponent = 0.022, .error = 0.002, .max_radius = "1.2015",
+     .max_eccentricity = ".9616", .lines = {{"1", ".050"}, {".441", ".043"}, {".403", ".034"}}},
+    {.r_k = 0.40, .regime = "P-2", .exponent = -0.1173, .error = 0.0001, .max_radius = "1.1926",
+     .max_eccentricity = ".9606", .lines = {{".5", ".071"}, {"1", ".049"}, {"3", ".016"}, {"1.5", ".011"}},
+     .rub_share = "0"},
+    {.r_k = 0.35, .regime = "P-4", .exponent = -0.0585, .error = 0.0001, .max_radius = "1.2056",
+     .max_eccentricity = ".9616", .lines = {{".5", ".078"}, {"1", ".045"}, {".25", ".033"}}, .rub_share = "1.1"},
+    {.r_k = 0.25, .regime = "chaotic", .exponent = 0.464, .error = 0.005, .max_radius = "1.275",
+     .max_eccentricity = ".971", .low_order = 0.38, .high_order = 0.46, .rub_share = "3.9"},
+    {.r_k = 0.15, .regime = "chaotic", .exponent = 0.557, .error = 0.005, .max_radius = "1.289",
+     .max_eccentricity = ".974", .low_order = 0.38, .high_order = 0.44, .rub_share = "4.2"},
+};
+
+/// The study of the case file with r_k over all points.
+static whirl_result *run_points(void) {
+    double values[POINTS];
+    whirl_problems problems = {0};
+    whirl_case *object;
+    whirl_study study;
+    whirl_result *result;
+    for (int i = 0; i < POINTS; i++) values[i] = known[i].r_k;
+    require_ok(whirl_case_load(WHIRL_CASES "/paper-point.yaml", &problems, &object));
+    require_ok(whirl_case_study(object, &study));
+    assert_int_equal(1, study.batch_count);
+    strcpy(study.batches[0].parameter, "r_k");
+    study.batches[0].count = POINTS;
+    study.batches[0].values = values;
+    const whirl_run_options options = {.threads = 2};
+    require_ok(whirl_study_run(&study, &options, &result));
+    whirl_case_free(object);
+    whirl_problems_free(&problems);
+    return result;
+}
+
+static double number(const whirl_table *table, size_t point, const char *field, size_t which) {
+    const double *value = whirl_table_field(table, point, field, which);
+    if (!value) fail_msg("the result has no field %s", field);
+    return value ? *value : NAN;
+}
+
+/// The line of the disc's x whose order is nearest.
+static const double *nearest_line(const whirl_table *table, size_t point, double order) {
+    const double *lines = whirl_table_field(table, point, "spectrum/lines", DISC), *best = lines;
+    assert_non_null(lines);
+    for (int i = 0; i < WHIRL_MAX_LINES; i++)
+        if (fabs(lines[5 * i] - order) < fabs(best[0] - order)) best = lines + 5 * i;
+    return best;
+}
+
+static void check_lines(const whirl_table *table, size_t point) {
+    const known_point *k = &known[point];
+    for (int i = 0; i < MAX_KNOWN_LINES && k->lines[i].order; i++) {
+        const double *line = nearest_line(table, point, strtod(k->lines[i].order, NULL));
+        const char *name = words("r_k = %.2f, line at %sX", k->r_k, k->lines[i].order);
+        check_within("model", words("%s: order", name), strtod(k->lines[i].order, NULL), line[0], 5e-4);
+        check_digits("model", words("%s: amplitude of x", name), k->lines[i].amplitude, line[1]);
+    }
+    if (k->high_order > 0.0) {
+        const double *largest = whirl_table_field(table, point, "spectrum/lines", DISC);
+        check_holds("model", words("r_k = %.2f, largest line between %.2fX and %.2fX", k->r_k, k->low_order, k->high_order),
+                    largest[0] > k->low_order && largest[0] < k->high_order);
+    }
+}
+
+static void check_point(const whirl_table *table, size_t point) {
+    const known_point *k = &known[point];
+    const whirl_verdict verdict = whirl_table_verdict(table, point);
+    char name[64];
+    whirl_verdict_name(&verdict, name, sizeof name);
+    check_text("model", words("r_k = %.2f, regime", k->r_k), k->regime, name);
+    const double error = number(table, point, "lyapunov/error", 0);
+    check_within("model", words("r_k = %.2f, largest exponent per revolution", k->r_k), k->exponent,
+                 number(table, point, "lyapunov/largest", 0), 3.0 * hypot(k->error, error));
+    check_digits("model", words("r_k = %.2f, max r1", k->r_k), k->max_radius,
+                 number(table, point, "orbit/max_radius", DISC));
+    check_digits("model", words("r_k = %.2f, max e", k->r_k), k->max_eccentricity,
+                 number(table, point, "orbit/eccentricity", JOURNAL));
+    if (k->rub_share)
+        check_digits("model", words("r_k = %.2f, share of rub, percent", k->r_k), k->rub_share,
+                     100.0 * number(table, point, "rub/share", 0));
+    check_lines(table, point);
+}
+
+/// The points are computed once, before all tests.
+static int compute(void **state) {
+    *state = run_points();
+    return 0;
+}
+
+static int discard(void **state) {
+    whirl_result_free(*state);
+    return 0;
+}
+
+static void check_range(const whirl_result *result, size_t first, size_t last) {
+    const whirl_table *table = &result->tables[0];
+    assert_int_equal(POINTS, table->count);
+    for (size_t i = first; i <= last; i++) check_point(table, i);
+}
+
+static void simple_motion(void **state) { check_range(*state, 0, 1); }
+static void quasi_periodic_motion(void **state) { check_range(*state, 2, 3); }
+static void weak_chaos(void **state) { check_range(*state, 4, 5); }
+static void subharmonic_motion(void **state) { check_range(*state, 6, 7); }
+static void chaos_with_rub(void **state) { check_range(*state, 8, 9); }
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(simple_motion),      cmocka_unit_test(quasi_periodic_motion), cmocka_unit_test(weak_chaos),
+        cmocka_unit_test(subharmonic_motion), cmocka_unit_test(chaos_with_rub),
+    };
+    return cmocka_run_group_tests(tests, compute, discard);
+}
