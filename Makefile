@@ -13,7 +13,7 @@ CONFIGURE = test -f $(BUILD)/CMakeCache.txt || cmake --preset release -DWHIRL_TE
 COMPILE   = cmake --build $(BUILD) --parallel $(JOBS) --target whirl
 SOURCES   = $(shell git ls-files --cached --others --exclude-standard '*.c' '*.h')
 
-.PHONY: all help test test-sanitized test-fuzzed paper bench soak install format lint asan tsan clang fuzz clean
+.PHONY: all help test paper bench soak install format lint asan tsan clang fuzz clean
 .DEFAULT_GOAL := all
 
 all:            ## build/whirl
@@ -36,17 +36,12 @@ test: dependencies-build-report-test ## everything is built, run and proved
 	cmake --build $(BUILD)/asan --parallel $(JOBS)
 	cmake --preset fuzz
 	cmake --build $(BUILD)/fuzz --parallel $(JOBS) --target fuzz_case fuzz_claims
-	$(MAKE) --no-print-directory -j2 --output-sync=target test-sanitized test-fuzzed
+	$(MAKE) --no-print-directory tsan
+	scripts/fuzz.sh $(BUILD)/fuzz 60
+	ctest --test-dir $(BUILD)/asan -j $(JOBS) -L 'unit|cli' --no-tests=error
 	ctest --test-dir $(BUILD) -j $(JOBS)
 
-# Units and commands once more under the sanitizers; validation there is part of the soak.
-test-sanitized:
-	ctest --test-dir $(BUILD)/asan -L 'unit|cli' --no-tests=error
-
-test-fuzzed:
-	scripts/fuzz.sh $(BUILD)/fuzz 60
-
-soak: test tsan clang ## what takes longer: long fuzzing, all tests under the sanitizers, both compilers
+soak: test clang ## what takes longer: long fuzzing, all tests under the sanitizers, both compilers
 	ctest --test-dir $(BUILD)/asan --timeout 7200 -j $(JOBS)
 	scripts/fuzz.sh $(BUILD)/fuzz 1800
 

@@ -74,12 +74,12 @@ static void list_all(const catalogue *all) {
 static void range_text(const whirl_range *range, char *text, size_t size) {
     const bool low = isfinite(range->low) || range->low > 0, high = isfinite(range->high) || range->high < 0;
     if (low && high)
-        snprintf(text, size, "%s%g to %s%g", range->low_open ? "above " : "", range->low,
+        snprintf(text, size, "%s%.8g to %s%.8g", range->low_open ? "above " : "", range->low,
                  range->high_open ? "below " : "", range->high);
     else if (low)
-        snprintf(text, size, "%s %g", range->low_open ? ">" : ">=", range->low);
+        snprintf(text, size, "%s %.8g", range->low_open ? ">" : ">=", range->low);
     else if (high)
-        snprintf(text, size, "%s %g", range->high_open ? "<" : "<=", range->high);
+        snprintf(text, size, "%s %.8g", range->high_open ? "<" : "<=", range->high);
     else
         snprintf(text, size, "any");
 }

@@ -1,5 +1,5 @@
 #!/bin/bash
-# Runs a small threaded study under the thread sanitizer:  scripts/thread-check.sh BUILD
+# Runs small threaded studies under the thread sanitizer:  scripts/thread-check.sh BUILD
 # LLVM's OpenMP is not instrumented; its tool libarcher tells the sanitizer about forks, joins and locks.
 set -euo pipefail
 build=$1
@@ -7,16 +7,37 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 export OMP_TOOL_LIBRARIES=libarcher.so ARCHER_OPTIONS=verbose=1
 export TSAN_OPTIONS="ignore_noninstrumented_modules=1 halt_on_error=1 exitcode=66"
-sed -e 's/points: *[0-9]*/points: 16/' -e 's/steps_per_revolution: *[0-9]*/steps_per_revolution: 64/' \
-    -e 's/transient: *[0-9]*/transient: 20/g' -e 's/record: *[0-9]*/record: 10/g' -e 's/waveform: *[0-9]*/waveform: 2/' \
-    cases/jeffcott-rub.yaml >"$folder/case.yaml"
-"$build/whirl" run "$folder/case.yaml" -o "$folder/case.h5" --threads 4 2>"$folder/log" || {
+
+# A race on purpose must be found, else a pass would say nothing.
+cat >"$folder/race.c" <<'END'
+#include <stdio.h>
+
+int main(void) {
+    long sum = 0;
+#pragma omp parallel for num_threads(4)
+    for (int i = 0; i < 100000; i++) sum += i;
+    printf("%ld\n", sum);
+    return 0;
+}
+END
+clang -g -O1 -fopenmp -fsanitize=thread "$folder/race.c" -o "$folder/race"
+if "$folder/race" >"$folder/log" 2>&1 || ! grep -q 'ThreadSanitizer: data race' "$folder/log"; then
     cat "$folder/log" >&2
+    echo "thread check: a race on purpose was not found" >&2
     exit 1
-}
-# Without the tool the sanitizer would see nothing of the threads' order: a pass would mean little.
-grep -q 'Archer detected OpenMP application with TSan' "$folder/log" || {
-    echo "thread check: libarcher was not loaded" >&2
-    exit 1
-}
-echo "thread check: no data race in a study of 4 threads"
+fi
+
+for name in jeffcott-rub rigid-rotor; do
+    sed -e 's/points: *[0-9]*/points: 16/' -e 's/steps_per_revolution: *[0-9]*/steps_per_revolution: 64/' \
+        -e 's/transient: *[0-9]*/transient: 20/g' -e 's/record: *[0-9]*/record: 10/g' \
+        -e 's/waveform: *[0-9]*/waveform: 2/' "cases/$name.yaml" >"$folder/$name.yaml"
+    if ! "$build/whirl" run "$folder/$name.yaml" -o "$folder/$name.h5" --threads 4 >"$folder/log" 2>&1; then
+        cat "$folder/log" >&2
+        exit 1
+    fi
+    if ! grep -q 'Archer detected OpenMP application with TSan' "$folder/log"; then
+        echo "thread check: libarcher was not loaded" >&2
+        exit 1
+    fi
+done
+echo "thread check: no data race in studies of 4 threads"

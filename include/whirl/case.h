@@ -18,7 +18,7 @@ extern "C" {
 /// Something wrong in a file. Lines and columns count from 1; 0 where there is no place (a --set on the command line).
 typedef struct whirl_problem {
     int line, column;
-    char key[128];     ///< path of the key, "rotor.stations.disc.mass"
+    char key[128];     ///< path of the key, "rotor.stations.disc.mass"; items of a list count from 1
     char message[256]; ///< "is -3 kg, expected a number above 0 kg"
 } whirl_problem;
 
@@ -31,13 +31,15 @@ typedef struct whirl_problems {
 
 /// "paper.yaml:12:7: rotor.stations.disc.mass: is -3 kg, expected ...". Writes at most `size` bytes.
 void whirl_problem_text(const whirl_problems *problems, size_t index, char *text, size_t size);
+/// Frees the list, not the struct, which is empty afterwards.
 void whirl_problems_free(whirl_problems *problems);
 
 /// A parsed case: immutable but for whirl_case_set, safe to share between threads afterwards.
 typedef struct whirl_case whirl_case;
 
 /// Reads and checks a case file. WHIRL_BAD_INPUT when anything is wrong: `problems` then lists all of it (at most 100).
-/// Files above 1 MiB, aliases, and nesting deeper than 32 are refused.
+/// Files above 1 MiB, aliases, and nesting deeper than 32 are refused. A file that cannot be read at all (missing, a
+/// directory) is WHIRL_BAD_INPUT with a sentence and without problems. `problems` may be NULL.
 whirl_status whirl_case_load(const char *path, whirl_problems *problems, whirl_case **out);
 
 /// The same from memory; `name` stands for the file in messages. Never runs long and never crashes, whatever the bytes.
@@ -49,6 +51,7 @@ void whirl_case_free(whirl_case *object);
 /// WHIRL_BAD_INPUT (nearest name named) leaves it as it was.
 whirl_status whirl_case_set(whirl_case *object, const char *assignment);
 
+/// The title that the case gives itself, "" where it has none; borrowed.
 const char *whirl_case_title(const whirl_case *object);
 
 /// Value of a parameter in SI. WHIRL_BAD_INPUT for an unknown name.
@@ -68,7 +71,8 @@ whirl_status whirl_case_describe_result(const whirl_case *object, whirl_result *
 whirl_status whirl_case_run(const whirl_case *object, const whirl_run_options *options, whirl_result **result);
 
 /// The groups of keys of a case file outside rotor elements and stations (case, rotor, study, sweep, integrate, ...);
-/// static, ended by NULL. A key of kind WHIRL_KEY_CHOICE whose choices are "" holds a text or a part with keys of its own.
+/// static, ended by NULL. A key of kind WHIRL_KEY_CHOICE whose choices are "" holds a text, or a part with keys of its
+/// own.
 const whirl_group *const *whirl_case_groups(void);
 
 #ifdef __cplusplus

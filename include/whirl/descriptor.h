@@ -34,7 +34,8 @@ typedef struct whirl_key {
     bool required;
     const char *fallback; ///< default as text in `unit` ("0", "rk4"); "" where it is required or has none
     whirl_range range;
-    const char *choices; ///< words of a choice, separated by '|'; "" where the meaning says what may stand; NULL for other kinds
+    /// Words of a choice, separated by '|'; "" where the meaning says what may stand; NULL for other kinds.
+    const char *choices;
     const char *meaning; ///< one line
     const char *source;  ///< author, year, equation; "" where there is nothing to cite
 } whirl_key;

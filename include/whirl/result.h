@@ -78,7 +78,7 @@ whirl_status whirl_result_add_fact(whirl_result *result, const char *name, const
 whirl_status whirl_result_add_provenance(whirl_result *result);
 
 /// Writes the result as an HDF5 file: to a temporary name beside `path`, synced, then renamed, so that no half
-/// file is ever left. The layout of the file is described in docs/user-guide.md.
+/// file is ever left. The layout of the file is described in docs/result-file.md.
 whirl_status whirl_result_write(const whirl_result *result, const char *path);
 
 /// Reads a file of whirl_result_write. WHIRL_BAD_INPUT with a sentence for a file that is not one.

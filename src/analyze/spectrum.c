@@ -84,7 +84,7 @@ static void fill(whirl_spectrum *spectrum, workspace *work, size_t count, size_t
     for (size_t k = 0; k < bins; k++) {
         const whirl_line bin = bin_amplitudes(work, count, k, unit);
         work->power[k] = bin.x * bin.x + bin.y * bin.y;
-        if (k >= spectrum->count) break;
+        if (k >= spectrum->count) continue;
         spectrum->x[k] = bin.x;
         spectrum->y[k] = bin.y;
         spectrum->forward[k] = bin.forward;

@@ -75,6 +75,13 @@ static void read_regime(case_reader *reader, const setting_list *item, whirl_cla
     problem_at(reader->problems, given->place, "is %s, %s", node_shown(given->place, shown), advice);
 }
 
+static void read_curves(case_reader *reader, const setting_list *item, whirl_claim *claim) {
+    const setting *given = settings_find(item, "curves");
+    if (!given || !given->good) return;
+    if (given->value.expression) problem_at(reader->problems, given->place, "is an expression, expected a number");
+    claim->curves = (int)given->value.number;
+}
+
 // Between `least` and `most` orders of the running speed.
 static size_t read_orders(case_reader *reader, const setting_list *item, const char *name, size_t least, size_t most,
                           double *orders) {
@@ -111,8 +118,7 @@ static void read_claim(case_reader *reader, const file_node *where, whirl_claim 
     settings_text(reader, &item, "says", claim->says, sizeof claim->says);
     read_range(reader, &item, claim);
     read_regime(reader, &item, claim);
-    const setting *curves = settings_find(&item, "curves");
-    if (curves) claim->curves = (int)curves->value.number;
+    read_curves(reader, &item, claim);
     claim->has_contact = settings_find(&item, "rub") != NULL;
     claim->contact = is_true(&item, "rub");
     claim->line_count = read_orders(reader, &item, "lines", 1, WHIRL_MAX_CLAIM_LINES, claim->lines);

@@ -227,7 +227,8 @@ static bool check_values(case_reader *reader, valuation *v, const machine_parts 
     return good;
 }
 
-// What is left are settings that contradict each other: every element is tried alone, so that each problem has its line.
+// What is left are settings that contradict each other: every element is tried alone, so that each problem has its
+// line.
 static bool check_one_by_one(case_reader *reader, valuation *v, const machine_parts *machine) {
     whirl_rotor *rotor;
     whirl_status status = build(machine, v, 0, 0, &rotor);

@@ -63,6 +63,14 @@ static bool states_lines(const whirl_claim *claim) {
     return claim->line_count > 0;
 }
 
+static bool claims_line(const whirl_claim *claim, double order) {
+    for (size_t c = 0; c < claim->line_count; c++)
+        if (fabs(order - claim->lines[c]) <= LINE_TOLERANCE) return true;
+    return false;
+}
+
+/// All claimed lines are there and, where the claim says so, no others. One part, not two: nearly every spectrum of a
+/// rotor has a line at the running speed, so that this alone says nothing.
 static double score_lines(const claim_view *view, size_t point) {
     const numbers lines = present_lines(view, point);
     if (!lines.at) return NAN;
@@ -72,22 +80,8 @@ static double score_lines(const claim_view *view, size_t point) {
             there = there || fabs(lines.at[5 * i] - view->claim->lines[c]) <= LINE_TOLERANCE;
         if (!there) return 0.0;
     }
-    return 1.0;
-}
-
-static bool states_only_lines(const whirl_claim *claim) {
-    return claim->only_lines;
-}
-
-static double score_only_lines(const claim_view *view, size_t point) {
-    const numbers lines = present_lines(view, point);
-    if (!lines.at) return NAN;
-    for (size_t i = 0; i < lines.rows; i++) {
-        bool claimed = false;
-        for (size_t c = 0; c < view->claim->line_count; c++)
-            claimed = claimed || fabs(lines.at[5 * i] - view->claim->lines[c]) <= LINE_TOLERANCE;
-        if (!claimed) return 0.0;
-    }
+    for (size_t i = 0; i < lines.rows && view->claim->only_lines; i++)
+        if (!claims_line(view->claim, lines.at[5 * i])) return 0.0;
     return 1.0;
 }
 
@@ -132,13 +126,15 @@ static bool states_whirl(const whirl_claim *claim) {
     return claim->has_whirl;
 }
 
+/// A bounded motion that whirls backward most of the time meets half of "diverging-backward".
 static double score_whirl(const claim_view *view, size_t point) {
     const bool diverged = whirl_table_verdict(view->table, point).regime == WHIRL_DIVERGING;
-    if (strcmp(view->claim->whirl, "diverging-backward") == 0 && diverged) return 1.0;
+    const bool diverging = strcmp(view->claim->whirl, "diverging-backward") == 0;
+    if (diverging && diverged) return 1.0;
     const double backward = backward_share(view->table, point, view->station);
     if (isnan(backward)) return diverged ? 0.0 : NAN;
     if (strcmp(view->claim->whirl, "forward") == 0) return backward < 0.5 ? 1.0 : 0.0;
-    return backward > 0.5 ? 1.0 : 0.0;
+    return backward > 0.5 ? (diverging ? 0.5 : 1.0) : 0.0;
 }
 
 const claim_part *claim_parts(void) {
@@ -147,7 +143,6 @@ const claim_part *claim_parts(void) {
         {"number of curves", states_curves, score_curves},
         {"contact", states_contact, score_contact},
         {"lines", states_lines, score_lines},
-        {"no other lines", states_only_lines, score_only_lines},
         {"band of lines", states_band, score_band},
         {"whirl", states_whirl, score_whirl},
         {NULL, NULL, NULL},

@@ -110,7 +110,9 @@ static whirl_agreement compare_part(const claim_part *part, const claim_view *vi
     const double share = agreeing / (double)compared;
     if (of->count > 1)
         append(found, size, "; %s as claimed at %.3g %% of %zu points", part->name, 100.0 * share, compared);
-    return share == 1.0 ? WHIRL_AGREES : share >= 0.5 ? WHIRL_AGREES_PARTLY : WHIRL_DISAGREES;
+    if (compared < of->count) append(found, size, " (unknown at %zu more)", of->count - compared);
+    if (share < 0.5) return WHIRL_DISAGREES;
+    return share == 1.0 && compared == of->count ? WHIRL_AGREES : WHIRL_AGREES_PARTLY;
 }
 
 static whirl_agreement all_parts(const claim_view *view, const selection *of, char *found, size_t size) {

@@ -299,7 +299,7 @@ static void write_line_panel(FILE *script, const diagram *of, size_t column, con
 static void write_radius_panel(FILE *script, const diagram *of) {
     const double clearance = of->result->stations[of->station].clearance;
     const double scale = clearance > 0.0 ? 1.0 / clearance : 1.0;
-    write_range(script, (span){scale * of->radius.low, scale * of->radius.high}, 4);
+    write_range(script, (span){scale * of->radius.low, scale * of->radius.high}, 5);
     if (clearance > 0.0)
         write_axis_label(script, "\"largest\\neccentricity\"");
     else
@@ -311,7 +311,7 @@ static void write_radius_panel(FILE *script, const diagram *of) {
 
 static void write_rub_panel(FILE *script, const diagram *of) {
     write_axis_label(script, "\"time in\\ncontact (%)\"");
-    write_range(script, (span){0.0, 100.0 * of->share}, 4);
+    write_range(script, (span){0.0, 100.0 * of->share}, 5);
     write_line_panel(script, of, 5, "100", "with lines linestyle 1");
 }
 

@@ -5,22 +5,29 @@
 #include "html.h"
 #include "whirl/version.h"
 
-static const char *page_title(const page *to) {
-    if (to->claims && *to->claims->source) return to->claims->source;
-    return to->count > 0 && *to->results[0]->title ? to->results[0]->title : "Results of whirl";
+/// The source of the claims, or the title of the only result, or how many results there are.
+static void page_title(const page *to, char *title, size_t size) {
+    if (to->claims && *to->claims->source)
+        snprintf(title, size, "%s", to->claims->source);
+    else if (to->count == 1 && *to->results[0]->title)
+        snprintf(title, size, "%s", to->results[0]->title);
+    else
+        snprintf(title, size, "Report on %zu result%s", to->count, to->count == 1 ? "" : "s");
 }
 
 static void write_head(const page *to) {
+    char title[512];
+    page_title(to, title, sizeof title);
     fputs("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
           "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
           "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src 'self' file: data:; "
           "style-src 'unsafe-inline'\">\n<title>",
           to->stream);
-    html_text(to->stream, page_title(to));
+    html_text(to->stream, title);
     fputs("</title>\n", to->stream);
     page_style(to->stream);
     fputs("</head>\n<body>\n<header>\n<h1>", to->stream);
-    html_text(to->stream, page_title(to));
+    html_text(to->stream, title);
     fputs("</h1>\n<p class=\"soft\">", to->stream);
     html_printf(to->stream, "%zu result%s, %swritten by whirl %s.", to->count, to->count == 1 ? "" : "s",
                 to->claims ? "set beside what the source says, " : "", WHIRL_VERSION);

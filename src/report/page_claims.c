@@ -94,13 +94,18 @@ static void write_missed(const page *to, size_t claim) {
     if (of->from != of->to) html_printf(to->stream, " to %.4g", of->to);
     fputs("</strong>: ", to->stream);
     html_text(to->stream, of->says);
-    fputs(reached == WHIRL_AGREES_PARTLY ? ". Met in part. Found:" : ". Met by no result. Found:", to->stream);
+    fputs(reached == WHIRL_AGREES_PARTLY ? ". Met in part:" : ". Met by no result:", to->stream);
+    fputs("\n<ul>\n", to->stream);
     for (size_t r = 0; r < to->count; r++) {
         const comparison *here = outcome(to, claim, r);
         if (here->agreement != reached) continue;
-        html_printf(to->stream, " %s: %s.", to->names[r], here->found);
+        fputs("<li><span class=\"soft\">", to->stream);
+        html_text(to->stream, to->names[r]);
+        fputs("</span>: ", to->stream);
+        html_text(to->stream, here->found);
+        fputs(".</li>\n", to->stream);
     }
-    fputs("</li>\n", to->stream);
+    fputs("</ul></li>\n", to->stream);
 }
 
 static void write_all_missed(const page *to) {

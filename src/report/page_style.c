@@ -14,6 +14,7 @@ void page_style(FILE *stream) {
         "h3{font-size:1.05rem;margin:2.2rem 0 .5rem}",
         "p{max-width:46rem;margin:.6rem 0}",
         "a{color:var(--link)}",
+        "li{max-width:60rem}li li{font-size:.9rem}",
         ".soft{color:var(--soft)}.small{font-size:.86rem}",
         "nav ul{list-style:none;padding:0;margin:1rem 0;display:flex;flex-wrap:wrap;gap:.3rem 1.4rem}",
         ".scroll{overflow-x:auto}",
@@ -44,7 +45,8 @@ void page_style(FILE *stream) {
         "@media print{:root{color-scheme:light;--paper:#fff;--ink:#000;--soft:#444;--line:#bbb;--wash:#fff;--link:#000;"
         "--good:#00664a;--half:#8a5a00;--bad:#a63a00}body{font-size:10pt;max-width:none;padding:0}h2{break-before:page}"
         "h2:first-of-type{break-before:auto}figure,tr{break-inside:avoid}h3{break-after:avoid}nav,summary{display:none}"
-        "a{text-decoration:none}figure img{max-width:17cm;border:0}.pair{display:block}.scroll{overflow:visible}"
+        "a{text-decoration:none}figure "
+        "img{width:auto;max-width:17cm;max-height:20cm;border:0}.pair{display:block}.scroll{overflow:visible}"
         ".claims td{min-width:0}table{font-size:8pt}}",
     };
     fputs("<style>\n", stream);

@@ -11,8 +11,7 @@
 
 #include <cmocka.h>
 
-/// Half a unit of the last printed digit.
-static double half_unit(const char *digits) {
+double half_unit(const char *digits) {
     const char *point = strchr(digits, '.');
     return 0.5 * pow(10.0, point ? -(double)strlen(point + 1) : 0.0);
 }

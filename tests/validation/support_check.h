@@ -10,6 +10,9 @@
 /// `expected` is printed digits, ".6757879254": agreement to half a unit of the last one.
 void check_digits(const char *id, const char *what, const char *expected, double obtained);
 
+/// Half a unit of the last printed digit.
+double half_unit(const char *digits);
+
 /// Agreement to within `tolerance`.
 void check_within(const char *id, const char *what, double expected, double obtained, double tolerance);
 

@@ -90,7 +90,8 @@ void eigenvalues(size_t n, const double *matrix, double complex *values) {
     double copy[MAX_DIMENSION * MAX_DIMENSION], real[MAX_DIMENSION], imaginary[MAX_DIMENSION];
     const lapack_int size = (lapack_int)n;
     memcpy(copy, matrix, n * n * sizeof *copy);
-    assert_int_equal(0, LAPACKE_dgeev(LAPACK_ROW_MAJOR, 'N', 'N', size, copy, size, real, imaginary, NULL, size, NULL, size));
+    assert_int_equal(
+        0, LAPACKE_dgeev(LAPACK_ROW_MAJOR, 'N', 'N', size, copy, size, real, imaginary, NULL, size, NULL, size));
     for (size_t i = 0; i < n; i++) values[i] = CMPLX(real[i], imaginary[i]);
 }
 

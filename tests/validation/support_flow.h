@@ -17,7 +17,8 @@ whirl_integrator *make_integrator(const whirl_system *system, const char *method
 void revolve(whirl_integrator *integrator, double *x, int revolutions);
 
 /// d(x after the revolutions)/dx [n][n], row-major, by central differences of fourth order.
-void flow_jacobian(whirl_integrator *integrator, size_t n, const double *x, int revolutions, double step, double *matrix);
+void flow_jacobian(whirl_integrator *integrator, size_t n, const double *x, int revolutions, double step,
+                   double *matrix);
 
 /// Newton's method from x on x(revolutions) - x = 0.
 void find_fixed_point(whirl_integrator *integrator, size_t n, double *x, int revolutions);

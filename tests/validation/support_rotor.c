@@ -96,7 +96,8 @@ whirl_rotor *make_paper_rotor(double r_k) {
     // In the clearance and the mass of one journal; only the ratios below enter.
     const double w = 0.2, r_m = 8.4, k2 = 1.0 / (w * w);
     whirl_design *design = start_design(1.0, 1.0);
-    const whirl_setting disc[] = {{"mass", r_m, NULL}, {"damping", 0.0157509 * r_m, NULL}, {"eccentricity", 0.08, NULL}};
+    const whirl_setting disc[] = {
+        {"mass", r_m, NULL}, {"damping", 0.0157509 * r_m, NULL}, {"eccentricity", 0.08, NULL}};
     const whirl_setting journal[] = {{"mass", 2.0, NULL}, {"damping", 0.286154, NULL}};
     require_ok(whirl_design_station(design, "disc", disc, COUNT_OF(disc)));
     require_ok(whirl_design_station(design, "journal", journal, COUNT_OF(journal)));

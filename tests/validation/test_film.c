@@ -23,8 +23,8 @@ static double random_number(uint64_t *seed) {
 static void integrate_pressure(const double s[4], double force[2]) {
     static const long double nodes[4] = {0.183434642495649804939L, 0.525532409916328985818L, 0.796666477413626739592L,
                                          0.960289856497536231684L};
-    static const long double weights[4] = {0.362683783378361982965L, 0.313706645877887287338L,
-                                           0.222381034453374470544L, 0.101228536290376259153L};
+    static const long double weights[4] = {0.362683783378361982965L, 0.313706645877887287338L, 0.222381034453374470544L,
+                                           0.101228536290376259153L};
     const int panels = 200;
     const long double a = s[0] - 2.0L * s[3], b = s[1] + 2.0L * s[2];
     const long double alpha = atan2l(-b, -a), half = 0.5L * 3.14159265358979323846264L / panels;

@@ -26,7 +26,9 @@ static double place_journal(double e, double position[2]) {
 }
 
 /// Steps for differences: the film has a kink at the centre and a pole at the wall.
-static double difference_step(double e) { return 5e-3 * fmin(e, 1.0 - e); }
+static double difference_step(double e) {
+    return 5e-3 * fmin(e, 1.0 - e);
+}
 
 /// Largest real part of the eigenvalues about the resting journal of a rigid rotor at speed s.
 static double rigid_growth(double e, double s, double *whirl_ratio) {
@@ -74,7 +76,8 @@ static void a5_threshold_speed(void **unused) {
                 {0.45697072, "2.531705709", ".52106604"},
                 {0.5, "2.541730858", ".51464014"}};
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        check_digits("A5", words("threshold speed at e = %.8g", rows[i].e), rows[i].speed, rigid_threshold(rows[i].e, &nu));
+        check_digits("A5", words("threshold speed at e = %.8g", rows[i].e), rows[i].speed,
+                     rigid_threshold(rows[i].e, &nu));
         check_digits("A5", words("whirl ratio at e = %.8g", rows[i].e), rows[i].ratio, nu);
     }
 }
@@ -184,7 +187,9 @@ static void a7_unloaded_rotor(void **unused) {
 static const double a8_start[4] = {0.1, -0.2, 0.0, 0.0};
 
 /// sigma = .3, s = 3.
-static whirl_rotor *make_a8_rotor(double rho) { return make_film_rotor(0.3 / 9.0, 1.0 / 9.0, rho); }
+static whirl_rotor *make_a8_rotor(double rho) {
+    return make_film_rotor(0.3 / 9.0, 1.0 / 9.0, rho);
+}
 
 static void check_a8_periodic(double rho, int period, size_t count, const printed_point *points) {
     double state[4];
@@ -220,9 +225,12 @@ static void a8_chaos(void **unused) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a5_threshold_speed),  cmocka_unit_test(a5_smallest_threshold_speed),
-        cmocka_unit_test(a5_end_of_instability), cmocka_unit_test(a6_flexible_shaft),
-        cmocka_unit_test(a7_unloaded_rotor),   cmocka_unit_test(a8_period_doubling),
+        cmocka_unit_test(a5_threshold_speed),
+        cmocka_unit_test(a5_smallest_threshold_speed),
+        cmocka_unit_test(a5_end_of_instability),
+        cmocka_unit_test(a6_flexible_shaft),
+        cmocka_unit_test(a7_unloaded_rotor),
+        cmocka_unit_test(a8_period_doubling),
         cmocka_unit_test(a8_chaos),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

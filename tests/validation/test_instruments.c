@@ -86,7 +86,8 @@ typedef struct d1_row {
 } d1_row;
 
 /// All exponents [n] per unit of time by variational equations, from the end of the record.
-static void find_spectrum(const d1_row *row, const whirl_record *record, int steps, int revolutions, double *exponents) {
+static void find_spectrum(const d1_row *row, const whirl_record *record, int steps, int revolutions,
+                          double *exponents) {
     double state[3];
     const tangent_model model = {&row->system, row->jacobian, row->system.model};
     const whirl_system joint = make_tangent_system(&model);
@@ -129,29 +130,32 @@ static void check_d1(const d1_row *row) {
 
 static void d1_lorenz(void **unused) {
     (void)unused;
-    const d1_row row = {"Lorenz", lorenz, lorenz_jacobian, {1.0, 1.0, 20.0}, 100, 1500000, 0.9056, 0.0003, -41.0 / 3.0, false};
+    const d1_row row = {"Lorenz", lorenz, lorenz_jacobian, {1.0, 1.0, 20.0}, 100,
+                        1500000,  0.9056, 0.0003,          -41.0 / 3.0,      false};
     check_d1(&row);
 }
 
 static void d1_ueda(void **unused) {
     (void)unused;
     const oscillator o = {.damping = 0.05, .cubic = 1.0, .force = 7.5, .frequency = 1.0};
-    const d1_row row = {"Ueda", make_oscillator(&o), oscillator_jacobian, {1.0, 0.0}, 128, 900000, 0.1034, 0.0003, -0.05, false};
+    const d1_row row = {
+        "Ueda", make_oscillator(&o), oscillator_jacobian, {1.0, 0.0}, 128, 900000, 0.1034, 0.0003, -0.05, false};
     check_d1(&row);
 }
 
 static void d1_two_wells(void **unused) {
     (void)unused;
     const oscillator o = {.damping = 0.3, .stiffness = -1.0, .cubic = 1.0, .force = 0.5, .frequency = 1.2};
-    const d1_row row = {"two wells", make_oscillator(&o), oscillator_jacobian, {1.0, 0.0}, 128, 700000, 0.1044, 0.0005,
-                        -0.3, true};
+    const d1_row row = {
+        "two wells", make_oscillator(&o), oscillator_jacobian, {1.0, 0.0}, 128, 700000, 0.1044, 0.0005, -0.3, true};
     check_d1(&row);
 }
 
 static void d1_pendulum(void **unused) {
     (void)unused;
     const oscillator o = {.damping = 0.5, .pendulum = 1.0, .force = 1.15, .frequency = 2.0 / 3.0};
-    const d1_row row = {"pendulum", make_oscillator(&o), oscillator_jacobian, {1.0, 0.0}, 128, 450000, 0.0995, 0.0005, -0.5, false};
+    const d1_row row = {
+        "pendulum", make_oscillator(&o), oscillator_jacobian, {1.0, 0.0}, 128, 450000, 0.0995, 0.0005, -0.5, false};
     check_d1(&row);
 }
 
@@ -163,7 +167,8 @@ static void d2_regimes(void **unused) {
     } rows[] = {{0.20, "P-1"}, {0.28, "P-2"}, {0.29, "P-4"}, {0.37, "P-5"}, {0.50, "chaotic"}, {0.65, "P-2"}};
     const double start[2] = {1.0, 0.0};
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        const oscillator o = {.damping = 0.3, .stiffness = -1.0, .cubic = 1.0, .force = rows[i].force, .frequency = 1.2};
+        const oscillator o = {
+            .damping = 0.3, .stiffness = -1.0, .cubic = 1.0, .force = rows[i].force, .frequency = 1.2};
         const whirl_system system = make_oscillator(&o);
         whirl_record *record = record_motion(&system, start, 256, 600, 600);
         check_regime("D2", words("regime at gam = %.2f", rows[i].force), rows[i].regime, record);
@@ -287,8 +292,8 @@ static void d4_van_der_pol(void **unused) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(d1_lorenz),   cmocka_unit_test(d1_ueda),    cmocka_unit_test(d1_two_wells),
-        cmocka_unit_test(d1_pendulum), cmocka_unit_test(d2_regimes), cmocka_unit_test(d3_mathieu),
+        cmocka_unit_test(d1_lorenz),      cmocka_unit_test(d1_ueda),    cmocka_unit_test(d1_two_wells),
+        cmocka_unit_test(d1_pendulum),    cmocka_unit_test(d2_regimes), cmocka_unit_test(d3_mathieu),
         cmocka_unit_test(d4_van_der_pol),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

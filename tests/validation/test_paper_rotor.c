@@ -86,7 +86,8 @@ static void e1_tolerances(void **unused) {
     for (int i = 0; i < 2; i++) {
         const double loose = error_of(&rows[i], "cvode-adams", 1, 1e-6, 1e-9, NULL);
         const double tight = error_of(&rows[i], "cvode-adams", 1, 1e-12, 1e-15, NULL);
-        check_within("E1", words("r_k = %.1f, largest error of Adams, rtol 1e-6, atol 1e-9", rows[i].r_k), 0.0, loose, 1e-3);
+        check_within("E1", words("r_k = %.1f, largest error of Adams, rtol 1e-6, atol 1e-9", rows[i].r_k), 0.0, loose,
+                     1e-3);
         check_within("E1", words("r_k = %.1f, error at rtol 1e-12 over that", rows[i].r_k), 0.0, tight / loose, 1e-3);
     }
 }

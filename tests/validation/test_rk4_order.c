@@ -31,7 +31,8 @@ static double distance(size_t n, const double *a, const double *b) {
 }
 
 /// Halves the step from `coarsest` on and compares log2 of the ratio of successive differences with 4.
-static void check_order(const char *name, const whirl_system *system, const double *start, int coarsest, int revolutions) {
+static void check_order(const char *name, const whirl_system *system, const double *start, int coarsest,
+                        int revolutions) {
     double ends[LEVELS][MAX_DIMENSION];
     for (int i = 0; i < LEVELS; i++) end_state(system, start, coarsest << i, revolutions, ends[i]);
     for (int i = 0; i + 2 < LEVELS; i++) {

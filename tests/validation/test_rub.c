@@ -26,10 +26,22 @@ static void rub_jacobian(const void *parameters, double t, const double *s, doub
     const double k = r > 1.0 ? p->kappa : 0.0, push = 1.0 - 1.0 / fmax(r, 1e-9), r3 = fmax(r * r * r, 1e-27);
     const double xx = push + s[0] * s[0] / r3, xy = s[0] * s[1] / r3, yy = push + s[1] * s[1] / r3;
     const double f = p->friction, damping = 2.0 * p->zeta / p->speed;
-    const double matrix[16] = {0.0, 0.0, 1.0, 0.0,
-                               0.0, 0.0, 0.0, 1.0,
-                               -(1.0 + k * (xx - f * xy)) / w2, -k * (xy - f * yy) / w2, -damping, 0.0,
-                               -k * (xy + f * xx) / w2, -(1.0 + k * (yy + f * xy)) / w2, 0.0, -damping};
+    const double matrix[16] = {0.0,
+                               0.0,
+                               1.0,
+                               0.0,
+                               0.0,
+                               0.0,
+                               0.0,
+                               1.0,
+                               -(1.0 + k * (xx - f * xy)) / w2,
+                               -k * (xy - f * yy) / w2,
+                               -damping,
+                               0.0,
+                               -k * (xy + f * xx) / w2,
+                               -(1.0 + k * (yy + f * xy)) / w2,
+                               0.0,
+                               -damping};
     (void)t;
     memcpy(jacobian, matrix, sizeof matrix);
 }
@@ -64,8 +76,8 @@ static double find_grazing(double outside, double inside) {
 /// [1 + kap (1 - 1/A)(1 + i mu) - w^2 + 2 i zeta w] A e^(-i psi) = e w^2.
 static void start_on_circle(const rub_case *p, double radius, double state[4]) {
     const double complex contact = p->kappa * (1.0 - 1.0 / radius) * CMPLX(1.0, p->friction);
-    const double complex z = p->eccentricity * p->speed * p->speed /
-                             (1.0 + contact - p->speed * p->speed + 2.0 * I * p->zeta * p->speed);
+    const double complex z =
+        p->eccentricity * p->speed * p->speed / (1.0 + contact - p->speed * p->speed + 2.0 * I * p->zeta * p->speed);
     state[0] = creal(z);
     state[1] = cimag(z);
     state[2] = -cimag(z);
@@ -185,10 +197,20 @@ typedef struct c3_row {
 } c3_row;
 
 static const c3_row c3_rows[2] = {
-    {"zeta = .05", {.zeta = 0.05, .kappa = 25.0, .friction = 0.1}, "1.618033988750", "1.069200083003",
-     ".020396078054", "6.3838636", 30.0},
-    {"zeta = .02", {.zeta = 0.02, .kappa = 4.0, .friction = 0.1}, "1.219803902719", "1.138926726602",
-     ".022360679775", "4.0000000", 8.0},
+    {"zeta = .05",
+     {.zeta = 0.05, .kappa = 25.0, .friction = 0.1},
+     "1.618033988750",
+     "1.069200083003",
+     ".020396078054",
+     "6.3838636",
+     30.0},
+    {"zeta = .02",
+     {.zeta = 0.02, .kappa = 4.0, .friction = 0.1},
+     "1.219803902719",
+     "1.138926726602",
+     ".022360679775",
+     "4.0000000",
+     8.0},
 };
 
 static void c3_backward_whirl(void **unused) {
@@ -293,8 +315,10 @@ static void check_multiplier(const char *what, const double *matrix, const char 
     for (size_t i = 1; i < 4; i++)
         if (cabs(values[i] - printed) < cabs(values[best] - printed)) best = i;
     check_digits("C4", words("%s, real part of a multiplier", what), real, creal(values[best]));
-    if (imaginary) check_digits("C4", words("%s, imaginary part of it", what), imaginary, cimag(values[best]));
-    else check_within("C4", words("%s, imaginary part of it", what), 0.0, cimag(values[best]), 1e-12);
+    if (imaginary)
+        check_digits("C4", words("%s, imaginary part of it", what), imaginary, cimag(values[best]));
+    else
+        check_within("C4", words("%s, imaginary part of it", what), 0.0, cimag(values[best]), 1e-12);
 }
 
 typedef struct c4_row {
@@ -333,11 +357,23 @@ static void check_c4_periodic(const c4_row *row) {
 static void c4_periodic_orbits(void **unused) {
     (void)unused;
     static const c4_row rows[2] = {
-        {"w = 1.5", 1.5, 1, 1, {{"1.3284851484", "-.3705078967"}}, {".54774858", ".61278587"}, {"-.588909", "-.47058333"}},
-        {"w = 3.8", 3.8, 4, 4,
-         {{"-1.0595706503", "-.5024893815"}, {"-1.11500351", "-.01035513"}, {"-1.00404859", "-.34789172"},
+        {"w = 1.5",
+         1.5,
+         1,
+         1,
+         {{"1.3284851484", "-.3705078967"}},
+         {".54774858", ".61278587"},
+         {"-.588909", "-.47058333"}},
+        {"w = 3.8",
+         3.8,
+         4,
+         4,
+         {{"-1.0595706503", "-.5024893815"},
+          {"-1.11500351", "-.01035513"},
+          {"-1.00404859", "-.34789172"},
           {"-1.01494028", "-.03188894"}},
-         {"-.42213556", ".4797482"}, {".65282916", ".26620254"}},
+         {"-.42213556", ".4797482"},
+         {".65282916", ".26620254"}},
     };
     for (int i = 0; i < 2; i++) check_c4_periodic(&rows[i]);
 }

@@ -107,7 +107,8 @@ static void b2_interval(void **unused) {
     check_within("B2", "upper end, c = .1", sqrt(half + root), find_edge(g, 1.15, 1.0), 1e-10);
     // It vanishes at c/m = w2 - w1 = .2010179, at w^2 = w1 w2.
     const double middle = sqrt(sqrt(a * b)), vanishing = sqrt(b) - sqrt(a);
-    check_holds("B2", "unstable between the criticals with c/m = .999 (w2 - w1)", growth(0.999 * vanishing, middle, false) > 1.0);
+    check_holds("B2", "unstable between the criticals with c/m = .999 (w2 - w1)",
+                growth(0.999 * vanishing, middle, false) > 1.0);
     bool stable = true;
     for (double w = 0.85; w < 1.15; w += 0.01) stable = stable && growth(1.001 * vanishing, w, false) < 1.0;
     check_holds("B2", "stable at all speeds with c/m = 1.001 (w2 - w1)", stable);
@@ -154,8 +155,7 @@ static void b3_gravity_at_twice_the_speed(void **unused) {
     const shaft_case p = {.speed = 0.45, .damping = 0.1, .k1 = 0.8, .k2 = 1.2, .gravity = 0.05};
     const harmonics h = steady_harmonics(&p);
     const double del = -0.2, w0 = 1.0;
-    const double complex q =
-        -I * del * 0.05 / (w0 * (w0 - del * del / w0 - 4.0 * 0.45 * 0.45 + 2.0 * I * 0.45 * 0.1));
+    const double complex q = -I * del * 0.05 / (w0 * (w0 - del * del / w0 - 4.0 * 0.45 * 0.45 + 2.0 * I * 0.45 * 0.1));
     check_within("B3", "Re Q at w = .45", creal(q), creal(h.second), 5e-13);
     check_within("B3", "Im Q at w = .45", cimag(q), cimag(h.second), 5e-13);
     check_within("B3", "backward part at twice the speed", 0.0, cabs(h.backward), 1e-13);
@@ -181,9 +181,12 @@ static void b4_unbalance(void **unused) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(b1_stiffness_matrix), cmocka_unit_test(b2_multipliers),
-        cmocka_unit_test(b2_interval),         cmocka_unit_test(b3_gravity_at_twice_the_speed),
-        cmocka_unit_test(b3_peak),             cmocka_unit_test(b4_unbalance),
+        cmocka_unit_test(b1_stiffness_matrix),
+        cmocka_unit_test(b2_multipliers),
+        cmocka_unit_test(b2_interval),
+        cmocka_unit_test(b3_gravity_at_twice_the_speed),
+        cmocka_unit_test(b3_peak),
+        cmocka_unit_test(b4_unbalance),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

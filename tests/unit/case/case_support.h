@@ -14,8 +14,8 @@
 
 #include "whirl/case.h"
 
-/// The case layer describes results and leaves the facts of the build to the layer of result files, which a test of this
-/// layer is not linked with.
+/// The case layer describes results and leaves the facts of the build to the layer of result files, which a test of
+/// this layer is not linked with.
 __attribute__((weak)) whirl_status whirl_result_add_provenance(whirl_result *result);
 __attribute__((weak)) whirl_status whirl_result_add_provenance(whirl_result *result) {
     (void)result;

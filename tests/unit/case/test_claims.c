@@ -81,6 +81,9 @@ static void wrong_claims_are_told(void **state) {
     expect_item_problem("rub: true", "c:5:5: items[1]: expected either at, or from and to");
     expect_item_problem("at: x", "c:5:35: items[1].at: is x, expected a number, or a number and a unit");
     expect_item_problem("at: 1, rub: yes", "c:5:43: items[1].rub: is yes, expected one of true, false");
+    expect_item_problem("at: 1, curves: 4e35",
+                        "c:5:46: items[1].curves: is 4e+35, expected a whole number from 1 to 64");
+    expect_item_problem("at: 1, curves: = 2", "c:5:46: items[1].curves: is an expression, expected a number");
     expect_item_problem("at: 1, lnes: [1]", "c:5:38: items[1].lnes: claim has no key lnes, did you mean lines?");
     expect_item_problem("at: 1, lines: []", "c:5:38: items[1].lines: is a list of 0, expected a list of 1 to 8 orders");
     expect_item_problem("at: 1, lines: [-1]", "c:5:46: items[1].lines[1]: is -1, expected a number of at least 0");

@@ -251,7 +251,7 @@ static void too_many(void **state) {
         end += sprintf(end, "\n");
     }
     expect_problem("kappa: 10", text,
-                   "t:144:9: parameters.p138: is too much: all expressions together have more than 65536 characters");
+                   "t:145:9: parameters.p139: is too much: all expressions together have more than 65536 characters");
     free(text);
 }
 

@@ -86,8 +86,10 @@ static void line_claims(void **state) {
     const whirl_claim third = {.from = 0.6, .to = 0.6, .line_count = 2, .lines = {1.0, 3.0}};
     assert_int_equal(compare(&third, found), WHIRL_DISAGREES);
     // 0.25: 1, 0.43, 0.40, 0.46.
-    const whirl_claim more = {.from = 0.25, .to = 0.25, .line_count = 1, .lines = {0.43}, .only_lines = true};
-    assert_int_equal(compare(&more, found), WHIRL_AGREES_PARTLY);
+    whirl_claim more = {.from = 0.25, .to = 0.25, .line_count = 1, .lines = {0.43}};
+    assert_int_equal(compare(&more, found), WHIRL_AGREES);
+    more.only_lines = true;
+    assert_int_equal(compare(&more, found), WHIRL_DISAGREES);
     assert_contains(found, "0.43");
 }
 
@@ -115,6 +117,8 @@ static void curves_and_whirl_claims(void **state) {
     whirl_claim whirl = {.from = 0.0, .to = 0.15, .has_whirl = true, .whirl = "diverging-backward"};
     assert_int_equal(compare(&whirl, found), WHIRL_DISAGREES); // backward a quarter of the time
     assert_contains(found, "25 to 25 %");
+    snprintf(whirl.whirl, sizeof whirl.whirl, "backward");
+    assert_int_equal(compare(&whirl, found), WHIRL_DISAGREES);
     snprintf(whirl.whirl, sizeof whirl.whirl, "forward");
     assert_int_equal(compare(&whirl, found), WHIRL_AGREES);
 }
@@ -131,6 +135,20 @@ static void divergence_is_diverging_backward(void **state) {
     }
     assert_int_equal(whirl_claim_compare(&claims, &claim, result, found, sizeof found), WHIRL_AGREES);
     assert_contains(found, "diverged at 2 of 2 points");
+    whirl_result_free(result);
+}
+
+static void what_is_unknown_does_not_agree(void **state) {
+    (void)state;
+    char found[600];
+    const whirl_claims claims = {.parameter = "r_k", .station = "disc"};
+    const whirl_claim claim = {.from = 0.0, .to = 0.15, .has_contact = true, .contact = true};
+    whirl_result *result = sample_result();
+    *sample_field(&result->tables[0], 10, "rub/share", 0) = (double)NAN;
+    assert_int_equal(whirl_claim_compare(&claims, &claim, result, found, sizeof found), WHIRL_AGREES_PARTLY);
+    assert_contains(found, "unknown at 1 more");
+    *sample_field(&result->tables[0], 9, "rub/share", 0) = (double)NAN;
+    assert_int_equal(whirl_claim_compare(&claims, &claim, result, found, sizeof found), WHIRL_NOT_COMPARED);
     whirl_result_free(result);
 }
 
@@ -156,6 +174,7 @@ int main(void) {
         cmocka_unit_test(band_claims),
         cmocka_unit_test(curves_and_whirl_claims),
         cmocka_unit_test(divergence_is_diverging_backward),
+        cmocka_unit_test(what_is_unknown_does_not_agree),
         cmocka_unit_test(nothing_to_compare),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

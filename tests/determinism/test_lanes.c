@@ -1,0 +1,301 @@
+// The same bits whatever runs beside a point: threads, lanes, vector widths, order and number of points.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "whirl/whirl.h"
+
+static const char *const fused[] = {"fma", "avx2", "avx512"};
+static const char *const unfused[] = {"scalar", "sse2"};
+
+static void check(whirl_status status) {
+    if (status.code != WHIRL_OK) fail_msg("%s", status.message);
+}
+
+static bool present(const char *isa, const whirl_system *system) {
+    const whirl_integrate_options options = whirl_integrate_default();
+    whirl_ensemble *ensemble;
+    setenv("WHIRL_ISA", isa, 1);
+    const bool there = whirl_ensemble_new(system, &options, 1, &ensemble).code == WHIRL_OK;
+    whirl_ensemble_free(ensemble);
+    return there;
+}
+
+// ---------------------------------------------------------------- the paper's rotor as a family over r_k
+
+typedef struct rotor_machine {
+    whirl_rotor *rotor;
+    double start[8];
+} rotor_machine;
+
+static void release(void *owner) {
+    rotor_machine *own = owner;
+    whirl_rotor_free(own->rotor);
+    free(own);
+}
+
+static whirl_rotor *paper_rotor(double r_k) {
+    whirl_design *design;
+    whirl_rotor *rotor;
+    const whirl_setting disc[] = {{"mass", 8.4, 0}, {"damping", 8.4 * 0.0157509, 0}, {"eccentricity", 0.08, 0}};
+    const whirl_setting journal[] = {{"mass", 2, 0}, {"damping", 0.286154, 0}};
+    const whirl_setting shaft[] = {
+        {"between", 0, "disc, journal"}, {"k1", r_k * 25, 0}, {"k2", 25, 0}, {"signs", 0, "paper"}};
+    const whirl_setting film[] = {{"at", 0, "journal"}, {"count", 2, 0}, {"clearance", 1, 0}, {"load", 0.0042, 0}};
+    const whirl_setting rub[] = {{"at", 0, "disc"}, {"gap", 1.2, 0}, {"stiffness", 250, 0}, {"friction", 0.1, 0}};
+    const whirl_setting gravity[] = {{"acceleration", 0.125254, 0}};
+    check(whirl_design_new(1, 1, &design));
+    check(whirl_design_station(design, "disc", disc, 3));
+    check(whirl_design_station(design, "journal", journal, 2));
+    check(whirl_design_element(design, "shaft", shaft, 4));
+    check(whirl_design_element(design, "film", film, 4));
+    check(whirl_design_element(design, "rub", rub, 4));
+    check(whirl_design_element(design, "gravity", gravity, 1));
+    check(whirl_rotor_new(design, &rotor));
+    whirl_design_free(design);
+    return rotor;
+}
+
+/// Points beyond r_k = 2 start outside their bearing: their film is not a number from the first step.
+static whirl_status machine(const void *family, const whirl_batch *batch, double value, whirl_machine *out) {
+    (void)family, (void)batch;
+    rotor_machine *own = calloc(1, sizeof *own);
+    assert_non_null(own);
+    own->rotor = paper_rotor(value);
+    own->start[1] = -0.1;
+    own->start[3] = value > 2 ? -1.5 : -0.1;
+    *out = (whirl_machine){whirl_rotor_system(own->rotor), own->start, own, release};
+    return whirl_ok();
+}
+
+static whirl_result *run(const double *values, size_t count, int threads, const char *isa) {
+    whirl_study study = {.batch_count = 1, .machine = machine};
+    whirl_batch *batch = &study.batches[0];
+    whirl_result *result;
+    *batch = (whirl_batch){.name = "sweep", .parameter = "r_k", .count = count, .values = values};
+    batch->integrate = whirl_integrate_default();
+    batch->integrate.steps_per_revolution = 256;
+    batch->record = whirl_record_default();
+    batch->record.transient = 30;
+    batch->record.record = 10;
+    batch->record.waveform_revolutions = 2;
+    for (const whirl_analysis *analysis = whirl_analyses(); analysis->name; analysis++)
+        assert_true(whirl_analysis_add(&batch->analyses, analysis->name));
+    if (isa)
+        setenv("WHIRL_ISA", isa, 1);
+    else
+        unsetenv("WHIRL_ISA");
+    check(whirl_study_run(&study, &(whirl_run_options){.threads = threads}, &result));
+    return result;
+}
+
+static uint64_t hash(const void *bytes, size_t size) {
+    const unsigned char *byte = bytes;
+    uint64_t sum = 1469598103934665603u; // FNV-1a
+    for (size_t i = 0; i < size; i++) sum = (sum ^ byte[i]) * 1099511628211u;
+    return sum;
+}
+
+static uint64_t point_hash(const whirl_result *result, size_t point) {
+    const size_t size = result->tables[0].layout.size;
+    return hash(result->tables[0].blocks + point * size, size * sizeof(double));
+}
+
+enum { POINTS = 21 };
+
+static void sweep_values(double values[POINTS]) {
+    for (int i = 0; i < POINTS; i++) values[i] = 1.0 - 0.04 * i;
+}
+
+static void expect_same(const whirl_result *a, const whirl_result *b, size_t count) {
+    for (size_t i = 0; i < count; i++) assert_true(point_hash(a, i) == point_hash(b, i));
+}
+
+static void test_threads(void **state) {
+    double values[POINTS];
+    (void)state;
+    sweep_values(values);
+    whirl_result *one = run(values, POINTS, 1, NULL);
+    for (int threads = 2; threads <= 7; threads += 5) {
+        whirl_result *more = run(values, POINTS, threads, NULL);
+        expect_same(one, more, POINTS);
+        whirl_result_free(more);
+    }
+    whirl_result_free(one);
+}
+
+static void test_widths(void **state) {
+    double values[POINTS];
+    whirl_rotor *rotor = paper_rotor(0.5);
+    (void)state;
+    sweep_values(values);
+    for (int family = 0; family < 2; family++) {
+        const char *const *names = family ? unfused : fused;
+        const int count = family ? 2 : 3;
+        whirl_result *reference = NULL;
+        for (int i = 0; i < count; i++) {
+            if (!present(names[i], whirl_rotor_system(rotor))) {
+                printf("%s: not on this processor\n", names[i]);
+                continue;
+            }
+            whirl_result *result = run(values, POINTS, 2, names[i]);
+            if (reference) expect_same(reference, result, POINTS);
+            printf("%-7s %016llx\n", names[i], (unsigned long long)point_hash(result, POINTS - 1));
+            if (reference)
+                whirl_result_free(result);
+            else
+                reference = result;
+        }
+        whirl_result_free(reference);
+    }
+    whirl_rotor_free(rotor);
+}
+
+static void test_order_and_number_of_points(void **state) {
+    double values[POINTS], backward[POINTS];
+    (void)state;
+    sweep_values(values);
+    for (int i = 0; i < POINTS; i++) backward[i] = values[POINTS - 1 - i];
+    whirl_result *all = run(values, POINTS, 2, NULL), *reversed = run(backward, POINTS, 2, NULL);
+    for (size_t i = 0; i < POINTS; i++) {
+        whirl_result *alone = run(values + i, 1, 1, NULL);
+        assert_true(point_hash(all, i) == point_hash(reversed, POINTS - 1 - i));
+        assert_true(point_hash(all, i) == point_hash(alone, 0));
+        whirl_result_free(alone);
+    }
+    whirl_result_free(all);
+    whirl_result_free(reversed);
+}
+
+static void test_a_lane_that_is_not_a_number_touches_no_other(void **state) {
+    double values[POINTS], poisoned[POINTS];
+    (void)state;
+    sweep_values(values);
+    memcpy(poisoned, values, sizeof values);
+    for (int i = 0; i < POINTS; i += 4) poisoned[i] = 3;
+    whirl_result *clean = run(values, POINTS, 1, NULL), *dirty = run(poisoned, POINTS, 1, NULL);
+    for (size_t i = 0; i < POINTS; i++) {
+        const whirl_verdict verdict = whirl_table_verdict(&dirty->tables[0], i);
+        if (i % 4 == 0)
+            assert_true(verdict.regime == WHIRL_DIVERGING && verdict.diverged_at == 1.0);
+        else
+            assert_true(point_hash(clean, i) == point_hash(dirty, i));
+    }
+    whirl_result_free(clean);
+    whirl_result_free(dirty);
+}
+
+static void test_fused_and_unfused_agree(void **state) {
+    const double values[] = {0.6, 0.8, 1.0};
+    whirl_rotor *rotor = paper_rotor(0.5);
+    (void)state;
+    if (!present("fma", whirl_rotor_system(rotor))) skip();
+    whirl_rotor_free(rotor);
+    whirl_result *a = run(values, 3, 1, "fma"), *b = run(values, 3, 1, "scalar");
+    for (size_t i = 0; i < 3; i++) {
+        const double *x = whirl_table_field(&a->tables[0], i, "poincare/section", 0);
+        const double *y = whirl_table_field(&b->tables[0], i, "poincare/section", 0);
+        for (int k = 0; k < 40; k++) assert_true(fabs(x[k] - y[k]) < 1e-9);
+    }
+    whirl_result_free(a);
+    whirl_result_free(b);
+}
+
+// ---------------------------------------------------------------- against the integrator that runs alone
+
+/// A chain of `count` stations on shafts, every third one in a film, every fourth with a rub that follows the slip.
+static whirl_rotor *long_rotor(size_t count) {
+    char name[32], pair[64];
+    whirl_design *design;
+    whirl_rotor *rotor;
+    check(whirl_design_new(1, 1, &design));
+    for (size_t i = 0; i < count; i++) {
+        snprintf(name, sizeof name, "s%zu", i);
+        const whirl_setting station[] = {
+            {"mass", 1 + 0.1 * (double)i, 0}, {"damping", 0.1, 0}, {"eccentricity", 0.05, 0}};
+        check(whirl_design_station(design, name, station, 3));
+        const whirl_setting film[] = {{"at", 0, name}, {"clearance", 2, 0}, {"load", 0.3, 0}};
+        const whirl_setting rub[] = {{"at", 0, name},       {"gap", 0.02, 0},   {"stiffness", 3, 0},
+                                     {"friction", 0.2, 0},  {"law", 0, "slip"}, {"radius", 0.05, 0},
+                                     {"slip_speed", 0.1, 0}};
+        if (i % 3 == 0) check(whirl_design_element(design, "film", film, 3));
+        if (i % 4 == 0) check(whirl_design_element(design, "rub", rub, 7));
+        if (i == 0) continue;
+        snprintf(pair, sizeof pair, "s%zu, s%zu", i - 1, i);
+        const whirl_setting shaft[] = {{"between", 0, pair}, {"k1", 20, 0}, {"k2", 25, 0}};
+        check(whirl_design_element(design, "shaft", shaft, 3));
+    }
+    check(whirl_rotor_new(design, &rotor));
+    whirl_design_free(design);
+    return rotor;
+}
+
+static void test_lanes_against_the_integrator(void **state) {
+    const size_t stations[] = {1, 2, 10, 50};
+    (void)state;
+    unsetenv("WHIRL_ISA");
+    for (size_t s = 0; s < 4; s++) {
+        whirl_rotor *rotor = long_rotor(stations[s]);
+        const whirl_system *system = whirl_rotor_system(rotor);
+        whirl_integrate_options options = whirl_integrate_default();
+        whirl_integrator *alone;
+        whirl_ensemble *lanes;
+        double *x = calloc(system->dimension, sizeof *x), *y = calloc(system->dimension, sizeof *y);
+        options.steps_per_revolution = 500;
+        for (size_t i = 0; i < system->dimension / 2; i++) x[i] = 0.01 * (double)(i % 3);
+        check(whirl_integrator_new(system, &options, &alone));
+        check(whirl_ensemble_new(system, &options, 0, &lanes));
+        const size_t count = whirl_ensemble_lanes(lanes);
+        for (size_t lane = 0; lane < count; lane++) check(whirl_ensemble_load(lanes, lane, system, x));
+        for (int i = 0; i < 5; i++) {
+            assert_int_equal(whirl_integrator_revolve(alone, x, NULL, NULL), WHIRL_BOUNDED);
+            whirl_ensemble_revolve(lanes, count, NULL);
+        }
+        for (size_t lane = 0; lane < count; lane++) {
+            whirl_ensemble_state(lanes, lane, y);
+            for (size_t i = 0; i < system->dimension; i++) assert_true(fabs(x[i] - y[i]) < 1e-11);
+        }
+        free(x);
+        free(y);
+        whirl_ensemble_free(lanes);
+        whirl_integrator_free(alone);
+        whirl_rotor_free(rotor);
+    }
+}
+
+static void test_other_structures_are_refused(void **state) {
+    whirl_rotor *two = paper_rotor(0.5), *ten = long_rotor(10);
+    const whirl_integrate_options options = whirl_integrate_default();
+    const double x[40] = {0};
+    whirl_ensemble *lanes;
+    (void)state;
+    check(whirl_ensemble_new(whirl_rotor_system(two), &options, 8, &lanes));
+    assert_int_equal(whirl_ensemble_load(lanes, 0, whirl_rotor_system(ten), x).code, WHIRL_BAD_INPUT);
+    whirl_ensemble_free(lanes);
+    setenv("WHIRL_ISA", "avx1024", 1);
+    const whirl_status status = whirl_ensemble_new(whirl_rotor_system(two), &options, 8, &lanes);
+    assert_int_equal(status.code, WHIRL_BAD_INPUT);
+    assert_non_null(strstr(status.message, "avx512"));
+    whirl_rotor_free(two);
+    whirl_rotor_free(ten);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_threads),
+        cmocka_unit_test(test_widths),
+        cmocka_unit_test(test_order_and_number_of_points),
+        cmocka_unit_test(test_a_lane_that_is_not_a_number_touches_no_other),
+        cmocka_unit_test(test_fused_and_unfused_agree),
+        cmocka_unit_test(test_lanes_against_the_integrator),
+        cmocka_unit_test(test_other_structures_are_refused),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
