@@ -42,6 +42,13 @@ typedef struct known_point {
     double low_order, high_order; ///< between which the largest line below 0.9X of a broad spectrum lies, else 0
 } known_point;
 
+#define LINE(order, amplitude)                                                                                         \
+    { order, amplitude, NULL, 0.0 }
+#define SHARP_LINE(order, amplitude, sharp)                                                                            \
+    { order, amplitude, sharp, 0.0 }
+#define BROAD_LINE(order, amplitude, scatter)                                                                          \
+    { order, amplitude, NULL, scatter }
+
 static const known_point known[POINTS] = {
     {.r_k = 1.00,
      .regime = "P-1",
@@ -50,7 +57,7 @@ static const known_point known[POINTS] = {
      .max_radius = "1.1274",
      .max_eccentricity = ".9573",
      .rub_share = "0",
-     .lines = {{"1", ".0600"}, {"2", ".0012"}}},
+     .lines = {LINE("1", ".0600"), LINE("2", ".0012")}},
     {.r_k = 0.60,
      .regime = "P-1",
      .exponent = -0.1650,
@@ -58,7 +65,7 @@ static const known_point known[POINTS] = {
      .max_radius = "1.1535",
      .max_eccentricity = ".9567",
      .rub_share = "0",
-     .lines = {{"1", ".0587"}, {"3", ".0064"}}},
+     .lines = {LINE("1", ".0587"), LINE("3", ".0064")}},
     {.r_k = 0.48,
      .regime = "quasi-periodic (1 curve)",
      .exponent = 0.0001,
@@ -66,7 +73,8 @@ static const known_point known[POINTS] = {
      .max_radius = "1.1897",
      .max_eccentricity = ".9589",
      .rub_share = "0",
-     .lines = {{".412", ".070", .sharp = ".07426"}, {"1", ".053"}, {".588", ".033", .sharp = ".03483"}, {"3", ".013"}}},
+     .lines = {SHARP_LINE(".412", ".070", ".07426"), LINE("1", ".053"), SHARP_LINE(".588", ".033", ".03483"),
+               LINE("3", ".013")}},
     {.r_k = 0.46,
      .regime = "quasi-periodic (1 curve)",
      .exponent = -0.0002,
@@ -74,7 +82,7 @@ static const known_point known[POINTS] = {
      .max_radius = "1.1915",
      .max_eccentricity = ".9593",
      .rub_share = "0",
-     .lines = {{".427", ".082", .sharp = ".08758"}, {"1", ".051"}, {".573", ".043", .sharp = ".04573"}}},
+     .lines = {SHARP_LINE(".427", ".082", ".08758"), LINE("1", ".051"), SHARP_LINE(".573", ".043", ".04573")}},
     {.r_k = 0.45,
      .regime = "chaotic",
      .exponent = 0.043,
@@ -84,7 +92,7 @@ static const known_point known[POINTS] = {
      .rub_share = "0",
      .radius_scatter = 7e-5,
      .eccentricity_scatter = 1e-5,
-     .lines = {{".432", ".076", .scatter = 9e-4}, {"1", ".051"}, {".568", ".041", .scatter = 5e-4}}},
+     .lines = {BROAD_LINE(".432", ".076", 9e-4), LINE("1", ".051"), BROAD_LINE(".568", ".041", 5e-4)}},
     {.r_k = 0.44,
      .regime = "chaotic",
      .exponent = 0.022,
@@ -93,7 +101,7 @@ static const known_point known[POINTS] = {
      .max_eccentricity = ".9616",
      .radius_scatter = 3.6e-4,
      .eccentricity_scatter = 3e-5,
-     .lines = {{"1", ".050"}}},
+     .lines = {LINE("1", ".050")}},
     {.r_k = 0.40,
      .regime = "P-2",
      .exponent = -0.1173,
@@ -101,7 +109,7 @@ static const known_point known[POINTS] = {
      .max_radius = "1.1926",
      .max_eccentricity = ".9606",
      .rub_share = "0",
-     .lines = {{".5", ".071"}, {"1", ".049"}, {"3", ".016"}, {"1.5", ".011", .sharp = ".010478"}}},
+     .lines = {LINE(".5", ".071"), LINE("1", ".049"), LINE("3", ".016"), SHARP_LINE("1.5", ".011", ".010478")}},
     {.r_k = 0.35,
      .regime = "P-4",
      .exponent = -0.0585,
@@ -109,7 +117,7 @@ static const known_point known[POINTS] = {
      .max_radius = "1.2056",
      .max_eccentricity = ".9616",
      .rub_share = "1.1",
-     .lines = {{".5", ".078"}, {"1", ".045"}, {".25", ".033"}}},
+     .lines = {LINE(".5", ".078"), LINE("1", ".045"), LINE(".25", ".033")}},
     {.r_k = 0.25,
      .regime = "chaotic",
      .exponent = 0.464,
