@@ -74,7 +74,8 @@ whirl_verdict whirl_table_verdict(const whirl_table *table, size_t point);
 /// Appends a fact; a name that is there already gets the new value.
 whirl_status whirl_result_add_fact(whirl_result *result, const char *name, const char *value);
 
-/// Appends the facts of this build and host: version, revision, compiler, flags, libraries, host, processor.
+/// Appends the facts of this build and host: version, revision, compiler, flags, libraries, host, processor,
+/// instruction set.
 whirl_status whirl_result_add_provenance(whirl_result *result);
 
 /// Writes the result as an HDF5 file: to a temporary name beside `path`, synced, then renamed, so that no half

@@ -8,13 +8,6 @@
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
-// Where a result comes from is said by a layer that is not under test here.
-__attribute__((weak)) whirl_status whirl_result_add_provenance(whirl_result *result);
-__attribute__((weak)) whirl_status whirl_result_add_provenance(whirl_result *result) {
-    (void)result;
-    return whirl_ok();
-}
-
 static void require(int condition) {
     if (!condition) abort();
 }

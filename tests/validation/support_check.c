@@ -38,7 +38,7 @@ void check_within(const char *id, const char *what, double expected, double obta
 void note_within(const char *id, const char *what, double expected, double obtained, double tolerance) {
     const double difference = fabs(obtained - expected);
     printf("%s | %s | %.15g | %.15g | %.2g | %.2g%s\n", id, what, expected, obtained, difference, tolerance,
-           difference <= tolerance ? "" : " (outside: see above)");
+           difference <= tolerance ? "" : " (outside)");
     fflush(stdout);
 }
 

@@ -92,7 +92,7 @@ void eigenvalues(size_t n, const double *matrix, double complex *values) {
     memcpy(copy, matrix, n * n * sizeof *copy);
     assert_int_equal(
         0, LAPACKE_dgeev(LAPACK_ROW_MAJOR, 'N', 'N', size, copy, size, real, imaginary, NULL, size, NULL, size));
-    for (size_t i = 0; i < n; i++) values[i] = CMPLX(real[i], imaginary[i]);
+    for (size_t i = 0; i < n; i++) values[i] = real[i] + I * imaginary[i];
 }
 
 double largest_modulus(size_t n, const double *matrix) {

@@ -147,7 +147,7 @@ static void d1_two_wells(void **unused) {
     (void)unused;
     const oscillator o = {.damping = 0.3, .stiffness = -1.0, .cubic = 1.0, .force = 0.5, .frequency = 1.2};
     const d1_row row = {
-        "two wells", make_oscillator(&o), oscillator_jacobian, {1.0, 0.0}, 128, 700000, 0.1044, 0.0005, -0.3, true};
+        "two wells", make_oscillator(&o), oscillator_jacobian, {1.0, 0.0}, 128, 300000, 0.1044, 0.0005, -0.3, true};
     check_d1(&row);
 }
 

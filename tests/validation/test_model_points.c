@@ -1,12 +1,12 @@
 // The ten points of the 2015 paper's rotor, calibrated reading, that are known from two other programs (fixed and
 // adaptive steps): regime, largest exponent, extremes, lines and rub. The study of cases/paper-point.yaml for each.
 //
-// What is sharp (periodic and quasi-periodic motion) is compared to the printed digits. Extremes, shares and broad lines
-// of a chaotic record differ from record to record: `scatter` is the standard deviation over twelve records of 6000
-// revolutions that another program computed from the same equations, and three of it are allowed.
+// What is sharp (periodic and quasi-periodic motion) is compared to the printed digits. Extremes, shares and broad
+// lines of a chaotic record differ from record to record: `scatter` is the standard deviation over twelve records of
+// 6000 revolutions that another program computed from the same equations, and three of it are allowed.
 //
-// Some printed amplitudes of lines that fall between bins are low by 6 percent (and one, .011, is rounded the wrong way).
-// For these the printed number is only logged; `sharp` is the other program's Fourier sum at the line itself.
+// Some printed amplitudes of lines that fall between bins are low by 6 percent (and one, .011, is rounded the wrong
+// way). For these the printed number is only logged; `sharp` is the other program's Fourier sum at the line itself.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

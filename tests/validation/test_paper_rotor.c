@@ -94,7 +94,8 @@ static void e1_tolerances(void **unused) {
 
 static void e1_fixed_steps(void **unused) {
     (void)unused;
-    // Contacts are walked over: the error falls with the steps, but erratically and more slowly than their fourth power.
+    // Contacts are walked over: the error falls with the steps, but erratically and more slowly than their fourth
+    // power.
     static const struct {
         int steps;
         double bound;

@@ -51,7 +51,8 @@ static double free_radius(double speed) {
     const rub_case p = {.speed = speed, .zeta = 0.05, .eccentricity = 0.2};
     double state[4] = {0.0, 0.0, 0.0, 0.0}, slope[4], matrix[16], shift[4];
     whirl_rotor *rotor = make_rub_rotor(&p);
-    // A circle z = R e^(i tau) is found from one instant: x' = -y, y' = x, and the accelerations -x, -y are linear in R.
+    // A circle z = R e^(i tau) is found from one instant: x' = -y, y' = x, and the accelerations -x, -y are linear in
+    // R.
     evaluate_rhs(whirl_rotor_system(rotor), 0.0, state, slope);
     for (int j = 0; j < 2; j++) {
         double unit[4] = {j == 0, j == 1, j == 1 ? -1.0 : 0.0, j == 0 ? 1.0 : 0.0}, column[4];
@@ -75,7 +76,7 @@ static double find_grazing(double outside, double inside) {
 /// A start on the circle of radius A that turns with the shaft, from the balance of forces
 /// [1 + kap (1 - 1/A)(1 + i mu) - w^2 + 2 i zeta w] A e^(-i psi) = e w^2.
 static void start_on_circle(const rub_case *p, double radius, double state[4]) {
-    const double complex contact = p->kappa * (1.0 - 1.0 / radius) * CMPLX(1.0, p->friction);
+    const double complex contact = p->kappa * (1.0 - 1.0 / radius) * (1.0 + I * p->friction);
     const double complex z =
         p->eccentricity * p->speed * p->speed / (1.0 + contact - p->speed * p->speed + 2.0 * I * p->zeta * p->speed);
     state[0] = creal(z);
@@ -309,7 +310,7 @@ static const double c4_start[4] = {0.1, -0.2, 0.0, 0.0};
 /// Compares the multiplier that is nearest to each printed one; `imaginary` may be NULL for a real one.
 static void check_multiplier(const char *what, const double *matrix, const char *real, const char *imaginary) {
     double complex values[4];
-    const double complex printed = CMPLX(strtod(real, NULL), imaginary ? strtod(imaginary, NULL) : 0.0);
+    const double complex printed = strtod(real, NULL) + I * (imaginary ? strtod(imaginary, NULL) : 0.0);
     size_t best = 0;
     eigenvalues(4, matrix, values);
     for (size_t i = 1; i < 4; i++)

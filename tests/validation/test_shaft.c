@@ -121,7 +121,7 @@ typedef struct harmonics {
 
 static void add_harmonics(void *observer, double tau, const double *x) {
     harmonics *h = observer;
-    const double complex z = CMPLX(x[0], x[1]) / STEPS;
+    const double complex z = (x[0] + I * x[1]) / STEPS;
     h->first += z * cexp(-I * tau);
     h->second += z * cexp(-2.0 * I * tau);
     h->backward += z * cexp(2.0 * I * tau);

@@ -14,14 +14,6 @@
 
 #include "whirl/case.h"
 
-/// The case layer describes results and leaves the facts of the build to the layer of result files, which a test of
-/// this layer is not linked with.
-__attribute__((weak)) whirl_status whirl_result_add_provenance(whirl_result *result);
-__attribute__((weak)) whirl_status whirl_result_add_provenance(whirl_result *result) {
-    (void)result;
-    return whirl_ok();
-}
-
 static const char good_case[] = "whirl: 1\n"                                                                   // 1
                                 "title: A rotor\n"                                                             // 2
                                 "parameters:\n"                                                                // 3

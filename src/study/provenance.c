@@ -1,5 +1,6 @@
 // Where a result comes from: the build of the library and the machine that it ran on.
 #include "build.h"
+#include "isa.h"
 
 #include "whirl/result.h"
 
@@ -42,5 +43,8 @@ whirl_status whirl_result_add_provenance(whirl_result *result) {
     if (status.code != WHIRL_OK) return status;
     char model[256];
     processor_model(model, sizeof model);
-    return whirl_result_add_fact(result, "processor", model);
+    status = whirl_result_add_fact(result, "processor", model);
+    const isa *chosen;
+    if (status.code != WHIRL_OK || isa_choose(&chosen).code != WHIRL_OK) return status;
+    return whirl_result_add_fact(result, "instruction set", chosen->name);
 }
