@@ -31,13 +31,15 @@ typedef struct whirl_record_options {
     /// Samples of the waveform a revolution, at least (the next divisor of steps_per_revolution is taken).
     int samples_per_revolution;
     double highest_order; ///< spectra are kept up to this order of the running speed
+    /// End the transient early, but for 64 revolutions, where the motion has settled on a periodic orbit to 1e-11.
+    bool settle;
     bool spectra;         ///< keep whole spectra, not only their peaks
     bool waveform;        ///< waveforms are needed (for spectra or to be kept)
     bool growth;          ///< follow a disturbance (costs a second trajectory while watched)
 } whirl_record_options;
 
 /// transient 1100, record 100, watch 0, waveform_revolutions 0, samples_per_revolution 64, highest_order 5,
-/// spectra false, waveform true, growth true.
+/// settle false, spectra false, waveform true, growth true.
 whirl_record_options whirl_record_default(void);
 
 /// Revolutions watched, with the default resolved.
@@ -54,6 +56,7 @@ typedef struct whirl_record {
     const whirl_probe *probes; ///< of the system; borrowed
     double period;
     whirl_motion motion;
+    double revolutions; ///< that were integrated: fewer than asked for where the motion settled or diverged
     double diverged_at; ///< revolution (counted from 1) in which the motion left its bounds, 0 where it did not
 
     size_t section_count; ///< revolutions watched

@@ -4,6 +4,7 @@
 
 #include "record_block.h"
 #include "record_lanes.h"
+#include "settling.h"
 #include "twin.h"
 #include "watcher.h"
 #include "whirl/ensemble.h"
@@ -15,6 +16,7 @@ typedef struct recording {
     whirl_record *record;
     instant_watcher watcher;
     trajectory_twin twin;
+    settling *settling; ///< NULL when every transient runs to its end
     double *x;
 } recording;
 
@@ -45,9 +47,11 @@ static whirl_status run(recording *r) {
     const int last = r->options->transient + r->options->record;
     for (int revolution = 0; revolution < last; revolution++) {
         revolve(r, revolution);
+        r->record->revolutions += 1.0;
         if (r->record->motion != WHIRL_BOUNDED) return whirl_ok();
         if (r->monitor && !r->monitor->revolution_done(r->monitor->context))
             return whirl_fail(WHIRL_STOPPED, "stopped after revolution %d of %d", revolution + 1, last);
+        if (r->settling && settling_note(r->settling, r->x)) revolution = record_skip(r->options, revolution + 1) - 1;
     }
     watch_close(&r->watcher);
     memcpy(r->record->end, r->x, r->record->dimension * sizeof *r->x);
@@ -63,7 +67,8 @@ static whirl_status record_alone(const whirl_system *system, const whirl_integra
     if (status.code != WHIRL_OK) return status;
     r.x = malloc(2 * system->dimension * sizeof *r.x);
     r.record = record_new(system, integrate, options);
-    if (r.x && r.record) {
+    if (options->settle) r.settling = settling_new(system->dimension);
+    if (r.x && r.record && (r.settling || !options->settle)) {
         memcpy(r.x, start, system->dimension * sizeof *r.x);
         r.twin =
             (trajectory_twin){.dimension = system->dimension, .x = options->growth ? r.x + system->dimension : NULL};
@@ -73,6 +78,7 @@ static whirl_status record_alone(const whirl_system *system, const whirl_integra
         status = whirl_fail(WHIRL_NO_MEMORY, "no memory to record %d revolutions", options->record);
     }
     whirl_integrator_free(r.integrator);
+    settling_free(r.settling);
     free(r.x);
     if (status.code == WHIRL_OK)
         *out = r.record;

@@ -45,6 +45,14 @@ whirl_status record_check(const whirl_record_options *options) {
     return whirl_ok();
 }
 
+int record_skip(const whirl_record_options *options, int revolution) {
+    enum { STILL_WATCHED = 64 };
+    const int first_watched = options->transient + options->record - whirl_record_watch(options);
+    const int late = options->transient - STILL_WATCHED;
+    const int target = late > first_watched ? late : first_watched;
+    return revolution < target ? target : revolution;
+}
+
 /// Numbers of every part of a record; the order of the parts is fixed in `lay_out`.
 typedef struct sizes {
     size_t section, growth, waveform, dimension, probes, contacts;

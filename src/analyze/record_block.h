@@ -7,6 +7,10 @@
 /// WHIRL_BAD_INPUT with a sentence where options contradict each other.
 whirl_status record_check(const whirl_record_options *options);
 
+/// Where a motion that has settled after `revolution` revolutions goes on: it leaves out what is left of the transient but
+/// for the last 64 revolutions.
+int record_skip(const whirl_record_options *options, int revolution);
+
 /// An empty record for a motion of the system, all zero; NULL without memory. Freed by whirl_record_free.
 whirl_record *record_new(const whirl_system *system, const whirl_integrate_options *integrate,
                          const whirl_record_options *options);

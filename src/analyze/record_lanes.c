@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "record_block.h"
+#include "settling.h"
 #include "twin.h"
 #include "whirl/ensemble.h"
 
@@ -22,7 +23,8 @@ typedef struct motion {
     int revolution; ///< done so far
     size_t lane, twin_lane;
     trajectory_twin twin;
-    double *x; ///< [2 dimension] its state, and its twin's
+    settling *settling; ///< NULL when every transient runs to its end
+    double *x;          ///< [2 dimension] its state, and its twin's
 } motion;
 
 typedef struct recorder {
@@ -104,6 +106,7 @@ static size_t lanes_needed(const recorder *r, const motion *m) {
 static void motion_free(motion *m) {
     if (!m) return;
     whirl_record_free(m->record);
+    settling_free(m->settling);
     free(m);
 }
 
@@ -115,7 +118,8 @@ static motion *motion_new(const recorder *r, const whirl_task *task) {
     m->record = record_new(task->system, r->integrate, r->options);
     memcpy(m->x, task->start, r->dimension * sizeof *m->x);
     if (follows(r, m)) twin_begin(&m->twin, m->x);
-    if (m->record) return m;
+    if (r->options->settle) m->settling = settling_new(r->dimension);
+    if (m->record && (m->settling || !r->options->settle)) return m;
     motion_free(m);
     return NULL;
 }
@@ -208,13 +212,16 @@ static void note(recorder *r, motion *m) {
     whirl_ensemble_state(r->ensemble, m->lane, m->x);
     record->motion = whirl_ensemble_motion(r->ensemble, m->lane);
     m->revolution++;
+    record->revolutions += 1.0;
     if (record->motion != WHIRL_BOUNDED) {
         record->diverged_at = m->revolution;
         return;
     }
-    if (m->revolution <= r->first_watched) return;
-    if (m->twin_lane != NO_LANE) follow_twin(r, m);
-    memcpy(record->section + record->section_count++ * record->dimension, m->x, record->dimension * sizeof *m->x);
+    if (m->revolution > r->first_watched) {
+        if (m->twin_lane != NO_LANE) follow_twin(r, m);
+        memcpy(record->section + record->section_count++ * record->dimension, m->x, record->dimension * sizeof *m->x);
+    }
+    if (m->settling && settling_note(m->settling, m->x)) m->revolution = record_skip(r->options, m->revolution);
 }
 
 /// The largest normal force is that at the largest radius: it grows with the displacement alone.

@@ -14,6 +14,7 @@ enum {
     REGULARITY,
     EXPONENT,
     EXPONENT_ERROR,
+    REVOLUTIONS,
     FIELD_COUNT
 };
 
@@ -35,6 +36,7 @@ static const field_plan fields[FIELD_COUNT] = {
     [EXPONENT] = {"exponent", "1/revolution", "evidence: largest Lyapunov exponent that the verdict rests on",
                   WHIRL_PER_POINT, 1, NULL},
     [EXPONENT_ERROR] = {"exponent_error", "1/revolution", "evidence: its standard error", WHIRL_PER_POINT, 1, NULL},
+    [REVOLUTIONS] = {"revolutions", "revolution", "revolutions integrated", WHIRL_PER_POINT, 1, NULL},
 };
 
 static void put_verdict(const whirl_record *record, const block_view *view) {
@@ -50,6 +52,7 @@ static void put_verdict(const whirl_record *record, const block_view *view) {
         [REGULARITY] = v.regularity,
         [EXPONENT] = v.exponent.value,
         [EXPONENT_ERROR] = v.exponent.error,
+        [REVOLUTIONS] = record->revolutions,
     };
     for (size_t f = 0; f < FIELD_COUNT; f++) *view_numbers(view, f, 0) = values[f];
 }

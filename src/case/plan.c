@@ -32,6 +32,7 @@ static whirl_record_options record_options(valuation *v, const plan_parts *parts
     options.transient = (int)settings_number(v, &parts->integrate, "transient");
     options.record = (int)settings_number(v, &parts->integrate, "record");
     options.watch = (int)settings_number(v, &parts->integrate, "watch");
+    options.settle = strcmp(settings_word(&parts->integrate, "settle"), "yes") == 0;
     options.waveform_revolutions = (int)settings_number(v, &parts->keep, "waveform");
     options.samples_per_revolution = (int)settings_number(v, &parts->keep, "samples");
     if (!settings_find(&parts->keep, "samples") && options.samples_per_revolution > steps)

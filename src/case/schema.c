@@ -117,9 +117,10 @@ static const whirl_key integrate_keys[] = {
      {0, 1.1e9, false, false},
      NULL,
      "last revolutions over which the section and the growth of a disturbance are followed, at least those recorded; "
-     "0: "
-     "the record and half the transient",
+     "0: the record and half the transient, of that at most the larger of 1000 and record",
      ""},
+    {"settle", "", "", WHIRL_KEY_CHOICE, false, "yes", WHIRL_ANY, "yes|no",
+     "yes: the transient ends early where the motion has settled on a periodic orbit to 1e-11", ""},
 };
 
 static const whirl_key keep_keys[] = {

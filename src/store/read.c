@@ -119,6 +119,7 @@ static void get_record(whirl_status *status, hid_t group, whirl_record_options *
     options->transient = (int)get_whole_attribute(status, group, "transient", 0, INT_MAX);
     options->record = (int)get_whole_attribute(status, group, "record", 1, INT_MAX);
     options->watch = (int)get_whole_attribute(status, group, "watch", 0, INT_MAX);
+    options->settle = get_whole_attribute(status, group, "settle", 0, 1) != 0;
     options->waveform_revolutions = (int)get_whole_attribute(status, group, "waveform_revolutions", 0, INT_MAX);
     options->samples_per_revolution = (int)get_whole_attribute(status, group, "samples_per_revolution", 1, INT_MAX);
     get_number_attribute(status, group, "highest_order", &options->highest_order);

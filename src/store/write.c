@@ -104,6 +104,7 @@ static void put_record(whirl_status *status, hid_t group, const whirl_record_opt
     put_whole_attribute(status, group, "transient", options->transient);
     put_whole_attribute(status, group, "record", options->record);
     put_whole_attribute(status, group, "watch", options->watch);
+    put_whole_attribute(status, group, "settle", options->settle);
     put_whole_attribute(status, group, "waveform_revolutions", options->waveform_revolutions);
     put_whole_attribute(status, group, "samples_per_revolution", options->samples_per_revolution);
     put_number_attribute(status, group, "highest_order", options->highest_order);

@@ -100,9 +100,8 @@ static whirl_status done(void *context, const whirl_task *task, whirl_record *re
     double *block = c->table->blocks + current_slot(link) * c->table->layout.size;
     whirl_status status = whirl_analyze(record, &c->batch->record, c->batch->analyses, &c->table->layout, block);
     if (status.code == WHIRL_OK) status = carry(c, link, record);
-    // What a diverged motion did not have to run counts as done.
-    if (record->motion != WHIRL_BOUNDED)
-        w->pending += c->batch->record.transient + c->batch->record.record - record->diverged_at;
+    // What a motion that settled or diverged did not have to run counts as done.
+    w->pending += c->batch->record.transient + c->batch->record.record - record->revolutions;
     whirl_record_free(record);
     release(link);
     w->under_way--;

@@ -43,7 +43,7 @@ void note_within(const char *id, const char *what, double expected, double obtai
 }
 
 void check_text(const char *id, const char *what, const char *expected, const char *obtained) {
-    printf("%s | %s | %s | %s | |\n", id, what, expected, obtained);
+    printf("%s | %s | %s | %s | - | exact\n", id, what, expected, obtained);
     fflush(stdout);
     assert_string_equal(expected, obtained);
 }

@@ -126,6 +126,35 @@ static void test_samples_divide_the_steps(void **state) {
     assert_int_equal(whirl_record_samples(&options, 48), 48);
 }
 
+/// x' = -x/4 + cos t: settles on its one periodic motion as exp(-2 pi/4) a revolution.
+static void driven(const void *model, double t, const double *forcing, const double *x, double *dxdt) {
+    (void)model, (void)forcing;
+    dxdt[0] = -0.25 * x[0] + cos(t);
+}
+
+static void test_a_settled_transient_ends_early(void **state) {
+    const whirl_system system = {.dimension = 1, .period = 2 * 3.14159265358979323846, .rhs = driven};
+    whirl_record_options options = whirl_record_default();
+    const double start[1] = {5};
+    (void)state;
+    options.waveform = false;
+    whirl_record *whole = record(&system, &options, start, 64);
+    options.settle = true;
+    whirl_record *early = record(&system, &options, start, 64);
+    assert_true(whole->revolutions == 1200);
+    // e^(-2 pi n/4) reaches 1e-11 of itself after 17 revolutions; 35 returns prove it; then 64 and the record.
+    assert_true(early->revolutions > 17 + 35 + 64 + 100 - 5 && early->revolutions < 17 + 35 + 64 + 100 + 10);
+    assert_int_equal(early->section_count, 164);
+    assert_int_equal(early->growth_count, 164);
+    // The motion of period 2 pi at t = 0: x = (cos t + 4 sin t)/(4 + 1/4).
+    assert_true(fabs(early->end[0] - 0.25 / (1 + 0.0625)) < 1e-6);
+    assert_true(fabs(early->end[0] - whole->end[0]) < 1e-9);
+    assert_true(fabs(whirl_lyapunov_largest(early).value + 2 * pi / 4) < 1e-3);
+    assert_int_equal(whirl_judge(early).period, 1);
+    whirl_record_free(whole);
+    whirl_record_free(early);
+}
+
 static bool stop_after_three(void *context) {
     int *count = context;
     return ++*count < 3;
@@ -170,6 +199,7 @@ int main(void) {
         cmocka_unit_test(test_growth_is_the_largest_exponent),
         cmocka_unit_test(test_divergence_has_its_revolution),
         cmocka_unit_test(test_samples_divide_the_steps),
+        cmocka_unit_test(test_a_settled_transient_ends_early),
         cmocka_unit_test(test_a_monitor_can_stop),
         cmocka_unit_test(test_contradicting_options_are_refused),
     };

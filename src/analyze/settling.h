@@ -1,0 +1,19 @@
+/// Whether a motion has settled on a periodic orbit: then the rest of its transient teaches nothing.
+#ifndef ANALYZE_SETTLING_H
+#define ANALYZE_SETTLING_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/// The last states of a section, and for every k how many revolutions in a row have returned after k.
+typedef struct settling settling;
+
+/// NULL without memory. Freed by settling_free.
+settling *settling_new(size_t dimension);
+void settling_free(settling *settling);
+
+/// Takes the state x [dimension] at the end of a revolution. True where the motion has returned after k revolutions,
+/// k <= 64, to 1e-11 of its size for three periods and 32 revolutions.
+bool settling_note(settling *settling, const double *x);
+
+#endif
