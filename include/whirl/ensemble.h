@@ -23,7 +23,7 @@ typedef struct whirl_ensemble whirl_ensemble;
 bool whirl_ensemble_takes(const whirl_system *system, const whirl_integrate_options *options);
 
 /// Room for at least `lanes` machines of the structure of `system` (0: as many as are fast). The instruction set is the widest that the processor has,
-/// or the one that the environment variable WHIRL_ISA names (scalar, sse2, fma, avx2, avx512; WHIRL_BAD_INPUT where it is not
+/// or the one that the environment variable WHIRL_ISA names (scalar, simd128, fma, avx2, avx512; WHIRL_BAD_INPUT where it is not
 /// there). Other errors as whirl_integrator_new. Freed by whirl_ensemble_free.
 whirl_status whirl_ensemble_new(const whirl_system *system, const whirl_integrate_options *options, size_t lanes,
                                 whirl_ensemble **ensemble);

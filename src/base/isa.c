@@ -9,7 +9,7 @@
 #include "vector.h"
 
 static const isa known[VECTOR_ISAS] = {
-    [VECTOR_SCALAR] = {VECTOR_SCALAR, "scalar", 1, false}, [VECTOR_128] = {VECTOR_128, "sse2", 2, false},
+    [VECTOR_SCALAR] = {VECTOR_SCALAR, "scalar", 1, false}, [VECTOR_128] = {VECTOR_128, "simd128", 2, false},
     [VECTOR_FMA] = {VECTOR_FMA, "fma", 1, true},           [VECTOR_AVX2] = {VECTOR_AVX2, "avx2", 4, true},
     [VECTOR_AVX512] = {VECTOR_AVX512, "avx512", 8, true},
 };
@@ -31,7 +31,7 @@ static bool present(int number) {
         return false;
     }
 #else
-    return number == VECTOR_SCALAR;
+    return number == VECTOR_SCALAR || number == VECTOR_128;
 #endif
 }
 
@@ -51,6 +51,6 @@ whirl_status isa_choose(const isa **chosen) {
         if (strcmp(wish, names[i]) == 0)
             return whirl_fail(WHIRL_BAD_INPUT, "WHIRL_ISA is %s, which this processor does not have", wish);
     const char *near = whirl_nearest_name(wish, names, VECTOR_ISAS);
-    return whirl_fail(WHIRL_BAD_INPUT, "WHIRL_ISA is '%.40s', expected scalar, sse2, fma, avx2 or avx512%s%s%s", wish,
-                      near ? ", did you mean '" : "", near ? near : "", near ? "'?" : "");
+    return whirl_fail(WHIRL_BAD_INPUT, "WHIRL_ISA is '%.40s', expected scalar, simd128, fma, avx2 or avx512%s%s%s",
+                      wish, near ? ", did you mean '" : "", near ? near : "", near ? "'?" : "");
 }

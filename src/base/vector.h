@@ -2,14 +2,14 @@
 ///
 /// The including file defines VECTOR_ISA as one of the numbers below and is compiled for it. Every operation rounds as
 /// IEEE 754 says, and multiply-adds are explicit: in fused builds v_fma rounds once, in the others twice. Builds that agree in
-/// that give the same bits whatever their width and compiler. The only file with intrinsics.
+/// that give the same bits whatever their width and compiler. The only file with intrinsics and extensions of compilers.
 #ifndef BASE_VECTOR_H
 #define BASE_VECTOR_H
 
 #include <math.h>
 
 #define VECTOR_SCALAR 0 ///< one lane, unfused: any machine
-#define VECTOR_128 1    ///< two lanes, unfused: SSE2
+#define VECTOR_128 1    ///< two lanes, unfused: SSE2, NEON, WebAssembly
 #define VECTOR_FMA 2    ///< one lane, fused: the reference of the next two
 #define VECTOR_AVX2 3   ///< four lanes, fused
 #define VECTOR_AVX512 4 ///< eight lanes, fused
@@ -128,7 +128,7 @@ static inline vec v_copysign(vec size, vec sign) {
     return _mm256_or_pd(_mm256_andnot_pd(bit, size), _mm256_and_pd(bit, sign));
 }
 
-#elif VECTOR_ISA == VECTOR_128
+#elif VECTOR_ISA == VECTOR_128 && defined(__SSE2__)
 
 #include <emmintrin.h>
 enum { VECTOR_LANES = 2 };
@@ -182,6 +182,61 @@ static inline int v_any(vec_mask mask) {
 static inline vec v_copysign(vec size, vec sign) {
     const vec bit = _mm_set1_pd(-0.0);
     return _mm_or_pd(_mm_andnot_pd(bit, size), _mm_and_pd(bit, sign));
+}
+
+#elif VECTOR_ISA == VECTOR_128
+
+// Other machines (NEON, WebAssembly) by the compilers' own vectors; as on x86 nothing is fused.
+enum { VECTOR_LANES = 2 };
+typedef double vec __attribute__((vector_size(16)));
+typedef long long vec_mask __attribute__((vector_size(16)));
+static inline vec v_set(double a) {
+    return (vec){a, a};
+}
+static inline vec v_add(vec a, vec b) {
+    return a + b;
+}
+static inline vec v_sub(vec a, vec b) {
+    return a - b;
+}
+static inline vec v_mul(vec a, vec b) {
+    return a * b;
+}
+static inline vec v_div(vec a, vec b) {
+    return a / b;
+}
+static inline vec v_sqrt(vec a) {
+    return (vec){sqrt(a[0]), sqrt(a[1])};
+}
+static inline vec v_fma(vec a, vec b, vec c) {
+    return a * b + c;
+}
+static inline vec v_fms(vec a, vec b, vec c) {
+    return a * b - c;
+}
+static inline vec v_fnma(vec a, vec b, vec c) {
+    return c - a * b;
+}
+static inline vec_mask v_less(vec a, vec b) {
+    return a < b;
+}
+static inline vec v_select(vec_mask mask, vec yes, vec no) {
+    return (vec)((mask & (vec_mask)yes) | (~mask & (vec_mask)no));
+}
+static inline int v_any(vec_mask mask) {
+    return (mask[0] | mask[1]) != 0;
+}
+static inline vec v_min(vec a, vec b) {
+    return v_select(v_less(a, b), a, b);
+}
+static inline vec v_max(vec a, vec b) {
+    return v_select(v_less(b, a), a, b);
+}
+static inline vec v_abs(vec a) {
+    return (vec){fabs(a[0]), fabs(a[1])};
+}
+static inline vec v_copysign(vec size, vec sign) {
+    return (vec){copysign(size[0], sign[0]), copysign(size[1], sign[1])};
 }
 
 #else

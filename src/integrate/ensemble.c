@@ -12,10 +12,9 @@
 #include "vector.h"
 
 rk4_lanes_revolve *const rk4_lanes_revolves[VECTOR_ISAS] = {
-    [VECTOR_SCALAR] = rk4_lanes_scalar,
+    [VECTOR_SCALAR] = rk4_lanes_scalar, [VECTOR_128] = rk4_lanes_128,
 #if defined(__x86_64__)
-    [VECTOR_128] = rk4_lanes_128,       [VECTOR_FMA] = rk4_lanes_fma,
-    [VECTOR_AVX2] = rk4_lanes_avx2,     [VECTOR_AVX512] = rk4_lanes_avx512,
+    [VECTOR_FMA] = rk4_lanes_fma,       [VECTOR_AVX2] = rk4_lanes_avx2, [VECTOR_AVX512] = rk4_lanes_avx512,
 #endif
 };
 

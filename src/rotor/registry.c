@@ -32,9 +32,9 @@ const whirl_group *whirl_element_group(const char *name) {
 }
 
 lanes_accelerate *const machine_accelerate[VECTOR_ISAS] = {
-    [VECTOR_SCALAR] = machine_accelerate_scalar,
+    [VECTOR_SCALAR] = machine_accelerate_scalar, [VECTOR_128] = machine_accelerate_128,
 #if defined(__x86_64__)
-    [VECTOR_128] = machine_accelerate_128,       [VECTOR_FMA] = machine_accelerate_fma,
-    [VECTOR_AVX2] = machine_accelerate_avx2,     [VECTOR_AVX512] = machine_accelerate_avx512,
+    [VECTOR_FMA] = machine_accelerate_fma,       [VECTOR_AVX2] = machine_accelerate_avx2,
+    [VECTOR_AVX512] = machine_accelerate_avx512,
 #endif
 };

@@ -13,7 +13,7 @@
 #include "whirl/whirl.h"
 
 static const char *const fused[] = {"fma", "avx2", "avx512"};
-static const char *const unfused[] = {"scalar", "sse2"};
+static const char *const unfused[] = {"scalar", "simd128"};
 
 static void check(whirl_status status) {
     if (status.code != WHIRL_OK) fail_msg("%s", status.message);
