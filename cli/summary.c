@@ -48,7 +48,7 @@ static void print_point(const whirl_result *result, const whirl_table *table) {
     whirl_verdict_reason(&verdict, text, sizeof text);
     if (text[0]) printf("  %s\n", text);
     if (isfinite(verdict.exponent.value))
-        printf("  largest exponent: %.4f +- %.4f per revolution\n", verdict.exponent.value, verdict.exponent.error);
+        printf("  largest exponent: %.4f +- %.1g per revolution\n", verdict.exponent.value, verdict.exponent.error);
     if (verdict.regime == WHIRL_DIVERGING) return;
     print_rubs(result, table, 0);
     print_radii(result, table, 0);
@@ -71,7 +71,7 @@ static void print_list(const whirl_result *result, const whirl_table *table) {
         whirl_verdict_name(&verdict, name, sizeof name);
         printf("  %10.6g %s%s%-26s", table->values[point], unit, *unit ? "  " : " ", name);
         if (isfinite(verdict.exponent.value))
-            printf(" exponent %8.4f +- %.4f", verdict.exponent.value, verdict.exponent.error);
+            printf(" exponent %8.4f +- %-7.1g", verdict.exponent.value, verdict.exponent.error);
         puts(rubs(result, table, point) ? "  rub" : "");
     }
 }

@@ -1,0 +1,74 @@
+#include "machines.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "rotor.h"
+
+void must(whirl_status status) {
+    if (status.code == WHIRL_OK) return;
+    fprintf(stderr, "bench: %s\n", status.message);
+    exit(1);
+}
+
+static whirl_rotor *built(whirl_design *design) {
+    whirl_rotor *rotor;
+    must(whirl_rotor_new(design, &rotor));
+    whirl_design_free(design);
+    return rotor;
+}
+
+whirl_rotor *paper_rotor(double r_k) {
+    const double k2 = 1.0 / (rotor_w * rotor_w);
+    const whirl_setting disc[] = {
+        {"mass", rotor_r_m, 0}, {"damping", rotor_xi1 * rotor_r_m, 0}, {"eccentricity", rotor_rho, 0}};
+    const whirl_setting journal[] = {{"mass", 2, 0}, {"damping", rotor_xi2, 0}};
+    const whirl_setting shaft[] = {
+        {"between", 0, "disc, journal"}, {"k1", r_k * k2, 0}, {"k2", k2, 0}, {"signs", 0, "paper"}};
+    const whirl_setting film[] = {{"at", 0, "journal"}, {"count", 2, 0}, {"clearance", 1, 0}, {"load", rotor_S_f, 0}};
+    const whirl_setting rub[] = {
+        {"at", 0, "disc"}, {"gap", rotor_r_delta, 0}, {"stiffness", rotor_r_ck * k2, 0}, {"friction", rotor_f, 0}};
+    const whirl_setting gravity[] = {{"acceleration", rotor_G, 0}};
+    whirl_design *design;
+    must(whirl_design_new(1.0, 1.0, &design));
+    must(whirl_design_station(design, "disc", disc, 3));
+    must(whirl_design_station(design, "journal", journal, 2));
+    must(whirl_design_element(design, "shaft", shaft, 4));
+    must(whirl_design_element(design, "film", film, 4));
+    must(whirl_design_element(design, "rub", rub, 4));
+    must(whirl_design_element(design, "gravity", gravity, 1));
+    return built(design);
+}
+
+static void add_film(whirl_design *design, const char *station) {
+    const whirl_setting film[] = {{"at", 0, station}, {"clearance", 1, 0}, {"load", 0.5, 0}};
+    must(whirl_design_element(design, "film", film, 3));
+}
+
+whirl_rotor *chain_rotor(size_t stations, double r_k) {
+    enum { NAME = 16 };
+    const double k2 = 25.0 * (double)stations;
+    char name[NAME], before[NAME], pair[2 * NAME];
+    whirl_design *design;
+    must(whirl_design_new(1.0, 1.0, &design));
+    for (size_t s = 0; s < stations; s++) {
+        const whirl_setting disc[] = {
+            {"mass", 1, 0}, {"damping", 0.2, 0}, {"eccentricity", s == stations / 2 ? rotor_rho : 0.0, 0}};
+        snprintf(name, sizeof name, "s%zu", s);
+        must(whirl_design_station(design, name, disc, 3));
+        if (s > 0) {
+            const whirl_setting shaft[] = {{"between", 0, pair}, {"k1", r_k * k2, 0}, {"k2", k2, 0}};
+            snprintf(before, sizeof before, "s%zu", s - 1);
+            snprintf(pair, sizeof pair, "%s, %s", before, name);
+            must(whirl_design_element(design, "shaft", shaft, 3));
+        }
+    }
+    add_film(design, "s0");
+    add_film(design, name);
+    snprintf(before, sizeof before, "s%zu", stations / 2);
+    const whirl_setting rub[] = {{"at", 0, before}, {"gap", 0.9, 0}, {"stiffness", 250, 0}, {"friction", 0.1, 0}};
+    const whirl_setting gravity[] = {{"acceleration", 0.02, 0}};
+    must(whirl_design_element(design, "rub", rub, 4));
+    must(whirl_design_element(design, "gravity", gravity, 1));
+    return built(design);
+}

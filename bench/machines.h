@@ -1,0 +1,17 @@
+/// The benchmark's rotors as whirl has them: the paper's, and chains of more stations.
+#ifndef BENCH_MACHINES_H
+#define BENCH_MACHINES_H
+
+#include "whirl/whirl.h"
+
+/// Stops the program with the sentence of a failure.
+void must(whirl_status status);
+
+/// The rotor of rotor.h from elements, in SI with omega = 1, c = 1 and m2 = 1. Freed by whirl_rotor_free.
+whirl_rotor *paper_rotor(double r_k);
+
+/// A shaft of `stations` equal discs, each joined to the next; the middle one is out of balance and may rub; both ends run
+/// in an oil film. Scaled so that 1024 steps a revolution carry it stably. Freed by whirl_rotor_free.
+whirl_rotor *chain_rotor(size_t stations, double r_k);
+
+#endif
