@@ -48,7 +48,8 @@ fi
 
 missing=()
 # shellcheck disable=SC2016 # ${Package} is dpkg-query's, not the shell's.
-installed=" $(dpkg-query -W -f '${db:Status-Status} ${Package}\n' "${wanted[@]}" 2>/dev/null |
+# It fails where it has never heard of a package, which is no reason to stop.
+installed=" $({ dpkg-query -W -f '${db:Status-Status} ${Package}\n' "${wanted[@]}" 2>/dev/null || true; } |
     sed -n 's/^installed //p' | tr '\n' ' ') "
 for name in "${wanted[@]}"; do
     case $installed in

@@ -1,0 +1,65 @@
+#!/bin/bash
+# Writes the reference of elements and keys from what the program says of itself:  scripts/reference.sh [WHIRL [FILE]]
+#
+# WHIRL is the command (build/whirl), FILE what is written (docs/reference/keys.md).
+set -euo pipefail
+cd "$(dirname "$0")/.."
+whirl=${1:-build/whirl}
+file=${2:-docs/reference/keys.md}
+
+# Lines of more than 116 characters go on below, as far to the right as they began.
+wrap() {
+    awk -v width=116 '{
+        match($0, /^ */)
+        indent = substr($0, 1, RLENGTH)
+        line = $0
+        while (length(line) > width) {
+            cut = width
+            while (cut > length(indent) && substr(line, cut, 1) != " ") cut--
+            if (cut <= length(indent)) break
+            print substr(line, 1, cut - 1)
+            line = indent substr(line, cut + 1)
+        }
+        print line
+    }'
+}
+
+overview=$("$whirl" describe)
+
+# The parts with what belongs to them, as links.
+list_parts() {
+    while IFS= read -r line; do
+        case $line in
+        [a-z]*:) printf -- '- %s\n' "$line" ;;
+        "  "*)
+            read -r name _ <<<"$line"
+            printf '  [%s](#%s)\n' "$name" "$name"
+            ;;
+        '') ;;
+        *) break ;;
+        esac
+    done <<<"$overview"
+}
+
+# A name that stands in two parts (rub is an element and an analysis) is described once.
+list_names() { sed -n 's/^  \([a-z][a-z0-9_-]*\) .*/\1/p' <<<"$overview" | awk '!seen[$0]++'; }
+
+{
+    cat <<'END'
+# Elements and keys
+
+Everything that a case file may hold, as `whirl describe NAME` prints it. `scripts/reference.sh` writes this page from
+the tables that the program reads cases with; a test compares the two. The [user guide](../user-guide.md) explains what
+the parts are for, [cases/reference.yaml](../../cases/reference.yaml) shows them in a case.
+
+A dash stands for no symbol, no unit (a name, a text, a list) or no default. A unit of 1 is a plain number.
+
+END
+    list_parts
+    while read -r name; do
+        printf '\n## %s\n\n```\n' "$name"
+        "$whirl" describe "$name" | wrap
+        printf '```\n'
+    done < <(list_names)
+} >"$file.new"
+mv "$file.new" "$file"
