@@ -10,6 +10,8 @@
 
 #include "utf8.h"
 
+extern char **environ; // POSIX declares it nowhere
+
 enum { MOST_PROCESSES = 8, COMMAND_MISSING = 127, LOG_NAME_SIZE = 512 };
 
 void gnuplot_string(FILE *script, const char *text) {
@@ -36,8 +38,26 @@ void gnuplot_comment(FILE *script, const char *text) {
     }
 }
 
+/// What is started for every job. Scripts are UTF-8, which gnuplot believes only where the locale says so.
+typedef struct launch {
+    const char *program;
+    char **environment; ///< ours with a locale of UTF-8
+} launch;
+
+static char **utf8_environment(void) {
+    static char locale[] = "LC_ALL=C.UTF-8";
+    size_t count = 0, kept = 0;
+    while (environ[count]) count++;
+    char **made = calloc(count + 2, sizeof *made);
+    if (!made) return NULL;
+    for (size_t i = 0; i < count; i++)
+        if (strncmp(environ[i], "LC_ALL=", strlen("LC_ALL=")) != 0) made[kept++] = environ[i];
+    made[kept] = locale;
+    return made;
+}
+
 /// Becomes gnuplot in the job's folder. Only calls that are safe between fork and exec.
-static _Noreturn void become_gnuplot(const char *program, const gnuplot_job *job, const char *log) {
+static _Noreturn void become_gnuplot(const launch *how, const gnuplot_job *job, const char *log) {
     if (chdir(job->folder) != 0) _exit(1);
     const int nothing = open("/dev/null", O_RDONLY);
     const int words = open(log, O_WRONLY | O_CREAT | O_TRUNC, 0666);
@@ -50,7 +70,8 @@ static _Noreturn void become_gnuplot(const char *program, const gnuplot_job *job
     strncpy(script, job->script, sizeof script - 1);
     script[sizeof script - 1] = '\0';
     char *const arguments[] = {name, script, NULL};
-    execvp(program, arguments);
+    environ = how->environment;
+    execvp(how->program, arguments);
     _exit(errno == ENOENT || errno == EACCES ? COMMAND_MISSING : 1);
 }
 
@@ -66,11 +87,11 @@ static void remove_empty_log(const gnuplot_job *job) {
     if (stat(path, &found) == 0 && found.st_size == 0) unlink(path);
 }
 
-static pid_t start(const char *program, const gnuplot_job *job) {
+static pid_t start(const launch *how, const gnuplot_job *job) {
     char log[LOG_NAME_SIZE];
     log_name(job, log);
     const pid_t child = fork();
-    if (child == 0) become_gnuplot(program, job, log);
+    if (child == 0) become_gnuplot(how, job, log);
     return child;
 }
 
@@ -102,12 +123,14 @@ static size_t process_count(void) {
 }
 
 static whirl_status run_all(const char *program, gnuplot_job *jobs, size_t count) {
+    const launch how = {program, utf8_environment()};
+    if (!how.environment) return whirl_fail(WHIRL_NO_MEMORY, "no memory to start gnuplot");
     const size_t most = process_count();
     crew running = {0};
     bool missing = false;
     for (size_t next = 0; next < count || running.count > 0;) {
         if (next < count && running.count < most && !missing) {
-            const pid_t child = start(program, &jobs[next]);
+            const pid_t child = start(&how, &jobs[next]);
             if (child > 0) {
                 running.child[running.count] = child;
                 running.job[running.count++] = next;
@@ -119,6 +142,7 @@ static whirl_status run_all(const char *program, gnuplot_job *jobs, size_t count
             break;
         }
     }
+    free(how.environment);
     if (missing)
         return whirl_fail(WHIRL_MISSING_PROGRAM,
                           "%s is not installed, so no figure was drawn; the scripts and data are there "
