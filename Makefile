@@ -12,6 +12,7 @@ INSTALL  := scripts/install-dependencies.sh
 CONFIGURE = test -f $(BUILD)/CMakeCache.txt || cmake --preset release -DWHIRL_TESTS=OFF
 COMPILE   = cmake --build $(BUILD) --parallel $(JOBS) --target whirl
 SOURCES   = $(shell git ls-files --cached --others --exclude-standard '*.c' '*.h')
+FUZZERS   = $(patsubst tests/fuzz/%.c,%,$(wildcard tests/fuzz/fuzz_*.c))
 
 .PHONY: all help test paper bench soak install format lint asan tsan clang fuzz clean
 .DEFAULT_GOAL := all
@@ -35,7 +36,7 @@ test: dependencies-build-report-test ## everything is built, run and proved
 	cmake --preset asan
 	cmake --build $(BUILD)/asan --parallel $(JOBS)
 	cmake --preset fuzz
-	cmake --build $(BUILD)/fuzz --parallel $(JOBS) --target fuzz_case fuzz_claims
+	cmake --build $(BUILD)/fuzz --parallel $(JOBS) --target $(FUZZERS)
 	$(MAKE) --no-print-directory tsan
 	scripts/fuzz.sh $(BUILD)/fuzz 60
 	ctest --test-dir $(BUILD)/asan -j $(JOBS) -L 'unit|cli' --no-tests=error
@@ -44,6 +45,7 @@ test: dependencies-build-report-test ## everything is built, run and proved
 soak: test clang ## what takes longer: long fuzzing, all tests under the sanitizers, both compilers
 	ctest --test-dir $(BUILD)/asan --timeout 7200 -j $(JOBS)
 	scripts/fuzz.sh $(BUILD)/fuzz 1800
+	tests/soak/kills.sh $(BUILD)/whirl tests/cli/good.yaml 1000
 
 asan clang: %: dependencies-build-report-test ## all tests in that build
 	cmake --preset $*
@@ -57,7 +59,7 @@ tsan: dependencies-build-test ## a threaded study under the thread sanitizer
 
 fuzz: dependencies-build-test ## the readers are fuzzed for ten minutes
 	cmake --preset fuzz
-	cmake --build $(BUILD)/fuzz --parallel $(JOBS) --target fuzz_case fuzz_claims
+	cmake --build $(BUILD)/fuzz --parallel $(JOBS) --target $(FUZZERS)
 	scripts/fuzz.sh $(BUILD)/fuzz 600
 
 # ---------------------------------------------------------------- the paper
@@ -74,19 +76,20 @@ paper: dependencies-build-report ## the 2015 paper's study, from its three case 
 	@echo "The report is $(PAPER)/report/report.html"
 
 # A run is done again when its case or the command has changed since. These rules are for `make paper`, which builds
-# the command first.
+# the command first. One that was interrupted goes on from its journal; its partial result is no target that is made.
+.DELETE_ON_ERROR:
 $(PAPER)/%.h5: cases/%.yaml $(WHIRL)
-	$(WHIRL) run $< -o $@
+	$(WHIRL) run $< -o $@ $(if $(wildcard $@.journal),--resume)
 
 $(PAPER)/report/report.html: $(RESULTS) cases/paper-claims.yaml
 	$(WHIRL) report $(RESULTS) -o $(@D) --claims cases/paper-claims.yaml
 
 # ---------------------------------------------------------------- the rest
 
-bench: dependencies-build-test-bench ## measured speed, as a ratio to a straightforward loop
+bench: dependencies-build-report-bench ## measured speed beside other programs; writes docs/benchmarks.md and its picture
 	cmake --preset release -DWHIRL_BENCH=ON
 	cmake --build $(BUILD) --parallel $(JOBS) --target bench
-	$(BUILD)/bench/bench
+	bench/run.py $(BUILD) --docs docs
 
 install: all    ## into PREFIX (/usr/local)
 	cmake --build $(BUILD) --parallel $(JOBS)

@@ -46,9 +46,9 @@ static void add_film(whirl_design *design, const char *station) {
 }
 
 whirl_rotor *chain_rotor(size_t stations, double r_k) {
-    enum { NAME = 16 };
+    enum { NAME = 24 };
     const double k2 = 25.0 * (double)stations;
-    char name[NAME], before[NAME], pair[2 * NAME];
+    char name[NAME], before[NAME], pair[2 * NAME + 2];
     whirl_design *design;
     must(whirl_design_new(1.0, 1.0, &design));
     for (size_t s = 0; s < stations; s++) {

@@ -6,9 +6,10 @@
 enum { ROTOR_STEPS = 1024, ROTOR_DIMENSION = 8 };
 
 #define ROTOR_PI 3.14159265358979323846
-#define ROTOR_START {0, -0.1, 0, -0.1, 0, 0, 0, 0} ///< x1, y1, x2, y2 and their derivatives by tau
-#define ROTOR_R_K 0.6                              ///< stiffness ratio of single machines
-#define ROTOR_R_K_FIRST 1.0                        ///< and of the first and the last of many
+#define ROTOR_START                                                                                                    \
+    { 0, -0.1, 0, -0.1, 0, 0, 0, 0 } ///< x1, y1, x2, y2 and their derivatives by tau
+#define ROTOR_R_K 0.6                ///< stiffness ratio of single machines
+#define ROTOR_R_K_FIRST 1.0          ///< and of the first and the last of many
 #define ROTOR_R_K_LAST 0.1
 
 static const double rotor_w = 0.2, rotor_r_m = 8.4, rotor_xi1 = 0.0157509, rotor_xi2 = 0.286154;

@@ -17,8 +17,7 @@ typedef struct machines {
 } machines;
 
 #ifdef PEER_OWN_ARCTAN
-/// atan(y/x) for x > 0: measured from the nearest of 0 and pi/4 after folding at pi/4; nine odd terms fitted to
-/// 1e-15 on [0, tan(pi/8)].
+/// atan(y/x) for x > 0: folded at pi/4, measured from the nearer of 0 and pi/4; a polynomial of ten terms for the rest.
 static inline double arctan_quotient(double y, double x) {
     const double size = fabs(y), small = size < x ? size : x, large = size < x ? x : size;
     const int turned = small > 0.41421356237309503 * large;

@@ -1,7 +1,10 @@
 /// whirl check: all that is wrong with case files, or what they hold.
 #include "command.h"
 
+#include <stdbool.h>
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include "summary.h"
 
@@ -31,7 +34,8 @@ static whirl_status describe_case(const char *path, const whirl_case *object) {
     status = whirl_case_study(object, &study);
     if (status.code == WHIRL_OK) {
         const whirl_system *const system = whirl_rotor_system(rotor);
-        printf("%s: good\n  %s\n", path, whirl_case_title(object));
+        printf("%s: good\n", path);
+        if (*whirl_case_title(object)) printf("  %s\n", whirl_case_title(object));
         printf("  %zu station%s:", system->probe_count, system->probe_count == 1 ? "" : "s");
         for (size_t i = 0; i < system->probe_count; i++) printf("%s %s", i ? "," : "", system->probes[i].name);
         putchar('\n');
@@ -41,10 +45,25 @@ static whirl_status describe_case(const char *path, const whirl_case *object) {
     return status;
 }
 
-static int check_file(const char *path) {
+enum { LONGEST_CASE = (1 << 20) + 1 }; // one byte more than a case may have, so that a longer one is refused
+
+/// A case from standard input.
+static whirl_status load_input(const char *name, whirl_problems *problems, whirl_case **object) {
+    char *const text = malloc(LONGEST_CASE);
+    if (!text) return whirl_fail(WHIRL_NO_MEMORY, "%s", whirl_code_text(WHIRL_NO_MEMORY));
+    const size_t length = fread(text, 1, LONGEST_CASE, stdin);
+    const whirl_status status = ferror(stdin) ? whirl_fail(WHIRL_BAD_INPUT, "%s cannot be read", name)
+                                              : whirl_case_parse(text, length, name, problems, object);
+    free(text);
+    return status;
+}
+
+static int check_file(const char *argument) {
+    const bool input = strcmp(argument, "-") == 0;
+    const char *const path = input ? "standard input" : argument;
     whirl_problems problems = {0};
     whirl_case *object = NULL;
-    whirl_status status = whirl_case_load(path, &problems, &object);
+    whirl_status status = input ? load_input(path, &problems, &object) : whirl_case_load(path, &problems, &object);
     if (status.code != WHIRL_OK) return complain_of_problems(&problems, &status);
     status = describe_case(path, object);
     whirl_case_free(object);
@@ -59,7 +78,8 @@ static int run(int argc, char **argv) {
         .args_doc = "CASE.yaml...",
         .doc = "Reads case files and says all that is wrong with them: file, line, column, key, what was found and "
                "what is "
-               "expected. For a good one: its stations and how much there is to compute.",
+               "expected. For a good one: its stations and how much there is to compute. "
+               "- stands for standard input.",
     };
     int first = argc;
     if (argp_parse(&argp, argc, argv, 0, NULL, &first) != 0) return EXIT_FAILED;

@@ -3,6 +3,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 // ---------------------------------------------------------------- one name that can be described
@@ -16,7 +17,7 @@ typedef struct subject {
     const whirl_group *group; ///< of SUBJECT_GROUP
 } subject;
 
-enum { MAX_SUBJECTS = 128 };
+enum { MAX_SUBJECTS = 128, LONGEST_DEFAULT = 10 };
 
 typedef struct catalogue {
     subject items[MAX_SUBJECTS];
@@ -40,6 +41,7 @@ static void collect(catalogue *all) {
     add_group(all, "stations", whirl_station_keys());
     add_groups(all, "elements", whirl_element_groups());
     add_groups(all, "groups of a case file", whirl_case_groups());
+    add_groups(all, "groups of a claims file", whirl_claims_groups());
     const whirl_method *method;
     for (size_t i = 0; (method = whirl_method_at(i)) != NULL; i++)
         add_subject(all, (subject){SUBJECT_METHOD, "methods of integration", method->name, method->meaning, "", NULL});
@@ -50,11 +52,11 @@ static void collect(catalogue *all) {
 
 // ---------------------------------------------------------------- printing
 
-/// Prints text and blanks up to `width` columns; UTF-8 continuation bytes take none.
+/// Prints text and blanks up to `width` columns, one at least; UTF-8 continuation bytes take no column.
 static void print_padded(const char *text, size_t width) {
     size_t columns = 0;
     for (const char *c = text; *c; c++) columns += ((unsigned char)*c & 0xC0u) != 0x80u;
-    printf("%s%*s", text, columns < width ? (int)(width - columns) : 0, "");
+    printf("%s%*s", text, columns < width ? (int)(width - columns) : 1, "");
 }
 
 static void list_all(const catalogue *all) {
@@ -102,14 +104,24 @@ static void allowed_text(const whirl_key *key, char *text, size_t size) {
     }
 }
 
+/// Long numbers are rounded: -1.5707963267948966 becomes -1.5708.
+static void default_text(const whirl_key *key, char *text, size_t size) {
+    const bool number = key->kind == WHIRL_KEY_NUMBER && strlen(key->fallback) > LONGEST_DEFAULT;
+    if (number)
+        snprintf(text, size, "%.5g", strtod(key->fallback, NULL));
+    else
+        snprintf(text, size, "%s", key->required ? "required" : *key->fallback ? key->fallback : "-");
+}
+
 static void print_key(const whirl_key *key) {
-    char allowed[128] = "";
+    char allowed[128] = "", fallback[64];
     allowed_text(key, allowed, sizeof allowed);
+    default_text(key, fallback, sizeof fallback);
     fputs("  ", stdout);
     print_padded(key->name, 23);
     print_padded(*key->symbol ? key->symbol : "-", 10);
     print_padded(*key->unit ? key->unit : "-", 10);
-    print_padded(key->required ? "required" : *key->fallback ? key->fallback : "-", 12);
+    print_padded(fallback, 12);
     printf("%s\n      %s", allowed, key->meaning);
     if (*key->source) printf(" [%s]", key->source);
     putchar('\n');
@@ -165,10 +177,10 @@ static int run(int argc, char **argv) {
     static const struct argp argp = {
         .parser = parse,
         .args_doc = "[NAME]",
-        .doc =
-            "Lists what a case file may hold: the keys of stations, the elements, the groups of the study, the methods "
-            "of integration and the analyses. With NAME: its keys with symbol, unit, default, range, meaning and "
-            "source.",
+        .doc = "Lists what a case file may hold: the keys of stations, the elements, the groups of the study and of a "
+               "claims file, the methods of integration and the analyses. With NAME: its keys with symbol, unit, "
+               "default, range, meaning and "
+               "source.",
     };
     const char *name = NULL;
     if (argp_parse(&argp, argc, argv, 0, NULL, &name) != 0) return EXIT_FAILED;

@@ -3,6 +3,8 @@
 
 #include <stdio.h>
 
+#include "output.h"
+
 typedef struct export_arguments {
     const char *result, *csv;
 } export_arguments;
@@ -40,6 +42,7 @@ static int run(int argc, char **argv) {
     };
     export_arguments arguments = {0};
     if (argp_parse(&argp, argc, argv, 0, NULL, &arguments) != 0) return EXIT_FAILED;
+    if (!output_may_be_folder(arguments.csv)) return EXIT_BAD_INPUT;
     whirl_result *result = NULL;
     whirl_status status = whirl_result_read(arguments.result, &result);
     if (status.code != WHIRL_OK) {

@@ -23,6 +23,8 @@ const volatile bool *interrupt_watch(void) {
         if (sigaction(signals[i], NULL, &before) == 0 && before.sa_handler != SIG_IGN)
             sigaction(signals[i], &action, NULL);
     }
+    // A file that may grow no further is an error of its write, not the end of the program.
+    sigaction(SIGXFSZ, &(struct sigaction){.sa_handler = SIG_IGN}, NULL);
     return &stopped;
 }
 

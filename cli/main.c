@@ -58,7 +58,17 @@ static const command *find_command(const char *name) {
     return NULL;
 }
 
+/// `whirl help` and `whirl help COMMAND` are the option --help.
+static void read_help(int *argc, char **argv) {
+    static char help[] = "--help";
+    if (*argc < 2 || strcmp(argv[1], "help") != 0) return;
+    if (*argc > 2) argv[1] = argv[2];
+    argv[*argc > 2 ? 2 : 1] = help;
+    *argc = *argc > 2 ? 3 : 2;
+}
+
 int main(int argc, char **argv) {
+    read_help(&argc, argv);
     struct argp_option options[COMMAND_COUNT + 2];
     list_commands(options);
     const struct argp argp = {
@@ -66,7 +76,7 @@ int main(int argc, char **argv) {
         .parser = parse,
         .args_doc = "COMMAND [ARGUMENT...]",
         .doc = "Nonlinear dynamics of rotating machines: from a case file to a report.\v"
-               "'whirl COMMAND --help' shows what a command takes; 'man whirl' has it all.\n"
+               "'whirl COMMAND --help' or 'whirl help COMMAND' shows what a command takes; 'man whirl' has it all.\n"
                "Exit status: 0 done, 1 failed while running, 2 bad input.",
     };
     argp_err_exit_status = EXIT_BAD_INPUT;

@@ -46,3 +46,15 @@ bool output_is_writable(const char *path, const char *input) {
     complain("'%s' cannot be written: %s", path, strerror(errno));
     return false;
 }
+
+bool output_may_be_folder(const char *path) {
+    struct stat there;
+    if (path[0] == '\0') {
+        complain("the name of the folder for the output is empty");
+        return false;
+    }
+    const bool found = stat(path, &there) == 0;
+    if (found ? S_ISDIR(there.st_mode) : errno != ENOTDIR) return true;
+    complain("'%s' %s, expected a folder", path, found ? "is a file" : "lies in a file");
+    return false;
+}

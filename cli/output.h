@@ -8,4 +8,7 @@
 /// `input` must not be the same file.
 bool output_is_writable(const char *path, const char *input);
 
+/// False, with a complaint, when `path` or a folder in it is a file, so that it can be no folder.
+bool output_may_be_folder(const char *path);
+
 #endif

@@ -35,7 +35,8 @@ static double done_share(const whirl_progress *progress) {
 
 /// "37 %, 190 of 521 points, 5.31e+03 revolutions/s, 1:04 min left".
 static void state_text(const whirl_progress *progress, char *text, size_t size) {
-    const double rate = progress->seconds > 0 ? progress->revolutions_done / progress->seconds : 0;
+    const double computed = progress->revolutions_done - progress->revolutions_recalled;
+    const double rate = progress->seconds > 0 ? computed / progress->seconds : 0;
     char left[32] = "?";
     if (rate > 0) duration_text((progress->revolutions_total - progress->revolutions_done) / rate, left, sizeof left);
     snprintf(text, size, "%3.0f %%, %zu of %zu points, %.0f revolutions/s, %s left", floor(100 * done_share(progress)),

@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "output.h"
+
 typedef struct report_arguments {
     char **results; ///< paths, borrowed from argv
     size_t count;
@@ -117,6 +119,7 @@ static int run(int argc, char **argv) {
     };
     report_arguments arguments = {0};
     if (argp_parse(&argp, argc, argv, 0, NULL, &arguments) != 0) return EXIT_FAILED;
+    if (!output_may_be_folder(arguments.directory)) return EXIT_BAD_INPUT;
     whirl_claims *claims = NULL;
     entry *const entries = calloc(arguments.count, sizeof *entries);
     int outcome = EXIT_DONE;

@@ -10,6 +10,7 @@
 
 #include "cores.h"
 #include "interrupt.h"
+#include "journal.h"
 #include "output.h"
 #include "progress.h"
 #include "summary.h"
@@ -21,13 +22,13 @@ typedef struct run_arguments {
     const char *overrides[MAX_OVERRIDES];
     size_t override_count;
     int threads;
-    bool json, quiet;
+    bool json, quiet, resume;
     char default_output[PATH_SIZE];
 } run_arguments;
 
 // ---------------------------------------------------------------- arguments
 
-enum { KEY_SET = 256, KEY_THREADS, KEY_JSON };
+enum { KEY_SET = 256, KEY_THREADS, KEY_JSON, KEY_RESUME };
 
 static const struct argp_option options[] = {
     {.name = "output",
@@ -46,6 +47,9 @@ static const struct argp_option options[] = {
     {.name = "json",
      .key = KEY_JSON,
      .doc = "Print the points as one JSON document on standard output; a result file is then written only with -o"},
+    {.name = "resume",
+     .key = KEY_RESUME,
+     .doc = "Go on with a run that did not finish, from RESULT.h5.journal; the result is that of an uninterrupted run"},
     {.name = "quiet", .key = 'q', .doc = "No progress and no summary"},
     {0},
 };
@@ -81,6 +85,9 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     case KEY_JSON:
         arguments->json = true;
         return 0;
+    case KEY_RESUME:
+        arguments->resume = true;
+        return 0;
     case KEY_THREADS:
         arguments->threads = parse_threads(argument, state);
         return 0;
@@ -95,6 +102,8 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
         return 0;
     case ARGP_KEY_END:
         require_option(state, arguments->case_path, "CASE.yaml");
+        if (!arguments->output && arguments->json && arguments->resume)
+            bad_argument(state, "--resume needs the name of the result, -o RESULT.h5");
         if (!arguments->output && !arguments->json) name_output(arguments);
         return 0;
     default:
@@ -117,19 +126,22 @@ static int load(const run_arguments *arguments, whirl_case **object) {
     return EXIT_DONE;
 }
 
-static int compute(const run_arguments *arguments, const whirl_case *object, whirl_result **result) {
+/// Whatever the exit status, there may be a result, of what was done until a stop.
+static int compute(const run_arguments *arguments, const whirl_case *object, whirl_journal *journal,
+                   whirl_result **result) {
     progress_view view = progress_begin();
     const whirl_run_options how = {
         .threads = arguments->threads,
         .progress = arguments->quiet ? NULL : progress_show,
         .context = &view,
         .stop = interrupt_watch(),
+        .keeper = journal ? whirl_journal_keeper(journal) : NULL,
     };
     const whirl_status status = whirl_case_run(object, &how, result);
     progress_end(&view);
     if (status.code != WHIRL_STOPPED) return complain_of(&status);
     const char *why = interrupt_text();
-    complain("stopped (%s); no result was written", why ? why : "interrupted");
+    complain("%s (%s)", status.message, why ? why : "interrupted");
     return EXIT_FAILED;
 }
 
@@ -157,14 +169,16 @@ static whirl_status add_facts(whirl_result *result, const char *const facts[][2]
 
 // ---------------------------------------------------------------- output
 
-static int deliver(const run_arguments *arguments, const whirl_result *result) {
-    if (arguments->output) {
-        const whirl_status status = whirl_result_write(result, arguments->output);
-        if (status.code != WHIRL_OK) {
-            complain_of(&status);
-            return EXIT_FAILED;
-        }
-    }
+/// Writes the result and makes sure of it.
+static int save(const run_arguments *arguments, const whirl_result *result) {
+    whirl_status status = whirl_result_write(result, arguments->output);
+    if (status.code == WHIRL_OK) status = whirl_result_verify(result, arguments->output);
+    if (status.code == WHIRL_OK) return EXIT_DONE;
+    complain_of(&status);
+    return EXIT_FAILED;
+}
+
+static int show(const run_arguments *arguments, const whirl_result *result) {
     if (arguments->json) {
         const whirl_status status = whirl_result_write_json(result, stdout);
         if (status.code != WHIRL_OK) return complain_of(&status);
@@ -175,24 +189,62 @@ static int deliver(const run_arguments *arguments, const whirl_result *result) {
     return finish_output();
 }
 
-static int run_case(const run_arguments *arguments, const char *command_line) {
+/// The worse of two exit statuses, the first one where both are bad.
+static int worse(int first, int second) {
+    return first != EXIT_DONE ? first : second;
+}
+
+/// Saves and shows a result, which may be partial. The journal goes only when a complete result is safe.
+static int deliver(const run_arguments *arguments, const whirl_result *result, whirl_journal *journal) {
+    size_t done, total;
+    const int saved = arguments->output ? save(arguments, result) : EXIT_DONE;
+    if (saved != EXIT_DONE || whirl_result_partial(result, &done, &total)) {
+        if (saved == EXIT_DONE && arguments->output) complain("'%s' is partial and says so", arguments->output);
+        leave_journal(arguments->output, journal);
+    } else if (journal) {
+        const whirl_status status = whirl_journal_remove(journal);
+        if (status.code != WHIRL_OK) complain("%s", status.message); // the result is safe all the same
+    }
+    return saved == EXIT_DONE ? show(arguments, result) : saved;
+}
+
+/// Computes, or takes what a journal has, and delivers.
+static int run_study(const run_arguments *arguments, const whirl_case *object, whirl_journal *journal,
+                     const char *command_line) {
     char started[32], finished[32], threads[16];
-    whirl_case *object = NULL;
     whirl_result *result = NULL;
     now_text(started, sizeof started);
+    const int outcome = compute(arguments, object, journal, &result);
+    if (!result) {
+        leave_journal(arguments->output, journal);
+        return outcome;
+    }
+    now_text(finished, sizeof finished);
+    snprintf(threads, sizeof threads, "%d", arguments->threads);
+    const char *const facts[][2] = {
+        {"command line", command_line}, {"started", started}, {"finished", finished}, {"threads", threads}};
+    const whirl_status status = add_facts(result, facts, sizeof facts / sizeof *facts);
+    if (status.code != WHIRL_OK) leave_journal(arguments->output, journal);
+    const int delivered = status.code == WHIRL_OK ? deliver(arguments, result, journal) : complain_of(&status);
+    whirl_result_free(result);
+    return worse(outcome, delivered);
+}
+
+static int run_case(const run_arguments *arguments, const char *command_line) {
+    whirl_case *object = NULL;
+    whirl_journal *journal = NULL;
+    whirl_result *finished = NULL;
+    interrupt_watch(); // from the start: reading a case takes time too, and a full disk sends signals at the first write
     int outcome = load(arguments, &object);
     if (outcome == EXIT_DONE && arguments->output && !output_is_writable(arguments->output, arguments->case_path))
         outcome = EXIT_BAD_INPUT;
-    if (outcome == EXIT_DONE) outcome = compute(arguments, object, &result);
-    if (outcome == EXIT_DONE) {
-        now_text(finished, sizeof finished);
-        snprintf(threads, sizeof threads, "%d", arguments->threads);
-        const char *const facts[][2] = {
-            {"command line", command_line}, {"started", started}, {"finished", finished}, {"threads", threads}};
-        const whirl_status status = add_facts(result, facts, sizeof facts / sizeof *facts);
-        outcome = status.code == WHIRL_OK ? deliver(arguments, result) : complain_of(&status);
-    }
-    whirl_result_free(result);
+    if (outcome == EXIT_DONE && arguments->output)
+        outcome = open_journal(arguments->output, object, arguments->resume, arguments->quiet, &journal, &finished);
+    if (outcome == EXIT_DONE && finished)
+        outcome = show(arguments, finished);
+    else if (outcome == EXIT_DONE)
+        outcome = run_study(arguments, object, journal, command_line);
+    whirl_result_free(finished);
     whirl_case_free(object);
     return outcome;
 }

@@ -7,6 +7,10 @@
 
 enum { LONGEST_LIST = 12, MAX_VERDICTS = WHIRL_MAX_PERIOD + 8, VERDICT_SIZE = 96 };
 
+static const char *plural(double count) {
+    return count == 1 ? "" : "s";
+}
+
 /// The number of a field of one column, NaN when the table has none.
 static double number(const whirl_table *table, size_t point, const char *field, size_t which) {
     const double *values = whirl_table_field(table, point, field, which);
@@ -41,6 +45,10 @@ static void print_radii(const whirl_result *result, const whirl_table *table, si
 }
 
 static void print_point(const whirl_result *result, const whirl_table *table) {
+    if (!whirl_table_done(table, 0)) {
+        printf("%s: not computed\n", table->name);
+        return;
+    }
     const whirl_verdict verdict = whirl_table_verdict(table, 0);
     char text[WHIRL_MESSAGE_SIZE];
     whirl_verdict_name(&verdict, text, sizeof text);
@@ -66,6 +74,7 @@ static const char *parameter_unit(const whirl_result *result, const char *name) 
 static void print_list(const whirl_result *result, const whirl_table *table) {
     const char *unit = parameter_unit(result, table->parameter);
     for (size_t point = 0; point < table->count; point++) {
+        if (!whirl_table_done(table, point)) continue;
         const whirl_verdict verdict = whirl_table_verdict(table, point);
         char name[VERDICT_SIZE];
         whirl_verdict_name(&verdict, name, sizeof name);
@@ -100,6 +109,7 @@ static void print_counts(const whirl_result *result, const whirl_table *table) {
     verdict_counts tally = {.count = 0};
     size_t rubbing = 0;
     for (size_t point = 0; point < table->count; point++) {
+        if (!whirl_table_done(table, point)) continue;
         const whirl_verdict verdict = whirl_table_verdict(table, point);
         count_verdict(&tally, &verdict);
         rubbing += rubs(result, table, point);
@@ -109,14 +119,17 @@ static void print_counts(const whirl_result *result, const whirl_table *table) {
 }
 
 void summarize_result(const whirl_result *result) {
-    printf("%s\n", result->title);
+    size_t done, total;
+    puts(result->title[0] ? result->title : result->case_name);
+    if (whirl_result_partial(result, &done, &total))
+        printf("partial: stopped after %zu of %zu point%s\n", done, total, plural((double)total));
     for (size_t i = 0; i < result->table_count; i++) {
         const whirl_table *const table = &result->tables[i];
         if (table->parameter[0] == '\0' && table->count == 1) {
             print_point(result, table);
             continue;
         }
-        printf("%s of %s: %zu points\n", table->name, table->parameter, table->count);
+        printf("%s of %s: %zu point%s\n", table->name, table->parameter, table->count, plural((double)table->count));
         if (table->count <= LONGEST_LIST)
             print_list(result, table);
         else
@@ -140,10 +153,11 @@ void summarize_study(const whirl_study *study) {
         const double revolutions = (double)batch->record.transient + batch->record.record;
         printf("  %s", batch->name);
         if (batch->parameter[0]) printf(" of %s", batch->parameter);
-        printf(": %.0f point%s, %.0f revolutions each", points, points == 1 ? "" : "s", revolutions);
+        printf(": %.0f point%s, %.0f revolution%s each", points, plural(points), revolutions, plural(revolutions));
         if (is_adaptive(method))
             printf(" by %s\n", method);
         else
-            printf(" by %s of %d steps, %.3g steps in all\n", method, steps, points * revolutions * steps);
+            printf(" by %s of %d step%s, %.3g step%s in all\n", method, steps, plural(steps),
+                   points * revolutions * steps, plural(points * revolutions * steps));
     }
 }

@@ -16,7 +16,8 @@ declare -A packages=(
     [test]="libcmocka-dev liblapacke-dev libopenblas-dev clang libclang-rt-14-dev libomp-dev valgrind
             python3-h5py"
     [lint]="clang-format clang-tidy cppcheck"
-    [bench]="libgsl-dev"
+    # The programs that are measured beside whirl; none of them is needed for whirl itself.
+    [bench]="libgsl-dev libboost-dev octave python3 python3-numba"
 )
 
 say() { printf 'dependencies: %s\n' "$*" >&2; }

@@ -22,7 +22,7 @@ declare -A below=(
     [analyze]="system.h ensemble.h integrate.h analyze.h"
     [study]="system.h ensemble.h integrate.h analyze.h result.h study.h"
     [case]="system.h ensemble.h rotor.h integrate.h analyze.h result.h study.h case.h claims.h"
-    [store]="system.h integrate.h analyze.h result.h"
+    [store]="system.h integrate.h analyze.h result.h study.h journal.h"
     [report]="system.h integrate.h analyze.h result.h study.h case.h claims.h report.h"
 )
 for folder in src/*/; do

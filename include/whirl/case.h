@@ -48,7 +48,8 @@ whirl_status whirl_case_parse(const char *text, size_t length, const char *name,
 void whirl_case_free(whirl_case *object);
 
 /// Overrides a parameter: "r_k=0.45", "omega=6000 rpm", "c== 2*0.1e-3". The whole case is checked again:
-/// WHIRL_BAD_INPUT (nearest name named) leaves it as it was.
+/// WHIRL_BAD_INPUT (nearest name named) leaves it as it was. The parameter that a sweep varies is refused, unless the
+/// ends of the sweep or the values of its detail depend on it.
 whirl_status whirl_case_set(whirl_case *object, const char *assignment);
 
 /// The title that the case gives itself, "" where it has none; borrowed.
@@ -66,8 +67,12 @@ whirl_status whirl_case_study(const whirl_case *object, whirl_study *study);
 /// Fills the parts of a result that the case knows: title, text, scales, parameters, stations, contacts.
 whirl_status whirl_case_describe_result(const whirl_case *object, whirl_result *result);
 
+/// The result of the case's study before any point is computed (whirl_study_outline), described, provenance included.
+/// Freed by whirl_result_free.
+whirl_status whirl_case_outline(const whirl_case *object, whirl_result **outline);
+
 /// Runs the case's study and describes the result, provenance included: the whole way in one call.
-/// Errors as whirl_study_run.
+/// Errors as whirl_study_run; stopped, it gives a partial result too.
 whirl_status whirl_case_run(const whirl_case *object, const whirl_run_options *options, whirl_result **result);
 
 /// The groups of keys of a case file outside rotor elements and stations (case, rotor, study, sweep, integrate, ...);

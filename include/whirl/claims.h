@@ -47,6 +47,9 @@ typedef struct whirl_claims {
 whirl_status whirl_claims_load(const char *path, whirl_problems *problems, whirl_claims **claims);
 void whirl_claims_free(whirl_claims *claims);
 
+/// The groups of keys of a claims file, as whirl_case_groups for cases; static, ended by NULL.
+const whirl_group *const *whirl_claims_groups(void);
+
 typedef enum whirl_agreement {
     WHIRL_NOT_COMPARED = 0,
     WHIRL_AGREES,

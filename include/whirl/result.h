@@ -2,6 +2,7 @@
 #ifndef WHIRL_RESULT_H
 #define WHIRL_RESULT_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdio.h>
 
@@ -19,7 +20,9 @@ typedef struct whirl_table {
     size_t count;
     double *values; ///< [count] of the parameter in SI (NaN when nothing varies)
     int *branch;    ///< [count] +1 carried from the first value on, -1 carried from the last, 0 not carried
-    double *blocks; ///< [count][layout.size]
+    double *blocks; ///< [count][layout.size], NaN where a point is not done; NULL in an outline
+    /// [count] 1 for points that are done, 0 for those that a run did not come to; NULL: all are done.
+    unsigned char *done;
     whirl_layout layout;
     whirl_analysis_set analyses;
     whirl_integrate_options integrate;
@@ -46,11 +49,11 @@ typedef struct whirl_result {
     char case_name[256];
     double speed;        ///< rad/s
     double length_scale; ///< m per unit of length
-    double force_scale;  ///< N per unit of force
+    double force_scale;  ///< N per unit of force; 1 for rotors
     size_t parameter_count;
     whirl_parameter *parameters;
     size_t station_count;
-    whirl_probe *stations; ///< names, state indices and bearing clearances (in length scales)
+    whirl_probe *stations; ///< names, state indices, bearing clearances and stator gaps (in length scales)
     size_t contact_count;
     char (*contacts)[WHIRL_NAME_SIZE]; ///< names
     size_t fact_count;
@@ -68,6 +71,12 @@ const whirl_table *whirl_result_table(const whirl_result *result, const char *na
 /// NULL when the table has no such field or an index is out of range. Borrowed.
 const double *whirl_table_field(const whirl_table *table, size_t point, const char *field, size_t which);
 
+/// Whether a point is done. Only the results of runs that were stopped have points that are not.
+bool whirl_table_done(const whirl_table *table, size_t point);
+
+/// Counts the points of all tables and those that are done; true when some are not: the result is partial.
+bool whirl_result_partial(const whirl_result *result, size_t *done, size_t *total);
+
 /// The verdict on a point.
 whirl_verdict whirl_table_verdict(const whirl_table *table, size_t point);
 
@@ -81,6 +90,14 @@ whirl_status whirl_result_add_provenance(whirl_result *result);
 /// Writes the result as an HDF5 file: to a temporary name beside `path`, synced, then renamed, so that no half
 /// file is ever left. The layout of the file is described in docs/result-file.md.
 whirl_status whirl_result_write(const whirl_result *result, const char *path);
+
+/// Reads a file of whirl_result_write back and compares all of it with the result, numbers bit for bit. WHIRL_IO_ERROR
+/// that names what differs.
+whirl_status whirl_result_verify(const whirl_result *result, const char *path);
+
+/// Whether two results are of the same case and study, with the same parameters: what either found does not matter. When
+/// not, writes the first difference in at most `size` bytes ("line 5 of the case was 'a' and is 'b'").
+bool whirl_result_same_study(const whirl_result *earlier, const whirl_result *later, char *difference, size_t size);
 
 /// Reads a file of whirl_result_write. WHIRL_BAD_INPUT with a sentence for a file that is not one.
 whirl_status whirl_result_read(const char *path, whirl_result **result);

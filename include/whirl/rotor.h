@@ -63,9 +63,6 @@ const whirl_system *whirl_rotor_system(const whirl_rotor *rotor);
 double whirl_rotor_speed(const whirl_rotor *rotor);        ///< rad/s
 double whirl_rotor_length_scale(const whirl_rotor *rotor); ///< m
 
-/// Newtons per unit of the normal forces that the system's `contacts` gives: m omega^2 length of the first station.
-double whirl_rotor_force_scale(const whirl_rotor *rotor);
-
 /// Names of the contacts ("rub at disc"), as many as the system's contact_count; borrowed.
 const char *const *whirl_rotor_contact_names(const whirl_rotor *rotor);
 

@@ -61,20 +61,42 @@ typedef struct whirl_study {
 typedef struct whirl_progress {
     size_t points_done, points_total;
     double revolutions_done, revolutions_total;
-    double seconds; ///< since the start
+    double revolutions_recalled; ///< of those done, what a keeper knew from an earlier run
+    double seconds;              ///< since the start
 } whirl_progress;
+
+/// Keeps finished points outside of a run, so that a later run of the same study can go on from them (a journal, see
+/// whirl/journal.h). A point is known by its batch and its slot in the batch's table. All functions are called by one
+/// thread at a time.
+typedef struct whirl_keeper {
+    /// Takes a finished point: its block [size] and the state [dimension] that a carried point starts from, all NaN where
+    /// the motion diverged. An error ends the run.
+    whirl_status (*keep)(void *context, size_t batch, size_t slot, const double *block, size_t size, const double *end,
+                         size_t dimension);
+    /// Asked before a point is computed. True when it is known: then block and end are filled, to the bit.
+    bool (*recall)(void *context, size_t batch, size_t slot, double *block, size_t size, double *end, size_t dimension);
+    /// Called a few times a second, so that what was kept may be brought to safety. May be NULL. An error ends the run.
+    whirl_status (*tend)(void *context);
+    void *context;
+} whirl_keeper;
 
 typedef struct whirl_run_options {
     int threads; ///< 0: all cores
     /// Called a few times a second from one thread at a time, and at the end. May be NULL.
     void (*progress)(void *context, const whirl_progress *progress);
     void *context;
-    const volatile bool *stop; ///< NULL, or becomes true when the run shall end early
+    const volatile bool *stop;  ///< NULL, or becomes true when the run shall end early
+    const whirl_keeper *keeper; ///< NULL: every point is computed
 } whirl_run_options;
 
-/// Runs all batches. `result` gets one table a batch; its `about` is empty (see whirl_case_describe_result).
-/// The first error of a point ends the run. WHIRL_STOPPED when stopped: then there is no result.
-/// The result is freed by whirl_result_free.
+/// The result of a study before any point is computed: its tables without blocks. The rest of it is empty (see
+/// whirl_case_describe_result). Freed by whirl_result_free.
+whirl_status whirl_study_outline(const whirl_study *study, whirl_result **outline);
+
+/// Runs all batches. `result` gets one table a batch; the rest of it is empty (see whirl_case_describe_result).
+/// The first error of a point ends the run, without a result. WHIRL_STOPPED when stopped before the last point: then
+/// there is a result too, of the points that are done (whirl_table_done); the numbers of the others are NaN.
+/// No bit of a result depends on which points a keeper knew. The result is freed by whirl_result_free.
 whirl_status whirl_study_run(const whirl_study *study, const whirl_run_options *options, whirl_result **result);
 
 #ifdef __cplusplus

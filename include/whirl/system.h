@@ -29,6 +29,8 @@ typedef struct whirl_probe {
     /// Clearance of the journal bearing here in the state's units of length, 0 where there is none:
     /// radius / clearance is the eccentricity ratio.
     double clearance;
+    /// Radius at which the station touches a stator, in the state's units of length; 0 where there is none.
+    double gap;
 } whirl_probe;
 
 /// The form of a system that runs in vector lanes; private to the library.
@@ -52,7 +54,7 @@ typedef struct whirl_system {
     void (*switches)(const void *model, double t, const double *x, double *values);
 
     /// Optional: unilateral contacts. Writes for each of `contact_count` the normal force, 0 while open,
-    /// in the model's unit of force (see whirl_rotor_force_scale for rotors).
+    /// in the model's unit of force; rotors give newtons.
     size_t contact_count;
     void (*contacts)(const void *model, const double *x, double *normal_force);
 

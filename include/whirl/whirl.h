@@ -10,6 +10,7 @@
 #include "whirl/descriptor.h"
 #include "whirl/ensemble.h"
 #include "whirl/integrate.h"
+#include "whirl/journal.h"
 #include "whirl/report.h"
 #include "whirl/result.h"
 #include "whirl/rotor.h"

@@ -1,7 +1,8 @@
 // Weighted Birkhoff averages: the mean of an observable along the motion, weighted by a smooth bump. On a torus (and
 // on a periodic motion) it converges faster than any power of the number of points, in chaos only like its square root,
-// so that the agreement of two halves tells them apart (Das, Sander, Yorke, "Super convergence of ergodic averages for
-// quasiperiodic orbits", Nonlinearity 2018). A motion that still settles disagrees as well.
+// so that the agreement of two halves tells them apart (Das, Saiki, Sander, Yorke, "Quantitative quasiperiodicity",
+// Nonlinearity 30 (2017) 4111; Das, Yorke, "Super convergence of ergodic averages for quasiperiodic orbits",
+// Nonlinearity 31 (2018) 491). A motion that still settles disagrees as well.
 #include <math.h>
 
 #include "section.h"

@@ -13,7 +13,7 @@
                     analysis(lyapunov, "largest Lyapunov exponent per revolution with its standard error",             \
                              "Benettin et al. 1980")                                                                   \
                         analysis(regime, "P-k, quasi-periodic, chaotic, diverged or undetermined, with the evidence",  \
-                                 "Das, Sander, Yorke 2017 (weighted Birkhoff averages); docs/theory.md")
+                                 "Das, Saiki, Sander, Yorke 2017; Das, Yorke 2018 (weighted Birkhoff averages); docs/theory.md")
 
 #define ABOUT(name, meaning, source) {#name, meaning, source},
 #define PLAN(name, meaning, source) &name##_analysis,

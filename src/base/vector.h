@@ -6,7 +6,9 @@
 #ifndef BASE_VECTOR_H
 #define BASE_VECTOR_H
 
+#include <limits.h>
 #include <math.h>
+#include <string.h>
 
 #define VECTOR_SCALAR 0 ///< one lane, unfused: any machine
 #define VECTOR_128 1    ///< two lanes, unfused: SSE2, NEON, WebAssembly
@@ -72,6 +74,15 @@ static inline vec v_copysign(vec size, vec sign) {
                                                _mm512_and_si512(bit, _mm512_castpd_si512(sign))));
 }
 
+/// As whole numbers: the bits of a, or half of them, taken from `magic`. Seeds of Newton's method.
+static inline vec v_seed(long long magic, vec a) {
+    return _mm512_castsi512_pd(_mm512_sub_epi64(_mm512_set1_epi64(magic), _mm512_castpd_si512(a)));
+}
+static inline vec v_seed_half(long long magic, vec a) {
+    return _mm512_castsi512_pd(
+        _mm512_sub_epi64(_mm512_set1_epi64(magic), _mm512_srli_epi64(_mm512_castpd_si512(a), 1)));
+}
+
 #elif VECTOR_ISA == VECTOR_AVX2
 
 #include <immintrin.h>
@@ -126,6 +137,14 @@ static inline int v_any(vec_mask mask) {
 static inline vec v_copysign(vec size, vec sign) {
     const vec bit = _mm256_set1_pd(-0.0);
     return _mm256_or_pd(_mm256_andnot_pd(bit, size), _mm256_and_pd(bit, sign));
+}
+
+static inline vec v_seed(long long magic, vec a) {
+    return _mm256_castsi256_pd(_mm256_sub_epi64(_mm256_set1_epi64x(magic), _mm256_castpd_si256(a)));
+}
+static inline vec v_seed_half(long long magic, vec a) {
+    return _mm256_castsi256_pd(
+        _mm256_sub_epi64(_mm256_set1_epi64x(magic), _mm256_srli_epi64(_mm256_castpd_si256(a), 1)));
 }
 
 #elif VECTOR_ISA == VECTOR_128 && defined(__SSE2__)
@@ -184,6 +203,13 @@ static inline vec v_copysign(vec size, vec sign) {
     return _mm_or_pd(_mm_andnot_pd(bit, size), _mm_and_pd(bit, sign));
 }
 
+static inline vec v_seed(long long magic, vec a) {
+    return _mm_castsi128_pd(_mm_sub_epi64(_mm_set1_epi64x(magic), _mm_castpd_si128(a)));
+}
+static inline vec v_seed_half(long long magic, vec a) {
+    return _mm_castsi128_pd(_mm_sub_epi64(_mm_set1_epi64x(magic), _mm_srli_epi64(_mm_castpd_si128(a), 1)));
+}
+
 #elif VECTOR_ISA == VECTOR_128
 
 // Other machines (NEON, WebAssembly) by the compilers' own vectors; as on x86 nothing is fused.
@@ -239,6 +265,13 @@ static inline vec v_copysign(vec size, vec sign) {
     return (vec){copysign(size[0], sign[0]), copysign(size[1], sign[1])};
 }
 
+static inline vec v_seed(long long magic, vec a) {
+    return (vec)((vec_mask){magic, magic} - (vec_mask)a);
+}
+static inline vec v_seed_half(long long magic, vec a) {
+    return (vec)((vec_mask){magic, magic} - (((vec_mask)a >> 1) & (vec_mask){LLONG_MAX, LLONG_MAX}));
+}
+
 #else
 
 enum { VECTOR_LANES = 1, VECTOR_FUSED = VECTOR_ISA == VECTOR_FMA };
@@ -292,6 +325,21 @@ static inline int v_any(vec_mask mask) {
 }
 static inline vec v_copysign(vec size, vec sign) {
     return copysign(size, sign);
+}
+
+static inline vec v_seed(long long magic, vec a) {
+    unsigned long long bits;
+    memcpy(&bits, &a, sizeof bits);
+    bits = (unsigned long long)magic - bits;
+    memcpy(&a, &bits, sizeof bits);
+    return a;
+}
+static inline vec v_seed_half(long long magic, vec a) {
+    unsigned long long bits;
+    memcpy(&bits, &a, sizeof bits);
+    bits = (unsigned long long)magic - (bits >> 1);
+    memcpy(&a, &bits, sizeof bits);
+    return a;
 }
 
 #endif

@@ -117,7 +117,11 @@ static void read_content(case_reader *reader, const file_node *root, case_conten
     const setting *rotor = settings_find(&file, "rotor"), *study = settings_find(&file, "study");
     if (rotor && !reader->no_memory) machine_read(reader, rotor->place, &content->machine);
     if (study && !reader->no_memory) plan_read_parts(reader, study->place, &content->machine, &parts, &content->plan);
-    if (reader->problems->count == 0 && !reader->no_memory) check_with_values(reader, content, &parts);
+    if (reader->no_memory) return;
+    if (reader->problems->count == 0)
+        check_with_values(reader, content, &parts);
+    else
+        machine_check_alone(reader, &content->machine);
 }
 
 // Fills `content`, whose overrides are set, from the text of the case.
@@ -230,6 +234,23 @@ static whirl_status without_file(const whirl_problems *problems, const whirl_sta
     return whirl_fail(status->code, "%s: %s", problems->items[0].key, problems->items[0].message);
 }
 
+// A parameter that is swept takes its values from the study alone, unless these depend on it.
+static whirl_status refuse_swept(const study_plan *old, const study_plan *new, const char *name, size_t length) {
+    for (size_t b = 0; b < old->batch_count; b++) {
+        const whirl_batch *batch = &old->batches[b], *now = &new->batches[b];
+        if (!batch->values || strlen(batch->parameter) != length || strncmp(batch->parameter, name, length) != 0)
+            return whirl_ok();
+        for (size_t i = 0; i < batch->count; i++)
+            if (now->values[i] != batch->values[i]) return whirl_ok();
+    }
+    const whirl_batch *sweep = &old->batches[0];
+    return whirl_fail(
+        WHIRL_BAD_INPUT,
+        "the study sweeps %s from %.10g to %.10g, so that setting it changes nothing; change sweep in the "
+        "case, or write response: {} in its place",
+        sweep->parameter, sweep->values[0], sweep->values[sweep->count - 1]);
+}
+
 whirl_status whirl_case_set(whirl_case *object, const char *assignment) {
     size_t length = 0;
     whirl_status status = find_name(object, assignment, &length);
@@ -246,6 +267,7 @@ whirl_status whirl_case_set(whirl_case *object, const char *assignment) {
         status = make_content(object, &content, &problems);
     else
         status = whirl_fail(WHIRL_NO_MEMORY, "no memory to set %.40s", assignment);
+    if (status.code == WHIRL_OK) status = refuse_swept(&object->content.plan, &content.plan, assignment, length);
     if (status.code == WHIRL_OK) {
         arena_free(&object->content.arena);
         object->content = content;

@@ -105,11 +105,6 @@ static size_t read_orders(case_reader *reader, const setting_list *item, const c
     return count;
 }
 
-static bool is_true(const setting_list *item, const char *name) {
-    const setting *given = settings_find(item, name);
-    return given && given->word && strcmp(given->word, "true") == 0;
-}
-
 static void read_claim(case_reader *reader, const file_node *where, whirl_claim *claim) {
     setting_list item;
     settings_read(reader, where, &schema_claim, &item);
@@ -120,9 +115,9 @@ static void read_claim(case_reader *reader, const file_node *where, whirl_claim 
     read_regime(reader, &item, claim);
     read_curves(reader, &item, claim);
     claim->has_contact = settings_find(&item, "rub") != NULL;
-    claim->contact = is_true(&item, "rub");
+    claim->contact = settings_yes(&item, "rub");
     claim->line_count = read_orders(reader, &item, "lines", 1, WHIRL_MAX_CLAIM_LINES, claim->lines);
-    claim->only_lines = is_true(&item, "only_lines");
+    claim->only_lines = settings_yes(&item, "only_lines");
     claim->has_band = read_orders(reader, &item, "band", 2, 2, claim->band) == 2;
     if (claim->has_band && !(claim->band[0] < claim->band[1]))
         problem_at(reader->problems, settings_find(&item, "band")->place, "expected the lower order first");

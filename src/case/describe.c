@@ -33,7 +33,7 @@ static whirl_status describe_rotor(const whirl_case *object, whirl_result *resul
     const whirl_system *system = whirl_rotor_system(rotor);
     result->speed = whirl_rotor_speed(rotor);
     result->length_scale = whirl_rotor_length_scale(rotor);
-    result->force_scale = whirl_rotor_force_scale(rotor);
+    result->force_scale = 1.0;
     result->stations = calloc(system->probe_count + 1, sizeof *result->stations);
     result->contacts = calloc(system->contact_count + 1, sizeof *result->contacts);
     const bool done = result->stations && result->contacts;
@@ -71,16 +71,30 @@ whirl_status whirl_case_describe_result(const whirl_case *object, whirl_result *
     return status.code == WHIRL_OK ? describe_rotor(object, result) : status;
 }
 
-whirl_status whirl_case_run(const whirl_case *object, const whirl_run_options *options, whirl_result **result) {
-    whirl_study study;
-    *result = NULL;
-    whirl_status status = whirl_case_study(object, &study);
-    if (status.code == WHIRL_OK) status = whirl_study_run(&study, options, result);
-    if (status.code != WHIRL_OK) return status;
-    status = whirl_case_describe_result(object, *result);
+/// What the case and the build know of a result of the study; a result that cannot be described is freed.
+static whirl_status describe_whole(const whirl_case *object, whirl_result **result) {
+    whirl_status status = whirl_case_describe_result(object, *result);
     if (status.code == WHIRL_OK) status = whirl_result_add_provenance(*result);
     if (status.code == WHIRL_OK) return status;
     whirl_result_free(*result);
     *result = NULL;
     return status;
+}
+
+whirl_status whirl_case_outline(const whirl_case *object, whirl_result **outline) {
+    whirl_study study;
+    *outline = NULL;
+    whirl_status status = whirl_case_study(object, &study);
+    if (status.code == WHIRL_OK) status = whirl_study_outline(&study, outline);
+    return status.code == WHIRL_OK ? describe_whole(object, outline) : status;
+}
+
+whirl_status whirl_case_run(const whirl_case *object, const whirl_run_options *options, whirl_result **result) {
+    whirl_study study;
+    *result = NULL;
+    whirl_status status = whirl_case_study(object, &study);
+    if (status.code == WHIRL_OK) status = whirl_study_run(&study, options, result);
+    if (!*result) return status;
+    const whirl_status described = describe_whole(object, result);
+    return described.code == WHIRL_OK ? status : described;
 }

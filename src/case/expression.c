@@ -161,8 +161,12 @@ void evaluator_free(expression_evaluator *evaluator) {
 // muParser's own message lies in a buffer that all threads share; its position does not.
 static void describe_error(muParserHandle_t parser, const char *text, char why[WHY_SIZE]) {
     char shown[SHOWN_SIZE];
-    const int position = mupGetErrorPos(parser);
-    if (position < 0 || (size_t)position >= strlen(text))
+    enum { TOO_MANY_ARGUMENTS = 14, TOO_FEW_ARGUMENTS = 15 }; // EErrorCodes of muParserDef.h, which is C++
+    const int position = mupGetErrorPos(parser), code = mupGetErrorCode(parser);
+    if (code == TOO_MANY_ARGUMENTS || code == TOO_FEW_ARGUMENTS)
+        snprintf(why, WHY_SIZE, "is = %s, where a function has too %s arguments", text_shown(text, shown),
+                 code == TOO_MANY_ARGUMENTS ? "many" : "few");
+    else if (position < 0 || (size_t)position >= strlen(text))
         snprintf(why, WHY_SIZE, "is no expression: it ends too early, or an argument is missing");
     else
         snprintf(why, WHY_SIZE, "is no expression at '%s'", text_shown(text + position, shown));

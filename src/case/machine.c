@@ -21,13 +21,17 @@ static bool is_station_name(const char *name) {
     return name[0] && strlen(name) < WHIRL_NAME_SIZE;
 }
 
-static bool check_station_name(case_reader *reader, const file_node *where) {
+// As a name of a station, not "ground", which some places take beside it.
+static bool is_usable(const char *name) {
+    return is_station_name(name) && strcmp(name, "ground") != 0;
+}
+
+static void check_station_name(case_reader *reader, const file_node *where) {
     const bool ground = strcmp(where->key, "ground") == 0;
     if (ground)
         problem_at_key(reader->problems, where, "stands for the ground itself, expected another name");
     else if (!is_station_name(where->key))
         problem_at_key(reader->problems, where, "is no name for a station, expected letters, digits, '_' and '-'");
-    return !ground && is_station_name(where->key);
 }
 
 static void read_stations(case_reader *reader, const file_node *where, machine_parts *result) {
@@ -56,12 +60,24 @@ static void read_stations(case_reader *reader, const file_node *where, machine_p
 
 // ---------------------------------------------------------------- elements
 
+void machine_advise(const machine_parts *machine, const char *word, bool ground, char advice[WHY_SIZE]) {
+    const char *names[WHIRL_MAX_STATIONS + 1];
+    size_t count = 0;
+    for (size_t i = 0; i < machine->station_count; i++)
+        if (is_usable(machine->station_names[i])) names[count++] = machine->station_names[i];
+    if (count == 0)
+        snprintf(advice, WHY_SIZE, "expected the name of a station");
+    else if (ground)
+        names[count++] = "ground";
+    if (count > 0) describe_names(word, names, count, advice);
+}
+
 static void check_station(case_reader *reader, const machine_parts *machine, const file_node *where, const char *name,
                           bool ground) {
     char shown[SHOWN_SIZE];
     if (machine_station(machine, name) < machine->station_count || (ground && strcmp(name, "ground") == 0)) return;
     char advice[WHY_SIZE];
-    describe_names(name, machine->station_names, machine->station_count, advice);
+    machine_advise(machine, name, ground, advice);
     problem_at(reader->problems, where, "is %s, which is no station, %s", text_shown(name, shown), advice);
 }
 
@@ -123,10 +139,13 @@ static void read_element(case_reader *reader, const file_node *item, machine_par
     }
     file_node nothing = *where;
     if (bare) nothing.text = "";
+    const size_t problems = reader->problems->count;
     setting_list *element = &result->elements[result->element_count++];
     settings_read(reader, bare ? &nothing : where, group, element);
     element->place = where;
     check_stations(reader, result, element);
+    element->sound = reader->problems->count == problems;
+    for (size_t i = 0; i < element->count; i++) element->sound = element->sound && element->items[i].good;
 }
 
 static void read_elements(case_reader *reader, const file_node *where, machine_parts *result) {
@@ -243,8 +262,44 @@ static bool check_one_by_one(case_reader *reader, valuation *v, const machine_pa
     return good;
 }
 
+// A rotor with the element alone, its stations of 1 kg. Expressions, whose values may not be known, count as 1: what
+// contradicts each other are keys that are there and keys that are not.
+static whirl_status build_alone(const machine_parts *machine, const setting_list *element) {
+    const whirl_setting unit_mass = {.key = "mass", .number = 1.0};
+    whirl_setting values[SETTINGS_MAX];
+    whirl_design *design;
+    whirl_rotor *rotor = NULL;
+    whirl_status status = whirl_design_new(1.0, 1.0, &design);
+    for (size_t i = 0; i < element->count && i < SETTINGS_MAX; i++) {
+        const setting *item = &element->items[i];
+        const double number = item->value.expression ? 1.0 : item->value.number;
+        values[i] = (whirl_setting){.key = item->key->name, .number = number, .text = item->word};
+    }
+    for (size_t i = 0; i < machine->station_count && status.code == WHIRL_OK; i++)
+        if (is_usable(machine->station_names[i]))
+            status = whirl_design_station(design, machine->station_names[i], &unit_mass, 1);
+    if (status.code == WHIRL_OK) status = whirl_design_element(design, element->name, values, element->count);
+    if (status.code == WHIRL_OK) status = whirl_rotor_new(design, &rotor);
+    whirl_rotor_free(rotor);
+    whirl_design_free(design);
+    return status;
+}
+
+void machine_check_alone(case_reader *reader, const machine_parts *machine) {
+    bool usable = false;
+    for (size_t i = 0; i < machine->station_count; i++) usable = usable || is_usable(machine->station_names[i]);
+    for (size_t i = 0; usable && i < machine->element_count; i++) {
+        if (!machine->elements[i].sound) continue;
+        const whirl_status status = build_alone(machine, &machine->elements[i]);
+        tell(reader, machine->elements[i].place, &status);
+    }
+}
+
 void machine_check(case_reader *reader, valuation *v, const machine_parts *machine) {
-    if (!check_values(reader, v, machine)) return;
+    if (!check_values(reader, v, machine)) {
+        machine_check_alone(reader, machine);
+        return;
+    }
     whirl_rotor *rotor;
     const whirl_status status = machine_build(machine, v, &rotor);
     whirl_rotor_free(rotor);

@@ -24,6 +24,12 @@ void machine_check(case_reader *reader, valuation *v, const machine_parts *machi
 /// Builds a rotor with the values of `valuation`.
 whirl_status machine_build(const machine_parts *machine, valuation *v, whirl_rotor **rotor);
 
+/// Reports the settings of single elements that contradict each other, whatever else is wrong with the case.
+void machine_check_alone(case_reader *reader, const machine_parts *machine);
+
+/// What to say of a word that is no station: the nearest one or all of them, and ground where that is allowed.
+void machine_advise(const machine_parts *machine, const char *word, bool ground, char advice[WHY_SIZE]);
+
 /// Index of a station, or station_count.
 size_t machine_station(const machine_parts *machine, const char *name);
 

@@ -1,6 +1,7 @@
 #include "parameters.h"
 
 #include <ctype.h>
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -27,10 +28,12 @@ whirl_status reader_outcome(const case_reader *reader, const char *name) {
 typedef struct lookup {
     const parameter_table *parameters;
     char name[WHIRL_NAME_SIZE]; // the last one that was asked for
+    const char *at;             // where it stands
 } lookup;
 
 static bool parameter_is_known(void *context, const char *name, size_t length) {
     lookup *l = context;
+    l->at = name;
     if (length >= sizeof l->name) length = sizeof l->name - 1;
     memcpy(l->name, name, length);
     l->name[length] = '\0';
@@ -61,6 +64,13 @@ static bool can_afford(case_reader *reader, const file_node *where, const char *
     return reader->expression_bytes <= EXPRESSIONS_MAX_BYTES;
 }
 
+// "10 N": a name after a number is meant as a unit.
+static bool follows_number(const char *expression, const char *name) {
+    const char *before = name;
+    while (before > expression && before[-1] == ' ') before--;
+    return before < name && before > expression && (isdigit((unsigned char)before[-1]) || before[-1] == '.');
+}
+
 static bool read_expression(case_reader *reader, const parameter_table *known, const file_node *where, const char *text,
                             number_formula *result) {
     lookup l = {.parameters = known};
@@ -71,20 +81,22 @@ static bool read_expression(case_reader *reader, const parameter_table *known, c
         *result = (number_formula){.expression = expression};
         return true;
     }
-    const char *near = why[0] ? NULL : whirl_nearest_name(l.name, known->names, known->count);
+    const bool unit = !why[0] && follows_number(expression, l.at);
+    const char *near = why[0] || unit ? NULL : whirl_nearest_name(l.name, known->names, known->count);
     if (why[0])
         problem_at(reader->problems, where, "%s", why);
     else if (near)
         problem_at(reader->problems, where, "is = %s, but no parameter is called %s, did you mean %s?",
                    text_shown(expression, shown), l.name, near);
     else
-        problem_at(reader->problems, where, "is = %s, but no parameter is called %s", text_shown(expression, shown),
-                   l.name);
+        problem_at(reader->problems, where,
+                   "is = %s, but no parameter is called %.63s (expressions are in SI and hold no units)",
+                   text_shown(expression, shown), l.name);
     return false;
 }
 
 // "= omega" has the unit of omega. An expression that is more than a name has a unit that nobody knows.
-static const char *unit_of(const parameter_table *parameters, const char *expression) {
+const char *expression_unit(const parameter_table *parameters, const char *expression) {
     char name[WHIRL_NAME_SIZE];
     const size_t length = strcspn(expression, " ");
     if (length >= sizeof name || expression[length + strspn(expression + length, " ")]) return "";
@@ -92,6 +104,23 @@ static const char *unit_of(const parameter_table *parameters, const char *expres
     name[length] = '\0';
     const size_t index = parameters_find(parameters, name);
     return index < parameters->count ? parameters->items[index].unit : "";
+}
+
+bool angle_is_likely(const whirl_key *key, double number, char why[WHY_SIZE]) {
+    const double full_turn = 6.2831853071795865; // 2 pi
+    if (strcmp(key->unit, "rad") != 0 || !isfinite(number) || fabs(number) <= full_turn * (1.0 + 1e-12)) return true;
+    snprintf(why, WHY_SIZE,
+             "is %.10g without a unit, which is in radians, expected at most a full turn (2 pi); write degrees as "
+             "'%.10g degree'",
+             number, number);
+    return false;
+}
+
+// A number that stands there without a unit.
+static bool is_plain(const char *text) {
+    const char *end;
+    double value;
+    return quantity_number(text, &value, &end) && !*end;
 }
 
 bool formula_read(case_reader *reader, const file_node *where, const whirl_key *key, number_formula *result) {
@@ -103,7 +132,7 @@ bool formula_read(case_reader *reader, const file_node *where, const whirl_key *
     const char *expression = expression_of(where->text);
     if (expression) {
         if (!read_expression(reader, reader->parameters, where, expression, result)) return false;
-        const char *unit = unit_of(reader->parameters, result->expression);
+        const char *unit = expression_unit(reader->parameters, result->expression);
         if (!unit[0] || !key->unit[0] || strcmp(unit, "1") == 0 || quantity_fits(unit, key->unit, why)) return true;
         problem_at(reader->problems, where, "= %s %s", text_shown(expression, shown), why);
         return false;
@@ -114,6 +143,10 @@ bool formula_read(case_reader *reader, const file_node *where, const whirl_key *
         return false;
     }
     *result = (number_formula){.number = read.value};
+    if (is_plain(where->text) && !angle_is_likely(key, read.value, why)) {
+        problem_at(reader->problems, where, "%s", why);
+        return false;
+    }
     const whirl_status status = whirl_key_check_number(key, read.value);
     if (status.code != WHIRL_OK) problem_at(reader->problems, where, "%s", status.message);
     return status.code == WHIRL_OK;
@@ -154,7 +187,10 @@ static bool read_quantity(case_reader *reader, const file_node *where, const cha
         problem_at(reader->problems, where, "%s", why);
         return false;
     }
-    char *unit = arena_text(reader->arena, read.unit, strlen(read.unit));
+    // A plain number is in the SI unit of what it replaces.
+    const bool plain = strcmp(read.unit, "1") == 0 && expected[0];
+    const char *given = plain ? expected : read.unit;
+    char *unit = arena_text(reader->arena, given, strlen(given));
     reader->no_memory = reader->no_memory || !unit;
     result->value = (number_formula){.number = read.value};
     result->unit = unit ? unit : "1";
@@ -239,7 +275,7 @@ static void visit(dependence_walk *w, size_t index) {
     w->path[w->depth++] = index;
     if (item->value.expression) {
         expression_check(item->value.expression, visit_name, w, why);
-        item->unit = unit_of(w->result, item->value.expression);
+        item->unit = expression_unit(w->result, item->value.expression);
     }
     w->depth--;
     w->state[index] = 2;

@@ -6,6 +6,7 @@
 
 #include "arena.h"
 #include "expression.h"
+#include "quantity.h"
 #include "tree.h"
 #include "whirl/case.h"
 #include "whirl/descriptor.h"
@@ -60,6 +61,13 @@ size_t parameters_find(const parameter_table *parameters, const char *name);
 
 /// Reads a number of `key` at a place of the file: with a unit, plain, or an expression. false after a problem.
 bool formula_read(case_reader *reader, const file_node *where, const whirl_key *key, number_formula *result);
+
+/// The unit of an expression that is no more than the name of a parameter, else "" (and "1" for a plain parameter).
+const char *expression_unit(const parameter_table *parameters, const char *expression);
+
+/// Refuses plain numbers for angles beyond a full turn either way: they are radians, and degrees were meant.
+/// On false `why` says so: "is 270 rad without a unit, ...".
+bool angle_is_likely(const whirl_key *key, double number, char why[WHY_SIZE]);
 
 /// Values of all parameters for one machine. Cheap; one for every thread.
 typedef struct valuation {

@@ -32,7 +32,7 @@ static whirl_record_options record_options(valuation *v, const plan_parts *parts
     options.transient = (int)settings_number(v, &parts->integrate, "transient");
     options.record = (int)settings_number(v, &parts->integrate, "record");
     options.watch = (int)settings_number(v, &parts->integrate, "watch");
-    options.settle = strcmp(settings_word(&parts->integrate, "settle"), "yes") == 0;
+    options.settle = settings_yes(&parts->integrate, "settle");
     options.waveform_revolutions = (int)settings_number(v, &parts->keep, "waveform");
     options.samples_per_revolution = (int)settings_number(v, &parts->keep, "samples");
     if (!settings_find(&parts->keep, "samples") && options.samples_per_revolution > steps)
@@ -89,6 +89,11 @@ static void check_record(case_reader *reader, const plan_parts *parts, const whi
         problem_at(reader->problems, place_of(&parts->integrate, "watch"),
                    "is %d, expected 0, or record (%d) to transient + record (%d)", options->watch, options->record,
                    options->transient + options->record);
+    const double highest = whirl_record_samples(options, steps) / 2.0;
+    if (settings_find(&parts->keep, "highest_order") && options->highest_order > highest)
+        problem_at(reader->problems, place_of(&parts->keep, "highest_order"),
+                   "is %.10g, expected at most %.10g, half the samples a revolution (keep.samples)",
+                   options->highest_order, highest);
     const bool kept = options->waveform_revolutions > 0 || settings_find(&parts->study, "detail");
     if (parts->waveform_place && !kept)
         problem_at(reader->problems, parts->waveform_place,

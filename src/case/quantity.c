@@ -175,6 +175,22 @@ bool quantity_number(const char *text, double *value, const char **end) {
     return true;
 }
 
+// What engineers write for units that have another spelling here, or "".
+static const char *usual_spelling(const char *unit) {
+    static const char *const spellings[][2] = {
+        {"RPM", "rpm"},    {"Rpm", "rpm"},   {"rev/min", "rpm"},   {"r/min", "rpm"},   {"U/min", "rpm"},
+        {"rev/s", "rps"},  {"r/s", "rps"},   {"RPS", "rps"},       {"Rad", "rad"},     {"Rad/s", "rad/s"},
+        {"Ns/m", "N.s/m"}, {"Nsm", "N.s/m"}, {"N-s/m", "N.s/m"},   {"mPas", "mPa.s"},  {"Pas", "Pa.s"},
+        {"Nm", "N.m"},     {"gmm", "g.mm"},  {"gcm", "g.cm"},      {"kgmm", "kg.mm"},  {"kgm", "kg.m"},
+        {"Kg", "kg"},      {"KG", "kg"},     {"MM", "mm"},         {"n/m", "N/m"},     {"N/M", "N/m"},
+        {"KN/m", "kN/m"},  {"lbs", "lb"},    {"lbs/in", "lbf/in"}, {"degs", "degree"}, {"hz", "Hz"},
+        {"HZ", "Hz"},      {"KHz", "kHz"},
+    };
+    for (size_t i = 0; i < sizeof spellings / sizeof *spellings; i++)
+        if (strcmp(unit, spellings[i][0]) == 0) return spellings[i][1];
+    return "";
+}
+
 // The unit's text follows the number; both are checked against what is expected.
 static bool read_unit(const char *text, const char *unit_text, const char *expected, quantity *result,
                       char why[WHY_SIZE]) {
@@ -188,8 +204,9 @@ static bool read_unit(const char *text, const char *unit_text, const char *expec
     bool done = false;
     if (!unit) {
         describe_expected(expected, expectation);
-        snprintf(why, WHY_SIZE, "is %s, expected %s (no unit is called %.40s)", text_shown(text, shown), expectation,
-                 unit_text);
+        const char *usual = usual_spelling(unit_text);
+        snprintf(why, WHY_SIZE, "is %s, expected %s (no unit is called %.40s%s%s%s)", text_shown(text, shown),
+                 expectation, unit_text, *usual ? ", did you mean " : "", usual, *usual ? "?" : "");
     } else if (!expected[0]) {
         done = to_si(unit, result);
         if (!done) snprintf(why, WHY_SIZE, "is %s, expected a unit that converts to SI", text_shown(text, shown));

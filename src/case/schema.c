@@ -8,6 +8,7 @@
 #include <math.h>
 
 #include "whirl/case.h"
+#include "whirl/claims.h"
 
 #define COUNT(keys) (sizeof(keys) / sizeof *(keys))
 
@@ -119,7 +120,7 @@ static const whirl_key integrate_keys[] = {
      "last revolutions over which the section and the growth of a disturbance are followed, at least those recorded; "
      "0: the record and half the transient, of that at most the larger of 1000 and record",
      ""},
-    {"settle", "", "", WHIRL_KEY_CHOICE, false, "yes", WHIRL_ANY, "yes|no",
+    {"settle", "", "", WHIRL_KEY_CHOICE, false, "yes", WHIRL_ANY, "yes|no|true|false",
      "yes: the transient ends early where the motion has settled on a periodic orbit to 1e-11", ""},
 };
 
@@ -232,15 +233,21 @@ static const whirl_key claim_keys[] = {
      NULL,
      "closed curves of a quasi-periodic section",
      ""},
-    {"rub", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "true|false", "whether there is contact", ""},
+    {"rub", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "true|false|yes|no", "whether there is contact", ""},
     {"lines", "", "", WHIRL_KEY_NUMBER, false, "", WHIRL_POSITIVE, NULL, "a list of orders that the spectrum shows",
      ""},
-    {"only_lines", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "true|false", "and no others", ""},
+    {"only_lines", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "true|false|yes|no", "and no others", ""},
     {"band", "", "", WHIRL_KEY_NUMBER, false, "", WHIRL_NOT_NEGATIVE, NULL,
      "two orders between which the large lines below the running speed lie", ""},
     {"whirl", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "forward|backward|diverging-backward",
      "direction of the whirl", ""},
 };
 
-const whirl_group schema_claims = GROUP("claims", "what a paper or a measurement says of a rotor", claims_keys);
-const whirl_group schema_claim = GROUP("claim", "one claim", claim_keys);
+const whirl_group schema_claims =
+    GROUP("claims", "a claims file: what a paper or a measurement says of a rotor", claims_keys);
+const whirl_group schema_claim = GROUP("claim", "one claim of the list `items` of a claims file", claim_keys);
+
+const whirl_group *const *whirl_claims_groups(void) {
+    static const whirl_group *const groups[] = {&schema_claims, &schema_claim, NULL};
+    return groups;
+}

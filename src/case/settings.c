@@ -186,6 +186,10 @@ bool settings_check(case_reader *reader, valuation *v, const setting_list *setti
         whirl_status status = valuation_number(v, &item->value, &number);
         const bool evaluated = status.code == WHIRL_OK;
         if (evaluated) status = whirl_key_check_number(item->key, number);
+        const bool turned = strcmp(expression_unit(v->parameters, item->value.expression), "rad") == 0;
+        char why[WHY_SIZE];
+        if (status.code == WHIRL_OK && !turned && !angle_is_likely(item->key, number, why))
+            status = whirl_fail(WHIRL_BAD_INPUT, "%s", why);
         if (status.code == WHIRL_OK) continue;
         good = false;
         if (evaluated)
@@ -208,6 +212,11 @@ double settings_number(valuation *v, const setting_list *settings, const char *k
 const char *settings_word(const setting_list *settings, const char *key) {
     const setting *item = settings_find(settings, key);
     return item && item->word ? item->word : whirl_group_key(settings->group, key)->fallback;
+}
+
+bool settings_yes(const setting_list *settings, const char *key) {
+    const char *word = settings_word(settings, key);
+    return strcmp(word, "yes") == 0 || strcmp(word, "true") == 0;
 }
 
 void settings_text(case_reader *reader, const setting_list *settings, const char *key, char *text, size_t size) {

@@ -20,6 +20,7 @@ typedef struct setting_list {
     const char *name; ///< of a station, or the kind of an element
     const whirl_group *group;
     const file_node *place;
+    bool sound; ///< of an element: no problem was found while it was read
     size_t count;
     setting *items;
 } setting_list;
@@ -39,6 +40,9 @@ double settings_number(valuation *v, const setting_list *settings, const char *k
 
 /// The word of a choice, or the key's default.
 const char *settings_word(const setting_list *settings, const char *key);
+
+/// Whether the word of a choice (or its default) is yes or true.
+bool settings_yes(const setting_list *settings, const char *key);
 
 /// A text of at most `size` - 1 bytes without line breaks; a problem and "" otherwise.
 void settings_text(case_reader *reader, const setting_list *settings, const char *key, char *text, size_t size);

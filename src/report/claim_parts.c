@@ -3,8 +3,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "quantities.h"
-
 /// A line is where the claim says it is within this many orders.
 static const double LINE_TOLERANCE = 0.02;
 /// Lines below this share of the largest do not count as present.
@@ -14,8 +12,7 @@ static double line_amplitude(const double *line) {
     return fmax(line[1], line[2]);
 }
 
-/// The lines of the spectrum that count, largest first.
-static numbers present_lines(const claim_view *view, size_t point) {
+numbers claim_lines(const claim_view *view, size_t point) {
     numbers lines = point_lines(view->table, point, view->station);
     double most = 0.0;
     for (size_t i = 0; i < lines.rows; i++) most = fmax(most, line_amplitude(&lines.at[5 * i]));
@@ -72,7 +69,7 @@ static bool claims_line(const whirl_claim *claim, double order) {
 /// All claimed lines are there and, where the claim says so, no others. One part, not two: nearly every spectrum of a
 /// rotor has a line at the running speed, so that this alone says nothing.
 static double score_lines(const claim_view *view, size_t point) {
-    const numbers lines = present_lines(view, point);
+    const numbers lines = claim_lines(view, point);
     if (!lines.at) return NAN;
     for (size_t c = 0; c < view->claim->line_count; c++) {
         bool there = false;
@@ -91,33 +88,30 @@ static bool states_band(const whirl_claim *claim) {
     return claim->has_band;
 }
 
-double claim_band_share(const claim_view *view, size_t point) {
-    const numbers lines = present_lines(view, point);
+claim_band claim_band_of(const claim_view *view, size_t point) {
+    const numbers lines = claim_lines(view, point);
     const double *band = view->claim->band;
     double inside = 0.0, all = 0.0;
+    claim_band found = {(double)NAN, 0};
     for (size_t i = 0; i < lines.rows; i++) {
         const double order = lines.at[5 * i], x = lines.at[5 * i + 1], y = lines.at[5 * i + 2];
         if (order >= 1.0 - LINE_TOLERANCE) continue;
         all += x * x + y * y;
-        if (order >= band[0] - LINE_TOLERANCE && order <= band[1] + LINE_TOLERANCE) inside += x * x + y * y;
+        if (order < band[0] - LINE_TOLERANCE || order > band[1] + LINE_TOLERANCE) continue;
+        inside += x * x + y * y;
+        found.lines++;
     }
-    return !lines.at ? (double)NAN : all > 0.0 ? inside / all : 0.0;
+    if (lines.at) found.share = all > 0.0 ? inside / all : 0.0;
+    return found;
 }
 
 /// Half for the band holding three quarters of the power of the lines below the running speed, half for these being
 /// many, three or more, as "a band of lines" says.
 static double score_band(const claim_view *view, size_t point) {
-    const double share = claim_band_share(view, point);
-    if (isnan(share)) return NAN;
-    const numbers lines = present_lines(view, point);
-    size_t inside = 0;
-    for (size_t i = 0; i < lines.rows; i++) {
-        const double order = lines.at[5 * i];
-        inside += order < 1.0 - LINE_TOLERANCE && order >= view->claim->band[0] - LINE_TOLERANCE &&
-                  order <= view->claim->band[1] + LINE_TOLERANCE;
-    }
-    if (share < 0.75) return 0.0;
-    return inside >= 3 ? 1.0 : 0.5;
+    const claim_band found = claim_band_of(view, point);
+    if (isnan(found.share)) return NAN;
+    if (found.share < 0.75) return 0.0;
+    return found.lines >= 3 ? 1.0 : 0.5;
 }
 
 // ---------------------------------------------------------------- sense of whirl
@@ -139,13 +133,13 @@ static double score_whirl(const claim_view *view, size_t point) {
 
 const claim_part *claim_parts(void) {
     static const claim_part parts[] = {
-        {"regime", states_regime, score_regime},
-        {"number of curves", states_curves, score_curves},
-        {"contact", states_contact, score_contact},
-        {"lines", states_lines, score_lines},
-        {"band of lines", states_band, score_band},
-        {"whirl", states_whirl, score_whirl},
-        {NULL, NULL, NULL},
+        {"regime", states_regime, score_regime, claim_regime_at, claim_regime_over},
+        {"number of curves", states_curves, score_curves, claim_curves_at, NULL},
+        {"contact", states_contact, score_contact, claim_contact_at, claim_contact_over},
+        {"lines", states_lines, score_lines, claim_lines_at, NULL},
+        {"band of lines", states_band, score_band, claim_band_at, NULL},
+        {"whirl", states_whirl, score_whirl, claim_whirl_at, claim_whirl_over},
+        {NULL, NULL, NULL, NULL, NULL},
     };
     return parts;
 }

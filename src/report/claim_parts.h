@@ -1,10 +1,11 @@
-// The parts that a claim may state, each compared at one point.
+// The parts that a claim may state, each compared on its own.
 #ifndef REPORT_CLAIM_PARTS_H
 #define REPORT_CLAIM_PARTS_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "quantities.h"
 #include "regimes.h"
 #include "whirl/claims.h"
 
@@ -16,23 +17,7 @@ typedef struct claim_view {
     size_t station;
 } claim_view;
 
-typedef struct claim_part {
-    const char *name;
-    bool (*stated)(const whirl_claim *claim);
-    /// 1 where the point agrees, 0 where it does not, between where half of it does; NaN where the result cannot tell.
-    double (*score)(const claim_view *view, size_t point);
-} claim_part;
-
-/// All parts; static, ended by an entry whose name is NULL.
-const claim_part *claim_parts(void);
-
-/// Share of the power of the lines below the running speed that lies in the claimed band; NaN without lines.
-double claim_band_share(const claim_view *view, size_t point);
-
-/// What is found at a point: "quasi-periodic (1 curve); lines 0.412, 1, 0.588; no rub". At most `size` bytes.
-void claim_point_text(const claim_view *view, size_t point, char *text, size_t size);
-
-/// Counts over the points of a range.
+/// Counts over the points of a range that are done.
 typedef struct claim_census {
     size_t points, in_class[CLASS_COUNT], rubbing, rub_known;
     double rub_low, rub_high; ///< values of the parameter between which there is contact
@@ -42,7 +27,58 @@ typedef struct claim_census {
 
 void claim_census_add(claim_census *census, const claim_view *view, size_t point);
 
-/// "P-1 96.6 %, quasi-periodic 3.4 % of 297 points", and contact or sense of whirl where the claim speaks of them.
-void claim_census_text(const claim_census *census, const whirl_claim *claim, char *text, size_t size);
+typedef struct claim_part {
+    const char *name;
+    bool (*stated)(const whirl_claim *claim);
+    /// 1 where the point agrees, 0 where it does not, between where half of it does; NaN where the result cannot tell.
+    double (*score)(const claim_view *view, size_t point);
+    /// What is found at a point, in a short line. At most `size` bytes.
+    void (*at_point)(const claim_view *view, size_t point, char *text, size_t size);
+    /// What is found over a range; NULL: only at how many points it is as claimed.
+    void (*over_range)(const claim_view *view, const claim_census *census, char *text, size_t size);
+} claim_part;
+
+/// All parts; static, ended by an entry whose name is NULL.
+const claim_part *claim_parts(void);
+
+/// The lines of the spectrum that count in a comparison: at least a twentieth of the largest.
+numbers claim_lines(const claim_view *view, size_t point);
+
+/// What lies in the claimed band.
+typedef struct claim_band {
+    double share; ///< of the power of the lines below the running speed; NaN without lines
+    size_t lines;
+} claim_band;
+claim_band claim_band_of(const claim_view *view, size_t point);
+
+// The lines that parts write (claim_text.c).
+void claim_regime_at(const claim_view *view, size_t point, char *text, size_t size);
+void claim_regime_over(const claim_view *view, const claim_census *census, char *text, size_t size);
+void claim_curves_at(const claim_view *view, size_t point, char *text, size_t size);
+void claim_contact_at(const claim_view *view, size_t point, char *text, size_t size);
+void claim_contact_over(const claim_view *view, const claim_census *census, char *text, size_t size);
+void claim_lines_at(const claim_view *view, size_t point, char *text, size_t size);
+void claim_band_at(const claim_view *view, size_t point, char *text, size_t size);
+void claim_whirl_at(const claim_view *view, size_t point, char *text, size_t size);
+void claim_whirl_over(const claim_view *view, const claim_census *census, char *text, size_t size);
+
+enum { MOST_FINDINGS = 8, FINDING_SIZE = 240 };
+
+/// A part of a claim beside what was found.
+typedef struct claim_finding {
+    whirl_agreement agreement;
+    char text[FINDING_SIZE];
+} claim_finding;
+
+/// A claim beside a result: one finding for each part that it states, in the order of claim_parts().
+typedef struct claim_outcome {
+    whirl_agreement agreement;
+    size_t count;
+    claim_finding findings[MOST_FINDINGS];
+    char note[FINDING_SIZE]; ///< where it was looked instead, or why nothing was compared; "" where neither applies
+} claim_outcome;
+
+void claim_compare(const whirl_claims *claims, const whirl_claim *claim, const whirl_result *result,
+                   claim_outcome *outcome);
 
 #endif

@@ -1,56 +1,14 @@
-// What is found where a claim looks, in words and numbers.
+// What is found where a claim looks, a short line for each part.
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "claim_parts.h"
-#include "quantities.h"
 
 enum { MOST_LINES = 6 };
 
-static void append(char *text, size_t size, const char *format, ...) {
-    const size_t used = strlen(text);
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(text + used, size - used, format, arguments);
-    va_end(arguments);
-}
-
-static bool speaks_of_spectrum(const whirl_claim *claim) {
-    return claim->line_count > 0 || claim->has_band;
-}
-
-/// The largest lines, those that count in a comparison: at least a twentieth of the largest.
-static void append_lines(const numbers *lines, char *text, size_t size) {
-    double most = 0.0;
-    int shown = 0;
-    for (size_t i = 0; i < lines->rows; i++) most = fmax(most, fmax(lines->at[5 * i + 1], lines->at[5 * i + 2]));
-    append(text, size, "; lines");
-    for (size_t i = 0; i < lines->rows && shown < MOST_LINES; i++) {
-        const double *line = &lines->at[5 * i];
-        if (fmax(line[1], line[2]) < 0.05 * most) continue;
-        append(text, size, "%s %.3g", shown ? "," : "", line[0]);
-        shown++;
-    }
-    append(text, size, shown ? " X" : ": none");
-}
-
-void claim_point_text(const claim_view *view, size_t point, char *text, size_t size) {
-    const whirl_verdict verdict = whirl_table_verdict(view->table, point);
-    whirl_verdict_name(&verdict, text, size);
-    const numbers lines = point_lines(view->table, point, view->station);
-    if (lines.at && (speaks_of_spectrum(view->claim) || !view->claim->has_contact)) append_lines(&lines, text, size);
-    if (view->claim->has_band && lines.at)
-        append(text, size, " (%.0f %% of the power below 1 X in the band)", 100.0 * claim_band_share(view, point));
-    const double share = rub_share(view->table, point, view->result->contact_count);
-    if (share > 0.0)
-        append(text, size, "; rub %.2g %% of the time", 100.0 * share);
-    else if (share == 0.0)
-        append(text, size, "; no rub");
-    const double backward = backward_share(view->table, point, view->station);
-    if (view->claim->has_whirl && !isnan(backward))
-        append(text, size, "; whirl backward %.2g %% of the time", 100.0 * backward);
+static double rub_at(const claim_view *view, size_t point) {
+    return rub_share(view->table, point, view->result->contact_count);
 }
 
 void claim_census_add(claim_census *census, const claim_view *view, size_t point) {
@@ -58,7 +16,7 @@ void claim_census_add(claim_census *census, const claim_view *view, size_t point
     const double value = view->table->values[point];
     census->points++;
     census->in_class[regime_class_of(&verdict)]++;
-    const double share = rub_share(view->table, point, view->result->contact_count);
+    const double share = rub_at(view, point);
     census->rub_known += !isnan(share);
     if (share > 0.0) {
         census->rub_low = census->rubbing ? fmin(census->rub_low, value) : value;
@@ -72,37 +30,107 @@ void claim_census_add(claim_census *census, const claim_view *view, size_t point
     census->backward_known++;
 }
 
-static void append_regimes(const claim_census *census, char *text, size_t size) {
-    bool first = true;
-    for (int kind = 0; kind < CLASS_COUNT; kind++) {
-        if (census->in_class[kind] == 0) continue;
-        append(text, size, "%s%s %.3g %%", first ? "" : ", ", regime_class_name((regime_class)kind),
-               100.0 * (double)census->in_class[kind] / (double)census->points);
-        first = false;
-    }
-    append(text, size, " of %zu points", census->points);
+// ---------------------------------------------------------------- regime and curves
+
+void claim_regime_at(const claim_view *view, size_t point, char *text, size_t size) {
+    const whirl_verdict verdict = whirl_table_verdict(view->table, point);
+    if (verdict.regime == WHIRL_DIVERGING || view->claim->curves == 0)
+        whirl_verdict_name(&verdict, text, size);
+    else
+        regime_name(&verdict, text, size); // the curves have a line of their own
 }
 
-void claim_census_text(const claim_census *census, const whirl_claim *claim, char *text, size_t size) {
-    text[0] = '\0';
-    if (claim->has_regime || (!claim->has_contact && !claim->has_whirl)) append_regimes(census, text, size);
-    if (claim->has_contact || claim->has_whirl) {
-        const char *comma = *text ? "; " : "";
-        if (census->rub_known == 0)
-            append(text, size, "%scontact not computed", comma);
-        else if (census->rubbing == 0)
-            append(text, size, "%sno rub", comma);
-        else
-            append(text, size, "%srub at %.3g %% of the points (between %.4g and %.4g)", comma,
-                   100.0 * (double)census->rubbing / (double)census->points, census->rub_low, census->rub_high);
+/// "P-1 at 96.6 %, quasi-periodic at 3.4 % of 297 points".
+void claim_regime_over(const claim_view *view, const claim_census *census, char *text, size_t size) {
+    size_t used = 0;
+    (void)view;
+    for (int kind = 0; kind < CLASS_COUNT && used < size; kind++) {
+        const size_t count = census->in_class[kind];
+        const char *name = regime_class_name((regime_class)kind);
+        if (count > 0 && count == census->points) {
+            snprintf(text, size, "%s at all %zu points", name, count);
+            return;
+        }
+        if (count > 0)
+            used += (size_t)snprintf(text + used, size - used,
+                                     count * 10 < census->points ? "%s%s at %.2g %%" : "%s%s at %.3g %%",
+                                     used ? ", " : "", name, 100.0 * (double)count / (double)census->points);
     }
-    if (!claim->has_whirl) return;
-    const size_t diverged = census->in_class[CLASS_DIVERGED];
-    if (diverged == 0)
-        append(text, size, "; bounded everywhere");
+    if (used < size) snprintf(text + used, size - used, " of %zu points", census->points);
+}
+
+void claim_curves_at(const claim_view *view, size_t point, char *text, size_t size) {
+    const int curves = whirl_table_verdict(view->table, point).curves;
+    if (curves == 0)
+        snprintf(text, size, "no closed curve");
     else
-        append(text, size, "; diverged at %zu of %zu points", diverged, census->points);
-    if (census->backward_known > 0)
-        append(text, size, "; whirl backward %.2g to %.2g %% of the time", 100.0 * census->backward_low,
-               100.0 * census->backward_high);
+        snprintf(text, size, "%d closed curve%s", curves, curves == 1 ? "" : "s");
+}
+
+// ---------------------------------------------------------------- contact
+
+void claim_contact_at(const claim_view *view, size_t point, char *text, size_t size) {
+    const double share = rub_at(view, point);
+    if (share > 0.0)
+        snprintf(text, size, "rub %.2g %% of the time", 100.0 * share);
+    else
+        snprintf(text, size, "no rub");
+}
+
+void claim_contact_over(const claim_view *view, const claim_census *census, char *text, size_t size) {
+    if (census->rubbing == 0)
+        snprintf(text, size, "no rub at any of %zu points", census->points);
+    else if (census->rubbing == census->points)
+        snprintf(text, size, "rub at all %zu points", census->points);
+    else
+        snprintf(text, size, "rub at %.3g %% of %zu points (%s = %.4g to %.4g)",
+                 100.0 * (double)census->rubbing / (double)census->points, census->points, view->table->parameter,
+                 census->rub_low, census->rub_high);
+}
+
+// ---------------------------------------------------------------- spectrum
+
+void claim_lines_at(const claim_view *view, size_t point, char *text, size_t size) {
+    const numbers lines = claim_lines(view, point);
+    size_t used = (size_t)snprintf(text, size, lines.rows == 1 ? "line" : "lines");
+    for (size_t i = 0; i < lines.rows && i < MOST_LINES && used < size; i++)
+        used += (size_t)snprintf(text + used, size - used, "%s %.3g", i ? "," : "", lines.at[5 * i]);
+    if (used < size)
+        snprintf(text + used, size - used,
+                 lines.rows == 0           ? ": none"
+                 : lines.rows > MOST_LINES ? " X, and smaller ones"
+                                           : " X");
+}
+
+void claim_band_at(const claim_view *view, size_t point, char *text, size_t size) {
+    const claim_band found = claim_band_of(view, point);
+    snprintf(text, size, "%zu line%s in %.3g to %.3g X with %.0f %% of the power below 1 X", found.lines,
+             found.lines == 1 ? "" : "s", view->claim->band[0], view->claim->band[1], 100.0 * found.share);
+}
+
+// ---------------------------------------------------------------- sense of whirl
+
+void claim_whirl_at(const claim_view *view, size_t point, char *text, size_t size) {
+    const double backward = backward_share(view->table, point, view->station);
+    const whirl_verdict verdict = whirl_table_verdict(view->table, point);
+    if (verdict.regime == WHIRL_DIVERGING)
+        whirl_verdict_name(&verdict, text, size);
+    else
+        snprintf(text, size, "bounded; against the rotation %.2g %% of the time", 100.0 * backward);
+}
+
+void claim_whirl_over(const claim_view *view, const claim_census *census, char *text, size_t size) {
+    const size_t diverged = census->in_class[CLASS_DIVERGED];
+    const double low = 100.0 * census->backward_low, high = 100.0 * census->backward_high;
+    size_t used = 0;
+    (void)view;
+    if (diverged == 0)
+        used = (size_t)snprintf(text, size, "bounded everywhere");
+    else
+        used = (size_t)snprintf(text, size, "diverged at %zu of %zu points", diverged, census->points);
+    if (census->backward_known == 0 || used >= size) return;
+    if (high - low < 0.05)
+        snprintf(text + used, size - used, "; against the rotation %.2g %% of the time", high);
+    else
+        snprintf(text + used, size - used, "; against the rotation %.2g to %.2g %% of the time", low, high);
 }

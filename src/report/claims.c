@@ -1,13 +1,11 @@
 // Setting a claim beside a result. A claim is taken apart into what it states (regime, curves, contact, lines, ...); each
 // part is compared at every point that the claim speaks of, and scores the share of the points that agree.
 #include <math.h>
-#include <stdarg.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "claim_parts.h"
-#include "quantities.h"
 #include "whirl/claims.h"
 
 /// The points that a claim speaks of: a table and the range of its parameter.
@@ -82,84 +80,100 @@ static size_t station_index(const whirl_result *result, const char *name) {
     return SIZE_MAX;
 }
 
-/// Writes at the end of a text of `size` bytes.
-static void append(char *text, size_t size, const char *format, ...) {
-    const size_t used = strlen(text);
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(text + used, size - used, format, arguments);
-    va_end(arguments);
+/// Does the claim's part hold at the points of the selection? `share` is of those that can tell, of which there are
+/// `compared`.
+static whirl_agreement score_part(const claim_part *part, const claim_view *view, const selection *of, double *share,
+                                  size_t *compared) {
+    double agreeing = 0.0;
+    *compared = 0;
+    for (size_t i = 0; i < of->table->count; i++) {
+        if (!selected(of, i) || !whirl_table_done(of->table, i)) continue;
+        const double score = part->score(view, i);
+        if (isnan(score)) continue;
+        ++*compared;
+        agreeing += score;
+    }
+    *share = *compared ? agreeing / (double)*compared : 0.0;
+    if (*compared == 0) return WHIRL_NOT_COMPARED;
+    if (*share < 0.5) return WHIRL_DISAGREES;
+    return *share == 1.0 && *compared == of->count ? WHIRL_AGREES : WHIRL_AGREES_PARTLY;
+}
+
+static void describe_part(const claim_part *part, const claim_view *view, const selection *of, double share,
+                          size_t compared, char *text, size_t size) {
+    if (of->count == 1) {
+        size_t point = 0;
+        while (!selected(of, point)) point++;
+        part->at_point(view, point, text, size);
+    } else if (part->over_range) {
+        claim_census census = {0};
+        for (size_t i = 0; i < of->table->count; i++)
+            if (selected(of, i) && whirl_table_done(of->table, i)) claim_census_add(&census, view, i);
+        part->over_range(view, &census, text, size);
+    } else {
+        snprintf(text, size, "%s as claimed at %.3g %% of %zu points", part->name, 100.0 * share, compared);
+    }
 }
 
 /// One part of the claim over all its points: whether it agrees, and what was found.
-static whirl_agreement compare_part(const claim_part *part, const claim_view *view, const selection *of, char *found,
-                                    size_t size) {
-    size_t compared = 0;
-    double agreeing = 0.0;
-    for (size_t i = 0; i < of->table->count; i++) {
-        if (!selected(of, i)) continue;
-        const double score = part->score(view, i);
-        if (isnan(score)) continue;
-        compared++;
-        agreeing += score;
-    }
+static void compare_part(const claim_part *part, const claim_view *view, const selection *of, claim_finding *found) {
+    double share;
+    size_t compared;
+    found->agreement = score_part(part, view, of, &share, &compared);
     if (compared == 0) {
-        append(found, size, "; %s not computed", part->name);
-        return WHIRL_NOT_COMPARED;
+        snprintf(found->text, FINDING_SIZE, "%s not computed", part->name);
+        return;
     }
-    const double share = agreeing / (double)compared;
-    if (of->count > 1)
-        append(found, size, "; %s as claimed at %.3g %% of %zu points", part->name, 100.0 * share, compared);
-    if (compared < of->count) append(found, size, " (unknown at %zu more)", of->count - compared);
-    if (share < 0.5) return WHIRL_DISAGREES;
-    return share == 1.0 && compared == of->count ? WHIRL_AGREES : WHIRL_AGREES_PARTLY;
+    describe_part(part, view, of, share, compared, found->text, FINDING_SIZE);
+    const size_t used = strlen(found->text);
+    if (compared < of->count)
+        snprintf(found->text + used, FINDING_SIZE - used, " (unknown at %zu more)", of->count - compared);
 }
 
-static whirl_agreement all_parts(const claim_view *view, const selection *of, char *found, size_t size) {
+/// A claim agrees when all that it states does, and in part when some of it does.
+static whirl_agreement all_parts(const claim_outcome *outcome) {
     size_t agree = 0, partly = 0, disagree = 0;
-    for (const claim_part *part = claim_parts(); part->name; part++) {
-        if (!part->stated(view->claim)) continue;
-        const whirl_agreement outcome = compare_part(part, view, of, found, size);
-        agree += outcome == WHIRL_AGREES;
-        partly += outcome == WHIRL_AGREES_PARTLY;
-        disagree += outcome == WHIRL_DISAGREES;
+    for (size_t i = 0; i < outcome->count; i++) {
+        agree += outcome->findings[i].agreement == WHIRL_AGREES;
+        partly += outcome->findings[i].agreement == WHIRL_AGREES_PARTLY;
+        disagree += outcome->findings[i].agreement == WHIRL_DISAGREES;
     }
     if (agree + partly + disagree == 0) return WHIRL_NOT_COMPARED;
     if (agree + partly == 0) return WHIRL_DISAGREES;
     return partly + disagree == 0 ? WHIRL_AGREES : WHIRL_AGREES_PARTLY;
 }
 
-/// What is found over a range: the regimes and their shares, and where there is contact.
-static void describe_range(const claim_view *view, const selection *of, char *found, size_t size) {
-    claim_census census = {0};
-    for (size_t i = 0; i < of->table->count; i++)
-        if (selected(of, i)) claim_census_add(&census, view, i);
-    claim_census_text(&census, view->claim, found, size);
+void claim_compare(const whirl_claims *claims, const whirl_claim *claim, const whirl_result *result,
+                   claim_outcome *outcome) {
+    const selection of = select_points(result, claims->parameter, claim);
+    const size_t station = station_index(result, claims->station);
+    *outcome = (claim_outcome){.agreement = WHIRL_NOT_COMPARED};
+    if (station == SIZE_MAX) {
+        snprintf(outcome->note, sizeof outcome->note, "the result has no station %s", claims->station);
+        return;
+    }
+    if (of.count == 0) {
+        snprintf(outcome->note, sizeof outcome->note, "no point of the result lies there");
+        return;
+    }
+    const claim_view view = {claim, result, of.table, station};
+    for (const claim_part *part = claim_parts(); part->name && outcome->count < MOST_FINDINGS; part++)
+        if (part->stated(claim)) compare_part(part, &view, &of, &outcome->findings[outcome->count++]);
+    if (of.count == 1 && !near(of.nearest, claim->from))
+        snprintf(outcome->note, sizeof outcome->note, "at the nearest point computed, %s = %.6g", claims->parameter,
+                 of.nearest);
+    outcome->agreement = all_parts(outcome);
 }
 
 whirl_agreement whirl_claim_compare(const whirl_claims *claims, const whirl_claim *claim, const whirl_result *result,
                                     char *found, size_t size) {
-    char text[1024] = "";
-    const selection of = select_points(result, claims->parameter, claim);
-    const size_t station = station_index(result, claims->station);
-    whirl_agreement outcome = WHIRL_NOT_COMPARED;
-    if (station == SIZE_MAX) {
-        snprintf(text, sizeof text, "the result has no station %s", claims->station);
-    } else if (of.count == 0) {
-        snprintf(text, sizeof text, "no point of the result lies there");
-    } else {
-        const claim_view view = {claim, result, of.table, station};
-        if (of.count > 1) {
-            describe_range(&view, &of, text, sizeof text);
-        } else {
-            size_t point = 0;
-            while (!selected(&of, point)) point++;
-            claim_point_text(&view, point, text, sizeof text);
-            if (!near(of.nearest, claim->from))
-                append(text, sizeof text, "; at the nearest point computed, %s = %.6g", claims->parameter, of.nearest);
-        }
-        outcome = all_parts(&view, &of, text, sizeof text);
-    }
+    claim_outcome outcome;
+    char text[(MOST_FINDINGS + 1) * (FINDING_SIZE + 2)] = "";
+    size_t used = 0;
+    claim_compare(claims, claim, result, &outcome);
+    for (size_t i = 0; i < outcome.count; i++)
+        used += (size_t)snprintf(text + used, sizeof text - used, "%s%s", used ? "; " : "", outcome.findings[i].text);
+    if (*outcome.note) snprintf(text + used, sizeof text - used, "%s%s", used ? "; " : "", outcome.note);
     if (size > 0) snprintf(found, size, "%s", text);
-    return outcome;
+    return outcome.agreement;
 }

@@ -25,6 +25,7 @@ typedef struct diagram {
     bool rub, present[CLASS_COUNT], both;
     char label[LABEL_SIZE], length[LABEL_SIZE];
     double share; ///< largest share of the time in contact, with a margin
+    double gap;   ///< radius at which the station touches a stator, 0 where none is near
     double edge;  ///< half the distance of two points of the sweep
 } diagram;
 
@@ -57,6 +58,7 @@ static void survey(diagram *of) {
     const whirl_table *table = of->table;
     span parameter = span_empty(), x = span_empty(), y = span_empty(), radius = span_empty();
     for (size_t i = 0; i < table->count; i++) {
+        if (!whirl_table_done(table, i)) continue;
         const numbers section = point_section(table, i, of->station);
         const whirl_verdict verdict = whirl_table_verdict(table, i);
         of->present[regime_class_of(&verdict)] = true;
@@ -75,6 +77,9 @@ static void survey(diagram *of) {
     of->parameter = span_with_margin(parameter, 0.012, 2.0 * of->edge);
     of->x = span_with_margin(x, 0.04, 1e-6);
     of->y = span_with_margin(y, 0.04, 1e-6);
+    of->gap = of->result->stations[of->station].gap;
+    if (of->gap > 2.0 * radius.high) of->gap = 0.0; // so far off that the radius would be a line at the bottom
+    if (of->gap > 0.0) span_widen(&radius, of->gap);
     of->radius = span_with_margin(radius, 0.08, 1e-6);
     of->exponent = exponent_span(table);
     of->rub = has_rub(table, of->result->contact_count);
@@ -133,6 +138,7 @@ static whirl_status write_section_data(const drawing *to, const diagram *of, con
                     of->both ? branch > 0 ? ", from the first value on" : ", from the last value on" : "");
             fprintf(file.stream, "nan nan nan\n"); // keeps the count of the blocks where a block is empty
             for (size_t i = 0; i < of->table->count; i++) {
+                if (!whirl_table_done(of->table, i)) continue;
                 const whirl_verdict verdict = whirl_table_verdict(of->table, i);
                 const int side = of->table->branch[i] < 0 ? -1 : 1;
                 if ((int)regime_class_of(&verdict) == kind && side == branch) write_dots(file.stream, of, i, dots);
@@ -159,7 +165,7 @@ static whirl_status write_sweep_data(const drawing *to, const diagram *of) {
     fputc('\n', file.stream);
     for (int branch = 1; branch >= (of->both ? -1 : 1); branch -= 2) {
         for (size_t i = 0; i < of->table->count; i++) {
-            if ((of->table->branch[i] < 0 ? -1 : 1) != branch) continue;
+            if ((of->table->branch[i] < 0 ? -1 : 1) != branch || !whirl_table_done(of->table, i)) continue;
             const whirl_verdict verdict = whirl_table_verdict(of->table, i);
             const whirl_estimate exponent = point_exponent(of->table, i);
             fprintf(file.stream, "%.10g %d %.6g %.3g %.6g", of->table->values[i], (int)regime_class_of(&verdict),
@@ -248,6 +254,10 @@ static void write_axis_label(FILE *script, const char *expression) {
     fprintf(script, "set label 2 %s at screen 0.028, graph 0.5 center rotate\n", expression);
 }
 
+static bool is_periodic(int kind) {
+    return kind == CLASS_P1 || kind == CLASS_P2 || kind == CLASS_P4 || kind == CLASS_OTHER_PERIOD;
+}
+
 /// The dots of coordinate `column` of the section.
 static void write_section_panel(FILE *script, const diagram *of, const char *data, char coordinate, int column) {
     const span range = column == 2 ? of->x : of->y;
@@ -268,7 +278,10 @@ static void write_section_panel(FILE *script, const diagram *of, const char *dat
                     "%s'%s' index %d using 1:%d with points pointtype %d pointsize %s linewidth 0.3 linecolor rgb '%s' "
                     "notitle",
                     index ? ", \\\n  " : "", data, index, column, branch > 0 ? 7 : 2,
-                    branch > 0 ? "dot_size" : "2.5*dot_size", regime_class_colour((regime_class)kind)),
+                    branch < 0          ? "2.5*dot_size"
+                    : is_periodic(kind) ? "2*dot_size"
+                                        : "dot_size",
+                    regime_class_colour((regime_class)kind)),
                 index++;
     }
     fputc('\n', script);
@@ -289,11 +302,37 @@ static void write_exponent_panel(FILE *script, const diagram *of) {
 }
 
 static void write_line_panel(FILE *script, const diagram *of, size_t column, const char *scale, const char *style) {
-    fputs("plot ", script);
     for (int branch = 0; branch < (of->both ? 2 : 1); branch++)
         fprintf(script, "%s'sweep.dat' index %d using 1:(%s*$%zu) %s notitle", branch ? ", \\\n  " : "", branch, scale,
                 column, branch ? "with lines linestyle 2" : style);
     fputc('\n', script);
+}
+
+/// How near the curve of the largest radius comes to the gap within a tenth of the axis around a place (0: left, 1: right).
+static double room_for_label(const diagram *of, double place) {
+    const double width = of->parameter.high - of->parameter.low;
+    double nearest = (double)INFINITY;
+    for (size_t i = 0; i < of->table->count; i++) {
+        const double at = (of->table->values[i] - of->parameter.low) / width;
+        if (fabs(at - place) > 0.1) continue;
+        nearest = fmin(nearest, fabs(max_radius(of->table, i, of->station) - of->gap)); // fmin leaves NaN out
+    }
+    return nearest;
+}
+
+/// Begins the plot of the panel with the gap, its name where the curve is far away.
+static void write_gap(FILE *script, const diagram *of, double height) {
+    static const struct {
+        double at;
+        const char *side;
+    } places[] = {{0.992, "right"}, {0.008, "left"}, {0.5, "center"}};
+    int best = 0;
+    for (int i = 1; i < 3; i++)
+        if (room_for_label(of, places[i].at) > room_for_label(of, places[best].at)) best = i;
+    fprintf(script,
+            "set label 3 'gap' at graph %.3f, first %.10g %s offset 0, 0.4 font ',6.5' textcolor rgb '#606060'\n",
+            places[best].at, height, places[best].side);
+    fprintf(script, "plot %.10g with lines linecolor rgb '#606060' linewidth 0.7 dashtype 2 notitle, \\\n  ", height);
 }
 
 static void write_radius_panel(FILE *script, const diagram *of) {
@@ -306,12 +345,18 @@ static void write_radius_panel(FILE *script, const diagram *of) {
         write_axis_label(script, "\"largest\\nradius / \".length_symbol");
     char factor[32];
     snprintf(factor, sizeof factor, "%.10g", scale);
+    if (of->gap > 0.0)
+        write_gap(script, of, scale * of->gap);
+    else
+        fputs("plot ", script);
     write_line_panel(script, of, 6 + of->station, factor, "with lines linestyle 1");
+    fputs("unset label 3\n", script);
 }
 
 static void write_rub_panel(FILE *script, const diagram *of) {
     write_axis_label(script, "\"time in\\ncontact (%)\"");
     write_range(script, (span){0.0, 100.0 * of->share}, 5);
+    fputs("plot ", script);
     write_line_panel(script, of, 5, "100", "with lines linestyle 1");
 }
 
@@ -384,12 +429,12 @@ static whirl_status draw_station(const drawing *to, diagram *of) {
     snprintf(what->title, sizeof what->title, "Bifurcation diagram of %s over %s", station, of->table->parameter);
     snprintf(what->caption, sizeof what->caption,
              "Poincare section of %s (one dot a revolution) over %s, coloured by regime; the ribbon on top repeats the "
-             "regime%s.%s Below: largest Lyapunov exponent with its standard error, %s%s%s.",
+             "regime%s.%s Below: largest Lyapunov exponent with its standard error, %s%s%s%s.",
              station, of->table->parameter,
              of->both ? " (lower strip: followed from the first value on; upper strip: from the last)" : "",
              of->rub ? " Shaded: the rotor rubs." : "",
              to->result->stations[of->station].clearance > 0.0 ? "largest eccentricity ratio" : "largest radius",
-             of->rub ? ", share of the time in contact" : "",
+             of->gap > 0.0 ? " (dashed: the gap to the stator)" : "", of->rub ? ", share of the time in contact" : "",
              of->both ? " (blue: from the first value on; orange: from the last)" : "");
     const whirl_status status = write_section_data(to, of, what->data[0]);
     return status.code == WHIRL_OK ? write_script(to, of, what) : status;

@@ -9,6 +9,9 @@
 #include "gnuplot.h"
 #include "quantities.h"
 
+/// An orbit is near a circle that it misses or passes by this share of its size.
+static const double NEAR = 0.35;
+
 enum {
     MOST_BINS = 2500, ///< of a drawn spectrum: more are grouped and the largest of a group is kept (peak hold)
     MOST_LABELS = 8,  ///< spectral lines that get their order written beside them
@@ -132,28 +135,75 @@ static void write_waveform_panel(FILE *script, const subject *of, const figure *
             what->data[0]);
 }
 
-/// A square window of side `side` around the middle of the two spans.
-static void write_square(FILE *script, span x, span y, double side) {
-    const double mx = 0.5 * (x.low + x.high), my = 0.5 * (y.low + y.high);
-    fprintf(script, "set xrange [%.12g:%.12g]\nset yrange [%.12g:%.12g]\n", mx - 0.5 * side, mx + 0.5 * side,
-            my - 0.5 * side, my + 0.5 * side);
+/// A square of the plane: its middle and its side.
+typedef struct window {
+    double x, y, side;
+} window;
+
+static window window_around(span x, span y, double side) {
+    return (window){0.5 * (x.low + x.high), 0.5 * (y.low + y.high), side};
+}
+
+static void write_window(FILE *script, const window *in) {
+    fprintf(script, "set xrange [%.12g:%.12g]\nset yrange [%.12g:%.12g]\n", in->x - 0.5 * in->side,
+            in->x + 0.5 * in->side, in->y - 0.5 * in->side, in->y + 0.5 * in->side);
     fprintf(script,
             "set xlabel 'x / '.length_symbol\nset ylabel 'y / '.length_symbol\n"
             "set size ratio -1\nset xtics %g\nset ytics %g\n",
-            tic_step(side, 6), tic_step(side, 6));
+            tic_step(in->side, 6), tic_step(in->side, 6));
+}
+
+/// Whether a circle around (0, 0) passes through a window; one of radius 0 is none.
+static bool circle_shows(const window *in, double radius) {
+    const double half = 0.5 * in->side, x = fabs(in->x), y = fabs(in->y);
+    return radius > 0.0 && radius >= hypot(fmax(x - half, 0.0), fmax(y - half, 0.0)) &&
+           radius <= hypot(x + half, y + half);
+}
+
+/// The part of a circle around (0, 0) that falls into a window, as a plot.
+static void write_circle(FILE *script, const window *in, double radius, const char *style) {
+    // From outside of it the window is seen from the centre under an angle below that of its circumscribed circle.
+    const double distance = hypot(in->x, in->y), reach = 0.7072 * in->side, pi = acos(-1.0);
+    const double half = distance > reach ? asin(reach / distance) : pi, middle = atan2(in->y, in->x);
+    fprintf(script,
+            "sample [angle = %.8g:%.8g:%.8g] '+' using (%.10g*cos(angle)):(%.10g*sin(angle)) with lines %s, \\\n  ",
+            middle - half, middle + half, half / 500.0, radius, radius, style);
+}
+
+/// The window holds the orbit and, where the orbit comes near a circle, the nearest part of that too.
+static window orbit_window(const subject *of) {
+    span x = of->x, y = of->y;
+    const whirl_probe *station = &of->result->stations[of->station];
+    const double circles[] = {station->clearance, station->gap};
+    size_t far = 0;
+    double most = 0.0;
+    for (size_t k = 0; k < of->waveform.rows; k++) {
+        const double r = hypot(of->waveform.at[2 * k], of->waveform.at[2 * k + 1]);
+        if (r > most) far = k, most = r;
+    }
+    for (int i = 0; i < 2 && most > 0.0; i++) {
+        const double r = circles[i];
+        if (r <= 0.0 || fabs(r - most) > NEAR * of->size) continue;
+        span_widen(&x, of->waveform.at[2 * far] * r / most);
+        span_widen(&y, of->waveform.at[2 * far + 1] * r / most);
+        if (of->size < r) continue; // a small orbit: an arc is enough
+        for (int side = -1; side <= 1; side += 2) span_widen(&x, side * r), span_widen(&y, side * r);
+    }
+    return window_around(x, y, 1.16 * fmax(x.high - x.low, y.high - y.low));
 }
 
 static void write_orbit_panel(FILE *script, const subject *of, const figure *what) {
-    const double clearance = of->result->stations[of->station].clearance;
-    write_panel_title(script, clearance > 0.0 ? "Orbit (grey: bearing)" : "Orbit");
-    write_square(script, of->x, of->y, 1.16 * of->size);
+    const whirl_probe *station = &of->result->stations[of->station];
+    const window in = orbit_window(of);
+    const bool bearing = circle_shows(&in, station->clearance), stator = circle_shows(&in, station->gap);
+    write_panel_title(script, bearing && stator ? "Orbit (grey: bearing, dashed: stator)"
+                              : bearing         ? "Orbit (grey: bearing)"
+                              : stator          ? "Orbit (dashed: stator)"
+                                                : "Orbit");
+    write_window(script, &in);
     fputs("plot ", script);
-    if (clearance > 0.0)
-        fprintf(
-            script,
-            "sample [angle = 0:2*pi:pi/3000] '+' using (%.10g*cos(angle)):(%.10g*sin(angle)) with lines linewidth 1.2 "
-            "linecolor rgb '#9A9A9A', \\\n  ",
-            clearance, clearance);
+    if (bearing) write_circle(script, &in, station->clearance, "linewidth 1.2 linecolor rgb '#9A9A9A'");
+    if (stator) write_circle(script, &in, station->gap, "linewidth 0.8 linecolor rgb '#707070' dashtype 2");
     fprintf(script,
             "'%s' index 0 using 2:3 with lines linestyle 1 linewidth 0.5, \\\n"
             "  '' index 1 using 2:3 with points pointtype 7 pointsize 0.35 linecolor rgb '#D55E00'\nset size noratio\n",
@@ -169,7 +219,8 @@ static void write_section_panel(FILE *script, const subject *of, const figure *w
     }
     const double extent = fmax(x.high - x.low, y.high - y.low);
     write_panel_title(script, "Poincare map");
-    write_square(script, x, y, fmax(1.24 * extent, 0.2 * of->size));
+    const window in = window_around(x, y, fmax(1.24 * extent, 0.2 * of->size));
+    write_window(script, &in);
     const double size = of->section.rows > 1000 && extent > 1e-3 * of->size &&
                                 whirl_table_verdict(of->table, of->point).regime != WHIRL_PERIODIC
                             ? 0.15
@@ -237,13 +288,25 @@ static bool peak_stands_alone(const peak *candidate, const peak *labelled, int c
     return true;
 }
 
-/// Above the peak if that runs into no label that is there, else beginning or ending at it; side NULL where nothing fits.
-static label place_label(const peak *of, const label *placed, int count, double wide, double tall) {
+/// Where another peak of about this height stands beside it: -1 left, 1 right, 0 nowhere. Of two the nearer counts.
+static int neighbour_side(const peak *peaks, size_t count, const peak *of, double wide, double tall) {
+    const peak *nearest = NULL;
+    for (const peak *other = peaks; other < peaks + count; other++) {
+        if (other == of || fabs(other->height - of->height) > tall || fabs(other->place - of->place) > wide) continue;
+        if (!nearest || fabs(other->place - of->place) < fabs(nearest->place - of->place)) nearest = other;
+    }
+    return !nearest ? 0 : nearest->place < of->place ? -1 : 1;
+}
+
+/// Above the peak or, where it has a neighbour, on the side away from that; else on whatever side no label is there.
+/// side NULL where nothing fits.
+static label place_label(const peak *of, int neighbour, const label *placed, int count, double wide, double tall) {
     const label tries[] = {{"center", of->place - 0.5 * wide, of->place + 0.5 * wide, of->height},
                            {"left", of->place - 0.1 * wide, of->place + 0.9 * wide, of->height},
                            {"right", of->place - 0.9 * wide, of->place + 0.1 * wide, of->height}};
+    const int first = neighbour == 0 ? 0 : neighbour < 0 ? 1 : 2;
     for (int i = 0; i < 3; i++)
-        if (label_fits(&tries[i], placed, count, tall)) return tries[i];
+        if (label_fits(&tries[(first + i) % 3], placed, count, tall)) return tries[(first + i) % 3];
     return (label){0};
 }
 
@@ -258,7 +321,9 @@ static void write_line_labels(FILE *script, const subject *of, double highest, i
         if (!peak_stands_alone(&peaks[k], labelled, count, 0.025 * highest)) continue;
         char text[32];
         const int letters = snprintf(text, sizeof text, "%.3g", fabs(peaks[k].place));
-        const label here = place_label(&peaks[k], placed, count, 0.017 * highest * letters, 0.07 * peaks[0].height);
+        const double wide = 0.017 * highest * letters, tall = 0.07 * peaks[0].height;
+        const int neighbour = neighbour_side(peaks, found, &peaks[k], wide, tall);
+        const label here = place_label(&peaks[k], neighbour, placed, count, wide, tall);
         if (!here.side) continue;
         labelled[count] = peaks[k];
         placed[count++] = here;
@@ -391,6 +456,7 @@ whirl_status draw_points(const drawing *to) {
     const whirl_table *table = detail_table(to->result);
     whirl_status status = whirl_ok();
     for (size_t i = 0; table && i < table->count; i++) {
+        if (!whirl_table_done(table, i)) continue;
         for (size_t s = 0; s < to->result->station_count && status.code == WHIRL_OK; s++) {
             const subject of = subject_of(to->result, table, i, s);
             if (of.waveform.at || of.section.at || of.spectrum.at) status = draw_point(to, &of);

@@ -214,11 +214,14 @@ static bool dump_member(const char *before, const char *key, json_t *value, FILE
 
 static bool dump_points(const char *key, const whirl_result *result, const whirl_table *table, FILE *stream) {
     fprintf(stream, ",\n\"%s\": [", key);
+    bool first = true;
     for (size_t point = 0; point < table->count; ++point) {
         bool well = true;
+        if (!whirl_table_done(table, point)) continue;
         json_t *object = point_object(&well, result, table, point);
-        fputs(point == 0 ? "\n" : ",\n", stream);
+        fputs(first ? "\n" : ",\n", stream);
         if (!dump(well, object, stream)) return false;
+        first = false;
     }
     fputs("\n]", stream);
     return true;
@@ -233,19 +236,23 @@ static const char *version_of(const whirl_result *result) {
 
 static bool dump_head(const whirl_result *result, FILE *stream) {
     const whirl_table *first = result->table_count ? &result->tables[0] : NULL;
+    size_t done, total;
+    const bool partial = whirl_result_partial(result, &done, &total);
     return dump_member("{", "whirl", text(version_of(result)), stream) &&
            dump_member(",\n", "title", text(result->title), stream) &&
            dump_member(",\n", "case", text(result->case_name), stream) &&
            dump_member(",\n", "speed", number(result->speed), stream) &&
            dump_member(",\n", "length_scale", number(result->length_scale), stream) &&
            dump_member(",\n", "force_scale", number(result->force_scale), stream) &&
+           dump_member(",\n", "partial", json_boolean(partial), stream) &&
            dump_member(",\n", "table", first ? text(first->name) : json_null(), stream);
 }
 
 // Names of tables become keys beside these.
 static whirl_status check_names(const whirl_result *result) {
-    static const char *const taken[] = {"whirl",       "title", "case",   "speed",      "length_scale",
-                                        "force_scale", "table", "points", "parameters", ""};
+    static const char *const taken[] = {"whirl",        "title",       "case",    "speed",
+                                        "length_scale", "force_scale", "partial", "table",
+                                        "points",       "parameters",  ""};
     for (size_t t = 0; t < result->table_count; ++t)
         for (size_t i = 0; i < sizeof taken / sizeof *taken; ++i)
             if (strcmp(result->tables[t].name, taken[i]) == 0 || strpbrk(result->tables[t].name, "\"\\\n"))

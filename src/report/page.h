@@ -4,17 +4,12 @@
 
 #include <stdio.h>
 
+#include "claim_parts.h"
 #include "figures.h"
 #include "whirl/claims.h"
 #include "whirl/result.h"
 
 enum { FOLDER_NAME_SIZE = 96 };
-
-/// A claim beside a result.
-typedef struct comparison {
-    whirl_agreement agreement;
-    char found[600];
-} comparison;
 
 /// All that a page shows. Borrowed.
 typedef struct page {
@@ -24,7 +19,7 @@ typedef struct page {
     const char (*folders)[FOLDER_NAME_SIZE]; ///< [count] of their files, beside the page
     size_t count;
     const whirl_claims *claims;    ///< NULL: none
-    const comparison *comparisons; ///< [claims->count][count]
+    const claim_outcome *outcomes; ///< [claims->count][count]
     const figure_list *figures;
 } page;
 

@@ -6,20 +6,40 @@
 #include "page.h"
 
 static const struct {
-    const char *text, *style;
+    const char *text, *style, *mark;
 } badges[] = {
-    [WHIRL_NOT_COMPARED] = {"not compared", "none"},
-    [WHIRL_AGREES] = {"agrees", "agrees"},
-    [WHIRL_AGREES_PARTLY] = {"partly", "partly"},
-    [WHIRL_DISAGREES] = {"disagrees", "disagrees"},
+    [WHIRL_NOT_COMPARED] = {"not compared", "none", "\u2013"},
+    [WHIRL_AGREES] = {"agrees", "agrees", "\u2713"},
+    [WHIRL_AGREES_PARTLY] = {"partly", "partly", "\u223c"},
+    [WHIRL_DISAGREES] = {"disagrees", "disagrees", "\u2717"},
 };
 
-static const comparison *outcome(const page *to, size_t claim, size_t result) {
-    return &to->comparisons[claim * to->count + result];
+static const claim_outcome *outcome(const page *to, size_t claim, size_t result) {
+    return &to->outcomes[claim * to->count + result];
 }
 
 static void write_badge(FILE *stream, whirl_agreement agreement) {
     fprintf(stream, "<span class=\"badge %s\">%s</span>", badges[agreement].style, badges[agreement].text);
+}
+
+/// A line for each part, with a mark of its own where a claim states several.
+static void write_findings(FILE *stream, const claim_outcome *of) {
+    fprintf(stream, "<ul class=\"findings%s\">", of->count > 1 ? " marked" : "");
+    for (size_t i = 0; i < of->count; i++) {
+        const claim_finding *one = &of->findings[i];
+        fputs("<li>", stream);
+        if (of->count > 1)
+            fprintf(stream, "<span class=\"mark %s\" title=\"%s\">%s</span> ", badges[one->agreement].style,
+                    badges[one->agreement].text, badges[one->agreement].mark);
+        html_text(stream, one->text);
+        fputs("</li>", stream);
+    }
+    if (*of->note) {
+        fputs("<li class=\"soft\">", stream);
+        html_text(stream, of->note);
+        fputs("</li>", stream);
+    }
+    fputs("</ul>", stream);
 }
 
 static void write_where(const page *to, const whirl_claim *claim) {
@@ -48,10 +68,11 @@ static void write_table(const page *to) {
         html_text(to->stream, to->claims->items[c].says);
         fputs("</td>", to->stream);
         for (size_t r = 0; r < to->count; r++) {
-            fputs("<td>", to->stream);
+            fputs("<td data-name=\"", to->stream);
+            html_text(to->stream, to->names[r]);
+            fputs("\">", to->stream);
             write_badge(to->stream, outcome(to, c, r)->agreement);
-            fputs("<br>", to->stream);
-            html_text(to->stream, outcome(to, c, r)->found);
+            write_findings(to->stream, outcome(to, c, r));
             fputs("</td>", to->stream);
         }
         fputs("</tr>\n", to->stream);
@@ -61,7 +82,8 @@ static void write_table(const page *to) {
 
 static void write_counts(const page *to) {
     static const whirl_agreement order[] = {WHIRL_AGREES, WHIRL_AGREES_PARTLY, WHIRL_DISAGREES, WHIRL_NOT_COMPARED};
-    fputs("<table>\n<thead><tr><th>Result</th><th class=\"number\">agrees</th><th class=\"number\">partly</th>"
+    fputs("<div class=\"scroll\"><table>\n<thead><tr><th>Result</th><th class=\"number\">agrees</th><th "
+          "class=\"number\">partly</th>"
           "<th class=\"number\">disagrees</th><th class=\"number\">not compared</th></tr></thead>\n<tbody>\n",
           to->stream);
     for (size_t r = 0; r < to->count; r++) {
@@ -73,7 +95,7 @@ static void write_counts(const page *to) {
         for (int i = 0; i < 4; i++) fprintf(to->stream, "<td class=\"number\">%zu</td>", counts[order[i]]);
         fprintf(to->stream, "</tr>\n");
     }
-    fputs("</tbody></table>\n", to->stream);
+    fputs("</tbody></table></div>\n", to->stream);
 }
 
 /// The best agreement that any result reaches.
@@ -86,6 +108,18 @@ static whirl_agreement best(const page *to, size_t claim) {
     return found;
 }
 
+/// What was found instead of the parts that do not agree.
+static void write_missing_parts(FILE *stream, const claim_outcome *of) {
+    bool first = true;
+    for (size_t i = 0; i < of->count; i++) {
+        if (of->findings[i].agreement == WHIRL_AGREES) continue;
+        if (!first) fputs("; ", stream);
+        html_text(stream, of->findings[i].text);
+        first = false;
+    }
+    if (*of->note) html_printf(stream, "%s%s", first ? "" : "; ", of->note);
+}
+
 static void write_missed(const page *to, size_t claim) {
     const whirl_claim *of = &to->claims->items[claim];
     const whirl_agreement reached = best(to, claim);
@@ -94,16 +128,17 @@ static void write_missed(const page *to, size_t claim) {
     if (of->from != of->to) html_printf(to->stream, " to %.4g", of->to);
     fputs("</strong>: ", to->stream);
     html_text(to->stream, of->says);
-    fputs(reached == WHIRL_AGREES_PARTLY ? ". Met in part:" : ". Met by no result:", to->stream);
+    fputs(reached == WHIRL_AGREES_PARTLY ? ". Met in part; found instead:" : ". Met by no result; found instead:",
+          to->stream);
     fputs("\n<ul>\n", to->stream);
     for (size_t r = 0; r < to->count; r++) {
-        const comparison *here = outcome(to, claim, r);
+        const claim_outcome *here = outcome(to, claim, r);
         if (here->agreement != reached) continue;
         fputs("<li><span class=\"soft\">", to->stream);
         html_text(to->stream, to->names[r]);
         fputs("</span>: ", to->stream);
-        html_text(to->stream, here->found);
-        fputs(".</li>\n", to->stream);
+        write_missing_parts(to->stream, here);
+        fputs("</li>\n", to->stream);
     }
     fputs("</ul></li>\n", to->stream);
 }
@@ -126,11 +161,18 @@ static void write_all_missed(const page *to) {
 void page_claims(const page *to) {
     fputs("<section id=\"claims\">\n<h2>What the source says, and what was found</h2>\n"
           "<p>A claim about a range is compared at every point of the sweep within it: it <em>agrees</em> when all "
-          "points "
-          "do, <em>partly</em> when at least half of them do, or when some of the things it states hold and others do "
-          "not. A spectral line counts as present within 0.02 orders and from 5&nbsp;% of the largest line up; a "
-          "band of lines is met when three or more lines and three quarters of their power below the running speed lie "
-          "in it. The comparison follows these rules alone.</p>\n",
+          "points do, <em>partly</em> when at least half of them do, or when some of the things it states hold and "
+          "others do not (\u2713 holds, \u223c holds in part, \u2717 does not hold).</p>\n"
+          "<details><summary>The rules of the comparison</summary>\n<ul>\n"
+          "<li>A spectral line counts as present within 0.02 orders and from 5&nbsp;% of the largest line up; X is the "
+          "running speed.</li>\n"
+          "<li>A band of lines is met when three or more lines and three quarters of their power below the running "
+          "speed lie in it.</li>\n"
+          "<li>\u201cAgainst the rotation\u201d is the share of the time in which the station moves backward about the "
+          "centre (0, 0), that is x&nbsp;y\u2032&nbsp;\u2212&nbsp;y&nbsp;x\u2032&nbsp;&lt;&nbsp;0. An orbit beside the "
+          "centre is there for about half of the time, whatever its sense. Backward whirl is met above 50&nbsp;%; "
+          "\u201cdiverging\u201d where the motion leaves its bounds too.</li>\n"
+          "</ul></details>\n",
           to->stream);
     write_counts(to);
     write_table(to);

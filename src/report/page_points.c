@@ -22,10 +22,10 @@ static void write_range(FILE *stream, const whirl_table *table, size_t first, si
 }
 
 static void write_interval(FILE *stream, const whirl_table *table, const regime_interval *interval, bool branches) {
-    fputs("<tr><td>", stream);
+    fputs("<tr><td class=\"whole\">", stream);
     write_range(stream, table, interval->first, interval->last);
     if (branches) fputs(interval->branch < 0 ? " <span class=\"soft\">(from the last value)</span>" : "", stream);
-    fputs("</td><td>", stream);
+    fputs("</td><td class=\"whole\">", stream);
     write_swatch(stream, interval->kind);
     html_text(stream, interval->name);
     fprintf(stream, "</td><td class=\"number\">%zu</td><td class=\"number\">%zu</td></tr>\n", interval->count,
@@ -35,9 +35,9 @@ static void write_interval(FILE *stream, const whirl_table *table, const regime_
 /// Several short windows in a row stand as one line that names their regimes.
 static void write_windows(FILE *stream, const whirl_table *table, const regime_interval *windows, size_t count) {
     size_t points = 0, rubbing = 0;
-    fputs("<tr><td>", stream);
+    fputs("<tr><td class=\"whole\">", stream);
     write_range(stream, table, windows[0].first, windows[count - 1].last);
-    fputs("</td><td>changing: ", stream);
+    fputs("</td><td class=\"wide\">changing: ", stream);
     for (size_t i = 0; i < count; i++) {
         bool named = false;
         points += windows[i].count;
@@ -83,6 +83,10 @@ void page_intervals(const page *to, size_t index) {
     const size_t count = regime_intervals(table, result->contact_count, intervals, table->count);
     char label[LABEL_SIZE];
     parameter_label(result, table->parameter, label, sizeof label);
+    if (count == 0) {
+        free(intervals);
+        return;
+    }
     const bool branches = intervals[0].branch != intervals[count - 1].branch;
     size_t windows = 0;
     for (size_t i = 1; i < count; i++)
@@ -117,7 +121,7 @@ static void write_number(FILE *stream, const char *format, double value, int row
 }
 
 static void write_lines(FILE *stream, numbers lines) {
-    fputs("<td>", stream);
+    fputs("<td class=\"wide\">", stream);
     for (size_t i = 0; i < lines.rows && i < SHOWN_LINES; i++) {
         const double *line = &lines.at[5 * i];
         html_printf(stream, "%s%.4g:\u00a0%.3g", i ? ", " : "", line[0], fmax(line[1], line[2]));
@@ -129,7 +133,7 @@ static void write_lines(FILE *stream, numbers lines) {
 /// The columns that belong to the point and stretch over the rows of its stations.
 static void write_point_columns(FILE *stream, const whirl_table *table, size_t point, const whirl_result *result) {
     const whirl_verdict verdict = whirl_table_verdict(table, point);
-    const whirl_estimate exponent = point_exponent(table, point);
+    const shown_estimate exponent = estimate_shown(point_exponent(table, point));
     const int rows = (int)result->station_count;
     char text[LABEL_SIZE];
     fprintf(stream, "<th rowspan=\"%d\">", rows);
@@ -137,7 +141,7 @@ static void write_point_columns(FILE *stream, const whirl_table *table, size_t p
         html_printf(stream, "%.6g", table->values[point]);
     else
         html_text(stream, table->name);
-    fprintf(stream, "</th><td rowspan=\"%d\">", rows);
+    fprintf(stream, "</th><td class=\"whole\" rowspan=\"%d\">", rows);
     write_swatch(stream, regime_class_of(&verdict));
     whirl_verdict_name(&verdict, text, sizeof text);
     html_text(stream, text);
@@ -145,14 +149,23 @@ static void write_point_columns(FILE *stream, const whirl_table *table, size_t p
     if (isnan(exponent.value))
         fputs("&ndash;", stream);
     else
-        fprintf(stream, "%.4f&nbsp;&plusmn;&nbsp;%.4f", exponent.value, exponent.error);
+        fprintf(stream, "%.*f&nbsp;&plusmn;&nbsp;%.*f", exponent.decimals, exponent.value, exponent.decimals,
+                exponent.error);
     fputs("</td>", stream);
     write_number(stream, "%.3g %%", 100.0 * rub_share(table, point, result->contact_count), rows);
 }
 
+/// Whether any station may touch a stator.
+static bool has_gap(const whirl_result *result) {
+    bool found = false;
+    for (size_t s = 0; s < result->station_count; s++) found = found || result->stations[s].gap > 0.0;
+    return found;
+}
+
 static void write_point(FILE *stream, const whirl_table *table, size_t point, const whirl_result *result) {
     for (size_t s = 0; s < result->station_count; s++) {
-        const double clearance = result->stations[s].clearance, radius = max_radius(table, point, s);
+        const double clearance = result->stations[s].clearance, gap = result->stations[s].gap;
+        const double radius = max_radius(table, point, s);
         fputs("<tr class=\"open\">", stream);
         if (s == 0) write_point_columns(stream, table, point, result);
         fputs("<td>", stream);
@@ -160,14 +173,15 @@ static void write_point(FILE *stream, const whirl_table *table, size_t point, co
         fputs("</td>", stream);
         write_number(stream, "%.4f", radius, 1);
         write_number(stream, "%.4f", clearance > 0.0 ? radius / clearance : (double)NAN, 1);
+        if (has_gap(result)) write_number(stream, "%.4f", gap > 0.0 ? radius / gap : (double)NAN, 1);
         write_number(stream, "%.3g %%", 100.0 * backward_share(table, point, s), 1);
         write_lines(stream, point_lines(table, point, s));
         fputs("</tr>\n", stream);
     }
     const whirl_verdict verdict = whirl_table_verdict(table, point);
     char reason[512];
-    whirl_verdict_reason(&verdict, reason, sizeof reason);
-    fputs("<tr class=\"reason\"><td></td><td colspan=\"8\">", stream);
+    reason_text(&verdict, reason, sizeof reason);
+    fprintf(stream, "<tr class=\"reason\"><td></td><td colspan=\"%d\">", has_gap(result) ? 9 : 8);
     html_text(stream, reason);
     fputs("</td></tr>\n", stream);
 }
@@ -185,11 +199,21 @@ void page_points(const page *to, size_t index) {
           "<th class=\"number\">Time in<br>contact</th><th>Station</th><th class=\"number\">Largest<br>radius / ",
           to->stream);
     html_text(to->stream, length);
-    fputs("</th><th class=\"number\">Largest<br>eccentricity</th><th class=\"number\">Backward<br>whirl</th>"
-          "<th>Largest lines (order: larger amplitude of x and y / ",
+    fputs("</th><th class=\"number\">Largest<br>eccentricity</th>", to->stream);
+    if (has_gap(result)) fputs("<th class=\"number\">Largest<br>radius / gap</th>", to->stream);
+    fputs("<th class=\"number\">Time against<br>the rotation</th><th>Largest lines (order: larger amplitude of x and y "
+          "/ ",
           to->stream);
     html_text(to->stream, length);
     fputs(")</th></tr></thead>\n<tbody>\n", to->stream);
-    for (size_t i = 0; i < table->count; i++) write_point(to->stream, table, i, result);
-    fputs("</tbody></table></div>\n", to->stream);
+    for (size_t i = 0; i < table->count; i++)
+        if (whirl_table_done(table, i)) write_point(to->stream, table, i, result);
+    fputs("</tbody></table></div>\n<p class=\"soft small\">", to->stream);
+    fputs(
+        "Time against the rotation: the share of the time in which the station moves backward about the centre (0, 0), "
+        "x&nbsp;y\u2032&nbsp;\u2212&nbsp;y&nbsp;x\u2032&nbsp;&lt;&nbsp;0; an orbit beside the centre does so for about "
+        "half "
+        "of the time, whatever its sense. The exponent in the reason is that of the evidence, which may be averaged "
+        "in another way than the one in the table.</p>\n",
+        to->stream);
 }

@@ -48,7 +48,7 @@ static void write_tables(FILE *stream, const whirl_result *result) {
         describe_points(result, table, points, sizeof points);
         fputs("<tr><th>", stream);
         html_text(stream, table->name);
-        fputs("</th><td>", stream);
+        fputs("</th><td class=\"wide\">", stream);
         html_text(stream, points);
         fputs("</td><td>", stream);
         html_text(stream, table->integrate.method);
@@ -78,10 +78,25 @@ static void write_parameters(FILE *stream, const whirl_result *result) {
     fputs("</tbody></table></div>\n", stream);
 }
 
+/// " (stator at 1.2 c)".
+static void append_gap(const whirl_result *result, const whirl_probe *station, char *text, size_t size) {
+    char length[LABEL_SIZE];
+    const size_t used = strlen(text);
+    length_symbol(result, length, sizeof length);
+    snprintf(text + used, size - used, " (stator at %.4g %s)", station->gap, length);
+}
+
 void page_computed(const page *to, size_t index) {
     const whirl_result *result = to->results[index];
     char text[1024];
-    fputs("<h3>What was computed</h3>\n<dl>\n", to->stream);
+    size_t done, total;
+    fputs("<h3>What was computed</h3>\n", to->stream);
+    if (whirl_result_partial(result, &done, &total))
+        fprintf(to->stream,
+                "<p><strong>This result is partial:</strong> the run was stopped when %zu of %zu points were done. The "
+                "others are left out below.</p>\n",
+                done, total);
+    fputs("<dl>\n", to->stream);
     if (*result->case_name) write_row(to->stream, "Case", result->case_name);
     snprintf(text, sizeof text, "%.6g rad/s (%.6g revolutions a minute)", result->speed,
              result->speed * 60.0 / 6.283185307179586);
@@ -94,6 +109,7 @@ void page_computed(const page *to, size_t index) {
         const whirl_probe *station = &result->stations[s];
         snprintf(text + used, sizeof text - used, "%s%s%s", s ? ", " : "", station->name,
                  station->clearance > 0.0 ? " (journal bearing)" : "");
+        if (station->gap > 0.0) append_gap(result, station, text, sizeof text);
     }
     write_row(to->stream, "Stations", text);
     if (result->contact_count > 0) {

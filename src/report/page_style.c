@@ -23,10 +23,14 @@ void page_style(FILE *stream) {
         "th,td{text-align:left;vertical-align:top;padding:.38rem .75rem .38rem 0;border-bottom:1px solid var(--line)}",
         "thead th{border-bottom:1.5px solid var(--ink);font-weight:600;vertical-align:bottom}",
         "tbody th{font-weight:600;white-space:nowrap}",
-        ".number{text-align:right;white-space:nowrap}",
+        ".number{text-align:right;white-space:nowrap}.whole{white-space:nowrap}.wide{min-width:13rem}",
         "tr.reason td{color:var(--soft);border-bottom:1.5px solid var(--line);padding-top:.1rem}",
         "tr.open td,tr.open th{border-bottom:0}",
-        ".claims td{min-width:13rem}.claims td.says{min-width:12rem}",
+        ".claims td{min-width:14rem;padding-top:.5rem;padding-bottom:.5rem}.claims td.says{min-width:11rem}"
+        ".claims th{padding-top:.5rem}",
+        ".findings{list-style:none;margin:.25rem 0 0;padding:0}.findings li{font-size:1em;margin:.1rem 0}"
+        ".marked li{padding-left:1.25em;text-indent:-1.25em}"
+        ".mark{display:inline-block;width:1.25em;text-indent:0;font-weight:700}.soft{font-weight:400}",
         ".badge{display:inline-block;font-weight:600;font-size:.8rem;padding:0 .45rem;border:1.5px "
         "solid;border-radius:.6rem;"
         "margin-bottom:.2rem;white-space:nowrap}",
@@ -42,6 +46,14 @@ void page_style(FILE *stream) {
         ".missing{border:1px dashed var(--line);background:var(--wash);padding:2rem;max-width:52rem}",
         "details{margin:.8rem 0}summary{cursor:pointer;color:var(--link)}",
         "pre{overflow-x:auto;background:var(--wash);padding:1rem;font-size:.82rem;line-height:1.4}",
+        "@media (max-width:45rem){body{padding:1rem 1rem 3rem}.claims thead{display:none}"
+        ".claims,.claims tbody,.claims tr,.claims th,.claims td{display:block;min-width:0;border:0;padding:.1rem 0}"
+        ".claims tr{padding:.8rem 0;border-bottom:1px solid var(--line)}.claims th br{display:none}.claims th "
+        ".small{margin-left:.6em}"
+        ".claims td[data-name]{padding-top:.5rem}.claims td[data-name]::before{content:attr(data-name)': "
+        "';color:var(--soft)}"
+        ".pair{grid-template-columns:1fr}dl{grid-template-columns:1fr;gap:0}dd{margin-bottom:.4rem}ul{padding-left:1."
+        "2rem}}",
         "@media print{:root{color-scheme:light;--paper:#fff;--ink:#000;--soft:#444;--line:#bbb;--wash:#fff;--link:#000;"
         "--good:#00664a;--half:#8a5a00;--bad:#a63a00}body{font-size:10pt;max-width:none;padding:0}h2{break-before:page}"
         "h2:first-of-type{break-before:auto}figure,tr{break-inside:avoid}h3{break-after:avoid}nav,summary{display:none}"

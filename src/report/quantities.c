@@ -46,6 +46,27 @@ whirl_estimate point_exponent(const whirl_table *table, size_t point) {
     return (whirl_estimate){value, single(table, point, "lyapunov/error", 0)};
 }
 
+shown_estimate estimate_shown(whirl_estimate estimate) {
+    static const double least = 1e-4;
+    shown_estimate shown = {estimate.value, estimate.error, 4};
+    if (!isfinite(estimate.value) || !isfinite(estimate.error)) return shown;
+    const double error = fmax(estimate.error, least);
+    // 0.0123 has two digits at one decimal more than its power of ten says; 0.00996 rounds to 0.010.
+    const int power = (int)floor(log10(error / 0.995));
+    shown.decimals = power < -3 ? 4 : power > 1 ? 0 : 1 - power;
+    const double unit = pow(10.0, -shown.decimals);
+    shown.error = fmax(round(error / unit), 1.0) * unit;
+    shown.value = round(estimate.value / unit) * unit + 0.0; // + 0.0: no zero with a sign
+    return shown;
+}
+
+void reason_text(const whirl_verdict *verdict, char *text, size_t size) {
+    whirl_verdict copy = *verdict;
+    const shown_estimate exponent = estimate_shown(verdict->exponent);
+    copy.exponent = (whirl_estimate){exponent.value, exponent.error};
+    whirl_verdict_reason(&copy, text, size);
+}
+
 double max_radius(const whirl_table *table, size_t point, size_t station) {
     return single(table, point, "orbit/max_radius", station);
 }

@@ -30,6 +30,16 @@ whirl_estimate point_exponent(const whirl_table *table, size_t point);
 double max_radius(const whirl_table *table, size_t point, size_t station);     ///< NaN where not computed
 double backward_share(const whirl_table *table, size_t point, size_t station); ///< NaN where not computed
 
+/// An estimate as it is shown: an error of at most two significant digits and at least 0.0001, a value of as many decimals.
+typedef struct shown_estimate {
+    double value, error;
+    int decimals;
+} shown_estimate;
+shown_estimate estimate_shown(whirl_estimate estimate);
+
+/// The verdict's reason, its exponent as it is shown.
+void reason_text(const whirl_verdict *verdict, char *text, size_t size);
+
 /// Share of the time in contact, the largest of all contacts; NaN where not computed or there are no contacts.
 double rub_share(const whirl_table *table, size_t point, size_t contact_count);
 

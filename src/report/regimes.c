@@ -55,11 +55,12 @@ size_t regime_intervals(const whirl_table *table, size_t contact_count, regime_i
     size_t count = 0;
     regime_interval now = {0};
     for (size_t i = 0; i < table->count; i++) {
+        if (!whirl_table_done(table, i)) continue;
         const whirl_verdict verdict = whirl_table_verdict(table, i);
         char name[sizeof now.name];
         regime_name(&verdict, name, sizeof name);
-        if (i == 0 || strcmp(name, now.name) != 0 || table->branch[i] != now.branch) {
-            if (i > 0 && count++ < most) intervals[count - 1] = now;
+        if (now.count == 0 || i != now.last + 1 || strcmp(name, now.name) != 0 || table->branch[i] != now.branch) {
+            if (now.count > 0 && count++ < most) intervals[count - 1] = now;
             now = (regime_interval){.kind = regime_class_of(&verdict), .first = i, .branch = table->branch[i]};
             memcpy(now.name, name, sizeof name);
         }
@@ -67,6 +68,6 @@ size_t regime_intervals(const whirl_table *table, size_t contact_count, regime_i
         now.count++;
         now.rubbing += rub_share(table, i, contact_count) > 0.0;
     }
-    if (table->count > 0 && count++ < most) intervals[count - 1] = now;
+    if (now.count > 0 && count++ < most) intervals[count - 1] = now;
     return count;
 }

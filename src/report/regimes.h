@@ -39,7 +39,7 @@ typedef struct regime_interval {
     int branch;
 } regime_interval;
 
-/// Merges the points of the table into intervals, in their order. Returns their number; at most `most` are written.
+/// Merges the points of the table that are done into intervals, in their order. Returns their number; at most `most` are written.
 size_t regime_intervals(const whirl_table *table, size_t contact_count, regime_interval *intervals, size_t most);
 
 #endif

@@ -12,14 +12,14 @@
 typedef struct report {
     char (*folders)[FOLDER_NAME_SIZE];
     char (*paths)[FILE_PATH_SIZE];
-    comparison *comparisons;
+    claim_outcome *outcomes;
     figure_list figures;
 } report;
 
 static void report_free(report *made) {
     free(made->folders);
     free(made->paths);
-    free(made->comparisons);
+    free(made->outcomes);
     free(made->figures.items);
 }
 
@@ -73,13 +73,9 @@ static whirl_status draw(report *made, const char *program) {
 }
 
 static void compare(report *made, const whirl_result *const *results, size_t count, const whirl_claims *claims) {
-    for (size_t c = 0; c < claims->count; c++) {
-        for (size_t r = 0; r < count; r++) {
-            comparison *here = &made->comparisons[c * count + r];
-            here->agreement =
-                whirl_claim_compare(claims, &claims->items[c], results[r], here->found, sizeof here->found);
-        }
-    }
+    for (size_t c = 0; c < claims->count; c++)
+        for (size_t r = 0; r < count; r++)
+            claim_compare(claims, &claims->items[c], results[r], &made->outcomes[c * count + r]);
 }
 
 static whirl_status write_page(const report *made, const whirl_result *const *results, const char *const *names,
@@ -94,7 +90,7 @@ static whirl_status write_page(const report *made, const whirl_result *const *re
         .folders = (const char(*)[FOLDER_NAME_SIZE])made->folders,
         .count = count,
         .claims = claims,
-        .comparisons = made->comparisons,
+        .outcomes = made->outcomes,
         .figures = &made->figures,
     };
     page_write(&to);
@@ -121,10 +117,10 @@ whirl_status whirl_report_write(const whirl_result *const *results, const char *
     report made = {
         .folders = calloc(count + 1, sizeof *made.folders),
         .paths = calloc(count + 1, sizeof *made.paths),
-        .comparisons = calloc(claims * count + 1, sizeof *made.comparisons),
+        .outcomes = calloc(claims * count + 1, sizeof *made.outcomes),
     };
     whirl_status status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a report of %zu results", count);
-    if (made.folders && made.paths && made.comparisons) {
+    if (made.folders && made.paths && made.outcomes) {
         name_folders(&made, names, count);
         status = make(&made, results, names, count, directory, options);
     }

@@ -60,8 +60,11 @@ static double bearing_clearance(const element *own) {
 }
 
 void whirl_film_force(double x, double y, double vx, double vy, double force[2]) {
+    film_group one;
     force[0] = force[1] = 0.0;
-    film_force(x, y, vx, vy, 1.0, &force[0], &force[1]);
+    film_place(&one, 0, x, y, vx, vy);
+    film_angles(1, &one);
+    film_add(&one, 0, 1.0, &force[0], &force[1]);
 }
 
 const element_type film_element = {

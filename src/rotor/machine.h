@@ -7,7 +7,7 @@
 #include "whirl/rotor.h"
 
 struct whirl_rotor {
-    double speed, length, force;
+    double speed, length;
     whirl_system system;
     whirl_lanes lanes;
     size_t station_count, element_count, contact_count;

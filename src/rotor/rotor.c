@@ -41,7 +41,7 @@ static void rotor_contacts(const void *model, const double *x, double *normal_fo
     const whirl_rotor *rotor = model;
     for (size_t i = 0; i < rotor->contact_count; i++) {
         const element *own = &rotor->elements[rotor->contacts[i]];
-        normal_force[i] = own->type->contact_force(own, x) / rotor->force;
+        normal_force[i] = own->type->contact_force(own, x);
     }
 }
 
@@ -137,9 +137,11 @@ static void add_stations(const whirl_design *design, whirl_rotor *rotor, const s
 
 static void note_contact(whirl_rotor *rotor, const element *own) {
     const size_t k = rotor->contact_count++;
+    const double gap = own->type->contact_gap(own);
+    whirl_probe *probe = &rotor->probes[own->station[0]];
+    if (probe->gap == 0.0 || gap < probe->gap) probe->gap = gap;
     rotor->contacts[k] = rotor->element_count - 1;
-    snprintf(rotor->contact_text[k], sizeof *rotor->contact_text, "%s at %s", own->type->group.name,
-             rotor->probes[own->station[0]].name);
+    snprintf(rotor->contact_text[k], sizeof *rotor->contact_text, "%s at %s", own->type->group.name, probe->name);
     rotor->contact_names[k] = rotor->contact_text[k];
 }
 
@@ -220,7 +222,6 @@ whirl_status whirl_rotor_new(const whirl_design *design, whirl_rotor **out) {
     rotor->station_count = design->station_count;
     const scales scale = {design->speed, design->length, rotor->mass, design->station_count};
     add_stations(design, rotor, &scale);
-    rotor->force = stiffness_scale(&scale, 0) * scale.length;
     size_t number = design->station_count * STATION_NUMBERS;
     whirl_status status = whirl_ok();
     for (const element_type *const *type = element_types; *type && status.code == WHIRL_OK; type++)
@@ -246,9 +247,6 @@ double whirl_rotor_speed(const whirl_rotor *rotor) {
 }
 double whirl_rotor_length_scale(const whirl_rotor *rotor) {
     return rotor->length;
-}
-double whirl_rotor_force_scale(const whirl_rotor *rotor) {
-    return rotor->force;
 }
 const char *const *whirl_rotor_contact_names(const whirl_rotor *rotor) {
     return rotor->contact_names;

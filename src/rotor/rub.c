@@ -26,6 +26,10 @@ static whirl_status build(const key_value *values, const scales *scale, element 
     if (slip && !values[RADIUS].given)
         return whirl_fail(WHIRL_BAD_INPUT,
                           "has no radius, expected one: law slip needs the radius of the surface that rubs");
+    if (!slip && (values[RADIUS].given || values[SLIP_SPEED].given))
+        return whirl_fail(WHIRL_BAD_INPUT, "has a %s, which only law slip uses, expected law: slip, or no %s",
+                          values[RADIUS].given ? "radius" : "slip_speed",
+                          values[RADIUS].given ? "radius" : "slip_speed");
     const size_t station = values[AT].station[0];
     out->station[0] = station;
     out->law = values[LAW].choice;

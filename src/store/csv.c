@@ -122,6 +122,7 @@ static void write_points(FILE *stream, const whirl_result *result, const whirl_t
     end_line(&row);
     for (size_t point = 0; point < table->count; ++point) {
         char verdict[WHIRL_NAME_SIZE];
+        if (!whirl_table_done(table, point)) continue;
         const whirl_verdict found = whirl_table_verdict(table, point);
         whirl_verdict_name(&found, verdict, sizeof verdict);
         put_point_cells(&row, table, point);

@@ -1,5 +1,7 @@
 #include "image.h"
 
+#include "plain.h"
+
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -96,6 +98,11 @@ static hid_t memory_access(void) {
     return access;
 }
 
+herr_t image_keep_plain(hid_t creation) {
+    const herr_t timeless = H5Pset_obj_track_times(creation, false);
+    return timeless < 0 ? timeless : H5Pset_attr_phase_change(creation, IMAGE_MOST_COMPACT, 0);
+}
+
 whirl_status image_create(image *out) {
     *out = (image){.file = H5I_INVALID_HID};
     H5FD_file_image_callbacks_t callbacks = {.image_malloc = image_malloc,
@@ -105,9 +112,8 @@ whirl_status image_create(image *out) {
                                              .udata_free = leave_data,
                                              .udata = out};
     const hid_t access = memory_access(), creation = H5Pcreate(H5P_FILE_CREATE);
-    // No times in the file: equal results are equal files.
     if (access >= 0 && creation >= 0 && H5Pset_file_image_callbacks(access, &callbacks) >= 0 &&
-        H5Pset_obj_track_times(creation, false) >= 0)
+        image_keep_plain(creation) >= 0 && H5Pset_link_phase_change(creation, IMAGE_MOST_COMPACT, 0) >= 0)
         out->file = H5Fcreate(NO_PATH, H5F_ACC_TRUNC, creation, access);
     char text[200];
     image_reason(text, sizeof text);
@@ -169,8 +175,9 @@ static herr_t lend_end(void *bytes, H5FD_file_image_op_t operation, void *data) 
 
 whirl_status image_open(unsigned char *bytes, size_t size, hid_t *file) {
     *file = H5I_INVALID_HID;
-    const whirl_status superblock = check_superblock(bytes, size);
-    if (superblock.code != WHIRL_OK) return superblock;
+    whirl_status status = check_superblock(bytes, size);
+    if (status.code == WHIRL_OK) status = plain_check(bytes, size);
+    if (status.code != WHIRL_OK) return status;
     H5FD_file_image_callbacks_t callbacks = {.image_malloc = lend,
                                              .image_memcpy = lend_copy,
                                              .image_free = lend_end,

@@ -30,6 +30,15 @@ void image_reason(char *text, size_t size);
 // image_finish.
 whirl_status image_create(image *out);
 
+// The most attributes or links that stand in the header of their object itself, and so all of them: the other way to
+// store them (fractal heaps, B-trees) is larger for files like these, and HDF5 1.10 crashes where such a heap or tree
+// is damaged and its checksum right.
+enum { IMAGE_MOST_COMPACT = 65535 };
+
+// Settings of all objects (file, group, dataset) in the list by which they are created: attributes in the object's
+// header, and no times, so that equal results are equal files.
+herr_t image_keep_plain(hid_t creation);
+
 // Closes the file; its bytes then lie in `out`.
 whirl_status image_finish(image *out);
 

@@ -99,7 +99,7 @@ hid_t put_group(whirl_status *status, hid_t parent, const char *name) {
     if (status->code != WHIRL_OK) return H5I_INVALID_HID;
     const hid_t creation = H5Pcreate(H5P_GROUP_CREATE);
     hid_t group = H5I_INVALID_HID;
-    if (H5Pset_obj_track_times(creation, false) >= 0 &&
+    if (image_keep_plain(creation) >= 0 && H5Pset_link_phase_change(creation, IMAGE_MOST_COMPACT, 0) >= 0 &&
         H5Pset_attr_creation_order(creation, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED) >= 0)
         group = H5Gcreate2(parent, name, H5P_DEFAULT, creation, H5P_DEFAULT);
     if (group < 0) fail_put(status, name);
@@ -134,7 +134,7 @@ static hid_t put_dataset(whirl_status *status, hid_t parent, const char *name, h
     const hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
     hid_t dataset = H5I_INVALID_HID;
     if (H5Pset_chunk(creation, rank, chunk) >= 0 && H5Pset_fletcher32(creation) >= 0 &&
-        H5Pset_obj_track_times(creation, false) >= 0)
+        image_keep_plain(creation) >= 0)
         dataset = H5Dcreate2(parent, name, file_type, space, H5P_DEFAULT, creation, H5P_DEFAULT);
     if (dataset < 0 || (H5Sget_simple_extent_npoints(space) > 0 &&
                         H5Dwrite(dataset, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0))

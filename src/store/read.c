@@ -64,12 +64,13 @@ static void get_indices(whirl_status *status, hid_t group, const char *name, siz
 }
 
 static void get_stations(whirl_status *status, hid_t file, whirl_result *result) {
-    double clearance[WHIRL_MAX_PROBES];
+    double clearance[WHIRL_MAX_PROBES], gap[WHIRL_MAX_PROBES];
     const hid_t group = get_group(status, file, "stations");
     const size_t count = get_length(status, group, "clearance", WHIRL_MAX_PROBES);
     whirl_probe *stations = take(status, count, sizeof *stations);
     result->stations = stations;
     get_numbers(status, group, "clearance", clearance, count);
+    get_numbers(status, group, "gap", gap, count);
     if (status->code == WHIRL_OK) {
         const size_t stride = sizeof *stations;
         get_texts(status, group, "name", stations->name, sizeof stations->name, stride, count);
@@ -77,7 +78,10 @@ static void get_stations(whirl_status *status, hid_t file, whirl_result *result)
         get_indices(status, group, "y", &stations->y, stride, count);
         get_indices(status, group, "vx", &stations->vx, stride, count);
         get_indices(status, group, "vy", &stations->vy, stride, count);
-        for (size_t i = 0; i < count; ++i) stations[i].clearance = clearance[i];
+        for (size_t i = 0; i < count; ++i) {
+            stations[i].clearance = clearance[i];
+            stations[i].gap = gap[i];
+        }
         result->station_count = count;
     }
     close_group(group);
@@ -223,6 +227,25 @@ static void get_branch(whirl_status *status, hid_t group, whirl_table *table) {
     free(branch);
 }
 
+// NULL where all points are done, as in a result that was never partial.
+static void get_done(whirl_status *status, hid_t group, whirl_table *table) {
+    int64_t *done = take(status, table->count, sizeof *done);
+    size_t missing = 0;
+    table->done = take(status, table->count, sizeof *table->done);
+    get_wholes(status, group, "done", done, table->count);
+    for (size_t i = 0; status->code == WHIRL_OK && i < table->count; ++i) {
+        if (done[i] != 0 && done[i] != 1)
+            *status =
+                whirl_fail(WHIRL_BAD_INPUT, "/%s/done holds %lld, expected 0 or 1", table->name, (long long)done[i]);
+        table->done[i] = done[i] == 1;
+        missing += done[i] == 0;
+    }
+    free(done);
+    if (missing > 0) return;
+    free(table->done);
+    table->done = NULL;
+}
+
 // The numbers of a field into all blocks.
 static void get_numbers_of(whirl_status *status, hid_t group, whirl_table *table, const whirl_field *field) {
     const size_t length = field->repeat * field->rows * field->columns;
@@ -250,6 +273,7 @@ static void get_table(whirl_status *status, hid_t file, const whirl_result *resu
     field_words *words = take_values(status, table);
     get_numbers(status, group, "values", table->values, table->count);
     get_branch(status, group, table);
+    get_done(status, group, table);
     for (size_t i = 0; status->code == WHIRL_OK && i < layout->field_count; ++i) {
         get_field(status, group, result, table->count, limit, layout, &layout->fields[i], &words[i]);
         check_known(status, known, &layout->fields[i]);

@@ -59,16 +59,18 @@ static void put_stations(whirl_status *status, hid_t file, const whirl_result *r
         return;
     }
     const whirl_probe *stations = result->stations;
-    double clearance[WHIRL_MAX_PROBES];
+    double clearance[WHIRL_MAX_PROBES], gap[WHIRL_MAX_PROBES];
     int64_t x[WHIRL_MAX_PROBES], y[WHIRL_MAX_PROBES], vx[WHIRL_MAX_PROBES], vy[WHIRL_MAX_PROBES];
     for (size_t i = 0; i < count; ++i) {
         clearance[i] = stations[i].clearance;
+        gap[i] = stations[i].gap;
         x[i] = (int64_t)stations[i].x, y[i] = (int64_t)stations[i].y;
         vx[i] = (int64_t)stations[i].vx, vy[i] = (int64_t)stations[i].vy;
     }
     const hid_t group = put_group(status, file, "stations");
     put_texts(status, group, "name", texts_of(count ? stations->name : "", sizeof *stations, count));
     put_numbers(status, group, "clearance", clearance, count);
+    put_numbers(status, group, "gap", gap, count);
     put_wholes(status, group, "x", x, count);
     put_wholes(status, group, "y", y, count);
     put_wholes(status, group, "vx", vx, count);
@@ -194,6 +196,9 @@ static void put_verdicts(whirl_status *status, hid_t group, const whirl_table *t
         const whirl_verdict verdict = whirl_table_verdict(table, i);
         whirl_verdict_name(&verdict, names + i * NAME, NAME);
         whirl_verdict_reason(&verdict, reasons + i * REASON, REASON);
+        if (whirl_table_done(table, i)) continue;
+        snprintf(names + i * NAME, NAME, "not computed");
+        reasons[i * REASON] = '\0';
     }
     const hid_t verdicts = put_group(status, group, "verdict");
     put_texts(status, verdicts, "name", texts_of(names, NAME, table->count));
@@ -243,6 +248,18 @@ static void put_branch(whirl_status *status, hid_t group, const whirl_table *tab
     free(branch);
 }
 
+// 1 for the points that a run came to, 0 for the others.
+static void put_done(whirl_status *status, hid_t group, const whirl_table *table) {
+    int64_t *done = malloc((table->count ? table->count : 1) * sizeof *done);
+    if (!done) {
+        *status = whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points", table->count);
+        return;
+    }
+    for (size_t i = 0; i < table->count; ++i) done[i] = whirl_table_done(table, i);
+    put_wholes(status, group, "done", done, table->count);
+    free(done);
+}
+
 static void put_table(whirl_status *status, hid_t file, const whirl_result *result, const whirl_table *table) {
     if (status->code == WHIRL_OK) *status = check_layout(table);
     const hid_t group = put_group(status, file, table->name);
@@ -255,6 +272,7 @@ static void put_table(whirl_status *status, hid_t file, const whirl_result *resu
     put_record(status, group, &table->record);
     put_numbers(status, group, "values", table->values, table->count);
     put_branch(status, group, table);
+    put_done(status, group, table);
     for (size_t i = 0; i < layout->field_count; ++i) put_field(status, group, result, table, &layout->fields[i]);
     if (has_verdict(layout)) put_verdicts(status, group, table);
     close_group(group);
@@ -276,9 +294,11 @@ static whirl_status check_tables(const whirl_result *result) {
 }
 
 static void put_result(whirl_status *status, hid_t file, const whirl_result *result) {
+    size_t done, total;
     *status = check_tables(result);
     put_text_attribute(status, file, "format", FORMAT_NAME);
     put_whole_attribute(status, file, "format_version", FORMAT_VERSION);
+    put_whole_attribute(status, file, "partial", whirl_result_partial(result, &done, &total));
     put_text_attribute(status, file, "title", result->title);
     put_texts_attribute(
         status, file, "tables",

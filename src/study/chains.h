@@ -13,8 +13,19 @@ static inline size_t batch_copies(const whirl_batch *batch) {
     return batch->carry == WHIRL_CARRY_BOTH ? 2 : 1;
 }
 
-/// A result with empty tables, one a batch. What was made is in *result also where it fails.
+/// Revolutions of a point that runs to its end.
+static inline double point_revolutions(const whirl_batch *batch) {
+    return (double)batch->record.transient + batch->record.record;
+}
+
+/// A result with tables without blocks, one a batch. What was made is in *result also where it fails.
 whirl_status tables_new(const whirl_study *study, whirl_result **result);
+
+/// Makes the blocks.
+whirl_status tables_fill(whirl_result *result);
+
+/// Sets the blocks of points that are not done to NaN.
+void tables_blank(whirl_result *result);
 
 /// Points that are computed one after the other.
 typedef struct chain {
@@ -29,8 +40,10 @@ typedef struct chain {
 typedef struct chains {
     const whirl_study *study;
     const whirl_batch *batch;
+    size_t batch_index;
     whirl_table *table;
     tracker *tracker;
+    const whirl_keeper *keeper; ///< or NULL
     size_t count;
     chain *items;
     size_t ready_count;
@@ -38,7 +51,8 @@ typedef struct chains {
 } chains;
 
 /// The chains of a batch. Freed by chains_free, also where it fails.
-whirl_status chains_new(chains *chains, const whirl_study *study, size_t batch, whirl_table *table, tracker *progress);
+whirl_status chains_new(chains *chains, const whirl_study *study, size_t batch, whirl_table *table, tracker *progress,
+                        const whirl_keeper *keeper);
 void chains_free(chains *chains);
 
 /// Computes points until there are none left for this thread, at most `quota` at a time.

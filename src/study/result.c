@@ -10,6 +10,7 @@ void whirl_result_free(whirl_result *result) {
         free(result->tables[i].values);
         free(result->tables[i].branch);
         free(result->tables[i].blocks);
+        free(result->tables[i].done);
     }
     free(result->tables);
     free(result->case_text);
@@ -28,12 +29,26 @@ const whirl_table *whirl_result_table(const whirl_result *result, const char *na
 
 const double *whirl_table_field(const whirl_table *table, size_t point, const char *field, size_t which) {
     const whirl_field *found = whirl_layout_field(&table->layout, field);
-    if (!found || point >= table->count || which >= found->repeat) return NULL;
+    if (!found || !table->blocks || point >= table->count || which >= found->repeat) return NULL;
     return table->blocks + point * table->layout.size + found->offset + which * found->rows * found->columns;
 }
 
+bool whirl_table_done(const whirl_table *table, size_t point) {
+    return point < table->count && (!table->done || table->done[point]);
+}
+
+bool whirl_result_partial(const whirl_result *result, size_t *done, size_t *total) {
+    *done = *total = 0;
+    for (size_t i = 0; i < result->table_count; ++i) {
+        *total += result->tables[i].count;
+        for (size_t point = 0; point < result->tables[i].count; ++point)
+            *done += whirl_table_done(&result->tables[i], point);
+    }
+    return *done < *total;
+}
+
 whirl_verdict whirl_table_verdict(const whirl_table *table, size_t point) {
-    if (point >= table->count) {
+    if (point >= table->count || !table->blocks) {
         const whirl_layout nothing = {0};
         return whirl_block_verdict(&nothing, NULL);
     }

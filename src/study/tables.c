@@ -31,11 +31,33 @@ static whirl_status make_table(const whirl_study *study, const whirl_batch *batc
     table->record = batch->record;
     table->values = calloc(table->count, sizeof *table->values);
     table->branch = calloc(table->count, sizeof *table->branch);
-    table->blocks = calloc(table->count * table->layout.size + 1, sizeof *table->blocks);
-    if (!table->values || !table->branch || !table->blocks)
-        return whirl_fail(WHIRL_NO_MEMORY, "no memory for the results of %zu points", table->count);
+    if (!table->values || !table->branch)
+        return whirl_fail(WHIRL_NO_MEMORY, "no memory for the values of %zu points", table->count);
     fill_values(table, batch);
     return whirl_ok();
+}
+
+static whirl_status make_slots(whirl_table *table) {
+    table->blocks = calloc(table->count * table->layout.size + 1, sizeof *table->blocks);
+    table->done = calloc(table->count, sizeof *table->done);
+    return table->blocks && table->done
+               ? whirl_ok()
+               : whirl_fail(WHIRL_NO_MEMORY, "no memory for the results of %zu points", table->count);
+}
+
+whirl_status tables_fill(whirl_result *result) {
+    whirl_status status = whirl_ok();
+    for (size_t i = 0; i < result->table_count && status.code == WHIRL_OK; i++) status = make_slots(&result->tables[i]);
+    return status;
+}
+
+void tables_blank(whirl_result *result) {
+    for (size_t i = 0; i < result->table_count; i++) {
+        const whirl_table *table = &result->tables[i];
+        const size_t size = table->layout.size;
+        for (size_t k = 0; k < table->count * size; k++)
+            if (!table->done[k / size]) table->blocks[k] = NAN;
+    }
 }
 
 whirl_status tables_new(const whirl_study *study, whirl_result **out) {

@@ -11,19 +11,34 @@ void tracker_begin(tracker *t, const whirl_run_options *options, size_t points, 
                    .started = clock_seconds()};
 }
 
+/// Reports when it is time to, and looks whether the run shall end.
+static void look_around(tracker *t) {
+    const double seconds = clock_seconds() - t->started;
+    if (t->options->progress && seconds - t->reported >= report_interval) {
+        t->reported = t->progress.seconds = seconds;
+        t->options->progress(t->options->context, &t->progress);
+    }
+    if (t->options->stop && *t->options->stop) atomic_store(&t->halt, true);
+}
+
 bool tracker_advance(tracker *t, double revolutions, size_t points) {
 #pragma omp critical(whirl_tracker)
     {
         t->progress.revolutions_done += revolutions;
         t->progress.points_done += points;
-        const double seconds = clock_seconds() - t->started;
-        if (t->options->progress && seconds - t->reported >= report_interval) {
-            t->reported = t->progress.seconds = seconds;
-            t->options->progress(t->options->context, &t->progress);
-        }
-        if (t->options->stop && *t->options->stop) atomic_store(&t->halt, true);
+        look_around(t);
     }
     return !atomic_load(&t->halt);
+}
+
+void tracker_recall(tracker *t, double revolutions) {
+#pragma omp critical(whirl_tracker)
+    {
+        t->progress.revolutions_done += revolutions;
+        t->progress.revolutions_recalled += revolutions;
+        t->progress.points_done++;
+        look_around(t);
+    }
 }
 
 void tracker_fail(tracker *t, const whirl_status *status) {

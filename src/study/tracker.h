@@ -20,6 +20,9 @@ void tracker_begin(tracker *tracker, const whirl_run_options *options, size_t po
 /// Adds to the progress and reports it now and then. False when the run shall end.
 bool tracker_advance(tracker *tracker, double revolutions, size_t points);
 
+/// Adds a point that needs no computing.
+void tracker_recall(tracker *tracker, double revolutions);
+
 /// Notes an error; the first one counts. The run ends.
 void tracker_fail(tracker *tracker, const whirl_status *status);
 

@@ -80,7 +80,8 @@ static void wrong_claims_are_told(void **state) {
     expect_item_problem("from: 1", "c:5:5: items[1]: expected either at, or from and to");
     expect_item_problem("rub: true", "c:5:5: items[1]: expected either at, or from and to");
     expect_item_problem("at: x", "c:5:35: items[1].at: is x, expected a number, or a number and a unit");
-    expect_item_problem("at: 1, rub: yes", "c:5:43: items[1].rub: is yes, expected one of true, false");
+    expect_item_problem("at: 1, rub: perhaps",
+                        "c:5:43: items[1].rub: is perhaps, expected one of true, false, yes, no");
     expect_item_problem("at: 1, curves: 4e35",
                         "c:5:46: items[1].curves: is 4e+35, expected a whole number from 1 to 64");
     expect_item_problem("at: 1, curves: = 2", "c:5:46: items[1].curves: is an expression, expected a number");
@@ -100,6 +101,21 @@ static void ranges_are_ordered(void **state) {
     whirl_claims_free(claims);
 }
 
+static void yes_is_true(void **state) {
+    (void)state;
+    static const char *const words[] = {"yes", "true", "no", "false"};
+    for (int i = 0; i < 4; i++) {
+        char item[80];
+        whirl_claims *claims;
+        snprintf(item, sizeof item, "at: 1, rub: %s, only_lines: %s", words[i], words[i]);
+        assert_int_equal(parse_item(item, NULL, &claims).code, WHIRL_OK);
+        assert_true(claims->items[0].has_contact);
+        assert_true(claims->items[0].contact == (i < 2));
+        assert_true(claims->items[0].only_lines == (i < 2));
+        whirl_claims_free(claims);
+    }
+}
+
 static void other_files_are_refused(void **state) {
     (void)state;
     whirl_claims *claims;
@@ -111,9 +127,8 @@ static void other_files_are_refused(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_paper_s_claims_are_read),
-        cmocka_unit_test(wrong_claims_are_told),
-        cmocka_unit_test(ranges_are_ordered),
+        cmocka_unit_test(the_paper_s_claims_are_read), cmocka_unit_test(wrong_claims_are_told),
+        cmocka_unit_test(ranges_are_ordered),          cmocka_unit_test(yes_is_true),
         cmocka_unit_test(other_files_are_refused),
     };
     return cmocka_run_group_tests_name("claims", tests, NULL, NULL);

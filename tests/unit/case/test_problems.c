@@ -49,11 +49,37 @@ static void units(void **state) {
                    "t:8:10: rotor.speed: = omega is in 1/s, expected a unit of rad/s, such as rpm (1 Hz = 60 rpm)");
     expect_problem("length_scale: = c", "length_scale: = omega",
                    "t:9:17: rotor.length_scale: = omega is in rad/s, expected a unit of m");
+    // Capitals and products as engineers write them.
+    expect_problem(
+        "omega: 100 rad/s", "omega: 6000 RPM",
+        "t:4:10: parameters.omega: is 6000 RPM, expected a number, or a number and a unit (no unit is called "
+        "RPM, did you mean rpm?)");
+    expect_problem("damping: 20 N.s/m", "damping: 20 Ns/m",
+                   "t:11:33: rotor.stations.disc.damping: is 20 Ns/m, expected a number in N s/m (no unit is called "
+                   "Ns/m, did you mean N.s/m?)");
     // Reciprocals are no units of the same kind.
     expect_problem("damping: 20 N.s/m", "damping: 20 m/(N.s)",
                    "t:11:33: rotor.stations.disc.damping: is in m/(N.s), expected a unit of N s/m");
     expect_problem("kappa, from: 1,", "kappa, from: 1 mm,",
                    "t:19:35: study.sweep.from: is in mm, expected a plain number");
+}
+
+static void angles(void **state) {
+    (void)state;
+    static const char advice[] = "without a unit, which is in radians, expected at most a full turn (2 pi); write "
+                                 "degrees as";
+    char expected[400];
+    snprintf(expected, sizeof expected, "t:17:28: rotor.elements[4].gravity.direction: is 270 %s '270 degree'", advice);
+    expect_problem("gravity: 9.81 m/s2", "gravity: {direction: 270}", expected);
+    snprintf(expected, sizeof expected,
+             "t:12:47: rotor.stations.journal.eccentricity_angle: = -3*kappa is -30 %s '-30 degree'", advice);
+    expect_problem("{mass: 2 kg}", "{mass: 2 kg, eccentricity_angle: = -3*kappa}", expected);
+    static const char *const good[] = {"270 degree", "-450 deg", "4.71", "-6.2831853071795865", "9 rad", "= 6*pi/4"};
+    for (size_t i = 0; i < sizeof good / sizeof *good; i++) {
+        char gravity[80];
+        snprintf(gravity, sizeof gravity, "gravity: {direction: %s}", good[i]);
+        whirl_case_free(parse_edited("gravity: 9.81 m/s2", gravity));
+    }
 }
 
 static void names(void **state) {
@@ -119,6 +145,13 @@ static void expressions(void **state) {
     expect_problem("kappa: 10", "kappa: = \"a\"", "t:5:10: parameters.kappa: is no expression at '\"a\"'");
     expect_problem("kappa: 10",
                    "kappa: =", "t:5:10: parameters.kappa: is an empty expression, expected '= ' and a formula");
+    expect_problem("kappa: 10", "kappa: = 10 N",
+                   "t:5:10: parameters.kappa: is = 10 N, but no parameter is called N (expressions are in SI and hold "
+                   "no units)");
+    expect_problem("kappa: 10", "kappa: = sin(omega, 2)",
+                   "t:5:10: parameters.kappa: is = sin(omega, 2), where a function has too many arguments");
+    expect_problem("kappa: 10", "kappa: = atan2(2)",
+                   "t:5:10: parameters.kappa: is = atan2(2), where a function has too few arguments");
     expect_problem("kappa: 10", "kappa: = omega omega", "t:5:10: parameters.kappa: is no expression at 'omega'");
     char deep[200] = "kappa: = ", message[200], longer[700] = "kappa: = 1";
     for (int i = 0; i < 51; i++) strcat(deep, "(");
@@ -161,6 +194,16 @@ static void structure(void **state) {
                    "t:21:75: study.integrate.watch: is 31, expected 0, or record (10) to transient + record (30)");
     expect_problem("  analyze:", "  keep: {waveform: 11}\n  analyze:",
                    "t:22:20: study.keep.waveform: is 11, expected at most the revolutions of the record (10)");
+    expect_problem("  analyze:", "  keep: {samples: 16, highest_order: 8.5}\n  analyze:",
+                   "t:22:38: study.keep.highest_order: is 8.5, expected at most 8, half the samples a revolution "
+                   "(keep.samples)");
+    whirl_case_free(parse_edited("  analyze:", "  keep: {samples: 16, highest_order: 8}\n  analyze:"));
+    expect_problem("friction: 0.1", "radius: 1 m",
+                   "t:16:7: rotor.elements[3].rub: rub has a radius, which only law slip uses, expected law: slip, or "
+                   "no radius");
+    expect_problem("friction: 0.1", "slip_speed: 1, law: paper",
+                   "t:16:7: rotor.elements[3].rub: rub has a slip_speed, which only law slip uses, expected law: slip, "
+                   "or no slip_speed");
     expect_problem("  analyze:", "  keep: {samples: 65}\n  analyze:",
                    "t:22:19: study.keep.samples: is 65, expected at most steps_per_revolution (64)");
 }
@@ -268,6 +311,24 @@ static void many_problems_at_once(void **state) {
     assert_string_equal(problems.items[1].key, "rotor.stations.disc.mass");
     assert_string_equal(problems.items[2].key, "study.sweep.points");
     whirl_problems_free(&problems);
+    // An element that contradicts itself is told beside mistakes elsewhere, one with a mistake of its own is not.
+    char *film = edited(three, "load: 200 N", "load: = kappa, radius: 3 mm");
+    char *rub = edited(film, "friction: 0.1", "radius: 3 mm, frictoin: 1");
+    assert_int_equal(whirl_case_parse(rub, strlen(rub), "t", &problems, &object).code, WHIRL_BAD_INPUT);
+    assert_int_equal(problems.count, 5);
+    assert_string_equal(problems.items[2].key, "rotor.elements[2].film");
+    assert_non_null(strstr(problems.items[2].message, "both load and viscosity"));
+    assert_string_equal(problems.items[3].key, "rotor.elements[3].rub.frictoin");
+    whirl_problems_free(&problems);
+    free(film);
+    free(rub);
+    // What is no name for a station is not proposed as one.
+    char *nameless = edited(good_case, "    disc: {mass", "    di sc: {mass");
+    assert_int_equal(whirl_case_parse(nameless, strlen(nameless), "t", &problems, &object).code, WHIRL_BAD_INPUT);
+    for (size_t i = 1; i < problems.count; i++) assert_null(strstr(problems.items[i].message, "di sc"));
+    assert_true(problems.count >= 3);
+    whirl_problems_free(&problems);
+    free(nameless);
     char *text = calloc(1, 20000);
     assert_non_null(text);
     strcpy(text, "whirl: 1\n");
@@ -309,11 +370,17 @@ static void files(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(numbers),   cmocka_unit_test(units),
-        cmocka_unit_test(names),     cmocka_unit_test(expressions),
-        cmocka_unit_test(structure), cmocka_unit_test(ends_of_sweeps),
-        cmocka_unit_test(no_yaml),   cmocka_unit_test(too_much),
-        cmocka_unit_test(too_many),  cmocka_unit_test(many_problems_at_once),
+        cmocka_unit_test(numbers),
+        cmocka_unit_test(units),
+        cmocka_unit_test(angles),
+        cmocka_unit_test(names),
+        cmocka_unit_test(expressions),
+        cmocka_unit_test(structure),
+        cmocka_unit_test(ends_of_sweeps),
+        cmocka_unit_test(no_yaml),
+        cmocka_unit_test(too_much),
+        cmocka_unit_test(too_many),
+        cmocka_unit_test(many_problems_at_once),
         cmocka_unit_test(files),
     };
     return cmocka_run_group_tests_name("problems", tests, NULL, NULL);

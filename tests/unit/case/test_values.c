@@ -87,12 +87,12 @@ static void rotors_follow_the_parameters(void **state) {
     const double x[8] = {5.0};
     double force;
     system->contacts(system->model, x, &force);
-    assert_true(fabs(force * whirl_rotor_force_scale(rotor) - 10e6 * 3.8 * 2e-4) < 1e-6);
+    assert_true(fabs(force - 10e6 * 3.8 * 2e-4) < 1e-6);
     whirl_rotor_free(rotor);
     assert_int_equal(whirl_case_rotor(object, "kappa", 20.0, &rotor).code, WHIRL_OK);
     system = whirl_rotor_system(rotor);
     system->contacts(system->model, x, &force);
-    assert_true(fabs(force * whirl_rotor_force_scale(rotor) - 20e6 * 3.8 * 2e-4) < 1e-6);
+    assert_true(fabs(force - 20e6 * 3.8 * 2e-4) < 1e-6);
     whirl_rotor_free(rotor);
     assert_int_equal(whirl_case_rotor(object, "omega", -1.0, &rotor).code, WHIRL_BAD_INPUT);
     assert_null(rotor);
@@ -102,7 +102,12 @@ static void rotors_follow_the_parameters(void **state) {
 
 static void parameters_are_set(void **state) {
     (void)state;
-    whirl_case *object = parse_edited("kappa: 10", "kappa: 10\n  twice: = 2*kappa");
+    // The ends of the sweep follow from kappa, so that setting it has a meaning.
+    char *follows = edited(good_case, "from: 1, to: 20", "from: = kappa, to: = 2*kappa");
+    char *text = edited(follows, "kappa: 10", "kappa: 10\n  twice: = 2*kappa");
+    whirl_case *object = parse_good(text);
+    free(follows);
+    free(text);
     assert_int_equal(whirl_case_set(object, "kappa=0.5").code, WHIRL_OK);
     assert_true(value_of(object, "twice") == 1.0);
     assert_int_equal(whirl_case_set(object, "omega=6000 rpm").code, WHIRL_OK);
@@ -112,6 +117,22 @@ static void parameters_are_set(void **state) {
     assert_true(value_of(object, "twice") == 1.0); // what was set before stays
     assert_int_equal(whirl_case_set(object, "kappa = 3 ").code, WHIRL_OK);
     assert_true(value_of(object, "kappa") == 3.0);
+    whirl_case_free(object);
+}
+
+// A plain number is in the SI unit of what it replaces, and results say so.
+static void set_numbers_keep_their_unit(void **state) {
+    (void)state;
+    whirl_case *object = parse_good(good_case);
+    whirl_result *result = calloc(1, sizeof *result);
+    assert_non_null(result);
+    assert_int_equal(whirl_case_set(object, "omega=2").code, WHIRL_OK);
+    assert_int_equal(whirl_case_describe_result(object, result).code, WHIRL_OK);
+    assert_string_equal(result->parameters[0].name, "omega");
+    assert_string_equal(result->parameters[0].unit, "rad/s");
+    assert_true(result->parameters[0].value == 2.0);
+    assert_string_equal(result->parameters[1].unit, "1");
+    whirl_result_free(result);
     whirl_case_free(object);
 }
 
@@ -137,6 +158,9 @@ static void wrong_settings_leave_the_case_as_it_was(void **state) {
     expect_refused("omega=50 Hz", "omega: is in Hz, expected a unit of rad/s, such as rpm (1 Hz = 60 rpm)");
     expect_refused("omega=-5", "t.yaml:8:10: rotor.speed: = omega is -5 rad/s, expected a number above 0 rad/s");
     expect_refused("kappa=\xFF", "the value of kappa is not text in UTF-8");
+    expect_refused("kappa=3",
+                   "the study sweeps kappa from 1 to 20, so that setting it changes nothing; change sweep in "
+                   "the case, or write response: {} in its place");
     expect_refused("kappa== kappa+1", "kappa: depends on itself: kappa -> kappa");
 }
 
@@ -368,6 +392,7 @@ int main(void) {
         cmocka_unit_test(expressions_are_in_si),
         cmocka_unit_test(rotors_follow_the_parameters),
         cmocka_unit_test(parameters_are_set),
+        cmocka_unit_test(set_numbers_keep_their_unit),
         cmocka_unit_test(wrong_settings_leave_the_case_as_it_was),
         cmocka_unit_test(sweeps_are_equally_spaced),
         cmocka_unit_test(swept_values_have_the_parameter_s_unit),

@@ -55,6 +55,12 @@ static void assert_holds(const char *path, const char *part) {
     free(text);
 }
 
+static void assert_lacks(const char *path, const char *part) {
+    char *text = contents(path);
+    if (strstr(text, part)) fail_msg("'%s' is in %s", part, path);
+    free(text);
+}
+
 static bool is_png(const char *path) {
     unsigned char first[8] = {0};
     FILE *stream = fopen(path, "r");
@@ -111,7 +117,68 @@ static void everything_is_written(void **state) {
     assert_holds("out/report.html", "P-1 &lt;b&gt;");
     assert_holds("out/report.html", "What was not reproduced");
     assert_holds("out/report.html", "1 of 2 claims is met in full by no result");
-    assert_holds("out/report.html", "18.2 % of 11 points"); // 2 of 11 are chaotic
+    assert_holds("out/report.html", "chaotic at 18.2 % of 11 points"); // 2 of 11
+    whirl_result_free(result);
+}
+
+/// The disc reaches a stator at 1.2, the journal none: where that is drawn and written, and where it is not.
+static void gaps_are_shown_where_they_are(void **state) {
+    (void)state;
+    whirl_result *result = sample_result();
+    const whirl_report_options options = {.gnuplot = "no-such-gnuplot"};
+    assert_int_equal(report_one(result, "made", &options).code, WHIRL_MISSING_PROGRAM);
+    assert_holds("out/made/bifurcation-disc.gp", "set label 3 'gap'");
+    assert_holds("out/made/bifurcation-disc.gp", "plot 1.2 with lines");
+    assert_lacks("out/made/bifurcation-journal.gp", "'gap'");
+    assert_holds("out/report.html", "disc (stator at 1.2 c)");
+    assert_holds("out/report.html", "radius / gap");
+    const double *radius = whirl_table_field(&result->tables[1], 0, "orbit/max_radius", 0);
+    char ratio[32];
+    snprintf(ratio, sizeof ratio, ">%.4f<", *radius / 1.2);
+    assert_holds("out/report.html", ratio);
+    for (size_t s = 0; s < 2; s++) result->stations[s].gap = 0.0;
+    assert_int_equal(report_one(result, "made", &options).code, WHIRL_MISSING_PROGRAM);
+    assert_lacks("out/made/bifurcation-disc.gp", "'gap'");
+    assert_lacks("out/report.html", "radius / gap");
+    whirl_result_free(result);
+}
+
+/// Stators that the orbit comes near to, that it is far from, and around it.
+static void stators_near_the_orbit_are_drawn(void **state) {
+    (void)state;
+    whirl_result *result = sample_result();
+    const whirl_report_options options = {.gnuplot = "no-such-gnuplot"};
+    const double reach = *whirl_table_field(&result->tables[1], 0, "orbit/max_radius", 0);
+    static const struct {
+        double share;
+        bool shown;
+    } gaps[] = {{1.0, true}, {0.95, true}, {1.05, true}, {30.0, false}};
+    for (size_t i = 0; i < sizeof gaps / sizeof *gaps; i++) {
+        result->stations[0].gap = gaps[i].share * reach;
+        assert_int_equal(report_one(result, "made", &options).code, WHIRL_MISSING_PROGRAM);
+        if (gaps[i].shown)
+            assert_holds("out/made/r_k-0.6-disc.gp", "dashed: stator");
+        else
+            assert_lacks("out/made/r_k-0.6-disc.gp", "dashed: stator");
+    }
+    whirl_result_free(result);
+}
+
+/// A run that was stopped after four points of the sweep.
+static void partial_results_say_so(void **state) {
+    (void)state;
+    whirl_result *result = sample_result();
+    whirl_table *sweep = &result->tables[0];
+    const whirl_report_options options = {.gnuplot = "no-such-gnuplot"};
+    sweep->done = sample_take(sweep->count, 1);
+    memset(sweep->done, 1, 4);
+    for (size_t i = 4 * sweep->layout.size; i < sweep->count * sweep->layout.size; i++) sweep->blocks[i] = (double)NAN;
+    result->tables[1].done = sample_take(2, 1);
+    assert_int_equal(report_one(result, "made", &options).code, WHIRL_MISSING_PROGRAM);
+    assert_holds("out/report.html", "when 4 of 13 points were done");
+    assert_holds("out/report.html", "1 to 0.7</td>");
+    assert_lacks("out/made/bifurcation-disc.gp", "undetermined'");
+    assert_int_equal(size_of("out/made/r_k-0.6-disc.gp"), -1);
     whirl_result_free(result);
 }
 
@@ -223,6 +290,9 @@ static void results_of_one_name_keep_apart(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(everything_is_written, enter_folder, leave_folder),
+        cmocka_unit_test_setup_teardown(gaps_are_shown_where_they_are, enter_folder, leave_folder),
+        cmocka_unit_test_setup_teardown(stators_near_the_orbit_are_drawn, enter_folder, leave_folder),
+        cmocka_unit_test_setup_teardown(partial_results_say_so, enter_folder, leave_folder),
         cmocka_unit_test_setup_teardown(figures_can_be_drawn_again, enter_folder, leave_folder),
         cmocka_unit_test_setup_teardown(hostile_names_do_nothing, enter_folder, leave_folder),
         cmocka_unit_test_setup_teardown(missing_gnuplot_leaves_scripts_and_page, enter_folder, leave_folder),

@@ -17,6 +17,7 @@
 #include "figures.h"
 #include "gnuplot.h"
 #include "html.h"
+#include "quantities.h"
 #include "regimes.h"
 #include "report_file.h"
 #include "sample.h"
@@ -161,6 +162,28 @@ static void axes_never_shrink_to_noise(void **state) {
     assert_true(tic_step(0.0, 5) == 1.0);
 }
 
+static void errors_are_shown_with_two_digits(void **state) {
+    (void)state;
+    static const struct {
+        double value, error;
+        const char *shown;
+    } cases[] = {{-0.164912, 4.9e-4, "-0.1649 +- 0.0005"},
+                 {-0.165003, 3.4e-9, "-0.1650 +- 0.0001"},
+                 {0.4531249, 0.00731, "0.4531 +- 0.0073"},
+                 {1.23456, 0.0273, "1.235 +- 0.027"},
+                 {-2.8e-5, 8e-4, "0.0000 +- 0.0008"},
+                 {0.05, 0.0, "0.0500 +- 0.0001"},
+                 {123.4, 31.2, "123 +- 31"},
+                 {0.2, 0.0099999, "0.200 +- 0.010"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char text[64];
+        const shown_estimate shown = estimate_shown((whirl_estimate){cases[i].value, cases[i].error});
+        snprintf(text, sizeof text, "%.*f +- %.*f", shown.decimals, shown.value, shown.decimals, shown.error);
+        assert_string_equal(text, cases[i].shown);
+    }
+    assert_true(isnan(estimate_shown((whirl_estimate){(double)NAN, (double)NAN}).value));
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(html_is_escaped),
@@ -169,6 +192,7 @@ int main(void) {
         cmocka_unit_test(failing_files_say_so),
         cmocka_unit_test(folders_are_made_with_those_above),
         cmocka_unit_test(neighbouring_points_of_a_regime_merge),
+        cmocka_unit_test(errors_are_shown_with_two_digits),
         cmocka_unit_test(axes_never_shrink_to_noise),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -4,6 +4,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -149,14 +150,170 @@ static void test_progress_ends_complete(void **state) {
     whirl_result_free(result);
 }
 
-static void test_a_stop_leaves_no_result(void **state) {
+static void test_a_stop_leaves_what_is_done(void **state) {
     double values[POINTS];
     const whirl_study s = study(values, WHIRL_CARRY_NONE);
     const volatile bool stop = true;
-    whirl_result *result;
+    whirl_result *result, *whole = run(&s, 1);
+    size_t done, total;
     (void)state;
-    assert_int_equal(whirl_study_run(&s, &(whirl_run_options){.stop = &stop}, &result).code, WHIRL_STOPPED);
-    assert_null(result);
+    const whirl_status status = whirl_study_run(&s, &(whirl_run_options){.threads = 1, .stop = &stop}, &result);
+    assert_int_equal(status.code, WHIRL_STOPPED);
+    assert_non_null(result);
+    assert_true(whirl_result_partial(result, &done, &total));
+    assert_true(done >= 1 && done < POINTS && total == POINTS);
+    char sentence[80];
+    snprintf(sentence, sizeof sentence, "stopped after %zu of %d points", done, POINTS);
+    assert_string_equal(status.message, sentence);
+    assert_false(whirl_result_partial(whole, &done, &total));
+    const whirl_table *part = result->tables, *all = whole->tables;
+    const size_t size = part->layout.size;
+    for (size_t i = 0; i < POINTS; i++) {
+        if (whirl_table_done(part, i))
+            assert_memory_equal(part->blocks + i * size, all->blocks + i * size, size * sizeof(double));
+        else
+            for (size_t k = 0; k < size; k++) assert_true(isnan(part->blocks[i * size + k]));
+    }
+    whirl_result_free(result);
+    whirl_result_free(whole);
+}
+
+// ---------------------------------------------------------------- keepers
+
+enum { MOST_SLOTS = 2 * POINTS, BLOCK = 512 };
+
+/// Keeps points in memory; `limit` is how many it takes before it fails.
+typedef struct memory_keeper {
+    int kept, recalled, limit;
+    bool known[MOST_SLOTS];
+    double blocks[MOST_SLOTS][BLOCK], ends[MOST_SLOTS];
+} memory_keeper;
+
+static whirl_status keep(void *context, size_t batch, size_t slot, const double *block, size_t size, const double *end,
+                         size_t dimension) {
+    memory_keeper *memory = context;
+    assert_true(batch == 0 && slot < MOST_SLOTS && size <= BLOCK && dimension == 1 && !memory->known[slot]);
+    if (memory->kept == memory->limit) return whirl_fail(WHIRL_IO_ERROR, "there is no room");
+    memcpy(memory->blocks[slot], block, size * sizeof *block);
+    memory->ends[slot] = *end;
+    memory->known[slot] = true;
+    memory->kept++;
+    return whirl_ok();
+}
+
+static bool recall(void *context, size_t batch, size_t slot, double *block, size_t size, double *end,
+                   size_t dimension) {
+    memory_keeper *memory = context;
+    assert_true(batch == 0 && slot < MOST_SLOTS && dimension == 1);
+    if (!memory->known[slot]) return false;
+    memcpy(block, memory->blocks[slot], size * sizeof *block);
+    *end = memory->ends[slot];
+    memory->recalled++;
+    return true;
+}
+
+static memory_keeper *keeper_new(void) {
+    memory_keeper *memory = calloc(1, sizeof *memory);
+    assert_non_null(memory);
+    memory->limit = -1;
+    return memory;
+}
+
+static whirl_result *run_kept(const whirl_study *s, memory_keeper *memory, whirl_code expected) {
+    const whirl_keeper keeper = {.keep = keep, .recall = recall, .context = memory};
+    whirl_result *result;
+    memory->kept = memory->recalled = 0;
+    assert_int_equal(whirl_study_run(s, &(whirl_run_options){.threads = 2, .keeper = &keeper}, &result).code, expected);
+    return result;
+}
+
+static void expect_same_blocks(const whirl_result *a, const whirl_result *b) {
+    const whirl_table *one = a->tables, *other = b->tables;
+    assert_int_equal(one->count, other->count);
+    assert_memory_equal(one->blocks, other->blocks, one->count * one->layout.size * sizeof(double));
+}
+
+/// Whatever points are known, with gaps in carried branches too, the result is that of a run that knew none.
+static void test_recalled_points_change_no_bit(void **state) {
+    double values[POINTS];
+    (void)state;
+    for (int carry = WHIRL_CARRY_NONE; carry <= WHIRL_CARRY_BOTH; carry++) {
+        const whirl_study s = study(values, (whirl_carry)carry);
+        const int count = carry == WHIRL_CARRY_BOTH ? 2 * POINTS : POINTS;
+        whirl_result *whole = run(&s, 1);
+        memory_keeper *memory = keeper_new();
+        whirl_result_free(run_kept(&s, memory, WHIRL_OK));
+        assert_int_equal(memory->kept, count);
+        for (int step = 2; step <= 8; step *= 2) {
+            for (int i = 0; i < count; i++) memory->known[i] = memory->known[i] && i % step != 1 && i != 5;
+            int known = 0;
+            for (int i = 0; i < count; i++) known += memory->known[i];
+            whirl_result *resumed = run_kept(&s, memory, WHIRL_OK);
+            assert_int_equal(memory->recalled, known);
+            assert_int_equal(memory->kept, count - known);
+            expect_same_blocks(whole, resumed);
+            whirl_result_free(resumed);
+        }
+        whirl_result *recalled = run_kept(&s, memory, WHIRL_OK);
+        assert_true(memory->recalled == count && memory->kept == 0);
+        expect_same_blocks(whole, recalled);
+        whirl_result_free(recalled);
+        whirl_result_free(whole);
+        free(memory);
+    }
+}
+
+static void test_a_carried_branch_goes_on_after_a_divergence(void **state) {
+    double values[POINTS];
+    whirl_study s = study(values, WHIRL_CARRY_FORWARD);
+    (void)state;
+    // The start, 0.1, is within the limit; the rests beyond the fold are not, so that some points diverge.
+    s.batches[0].integrate.limit = 1.2;
+    whirl_result *whole = run(&s, 1);
+    memory_keeper *memory = keeper_new();
+    whirl_result_free(run_kept(&s, memory, WHIRL_OK));
+    int diverged = 0;
+    for (int i = 0; i < POINTS; i++) diverged += isnan(memory->ends[i]) != 0;
+    assert_true(diverged > 0 && diverged < POINTS);
+    for (int i = 1; i < POINTS; i += 2) memory->known[i] = false;
+    whirl_result *resumed = run_kept(&s, memory, WHIRL_OK);
+    expect_same_blocks(whole, resumed);
+    whirl_result_free(resumed);
+    whirl_result_free(whole);
+    free(memory);
+}
+
+static void test_a_keeper_that_fails_ends_the_run(void **state) {
+    double values[POINTS];
+    const whirl_study s = study(values, WHIRL_CARRY_NONE);
+    memory_keeper *memory = keeper_new();
+    (void)state;
+    memory->limit = 7;
+    assert_null(run_kept(&s, memory, WHIRL_IO_ERROR));
+    assert_int_equal(memory->kept, 7);
+    memory->limit = -1;
+    whirl_result *whole = run(&s, 1), *resumed = run_kept(&s, memory, WHIRL_OK);
+    assert_int_equal(memory->recalled, 7);
+    expect_same_blocks(whole, resumed);
+    whirl_result_free(resumed);
+    whirl_result_free(whole);
+    free(memory);
+}
+
+static void test_an_outline_has_all_but_the_points(void **state) {
+    double values[POINTS];
+    const whirl_study s = study(values, WHIRL_CARRY_BOTH);
+    whirl_result *whole = run(&s, 1), *outline;
+    (void)state;
+    assert_int_equal(whirl_study_outline(&s, &outline).code, WHIRL_OK);
+    const whirl_table *a = whole->tables, *b = outline->tables;
+    assert_true(outline->table_count == 1 && b->count == a->count && b->layout.size == a->layout.size);
+    assert_memory_equal(a->values, b->values, a->count * sizeof *a->values);
+    assert_memory_equal(a->branch, b->branch, a->count * sizeof *a->branch);
+    assert_null(b->blocks);
+    assert_null(whirl_table_field(b, 0, "poincare/section", 0));
+    whirl_result_free(outline);
+    whirl_result_free(whole);
 }
 
 static void test_empty_studies_are_refused(void **state) {
@@ -172,9 +329,16 @@ static void test_empty_studies_are_refused(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_points_start_alike),        cmocka_unit_test(test_carrying_shows_hysteresis),
-        cmocka_unit_test(test_threads_change_no_bit),     cmocka_unit_test(test_an_error_of_a_point_ends_the_run),
-        cmocka_unit_test(test_progress_ends_complete),    cmocka_unit_test(test_a_stop_leaves_no_result),
+        cmocka_unit_test(test_points_start_alike),
+        cmocka_unit_test(test_carrying_shows_hysteresis),
+        cmocka_unit_test(test_threads_change_no_bit),
+        cmocka_unit_test(test_an_error_of_a_point_ends_the_run),
+        cmocka_unit_test(test_progress_ends_complete),
+        cmocka_unit_test(test_a_stop_leaves_what_is_done),
+        cmocka_unit_test(test_recalled_points_change_no_bit),
+        cmocka_unit_test(test_a_carried_branch_goes_on_after_a_divergence),
+        cmocka_unit_test(test_a_keeper_that_fails_ends_the_run),
+        cmocka_unit_test(test_an_outline_has_all_but_the_points),
         cmocka_unit_test(test_empty_studies_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,4 +1,4 @@
-// The kernels' arctangent against the C library's in extended precision, over the whole range.
+// The kernels' elementary functions against the C library's in extended precision, over their whole range.
 #include <float.h>
 #include <math.h>
 #include <setjmp.h>
@@ -10,7 +10,7 @@
 #include <cmocka.h>
 
 #define VECTOR_ISA VECTOR_SCALAR
-#include "arctan.h"
+#include "elementary.h"
 
 static double uniform(uint64_t *seed) {
     *seed = *seed * 6364136223846793005u + 1442695040888963407u;
@@ -18,12 +18,26 @@ static double uniform(uint64_t *seed) {
 }
 
 /// Error in units in the last place of the true value, which 64-bit significands give to 1/1000 of one.
-static double error_in_ulps(double y, double x) {
-    const long double truth = atan2l((long double)y, (long double)x);
+static double error_in_ulps(double value, long double truth) {
     int exponent;
     frexpl(truth, &exponent);
     const long double ulp = ldexpl(1.0L, exponent - DBL_MANT_DIG);
-    return (double)fabsl(((long double)v_arctan_quotient(y, x) - truth) / ulp);
+    return (double)fabsl(((long double)value - truth) / ulp);
+}
+
+static void test_reciprocal_and_root(void **state) {
+    double worst_reciprocal = 0.0, worst_root = 0.0;
+    uint64_t seed = 11;
+    (void)state;
+    for (int i = 0; i < 4000000; i++) {
+        const double a = exp2((i % 2 ? 2.0 : 1900.0) * (uniform(&seed) - 0.5));
+        worst_reciprocal = fmax(worst_reciprocal, error_in_ulps(v_reciprocal(i % 3 ? a : -a), 1.0L / (i % 3 ? a : -a)));
+        worst_root = fmax(worst_root, error_in_ulps(v_inverse_root(a), 1.0L / sqrtl((long double)a)));
+    }
+    printf("largest errors: 1/a %.3f, 1/sqrt(a) %.3f units in the last place\n", worst_reciprocal, worst_root);
+    assert_true(worst_reciprocal < 1.5);
+    assert_true(worst_root < 1.5);
+    assert_true(isnan(v_inverse_root(0.0)) && isnan(v_inverse_root(-1.0)) && isnan(v_inverse_root(NAN)));
 }
 
 static void test_whole_range(void **state) {
@@ -34,7 +48,8 @@ static void test_whole_range(void **state) {
         // Quotients from 2^-60 to 2^60, dense about the borders tan(pi/8) and tan(3 pi/8).
         const double spread = i % 2 ? 4.0 : 120.0;
         const double x = exp2(spread * 0.5 * (uniform(&seed) - 0.5)), y = exp2(spread * 0.5 * (uniform(&seed) - 0.5));
-        worst = fmax(worst, error_in_ulps(i % 3 ? y : -y, x));
+        worst = fmax(worst, error_in_ulps(v_arctan_quotient(i % 3 ? y : -y, x),
+                                          atan2l((long double)(i % 3 ? y : -y), (long double)x)));
     }
     printf("largest error %.3f units in the last place\n", worst);
     assert_true(worst < 2.5);
@@ -52,6 +67,7 @@ static void test_special_values(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_whole_range), cmocka_unit_test(test_special_values)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_whole_range), cmocka_unit_test(test_special_values),
+                                       cmocka_unit_test(test_reciprocal_and_root)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,384 @@
+#!/usr/bin/env python3
+"""Runs whirl's kernels and their peers side by side on one core, then the whole diagram through the command; writes the
+table and the picture of docs/benchmarks.md.
+
+    bench/run.py BUILD [--docs FOLDER] [--rounds N] [--seconds S] [--core N] [--no-study]
+
+Every round runs every program once, in turn, so that a noisy machine is noisy for all; the best round of each counts.
+Speeds are by the processor time of the program; of the whole diagram the clock is told, too. A program that is not there is
+left out with a line that says so; one that ends in another state fails the run.
+"""
+import argparse
+import os
+import pathlib
+import re
+import resource
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+
+HERE = pathlib.Path(__file__).resolve().parent
+INSTRUCTION_SETS = ["avx512", "avx2", "simd128", "fma", "scalar"]
+X1 = 0.3457490150754  # of RK4 in 1024 steps after 20 revolutions: what all programs must find, to 1e-6
+BASE = "C -O3 -march=native -ffast-math"
+STEPS_OF_STUDY = 512 * 1200 * 1024
+CHAINS = {"ten": 10, "fifty": 50}
+
+
+def say(text):
+    print(text, flush=True)
+
+
+def first_line(*command):
+    try:
+        return subprocess.run(command, capture_output=True, text=True, check=True).stdout.splitlines()[0].strip()
+    except (OSError, subprocess.CalledProcessError, IndexError):
+        return "unknown"
+
+
+# ---------------------------------------------------------------- what there is to run
+
+
+class Program:
+    def __init__(self, title, command, isa=None, once=False):
+        self.title, self.command, self.isa, self.once = title, command, isa, once
+
+
+def debian_python():
+    """A Python that has Numba: the one that runs this, or Debian's."""
+    for python in (sys.executable, "/usr/bin/python3"):
+        if python and subprocess.run([python, "-c", "import numba"], capture_output=True).returncode == 0:
+            return python
+    return None
+
+
+def programs(build):
+    folder, found = build / "bench", []
+
+    def add(title, name, *arguments, isa=None):
+        if (folder / name).exists():
+            found.append(Program(title, [str(folder / name), "SECONDS", *arguments], isa))
+        else:
+            say(f"left out: {title} ({name} was not built: its library or compiler is not installed)")
+
+    for isa in INSTRUCTION_SETS:
+        add(f"whirl {isa}", "bench_whirl", "bare", "watched", "ten", "fifty", isa=isa)
+    add("whirl integrator", "bench_whirl", "integrator")
+    add("C -O3", "bench_c")
+    add(BASE, "bench_c_fast")
+    add("C vectorised", "bench_c_vectorised")
+    add("C vectorised, own arctangent", "bench_c_vectorised_own")
+    add("GSL", "bench_gsl")
+    add("SUNDIALS ARKODE", "bench_arkode")
+    add("Boost.odeint", "bench_odeint")
+    python, octave = debian_python(), shutil.which("octave-cli")
+    if python:
+        found.append(Program("Numba", [python, str(HERE / "numba_peer.py"), "SECONDS"]))
+    else:
+        say("left out: Numba (no Python here can import it)")
+    if octave:
+        for script in ("octave_vectorised.m", "octave_script.m"):
+            found.append(Program(script, [octave, "--norc", "--no-history", "--quiet", str(HERE / script)], once=True))
+    else:
+        say("left out: Octave (octave-cli is not installed)")
+    return found
+
+
+# ---------------------------------------------------------------- measurements
+
+
+def on_cores(cores, command):
+    return ["taskset", "-c", cores, *command] if shutil.which("taskset") else command
+
+
+def run_program(program, seconds, core):
+    """Lines (name, steps a second, x1) of one program; None where the processor lacks the instruction set."""
+    command = [str(seconds) if word == "SECONDS" else word for word in program.command]
+    environment = dict(os.environ, **({"WHIRL_ISA": program.isa} if program.isa else {}))
+    done = subprocess.run(on_cores(core, command), capture_output=True, text=True, env=environment)
+    if done.returncode != 0 and "WHIRL_ISA" in done.stderr:
+        return None
+    if done.returncode != 0:
+        sys.exit(f"bench: {program.title} failed: {done.stderr.strip()}")
+    rows = [line.split("\t") for line in done.stdout.splitlines() if line.count("\t") == 2]
+    return [(name, float(rate), float(x1)) for name, rate, x1 in rows]
+
+
+def measure(found, options):
+    """Best steps a second of every name."""
+    best, ends, absent = {}, {}, set()
+    for number in range(options.rounds):
+        say(f"round {number + 1} of {options.rounds}, load {os.getloadavg()[0]:.2f}")
+        for program in found:
+            if program.title in absent or (program.once and number > 0):
+                continue
+            rows = run_program(program, options.seconds, options.core)
+            if rows is None:
+                say(f"left out: {program.title} (not on this processor)")
+                absent.add(program.title)
+                continue
+            for name, rate, x1 in rows:
+                best[name], ends[name] = max(rate, best.get(name, 0.0)), x1
+    strangers = [n for n in ends if n.split()[-1] not in CHAINS and not abs(ends[n] - X1) < 1e-6]
+    for name in strangers:
+        say(f"bench: {name} ends at x1 = {ends[name]:.13f} after 20 revolutions, expected {X1}")
+    if strangers:
+        sys.exit(1)
+    return best
+
+
+def processor_seconds_of_children():
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
+def study(options, case, threads):
+    """Seconds of `whirl run` by the clock, and of the processor."""
+    with tempfile.TemporaryDirectory() as folder:
+        command = [str(options.build / "whirl"), "run", str(case), "-q", f"--threads={threads}", "-o",
+                   os.path.join(folder, "t1.h5")]
+        cores = options.core if threads == 1 else ",".join(str(c) for c in sorted(os.sched_getaffinity(0)))
+        start, used = time.monotonic(), processor_seconds_of_children()
+        subprocess.run(on_cores(cores, command), check=True)
+        return time.monotonic() - start, processor_seconds_of_children() - used
+
+
+def measure_studies(options):
+    """Least seconds (clock, processor) of the whole diagram, by what was asked of the command."""
+    case = HERE / "t1.yaml"
+    kinds = {"all analyses, 1 thread": (True, 1), "without exponents and verdicts, 1 thread": (False, 1)}
+    if len(os.sched_getaffinity(0)) > 1:
+        kinds["all analyses, 2 threads"] = (True, 2)
+    best = {}
+    with tempfile.NamedTemporaryFile("w", suffix=".yaml") as plain:
+        plain.write(re.sub(r"analyze:.*", "analyze: [poincare, spectrum, orbit, rub]", case.read_text()))
+        plain.flush()
+        for number in range(options.study_rounds):
+            say(f"the whole diagram, round {number + 1} of {options.study_rounds}, load {os.getloadavg()[0]:.2f}")
+            for kind, (full, threads) in kinds.items():
+                spent = study(options, case if full else plain.name, threads)
+                best[kind] = tuple(map(min, spent, best.get(kind, spent)))
+    return best
+
+
+# ---------------------------------------------------------------- what is said of it
+
+
+def machine():
+    text = subprocess.run(["lscpu"], capture_output=True, text=True, env=dict(os.environ, LC_ALL="C")).stdout
+    field = dict(re.findall(r"^([^:]+):\s+(.*)$", text, re.M))
+    lines = [f"{field.get('Model name', 'unknown processor')} (family {field.get('CPU family', '?')}, "
+             f"model {field.get('Model', '?')}), {os.cpu_count()} cores"]
+    if "Hypervisor vendor" in field:
+        lines[0] += f", a virtual machine under {field['Hypervisor vendor']}"
+    return lines[0]
+
+
+def compilers(build):
+    """As CMake found them, "GNU 12.2.0"; C and C++ are mostly one."""
+    found = []
+    for language in ("C", "CXX"):
+        for path in build.glob(f"CMakeFiles/*/CMake{language}Compiler.cmake"):
+            text = path.read_text()
+            found.append(" ".join(re.search(rf'CMAKE_{language}_COMPILER_{what} "(.*)"', text)[1]
+                                  for what in ("ID", "VERSION")))
+    return list(dict.fromkeys(found))
+
+
+def versions():
+    """Of the peers' libraries, where pkg-config or the program knows."""
+    found = [f"glibc {os.confstr('CS_GNU_LIBC_VERSION').split()[-1]}"]
+    for name, module in (("GSL", "gsl"),):
+        version = first_line("pkg-config", "--modversion", module)
+        if version != "unknown":
+            found.append(f"{name} {version}")
+    for package, name in (("libsundials-dev", "SUNDIALS"), ("libboost-dev", "Boost"), ("python3-numba", "Numba"),
+                          ("octave", "Octave")):
+        version = first_line("dpkg-query", "-W", "-f", "${Version}\\n", package)
+        if version != "unknown":
+            found.append(f"{name} {version.split('+')[0].split('-')[0]}")
+    return ", ".join(found)
+
+
+def short(value):
+    """Three digits: 4.93e7, 13,800, 1.18."""
+    if 1000 <= value < 1e5:
+        return f"{float(f'{value:.3g}'):,.0f}"
+    return f"{value:.3g}".replace("e+0", "e").replace("e+", "e")
+
+
+def ratio(a, b):
+    return short(a / b) if b else "-"
+
+
+def speed_table(best):
+    base, plain = best.get(BASE), best.get("C -O3")
+    lines = ["| program | steps/s a core | of C, -O3 -march=native -ffast-math | of C, -O3 | whole diagram |",
+             "|---|---:|---:|---:|---:|"]
+    for name, rate in sorted(best.items(), key=lambda item: -item[1]):
+        if name.split()[-1] in CHAINS:
+            continue
+        whole = STEPS_OF_STUDY / rate
+        whole = f"{whole:.3g} s" if whole < 600 else f"{whole / 60:.3g} min" if whole < 36000 else f"{whole / 3600:.3g} h"
+        lines.append(f"| {name} | {short(rate)} | {ratio(rate, base)} | {ratio(rate, plain)} | {whole} |")
+    return lines
+
+
+def station_table(best):
+    lines = ["| kernel | 2 stations, steps/s | 10 stations, steps/s x stations | 50 stations, steps/s x stations |",
+             "|---|---:|---:|---:|"]
+    for isa in INSTRUCTION_SETS:
+        two = best.get(f"whirl {isa} bare")
+        if not two:
+            continue
+        cells = [f"{short(best[f'whirl {isa} {kind}'] * n)} ({best[f'whirl {isa} {kind}'] * n / (2 * two):.2f})"
+                 for kind, n in CHAINS.items()]
+        lines.append(f"| {isa} | {short(two)} | {' | '.join(cells)} |")
+    return lines
+
+
+def study_table(best, studies):
+    widest = next(best[f"whirl {isa} bare"] for isa in INSTRUCTION_SETS if f"whirl {isa} bare" in best)
+    bare = STEPS_OF_STUDY / widest
+    lines = ["| the whole diagram, 629 million steps | seconds by the clock | of the processor | of the bare kernel |",
+             "|---|---:|---:|---:|", f"| the bare kernel, from its speed above | | {bare:.3g} | 1 |"]
+    lines += [f"| `whirl run`, {kind} | {clock:.3g} | {used:.3g} | {used / bare:.2f} |"
+              for kind, (clock, used) in studies.items()]
+    one, two = studies.get("all analyses, 1 thread"), studies.get("all analyses, 2 threads")
+    if two:
+        lines += ["", f"Two threads are {one[0] / two[0]:.2f} times as fast as one by the clock, which counts on an idle "
+                  f"machine only (see the load above). Their processor time differs from that of one thread by "
+                  f"{100 * (two[1] / one[1] - 1):.1f} percent."]
+    return lines
+
+
+def key_ratios(best):
+    """The sentences that the tables are made for."""
+    widest = next(isa for isa in INSTRUCTION_SETS if f"whirl {isa} bare" in best)
+    bare, watched = best[f"whirl {widest} bare"], best[f"whirl {widest} watched"]
+    vectorised = max((rate for name, rate in best.items() if name.startswith("C vectorised")), default=None)
+    rows = [("straightforward C (-O3 -march=native -ffast-math)", best.get(BASE)),
+            ("straightforward C (the faster of both builds)", max(best.get(BASE, 0), best.get("C -O3", 0)) or None),
+            ("the best loop that the compiler vectorised", vectorised), ("the Octave script", best.get("Octave script"))]
+    lines = [f"The {widest} kernel takes {short(bare)} steps a second bare and {short(watched)} watched: what is gathered while "
+             f"a motion is recorded (bounds, contacts, 64 samples a revolution) costs {100 * (bare / watched - 1):.0f} "
+             "percent while it is gathered. Times as fast as:", ""]
+    lines += [f"- {name}: {short(bare / rate)} bare, {short(watched / rate)} watched" for name, rate in rows if rate]
+    return lines
+
+
+TEXT = """# Benchmarks
+
+How fast whirl's kernels are, beside other programs that do the same: the rotor of the 2015 paper (printed signs,
+Sf = 0.0045, G = 0.115976), from rest at y = -0.1, double precision, RK4 in 1024 steps a revolution. A *step* is one step
+of one machine. `make bench` measures it anew and writes this page.
+
+All ran in one go on one core, in {rounds} alternating rounds of {seconds:g} s, of which the best counts; by processor time.
+Every program proved first that it does the same: x1 after 20 revolutions at r_k = 0.6 agrees to 1e-6 with 0.3457490150754.
+
+- Processor: {machine}
+- Compilers: {compilers}
+- Libraries: {versions}
+- Load average, before and after: {before:.2f}, {after:.2f}
+
+![Steps a second](images/benchmarks.png)
+
+{ratios}
+
+{speed}
+
+- *whirl ISA bare*: `whirl_ensemble_revolve`, the kernel alone; *watched*: with bounds, contact statistics and waveform
+  samples, as the command does while it records. The rotor comes from a list of elements at run time.
+  `scalar`, `fma`: one lane; `simd128`: two, with no fused multiply-add; `avx2`: four; `avx512`: eight.
+- *whirl integrator*: `whirl_integrator_revolve`, a single machine through the general right-hand side.
+- *C*: the equations as the paper prints them (`bench/straightforward.c`), one machine, two sets of flags. The vectorised
+  loop (`bench/vectorised.c`) has no branch, one arctangent, tabulated cosines, 64 machines side by side and RK4 in
+  Nystrom's form; 512-bit vectors where the processor has them; also -march=native -ffast-math.
+- *GSL, ARKODE, Boost.odeint, Numba*: one machine, with the angle of the film eliminated. GSL's rk4 takes every step whole and as two
+  halves; its halves are counted. ARKODE's table has a fifth stage (see `bench/arkode.c`). *simd* is Boost.odeint over
+  `std::experimental::simd`.
+- *Octave*: 20 revolutions of one machine, and of 512 side by side; the whole diagram by extrapolation.
+
+## More stations
+
+Chains of equal discs, a film at both ends, one rub in the middle; every shaft, disc and film from the list. In brackets: as a
+share of what two stations reach, 2 x steps/s.
+
+{stations}
+"""
+
+STUDY = """
+## The whole diagram
+
+`bench/t1.yaml`: 512 values of r_k, 1100 revolutions of transient and 100 recorded, from case file to result file; the best
+of {rounds} rounds. With exponents, a disturbance is followed over 650 of the 1200 revolutions in a lane of its own: 1.54 times
+the steps.
+
+{study}
+"""
+
+
+def picture(best, path):
+    """Horizontal bars by gnuplot, fastest on top."""
+    rows = sorted((rate, name) for name, rate in best.items() if name.split()[-1] not in CHAINS)
+    data = "\n".join(f'"{name}" {rate:.6g} {i} {1 if name.startswith("whirl") else 2} "{short(rate)}"'
+                     for i, (rate, name) in enumerate(rows))
+    script = f"""
+set terminal pngcairo size 1000,{120 + 26 * len(rows)} font "sans,11"
+set output "{path}"
+$rows << EOD
+{data}
+EOD
+set logscale x
+set format x "10^{{%T}}"
+set xrange [1e3:3e8]
+set yrange [-0.7:{len(rows) - 0.3}]
+set xlabel "steps of RK4 a second, one core"
+set title "The rotor of the 2015 paper, 1024 steps a revolution"
+set grid x
+set style fill solid
+unset key
+plot $rows using (1e3):3:(1e3):2:($3-0.35):($3+0.35):($4==1 ? 0x2b6cb0 : 0xa0aec0):ytic(1) with boxxyerror lc rgb variable, \\
+     $rows using 2:3:(" ".strcol(5)) with labels left font "sans,9"
+"""
+    subprocess.run(["gnuplot"], input=script, text=True, check=True)
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description="whirl's kernels and their peers, side by side")
+    parser.add_argument("build", type=pathlib.Path)
+    parser.add_argument("--docs", type=pathlib.Path, help="write benchmarks.md and images/benchmarks.png there")
+    parser.add_argument("--rounds", type=int, default=7)
+    parser.add_argument("--study-rounds", type=int, default=2)
+    parser.add_argument("--seconds", type=float, default=0.3, help="of every measurement")
+    parser.add_argument("--core", default=str(max(os.sched_getaffinity(0))))
+    parser.add_argument("--no-study", action="store_true", help="leave out the whole diagram")
+    return parser.parse_args()
+
+
+def main():
+    options = arguments()
+    options.build = options.build.resolve()
+    say(f"{machine()}; {'; '.join(compilers(options.build))}")
+    before = os.getloadavg()[0]
+    best = measure(programs(options.build), options)
+    studies = {} if options.no_study else measure_studies(options)
+    page = TEXT.format(rounds=options.rounds, seconds=options.seconds, machine=machine(), versions=versions(),
+                       compilers=", ".join(compilers(options.build)), before=before, after=os.getloadavg()[0],
+                       ratios="\n".join(key_ratios(best)), speed="\n".join(speed_table(best)),
+                       stations="\n".join(station_table(best)))
+    if studies:
+        page += STUDY.format(rounds=options.study_rounds, study="\n".join(study_table(best, studies)))
+    say(page)
+    if options.docs:
+        (options.docs / "images").mkdir(parents=True, exist_ok=True)
+        (options.docs / "benchmarks.md").write_text(page)
+        if shutil.which("gnuplot"):
+            picture(best, options.docs / "images" / "benchmarks.png")
+        else:
+            say("left out: the picture (gnuplot is not installed)")
+
+
+main()

@@ -1,0 +1,172 @@
+#include "identity.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "build.h"
+#include "crc32c.h"
+#include "isa.h"
+
+enum { NUMBER_SIZE = 40, SHOWN = 90 };
+
+// ---------------------------------------------------------------- writing
+
+// The shortest text that gives the same double back.
+static const char *exact(double value, char text[NUMBER_SIZE]) {
+    for (int digits = 15; digits <= 17; ++digits) {
+        snprintf(text, NUMBER_SIZE, "%.*g", digits, value);
+        if (strtod(text, NULL) == value || isnan(value)) break;
+    }
+    return text;
+}
+
+static void put_case(FILE *out, const char *text) {
+    for (int line = 1; *text; ++line) {
+        const size_t length = strcspn(text, "\n");
+        fprintf(out, "line %d of the case\t%.*s\n", line, (int)length, text);
+        text += length + (text[length] == '\n');
+    }
+}
+
+static void put_parameters(FILE *out, const whirl_result *outline) {
+    char number[NUMBER_SIZE];
+    for (size_t i = 0; i < outline->parameter_count; ++i) {
+        const whirl_parameter *one = &outline->parameters[i];
+        fprintf(out, "parameter %s\t%s%s%s\n", one->name, exact(one->value, number),
+                strcmp(one->unit, "1") == 0 ? "" : " ", strcmp(one->unit, "1") == 0 ? "" : one->unit);
+    }
+}
+
+static void put_points(FILE *out, const whirl_table *table) {
+    char first[NUMBER_SIZE], last[NUMBER_SIZE];
+    uint32_t sum = 0;
+    for (size_t i = 0; i < table->count; ++i) {
+        char both[NUMBER_SIZE + 8];
+        const int length = snprintf(both, sizeof both, "%a %d;", table->values[i], table->branch[i]);
+        sum = crc32c(sum, both, (size_t)length);
+    }
+    fprintf(out, "points of the %s\t%zu", table->name, table->count);
+    if (table->parameter[0] && table->count > 0)
+        fprintf(out, ", %s from %s to %s (%08x)", table->parameter, exact(table->values[0], first),
+                exact(table->values[table->count - 1], last), (unsigned)sum);
+    fputc('\n', out);
+}
+
+static void put_integration(FILE *out, const whirl_table *table) {
+    const whirl_integrate_options *how = &table->integrate;
+    char rtol[NUMBER_SIZE], atol[NUMBER_SIZE], limit[NUMBER_SIZE];
+    fprintf(out, "integration of the %s\t%s, %d steps a revolution, tolerances %s and %s, limit %s\n", table->name,
+            how->method, how->steps_per_revolution, exact(how->rtol, rtol), exact(how->atol, atol),
+            exact(how->limit, limit));
+}
+
+static void put_record(FILE *out, const whirl_table *table) {
+    const whirl_record_options *record = &table->record;
+    char order[NUMBER_SIZE];
+    fprintf(out,
+            "record of the %s\ttransient %d, record %d, watch %d, settle %d, waveform %d of %d samples, orders to %s, "
+            "spectra %d, waveforms %d, growth %d, analyses %x\n",
+            table->name, record->transient, record->record, record->watch, record->settle, record->waveform_revolutions,
+            record->samples_per_revolution, exact(record->highest_order, order), record->spectra, record->waveform,
+            record->growth, table->analyses);
+}
+
+static void put_fields(FILE *out, const whirl_table *table) {
+    for (size_t i = 0; i < table->layout.field_count; ++i) {
+        const whirl_field *field = &table->layout.fields[i];
+        fprintf(out, "numbers of %s in the %s\t%zu x %zu x %zu\n", field->name, table->name, field->repeat, field->rows,
+                field->columns);
+    }
+}
+
+// Points are the same on all processors that fuse multiplications and additions, and on all that do not.
+static whirl_status put_build(FILE *out) {
+    const isa *chosen;
+    const whirl_status status = isa_choose(&chosen);
+    for (const build_fact *fact = build_facts(); fact->name; ++fact)
+        if (strcmp(fact->name, "version") == 0 || strcmp(fact->name, "revision") == 0)
+            fprintf(out, "%s of whirl\t%s\n", fact->name, fact->value);
+    if (status.code == WHIRL_OK)
+        fprintf(out, "arithmetic\t%s\n", chosen->fused ? "fused multiply-add" : "without fused multiply-add");
+    return status;
+}
+
+whirl_status identity_text(const whirl_result *outline, bool build, char **text, size_t *size) {
+    whirl_status status = whirl_ok();
+    *text = NULL;
+    FILE *out = open_memstream(text, size);
+    if (!out) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the text of a case");
+    put_case(out, outline->case_text ? outline->case_text : "");
+    put_parameters(out, outline);
+    for (size_t i = 0; i < outline->station_count; ++i)
+        fprintf(out, "station %zu\t%s\n", i + 1, outline->stations[i].name);
+    for (size_t i = 0; i < outline->table_count; ++i) {
+        put_points(out, &outline->tables[i]);
+        put_integration(out, &outline->tables[i]);
+        put_record(out, &outline->tables[i]);
+        put_fields(out, &outline->tables[i]);
+    }
+    if (build) status = put_build(out);
+    const bool well = !ferror(out);
+    if (fclose(out) != 0 || !well) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the text of a case");
+    if (status.code == WHIRL_OK) return status;
+    free(*text);
+    *text = NULL;
+    return status;
+}
+
+// ---------------------------------------------------------------- comparing
+
+// A line: its label and its value, which ends before the line's end.
+typedef struct entry {
+    const char *label, *value;
+    int label_length, value_length;
+} entry;
+
+static entry entry_at(const char *line) {
+    const int length = (int)strcspn(line, "\n"), label = (int)strcspn(line, "\t\n");
+    const int value = label < length ? label + 1 : length;
+    return (entry){line, line + value, label, length - value};
+}
+
+static bool same_label(entry a, entry b) {
+    return a.label_length == b.label_length && memcmp(a.label, b.label, (size_t)a.label_length) == 0;
+}
+
+// Whether a text has a line of that label.
+static bool has_label(const char *text, entry wanted) {
+    while (*text) {
+        const entry here = entry_at(text);
+        if (same_label(here, wanted)) return true;
+        text = here.value + here.value_length;
+        text += *text == '\n';
+    }
+    return false;
+}
+
+// Shortens a value for a sentence, not within a letter of UTF-8.
+static int shown(entry one) {
+    int length = one.value_length < SHOWN ? one.value_length : SHOWN;
+    while (length > 0 && length < one.value_length && ((unsigned char)one.value[length] & 0xc0u) == 0x80u) --length;
+    return length;
+}
+
+bool identity_difference(const char *earlier, const char *later, char *difference, size_t size) {
+    const char *a = earlier, *b = later;
+    // To the beginning of the first line that differs.
+    for (size_t i = 0; earlier[i] && earlier[i] == later[i]; ++i)
+        if (earlier[i] == '\n') a = earlier + i + 1, b = later + i + 1;
+    if (strcmp(a, b) == 0) return false;
+    const entry was = entry_at(a), is = entry_at(b);
+    if (same_label(was, is))
+        snprintf(difference, size, "%.*s was '%.*s' and is '%.*s'", was.label_length, was.label, shown(was), was.value,
+                 shown(is), is.value);
+    else if (*a && !has_label(later, was))
+        snprintf(difference, size, "%.*s was '%.*s' and is no longer there", was.label_length, was.label, shown(was),
+                 was.value);
+    else
+        snprintf(difference, size, "%.*s is new: '%.*s'", is.label_length, is.label, shown(is), is.value);
+    return true;
+}

@@ -1,0 +1,65 @@
+// The bytes of a journal: a header, then one frame a point. Whole numbers and doubles are little-endian.
+//
+//   header   16 bytes  "whirl journal 1\n"
+//             8        length of the identity
+//             4        CRC-32C of the 24 bytes before
+//                      the identity: what is computed, as text (identity.h)
+//             4        CRC-32C of all before
+//
+//   frame     8 bytes  magic
+//             8        hash of the identity, so that a frame never counts for another study
+//             8        slot of the point in its table
+//             8        length of the payload
+//             4        batch
+//             4        CRC-32C of the 36 bytes before
+//                      payload: the point's block, then the state that a carried point goes on from
+//             4        CRC-32C of head and payload
+#ifndef STORE_JOURNAL_FRAME_H
+#define STORE_JOURNAL_FRAME_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+enum {
+    JOURNAL_LEAD = 28, // bytes of the header before the identity
+    JOURNAL_HEAD = 40, // bytes of a frame before the payload
+    JOURNAL_TAIL = 4   // the checksum at the end of both
+};
+
+// With a byte that no text in UTF-8 has, and line ends that careless copying changes.
+extern const unsigned char journal_magic[8];
+
+typedef struct frame_head {
+    uint64_t identity, slot, size; // bytes of the payload
+    uint32_t batch;
+} frame_head;
+
+// The hash of an identity: FNV-1a of 64 bits.
+uint64_t journal_hash(const char *identity, size_t size);
+
+// Bytes of the whole header of an identity of `size` bytes, written to `to`.
+size_t header_size(size_t size);
+void header_put(unsigned char *to, const char *identity, size_t size);
+
+// The length of the identity, from the first JOURNAL_LEAD bytes; false when they are not those of a header.
+bool header_lead(const unsigned char *from, uint64_t *size);
+
+// Whether the checksum of a whole header is right.
+bool header_is_sound(const unsigned char *from, size_t size);
+
+// Bytes of the frame of a block of `size` doubles and a state of `dimension`, written to `to`.
+size_t frame_size(size_t size, size_t dimension);
+void frame_put(unsigned char *to, const frame_head *head, const double *block, size_t size, const double *end,
+               size_t dimension);
+
+// Reads JOURNAL_HEAD bytes; false when they are not the head of a frame.
+bool frame_head_get(const unsigned char *from, frame_head *head);
+
+// The checksum at the end of a frame.
+uint32_t frame_checksum(const unsigned char *tail);
+
+// Doubles of a payload.
+void frame_numbers(const unsigned char *from, double *to, size_t count);
+
+#endif

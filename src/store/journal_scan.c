@@ -1,0 +1,98 @@
+#include "journal_scan.h"
+
+#include <string.h>
+
+#include "crc32c.h"
+
+enum { WINDOW = 1 << 16 };
+
+// A stretch of the bytes in memory.
+typedef struct window {
+    const journal_bytes *bytes;
+    uint64_t start;
+    size_t length;
+    int error; // of a read; there is nothing to see afterwards
+    unsigned char data[WINDOW];
+} window;
+
+// The bytes from `offset` on, at least `least` of them (at most WINDOW, and not beyond the end); NULL after an error.
+static const unsigned char *window_at(window *w, uint64_t offset, size_t least) {
+    if (w->error) return NULL;
+    if (offset < w->start || offset + least > w->start + w->length) {
+        const uint64_t left = w->bytes->size - offset;
+        w->start = offset;
+        w->length = left < WINDOW ? (size_t)left : WINDOW;
+        w->error = w->bytes->read(w->bytes->context, offset, w->data, w->length);
+        if (w->error) return NULL;
+    }
+    return w->data + (offset - w->start);
+}
+
+// Bytes in memory from `offset` on, after window_at.
+static size_t window_left(const window *w, uint64_t offset) {
+    return w->length - (size_t)(offset - w->start);
+}
+
+// Where the magic next stands, from `offset` on; the size of the bytes where it does not.
+static uint64_t find_magic(window *w, uint64_t offset) {
+    const uint64_t size = w->bytes->size;
+    while (offset + sizeof journal_magic <= size) {
+        const unsigned char *here = window_at(w, offset, sizeof journal_magic);
+        if (!here) return size;
+        const size_t places = window_left(w, offset) - sizeof journal_magic + 1;
+        const unsigned char *first = memchr(here, journal_magic[0], places);
+        if (first && memcmp(first, journal_magic, sizeof journal_magic) == 0) return offset + (uint64_t)(first - here);
+        offset += first ? (uint64_t)(first - here) + 1 : places;
+    }
+    return size;
+}
+
+// Whether the checksum of the frame at `offset` is right. The frame lies within the bytes.
+static bool payload_is_sound(window *w, uint64_t offset, uint64_t size) {
+    uint32_t sum = 0;
+    uint64_t left = JOURNAL_HEAD + size;
+    for (; left > 0;) {
+        const unsigned char *here = window_at(w, offset, 1);
+        if (!here) return false;
+        size_t length = window_left(w, offset);
+        if (length > left) length = (size_t)left;
+        sum = crc32c(sum, here, length);
+        offset += length;
+        left -= length;
+    }
+    const unsigned char *tail = window_at(w, offset, JOURNAL_TAIL);
+    return tail && frame_checksum(tail) == sum;
+}
+
+int journal_search(const journal_bytes *bytes, uint64_t from, journal_found found, void *context, journal_scan *scan) {
+    window w = {.bytes = bytes};
+    uint64_t offset = from;
+    bool astray = false; // between frames
+    *scan = (journal_scan){.end = from};
+    while (offset < bytes->size && !w.error) {
+        const uint64_t left = bytes->size - offset;
+        frame_head head;
+        const unsigned char *here = left >= JOURNAL_HEAD ? window_at(&w, offset, JOURNAL_HEAD) : NULL;
+        if (!here || !frame_head_get(here, &head)) {
+            // What is left may be the beginning of a frame; only a good one further on tells that it is not.
+            astray = true;
+            offset = find_magic(&w, offset + 1);
+            continue;
+        }
+        // The head is sound, so its length is what was written.
+        if (left < JOURNAL_HEAD + JOURNAL_TAIL || head.size > left - JOURNAL_HEAD - JOURNAL_TAIL) break;
+        scan->damaged += astray;
+        astray = false;
+        const uint64_t next = offset + JOURNAL_HEAD + head.size + JOURNAL_TAIL;
+        if (payload_is_sound(&w, offset, head.size)) {
+            found(context, &head, offset + JOURNAL_HEAD);
+            scan->frames++;
+            scan->end = next;
+        } else {
+            scan->damaged++;
+        }
+        offset = next;
+    }
+    scan->torn = offset < bytes->size || astray;
+    return w.error;
+}

@@ -1,0 +1,162 @@
+// Walking through the object headers of a file: see plain.h.
+#include "plain.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    // II.A, superblock version 3.
+    BASE_ADDRESS = 12,
+    SUPERBLOCK_EXTENSION = 20,
+    ROOT_HEADER = 36,
+
+    // IV.A.1.b, object header version 2.
+    HEADER_VERSION = 2,
+    CREATION_ORDER = 1 << 2,
+    PHASE_CHANGE = 1 << 4,
+    TIMES = 1 << 5,
+    CHECKSUM = 4,
+
+    // IV.A.1.a: flags of messages that are whirl's: constant, not to be shared.
+    MESSAGE_FLAGS = 1 << 0 | 1 << 2
+};
+
+// Addresses that are still to be looked at; with a length for parts of a header, 0 for objects.
+typedef struct place {
+    uint64_t address, length;
+} place;
+
+typedef struct places {
+    size_t count, capacity;
+    place *items;
+} places;
+
+typedef struct walk {
+    const unsigned char *bytes;
+    size_t size;
+    size_t seen;           // bytes of headers looked at: more than the file has means that they overlap or form a ring
+    places objects, parts; // parts: of the object at hand
+    uint64_t wrong;        // where something is that whirl does not write
+    bool memory;           // ran out
+} walk;
+
+uint64_t plain_number(plain_part *part, int bytes) {
+    uint64_t value = 0;
+    if (part->left < (size_t)bytes) {
+        part->short_of = true;
+        part->left = 0;
+        return 0;
+    }
+    for (int i = bytes - 1; i >= 0; --i) value = value << 8 | part->at[i];
+    part->at += bytes;
+    part->left -= (size_t)bytes;
+    return value;
+}
+
+void plain_skip(plain_part *part, size_t bytes) {
+    if (part->left < bytes) {
+        part->short_of = true;
+        part->left = 0;
+        return;
+    }
+    part->at += bytes;
+    part->left -= bytes;
+}
+
+static bool push(walk *through, places *list, place one) {
+    if (list->count == list->capacity) {
+        const size_t capacity = list->capacity ? 2 * list->capacity : 64;
+        place *items = realloc(list->items, capacity * sizeof *items);
+        if (!items) {
+            through->memory = true;
+            return false;
+        }
+        list->items = items;
+        list->capacity = capacity;
+    }
+    list->items[list->count++] = one;
+    return true;
+}
+
+// Counts bytes as looked at. False where they are not in the file or more have been seen than it has.
+static bool see(walk *through, uint64_t address, uint64_t length) {
+    if (address > through->size || length > through->size - address || length > through->size - through->seen)
+        return false;
+    through->seen += (size_t)length;
+    return true;
+}
+
+// The messages of one part of an object's header; what is left at the end is smaller than a message.
+static bool walk_messages(walk *through, plain_part part, bool ordered, plain_object *object) {
+    const size_t head = ordered ? 6 : 4;
+    while (part.left >= head) {
+        through->wrong = (uint64_t)(part.at - through->bytes);
+        const unsigned type = (unsigned)plain_number(&part, 1);
+        const size_t length = (size_t)plain_number(&part, 2);
+        const unsigned flags = (unsigned)plain_number(&part, 1);
+        plain_lead lead = {PLAIN_NONE, 0, 0};
+        if (ordered) plain_skip(&part, 2);
+        if (length > part.left || flags & ~(unsigned)MESSAGE_FLAGS) return false;
+        if (!plain_message(through->bytes, through->size, type, (plain_part){part.at, length, false}, object, &lead))
+            return false;
+        if (lead.kind == PLAIN_CONTINUATION && !push(through, &through->parts, (place){lead.address, lead.length}))
+            return false;
+        if (lead.kind == PLAIN_OBJECT && !push(through, &through->objects, (place){lead.address, 0})) return false;
+        plain_skip(&part, length);
+    }
+    return true;
+}
+
+// IV.A.1.c: a continuation has a signature, messages and a checksum.
+static bool walk_continuation(walk *through, place one, bool ordered, plain_object *object) {
+    through->wrong = one.address;
+    if (one.length < 4 + CHECKSUM || !see(through, one.address, one.length)) return false;
+    const unsigned char *at = through->bytes + one.address;
+    if (memcmp(at, "OCHK", 4) != 0) return false;
+    return walk_messages(through, (plain_part){at + 4, (size_t)one.length - 4 - CHECKSUM, false}, ordered, object);
+}
+
+static bool walk_object(walk *through, uint64_t address) {
+    plain_object object = {0};
+    through->wrong = address;
+    if (!see(through, address, 0)) return false;
+    plain_part part = {through->bytes + address, through->size - (size_t)address, false};
+    const bool signature = part.left >= 4 && memcmp(part.at, "OHDR", 4) == 0;
+    plain_skip(&part, 4);
+    const unsigned version = (unsigned)plain_number(&part, 1), flags = (unsigned)plain_number(&part, 1);
+    if (flags & TIMES) plain_skip(&part, 16);
+    if (flags & PHASE_CHANGE) plain_skip(&part, 4);
+    const uint64_t length = plain_number(&part, 1 << (flags & 3));
+    if (!signature || version != HEADER_VERSION || part.short_of || length > part.left ||
+        part.left - (size_t)length < CHECKSUM)
+        return false;
+    if (!see(through, (uint64_t)(part.at - through->bytes), length + CHECKSUM)) return false;
+    const bool ordered = flags & CREATION_ORDER;
+    through->parts.count = 0;
+    if (!walk_messages(through, (plain_part){part.at, (size_t)length, false}, ordered, &object)) return false;
+    for (size_t i = 0; i < through->parts.count; ++i)
+        if (!walk_continuation(through, through->parts.items[i], ordered, &object)) return false;
+    through->wrong = address;
+    return plain_object_whole(&object);
+}
+
+static bool walk_file(walk *through) {
+    plain_part base = {through->bytes + BASE_ADDRESS, 8, false}, root = {through->bytes + ROOT_HEADER, 8, false},
+               extension = {through->bytes + SUPERBLOCK_EXTENSION, 8, false};
+    if (plain_number(&base, 8) != 0 || plain_number(&extension, 8) != PLAIN_NOWHERE) return false;
+    if (!push(through, &through->objects, (place){plain_number(&root, 8), 0})) return false;
+    while (through->objects.count > 0)
+        if (!walk_object(through, through->objects.items[--through->objects.count].address)) return false;
+    return true;
+}
+
+whirl_status plain_check(const unsigned char *bytes, size_t size) {
+    walk through = {.bytes = bytes, .size = size};
+    const bool well = walk_file(&through);
+    free(through.objects.items);
+    free(through.parts.items);
+    if (well) return whirl_ok();
+    if (through.memory) return whirl_fail(WHIRL_NO_MEMORY, "no memory to look through a file of %zu bytes", size);
+    return whirl_fail(WHIRL_BAD_INPUT, "is damaged, or holds what whirl does not write (at byte %llu)",
+                      (unsigned long long)through.wrong);
+}

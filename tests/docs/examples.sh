@@ -1,0 +1,144 @@
+#!/bin/bash
+# Runs what the documents show:  examples.sh ROOT BUILD
+#
+# Of the user guide, in the order in which they stand and in one fresh folder, with an installed whirl on the PATH:
+#   ```yaml, c, cmake  with "tested: FILE" in the first line are written to FILE; a case must pass `whirl check`,
+#                      unless ", not good" follows
+#   ```sh              with "# tested" in the first line are run; the exit status is 0, or the one said there:
+#                      "# tested, exit status 2"
+#   ```python, octave  with "tested" in the first line are run, Octave where it is installed
+#   ```text            is what the block before prints: each of its lines must begin a line there, numbers apart, which
+#                      depend on the processor; " ..." at the end stands for the rest of a line and "..." for
+#                      any lines
+# Of README.md: every command that starts with build/whirl, and every case.
+# Links of all documents to files of the repository must lead somewhere.
+set -u
+root=$(realpath "$1")
+build=$(realpath "$2")
+# Debian's own Python is the one that Debian's h5py belongs to.
+python=$([ -x /usr/bin/python3 ] && echo /usr/bin/python3 || echo python3)
+
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+prefix=$folder/prefix
+cmake --install "$build" --prefix "$prefix" >"$folder/log" || { cat "$folder/log"; exit 1; }
+PATH=$prefix/bin:$PATH
+library=$(dirname "$(find "$prefix" -name whirl.pc)")
+export PKG_CONFIG_PATH=$library
+export LD_LIBRARY_PATH=${library%/pkgconfig}
+
+failures=0
+fail() {
+    echo "FAILED: $*"
+    failures=$((failures + 1))
+}
+
+# Blocks of a document as files: NUMBER.LANGUAGE in the order in which they stand.
+extract() {
+    awk -v folder="$2" '
+        /^```/ && !inside { inside = 1; language = substr($0, 4); sub(/ .*/, "", language)
+                            file = sprintf("%s/%03d.%s", folder, ++count, language); printf "" >file; next }
+        /^```$/ && inside { inside = 0; close(file); next }
+        inside            { print >file }' "$1"
+}
+
+# Numbers become N and runs of blanks one, so that lines can be compared on any processor; P-2 stays.
+plain() {
+    sed -E 's/(^|[^A-Za-z_-])[-+]?[0-9]+(\.[0-9]+)?(e[-+]?[0-9]+)?/\1N/g; s/[ \t]+/ /g; s/^ //; s/ (\.\.\.)?$//' "$@"
+}
+
+# Every line that the document shows begins a line that was printed.
+compare() {
+    local line
+    plain "$2" >"$folder/printed"
+    while IFS= read -r line; do
+        [ "$line" = ... ] && continue
+        awk -v line="${line//\\/\\\\}" 'index($0, line) == 1 { found = 1 } END { exit !found }' "$folder/printed" ||
+            fail "${1##*/} is not printed: $line"
+    done < <(plain "$1")
+    grep -q . "$1" || fail "${1##*/} is empty"
+}
+
+ran=0
+run_block() { # FILE EXPECTED COMMAND...
+    local block=$1 expected=$2 status
+    shift 2
+    "$@" >"$folder/output" 2>&1 </dev/null
+    status=$?
+    ran=$((ran + 1))
+    [ "$status" -eq "$expected" ] && return
+    fail "$block: exit status $status, expected $expected"
+    cat "$block" "$folder/output"
+}
+
+write_block() { # FILE FIRST-LINE
+    local name=${2##*tested: }
+    local target=${name%%[, ]*}
+    cp "$1" "$target"
+    case $target:$2 in
+    *", not good"* | *.c:* | *.txt:*) return ;;
+    esac
+    grep -q '^whirl:' "$target" && run_block "$1" 0 whirl check "$target"
+}
+
+guide() {
+    mkdir "$folder/guide" "$folder/work"
+    extract "$root/docs/user-guide.md" "$folder/guide"
+    cd "$folder/work" || exit 1
+    local block first before=
+    for block in "$folder"/guide/*; do
+        first=$(head -n 1 "$block")
+        case ${block##*.}:$first in
+        text:*) [ -n "$before" ] && compare "$block" "$folder/output" ;;
+        *:*"tested: "*) write_block "$block" "$first" ;;
+        sh:"# tested, exit status "*) run_block "$block" "${first##* }" bash -uo pipefail "$block" ;;
+        sh:"# tested") run_block "$block" 0 bash -euo pipefail "$block" ;;
+        python:"# tested") run_block "$block" 0 "$python" "$block" ;;
+        octave:"% tested")
+            if ! command -v octave-cli >/dev/null; then
+                echo "no octave-cli, ${block##*/} is not run"
+                before=
+                continue
+            fi
+            # Octave wants the ending .m.
+            cp "$block" block.m
+            run_block "$block" 0 octave-cli --no-gui --quiet block.m
+            ;;
+        esac
+        before=
+        case ${block##*.}:$first in *tested*) before=$block ;; esac
+    done
+}
+
+readme() {
+    mkdir "$folder/readme" "$folder/checkout" "$folder/checkout/build"
+    extract "$root/README.md" "$folder/readme"
+    cd "$folder/checkout" || exit 1
+    ln -s "$prefix/bin/whirl" build/whirl
+    ln -s "$root/cases" cases
+    grep -h '^build/whirl' "$folder"/readme/*.sh >lines
+    local line case_file
+    while IFS= read -r line; do
+        echo "$line" >line.sh
+        run_block line.sh 0 bash line.sh
+    done <lines
+    for case_file in "$folder"/readme/*.yaml; do run_block "$case_file" 0 whirl check "$case_file"; done
+}
+
+links() {
+    local document target
+    for document in "$root"/*.md "$root"/docs/*.md "$root"/docs/*/*.md; do
+        while IFS= read -r target; do
+            case $target in http*:* | mailto:*) continue ;; esac
+            target=${target%%#*}
+            [ -z "$target" ] || [ -e "$(dirname "$document")/$target" ] || fail "$document: no file $target"
+        done < <(grep -o '\](\([^)]*\))' "$document" | sed 's/^](//; s/)$//')
+    done
+}
+
+guide
+readme
+links
+[ "$ran" -ge 15 ] || fail "only $ran blocks were run"
+echo "$ran blocks were run, $failures failures"
+[ "$failures" -eq 0 ]

@@ -1,0 +1,85 @@
+// What a rotor says of its stations: where they touch a stator, and the clearance of their bearings.
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include <math.h>
+
+#include "whirl/rotor.h"
+
+static void check(whirl_status status) {
+    if (status.code != WHIRL_OK) fail_msg("%s", status.message);
+}
+
+static void add_rub(whirl_design *design, const char *station, double gap) {
+    const whirl_setting rub[] = {{"at", 0, station}, {"gap", gap, NULL}, {"stiffness", 1e6, NULL}};
+    check(whirl_design_element(design, "rub", rub, 3));
+}
+
+static void add_film(whirl_design *design, const char *station, double clearance) {
+    const whirl_setting film[] = {{"at", 0, station}, {"clearance", clearance, NULL}, {"load", 100, NULL}};
+    check(whirl_design_element(design, "film", film, 3));
+}
+
+static void near(double found, double expected) {
+    if (fabs(found - expected) > 1e-14 * expected) fail_msg("%.17g, expected %.17g", found, expected);
+}
+
+/// The narrowest of several stators and bearings counts, in units of the length scale, whatever their order.
+static void the_narrowest_counts(void **state) {
+    (void)state;
+    const char *const names[] = {"free", "disc", "journal"};
+    const whirl_setting mass = {"mass", 2, NULL};
+    whirl_design *design;
+    whirl_rotor *rotor;
+    check(whirl_design_new(650, 2e-4, &design));
+    for (int i = 0; i < 3; i++) check(whirl_design_station(design, names[i], &mass, 1));
+    add_rub(design, "disc", 3e-4);
+    add_rub(design, "disc", 2.4e-4);
+    add_rub(design, "disc", 5e-4);
+    add_film(design, "journal", 4e-4);
+    add_film(design, "journal", 1e-4);
+    add_rub(design, "journal", 1.8e-4);
+    check(whirl_rotor_new(design, &rotor));
+    whirl_design_free(design);
+    const whirl_probe *probes = whirl_rotor_system(rotor)->probes;
+    assert_true(probes[0].gap == 0.0 && probes[0].clearance == 0.0);
+    near(probes[1].gap, 1.2);
+    assert_true(probes[1].clearance == 0.0);
+    near(probes[2].gap, 0.9);
+    near(probes[2].clearance, 0.5);
+    whirl_rotor_free(rotor);
+}
+
+/// The radius that a probe names is where the normal force begins.
+static void the_gap_is_where_contact_begins(void **state) {
+    (void)state;
+    const whirl_setting mass = {"mass", 2, NULL};
+    whirl_design *design;
+    whirl_rotor *rotor;
+    check(whirl_design_new(650, 2e-4, &design));
+    check(whirl_design_station(design, "disc", &mass, 1));
+    add_rub(design, "disc", 2.4e-4);
+    check(whirl_rotor_new(design, &rotor));
+    whirl_design_free(design);
+    const whirl_system *system = whirl_rotor_system(rotor);
+    const double gap = system->probes[0].gap;
+    for (int i = -1; i <= 1; i += 2) {
+        const double r = gap * (1.0 + 1e-9 * i), z[4] = {0.6 * r, -0.8 * r, 0.0, 0.0};
+        double force = -1.0;
+        system->contacts(system->model, z, &force);
+        assert_true(i < 0 ? force == 0.0 : force > 0.0);
+    }
+    whirl_rotor_free(rotor);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_narrowest_counts),
+        cmocka_unit_test(the_gap_is_where_contact_begins),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

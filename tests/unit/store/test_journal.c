@@ -1,0 +1,369 @@
+// Journals: what was kept comes back to the bit or not at all, whatever has become of the file.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+#include "bytes.h"
+#include "crc32c.h"
+#include "journal_scan.h"
+#include "kept.h"
+
+typedef struct fixture {
+    char folder[64], path[96];
+    whirl_result *outline;
+} fixture;
+
+static int setup(void **state) {
+    fixture *f = calloc(1, sizeof *f);
+    if (!f) return -1;
+    // Thousands of syncs: in memory, where there is such a place.
+    snprintf(f->folder, sizeof f->folder, "%s/whirl-journal-XXXXXX", access("/dev/shm", W_OK) ? "/tmp" : "/dev/shm");
+    if (!mkdtemp(f->folder)) return -1;
+    snprintf(f->path, sizeof f->path, "%s/r.h5.journal", f->folder);
+    f->outline = synthetic_result();
+    unsetenv("WHIRL_ISA");
+    *state = f;
+    return 0;
+}
+
+static int teardown(void **state) {
+    fixture *f = *state;
+    remove(f->path);
+    const int failed = rmdir(f->folder);
+    whirl_result_free(f->outline);
+    free(f);
+    return failed;
+}
+
+static void check(whirl_status status) {
+    if (status.code != WHIRL_OK) fail_msg("%s", status.message);
+}
+
+static void assert_says(whirl_status status, whirl_code code, const char *words) {
+    if (status.code != code || !strstr(status.message, words)) fail_msg("%d: '%s'", (int)status.code, status.message);
+}
+
+static whirl_journal *resumed(const fixture *f) {
+    whirl_journal *journal;
+    check(whirl_journal_resume(f->path, f->outline, &journal));
+    return journal;
+}
+
+// A closed journal of the first `count` points.
+static void make(const fixture *f, size_t count) {
+    whirl_journal *journal;
+    remove(f->path);
+    check(whirl_journal_begin(f->path, f->outline, &journal));
+    for (size_t i = 0; i < count; ++i) check(kept_keep(journal, i));
+    assert_int_equal(whirl_journal_points(journal), count);
+    check(whirl_journal_close(journal));
+}
+
+static void set_bytes(const fixture *f, const unsigned char *bytes, size_t size) {
+    FILE *file = fopen(f->path, "wb");
+    assert_non_null(file);
+    assert_int_equal(fwrite(bytes, 1, size, file), size);
+    assert_int_equal(fclose(file), 0);
+}
+
+// ---------------------------------------------------------------- parts
+
+// RFC 3720, appendix B.4, and the usual check value of nine digits.
+static void checksums_are_those_of_the_standard(void **state) {
+    unsigned char bytes[32] = {0};
+    (void)state;
+    assert_int_equal(crc32c(0, bytes, 32), 0x8a9136aa);
+    memset(bytes, 0xff, 32);
+    assert_int_equal(crc32c(0, bytes, 32), 0x62a8ab43);
+    for (unsigned char i = 0; i < 32; ++i) bytes[i] = i;
+    assert_int_equal(crc32c(0, bytes, 32), 0x46dd794e);
+    assert_int_equal(crc32c(crc32c(0, bytes, 13), bytes + 13, 19), 0x46dd794e);
+    assert_int_equal(crc32c(0, "123456789", 9), 0xe3069283);
+}
+
+static void kept_points_come_back(void **state) {
+    fixture *f = *state;
+    whirl_journal *journal;
+    check(whirl_journal_begin(f->path, f->outline, &journal));
+    assert_int_equal(kept_count(journal), 0);
+    check(kept_keep(journal, 3));
+    check(kept_keep(journal, 1));
+    check(whirl_journal_close(journal));
+    journal = resumed(f);
+    const whirl_journal_found found = whirl_journal_look(journal);
+    assert_true(found.points == 2 && found.damaged == 0 && !found.torn);
+    assert_true(!kept_recall(journal, 0) && kept_recall(journal, 1) && !kept_recall(journal, 2));
+    assert_true(kept_recall(journal, 3));
+    check(kept_keep(journal, 0));
+    check(kept_keep(journal, 2));
+    check(whirl_journal_close(journal));
+    journal = resumed(f);
+    assert_int_equal(kept_count(journal), KEPT_POINTS);
+    check(whirl_journal_remove(journal));
+    assert_int_not_equal(access(f->path, F_OK), 0);
+}
+
+static void blocks_of_another_size_are_not_taken(void **state) {
+    fixture *f = *state;
+    double block[KEPT_SIZE + 1], end[KEPT_DIMENSION];
+    make(f, 2);
+    whirl_journal *journal = resumed(f);
+    const whirl_keeper *keeper = whirl_journal_keeper(journal);
+    assert_false(keeper->recall(keeper->context, 0, 1, block, KEPT_SIZE + 1, end, KEPT_DIMENSION));
+    assert_false(keeper->recall(keeper->context, 0, 1, block, KEPT_SIZE - 1, end, KEPT_DIMENSION));
+    assert_false(keeper->recall(keeper->context, 0, 99, block, KEPT_SIZE, end, KEPT_DIMENSION));
+    assert_false(keeper->recall(keeper->context, 9, 0, block, KEPT_SIZE, end, KEPT_DIMENSION));
+    assert_says(keeper->keep(keeper->context, 0, 99, block, 1, end, 1), WHIRL_BAD_INPUT, "no place for point 99");
+    check(whirl_journal_close(journal));
+}
+
+static void one_run_at_a_time(void **state) {
+    fixture *f = *state;
+    whirl_journal *first, *second;
+    assert_says(whirl_journal_resume(f->path, f->outline, &second), WHIRL_BAD_INPUT, "there is no journal");
+    check(whirl_journal_begin(f->path, f->outline, &first));
+    assert_says(whirl_journal_begin(f->path, f->outline, &second), WHIRL_BAD_INPUT, "is there already");
+    assert_says(whirl_journal_resume(f->path, f->outline, &second), WHIRL_BAD_INPUT, "another run is writing");
+    assert_null(second);
+    check(whirl_journal_close(first));
+    check(whirl_journal_close(resumed(f)));
+}
+
+static void places_that_take_no_journal(void **state) {
+    fixture *f = *state;
+    whirl_journal *journal;
+    assert_says(whirl_journal_begin("/tmp/no/such/folder.journal", f->outline, &journal), WHIRL_IO_ERROR,
+                "No such file");
+    assert_says(whirl_journal_resume(f->folder, f->outline, &journal), WHIRL_IO_ERROR, "Is a directory");
+    assert_int_equal(mkfifo(f->path, 0600), 0);
+    assert_says(whirl_journal_resume(f->path, f->outline, &journal), WHIRL_BAD_INPUT, "no ordinary file");
+}
+
+// ---------------------------------------------------------------- of another study
+
+static void refuse(const fixture *f, const char *words) {
+    whirl_journal *journal;
+    assert_says(whirl_journal_resume(f->path, f->outline, &journal), WHIRL_BAD_INPUT, words);
+    assert_null(journal);
+}
+
+static void differences_are_named(void **state) {
+    fixture *f = *state;
+    whirl_result *study = f->outline;
+    make(f, 2);
+    strcpy(study->case_text, "whirl: 1\ntitle: other # by hand\n");
+    refuse(f, "line 2 of the case was 'title: made # by hand' and is 'title: other # by hand'");
+    strcpy(study->case_text, "whirl: 1\n");
+    refuse(f, "line 2 of the case was 'title: made # by hand' and is no longer there");
+    strcpy(study->case_text, "whirl: 1\ntitle: made # by hand\nmore: 1\n");
+    refuse(f, "line 3 of the case is new: 'more: 1'");
+    strcpy(study->case_text, "whirl: 1\ntitle: made # by hand\n");
+    study->parameters[1].value = 660.0;
+    refuse(f, "parameter omega was '650 rad/s' and is '660 rad/s'");
+    study->parameters[1].value = 650.0;
+    study->tables[0].values[1] = nextafter(study->tables[0].values[1], 1.0);
+    refuse(f, "points of the sweep was");
+    study->tables[0].values[1] = nextafter(study->tables[0].values[1], 0.0);
+    study->tables[0].integrate.steps_per_revolution = 512;
+    refuse(f, "integration of the sweep was 'rk4, 1024 steps");
+    study->tables[0].integrate.steps_per_revolution = 1024;
+    study->tables[1].record.transient = 8;
+    refuse(f, "record of the detail was 'transient 7");
+    study->tables[1].record.transient = 7;
+    setenv("WHIRL_ISA", "scalar", 1);
+    whirl_journal *journal;
+    const whirl_status status = whirl_journal_resume(f->path, f->outline, &journal);
+    if (status.code != WHIRL_OK) // on a processor that fuses
+        assert_says(status, WHIRL_BAD_INPUT, "arithmetic was 'fused multiply-add' and is 'without");
+    else
+        check(whirl_journal_close(journal));
+    unsetenv("WHIRL_ISA");
+    journal = resumed(f);
+    assert_int_equal(kept_count(journal), 2);
+    check(whirl_journal_close(journal));
+}
+
+static void frames_of_another_study_do_not_count(void **state) {
+    fixture *f = *state;
+    unsigned char *ours, *theirs;
+    size_t our_size, their_size;
+    make(f, 1);
+    check(bytes_read(f->path, &ours, &our_size));
+    f->outline->parameters[1].value = 651.0; // an identity of the same length
+    make(f, KEPT_POINTS);
+    check(bytes_read(f->path, &theirs, &their_size));
+    f->outline->parameters[1].value = 650.0;
+    const size_t frame = frame_size(KEPT_SIZE, KEPT_DIMENSION), tail = their_size - KEPT_POINTS * frame;
+    assert_int_equal(our_size, tail + frame);
+    // Our header and point, then theirs.
+    memcpy(theirs, ours, our_size);
+    set_bytes(f, theirs, their_size);
+    whirl_journal *journal = resumed(f);
+    assert_int_equal(kept_count(journal), 1);
+    check(whirl_journal_close(journal));
+    free(ours);
+    free(theirs);
+}
+
+// ---------------------------------------------------------------- damage
+
+// Goes on from whatever is there, as a run would; returns how many points were known.
+static int go_on(const fixture *f) {
+    whirl_journal *journal = resumed(f);
+    int known = 0;
+    for (size_t i = 0; i < KEPT_POINTS; ++i) {
+        const int one = kept_recall(journal, i);
+        if (!one) check(kept_keep(journal, i));
+        known += one;
+    }
+    check(whirl_journal_close(journal));
+    journal = resumed(f);
+    assert_int_equal(kept_count(journal), KEPT_POINTS);
+    check(whirl_journal_close(journal));
+    return known;
+}
+
+// A kill cuts the last write short, wherever.
+static void every_cut_loses_no_whole_point(void **state) {
+    fixture *f = *state;
+    unsigned char *bytes;
+    size_t size;
+    make(f, KEPT_POINTS);
+    check(bytes_read(f->path, &bytes, &size));
+    const size_t frame = frame_size(KEPT_SIZE, KEPT_DIMENSION), header = size - KEPT_POINTS * frame;
+    for (size_t cut = 0; cut <= size; ++cut) {
+        set_bytes(f, bytes, cut);
+        whirl_journal *journal = resumed(f);
+        const whirl_journal_found found = whirl_journal_look(journal);
+        const size_t whole = cut < header ? 0 : (cut - header) / frame;
+        assert_int_equal(found.points, whole);
+        assert_int_equal(found.damaged, 0);
+        assert_true(found.torn == (cut > header && (cut - header) % frame != 0));
+        check(whirl_journal_close(journal));
+        assert_int_equal(go_on(f), (int)whole);
+    }
+    free(bytes);
+}
+
+// Any one byte changed, in every bit in turn: at most the point that it belongs to is lost, and that is said.
+static void every_flipped_byte_costs_one_point_at_most(void **state) {
+    fixture *f = *state;
+    unsigned char *bytes;
+    size_t size;
+    make(f, KEPT_POINTS);
+    check(bytes_read(f->path, &bytes, &size));
+    const size_t header = size - KEPT_POINTS * frame_size(KEPT_SIZE, KEPT_DIMENSION);
+    for (size_t i = 0; i < size; ++i) {
+        const unsigned char before = bytes[i];
+        bytes[i] = (unsigned char)(before ^ (i % 9 == 8 ? 0xffu : 1u << i % 9));
+        set_bytes(f, bytes, size);
+        bytes[i] = before;
+        whirl_journal *journal = resumed(f);
+        const whirl_journal_found found = whirl_journal_look(journal);
+        assert_int_equal(found.points, i < header ? KEPT_POINTS : KEPT_POINTS - 1);
+        assert_true(found.damaged == 1 || found.torn);
+        check(whirl_journal_close(journal));
+        assert_int_equal(go_on(f), (int)found.points);
+        // A mended header is sound again.
+        journal = resumed(f);
+        if (i < header) assert_int_equal(whirl_journal_look(journal).damaged, 0);
+        check(whirl_journal_close(journal));
+    }
+    free(bytes);
+}
+
+// Stretches that are lost, moved or filled with zeros, as a file system may leave them.
+static void lost_stretches_cost_their_points_only(void **state) {
+    fixture *f = *state;
+    unsigned char *bytes;
+    size_t size;
+    make(f, KEPT_POINTS);
+    check(bytes_read(f->path, &bytes, &size));
+    const size_t frame = frame_size(KEPT_SIZE, KEPT_DIMENSION), header = size - KEPT_POINTS * frame;
+    unsigned char *changed = malloc(size + 64);
+    assert_non_null(changed);
+    // The second frame is missing; some bytes are too many before the third.
+    memcpy(changed, bytes, header + frame);
+    memset(changed + header + frame, 0xf7, 21);
+    memcpy(changed + header + frame + 21, bytes + header + 2 * frame, 2 * frame);
+    set_bytes(f, changed, header + 3 * frame + 21);
+    whirl_journal *journal = resumed(f);
+    assert_int_equal(whirl_journal_look(journal).points, 3);
+    assert_int_equal(whirl_journal_look(journal).damaged, 1);
+    check(whirl_journal_close(journal));
+    // Zeros from the middle of the second frame into the third.
+    memcpy(changed, bytes, size);
+    memset(changed + header + frame + frame / 2, 0, frame);
+    set_bytes(f, changed, size);
+    assert_int_equal(go_on(f), 2);
+    // Zeros at the end: a torn tail.
+    memset(changed, 0, size + 64);
+    memcpy(changed, bytes, header + 2 * frame);
+    set_bytes(f, changed, size + 64);
+    journal = resumed(f);
+    assert_true(whirl_journal_look(journal).torn);
+    check(whirl_journal_close(journal));
+    assert_int_equal(go_on(f), 2);
+    free(changed);
+    free(bytes);
+}
+
+static void a_frame_that_changes_later_is_not_recalled(void **state) {
+    fixture *f = *state;
+    make(f, KEPT_POINTS);
+    whirl_journal *journal = resumed(f);
+    FILE *file = fopen(f->path, "r+b");
+    assert_non_null(file);
+    assert_int_equal(fseek(file, -20, SEEK_END), 0);
+    assert_int_equal(fputc('x', file), 'x');
+    assert_int_equal(fclose(file), 0);
+    assert_int_equal(kept_recall(journal, KEPT_POINTS - 1), 0);
+    assert_int_equal(kept_count(journal), KEPT_POINTS - 1);
+    check(whirl_journal_close(journal));
+}
+
+static void other_files_are_left_alone(void **state) {
+    static const char *const texts[] = {"not a journal at all\n", "whirl journal 2\nof a later version", "w"};
+    fixture *f = *state;
+    for (size_t i = 0; i < 2; ++i) {
+        unsigned char *bytes;
+        size_t size;
+        set_bytes(f, (const unsigned char *)texts[i], strlen(texts[i]));
+        refuse(f, "is no journal of this study");
+        check(bytes_read(f->path, &bytes, &size));
+        assert_int_equal(size, strlen(texts[i]));
+        assert_memory_equal(bytes, texts[i], size);
+        free(bytes);
+    }
+    // The beginning of a header is what a run leaves that is killed at once.
+    set_bytes(f, (const unsigned char *)texts[2], 1);
+    assert_int_equal(go_on(f), 0);
+}
+
+int main(void) {
+#define IN_FOLDER(test) cmocka_unit_test_setup_teardown(test, setup, teardown)
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(checksums_are_those_of_the_standard),
+        IN_FOLDER(kept_points_come_back),
+        IN_FOLDER(blocks_of_another_size_are_not_taken),
+        IN_FOLDER(one_run_at_a_time),
+        IN_FOLDER(places_that_take_no_journal),
+        IN_FOLDER(differences_are_named),
+        IN_FOLDER(frames_of_another_study_do_not_count),
+        IN_FOLDER(every_cut_loses_no_whole_point),
+        IN_FOLDER(every_flipped_byte_costs_one_point_at_most),
+        IN_FOLDER(lost_stretches_cost_their_points_only),
+        IN_FOLDER(a_frame_that_changes_later_is_not_recalled),
+        IN_FOLDER(other_files_are_left_alone),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

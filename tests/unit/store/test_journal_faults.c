@@ -1,0 +1,378 @@
+// Every call of the operating system fails in turn while a journal is kept and a result is written: what was
+// acknowledged is there afterwards, and no file is left that cannot be read.
+#define _GNU_SOURCE // fallocate
+#include <errno.h>
+#include <fcntl.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+#include "kept.h"
+#include "same.h"
+
+// ---------------------------------------------------------------- calls that fail on demand
+
+enum { SHORT_WRITE = -1, NEVER = -1 };
+
+// The call that fails, counted from 0; with which errno, or SHORT_WRITE; and whether all later ones fail too.
+static struct {
+    int calls, failing, reason;
+    bool for_good;
+} fault = {.failing = NEVER};
+
+static bool strikes(void) {
+    const int call = fault.calls++;
+    return fault.failing != NEVER && (call == fault.failing || (fault.for_good && call > fault.failing));
+}
+
+// True when the call fails, with errno set; a call that writes nothing cannot be short.
+static bool fails(void) {
+    if (!strikes() || fault.reason == SHORT_WRITE) return false;
+    errno = fault.reason;
+    return true;
+}
+
+// The same for calls that no signal interrupts on a local disk.
+static bool fails_for_good(void) {
+    return fails() && errno != EINTR;
+}
+
+// These take the place of the C library's for all that is linked here.
+ssize_t pwrite(int file, const void *bytes, size_t size, off_t offset) {
+    if (strikes()) {
+        if (fault.reason != SHORT_WRITE) {
+            errno = fault.reason;
+            return -1;
+        }
+        size = size > 1 ? size / 2 : size;
+    }
+    return syscall(SYS_pwrite64, file, bytes, size, offset);
+}
+
+ssize_t pread(int file, void *bytes, size_t size, off_t offset) {
+    if (strikes()) {
+        if (fault.reason != SHORT_WRITE) {
+            errno = fault.reason;
+            return -1;
+        }
+        size = size > 1 ? size / 2 : size;
+    }
+    return syscall(SYS_pread64, file, bytes, size, offset);
+}
+
+int fdatasync(int file) {
+    return fails() ? -1 : (int)syscall(SYS_fdatasync, file);
+}
+
+int fsync(int file) {
+    return fails_for_good() ? -1 : (int)syscall(SYS_fsync, file);
+}
+
+int ftruncate(int file, off_t size) {
+    return fails() ? -1 : (int)syscall(SYS_ftruncate, file, size);
+}
+
+int fallocate(int file, int mode, off_t offset, off_t size) {
+    return fails() ? -1 : (int)syscall(SYS_fallocate, file, mode, offset, size);
+}
+
+int rename(const char *from, const char *to) {
+    return fails_for_good() ? -1 : (int)syscall(SYS_renameat, AT_FDCWD, from, AT_FDCWD, to);
+}
+
+int unlink(const char *path) {
+    return fails_for_good() ? -1 : (int)syscall(SYS_unlinkat, AT_FDCWD, path, 0);
+}
+
+int open(const char *path, int flags, ...) {
+    va_list rest;
+    va_start(rest, flags);
+    const mode_t mode = flags & O_CREAT ? va_arg(rest, mode_t) : 0;
+    va_end(rest);
+    return fails_for_good() ? -1 : (int)syscall(SYS_openat, AT_FDCWD, path, flags, mode);
+}
+
+// Where a stream meets the disk.
+int fflush(FILE *stream) {
+    if (stream != stdout && stream != stderr && stream && fails_for_good()) return EOF;
+    return fflush_unlocked(stream);
+}
+
+static void arm(int failing, int reason, bool for_good) {
+    fault.calls = 0;
+    fault.failing = failing;
+    fault.reason = reason;
+    fault.for_good = for_good;
+}
+
+static void disarm(void) {
+    fault.failing = NEVER;
+}
+
+// ---------------------------------------------------------------- a run
+
+typedef struct fixture {
+    char folder[64], journal[96], result[96];
+    whirl_result *made;
+} fixture;
+
+static int setup(void **state) {
+    fixture *f = calloc(1, sizeof *f);
+    if (!f) return -1;
+    snprintf(f->folder, sizeof f->folder, "%s/whirl-faults-XXXXXX", access("/dev/shm", W_OK) ? "/tmp" : "/dev/shm");
+    if (!mkdtemp(f->folder)) return -1;
+    snprintf(f->result, sizeof f->result, "%s/r.h5", f->folder);
+    snprintf(f->journal, sizeof f->journal, "%s/r.h5.journal", f->folder);
+    f->made = synthetic_result();
+    *state = f;
+    return 0;
+}
+
+static int teardown(void **state) {
+    fixture *f = *state;
+    char command[128];
+    snprintf(command, sizeof command, "rm -rf %s", f->folder);
+    const int failed = system(command);
+    whirl_result_free(f->made);
+    free(f);
+    return failed;
+}
+
+// What a run was told.
+typedef struct told {
+    bool begun, kept[KEPT_POINTS], closed, written, removed;
+} told;
+
+static bool well(whirl_status status) {
+    if (status.code != WHIRL_OK && !status.message[0]) fail_msg("an error without a sentence");
+    return status.code == WHIRL_OK;
+}
+
+// Begins or goes on, keeps what is not there, and ends as `whirl run` does; an error ends the run.
+static told run(const fixture *f) {
+    told t = {0};
+    whirl_journal *journal;
+    const bool there = access(f->journal, F_OK) == 0;
+    if (!well(there ? whirl_journal_resume(f->journal, f->made, &journal)
+                    : whirl_journal_begin(f->journal, f->made, &journal)))
+        return t;
+    t.begun = true;
+    bool going = true;
+    for (size_t i = 0; i < KEPT_POINTS && going; ++i)
+        going = t.kept[i] = kept_recall(journal, i) || well(kept_keep(journal, i));
+    t.written = going && well(whirl_result_write(f->made, f->result)) && well(whirl_result_verify(f->made, f->result));
+    if (t.written)
+        t.removed = well(whirl_journal_remove(journal));
+    else
+        t.closed = well(whirl_journal_close(journal));
+    return t;
+}
+
+static void expect_whole_result(const fixture *f) {
+    whirl_result *read;
+    const whirl_status status = whirl_result_read(f->result, &read);
+    if (status.code != WHIRL_OK) fail_msg("%s", status.message);
+    assert_true(same_result(f->made, read));
+    whirl_result_free(read);
+}
+
+// Nothing that was acknowledged is lost, and a result that is there is whole.
+static void expect_safe(const fixture *f, const told *t) {
+    whirl_journal *journal;
+    if (access(f->result, F_OK) == 0) expect_whole_result(f);
+    if (t->written) assert_int_equal(access(f->result, F_OK), 0);
+    if (access(f->journal, F_OK) != 0) {
+        assert_true(!t->begun || t->written);
+        return;
+    }
+    const whirl_status status = whirl_journal_resume(f->journal, f->made, &journal);
+    if (status.code != WHIRL_OK) fail_msg("%s", status.message);
+    for (size_t i = 0; i < KEPT_POINTS; ++i)
+        if (t->kept[i]) assert_int_equal(kept_recall(journal, i), 1);
+    assert_int_equal(whirl_journal_look(journal).damaged, 0);
+    assert_int_equal(whirl_journal_close(journal).code, WHIRL_OK);
+}
+
+static void clean(const fixture *f) {
+    remove(f->result);
+    remove(f->journal);
+}
+
+static const char *const reasons[] = {"ENOSPC", "EIO", "EINTR", "short"};
+static const int numbers[] = {ENOSPC, EIO, EINTR, SHORT_WRITE};
+
+// Interruptions and short writes are no failures.
+static void expect_outcome(const told *t, int reason) {
+    if (reason == SHORT_WRITE || reason == EINTR) assert_true(t->written && t->removed);
+}
+
+static void every_call_fails_once(void **state) {
+    const fixture *f = *state;
+    for (int kind = 0; kind < 4; ++kind) {
+        int failing = 0;
+        for (bool struck = true; struck; ++failing) {
+            clean(f);
+            arm(failing, numbers[kind], false);
+            const told t = run(f);
+            struck = fault.calls > failing;
+            disarm();
+            expect_outcome(&t, numbers[kind]);
+            expect_safe(f, &t);
+            const told again = run(f);
+            assert_true(again.written && again.removed);
+            expect_whole_result(f);
+        }
+        printf("%s: %d calls\n", reasons[kind], failing - 1);
+        assert_true(failing > 15);
+    }
+}
+
+// A disk that is full stays full; one that is broken stays broken.
+static void every_call_and_all_later_ones_fail(void **state) {
+    const fixture *f = *state;
+    for (int kind = 0; kind < 2; ++kind) {
+        int failing = 0;
+        for (bool struck = true; struck; ++failing) {
+            clean(f);
+            arm(failing, numbers[kind], true);
+            const told t = run(f);
+            struck = fault.calls > failing;
+            disarm();
+            expect_safe(f, &t);
+            const told again = run(f);
+            assert_true(again.written && again.removed);
+            expect_whole_result(f);
+        }
+        assert_true(failing > 15);
+    }
+}
+
+// Going on fails at every call: what an earlier run kept stays.
+static void every_call_fails_while_going_on(void **state) {
+    const fixture *f = *state;
+    for (int kind = 0; kind < 4; ++kind) {
+        int failing = 0;
+        for (bool struck = true; struck; ++failing) {
+            whirl_journal *journal;
+            clean(f);
+            assert_true(well(whirl_journal_begin(f->journal, f->made, &journal)));
+            assert_true(well(kept_keep(journal, 0)) && well(kept_keep(journal, 2)));
+            assert_true(well(whirl_journal_close(journal)));
+            // A torn frame that must be cut off.
+            FILE *file = fopen(f->journal, "ab");
+            assert_true(file && fputs("\xf7point\r\n and so on", file) >= 0 && fclose(file) == 0);
+            arm(failing, numbers[kind], false);
+            told t = run(f);
+            struck = fault.calls > failing;
+            disarm();
+            expect_outcome(&t, numbers[kind]);
+            t.kept[0] = t.kept[2] = t.begun = true;
+            expect_safe(f, &t);
+            const told again = run(f);
+            assert_true(again.written && again.removed);
+        }
+        assert_true(failing > 15);
+    }
+}
+
+// The point that a full disk refused is written as soon as there is room, and so are those after it.
+static void a_point_that_found_no_room_is_tried_again(void **state) {
+    const fixture *f = *state;
+    whirl_journal *journal;
+    clean(f);
+    assert_true(well(whirl_journal_begin(f->journal, f->made, &journal)));
+    assert_true(well(kept_keep(journal, 0)));
+    arm(0, ENOSPC, true);
+    const whirl_status full = kept_keep(journal, 1);
+    assert_int_equal(full.code, WHIRL_IO_ERROR);
+    assert_non_null(strstr(full.message, "No space left"));
+    assert_non_null(strstr(full.message, f->journal));
+    assert_int_equal(kept_keep(journal, 2).code, WHIRL_IO_ERROR);
+    assert_int_equal(whirl_journal_points(journal), 1);
+    disarm();
+    assert_true(well(whirl_journal_close(journal)));
+    assert_true(well(whirl_journal_resume(f->journal, f->made, &journal)));
+    assert_int_equal(kept_count(journal), 3);
+    assert_true(well(whirl_journal_remove(journal)));
+}
+
+static void a_disk_without_room_is_met_before_the_run(void **state) {
+    const fixture *f = *state;
+    whirl_journal *journal;
+    clean(f);
+    arm(1, ENOSPC, false); // after open
+    const whirl_status status = whirl_journal_begin(f->journal, f->made, &journal);
+    disarm();
+    assert_int_equal(status.code, WHIRL_IO_ERROR);
+    assert_non_null(strstr(status.message, "no room for the points of the run"));
+    assert_int_not_equal(access(f->journal, F_OK), 0);
+}
+
+// Verifying sees any difference between the result and its file.
+static void a_file_that_differs_is_seen(void **state) {
+    const fixture *f = *state;
+    clean(f);
+    assert_true(well(whirl_result_write(f->made, f->result)));
+    assert_true(well(whirl_result_verify(f->made, f->result)));
+    double *number = &f->made->tables[0].blocks[f->made->tables[0].layout.size + 3];
+    const double before = *number;
+    *number = -before;
+    whirl_status status = whirl_result_verify(f->made, f->result);
+    assert_int_equal(status.code, WHIRL_IO_ERROR);
+    assert_non_null(strstr(status.message, "point 2 of the sweep differs"));
+    *number = before;
+    f->made->facts[0].value[0]++;
+    assert_non_null(strstr(whirl_result_verify(f->made, f->result).message, "the provenance"));
+    f->made->facts[0].value[0]--;
+    f->made->stations[1].clearance = 2;
+    assert_non_null(strstr(whirl_result_verify(f->made, f->result).message, "the stations"));
+    f->made->stations[1].clearance = 1;
+    assert_true(well(whirl_result_verify(f->made, f->result)));
+    clean(f);
+    assert_int_equal(whirl_result_verify(f->made, f->result).code, WHIRL_IO_ERROR);
+}
+
+// A result of a run that was stopped says which points it has.
+static void partial_results_are_written_and_read(void **state) {
+    const fixture *f = *state;
+    whirl_table *sweep = &f->made->tables[0];
+    size_t done, total;
+    clean(f);
+    sweep->done = calloc(sweep->count, 1);
+    assert_non_null(sweep->done);
+    sweep->done[1] = 1;
+    assert_true(well(whirl_result_write(f->made, f->result)));
+    assert_true(well(whirl_result_verify(f->made, f->result)));
+    whirl_result *read;
+    assert_true(well(whirl_result_read(f->result, &read)));
+    assert_true(whirl_result_partial(read, &done, &total));
+    assert_true(done == 2 && total == KEPT_POINTS);
+    assert_true(!whirl_table_done(&read->tables[0], 0) && whirl_table_done(&read->tables[0], 1));
+    assert_true(whirl_table_done(&read->tables[1], 0));
+    whirl_result_free(read);
+    sweep->done[0] = 1;
+    assert_non_null(strstr(whirl_result_verify(f->made, f->result).message, "point 1 of the sweep differs"));
+}
+
+int main(void) {
+#define IN_FOLDER(test) cmocka_unit_test_setup_teardown(test, setup, teardown)
+    const struct CMUnitTest tests[] = {
+        IN_FOLDER(every_call_fails_once),
+        IN_FOLDER(every_call_and_all_later_ones_fail),
+        IN_FOLDER(every_call_fails_while_going_on),
+        IN_FOLDER(a_point_that_found_no_room_is_tried_again),
+        IN_FOLDER(a_disk_without_room_is_met_before_the_run),
+        IN_FOLDER(a_file_that_differs_is_seen),
+        IN_FOLDER(partial_results_are_written_and_read),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
