@@ -189,11 +189,6 @@ static int show(const run_arguments *arguments, const whirl_result *result) {
     return finish_output();
 }
 
-/// The worse of two exit statuses, the first one where both are bad.
-static int worse(int first, int second) {
-    return first != EXIT_DONE ? first : second;
-}
-
 /// Saves and shows a result, which may be partial. The journal goes only when a complete result is safe.
 static int deliver(const run_arguments *arguments, const whirl_result *result, whirl_journal *journal) {
     size_t done, total;
@@ -227,7 +222,7 @@ static int run_study(const run_arguments *arguments, const whirl_case *object, w
     if (status.code != WHIRL_OK) leave_journal(arguments->output, journal);
     const int delivered = status.code == WHIRL_OK ? deliver(arguments, result, journal) : complain_of(&status);
     whirl_result_free(result);
-    return worse(outcome, delivered);
+    return outcome != EXIT_DONE ? outcome : delivered;
 }
 
 static int run_case(const run_arguments *arguments, const char *command_line) {

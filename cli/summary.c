@@ -55,8 +55,6 @@ static void print_point(const whirl_result *result, const whirl_table *table) {
     printf("%s: %s\n", table->name, text);
     whirl_verdict_reason(&verdict, text, sizeof text);
     if (text[0]) printf("  %s\n", text);
-    if (isfinite(verdict.exponent.value))
-        printf("  largest exponent: %.4f +- %.1g per revolution\n", verdict.exponent.value, verdict.exponent.error);
     if (verdict.regime == WHIRL_DIVERGING) return;
     print_rubs(result, table, 0);
     print_radii(result, table, 0);
@@ -80,7 +78,8 @@ static void print_list(const whirl_result *result, const whirl_table *table) {
         whirl_verdict_name(&verdict, name, sizeof name);
         printf("  %10.6g %s%s%-26s", table->values[point], unit, *unit ? "  " : " ", name);
         if (isfinite(verdict.exponent.value))
-            printf(" exponent %8.4f +- %-7.1g", verdict.exponent.value, verdict.exponent.error);
+            printf(" exponent %8.4f +- %-7.1g", verdict.exponent.value,
+                   fmax(verdict.exponent.error, 1e-4)); // not below what the digits show
         puts(rubs(result, table, point) ? "  rub" : "");
     }
 }

@@ -34,11 +34,13 @@ void whirl_verdict_name(const whirl_verdict *verdict, char *text, size_t size) {
     snprintf(text, size, "%s", whirl_regime_name(verdict->regime));
 }
 
+/// The error is not told below what the printed digits show.
 static void exponent_text(whirl_estimate exponent, char *text, size_t size) {
     if (isnan(exponent.value)) {
         snprintf(text, size, "no disturbance was followed");
     } else {
-        snprintf(text, size, "largest exponent %.4g +- %.2g per revolution", exponent.value, exponent.error);
+        snprintf(text, size, "largest exponent %.4f +- %.1g per revolution", exponent.value,
+                 fmax(exponent.error, 1e-4));
     }
 }
 

@@ -133,8 +133,7 @@ static hid_t put_dataset(whirl_status *status, hid_t parent, const char *name, h
     const hid_t space = H5Screate_simple(rank, dimensions, NULL);
     const hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
     hid_t dataset = H5I_INVALID_HID;
-    if (H5Pset_chunk(creation, rank, chunk) >= 0 && H5Pset_fletcher32(creation) >= 0 &&
-        image_keep_plain(creation) >= 0)
+    if (H5Pset_chunk(creation, rank, chunk) >= 0 && H5Pset_fletcher32(creation) >= 0 && image_keep_plain(creation) >= 0)
         dataset = H5Dcreate2(parent, name, file_type, space, H5P_DEFAULT, creation, H5P_DEFAULT);
     if (dataset < 0 || (H5Sget_simple_extent_npoints(space) > 0 &&
                         H5Dwrite(dataset, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0))
