@@ -4,7 +4,7 @@
 
 #include <stdbool.h>
 
-/// From now on SIGINT, SIGTERM and SIGHUP set the flag that is returned; a second one kills as usual.
+/// From now on SIGINT, SIGTERM and SIGHUP set the flag that is returned; another one, half a second later or more, kills as usual.
 const volatile bool *interrupt_watch(void);
 
 /// What happened, in words, or NULL while nothing has.

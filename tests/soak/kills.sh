@@ -22,9 +22,13 @@ sed -e 's/points: 5/points: 2000/' -e 's/, spectrum//' "$good" >plain.yaml
 sed -e 's/start: state/start: carry, direction: both/' -e 's/points: 2000/points: 1000/' plain.yaml >carry.yaml
 declare -A span
 for name in plain carry; do
-    before=$(date +%s%N)
-    "$whirl" run $name.yaml -q -o whole-$name.h5 || fail "the undisturbed run"
-    span[$name]=$((($(date +%s%N) - before) / 1000000))
+    # The shortest of three: what else the machine does must not make the kills come too late.
+    for try in 1 2 3; do
+        before=$(date +%s%N)
+        "$whirl" run $name.yaml -q -o whole-$name.h5 || fail "the undisturbed run"
+        ms=$((($(date +%s%N) - before) / 1000000))
+        if [ $try = 1 ] || [ $ms -lt "${span[$name]}" ]; then span[$name]=$ms; fi
+    done
 done
 
 done_kills=0 runs=0 known=0
@@ -40,7 +44,7 @@ while [ $done_kills -lt "$kills" ]; do
         if [ $done_kills -lt "$kills" ]; then
             most=$((RANDOM % 2 ? span[$name] * 5 / 4 : span[$name] / 4))
             ms=$((RANDOM % (most + 2)))
-            sleep "$(printf '0.%03d' $((ms % 1000)))"
+            sleep "$(printf '%d.%03d' $((ms / 1000)) $((ms % 1000)))"
             kill -KILL $job 2>/dev/null
         fi
         { wait $job; } 2>/dev/null
