@@ -189,9 +189,25 @@ static int show(const run_arguments *arguments, const whirl_result *result) {
     return finish_output();
 }
 
+/// Whether a partial result would cover the complete one of an earlier run.
+static bool would_cover(const char *path, const whirl_result *result) {
+    size_t done, total;
+    whirl_result *earlier = NULL;
+    if (!path || !whirl_result_partial(result, &done, &total)) return false;
+    const bool complete =
+        whirl_result_read(path, &earlier).code == WHIRL_OK && !whirl_result_partial(earlier, &done, &total);
+    whirl_result_free(earlier);
+    return complete;
+}
+
 /// Saves and shows a result, which may be partial. The journal goes only when a complete result is safe.
 static int deliver(const run_arguments *arguments, const whirl_result *result, whirl_journal *journal) {
     size_t done, total;
+    if (would_cover(arguments->output, result)) {
+        complain("'%s' holds the complete result of an earlier run and is left as it is", arguments->output);
+        leave_journal(arguments->output, journal);
+        return EXIT_FAILED;
+    }
     const int saved = arguments->output ? save(arguments, result) : EXIT_DONE;
     if (saved != EXIT_DONE || whirl_result_partial(result, &done, &total)) {
         if (saved == EXIT_DONE && arguments->output) complain("'%s' is partial and says so", arguments->output);
