@@ -33,9 +33,9 @@ typedef struct whirl_record_options {
     double highest_order; ///< spectra are kept up to this order of the running speed
     /// End the transient early, but for 64 revolutions, where the motion has settled on a periodic orbit to 1e-11.
     bool settle;
-    bool spectra;         ///< keep whole spectra, not only their peaks
-    bool waveform;        ///< waveforms are needed (for spectra or to be kept)
-    bool growth;          ///< follow a disturbance (costs a second trajectory while watched)
+    bool spectra;  ///< keep whole spectra, not only their peaks
+    bool waveform; ///< waveforms are needed (for spectra or to be kept)
+    bool growth;   ///< follow a disturbance (costs a second trajectory while watched)
 } whirl_record_options;
 
 /// transient 1100, record 100, watch 0, waveform_revolutions 0, samples_per_revolution 64, highest_order 5,

@@ -3,7 +3,9 @@
 #include <stdarg.h>
 #include <stdio.h>
 
-whirl_status whirl_ok(void) { return (whirl_status){.code = WHIRL_OK}; }
+whirl_status whirl_ok(void) {
+    return (whirl_status){.code = WHIRL_OK};
+}
 
 whirl_status whirl_fail(whirl_code code, const char *format, ...) {
     whirl_status status = {.code = code};

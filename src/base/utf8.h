@@ -9,6 +9,8 @@
 size_t utf8_length(const char *text, size_t left);
 
 /// The same for a text that ends with a zero byte.
-static inline size_t utf8_length_of_text(const char *text) { return utf8_length(text, 4); }
+static inline size_t utf8_length_of_text(const char *text) {
+    return utf8_length(text, 4);
+}
 
 #endif
