@@ -35,9 +35,6 @@ size_t whirl_ensemble_lanes(const whirl_ensemble *ensemble);
 /// Name of the instruction set in use. Static text.
 const char *whirl_ensemble_isa(const whirl_ensemble *ensemble);
 
-/// Lanes of a vector in use.
-size_t whirl_ensemble_width(const whirl_ensemble *ensemble);
-
 /// Puts a machine into a lane, in the state x [dimension]. WHIRL_BAD_INPUT when it is not of the ensemble's structure.
 /// The system must outlive its stay: contacts are asked of it.
 whirl_status whirl_ensemble_load(whirl_ensemble *ensemble, size_t lane, const whirl_system *system, const double *x);

@@ -22,7 +22,7 @@ enum { WHIRL_MAX_STATIONS = 256, WHIRL_MAX_ELEMENTS = 1024 };
 /// The keys of a station (mass, damping, eccentricity, ...).
 const whirl_group *whirl_station_keys(void);
 
-/// The keys of all elements, in the order in which they act; static, ended by an entry whose name is NULL.
+/// The keys of all elements, in the order in which they act; static, ended by NULL.
 const whirl_group *const *whirl_element_groups(void);
 
 /// The element of that name, or NULL.

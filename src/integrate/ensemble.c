@@ -150,9 +150,6 @@ void whirl_ensemble_free(whirl_ensemble *e) {
 size_t whirl_ensemble_lanes(const whirl_ensemble *e) {
     return e->lane_count;
 }
-size_t whirl_ensemble_width(const whirl_ensemble *e) {
-    return e->isa->lanes;
-}
 const char *whirl_ensemble_isa(const whirl_ensemble *e) {
     return e->isa->name;
 }

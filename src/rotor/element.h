@@ -27,7 +27,6 @@ typedef struct scales {
     double speed;       ///< omega, rad/s
     double length;      ///< length scale, m
     const double *mass; ///< of every station, kg
-    size_t station_count;
 } scales;
 
 /// kg rad^2/s^2 by which a stiffness on a station is scaled.

@@ -220,7 +220,7 @@ whirl_status whirl_rotor_new(const whirl_design *design, whirl_rotor **out) {
     rotor->speed = design->speed;
     rotor->length = design->length;
     rotor->station_count = design->station_count;
-    const scales scale = {design->speed, design->length, rotor->mass, design->station_count};
+    const scales scale = {design->speed, design->length, rotor->mass};
     add_stations(design, rotor, &scale);
     size_t number = design->station_count * STATION_NUMBERS;
     whirl_status status = whirl_ok();
