@@ -53,6 +53,26 @@ typedef struct whirl_system {
     size_t switch_count;
     void (*switches)(const void *model, double t, const double *x, double *values);
 
+    /// Optional: the right-hand side with its laws held on given sides of the switches: sides [switch_count], each -1 or +1,
+    /// the sign of the switching function that is assumed, whatever x says; smooth in (t, x), continued beyond the switch.
+    void (*rhs_on_sides)(const void *model, double t, const double *forcing, const double *x, const double *sides,
+                         double *dxdt);
+
+    /// Optional: the derivative J = df/dx of the right-hand side applied to `count` disturbances: dx and ddxdt are
+    /// [count][dimension]. With sides NULL x decides on which side of the switches the laws are.
+    void (*tangent)(const void *model, double t, const double *forcing, const double *x, const double *sides,
+                    size_t count, const double *dx, double *ddxdt);
+
+    /// Optional: the trace of J. Its mean along a motion is the sum of all Lyapunov exponents where f is continuous.
+    double (*divergence)(const void *model, double t, const double *forcing, const double *x, const double *sides);
+
+    /// Optional: the derivative of switch `index` by x, gradient [dimension], and by t.
+    void (*switch_gradient)(const void *model, double t, const double *x, size_t index, double *gradient,
+                            double *by_time);
+
+    /// Optional: the second derivative by x of switch `index` applied to u: out [dimension].
+    void (*switch_curvature)(const void *model, double t, const double *x, size_t index, const double *u, double *out);
+
     /// Optional: unilateral contacts. Writes for each of `contact_count` the normal force, 0 while open,
     /// in the model's unit of force; rotors give newtons.
     size_t contact_count;

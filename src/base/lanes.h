@@ -13,15 +13,42 @@
 typedef void lanes_accelerate(const void *model, size_t stride, size_t vectors, const void *numbers,
                               const double *forcing, const void *q, const void *v, void *a);
 
+/// Machines side by side, each lane at its own time and on its own sides of the switches, with disturbances. All arrays
+/// are vectors.
+typedef struct lanes_view {
+    const void *model;
+    size_t stride, vectors;
+    const void *numbers;
+    const void *forcing; ///< [forcing_count]
+    const void *sides;   ///< [switch_count] -1 or +1, as whirl_system.rhs_on_sides takes them; NULL: the state decides
+    size_t tangents;     ///< disturbances that follow the state
+    const void *q, *v;   ///< [1 + tangents][degrees] of the state, then of the disturbances
+    void *a;             ///< [1 + tangents][degrees]
+    void *divergence;    ///< one quantity: trace of the Jacobian; NULL: not wanted
+} lanes_view;
+
+/// Writes the accelerations of the state and those of the disturbances by the Jacobian, and the divergence.
+typedef void lanes_flow(const lanes_view *view);
+
+/// Writes the switching functions at (q, v) and, unless NULL, their derivatives by time along (v, a): [switch_count].
+typedef void lanes_switches(const lanes_view *view, void *values, void *rates);
+
+/// Writes the values that depend on time alone: forcing [forcing_count] at the times t.
+typedef void lanes_forcing(const void *model, size_t stride, size_t vectors, const void *t, void *forcing);
+
 /// The state is degrees positions, then their derivatives; stations are pairs of positions 2s, 2s + 1.
 struct whirl_lanes {
     size_t degrees;
     size_t number_count;                               ///< numbers of one machine
     void (*numbers)(const void *model, double *out);   ///< [number_count]
     bool (*alike)(const void *one, const void *other); ///< same structure
-    size_t contact_count;
+    size_t switch_count, contact_count;
     void (*contact)(const void *model, size_t index, size_t *station, double *gap);
-    lanes_accelerate *const *accelerate; ///< one for every instruction set of vector.h; NULL where it is not built
+    // One for every instruction set of vector.h; NULL where it is not built.
+    lanes_accelerate *const *accelerate;
+    lanes_flow *const *flow;
+    lanes_switches *const *switches;
+    lanes_forcing *const *forcing;
 };
 
 #endif

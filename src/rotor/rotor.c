@@ -181,6 +181,7 @@ static void fill_system(whirl_rotor *rotor) {
                                  .number_count = rotor->lanes.number_count,
                                  .numbers = lane_numbers,
                                  .alike = lane_alike,
+                                 .switch_count = rotor->system.switch_count,
                                  .contact_count = rotor->contact_count,
                                  .contact = lane_contact,
                                  .accelerate = machine_accelerate};
