@@ -143,12 +143,35 @@ typedef enum whirl_regime {
 
 enum { WHIRL_MAX_PERIOD = 64 };
 
+/// How far a verdict can be trusted.
+typedef enum whirl_confidence { WHIRL_LOW = 0, WHIRL_FAIR, WHIRL_HIGH } whirl_confidence;
+
+/// What would make a verdict more certain.
+typedef enum whirl_remedy {
+    WHIRL_NO_REMEDY = 0,
+    WHIRL_LONGER_TRANSIENT, ///< the motion has not settled: a run of `factor` times as many revolutions
+    WHIRL_LONGER_WATCH,     ///< more points of the section would tell: `factor` times as many revolutions watched
+    WHIRL_TIGHTER           ///< the tolerance decides: errors of a step smaller by `factor`
+} whirl_remedy;
+
+typedef struct whirl_advice {
+    whirl_remedy remedy;
+    double factor; ///< above 1 where there is a remedy, else 1
+} whirl_advice;
+
 /// A verdict with the evidence it rests on.
 typedef struct whirl_verdict {
     whirl_regime regime;
     int period;         ///< k of P-k for a periodic motion, else 0
     int curves;         ///< closed curves of a quasi-periodic motion's section, else 0
     double diverged_at; ///< revolution, else 0
+    // trust
+    whirl_confidence confidence; ///< after the second tolerance, if there was one; at most fair without it
+    whirl_confidence agreement;  ///< what the evidence of this record would be worth, were no step ever wrong
+    whirl_advice advice;         ///< what would settle it
+    bool confirmed;              ///< whether it was compared with a verdict at another tolerance, namely
+    whirl_regime other_regime;
+    int other_period;
     // evidence
     whirl_estimate exponent; ///< largest, per revolution
     double
@@ -163,14 +186,33 @@ typedef struct whirl_verdict {
 /// Judges the motion. See docs/theory.md, "Verdicts".
 whirl_verdict whirl_judge(const whirl_record *record);
 
+/// Compares with the verdict on the same motion at another tolerance (whirl_integrate_tighter), which settles the
+/// confidence: high needs the same regime (and period) from both; where they differ it is low.
+void whirl_verdict_confirm(whirl_verdict *verdict, const whirl_verdict *other);
+
+/// Options with errors of a step smaller by `factor` >= 1: tolerances divided by it, steps of a fixed-step method times
+/// its fourth root (rounded up; 16 gives twice the steps). Tolerances are not taken below 1e-14.
+whirl_integrate_options whirl_integrate_tighter(const whirl_integrate_options *options, double factor);
+
+/// Changes options as the advice says. The record keeps its length and the samples of its waveform, so that the layout
+/// of a point's block stays.
+void whirl_advice_apply(whirl_advice advice, whirl_integrate_options *integrate, whirl_record_options *record);
+
 /// "periodic", "quasi-periodic", "chaotic", "diverged", "undetermined". Static text.
 const char *whirl_regime_name(whirl_regime regime);
+
+/// "low", "fair", "high". Static text.
+const char *whirl_confidence_name(whirl_confidence confidence);
 
 /// "P-2", "quasi-periodic (1 curve)", "chaotic", "diverged at revolution 17", "undetermined". Writes at most `size` bytes.
 void whirl_verdict_name(const whirl_verdict *verdict, char *text, size_t size);
 
 /// Why, in one sentence from the evidence. Writes at most `size` bytes.
 void whirl_verdict_reason(const whirl_verdict *verdict, char *text, size_t size);
+
+/// What would settle it, in words: "let it run 3 times as long", or "" where nothing is advised. Writes at most `size`
+/// bytes.
+void whirl_verdict_advice(const whirl_verdict *verdict, char *text, size_t size);
 
 enum { WHIRL_MAX_LINES = 16 };
 
@@ -249,6 +291,9 @@ whirl_status whirl_analyze(const whirl_record *record, const whirl_record_option
 
 /// The verdict that a block holds; regime WHIRL_UNDETERMINED with NaN evidence when it holds none.
 whirl_verdict whirl_block_verdict(const whirl_layout *layout, const double *block);
+
+/// Confirms (whirl_verdict_confirm) the verdict that a block holds with that at another tolerance.
+void whirl_block_confirm(const whirl_layout *layout, double *block, const whirl_verdict *other);
 
 #ifdef __cplusplus
 }

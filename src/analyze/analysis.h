@@ -6,7 +6,7 @@
 
 #include "whirl/analyze.h"
 
-enum { MAX_ANALYSIS_FIELDS = 16 };
+enum { MAX_ANALYSIS_FIELDS = 32 };
 
 /// What the sizes of the fields depend on.
 typedef struct block_shape {

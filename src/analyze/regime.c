@@ -2,12 +2,19 @@
 #include "analysis.h"
 
 #include <math.h>
+#include <stdio.h>
 
 enum {
     CODE,
     PERIOD,
     CURVES,
     DIVERGED_AT,
+    CONFIDENCE,
+    AGREEMENT,
+    ADVICE,
+    ADVICE_FACTOR,
+    OTHER_CODE,
+    OTHER_PERIOD,
     RECURRENCE,
     RECURRENCE_PERIOD,
     RECURRENCE_TREND,
@@ -25,6 +32,18 @@ static const field_plan fields[FIELD_COUNT] = {
     [CURVES] = {"curves", "1", "closed curves of a quasi-periodic motion's section, else 0", WHIRL_PER_POINT, 1, NULL},
     [DIVERGED_AT] = {"diverged_at", "revolution", "revolution in which the motion left its bounds, else 0",
                      WHIRL_PER_POINT, 1, NULL},
+    [CONFIDENCE] = {"confidence", "1", "0 low, 1 fair, 2 high (at most fair without a second tolerance)",
+                    WHIRL_PER_POINT, 1, NULL},
+    [AGREEMENT] = {"agreement", "1", "confidence by the evidence of this tolerance alone: 0 low, 1 fair, 2 high",
+                   WHIRL_PER_POINT, 1, NULL},
+    [ADVICE] = {"advice", "1",
+                "what would settle it: 0 nothing, 1 a longer run, 2 a longer watch, 3 a tighter tolerance",
+                WHIRL_PER_POINT, 1, NULL},
+    [ADVICE_FACTOR] = {"advice_factor", "1", "times as long, or errors of a step smaller by it", WHIRL_PER_POINT, 1,
+                       NULL},
+    [OTHER_CODE] = {"other_code", "1", "code at the second tolerance, missing where there was none", WHIRL_PER_POINT, 1,
+                    NULL},
+    [OTHER_PERIOD] = {"other_period", "revolution", "k of P-k at the second tolerance", WHIRL_PER_POINT, 1, NULL},
     [RECURRENCE] = {"recurrence", "1", "evidence: return distance over the size of the motion", WHIRL_PER_POINT, 1,
                     NULL},
     [RECURRENCE_PERIOD] = {"recurrence_period", "revolution", "evidence: revolutions from a point to its return",
@@ -39,32 +58,45 @@ static const field_plan fields[FIELD_COUNT] = {
     [REVOLUTIONS] = {"revolutions", "revolution", "revolutions integrated", WHIRL_PER_POINT, 1, NULL},
 };
 
-static void put_verdict(const whirl_record *record, const block_view *view) {
-    const whirl_verdict v = whirl_judge(record);
-    const double values[FIELD_COUNT] = {
-        [CODE] = v.regime,
-        [PERIOD] = v.period,
-        [CURVES] = v.curves,
-        [DIVERGED_AT] = v.diverged_at,
-        [RECURRENCE] = v.recurrence,
-        [RECURRENCE_PERIOD] = v.recurrence_period,
-        [RECURRENCE_TREND] = v.recurrence_trend,
-        [REGULARITY] = v.regularity,
-        [EXPONENT] = v.exponent.value,
-        [EXPONENT_ERROR] = v.exponent.error,
-        [REVOLUTIONS] = record->revolutions,
+static void put_verdict(const whirl_verdict *v, const block_view *view) {
+    const double values[REVOLUTIONS] = {
+        [CODE] = v->regime,
+        [PERIOD] = v->period,
+        [CURVES] = v->curves,
+        [DIVERGED_AT] = v->diverged_at,
+        [CONFIDENCE] = v->confidence,
+        [AGREEMENT] = v->agreement,
+        [ADVICE] = v->advice.remedy,
+        [ADVICE_FACTOR] = v->advice.factor,
+        [OTHER_CODE] = v->confirmed ? (double)v->other_regime : (double)NAN,
+        [OTHER_PERIOD] = v->confirmed ? (double)v->other_period : (double)NAN,
+        [RECURRENCE] = v->recurrence,
+        [RECURRENCE_PERIOD] = v->recurrence_period,
+        [RECURRENCE_TREND] = v->recurrence_trend,
+        [REGULARITY] = v->regularity,
+        [EXPONENT] = v->exponent.value,
+        [EXPONENT_ERROR] = v->exponent.error,
     };
-    for (size_t f = 0; f < FIELD_COUNT; f++) *view_numbers(view, f, 0) = values[f];
+    for (size_t f = 0; f < REVOLUTIONS; f++) {
+        double *number = view_numbers(view, f, 0);
+        if (number) *number = values[f];
+    }
+}
+
+static void put_judgement(const whirl_record *record, const block_view *view) {
+    const whirl_verdict verdict = whirl_judge(record);
+    put_verdict(&verdict, view);
+    *view_numbers(view, REVOLUTIONS, 0) = record->revolutions;
 }
 
 static whirl_status compute(const whirl_record *record, const whirl_record_options *options, const block_view *view) {
     (void)options;
-    put_verdict(record, view);
+    put_judgement(record, view);
     return whirl_ok();
 }
 
 const analysis_plan regime_analysis = {
-    .fields = fields, .field_count = FIELD_COUNT, .compute = compute, .compute_diverged = put_verdict};
+    .fields = fields, .field_count = FIELD_COUNT, .compute = compute, .compute_diverged = put_judgement};
 
 /// The number of a field of this analysis, NaN where the block has none.
 static double stored(const whirl_layout *layout, const double *block, const char *name) {
@@ -77,16 +109,36 @@ static int whole(double value, int most) {
 }
 
 whirl_verdict whirl_block_verdict(const whirl_layout *layout, const double *block) {
+    const double factor = stored(layout, block, "regime/advice_factor");
     const double diverged_at = stored(layout, block, "regime/diverged_at");
     return (whirl_verdict){
         .regime = (whirl_regime)whole(stored(layout, block, "regime/code"), WHIRL_DIVERGING),
         .period = whole(stored(layout, block, "regime/period"), WHIRL_MAX_PERIOD),
         .curves = whole(stored(layout, block, "regime/curves"), WHIRL_MAX_PERIOD),
         .diverged_at = isnan(diverged_at) ? 0.0 : diverged_at,
+        .confidence = (whirl_confidence)whole(stored(layout, block, "regime/confidence"), WHIRL_HIGH),
+        .agreement = (whirl_confidence)whole(stored(layout, block, "regime/agreement"), WHIRL_HIGH),
+        .advice = {(whirl_remedy)whole(stored(layout, block, "regime/advice"), WHIRL_TIGHTER),
+                   factor >= 1.0 ? factor : 1.0},
+        .confirmed = !isnan(stored(layout, block, "regime/other_code")),
+        .other_regime = (whirl_regime)whole(stored(layout, block, "regime/other_code"), WHIRL_DIVERGING),
+        .other_period = whole(stored(layout, block, "regime/other_period"), WHIRL_MAX_PERIOD),
         .exponent = {stored(layout, block, "regime/exponent"), stored(layout, block, "regime/exponent_error")},
         .recurrence = stored(layout, block, "regime/recurrence"),
         .recurrence_period = whole(stored(layout, block, "regime/recurrence_period"), WHIRL_MAX_PERIOD),
         .recurrence_trend = stored(layout, block, "regime/recurrence_trend"),
         .regularity = stored(layout, block, "regime/regularity"),
     };
+}
+
+void whirl_block_confirm(const whirl_layout *layout, double *block, const whirl_verdict *other) {
+    block_view view = {.block = block};
+    whirl_verdict verdict = whirl_block_verdict(layout, block);
+    for (size_t f = 0; f < FIELD_COUNT; f++) {
+        char name[WHIRL_NAME_SIZE];
+        snprintf(name, sizeof name, "regime/%s", fields[f].quantity);
+        view.fields[f] = whirl_layout_field(layout, name);
+    }
+    whirl_verdict_confirm(&verdict, other);
+    put_verdict(&verdict, &view);
 }

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdbool.h>
 
+#include "confidence.h"
 #include "lyapunov.h"
 #include "section.h"
 
@@ -144,7 +145,7 @@ static whirl_verdict judge_bounded(const evidence *e) {
     return verdict;
 }
 
-whirl_verdict whirl_judge(const whirl_record *record) {
+static whirl_verdict judge(const whirl_record *record) {
     if (record->motion != WHIRL_BOUNDED) {
         return (whirl_verdict){.regime = record->motion == WHIRL_DIVERGED ? WHIRL_DIVERGING : WHIRL_UNDETERMINED,
                                .diverged_at = record->diverged_at,
@@ -155,4 +156,10 @@ whirl_verdict whirl_judge(const whirl_record *record) {
     }
     const evidence e = gather(record);
     return judge_bounded(&e);
+}
+
+whirl_verdict whirl_judge(const whirl_record *record) {
+    whirl_verdict verdict = judge(record);
+    weigh_verdict(&verdict, record);
+    return verdict;
 }

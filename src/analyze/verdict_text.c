@@ -16,6 +16,11 @@ const char *whirl_regime_name(whirl_regime regime) {
     return (unsigned)regime < sizeof names / sizeof *names ? names[regime] : names[WHIRL_UNDETERMINED];
 }
 
+const char *whirl_confidence_name(whirl_confidence confidence) {
+    static const char *const names[] = {[WHIRL_LOW] = "low", [WHIRL_FAIR] = "fair", [WHIRL_HIGH] = "high"};
+    return (unsigned)confidence < sizeof names / sizeof *names ? names[confidence] : names[WHIRL_LOW];
+}
+
 void whirl_verdict_name(const whirl_verdict *verdict, char *text, size_t size) {
     switch (verdict->regime) {
     case WHIRL_PERIODIC:
@@ -89,4 +94,22 @@ void whirl_verdict_reason(const whirl_verdict *verdict, char *text, size_t size)
         break;
     }
     undetermined_reason(verdict, exponent, text, size);
+}
+
+void whirl_verdict_advice(const whirl_verdict *verdict, char *text, size_t size) {
+    const double factor = verdict->advice.factor;
+    switch (verdict->advice.remedy) {
+    case WHIRL_LONGER_TRANSIENT:
+        snprintf(text, size, "let it run %.2g times as long", factor);
+        return;
+    case WHIRL_LONGER_WATCH:
+        snprintf(text, size, "watch %.2g times as many revolutions", factor);
+        return;
+    case WHIRL_TIGHTER:
+        snprintf(text, size, "integrate with errors of a step %.3g times smaller", factor);
+        return;
+    case WHIRL_NO_REMEDY:
+        break;
+    }
+    snprintf(text, size, "%s", "");
 }

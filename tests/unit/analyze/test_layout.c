@@ -190,6 +190,18 @@ static void verdicts_come_back(void **state) {
     assert_near(back.regularity, judged.regularity, 0.0);
     assert_near(back.exponent.value, judged.exponent.value, 0.0);
     assert_near(back.exponent.error, judged.exponent.error, 0.0);
+    assert_int_equal(back.agreement, judged.agreement);
+    assert_int_equal(back.confidence, WHIRL_FAIR);
+    assert_int_equal(back.advice.remedy, judged.advice.remedy);
+    assert_near(back.advice.factor, judged.advice.factor, 0.0);
+    assert_false(back.confirmed);
+    whirl_block_confirm(&layout, block, &judged);
+    const whirl_verdict confirmed = whirl_block_verdict(&layout, block);
+    assert_true(confirmed.confirmed);
+    assert_int_equal(confirmed.confidence, judged.agreement);
+    assert_int_equal(confirmed.other_regime, WHIRL_PERIODIC);
+    assert_int_equal(confirmed.other_period, 4);
+    assert_near(confirmed.recurrence, judged.recurrence, 0.0);
     const whirl_layout empty = {0};
     const whirl_verdict none = whirl_block_verdict(&empty, block);
     assert_int_equal(none.regime, WHIRL_UNDETERMINED);

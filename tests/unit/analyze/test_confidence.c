@@ -1,0 +1,131 @@
+// Confidence: what a second tolerance changes, and what advice does to the options of a run.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "whirl/analyze.h"
+
+static whirl_verdict verdict_of(whirl_regime regime, int period, whirl_confidence agreement) {
+    return (whirl_verdict){.regime = regime,
+                           .period = period,
+                           .agreement = agreement,
+                           .confidence = agreement < WHIRL_FAIR ? agreement : WHIRL_FAIR,
+                           .advice = {WHIRL_NO_REMEDY, 1.0}};
+}
+
+static whirl_verdict confirm(whirl_verdict verdict, whirl_verdict other) {
+    whirl_verdict_confirm(&verdict, &other);
+    assert_true(verdict.confirmed);
+    assert_int_equal(verdict.other_regime, other.regime);
+    assert_int_equal(verdict.other_period, other.period);
+    return verdict;
+}
+
+static void two_tolerances(void **state) {
+    (void)state;
+    const whirl_verdict p2 = verdict_of(WHIRL_PERIODIC, 2, WHIRL_HIGH);
+    assert_int_equal(confirm(p2, p2).confidence, WHIRL_HIGH);
+    assert_int_equal(confirm(p2, verdict_of(WHIRL_PERIODIC, 2, WHIRL_FAIR)).confidence, WHIRL_FAIR);
+    const whirl_verdict contradicted[] = {verdict_of(WHIRL_PERIODIC, 4, WHIRL_HIGH),
+                                          verdict_of(WHIRL_CHAOTIC, 0, WHIRL_HIGH),
+                                          verdict_of(WHIRL_DIVERGING, 0, WHIRL_HIGH)};
+    for (size_t i = 0; i < 3; i++) {
+        const whirl_verdict result = confirm(p2, contradicted[i]);
+        assert_int_equal(result.regime, WHIRL_PERIODIC);
+        assert_int_equal(result.confidence, WHIRL_LOW);
+        assert_int_equal(result.advice.remedy, WHIRL_TIGHTER);
+        assert_true(result.advice.factor > 1.0);
+    }
+    whirl_verdict open = verdict_of(WHIRL_UNDETERMINED, 0, WHIRL_LOW);
+    open.advice = (whirl_advice){WHIRL_LONGER_TRANSIENT, 3.0};
+    assert_int_equal(confirm(p2, open).confidence, WHIRL_LOW);
+    assert_int_equal(confirm(p2, open).advice.remedy, WHIRL_LONGER_TRANSIENT);
+    assert_int_equal(confirm(open, p2).regime, WHIRL_UNDETERMINED);
+    assert_int_equal(confirm(open, p2).confidence, WHIRL_LOW);
+    assert_int_equal(confirm(open, p2).advice.remedy, WHIRL_LONGER_TRANSIENT);
+}
+
+static void tighter(void **state) {
+    (void)state;
+    whirl_integrate_options options = whirl_integrate_default();
+    options.steps_per_revolution = 90;
+    assert_int_equal(whirl_integrate_tighter(&options, 16.0).steps_per_revolution, 180);
+    assert_int_equal(whirl_integrate_tighter(&options, 81.0).steps_per_revolution, 270);
+    assert_int_equal(whirl_integrate_tighter(&options, 2.0).steps_per_revolution, 108); // 90 * 2^(1/4) = 107.03
+    assert_true(whirl_integrate_tighter(&options, 16.0).rtol == options.rtol);
+    strcpy(options.method, "cvode-adams");
+    const whirl_integrate_options adaptive = whirl_integrate_tighter(&options, 16.0);
+    assert_int_equal(adaptive.steps_per_revolution, 90);
+    assert_true(adaptive.rtol == options.rtol / 16.0 && adaptive.atol == options.atol / 16.0);
+    assert_true(whirl_integrate_tighter(&options, 1e9).rtol == 1e-14);
+    options.rtol = 1e-15; // whoever asks for that gets it
+    assert_true(whirl_integrate_tighter(&options, 16.0).rtol == 1e-15);
+}
+
+static void advice_is_followed(void **state) {
+    (void)state;
+    const whirl_integrate_options given = whirl_integrate_default();
+    whirl_record_options record = whirl_record_default(); // 1100 + 100, 650 watched
+    whirl_integrate_options integrate = given;
+    whirl_advice_apply((whirl_advice){WHIRL_NO_REMEDY, 1.0}, &integrate, &record);
+    assert_int_equal(record.transient, 1100);
+    assert_int_equal(record.watch, 0);
+
+    whirl_advice_apply((whirl_advice){WHIRL_LONGER_TRANSIENT, 2.5}, &integrate, &record);
+    assert_int_equal(record.transient, 2900);
+    assert_int_equal(record.record, 100);
+    assert_int_equal(whirl_record_watch(&record), 650);
+
+    record = whirl_record_default();
+    whirl_advice_apply((whirl_advice){WHIRL_LONGER_WATCH, 4.0}, &integrate, &record);
+    assert_int_equal(record.watch, 2600);
+    assert_int_equal(record.transient - 1100, 2600 - 650); // what went before stays
+    assert_int_equal(record.record, 100);
+
+    record = whirl_record_default();
+    assert_int_equal(integrate.steps_per_revolution, 1024);
+    integrate.steps_per_revolution = 99; // 198 has a divisor of 66, 99 has none between 64 and 99
+    const int samples = whirl_record_samples(&record, 99);
+    whirl_advice_apply((whirl_advice){WHIRL_TIGHTER, 16.0}, &integrate, &record);
+    assert_int_equal(integrate.steps_per_revolution, 198);
+    assert_int_equal(whirl_record_samples(&record, 198), samples);
+
+    record.transient = 2000000000;
+    for (int i = 0; i < 3; i++) whirl_advice_apply((whirl_advice){WHIRL_LONGER_WATCH, 100.0}, &integrate, &record);
+    assert_true(record.transient >= 2000000000 && record.watch <= record.transient + record.record);
+}
+
+static void in_words(void **state) {
+    (void)state;
+    char text[128];
+    whirl_verdict verdict = verdict_of(WHIRL_PERIODIC, 2, WHIRL_HIGH);
+    whirl_verdict_advice(&verdict, text, sizeof text);
+    assert_string_equal(text, "");
+    verdict.advice = (whirl_advice){WHIRL_LONGER_TRANSIENT, 3.0};
+    whirl_verdict_advice(&verdict, text, sizeof text);
+    assert_string_equal(text, "let it run 3 times as long");
+    verdict.advice = (whirl_advice){WHIRL_LONGER_WATCH, 4.0};
+    whirl_verdict_advice(&verdict, text, sizeof text);
+    assert_string_equal(text, "watch 4 times as many revolutions");
+    verdict.advice = (whirl_advice){WHIRL_TIGHTER, 256.0};
+    whirl_verdict_advice(&verdict, text, sizeof text);
+    assert_string_equal(text, "integrate with errors of a step 256 times smaller");
+    assert_string_equal(whirl_confidence_name(WHIRL_LOW), "low");
+    assert_string_equal(whirl_confidence_name(WHIRL_FAIR), "fair");
+    assert_string_equal(whirl_confidence_name(WHIRL_HIGH), "high");
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(two_tolerances),
+        cmocka_unit_test(tighter),
+        cmocka_unit_test(advice_is_followed),
+        cmocka_unit_test(in_words),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
