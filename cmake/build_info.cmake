@@ -43,7 +43,7 @@ if(EXISTS "${sundials_header}")
   set(sundials_version "${CMAKE_MATCH_1}")
 endif()
 set(libraries "HDF5 ${HDF5_VERSION}" "SUNDIALS ${sundials_version}" "libyaml ${YAML_VERSION}"
-    "muParser ${MUPARSER_VERSION}" "UDUNITS ${UDUNITS_VERSION}" "Jansson ${JANSSON_VERSION}" "KissFFT ${KISSFFT_VERSION}"
+    "muParser ${MUPARSER_VERSION}" "UDUNITS ${UDUNITS_VERSION}" "Jansson ${JANSSON_VERSION}"
     "OpenMP ${OpenMP_C_VERSION}")
 list(JOIN libraries ", " BUILD_LIBRARIES)
 

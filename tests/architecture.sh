@@ -53,7 +53,6 @@ only_in case 'yaml\.h'
 only_in case 'udunits2'
 only_in case 'muParser'
 only_in integrate 'cvode|nvector|sundials|sunmatrix|sunlinsol'
-only_in analyze 'kissfft|kiss_fft'
 only_in report 'jansson'
 only_in study 'omp\.h'
 

@@ -1,7 +1,5 @@
 // Amplitude spectra in orders of the running speed, and the full spectrum of x + iy, which tells forward from
 // backward whirl. The record holds whole revolutions, so whole orders and their fractions 1/record lie on bins.
-#include <kiss_fft.h>
-#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -17,82 +15,57 @@ static size_t bin_count(size_t revolutions, size_t samples_per_revolution, doubl
     return (size_t)fmin(wanted, last_whole) + 1;
 }
 
-/// Work of a transform, one block.
-typedef struct workspace {
-    double *x, *y, *power;
-    kiss_fft_cpx *in, *out;
-} workspace;
-
-static workspace *workspace_new(size_t samples, size_t bins) {
-    workspace *work = malloc(sizeof *work + (2 * samples + bins) * sizeof(double) + 2 * samples * sizeof(kiss_fft_cpx));
-    if (!work) return NULL;
-    work->x = (double *)(work + 1);
-    work->y = work->x + samples;
-    work->power = work->y + samples;
-    work->in = (kiss_fft_cpx *)(work->power + bins);
-    work->out = work->in + samples;
-    return work;
-}
-
-/// The periodic Hann window, at sample j of count.
-static double hann(size_t j, size_t count) {
-    const double s = sin(pi * (double)j / (double)count);
-    return s * s;
+/// The periodic Hann window of `count` samples, which sums to count/2.
+static void hann_window(size_t count, double *window) {
+    for (size_t j = 0; j < count; j++) {
+        const double s = sin(pi * (double)j / (double)count);
+        window[j] = s * s;
+    }
 }
 
 /// Removes the mean and applies the window. The mean is weighted by the window: a plain mean over a broken number of
-/// periods of a line would leave an offset, which would leak into other lines. Returns the largest value left; what is
-/// at the rounding of the mean counts as nothing.
-static double window_samples(const double *samples, size_t count, double *windowed) {
+/// periods of a line would leave an offset, which would leak into other lines. True where something is left but the
+/// rounding of the mean.
+static bool window_samples(const double *samples, const double *window, size_t count, double *windowed) {
     double mean = 0.0, largest = 0.0, scale = 0.0;
-    for (size_t j = 0; j < count; j++) mean += samples[j] * hann(j, count);
+    for (size_t j = 0; j < count; j++) mean += samples[j] * window[j];
     mean /= 0.5 * (double)count;
     for (size_t j = 0; j < count; j++) {
-        windowed[j] = (samples[j] - mean) * hann(j, count);
+        windowed[j] = (samples[j] - mean) * window[j];
         largest = fmax(largest, fabs(windowed[j]));
         scale = fmax(scale, fabs(samples[j]));
     }
-    return largest > 1e-12 * scale ? largest : 0.0;
+    return largest > 1e-12 * scale;
 }
 
-/// Transforms x + iy, scaled by `scale` to keep single precision in its range. false: no memory.
-static bool transform(workspace *work, size_t count, double scale) {
-    kiss_fft_cfg plan = kiss_fft_alloc((int)count, 0, NULL, NULL);
-    if (!plan) return false;
-    for (size_t j = 0; j < count; j++) {
-        work->in[j] = (kiss_fft_cpx){(float)(work->x[j] / scale), (float)(work->y[j] / scale)};
-    }
-    kiss_fft(plan, work->in, work->out);
-    kiss_fft_free(plan);
-    return true;
-}
-
-/// Amplitudes at bin k from Z(k) and Z(-k): with z = x + iy, X(k) = (Z(k) + conj Z(-k))/2, Y(k) = (Z(k) - conj Z(-k))/2i.
-/// `unit` turns the transform into the amplitude of a circular motion.
-static whirl_line bin_amplitudes(const workspace *work, size_t count, size_t k, double unit) {
-    const kiss_fft_cpx plus = work->out[k], minus = work->out[k == 0 ? 0 : count - k];
-    const double pr = unit * (double)plus.r, pi_ = unit * (double)plus.i;
-    const double mr = unit * (double)minus.r, mi = unit * (double)minus.i;
-    return (whirl_line){.x = hypot(pr + mr, pi_ - mi),
-                        .y = hypot(pr - mr, pi_ + mi),
-                        .forward = hypot(pr, pi_),
-                        .backward = hypot(mr, mi)};
-}
-
-static void fill(whirl_spectrum *spectrum, workspace *work, size_t count, size_t bins, double scale) {
-    const double unit = scale / (0.5 * (double)count); // the window sums to count/2
+/// The whole bins, and the lines between them. `power` has room for all `bins`.
+static void fill(whirl_spectrum *spectrum, const wave_transform *wave, size_t bins, double *power) {
     for (size_t k = 0; k < bins; k++) {
-        const whirl_line bin = bin_amplitudes(work, count, k, unit);
-        work->power[k] = bin.x * bin.x + bin.y * bin.y;
+        const whirl_line bin = spectrum_line((double)k, wave_transform_at(wave, (double)k));
+        power[k] = bin.x * bin.x + bin.y * bin.y;
         if (k >= spectrum->count) continue;
         spectrum->x[k] = bin.x;
         spectrum->y[k] = bin.y;
         spectrum->forward[k] = bin.forward;
         spectrum->backward[k] = bin.backward;
     }
-    const windowed_pair signal = {count, work->x, work->y};
-    spectrum->line_count = spectrum_lines(&signal, work->power, bins, spectrum->lines);
+    spectrum->line_count = spectrum_lines(wave, power, bins, spectrum->lines);
     for (size_t l = 0; l < spectrum->line_count; l++) spectrum->lines[l].order *= spectrum->resolution;
+}
+
+/// The spectrum of two coordinates [2][count]. false: no memory.
+static bool analyse(const double *samples, size_t count, size_t bins, whirl_spectrum *spectrum) {
+    double *x = malloc((3 * count + bins) * sizeof *x), *y = x + count, *window = y + count, *power = window + count;
+    if (!x) return false;
+    hann_window(count, window);
+    const bool moves_x = window_samples(samples, window, count, x);
+    const bool moves_y = window_samples(samples + count, window, count, y);
+    wave_transform *wave = moves_x || moves_y ? wave_transform_new(x, y, count, 0.5 * (double)count) : NULL;
+    if (wave) fill(spectrum, wave, bins, power);
+    const bool done = wave || (!moves_x && !moves_y);
+    wave_transform_free(wave);
+    free(x);
+    return done;
 }
 
 static whirl_spectrum *empty_spectrum(size_t bins, double resolution) {
@@ -108,10 +81,7 @@ static whirl_spectrum *empty_spectrum(size_t bins, double resolution) {
 }
 
 static whirl_status check(const whirl_record *record, size_t probe, double highest_order) {
-    if (record->sample_count == 0 || record->sample_count > INT_MAX) {
-        return whirl_fail(WHIRL_BAD_INPUT, "the record holds %zu samples of a waveform, a spectrum needs 1 to %d",
-                          record->sample_count, INT_MAX);
-    }
+    if (record->sample_count == 0) return whirl_fail(WHIRL_BAD_INPUT, "the record holds no samples of a waveform");
     if (probe >= record->probe_count) {
         return whirl_fail(WHIRL_BAD_INPUT, "there is no probe %zu, the record has %zu", probe, record->probe_count);
     }
@@ -134,18 +104,7 @@ whirl_status whirl_spectrum_new(const whirl_record *record, size_t probe, double
         bin_count(revolutions, record->samples_per_revolution, highest_order + 2.0 / (double)revolutions);
 
     whirl_spectrum *made = empty_spectrum(kept, 1.0 / (double)revolutions);
-    workspace *work = workspace_new(count, bins);
-    bool done = made && work;
-    if (done) {
-        const double *x = record->waveform + 2 * probe * count;
-        const double scale = fmax(window_samples(x, count, work->x), window_samples(x + count, count, work->y));
-        if (scale > 0.0) {
-            done = transform(work, count, scale);
-            if (done) fill(made, work, count, bins, scale);
-        }
-    }
-    free(work);
-    if (!done) {
+    if (!made || !analyse(record->waveform + 2 * probe * count, count, bins, made)) {
         whirl_spectrum_free(made);
         return whirl_fail(WHIRL_NO_MEMORY, "no memory for the spectrum of %zu samples", count);
     }
