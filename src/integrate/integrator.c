@@ -6,7 +6,7 @@
 #include "method.h"
 #include "whirl/descriptor.h"
 
-static const method *const methods[] = {&rk4_method, &cvode_adams_method, &cvode_bdf_method, NULL};
+static const method *const methods[] = {&rk4_method, &dop853_method, &cvode_adams_method, &cvode_bdf_method, NULL};
 enum { METHOD_COUNT = sizeof methods / sizeof *methods - 1, MAX_STEPS = 1 << 24 };
 
 whirl_integrate_options whirl_integrate_default(void) {

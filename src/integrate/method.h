@@ -19,7 +19,7 @@ typedef struct method {
     void (*end)(whirl_integrator *integrator);
 } method;
 
-extern const method rk4_method, cvode_adams_method, cvode_bdf_method;
+extern const method rk4_method, dop853_method, cvode_adams_method, cvode_bdf_method;
 
 /// WHIRL_BAD_INPUT where the system or the options are none.
 whirl_status check_options(const whirl_system *system, const whirl_integrate_options *options);

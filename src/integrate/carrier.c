@@ -1,0 +1,274 @@
+// Steps of the pair: slopes, error, length, interpolant, and where a step must end.
+#include "carrier.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "crossing.h"
+
+static const double safety = 0.9, least_factor = 1.0 / 3.0, most_factor = 6.0;
+
+carrier *carrier_new(size_t dimension, size_t switch_count, const whirl_integrate_options *options) {
+    const size_t rows = 5 + DOP853_SLOPES + DENSE + MAX_SLIDING + 3;
+    carrier *c = calloc(1, sizeof *c + (rows * dimension + switch_count) * sizeof(double));
+    if (!c) return NULL;
+    double *row = (double *)(c + 1);
+    double **const parts[] = {&c->x, &c->start, &c->end, &c->stage, &c->scale};
+    c->dimension = dimension;
+    c->rtol = options->rtol;
+    c->atol = options->atol;
+    c->limit = options->limit;
+    for (size_t i = 0; i < sizeof parts / sizeof *parts; i++, row += dimension) *parts[i] = row;
+    for (int i = 0; i < DOP853_SLOPES; i++, row += dimension) c->k[i] = row;
+    for (int i = 0; i < DENSE; i++, row += dimension) c->dense[i] = row;
+    c->work = row;
+    c->sides = row + (MAX_SLIDING + 3) * dimension;
+    return c;
+}
+
+// ---------------------------------------------------------------- one step
+
+/// Slope `i` of the step from `start` of length h.
+static void take_slope(const carrier *c, int i, double h) {
+    const double *weights = dop853_a[i];
+    for (size_t d = 0; d < c->dimension; d++) {
+        double sum = 0.0;
+        for (int j = 0; j < i && j < DOP853_SLOPES - 1; j++) sum += weights[j] * c->k[j][d];
+        c->stage[d] = c->start[d] + h * sum;
+    }
+    carrier_slope(c, c->begin + dop853_c[i] * h, c->stage, c->k[i]);
+}
+
+/// What an error of every coordinate is compared with, between the states a and b. A coordinate that passes zero is not small for that:
+/// those of one probe count as large as the largest of them.
+static void set_scales(carrier *c, const double *a, const double *b) {
+    for (size_t d = 0; d < c->dimension; d++) c->scale[d] = fmax(fabs(a[d]), fabs(b[d]));
+    for (size_t i = 0; i < c->system->probe_count; i++) {
+        const whirl_probe *probe = &c->system->probes[i];
+        const size_t parts[] = {probe->x, probe->y, probe->vx, probe->vy};
+        double size = 0.0;
+        for (int k = 0; k < 4; k++) size = fmax(size, c->scale[parts[k]]);
+        for (int k = 0; k < 4; k++) c->scale[parts[k]] = size;
+    }
+    for (size_t d = 0; d < c->dimension; d++) c->scale[d] = c->atol + c->rtol * c->scale[d];
+}
+
+/// The norm of the estimated error over the tolerance, of both embedded formulas as DOP853 weighs them; not a number where the
+/// step leaves the equations' domain.
+static double estimated_error(const carrier *c, double h) {
+    double square5 = 0.0, square3 = 0.0;
+    for (size_t d = 0; d < c->dimension; d++) {
+        double e5 = 0.0, e3 = 0.0;
+        for (int j = 0; j < DOP853_STAGES; j++) {
+            e5 += dop853_e5[j] * c->k[j][d];
+            e3 += dop853_e3[j] * c->k[j][d];
+        }
+        square5 += (e5 / c->scale[d]) * (e5 / c->scale[d]);
+        square3 += (e3 / c->scale[d]) * (e3 / c->scale[d]);
+    }
+    const double mixed = square5 + 0.01 * square3;
+    return mixed > 0.0 ? h * square5 / sqrt(mixed * (double)c->dimension) : mixed;
+}
+
+/// Tries a step of length h from `start`, whose first slope is known: end, slope at the end and error.
+static double try_step(carrier *c, double h) {
+    for (int i = 1; i < DOP853_STAGES; i++) take_slope(c, i, h);
+    for (size_t d = 0; d < c->dimension; d++) {
+        double sum = 0.0;
+        for (int j = 0; j < DOP853_STAGES; j++) sum += dop853_a[DOP853_STAGES][j] * c->k[j][d];
+        c->end[d] = c->start[d] + h * sum;
+    }
+    carrier_slope(c, c->begin + h, c->end, c->k[DOP853_STAGES]);
+    c->length = h;
+    set_scales(c, c->start, c->end);
+    const double error = estimated_error(c, h);
+    for (size_t d = 0; d < c->dimension; d++)
+        if (!isfinite(c->k[DOP853_STAGES][d])) return NAN;
+    return error;
+}
+
+/// The interpolant of the step (Hairer, Norsett, Wanner 1993, II.6).
+static void interpolate(carrier *c) {
+    const double h = c->length;
+    const double *first = c->k[0], *last = c->k[DOP853_STAGES];
+    for (int i = DOP853_STAGES + 1; i < DOP853_SLOPES; i++) take_slope(c, i, h);
+    for (size_t d = 0; d < c->dimension; d++) {
+        const double way = c->end[d] - c->start[d];
+        c->dense[0][d] = way;
+        c->dense[1][d] = h * first[d] - way;
+        c->dense[2][d] = 2.0 * way - h * (first[d] + last[d]);
+        for (int i = 0; i < DOP853_DENSE; i++) {
+            double sum = 0.0;
+            for (int j = 0; j < DOP853_SLOPES; j++) sum += dop853_d[i][j] * c->k[j][d];
+            c->dense[3 + i][d] = h * sum;
+        }
+    }
+}
+
+void carrier_between(const carrier *c, double theta, double *x) {
+    for (size_t d = 0; d < c->dimension; d++) {
+        double sum = 0.0;
+        for (int i = DENSE - 1; i >= 0; i--) sum = (sum + c->dense[i][d]) * (i % 2 == 0 ? theta : 1.0 - theta);
+        x[d] = c->start[d] + sum;
+    }
+}
+
+/// By what the length changes after a step of that error: proportional and integral control, err^(-5/64) times the error
+/// before to the power 1/16 (Gustafsson 1991); roots alone, so that it is the same everywhere.
+static double length_factor(double error, double before) {
+    const double sixteenth = sqrt(sqrt(sqrt(sqrt(fmax(error, 1e-8)))));
+    const double factor = safety * sqrt(sqrt(sqrt(sqrt(before)))) / (sixteenth * sqrt(sqrt(sixteenth)));
+    return fmin(most_factor, fmax(least_factor, factor));
+}
+
+// ---------------------------------------------------------------- the first step
+
+static double norm(const carrier *c, const double *v, const double *other) {
+    double sum = 0.0;
+    for (size_t d = 0; d < c->dimension; d++) {
+        const double value = (v[d] - (other ? other[d] : 0.0)) / c->scale[d];
+        sum += value * value;
+    }
+    return sqrt(sum / (double)c->dimension);
+}
+
+/// A length for the first step (Hairer, Norsett, Wanner 1993, II.4), from the size of the state, of its slope and of the
+/// slope's change.
+static double first_length(carrier *c) {
+    set_scales(c, c->x, c->x);
+    const double size = norm(c, c->x, NULL), slope = norm(c, c->k[0], NULL), period = c->system->period;
+    double h = size < 1e-5 || slope < 1e-5 ? 1e-6 * period : 0.01 * size / slope;
+    h = fmin(h, period);
+    for (size_t d = 0; d < c->dimension; d++) c->stage[d] = c->x[d] + h * c->k[0][d];
+    carrier_slope(c, h, c->stage, c->k[1]);
+    const double most = fmax(slope, norm(c, c->k[1], c->k[0]) / h);
+    const double longer = most > 1e-15 ? sqrt(sqrt(sqrt(0.01 / most))) : fmax(1e-6 * period, 1e-3 * h);
+    return isfinite(longer) ? fmin(100.0 * h, longer) : h;
+}
+
+whirl_motion carrier_begin(carrier *c, const whirl_system *system, const double *x) {
+    c->system = system;
+    c->t = 0.0;
+    c->error = 1.0;
+    c->switchings = 0;
+    c->crossed = true;
+    memcpy(c->x, x, c->dimension * sizeof *x);
+    for (size_t d = 0; d < c->dimension; d++)
+        if (!(fabs(x[d]) <= c->limit)) return WHIRL_DIVERGED; // NaN too
+    carrier_find_sides(c);
+    carrier_slope(c, 0.0, c->x, c->k[0]);
+    c->h = first_length(c);
+    return WHIRL_BOUNDED;
+}
+
+// ---------------------------------------------------------------- steps that end at switches
+
+static void watch(void *context, double theta, double *values) {
+    carrier *c = context;
+    carrier_between(c, theta, c->stage);
+    carrier_watched(c, c->begin + theta * c->length, c->stage, values);
+}
+
+/// Takes the step anew so that it ends where function `which` is zero: at theta of its length by the interpolant, then nearer by
+/// what is left.
+static void land(carrier *c, double theta, size_t which) {
+    enum { TRIES = 4 };
+    const double whole = c->length, nudge = 1e-4;
+    double after[WHIRL_MAX_SWITCHES], before[WHIRL_MAX_SWITCHES];
+    watch(c, theta + nudge, after);
+    watch(c, theta - nudge, before);
+    const double rate = (after[which] - before[which]) / (2.0 * nudge * whole);
+    double h = theta * whole;
+    for (int i = 0; i < TRIES; i++) {
+        try_step(c, h);
+        carrier_watched(c, c->begin + h, c->end, after);
+        if (fabs(after[which]) <= carrier_reach(c, which, c->begin + h, c->end) || !(rate < 0.0)) break;
+        const double nearer = h - after[which] / rate;
+        if (!(nearer > 0.0 && nearer <= whole) || i == TRIES - 1) break;
+        h = nearer;
+    }
+}
+
+/// Where the step just tried must end; at its beginning where theta is 0.
+static bool meets_switch(carrier *c, double *theta, size_t *which) {
+    if (c->system->switch_count == 0) return false;
+    const crossing_search search = {watch, c, c->system->switch_count, c->held};
+    interpolate(c);
+    return crossing_first(&search, theta, which);
+}
+
+/// Lets the motion go on at the end of the step.
+static void go_on(carrier *c, double t) {
+    c->t = t;
+    memcpy(c->x, c->end, c->dimension * sizeof *c->x);
+    memset(c->held, 0, sizeof c->held);
+    if (c->sliding_count > 0) carrier_project(c, c->x);
+}
+
+/// A length for the step from t: no sliver is left before `until`.
+static double next_length(const carrier *c, double until) {
+    const double left = until - c->t;
+    const double most = c->system->switch_count > 0 ? fmin(c->h, c->system->period / 8.0) : c->h;
+    if (left <= most * 1.01) return left;
+    return left < 2.0 * most ? 0.5 * left : most;
+}
+
+static whirl_motion judge(const carrier *c) {
+    for (size_t d = 0; d < c->dimension; d++)
+        if (!(fabs(c->x[d]) <= c->limit)) return WHIRL_DIVERGED; // NaN too
+    return WHIRL_BOUNDED;
+}
+
+/// Tries steps, shorter and shorter, until one keeps the tolerance.
+static whirl_motion accept(carrier *c, double until) {
+    bool rejected = false;
+    for (;;) {
+        const double h = next_length(c, until);
+        const double error = try_step(c, h);
+        if (error <= 1.0) {
+            const double factor = length_factor(error, c->error);
+            // A step cut short by `until` or by a rejection says little of how long the next may be.
+            c->h = fmax(h < c->h && !rejected ? c->h : 0.0, h * (rejected ? fmin(factor, 1.0) : factor));
+            c->error = fmax(error, 1e-4);
+            return WHIRL_BOUNDED;
+        }
+        const bool finite = isfinite(error);
+        c->h = h * (finite ? fmax(least_factor, safety / sqrt(sqrt(sqrt(error)))) : 0.1);
+        rejected = true;
+        if (c->h < 16.0 * DBL_EPSILON * c->system->period) return finite ? WHIRL_STUCK : WHIRL_DIVERGED;
+    }
+}
+
+whirl_motion carrier_step(carrier *c, double until) {
+    for (;;) {
+        double theta = 1.0;
+        size_t which = 0;
+        c->begin = c->t;
+        memcpy(c->start, c->x, c->dimension * sizeof *c->x);
+        if (c->crossed || c->sliding_count > 0) {
+            carrier_slope(c, c->t, c->x, c->k[0]);
+        } else {
+            memcpy(c->k[0], c->k[DOP853_STAGES], c->dimension * sizeof *c->x);
+        }
+        for (size_t d = 0; d < c->dimension; d++)
+            if (!isfinite(c->k[0][d])) return WHIRL_DIVERGED;
+        const whirl_motion motion = accept(c, until);
+        if (motion != WHIRL_BOUNDED) return motion;
+        c->crossed = meets_switch(c, &theta, &which);
+        if (!c->crossed) {
+            if (c->observed && c->system->switch_count == 0) interpolate(c);
+            go_on(c, c->length < until - c->begin ? c->begin + c->length : until);
+            return judge(c);
+        }
+        if (++c->switchings > MAX_SWITCHINGS) return WHIRL_STUCK;
+        if (theta > 0.0) {
+            land(c, theta, which);
+            if (c->observed) interpolate(c);
+            go_on(c, c->begin + c->length);
+        }
+        carrier_cross(c, which);
+        if (theta > 0.0) return judge(c);
+    }
+}

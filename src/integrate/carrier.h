@@ -1,0 +1,72 @@
+/// A machine carried by adaptive steps of order 8 that end where its laws switch.
+///
+/// Every step runs on fixed sides of the switching functions, where the right-hand side is smooth (whirl_system.rhs_on_sides); the
+/// first zero of a switching function within the step is found on the interpolant and the step taken anew to end there. Then
+/// the motion goes on beyond the switch or, where both sides push onto it, slides along it (Filippov 1988) until one
+/// side lets go. Of systems that do not know sides the state decides, and steps end at the switches all the same.
+#ifndef INTEGRATE_CARRIER_H
+#define INTEGRATE_CARRIER_H
+
+#include "dop853_tableau.h"
+#include "whirl/integrate.h"
+
+enum { MAX_SLIDING = 8, MAX_SWITCHINGS = 10000, DENSE = 3 + DOP853_DENSE };
+
+typedef struct carrier {
+    const whirl_system *system;
+    size_t dimension;
+    double rtol, atol, limit;
+    double t;                     ///< where the motion is
+    double h;                     ///< length of step to try next
+    double *x;                    ///< [dimension]
+    double *sides;                ///< [switch_count] -1 or +1
+    int held[WHIRL_MAX_SWITCHES]; ///< as crossing_search has it, for the step that begins at x
+    bool sliding[WHIRL_MAX_SWITCHES];
+    size_t sliding_count;
+    int switchings; ///< since the beginning of the revolution
+    bool crossed;   ///< the last step ended at a switch
+    bool observed;  ///< carrier_between is wanted after every step
+    // The last step.
+    double begin, length;
+    double *start;                           ///< [dimension] the state at its beginning
+    double *end;                             ///< [dimension] workspace: the state at its end
+    double *k[DOP853_SLOPES], *dense[DENSE]; ///< [dimension] slopes and polynomials
+    double error;                            ///< of the last accepted step, in tolerances
+    double *stage, *scale;                   ///< [dimension] workspace
+    double *work;                            ///< [MAX_SLIDING + 3][dimension] workspace of the sides
+} carrier;
+
+/// A carrier for systems of that dimension and number of switches, with no motion yet; NULL where there is no memory. Freed by free().
+carrier *carrier_new(size_t dimension, size_t switch_count, const whirl_integrate_options *options);
+
+/// Begins a revolution at x: t = 0, sides as x says, a length of step that depends on x alone.
+whirl_motion carrier_begin(carrier *c, const whirl_system *system, const double *x);
+
+/// Carries the motion one step further, at most to `until` and at most to the first switch.
+whirl_motion carrier_step(carrier *c, double until);
+
+/// The state within the last step, by the interpolant of order 7; theta from 0 to 1.
+void carrier_between(const carrier *c, double theta, double *x);
+
+// ---------------------------------------------------------------- between the carrier's own files
+
+/// dx/dt at (t, x) on the present sides, sliding included.
+void carrier_slope(const carrier *c, double t, const double *x, double *dxdt);
+
+/// The sides at the beginning of a revolution, where x may lie on a switch.
+void carrier_find_sides(carrier *c);
+
+/// What must stay positive during a step, [switch_count]: the switching functions times their sides, and for those that are slid along
+/// the room that the two sides leave.
+void carrier_watched(const carrier *c, double t, const double *x, double *values);
+
+/// At the end of a step on switch `which`: beyond it, or along it.
+void carrier_cross(carrier *c, size_t which);
+
+/// Puts x back onto the switches that are slid along.
+void carrier_project(const carrier *c, double *x);
+
+/// Within which the value of switch `which` at x counts as zero: a thousandth of the tolerance of x.
+double carrier_reach(const carrier *c, size_t which, double t, const double *x);
+
+#endif

@@ -1,0 +1,227 @@
+// On which sides of its switches a motion is, what happens at their zeros, and sliding along them (Filippov 1988).
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "carrier.h"
+
+// ---------------------------------------------------------------- switching functions and their derivatives
+
+static double value_of(const carrier *c, size_t which, double t, const double *x) {
+    double values[WHIRL_MAX_SWITCHES];
+    c->system->switches(c->system->model, t, x, values);
+    return values[which];
+}
+
+/// The derivative by time of a switching function along `slope`: by the system's gradient, else by central differences.
+static double rate_along(const carrier *c, size_t which, double t, const double *x, const double *slope) {
+    double *gradient = c->work, rate;
+    if (c->system->switch_gradient) {
+        c->system->switch_gradient(c->system->model, t, x, which, gradient, &rate);
+        for (size_t d = 0; d < c->dimension; d++) rate += gradient[d] * slope[d];
+        return rate;
+    }
+    const double step = 1e-6 * c->system->period;
+    for (size_t d = 0; d < c->dimension; d++) c->work[d] = x[d] + step * slope[d];
+    rate = value_of(c, which, t + step, c->work);
+    for (size_t d = 0; d < c->dimension; d++) c->work[d] = x[d] - step * slope[d];
+    return (rate - value_of(c, which, t - step, c->work)) / (2.0 * step);
+}
+
+double carrier_reach(const carrier *c, size_t which, double t, const double *x) {
+    double *gradient = c->work, by_time, reach = 0.0;
+    if (!c->system->switch_gradient) { // a unit of the function for a unit of the state
+        for (size_t d = 0; d < c->dimension; d++) reach = fmax(reach, 1e-3 * (c->atol + c->rtol * fabs(x[d])));
+        return fmax(reach, 4.0 * DBL_EPSILON);
+    }
+    c->system->switch_gradient(c->system->model, t, x, which, gradient, &by_time);
+    for (size_t d = 0; d < c->dimension; d++)
+        reach += fabs(gradient[d]) * fmax(1e-3 * (c->atol + c->rtol * fabs(x[d])), 4.0 * DBL_EPSILON * fabs(x[d]));
+    return reach;
+}
+
+// ---------------------------------------------------------------- slopes
+
+static void slope_on(const carrier *c, double t, const double *x, const double *sides, double *dxdt) {
+    const whirl_system *system = c->system;
+    double forcing[WHIRL_MAX_FORCING];
+    if (system->forcing_count > 0) system->forcing(system->model, t, forcing);
+    if (system->rhs_on_sides)
+        system->rhs_on_sides(system->model, t, forcing, x, sides, dxdt);
+    else
+        system->rhs(system->model, t, forcing, x, dxdt);
+}
+
+/// Solves the n by n equations matrix out = right by elimination with the largest pivot; false where they are singular.
+static bool solve(size_t n, double matrix[MAX_SLIDING][MAX_SLIDING], double *right) {
+    for (size_t k = 0; k < n; k++) {
+        size_t pivot = k;
+        for (size_t i = k + 1; i < n; i++)
+            if (fabs(matrix[i][k]) > fabs(matrix[pivot][k])) pivot = i;
+        if (!(fabs(matrix[pivot][k]) > 0.0)) return false;
+        for (size_t j = 0; j < n; j++) {
+            const double swap = matrix[k][j];
+            matrix[k][j] = matrix[pivot][j];
+            matrix[pivot][j] = swap;
+        }
+        const double swap = right[k];
+        right[k] = right[pivot];
+        right[pivot] = swap;
+        for (size_t i = k + 1; i < n; i++) {
+            const double factor = matrix[i][k] / matrix[k][k];
+            for (size_t j = k; j < n; j++) matrix[i][j] -= factor * matrix[k][j];
+            right[i] -= factor * right[k];
+        }
+    }
+    for (size_t k = n; k-- > 0;) {
+        for (size_t j = k + 1; j < n; j++) right[k] -= matrix[k][j] * right[j];
+        right[k] /= matrix[k][k];
+    }
+    return true;
+}
+
+static size_t list_sliding(const carrier *c, size_t list[MAX_SLIDING]) {
+    size_t count = 0;
+    for (size_t i = 0; i < c->system->switch_count; i++)
+        if (c->sliding[i]) list[count++] = i;
+    return count;
+}
+
+/// The slope that keeps to all switches that are slid along: that on their lower sides plus the share of what the upper side of
+/// each of them adds (laws add, so the convex combination of all sides is of this form). Writes the shares, 0 to 1 while
+/// the motion keeps to the switch by itself.
+static void slope_along(const carrier *c, double t, const double *x, double *dxdt, double *share) {
+    const size_t n = c->dimension;
+    size_t list[MAX_SLIDING];
+    const size_t count = list_sliding(c, list);
+    double sides[WHIRL_MAX_SWITCHES], matrix[MAX_SLIDING][MAX_SLIDING], *added = c->work + n;
+    memcpy(sides, c->sides, c->system->switch_count * sizeof *sides);
+    for (size_t i = 0; i < count; i++) sides[list[i]] = -1.0;
+    slope_on(c, t, x, sides, dxdt);
+    for (size_t j = 0; j < count; j++) {
+        sides[list[j]] = 1.0;
+        slope_on(c, t, x, sides, added + j * n);
+        sides[list[j]] = -1.0;
+        for (size_t d = 0; d < n; d++) added[j * n + d] -= dxdt[d];
+    }
+    for (size_t i = 0; i < count; i++) {
+        double by_time;
+        c->system->switch_gradient(c->system->model, t, x, list[i], c->work, &by_time);
+        share[i] = -by_time;
+        for (size_t d = 0; d < n; d++) share[i] -= c->work[d] * dxdt[d];
+        for (size_t j = 0; j < count; j++) {
+            matrix[i][j] = 0.0;
+            for (size_t d = 0; d < n; d++) matrix[i][j] += c->work[d] * added[j * n + d];
+        }
+    }
+    if (!solve(count, matrix, share)) // nothing holds the motion on the switch
+        for (size_t i = 0; i < count; i++) share[i] = 0.0;
+    for (size_t j = 0; j < count; j++)
+        for (size_t d = 0; d < n; d++) dxdt[d] += share[j] * added[j * n + d];
+}
+
+void carrier_slope(const carrier *c, double t, const double *x, double *dxdt) {
+    double share[MAX_SLIDING];
+    if (c->sliding_count > 0)
+        slope_along(c, t, x, dxdt, share);
+    else
+        slope_on(c, t, x, c->sides, dxdt);
+}
+
+// ---------------------------------------------------------------- sides
+
+void carrier_watched(const carrier *c, double t, const double *x, double *values) {
+    double share[MAX_SLIDING];
+    c->system->switches(c->system->model, t, x, values);
+    for (size_t i = 0; i < c->system->switch_count; i++) values[i] *= c->sides[i];
+    if (c->sliding_count == 0) return;
+    slope_along(c, t, x, c->work + (MAX_SLIDING + 1) * c->dimension, share);
+    size_t at = 0;
+    for (size_t i = 0; i < c->system->switch_count; i++)
+        if (c->sliding[i]) {
+            values[i] = share[at] * (1.0 - share[at]);
+            at++;
+        }
+}
+
+/// Derivative of a switching function on one side of it, at (t, x).
+static double rate_on(carrier *c, size_t which, double side) {
+    double *slope = c->work + (MAX_SLIDING + 1) * c->dimension;
+    const double kept = c->sides[which];
+    c->sides[which] = side;
+    carrier_slope(c, c->t, c->x, slope);
+    c->sides[which] = kept;
+    return rate_along(c, which, c->t, c->x, slope);
+}
+
+static bool can_slide(const carrier *c) {
+    return c->system->rhs_on_sides && c->system->switch_gradient && c->sliding_count < MAX_SLIDING;
+}
+
+/// Begins to slide along a switch.
+static void slide(carrier *c, size_t which) {
+    c->sliding[which] = true;
+    c->sliding_count++;
+    carrier_project(c, c->x);
+}
+
+/// Ends sliding on the side that keeps the motion: where the share of the upper side is 1, the upper.
+static void let_go(carrier *c, size_t which) {
+    double share[MAX_SLIDING];
+    size_t at = 0;
+    slope_along(c, c->t, c->x, c->work + (MAX_SLIDING + 1) * c->dimension, share);
+    for (size_t i = 0; i < which; i++) at += c->sliding[i];
+    c->sides[which] = share[at] > 0.5 ? 1.0 : -1.0;
+    c->sliding[which] = false;
+    c->sliding_count--;
+    c->held[which] = 2; // the function and its derivative are both zero here
+}
+
+void carrier_cross(carrier *c, size_t which) {
+    if (c->sliding[which]) {
+        let_go(c, which);
+        return;
+    }
+    const double from = c->sides[which], onward = rate_on(c, which, -from);
+    if (-from * onward > 0.0) {
+        c->sides[which] = -from;
+    } else if (can_slide(c) && from * rate_on(c, which, from) < 0.0) {
+        slide(c, which);
+        return;
+    }
+    c->held[which] = 1;
+}
+
+void carrier_find_sides(carrier *c) {
+    const whirl_system *system = c->system;
+    double values[WHIRL_MAX_SWITCHES];
+    memset(c->held, 0, sizeof c->held);
+    memset(c->sliding, 0, sizeof c->sliding);
+    c->sliding_count = 0;
+    if (system->switch_count == 0) return;
+    system->switches(system->model, 0.0, c->x, values);
+    for (size_t i = 0; i < system->switch_count; i++) c->sides[i] = values[i] > 0.0 ? 1.0 : -1.0;
+    for (size_t i = 0; i < system->switch_count; i++) {
+        if (fabs(values[i]) > carrier_reach(c, i, 0.0, c->x)) continue;
+        const double below = rate_on(c, i, -1.0), above = rate_on(c, i, 1.0);
+        if (below > 0.0 && above < 0.0 && can_slide(c)) {
+            slide(c, i);
+        } else if (above > 0.0 || below < 0.0) {
+            c->sides[i] = above > 0.0 ? 1.0 : -1.0;
+            c->held[i] = 1;
+        }
+    }
+}
+
+void carrier_project(const carrier *c, double *x) {
+    double *gradient = c->work, by_time;
+    for (int turn = 0; turn < 2; turn++)
+        for (size_t i = 0; i < c->system->switch_count; i++) {
+            if (!c->sliding[i]) continue;
+            double square = 0.0;
+            c->system->switch_gradient(c->system->model, c->t, x, i, gradient, &by_time);
+            for (size_t d = 0; d < c->dimension; d++) square += gradient[d] * gradient[d];
+            const double by = value_of(c, i, c->t, x) / square;
+            for (size_t d = 0; d < c->dimension; d++) x[d] -= by * gradient[d];
+        }
+}
