@@ -122,6 +122,20 @@ whirl_status whirl_record_motions(const whirl_system *system, const whirl_integr
                                   const whirl_record_options *options, const whirl_task_source *source,
                                   const whirl_monitor *monitor);
 
+/// The same a revolution at a time, for programs that must answer in between.
+typedef struct whirl_recorder whirl_recorder;
+
+/// Starts a recorder; all that is given must outlive it. `lanes`: how many motions go side by side at least, where they can
+/// (0: as many as are fast). Errors as whirl_record_motions. Freed by whirl_recorder_free, which abandons what is under way.
+whirl_status whirl_recorder_new(const whirl_system *system, const whirl_integrate_options *integrate,
+                                const whirl_record_options *options, const whirl_task_source *source, size_t lanes,
+                                whirl_recorder **recorder);
+
+/// Carries the motions under way over a revolution, new ones of the source included. *turned is how many that were: 0 when
+/// the source has none left. After an error the recorder can only be freed.
+whirl_status whirl_recorder_revolve(whirl_recorder *recorder, size_t *turned);
+void whirl_recorder_free(whirl_recorder *recorder);
+
 // ---------------------------------------------------------------- single analyses, for any record
 
 /// A mean with its standard error.

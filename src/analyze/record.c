@@ -9,19 +9,22 @@
 #include "watcher.h"
 #include "whirl/ensemble.h"
 
+/// A motion that is recorded by the integrator's interface, which takes every system and method.
 typedef struct recording {
+    whirl_task task;
     const whirl_record_options *options;
-    const whirl_monitor *monitor;
     whirl_integrator *integrator;
     whirl_record *record;
     instant_watcher watcher;
     trajectory_twin twin;
     settling *settling; ///< NULL when every transient runs to its end
+    int revolution;     ///< the next one
     double *x;
 } recording;
 
 /// One revolution of the motion, and of its twin while that is followed.
-static void revolve(recording *r, int revolution) {
+static void revolve(recording *r) {
+    const int revolution = r->revolution++;
     const whirl_record_options *options = r->options;
     whirl_record *record = r->record;
     const int last = options->transient + options->record;
@@ -32,7 +35,7 @@ static void revolve(recording *r, int revolution) {
     if (revolution == options->transient) watch_note_contacts(&r->watcher, r->x);
     record->motion = whirl_integrator_revolve(r->integrator, r->x, recorded ? watch_instant : NULL, &r->watcher);
     if (record->motion != WHIRL_BOUNDED) {
-        record->diverged_at = revolution + 1;
+        record->diverged_at = r->revolution;
         return;
     }
     if (followed) {
@@ -43,47 +46,130 @@ static void revolve(recording *r, int revolution) {
         memcpy(record->section + record->section_count++ * record->dimension, r->x, record->dimension * sizeof *r->x);
 }
 
-static whirl_status run(recording *r) {
-    const int last = r->options->transient + r->options->record;
-    for (int revolution = 0; revolution < last; revolution++) {
-        revolve(r, revolution);
-        r->record->revolutions += 1.0;
-        if (r->record->motion != WHIRL_BOUNDED) return whirl_ok();
-        if (r->monitor && !r->monitor->revolution_done(r->monitor->context))
-            return whirl_fail(WHIRL_STOPPED, "stopped after revolution %d of %d", revolution + 1, last);
-        if (r->settling && settling_note(r->settling, r->x)) revolution = record_skip(r->options, revolution + 1) - 1;
-    }
+/// Revolves once; true when the motion is over.
+static bool carry_on(recording *r) {
+    revolve(r);
+    r->record->revolutions += 1.0;
+    if (r->record->motion != WHIRL_BOUNDED) return true;
+    if (r->settling && settling_note(r->settling, r->x)) r->revolution = record_skip(r->options, r->revolution);
+    if (r->revolution < r->options->transient + r->options->record) return false;
     watch_close(&r->watcher);
     memcpy(r->record->end, r->x, r->record->dimension * sizeof *r->x);
+    return true;
+}
+
+static void recording_free(recording *r) {
+    if (!r) return;
+    whirl_integrator_free(r->integrator);
+    settling_free(r->settling);
+    whirl_record_free(r->record);
+    free(r->x);
+    free(r);
+}
+
+static whirl_status recording_new(const whirl_task *task, const whirl_integrate_options *integrate,
+                                  const whirl_record_options *options, recording **out) {
+    const whirl_system *system = task->system;
+    recording *r = calloc(1, sizeof *r);
+    *out = NULL;
+    if (!r) return whirl_fail(WHIRL_NO_MEMORY, "no memory to record %d revolutions", options->record);
+    r->task = *task;
+    r->options = options;
+    whirl_status status = whirl_integrator_new(system, integrate, &r->integrator);
+    if (status.code == WHIRL_OK) {
+        r->x = malloc(2 * system->dimension * sizeof *r->x);
+        r->record = record_new(system, integrate, options);
+        if (options->settle) r->settling = settling_new(system->dimension);
+        if (!r->x || !r->record || (options->settle && !r->settling))
+            status = whirl_fail(WHIRL_NO_MEMORY, "no memory to record %d revolutions", options->record);
+    }
+    if (status.code != WHIRL_OK) {
+        recording_free(r);
+        return status;
+    }
+    memcpy(r->x, task->start, system->dimension * sizeof *r->x);
+    r->twin = (trajectory_twin){.dimension = system->dimension, .x = options->growth ? r->x + system->dimension : NULL};
+    watch_open(&r->watcher, system, integrate, r->record);
+    *out = r;
     return whirl_ok();
 }
 
-/// By the integrator's interface, which takes every system and method.
-static whirl_status record_alone(const whirl_system *system, const whirl_integrate_options *integrate,
-                                 const whirl_record_options *options, const double *start, const whirl_monitor *monitor,
-                                 whirl_record **out) {
-    recording r = {.options = options, .monitor = monitor};
-    whirl_status status = whirl_integrator_new(system, integrate, &r.integrator);
+// ---------------------------------------------------------------- recorders
+
+struct whirl_recorder {
+    const whirl_integrate_options *integrate;
+    const whirl_record_options *options;
+    const whirl_task_source *source;
+    lanes_recorder *lanes; ///< NULL: motions are recorded one after the other, namely
+    recording *alone;      ///< the one under way, or NULL
+};
+
+whirl_status whirl_recorder_new(const whirl_system *system, const whirl_integrate_options *integrate,
+                                const whirl_record_options *options, const whirl_task_source *source, size_t lanes,
+                                whirl_recorder **out) {
+    *out = NULL;
+    whirl_status status = record_check(options);
     if (status.code != WHIRL_OK) return status;
-    r.x = malloc(2 * system->dimension * sizeof *r.x);
-    r.record = record_new(system, integrate, options);
-    if (options->settle) r.settling = settling_new(system->dimension);
-    if (r.x && r.record && (r.settling || !options->settle)) {
-        memcpy(r.x, start, system->dimension * sizeof *r.x);
-        r.twin =
-            (trajectory_twin){.dimension = system->dimension, .x = options->growth ? r.x + system->dimension : NULL};
-        watch_open(&r.watcher, system, integrate, r.record);
-        status = run(&r);
-    } else {
-        status = whirl_fail(WHIRL_NO_MEMORY, "no memory to record %d revolutions", options->record);
-    }
-    whirl_integrator_free(r.integrator);
-    settling_free(r.settling);
-    free(r.x);
+    whirl_recorder *made = calloc(1, sizeof *made);
+    if (!made) return whirl_fail(WHIRL_NO_MEMORY, "no memory to record motions");
+    *made = (whirl_recorder){.integrate = integrate, .options = options, .source = source};
+    if (whirl_ensemble_takes(system, integrate))
+        status = lanes_recorder_new(system, integrate, options, source, lanes, &made->lanes);
     if (status.code == WHIRL_OK)
-        *out = r.record;
+        *out = made;
     else
-        whirl_record_free(r.record);
+        free(made);
+    return status;
+}
+
+void whirl_recorder_free(whirl_recorder *recorder) {
+    if (!recorder) return;
+    lanes_recorder_free(recorder->lanes);
+    if (recorder->alone) recorder->source->abandon(recorder->source->context, &recorder->alone->task);
+    recording_free(recorder->alone);
+    free(recorder);
+}
+
+/// The next motion, if there is one.
+static whirl_status begin_alone(whirl_recorder *recorder) {
+    const whirl_task_source *source = recorder->source;
+    whirl_task task;
+    if (recorder->alone || !source->next(source->context, &task)) return whirl_ok();
+    const whirl_status status = recording_new(&task, recorder->integrate, recorder->options, &recorder->alone);
+    if (status.code != WHIRL_OK) source->abandon(source->context, &task);
+    return status;
+}
+
+static whirl_status revolve_alone(whirl_recorder *recorder, size_t *turned) {
+    const whirl_status status = begin_alone(recorder);
+    recording *r = recorder->alone;
+    *turned = r ? 1 : 0;
+    if (status.code != WHIRL_OK || !r || !carry_on(r)) return status;
+    const whirl_task task = r->task;
+    whirl_record *record = r->record;
+    r->record = NULL;
+    recorder->alone = NULL;
+    recording_free(r);
+    return recorder->source->done(recorder->source->context, &task, record);
+}
+
+whirl_status whirl_recorder_revolve(whirl_recorder *recorder, size_t *turned) {
+    return recorder->lanes ? lanes_recorder_revolve(recorder->lanes, turned) : revolve_alone(recorder, turned);
+}
+
+/// To the end, or until the monitor asks for a stop; it is told of every revolution of every motion.
+static whirl_status record_all(const whirl_system *system, const whirl_integrate_options *integrate,
+                               const whirl_record_options *options, const whirl_task_source *source, size_t lanes,
+                               const whirl_monitor *monitor) {
+    whirl_recorder *recorder;
+    size_t turned = 1;
+    whirl_status status = whirl_recorder_new(system, integrate, options, source, lanes, &recorder);
+    while (status.code == WHIRL_OK && turned > 0) {
+        status = whirl_recorder_revolve(recorder, &turned);
+        for (size_t i = 0; i < turned && status.code == WHIRL_OK && monitor; i++)
+            if (!monitor->revolution_done(monitor->context)) status = whirl_fail(WHIRL_STOPPED, "stopped");
+    }
+    whirl_recorder_free(recorder);
     return status;
 }
 
@@ -115,35 +201,19 @@ static void single_abandon(void *context, const whirl_task *task) {
 whirl_status whirl_record_motion(const whirl_system *system, const whirl_integrate_options *integrate,
                                  const whirl_record_options *options, const double *start, const whirl_monitor *monitor,
                                  whirl_record **out) {
-    *out = NULL;
-    const whirl_status status = record_check(options);
-    if (status.code != WHIRL_OK) return status;
-    if (!whirl_ensemble_takes(system, integrate)) return record_alone(system, integrate, options, start, monitor, out);
     single_task single = {.task = {system, start, NULL}, .out = out};
     const whirl_task_source source = {single_next, single_done, single_abandon, &single};
-    return record_in_lanes(system, integrate, options, &source, 2, monitor);
-}
-
-static whirl_status record_in_turn(const whirl_integrate_options *integrate, const whirl_record_options *options,
-                                   const whirl_task_source *source, const whirl_monitor *monitor) {
-    whirl_task task;
-    while (source->next(source->context, &task)) {
-        whirl_record *record = NULL;
-        whirl_status status = record_alone(task.system, integrate, options, task.start, monitor, &record);
-        if (status.code == WHIRL_OK)
-            status = source->done(source->context, &task, record);
-        else
-            source->abandon(source->context, &task);
-        if (status.code != WHIRL_OK) return status;
+    *out = NULL;
+    const whirl_status status = record_all(system, integrate, options, &source, 2, monitor);
+    if (status.code != WHIRL_OK) {
+        whirl_record_free(*out);
+        *out = NULL;
     }
-    return whirl_ok();
+    return status;
 }
 
 whirl_status whirl_record_motions(const whirl_system *system, const whirl_integrate_options *integrate,
                                   const whirl_record_options *options, const whirl_task_source *source,
                                   const whirl_monitor *monitor) {
-    const whirl_status status = record_check(options);
-    if (status.code != WHIRL_OK) return status;
-    if (whirl_ensemble_takes(system, integrate)) return record_in_lanes(system, integrate, options, source, 0, monitor);
-    return record_in_turn(integrate, options, source, monitor);
+    return record_all(system, integrate, options, source, 0, monitor);
 }

@@ -27,11 +27,10 @@ typedef struct motion {
     double *x;          ///< [2 dimension] its state, and its twin's
 } motion;
 
-typedef struct recorder {
+struct lanes_recorder {
     const whirl_integrate_options *integrate;
     const whirl_record_options *options;
     const whirl_task_source *source;
-    const whirl_monitor *monitor;
     whirl_ensemble *ensemble;
     size_t dimension, lane_count;
     int first_watched, last; ///< revolutions
@@ -41,13 +40,13 @@ typedef struct recorder {
     motion **motions;        ///< [lane_count], those that wait included
     bool exhausted;          ///< the source had none when it was last asked
     whirl_ensemble_watch watch;
-} recorder;
+};
 
-static bool follows(const recorder *r, const motion *m) {
+static bool follows(const lanes_recorder *r, const motion *m) {
     return r->options->growth && m->revolution >= r->first_watched;
 }
 
-static bool records(const recorder *r, const motion *m) {
+static bool records(const lanes_recorder *r, const motion *m) {
     return m->revolution >= r->options->transient;
 }
 
@@ -57,13 +56,13 @@ static bool waits(const motion *m) {
 
 // ---------------------------------------------------------------- lanes
 
-static size_t take_lane(recorder *r, motion *m) {
+static size_t take_lane(lanes_recorder *r, motion *m) {
     r->owner[r->used] = m;
     return r->used++;
 }
 
 /// Frees a lane; the last one in use moves there.
-static void free_lane(recorder *r, size_t lane) {
+static void free_lane(lanes_recorder *r, size_t lane) {
     const size_t last = --r->used;
     if (lane == last) return;
     motion *moved = r->owner[last];
@@ -75,7 +74,7 @@ static void free_lane(recorder *r, size_t lane) {
         moved->twin_lane = lane;
 }
 
-static void leave_lanes(recorder *r, motion *m) {
+static void leave_lanes(lanes_recorder *r, motion *m) {
     if (m->twin_lane != NO_LANE) {
         const size_t lane = m->twin_lane;
         m->twin_lane = NO_LANE;
@@ -89,7 +88,7 @@ static void leave_lanes(recorder *r, motion *m) {
 }
 
 /// Puts a motion into a lane, and its twin into another while a disturbance is followed.
-static whirl_status enter_lanes(recorder *r, motion *m) {
+static whirl_status enter_lanes(lanes_recorder *r, motion *m) {
     m->lane = take_lane(r, m);
     whirl_status status = whirl_ensemble_load(r->ensemble, m->lane, m->task.system, m->x);
     if (status.code != WHIRL_OK || !follows(r, m)) return status;
@@ -97,7 +96,7 @@ static whirl_status enter_lanes(recorder *r, motion *m) {
     return whirl_ensemble_load(r->ensemble, m->twin_lane, m->task.system, m->twin.x);
 }
 
-static size_t lanes_needed(const recorder *r, const motion *m) {
+static size_t lanes_needed(const lanes_recorder *r, const motion *m) {
     return follows(r, m) ? 2 : 1;
 }
 
@@ -110,7 +109,7 @@ static void motion_free(motion *m) {
     free(m);
 }
 
-static motion *motion_new(const recorder *r, const whirl_task *task) {
+static motion *motion_new(const lanes_recorder *r, const whirl_task *task) {
     motion *m = calloc(1, sizeof *m + 2 * r->dimension * sizeof(double));
     if (!m) return NULL;
     *m = (motion){.task = *task, .lane = NO_LANE, .twin_lane = NO_LANE, .x = (double *)(m + 1)};
@@ -124,7 +123,7 @@ static motion *motion_new(const recorder *r, const whirl_task *task) {
     return NULL;
 }
 
-static whirl_status admit_new(recorder *r) {
+static whirl_status admit_new(lanes_recorder *r) {
     whirl_task task;
     if (!r->source->next(r->source->context, &task)) {
         r->exhausted = true;
@@ -140,7 +139,7 @@ static whirl_status admit_new(recorder *r) {
 }
 
 /// Fills free lanes: first with motions that wait, then with new ones.
-static whirl_status fill(recorder *r) {
+static whirl_status fill(lanes_recorder *r) {
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < r->count && status.code == WHIRL_OK; i++) {
         motion *m = r->motions[i];
@@ -158,7 +157,7 @@ static whirl_status fill(recorder *r) {
 // ---------------------------------------------------------------- a revolution
 
 /// Before the revolution in which a motion begins to be watched or recorded.
-static whirl_status prepare(recorder *r, motion *m) {
+static whirl_status prepare(lanes_recorder *r, motion *m) {
     if (m->revolution == r->options->transient) whirl_ensemble_forget(r->ensemble, m->lane);
     if (!follows(r, m) || m->twin_lane != NO_LANE) return whirl_ok();
     twin_begin(&m->twin, m->x);
@@ -170,7 +169,7 @@ static whirl_status prepare(recorder *r, motion *m) {
     return whirl_ok();
 }
 
-static whirl_status prepare_all(recorder *r) {
+static whirl_status prepare_all(lanes_recorder *r) {
     whirl_status status = whirl_ok();
     bool recording = false;
     for (size_t i = 0; i < r->count && status.code == WHIRL_OK; i++) {
@@ -184,7 +183,7 @@ static whirl_status prepare_all(recorder *r) {
 
 /// One sample of the waveforms of all motions that are recorded.
 static void sample(void *context) {
-    const recorder *r = context;
+    const lanes_recorder *r = context;
     for (size_t i = 0; i < r->count; i++) {
         const motion *m = r->motions[i];
         whirl_record *record = m->record;
@@ -199,7 +198,7 @@ static void sample(void *context) {
     }
 }
 
-static void follow_twin(recorder *r, motion *m) {
+static void follow_twin(lanes_recorder *r, motion *m) {
     whirl_ensemble_state(r->ensemble, m->twin_lane, m->twin.x);
     const bool bounded = whirl_ensemble_motion(r->ensemble, m->twin_lane) == WHIRL_BOUNDED;
     m->record->growth[m->record->growth_count++] = twin_growth(&m->twin, m->x, bounded);
@@ -207,7 +206,7 @@ static void follow_twin(recorder *r, motion *m) {
 }
 
 /// After a revolution of a motion.
-static void note(recorder *r, motion *m) {
+static void note(lanes_recorder *r, motion *m) {
     whirl_record *record = m->record;
     whirl_ensemble_state(r->ensemble, m->lane, m->x);
     record->motion = whirl_ensemble_motion(r->ensemble, m->lane);
@@ -235,7 +234,7 @@ static whirl_status largest_forces(const motion *m) {
     return whirl_ok();
 }
 
-static whirl_status close_record(const recorder *r, const motion *m) {
+static whirl_status close_record(const lanes_recorder *r, const motion *m) {
     whirl_record *record = m->record;
     const whirl_ensemble_seen seen = {record->low,  record->high,     record->max_radius,    record->min_radius,
                                       record->mean, record->backward, record->contact_share, record->contact_number};
@@ -252,7 +251,7 @@ static whirl_status close_record(const recorder *r, const motion *m) {
 }
 
 /// Hands finished motions to the source.
-static whirl_status hand_over(recorder *r) {
+static whirl_status hand_over(lanes_recorder *r) {
     size_t kept = 0;
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < r->count; i++) {
@@ -276,23 +275,21 @@ static whirl_status hand_over(recorder *r) {
     return status;
 }
 
-static whirl_status revolve(recorder *r) {
-    whirl_status status = prepare_all(r);
-    if (status.code != WHIRL_OK) return status;
+whirl_status lanes_recorder_revolve(lanes_recorder *r, size_t *turned) {
+    *turned = 0;
+    whirl_status status = fill(r);
+    if (status.code == WHIRL_OK) status = prepare_all(r);
+    if (status.code != WHIRL_OK || r->count == 0) return status;
     whirl_ensemble_revolve(r->ensemble, r->used, r->watch.extremes ? &r->watch : NULL);
-    size_t turned = 0;
     for (size_t i = 0; i < r->count; i++) {
         if (waits(r->motions[i])) continue;
         note(r, r->motions[i]);
-        turned++;
+        ++*turned;
     }
-    status = hand_over(r);
-    for (size_t i = 0; i < turned && status.code == WHIRL_OK && r->monitor; i++)
-        if (!r->monitor->revolution_done(r->monitor->context)) status = whirl_fail(WHIRL_STOPPED, "stopped");
-    return status;
+    return hand_over(r);
 }
 
-static whirl_status start(recorder *r, const whirl_system *system, size_t lanes) {
+static whirl_status start(lanes_recorder *r, const whirl_system *system, size_t lanes) {
     const whirl_status status = whirl_ensemble_new(system, r->integrate, lanes, &r->ensemble);
     if (status.code != WHIRL_OK) return status;
     r->lane_count = whirl_ensemble_lanes(r->ensemble);
@@ -306,28 +303,34 @@ static whirl_status start(recorder *r, const whirl_system *system, size_t lanes)
     return whirl_ok();
 }
 
-whirl_status record_in_lanes(const whirl_system *system, const whirl_integrate_options *integrate,
-                             const whirl_record_options *options, const whirl_task_source *source, size_t lanes,
-                             const whirl_monitor *monitor) {
-    recorder r = {.integrate = integrate,
-                  .options = options,
-                  .source = source,
-                  .monitor = monitor,
-                  .dimension = system->dimension,
-                  .last = options->transient + options->record};
-    r.first_watched = r.last - whirl_record_watch(options);
-    whirl_status status = start(&r, system, lanes);
-    if (status.code == WHIRL_OK) status = fill(&r);
-    while (status.code == WHIRL_OK && r.count > 0) {
-        status = revolve(&r);
-        if (status.code == WHIRL_OK) status = fill(&r);
+void lanes_recorder_free(lanes_recorder *r) {
+    if (!r) return;
+    for (size_t i = 0; i < r->count; i++) {
+        r->source->abandon(r->source->context, &r->motions[i]->task);
+        motion_free(r->motions[i]);
     }
-    for (size_t i = 0; i < r.count; i++) {
-        source->abandon(source->context, &r.motions[i]->task);
-        motion_free(r.motions[i]);
-    }
-    free(r.motions);
-    free(r.owner);
-    whirl_ensemble_free(r.ensemble);
+    free(r->motions);
+    free(r->owner);
+    whirl_ensemble_free(r->ensemble);
+    free(r);
+}
+
+whirl_status lanes_recorder_new(const whirl_system *system, const whirl_integrate_options *integrate,
+                                const whirl_record_options *options, const whirl_task_source *source, size_t lanes,
+                                lanes_recorder **out) {
+    lanes_recorder *r = calloc(1, sizeof *r);
+    *out = NULL;
+    if (!r) return whirl_fail(WHIRL_NO_MEMORY, "no memory to record motions");
+    r->integrate = integrate;
+    r->options = options;
+    r->source = source;
+    r->dimension = system->dimension;
+    r->last = options->transient + options->record;
+    r->first_watched = r->last - whirl_record_watch(options);
+    const whirl_status status = start(r, system, lanes);
+    if (status.code == WHIRL_OK)
+        *out = r;
+    else
+        lanes_recorder_free(r);
     return status;
 }
