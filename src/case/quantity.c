@@ -37,21 +37,27 @@ static bool units_ready(void) {
     return true;
 }
 
-// UDUNITS also reads numbers, dates and logarithms as units; only products of names and powers are meant here.
+// UDUNITS also reads numbers, dates and logarithms as units, and overlooks a ')' too many; only products of names and
+// powers are meant here.
 static bool looks_like_unit(const char *text) {
     const size_t length = strlen(text);
+    int open = 0;
     if (length == 0 || length > LONGEST_UNIT) return false;
     for (size_t i = 0; i < length; i++) {
         const unsigned char c = (unsigned char)text[i], before = i > 0 ? (unsigned char)text[i - 1] : ' ';
         const unsigned char after = (unsigned char)text[i + 1];
-        const bool after_name = isalnum(before) || before >= 0x80 || before == ')' || before == '^' || before == '-';
+        // Behind a superscript or a raised dot UDUNITS takes digits for a factor.
+        const bool raised = i > 1 && (unsigned char)text[i - 2] == 0xC2 && before && strchr("\xB2\xB3\xB7\xB9", before);
+        const bool after_name = isalnum(before) || (before >= 0x80 && !raised) || before == '^' || before == '-';
         const bool whole = text[0] == '1' && text[1] == '/'; // "1/s"
         if (isdigit(c) && !after_name && !(whole && i == 0)) return false;
-        if (c == '-' && !(after_name && isdigit(after))) return false;
+        if (c == '-' && !(after_name && !isdigit(before) && isdigit(after))) return false;
         if (!isalnum(c) && c < 0x80 && !strchr(" ./^*-()%", c)) return false;
+        open += (c == '(') - (c == ')');
+        if (open < 0) return false;
     }
     return strncmp(text, "lg(", 3) != 0 && strncmp(text, "ln(", 3) != 0 && strncmp(text, "lb(", 3) != 0 &&
-           !strstr(text, " since ") && !strstr(text, " after ") && !strstr(text, " from ") && !strstr(text, " ref ");
+           !strstr(text, " since") && !strstr(text, " after") && !strstr(text, " from") && !strstr(text, " ref");
 }
 
 static ut_unit *parse_unit(const char *text) {
