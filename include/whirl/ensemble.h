@@ -74,6 +74,7 @@ typedef struct whirl_ensemble_seen {
     double *sum;                     ///< [stations][2] of the positions over the instants
     double *backward;                ///< [stations] instants of backward whirl
     double *contact, *contact_begun; ///< [contacts] instants in contact, and how often contact began
+    double *contact_force;           ///< [contacts] largest normal force, in the model's unit
 } whirl_ensemble_seen;
 void whirl_ensemble_read(const whirl_ensemble *ensemble, size_t lane, const whirl_ensemble_seen *seen);
 

@@ -223,21 +223,11 @@ static void note(lanes_recorder *r, motion *m) {
     if (m->settling && settling_note(m->settling, m->x)) m->revolution = record_skip(r->options, m->revolution);
 }
 
-/// The largest normal force is that at the largest radius: it grows with the displacement alone.
-static whirl_status largest_forces(const motion *m) {
+static void close_record(const lanes_recorder *r, const motion *m) {
     whirl_record *record = m->record;
-    double *x = calloc(record->dimension, sizeof *x);
-    if (!x) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a state");
-    for (size_t i = 0; i < record->probe_count; i++) x[record->probes[i].x] = record->max_radius[i];
-    m->task.system->contacts(m->task.system->model, x, record->contact_force);
-    free(x);
-    return whirl_ok();
-}
-
-static whirl_status close_record(const lanes_recorder *r, const motion *m) {
-    whirl_record *record = m->record;
-    const whirl_ensemble_seen seen = {record->low,  record->high,     record->max_radius,    record->min_radius,
-                                      record->mean, record->backward, record->contact_share, record->contact_number};
+    const whirl_ensemble_seen seen = {record->low,           record->high,           record->max_radius,
+                                      record->min_radius,    record->mean,           record->backward,
+                                      record->contact_share, record->contact_number, record->contact_force};
     const double share = 1.0 / ((double)r->options->record * r->integrate->steps_per_revolution);
     whirl_ensemble_read(r->ensemble, m->lane, &seen);
     for (size_t i = 0; i < record->probe_count; i++) {
@@ -247,7 +237,6 @@ static whirl_status close_record(const lanes_recorder *r, const motion *m) {
     }
     for (size_t i = 0; i < record->contact_count; i++) record->contact_share[i] *= share;
     memcpy(record->end, m->x, record->dimension * sizeof *m->x);
-    return record->contact_count > 0 ? largest_forces(m) : whirl_ok();
 }
 
 /// Hands finished motions to the source.
@@ -261,7 +250,7 @@ static whirl_status hand_over(lanes_recorder *r) {
             r->motions[kept++] = m;
             continue;
         }
-        if (m->record->motion == WHIRL_BOUNDED) status = close_record(r, m);
+        if (m->record->motion == WHIRL_BOUNDED) close_record(r, m);
         leave_lanes(r, m);
         if (status.code == WHIRL_OK) {
             status = r->source->done(r->source->context, &m->task, m->record);

@@ -26,6 +26,7 @@ struct whirl_ensemble {
     rk4_lanes lanes;
     const whirl_system **machines; ///< [lane_count] who is where
     size_t *contact_station;
+    double *state;           ///< [dimension] of a lane that is asked for its contacts
     double *forcing, *block; ///< block: all arrays of lanes, aligned to 64 bytes
 };
 
@@ -36,6 +37,7 @@ bool whirl_ensemble_takes(const whirl_system *system, const whirl_integrate_opti
 /// Rows of the block, and where each array begins.
 static size_t lay_out(whirl_ensemble *e, double *block) {
     const size_t degrees = e->lanes.degrees, stations = degrees / 2, contacts = e->contact_count;
+    const size_t forces = e->lanes.watch.normal_force ? contacts : 0;
     size_t row = 0;
     const struct {
         double **array;
@@ -60,6 +62,8 @@ static size_t lay_out(whirl_ensemble *e, double *block) {
         {&e->lanes.watch.touching, contacts},
         {&e->lanes.watch.contact, contacts},
         {&e->lanes.watch.begun, contacts},
+        {&e->lanes.watch.force, forces},
+        {&e->lanes.watch.force_max, forces},
     };
     for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {
         *parts[i].array = block ? block + row * e->lane_count : NULL;
@@ -75,7 +79,8 @@ static bool allocate(whirl_ensemble *e) {
     e->forcing = malloc((table + 1) * sizeof *e->forcing);
     e->machines = calloc(e->lane_count, sizeof *e->machines);
     e->contact_station = calloc(e->contact_count + 1, sizeof *e->contact_station);
-    if (!e->block || !e->forcing || !e->machines || !e->contact_station) return false;
+    e->state = calloc(e->system->dimension, sizeof *e->state);
+    if (!e->state || !e->block || !e->forcing || !e->machines || !e->contact_station) return false;
     memset(e->block, 0, bytes);
     lay_out(e, e->block);
     return true;
@@ -99,6 +104,7 @@ static void fill_lanes(whirl_ensemble *e, const whirl_integrate_options *options
     lanes->step = system->period / options->steps_per_revolution;
     lanes->watch.station_count = lanes->degrees / 2;
     lanes->watch.contact_count = e->contact_count = system->lanes->contact_count;
+    if (system->lanes->damped) lanes->watch.normal_force = system->lanes->contacts[e->isa->number];
 }
 
 /// Vectors that hide each other's latency and still fit into the first cache (measured: 8 for two stations, 4 for ten, 2
@@ -142,6 +148,7 @@ void whirl_ensemble_free(whirl_ensemble *e) {
     if (!e) return;
     free(e->block);
     free(e->forcing);
+    free(e->state);
     free(e->machines);
     free(e->contact_station);
     free(e);
@@ -225,6 +232,35 @@ static void get(const double *array, const whirl_ensemble *e, size_t rows, size_
     for (size_t i = 0; i < rows; i++) out[i] = array[i * e->lane_count + lane];
 }
 
+/// Notes which contacts are closed now.
+static void note_contacts(const whirl_ensemble *e, size_t lane) {
+    const lanes_watch *w = &e->lanes.watch;
+    double force[WHIRL_MAX_CONTACTS];
+    if (w->normal_force) {
+        whirl_ensemble_state(e, lane, e->state);
+        e->machines[lane]->contacts(e->machines[lane]->model, e->state, force);
+    }
+    for (size_t c = 0; c < w->contact_count; c++) {
+        const double x = whirl_ensemble_coordinate(e, lane, 2 * e->contact_station[c]);
+        const double y = whirl_ensemble_coordinate(e, lane, 2 * e->contact_station[c] + 1);
+        const double gap = w->gap[c * e->lane_count + lane];
+        const bool closed = w->normal_force ? force[c] > 0.0 : x * x + y * y > gap * gap;
+        w->touching[c * e->lane_count + lane] = closed ? 1.0 : 0.0;
+    }
+}
+
+/// A force that grows with the displacement alone is largest at the largest radius.
+static void largest_forces(const whirl_ensemble *e, size_t lane, const double *max_radius, double *force) {
+    const lanes_watch *w = &e->lanes.watch;
+    if (w->normal_force) {
+        get(w->force_max, e, w->contact_count, lane, force);
+        return;
+    }
+    memset(e->state, 0, e->system->dimension * sizeof *e->state);
+    for (size_t s = 0; s < w->station_count; s++) e->state[2 * s] = max_radius[s];
+    if (w->contact_count > 0) e->machines[lane]->contacts(e->machines[lane]->model, e->state, force);
+}
+
 void whirl_ensemble_forget(whirl_ensemble *e, size_t lane) {
     const lanes_watch *w = &e->lanes.watch;
     const size_t degrees = e->lanes.degrees;
@@ -236,12 +272,8 @@ void whirl_ensemble_forget(whirl_ensemble *e, size_t lane) {
     set(w->sum, e, degrees, lane, 0.0);
     set(w->contact, e, w->contact_count, lane, 0.0);
     set(w->begun, e, w->contact_count, lane, 0.0);
-    for (size_t c = 0; c < w->contact_count; c++) {
-        const double x = whirl_ensemble_coordinate(e, lane, 2 * e->contact_station[c]);
-        const double y = whirl_ensemble_coordinate(e, lane, 2 * e->contact_station[c] + 1);
-        const double gap = w->gap[c * e->lane_count + lane];
-        w->touching[c * e->lane_count + lane] = x * x + y * y > gap * gap ? 1.0 : 0.0;
-    }
+    if (w->normal_force) set(w->force_max, e, w->contact_count, lane, 0.0);
+    note_contacts(e, lane);
 }
 
 void whirl_ensemble_read(const whirl_ensemble *e, size_t lane, const whirl_ensemble_seen *seen) {
@@ -258,4 +290,5 @@ void whirl_ensemble_read(const whirl_ensemble *e, size_t lane, const whirl_ensem
     get(w->backward, e, w->station_count, lane, seen->backward);
     get(w->contact, e, w->contact_count, lane, seen->contact);
     get(w->begun, e, w->contact_count, lane, seen->contact_begun);
+    largest_forces(e, lane, seen->max_radius, seen->contact_force);
 }

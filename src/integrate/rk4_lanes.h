@@ -14,6 +14,9 @@ typedef struct lanes_watch {
     double *square_max, *square_min, *backward; ///< [station_count]
     double *sum;                                ///< [degrees]
     double *gap, *touching, *contact, *begun;   ///< [contact_count]
+    /// Of contacts whose force depends on velocities; NULL where the gap alone tells.
+    lanes_contacts *normal_force;
+    double *force, *force_max; ///< [contact_count]
 } lanes_watch;
 
 typedef struct rk4_lanes {

@@ -287,6 +287,62 @@ static void test_other_structures_are_refused(void **state) {
     whirl_rotor_free(ten);
 }
 
+/// A disc that meets its stator once a revolution, or on and on.
+static whirl_rotor *rub_rotor(double speed, double damping) {
+    whirl_design *design;
+    whirl_rotor *rotor;
+    const whirl_setting disc[] = {{"mass", 1, 0}, {"damping", 0.2, 0}, {"eccentricity", 0.9, 0}};
+    const whirl_setting shaft[] = {{"between", 0, "disc, ground"}, {"k1", 1, 0}};
+    const whirl_setting rub[] = {
+        {"at", 0, "disc"}, {"gap", 1, 0}, {"stiffness", 10, 0}, {"friction", 0.05, 0}, {"damping", damping, 0}};
+    const whirl_setting gravity[] = {{"acceleration", 0.5, 0}};
+    check(whirl_design_new(speed, 1, &design));
+    check(whirl_design_station(design, "disc", disc, 3));
+    check(whirl_design_element(design, "shaft", shaft, 2));
+    check(whirl_design_element(design, "rub", rub, 5));
+    check(whirl_design_element(design, "gravity", gravity, 1));
+    check(whirl_rotor_new(design, &rotor));
+    whirl_design_free(design);
+    return rotor;
+}
+
+static whirl_record *record_rub(const whirl_system *system) {
+    whirl_integrate_options integrate = whirl_integrate_default();
+    whirl_record_options options = whirl_record_default();
+    whirl_record *record;
+    const double start[4] = {0.1, -0.2, 0, 0};
+    options.transient = 300;
+    options.record = 20;
+    integrate.steps_per_revolution = 512;
+    check(whirl_record_motion(system, &integrate, &options, start, NULL, &record));
+    return record;
+}
+
+static void test_damped_contacts_in_lanes_and_alone(void **state) {
+    (void)state;
+    unsetenv("WHIRL_ISA");
+    double largest = 0.0;
+    for (int i = 0; i < 4; i++) {
+        whirl_rotor *rotor = rub_rotor(i % 2 ? 3.8 : 1.5, i < 2 ? 0.8 : 0.0);
+        whirl_system alone = *whirl_rotor_system(rotor);
+        alone.lanes = NULL;
+        whirl_record *one = record_rub(whirl_rotor_system(rotor)), *other = record_rub(&alone);
+        assert_true(one->contact_share[0] > 0.05);
+        // The last bits decide whether an instant at the border of a contact counts.
+        assert_true(fabs(one->contact_share[0] - other->contact_share[0]) <= 2.0 / (20.0 * 512.0));
+        assert_true(one->contact_number[0] == other->contact_number[0]);
+        assert_true(fabs(one->contact_force[0] / other->contact_force[0] - 1.0) < 1e-6);
+        // The damper pushes too, while the stator is pressed in.
+        const double elastic = 10.0 * (one->max_radius[0] - 1.0);
+        largest = fmax(largest, one->contact_force[0] / elastic);
+        if (i >= 2) assert_true(fabs(one->contact_force[0] / elastic - 1.0) < 1e-12);
+        whirl_record_free(one);
+        whirl_record_free(other);
+        whirl_rotor_free(rotor);
+    }
+    assert_true(largest > 1.01);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_threads),
@@ -295,6 +351,7 @@ int main(void) {
         cmocka_unit_test(test_a_lane_that_is_not_a_number_touches_no_other),
         cmocka_unit_test(test_fused_and_unfused_agree),
         cmocka_unit_test(test_lanes_against_the_integrator),
+        cmocka_unit_test(test_damped_contacts_in_lanes_and_alone),
         cmocka_unit_test(test_other_structures_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -26,6 +26,9 @@ void find_fixed_point(whirl_integrator *integrator, size_t n, double *x, int rev
 /// d(dx/dt)/dx [n][n] of a system at t by central differences of tenth order.
 void rhs_jacobian(const whirl_system *system, double t, const double *x, double step, double *matrix);
 
+/// The same exactly, as the system gives it.
+void exact_jacobian(const whirl_system *system, double t, const double *x, double *matrix);
+
 /// Writes dx/dt at t.
 void evaluate_rhs(const whirl_system *system, double t, const double *x, double *dxdt);
 
