@@ -70,6 +70,17 @@ void evaluate_rhs(const whirl_system *system, double t, const double *x, double 
     system->rhs(system->model, t, forcing, x, dxdt);
 }
 
+void exact_jacobian(const whirl_system *system, double t, const double *x, double *matrix) {
+    const size_t n = system->dimension;
+    double forcing[WHIRL_MAX_FORCING] = {0.0}, unit[MAX_DIMENSION * MAX_DIMENSION] = {0.0};
+    double columns[MAX_DIMENSION * MAX_DIMENSION];
+    for (size_t i = 0; i < n; i++) unit[i * n + i] = 1.0;
+    if (system->forcing_count > 0) system->forcing(system->model, t, forcing);
+    system->tangent(system->model, t, forcing, x, NULL, n, unit, columns);
+    for (size_t i = 0; i < n; i++)
+        for (size_t j = 0; j < n; j++) matrix[n * i + j] = columns[n * j + i];
+}
+
 void rhs_jacobian(const whirl_system *system, double t, const double *x, double step, double *matrix) {
     static const double weights[5] = {5.0 / 6.0, -5.0 / 21.0, 5.0 / 84.0, -5.0 / 504.0, 1.0 / 1260.0};
     const size_t n = system->dimension;

@@ -234,6 +234,26 @@ static void a4_closed_forms(void **unused) {
     check_within("A4", "largest relative difference from the closed forms for e = .1 to .9", 0.0, worst, 1e-10);
 }
 
+/// K and C are the rotor's Jacobian where a load of one holds the journal.
+static void a4_exact_jacobian(void **unused) {
+    (void)unused;
+    double worst = 0.0;
+    for (double e = 0.01; e < 0.995; e += 0.01) {
+        double state[4] = {0.0}, k[4], c[4], matrix[16];
+        whirl_rotor *rotor = make_film_rotor(place_journal(e, state), 1.0, 0.0);
+        exact_jacobian(whirl_rotor_system(rotor), 0.0, state, matrix);
+        closed_coefficients(e, k, c);
+        for (int i = 0; i < 4; i++) {
+            const double stiffness = -matrix[4 * (2 + i / 2) + i % 2], damping = -matrix[4 * (2 + i / 2) + 2 + i % 2];
+            worst = fmax(worst, fabs(stiffness - k[i]) / fmax(1.0, fabs(k[i])));
+            worst = fmax(worst, fabs(damping - c[i]) / fmax(1.0, fabs(c[i])));
+        }
+        whirl_rotor_free(rotor);
+    }
+    check_within("A4", "exact Jacobian against the closed forms for e = .01 to .99, largest relative difference", 0.0,
+                 worst, 1e-12);
+}
+
 static void a4_bearing(void **unused) {
     (void)unused;
     static const char *const names[4] = {"xx", "xy", "yx", "yy"};
@@ -267,6 +287,7 @@ int main(void) {
         cmocka_unit_test(a3_forces_of_a_resting_journal),
         cmocka_unit_test(a3_statics),
         cmocka_unit_test(a4_closed_forms),
+        cmocka_unit_test(a4_exact_jacobian),
         cmocka_unit_test(a4_bearing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
