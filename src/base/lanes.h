@@ -36,6 +36,9 @@ typedef void lanes_switches(const lanes_view *view, void *values, void *rates);
 /// Writes the values that depend on time alone: forcing [forcing_count] at the times t.
 typedef void lanes_forcing(const void *model, size_t stride, size_t vectors, const void *t, void *forcing);
 
+/// Writes the normal forces [contact_count] at (q, v), 0 while open, in the model's unit of force.
+typedef void lanes_contacts(const lanes_view *view, void *normal_force);
+
 /// The state is degrees positions, then their derivatives; stations are pairs of positions 2s, 2s + 1.
 struct whirl_lanes {
     size_t degrees;
@@ -44,11 +47,15 @@ struct whirl_lanes {
     bool (*alike)(const void *one, const void *other); ///< same structure
     size_t switch_count, contact_count;
     void (*contact)(const void *model, size_t index, size_t *station, double *gap);
+    bool slides; ///< motions can slide along a switch
+    bool
+        damped; ///< normal forces depend on velocities too: contact is where `contacts` says, not where the gap is closed
     // One for every instruction set of vector.h; NULL where it is not built.
     lanes_accelerate *const *accelerate;
     lanes_flow *const *flow;
     lanes_switches *const *switches;
     lanes_forcing *const *forcing;
+    lanes_contacts *const *contacts;
 };
 
 #endif

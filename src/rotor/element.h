@@ -68,9 +68,20 @@ typedef struct element_type {
     size_t (*switch_count)(const element *own);
     void (*switches)(const element *own, const double *q, const double *v, double *values);
 
+    /// With switches: derivatives of switch `index` by the place and velocity of station[0], and its second derivative applied to
+    /// the disturbance (uq, uv) of that station. All of them [2].
+    void (*switch_gradient)(const element *own, const double *q, const double *v, size_t index, double *by_q,
+                            double *by_v);
+    void (*switch_curvature)(const element *own, const double *q, const double *v, size_t index, const double *uq,
+                             const double *uv, double *by_q, double *by_v);
+
+    /// With switches: whether motions can slide along one (friction that jumps where the slip reverses).
+    bool (*slides)(const element *own);
+
     /// For unilateral contacts: the gap in length scales around station[0], and the normal force in newtons.
     double (*contact_gap)(const element *own);
-    double (*contact_force)(const element *own, const double *q);
+    double (*contact_force)(const element *own, const double *q, const double *v);
+    bool (*contact_damped)(const element *own); ///< whether the force depends on the velocity
 
     /// For bearings: the clearance in length scales around station[0].
     double (*bearing_clearance)(const element *own);

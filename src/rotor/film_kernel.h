@@ -72,17 +72,24 @@ static inline void film_place(film_group *g, size_t j, vec x, vec y, vec vx, vec
     g->B[j] = v_fma(v_set(2.0), vx, y);
 }
 
+/// Loads n <= FILM_GROUP vectors and finds their angles.
+static inline void film_load(const element *film, size_t n, size_t stride, const vec *number, const vec *q,
+                             const vec *v, film_group *g) {
+    const size_t x = 2 * film->station[0] * stride, y = x + stride;
+    for (size_t j = 0; j < n; j++) {
+        const vec scale = number[FILM_TO_CLEARANCES * stride + j];
+        film_place(g, j, v_mul(scale, q[x + j]), v_mul(scale, q[y + j]), v_mul(scale, v[x + j]),
+                   v_mul(scale, v[y + j]));
+    }
+    film_angles(n, g);
+}
+
 /// The film of n <= FILM_GROUP vectors.
 static inline void film_kernel(const element *film, size_t n, size_t stride, const vec *number, const vec *q,
                                const vec *v, vec *a) {
     const size_t x = 2 * film->station[0] * stride, y = x + stride;
     film_group g;
-    for (size_t j = 0; j < n; j++) {
-        const vec scale = number[FILM_TO_CLEARANCES * stride + j];
-        film_place(&g, j, v_mul(scale, q[x + j]), v_mul(scale, q[y + j]), v_mul(scale, v[x + j]),
-                   v_mul(scale, v[y + j]));
-    }
-    film_angles(n, &g);
+    film_load(film, n, stride, number, q, v, &g);
     for (size_t j = 0; j < n; j++) film_add(&g, j, number[FILM_STRENGTH * stride + j], &a[x + j], &a[y + j]);
 }
 

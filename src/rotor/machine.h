@@ -20,9 +20,31 @@ struct whirl_rotor {
     const char **contact_names;
 };
 
-/// The accelerations of rotors, one function for every instruction set of vector.h (machine_<isa>.c).
+/// What rotors give to lanes.h: one function of each kind for every instruction set of vector.h (machine_<isa>.c,
+/// flow_<isa>.c).
 extern lanes_accelerate *const machine_accelerate[];
+extern lanes_flow *const machine_flow[];
+extern lanes_switches *const machine_switches[];
+extern lanes_forcing *const machine_forcing[];
+extern lanes_contacts *const machine_contacts[];
 lanes_accelerate machine_accelerate_scalar, machine_accelerate_128, machine_accelerate_fma, machine_accelerate_avx2,
     machine_accelerate_avx512;
+lanes_flow machine_flow_scalar, machine_flow_128, machine_flow_fma, machine_flow_avx2, machine_flow_avx512;
+lanes_switches machine_switches_scalar, machine_switches_128, machine_switches_fma, machine_switches_avx2,
+    machine_switches_avx512;
+lanes_forcing machine_forcing_scalar, machine_forcing_128, machine_forcing_fma, machine_forcing_avx2,
+    machine_forcing_avx512;
+lanes_contacts machine_contacts_scalar, machine_contacts_128, machine_contacts_fma, machine_contacts_avx2,
+    machine_contacts_avx512;
+
+/// What rotors give to whirl/system.h beyond the right-hand side (rotor_system.c).
+void rotor_rhs_on_sides(const void *model, double t, const double *forcing, const double *x, const double *sides,
+                        double *dxdt);
+void rotor_tangent(const void *model, double t, const double *forcing, const double *x, const double *sides,
+                   size_t count, const double *dx, double *ddxdt);
+double rotor_divergence(const void *model, double t, const double *forcing, const double *x, const double *sides);
+void rotor_switch_gradient(const void *model, double t, const double *x, size_t index, double *gradient,
+                           double *by_time);
+void rotor_switch_curvature(const void *model, double t, const double *x, size_t index, const double *u, double *out);
 
 #endif

@@ -31,10 +31,19 @@ const whirl_group *whirl_element_group(const char *name) {
     return NULL;
 }
 
-lanes_accelerate *const machine_accelerate[VECTOR_ISAS] = {
-    [VECTOR_SCALAR] = machine_accelerate_scalar, [VECTOR_128] = machine_accelerate_128,
 #if defined(__x86_64__)
-    [VECTOR_FMA] = machine_accelerate_fma,       [VECTOR_AVX2] = machine_accelerate_avx2,
-    [VECTOR_AVX512] = machine_accelerate_avx512,
+#define FOR_EVERY_ISA(name)                                                                                            \
+    {                                                                                                                  \
+        [VECTOR_SCALAR] = name##_scalar, [VECTOR_128] = name##_128, [VECTOR_FMA] = name##_fma,                         \
+        [VECTOR_AVX2] = name##_avx2, [VECTOR_AVX512] = name##_avx512                                                   \
+    }
+#else
+#define FOR_EVERY_ISA(name)                                                                                            \
+    { [VECTOR_SCALAR] = name##_scalar, [VECTOR_128] = name##_128 }
 #endif
-};
+
+lanes_accelerate *const machine_accelerate[VECTOR_ISAS] = FOR_EVERY_ISA(machine_accelerate);
+lanes_flow *const machine_flow[VECTOR_ISAS] = FOR_EVERY_ISA(machine_flow);
+lanes_switches *const machine_switches[VECTOR_ISAS] = FOR_EVERY_ISA(machine_switches);
+lanes_forcing *const machine_forcing[VECTOR_ISAS] = FOR_EVERY_ISA(machine_forcing);
+lanes_contacts *const machine_contacts[VECTOR_ISAS] = FOR_EVERY_ISA(machine_contacts);

@@ -10,12 +10,7 @@
 #include "machine.h"
 
 static void rotor_forcing(const void *model, double t, double *forcing) {
-    (void)model;
-    const double c = cos(t), s = sin(t);
-    forcing[COS_TAU] = c;
-    forcing[SIN_TAU] = s;
-    forcing[COS_2TAU] = (c - s) * (c + s);
-    forcing[SIN_2TAU] = 2.0 * c * s;
+    machine_forcing[0](model, 1, 1, &t, forcing);
 }
 
 static void rotor_rhs(const void *model, double t, const double *forcing, const double *x, double *dxdt) {
@@ -41,7 +36,7 @@ static void rotor_contacts(const void *model, const double *x, double *normal_fo
     const whirl_rotor *rotor = model;
     for (size_t i = 0; i < rotor->contact_count; i++) {
         const element *own = &rotor->elements[rotor->contacts[i]];
-        normal_force[i] = own->type->contact_force(own, x);
+        normal_force[i] = own->type->contact_force(own, x, x + rotor->lanes.degrees);
     }
 }
 
@@ -137,6 +132,7 @@ static void add_stations(const whirl_design *design, whirl_rotor *rotor, const s
 
 static void note_contact(whirl_rotor *rotor, const element *own) {
     const size_t k = rotor->contact_count++;
+    if (own->type->contact_damped(own)) rotor->lanes.damped = true;
     const double gap = own->type->contact_gap(own);
     whirl_probe *probe = &rotor->probes[own->station[0]];
     if (probe->gap == 0.0 || gap < probe->gap) probe->gap = gap;
@@ -152,6 +148,7 @@ static void add_element(whirl_rotor *rotor, const element *own, size_t *number) 
     memcpy(rotor->numbers + *number, own->number, type->number_count * sizeof *own->number);
     *number += type->number_count;
     if (type->switch_count) rotor->system.switch_count += type->switch_count(own);
+    if (type->slides && type->slides(own)) rotor->lanes.slides = true;
     if (type->contact_force) note_contact(rotor, own);
     if (type->bearing_clearance) {
         whirl_probe *probe = &rotor->probes[own->station[0]];
@@ -184,7 +181,13 @@ static void fill_system(whirl_rotor *rotor) {
                                  .switch_count = rotor->system.switch_count,
                                  .contact_count = rotor->contact_count,
                                  .contact = lane_contact,
-                                 .accelerate = machine_accelerate};
+                                 .damped = rotor->lanes.damped,
+                                 .slides = rotor->lanes.slides,
+                                 .accelerate = machine_accelerate,
+                                 .flow = machine_flow,
+                                 .switches = machine_switches,
+                                 .forcing = machine_forcing,
+                                 .contacts = machine_contacts};
     rotor->system = (whirl_system){.dimension = 4 * rotor->station_count,
                                    .period = 6.283185307179586476925,
                                    .forcing_count = FORCING_COUNT,
@@ -192,6 +195,11 @@ static void fill_system(whirl_rotor *rotor) {
                                    .rhs = rotor_rhs,
                                    .switch_count = rotor->system.switch_count,
                                    .switches = rotor_switches,
+                                   .rhs_on_sides = rotor_rhs_on_sides,
+                                   .tangent = rotor_tangent,
+                                   .divergence = rotor_divergence,
+                                   .switch_gradient = rotor_switch_gradient,
+                                   .switch_curvature = rotor_switch_curvature,
                                    .contact_count = rotor->contact_count,
                                    .contacts = rotor_contacts,
                                    .probe_count = rotor->station_count,

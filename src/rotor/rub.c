@@ -1,8 +1,9 @@
 // The keys of a rub, the numbers of its kernel, and where it switches.
 #define VECTOR_ISA 0
 #include "rub_kernel.h"
+#include "rub_switch.h"
 
-enum { AT, GAP, STIFFNESS, FRICTION, LAW, RADIUS, SLIP_SPEED, KEY_COUNT };
+enum { AT, GAP, STIFFNESS, DAMPING, FRICTION, LAW, RADIUS, SLIP_SPEED, KEY_COUNT };
 
 static const whirl_key keys[KEY_COUNT] = {
     [AT] = {"at", "", "", WHIRL_KEY_STATION, true, "", WHIRL_ANY, NULL, "station that may touch the stator", ""},
@@ -10,6 +11,8 @@ static const whirl_key keys[KEY_COUNT] = {
              "radial gap between rotor and stator", ""},
     [STIFFNESS] = {"stiffness", "k_c", "N/m", WHIRL_KEY_NUMBER, true, "", WHIRL_NOT_NEGATIVE, NULL,
                    "radial stiffness of the stator", ""},
+    [DAMPING] = {"damping", "c_c", "N s/m", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL,
+                 "viscous damping of the contact along its normal; the stator never pulls", ""},
     [FRICTION] = {"friction", "f", "1", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL,
                   "coefficient of Coulomb friction", ""},
     [LAW] = {"law", "", "", WHIRL_KEY_CHOICE, false, "paper", WHIRL_ANY, "paper|slip",
@@ -32,39 +35,39 @@ static whirl_status build(const key_value *values, const scales *scale, element 
                           values[RADIUS].given ? "radius" : "slip_speed");
     const size_t station = values[AT].station[0];
     out->station[0] = station;
-    out->law = values[LAW].choice;
+    out->law = values[LAW].choice | (values[DAMPING].given ? RUB_DAMPED : 0);
     out->number[RUB_GAP] = values[GAP].number / scale->length;
     out->number[RUB_STIFFNESS] = values[STIFFNESS].number / stiffness_scale(scale, station);
+    out->number[RUB_DAMPING] = values[DAMPING].number / (scale->mass[station] * scale->speed);
     out->number[RUB_FRICTION] = values[FRICTION].number;
     out->number[RUB_SURFACE] = slip ? values[RADIUS].number / scale->length : 0.0;
     out->number[RUB_SLIP_SPEED] = values[SLIP_SPEED].number / (scale->speed * scale->length);
-    out->number[RUB_NEWTONS] = values[STIFFNESS].number * scale->length;
+    out->number[RUB_NEWTONS] = stiffness_scale(scale, station) * scale->length;
     return whirl_ok();
 }
 
-static double radius_at(const element *own, const double *q) {
-    const size_t i = 2 * own->station[0];
-    return sqrt(q[i] * q[i] + q[i + 1] * q[i + 1]);
-}
-
 static size_t switch_count(const element *own) {
-    return own->law == RUB_LAW_SLIP && own->number[RUB_SLIP_SPEED] <= 0.0 ? 2 : 1;
+    return rub_switch_count(own);
 }
 
 static void switches(const element *own, const double *q, const double *v, double *values) {
-    const size_t i = 2 * own->station[0];
-    const double radius = radius_at(own, q);
-    values[0] = radius - own->number[RUB_GAP];
-    if (switch_count(own) == 2) values[1] = own->number[RUB_SURFACE] * radius + q[i] * v[i + 1] - q[i + 1] * v[i];
+    rub_switches(own, 1, own->number, q, v, NULL, values, NULL);
+}
+
+static bool slides(const element *own) {
+    return rub_sharp(own);
 }
 
 static double contact_gap(const element *own) {
     return own->number[RUB_GAP];
 }
 
-static double contact_force(const element *own, const double *q) {
-    const double depth = radius_at(own, q) - own->number[RUB_GAP];
-    return depth > 0.0 ? depth * own->number[RUB_NEWTONS] : 0.0;
+static double contact_force(const element *own, const double *q, const double *v) {
+    return rub_normal(own, 1, own->number, q, v);
+}
+
+static bool contact_damped(const element *own) {
+    return rub_damped(own);
 }
 
 const element_type rub_element = {
@@ -75,6 +78,10 @@ const element_type rub_element = {
     .build = build,
     .switch_count = switch_count,
     .switches = switches,
+    .switch_gradient = rub_switch_gradient,
+    .switch_curvature = rub_switch_curvature,
+    .slides = slides,
     .contact_gap = contact_gap,
     .contact_force = contact_force,
+    .contact_damped = contact_damped,
 };

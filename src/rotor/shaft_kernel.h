@@ -18,12 +18,12 @@
 enum { SHAFT_MEAN_A, SHAFT_HALF_A, SHAFT_MEAN_B, SHAFT_HALF_B, SHAFT_NUMBERS };
 enum { SHAFT_SIGNS_DERIVED, SHAFT_SIGNS_PAPER };
 
-static inline void shaft_kernel(const element *shaft, const double *forcing, size_t stride, const vec *number,
-                                const vec *q, vec *a) {
+/// c and s: cos 2tau, sin 2tau. Linear, so that it takes disturbances too.
+static inline void shaft_kernel(const element *shaft, vec c, vec s, size_t stride, const vec *number, const vec *q,
+                                vec *a) {
     const size_t one = 2 * shaft->station[0] * stride, other = 2 * shaft->station[1] * stride;
     const int grounded = shaft->station[1] == GROUND;
-    const vec c = v_set(forcing[COS_2TAU]), s = v_set(forcing[SIN_2TAU]);
-    const vec c_y = v_set(shaft->law == SHAFT_SIGNS_PAPER ? forcing[COS_2TAU] : -forcing[COS_2TAU]);
+    const vec c_y = shaft->law == SHAFT_SIGNS_PAPER ? c : v_sub(v_set(0.0), c);
     const vec dx = grounded ? q[one] : v_sub(q[one], q[other]);
     const vec dy = grounded ? q[one + stride] : v_sub(q[one + stride], q[other + stride]);
     // The force over its scale is -(mean (dx, dy) + half (turn_x, turn_y)).

@@ -7,14 +7,21 @@
 #include "element.h"
 #include "vector.h"
 
-static inline void station_kernel(const double *forcing, size_t stride, const vec *number, const vec *v, vec *a) {
-    const vec c = v_set(forcing[COS_TAU]), s = v_set(forcing[SIN_TAU]);
+/// c and s: cos tau, sin tau.
+static inline void station_kernel(vec c, vec s, size_t stride, const vec *number, const vec *v, vec *a) {
     const vec damping = number[STATION_DAMPING * stride];
     const vec in_phase = number[STATION_UNBALANCE_COS * stride], ahead = number[STATION_UNBALANCE_SIN * stride];
     const vec free_x = v_fnma(damping, v[0], number[STATION_PULL_X * stride]);
     const vec free_y = v_fnma(damping, v[stride], number[STATION_PULL_Y * stride]);
     a[0] = v_fma(in_phase, c, v_fnma(ahead, s, free_x));
     a[stride] = v_fma(in_phase, s, v_fma(ahead, c, free_y));
+}
+
+/// The same for a disturbance: only damping feels it.
+static inline void station_tangent(size_t stride, const vec *number, const vec *v, vec *a) {
+    const vec damping = v_sub(v_set(0.0), number[STATION_DAMPING * stride]);
+    a[0] = v_mul(damping, v[0]);
+    a[stride] = v_mul(damping, v[stride]);
 }
 
 #endif
