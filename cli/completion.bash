@@ -19,7 +19,7 @@ _whirl_files() {
 
 _whirl_options() {
     case $1 in
-    run) echo '-o --output= --set= --threads= --json --resume --quiet --help' ;;
+    run) echo '-o --output= --set= --threads= --json --resume --refine --refine= --quiet --help' ;;
     report) echo '-o --output= --claims= --gnuplot= --quiet --help' ;;
     export) echo '--csv= --help' ;;
     check | describe) echo '--help' ;;

@@ -36,8 +36,8 @@ static int find_finished(const char *output, const char *path, const whirl_resul
         complain("there is nothing to resume: '%s' is not there, and '%s' is of another study: %s", path, output,
                  difference);
     else if (whirl_result_partial(*finished, &done, &total))
-        complain("there is nothing to resume: '%s' has %zu of %zu points, but its journal '%s' is gone", output, done,
-                 total, path);
+        complain("there is nothing to resume: '%s' is partial (%zu of %zu points), but its journal '%s' is gone",
+                 output, done, total, path);
     else
         return EXIT_DONE;
     whirl_result_free(*finished);

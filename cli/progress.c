@@ -33,14 +33,16 @@ static double done_share(const whirl_progress *progress) {
     return progress->revolutions_total > 0 ? fmin(progress->revolutions_done / progress->revolutions_total, 1) : 0;
 }
 
-/// "37 %, 190 of 521 points, 5.31e+03 revolutions/s, 1:04 min left".
+/// "37 %, 190 of 521 points, 5310 revolutions/s, 1:04 min left"; "refining, round 2: ..." where that is done.
 static void state_text(const whirl_progress *progress, char *text, size_t size) {
     const double computed = progress->revolutions_done - progress->revolutions_recalled;
     const double rate = progress->seconds > 0 ? computed / progress->seconds : 0;
-    char left[32] = "?";
+    char left[32] = "?", round[32] = "";
     if (rate > 0) duration_text((progress->revolutions_total - progress->revolutions_done) / rate, left, sizeof left);
-    snprintf(text, size, "%3.0f %%, %zu of %zu points, %.0f revolutions/s, %s left", floor(100 * done_share(progress)),
-             progress->points_done, progress->points_total, rate, left);
+    if (progress->round > 0) snprintf(round, sizeof round, "refining, round %d: ", progress->round);
+    snprintf(text, size, "%s%3.0f %%, %zu of %zu points%s, %.0f revolutions/s, %s left", round,
+             floor(100 * done_share(progress)), progress->points_done, progress->points_total,
+             progress->stage == WHIRL_STAGE_CONFIRM ? " confirmed" : "", rate, left);
 }
 
 static void draw_bar(const whirl_progress *progress, const char *state) {
@@ -67,7 +69,8 @@ void progress_show(void *view_pointer, const whirl_progress *progress) {
         return;
     }
     const int tenth = (int)(10 * done_share(progress));
-    if (tenth <= view->last_tenth) return;
+    if (progress->round == view->round && tenth <= view->last_tenth) return;
+    view->round = progress->round;
     view->last_tenth = tenth;
     fprintf(stderr, "whirl: %s\n", state);
 }

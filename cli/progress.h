@@ -8,7 +8,8 @@
 
 typedef struct progress_view {
     bool terminal;
-    int last_tenth; ///< of the run that a plain line was written for
+    int round;      ///< of refinement, and
+    int last_tenth; ///< of the run or the round that a plain line was written for
     bool drawn;     ///< a bar stands on the current line
 } progress_view;
 

@@ -100,7 +100,7 @@ static int write_report(const report_arguments *arguments, const entry *entries,
             results[i] = entries[i].result;
             names[i] = entries[i].name;
         }
-        const whirl_report_options how = {.claims = claims, .gnuplot = arguments->gnuplot, .quiet = arguments->quiet};
+        const whirl_report_options how = {.claims = claims, .gnuplot = arguments->gnuplot};
         status = whirl_report_write(results, names, arguments->count, arguments->directory, &how);
     }
     free(results);

@@ -2,6 +2,7 @@
 #include "command.h"
 
 #include <errno.h>
+#include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -22,13 +23,14 @@ typedef struct run_arguments {
     const char *overrides[MAX_OVERRIDES];
     size_t override_count;
     int threads;
-    bool json, quiet, resume;
+    bool json, quiet, resume, refine;
+    whirl_budget budget; ///< of refinement; all zero: as many revolutions as the study has
     char default_output[PATH_SIZE];
 } run_arguments;
 
 // ---------------------------------------------------------------- arguments
 
-enum { KEY_SET = 256, KEY_THREADS, KEY_JSON, KEY_RESUME };
+enum { KEY_SET = 256, KEY_THREADS, KEY_JSON, KEY_RESUME, KEY_REFINE };
 
 static const struct argp_option options[] = {
     {.name = "output",
@@ -50,6 +52,15 @@ static const struct argp_option options[] = {
     {.name = "resume",
      .key = KEY_RESUME,
      .doc = "Go on with a run that did not finish, from RESULT.h5.journal; the result is that of an uninterrupted run"},
+    {.name = "refine",
+     .key = KEY_REFINE,
+     .arg = "BUDGET",
+     .flags = OPTION_ARG_OPTIONAL,
+     .doc =
+         "Do points again whose verdict is undetermined or of low confidence, as the verdict advises (longer, or with "
+         "a "
+         "tighter tolerance), until BUDGET is spent: revolutions, as in --refine=2e6, or time, as in --refine='10 min' "
+         "(default: as many revolutions as the study has)"},
     {.name = "quiet", .key = 'q', .doc = "No progress and no summary"},
     {0},
 };
@@ -61,6 +72,24 @@ static int parse_threads(const char *text, const struct argp_state *state) {
     if (end == text || *end != '\0' || errno != 0 || value < 1 || value > MAX_THREADS)
         bad_argument(state, "--threads is '%s', expected a whole number from 1 to %d", text, MAX_THREADS);
     return (int)value;
+}
+
+/// A number above 0, of revolutions or of a time.
+static whirl_budget parse_budget(const char *text, const struct argp_state *state) {
+    static const struct {
+        const char *name;
+        double seconds;
+    } units[] = {{"", 0}, {"revolutions", 0}, {"s", 1}, {"min", 60}, {"h", 3600}};
+    char *end = NULL;
+    const double amount = strtod(text, &end);
+    const char *unit = end + strspn(end, " ");
+    for (size_t i = 0; i < sizeof units / sizeof *units && end > text; i++)
+        if (amount > 0 && isfinite(amount) && strcmp(unit, units[i].name) == 0)
+            return units[i].seconds > 0 ? (whirl_budget){.seconds = amount * units[i].seconds}
+                                        : (whirl_budget){.revolutions = amount};
+    bad_argument(state, "--refine is '%s', expected a number above 0 of revolutions, or with s, min or h of time",
+                 text);
+    return (whirl_budget){0};
 }
 
 /// The case's name with .h5, in the current folder.
@@ -88,6 +117,10 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     case KEY_RESUME:
         arguments->resume = true;
         return 0;
+    case KEY_REFINE:
+        arguments->refine = true;
+        if (argument) arguments->budget = parse_budget(argument, state);
+        return 0;
     case KEY_THREADS:
         arguments->threads = parse_threads(argument, state);
         return 0;
@@ -113,6 +146,16 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
 
 // ---------------------------------------------------------------- from case to result
 
+static int set_budget(const run_arguments *arguments, whirl_case *object) {
+    whirl_study study;
+    whirl_budget budget = arguments->budget;
+    const whirl_status status = whirl_case_study(object, &study);
+    if (status.code != WHIRL_OK) return complain_of(&status);
+    if (budget.revolutions == 0 && budget.seconds == 0) budget.revolutions = whirl_study_revolutions(&study);
+    whirl_case_refine(object, budget);
+    return EXIT_DONE;
+}
+
 static int load(const run_arguments *arguments, whirl_case **object) {
     whirl_problems problems = {0};
     whirl_status status = whirl_case_load(arguments->case_path, &problems, object);
@@ -123,7 +166,7 @@ static int load(const run_arguments *arguments, whirl_case **object) {
         complain("--set %s: %s", arguments->overrides[i], status.message);
         return EXIT_BAD_INPUT;
     }
-    return EXIT_DONE;
+    return arguments->refine ? set_budget(arguments, *object) : EXIT_DONE;
 }
 
 /// Whatever the exit status, there may be a result, of what was done until a stop.

@@ -17,10 +17,22 @@ static double number(const whirl_table *table, size_t point, const char *field, 
     return values ? *values : NAN;
 }
 
+static bool has_verdicts(const whirl_table *table) {
+    return whirl_layout_field(&table->layout, "regime/confidence") != NULL;
+}
+
 static bool rubs(const whirl_result *result, const whirl_table *table, size_t point) {
     for (size_t i = 0; i < result->contact_count; i++)
         if (number(table, point, "rub/share", i) > 0) return true;
     return false;
+}
+
+/// The verdict without what is different from point to point: all divergences are one, and all quasi-periodic motions.
+static void short_name(const whirl_verdict *verdict, char *name, size_t size) {
+    if (verdict->regime == WHIRL_PERIODIC)
+        whirl_verdict_name(verdict, name, size);
+    else
+        snprintf(name, size, "%s", whirl_regime_name(verdict->regime));
 }
 
 // ---------------------------------------------------------------- one point
@@ -44,6 +56,18 @@ static void print_radii(const whirl_result *result, const whirl_table *table, si
     printf(" (in %g m)\n", result->length_scale);
 }
 
+/// "confidence: fair (one tolerance only); to settle it, let it run 2 times as long".
+static void print_confidence(const whirl_verdict *verdict) {
+    char other[VERDICT_SIZE], advice[WHIRL_MESSAGE_SIZE];
+    const whirl_verdict second = {.regime = verdict->other_regime, .period = verdict->other_period};
+    short_name(&second, other, sizeof other);
+    whirl_verdict_advice(verdict, advice, sizeof advice);
+    printf("  confidence: %s (", whirl_confidence_name(verdict->confidence));
+    printf(verdict->confirmed ? "at the second tolerance: %s)" : "one tolerance only)", other);
+    if (verdict->confidence == WHIRL_LOW && *advice) printf("; to settle it, %s", advice);
+    putchar('\n');
+}
+
 static void print_point(const whirl_result *result, const whirl_table *table) {
     if (!whirl_table_done(table, 0)) {
         printf("%s: not computed\n", table->name);
@@ -55,6 +79,7 @@ static void print_point(const whirl_result *result, const whirl_table *table) {
     printf("%s: %s\n", table->name, text);
     whirl_verdict_reason(&verdict, text, sizeof text);
     if (text[0]) printf("  %s\n", text);
+    print_confidence(&verdict);
     if (verdict.regime == WHIRL_DIVERGING) return;
     print_rubs(result, table, 0);
     print_radii(result, table, 0);
@@ -77,6 +102,7 @@ static void print_list(const whirl_result *result, const whirl_table *table) {
         char name[VERDICT_SIZE];
         whirl_verdict_name(&verdict, name, sizeof name);
         printf("  %10.6g %s%s%-26s", table->values[point], unit, *unit ? "  " : " ", name);
+        printf(" %-5s", has_verdicts(table) ? whirl_confidence_name(verdict.confidence) : "");
         if (isfinite(verdict.exponent.value))
             printf(" exponent %8.4f +- %-7.1g", verdict.exponent.value,
                    fmax(verdict.exponent.error, 1e-4)); // not below what the digits show
@@ -89,13 +115,9 @@ typedef struct verdict_counts {
     char names[MAX_VERDICTS][VERDICT_SIZE];
 } verdict_counts;
 
-/// Counts a verdict; all divergences are one, and so are the quasi-periodic motions.
 static void count_verdict(verdict_counts *tally, const whirl_verdict *verdict) {
     char name[VERDICT_SIZE];
-    if (verdict->regime == WHIRL_PERIODIC)
-        whirl_verdict_name(verdict, name, sizeof name);
-    else
-        snprintf(name, sizeof name, "%s", whirl_regime_name(verdict->regime));
+    short_name(verdict, name, sizeof name);
     size_t i = 0;
     while (i < tally->count && strcmp(tally->names[i], name) != 0) i++;
     if (i == MAX_VERDICTS) return;
@@ -106,26 +128,46 @@ static void count_verdict(verdict_counts *tally, const whirl_verdict *verdict) {
 /// Verdicts in the order in which the sweep meets them.
 static void print_counts(const whirl_result *result, const whirl_table *table) {
     verdict_counts tally = {.count = 0};
-    size_t rubbing = 0;
+    size_t rubbing = 0, sure[WHIRL_HIGH + 1] = {0};
     for (size_t point = 0; point < table->count; point++) {
         if (!whirl_table_done(table, point)) continue;
         const whirl_verdict verdict = whirl_table_verdict(table, point);
         count_verdict(&tally, &verdict);
         rubbing += rubs(result, table, point);
+        sure[verdict.confidence]++;
     }
     for (size_t i = 0; i < tally.count; i++) printf("  %6zu  %s\n", tally.of[i], tally.names[i]);
     if (result->contact_count > 0) printf("  %6zu  with rub\n", rubbing);
+    if (has_verdicts(table))
+        printf("  confidence: %zu high, %zu fair, %zu low\n", sure[WHIRL_HIGH], sure[WHIRL_FAIR], sure[WHIRL_LOW]);
+}
+
+/// "refined: 5 points, 2 still in doubt".
+static void print_refinement(const whirl_table *table) {
+    size_t refined = 0, doubtful = 0;
+    if (!whirl_layout_field(&table->layout, "refine/rounds")) return;
+    for (size_t point = 0; point < table->count; point++) {
+        if (!whirl_table_done(table, point)) continue;
+        refined += number(table, point, "refine/rounds", 0) > 0;
+        doubtful += whirl_table_verdict(table, point).confidence == WHIRL_LOW;
+    }
+    printf("  refined: %zu point%s, %zu still in doubt\n", refined, plural((double)refined), doubtful);
 }
 
 void summarize_result(const whirl_result *result) {
     size_t done, total;
     puts(result->title[0] ? result->title : result->case_name);
-    if (whirl_result_partial(result, &done, &total))
-        printf("partial: stopped after %zu of %zu point%s\n", done, total, plural((double)total));
+    if (whirl_result_partial(result, &done, &total)) {
+        if (done < total)
+            printf("partial: stopped after %zu of %zu point%s\n", done, total, plural((double)total));
+        else
+            puts("partial: stopped when all points were done, before all were confirmed or refined");
+    }
     for (size_t i = 0; i < result->table_count; i++) {
         const whirl_table *const table = &result->tables[i];
         if (table->parameter[0] == '\0' && table->count == 1) {
             print_point(result, table);
+            print_refinement(table);
             continue;
         }
         printf("%s of %s: %zu point%s\n", table->name, table->parameter, table->count, plural((double)table->count));
@@ -133,6 +175,7 @@ void summarize_result(const whirl_result *result) {
             print_list(result, table);
         else
             print_counts(result, table);
+        print_refinement(table);
     }
 }
 
@@ -153,10 +196,13 @@ void summarize_study(const whirl_study *study) {
         printf("  %s", batch->name);
         if (batch->parameter[0]) printf(" of %s", batch->parameter);
         printf(": %.0f point%s, %.0f revolution%s each", points, plural(points), revolutions, plural(revolutions));
-        if (is_adaptive(method))
-            printf(" by %s\n", method);
-        else
-            printf(" by %s of %d step%s, %.3g step%s in all\n", method, steps, plural(steps),
-                   points * revolutions * steps, plural(points * revolutions * steps));
+        if (is_adaptive(method)) {
+            printf(" by %s%s\n", method, batch->confirm ? ", confirmed at a tolerance 16 times smaller" : "");
+            continue;
+        }
+        const double all = points * revolutions * steps * (batch->confirm ? 3 : 1);
+        printf(" by %s of %d step%s", method, steps, plural(steps));
+        if (batch->confirm) printf(", confirmed with %d", 2 * steps);
+        printf(", %.3g step%s in all\n", all, plural(all));
     }
 }

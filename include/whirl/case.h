@@ -34,7 +34,7 @@ void whirl_problem_text(const whirl_problems *problems, size_t index, char *text
 /// Frees the list, not the struct, which is empty afterwards.
 void whirl_problems_free(whirl_problems *problems);
 
-/// A parsed case: immutable but for whirl_case_set, safe to share between threads afterwards.
+/// A parsed case: immutable but for whirl_case_set and whirl_case_refine, safe to share between threads afterwards.
 typedef struct whirl_case whirl_case;
 
 /// Reads and checks a case file. WHIRL_BAD_INPUT when anything is wrong: `problems` then lists all of it (at most 100).
@@ -51,6 +51,9 @@ void whirl_case_free(whirl_case *object);
 /// WHIRL_BAD_INPUT (nearest name named) leaves it as it was. The parameter that a sweep varies is refused, unless the
 /// ends of the sweep or the values of its detail depend on it.
 whirl_status whirl_case_set(whirl_case *object, const char *assignment);
+
+/// What the study of the case may spend on points in doubt (whirl_study.refine); nothing where it is not called.
+void whirl_case_refine(whirl_case *object, whirl_budget budget);
 
 /// The title that the case gives itself, "" where it has none; borrowed.
 const char *whirl_case_title(const whirl_case *object);

@@ -2,7 +2,6 @@
 #ifndef WHIRL_REPORT_H
 #define WHIRL_REPORT_H
 
-#include <stdbool.h>
 #include <stddef.h>
 
 #include "whirl/claims.h"
@@ -16,7 +15,6 @@ extern "C" {
 typedef struct whirl_report_options {
     const whirl_claims *claims; ///< NULL: none
     const char *gnuplot;        ///< program; NULL: "gnuplot" on the PATH
-    bool quiet;
 } whirl_report_options;
 
 /// Writes DIR/report.html, and for every result DIR/<name>/ with figures (PNG, PDF), their gnuplot scripts and data.

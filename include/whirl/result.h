@@ -60,6 +60,7 @@ typedef struct whirl_result {
     whirl_fact *facts;
     size_t table_count;
     whirl_table *tables;
+    bool partial; ///< the run was stopped: points are missing, or some are not confirmed or refined as they should be
 } whirl_result;
 
 void whirl_result_free(whirl_result *result);
@@ -74,7 +75,7 @@ const double *whirl_table_field(const whirl_table *table, size_t point, const ch
 /// Whether a point is done. Only the results of runs that were stopped have points that are not.
 bool whirl_table_done(const whirl_table *table, size_t point);
 
-/// Counts the points of all tables and those that are done; true when some are not: the result is partial.
+/// Counts the points of all tables and those that are done; true when the result is partial.
 bool whirl_result_partial(const whirl_result *result, size_t *done, size_t *total);
 
 /// The verdict on a point.

@@ -41,6 +41,9 @@ typedef struct whirl_batch {
     size_t count;
     const double *values; ///< [count] of the parameter, in SI; borrowed; NULL when nothing varies
     whirl_carry carry;
+    /// Every motion is computed once more from the same start with errors of a step 16 times smaller (twice the steps
+    /// of a fixed-step method), and its verdict is set beside the first: needs the analysis "regime".
+    bool confirm;
     whirl_integrate_options integrate;
     whirl_record_options record;
     whirl_analysis_set analyses;
@@ -48,7 +51,21 @@ typedef struct whirl_batch {
 
 enum { WHIRL_MAX_BATCHES = 4 };
 
+enum {
+    WHIRL_MAX_ROUNDS = 6 ///< of refinement
+};
+
+/// What a run may spend on points whose verdict is in doubt: undetermined, or of low confidence. Such points are done
+/// again from their own start as their verdict advises (whirl_advice_apply, its factor rounded up to a power of two), the
+/// cheapest first, in up to WHIRL_MAX_ROUNDS rounds. All zero: nothing is spent.
+typedef struct whirl_budget {
+    /// Revolutions; those at n times the steps of the study count n times. Then no bit depends on how fast the machine is.
+    double revolutions;
+    double seconds; ///< ... or time after which no point is begun
+} whirl_budget;
+
 typedef struct whirl_study {
+    whirl_budget refine;
     size_t batch_count;
     whirl_batch batches[WHIRL_MAX_BATCHES];
     /// Makes the machine for a value of the batch's parameter; called from several threads at once.
@@ -57,20 +74,31 @@ typedef struct whirl_study {
     const void *family; ///< borrowed
 } whirl_study;
 
+/// What a run is at. Every stage has points of its own.
+typedef enum whirl_stage {
+    WHIRL_STAGE_COMPUTE = 0, ///< the points of the study
+    WHIRL_STAGE_CONFIRM,     ///< ... at the second tolerance; the revolutions of both stages are told together
+    WHIRL_STAGE_REFINE       ///< points in doubt; every round has revolutions and seconds of its own
+} whirl_stage;
+
 /// How far a run has come.
 typedef struct whirl_progress {
+    whirl_stage stage;
+    int round; ///< of refinement, from 1; else 0
     size_t points_done, points_total;
-    double revolutions_done, revolutions_total;
-    double revolutions_recalled; ///< of those done, what a keeper knew from an earlier run
-    double seconds;              ///< since the start
+    double revolutions_done, revolutions_total; ///< those at n times the steps of the study count n times
+    double revolutions_recalled;                ///< of those done, what a keeper knew from an earlier run
+    double seconds;                             ///< since the start
 } whirl_progress;
 
 /// Keeps finished points outside of a run, so that a later run of the same study can go on from them (a journal, see
-/// whirl/journal.h). A point is known by its batch and its slot in the batch's table. All functions are called by one
-/// thread at a time.
+/// whirl/journal.h). A point is known by its batch and its slot in the batch's table. Where points are computed more than
+/// once, `batch` tells the passes apart: it is the batch's index plus batch_count times the pass, which is twice the round
+/// of refinement, and one more at the second tolerance; there `block` is shorter. All functions are called by one thread
+/// at a time.
 typedef struct whirl_keeper {
-    /// Takes a finished point: its block [size] and the state [dimension] that a carried point starts from, all NaN where
-    /// the motion diverged. An error ends the run.
+    /// Takes a finished point: its block [size] and, in pass 0, the state [dimension] that a carried point starts from, all
+    /// NaN where the motion diverged. An error ends the run.
     whirl_status (*keep)(void *context, size_t batch, size_t slot, const double *block, size_t size, const double *end,
                          size_t dimension);
     /// Asked before a point is computed. True when it is known: then block and end are filled, to the bit.
@@ -89,13 +117,18 @@ typedef struct whirl_run_options {
     const whirl_keeper *keeper; ///< NULL: every point is computed
 } whirl_run_options;
 
+/// Revolutions of all points without refinement, as a budget counts them: at n times the steps of the study n times.
+double whirl_study_revolutions(const whirl_study *study);
+
 /// The result of a study before any point is computed: its tables without blocks. The rest of it is empty (see
 /// whirl_case_describe_result). Freed by whirl_result_free.
 whirl_status whirl_study_outline(const whirl_study *study, whirl_result **outline);
 
 /// Runs all batches. `result` gets one table a batch; the rest of it is empty (see whirl_case_describe_result).
-/// The first error of a point ends the run, without a result. WHIRL_STOPPED when stopped before the last point: then
-/// there is a result too, of the points that are done (whirl_table_done); the numbers of the others are NaN.
+/// The first error of a point ends the run, without a result. WHIRL_STOPPED when stopped before the last point, or before
+/// the last one was confirmed or refined: then there is a result too, of the points that are done (whirl_table_done); the
+/// numbers of the others are NaN.
+/// With a budget the blocks have the fields "refine/...": rounds, what was spent, and the options that count at last.
 /// No bit of a result depends on which points a keeper knew. The result is freed by whirl_result_free.
 whirl_status whirl_study_run(const whirl_study *study, const whirl_run_options *options, whirl_result **result);
 

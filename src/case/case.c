@@ -173,8 +173,7 @@ whirl_status whirl_case_load(const char *path, whirl_problems *problems, whirl_c
     char *text;
     size_t length;
     *out = NULL;
-    if (problems) snprintf(problems->file, sizeof problems->file, "%s", path);
-    whirl_status status = source_load(path, &text, &length);
+    whirl_status status = source_load(path, problems, &text, &length);
     if (status.code == WHIRL_OK) status = whirl_case_parse(text, length, path, problems, out);
     free(text);
     return status;

@@ -194,8 +194,7 @@ whirl_status whirl_claims_load(const char *path, whirl_problems *problems, whirl
     char *text;
     size_t length;
     *claims = NULL;
-    if (problems) snprintf(problems->file, sizeof problems->file, "%s", path);
-    whirl_status status = source_load(path, &text, &length);
+    whirl_status status = source_load(path, problems, &text, &length);
     if (status.code == WHIRL_OK) status = claims_parse(text, length, path, problems, claims);
     free(text);
     return status;

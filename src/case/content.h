@@ -23,6 +23,7 @@ struct whirl_case {
     char *text; ///< byte for byte, with a final zero beyond `length`
     size_t length;
     case_content content;
+    whirl_budget refine; ///< no part of the file
 };
 
 /// A machine of the family that a case is: the rotor with one parameter at a value, and its initial state.

@@ -50,9 +50,14 @@ whirl_status case_machine(const void *family, const whirl_batch *batch, double v
     return whirl_ok();
 }
 
+void whirl_case_refine(whirl_case *object, whirl_budget budget) {
+    object->refine = budget;
+}
+
 whirl_status whirl_case_study(const whirl_case *object, whirl_study *study) {
     const study_plan *plan = &object->content.plan;
-    *study = (whirl_study){.batch_count = plan->batch_count, .machine = case_machine, .family = object};
+    *study = (whirl_study){
+        .batch_count = plan->batch_count, .machine = case_machine, .family = object, .refine = object->refine};
     memcpy(study->batches, plan->batches, sizeof study->batches);
     return whirl_ok();
 }

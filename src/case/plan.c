@@ -94,6 +94,9 @@ static void check_record(case_reader *reader, const plan_parts *parts, const whi
         problem_at(reader->problems, place_of(&parts->keep, "highest_order"),
                    "is %.10g, expected at most %.10g, half the samples a revolution (keep.samples)",
                    options->highest_order, highest);
+    if (settings_yes(&parts->study, "confirm") && !has_analysis(parts->analyses, "regime"))
+        problem_at(reader->problems, place_of(&parts->study, "confirm"),
+                   "is yes, but analyze lacks regime, whose verdicts would be confirmed");
     const bool kept = options->waveform_revolutions > 0 || settings_find(&parts->study, "detail");
     if (parts->waveform_place && !kept)
         problem_at(reader->problems, parts->waveform_place,
@@ -192,6 +195,7 @@ void plan_make(case_reader *reader, valuation *v, const plan_parts *parts, study
         whirl_batch *batch = &result->batches[i];
         const bool detail = strcmp(batch->name, "detail") == 0;
         batch->integrate = integrate;
+        batch->confirm = settings_yes(&parts->study, "confirm");
         batch->record = detail ? detail_options(v, parts, &record) : record;
         if (detail) check_detail(reader, parts, &batch->record);
         choose_analyses(batch, parts->analyses, strcmp(batch->name, "sweep") != 0);

@@ -36,6 +36,10 @@ static const whirl_key study_keys[] = {
     {"initial", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
      "names of stations with the state they start from; zero where absent", ""},
     {"integrate", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "", "how and how long: see integrate", ""},
+    {"confirm", "", "", WHIRL_KEY_CHOICE, false, "no", WHIRL_ANY, "yes|no|true|false",
+     "yes: every point is computed once more with errors of a step 16 times smaller (rk4: twice the steps), and its "
+     "verdict is trusted where both agree",
+     ""},
     {"keep", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "", "how much of waveforms and spectra: see keep", ""},
     {"analyze", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "", "a list of analyses; all but waveform where absent",
      ""},

@@ -29,8 +29,9 @@ static whirl_status read_bounded(FILE *file, const char *path, char **text, size
     return whirl_ok();
 }
 
-whirl_status source_load(const char *path, char **text, size_t *length) {
+whirl_status source_load(const char *path, whirl_problems *problems, char **text, size_t *length) {
     *text = NULL;
+    if (problems) snprintf(problems->file, sizeof problems->file, "%s", path);
     FILE *file = fopen(path, "rb");
     if (!file) return cannot_read(path, errno);
     const whirl_status status = read_bounded(file, path, text, length);

@@ -67,6 +67,35 @@ static json_t *point_parameters(bool *well, const whirl_result *result, const wh
     return object;
 }
 
+// "confirmed" is the verdict at the second tolerance, null where there was none; "advice" what would settle it.
+static void put_confidence(bool *well, json_t *object, const whirl_verdict *verdict) {
+    char advice[WHIRL_MESSAGE_SIZE];
+    whirl_verdict_advice(verdict, advice, sizeof advice);
+    put(well, object, "confidence", text(whirl_confidence_name(verdict->confidence)));
+    put(well, object, "advice", *advice ? text(advice) : json_null());
+    json_t *confirmed = verdict->confirmed ? json_object() : json_null();
+    if (verdict->confirmed) {
+        put(well, confirmed, "regime", text(whirl_regime_name(verdict->other_regime)));
+        put(well, confirmed, "period", json_integer(verdict->other_period));
+    }
+    put(well, object, "confirmed", confirmed);
+}
+
+// What refinement did to the point, and how the motion was integrated that the numbers are of.
+static void put_refinement(bool *well, json_t *object, const whirl_table *table, size_t point) {
+    json_t *refined = json_object();
+    for (size_t i = 0; i < table->layout.field_count; ++i) {
+        const whirl_field *field = &table->layout.fields[i];
+        const numbers found = point_numbers(table, point, field->name, 0);
+        if (strncmp(field->name, "refine/", 7) != 0 || !found.at) continue;
+        put(well, refined, field->name + 7, number(found.at[0]));
+    }
+    if (json_object_size(refined) > 0)
+        put(well, object, "refined", refined);
+    else
+        json_decref(refined);
+}
+
 static void put_verdict(bool *well, json_t *object, const whirl_table *table, size_t point) {
     if (!whirl_layout_field(&table->layout, "regime/code")) return;
     const whirl_verdict verdict = whirl_table_verdict(table, point);
@@ -79,6 +108,7 @@ static void put_verdict(bool *well, json_t *object, const whirl_table *table, si
     if (verdict.regime == WHIRL_DIVERGING) put(well, object, "diverged_at", number(verdict.diverged_at));
     put(well, object, "verdict", text(name));
     put(well, object, "reason", text(reason));
+    put_confidence(well, object, &verdict);
     json_t *evidence = json_object();
     put(well, evidence, "exponent", number(verdict.exponent.value));
     put(well, evidence, "exponent_error", number(verdict.exponent.error));
@@ -185,6 +215,7 @@ static json_t *point_object(bool *well, const whirl_result *result, const whirl_
     put(well, object, "parameters", point_parameters(well, result, table, point));
     if (table->branch[point] != 0) put(well, object, "branch", json_integer(table->branch[point]));
     put_verdict(well, object, table, point);
+    put_refinement(well, object, table, point);
     put_lyapunov(well, object, table, point);
     put_rub(well, object, result, table, point);
     put_stations(well, object, "stations", station_numbers, result, table, point);

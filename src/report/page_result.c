@@ -91,11 +91,16 @@ void page_computed(const page *to, size_t index) {
     char text[1024];
     size_t done, total;
     fputs("<h3>What was computed</h3>\n", to->stream);
-    if (whirl_result_partial(result, &done, &total))
+    const bool partial = whirl_result_partial(result, &done, &total);
+    if (partial && done < total)
         fprintf(to->stream,
                 "<p><strong>This result is partial:</strong> the run was stopped when %zu of %zu points were done. The "
                 "others are left out below.</p>\n",
                 done, total);
+    else if (partial)
+        fputs("<p><strong>This result is partial:</strong> the run was stopped when all points were done, but before "
+              "all verdicts were confirmed or refined.</p>\n",
+              to->stream);
     fputs("<dl>\n", to->stream);
     if (*result->case_name) write_row(to->stream, "Case", result->case_name);
     snprintf(text, sizeof text, "%.6g rad/s (%.6g revolutions a minute)", result->speed,

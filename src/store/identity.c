@@ -39,6 +39,13 @@ static void put_parameters(FILE *out, const whirl_result *outline) {
     }
 }
 
+// What a run may spend on points in doubt decides which of them are done again.
+static void put_budget(FILE *out, const whirl_result *outline) {
+    for (size_t i = 0; i < outline->fact_count; ++i)
+        if (strcmp(outline->facts[i].name, "refine") == 0)
+            fprintf(out, "budget of refinement\t%s\n", outline->facts[i].value);
+}
+
 static void put_points(FILE *out, const whirl_table *table) {
     char first[NUMBER_SIZE], last[NUMBER_SIZE];
     uint32_t sum = 0;
@@ -100,6 +107,7 @@ whirl_status identity_text(const whirl_result *outline, bool build, char **text,
     if (!out) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the text of a case");
     put_case(out, outline->case_text ? outline->case_text : "");
     put_parameters(out, outline);
+    put_budget(out, outline);
     for (size_t i = 0; i < outline->station_count; ++i)
         fprintf(out, "station %zu\t%s\n", i + 1, outline->stations[i].name);
     for (size_t i = 0; i < outline->table_count; ++i) {

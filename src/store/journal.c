@@ -18,10 +18,10 @@ enum { MOST_BATCHES = 64 };
 /// Most seconds that a finished point waits for the disk, but for the time of a revolution.
 static const double sync_interval = 5.0;
 
-// Where the payloads of a batch's points lie in the file; 0: not there.
+// Where the payloads of the points of a pass over a batch lie in the file; 0: not there.
 typedef struct batch_index {
     size_t count;
-    uint64_t *offset; // [count]
+    uint64_t *offset; // [count], NULL where the pass has none yet
 } batch_index;
 
 struct whirl_journal {
@@ -35,7 +35,8 @@ struct whirl_journal {
     size_t pending_size, pending_points;
     bool dirty; // written, not synced
     double synced;
-    size_t batch_count, points;
+    size_t batch_count; // of the study; passes beyond the first have indices of their own (whirl_keeper)
+    size_t points;      // of the first pass
     batch_index batches[MOST_BATCHES];
     whirl_journal_found found;
 };
@@ -49,7 +50,7 @@ static uint64_t start_of(const whirl_journal *journal) {
 static void free_journal(whirl_journal *journal) {
     if (!journal) return;
     journal_file_close(&journal->file);
-    for (size_t i = 0; i < journal->batch_count; ++i) free(journal->batches[i].offset);
+    for (size_t i = 0; i < MOST_BATCHES; ++i) free(journal->batches[i].offset);
     free(journal->pending);
     free(journal->identity);
     free(journal);
@@ -59,10 +60,20 @@ static whirl_status make_index(whirl_journal *journal, const whirl_result *outli
     for (size_t i = 0; i < outline->table_count; ++i) {
         const size_t count = outline->tables[i].count;
         journal->batches[i] = (batch_index){count, calloc(count ? count : 1, sizeof(uint64_t))};
-        journal->batch_count = i + 1;
         if (!journal->batches[i].offset) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a journal");
     }
+    journal->batch_count = outline->table_count;
     return whirl_ok();
+}
+
+// Where a frame's offset is noted; NULL for a point that the study has not, or where there is no memory.
+static uint64_t *place_of(whirl_journal *journal, uint64_t batch, uint64_t slot) {
+    if (batch >= MOST_BATCHES || journal->batch_count == 0) return NULL;
+    batch_index *index = &journal->batches[batch];
+    const size_t count = journal->batches[batch % journal->batch_count].count;
+    if (slot >= count) return NULL;
+    if (!index->offset) *index = (batch_index){count, calloc(count, sizeof(uint64_t))};
+    return index->offset ? &index->offset[slot] : NULL;
 }
 
 static whirl_status keep(void *context, size_t batch, size_t slot, const double *block, size_t size, const double *end,
@@ -136,11 +147,9 @@ static int read_file(void *context, uint64_t offset, void *to, size_t size) {
 
 static void note_frame(void *context, const frame_head *head, uint64_t offset) {
     whirl_journal *journal = context;
-    if (head->identity != journal->hash || head->batch >= journal->batch_count ||
-        head->slot >= journal->batches[head->batch].count)
-        return;
-    uint64_t *place = &journal->batches[head->batch].offset[head->slot];
-    journal->points += *place == 0;
+    uint64_t *place = head->identity == journal->hash ? place_of(journal, head->batch, head->slot) : NULL;
+    if (!place) return;
+    journal->points += *place == 0 && head->batch < journal->batch_count;
     *place = offset;
 }
 
@@ -290,7 +299,7 @@ static whirl_status write_pending(whirl_journal *journal) {
 static whirl_status keep(void *context, size_t batch, size_t slot, const double *block, size_t size, const double *end,
                          size_t dimension) {
     whirl_journal *journal = context;
-    if (batch >= journal->batch_count || slot >= journal->batches[batch].count)
+    if (!place_of(journal, batch, slot))
         return whirl_fail(WHIRL_BAD_INPUT, "the journal has no place for point %zu of batch %zu", slot, batch);
     const size_t frame = frame_size(size, dimension);
     unsigned char *grown = realloc(journal->pending, journal->pending_size + frame);
@@ -300,7 +309,7 @@ static whirl_status keep(void *context, size_t batch, size_t slot, const double 
         .identity = journal->hash, .slot = slot, .size = frame - JOURNAL_HEAD - JOURNAL_TAIL, .batch = (uint32_t)batch};
     frame_put(grown + journal->pending_size, &head, block, size, end, dimension);
     journal->pending_size += frame;
-    journal->pending_points++;
+    journal->pending_points += batch < journal->batch_count;
     return write_pending(journal);
 }
 
@@ -318,8 +327,8 @@ static bool is_frame_of(const whirl_journal *journal, const unsigned char *frame
 static bool recall(void *context, size_t batch, size_t slot, double *block, size_t size, double *end,
                    size_t dimension) {
     whirl_journal *journal = context;
-    if (batch >= journal->batch_count || slot >= journal->batches[batch].count) return false;
-    const uint64_t offset = journal->batches[batch].offset[slot];
+    const uint64_t *place = place_of(journal, batch, slot);
+    const uint64_t offset = place ? *place : 0;
     const size_t length = frame_size(size, dimension);
     if (offset == 0 || offset - JOURNAL_HEAD + length > journal->end) return false;
     unsigned char *frame = malloc(length);

@@ -330,6 +330,7 @@ static void check_format(whirl_status *status, hid_t file) {
 
 static void get_result(whirl_status *status, hid_t file, size_t limit, whirl_result *result) {
     check_format(status, file);
+    result->partial = get_whole_attribute(status, file, "partial", 0, 1) != 0;
     get_text_attribute(status, file, "title", result->title, sizeof result->title);
     get_case(status, file, result);
     get_parameters(status, file, result);

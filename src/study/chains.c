@@ -9,44 +9,62 @@
 
 // ---------------------------------------------------------------- making
 
-whirl_status chains_new(chains *c, const whirl_study *study, size_t batch_index, whirl_table *table, tracker *progress,
-                        const whirl_keeper *keeper) {
-    const whirl_batch *batch = &study->batches[batch_index];
-    const bool carried = batch->carry != WHIRL_CARRY_NONE;
-    *c = (chains){.study = study,
+/// The layout of the verdicts at the second tolerance, which are all that is taken from those motions.
+static whirl_status make_other_layout(chains *c) {
+    whirl_machine machine;
+    whirl_analysis_set regime = 0;
+    whirl_status status = c->run->study->machine(c->run->study->family, c->batch, c->table->values[0], &machine);
+    if (status.code != WHIRL_OK) return status;
+    whirl_analysis_add(&regime, "regime");
+    status = whirl_layout_new(machine.system, &c->pass->integrate, &c->pass->record, regime, &c->other);
+    if (machine.release) machine.release(machine.owner);
+    return status;
+}
+
+static chain chain_of(const chains *c, size_t index) {
+    const pass *p = c->pass;
+    if (p->slots) return (chain){.first_slot = p->slots[index], .length = 1};
+    if (p->confirming || c->batch->carry == WHIRL_CARRY_NONE) return (chain){.first_slot = index, .length = 1};
+    return (chain){.first_slot = index * c->batch->count,
+                   .length = c->batch->count,
+                   .reverse = c->batch->carry == WHIRL_CARRY_REVERSE || index == 1};
+}
+
+whirl_status chains_new(chains *c, study_run *run, const pass *p) {
+    const whirl_batch *batch = &run->study->batches[p->batch];
+    *c = (chains){.run = run,
+                  .pass = p,
                   .batch = batch,
-                  .batch_index = batch_index,
-                  .table = table,
-                  .tracker = progress,
-                  .keeper = keeper};
-    c->count = carried ? batch_copies(batch) : batch->count;
+                  .table = &run->result->tables[p->batch],
+                  .ends = run->ends[p->batch],
+                  .weight = pass_weight(run, p),
+                  .revolutions = pass_revolutions(run, p),
+                  .count = p->count};
+    if (!p->slots && !p->confirming && batch->carry != WHIRL_CARRY_NONE) c->count = batch_copies(batch);
     c->items = calloc(c->count, sizeof *c->items);
     c->ready = calloc(c->count, sizeof(chain *));
-    if (!c->items || !c->ready) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points", batch->count);
+    if (!c->items || !c->ready) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points", p->count);
     for (size_t i = 0; i < c->count; i++) {
-        const bool reverse = batch->carry == WHIRL_CARRY_REVERSE || i == 1;
-        c->items[i] = carried ? (chain){.first_slot = i * batch->count, .length = batch->count, .reverse = reverse}
-                              : (chain){.first_slot = i, .length = 1};
+        c->items[i] = chain_of(c, i);
         c->ready[c->count - 1 - i] = &c->items[i];
     }
     c->ready_count = c->count;
-    return whirl_ok();
+    return p->confirming ? make_other_layout(c) : whirl_ok();
 }
 
 void chains_free(chains *c) {
-    for (size_t i = 0; c->items && i < c->count; i++) free(c->items[i].carried);
     free(c->items);
     free(c->ready);
 }
 
 // ---------------------------------------------------------------- a thread's work
 
-/// A thread at a batch.
+/// A thread at a pass.
 typedef struct worker {
     chains *chains;
     size_t quota, under_way;
-    size_t dimension;
-    double *end;          ///< [dimension] of a point that is recalled, or that went astray
+    double *end;          ///< [dimension] of a point
+    double *other;        ///< [other.size] a verdict at the second tolerance
     whirl_status status;  ///< the first error of `next`
     double pending, last; ///< revolutions not yet told to the tracker, and when it was last told
 } worker;
@@ -72,51 +90,79 @@ static void release(chain *link) {
     link->machine = (whirl_machine){0};
 }
 
-/// Keeps the end of a point (NULL: it diverged) for the next one of its chain; after a divergence the chain starts afresh.
-static whirl_status carry(const chains *c, chain *link, const double *end, size_t dimension) {
-    if (c->batch->carry == WHIRL_CARRY_NONE) return whirl_ok();
-    if (!end) {
-        free(link->carried);
-        link->carried = NULL;
-        return whirl_ok();
-    }
-    if (!link->carried) link->carried = malloc(dimension * sizeof *link->carried);
-    if (!link->carried) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a state");
-    memcpy(link->carried, end, dimension * sizeof *link->carried);
-    return whirl_ok();
+/// Where a carried point starts from: the end of the one before it, NULL where there is none or it diverged.
+static const double *carried_start(const chains *c, size_t slot) {
+    if (!c->ends) return NULL;
+    const size_t first = slot / c->batch->count * c->batch->count;
+    const bool reverse = c->table->branch[slot] < 0;
+    if (slot == (reverse ? first + c->batch->count - 1 : first)) return NULL;
+    const double *end = c->ends + (reverse ? slot + 1 : slot - 1) * c->run->dimension;
+    return isnan(end[0]) ? NULL : end;
 }
 
-static void finish_point(chains *c, chain *link) {
-    c->table->done[current_slot(link)] = 1;
+static double *block_of(const chains *c, size_t slot) {
+    return c->table->blocks + slot * c->table->layout.size;
+}
+
+/// After a point was computed or recalled: what its pass is about stands in w->end or in w->other.
+static void finish_point(const worker *w, chain *link) {
+    chains *c = w->chains;
+    const size_t slot = current_slot(link);
+    if (c->pass->confirming) {
+        const whirl_verdict other = whirl_block_verdict(&c->other, w->other);
+        const double *revolutions = &w->other[whirl_layout_field(&c->other, "regime/revolutions")->offset];
+        whirl_block_confirm(&c->table->layout, block_of(c, slot), &other);
+        if (c->pass->round > 0) refine_add_spent(&c->table->layout, block_of(c, slot), c->weight * *revolutions);
+    } else if (c->ends && c->pass->round == 0) {
+        memcpy(c->ends + slot * c->run->dimension, w->end, c->run->dimension * sizeof *w->end);
+    }
+    c->table->done[slot] = 1;
     link->done++;
 }
 
 // ---------------------------------------------------------------- points that are kept
 
+/// What is kept of a point: its block, or the verdict at the second tolerance.
+static double *kept_numbers(const worker *w, size_t slot, size_t *size) {
+    const chains *c = w->chains;
+    *size = c->pass->confirming ? c->other.size : c->table->layout.size;
+    return c->pass->confirming ? w->other : block_of(c, slot);
+}
+
+static size_t keeper_number(const chains *c) {
+    const pass *p = c->pass;
+    return p->batch + c->run->study->batch_count * (2 * (size_t)p->round + p->confirming);
+}
+
+/// States are kept where carried points need them.
+static size_t kept_dimension(const chains *c) {
+    return c->pass->confirming || c->pass->round > 0 ? 0 : c->run->dimension;
+}
+
 /// Takes the next point of a chain from the keeper, where that knows it.
-static bool recall(worker *w, chain *link) {
+static bool recall(const worker *w, chain *link) {
     chains *c = w->chains;
-    const size_t slot = current_slot(link), size = c->table->layout.size;
+    const whirl_keeper *keeper = c->run->keeper;
+    const size_t slot = current_slot(link);
+    size_t size;
+    double *block = kept_numbers(w, slot, &size);
     bool known = false;
 #pragma omp critical(whirl_keeper)
-    known = c->keeper->recall(c->keeper->context, c->batch_index, slot, c->table->blocks + slot * size, size, w->end,
-                              w->dimension);
+    known = keeper->recall(keeper->context, keeper_number(c), slot, block, size, w->end, kept_dimension(c));
     if (!known) return false;
-    w->status = carry(c, link, isnan(w->end[0]) ? NULL : w->end, w->dimension);
-    if (w->status.code != WHIRL_OK) return false;
-    finish_point(c, link);
-    tracker_recall(c->tracker, point_revolutions(c->batch));
+    finish_point(w, link);
+    tracker_recall(&c->run->tracker, c->revolutions);
     return true;
 }
 
-static whirl_status keep(const worker *w, size_t slot, const double *end) {
+static whirl_status keep(const worker *w, size_t slot) {
     const chains *c = w->chains;
-    const size_t size = c->table->layout.size;
+    const whirl_keeper *keeper = c->run->keeper;
+    size_t size;
+    const double *block = kept_numbers(w, slot, &size);
     whirl_status status;
-    for (size_t i = 0; !end && i < w->dimension; i++) w->end[i] = NAN;
 #pragma omp critical(whirl_keeper)
-    status = c->keeper->keep(c->keeper->context, c->batch_index, slot, c->table->blocks + slot * size, size,
-                             end ? end : w->end, w->dimension);
+    status = keeper->keep(keeper->context, keeper_number(c), slot, block, size, w->end, kept_dimension(c));
     return status;
 }
 
@@ -134,26 +180,46 @@ static whirl_status tend(const whirl_keeper *keeper) {
 static chain *take_unknown(worker *w) {
     for (;;) {
         chain *link = take_ready(w->chains);
-        if (!link || !w->chains->keeper) return link;
+        if (!link || !w->chains->run->keeper) return link;
         while (link->done < link->length && recall(w, link)) {
         }
-        if (w->status.code != WHIRL_OK) return NULL;
         if (link->done < link->length) return link;
     }
+}
+
+static bool time_is_over(const study_run *run) {
+    return run->deadline > 0.0 && clock_seconds() > run->deadline;
 }
 
 static bool next(void *context, whirl_task *task) {
     worker *w = context;
     const chains *c = w->chains;
-    if (w->under_way >= w->quota || w->status.code != WHIRL_OK || atomic_load(&c->tracker->halt)) return false;
-    chain *link = take_unknown(w);
+    if (w->under_way >= w->quota || w->status.code != WHIRL_OK || atomic_load(&c->run->tracker.halt)) return false;
+    chain *link = time_is_over(c->run) ? NULL : take_unknown(w);
     if (!link) return false;
-    const double value = c->table->values[current_slot(link)];
-    w->status = c->study->machine(c->study->family, c->batch, value, &link->machine);
+    const size_t slot = current_slot(link);
+    const double *carried = carried_start(c, slot);
+    w->status = c->run->study->machine(c->run->study->family, c->batch, c->table->values[slot], &link->machine);
     if (w->status.code != WHIRL_OK) return false;
     w->under_way++;
-    *task = (whirl_task){link->machine.system, link->carried ? link->carried : link->machine.start, link};
+    *task = (whirl_task){link->machine.system, carried ? carried : link->machine.start, link};
     return true;
+}
+
+/// The block of a point, or the verdict at the second tolerance.
+static whirl_status analyze(const worker *w, size_t slot, const whirl_record *record) {
+    const chains *c = w->chains;
+    const pass *p = c->pass;
+    double *block = block_of(c, slot);
+    if (p->confirming) {
+        whirl_analysis_set regime = 0;
+        whirl_analysis_add(&regime, "regime");
+        return whirl_analyze(record, &p->record, regime, &c->other, w->other);
+    }
+    const double spent = p->round > 0 ? refine_spent(&c->table->layout, block) + c->weight * record->revolutions : 0.0;
+    const whirl_status status = whirl_analyze(record, &p->record, c->batch->analyses, &c->table->layout, block);
+    refine_note(&c->table->layout, block, p, spent);
+    return status;
 }
 
 static whirl_status done(void *context, const whirl_task *task, whirl_record *record) {
@@ -161,20 +227,19 @@ static whirl_status done(void *context, const whirl_task *task, whirl_record *re
     chains *c = w->chains;
     chain *link = task->tag;
     const size_t slot = current_slot(link);
-    const double *end = record->motion == WHIRL_BOUNDED ? record->end : NULL;
-    whirl_status status = whirl_analyze(record, &c->batch->record, c->batch->analyses, &c->table->layout,
-                                        c->table->blocks + slot * c->table->layout.size);
-    if (status.code == WHIRL_OK) status = carry(c, link, end, w->dimension);
-    if (status.code == WHIRL_OK && c->keeper) status = keep(w, slot, end);
+    const bool bounded = record->motion == WHIRL_BOUNDED;
+    for (size_t i = 0; i < c->run->dimension; i++) w->end[i] = bounded ? record->end[i] : (double)NAN;
+    whirl_status status = analyze(w, slot, record);
+    if (status.code == WHIRL_OK && c->run->keeper) status = keep(w, slot);
     // What a motion that settled or diverged did not have to run counts as done.
-    w->pending += point_revolutions(c->batch) - record->revolutions;
+    w->pending += c->revolutions - c->weight * record->revolutions;
     whirl_record_free(record);
     release(link);
     w->under_way--;
     if (status.code != WHIRL_OK) return status;
-    finish_point(c, link);
+    finish_point(w, link);
     if (link->done < link->length) put_ready(c, link);
-    tracker_advance(c->tracker, 0.0, 1);
+    tracker_advance(&c->run->tracker, 0.0, 1);
     return status;
 }
 
@@ -186,15 +251,16 @@ static void abandon(void *context, const whirl_task *task) {
 /// Revolutions reach the tracker in packets, so that threads seldom meet.
 static bool revolution_done(void *context) {
     worker *w = context;
-    w->pending += 1.0;
+    study_run *run = w->chains->run;
+    w->pending += w->chains->weight;
     const double seconds = clock_seconds();
     if (seconds - w->last < 0.1) return true;
     w->last = seconds;
     const double packet = w->pending;
     w->pending = 0.0;
-    const whirl_status status = tend(w->chains->keeper);
-    if (status.code != WHIRL_OK) tracker_fail(w->chains->tracker, &status);
-    return tracker_advance(w->chains->tracker, packet, 0);
+    const whirl_status status = tend(run->keeper);
+    if (status.code != WHIRL_OK) tracker_fail(&run->tracker, &status);
+    return tracker_advance(&run->tracker, packet, 0);
 }
 
 whirl_status chains_work(chains *c, size_t quota) {
@@ -202,16 +268,17 @@ whirl_status chains_work(chains *c, size_t quota) {
     const whirl_task_source source = {next, done, abandon, &w};
     const whirl_monitor monitor = {revolution_done, &w};
     whirl_machine first;
-    whirl_status status = c->study->machine(c->study->family, c->batch, c->table->values[0], &first);
+    whirl_status status = c->run->study->machine(c->run->study->family, c->batch, c->table->values[0], &first);
     if (status.code != WHIRL_OK) return status;
-    w.dimension = first.system->dimension;
-    w.end = malloc(w.dimension * sizeof *w.end);
-    if (w.end)
-        status = whirl_record_motions(first.system, &c->batch->integrate, &c->batch->record, &source, &monitor);
-    else
+    w.end = calloc(c->run->dimension + c->other.size, sizeof *w.end);
+    if (w.end) {
+        w.other = w.end + c->run->dimension;
+        status = whirl_record_motions(first.system, &c->pass->integrate, &c->pass->record, &source, &monitor);
+    } else {
         status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a state");
+    }
     free(w.end);
     if (first.release) first.release(first.owner);
-    tracker_advance(c->tracker, w.pending, 0);
+    tracker_advance(&c->run->tracker, w.pending, 0);
     return w.status.code != WHIRL_OK ? w.status : status;
 }

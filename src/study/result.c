@@ -44,7 +44,7 @@ bool whirl_result_partial(const whirl_result *result, size_t *done, size_t *tota
         for (size_t point = 0; point < result->tables[i].count; ++point)
             *done += whirl_table_done(&result->tables[i], point);
     }
-    return *done < *total;
+    return result->partial || *done < *total;
 }
 
 whirl_verdict whirl_table_verdict(const whirl_table *table, size_t point) {

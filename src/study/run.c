@@ -1,62 +1,29 @@
-// Running a study: every thread works at the batches, the long ones first.
+// Running a study: its points, their confirmations, and refinement.
+#include <math.h>
 #include <omp.h>
 #include <stdlib.h>
 
-#include "chains.h"
+#include "passes.h"
 
-static void begin(tracker *progress, const whirl_study *study, const whirl_run_options *options) {
-    size_t points = 0;
-    double revolutions = 0.0;
-    for (size_t i = 0; i < study->batch_count; i++) {
-        const whirl_batch *batch = &study->batches[i];
-        const size_t count = batch->count * batch_copies(batch);
-        points += count;
-        revolutions += (double)count * point_revolutions(batch);
-    }
-    tracker_begin(progress, options, points, revolutions);
-}
-
-/// Order of the batches: those with long points first, so that no thread is left with one at the end.
-static void order_batches(const whirl_study *study, size_t order[WHIRL_MAX_BATCHES]) {
-    for (size_t i = 0; i < study->batch_count; i++) {
-        size_t at = i;
-        for (; at > 0 && point_revolutions(&study->batches[order[at - 1]]) < point_revolutions(&study->batches[i]);
-             at--)
-            order[at] = order[at - 1];
-        order[at] = i;
-    }
-}
-
-static void work(const whirl_study *study, chains *batches, tracker *progress, int threads) {
-    size_t order[WHIRL_MAX_BATCHES];
-    order_batches(study, order);
-#pragma omp parallel num_threads(threads)
-    for (size_t i = 0; i < study->batch_count; i++) {
-        chains *c = &batches[order[i]];
-        const size_t quota = (c->count + (size_t)threads - 1) / (size_t)threads;
-        const whirl_status status = atomic_load(&progress->halt) ? whirl_ok() : chains_work(c, quota);
-        if (status.code != WHIRL_OK && status.code != WHIRL_STOPPED) tracker_fail(progress, &status);
-    }
+static bool has_regime(const whirl_batch *batch) {
+    whirl_analysis_set regime = 0;
+    whirl_analysis_add(&regime, "regime");
+    return (batch->analyses & regime) != 0;
 }
 
 static whirl_status check_study(const whirl_study *study) {
     if (study->batch_count == 0 || study->batch_count > WHIRL_MAX_BATCHES || !study->machine)
         return whirl_fail(WHIRL_BAD_INPUT, "the study has %zu batches, expected 1 to %d and a machine",
                           study->batch_count, WHIRL_MAX_BATCHES);
-    for (size_t i = 0; i < study->batch_count; i++)
-        if (study->batches[i].count == 0)
-            return whirl_fail(WHIRL_BAD_INPUT, "batch '%s' has no points, expected at least one",
-                              study->batches[i].name);
+    for (size_t i = 0; i < study->batch_count; i++) {
+        const whirl_batch *batch = &study->batches[i];
+        if (batch->count == 0)
+            return whirl_fail(WHIRL_BAD_INPUT, "batch '%s' has no points, expected at least one", batch->name);
+        if ((batch->confirm || study_is_refined(study)) && !has_regime(batch))
+            return whirl_fail(WHIRL_BAD_INPUT, "verdicts of the %s cannot be %s: the analysis 'regime' is not chosen",
+                              batch->name, batch->confirm ? "confirmed" : "refined");
+    }
     return whirl_ok();
-}
-
-/// How a run ended whose threads have come to rest.
-static whirl_status outcome(tracker *progress) {
-    const size_t done = progress->progress.points_done, total = progress->progress.points_total;
-    if (progress->status.code == WHIRL_OK && done < total)
-        return whirl_fail(WHIRL_STOPPED, "stopped after %zu of %zu points", done, total);
-    if (progress->status.code == WHIRL_OK) tracker_end(progress);
-    return progress->status;
 }
 
 whirl_status whirl_study_outline(const whirl_study *study, whirl_result **out) {
@@ -71,26 +38,93 @@ whirl_status whirl_study_outline(const whirl_study *study, whirl_result **out) {
     return status;
 }
 
+// ---------------------------------------------------------------- stages
+
+/// Where the points of carried batches end.
+static whirl_status make_ends(study_run *run) {
+    const whirl_study *study = run->study;
+    whirl_machine machine;
+    const whirl_batch *first = &study->batches[0];
+    const whirl_status status = study->machine(study->family, first, first->values ? first->values[0] : NAN, &machine);
+    if (status.code != WHIRL_OK) return status;
+    run->dimension = machine.system->dimension;
+    if (machine.release) machine.release(machine.owner);
+    for (size_t i = 0; i < study->batch_count; i++) {
+        if (study->batches[i].carry == WHIRL_CARRY_NONE) continue;
+        run->ends[i] = calloc(run->result->tables[i].count * run->dimension, sizeof *run->ends[i]);
+        if (!run->ends[i]) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the ends of carried points");
+    }
+    return whirl_ok();
+}
+
+/// The passes over the study's own points, and over those that are confirmed; gives their number of points.
+static size_t plan_points(const study_run *run, bool confirming, pass passes[WHIRL_MAX_BATCHES], size_t *pass_count) {
+    size_t points = 0;
+    *pass_count = 0;
+    for (size_t i = 0; i < run->study->batch_count; i++) {
+        const whirl_batch *batch = &run->study->batches[i];
+        if (confirming && !batch->confirm) continue;
+        const pass own = {.batch = i,
+                          .integrate = batch->integrate,
+                          .record = batch->record,
+                          .count = batch->count * batch_copies(batch)};
+        passes[(*pass_count)++] = confirming ? pass_confirming(&own) : own;
+        points += own.count;
+    }
+    return points;
+}
+
+static double sum_revolutions(const study_run *run, const pass *passes, size_t count) {
+    double sum = 0.0;
+    for (size_t i = 0; i < count; i++) sum += (double)passes[i].count * pass_revolutions(run, &passes[i]);
+    return sum;
+}
+
+double whirl_study_revolutions(const whirl_study *study) {
+    const study_run run = {.study = study};
+    pass points[WHIRL_MAX_BATCHES], again[WHIRL_MAX_BATCHES];
+    size_t point_passes, again_passes;
+    plan_points(&run, false, points, &point_passes);
+    plan_points(&run, true, again, &again_passes);
+    return sum_revolutions(&run, points, point_passes) + sum_revolutions(&run, again, again_passes);
+}
+
+static whirl_status run_stages(study_run *run, const whirl_run_options *options) {
+    pass points[WHIRL_MAX_BATCHES], again[WHIRL_MAX_BATCHES];
+    size_t point_passes, again_passes;
+    const size_t count = plan_points(run, false, points, &point_passes);
+    const size_t again_count = plan_points(run, true, again, &again_passes);
+    tracker_begin(&run->tracker, options, whirl_study_revolutions(run->study));
+    tracker_stage(&run->tracker, WHIRL_STAGE_COMPUTE, count);
+    whirl_status status = passes_work(run, points, point_passes);
+    if (status.code == WHIRL_OK) status = passes_outcome(run);
+    if (status.code == WHIRL_OK && again_count > 0) {
+        tracker_stage(&run->tracker, WHIRL_STAGE_CONFIRM, again_count);
+        status = passes_work(run, again, again_passes);
+        if (status.code == WHIRL_OK) status = passes_outcome(run);
+    }
+    if (status.code == WHIRL_OK && study_is_refined(run->study)) status = refine_points(run);
+    if (status.code == WHIRL_OK) tracker_end(&run->tracker);
+    return status;
+}
+
 whirl_status whirl_study_run(const whirl_study *study, const whirl_run_options *options, whirl_result **out) {
-    chains batches[WHIRL_MAX_BATCHES] = {0};
-    whirl_result *result = NULL;
-    tracker progress;
+    study_run run = {.study = study, .keeper = options->keeper};
     *out = NULL;
     if (options->threads < 0) return whirl_fail(WHIRL_BAD_INPUT, "threads is %d, expected 0 or more", options->threads);
-    whirl_status status = whirl_study_outline(study, &result);
-    if (status.code == WHIRL_OK) status = tables_fill(result);
-    for (size_t i = 0; i < study->batch_count && status.code == WHIRL_OK; i++)
-        status = chains_new(&batches[i], study, i, &result->tables[i], &progress, options->keeper);
-    if (status.code == WHIRL_OK) {
-        begin(&progress, study, options);
-        work(study, batches, &progress, options->threads > 0 ? options->threads : omp_get_num_procs());
-        status = outcome(&progress);
+    run.threads = options->threads > 0 ? options->threads : omp_get_num_procs();
+    whirl_status status = whirl_study_outline(study, &run.result);
+    if (status.code == WHIRL_OK) status = tables_fill(run.result);
+    if (status.code == WHIRL_OK) status = make_ends(&run);
+    if (status.code == WHIRL_OK) status = run_stages(&run, options);
+    for (size_t i = 0; i < WHIRL_MAX_BATCHES; i++) free(run.ends[i]);
+    if (status.code == WHIRL_STOPPED) {
+        tables_blank(run.result);
+        run.result->partial = true;
     }
-    for (size_t i = 0; i < WHIRL_MAX_BATCHES; i++) chains_free(&batches[i]);
-    if (status.code == WHIRL_STOPPED) tables_blank(result);
     if (status.code == WHIRL_OK || status.code == WHIRL_STOPPED)
-        *out = result;
+        *out = run.result;
     else
-        whirl_result_free(result);
+        whirl_result_free(run.result);
     return status;
 }

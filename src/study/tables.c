@@ -1,9 +1,10 @@
 // The tables of a study's result, empty: values, branches, and a slot a point.
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "chains.h"
+#include "passes.h"
 
 static void fill_values(whirl_table *table, const whirl_batch *batch) {
     for (size_t copy = 0; copy < batch_copies(batch); copy++)
@@ -22,6 +23,7 @@ static whirl_status make_table(const whirl_study *study, const whirl_batch *batc
     if (status.code != WHIRL_OK) return status;
     status = whirl_layout_new(machine.system, &batch->integrate, &batch->record, batch->analyses, &table->layout);
     if (machine.release) machine.release(machine.owner);
+    if (status.code == WHIRL_OK && study_is_refined(study)) status = refine_add_fields(&table->layout);
     if (status.code != WHIRL_OK) return status;
     memcpy(table->name, batch->name, sizeof table->name);
     memcpy(table->parameter, batch->parameter, sizeof table->parameter);
@@ -60,6 +62,17 @@ void tables_blank(whirl_result *result) {
     }
 }
 
+/// The budget of refinement, as a fact: a run with another one is another study.
+static whirl_status tell_budget(const whirl_study *study, whirl_result *result) {
+    char text[80];
+    if (!study_is_refined(study)) return whirl_ok();
+    if (study->refine.seconds > 0.0)
+        snprintf(text, sizeof text, "%.10g s", study->refine.seconds);
+    else
+        snprintf(text, sizeof text, "%.10g revolutions", study->refine.revolutions);
+    return whirl_result_add_fact(result, "refine", text);
+}
+
 whirl_status tables_new(const whirl_study *study, whirl_result **out) {
     whirl_result *result = *out = calloc(1, sizeof *result);
     if (result) {
@@ -72,5 +85,5 @@ whirl_status tables_new(const whirl_study *study, whirl_result **out) {
         const whirl_status status = make_table(study, &study->batches[i], &result->tables[i]);
         if (status.code != WHIRL_OK) return status;
     }
-    return whirl_ok();
+    return tell_budget(study, result);
 }

@@ -5,10 +5,21 @@
 /// Seconds between two reports.
 static const double report_interval = 0.2;
 
-void tracker_begin(tracker *t, const whirl_run_options *options, size_t points, double revolutions) {
-    *t = (tracker){.options = options,
-                   .progress = {.points_total = points, .revolutions_total = revolutions},
-                   .started = clock_seconds()};
+void tracker_begin(tracker *t, const whirl_run_options *options, double revolutions) {
+    *t = (tracker){.options = options, .progress = {.revolutions_total = revolutions}, .started = clock_seconds()};
+}
+
+void tracker_stage(tracker *t, whirl_stage stage, size_t points) {
+    t->progress.stage = stage;
+    t->progress.points_done = 0;
+    t->progress.points_total = points;
+}
+
+void tracker_round(tracker *t, int round, size_t points, double revolutions) {
+    t->progress = (whirl_progress){
+        .stage = WHIRL_STAGE_REFINE, .round = round, .points_total = points, .revolutions_total = revolutions};
+    t->started = clock_seconds();
+    t->reported = 0.0;
 }
 
 /// Reports when it is time to, and looks whether the run shall end.
@@ -47,6 +58,11 @@ void tracker_fail(tracker *t, const whirl_status *status) {
         if (t->status.code == WHIRL_OK) t->status = *status;
         atomic_store(&t->halt, true);
     }
+}
+
+bool tracker_halted(tracker *t) {
+    if (t->options->stop && *t->options->stop) atomic_store(&t->halt, true);
+    return atomic_load(&t->halt);
 }
 
 void tracker_end(tracker *t) {

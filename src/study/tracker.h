@@ -15,7 +15,11 @@ typedef struct tracker {
     double started, reported;
 } tracker;
 
-void tracker_begin(tracker *tracker, const whirl_run_options *options, size_t points, double revolutions);
+void tracker_begin(tracker *tracker, const whirl_run_options *options, double revolutions);
+
+/// Begins a stage of so many points. A round of refinement has revolutions of its own; the other stages share theirs.
+void tracker_stage(tracker *tracker, whirl_stage stage, size_t points);
+void tracker_round(tracker *tracker, int round, size_t points, double revolutions);
 
 /// Adds to the progress and reports it now and then. False when the run shall end.
 bool tracker_advance(tracker *tracker, double revolutions, size_t points);
@@ -25,6 +29,9 @@ void tracker_recall(tracker *tracker, double revolutions);
 
 /// Notes an error; the first one counts. The run ends.
 void tracker_fail(tracker *tracker, const whirl_status *status);
+
+/// Looks whether the run was asked to end.
+bool tracker_halted(tracker *tracker);
 
 /// Reports for the last time.
 void tracker_end(tracker *tracker);

@@ -10,6 +10,7 @@
 
 #include <cmocka.h>
 
+#include "memory_keeper.h"
 #include "whirl/study.h"
 
 /// x' = p + x - x^3: for |p| < 2/(3 sqrt 3) two stable rests, which a carried sweep follows until they vanish.
@@ -180,59 +181,6 @@ static void test_a_stop_leaves_what_is_done(void **state) {
 
 // ---------------------------------------------------------------- keepers
 
-enum { MOST_SLOTS = 2 * POINTS, BLOCK = 512 };
-
-/// Keeps points in memory; `limit` is how many it takes before it fails.
-typedef struct memory_keeper {
-    int kept, recalled, limit;
-    bool known[MOST_SLOTS];
-    double blocks[MOST_SLOTS][BLOCK], ends[MOST_SLOTS];
-} memory_keeper;
-
-static whirl_status keep(void *context, size_t batch, size_t slot, const double *block, size_t size, const double *end,
-                         size_t dimension) {
-    memory_keeper *memory = context;
-    assert_true(batch == 0 && slot < MOST_SLOTS && size <= BLOCK && dimension == 1 && !memory->known[slot]);
-    if (memory->kept == memory->limit) return whirl_fail(WHIRL_IO_ERROR, "there is no room");
-    memcpy(memory->blocks[slot], block, size * sizeof *block);
-    memory->ends[slot] = *end;
-    memory->known[slot] = true;
-    memory->kept++;
-    return whirl_ok();
-}
-
-static bool recall(void *context, size_t batch, size_t slot, double *block, size_t size, double *end,
-                   size_t dimension) {
-    memory_keeper *memory = context;
-    assert_true(batch == 0 && slot < MOST_SLOTS && dimension == 1);
-    if (!memory->known[slot]) return false;
-    memcpy(block, memory->blocks[slot], size * sizeof *block);
-    *end = memory->ends[slot];
-    memory->recalled++;
-    return true;
-}
-
-static memory_keeper *keeper_new(void) {
-    memory_keeper *memory = calloc(1, sizeof *memory);
-    assert_non_null(memory);
-    memory->limit = -1;
-    return memory;
-}
-
-static whirl_result *run_kept(const whirl_study *s, memory_keeper *memory, whirl_code expected) {
-    const whirl_keeper keeper = {.keep = keep, .recall = recall, .context = memory};
-    whirl_result *result;
-    memory->kept = memory->recalled = 0;
-    assert_int_equal(whirl_study_run(s, &(whirl_run_options){.threads = 2, .keeper = &keeper}, &result).code, expected);
-    return result;
-}
-
-static void expect_same_blocks(const whirl_result *a, const whirl_result *b) {
-    const whirl_table *one = a->tables, *other = b->tables;
-    assert_int_equal(one->count, other->count);
-    assert_memory_equal(one->blocks, other->blocks, one->count * one->layout.size * sizeof(double));
-}
-
 /// Whatever points are known, with gaps in carried branches too, the result is that of a run that knew none.
 static void test_recalled_points_change_no_bit(void **state) {
     double values[POINTS];
@@ -241,13 +189,13 @@ static void test_recalled_points_change_no_bit(void **state) {
         const whirl_study s = study(values, (whirl_carry)carry);
         const int count = carry == WHIRL_CARRY_BOTH ? 2 * POINTS : POINTS;
         whirl_result *whole = run(&s, 1);
-        memory_keeper *memory = keeper_new();
+        memory_keeper *memory = keeper_new(POINTS * 2, 1);
         whirl_result_free(run_kept(&s, memory, WHIRL_OK));
         assert_int_equal(memory->kept, count);
         for (int step = 2; step <= 8; step *= 2) {
-            for (int i = 0; i < count; i++) memory->known[i] = memory->known[i] && i % step != 1 && i != 5;
+            for (int i = 0; i < count; i++) memory->known[0][i] = memory->known[0][i] && i % step != 1 && i != 5;
             int known = 0;
-            for (int i = 0; i < count; i++) known += memory->known[i];
+            for (int i = 0; i < count; i++) known += memory->known[0][i];
             whirl_result *resumed = run_kept(&s, memory, WHIRL_OK);
             assert_int_equal(memory->recalled, known);
             assert_int_equal(memory->kept, count - known);
@@ -270,12 +218,12 @@ static void test_a_carried_branch_goes_on_after_a_divergence(void **state) {
     // The start, 0.1, is within the limit; the rests beyond the fold are not, so that some points diverge.
     s.batches[0].integrate.limit = 1.2;
     whirl_result *whole = run(&s, 1);
-    memory_keeper *memory = keeper_new();
+    memory_keeper *memory = keeper_new(POINTS * 2, 1);
     whirl_result_free(run_kept(&s, memory, WHIRL_OK));
     int diverged = 0;
-    for (int i = 0; i < POINTS; i++) diverged += isnan(memory->ends[i]) != 0;
+    for (int i = 0; i < POINTS; i++) diverged += isnan(memory->ends[0][i]) != 0;
     assert_true(diverged > 0 && diverged < POINTS);
-    for (int i = 1; i < POINTS; i += 2) memory->known[i] = false;
+    for (int i = 1; i < POINTS; i += 2) memory->known[0][i] = false;
     whirl_result *resumed = run_kept(&s, memory, WHIRL_OK);
     expect_same_blocks(whole, resumed);
     whirl_result_free(resumed);
@@ -286,7 +234,7 @@ static void test_a_carried_branch_goes_on_after_a_divergence(void **state) {
 static void test_a_keeper_that_fails_ends_the_run(void **state) {
     double values[POINTS];
     const whirl_study s = study(values, WHIRL_CARRY_NONE);
-    memory_keeper *memory = keeper_new();
+    memory_keeper *memory = keeper_new(POINTS * 2, 1);
     (void)state;
     memory->limit = 7;
     assert_null(run_kept(&s, memory, WHIRL_IO_ERROR));

@@ -1,0 +1,69 @@
+#include "passes.h"
+
+#include <stdlib.h>
+
+#include "chains.h"
+
+double pass_weight(const study_run *run, const pass *p) {
+    return (double)p->integrate.steps_per_revolution / run->study->batches[p->batch].integrate.steps_per_revolution;
+}
+
+double pass_revolutions(const study_run *run, const pass *p) {
+    return pass_weight(run, p) * ((double)p->record.transient + p->record.record);
+}
+
+pass pass_confirming(const pass *points) {
+    pass again = *points;
+    again.confirming = true;
+    again.integrate = whirl_integrate_tighter(&points->integrate, confirm_factor);
+    again.record.waveform = again.record.spectra = false;
+    again.record.waveform_revolutions = 0;
+    return again;
+}
+
+/// Order of the passes: those with long points first, so that no thread is left with one at the end.
+static void sort_long_first(chains *all, size_t count) {
+    for (size_t i = 1; i < count; i++) {
+        const chains moved = all[i];
+        size_t at = i;
+        for (; at > 0 && all[at - 1].revolutions < moved.revolutions; at--) all[at] = all[at - 1];
+        all[at] = moved;
+    }
+}
+
+static void work(study_run *run, chains *all, size_t count) {
+    tracker *progress = &run->tracker;
+#pragma omp parallel num_threads(run->threads)
+    for (size_t i = 0; i < count; i++) {
+        const size_t quota = (all[i].count + (size_t)run->threads - 1) / (size_t)run->threads;
+        const whirl_status status = atomic_load(&progress->halt) ? whirl_ok() : chains_work(&all[i], quota);
+        if (status.code != WHIRL_OK && status.code != WHIRL_STOPPED) tracker_fail(progress, &status);
+    }
+}
+
+whirl_status passes_work(study_run *run, const pass *passes, size_t count) {
+    chains *all = calloc(count + 1, sizeof *all);
+    if (!all) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu passes", count);
+    whirl_status status = whirl_ok();
+    for (size_t i = 0; i < count && status.code == WHIRL_OK; i++) status = chains_new(&all[i], run, &passes[i]);
+    if (status.code == WHIRL_OK) {
+        sort_long_first(all, count);
+        work(run, all, count);
+    }
+    for (size_t i = 0; i < count; i++) chains_free(&all[i]);
+    free(all);
+    return status;
+}
+
+whirl_status passes_outcome(const study_run *run) {
+    static const char *const formats[] = {
+        [WHIRL_STAGE_COMPUTE] = "stopped after %zu of %zu points",
+        [WHIRL_STAGE_CONFIRM] = "stopped after %zu of %zu points were confirmed",
+        [WHIRL_STAGE_REFINE] = "stopped after %zu of %zu points of a round of refinement",
+    };
+    const whirl_progress *progress = &run->tracker.progress;
+    if (run->tracker.status.code != WHIRL_OK) return run->tracker.status;
+    // Without a stop there are points left only where the time for them was over.
+    if (progress->points_done == progress->points_total || !atomic_load(&run->tracker.halt)) return whirl_ok();
+    return whirl_fail(WHIRL_STOPPED, formats[progress->stage], progress->points_done, progress->points_total);
+}

@@ -1,0 +1,86 @@
+/// A run's state, and the passes that it makes over the points of a study.
+#ifndef STUDY_PASSES_H
+#define STUDY_PASSES_H
+
+#include "tracker.h"
+#include "whirl/study.h"
+
+/// What all passes share.
+typedef struct study_run {
+    const whirl_study *study;
+    whirl_result *result;
+    const whirl_keeper *keeper; ///< or NULL
+    int threads;
+    size_t dimension;
+    double *ends[WHIRL_MAX_BATCHES]; ///< [count][dimension] of carried batches: where every point ended, NaN where it
+                                     ///< diverged; else NULL
+    double deadline;                 ///< no point is begun after it (clock_seconds); 0: there is none
+    tracker tracker;
+} study_run;
+
+/// One walk over points of a batch, all with the same options. Slots are those of the batch's table.
+typedef struct pass {
+    size_t batch;
+    int round;       ///< of refinement; 0: the study itself
+    bool confirming; ///< the points are there; their motions are computed at the second tolerance
+    whirl_integrate_options integrate;
+    whirl_record_options record;
+    size_t count;
+    size_t *slots; ///< [count]; NULL: all of the batch, those that are carried one after the other
+} pass;
+
+/// Errors of a step at the second tolerance are smaller by this: twice the steps of RK4.
+static const double confirm_factor = 16.0;
+
+/// The same points, at the second tolerance.
+pass pass_confirming(const pass *points);
+
+/// What a revolution costs, in revolutions of the study.
+double pass_weight(const study_run *run, const pass *pass);
+
+/// Revolutions of a point that runs to its end, weighted.
+double pass_revolutions(const study_run *run, const pass *pass);
+
+/// One or two tables' worth of points: carried in both directions they are there twice.
+static inline size_t batch_copies(const whirl_batch *batch) {
+    return batch->carry == WHIRL_CARRY_BOTH ? 2 : 1;
+}
+
+/// Whether points in doubt are done again.
+static inline bool study_is_refined(const whirl_study *study) {
+    return study->refine.revolutions > 0.0 || study->refine.seconds > 0.0;
+}
+
+/// Makes all passes, on all threads. Errors and stops are the tracker's. WHIRL_NO_MEMORY.
+whirl_status passes_work(study_run *run, const pass *passes, size_t count);
+
+/// How a stage ended whose threads have come to rest: WHIRL_STOPPED where it was asked to before its last point.
+whirl_status passes_outcome(const study_run *run);
+
+// ---------------------------------------------------------------- tables.c
+
+/// A result with tables without blocks, one a batch. What was made is in *result also where it fails.
+whirl_status tables_new(const whirl_study *study, whirl_result **result);
+
+/// Makes the blocks.
+whirl_status tables_fill(whirl_result *result);
+
+/// Sets the blocks of points that are not done to NaN.
+void tables_blank(whirl_result *result);
+
+// ---------------------------------------------------------------- refine.c
+
+/// Adds the fields "refine/..." to the layout of a table. WHIRL_BAD_INPUT when it has too many.
+whirl_status refine_add_fields(whirl_layout *layout);
+
+/// Notes the options of a finished point in its block, where there are such fields; `spent` is what it has cost so far.
+void refine_note(const whirl_layout *layout, double *block, const pass *pass, double spent);
+
+/// What refining a point has cost so far, 0 where nothing was noted; and a further cost.
+double refine_spent(const whirl_layout *layout, const double *block);
+void refine_add_spent(const whirl_layout *layout, double *block, double revolutions);
+
+/// Does points in doubt again until the budget is used up or nothing is left in doubt. Stops are the tracker's.
+whirl_status refine_points(study_run *run);
+
+#endif

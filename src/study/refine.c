@@ -1,0 +1,284 @@
+// Refinement: points whose verdict is in doubt are done again as the verdict advises, up to a budget. What is done next
+// follows from the blocks alone, so that threads, journals and interruptions change no bit.
+#include <limits.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "clock.h"
+#include "passes.h"
+
+// ---------------------------------------------------------------- fields
+
+enum { ROUNDS, SPENT, TRANSIENT, WATCH, STEPS, RTOL, ATOL, FIELD_COUNT };
+
+static const struct {
+    const char *name, *unit, *meaning;
+} fields[FIELD_COUNT] = {
+    [ROUNDS] = {"refine/rounds", "1", "rounds of refinement, 0 for a point that was not in doubt or too dear"},
+    [SPENT] = {"refine/revolutions", "revolution",
+               "spent on refining, second tolerance included; those at n times the study's steps count n times"},
+    [TRANSIENT] = {"refine/transient", "revolution", "transient of the motion that the numbers are of"},
+    [WATCH] = {"refine/watch", "revolution", "watched revolutions of that motion"},
+    [STEPS] = {"refine/steps_per_revolution", "1", "its steps a revolution"},
+    [RTOL] = {"refine/rtol", "1", "its relative tolerance, of adaptive methods"},
+    [ATOL] = {"refine/atol", "1", "its absolute tolerance, of adaptive methods"},
+};
+
+whirl_status refine_add_fields(whirl_layout *layout) {
+    if (layout->field_count + FIELD_COUNT > WHIRL_MAX_FIELDS)
+        return whirl_fail(WHIRL_BAD_INPUT, "the chosen analyses and refinement have more than %d fields",
+                          WHIRL_MAX_FIELDS);
+    for (int i = 0; i < FIELD_COUNT; i++) {
+        whirl_field *field = &layout->fields[layout->field_count++];
+        *field = (whirl_field){.unit = fields[i].unit,
+                               .meaning = fields[i].meaning,
+                               .extent = WHIRL_PER_POINT,
+                               .rows = 1,
+                               .columns = 1,
+                               .repeat = 1,
+                               .offset = layout->size++};
+        snprintf(field->name, sizeof field->name, "%s", fields[i].name);
+    }
+    return whirl_ok();
+}
+
+/// The numbers [FIELD_COUNT] in a block, NULL where the layout has none.
+static double *noted(const whirl_layout *layout, double *block) {
+    const whirl_field *first = whirl_layout_field(layout, fields[ROUNDS].name);
+    return first ? block + first->offset : NULL;
+}
+
+void refine_note(const whirl_layout *layout, double *block, const pass *p, double spent) {
+    double *numbers = noted(layout, block);
+    if (!numbers) return;
+    numbers[ROUNDS] = p->round;
+    numbers[SPENT] = spent;
+    numbers[TRANSIENT] = p->record.transient;
+    numbers[WATCH] = whirl_record_watch(&p->record);
+    numbers[STEPS] = p->integrate.steps_per_revolution;
+    numbers[RTOL] = p->integrate.rtol;
+    numbers[ATOL] = p->integrate.atol;
+}
+
+double refine_spent(const whirl_layout *layout, const double *block) {
+    const whirl_field *field = whirl_layout_field(layout, fields[SPENT].name);
+    return field ? block[field->offset] : 0.0;
+}
+
+void refine_add_spent(const whirl_layout *layout, double *block, double revolutions) {
+    double *numbers = noted(layout, block);
+    if (numbers) numbers[SPENT] += revolutions;
+}
+
+// ---------------------------------------------------------------- points in doubt
+
+/// A point that may be done again.
+typedef struct candidate {
+    size_t slot;
+    pass next; ///< of this point alone
+    double cost;
+} candidate;
+
+static double *block_of(const study_run *run, size_t batch, size_t slot) {
+    const whirl_table *table = &run->result->tables[batch];
+    return table->blocks + slot * table->layout.size;
+}
+
+/// Factors are powers of two, so that many points are done with the same options, side by side.
+static double rounded_up(double factor) {
+    return exp2(ceil(log2(fmax(factor, 2.0)) - 1e-9));
+}
+
+/// How the point was done the last time.
+static pass last_pass(const study_run *run, size_t batch, size_t slot, int round) {
+    const whirl_batch *own = &run->study->batches[batch];
+    const double *numbers = noted(&run->result->tables[batch].layout, block_of(run, batch, slot));
+    pass p = {.batch = batch, .round = round, .integrate = own->integrate, .record = own->record};
+    if (numbers[ROUNDS] == 0.0) return p;
+    p.integrate.steps_per_revolution = (int)numbers[STEPS];
+    p.integrate.rtol = numbers[RTOL];
+    p.integrate.atol = numbers[ATOL];
+    p.record.transient = (int)numbers[TRANSIENT];
+    p.record.watch = (int)numbers[WATCH];
+    return p;
+}
+
+static bool same_options(const pass *a, const pass *b) {
+    return a->batch == b->batch && a->record.transient == b->record.transient && a->record.watch == b->record.watch &&
+           a->integrate.steps_per_revolution == b->integrate.steps_per_revolution &&
+           a->integrate.rtol == b->integrate.rtol && a->integrate.atol == b->integrate.atol;
+}
+
+/// Whether the point is in doubt and there is something to be done about it.
+static bool is_candidate(const study_run *run, size_t batch, size_t slot, int round, candidate *found) {
+    const whirl_batch *own = &run->study->batches[batch];
+    whirl_verdict verdict = whirl_table_verdict(&run->result->tables[batch], slot);
+    if (verdict.regime != WHIRL_UNDETERMINED && verdict.confidence != WHIRL_LOW) return false;
+    if (verdict.advice.remedy == WHIRL_NO_REMEDY) return false;
+    const pass last = last_pass(run, batch, slot, round);
+    *found = (candidate){.slot = slot, .next = last};
+    // The samples of a waveform stay as they are, whatever the steps.
+    found->next.record.samples_per_revolution = whirl_record_samples(&own->record, own->integrate.steps_per_revolution);
+    verdict.advice.factor = rounded_up(verdict.advice.factor);
+    whirl_advice_apply(verdict.advice, &found->next.integrate, &found->next.record);
+    if (same_options(&last, &found->next)) return false;
+    const pass again = pass_confirming(&found->next);
+    found->cost = pass_revolutions(run, &found->next) + (own->confirm ? pass_revolutions(run, &again) : 0.0);
+    return true;
+}
+
+static int sign(double difference) {
+    return (difference > 0.0) - (difference < 0.0);
+}
+
+static int by_place(const candidate *a, const candidate *b) {
+    if (a->next.batch != b->next.batch) return a->next.batch < b->next.batch ? -1 : 1;
+    return a->slot < b->slot ? -1 : a->slot > b->slot;
+}
+
+static int by_cost(const void *left, const void *right) {
+    const candidate *a = left, *b = right;
+    return a->cost != b->cost ? sign(a->cost - b->cost) : by_place(a, b);
+}
+
+static int by_options(const void *left, const void *right) {
+    const candidate *a = left, *b = right;
+    const double differences[] = {(double)a->next.batch - (double)b->next.batch,
+                                  (double)a->next.record.transient - b->next.record.transient,
+                                  (double)a->next.record.watch - b->next.record.watch,
+                                  (double)a->next.integrate.steps_per_revolution -
+                                      b->next.integrate.steps_per_revolution,
+                                  a->next.integrate.rtol - b->next.integrate.rtol,
+                                  a->next.integrate.atol - b->next.integrate.atol};
+    for (size_t i = 0; i < sizeof differences / sizeof *differences; i++)
+        if (differences[i] != 0.0) return sign(differences[i]);
+    return by_place(a, b);
+}
+
+// ---------------------------------------------------------------- a round
+
+/// What is done in a round.
+typedef struct plan {
+    size_t count; ///< points
+    candidate *points;
+    size_t *slots; ///< [count] in the order of the passes
+    size_t pass_count;
+    pass *passes, *again; ///< [pass_count] the points, and those of them that are confirmed
+    size_t again_count;
+    double cost;
+} plan;
+
+static void plan_free(plan *p) {
+    free(p->points);
+    free(p->slots);
+    free(p->passes);
+}
+
+static size_t count_points(const whirl_result *result) {
+    size_t count = 0;
+    for (size_t i = 0; i < result->table_count; i++) count += result->tables[i].count;
+    return count;
+}
+
+/// The cheapest points that the budget pays for, all of them where it is a time.
+static void choose(const study_run *run, int round, double budget, plan *p) {
+    size_t count = 0;
+    for (size_t batch = 0; batch < run->study->batch_count; batch++)
+        for (size_t slot = 0; slot < run->result->tables[batch].count; slot++)
+            count += is_candidate(run, batch, slot, round, &p->points[count]);
+    qsort(p->points, count, sizeof *p->points, by_cost);
+    while (p->count < count && (run->deadline > 0.0 || p->cost + p->points[p->count].cost <= budget))
+        p->cost += p->points[p->count++].cost;
+    qsort(p->points, p->count, sizeof *p->points, by_options);
+}
+
+static void group(const study_run *run, plan *p) {
+    for (size_t i = 0; i < p->count; i++) {
+        pass *last = p->pass_count ? &p->passes[p->pass_count - 1] : NULL;
+        p->slots[i] = p->points[i].slot;
+        if (!last || !same_options(last, &p->points[i].next)) {
+            last = &p->passes[p->pass_count++];
+            *last = p->points[i].next;
+            last->slots = &p->slots[i];
+        }
+        last->count++;
+    }
+    for (size_t i = 0; i < p->pass_count; i++)
+        if (run->study->batches[p->passes[i].batch].confirm)
+            p->again[p->again_count++] = pass_confirming(&p->passes[i]);
+}
+
+static whirl_status plan_round(const study_run *run, int round, double budget, plan *p) {
+    const size_t most = count_points(run->result);
+    *p = (plan){.points = calloc(most + 1, sizeof *p->points)};
+    if (!p->points) return whirl_fail(WHIRL_NO_MEMORY, "no memory to refine %zu points", most);
+    choose(run, round, budget, p);
+    p->slots = calloc(p->count + 1, sizeof *p->slots);
+    p->passes = calloc(2 * p->count + 1, sizeof *p->passes);
+    if (!p->slots || !p->passes) return whirl_fail(WHIRL_NO_MEMORY, "no memory to refine %zu points", p->count);
+    p->again = p->passes + p->count;
+    group(run, p);
+    return whirl_ok();
+}
+
+static double spent_on(const study_run *run, const plan *p) {
+    double sum = 0.0;
+    for (size_t i = 0; i < p->count; i++) {
+        const candidate *point = &p->points[i];
+        sum +=
+            refine_spent(&run->result->tables[point->next.batch].layout, block_of(run, point->next.batch, point->slot));
+    }
+    return sum;
+}
+
+/// Leaves the points of a pass that were done in this round, for time may have run out before the others; how many.
+static size_t leave_done(const study_run *run, pass *p) {
+    size_t count = 0;
+    const whirl_layout *layout = &run->result->tables[p->batch].layout;
+    for (size_t i = 0; i < p->count; i++)
+        if (noted(layout, block_of(run, p->batch, p->slots[i]))[ROUNDS] == p->round) p->slots[count++] = p->slots[i];
+    p->count = count;
+    return count;
+}
+
+/// The points, then those of them that are confirmed; what was begun in time is finished.
+static whirl_status work(study_run *run, const plan *p) {
+    whirl_status status = passes_work(run, p->passes, p->pass_count);
+    if (status.code == WHIRL_OK) status = passes_outcome(run);
+    if (status.code != WHIRL_OK || p->again_count == 0) return status;
+    size_t confirmed = 0;
+    for (size_t i = 0; i < p->again_count; i++) confirmed += leave_done(run, &p->again[i]);
+    const double deadline = run->deadline;
+    run->deadline = 0.0;
+    run->tracker.progress.points_total += confirmed;
+    status = passes_work(run, p->again, p->again_count);
+    run->deadline = deadline;
+    return status.code == WHIRL_OK ? passes_outcome(run) : status;
+}
+
+static whirl_status refine_round(study_run *run, int round, double *budget, bool *over) {
+    plan p;
+    whirl_status status = plan_round(run, round, *budget, &p);
+    *over = status.code != WHIRL_OK || p.count == 0;
+    if (!*over) {
+        const double before = spent_on(run, &p);
+        tracker_round(&run->tracker, round, p.count, p.cost);
+        status = work(run, &p);
+        *budget -= spent_on(run, &p) - before;
+        *over = status.code != WHIRL_OK || (run->deadline > 0.0 && clock_seconds() > run->deadline);
+    }
+    plan_free(&p);
+    return status;
+}
+
+whirl_status refine_points(study_run *run) {
+    const whirl_budget *allowed = &run->study->refine;
+    double budget = allowed->revolutions;
+    whirl_status status = whirl_ok();
+    bool over = false;
+    if (allowed->seconds > 0.0) run->deadline = clock_seconds() + allowed->seconds;
+    for (int round = 1; round <= WHIRL_MAX_ROUNDS && !over; round++) status = refine_round(run, round, &budget, &over);
+    return status;
+}

@@ -1,0 +1,70 @@
+/// A keeper that keeps points in memory, for studies of one batch. Include after cmocka.h.
+#ifndef STUDY_MEMORY_KEEPER_H
+#define STUDY_MEMORY_KEEPER_H
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "whirl/study.h"
+
+enum { MOST_SLOTS = 128, MOST_PASSES = 2 * (WHIRL_MAX_ROUNDS + 1), BLOCK = 512 };
+
+/// `limit` is how many points it takes before it fails, -1: all.
+typedef struct memory_keeper {
+    size_t slots, dimension;
+    int kept, recalled, limit;
+    bool known[MOST_PASSES][MOST_SLOTS];
+    double blocks[MOST_PASSES][MOST_SLOTS][BLOCK], ends[MOST_PASSES][MOST_SLOTS];
+} memory_keeper;
+
+static inline whirl_status memory_keep(void *context, size_t pass, size_t slot, const double *block, size_t size,
+                                       const double *end, size_t dimension) {
+    memory_keeper *memory = context;
+    assert_true(pass < MOST_PASSES && slot < memory->slots && size <= BLOCK && !memory->known[pass][slot]);
+    assert_true(dimension == (pass == 0 ? memory->dimension : 0));
+    if (memory->kept == memory->limit) return whirl_fail(WHIRL_IO_ERROR, "there is no room");
+    memcpy(memory->blocks[pass][slot], block, size * sizeof *block);
+    if (dimension > 0) memory->ends[pass][slot] = *end;
+    memory->known[pass][slot] = true;
+    memory->kept++;
+    return whirl_ok();
+}
+
+static inline bool memory_recall(void *context, size_t pass, size_t slot, double *block, size_t size, double *end,
+                                 size_t dimension) {
+    memory_keeper *memory = context;
+    assert_true(pass < MOST_PASSES && slot < memory->slots && dimension == (pass == 0 ? memory->dimension : 0));
+    if (!memory->known[pass][slot]) return false;
+    memcpy(block, memory->blocks[pass][slot], size * sizeof *block);
+    if (dimension > 0) *end = memory->ends[pass][slot];
+    memory->recalled++;
+    return true;
+}
+
+static inline memory_keeper *keeper_new(size_t slots, size_t dimension) {
+    memory_keeper *memory = calloc(1, sizeof *memory);
+    assert_non_null(memory);
+    assert_true(slots <= MOST_SLOTS);
+    memory->slots = slots;
+    memory->dimension = dimension;
+    memory->limit = -1;
+    return memory;
+}
+
+/// Runs with the keeper; the result belongs to the caller.
+static inline whirl_result *run_kept(const whirl_study *study, memory_keeper *memory, whirl_code expected) {
+    const whirl_keeper keeper = {.keep = memory_keep, .recall = memory_recall, .context = memory};
+    whirl_result *result;
+    memory->kept = memory->recalled = 0;
+    assert_int_equal(whirl_study_run(study, &(whirl_run_options){.threads = 2, .keeper = &keeper}, &result).code,
+                     expected);
+    return result;
+}
+
+static inline void expect_same_blocks(const whirl_result *a, const whirl_result *b) {
+    const whirl_table *one = a->tables, *other = b->tables;
+    assert_int_equal(one->count, other->count);
+    assert_memory_equal(one->blocks, other->blocks, one->count * one->layout.size * sizeof(double));
+}
+
+#endif

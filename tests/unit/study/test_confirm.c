@@ -1,0 +1,292 @@
+// Confirmation and refinement, on an equation that RK4 carries wrongly where its steps are too long: x' = -r (x - cos t)
+// is stable for every r > 0, but RK4 grows without bound where r h > 2.7853 (Hairer, Wanner: Solving Ordinary Differential
+// Equations II, IV.2). With 64 steps in a period of 1 that is r > 178.3, with 128 r > 356.5.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+
+#include <cmocka.h>
+
+#include "memory_keeper.h"
+#include "whirl/study.h"
+
+typedef struct follower {
+    double rate, start[1];
+    whirl_system system;
+} follower;
+
+static const whirl_probe probe = {.name = "follower"};
+
+static void slope(const void *model, double t, const double *forcing, const double *x, double *dxdt) {
+    (void)forcing;
+    dxdt[0] = -((const follower *)model)->rate * (x[0] - cos(6.283185307179586 * t));
+}
+
+static whirl_status machine(const void *family, const whirl_batch *batch, double value, whirl_machine *out) {
+    (void)family, (void)batch;
+    follower *own = malloc(sizeof *own);
+    assert_non_null(own);
+    *own = (follower){.rate = value, .start = {0.5}};
+    own->system =
+        (whirl_system){.dimension = 1, .period = 1, .rhs = slope, .probe_count = 1, .probes = &probe, .model = own};
+    *out = (whirl_machine){&own->system, own->start, own, free};
+    return whirl_ok();
+}
+
+enum { POINTS = 9, WRONG = 4, STEPS = 64, REVOLUTIONS = 80 };
+
+/// Four rates that 64 steps carry well, then four that only 128 do, and one that needs 256.
+static const double rates[POINTS] = {20, 60, 100, 140, 200, 240, 280, 320, 420};
+
+static whirl_study study(whirl_carry carry, double budget) {
+    whirl_study s = {.refine = {.revolutions = budget}, .batch_count = 1, .machine = machine};
+    whirl_batch *batch = &s.batches[0];
+    *batch = (whirl_batch){
+        .name = "sweep", .parameter = "r", .count = POINTS, .values = rates, .carry = carry, .confirm = true};
+    batch->integrate = whirl_integrate_default();
+    batch->integrate.steps_per_revolution = STEPS;
+    batch->record = whirl_record_default();
+    batch->record.transient = 60;
+    batch->record.record = REVOLUTIONS - batch->record.transient;
+    batch->record.waveform = false;
+    assert_true(whirl_analysis_add(&batch->analyses, "poincare"));
+    assert_true(whirl_analysis_add(&batch->analyses, "regime"));
+    return s;
+}
+
+static whirl_result *run(const whirl_study *s, int threads) {
+    whirl_result *result;
+    const whirl_status status = whirl_study_run(s, &(whirl_run_options){.threads = threads}, &result);
+    if (status.code != WHIRL_OK) fail_msg("%s", status.message);
+    return result;
+}
+
+static double number(const whirl_result *result, size_t point, const char *field) {
+    const double *found = whirl_table_field(result->tables, point, field, 0);
+    assert_non_null(found);
+    return *found;
+}
+
+static bool is_wrong(size_t point) {
+    return rates[point] / STEPS > 2.7853;
+}
+
+static void test_verdicts_at_two_tolerances(void **state) {
+    const whirl_study s = study(WHIRL_CARRY_NONE, 0);
+    (void)state;
+    whirl_result *result = run(&s, 2);
+    for (size_t i = 0; i < POINTS - 1; i++) {
+        const whirl_verdict verdict = whirl_table_verdict(result->tables, i);
+        assert_true(verdict.confirmed);
+        assert_int_equal(verdict.regime, is_wrong(i) ? WHIRL_DIVERGING : WHIRL_PERIODIC);
+        assert_int_equal(verdict.other_regime, WHIRL_PERIODIC);
+        assert_int_equal(verdict.other_period, 1);
+        assert_int_equal(verdict.confidence, is_wrong(i) ? WHIRL_LOW : WHIRL_HIGH);
+    }
+    assert_null(whirl_table_field(result->tables, 0, "refine/rounds", 0));
+    whirl_result_free(result);
+}
+
+/// x' = p - x^2: what starts above -sqrt p comes to rest at sqrt p, all else is lost.
+static void parabola(const void *model, double t, const double *forcing, const double *x, double *dxdt) {
+    (void)t, (void)forcing;
+    dxdt[0] = ((const follower *)model)->rate - x[0] * x[0];
+}
+
+static whirl_status parabola_machine(const void *family, const whirl_batch *batch, double value, whirl_machine *out) {
+    const whirl_status status = machine(family, batch, value, out);
+    follower *own = out->owner;
+    own->start[0] = -1.5;
+    own->system.rhs = parabola;
+    return status;
+}
+
+/// From -1.5 only p > 2.25 comes to rest; carried from there all do, at both tolerances if both start alike.
+static void test_carried_points_are_confirmed_from_their_own_start(void **state) {
+    static const double values[] = {4, 3, 1, 0.5};
+    (void)state;
+    for (int carry = WHIRL_CARRY_NONE; carry <= WHIRL_CARRY_FORWARD; carry++) {
+        whirl_study s = study((whirl_carry)carry, 0);
+        s.machine = parabola_machine;
+        s.batches[0].values = values;
+        s.batches[0].count = 4;
+        whirl_result *result = run(&s, 2);
+        for (size_t i = 0; i < 4; i++) {
+            const bool lost = carry == WHIRL_CARRY_NONE && values[i] < 2.25;
+            assert_int_equal(number(result, i, "regime/code"), lost ? WHIRL_DIVERGING : WHIRL_PERIODIC);
+            assert_int_equal(number(result, i, "regime/other_code"), lost ? WHIRL_DIVERGING : WHIRL_PERIODIC);
+        }
+        whirl_result_free(result);
+    }
+}
+
+static void test_points_in_doubt_are_refined(void **state) {
+    const whirl_study s = study(WHIRL_CARRY_NONE, 1e6);
+    (void)state;
+    whirl_result *result = run(&s, 2);
+    for (size_t i = 0; i < POINTS - 1; i++) {
+        const whirl_verdict verdict = whirl_table_verdict(result->tables, i);
+        assert_int_equal(verdict.regime, WHIRL_PERIODIC);
+        assert_int_equal(verdict.confidence, WHIRL_HIGH);
+        // Errors of a step 256 times smaller are 4 times the steps; then twice as many once more.
+        assert_int_equal(number(result, i, "refine/rounds"), is_wrong(i) ? 1 : 0);
+        assert_int_equal(number(result, i, "refine/steps_per_revolution"), is_wrong(i) ? 4 * STEPS : STEPS);
+        assert_int_equal(number(result, i, "refine/transient"), 60);
+        assert_int_equal(number(result, i, "refine/revolutions"), is_wrong(i) ? (4 + 8) * REVOLUTIONS : 0);
+        // The periodic motion is (r^2 cos + 2 pi r sin)/(r^2 + 4 pi^2) of 2 pi t: at t = 0 that is r^2/(r^2 + 4 pi^2).
+        const double r = rates[i], exact = r * r / (r * r + 39.47841760435743);
+        // (Close to the limit of stability steps are coarse.)
+        const double section = *whirl_table_field(result->tables, i, "poincare/section", 0);
+        assert_true(fabs(section - exact) < (is_wrong(i) ? 1e-4 : 5e-3));
+    }
+    whirl_result_free(result);
+}
+
+static void test_the_budget_is_not_exceeded(void **state) {
+    const double each = 12.0 * REVOLUTIONS;
+    const whirl_study s = study(WHIRL_CARRY_NONE, 2.5 * each);
+    double spent = 0;
+    (void)state;
+    whirl_result *result = run(&s, 2);
+    for (size_t i = 0; i < POINTS; i++) {
+        assert_int_equal(number(result, i, "refine/rounds"), i == WRONG || i == WRONG + 1);
+        spent += number(result, i, "refine/revolutions");
+    }
+    assert_true(spent == 2 * each);
+    assert_string_equal(result->facts[0].name, "refine");
+    assert_string_equal(result->facts[0].value, "2400 revolutions");
+    whirl_result_free(result);
+}
+
+static void test_no_time_is_no_refinement(void **state) {
+    whirl_study s = study(WHIRL_CARRY_NONE, 0);
+    (void)state;
+    s.refine.seconds = 1e-9;
+    whirl_result *result = run(&s, 2);
+    size_t done, total;
+    assert_false(whirl_result_partial(result, &done, &total));
+    for (size_t i = 0; i < POINTS; i++) assert_int_equal(number(result, i, "refine/rounds"), 0);
+    whirl_result_free(result);
+    s.refine.seconds = 1e6;
+    result = run(&s, 2);
+    for (size_t i = 0; i < POINTS - 1; i++) assert_int_equal(number(result, i, "refine/rounds"), is_wrong(i));
+    whirl_result_free(result);
+}
+
+static void test_threads_change_no_bit(void **state) {
+    (void)state;
+    for (int carry = WHIRL_CARRY_NONE; carry <= WHIRL_CARRY_BOTH; carry++) {
+        const whirl_study s = study((whirl_carry)carry, 1e6);
+        whirl_result *one = run(&s, 1), *seven = run(&s, 7);
+        expect_same_blocks(one, seven);
+        whirl_result_free(one);
+        whirl_result_free(seven);
+    }
+}
+
+/// Whatever a keeper knows of any pass, the result is that of a run that knew nothing.
+static void test_recalled_points_change_no_bit(void **state) {
+    (void)state;
+    for (int carry = WHIRL_CARRY_NONE; carry <= WHIRL_CARRY_BOTH; carry++) {
+        const whirl_study s = study((whirl_carry)carry, 1e6);
+        whirl_result *whole = run(&s, 1);
+        memory_keeper *memory = keeper_new(2 * POINTS, 1);
+        whirl_result_free(run_kept(&s, memory, WHIRL_OK));
+        for (unsigned step = 2; step <= 16; step *= 2) {
+            int known = 0;
+            for (unsigned p = 0; p < MOST_PASSES; p++)
+                for (unsigned i = 0; i < MOST_SLOTS; i++) {
+                    memory->known[p][i] = memory->known[p][i] && (7 * p + 3 * i) % step != 1;
+                    known += memory->known[p][i];
+                }
+            whirl_result *resumed = run_kept(&s, memory, WHIRL_OK);
+            assert_int_equal(memory->recalled, known);
+            assert_true(memory->kept > 0);
+            expect_same_blocks(whole, resumed);
+            whirl_result_free(resumed);
+        }
+        whirl_result_free(whole);
+        free(memory);
+    }
+}
+
+/// Asks for a stop as soon as a point of a pass is kept.
+typedef struct stopper {
+    size_t pass;
+    volatile bool stop;
+} stopper;
+
+static whirl_status stop_at_pass(void *context, size_t pass, size_t slot, const double *block, size_t size,
+                                 const double *end, size_t dimension) {
+    stopper *own = context;
+    (void)slot, (void)block, (void)size, (void)end, (void)dimension;
+    own->stop = own->stop || pass == own->pass;
+    return whirl_ok();
+}
+
+static bool recall_nothing(void *context, size_t pass, size_t slot, double *block, size_t size, double *end,
+                           size_t dimension) {
+    (void)context, (void)pass, (void)slot, (void)block, (void)size, (void)end, (void)dimension;
+    return false;
+}
+
+/// All points are done, and yet the result is partial.
+static void expect_partial(double budget, size_t pass, const char *sentence) {
+    const whirl_study s = study(WHIRL_CARRY_NONE, budget);
+    stopper own = {.pass = pass};
+    const whirl_keeper keeper = {.keep = stop_at_pass, .recall = recall_nothing, .context = &own};
+    const whirl_run_options options = {.threads = 1, .stop = &own.stop, .keeper = &keeper};
+    whirl_result *result;
+    size_t done, total;
+    const whirl_status status = whirl_study_run(&s, &options, &result);
+    assert_int_equal(status.code, WHIRL_STOPPED);
+    assert_string_equal(status.message, sentence);
+    assert_true(whirl_result_partial(result, &done, &total));
+    assert_true(done == total && total == POINTS);
+    whirl_result_free(result);
+}
+
+static void test_a_stop_while_confirming_is_told(void **state) {
+    (void)state;
+    expect_partial(0, 1, "stopped after 1 of 9 points were confirmed");
+}
+
+static void test_a_stop_while_refining_is_told(void **state) {
+    (void)state;
+    expect_partial(1e6, 2, "stopped after 1 of 4 points of a round of refinement");
+}
+
+static void test_verdicts_are_needed(void **state) {
+    whirl_study s = study(WHIRL_CARRY_NONE, 0);
+    whirl_result *result;
+    (void)state;
+    s.batches[0].analyses = 0;
+    assert_true(whirl_analysis_add(&s.batches[0].analyses, "poincare"));
+    whirl_status status = whirl_study_outline(&s, &result);
+    assert_int_equal(status.code, WHIRL_BAD_INPUT);
+    assert_string_equal(status.message,
+                        "verdicts of the sweep cannot be confirmed: the analysis 'regime' is not chosen");
+    s.batches[0].confirm = false;
+    s.refine.revolutions = 1;
+    status = whirl_study_outline(&s, &result);
+    assert_string_equal(status.message, "verdicts of the sweep cannot be refined: the analysis 'regime' is not chosen");
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_verdicts_at_two_tolerances),
+        cmocka_unit_test(test_carried_points_are_confirmed_from_their_own_start),
+        cmocka_unit_test(test_points_in_doubt_are_refined),
+        cmocka_unit_test(test_the_budget_is_not_exceeded),
+        cmocka_unit_test(test_no_time_is_no_refinement),
+        cmocka_unit_test(test_threads_change_no_bit),
+        cmocka_unit_test(test_recalled_points_change_no_bit),
+        cmocka_unit_test(test_a_stop_while_confirming_is_told),
+        cmocka_unit_test(test_a_stop_while_refining_is_told),
+        cmocka_unit_test(test_verdicts_are_needed),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
