@@ -57,6 +57,28 @@ whirl_status whirl_integrator_new(const whirl_system *system, const whirl_integr
 whirl_motion whirl_integrator_revolve(whirl_integrator *integrator, double *x, whirl_observe_fn observe,
                                       void *observer);
 
+/// Disturbances, infinitely small, that go with a motion.
+typedef struct whirl_disturbances {
+    size_t count;    ///< 1 to dimension
+    double *vectors; ///< [count][dimension]
+    /// [count] With it the vectors stay orthonormal, and these are the natural logarithms of what their lengths were before, summed
+    /// over a revolution: their means over many are the Lyapunov exponents, largest first (Benettin et al. 1980). NULL: the
+    /// vectors are carried as they are, and unit vectors become the columns of the monodromy matrix.
+    double *growth;
+    /// Integral of the divergence of the right-hand side over a revolution, and ln|det| of what happened at switches: the sum
+    /// of the growth of all disturbances. Not a number where the system gives no divergence or the motion slid along a switch.
+    double volume;
+} whirl_disturbances;
+
+/// Makes room for up to `most` disturbances. WHIRL_BAD_INPUT with a sentence where the system gives no Jacobian or the method
+/// takes no disturbances along; WHIRL_NO_MEMORY.
+whirl_status whirl_integrator_follow(whirl_integrator *integrator, size_t most);
+
+/// whirl_integrator_revolve, to the bit, with disturbances by the variational equations: the exact derivative of the method's
+/// steps and, at switches where the right-hand side jumps, the saltation matrix. There must be room for them.
+whirl_motion whirl_integrator_carry(whirl_integrator *integrator, double *x, whirl_disturbances *disturbances,
+                                    whirl_observe_fn observe, void *observer);
+
 void whirl_integrator_free(whirl_integrator *integrator);
 
 #ifdef __cplusplus

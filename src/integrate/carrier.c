@@ -259,6 +259,7 @@ whirl_motion carrier_step(carrier *c, double until) {
         c->crossed = meets_switch(c, &theta, &which);
         if (!c->crossed) {
             if (c->observed && c->system->switch_count == 0) interpolate(c);
+            carrier_vary(c);
             go_on(c, c->length < until - c->begin ? c->begin + c->length : until);
             return judge(c);
         }
@@ -266,9 +267,10 @@ whirl_motion carrier_step(carrier *c, double until) {
         if (theta > 0.0) {
             land(c, theta, which);
             if (c->observed) interpolate(c);
+            carrier_vary(c);
             go_on(c, c->begin + c->length);
         }
-        carrier_cross(c, which);
+        carrier_cross_varied(c, which);
         if (theta > 0.0) return judge(c);
     }
 }

@@ -8,9 +8,16 @@
 #define INTEGRATE_CARRIER_H
 
 #include "dop853_tableau.h"
-#include "whirl/integrate.h"
+#include "method.h"
 
 enum { MAX_SLIDING = 8, MAX_SWITCHINGS = 10000, DENSE = 3 + DOP853_DENSE };
+
+/// Disturbances that go with a motion, and their workspace.
+typedef struct carrier_variation {
+    whirl_disturbances *set;                  ///< NULL: none
+    double *k[DOP853_STAGES], *stage, *upper; ///< [count][dimension]
+    double *spare;                            ///< [SPARE_ROWS][dimension]
+} carrier_variation;
 
 typedef struct carrier {
     const whirl_system *system;
@@ -34,6 +41,7 @@ typedef struct carrier {
     double error;                            ///< of the last accepted step, in tolerances
     double *stage, *scale;                   ///< [dimension] workspace
     double *work;                            ///< [MAX_SLIDING + 3][dimension] workspace of the sides
+    carrier_variation variation;
 } carrier;
 
 /// A carrier for systems of that dimension and number of switches, with no motion yet; NULL where there is no memory. Freed by free().
@@ -62,6 +70,25 @@ void carrier_watched(const carrier *c, double t, const double *x, double *values
 
 /// At the end of a step on switch `which`: beyond it, or along it.
 void carrier_cross(carrier *c, size_t which);
+
+/// At the beginning of a revolution: disturbances off a switch that is slid along are there at once, drawn along what its two
+/// sides differ by.
+void carrier_vary_begin(carrier *c);
+
+/// Carries the disturbances over the step just taken, before the motion goes on.
+void carrier_vary(carrier *c);
+
+/// carrier_cross, with the saltation of the disturbances.
+void carrier_cross_varied(carrier *c, size_t which);
+
+/// The switches that are slid along; gives how many.
+size_t carrier_list_sliding(const carrier *c, size_t list[MAX_SLIDING]);
+
+/// The slope along them with the shares of their upper sides; leaves what these add in the rows of `work` from the second on.
+void carrier_slope_along(const carrier *c, double t, const double *x, double *dxdt, double *share);
+
+/// Solves n by n equations in place of `right`; false where they are singular.
+bool carrier_solve(size_t n, double matrix[MAX_SLIDING][MAX_SLIDING], double *right);
 
 /// Puts x back onto the switches that are slid along.
 void carrier_project(const carrier *c, double *x);

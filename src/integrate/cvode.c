@@ -125,7 +125,9 @@ static whirl_motion advance(const whirl_integrator *integrator, double *t, doubl
     }
 }
 
-static whirl_motion revolve(whirl_integrator *integrator, double *x, whirl_observe_fn observe, void *observer) {
+static whirl_motion revolve(whirl_integrator *integrator, double *x, whirl_disturbances *disturbances,
+                            whirl_observe_fn observe, void *observer) {
+    (void)disturbances; // there are none
     cvode *work = integrator->workspace;
     const double period = integrator->system->period;
     const int samples = observe ? integrator->options.steps_per_revolution : 1;

@@ -75,12 +75,44 @@ whirl_status whirl_integrator_new(const whirl_system *system, const whirl_integr
 
 whirl_motion whirl_integrator_revolve(whirl_integrator *integrator, double *x, whirl_observe_fn observe,
                                       void *observer) {
-    return integrator->method->revolve(integrator, x, observe, observer);
+    return integrator->method->revolve(integrator, x, NULL, observe, observer);
+}
+
+whirl_status whirl_integrator_follow(whirl_integrator *integrator, size_t most) {
+    const method *own = integrator->method;
+    const size_t n = integrator->system->dimension;
+    if (!integrator->system->tangent)
+        return whirl_fail(WHIRL_BAD_INPUT, "the system gives no Jacobian, expected one to follow disturbances");
+    if (own->disturbance_rows == 0)
+        return whirl_fail(WHIRL_BAD_INPUT, "method %s takes no disturbances along, expected rk4 or dop853",
+                          own->about.name);
+    if (most > n)
+        return whirl_fail(WHIRL_BAD_INPUT, "%zu disturbances are to be followed, expected at most the dimension, %zu",
+                          most, n);
+    double *slopes = realloc(integrator->slopes, (own->disturbance_rows * most + SPARE_ROWS) * n * sizeof *slopes);
+    if (!slopes) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu disturbances", most);
+    integrator->slopes = slopes;
+    integrator->most_disturbances = most;
+    return whirl_ok();
+}
+
+whirl_motion whirl_integrator_carry(whirl_integrator *integrator, double *x, whirl_disturbances *disturbances,
+                                    whirl_observe_fn observe, void *observer) {
+    if (disturbances->count > integrator->most_disturbances) return WHIRL_STUCK;
+    disturbances->volume = 0.0;
+    for (size_t i = 0; disturbances->growth && i < disturbances->count; i++) disturbances->growth[i] = 0.0;
+    return integrator->method->revolve(integrator, x, disturbances, observe, observer);
+}
+
+double divergence_at(const whirl_system *system, double t, const double *forcing, const double *x,
+                     const double *sides) {
+    return system->divergence ? system->divergence(system->model, t, forcing, x, sides) : NAN;
 }
 
 void whirl_integrator_free(whirl_integrator *integrator) {
     if (!integrator) return;
     integrator->method->end(integrator);
+    free(integrator->slopes);
     free(integrator);
 }
 

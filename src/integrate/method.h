@@ -4,18 +4,26 @@
 
 #include "whirl/integrate.h"
 
+enum { SPARE_ROWS = 6 };
+
 struct whirl_integrator {
     const whirl_system *system;
     whirl_integrate_options options;
     const struct method *method;
     void *workspace; ///< of the method
+    size_t most_disturbances;
+    /// [method->disturbance_rows][most_disturbances][dimension], then [SPARE_ROWS][dimension]: workspace for disturbances
+    double *slopes;
 };
 
 typedef struct method {
     whirl_method about;
     /// Makes the workspace of an integrator whose other members are set.
     whirl_status (*start)(whirl_integrator *integrator);
-    whirl_motion (*revolve)(whirl_integrator *integrator, double *x, whirl_observe_fn observe, void *observer);
+    /// `disturbances` is NULL where there are none.
+    whirl_motion (*revolve)(whirl_integrator *integrator, double *x, whirl_disturbances *disturbances,
+                            whirl_observe_fn observe, void *observer);
+    size_t disturbance_rows; ///< 0: takes no disturbances along
     void (*end)(whirl_integrator *integrator);
 } method;
 
@@ -23,6 +31,9 @@ extern const method rk4_method, dop853_method, cvode_adams_method, cvode_bdf_met
 
 /// WHIRL_BAD_INPUT where the system or the options are none.
 whirl_status check_options(const whirl_system *system, const whirl_integrate_options *options);
+
+/// The divergence at (t, x); not a number where the system gives none.
+double divergence_at(const whirl_system *system, double t, const double *forcing, const double *x, const double *sides);
 
 /// Bounded or diverged, by the options' limit.
 whirl_motion state_motion(const whirl_integrator *integrator, const double *x);

@@ -5,6 +5,8 @@
 #include <stdlib.h>
 
 #include "method.h"
+#include "orthonormal.h"
+#include "walked.h"
 
 typedef struct rk4 {
     double step;
@@ -32,32 +34,87 @@ static whirl_status start(whirl_integrator *integrator) {
     return whirl_ok();
 }
 
+/// Disturbances on their way through the stages of a step.
+typedef struct variation {
+    const whirl_system *system;
+    whirl_disturbances *set;
+    double *k[4], *stage; ///< [count][dimension]
+    double *spare;        ///< [SPARE_ROWS][dimension]
+    double divergence[4];
+} variation;
+
+static variation begin_variation(const whirl_integrator *integrator, whirl_disturbances *set) {
+    variation v = {.system = integrator->system, .set = set};
+    const size_t row = integrator->most_disturbances * integrator->system->dimension;
+    for (size_t i = 0; set && i < 4; i++) v.k[i] = integrator->slopes + i * row;
+    if (set) {
+        v.stage = integrator->slopes + 4 * row;
+        v.spare = v.stage + row;
+    }
+    return v;
+}
+
+/// Stage i at (t, x), which lies `way` after the step's beginning along the slope before.
+static void vary_stage(variation *v, int i, double way, double t, const double *forcing, const double *x) {
+    if (!v->set) return;
+    const size_t size = v->set->count * v->system->dimension;
+    const double *from = v->set->vectors;
+    if (i > 0) {
+        for (size_t d = 0; d < size; d++) v->stage[d] = from[d] + way * v->k[i - 1][d];
+        from = v->stage;
+    }
+    v->system->tangent(v->system->model, t, forcing, x, NULL, v->set->count, from, v->k[i]);
+    v->divergence[i] = divergence_at(v->system, t, forcing, x, NULL);
+}
+
+static void end_variation(const variation *v, double h) {
+    if (!v->set) return;
+    const size_t size = v->set->count * v->system->dimension;
+    const double *divergence = v->divergence, sixth = h / 6.0;
+    for (size_t d = 0; d < size; d++)
+        v->set->vectors[d] += sixth * (v->k[0][d] + 2.0 * (v->k[1][d] + v->k[2][d]) + v->k[3][d]);
+    v->set->volume += sixth * (divergence[0] + 2.0 * (divergence[1] + divergence[2]) + divergence[3]);
+}
+
 /// One step from t; `forcing` points to the table's entries at t, t + step/2, t + step.
-static void take_step(const whirl_system *system, const rk4 *work, double t, const double *forcing,
-                      double *restrict x) {
+static void take_step(const whirl_system *system, const rk4 *work, double t, const double *forcing, double *restrict x,
+                      variation *v) {
     const size_t n = system->dimension;
     const double h = work->step, half = 0.5 * h;
     const double *middle = forcing + work->forcing_count, *end = middle + work->forcing_count;
     double *restrict k1 = work->k[0], *restrict k2 = work->k[1], *restrict k3 = work->k[2], *restrict k4 = work->k[3];
     double *restrict stage = work->stage;
     system->rhs(system->model, t, forcing, x, k1);
+    vary_stage(v, 0, 0.0, t, forcing, x);
     for (size_t i = 0; i < n; i++) stage[i] = x[i] + half * k1[i];
     system->rhs(system->model, t + half, middle, stage, k2);
+    vary_stage(v, 1, half, t + half, middle, stage);
     for (size_t i = 0; i < n; i++) stage[i] = x[i] + half * k2[i];
     system->rhs(system->model, t + half, middle, stage, k3);
+    vary_stage(v, 2, half, t + half, middle, stage);
     for (size_t i = 0; i < n; i++) stage[i] = x[i] + h * k3[i];
     system->rhs(system->model, t + h, end, stage, k4);
+    vary_stage(v, 3, h, t + h, end, stage);
     const double sixth = h / 6.0;
     for (size_t i = 0; i < n; i++) x[i] += sixth * (k1[i] + 2.0 * (k2[i] + k3[i]) + k4[i]);
+    end_variation(v, h);
 }
 
-static whirl_motion revolve(whirl_integrator *integrator, double *x, whirl_observe_fn observe, void *observer) {
+static whirl_motion revolve(whirl_integrator *integrator, double *x, whirl_disturbances *disturbances,
+                            whirl_observe_fn observe, void *observer) {
+    enum { ORTHONORMAL = 64 }; // times in a revolution, so that fast decays do not drown in rounding
     const whirl_system *system = integrator->system;
     const rk4 *work = integrator->workspace;
-    const int steps = integrator->options.steps_per_revolution;
+    const int steps = integrator->options.steps_per_revolution, often = (steps + ORTHONORMAL - 1) / ORTHONORMAL;
     const double *forcing = work->forcing;
+    variation v = begin_variation(integrator, disturbances);
+    walked_step walked = {.system = system, .length = work->step, .slope = work->k[0], .rows = v.spare};
     for (int i = 0; i < steps; i++) {
-        take_step(system, work, i * work->step, forcing, x);
+        if (disturbances) walked_begin(&walked, i * work->step, x);
+        take_step(system, work, i * work->step, forcing, x, &v);
+        if (disturbances) walked_saltate(&walked, x, disturbances);
+        if (disturbances && disturbances->growth && ((i + 1) % often == 0 || i + 1 == steps))
+            make_orthonormal(system->dimension, disturbances->count, disturbances->vectors, disturbances->growth);
         forcing += 2 * work->forcing_count;
         if (observe) observe(observer, system->period * ((double)(i + 1) / steps), x);
     }
@@ -72,5 +129,6 @@ const method rk4_method = {
     .about = {"rk4", "Runge-Kutta of order 4, fixed steps; walks over contacts", false},
     .start = start,
     .revolve = revolve,
+    .disturbance_rows = 5,
     .end = end,
 };

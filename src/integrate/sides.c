@@ -53,7 +53,7 @@ static void slope_on(const carrier *c, double t, const double *x, const double *
 }
 
 /// Solves the n by n equations matrix out = right by elimination with the largest pivot; false where they are singular.
-static bool solve(size_t n, double matrix[MAX_SLIDING][MAX_SLIDING], double *right) {
+bool carrier_solve(size_t n, double matrix[MAX_SLIDING][MAX_SLIDING], double *right) {
     for (size_t k = 0; k < n; k++) {
         size_t pivot = k;
         for (size_t i = k + 1; i < n; i++)
@@ -80,7 +80,7 @@ static bool solve(size_t n, double matrix[MAX_SLIDING][MAX_SLIDING], double *rig
     return true;
 }
 
-static size_t list_sliding(const carrier *c, size_t list[MAX_SLIDING]) {
+size_t carrier_list_sliding(const carrier *c, size_t list[MAX_SLIDING]) {
     size_t count = 0;
     for (size_t i = 0; i < c->system->switch_count; i++)
         if (c->sliding[i]) list[count++] = i;
@@ -90,10 +90,10 @@ static size_t list_sliding(const carrier *c, size_t list[MAX_SLIDING]) {
 /// The slope that keeps to all switches that are slid along: that on their lower sides plus the share of what the upper side of
 /// each of them adds (laws add, so the convex combination of all sides is of this form). Writes the shares, 0 to 1 while
 /// the motion keeps to the switch by itself.
-static void slope_along(const carrier *c, double t, const double *x, double *dxdt, double *share) {
+void carrier_slope_along(const carrier *c, double t, const double *x, double *dxdt, double *share) {
     const size_t n = c->dimension;
     size_t list[MAX_SLIDING];
-    const size_t count = list_sliding(c, list);
+    const size_t count = carrier_list_sliding(c, list);
     double sides[WHIRL_MAX_SWITCHES], matrix[MAX_SLIDING][MAX_SLIDING], *added = c->work + n;
     memcpy(sides, c->sides, c->system->switch_count * sizeof *sides);
     for (size_t i = 0; i < count; i++) sides[list[i]] = -1.0;
@@ -114,7 +114,7 @@ static void slope_along(const carrier *c, double t, const double *x, double *dxd
             for (size_t d = 0; d < n; d++) matrix[i][j] += c->work[d] * added[j * n + d];
         }
     }
-    if (!solve(count, matrix, share)) // nothing holds the motion on the switch
+    if (!carrier_solve(count, matrix, share)) // nothing holds the motion on the switch
         for (size_t i = 0; i < count; i++) share[i] = 0.0;
     for (size_t j = 0; j < count; j++)
         for (size_t d = 0; d < n; d++) dxdt[d] += share[j] * added[j * n + d];
@@ -123,7 +123,7 @@ static void slope_along(const carrier *c, double t, const double *x, double *dxd
 void carrier_slope(const carrier *c, double t, const double *x, double *dxdt) {
     double share[MAX_SLIDING];
     if (c->sliding_count > 0)
-        slope_along(c, t, x, dxdt, share);
+        carrier_slope_along(c, t, x, dxdt, share);
     else
         slope_on(c, t, x, c->sides, dxdt);
 }
@@ -135,7 +135,7 @@ void carrier_watched(const carrier *c, double t, const double *x, double *values
     c->system->switches(c->system->model, t, x, values);
     for (size_t i = 0; i < c->system->switch_count; i++) values[i] *= c->sides[i];
     if (c->sliding_count == 0) return;
-    slope_along(c, t, x, c->work + (MAX_SLIDING + 1) * c->dimension, share);
+    carrier_slope_along(c, t, x, c->work + (MAX_SLIDING + 1) * c->dimension, share);
     size_t at = 0;
     for (size_t i = 0; i < c->system->switch_count; i++)
         if (c->sliding[i]) {
@@ -169,7 +169,7 @@ static void slide(carrier *c, size_t which) {
 static void let_go(carrier *c, size_t which) {
     double share[MAX_SLIDING];
     size_t at = 0;
-    slope_along(c, c->t, c->x, c->work + (MAX_SLIDING + 1) * c->dimension, share);
+    carrier_slope_along(c, c->t, c->x, c->work + (MAX_SLIDING + 1) * c->dimension, share);
     for (size_t i = 0; i < which; i++) at += c->sliding[i];
     c->sides[which] = share[at] > 0.5 ? 1.0 : -1.0;
     c->sliding[which] = false;

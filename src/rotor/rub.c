@@ -35,7 +35,9 @@ static whirl_status build(const key_value *values, const scales *scale, element 
                           values[RADIUS].given ? "radius" : "slip_speed");
     const size_t station = values[AT].station[0];
     out->station[0] = station;
-    out->law = values[LAW].choice | (values[DAMPING].given ? RUB_DAMPED : 0);
+    // A given damping of 0 counts, so that a sweep may begin there; but not with a stator that does nothing at all.
+    const bool damped = values[DAMPING].given && (values[DAMPING].number > 0.0 || values[STIFFNESS].number > 0.0);
+    out->law = values[LAW].choice | (damped ? RUB_DAMPED : 0);
     out->number[RUB_GAP] = values[GAP].number / scale->length;
     out->number[RUB_STIFFNESS] = values[STIFFNESS].number / stiffness_scale(scale, station);
     out->number[RUB_DAMPING] = values[DAMPING].number / (scale->mass[station] * scale->speed);

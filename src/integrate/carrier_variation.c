@@ -1,0 +1,162 @@
+// Disturbances along the steps of a carrier: the exact derivative of every step, switches and sliding included.
+#include <math.h>
+#include <string.h>
+
+#include "carrier.h"
+#include "orthonormal.h"
+#include "saltation.h"
+
+/// Parts of the workspace: single vectors.
+enum { BEFORE, AFTER, GRADIENT, CURVED };
+
+static double *spare(const carrier *c, int which) {
+    return c->variation.spare + (size_t)which * c->dimension;
+}
+
+static double dot(size_t n, const double *a, const double *b) {
+    double sum = 0.0;
+    for (size_t i = 0; i < n; i++) sum += a[i] * b[i];
+    return sum;
+}
+
+// ---------------------------------------------------------------- the Jacobian of motion along switches
+
+/// The mean of the Jacobians on both sides of all switches that are slid along, weighted as the slopes are.
+static void mean_jacobian(const carrier *c, double t, const double *x, const size_t *list, const double *share,
+                          const double *vectors, double *out) {
+    const whirl_system *system = c->system;
+    const size_t size = c->variation.set->count * c->dimension;
+    double forcing[WHIRL_MAX_FORCING], sides[WHIRL_MAX_SWITCHES], lower = 1.0, *upper = c->variation.upper;
+    if (system->forcing_count > 0) system->forcing(system->model, t, forcing);
+    memcpy(sides, c->sides, system->switch_count * sizeof *sides);
+    for (size_t j = 0; j < c->sliding_count; j++) {
+        sides[list[j]] = -1.0;
+        lower -= share[j];
+    }
+    system->tangent(system->model, t, forcing, x, sides, c->variation.set->count, vectors, out);
+    for (size_t d = 0; d < size; d++) out[d] *= lower;
+    for (size_t j = 0; j < c->sliding_count; j++) {
+        sides[list[j]] = 1.0;
+        system->tangent(system->model, t, forcing, x, sides, c->variation.set->count, vectors, upper);
+        sides[list[j]] = -1.0;
+        for (size_t d = 0; d < size; d++) out[d] += share[j] * upper[d];
+    }
+}
+
+/// The slope keeps n . f + dh/dt = 0 for every switch that is slid along; so must its change by a disturbance u: the shares change
+/// by what solves sum_j (n_i . added_j) dshare_j = -(n_i . J u + (H_i u) . f).
+static void slide_along(const carrier *c, double t, const double *x, const double *vectors, double *out) {
+    const whirl_system *system = c->system;
+    const size_t n = c->dimension, count = c->sliding_count;
+    const double *added = c->work + n;
+    double share[MAX_SLIDING], by_time, *slope = c->work + (MAX_SLIDING + 1) * n, *curved = spare(c, CURVED);
+    size_t list[MAX_SLIDING];
+    carrier_list_sliding(c, list);
+    carrier_slope_along(c, t, x, slope, share);
+    mean_jacobian(c, t, x, list, share, vectors, out);
+    for (size_t k = 0; k < c->variation.set->count; k++) {
+        const double *u = vectors + k * n;
+        double matrix[MAX_SLIDING][MAX_SLIDING], change[MAX_SLIDING], *row = out + k * n;
+        for (size_t i = 0; i < count; i++) {
+            system->switch_gradient(system->model, t, x, list[i], spare(c, GRADIENT), &by_time);
+            change[i] = -dot(n, spare(c, GRADIENT), row);
+            if (system->switch_curvature) {
+                system->switch_curvature(system->model, t, x, list[i], u, curved);
+                change[i] -= dot(n, curved, slope);
+            }
+            for (size_t j = 0; j < count; j++) matrix[i][j] = dot(n, spare(c, GRADIENT), added + j * n);
+        }
+        if (!carrier_solve(count, matrix, change)) continue;
+        for (size_t j = 0; j < count; j++)
+            for (size_t d = 0; d < n; d++) row[d] += change[j] * added[j * n + d];
+    }
+}
+
+void carrier_vary_begin(carrier *c) {
+    const whirl_system *system = c->system;
+    const size_t n = c->dimension, count = c->sliding_count;
+    const double *added = c->work + n;
+    double share[MAX_SLIDING], by_time;
+    size_t list[MAX_SLIDING];
+    if (!c->variation.set || count == 0) return;
+    carrier_list_sliding(c, list);
+    carrier_slope_along(c, c->t, c->x, c->work + (MAX_SLIDING + 1) * n, share);
+    for (size_t k = 0; k < c->variation.set->count; k++) {
+        double matrix[MAX_SLIDING][MAX_SLIDING], off[MAX_SLIDING], *u = c->variation.set->vectors + k * n;
+        for (size_t i = 0; i < count; i++) {
+            system->switch_gradient(system->model, c->t, c->x, list[i], spare(c, GRADIENT), &by_time);
+            off[i] = dot(n, spare(c, GRADIENT), u);
+            for (size_t j = 0; j < count; j++) matrix[i][j] = dot(n, spare(c, GRADIENT), added + j * n);
+        }
+        if (!carrier_solve(count, matrix, off)) continue;
+        for (size_t j = 0; j < count; j++)
+            for (size_t d = 0; d < n; d++) u[d] -= off[j] * added[j * n + d];
+    }
+}
+
+static void apply_jacobian(const carrier *c, double t, const double *x, const double *vectors, double *out) {
+    const whirl_system *system = c->system;
+    const double *sides = system->rhs_on_sides ? c->sides : NULL;
+    double forcing[WHIRL_MAX_FORCING];
+    if (c->sliding_count > 0) {
+        slide_along(c, t, x, vectors, out);
+        return;
+    }
+    if (system->forcing_count > 0) system->forcing(system->model, t, forcing);
+    system->tangent(system->model, t, forcing, x, sides, c->variation.set->count, vectors, out);
+}
+
+static double divergence(const carrier *c, double t, const double *x) {
+    const whirl_system *system = c->system;
+    double forcing[WHIRL_MAX_FORCING];
+    if (c->sliding_count > 0) return NAN;
+    if (system->forcing_count > 0) system->forcing(system->model, t, forcing);
+    return divergence_at(system, t, forcing, x, system->rhs_on_sides ? c->sides : NULL);
+}
+
+// ---------------------------------------------------------------- steps and switches
+
+/// What the slopes before add to `from` on the way to stage i, [size].
+static void add_slopes(double *const *k, int i, size_t size, double h, const double *from, double *out) {
+    for (size_t d = 0; d < size; d++) {
+        double sum = 0.0;
+        for (int j = 0; j < i; j++) sum += dop853_a[i][j] * k[j][d];
+        out[d] = from[d] + h * sum;
+    }
+}
+
+void carrier_vary(carrier *c) {
+    whirl_disturbances *set = c->variation.set;
+    if (!set) return;
+    const size_t n = c->dimension, size = set->count * n;
+    const double h = c->length;
+    for (int i = 0; i < DOP853_STAGES; i++) {
+        const double t = c->begin + dop853_c[i] * h;
+        add_slopes(c->k, i, n, h, c->start, c->stage);
+        add_slopes(c->variation.k, i, size, h, set->vectors, c->variation.stage);
+        apply_jacobian(c, t, c->stage, c->variation.stage, c->variation.k[i]);
+        set->volume += h * dop853_a[DOP853_STAGES][i] * divergence(c, t, c->stage);
+    }
+    add_slopes(c->variation.k, DOP853_STAGES, size, h, set->vectors, set->vectors);
+    if (set->growth) make_orthonormal(n, set->count, set->vectors, set->growth);
+}
+
+void carrier_cross_varied(carrier *c, size_t which) {
+    whirl_disturbances *set = c->variation.set;
+    const bool slid = c->sliding[which];
+    const double from = c->sides[which];
+    double by_time;
+    if (!set || slid || !c->system->rhs_on_sides || !c->system->switch_gradient) {
+        // The slope goes on unbroken where a motion leaves a switch that it slid along.
+        carrier_cross(c, which);
+        return;
+    }
+    carrier_slope(c, c->t, c->x, spare(c, BEFORE));
+    c->system->switch_gradient(c->system->model, c->t, c->x, which, spare(c, GRADIENT), &by_time);
+    carrier_cross(c, which);
+    if (c->sides[which] == from && !c->sliding[which]) return;
+    carrier_slope(c, c->t, c->x, spare(c, AFTER));
+    set->volume +=
+        saltate(c->dimension, spare(c, BEFORE), spare(c, AFTER), spare(c, GRADIENT), by_time, set->count, set->vectors);
+    if (c->sliding[which]) set->volume = NAN;
+}
