@@ -5,37 +5,71 @@
 #include <math.h>
 #include <string.h>
 
-#include "section.h"
+#include "lyapunov.h"
 
-/// A verdict is certain of a record's evidence when returns are this good, averages this regular or this irregular.
-static const double good_return = 1e-8, regular_digits = 4.0, irregular_digits = 3.0;
+/// What a motion still has to go, over its size, where it is taken for settled.
+static const double settled = 1e-6;
 
-/// Revolutions that make an exponent of chaos trustworthy, and the standard errors it must be from zero.
-static const double enough_watched = 500.0, clear_sigmas = 8.0;
+/// Standard errors by which exponents must be clear of zero, and halves of a record may differ.
+static const double clear_sigmas = 6.0, steady_sigmas = 4.0;
 
-/// Most by which a run is advised to be lengthened at once.
-static const double least_factor = 1.5, largest_factor = 100.0, watch_factor = 4.0;
+/// Decimal digits to which averages agree on clear tori and in clear chaos; K of the 0-1 test.
+static const double regular_digits = 4.0, irregular_digits = 3.0, regular_walk = 0.2, random_walk = 0.8, middle = 0.5;
 
-static whirl_confidence weigh_periodic(const whirl_verdict *v) {
-    const bool sharp = v->exponent.value + 10.0 * v->exponent.error < 0.0;
-    return v->recurrence <= good_return && sharp ? WHIRL_HIGH : WHIRL_FAIR;
+/// Revolutions that show chaos, and the exponent that cannot be a slow departure from something else.
+static const double enough_watched = 500.0, strong_exponent = 0.01;
+
+/// Exponents that differ by less are the same.
+static const double least_difference = 1e-3;
+
+/// Most by which a run is advised to be lengthened at once, and by how much where nothing tells.
+static const double least_factor = 1.5, largest_factor = 100.0, usual_factor = 4.0;
+
+static bool is_clear(whirl_estimate exponent) {
+    return fabs(exponent.value) > clear_sigmas * exponent.error;
 }
 
-static whirl_confidence weigh_chaotic(const whirl_verdict *v, double watched) {
-    const bool clear = v->exponent.value > clear_sigmas * v->exponent.error;
-    return clear && v->regularity < irregular_digits && watched >= enough_watched ? WHIRL_HIGH : WHIRL_FAIR;
+/// What is left of the transient of a motion that returns, over its size, as the exponent would have it.
+static double left_to_go(const whirl_verdict *v, const evidence *e) {
+    if (v->recurrence <= e->rounding) return 0.0;
+    const double slowest = v->exponent.value + clear_sigmas * v->exponent.error;
+    return slowest < 0.0 ? v->recurrence / -expm1(slowest * v->recurrence_period) : INFINITY;
 }
 
-static whirl_confidence weigh(const whirl_verdict *v, double watched) {
+static whirl_confidence weigh_periodic(const whirl_verdict *v, const evidence *e) {
+    const bool clear = is_clear(v->exponent) && left_to_go(v, e) <= settled;
+    return clear && e->returns.separation >= 100.0 * left_to_go(v, e) ? WHIRL_HIGH : WHIRL_FAIR;
+}
+
+static whirl_confidence weigh_quasi_periodic(const whirl_verdict *v) {
+    if (v->chaos > middle) return WHIRL_LOW;
+    return v->regularity >= regular_digits && v->chaos <= regular_walk && !isnan(v->rotation) ? WHIRL_HIGH : WHIRL_FAIR;
+}
+
+/// Whether disturbances grow alike in both halves.
+static bool grows_steadily(const evidence *e) {
+    const size_t half = e->growth_count / 2;
+    const whirl_estimate early = estimate_mean(e->growth, half), late = estimate_mean(e->growth + half, half);
+    const double error = hypot(early.error, late.error);
+    return early.value > 0.0 && late.value > 0.0 && fabs(early.value - late.value) <= steady_sigmas * error;
+}
+
+static whirl_confidence weigh_chaotic(const whirl_verdict *v, const evidence *e) {
+    if (!(v->chaos >= middle)) return WHIRL_LOW;
+    const bool strong = is_clear(v->exponent) && v->exponent.value >= strong_exponent && grows_steadily(e);
+    const bool irregular = v->chaos >= random_walk && v->regularity < irregular_digits;
+    return strong && irregular && (double)e->points.count >= enough_watched ? WHIRL_HIGH : WHIRL_FAIR;
+}
+
+static whirl_confidence weigh(const whirl_verdict *v, const evidence *e) {
     switch (v->regime) {
     case WHIRL_PERIODIC:
-        return weigh_periodic(v);
+        return weigh_periodic(v, e);
     case WHIRL_QUASI_PERIODIC:
-        return v->regularity >= regular_digits ? WHIRL_HIGH : WHIRL_FAIR;
+        return weigh_quasi_periodic(v);
     case WHIRL_CHAOTIC:
-        return weigh_chaotic(v, watched);
+        return weigh_chaotic(v, e);
     case WHIRL_DIVERGING:
-        return WHIRL_HIGH;
     case WHIRL_UNDETERMINED:
         break;
     }
@@ -46,28 +80,44 @@ static double bounded_factor(double factor) {
     return fmin(fmax(factor, least_factor), largest_factor);
 }
 
-/// Rate at which returns shrink, natural logarithm per revolution (below 0 while the motion settles). The trend
-/// compares two quarters of the watched revolutions, three quarters apart.
-static double settling_rate(const whirl_verdict *v, double watched) {
-    return log(v->recurrence_trend) / (0.75 * watched);
+/// The exponent that a motion without a verdict settles by, where it is sharp; else NaN.
+static double settling_exponent(const evidence *e) {
+    if (e->growth_count == 0) return NAN;
+    const whirl_estimate sharp = estimate_regular_mean(e->growth, e->growth_count, 1);
+    return is_clear(sharp) && sharp.value < 0.0 ? sharp.value : NAN;
 }
 
-/// How many times as long the run must be for what is left of the transient to shrink below the tolerance of a return.
-static double settling_factor(const whirl_verdict *v, const whirl_record *record) {
-    const double rate = settling_rate(v, (double)record->section_count);
+/// How many times as long the run must be for what is left of the transient to shrink to a tenth of what counts as
+/// settled. It shrinks with the rate of the returns, which are compared in quarters of the watched revolutions that are
+/// three quarters apart, or with the exponent, whichever is slower.
+static double settling_factor(const whirl_verdict *v, const evidence *e, const whirl_record *record) {
+    const double by_returns = log(v->recurrence_trend) / (0.75 * (double)e->points.count);
+    const double by_exponent = settling_exponent(e);
+    double rate = by_returns < 0.0 ? by_returns : by_exponent;
+    if (by_exponent > rate) rate = by_exponent;
+    if (!(rate < 0.0)) return usual_factor;
     const double left = v->recurrence / -expm1(rate * fmax(v->recurrence_period, 1.0));
-    const double needed = log(fmax(left / (0.1 * recurrence_tolerance), 1.0)) / -rate;
-    return bounded_factor(1.0 + needed / fmax(record->revolutions, 1.0));
+    const double needed = log(fmax(left / (0.1 * settled), 1.0)) / -rate;
+    return bounded_factor(1.0 + needed / record->revolutions);
 }
 
-static whirl_advice advise(const whirl_verdict *v, const whirl_record *record) {
-    if (record->motion == WHIRL_STUCK) return (whirl_advice){WHIRL_TIGHTER, 16.0};
-    if (v->regime != WHIRL_UNDETERMINED) {
-        if (v->agreement == WHIRL_HIGH) return (whirl_advice){WHIRL_NO_REMEDY, 1.0};
-        return (whirl_advice){v->regime == WHIRL_PERIODIC ? WHIRL_LONGER_TRANSIENT : WHIRL_LONGER_WATCH, 2.0};
-    }
-    if (v->recurrence_trend < 0.9) return (whirl_advice){WHIRL_LONGER_TRANSIENT, settling_factor(v, record)};
-    return (whirl_advice){WHIRL_LONGER_WATCH, watch_factor};
+/// A motion settles whose returns shrink, or whose disturbances die out.
+static bool still_settles(const whirl_verdict *v, const evidence *e) {
+    return v->recurrence_trend < 0.9 || v->recurrence <= recurrence_tolerance || !isnan(settling_exponent(e));
+}
+
+/// Errors of means shrink with the square root of the revolutions.
+static double exponent_factor(whirl_estimate exponent) {
+    const double short_of = clear_sigmas * exponent.error / fabs(exponent.value);
+    return short_of > 1.0 ? bounded_factor(short_of * short_of) : usual_factor;
+}
+
+static whirl_advice advise(const whirl_verdict *v, const evidence *e, const whirl_record *record) {
+    if (v->agreement == WHIRL_HIGH) return (whirl_advice){WHIRL_NO_REMEDY, 1.0};
+    if (v->regime == WHIRL_CHAOTIC) return (whirl_advice){WHIRL_LONGER_WATCH, exponent_factor(v->exponent)};
+    if (v->regime == WHIRL_QUASI_PERIODIC) return (whirl_advice){WHIRL_LONGER_WATCH, usual_factor};
+    if (still_settles(v, e)) return (whirl_advice){WHIRL_LONGER_TRANSIENT, settling_factor(v, e, record)};
+    return (whirl_advice){WHIRL_LONGER_WATCH, usual_factor};
 }
 
 static whirl_confidence lesser(whirl_confidence a, whirl_confidence b) {
@@ -79,26 +129,41 @@ static whirl_confidence unconfirmed(whirl_confidence agreement) {
     return lesser(agreement, WHIRL_FAIR);
 }
 
-void weigh_verdict(whirl_verdict *verdict, const whirl_record *record) {
-    verdict->agreement = weigh(verdict, (double)record->section_count);
+void weigh_verdict(whirl_verdict *verdict, const evidence *e, const whirl_record *record) {
+    verdict->agreement = weigh(verdict, e);
     verdict->confidence = unconfirmed(verdict->agreement);
-    verdict->advice = advise(verdict, record);
+    verdict->advice = advise(verdict, e, record);
+}
+
+/// Whether two exponents differ by more than their errors and a fifth.
+static bool exponents_differ(whirl_estimate a, whirl_estimate b) {
+    const double difference = fabs(a.value - b.value);
+    return difference > clear_sigmas * hypot(a.error, b.error) &&
+           difference > 0.2 * fmax(fabs(a.value), fabs(b.value)) + least_difference;
+}
+
+/// The confidence of two verdicts of the same name. Exponents of chaos that differ are made by the steps; those of
+/// periodic motions may belong to two that coexist.
+static whirl_confidence joint_confidence(const whirl_verdict *a, const whirl_verdict *b) {
+    const whirl_confidence both = lesser(a->agreement, b->agreement);
+    if (exponents_differ(a->exponent, b->exponent))
+        return a->regime == WHIRL_CHAOTIC ? WHIRL_LOW : lesser(both, WHIRL_FAIR);
+    return a->curves == b->curves ? both : lesser(both, WHIRL_FAIR);
 }
 
 void whirl_verdict_confirm(whirl_verdict *verdict, const whirl_verdict *other) {
+    const whirl_advice tighter = {WHIRL_TIGHTER, 256.0};
     verdict->confirmed = true;
     verdict->other_regime = other->regime;
     verdict->other_period = other->period;
     if (verdict->regime == WHIRL_UNDETERMINED) return;
     if (other->regime == verdict->regime && other->period == verdict->period) {
-        verdict->confidence = lesser(verdict->agreement, other->agreement);
-        if (other->curves != verdict->curves) verdict->confidence = lesser(verdict->confidence, WHIRL_FAIR);
-    } else if (other->regime == WHIRL_UNDETERMINED) {
-        verdict->confidence = WHIRL_LOW;
-        if (verdict->advice.remedy == WHIRL_NO_REMEDY) verdict->advice = other->advice;
+        verdict->confidence = joint_confidence(verdict, other);
+        if (verdict->confidence == WHIRL_HIGH || verdict->confidence == verdict->agreement) return;
+        verdict->advice = other->agreement == WHIRL_HIGH ? tighter : other->advice;
     } else {
         verdict->confidence = WHIRL_LOW;
-        verdict->advice = (whirl_advice){WHIRL_TIGHTER, 256.0};
+        verdict->advice = other->regime == WHIRL_UNDETERMINED ? other->advice : tighter;
     }
 }
 

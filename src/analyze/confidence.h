@@ -2,9 +2,9 @@
 #ifndef ANALYZE_CONFIDENCE_H
 #define ANALYZE_CONFIDENCE_H
 
-#include "whirl/analyze.h"
+#include "evidence.h"
 
-/// Fills agreement, confidence and advice of a verdict that is judged. `record` is what it was judged from.
-void weigh_verdict(whirl_verdict *verdict, const whirl_record *record);
+/// Fills agreement, confidence and advice of a verdict on a bounded motion, from the evidence that it rests on.
+void weigh_verdict(whirl_verdict *verdict, const evidence *e, const whirl_record *record);
 
 #endif

@@ -19,6 +19,8 @@ enum {
     RECURRENCE_PERIOD,
     RECURRENCE_TREND,
     REGULARITY,
+    CHAOS,
+    ROTATION,
     EXPONENT,
     EXPONENT_ERROR,
     REVOLUTIONS,
@@ -52,6 +54,10 @@ static const field_plan fields[FIELD_COUNT] = {
                           WHIRL_PER_POINT, 1, NULL},
     [REGULARITY] = {"regularity", "1", "evidence: decimal digits to which weighted averages of two halves agree",
                     WHIRL_PER_POINT, 1, NULL},
+    [CHAOS] = {"chaos", "1", "evidence: K of the 0-1 test, near 1 in chaos, near 0 for regular motion", WHIRL_PER_POINT,
+               1, NULL},
+    [ROTATION] = {"rotation", "1", "turns of a quasi-periodic motion round its curve from one visit to the next",
+                  WHIRL_PER_POINT, 1, NULL},
     [EXPONENT] = {"exponent", "1/revolution", "evidence: largest Lyapunov exponent that the verdict rests on",
                   WHIRL_PER_POINT, 1, NULL},
     [EXPONENT_ERROR] = {"exponent_error", "1/revolution", "evidence: its standard error", WHIRL_PER_POINT, 1, NULL},
@@ -74,6 +80,8 @@ static void put_verdict(const whirl_verdict *v, const block_view *view) {
         [RECURRENCE_PERIOD] = v->recurrence_period,
         [RECURRENCE_TREND] = v->recurrence_trend,
         [REGULARITY] = v->regularity,
+        [CHAOS] = v->chaos,
+        [ROTATION] = v->rotation,
         [EXPONENT] = v->exponent.value,
         [EXPONENT_ERROR] = v->exponent.error,
     };
@@ -128,6 +136,8 @@ whirl_verdict whirl_block_verdict(const whirl_layout *layout, const double *bloc
         .recurrence_period = whole(stored(layout, block, "regime/recurrence_period"), WHIRL_MAX_PERIOD),
         .recurrence_trend = stored(layout, block, "regime/recurrence_trend"),
         .regularity = stored(layout, block, "regime/regularity"),
+        .chaos = stored(layout, block, "regime/chaos"),
+        .rotation = stored(layout, block, "regime/rotation"),
     };
 }
 

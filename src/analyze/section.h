@@ -18,8 +18,11 @@ section section_tail(const section *all, size_t count);
 double section_distance(const section *all, size_t a, size_t b);
 
 /// The size against which distances are judged: half the diagonal of the motion's bounds over the record. It is not
-/// taken below 1e-7 of the largest coordinate nor below 1e-12, where only rounding is left: an equilibrium returns.
+/// taken below 1e-6 of the largest coordinate nor below 1e-12, where only rounding is left: an equilibrium returns.
 double motion_size(const whirl_record *record);
+
+/// Distances up to this, over the size of the motion, may be rounding that built up over many steps.
+double motion_rounding(const whirl_record *record);
 
 // ---------------------------------------------------------------- recurrence.c
 
@@ -57,5 +60,28 @@ regularity regularity_find(const section *all, double size);
 /// Number of closed curves on which the points lie and which they visit in turn; 0 where they do not.
 /// The last 2000 points are looked at. 0 also when memory is short.
 int curves_count(const section *all);
+
+// ---------------------------------------------------------------- zero_one.c
+
+/// K of the 0-1 test for chaos over the last 1000 points: near 1 in chaos, near 0 for regular motion (below 0 too).
+/// `size` is that of the motion. NaN for fewer than 100 points, or where nothing moves.
+double zero_one_test(const section *all, double size);
+
+// ---------------------------------------------------------------- correlation.c
+
+/// How long the section remembers. The last 1000 points are looked at.
+typedef struct correlation {
+    double late; ///< largest correlation (in modulus) of points between 1/8 and 1/4 of the points apart
+    double time; ///< revolutions after which it stays below 0.2; NaN where it does not
+} correlation;
+
+/// NaN for fewer than 64 points.
+correlation correlation_find(const section *all);
+
+// ---------------------------------------------------------------- rotation.c
+
+/// Turns round its closed curve from one visit to the next, 0 to 1/2 (the sense is not told), of a section on
+/// `curves` >= 1 closed curves that it visits in turn. The last 4000 points are looked at. NaN where it cannot be told.
+double rotation_number(const section *all, int curves);
 
 #endif

@@ -4,8 +4,8 @@
 #include <stdbool.h>
 
 #include "confidence.h"
+#include "evidence.h"
 #include "lyapunov.h"
-#include "section.h"
 
 /// Standard errors by which an exponent must differ from zero.
 static const double sigmas = 3.0;
@@ -24,31 +24,6 @@ static const double neutral_rounding = 3e-7;
 
 /// A bound orbit may change its size by this factor between the halves of the section, unless it grows or settles.
 static const double steady_factor = 1.6;
-
-/// What whirl_judge weighs.
-typedef struct evidence {
-    section points;
-    double size;         ///< of the motion
-    size_t growth_count; ///< after the first tenth, in which the disturbance turns
-    const double *growth;
-    recurrence returns;
-    regularity averages;
-    whirl_estimate exponent;
-} evidence;
-
-static evidence gather(const whirl_record *record) {
-    evidence e = {.points = {record->section_count, record->dimension, record->section},
-                  .size = motion_size(record),
-                  .exponent = whirl_lyapunov_largest(record)};
-    if (record->growth_count > 0) {
-        const size_t aligning = record->growth_count / 10;
-        e.growth = record->growth + aligning;
-        e.growth_count = record->growth_count - aligning;
-    }
-    e.returns = recurrence_find(&e.points, record->record_count, e.size);
-    e.averages = regularity_find(&e.points, e.size);
-    return e;
-}
 
 static bool is_negative(whirl_estimate exponent) {
     return exponent.value + sigmas * exponent.error < 0.0;
@@ -94,19 +69,6 @@ static bool is_chaotic(const evidence *e) {
            fabs(log(e->averages.spread)) < log(steady_factor) && grows_to_the_end(e);
 }
 
-/// The evidence of the later half of the watched revolutions, for a motion that took long to come to its attractor.
-static evidence later_half(const evidence *all) {
-    evidence half = *all;
-    half.points = section_tail(&all->points, all->points.count / 2);
-    half.averages = regularity_find(&half.points, all->size);
-    if (all->growth_count > half.points.count) {
-        half.growth += all->growth_count - half.points.count;
-        half.growth_count = half.points.count;
-        half.exponent = estimate_mean(half.growth, half.growth_count);
-    }
-    return half;
-}
-
 /// Quasi-periodic, up to the curves: disturbances neither grow nor die out, and the motion is regular but never returns.
 static bool may_be_quasi_periodic(const evidence *e) {
     if (e->growth_count == 0) return false;
@@ -122,44 +84,74 @@ static whirl_verdict open_verdict(const evidence *e) {
                            .recurrence = e->returns.distance,
                            .recurrence_period = e->returns.period,
                            .recurrence_trend = e->returns.trend,
-                           .regularity = e->averages.digits};
+                           .regularity = e->averages.digits,
+                           .chaos = zero_one_test(&e->points, e->size),
+                           .rotation = NAN};
 }
 
-static whirl_verdict judge_bounded(const evidence *e) {
+static whirl_verdict periodic_verdict(const evidence *e, whirl_estimate exponent) {
+    return (whirl_verdict){.regime = WHIRL_PERIODIC,
+                           .period = e->returns.period,
+                           .exponent = exponent,
+                           .recurrence = e->returns.distance,
+                           .recurrence_period = e->returns.period,
+                           .recurrence_trend = e->returns.trend,
+                           .regularity = e->averages.digits,
+                           .chaos = NAN,
+                           .rotation = NAN};
+}
+
+/// Closed curves are looked for; without them it stays open.
+static whirl_verdict regular_verdict(const evidence *e) {
     whirl_verdict verdict = open_verdict(e);
-    const whirl_estimate returning = returning_exponent(e);
-    const evidence later = later_half(e);
-    if (is_periodic(e, returning)) {
-        verdict.regime = WHIRL_PERIODIC;
-        verdict.period = e->returns.period;
-        verdict.exponent = returning;
-    } else if (is_chaotic(e)) {
-        verdict.regime = WHIRL_CHAOTIC;
-    } else if (may_be_quasi_periodic(e)) {
-        verdict.curves = curves_count(&e->points);
-        if (verdict.curves > 0) verdict.regime = WHIRL_QUASI_PERIODIC;
-    } else if (is_chaotic(&later)) {
-        verdict = open_verdict(&later);
-        verdict.regime = WHIRL_CHAOTIC;
-    }
+    verdict.exponent = estimate_regular_mean(e->growth, e->growth_count, 1);
+    verdict.curves = curves_count(&e->points);
+    if (verdict.curves == 0) return verdict;
+    verdict.regime = WHIRL_QUASI_PERIODIC;
+    verdict.rotation = rotation_number(&e->points, verdict.curves);
     return verdict;
 }
 
-static whirl_verdict judge(const whirl_record *record) {
-    if (record->motion != WHIRL_BOUNDED) {
-        return (whirl_verdict){.regime = record->motion == WHIRL_DIVERGED ? WHIRL_DIVERGING : WHIRL_UNDETERMINED,
-                               .diverged_at = record->diverged_at,
-                               .exponent = {NAN, NAN},
-                               .recurrence = NAN,
-                               .recurrence_trend = NAN,
-                               .regularity = NAN};
+static whirl_verdict chaotic_verdict(const evidence *e) {
+    whirl_verdict verdict = open_verdict(e);
+    verdict.regime = WHIRL_CHAOTIC;
+    return verdict;
+}
+
+static whirl_verdict judge_bounded(const whirl_record *record) {
+    const evidence all = evidence_gather(record), later = evidence_later_half(&all);
+    const whirl_estimate returning = returning_exponent(&all);
+    const evidence *e = &all;
+    whirl_verdict verdict;
+    if (is_periodic(&all, returning)) {
+        verdict = periodic_verdict(&all, returning);
+    } else if (is_chaotic(&all)) {
+        verdict = chaotic_verdict(&all);
+    } else if (may_be_quasi_periodic(&all)) {
+        verdict = regular_verdict(&all);
+    } else if (is_chaotic(&later)) {
+        e = &later;
+        verdict = chaotic_verdict(&later);
+    } else {
+        verdict = open_verdict(&all);
     }
-    const evidence e = gather(record);
-    return judge_bounded(&e);
+    weigh_verdict(&verdict, e, record);
+    return verdict;
 }
 
 whirl_verdict whirl_judge(const whirl_record *record) {
-    whirl_verdict verdict = judge(record);
-    weigh_verdict(&verdict, record);
-    return verdict;
+    if (record->motion == WHIRL_BOUNDED) return judge_bounded(record);
+    const bool diverged = record->motion == WHIRL_DIVERGED;
+    return (whirl_verdict){.regime = diverged ? WHIRL_DIVERGING : WHIRL_UNDETERMINED,
+                           .diverged_at = record->diverged_at,
+                           .confidence = diverged ? WHIRL_FAIR : WHIRL_LOW,
+                           .agreement = diverged ? WHIRL_HIGH : WHIRL_LOW,
+                           .advice =
+                               diverged ? (whirl_advice){WHIRL_NO_REMEDY, 1.0} : (whirl_advice){WHIRL_TIGHTER, 16.0},
+                           .exponent = {NAN, NAN},
+                           .recurrence = NAN,
+                           .recurrence_trend = NAN,
+                           .regularity = NAN,
+                           .chaos = NAN,
+                           .rotation = NAN};
 }

@@ -1,0 +1,45 @@
+// Correlation of the points of the section: how much a point still says of one that comes `lag` revolutions later. It
+// dies out in chaos that mixes and comes back again and again on tori and periodic motions.
+#include <math.h>
+#include <stdlib.h>
+
+#include "section.h"
+
+/// sum over n of (z(n) - mean) . (z(n + lag) - mean), over its value at lag 0.
+static double correlation_at(const section *all, const double *mean, size_t lag) {
+    const size_t d = all->dimension;
+    double product = 0.0, early = 0.0, late = 0.0;
+    for (size_t n = 0; n + lag < all->count; n++) {
+        const double *a = all->points + n * d, *b = all->points + (n + lag) * d;
+        for (size_t i = 0; i < d; i++) {
+            product += (a[i] - mean[i]) * (b[i] - mean[i]);
+            early += (a[i] - mean[i]) * (a[i] - mean[i]);
+            late += (b[i] - mean[i]) * (b[i] - mean[i]);
+        }
+    }
+    return early > 0.0 && late > 0.0 ? product / sqrt(early * late) : 0.0;
+}
+
+correlation correlation_find(const section *all) {
+    enum { MOST_POINTS = 1000, FEWEST_POINTS = 64 };
+    const double forgotten = 0.2; // three standard errors of the correlation of 225 independent points
+    const section points = section_tail(all, MOST_POINTS);
+    const size_t longest = points.count / 4;
+    correlation found = {NAN, NAN};
+    if (points.count < FEWEST_POINTS) return found;
+    double *mean = calloc(points.dimension, sizeof *mean);
+    if (!mean) return found;
+    for (size_t n = 0; n < points.count; n++)
+        for (size_t i = 0; i < points.dimension; i++)
+            mean[i] += points.points[n * points.dimension + i] / (double)points.count;
+    size_t last = 0; // lag that is still remembered
+    found.late = 0.0;
+    for (size_t lag = 1; lag <= longest; lag++) {
+        const double size = fabs(correlation_at(&points, mean, lag));
+        if (size > forgotten) last = lag;
+        if (lag > longest / 2) found.late = fmax(found.late, size);
+    }
+    if (last <= longest / 2) found.time = (double)(last + 1);
+    free(mean);
+    return found;
+}

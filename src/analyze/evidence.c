@@ -1,0 +1,30 @@
+#include "evidence.h"
+
+#include "lyapunov.h"
+
+evidence evidence_gather(const whirl_record *record) {
+    evidence e = {.points = {record->section_count, record->dimension, record->section},
+                  .size = motion_size(record),
+                  .rounding = motion_rounding(record),
+                  .exponent = whirl_lyapunov_largest(record)};
+    if (record->growth_count > 0) {
+        const size_t aligning = record->growth_count / 10;
+        e.growth = record->growth + aligning;
+        e.growth_count = record->growth_count - aligning;
+    }
+    e.returns = recurrence_find(&e.points, record->record_count, e.size);
+    e.averages = regularity_find(&e.points, e.size);
+    return e;
+}
+
+evidence evidence_later_half(const evidence *all) {
+    evidence half = *all;
+    half.points = section_tail(&all->points, all->points.count / 2);
+    half.averages = regularity_find(&half.points, all->size);
+    if (all->growth_count > half.points.count) {
+        half.growth += all->growth_count - half.points.count;
+        half.growth_count = half.points.count;
+        half.exponent = estimate_mean(half.growth, half.growth_count);
+    }
+    return half;
+}

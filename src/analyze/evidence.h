@@ -1,0 +1,24 @@
+/// What verdicts are judged from.
+#ifndef ANALYZE_EVIDENCE_H
+#define ANALYZE_EVIDENCE_H
+
+#include "section.h"
+
+typedef struct evidence {
+    section points;
+    double size;         ///< of the motion
+    double rounding;     ///< distances over the size that say nothing
+    size_t growth_count; ///< after the first tenth, in which the disturbance turns
+    const double *growth;
+    recurrence returns;
+    regularity averages;
+    whirl_estimate exponent;
+} evidence;
+
+/// All that costs little.
+evidence evidence_gather(const whirl_record *record);
+
+/// The evidence of the later half of the watched revolutions, for a motion that took long to come to its attractor.
+evidence evidence_later_half(const evidence *all);
+
+#endif

@@ -1,0 +1,166 @@
+// Rotation numbers: how far a quasi-periodic motion goes round its closed curve from one visit to the next. The angle
+// about the curve's centre, in the plane of its two main axes, is averaged with the weights of birkhoff.c, which gives
+// it to many digits (Das, Saiki, Sander, Yorke, "Solving the Babylonian problem of quasiperiodic rotation rates",
+// Discrete Contin. Dyn. Syst. S 12 (2019) 2279).
+#include <math.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "section.h"
+
+enum { FEWEST_POINTS = 24 };
+
+static const double two_pi = 6.283185307179586;
+
+/// Every `curves`-th point, relative to the centre, in one block.
+typedef struct cloud {
+    size_t count, dimension;
+    double *points;    ///< [count][dimension]
+    double *axes[2];   ///< [dimension] main axes, unit vectors
+    double *across[2]; ///< [count] along the axes, mean square 1
+    double *turns;     ///< [count] from each point to the next, in 0 .. 1
+    double *sorted;    ///< [count] work
+} cloud;
+
+static cloud *cloud_new(const section *all, size_t curves) {
+    const size_t count = all->count / curves, d = all->dimension;
+    cloud *c = malloc(sizeof *c + (count * (d + 4) + 2 * d) * sizeof(double));
+    if (!c) return NULL;
+    *c = (cloud){.count = count, .dimension = d, .points = (double *)(c + 1)};
+    c->axes[0] = c->points + count * d;
+    c->axes[1] = c->axes[0] + d;
+    c->across[0] = c->axes[1] + d;
+    c->across[1] = c->across[0] + count;
+    c->turns = c->across[1] + count;
+    c->sorted = c->turns + count;
+    for (size_t n = 0; n < count; n++)
+        memcpy(c->points + n * d, all->points + (all->count - 1 - (count - 1 - n) * curves) * d, d * sizeof(double));
+    for (size_t i = 0; i < d; i++) {
+        double mean = 0.0;
+        for (size_t n = 0; n < count; n++) mean += c->points[n * d + i] / (double)count;
+        for (size_t n = 0; n < count; n++) c->points[n * d + i] -= mean;
+    }
+    return c;
+}
+
+static double dot(const double *a, const double *b, size_t count) {
+    double sum = 0.0;
+    for (size_t i = 0; i < count; i++) sum += a[i] * b[i];
+    return sum;
+}
+
+static void scale_to(double *values, size_t count, double square) {
+    const double factor = sqrt(square / dot(values, values, count));
+    for (size_t i = 0; i < count; i++) values[i] *= factor;
+}
+
+/// The axis of largest spread, by power iteration, square to axis 0 for the second.
+static void find_axis(cloud *c, int which) {
+    enum { ITERATIONS = 40 };
+    const size_t d = c->dimension;
+    double *axis = c->axes[which], *along = c->across[which];
+    for (size_t i = 0; i < d; i++) axis[i] = c->points[i] + c->points[c->count / 3 * d + i] * (which ? -1.0 : 1.0);
+    for (int iteration = 0; iteration < ITERATIONS; iteration++) {
+        if (which == 1) {
+            const double overlap = dot(axis, c->axes[0], d);
+            for (size_t i = 0; i < d; i++) axis[i] -= overlap * c->axes[0][i];
+        }
+        scale_to(axis, d, 1.0);
+        for (size_t n = 0; n < c->count; n++) along[n] = dot(c->points + n * d, axis, d);
+        if (iteration + 1 == ITERATIONS) break;
+        memset(axis, 0, d * sizeof *axis);
+        for (size_t n = 0; n < c->count; n++)
+            for (size_t i = 0; i < d; i++) axis[i] += along[n] * c->points[n * d + i];
+    }
+    scale_to(along, c->count, (double)c->count);
+}
+
+static double fraction(double value) {
+    return value - floor(value);
+}
+
+static void find_turns(cloud *c) {
+    double before = 0.0;
+    for (size_t n = 0; n < c->count; n++) {
+        const double angle = atan2(c->across[1][n], c->across[0][n]) / two_pi;
+        if (n > 0) c->turns[n - 1] = fraction(angle - before);
+        before = angle;
+    }
+}
+
+static int ascending(const void *a, const void *b) {
+    const double first = *(const double *)a, second = *(const double *)b;
+    return (first > second) - (first < second);
+}
+
+/// Turns are known up to whole ones; as a function of the place on the curve they are continuous. Moves those that lie
+/// past the widest gap among them down by one turn. False where there is no clear gap.
+static bool lift_turns(cloud *c) {
+    const double least_gap = 0.02;
+    const size_t count = c->count > 1 ? c->count - 1 : 1;
+    memcpy(c->sorted, c->turns, count * sizeof *c->sorted);
+    qsort(c->sorted, count, sizeof *c->sorted, ascending);
+    double widest = c->sorted[0] + 1.0 - c->sorted[count - 1], from = 1.0;
+    for (size_t i = 0; i + 1 < count; i++) {
+        if (c->sorted[i + 1] - c->sorted[i] <= widest) continue;
+        widest = c->sorted[i + 1] - c->sorted[i];
+        from = 0.5 * (c->sorted[i + 1] + c->sorted[i]);
+    }
+    for (size_t n = 0; n < count; n++) c->turns[n] -= c->turns[n] > from ? 1.0 : 0.0;
+    return widest >= least_gap;
+}
+
+static double weighted_mean(const double *values, size_t count) {
+    double weights = 0.0, sum = 0.0;
+    for (size_t n = 0; n < count; n++) {
+        const double w = birkhoff_weight(n, count);
+        weights += w;
+        sum += w * values[n];
+    }
+    return sum / weights;
+}
+
+/// Whether the points, put into the order in which a rotation by `number` meets them, go round a curve: then the way
+/// from each to the next is short. This holds for the right number alone, whatever the projection did to the curve.
+static bool goes_round(cloud *c, double number) {
+    const double longest_way = 20.0; // times the greatest distance from the centre, for the whole curve
+    const size_t d = c->dimension;
+    double way = 0.0, reach = 0.0;
+    for (size_t n = 0; n < c->count; n++) {
+        // The place and the index in one number, to be sorted together.
+        c->sorted[n] = floor(fraction((double)n * number) * 1e9) * 1e5 + (double)n;
+        reach = fmax(reach, sqrt(dot(c->points + n * d, c->points + n * d, d)));
+    }
+    qsort(c->sorted, c->count, sizeof *c->sorted, ascending);
+    for (size_t n = 0; n < c->count; n++) {
+        const size_t from = (size_t)fmod(c->sorted[n], 1e5);
+        const size_t to = (size_t)fmod(c->sorted[(n + 1) % c->count], 1e5);
+        double square = 0.0;
+        for (size_t i = 0; i < d; i++) {
+            const double step = c->points[to * d + i] - c->points[from * d + i];
+            square += step * step;
+        }
+        way += sqrt(square);
+    }
+    return way <= longest_way * reach;
+}
+
+double rotation_number(const section *all, int curves) {
+    enum { MOST_POINTS = 4000 };
+    const section points = section_tail(all, MOST_POINTS);
+    double number = NAN;
+    if (curves < 1 || points.dimension < 2 || points.count / (size_t)curves < FEWEST_POINTS) return NAN;
+    cloud *c = cloud_new(&points, (size_t)curves);
+    if (!c) return NAN;
+    find_axis(c, 0);
+    find_axis(c, 1);
+    find_turns(c);
+    if (lift_turns(c)) {
+        number = fraction(weighted_mean(c->turns, c->count - 1));
+        number = fmin(number, 1.0 - number);
+        if (!goes_round(c, number)) number = NAN;
+    }
+    free(c);
+    return number;
+}

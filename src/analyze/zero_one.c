@@ -1,0 +1,108 @@
+// The 0-1 test for chaos: the section drives p(n+1) = p(n) + u(n) cos(c n), q(n+1) = q(n) + u(n) sin(c n). For a
+// regular motion (p, q) stays bounded, for a chaotic one it walks at random, so that its mean square displacement grows
+// with the lag. K is the correlation of displacement and lag: near 0 for regular motion, near 1 in chaos. At resonance
+// of c with a line of the motion it is 1 as well; the median over many c leaves those out (Gottwald, Melbourne, "On the
+// implementation of the 0-1 test for chaos", SIAM J. Appl. Dyn. Syst. 8 (2009) 129).
+#include <math.h>
+#include <stdbool.h>
+
+#include "section.h"
+
+enum { MOST_POINTS = 1000, FEWEST_POINTS = 100, FREQUENCIES = 25, MOST_LAGS = 50 };
+
+static const double pi = 3.141592653589793238463;
+
+/// One observable of the section, mean 0 and mean square 1: a sum of its coordinates, each by its own spread and with
+/// a weight of its own, so that no symmetry of the motion hides. False where nothing but rounding moves.
+static bool observe(const section *points, double size, double *u) {
+    double squares = 0.0;
+    for (size_t n = 0; n < points->count; n++) u[n] = 0.0;
+    for (size_t i = 0; i < points->dimension; i++) {
+        const double *x = points->points + i;
+        double mean = 0.0, square = 0.0;
+        for (size_t n = 0; n < points->count; n++) mean += x[n * points->dimension];
+        mean /= (double)points->count;
+        for (size_t n = 0; n < points->count; n++) {
+            const double away = x[n * points->dimension] - mean;
+            square += away * away;
+        }
+        const double spread = sqrt(square / (double)points->count);
+        if (!(spread > 1e-9 * size)) continue;
+        for (size_t n = 0; n < points->count; n++)
+            u[n] += (x[n * points->dimension] - mean) / (spread * (double)(i + 1));
+    }
+    for (size_t n = 0; n < points->count; n++) squares += u[n] * u[n];
+    if (!(squares > 0.0)) return false;
+    const double scale = sqrt((double)points->count / squares);
+    for (size_t n = 0; n < points->count; n++) u[n] *= scale;
+    return true;
+}
+
+/// p, q [count] driven with frequency c.
+static void drive(const double *u, size_t count, double c, double *p, double *q) {
+    double px = 0.0, qx = 0.0;
+    for (size_t n = 0; n < count; n++) {
+        px += u[n] * cos(c * (double)n);
+        qx += u[n] * sin(c * (double)n);
+        p[n] = px;
+        q[n] = qx;
+    }
+}
+
+static double mean_square_displacement(const double *p, const double *q, size_t averaged, size_t lag) {
+    double sum = 0.0;
+    for (size_t n = 0; n < averaged; n++) {
+        const double dp = p[n + lag] - p[n], dq = q[n + lag] - q[n];
+        sum += dp * dp + dq * dq;
+    }
+    return sum / (double)averaged;
+}
+
+static double correlate(const double *a, const double *b, size_t count) {
+    double ma = 0.0, mb = 0.0, aa = 0.0, bb = 0.0, ab = 0.0;
+    for (size_t i = 0; i < count; i++) {
+        ma += a[i] / (double)count;
+        mb += b[i] / (double)count;
+    }
+    for (size_t i = 0; i < count; i++) {
+        aa += (a[i] - ma) * (a[i] - ma);
+        bb += (b[i] - mb) * (b[i] - mb);
+        ab += (a[i] - ma) * (b[i] - mb);
+    }
+    return aa > 0.0 && bb > 0.0 ? ab / sqrt(aa * bb) : 0.0;
+}
+
+/// K at one frequency.
+static double growth_at(const double *u, size_t count, double c) {
+    double p[MOST_POINTS], q[MOST_POINTS], lags[MOST_LAGS], displacement[MOST_LAGS];
+    const size_t longest = count / 10, averaged = count - longest;
+    const size_t used = longest < MOST_LAGS ? longest : MOST_LAGS;
+    drive(u, count, c, p, q);
+    for (size_t i = 0; i < used; i++) {
+        const size_t lag = (i + 1) * longest / used;
+        lags[i] = (double)lag;
+        displacement[i] = mean_square_displacement(p, q, averaged, lag);
+    }
+    return correlate(lags, displacement, used);
+}
+
+static double median(double *values, size_t count) {
+    for (size_t i = 1; i < count; i++) {
+        const double value = values[i];
+        size_t at = i;
+        for (; at > 0 && values[at - 1] > value; at--) values[at] = values[at - 1];
+        values[at] = value;
+    }
+    return values[count / 2];
+}
+
+double zero_one_test(const section *all, double size) {
+    const section points = section_tail(all, MOST_POINTS);
+    double u[MOST_POINTS], growth[FREQUENCIES];
+    if (points.count < FEWEST_POINTS || !observe(&points, size, u)) return NAN;
+    for (size_t i = 0; i < FREQUENCIES; i++) {
+        const double turn = fmod((double)(i + 1) * 0.6180339887498949, 1.0); // spread evenly, the same in every run
+        growth[i] = growth_at(u, points.count, pi / 5.0 * (1.0 + 3.0 * turn));
+    }
+    return median(growth, FREQUENCIES);
+}

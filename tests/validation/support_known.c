@@ -1,0 +1,147 @@
+#include "support_known.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "support_check.h"
+
+/// Motions judged: right, undetermined, wrong by the confidence they are told with;
+/// of the right ones those with high confidence, of the undetermined ones those that are right when the advice is followed.
+typedef struct tally {
+    int right, certain, open, settled, wrong[WHIRL_HIGH + 1], missed;
+} tally;
+
+static tally total;
+
+typedef struct run_options {
+    whirl_integrate_options integrate;
+    whirl_record_options record;
+} run_options;
+
+/// As sweeps do it.
+static run_options usual_options(const known_motion *motion, int steps) {
+    run_options run = {whirl_integrate_default(), whirl_record_default()};
+    run.integrate.steps_per_revolution = steps;
+    if (motion->transient > 0) run.record.transient = motion->transient;
+    run.record.watch = 650;
+    run.record.waveform = false;
+    return run;
+}
+
+static whirl_verdict judge(const known_motion *motion, const run_options *run) {
+    const whirl_system *system = motion->rotor ? whirl_rotor_system(motion->rotor) : &motion->system;
+    whirl_record *record;
+    require_ok(whirl_record_motion(system, &run->integrate, &run->record, motion->start, NULL, &record));
+    const whirl_verdict verdict = whirl_judge(record);
+    whirl_record_free(record);
+    return verdict;
+}
+
+/// The verdict, confirmed at a second tolerance.
+static whirl_verdict judge_twice(const known_motion *motion, const run_options *run) {
+    run_options second = *run;
+    second.integrate = whirl_integrate_tighter(&run->integrate, 16.0);
+    whirl_verdict verdict = judge(motion, run);
+    const whirl_verdict other = judge(motion, &second);
+    whirl_verdict_confirm(&verdict, &other);
+    return verdict;
+}
+
+whirl_verdict judge_known(const known_motion *motion, int steps) {
+    const run_options run = usual_options(motion, steps);
+    return judge_twice(motion, &run);
+}
+
+/// Does as the verdicts advise until one is found, or the run takes too many revolutions.
+static whirl_verdict follow_advice(const known_motion *motion, run_options run, whirl_verdict verdict) {
+    const int most_revolutions = 60000;
+    while (verdict.regime == WHIRL_UNDETERMINED && verdict.advice.remedy != WHIRL_NO_REMEDY) {
+        whirl_advice_apply(verdict.advice, &run.integrate, &run.record);
+        if (run.record.transient + run.record.record > most_revolutions) break;
+        verdict = judge_twice(motion, &run);
+    }
+    return verdict;
+}
+
+static bool agrees(const char *expected, const whirl_verdict *verdict) {
+    char name[64];
+    whirl_verdict_name(verdict, name, sizeof name);
+    if (strcmp(expected, "diverged") == 0) return verdict->regime == WHIRL_DIVERGING;
+    if (strcmp(expected, "quasi-periodic") == 0) return verdict->regime == WHIRL_QUASI_PERIODIC;
+    if (strncmp(expected, "not ", 4) == 0) return strcmp(expected + 4, name) != 0;
+    return strcmp(expected, name) == 0;
+}
+
+static void report(const known_family *family, const known_motion *motion, const whirl_verdict *verdict) {
+    char name[64], reason[256], advice[64];
+    whirl_verdict_name(verdict, name, sizeof name);
+    whirl_verdict_reason(verdict, reason, sizeof reason);
+    whirl_verdict_advice(verdict, advice, sizeof advice);
+    printf("  %s, %s: expected %s%s, obtained %s (%s); %s; %s\n", family->name, motion->label, motion->expected,
+           motion->trap ? " (a trap)" : "", name, whirl_confidence_name(verdict->confidence), reason, advice);
+}
+
+static void judge_one(const known_family *family, const known_motion *motion, bool patient, tally *sum) {
+    const run_options run = usual_options(motion, family->steps);
+    whirl_verdict verdict = judge_twice(motion, &run);
+    const bool open = verdict.regime == WHIRL_UNDETERMINED;
+    if (open) {
+        sum->open++;
+        sum->missed += motion->trap ? 0 : 1;
+        report(family, motion, &verdict);
+        if (patient) verdict = follow_advice(motion, run, verdict);
+    }
+    if (verdict.regime == WHIRL_UNDETERMINED) return;
+    if (open) report(family, motion, &verdict);
+    if (agrees(motion->expected, &verdict)) {
+        *(open ? &sum->settled : &sum->right) += 1;
+        sum->certain += !open && verdict.confidence == WHIRL_HIGH;
+    } else {
+        sum->wrong[verdict.confidence]++;
+        if (!open) report(family, motion, &verdict);
+    }
+}
+
+static int wrong_of(const tally *sum) {
+    return sum->wrong[WHIRL_LOW] + sum->wrong[WHIRL_FAIR] + sum->wrong[WHIRL_HIGH];
+}
+
+void check_family(const known_family *family, size_t stride) {
+    const bool all = getenv("WHIRL_SOAK") != NULL;
+    tally sum = {0};
+    int count = 0;
+    for (size_t i = 0;; i += all ? 1 : stride) {
+        known_motion motion = {0};
+        if (!family->make(i, &motion)) break;
+        if (!motion.rotor) motion.system.model = motion.p;
+        judge_one(family, &motion, all, &sum);
+        whirl_rotor_free(motion.rotor);
+        count++;
+    }
+    printf(
+        "verdicts | %s (%s), %d motions | - | %d right (%d high), %d undetermined (%d by advice), %d wrong | - | -\n",
+        family->name, family->source, count, sum.right, sum.certain, sum.open, sum.settled, wrong_of(&sum));
+    fflush(stdout);
+    total.right += sum.right;
+    total.certain += sum.certain;
+    total.open += sum.open;
+    total.settled += sum.settled;
+    for (int i = 0; i <= WHIRL_HIGH; i++) total.wrong[i] += sum.wrong[i];
+    assert_int_equal(wrong_of(&sum), 0);
+    assert_int_equal(sum.missed, 0);
+}
+
+void check_known_total(const char *what, int least) {
+    printf("verdicts | %s, all | - | %d right (%d high), %d undetermined (%d by advice), %d wrong | - | -\n", what,
+           total.right, total.certain, total.open, total.settled, wrong_of(&total));
+    check_within("verdicts", words("%s: wrong with high confidence", what), 0.0, total.wrong[WHIRL_HIGH], 0.0);
+    if (getenv("WHIRL_SOAK")) assert_true(total.right >= least);
+}

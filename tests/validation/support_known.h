@@ -1,0 +1,42 @@
+/// Motions whose regime is known, and what the library's verdict says of them.
+#ifndef SUPPORT_KNOWN_H
+#define SUPPORT_KNOWN_H
+
+#include <stdbool.h>
+
+#include "whirl/analyze.h"
+#include "whirl/rotor.h"
+
+enum { KNOWN_DIMENSION = 8, KNOWN_PARAMETERS = 8 };
+
+/// A motion with its regime.
+typedef struct known_motion {
+    whirl_system system;
+    double start[KNOWN_DIMENSION];
+    double p[KNOWN_PARAMETERS]; ///< the model of a system that is not a rotor
+    whirl_rotor *rotor;         ///< freed when the motion has been judged; NULL for other systems
+    char expected[48]; ///< "P-2", "quasi-periodic (1 curve)", "quasi-periodic" for any number of curves, "not P-1"
+    bool trap;         ///< too slow or too fine for the record: undetermined is right as well
+    int transient;     ///< revolutions, 0: 1100
+    char label[128];   ///< names the parameters
+} known_motion;
+
+/// Motions of one kind. `make` fills the one of that index, zero before, and returns false past the last.
+typedef struct known_family {
+    const char *name, *source; ///< where the regime is known from
+    int steps;                 ///< of RK4 a revolution; the verdict is confirmed with twice as many
+    bool (*make)(size_t index, known_motion *motion);
+} known_family;
+
+/// The verdict, confirmed with twice the steps: 100 revolutions recorded, 650 watched, by RK4.
+whirl_verdict judge_known(const known_motion *motion, int steps);
+
+/// Judges the family, as sweeps do: 100 revolutions recorded, 650 watched. Fails when a verdict is wrong, or a motion
+/// that is no trap stays undetermined. Without WHIRL_SOAK in the environment every `stride`-th motion only;
+/// with it, undetermined motions are judged again as the advice says, which must not lead to a wrong verdict either.
+void check_family(const known_family *family, size_t stride);
+
+/// Prints how many motions of all families were judged right; fails for less than `least` (for all of them: in a soak).
+void check_known_total(const char *what, int least);
+
+#endif
