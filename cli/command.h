@@ -15,7 +15,7 @@ typedef struct command {
     int (*run)(int argc, char **argv); ///< argv[0] is "whirl NAME"; gives the exit status
 } command;
 
-extern const command run_command, check_command, describe_command, report_command, export_command;
+extern const command run_command, verify_command, check_command, describe_command, report_command, export_command;
 
 /// Prints "whirl: ..." and a newline on standard error.
 void complain(const char *format, ...) __attribute__((format(printf, 1, 2)));

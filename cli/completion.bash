@@ -20,6 +20,7 @@ _whirl_files() {
 _whirl_options() {
     case $1 in
     run) echo '-o --output= --set= --threads= --json --resume --refine --refine= --quiet --help' ;;
+    verify) echo '--points= --method= --revolutions= --set= --threads= --json --quiet --help' ;;
     report) echo '-o --output= --claims= --gnuplot= --quiet --help' ;;
     export) echo '--csv= --help' ;;
     check | describe) echo '--help' ;;
@@ -44,7 +45,7 @@ _whirl() {
     --csv) _whirl_files "$word"; return ;;
     --claims) _whirl_files "$word" yaml yml; return ;;
     --gnuplot) mapfile -t COMPREPLY < <(compgen -c -- "$word"); return ;;
-    --set | --threads) return ;;
+    --set | --threads | --points | --method | --revolutions) return ;;
     esac
     if [[ $word == -* ]]; then
         mapfile -t COMPREPLY < <(compgen -W "$(_whirl_options "$command")" -- "$word")
@@ -52,8 +53,8 @@ _whirl() {
         return
     fi
     case $command in
-    '') mapfile -t COMPREPLY < <(compgen -W 'run check describe report export' -- "$word") ;;
-    run | check) _whirl_files "$word" yaml yml ;;
+    '') mapfile -t COMPREPLY < <(compgen -W 'run verify check describe report export' -- "$word") ;;
+    run | verify | check) _whirl_files "$word" yaml yml ;;
     report | export) _whirl_files "$word" h5 ;;
     describe) mapfile -t COMPREPLY < <(compgen -W "$(_whirl_names "${COMP_WORDS[0]}")" -- "$word") ;;
     esac

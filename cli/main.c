@@ -4,8 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
-static const command *const commands[] = {&run_command, &check_command, &describe_command, &report_command,
-                                          &export_command};
+static const command *const commands[] = {&run_command,      &verify_command, &check_command,
+                                          &describe_command, &report_command, &export_command};
 enum { COMMAND_COUNT = sizeof commands / sizeof *commands };
 
 /// What the first argument chose, and where its own arguments begin.

@@ -69,7 +69,10 @@ void progress_show(void *view_pointer, const whirl_progress *progress) {
         return;
     }
     const int tenth = (int)(10 * done_share(progress));
-    if (progress->round == view->round && tenth <= view->last_tenth) return;
+    // A run may begin anew: a round of refinement, another method.
+    const bool goes_on = progress->round == view->round && progress->seconds >= view->seconds;
+    view->seconds = progress->seconds;
+    if (goes_on && tenth <= view->last_tenth) return;
     view->round = progress->round;
     view->last_tenth = tenth;
     fprintf(stderr, "whirl: %s\n", state);

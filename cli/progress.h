@@ -8,6 +8,7 @@
 
 typedef struct progress_view {
     bool terminal;
+    double seconds; ///< of the run, when it was last shown
     int round;      ///< of refinement, and
     int last_tenth; ///< of the run or the round that a plain line was written for
     bool drawn;     ///< a bar stands on the current line

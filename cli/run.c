@@ -9,6 +9,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "case_arguments.h"
 #include "cores.h"
 #include "interrupt.h"
 #include "journal.h"
@@ -16,13 +17,11 @@
 #include "progress.h"
 #include "summary.h"
 
-enum { MAX_OVERRIDES = 64, MAX_THREADS = 1024, PATH_SIZE = 4096, FACT_SIZE = 256 };
+enum { PATH_SIZE = 4096, FACT_SIZE = 256 };
 
 typedef struct run_arguments {
-    const char *case_path, *output;
-    const char *overrides[MAX_OVERRIDES];
-    size_t override_count;
-    int threads;
+    case_arguments given;
+    const char *output;
     bool json, quiet, resume, refine;
     whirl_budget budget; ///< of refinement; all zero: as many revolutions as the study has
     char default_output[PATH_SIZE];
@@ -65,15 +64,6 @@ static const struct argp_option options[] = {
     {0},
 };
 
-static int parse_threads(const char *text, const struct argp_state *state) {
-    char *end = NULL;
-    errno = 0;
-    const long value = strtol(text, &end, 10);
-    if (end == text || *end != '\0' || errno != 0 || value < 1 || value > MAX_THREADS)
-        bad_argument(state, "--threads is '%s', expected a whole number from 1 to %d", text, MAX_THREADS);
-    return (int)value;
-}
-
 /// A number above 0, of revolutions or of a time.
 static whirl_budget parse_budget(const char *text, const struct argp_state *state) {
     static const struct {
@@ -94,10 +84,10 @@ static whirl_budget parse_budget(const char *text, const struct argp_state *stat
 
 /// The case's name with .h5, in the current folder.
 static void name_output(run_arguments *arguments) {
-    const size_t length = strlen(arguments->case_path);
-    const bool short_ending = length > 4 && strcmp(arguments->case_path + length - 4, ".yml") == 0;
+    const size_t length = strlen(arguments->given.path);
+    const bool short_ending = length > 4 && strcmp(arguments->given.path + length - 4, ".yml") == 0;
     char name[PATH_SIZE - 4];
-    base_name(arguments->case_path, short_ending ? ".yml" : ".yaml", name, sizeof name);
+    base_name(arguments->given.path, short_ending ? ".yml" : ".yaml", name, sizeof name);
     snprintf(arguments->default_output, sizeof arguments->default_output, "%s.h5", name);
     arguments->output = arguments->default_output;
 }
@@ -122,19 +112,16 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
         if (argument) arguments->budget = parse_budget(argument, state);
         return 0;
     case KEY_THREADS:
-        arguments->threads = parse_threads(argument, state);
+        take_threads(&arguments->given, argument, state);
         return 0;
     case KEY_SET:
-        if (arguments->override_count == MAX_OVERRIDES)
-            bad_argument(state, "--set is given more than %d times", MAX_OVERRIDES);
-        arguments->overrides[arguments->override_count++] = argument;
+        take_override(&arguments->given, argument, state);
         return 0;
     case ARGP_KEY_ARG:
-        if (arguments->case_path) bad_argument(state, "takes one case, '%s' is one too many", argument);
-        arguments->case_path = argument;
+        take_case(&arguments->given, argument, state);
         return 0;
     case ARGP_KEY_END:
-        require_option(state, arguments->case_path, "CASE.yaml");
+        require_option(state, arguments->given.path, "CASE.yaml");
         if (!arguments->output && arguments->json && arguments->resume)
             bad_argument(state, "--resume needs the name of the result, -o RESULT.h5");
         if (!arguments->output && !arguments->json) name_output(arguments);
@@ -157,16 +144,8 @@ static int set_budget(const run_arguments *arguments, whirl_case *object) {
 }
 
 static int load(const run_arguments *arguments, whirl_case **object) {
-    whirl_problems problems = {0};
-    whirl_status status = whirl_case_load(arguments->case_path, &problems, object);
-    if (status.code != WHIRL_OK) return complain_of_problems(&problems, &status);
-    for (size_t i = 0; i < arguments->override_count; i++) {
-        status = whirl_case_set(*object, arguments->overrides[i]);
-        if (status.code == WHIRL_OK) continue;
-        complain("--set %s: %s", arguments->overrides[i], status.message);
-        return EXIT_BAD_INPUT;
-    }
-    return arguments->refine ? set_budget(arguments, *object) : EXIT_DONE;
+    const int outcome = load_case(&arguments->given, object);
+    return outcome == EXIT_DONE && arguments->refine ? set_budget(arguments, *object) : outcome;
 }
 
 /// Whatever the exit status, there may be a result, of what was done until a stop.
@@ -174,7 +153,7 @@ static int compute(const run_arguments *arguments, const whirl_case *object, whi
                    whirl_result **result) {
     progress_view view = progress_begin();
     const whirl_run_options how = {
-        .threads = arguments->threads,
+        .threads = arguments->given.threads,
         .progress = arguments->quiet ? NULL : progress_show,
         .context = &view,
         .stop = interrupt_watch(),
@@ -274,7 +253,7 @@ static int run_study(const run_arguments *arguments, const whirl_case *object, w
         return outcome;
     }
     now_text(finished, sizeof finished);
-    snprintf(threads, sizeof threads, "%d", arguments->threads);
+    snprintf(threads, sizeof threads, "%d", arguments->given.threads);
     const char *const facts[][2] = {
         {"command line", command_line}, {"started", started}, {"finished", finished}, {"threads", threads}};
     const whirl_status status = add_facts(result, facts, sizeof facts / sizeof *facts);
@@ -290,7 +269,7 @@ static int run_case(const run_arguments *arguments, const char *command_line) {
     whirl_result *finished = NULL;
     interrupt_watch(); // from the start: reading a case takes time too, and a full disk sends signals at the first write
     int outcome = load(arguments, &object);
-    if (outcome == EXIT_DONE && arguments->output && !output_is_writable(arguments->output, arguments->case_path))
+    if (outcome == EXIT_DONE && arguments->output && !output_is_writable(arguments->output, arguments->given.path))
         outcome = EXIT_BAD_INPUT;
     if (outcome == EXIT_DONE && arguments->output)
         outcome = open_journal(arguments->output, object, arguments->resume, arguments->quiet, &journal, &finished);
@@ -312,7 +291,7 @@ static int run(int argc, char **argv) {
                "a result "
                "and not a failure.",
     };
-    run_arguments arguments = {.threads = available_cores()};
+    run_arguments arguments = {.given.threads = available_cores()};
     char command_line[FACT_SIZE]; // argp reorders argv
     join(argc, argv, command_line, sizeof command_line);
     if (argp_parse(&argp, argc, argv, 0, NULL, &arguments) != 0) return EXIT_FAILED;

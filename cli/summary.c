@@ -179,29 +179,23 @@ void summarize_result(const whirl_result *result) {
     }
 }
 
-static bool is_adaptive(const char *name) {
-    const whirl_method *method;
-    for (size_t i = 0; (method = whirl_method_at(i)) != NULL; i++)
-        if (strcmp(method->name, name) == 0) return method->adaptive;
-    return false;
-}
-
 void summarize_study(const whirl_study *study) {
     for (size_t i = 0; i < study->batch_count; i++) {
         const whirl_batch *const batch = &study->batches[i];
-        const char *const method = batch->integrate.method;
+        const char *const name = batch->integrate.method;
+        const whirl_method *method = NULL;
         const int steps = batch->integrate.steps_per_revolution;
         const double points = (double)batch->count * (batch->carry == WHIRL_CARRY_BOTH ? 2 : 1);
         const double revolutions = (double)batch->record.transient + batch->record.record;
         printf("  %s", batch->name);
         if (batch->parameter[0]) printf(" of %s", batch->parameter);
         printf(": %.0f point%s, %.0f revolution%s each", points, plural(points), revolutions, plural(revolutions));
-        if (is_adaptive(method)) {
-            printf(" by %s%s\n", method, batch->confirm ? ", confirmed at a tolerance 16 times smaller" : "");
+        if (whirl_method_find(name, &method).code == WHIRL_OK && method->adaptive) {
+            printf(" by %s%s\n", name, batch->confirm ? ", confirmed at a tolerance 16 times smaller" : "");
             continue;
         }
         const double all = points * revolutions * steps * (batch->confirm ? 3 : 1);
-        printf(" by %s of %d step%s", method, steps, plural(steps));
+        printf(" by %s of %d step%s", name, steps, plural(steps));
         if (batch->confirm) printf(", confirmed with %d", 2 * steps);
         printf(", %.3g step%s in all\n", all, plural(all));
     }

@@ -20,10 +20,10 @@ declare -A below=(
     [rotor]="system.h ensemble.h rotor.h"
     [integrate]="system.h ensemble.h integrate.h"
     [analyze]="system.h ensemble.h integrate.h analyze.h"
-    [study]="system.h ensemble.h integrate.h analyze.h result.h study.h"
+    [study]="system.h ensemble.h integrate.h analyze.h result.h study.h verify.h"
     [case]="system.h ensemble.h rotor.h integrate.h analyze.h result.h study.h case.h claims.h"
     [store]="system.h integrate.h analyze.h result.h study.h journal.h"
-    [report]="system.h integrate.h analyze.h result.h study.h case.h claims.h report.h"
+    [report]="system.h integrate.h analyze.h result.h study.h verify.h case.h claims.h report.h"
 )
 for folder in src/*/; do
     layer=$(basename "$folder")

@@ -34,6 +34,9 @@ typedef struct whirl_method {
 /// The methods that this build has, by index from 0; NULL past the last. Static.
 const whirl_method *whirl_method_at(size_t index);
 
+/// The method of that name. WHIRL_BAD_INPUT that names the nearest one when there is none.
+whirl_status whirl_method_find(const char *name, const whirl_method **method);
+
 /// Called at the end of each of the steps_per_revolution equal parts of a revolution: t in (0, period], x the state.
 typedef void (*whirl_observe_fn)(void *observer, double t, const double *x);
 

@@ -17,6 +17,7 @@
 #include "whirl/status.h"
 #include "whirl/study.h"
 #include "whirl/system.h"
+#include "whirl/verify.h"
 #include "whirl/version.h"
 
 #endif

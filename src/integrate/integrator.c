@@ -32,6 +32,13 @@ static whirl_status find_method(const char *name, const method **found) {
     return whirl_fail(WHIRL_BAD_INPUT, "no method is called '%.40s'", name);
 }
 
+whirl_status whirl_method_find(const char *name, const whirl_method **found) {
+    const method *own = NULL;
+    const whirl_status status = find_method(name, &own);
+    *found = own ? &own->about : NULL;
+    return status;
+}
+
 static bool positive(double value) {
     return isfinite(value) && value > 0.0;
 }

@@ -1,0 +1,43 @@
+#include "case_arguments.h"
+
+#include <errno.h>
+#include <stdlib.h>
+
+enum { MAX_THREADS = 1024 };
+
+void take_case(case_arguments *arguments, char *text, const struct argp_state *state) {
+    if (arguments->path) bad_argument(state, "takes one case, '%s' is one too many", text);
+    arguments->path = text;
+}
+
+void take_override(case_arguments *arguments, char *text, const struct argp_state *state) {
+    if (arguments->override_count == MAX_OVERRIDES)
+        bad_argument(state, "--set is given more than %d times", MAX_OVERRIDES);
+    arguments->overrides[arguments->override_count++] = text;
+}
+
+int take_whole(const char *option, const char *text, int most, const struct argp_state *state) {
+    char *end = NULL;
+    errno = 0;
+    const long value = strtol(text, &end, 10);
+    if (end == text || *end != '\0' || errno != 0 || value < 1 || value > most)
+        bad_argument(state, "%s is '%s', expected a whole number from 1 to %d", option, text, most);
+    return (int)value;
+}
+
+void take_threads(case_arguments *arguments, const char *text, const struct argp_state *state) {
+    arguments->threads = take_whole("--threads", text, MAX_THREADS, state);
+}
+
+int load_case(const case_arguments *arguments, whirl_case **object) {
+    whirl_problems problems = {0};
+    whirl_status status = whirl_case_load(arguments->path, &problems, object);
+    if (status.code != WHIRL_OK) return complain_of_problems(&problems, &status);
+    for (size_t i = 0; i < arguments->override_count; i++) {
+        status = whirl_case_set(*object, arguments->overrides[i]);
+        if (status.code == WHIRL_OK) continue;
+        complain("--set %s: %s", arguments->overrides[i], status.message);
+        return EXIT_BAD_INPUT;
+    }
+    return EXIT_DONE;
+}

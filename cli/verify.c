@@ -1,0 +1,288 @@
+/// whirl verify: how far the verdicts of a case depend on numerics.
+#include "command.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "case_arguments.h"
+#include "cores.h"
+#include "interrupt.h"
+#include "progress.h"
+
+enum { SAMPLE = 9, MOST_POINTS = 10000, MOST_REVOLUTIONS = 1000000, NAME_SIZE = 64 };
+
+typedef struct verify_arguments {
+    case_arguments given;
+    whirl_verify_options options;
+    int points; ///< of the sweep; 0: those of the detail or of the response, or a few of the sweep
+    bool json, quiet;
+} verify_arguments;
+
+// ---------------------------------------------------------------- arguments
+
+enum { KEY_SET = 256, KEY_THREADS, KEY_JSON, KEY_POINTS, KEY_METHOD, KEY_REVOLUTIONS };
+
+static const struct argp_option options[] = {
+    {.name = "points",
+     .key = KEY_POINTS,
+     .arg = "N",
+     .doc =
+         "Take N points of the sweep, equally spaced (default: all points of the detail or the response, or 9 of the "
+         "sweep)"},
+    {.name = "method",
+     .key = KEY_METHOD,
+     .arg = "NAME",
+     .doc = "The second method, one with a tolerance (default: the first such method that is not the case's)"},
+    {.name = "revolutions",
+     .key = KEY_REVOLUTIONS,
+     .arg = "N",
+     .doc = "Compare states after N revolutions from the start (default: 20)"},
+    {.name = "set",
+     .key = KEY_SET,
+     .arg = "NAME=VALUE",
+     .doc = "Give a parameter of the case another value; may be repeated"},
+    {.name = "threads", .key = KEY_THREADS, .arg = "N", .doc = "Compute on N threads (default: all cores)"},
+    {.name = "json", .key = KEY_JSON, .doc = "Print one JSON document on standard output in place of the table"},
+    {.name = "quiet", .key = 'q', .doc = "No progress"},
+    {0},
+};
+
+static error_t parse(int key, char *argument, struct argp_state *state) {
+    verify_arguments *arguments = state->input;
+    switch (key) {
+    case 'q':
+        arguments->quiet = true;
+        return 0;
+    case KEY_JSON:
+        arguments->json = true;
+        return 0;
+    case KEY_POINTS:
+        arguments->points = take_whole("--points", argument, MOST_POINTS, state);
+        return 0;
+    case KEY_REVOLUTIONS:
+        arguments->options.revolutions = take_whole("--revolutions", argument, MOST_REVOLUTIONS, state);
+        return 0;
+    case KEY_METHOD:
+        snprintf(arguments->options.method, sizeof arguments->options.method, "%s", argument);
+        return 0;
+    case KEY_THREADS:
+        take_threads(&arguments->given, argument, state);
+        return 0;
+    case KEY_SET:
+        take_override(&arguments->given, argument, state);
+        return 0;
+    case ARGP_KEY_ARG:
+        take_case(&arguments->given, argument, state);
+        return 0;
+    case ARGP_KEY_END:
+        require_option(state, arguments->given.path, "CASE.yaml");
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+// ---------------------------------------------------------------- which points
+
+static const whirl_batch *find_batch(const whirl_study *study, const char *name) {
+    for (size_t i = 0; i < study->batch_count; i++)
+        if (strcmp(study->batches[i].name, name) == 0) return &study->batches[i];
+    return NULL;
+}
+
+/// `count` of the batch's values, the first and the last among them; `values` [count].
+static void sample(whirl_batch *batch, size_t count, double *values) {
+    for (size_t i = 0; i < count; i++) values[i] = batch->values[count > 1 ? i * (batch->count - 1) / (count - 1) : 0];
+    batch->values = values;
+    batch->count = count;
+}
+
+/// Leaves in the study the points that are to be verified; gives the exit status.
+static int choose_points(const verify_arguments *arguments, whirl_study *study, double values[MOST_POINTS]) {
+    const whirl_batch *sweep = find_batch(study, "sweep"), *detail = find_batch(study, "detail");
+    const size_t wanted = (size_t)arguments->points;
+    if (wanted > 0 && (!sweep || wanted > sweep->count)) {
+        if (sweep)
+            complain("--points is %zu, expected at most %zu, the points of the sweep", wanted, sweep->count);
+        else
+            complain("--points is given, but the case has no sweep");
+        return EXIT_BAD_INPUT;
+    }
+    whirl_batch chosen = wanted > 0 || !detail ? study->batches[0] : *detail;
+    if (wanted > 0)
+        sample(&chosen, wanted, values);
+    else if (!detail && sweep && sweep->count > SAMPLE)
+        sample(&chosen, SAMPLE, values);
+    study->batches[0] = chosen;
+    study->batch_count = 1;
+    return EXIT_DONE;
+}
+
+// ---------------------------------------------------------------- the table
+
+static bool is_adaptive(const whirl_integrate_options *how) {
+    const whirl_method *method;
+    return whirl_method_find(how->method, &method).code == WHIRL_OK && method->adaptive;
+}
+
+/// "1024 steps", "rtol 1e-09".
+static void tolerance_text(const whirl_integrate_options *how, char text[NAME_SIZE]) {
+    if (is_adaptive(how))
+        snprintf(text, NAME_SIZE, "rtol %.3g", how->rtol);
+    else
+        snprintf(text, NAME_SIZE, "%d steps", how->steps_per_revolution);
+}
+
+/// The value, or a dash where there is none.
+static void print_number(const char *format, int width, double value) {
+    char text[NAME_SIZE] = "-";
+    if (isfinite(value)) snprintf(text, sizeof text, format, value);
+    printf(" %*s", width, text);
+}
+
+/// The order stands beside the last of its three levels, where it has been seen.
+static void print_order(const whirl_verification *v, const whirl_verify_point *point, int m, int level) {
+    char text[NAME_SIZE] = "";
+    if (level == WHIRL_VERIFY_LEVELS - 1)
+        snprintf(text, sizeof text,
+                 isnan(point->order[m])             ? "-"
+                 : is_adaptive(&v->integrate[m][0]) ? "rtol^%.2f"
+                                                    : "%.2f",
+                 point->order[m]);
+    printf(" %9s", text);
+}
+
+static void print_run(const whirl_verification *v, const whirl_verify_point *point, int m, int level) {
+    const whirl_verify_run *run = &point->runs[m][level];
+    char tolerance[NAME_SIZE], verdict[NAME_SIZE], value[NAME_SIZE] = "";
+    tolerance_text(&v->integrate[m][level], tolerance);
+    whirl_verdict_name(&run->verdict, verdict, sizeof verdict);
+    if (m == 0 && level == 0 && *v->parameter) snprintf(value, sizeof value, "%.6g", point->value);
+    printf("%10s  %-11s  %-11s", value, level == 0 ? v->integrate[m][level].method : "", tolerance);
+    const bool reference = m == WHIRL_VERIFY_METHODS - 1 && level == WHIRL_VERIFY_LEVELS - 1;
+    if (reference)
+        printf(" %10s", "reference");
+    else
+        print_number("%.1e", 10, run->difference);
+    print_order(v, point, m, level);
+    print_number("%.1e", 8, reference ? (double)NAN : run->section);
+    print_number("%.4f", 9, run->verdict.exponent.value);
+    printf("  %s\n", verdict);
+}
+
+/// Verdicts with the number of runs that give them: "P-1 (4), P-2 (2)".
+static void print_verdicts(const whirl_verify_point *point) {
+    const whirl_verify_run *const runs = point->runs[0];
+    enum { RUNS = WHIRL_VERIFY_METHODS * WHIRL_VERIFY_LEVELS };
+    char names[RUNS][NAME_SIZE];
+    for (int i = 0; i < RUNS; i++) {
+        const whirl_verdict short_verdict = {.regime = runs[i].verdict.regime, .period = runs[i].verdict.period};
+        if (short_verdict.regime == WHIRL_PERIODIC)
+            whirl_verdict_name(&short_verdict, names[i], NAME_SIZE);
+        else
+            snprintf(names[i], NAME_SIZE, "%s", whirl_regime_name(short_verdict.regime));
+    }
+    const char *separator = "";
+    for (int i = 0; i < RUNS; i++) {
+        int count = 0;
+        bool first = true;
+        for (int k = 0; k < RUNS; k++) {
+            const bool same = strcmp(names[i], names[k]) == 0;
+            count += same;
+            first = first && !(same && k < i);
+        }
+        if (first) printf("%s%s (%d)", separator, names[i], count);
+        if (first) separator = ", ";
+    }
+    putchar('\n');
+}
+
+static void print_table(const whirl_verification *v) {
+    printf("%s%s%s: %zu point%s by %s and %s; differences in length scales after %d revolutions\n\n", v->table,
+           *v->parameter ? " of " : "", v->parameter, v->count, v->count == 1 ? "" : "s", v->integrate[0][0].method,
+           v->integrate[1][0].method, v->revolutions);
+    printf("%10s  %-11s  %-11s %10s %9s %8s %9s  %s\n", v->parameter, "method", "tolerance", "difference", "order",
+           "section", "exponent", "verdict");
+    size_t agreed = 0;
+    for (size_t i = 0; i < v->count; i++) {
+        for (int m = 0; m < WHIRL_VERIFY_METHODS; m++)
+            for (int level = 0; level < WHIRL_VERIFY_LEVELS; level++) print_run(v, &v->points[i], m, level);
+        agreed += v->points[i].agreed;
+    }
+    printf("\n%zu of %zu verdict%s not depend on numerics\n", agreed, v->count, agreed == 1 ? " does" : "s do");
+    for (size_t i = 0; i < v->count; i++) {
+        if (v->points[i].agreed) continue;
+        if (*v->parameter)
+            printf("  %s = %.6g: ", v->parameter, v->points[i].value);
+        else
+            printf("  ");
+        print_verdicts(&v->points[i]);
+    }
+}
+
+// ---------------------------------------------------------------- command
+
+static int verify(const verify_arguments *arguments, const whirl_study *study, whirl_verification **verification) {
+    progress_view view = progress_begin();
+    const whirl_run_options how = {
+        .threads = arguments->given.threads,
+        .progress = arguments->quiet ? NULL : progress_show,
+        .context = &view,
+        .stop = interrupt_watch(),
+    };
+    const whirl_status status = whirl_study_verify(study, &arguments->options, &how, verification);
+    progress_end(&view);
+    if (status.code != WHIRL_STOPPED) return complain_of(&status);
+    const char *why = interrupt_text();
+    complain("stopped, nothing is verified (%s)", why ? why : "interrupted");
+    return EXIT_FAILED;
+}
+
+static int verify_case(const verify_arguments *arguments) {
+    whirl_case *object = NULL;
+    whirl_study study;
+    whirl_verification *verification = NULL;
+    double *const values = malloc(MOST_POINTS * sizeof *values);
+    int outcome = load_case(&arguments->given, &object);
+    if (!values) {
+        complain("%s", whirl_code_text(WHIRL_NO_MEMORY));
+        outcome = EXIT_FAILED;
+    }
+    if (outcome == EXIT_DONE) {
+        const whirl_status status = whirl_case_study(object, &study);
+        outcome = complain_of(&status);
+    }
+    if (outcome == EXIT_DONE) outcome = choose_points(arguments, &study, values);
+    if (outcome == EXIT_DONE) outcome = verify(arguments, &study, &verification);
+    if (outcome == EXIT_DONE && arguments->json) {
+        const whirl_status status = whirl_verification_write_json(verification, stdout);
+        outcome = complain_of(&status);
+    } else if (outcome == EXIT_DONE) {
+        if (*whirl_case_title(object)) puts(whirl_case_title(object));
+        print_table(verification);
+    }
+    whirl_verification_free(verification);
+    whirl_case_free(object);
+    free(values);
+    return outcome == EXIT_DONE ? finish_output() : outcome;
+}
+
+static int run(int argc, char **argv) {
+    static const struct argp argp = {
+        .options = options,
+        .parser = parse,
+        .args_doc = "CASE.yaml",
+        .doc = "Computes points of a case by two methods at three tolerances each, prints how far states, sections, "
+               "exponents and verdicts agree and which order is observed, and says which verdicts do not depend on "
+               "numerics. Every point starts from the initial state.",
+    };
+    verify_arguments arguments = {.given.threads = available_cores(), .options.revolutions = 20};
+    if (argp_parse(&argp, argc, argv, 0, NULL, &arguments) != 0) return EXIT_FAILED;
+    interrupt_watch();
+    return verify_case(&arguments);
+}
+
+const command verify_command = {"verify", "say which verdicts of a case depend on numerics", run};

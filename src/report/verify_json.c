@@ -1,0 +1,64 @@
+// A verification as one JSON document.
+#include <errno.h>
+#include <math.h>
+#include <string.h>
+
+#include "document.h"
+#include "whirl/verify.h"
+#include "whirl/version.h"
+
+static bool is_adaptive(const whirl_integrate_options *options) {
+    const whirl_method *method;
+    return whirl_method_find(options->method, &method).code == WHIRL_OK && method->adaptive;
+}
+
+static json_t *run_object(bool *well, const whirl_integrate_options *options, const whirl_verify_run *run) {
+    json_t *object = json_object();
+    document_put(well, object, "method", document_text(options->method));
+    if (is_adaptive(options)) {
+        document_put(well, object, "rtol", document_number(options->rtol));
+        document_put(well, object, "atol", document_number(options->atol));
+    } else {
+        document_put(well, object, "steps_per_revolution", json_integer(options->steps_per_revolution));
+    }
+    document_put(well, object, "difference", document_number(run->difference));
+    document_put(well, object, "section", document_number(run->section));
+    document_put(well, object, "regime", document_text(whirl_regime_name(run->verdict.regime)));
+    document_put(well, object, "period", json_integer(run->verdict.period));
+    document_put(well, object, "exponent", document_number(run->verdict.exponent.value));
+    document_put(well, object, "exponent_error", document_number(run->verdict.exponent.error));
+    return object;
+}
+
+static json_t *point_object(bool *well, const whirl_verification *v, size_t index) {
+    const whirl_verify_point *point = &v->points[index];
+    json_t *object = json_object(), *runs = json_array(), *order = json_object();
+    if (*v->parameter) document_put(well, object, "value", document_number(point->value));
+    document_put(well, object, "agreed", json_boolean(point->agreed));
+    document_put(well, object, "exponent_spread", document_number(point->exponent_spread));
+    for (int m = 0; m < WHIRL_VERIFY_METHODS; ++m)
+        document_put(well, order, v->integrate[m][0].method, document_number(point->order[m]));
+    document_put(well, object, "order", order);
+    for (int m = 0; m < WHIRL_VERIFY_METHODS; ++m)
+        for (int level = 0; level < WHIRL_VERIFY_LEVELS; ++level)
+            document_append(well, runs, run_object(well, &v->integrate[m][level], &point->runs[m][level]));
+    document_put(well, object, "runs", runs);
+    return object;
+}
+
+whirl_status whirl_verification_write_json(const whirl_verification *v, FILE *stream) {
+    bool well = true;
+    json_t *document = json_object(), *points = json_array();
+    document_put(&well, document, "whirl", document_text(WHIRL_VERSION));
+    document_put(&well, document, "table", document_text(v->table));
+    document_put(&well, document, "parameter", *v->parameter ? document_text(v->parameter) : json_null());
+    document_put(&well, document, "revolutions", json_integer(v->revolutions));
+    for (size_t i = 0; i < v->count; ++i) document_append(&well, points, point_object(&well, v, i));
+    document_put(&well, document, "points", points);
+    errno = 0;
+    well = document_write(well, document, stream);
+    fputc('\n', stream);
+    if (fflush(stream) != 0 || ferror(stream))
+        return whirl_fail(WHIRL_IO_ERROR, "cannot write JSON: %s", strerror(errno ? errno : EIO));
+    return well ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory to write JSON");
+}
