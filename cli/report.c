@@ -5,13 +5,14 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "output.h"
 
 typedef struct report_arguments {
     char **results; ///< paths, borrowed from argv
     size_t count;
-    const char *directory, *claims, *gnuplot;
+    const char *directory, *claims, *gnuplot, *explorer;
     bool quiet;
 } report_arguments;
 
@@ -21,7 +22,7 @@ typedef struct entry {
     char name[WHIRL_NAME_SIZE];
 } entry;
 
-enum { KEY_CLAIMS = 256, KEY_GNUPLOT };
+enum { KEY_CLAIMS = 256, KEY_GNUPLOT, KEY_EXPLORER, PATH_SIZE = 4096 };
 
 static const struct argp_option options[] = {
     {.name = "output", .key = 'o', .arg = "DIR", .doc = "Folder for the report; it is made when it is not there"},
@@ -33,6 +34,10 @@ static const struct argp_option options[] = {
      .key = KEY_GNUPLOT,
      .arg = "PROGRAM",
      .doc = "Draw with this gnuplot (default: the one on the PATH)"},
+    {.name = "explorer",
+     .key = KEY_EXPLORER,
+     .arg = "FILE",
+     .doc = "Template of explorer.html (default: the one that `make explorer` built or that is installed)"},
     {.name = "quiet", .key = 'q', .doc = "Say nothing but errors"},
     {0},
 };
@@ -51,6 +56,9 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
         return 0;
     case KEY_GNUPLOT:
         arguments->gnuplot = argument;
+        return 0;
+    case KEY_EXPLORER:
+        arguments->explorer = argument;
         return 0;
     case ARGP_KEY_ARG:
         return ARGP_ERR_UNKNOWN; // all of them at once, below
@@ -91,21 +99,47 @@ static int read_claims(const char *path, whirl_claims **claims) {
     return status.code == WHIRL_OK ? EXIT_DONE : complain_of_problems(&problems, &status);
 }
 
+/// Looks for the explorer's template where it is built and where it is installed, as seen from the program. Writes its path
+/// and gives it, or NULL where there is none.
+static const char *find_template(char path[PATH_SIZE]) {
+    static const char *const places[] = {"explorer/template.html", "../share/whirl/explorer.html"};
+    char program[PATH_SIZE / 2];
+    const ssize_t length = readlink("/proc/self/exe", program, sizeof program);
+    if (length <= 0 || (size_t)length >= sizeof program) return NULL;
+    program[length] = '\0';
+    char *slash = strrchr(program, '/');
+    if (!slash) return NULL;
+    slash[1] = '\0';
+    for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
+        snprintf(path, PATH_SIZE, "%s%s", program, places[i]);
+        if (access(path, R_OK) == 0) return path;
+    }
+    return NULL;
+}
+
 static int write_report(const report_arguments *arguments, const entry *entries, const whirl_claims *claims) {
     const whirl_result **const results = calloc(arguments->count, sizeof *results);
     const char **const names = calloc(arguments->count, sizeof *names);
+    char found[PATH_SIZE];
+    const char *explorer = arguments->explorer ? arguments->explorer : find_template(found);
     whirl_status status = whirl_fail(WHIRL_NO_MEMORY, "%s", whirl_code_text(WHIRL_NO_MEMORY));
     if (results && names) {
         for (size_t i = 0; i < arguments->count; i++) {
             results[i] = entries[i].result;
             names[i] = entries[i].name;
         }
-        const whirl_report_options how = {.claims = claims, .gnuplot = arguments->gnuplot};
+        const whirl_report_options how = {.claims = claims, .gnuplot = arguments->gnuplot, .explorer = explorer};
         status = whirl_report_write(results, names, arguments->count, arguments->directory, &how);
     }
     free(results);
     free(names);
-    if (status.code == WHIRL_OK && !arguments->quiet) printf("%s/report.html\n", arguments->directory);
+    if (status.code == WHIRL_OK && !arguments->quiet) {
+        printf("%s/report.html\n", arguments->directory);
+        if (explorer)
+            printf("%s/explorer.html\n", arguments->directory);
+        else
+            complain("explorer.html is left out: its template is not built; `make explorer` builds it");
+    }
     return complain_of(&status);
 }
 
@@ -114,8 +148,9 @@ static int run(int argc, char **argv) {
         .options = options,
         .parser = parse,
         .args_doc = "RESULT.h5... -o DIR",
-        .doc = "Draws the figures of results with gnuplot and writes a page, DIR/report.html, that shows them all. "
-               "Scripts and data are kept beside the figures.",
+        .doc =
+            "Draws the figures of results with gnuplot and writes a page, DIR/report.html, that shows them all, "
+            "and one that computes on in a browser, DIR/explorer.html. Scripts and data are kept beside the figures.",
     };
     report_arguments arguments = {0};
     if (argp_parse(&argp, argc, argv, 0, NULL, &arguments) != 0) return EXIT_FAILED;

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "explorer.h"
 #include "figures.h"
 #include "gnuplot.h"
 #include "page.h"
@@ -106,6 +107,8 @@ static whirl_status make(report *made, const whirl_result *const *results, const
     if (drawn.code == WHIRL_NO_MEMORY) return drawn;
     if (options->claims) compare(made, results, count, options->claims);
     status = write_page(made, results, names, count, directory, options->claims);
+    if (status.code == WHIRL_OK && options->explorer)
+        status = explorer_write(options->explorer, results, names, count, directory);
     return status.code == WHIRL_OK ? drawn : status;
 }
 

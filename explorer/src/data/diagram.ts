@@ -1,0 +1,167 @@
+// A diagram: points along one parameter with what is known of each, from a stored run or from the engine.
+import type { Layout, SweepPoints, Verdict } from '../engine/protocol';
+import { regimeClass, UNDETERMINED } from './regimes';
+import { float32Of, float64Of, type StoredTable } from './run';
+
+/// Numbers of every point: [points][rows].
+export interface Column {
+  readonly rows: number;
+  readonly data: Float32Array;
+}
+
+const SECTION = 'poincare/section';
+
+function columnKey(field: string, which: number, column: number): string {
+  return `${field} ${which} ${column}`;
+}
+
+export class Diagram {
+  readonly classes: Uint8Array;
+  readonly done: Uint8Array;
+  /// Name and reason of the verdicts; empty texts where none is known.
+  readonly verdicts: (readonly [string, string])[];
+  private readonly columns = new Map<string, Column>();
+  private layout: Layout | undefined;
+
+  private constructor(
+    readonly parameter: string,
+    /// [count] in SI; the value of a point that is not done stands here too.
+    readonly values: Float64Array,
+    /// [count] +1 carried from the first value on, -1 from the last, 0 not carried.
+    readonly branch: Int8Array,
+  ) {
+    this.classes = new Uint8Array(values.length).fill(UNDETERMINED);
+    this.done = new Uint8Array(values.length);
+    this.verdicts = Array.from({ length: values.length }, () => ['', ''] as const);
+  }
+
+  get count(): number {
+    return this.values.length;
+  }
+
+  /// Points that are done.
+  get known(): number {
+    let sum = 0;
+    for (const done of this.done) sum += done;
+    return sum;
+  }
+
+  static stored(table: StoredTable): Diagram {
+    const made = new Diagram(table.parameter, float64Of(table.values), Int8Array.from(table.branch));
+    made.done.set(table.done);
+    for (const field of table.fields) {
+      const all = float32Of(field.data);
+      const size = table.count * field.rows;
+      for (let which = 0, at = 0; which < field.repeat; which++)
+        for (let column = 0; column < field.columns; column++, at += size)
+          made.columns.set(columnKey(field.name, which, column), { rows: field.rows, data: all.subarray(at, at + size) });
+    }
+    table.verdicts?.forEach((verdict, point) => (made.verdicts[point] = verdict));
+    for (let point = 0; point < made.count; point++) made.classify(point);
+    return made;
+  }
+
+  /// A diagram whose points are still to come.
+  static awaited(parameter: string, values: Float64Array, branch: Int8Array): Diagram {
+    return new Diagram(parameter, values, branch);
+  }
+
+  /// Makes room for the engine's points.
+  expect(layout: Layout): void {
+    this.layout = layout;
+    for (const field of layout.fields) {
+      const columns = field.rows === 1 ? field.columns : field.name === SECTION ? 2 : 0;
+      for (let which = 0; which < field.repeat; which++)
+        for (let column = 0; column < columns; column++)
+          this.columns.set(columnKey(field.name, which, column), {
+            rows: field.rows,
+            data: new Float32Array(this.count * field.rows).fill(NaN),
+          });
+    }
+  }
+
+  /// Takes points of a sweep; `place` says which point of the diagram a slot is.
+  take(points: SweepPoints, place: (slot: number) => number): void {
+    const layout = this.layout;
+    if (!layout) return;
+    points.slots.forEach((slot, i) => {
+      const point = place(slot);
+      const base = i * layout.size;
+      for (const field of layout.fields)
+        for (let which = 0; which < field.repeat; which++)
+          for (let column = 0; column < field.columns; column++) {
+            const to = this.columns.get(columnKey(field.name, which, column));
+            if (!to) break;
+            const from = base + field.offset + which * field.rows * field.columns + column;
+            for (let row = 0; row < field.rows; row++)
+              to.data[point * field.rows + row] = points.blocks[from + row * field.columns] ?? NaN;
+          }
+      const verdict: Verdict | undefined = points.verdicts[i];
+      if (verdict) this.verdicts[point] = [verdict.name, verdict.reason];
+      this.done[point] = 1;
+      this.classify(point);
+    });
+  }
+
+  /// A column of a field for a station or contact; undefined where the run has none.
+  column(field: string, which = 0, column = 0): Column | undefined {
+    return this.columns.get(columnKey(field, which, column));
+  }
+
+  /// One number of a point, NaN where there is none.
+  number(point: number, field: string, which = 0, column = 0): number {
+    const found = this.column(field, which, column);
+    return found && found.rows === 1 ? (found.data[point] ?? NaN) : NaN;
+  }
+
+  /// Largest share of the time in contact, over all contacts.
+  contact(point: number): number {
+    let share = 0;
+    for (let which = 0; ; which++) {
+      const column = this.column('rub/share', which);
+      if (!column) return share;
+      share = Math.max(share, column.data[point] || 0);
+    }
+  }
+
+  exponent(point: number): { readonly value: number; readonly error: number } {
+    const from = this.column('lyapunov/largest') ? ['lyapunov/largest', 'lyapunov/error'] : ['regime/exponent', 'regime/exponent_error'];
+    return { value: this.number(point, from[0]!), error: this.number(point, from[1]!) };
+  }
+
+  /// Low 0, fair 1, high 2; NaN where the run states none.
+  confidence(point: number): number {
+    return this.number(point, 'regime/confidence');
+  }
+
+  /// Smallest and largest value, in SI.
+  get span(): readonly [number, number] {
+    let low = Infinity;
+    let high = -Infinity;
+    for (const value of this.values) {
+      low = Math.min(low, value);
+      high = Math.max(high, value);
+    }
+    return low <= high ? [low, high] : [0, 1];
+  }
+
+  /// The point that is done whose value is nearest; -1 where there is none.
+  nearest(value: number): number {
+    let best = -1;
+    let distance = Infinity;
+    for (let point = 0; point < this.count; point++) {
+      const away = Math.abs((this.values[point] ?? NaN) - value);
+      if (this.done[point] && away < distance) {
+        best = point;
+        distance = away;
+      }
+    }
+    return best;
+  }
+
+  private classify(point: number): void {
+    this.classes[point] = this.done[point]
+      ? regimeClass(this.number(point, 'regime/code'), this.number(point, 'regime/period'))
+      : UNDETERMINED;
+  }
+}

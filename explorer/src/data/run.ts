@@ -1,0 +1,85 @@
+// The runs that `whirl report` put into the page (src/report/explorer.c writes them).
+
+export interface StoredField {
+  readonly name: string;
+  readonly unit: string;
+  readonly meaning: string;
+  readonly repeat: number;
+  readonly rows: number;
+  readonly columns: number;
+  /// float32, little-endian, base64: [repeat][columns][points][rows].
+  readonly data: string;
+}
+
+export interface StoredTable {
+  readonly name: string;
+  readonly parameter: string;
+  /// Points of the table, and how many of them are in the page.
+  readonly points: number;
+  readonly count: number;
+  readonly method: string;
+  readonly steps_per_revolution: number;
+  readonly transient: number;
+  readonly record: number;
+  /// float64, little-endian, base64.
+  readonly values: string;
+  readonly branch: readonly number[];
+  readonly done: readonly number[];
+  /// Name and reason of every point's verdict.
+  readonly verdicts?: readonly (readonly [string, string])[];
+  readonly fields: readonly StoredField[];
+}
+
+export interface StoredParameter {
+  readonly name: string;
+  readonly unit: string;
+  readonly text: string;
+  readonly value: number | null;
+}
+
+export interface StoredStation {
+  readonly name: string;
+  readonly clearance: number;
+  readonly gap: number;
+}
+
+export interface Run {
+  readonly name: string;
+  readonly title: string;
+  readonly case_name: string;
+  readonly case_text: string;
+  readonly speed: number;
+  readonly length_scale: number;
+  readonly force_scale: number;
+  readonly parameters: readonly StoredParameter[];
+  readonly stations: readonly StoredStation[];
+  readonly contacts: readonly string[];
+  readonly facts: readonly { readonly name: string; readonly value: string }[];
+  readonly tables: readonly StoredTable[];
+}
+
+export function bytesOf(base64: string): Uint8Array<ArrayBuffer> {
+  const text = atob(base64);
+  const bytes = new Uint8Array(text.length);
+  for (let i = 0; i < text.length; i++) bytes[i] = text.charCodeAt(i);
+  return bytes;
+}
+
+// The arrays are little-endian, as is every machine that a browser runs on today.
+export function float32Of(base64: string): Float32Array {
+  return new Float32Array(bytesOf(base64).buffer);
+}
+
+export function float64Of(base64: string): Float64Array {
+  return new Float64Array(bytesOf(base64).buffer);
+}
+
+/// The runs in the page; none in a template that no report has filled.
+export function readRuns(text: string): Run[] {
+  try {
+    const runs: unknown = JSON.parse(text);
+    return Array.isArray(runs) ? (runs as Run[]) : [];
+  } catch {
+    return [];
+  }
+}

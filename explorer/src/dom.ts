@@ -1,0 +1,100 @@
+// Elements of the page. Text goes in as text nodes and attributes alone: nothing that a case file holds is ever markup.
+
+type Attributes = Readonly<Record<string, string | number | boolean>>;
+
+function decorate(element: Element, attributes: Attributes, children: readonly (Node | string)[]): void {
+  for (const [name, value] of Object.entries(attributes)) {
+    if (value === false) continue;
+    element.setAttribute(name, value === true ? '' : String(value));
+  }
+  element.append(...children);
+}
+
+export function el<K extends keyof HTMLElementTagNameMap>(
+  tag: K,
+  attributes: Attributes = {},
+  ...children: (Node | string)[]
+): HTMLElementTagNameMap[K] {
+  const element = document.createElement(tag);
+  decorate(element, attributes, children);
+  return element;
+}
+
+/// A button with a text and what it does.
+export function button(text: string, label: string, action: () => void, attributes: Attributes = {}): HTMLButtonElement {
+  const made = el('button', { type: 'button', 'aria-label': label, title: label, ...attributes }, text);
+  made.addEventListener('click', action);
+  return made;
+}
+
+export interface Choice {
+  readonly value: string;
+  readonly text: string;
+}
+
+/// A drop-down list; `chosen` is told the value.
+export function select(
+  label: string,
+  choices: readonly Choice[],
+  value: string,
+  chosen: (value: string) => void,
+): HTMLSelectElement {
+  const made = el('select', { 'aria-label': label, title: label });
+  setChoices(made, choices, value);
+  made.addEventListener('change', () => chosen(made.value));
+  return made;
+}
+
+export function setChoices(list: HTMLSelectElement, choices: readonly Choice[], value: string): void {
+  list.replaceChildren(...choices.map((choice) => el('option', { value: choice.value }, choice.text)));
+  list.value = value;
+}
+
+/// A row of buttons of which one is pressed.
+export class Segments {
+  readonly root: HTMLElement;
+  private readonly buttons: readonly HTMLButtonElement[];
+
+  constructor(label: string, choices: readonly (Choice & { readonly title?: string })[], value: string, chosen: (value: string) => void) {
+    this.buttons = choices.map((choice) => {
+      const made = el('button', { type: 'button', value: choice.value, title: choice.title ?? choice.text }, choice.text);
+      made.addEventListener('click', () => {
+        this.value = choice.value;
+        chosen(choice.value);
+      });
+      return made;
+    });
+    this.root = el('div', { class: 'segments', role: 'group', 'aria-label': label }, ...this.buttons);
+    this.value = value;
+  }
+
+  set value(value: string) {
+    for (const made of this.buttons) made.setAttribute('aria-pressed', String(made.value === value));
+  }
+}
+
+/// Hands a file to the reader.
+export function download(name: string, type: string, content: BlobPart): void {
+  const address = URL.createObjectURL(new Blob([content], { type }));
+  const link = el('a', { href: address, download: name });
+  document.body.append(link);
+  link.click();
+  link.remove();
+  setTimeout(() => URL.revokeObjectURL(address), 10_000);
+}
+
+/// Copies to the clipboard; where the browser does not allow it (a page from disk may be refused), false.
+export async function copyText(text: string): Promise<boolean> {
+  try {
+    await navigator.clipboard.writeText(text);
+    return true;
+  } catch {
+    const area = el('textarea', { 'aria-hidden': 'true', class: 'offscreen' });
+    area.value = text;
+    document.body.append(area);
+    area.select();
+    const done = document.execCommand('copy');
+    area.remove();
+    return done;
+  }
+}

@@ -1,0 +1,75 @@
+// Colours of figures; the page's style sheet has the same for everything else. Regimes are told apart by readers of any
+// colour vision (after Okabe and Ito 2008), as in whirl's reports.
+
+export interface Theme {
+  readonly dark: boolean;
+  readonly paper: string;
+  readonly ink: string;
+  readonly muted: string;
+  readonly grid: string;
+  readonly frame: string;
+  /// Two coordinates, and the two settings that are compared.
+  readonly x: string;
+  readonly y: string;
+  readonly a: string;
+  readonly b: string;
+  readonly forward: string;
+  readonly backward: string;
+  readonly stator: string;
+  readonly clearance: string;
+  readonly touch: string;
+  readonly keyphasor: string;
+  readonly contactShade: string;
+  /// By regime class.
+  readonly classes: readonly string[];
+}
+
+export const LIGHT: Theme = {
+  dark: false,
+  paper: '#ffffff',
+  ink: '#1b2430',
+  muted: '#5c6773',
+  grid: '#e4e8ec',
+  frame: '#aab4be',
+  x: '#0072b2',
+  y: '#c35400',
+  a: '#0072b2',
+  b: '#b0479a',
+  forward: '#0072b2',
+  backward: '#c35400',
+  stator: '#8a5a00',
+  clearance: '#5c6773',
+  touch: '#d55e00',
+  keyphasor: '#d55e00',
+  contactShade: 'rgba(230,159,0,0.16)',
+  classes: ['#0072b2', '#56b4e9', '#009e73', '#e69f00', '#b0479a', '#000000', '#8c8c8c', '#d55e00'],
+};
+
+export const DARK: Theme = {
+  dark: true,
+  paper: '#14191f',
+  ink: '#e6ebf0',
+  muted: '#9aa7b4',
+  grid: '#27303a',
+  frame: '#4b5866',
+  x: '#5db4f0',
+  y: '#f0913e',
+  a: '#5db4f0',
+  b: '#e58ad0',
+  forward: '#5db4f0',
+  backward: '#f0913e',
+  stator: '#d9a441',
+  clearance: '#9aa7b4',
+  touch: '#ff7a2f',
+  keyphasor: '#ff9a5a',
+  contactShade: 'rgba(230,159,0,0.17)',
+  classes: ['#3d9be0', '#8fd0f7', '#1fc08f', '#f0b030', '#e07ac8', '#ffffff', '#7d8894', '#ff7a2f'],
+};
+
+export const CONFIDENCE_NAMES = ['low', 'fair', 'high'] as const;
+
+/// "#rrggbb" as the pixel of an ImageData on a little-endian machine, opaque.
+export function pixelOf(colour: string): number {
+  const number = Number.parseInt(colour.slice(1), 16);
+  return (0xff000000 | ((number & 0xff) << 16) | (number & 0xff00) | (number >> 16)) >>> 0;
+}

@@ -1,0 +1,80 @@
+// How numbers are shown. The engine speaks in length scales, orders and SI; the reader chooses.
+
+export type LengthUnit = 'um' | 'mil' | 'scale';
+export type SpeedUnit = 'rpm' | 'rad/s';
+export type FrequencyUnit = 'order' | 'Hz';
+/// Amplitudes: zero to peak, peak to peak, root mean square (of a sinusoidal component).
+export type AmplitudeUnit = '0-p' | 'p-p' | 'rms';
+
+export interface Units {
+  length: LengthUnit;
+  speed: SpeedUnit;
+  frequency: FrequencyUnit;
+  amplitude: AmplitudeUnit;
+}
+
+export const RPM = 60 / (2 * Math.PI);
+
+/// What lengths and speeds are measured against.
+export interface Scales {
+  /// m per length scale.
+  readonly length: number;
+  /// rad/s
+  readonly speed: number;
+  /// What the length scale is: "c" where a bearing's clearance, "gap" where a stator's, else "L".
+  readonly symbol: string;
+}
+
+export interface Measure {
+  readonly factor: number;
+  readonly unit: string;
+}
+
+export function lengthMeasure(units: Units, scales: Scales): Measure {
+  switch (units.length) {
+    case 'um':
+      return { factor: scales.length * 1e6, unit: '\u00b5m' };
+    case 'mil':
+      return { factor: scales.length / 25.4e-6, unit: 'mil' };
+    default:
+      return { factor: 1, unit: scales.symbol };
+  }
+}
+
+/// Of a component's amplitude that is given zero to peak.
+export function amplitudeMeasure(units: Units, scales: Scales): Measure {
+  const length = lengthMeasure(units, scales);
+  const factor = { '0-p': 1, 'p-p': 2, rms: Math.SQRT1_2 }[units.amplitude];
+  return { factor: length.factor * factor, unit: `${length.unit} ${units.amplitude}` };
+}
+
+export function frequencyMeasure(units: Units, scales: Scales): Measure {
+  return units.frequency === 'Hz' ? { factor: scales.speed / (2 * Math.PI), unit: 'Hz' } : { factor: 1, unit: 'orders, X' };
+}
+
+/// A parameter's value in SI, as it is shown.
+export function parameterMeasure(unit: string, units: Units): Measure {
+  if (unit === 'rad/s' || unit === 'rad s-1' || unit === 'rad.s-1')
+    return units.speed === 'rpm' ? { factor: RPM, unit: 'rpm' } : { factor: 1, unit: 'rad/s' };
+  return { factor: 1, unit: unit === '1' || unit === 'SI' ? '' : unit };
+}
+
+/// At most `digits` significant digits, without trailing zeros; powers of ten where they are shorter.
+export function shown(value: number, digits = 4): string {
+  if (!Number.isFinite(value)) return '\u2013';
+  if (value === 0) return '0';
+  const size = Math.abs(value);
+  const text = size >= 1e6 || size < 1e-4 ? value.toExponential(digits - 1) : value.toPrecision(digits);
+  const plain = text.includes('e') ? text.replace(/\.?0+e/, 'e').replace('e+', 'e') : text.includes('.') ? text.replace(/\.?0+$/, '') : text;
+  return plain.replace('-', '\u2212');
+}
+
+/// The same for a text that a program reads: a plain minus.
+export function written(value: number, digits = 9): string {
+  return String(Number(value.toPrecision(digits)));
+}
+
+/// "name (unit)", or the name alone for a plain number.
+export function labelled(name: string, unit: string): string {
+  return unit ? `${name} (${unit})` : name;
+}

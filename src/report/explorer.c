@@ -1,0 +1,278 @@
+#include "explorer.h"
+
+#include <errno.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "report_file.h"
+#include "script_data.h"
+
+/// Stands in the template where the results go.
+static const char mark[] = "@WHIRL-RUNS@";
+
+/// What a browser takes in at once: more points of a table, or more of its section, are thinned evenly.
+enum { MOST_POINTS = 1 << 16, MOST_SECTION = 1 << 20, MOST_TEMPLATE = 1 << 26 };
+
+// ---------------------------------------------------------------- the template
+
+static whirl_status unreadable(const char *path, const char *why) {
+    return whirl_fail(WHIRL_BAD_INPUT, "the explorer's template %.200s %s", path, why);
+}
+
+/// Reads a file into memory, with a zero byte at its end.
+static whirl_status read_template(const char *path, char **text) {
+    *text = NULL;
+    FILE *stream = fopen(path, "rb");
+    if (!stream) return unreadable(path, strerror(errno));
+    char *read = NULL;
+    whirl_status status = unreadable(path, "cannot be read");
+    if (fseek(stream, 0, SEEK_END) == 0) {
+        const long size = ftell(stream);
+        rewind(stream);
+        if (size > MOST_TEMPLATE) status = unreadable(path, "is larger than 64 MiB");
+        if (size >= 0 && size <= MOST_TEMPLATE) read = malloc((size_t)size + 1);
+        if (read && fread(read, 1, (size_t)size, stream) == (size_t)size) {
+            read[size] = '\0';
+            status = whirl_ok();
+        }
+    }
+    fclose(stream);
+    if (status.code == WHIRL_OK)
+        *text = read;
+    else
+        free(read);
+    return status;
+}
+
+// ---------------------------------------------------------------- small parts of the JSON
+
+/// Writes `,"key":` or, as the first member, `{"key":`.
+static void member(FILE *stream, char before, const char *key) {
+    fputc(before, stream);
+    script_text(stream, key);
+    fputc(':', stream);
+}
+
+static void text_member(FILE *stream, char before, const char *key, const char *text) {
+    member(stream, before, key);
+    script_text(stream, text);
+}
+
+static void number_member(FILE *stream, char before, const char *key, double value) {
+    member(stream, before, key);
+    script_number(stream, value);
+}
+
+static void write_parameters(FILE *stream, const whirl_result *result) {
+    member(stream, ',', "parameters");
+    fputc('[', stream);
+    for (size_t i = 0; i < result->parameter_count; i++) {
+        const whirl_parameter *parameter = &result->parameters[i];
+        if (i > 0) fputc(',', stream);
+        text_member(stream, '{', "name", parameter->name);
+        text_member(stream, ',', "unit", parameter->unit);
+        text_member(stream, ',', "text", parameter->text);
+        number_member(stream, ',', "value", parameter->value);
+        fputc('}', stream);
+    }
+    fputc(']', stream);
+}
+
+static void write_stations(FILE *stream, const whirl_result *result) {
+    member(stream, ',', "stations");
+    fputc('[', stream);
+    for (size_t i = 0; i < result->station_count; i++) {
+        const whirl_probe *station = &result->stations[i];
+        if (i > 0) fputc(',', stream);
+        text_member(stream, '{', "name", station->name);
+        number_member(stream, ',', "clearance", station->clearance);
+        number_member(stream, ',', "gap", station->gap);
+        fputc('}', stream);
+    }
+    fputc(']', stream);
+    member(stream, ',', "contacts");
+    fputc('[', stream);
+    for (size_t i = 0; i < result->contact_count; i++) {
+        if (i > 0) fputc(',', stream);
+        script_text(stream, result->contacts[i]);
+    }
+    fputc(']', stream);
+}
+
+static void write_facts(FILE *stream, const whirl_result *result) {
+    member(stream, ',', "facts");
+    fputc('[', stream);
+    for (size_t i = 0; i < result->fact_count; i++) {
+        if (i > 0) fputc(',', stream);
+        text_member(stream, '{', "name", result->facts[i].name);
+        text_member(stream, ',', "value", result->facts[i].value);
+        fputc('}', stream);
+    }
+    fputc(']', stream);
+}
+
+// ---------------------------------------------------------------- tables
+
+/// The points of a table that go into the page: every `stride`-th. Sections are those of the first table, the diagram; the
+/// page computes the motion of any other point itself.
+typedef struct selection {
+    const whirl_table *table;
+    size_t stride, count;
+    bool sections;
+} selection;
+
+static selection select_points(const whirl_table *table, bool sections) {
+    const size_t stride = table->count > MOST_POINTS ? (table->count - 1) / MOST_POINTS + 1 : 1;
+    return (selection){table, stride, table->count ? (table->count - 1) / stride + 1 : 0, sections};
+}
+
+static void write_values(FILE *stream, const selection *chosen) {
+    const whirl_table *table = chosen->table;
+    member(stream, ',', "values");
+    fputc('"', stream);
+    base64 values = {.stream = stream};
+    for (size_t p = 0; p < table->count; p += chosen->stride) base64_float64(&values, table->values[p]);
+    base64_end(&values);
+    fputc('"', stream);
+    member(stream, ',', "branch");
+    fputc('[', stream);
+    for (size_t p = 0; p < table->count; p += chosen->stride) fprintf(stream, p ? ",%d" : "%d", table->branch[p]);
+    fputc(']', stream);
+    member(stream, ',', "done");
+    fputc('[', stream);
+    for (size_t p = 0; p < table->count; p += chosen->stride)
+        fprintf(stream, p ? ",%d" : "%d", whirl_table_done(table, p));
+    fputc(']', stream);
+}
+
+static void write_verdicts(FILE *stream, const selection *chosen) {
+    const whirl_table *table = chosen->table;
+    if (!whirl_layout_field(&table->layout, "regime/code")) return;
+    member(stream, ',', "verdicts");
+    for (size_t p = 0; p < table->count; p += chosen->stride) {
+        const whirl_verdict verdict = whirl_table_verdict(table, p);
+        char name[WHIRL_NAME_SIZE], reason[WHIRL_MESSAGE_SIZE];
+        whirl_verdict_name(&verdict, name, sizeof name);
+        whirl_verdict_reason(&verdict, reason, sizeof reason);
+        fputc(p ? ',' : '[', stream);
+        fputc('[', stream);
+        script_text(stream, name);
+        fputc(',', stream);
+        script_text(stream, reason);
+        fputc(']', stream);
+    }
+    if (chosen->count == 0) fputc('[', stream);
+    fputc(']', stream);
+}
+
+/// The part of a field that the page draws: numbers of one row, all columns; of the section the displacements x and y of
+/// its last rows.
+typedef struct kept_part {
+    size_t first_row, rows, columns;
+} kept_part;
+
+static kept_part part_of(const whirl_field *field, const selection *chosen) {
+    if (field->rows == 1) return (kept_part){0, 1, field->columns};
+    if (!chosen->sections || strcmp(field->name, "poincare/section") != 0) return (kept_part){0};
+    const size_t most = MOST_SECTION / chosen->count;
+    const size_t rows = field->rows < most ? field->rows : most;
+    return (kept_part){field->rows - rows, rows, 2};
+}
+
+/// Writes the numbers as [repetition][column][point][row], so that one coordinate of one station lies together.
+static void write_numbers(FILE *stream, const selection *chosen, const whirl_field *field, kept_part part) {
+    const whirl_table *table = chosen->table;
+    base64 to = {.stream = stream};
+    for (size_t which = 0; which < field->repeat; which++)
+        for (size_t column = 0; column < part.columns; column++)
+            for (size_t p = 0; p < table->count; p += chosen->stride) {
+                const double *numbers = whirl_table_field(table, p, field->name, which);
+                for (size_t row = 0; row < part.rows; row++)
+                    base64_float32(&to, numbers[(part.first_row + row) * field->columns + column]);
+            }
+    base64_end(&to);
+}
+
+static void write_fields(FILE *stream, const selection *chosen) {
+    const whirl_layout *layout = &chosen->table->layout;
+    member(stream, ',', "fields");
+    fputc('[', stream);
+    bool first = true;
+    for (size_t f = 0; f < layout->field_count; f++) {
+        const whirl_field *field = &layout->fields[f];
+        const kept_part part = part_of(field, chosen);
+        if (part.rows == 0 || !chosen->table->blocks) continue;
+        if (!first) fputc(',', stream);
+        first = false;
+        text_member(stream, '{', "name", field->name);
+        text_member(stream, ',', "unit", field->unit);
+        text_member(stream, ',', "meaning", field->meaning);
+        fprintf(stream, ",\"repeat\":%zu,\"rows\":%zu,\"columns\":%zu", field->repeat, part.rows, part.columns);
+        member(stream, ',', "data");
+        fputc('"', stream);
+        write_numbers(stream, chosen, field, part);
+        fputs("\"}", stream);
+    }
+    fputc(']', stream);
+}
+
+static void write_table(FILE *stream, const whirl_table *table, bool sections) {
+    const selection chosen = select_points(table, sections && table->count > 0);
+    text_member(stream, '{', "name", table->name);
+    text_member(stream, ',', "parameter", table->parameter);
+    fprintf(stream, ",\"points\":%zu,\"count\":%zu", table->count, chosen.count);
+    text_member(stream, ',', "method", table->integrate.method);
+    fprintf(stream, ",\"steps_per_revolution\":%d,\"transient\":%d,\"record\":%d",
+            table->integrate.steps_per_revolution, table->record.transient, table->record.record);
+    write_values(stream, &chosen);
+    write_verdicts(stream, &chosen);
+    write_fields(stream, &chosen);
+    fputc('}', stream);
+}
+
+static void write_run(FILE *stream, const whirl_result *result, const char *name) {
+    text_member(stream, '{', "name", name);
+    text_member(stream, ',', "title", result->title);
+    text_member(stream, ',', "case_name", result->case_name);
+    text_member(stream, ',', "case_text", result->case_text);
+    number_member(stream, ',', "speed", result->speed);
+    number_member(stream, ',', "length_scale", result->length_scale);
+    number_member(stream, ',', "force_scale", result->force_scale);
+    write_parameters(stream, result);
+    write_stations(stream, result);
+    write_facts(stream, result);
+    member(stream, ',', "tables");
+    fputc('[', stream);
+    for (size_t t = 0; t < result->table_count; t++) {
+        if (t > 0) fputc(',', stream);
+        write_table(stream, &result->tables[t], t == 0);
+    }
+    fputs("]}", stream);
+}
+
+whirl_status explorer_write(const char *template_path, const whirl_result *const *results, const char *const *names,
+                            size_t count, const char *directory) {
+    char *page;
+    whirl_status status = read_template(template_path, &page);
+    if (status.code != WHIRL_OK) return status;
+    const char *place = strstr(page, mark);
+    report_file file;
+    if (!place)
+        status = unreadable(template_path, "has no place for results: it is no template of the explorer");
+    else
+        status = report_file_open(&file, directory, "explorer.html");
+    if (status.code == WHIRL_OK) {
+        fwrite(page, 1, (size_t)(place - page), file.stream);
+        fputc('[', file.stream);
+        for (size_t r = 0; r < count; r++) {
+            if (r > 0) fputs(",\n", file.stream);
+            write_run(file.stream, results[r], names[r]);
+        }
+        fputc(']', file.stream);
+        fputs(place + strlen(mark), file.stream);
+        status = report_file_close(&file);
+    }
+    free(page);
+    return status;
+}

@@ -1,0 +1,69 @@
+#include "script_data.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "utf8.h"
+
+static void escape(FILE *stream, unsigned char letter) {
+    fprintf(stream, "\\u%04x", letter);
+}
+
+void script_text(FILE *stream, const char *text) {
+    fputc('"', stream);
+    while (*text) {
+        const size_t length = utf8_length_of_text(text);
+        const unsigned char letter = (unsigned char)*text;
+        if (length == 0)
+            fputs("\\ufffd", stream);
+        else if (length == 1 && (letter < 0x20 || letter == 0x7F || strchr("\"\\<>&", *text)))
+            escape(stream, letter);
+        else
+            fwrite(text, 1, length, stream);
+        text += length ? length : 1;
+    }
+    fputc('"', stream);
+}
+
+void script_number(FILE *stream, double value) {
+    if (isfinite(value))
+        fprintf(stream, "%.17g", value);
+    else
+        fputs("null", stream);
+}
+
+static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+
+void base64_byte(base64 *to, uint8_t byte) {
+    to->bits = to->bits << 8 | byte;
+    if (++to->count < 3) return;
+    const char four[4] = {digits[to->bits >> 18 & 63], digits[to->bits >> 12 & 63], digits[to->bits >> 6 & 63],
+                          digits[to->bits & 63]};
+    fwrite(four, 1, sizeof four, to->stream);
+    to->bits = 0;
+    to->count = 0;
+}
+
+void base64_float32(base64 *to, double value) {
+    const float narrow = (float)value;
+    uint32_t bits;
+    memcpy(&bits, &narrow, sizeof bits);
+    for (unsigned shift = 0; shift < 32; shift += 8) base64_byte(to, (uint8_t)(bits >> shift));
+}
+
+void base64_float64(base64 *to, double value) {
+    uint64_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    for (unsigned shift = 0; shift < 64; shift += 8) base64_byte(to, (uint8_t)(bits >> shift));
+}
+
+void base64_end(base64 *to) {
+    const unsigned held = to->count;
+    if (held == 0) return;
+    for (unsigned i = held; i < 3; i++) to->bits <<= 8;
+    const char four[4] = {digits[to->bits >> 18 & 63], digits[to->bits >> 12 & 63],
+                          held == 2 ? digits[to->bits >> 6 & 63] : '=', '='};
+    fwrite(four, 1, sizeof four, to->stream);
+    to->bits = 0;
+    to->count = 0;
+}
