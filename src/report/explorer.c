@@ -24,7 +24,8 @@ static whirl_status unreadable(const char *path, const char *why) {
 static whirl_status read_template(const char *path, char **text) {
     *text = NULL;
     FILE *stream = fopen(path, "rb");
-    if (!stream) return unreadable(path, strerror(errno));
+    if (!stream)
+        return whirl_fail(WHIRL_BAD_INPUT, "the explorer's template %.200s cannot be read: %s", path, strerror(errno));
     char *read = NULL;
     whirl_status status = unreadable(path, "cannot be read");
     if (fseek(stream, 0, SEEK_END) == 0) {

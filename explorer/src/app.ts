@@ -1,0 +1,673 @@
+// The page: what the reader does goes to the engine, what the engine finds goes to the views.
+import { Diagram } from './data/diagram';
+import type { Run } from './data/run';
+import { copyText, download, el } from './dom';
+import type { Engine, Setting, StationInfo, SweepProgress } from './engine/protocol';
+import type { Range } from './figure/chart';
+import { setDark } from './figure/figure';
+import { caseEdits, commandOf } from './model/keep';
+import { machinesOf, scalesOf, shortName, type Machine } from './model/machine';
+import { awaitedDiagram, recompute } from './model/recompute';
+import { assignmentTexts, readAddress, writeAddress, type Address, type Computation } from './model/setting';
+import { SideModel, troubleOf } from './model/side';
+import type { Scales, Units } from './model/units';
+import { Watch } from './model/watch';
+import { Help } from './view/help';
+import { MapCard } from './view/map_card';
+import { Pane, type PaneListener, type SideName } from './view/pane';
+import { fileName } from './view/panel';
+import { SettingsCard } from './view/settings_card';
+import { Topbar } from './view/topbar';
+
+/// A diagram that was looked at.
+interface Sight {
+  readonly diagram: Diagram | undefined;
+  range: Range;
+  /// The assignments that it was computed with.
+  readonly of: string;
+  readonly text: string;
+}
+
+const DRAFT = { transient: 100, record: 50, settle: true } as const;
+const DRAFT_STEPS = 256;
+const QUICK = { transient: 200, record: 100, settle: true } as const;
+
+export class App {
+  readonly root = el('div', { class: 'app' });
+  private readonly machines: Machine[];
+  private machine: Machine;
+  private address: Address;
+  private readonly sides: Readonly<Record<SideName, SideModel>>;
+  private readonly panes: Readonly<Record<SideName, Pane>>;
+  private active: SideName = 'a';
+  private originals = new Map<string, NonNullable<SideModel['info']>>();
+  private sights: Sight[] = [];
+  private sweeping: AbortController | undefined;
+  private watches: Partial<Record<SideName, Watch>> = {};
+  private hidden: ReadonlySet<number> = new Set();
+  private readonly topbar: Topbar;
+  private readonly card: MapCard;
+  private readonly settings: SettingsCard;
+  private readonly help: Help;
+  private dirty = new Set<'all' | SideName | 'grow'>();
+  private addressTimer = 0;
+  private sweepProgress: SweepProgress | undefined;
+
+  constructor(
+    runs: readonly Run[],
+    private readonly engine: Engine | undefined,
+    /// What is missing, "" when nothing is.
+    private readonly missing: string,
+  ) {
+    this.machines = machinesOf(runs, engine !== undefined);
+    this.address = readAddress(location.hash, this.defaultUnits(this.machines[0]));
+    this.machine = this.machines.find(({ name }) => name === this.address.run) ?? this.machines[0]!;
+    const side = (name: SideName) => new SideModel(name, engine, { changed: () => this.later(name) });
+    this.sides = { a: side('a'), b: side('b') };
+    const pane = (name: SideName) => new Pane(name, this.paneListener());
+    this.panes = { a: pane('a'), b: pane('b') };
+    this.topbar = new Topbar({
+      machine: (name) => this.choose(name),
+      units: (units) => this.setUnits(units),
+      compare: () => this.compare(),
+      theme: () => this.toggleTheme(),
+      help: () => this.help.open(),
+    });
+    this.card = new MapCard({
+      cursor: (value, settled) => this.cursor(this.active, value, settled),
+      brushed: (range) => this.brushed(range),
+      viewed: (range) => this.viewed(range),
+      back: () => this.back(),
+      quantity: (id) => this.change({ quantity: id }),
+      station: (index) => this.change({ station: this.stations[index]?.name ?? '' }),
+      parameter: (name) => void this.setParameter(name),
+      hidden: (classes) => {
+        this.hidden = classes;
+        this.later('all');
+      },
+      reset: () => this.resetView(),
+      recompute: () => void this.recompute(this.sight.range),
+      cancel: () => this.sweeping?.abort(),
+    });
+    this.settings = new SettingsCard({
+      assigned: (name, text, settled) => this.assign(name, text, settled),
+      computation: (changed) => this.setComputation(changed),
+      resetAll: () => this.resetParameters(),
+      download: () => void this.saveCase(),
+      copyCommand: () => void this.copyCommand(),
+      copyLink: () => void this.copyLink(),
+    });
+    this.help = new Help(this.machine.run?.facts ?? []);
+    this.root.append(
+      this.topbar.root,
+      el('main', {}, this.card.root, this.settings.root, el('div', { class: 'panes' }, this.panes.a.root, this.panes.b.root)),
+      el('footer', {}, el('p', {}, missing || 'Computed in this page by the C core of whirl; nothing leaves your machine.')),
+      this.help.root,
+    );
+  }
+
+  start(): void {
+    const dark = window.matchMedia('(prefers-color-scheme: dark)');
+    const follow = () => {
+      if (!document.documentElement.dataset['theme']) this.setTheme(dark.matches);
+    };
+    follow();
+    dark.addEventListener('change', follow);
+    document.addEventListener('keydown', (event) => this.key(event));
+    window.addEventListener('hashchange', () => this.readHash());
+    void this.open();
+  }
+
+  // ---------------------------------------------------------------- what is shown
+
+  private get sight(): Sight {
+    return this.sights.at(-1)!;
+  }
+
+  private get side(): SideModel {
+    return this.sides[this.active];
+  }
+
+  private get original(): SideModel['info'] {
+    return this.originals.get(this.machine.name);
+  }
+
+  private get stations(): readonly StationInfo[] {
+    return this.machine.run?.stations ?? this.original?.stations ?? [];
+  }
+
+  private get scales(): Scales {
+    const { run } = this.machine;
+    const info = this.sides.a.info ?? this.original;
+    return scalesOf(info?.lengthScale ?? run?.length_scale ?? 1, info?.speed ?? run?.speed ?? 1, this.stations);
+  }
+
+  private get station(): number {
+    return Math.max(0, this.stations.findIndex(({ name }) => name === this.address.station));
+  }
+
+  /// SI unit of the parameter along the diagram.
+  private get unit(): string {
+    const { parameter } = this.address;
+    return (
+      this.original?.parameters.find(({ name }) => name === parameter)?.unit ??
+      this.machine.run?.parameters.find(({ name }) => name === parameter)?.unit ??
+      '1'
+    );
+  }
+
+  private get storedDiagram(): Diagram | undefined {
+    const table = this.machine.run?.tables[0];
+    return table && table.parameter === this.address.parameter ? Diagram.stored(table) : undefined;
+  }
+
+  private defaultUnits(machine: Machine | undefined): Units {
+    // Dimensionless cases have a length scale of 1 m: micrometres would say nothing there.
+    const plain = (machine?.run?.length_scale ?? 1) >= 0.1;
+    return { length: plain ? 'scale' : 'um', speed: plain ? 'rad/s' : 'rpm', frequency: 'order', amplitude: '0-p' };
+  }
+
+  // ---------------------------------------------------------------- a machine is opened
+
+  private async open(): Promise<void> {
+    for (const name of ['a', 'b'] as const) {
+      this.endWatch(name);
+      this.sides[name].forget();
+    }
+    this.sides.a.choice = this.address.a;
+    if (this.address.b) this.sides.b.choice = this.address.b;
+    const { machine } = this;
+    if (this.engine && !this.original) {
+      const outcome = await this.engine.describe({ text: machine.text, name: machine.caseName }, { lane: 'original', priority: 0 });
+      if (outcome.ok) this.originals.set(machine.name, outcome.value);
+      else if (outcome.why !== 'stale') this.sides.a.trouble = troubleOf(outcome);
+      if (machine !== this.machine) return;
+      if (outcome.ok && !machine.run && !location.hash.includes('units=')) this.address.units = this.unitsFor(outcome.value.lengthScale);
+    }
+    this.openParameter();
+    this.later('all');
+    await this.refreshSides();
+    if (!this.sight.diagram) void this.recompute(this.sight.range, true);
+  }
+
+  private unitsFor(length: number): Units {
+    return length >= 0.1 ? { ...this.address.units, length: 'scale', speed: 'rad/s' } : { ...this.address.units, length: 'um', speed: 'rpm' };
+  }
+
+  /// The first sight: the stored diagram, or an empty one over the range of the sweep.
+  private openParameter(): void {
+    const { run } = this.machine;
+    const swept = run?.tables[0]?.parameter || this.original?.batches.find(({ parameter }) => parameter)?.parameter;
+    const known = this.original?.parameters.some(({ name }) => name === this.address.parameter) || this.address.parameter === swept;
+    if (!known) this.address.parameter = swept ?? this.original?.parameters.find(({ expression }) => !expression)?.name ?? '';
+    const diagram = this.storedDiagram;
+    const whole = diagram?.span ?? this.plannedRange();
+    this.sights = [{ diagram, range: whole, of: '', text: diagram ? this.storedText(diagram) : '' }];
+    if (this.address.range) this.sights[0]!.range = this.address.range;
+    const { a } = this.sides;
+    if (!Number.isFinite(a.choice.value)) a.choice = { ...a.choice, value: this.firstValue(whole) };
+  }
+
+  private plannedRange(): Range {
+    const batch = this.original?.batches.find(({ parameter, values }) => parameter === this.address.parameter && values.length > 1);
+    if (batch) return [Math.min(...batch.values), Math.max(...batch.values)];
+    const value = this.original?.parameters.find(({ name }) => name === this.address.parameter)?.value ?? 1;
+    return value === 0 ? [-1, 1] : [Math.min(value / 2, value * 1.5), Math.max(value / 2, value * 1.5)];
+  }
+
+  /// The first value that the case looks at closely, else the middle.
+  private firstValue([low, high]: Range): number {
+    const detail = this.original?.batches.find(({ name, parameter }) => name === 'detail' && parameter === this.address.parameter)?.values[0];
+    return detail ?? (low + high) / 2;
+  }
+
+  private storedText(diagram: Diagram): string {
+    const table = this.machine.run!.tables[0]!;
+    const part = table.count < table.points ? `every ${Math.round(table.points / table.count)}th of ${table.points} points` : `${diagram.count} points`;
+    const done = diagram.known < diagram.count ? `, ${diagram.known} of them computed` : '';
+    return `Stored run: ${part}${done}, ${table.transient} + ${table.record} revolutions by ${table.method} of ${table.steps_per_revolution} steps.`;
+  }
+
+  private choose(name: string): void {
+    const machine = this.machines.find((each) => each.name === name);
+    if (!machine || machine === this.machine) return;
+    this.sweeping?.abort();
+    this.machine = machine;
+    const { units } = this.address;
+    this.address = { ...readAddress('', units), run: name };
+    this.address.units = this.unitsFor(machine.run?.length_scale ?? this.original?.lengthScale ?? 1);
+    this.active = 'a';
+    void this.open();
+  }
+
+  private readHash(): void {
+    const address = readAddress(location.hash, this.address.units);
+    if (writeAddress(address) === writeAddress(this.currentAddress())) return;
+    this.sweeping?.abort();
+    this.address = address;
+    this.machine = this.machines.find(({ name }) => name === address.run) ?? this.machine;
+    void this.open();
+  }
+
+  // ---------------------------------------------------------------- settings
+
+  private settingOf(side: SideModel): Setting {
+    const { method, steps, transient, record } = this.address.computation;
+    const batch = this.original?.batches[0];
+    const integrate = { ...(method ? { method } : {}), ...(steps ? { stepsPerRevolution: steps } : {}) };
+    const length = { ...(transient !== undefined ? { transient } : {}), ...(record !== undefined ? { record } : {}) };
+    const longer = record !== undefined && batch !== undefined && batch.record.watch > 0 ? { watch: 0 } : {};
+    return {
+      text: this.machine.text,
+      name: this.machine.caseName,
+      assignments: assignmentTexts(side.choice.assignments),
+      integrate,
+      record: { ...length, ...longer },
+    };
+  }
+
+  private async refreshSides(): Promise<void> {
+    await Promise.all(this.shownSides().map((name) => this.refreshSide(this.sides[name], true)));
+  }
+
+  private async refreshSide(side: SideModel, settled: boolean): Promise<void> {
+    const setting = this.settingOf(side);
+    const good = await side.describe(setting);
+    this.later('all');
+    if (good) side.want(setting, this.address.parameter, settled);
+  }
+
+  private shownSides(): SideName[] {
+    return this.address.b ? ['a', 'b'] : ['a'];
+  }
+
+  private cursor(name: SideName, value: number, settled: boolean): void {
+    const side = this.sides[name];
+    side.choice = { ...side.choice, value };
+    this.endWatch(name);
+    side.want(this.settingOf(side), this.address.parameter, settled);
+    this.later(name);
+  }
+
+  private assign(name: string, text: string | undefined, settled: boolean): void {
+    const side = this.side;
+    if (name === this.address.parameter) {
+      const value = text === undefined ? this.firstValue(this.sights[0]!.range) : this.valueOf(name, text);
+      if (Number.isFinite(value)) this.cursor(this.active, value, settled);
+      return;
+    }
+    const assignments = new Map(side.choice.assignments);
+    if (text === undefined) assignments.delete(name);
+    else assignments.set(name, text);
+    side.choice = { ...side.choice, assignments };
+    this.endWatch(this.active);
+    void this.refreshSide(side, settled);
+  }
+
+  /// A text of the parameter's own slider, in SI: its unit's size follows from the case.
+  private valueOf(name: string, text: string): number {
+    const [, figures = '', unit = ''] = /^(\S+)\s*(.*)$/.exec(text) ?? [];
+    const parameter = this.original?.parameters.find((each) => each.name === name);
+    if (unit === 'rpm') return (Number(figures) * Math.PI) / 30;
+    const [, number, written] = /^\s*([-+0-9.eE]+)\s+(\S.*?)\s*$/.exec(parameter?.written ?? '') ?? [];
+    return unit && unit === written && parameter ? (Number(figures) * parameter.value) / Number(number) : Number(figures);
+  }
+
+  private setComputation(computation: Computation): void {
+    this.address.computation = computation;
+    void this.refreshSides();
+    this.later('all');
+  }
+
+  private resetParameters(): void {
+    this.side.choice = { ...this.side.choice, assignments: new Map() };
+    this.address.computation = {};
+    this.endWatch(this.active);
+    void this.refreshSide(this.side, true);
+  }
+
+  private setUnits(units: Units): void {
+    this.address.units = units;
+    this.later('all');
+  }
+
+  private change(part: Partial<Address>): void {
+    Object.assign(this.address, part);
+    this.later('all');
+  }
+
+  private async setParameter(name: string): Promise<void> {
+    this.sweeping?.abort();
+    this.address.parameter = name;
+    this.address.range = undefined;
+    for (const side of Object.values(this.sides)) {
+      const assignments = new Map(side.choice.assignments);
+      assignments.delete(name);
+      side.choice = { assignments, value: NaN };
+      const own = side.info?.parameters.find((parameter) => parameter.name === name)?.value;
+      if (own !== undefined) side.choice = { assignments, value: own };
+    }
+    this.openParameter();
+    this.later('all');
+    await this.refreshSides();
+    if (!this.sight.diagram) void this.recompute(this.sight.range, true);
+  }
+
+  private compare(): void {
+    if (this.address.b) {
+      this.closeB();
+      return;
+    }
+    this.address.b = this.sides.b.choice = { ...this.sides.a.choice };
+    this.active = 'b';
+    this.later('all');
+    void this.refreshSide(this.sides.b, true);
+  }
+
+  private closeB(): void {
+    this.endWatch('b');
+    this.sides.b.forget();
+    this.address.b = undefined;
+    this.active = 'a';
+    this.later('all');
+  }
+
+  // ---------------------------------------------------------------- the diagram
+
+  private viewed(range: Range): void {
+    const [low, high] = this.sights[0]!.range;
+    const span = Math.min(range[1] - range[0], 3 * (high - low));
+    if (!(span > Math.abs(range[0]) * 1e-9)) return;
+    this.sight.range = [range[0], range[0] + span];
+    this.later('all');
+  }
+
+  private brushed(range: Range): void {
+    if (this.engine) void this.recompute(range);
+    else {
+      this.sights.push({ ...this.sight, range });
+      this.later('all');
+    }
+  }
+
+  private back(): void {
+    if (this.sights.length < 2) return;
+    this.sweeping?.abort();
+    this.sights.pop();
+    this.later('all');
+  }
+
+  private resetView(): void {
+    this.sweeping?.abort();
+    const first = this.sights[0]!;
+    this.sights = [{ ...first, range: first.diagram?.span ?? first.range }];
+    this.later('all');
+  }
+
+  /// Computes the diagram over a range with the active setting; the one before stays behind it.
+  private async recompute(range: Range, first = false): Promise<void> {
+    if (!this.engine || !this.address.parameter) return;
+    this.sweeping?.abort();
+    const mine = (this.sweeping = new AbortController());
+    const { side } = this;
+    const setting = this.settingOf(side);
+    const { quality } = this.card;
+    const batch = this.original?.batches[0];
+    const drafted: Setting =
+      quality === 'case' ? setting
+      : quality === 'quick' ? { ...setting, record: { ...QUICK, ...setting.record } }
+      : { ...setting, integrate: { stepsPerRevolution: DRAFT_STEPS, ...setting.integrate }, record: { ...DRAFT, ...setting.record } };
+    const plan = { setting: drafted, parameter: this.address.parameter, low: range[0], high: range[1], points: this.card.points, batch };
+    const diagram = awaitedDiagram(plan);
+    const sight: Sight = { diagram, range, of: assignmentTexts(side.choice.assignments).join('; '), text: `Computed here, ${quality}: ${diagram.count} points.` };
+    if (first) this.sights = [sight];
+    else this.sights.push(sight);
+    this.later('all');
+    const trouble = await recompute(this.engine, plan, diagram, { grown: () => this.later('grow'), progress: (now) => this.showProgress(mine, now) }, mine.signal);
+    if (mine !== this.sweeping) return;
+    this.sweeping = undefined;
+    this.showProgress(undefined, undefined);
+    if (trouble) side.trouble = trouble;
+    this.later('all');
+  }
+
+  private showProgress(of: AbortController | undefined, now: SweepProgress | undefined): void {
+    if (of && of !== this.sweeping) return;
+    this.sweepProgress = now;
+    this.card.progress(now);
+  }
+
+  // ---------------------------------------------------------------- watching a motion settle
+
+  private paneListener(): PaneListener {
+    return {
+      value: (name, value) => this.cursor(name, value, true),
+      activated: (name) => {
+        if (this.active === name || (name === 'b' && !this.address.b)) return;
+        this.active = name;
+        this.later('all');
+      },
+      watch: (name, on, speed) => this.watch(name, on, speed),
+      close: () => this.closeB(),
+    };
+  }
+
+  private watch(name: SideName, on: boolean, speed: number): void {
+    const running = this.watches[name];
+    if (running && on) {
+      running.revolutionsPerSecond = speed;
+      return;
+    }
+    this.endWatch(name);
+    if (!on || !this.engine) return;
+    const side = this.sides[name];
+    const pane = this.panes[name];
+    const { parameter } = this.address;
+    const { value } = side.choice;
+    pane.setPlaying(true);
+    this.watches[name] = new Watch(
+      this.engine,
+      { setting: this.settingOf(side), ...(parameter && Number.isFinite(value) ? { parameter, value } : {}) },
+      this.station,
+      this.original?.contacts ?? [],
+      this.stations[this.station]?.name ?? '',
+      `watch-${name}`,
+      speed,
+      (trail) => pane.watch(trail),
+      (message) => {
+        side.trouble = message;
+        this.endWatch(name);
+        this.later(name);
+      },
+    );
+  }
+
+  private endWatch(name: SideName): void {
+    this.watches[name]?.stop();
+    delete this.watches[name];
+    this.panes[name].setPlaying(false);
+  }
+
+  // ---------------------------------------------------------------- what can be taken away
+
+  private async rewritten(): Promise<string | undefined> {
+    const { engine, original, side } = this;
+    if (!engine || !original) return undefined;
+    const edits = caseEdits(original, this.address, side.choice, this.sight.range, this.sights[0]!.range);
+    const setting = { text: this.machine.text, name: this.machine.caseName, assignments: assignmentTexts(side.choice.assignments) };
+    const outcome = await engine.rewrite(setting, edits, { lane: 'rewrite', priority: 0 });
+    if (outcome.ok) return outcome.value;
+    if (outcome.why !== 'stale') this.settings.say(troubleOf(outcome));
+    return undefined;
+  }
+
+  private get caseName(): string {
+    return `${fileName(shortName(this.machine), 'explored')}.yaml`;
+  }
+
+  private async saveCase(): Promise<void> {
+    const text = await this.rewritten();
+    if (text === undefined) return;
+    download(this.caseName, 'application/yaml', text);
+    this.settings.say(`${this.caseName}: whirl run ${this.caseName}`);
+  }
+
+  private async copyCommand(): Promise<void> {
+    const text = await this.rewritten();
+    if (text === undefined) return;
+    this.said(await copyText(commandOf(text, fileName(shortName(this.machine), 'explored'))), 'The command is on the clipboard.');
+  }
+
+  private async copyLink(): Promise<void> {
+    this.writeHash();
+    this.said(await copyText(location.href), 'The address is on the clipboard.');
+  }
+
+  private said(done: boolean, text: string): void {
+    this.settings.say(done ? text : 'The browser does not let this page use the clipboard.');
+  }
+
+  // ---------------------------------------------------------------- address, theme, keys
+
+  private currentAddress(): Address {
+    const view = this.sight?.range;
+    const whole = this.sights[0]?.diagram?.span;
+    const zoomed = view && whole && (view[0] !== whole[0] || view[1] !== whole[1]);
+    return {
+      ...this.address,
+      run: this.machine.name,
+      a: this.sides.a.choice,
+      b: this.address.b ? this.sides.b.choice : undefined,
+      range: zoomed ? view : undefined,
+      station: this.stations[this.station]?.name ?? '',
+    };
+  }
+
+  private writeHash(): void {
+    history.replaceState(null, '', writeAddress(this.currentAddress()));
+  }
+
+  private setTheme(dark: boolean): void {
+    setDark(dark);
+    document.documentElement.classList.toggle('dark', dark);
+    for (const pane of Object.values(this.panes)) pane.redraw();
+    this.card.map.refresh();
+    if (this.sights.length) this.later('all');
+  }
+
+  private toggleTheme(): void {
+    const dark = !document.documentElement.classList.contains('dark');
+    document.documentElement.dataset['theme'] = dark ? 'dark' : 'light';
+    this.setTheme(dark);
+  }
+
+  private key(event: KeyboardEvent): void {
+    const typing = event.target instanceof HTMLInputElement || event.target instanceof HTMLSelectElement;
+    if (event.key === '?' && !typing) this.help.open();
+    if (event.key === 'Escape') {
+      this.sweeping?.abort();
+      for (const name of ['a', 'b'] as const) this.endWatch(name);
+    }
+  }
+
+  // ---------------------------------------------------------------- drawing, once a frame
+
+  private later(what: 'all' | SideName | 'grow'): void {
+    if (this.dirty.size === 0) requestAnimationFrame(() => this.draw());
+    this.dirty.add(what);
+  }
+
+  private draw(): void {
+    const dirty = this.dirty;
+    this.dirty = new Set();
+    if (!this.sights.length) return;
+    if (dirty.has('all')) this.showAll();
+    else if (dirty.has('grow')) this.card.grow();
+    for (const name of this.shownSides()) if (dirty.has('all') || dirty.has(name)) this.showPane(name);
+    this.card.map.setCursors(this.sides.a.choice.value, this.address.b ? this.sides.b.choice.value : NaN);
+    this.showSettings();
+    clearTimeout(this.addressTimer);
+    this.addressTimer = window.setTimeout(() => this.writeHash(), 250);
+  }
+
+  private showAll(): void {
+    const comparing = this.address.b !== undefined;
+    this.root.classList.toggle('comparing', comparing);
+    this.panes.b.root.hidden = !comparing;
+    for (const name of ['a', 'b'] as const) this.panes[name].active = comparing && name === this.active;
+    this.topbar.show(this.machine, this.machines, this.address.units, comparing);
+    const { sight } = this;
+    const stale = sight.of !== assignmentTexts(this.side.choice.assignments).join('; ');
+    this.card.show({
+      diagram: sight.diagram,
+      parameter: this.address.parameter,
+      unit: this.unit,
+      quantity: this.address.quantity,
+      station: this.station,
+      stations: this.stations,
+      units: this.address.units,
+      scales: this.scales,
+      range: sight.range,
+      hidden: this.hidden,
+      parameters: this.original?.parameters.map(({ name }) => name) ?? [this.address.parameter],
+      depth: this.sights.length - 1,
+      computes: this.engine !== undefined,
+      status: stale ? `${sight.text} The parameters have been changed since: Recompute shows the diagram of the changed machine.` : sight.text,
+      stale,
+      name: shortName(this.machine),
+    });
+    this.card.progress(this.sweepProgress);
+  }
+
+  private showPane(name: SideName): void {
+    const side = this.sides[name];
+    const { result } = side;
+    const how = result
+      ? `${side.preview ? 'A quick look: ' : ''}${result.record.transient} + ${result.record.record} revolutions by ${result.integrate.method} of ${result.integrate.stepsPerRevolution} steps, ${Math.round(result.seconds * 1000)} ms`
+      : this.storedVerdict(side.choice.value);
+    this.panes[name].show({
+      result,
+      parameter: this.address.parameter,
+      unit: this.unit,
+      value: side.choice.value,
+      station: this.station,
+      stations: this.stations,
+      units: this.address.units,
+      scales: this.scales,
+      diagram: this.sight.diagram,
+      busy: side.busy && !result ? 'computing \u2026' : '',
+      trouble: side.trouble,
+      how,
+    });
+    this.panes[name].root.classList.toggle('busy', side.busy);
+  }
+
+  /// What the diagram knows of the nearest point, where nothing can be computed.
+  private storedVerdict(value: number): string {
+    const { diagram } = this.sight;
+    const point = diagram?.nearest(value) ?? -1;
+    if (!diagram || point < 0) return this.missing;
+    const [verdict, reason] = diagram.verdicts[point]!;
+    return `Nearest stored point, ${this.address.parameter} = ${Number(diagram.values[point]!.toPrecision(6))}: ${verdict}; ${reason}. ${this.missing}`;
+  }
+
+  private showSettings(): void {
+    const { original, side } = this;
+    if (!original) return;
+    const current = side.info ?? original;
+    const swept = this.address.parameter;
+    const { value } = side.choice;
+    const parameters = current.parameters.map((parameter) => (parameter.name === swept && Number.isFinite(value) ? { ...parameter, value } : parameter));
+    this.settings.show({
+      original,
+      current: { ...current, parameters },
+      assignments: side.choice.assignments,
+      swept,
+      units: this.address.units,
+      side: side.name,
+      comparing: this.address.b !== undefined,
+      computation: this.address.computation,
+      trouble: side.trouble,
+    });
+  }
+}

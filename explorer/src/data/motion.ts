@@ -1,0 +1,95 @@
+// One motion as the engine found it, by what the panels ask for. Lengths in length scales, as the engine gives them.
+import { fieldNumbers, findField, type PointResult, type StationInfo } from '../engine/protocol';
+
+export interface Pairs {
+  readonly x: Float64Array;
+  readonly y: Float64Array;
+}
+
+export interface SectionPoints extends Pairs {
+  readonly vx: Float64Array;
+  readonly vy: Float64Array;
+}
+
+/// Amplitudes zero to peak over orders.
+export interface Spectrum extends Pairs {
+  readonly order: Float64Array;
+  readonly forward: Float64Array;
+  readonly backward: Float64Array;
+}
+
+export class Motion {
+  constructor(readonly result: PointResult) {}
+
+  get stations(): readonly StationInfo[] {
+    return this.result.stations;
+  }
+
+  get diverged(): boolean {
+    return this.result.verdict.regime === 'diverged';
+  }
+
+  /// Waveform of the last revolutions; its last sample is at the once-per-revolution mark.
+  waveform(station: number): Pairs {
+    const [x, y] = this.columns('waveform/samples', station, 2);
+    return { x: x!, y: y! };
+  }
+
+  get samplesPerRevolution(): number {
+    return this.result.samplesPerRevolution;
+  }
+
+  section(station: number): SectionPoints {
+    const [x, y, vx, vy] = this.columns('poincare/section', station, 4);
+    return { x: x!, y: y!, vx: vx!, vy: vy! };
+  }
+
+  spectrum(station: number): Spectrum {
+    return this.spectral('spectrum/amplitude', station);
+  }
+
+  /// Peaks, largest first.
+  lines(station: number): Spectrum {
+    return this.spectral('spectrum/lines', station);
+  }
+
+  number(field: string, which = 0, column = 0): number {
+    return fieldNumbers(this.result.layout, this.result.block, field, which)[column] ?? NaN;
+  }
+
+  /// Largest share of the time in contact, NaN where nothing can touch.
+  get contact(): number {
+    const field = findField(this.result.layout, 'rub/share');
+    if (!field || field.repeat === 0) return NaN;
+    let most = 0;
+    for (let which = 0; which < field.repeat; which++) most = Math.max(most, this.number('rub/share', which) || 0);
+    return most;
+  }
+
+  /// Whether the strongest line of the spectrum turns with the rotation; undefined without lines.
+  forwardWhirl(station: number): boolean | undefined {
+    const { forward, backward } = this.lines(station);
+    return forward.length ? forward[0]! >= backward[0]! : undefined;
+  }
+
+  /// Revolutions after which the motion repeats; 0 where it does not.
+  get period(): number {
+    return this.result.verdict.period;
+  }
+
+  private spectral(field: string, station: number): Spectrum {
+    const [order, x, y, forward, backward] = this.columns(field, station, 5);
+    return { order: order!, x: x!, y: y!, forward: forward!, backward: backward! };
+  }
+
+  /// The columns of a field's rows, up to the first row that is missing.
+  private columns(name: string, which: number, wanted: number): Float64Array[] {
+    const columns = findField(this.result.layout, name)?.columns ?? wanted;
+    const numbers = fieldNumbers(this.result.layout, this.result.block, name, which);
+    let rows = 0;
+    while (rows * columns < numbers.length && !Number.isNaN(numbers[rows * columns])) rows++;
+    return Array.from({ length: wanted }, (_, column) =>
+      Float64Array.from({ length: rows }, (_row, row) => numbers[row * columns + column] ?? NaN),
+    );
+  }
+}

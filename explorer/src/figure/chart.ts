@@ -1,0 +1,325 @@
+// A chart with two axes: uPlot draws axes, grid and lines; layers of our own add clouds of points, bands and marks. The
+// same layers and the same ticks make the SVG.
+import uPlot from 'uplot';
+import { el } from '../dom';
+import { textSize, theme, watchSize, type Figure, type Picture } from './figure';
+import { font, SvgPen, type Pen } from './pen';
+import type { Theme } from './theme';
+import { linearTicks, niceStep, tickText } from './ticks';
+
+export type Range = readonly [number, number];
+
+/// The plotting area: places of values, in the pen's pixels.
+export interface Frame {
+  readonly left: number;
+  readonly top: number;
+  readonly width: number;
+  readonly height: number;
+  /// Pixels of the pen to one of CSS.
+  readonly ratio: number;
+  readonly xRange: Range;
+  readonly yRange: Range;
+  x(value: number): number;
+  y(value: number): number;
+}
+
+export type Layer = (pen: Pen, frame: Frame, colours: Theme) => void;
+
+export interface Line {
+  readonly label: string;
+  readonly colour: (colours: Theme) => string;
+  readonly width?: number;
+  readonly dash?: readonly number[];
+}
+
+export interface ChartSpec {
+  readonly title: string;
+  readonly lines?: readonly Line[];
+  /// Drawn below and above grid and lines.
+  readonly under?: Layer;
+  readonly over?: Layer;
+  /// No labels under the horizontal axis: another chart below has the same.
+  readonly bareX?: boolean;
+  /// Ticks of the horizontal axis as they are shown (a full spectrum counts both ways).
+  readonly xText?: (value: number, step: number) => string;
+}
+
+interface Ticks {
+  readonly at: readonly number[];
+  readonly text: readonly string[];
+}
+
+const NO_TICKS: Ticks = { at: [], text: [] };
+
+export class Chart implements Figure {
+  readonly root: HTMLElement;
+  /// Lies over the plotting area: cursors and handlers go there.
+  readonly overlay = el('div', { class: 'overlay' });
+  private plot: uPlot | undefined;
+  private data: uPlot.AlignedData = [[0, 1]];
+  private xRange: Range = [0, 1];
+  private yRange: Range = [0, 1];
+  private xLabel = '';
+  private yLabel = '';
+  private logarithmic = false;
+  private ticks: { x: Ticks; y: Ticks } = { x: NO_TICKS, y: NO_TICKS };
+
+  constructor(private readonly spec: ChartSpec) {
+    this.root = el('div', { class: 'figure chart', role: 'img', 'aria-label': spec.title });
+    watchSize(this.root, (width, height) => this.resize(width, height));
+  }
+
+  /// Labels and, for the vertical axis, whether it is logarithmic.
+  setAxes(xLabel: string, yLabel: string, logarithmic = false): void {
+    if (xLabel === this.xLabel && yLabel === this.yLabel && logarithmic === this.logarithmic) return;
+    [this.xLabel, this.yLabel] = [xLabel, yLabel];
+    this.logarithmic = logarithmic;
+    this.rebuild();
+  }
+
+  /// Lines [x, y1, y2, ...] and the ranges to show.
+  show(xRange: Range, yRange: Range, data?: uPlot.AlignedData): void {
+    [this.xRange, this.yRange] = [xRange, yRange];
+    if (data) this.data = data;
+    const plot = this.plot;
+    if (!plot) return;
+    plot.batch(() => {
+      if (data) plot.setData(data, false);
+      plot.setScale('x', { min: xRange[0], max: xRange[1] });
+      plot.setScale('y', { min: yRange[0], max: yRange[1] });
+    });
+  }
+
+  redraw(): void {
+    this.plot?.redraw(false, true);
+  }
+
+  /// The value under a place of the plotting area, in CSS pixels from its left.
+  valueAt(left: number): number {
+    return this.plot ? this.plot.posToVal(left, 'x') : NaN;
+  }
+
+  heightAt(top: number): number {
+    return this.plot ? this.plot.posToVal(top, 'y') : NaN;
+  }
+
+  /// The place of a value in the plotting area, in CSS pixels.
+  placeOf(value: number): number {
+    return this.plot ? this.plot.valToPos(value, 'x') : NaN;
+  }
+
+  /// Left edge and width of the plotting area in CSS pixels.
+  get area(): { readonly left: number; readonly width: number } {
+    const ratio = window.devicePixelRatio || 1;
+    return this.plot ? { left: this.plot.bbox.left / ratio, width: this.plot.bbox.width / ratio } : { left: 0, width: 1 };
+  }
+
+  picture(): Picture {
+    const { width, height } = this.root.getBoundingClientRect();
+    const size = { width: Math.max(1, Math.floor(width)), height: Math.max(1, Math.floor(height)) };
+    const pen = new SvgPen(size.width, size.height, this.spec.title);
+    this.sketch(pen, size.width, size.height);
+    return { svg: pen.text(), ...size };
+  }
+
+  /// Draws all of the chart with a pen in CSS pixels, as for an SVG.
+  sketch(pen: Pen, width: number, height: number): void {
+    const colours = theme();
+    pen.fillStyle = colours.paper;
+    pen.beginPath();
+    pen.rect(0, 0, width, height);
+    pen.fill();
+    if (!this.plot) return;
+    const frame = this.frame(window.devicePixelRatio || 1);
+    this.clipped(pen, frame, this.spec.under, colours);
+    this.sketchAxes(pen, frame, height, colours);
+    pen.save();
+    pen.beginPath();
+    pen.rect(frame.left, frame.top, frame.width, frame.height);
+    pen.clip();
+    this.spec.lines?.forEach((line, i) => this.sketchLine(pen, frame, line, i + 1, colours));
+    pen.restore();
+    this.clipped(pen, frame, this.spec.over, colours);
+  }
+
+  private clipped(pen: Pen, frame: Frame, layer: Layer | undefined, colours: Theme): void {
+    if (!layer) return;
+    pen.save();
+    pen.beginPath();
+    pen.rect(frame.left, frame.top, frame.width, frame.height);
+    pen.clip();
+    layer(pen, frame, colours);
+    pen.restore();
+  }
+
+  /// `divide`: pixels of the canvas to one of the pen.
+  private frame(divide: number): Frame {
+    const plot = this.plot!;
+    const box = plot.bbox;
+    const ratio = (window.devicePixelRatio || 1) / divide;
+    const place = (value: number, scale: string) => plot.valToPos(value, scale, true) / divide;
+    return {
+      left: box.left / divide,
+      top: box.top / divide,
+      width: box.width / divide,
+      height: box.height / divide,
+      ratio,
+      xRange: this.xRange,
+      yRange: this.yRange,
+      x: (value) => place(value, 'x'),
+      y: (value) => place(value, 'y'),
+    };
+  }
+
+  private sketchLine(pen: Pen, frame: Frame, line: Line, index: number, colours: Theme): void {
+    const [xs, ys] = [this.data[0], this.data[index]];
+    if (!xs || !ys) return;
+    pen.beginPath();
+    let down = false;
+    for (let i = 0; i < xs.length; i++) {
+      const [x, y] = [xs[i], ys[i]];
+      const there = x != null && y != null && Number.isFinite(y) && (!this.logarithmic || y > 0);
+      if (there) (down ? pen.lineTo : pen.moveTo).call(pen, frame.x(x), frame.y(y));
+      down = there;
+    }
+    pen.strokeStyle = line.colour(colours);
+    pen.lineWidth = (line.width ?? 1.4) * frame.ratio;
+    pen.lineJoin = 'round';
+    pen.setLineDash(line.dash ?? []);
+    pen.stroke();
+    pen.setLineDash([]);
+  }
+
+  private sketchAxes(pen: Pen, frame: Frame, height: number, colours: Theme): void {
+    const size = textSize();
+    const bottom = frame.top + frame.height;
+    pen.lineWidth = 1;
+    pen.strokeStyle = colours.grid;
+    pen.beginPath();
+    for (const at of this.ticks.x.at) {
+      pen.moveTo(frame.x(at), frame.top);
+      pen.lineTo(frame.x(at), bottom);
+    }
+    for (const at of this.ticks.y.at) {
+      pen.moveTo(frame.left, frame.y(at));
+      pen.lineTo(frame.left + frame.width, frame.y(at));
+    }
+    pen.stroke();
+    pen.fillStyle = colours.muted;
+    pen.font = font(size);
+    pen.textBaseline = 'top';
+    pen.textAlign = 'center';
+    if (!this.spec.bareX) this.ticks.x.at.forEach((at, i) => pen.fillText(this.ticks.x.text[i] ?? '', frame.x(at), bottom + 5));
+    pen.textBaseline = 'middle';
+    pen.textAlign = 'right';
+    this.ticks.y.at.forEach((at, i) => pen.fillText(this.ticks.y.text[i] ?? '', frame.left - 6, frame.y(at)));
+    pen.fillStyle = colours.ink;
+    pen.textAlign = 'center';
+    if (!this.spec.bareX) pen.fillText(this.xLabel, frame.left + frame.width / 2, height - size * 0.8);
+    pen.save();
+    pen.translate(size * 0.8, frame.top + frame.height / 2);
+    pen.rotate(-Math.PI / 2);
+    pen.fillText(this.yLabel, 0, 0);
+    pen.restore();
+  }
+
+  private resize(width: number, height: number): void {
+    if (this.plot) this.plot.setSize({ width, height });
+    else this.rebuild();
+  }
+
+  /// Makes uPlot anew, where labels or the kind of an axis change.
+  private rebuild(): void {
+    const { width, height } = this.root.getBoundingClientRect();
+    if (width < 40 || height < 40) return;
+    this.plot?.destroy();
+    this.plot = new uPlot(this.options(Math.floor(width), Math.floor(height)), this.data, this.root);
+    this.plot.over.append(this.overlay);
+    this.plot.redraw(false, true);
+  }
+
+  private options(width: number, height: number): uPlot.Options {
+    const size = textSize();
+    const hook = (layer: Layer | undefined) => (plot: uPlot) => {
+      if (layer && plot === this.plot) this.clipped(plot.ctx, this.frame(1), layer, theme());
+    };
+    return {
+      width,
+      height,
+      legend: { show: false },
+      cursor: { show: false },
+      padding: [size * 0.6, size * 1.1, this.spec.bareX ? size * 0.5 : 0, 0],
+      scales: {
+        x: { time: false, auto: false, range: () => [this.xRange[0], this.xRange[1]] },
+        y: { auto: false, distr: this.logarithmic ? 3 : 1, range: () => [this.yRange[0], this.yRange[1]] },
+      },
+      axes: [this.axis(0, size), this.axis(1, size)],
+      series: [{}, ...(this.spec.lines ?? []).map((line) => this.series(line))],
+      hooks: { drawClear: [hook(this.spec.under)], draw: [hook(this.spec.over)] },
+    };
+  }
+
+  private series(line: Line): uPlot.Series {
+    const made: uPlot.Series = {
+      label: line.label,
+      stroke: () => line.colour(theme()),
+      width: line.width ?? 1.4,
+      points: { show: false },
+      spanGaps: false,
+    };
+    if (line.dash) made.dash = [...line.dash];
+    return made;
+  }
+
+  private axis(index: 0 | 1, size: number): uPlot.Axis {
+    const horizontal = index === 0;
+    const bare = horizontal && this.spec.bareX === true;
+    return {
+      stroke: () => theme().muted,
+      font: font(size),
+      label: bare ? '' : horizontal ? this.xLabel : this.yLabel,
+      labelFont: font(size),
+      labelSize: bare ? 0 : size * 1.5,
+      labelGap: 0,
+      size: horizontal ? (bare ? 0 : size * 1.9) : size * 4.6,
+      gap: 5,
+      grid: { stroke: () => theme().grid, width: 1 },
+      ticks: { show: false },
+      border: { show: true, stroke: () => theme().frame, width: 1 },
+      splits: (_plot, _axis, low, high) => this.splits(horizontal, low, high, size),
+      values: () => (bare ? [] : [...(horizontal ? this.ticks.x : this.ticks.y).text]),
+    };
+  }
+
+  private splits(horizontal: boolean, low: number, high: number, size: number): number[] {
+    const plot = this.plot;
+    const box = this.root.getBoundingClientRect();
+    const length = horizontal ? (plot?.bbox.width ?? 0) / (window.devicePixelRatio || 1) || box.width : box.height;
+    const wanted = horizontal ? length / (size * 6.5) : length / (size * 3.2);
+    const made = !horizontal && this.logarithmic ? decades(low, high, wanted) : linear(low, high, wanted, horizontal ? this.spec.xText : undefined);
+    if (horizontal) this.ticks.x = made;
+    else this.ticks.y = made;
+    return [...made.at];
+  }
+}
+
+function linear(low: number, high: number, wanted: number, text: (value: number, step: number) => string = tickText): Ticks {
+  const at = linearTicks(low, high, wanted);
+  const step = niceStep(high - low, wanted);
+  return { at, text: at.map((value) => text(value, step)) };
+}
+
+const SUPERSCRIPT: Record<string, string> = {
+  '-': '\u207b', '0': '\u2070', '1': '\u00b9', '2': '\u00b2', '3': '\u00b3', '4': '\u2074', '5': '\u2075', '6': '\u2076', '7': '\u2077', '8': '\u2078', '9': '\u2079',
+};
+
+function decades(low: number, high: number, wanted: number): Ticks {
+  const [first, last] = [Math.ceil(Math.log10(low) - 1e-9), Math.floor(Math.log10(high) + 1e-9)];
+  const every = Math.max(1, Math.ceil((last - first) / Math.max(1, wanted)));
+  const powers: number[] = [];
+  for (let power = first; power <= last; power += every) powers.push(power);
+  return {
+    at: powers.map((power) => 10 ** power),
+    text: powers.map((power) => (power >= -3 && power <= 4 ? String(10 ** power) : `10${[...String(power)].map((digit) => SUPERSCRIPT[digit]).join('')}`)),
+  };
+}

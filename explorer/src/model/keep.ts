@@ -1,0 +1,41 @@
+// What the reader takes away of a setting: a case file, a command line.
+import type { CaseInfo, Edit } from '../engine/protocol';
+import type { Address, Side } from './setting';
+
+type Range = readonly [number, number];
+
+function inUnit(value: number, unit: string): string {
+  const number = String(Number(value.toPrecision(12)));
+  return unit === '1' || unit === 'SI' || unit === '' ? number : `${number} ${unit}`;
+}
+
+/// The edits that make the case one of this setting: the view becomes the sweep, the cursor's value its detail.
+export function caseEdits(original: CaseInfo, address: Address, side: Side, view: Range, whole: Range): Edit[] {
+  const edits: Edit[] = [];
+  const { parameter, computation } = address;
+  const info = original.parameters.find(({ name }) => name === parameter);
+  const unit = info?.unit ?? '1';
+  const sweep = original.batches.find(({ name }) => name === 'sweep');
+  const put = (path: string, text: string) => edits.push({ path, text });
+  if (sweep) {
+    const falling = (sweep.values[0] ?? 0) > (sweep.values.at(-1) ?? 0);
+    if (sweep.parameter !== parameter || view[0] !== whole[0] || view[1] !== whole[1]) {
+      put('study.sweep.parameter', parameter);
+      put('study.sweep.from', inUnit(view[falling ? 1 : 0], unit));
+      put('study.sweep.to', inUnit(view[falling ? 0 : 1], unit));
+    }
+    if (Number.isFinite(side.value)) put('study.detail.at', `[${inUnit(side.value, unit)}]`);
+  } else if (parameter && Number.isFinite(side.value)) put(`parameters.${parameter}`, inUnit(side.value, unit));
+  if (computation.method) put('study.integrate.method', computation.method);
+  if (computation.steps) put('study.integrate.steps_per_revolution', String(computation.steps));
+  if (computation.transient !== undefined) put('study.integrate.transient', String(computation.transient));
+  if (computation.record !== undefined) put('study.integrate.record', String(computation.record));
+  return edits;
+}
+
+/// A command for a shell that computes a case, the case itself included.
+export function commandOf(text: string, name: string): string {
+  let mark = 'CASE';
+  while (text.split('\n').includes(mark)) mark += '_';
+  return `cat >${name}.yaml <<'${mark}'\n${text.endsWith('\n') ? text : `${text}\n`}${mark}\nwhirl run ${name}.yaml -o ${name}.h5 && whirl report ${name}.h5 -o ${name}\n`;
+}

@@ -1,0 +1,91 @@
+// The machines that the page can show: runs that a report put into it, and the presets of the gallery, which it computes.
+import jeffcott from '../../../cases/jeffcott-rub.yaml';
+import paperDerived from '../../../cases/paper-derived.yaml';
+import paperLiteral from '../../../cases/paper-literal.yaml';
+import paper from '../../../cases/paper.yaml';
+import rigid from '../../../cases/rigid-rotor.yaml';
+import type { Run } from '../data/run';
+import type { Scales } from './units';
+
+export interface Machine {
+  /// In addresses and file names.
+  readonly name: string;
+  readonly title: string;
+  readonly caseName: string;
+  readonly text: string;
+  readonly intro: string;
+  readonly run: Run | undefined;
+}
+
+const DRAG =
+  'Drag across the diagram: the orbit, its spectrum and its Poincar\u00e9 map are computed on the spot for the value under the cursor.';
+
+/// Three sentences for a newcomer: what to try first.
+const INTROS: Readonly<Record<string, string>> = {
+  paper: `${DRAG} Start at r_k = 0.6, where the disc repeats itself every revolution, and go left: near 0.48 the oil film begins to whirl at a frequency of its own, and in the shaded parts the disc rubs its stator. Then press \u25b6 in the orbit at r_k = 0.35, and watch the rotor settle from its start and touch.`,
+  'paper-derived': `${DRAG} This reading has the signs that follow from a shaft that turns; compare where the whirl sets in with the calibrated reading (choose it above). Move the slider of the unbalance rho and press Recompute to see how far the answer depends on it.`,
+  'paper-literal': `${DRAG} This reading takes every number as it is printed, so that little of what the paper shows can be found in it. Choose the calibrated reading above for the difference that two fitted numbers make.`,
+  'jeffcott-rub': `${DRAG} At 1.5 times the natural frequency the disc stays in contact, at 3.8 it bounces once in four revolutions, and at 3.3 it never repeats itself. Brush a range (Shift and drag) around 3.3 to compute it more finely, and change the friction mu to see the chaos go.`,
+  'rigid-rotor': `${DRAG} More unbalance rho makes the journal repeat itself only after 2, 4, 8 revolutions until it never does: the cascade between 0.2 and 0.5. Look at the dots of the Poincar\u00e9 map double while you drag, and at the exponent below the diagram touch zero each time.`,
+};
+
+const OWN = `${DRAG} Change a parameter with its slider and press Recompute to see the diagram of the changed machine. Brush a range (Shift and drag) to compute that range more finely, and press \u25b6 in the orbit to watch the rotor settle.`;
+
+interface Preset {
+  readonly name: string;
+  readonly text: string;
+}
+
+const PRESETS: readonly Preset[] = [
+  { name: 'paper', text: paper },
+  { name: 'paper-derived', text: paperDerived },
+  { name: 'paper-literal', text: paperLiteral },
+  { name: 'jeffcott-rub', text: jeffcott },
+  { name: 'rigid-rotor', text: rigid },
+];
+
+/// The title that a case gives itself, for a list; the engine reads the case itself.
+function titleOf(text: string): string {
+  return /^title:\s*(.*?)\s*$/m.exec(text)?.[1] ?? '';
+}
+
+function baseName(caseName: string): string {
+  return caseName.replace(/^.*\//, '').replace(/\.ya?ml$/, '');
+}
+
+export function machinesOf(runs: readonly Run[], computes: boolean): Machine[] {
+  const made: Machine[] = runs.map((run) => {
+    const preset = PRESETS.find(({ text }) => text === run.case_text);
+    return {
+      name: run.name,
+      title: run.title,
+      caseName: run.case_name || `${run.name}.yaml`,
+      text: run.case_text,
+      intro: (preset && INTROS[preset.name]) ?? OWN,
+      run,
+    };
+  });
+  if (computes)
+    for (const { name, text } of PRESETS)
+      if (!made.some((machine) => machine.text === text))
+        made.push({
+          name: made.some((machine) => machine.name === name) ? `${name}-preset` : name,
+          title: titleOf(text),
+          caseName: `${name}.yaml`,
+          text,
+          intro: INTROS[name] ?? OWN,
+          run: undefined,
+        });
+  return made;
+}
+
+export function shortName(machine: Machine): string {
+  return baseName(machine.caseName) || machine.name;
+}
+
+/// What the length scale is, from the walls of the stations.
+export function scalesOf(length: number, speed: number, stations: readonly { readonly clearance: number; readonly gap: number }[]): Scales {
+  const near = (value: number) => Math.abs(value - 1) < 1e-9;
+  const symbol = stations.some(({ clearance }) => near(clearance)) ? 'c' : stations.some(({ gap }) => near(gap)) ? 'gap' : 'L';
+  return { length, speed, symbol };
+}

@@ -1,0 +1,123 @@
+// What the reader has set, as it stands in the address of the page. What an address holds is checked: it may come by mail.
+import { QUANTITIES } from '../data/quantities';
+import type { Units } from './units';
+
+/// A parameter's new value as `whirl run --set` takes it: "0.45", "6000 rpm".
+export type Assignments = ReadonlyMap<string, string>;
+
+export interface Side {
+  readonly assignments: Assignments;
+  /// Of the parameter along the diagram, in SI; NaN before one is chosen.
+  readonly value: number;
+}
+
+/// Changes of how motions are integrated; undefined: as the case says.
+export interface Computation {
+  readonly method?: string;
+  readonly steps?: number;
+  readonly transient?: number;
+  readonly record?: number;
+}
+
+export interface Address {
+  /// Name of the run or preset, "" for the first one.
+  run: string;
+  parameter: string;
+  a: Side;
+  b: Side | undefined;
+  quantity: string;
+  station: string;
+  range: readonly [number, number] | undefined;
+  units: Units;
+  computation: Computation;
+}
+
+const LENGTHS = ['um', 'mil', 'scale'] as const;
+const SPEEDS = ['rpm', 'rad/s'] as const;
+const FREQUENCIES = ['order', 'Hz'] as const;
+const AMPLITUDES = ['0-p', 'p-p', 'rms'] as const;
+const NAME = /^[A-Za-z_][A-Za-z0-9_]{0,63}$/;
+const MOST_TEXT = 128;
+
+function number(text: string | null): number {
+  return text === null || text.trim() === '' ? NaN : Number(text);
+}
+
+function oneOf<T extends string>(text: string | null, choices: readonly T[], fallback: T): T {
+  return choices.find((choice) => choice === text) ?? fallback;
+}
+
+function whole(text: string | null, low: number, high: number): number | undefined {
+  const value = number(text);
+  return Number.isInteger(value) && value >= low && value <= high ? value : undefined;
+}
+
+function readSide(all: URLSearchParams, value: string, set: string): Side {
+  const assignments = new Map<string, string>();
+  for (const text of all.getAll(set)) {
+    const [, name = '', written = ''] = /^([^=]*)=(.*)$/s.exec(text) ?? [];
+    if (NAME.test(name) && written.trim() && written.length <= MOST_TEXT && !/[\r\n]/.test(written)) assignments.set(name, written);
+  }
+  return { assignments, value: number(all.get(value)) };
+}
+
+function readComputation(all: URLSearchParams): Computation {
+  const method = all.get('method');
+  const parts = {
+    method: method && /^[a-z0-9-]{1,32}$/.test(method) ? method : undefined,
+    steps: whole(all.get('steps'), 8, 65536),
+    transient: whole(all.get('transient'), 0, 1_000_000),
+    record: whole(all.get('record'), 1, 1_000_000),
+  };
+  return Object.fromEntries(Object.entries(parts).filter(([, part]) => part !== undefined));
+}
+
+/// `fallback` says which units hold where the address names none.
+export function readAddress(hash: string, fallback: Units): Address {
+  const all = new URLSearchParams(hash.replace(/^#/, ''));
+  const [low, high] = (all.get('range') ?? '').split(',').map(number);
+  const units = (all.get('units') ?? '').split(',');
+  return {
+    run: (all.get('run') ?? '').slice(0, MOST_TEXT),
+    parameter: NAME.test(all.get('par') ?? '') ? all.get('par')! : '',
+    a: readSide(all, 'at', 'set'),
+    b: all.has('b') ? readSide(all, 'b', 'bset') : undefined,
+    quantity: oneOf(all.get('q'), QUANTITIES.map(({ id }) => id), 'x'),
+    station: (all.get('st') ?? '').slice(0, MOST_TEXT),
+    range: Number.isFinite(low) && Number.isFinite(high) && low! < high! ? [low!, high!] : undefined,
+    units: {
+      length: oneOf(units[0] ?? null, LENGTHS, fallback.length),
+      speed: oneOf(units[1] ?? null, SPEEDS, fallback.speed),
+      frequency: oneOf(units[2] ?? null, FREQUENCIES, fallback.frequency),
+      amplitude: oneOf(units[3] ?? null, AMPLITUDES, fallback.amplitude),
+    },
+    computation: readComputation(all),
+  };
+}
+
+export function writeAddress(address: Address): string {
+  const all = new URLSearchParams();
+  const put = (key: string, value: string | number | undefined) => {
+    if (value !== undefined && value !== '' && !Number.isNaN(value)) all.append(key, String(value));
+  };
+  put('run', address.run);
+  put('par', address.parameter);
+  put('at', address.a.value);
+  for (const [name, text] of address.a.assignments) put('set', `${name}=${text}`);
+  if (address.b) {
+    all.append('b', Number.isNaN(address.b.value) ? '' : String(address.b.value));
+    for (const [name, text] of address.b.assignments) put('bset', `${name}=${text}`);
+  }
+  put('q', address.quantity);
+  put('st', address.station);
+  if (address.range) put('range', address.range.map((value) => Number(value.toPrecision(9))).join(','));
+  const { length, speed, frequency, amplitude } = address.units;
+  put('units', [length, speed, frequency, amplitude].join(','));
+  for (const key of ['method', 'steps', 'transient', 'record'] as const) put(key, address.computation[key]);
+  return `#${all.toString()}`;
+}
+
+/// As the engine and the command take them.
+export function assignmentTexts(assignments: Assignments): string[] {
+  return Array.from(assignments, ([name, text]) => `${name}=${text}`);
+}

@@ -1,0 +1,94 @@
+// One of the two settings that the page compares: what the reader chose, and what the engine makes of it.
+import type { CaseInfo, Engine, Outcome, PointResult, Setting } from '../engine/protocol';
+import { LivePoint, type Wish } from './live';
+import type { Side } from './setting';
+
+/// While the cursor moves, motions are this long at most.
+const PREVIEW = { transient: 200, record: 100 } as const;
+
+export interface SideListener {
+  changed(): void;
+}
+
+export class SideModel {
+  choice: Side = { assignments: new Map(), value: NaN };
+  /// The case with the assignments in force.
+  info: CaseInfo | undefined;
+  result: PointResult | undefined;
+  /// The result is of a shortened motion.
+  preview = false;
+  trouble = '';
+  /// The case with the assignments cannot be computed.
+  private bad = false;
+  private readonly live: LivePoint | undefined;
+
+  constructor(
+    readonly name: 'a' | 'b',
+    private readonly engine: Engine | undefined,
+    private readonly listener: SideListener,
+  ) {
+    this.live = engine && new LivePoint(engine, `point-${name}`, (wish, outcome) => this.take(wish, outcome));
+  }
+
+  get busy(): boolean {
+    return this.live?.busy ?? false;
+  }
+
+  /// Reads the case with the assignments; false where it is bad, or overtaken.
+  async describe(setting: Setting): Promise<boolean> {
+    if (!this.engine) return false;
+    const outcome = await this.engine.describe(setting, { lane: `describe-${this.name}`, priority: 0 });
+    if (outcome.ok) {
+      this.info = outcome.value;
+      this.trouble = '';
+      this.bad = false;
+      return true;
+    }
+    if (outcome.why !== 'stale') {
+      this.trouble = troubleOf(outcome);
+      this.bad = true;
+    }
+    return false;
+  }
+
+  /// Asks for the motion at the side's value.
+  want(setting: Setting, parameter: string, settled: boolean): void {
+    if (!this.live || this.bad) return;
+    this.trouble = '';
+    const { value } = this.choice;
+    const batch = this.info?.batches[0];
+    const whole = setting.record ?? {};
+    const transient = whole.transient ?? batch?.record.transient ?? PREVIEW.transient;
+    const record = whole.record ?? batch?.record.record ?? PREVIEW.record;
+    const short = { ...whole, transient: Math.min(transient, PREVIEW.transient), record: Math.min(record, PREVIEW.record), settle: true };
+    const shortened = !settled && (short.transient < transient || short.record < record);
+    const request = {
+      setting: shortened ? { ...setting, record: short } : setting,
+      ...(parameter && Number.isFinite(value) ? { parameter, value } : {}),
+    };
+    this.live.want({ request, preview: shortened });
+    this.listener.changed();
+  }
+
+  forget(): void {
+    this.live?.stop();
+    this.result = undefined;
+    this.info = undefined;
+    this.trouble = '';
+    this.bad = false;
+  }
+
+  private take(wish: Wish, outcome: Outcome<PointResult>): void {
+    if (outcome.ok) {
+      this.result = outcome.value;
+      this.preview = wish.preview;
+    } else if (outcome.why !== 'stale') this.trouble = troubleOf(outcome);
+    this.listener.changed();
+  }
+}
+
+/// The sentence of what went wrong, with the first problem's key where there is one.
+export function troubleOf(outcome: { readonly message: string; readonly problems: readonly { readonly key: string; readonly message: string }[] }): string {
+  const first = outcome.problems[0];
+  return first ? `${first.key ? `${first.key}: ` : ''}${first.message}` : outcome.message;
+}

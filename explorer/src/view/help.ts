@@ -1,0 +1,50 @@
+// The help overlay.
+import { button, el } from '../dom';
+
+const KEYS: readonly (readonly [string, string])[] = [
+  ['\u2190 \u2192', 'move the cursor; with Shift ten times as far'],
+  ['Page Up, Page Down', 'a twentieth of the range'],
+  ['Home, End', 'to the ends of the range'],
+  ['+ \u2212', 'zoom in and out about the cursor; the wheel does the same'],
+  ['Backspace', 'back to the diagram before'],
+  ['Esc', 'stops what is being computed, closes this help'],
+  ['?', 'this help'],
+];
+
+const POINTS: readonly (readonly [string, string])[] = [
+  ['Diagram', 'One column of dots for each value of the parameter: the displacement once per revolution. One dot is a motion that repeats itself every revolution, two dots one of two revolutions, a smear is quasi-periodic or chaotic. Colours are verdicts, the ribbon at the bottom repeats them; amber shading means that the rotor touches its stator.'],
+  ['Exponent', 'Below the diagram: the largest Lyapunov exponent per revolution, with its standard error where it can be seen. Above zero small disturbances grow: chaos.'],
+  ['Touch', 'Click or drag: the machine is integrated at exactly that value, first briefly, then as long as the case says. The mode Range (or Shift and drag) computes the brushed range anew, coarse to fine; Back returns.'],
+  ['Orbit', 'Seen along the shaft; it turns counter-clockwise, from x to y. The dot is the once-per-revolution mark (keyphasor); the trace pauses just before it, so blank to bright is the way the shaft moves. Forward means with the rotation.'],
+  ['Full spectrum', 'The two circular motions that make up the orbit, forward to the right, backward to the left, both relative to the rotation.'],
+  ['Centreline', 'The mean position in the clearance circle, along the diagram and at the cursor. The attitude angle is measured from straight down in the sense of rotation.'],
+  ['Amplitudes', 'Say 0-p (zero to peak), p-p (peak to peak) or rms. Switch units at the top; c is one bearing clearance.'],
+  ['Keep', 'Every picture as PNG or SVG and its data as CSV (\u2913); the setting as a case file or a command line for whirl; the address of the page holds the setting too.'],
+];
+
+export class Help {
+  readonly root: HTMLDialogElement;
+
+  constructor(facts: readonly { readonly name: string; readonly value: string }[]) {
+    const rows = (entries: readonly (readonly [string, string])[]) => entries.flatMap(([term, text]) => [el('dt', {}, term), el('dd', {}, text)]);
+    const close = button('Close', 'Close this help', () => this.root.close(), { autofocus: true });
+    this.root = el(
+      'dialog',
+      { class: 'help', 'aria-label': 'Help' },
+      el('h2', {}, 'How to read and use this page'),
+      el('dl', {}, ...rows(POINTS)),
+      el('h2', {}, 'Keys, while the diagram has the focus'),
+      el('dl', {}, ...rows(KEYS)),
+      el('h2', {}, 'How the stored run was made'),
+      el('dl', { class: 'facts' }, ...facts.flatMap(({ name, value }) => [el('dt', {}, name), el('dd', {}, value)])),
+      close,
+    );
+    this.root.addEventListener('click', (event) => {
+      if (event.target === this.root) this.root.close();
+    });
+  }
+
+  open(): void {
+    if (!this.root.open) this.root.showModal();
+  }
+}

@@ -1,0 +1,152 @@
+// The card of the diagram: what it shows, how it is touched, and computing it anew.
+import { QUANTITIES } from '../data/quantities';
+import { CLASS_NAMES } from '../data/regimes';
+import { button, el, Segments, select, setChoices, type Choice } from '../dom';
+import type { SweepProgress } from '../engine/protocol';
+import { MapView, type MapListener, type MapSubject, type Mode } from './map';
+import { fileName, saveMenu } from './panel';
+
+export interface MapCardListener extends MapListener {
+  quantity(id: string): void;
+  station(index: number): void;
+  parameter(name: string): void;
+  hidden(classes: ReadonlySet<number>): void;
+  reset(): void;
+  recompute(): void;
+  cancel(): void;
+}
+
+export interface MapCardSubject extends MapSubject {
+  readonly parameters: readonly string[];
+  /// Diagrams to go back to.
+  readonly depth: number;
+  readonly computes: boolean;
+  /// What the diagram is of, in a sentence.
+  readonly status: string;
+  /// The diagram is not of the present parameters.
+  readonly stale: boolean;
+  readonly name: string;
+}
+
+/// How well a diagram is computed.
+export type Quality = 'draft' | 'quick' | 'case';
+
+const POINTS: readonly Choice[] = [64, 128, 256, 512, 1024].map((count) => ({ value: String(count), text: `${count} points` }));
+const QUALITIES: readonly Choice[] = [
+  { value: 'draft', text: 'draft: 150 revolutions of 256 steps' },
+  { value: 'quick', text: 'quick: 300 revolutions' },
+  { value: 'case', text: 'as the case' },
+];
+
+export class MapCard {
+  readonly root: HTMLElement;
+  readonly map: MapView;
+  points = 256;
+  quality: Quality = 'draft';
+  private subject: MapCardSubject | undefined;
+  private hidden = new Set<number>();
+  private readonly title = el('h2', {}, 'Diagram');
+  private readonly quantity: HTMLSelectElement;
+  private readonly station: HTMLSelectElement;
+  private readonly parameter: HTMLSelectElement;
+  private readonly modes: Segments;
+  private readonly back: HTMLButtonElement;
+  private readonly reset: HTMLButtonElement;
+  private readonly again: HTMLButtonElement;
+  private readonly cancel: HTMLButtonElement;
+  private readonly bar = el('progress', { max: 1, value: 0, 'aria-label': 'Progress of the diagram' });
+  private readonly status = el('p', { class: 'status', role: 'status' });
+  private readonly legend = el('div', { class: 'legend', role: 'group', 'aria-label': 'Regimes; press to hide or show' });
+  private readonly computing: HTMLElement;
+
+  constructor(private readonly listener: MapCardListener) {
+    this.map = new MapView(listener);
+    this.quantity = select('What the diagram shows', QUANTITIES.map(({ id, text }) => ({ value: id, text })), 'x', (value) => listener.quantity(value));
+    this.station = select('Station', [], '', (value) => listener.station(Number(value)));
+    this.parameter = select('Parameter along the diagram', [], '', (value) => listener.parameter(value));
+    this.modes = new Segments('What dragging does', [
+      { value: 'point', text: 'Point', title: 'Drag: the motion at the value under the cursor' },
+      { value: 'range', text: 'Range', title: 'Drag: compute that range anew, finer' },
+      { value: 'pan', text: 'Pan', title: 'Drag: move the view; the wheel zooms' },
+    ], 'point', (value) => (this.map.mode = value as Mode));
+    this.back = button('Back', 'Back to the diagram before', () => listener.back());
+    this.reset = button('Reset', 'The whole diagram of the case', () => listener.reset());
+    this.again = button('Recompute', 'Recompute the diagram here, with the present parameters', () => listener.recompute(), { class: 'primary' });
+    this.cancel = button('Cancel', 'Stop computing', () => listener.cancel(), { hidden: true });
+    this.bar.hidden = true;
+    this.computing = el(
+      'div',
+      { class: 'tools' },
+      this.again,
+      select('Points of a new diagram', POINTS, String(this.points), (value) => (this.points = Number(value))),
+      select('How well a new diagram is computed', QUALITIES, this.quality, (value) => (this.quality = value as Quality)),
+      this.bar,
+      this.cancel,
+    );
+    const name = () => fileName('whirl', this.subject?.name ?? '', this.subject?.quantity ?? '', this.subject?.parameter ?? '');
+    const figure = { root: this.map.root, redraw: () => this.map.refresh(), picture: () => this.map.picture() };
+    this.root = el(
+      'section',
+      { class: 'card map-card', 'aria-label': 'Diagram' },
+      el('header', {}, this.title, el('div', { class: 'tools' }, this.quantity, this.station, el('span', { class: 'over' }, 'over'), this.parameter, saveMenu('Diagram', name, () => figure, () => this.map.table()))),
+      el('div', { class: 'tools' }, this.modes.root, this.back, this.reset),
+      this.map.root,
+      this.legend,
+      this.computing,
+      this.status,
+    );
+  }
+
+  show(subject: MapCardSubject): void {
+    this.subject = subject;
+    setChoices(this.station, subject.stations.map(({ name }, i) => ({ value: String(i), text: name })), String(subject.station));
+    this.station.hidden = !(QUANTITIES.find(({ id }) => id === subject.quantity)?.perStation ?? true) || subject.stations.length < 2;
+    setChoices(this.parameter, subject.parameters.map((name) => ({ value: name, text: name })), subject.parameter);
+    this.parameter.disabled = subject.parameters.length < 2;
+    this.quantity.value = subject.quantity;
+    this.back.disabled = subject.depth === 0;
+    this.computing.hidden = !subject.computes;
+    this.status.textContent = subject.status;
+    this.root.classList.toggle('stale', subject.stale);
+    this.map.show(subject);
+    this.showLegend();
+  }
+
+  /// After points have come in.
+  grow(): void {
+    this.map.refresh();
+    this.showLegend();
+  }
+
+  /// undefined: nothing is being computed.
+  progress(now: SweepProgress | undefined): void {
+    this.bar.hidden = this.cancel.hidden = now === undefined;
+    this.again.disabled = now !== undefined;
+    if (now) this.bar.value = now.revolutionsTotal > 0 ? now.revolutionsDone / now.revolutionsTotal : 0;
+  }
+
+  private showLegend(): void {
+    const diagram = this.subject?.diagram;
+    const counts = CLASS_NAMES.map(() => 0);
+    diagram?.classes.forEach((kind, point) => (counts[kind]! += diagram.done[point]!));
+    const entries = counts.flatMap((count, kind) => (count > 0 ? [this.legendEntry(kind, count)] : []));
+    const rub = diagram?.values.some((_, point) => diagram.done[point] === 1 && diagram.contact(point) > 0);
+    if (rub) entries.push(el('span', { class: 'legend-note key-contact' }, 'contact'));
+    if (diagram?.column('regime/confidence')) entries.push(el('span', { class: 'legend-note key-confidence' }, 'confidence (faint: low)'));
+    // Rebuilt only when something changed, so that focus stays where it is.
+    const text = entries.map((entry) => entry.textContent).join();
+    if (this.legend.dataset['text'] === text) return;
+    this.legend.dataset['text'] = text;
+    this.legend.replaceChildren(...entries);
+  }
+
+  private legendEntry(kind: number, count: number): HTMLElement {
+    const entry = button(`${CLASS_NAMES[kind]} `, `${CLASS_NAMES[kind]}: ${count} points; hide or show`, () => {
+      if (!this.hidden.delete(kind)) this.hidden.add(kind);
+      entry.setAttribute('aria-pressed', String(!this.hidden.has(kind)));
+      this.listener.hidden(new Set(this.hidden));
+    }, { class: `legend-entry class-${kind}`, 'aria-pressed': String(!this.hidden.has(kind)) });
+    entry.append(el('span', { class: 'count' }, String(count)));
+    return entry;
+  }
+}

@@ -1,0 +1,110 @@
+// A panel: one picture of a motion in a card, with what can be taken away from it.
+import type { Diagram } from '../data/diagram';
+import type { Motion } from '../data/motion';
+import { button, download, el } from '../dom';
+import type { StationInfo } from '../engine/protocol';
+import type { Figure } from '../figure/figure';
+import { pngOf } from '../figure/pen';
+import type { Theme } from '../figure/theme';
+import type { Scales, Units } from '../model/units';
+
+/// What a panel shows.
+export interface Subject {
+  /// undefined while nothing is computed yet.
+  readonly motion: Motion | undefined;
+  readonly station: number;
+  readonly info: StationInfo;
+  readonly units: Units;
+  readonly scales: Scales;
+  /// Colour of the setting (A or B).
+  readonly accent: (colours: Theme) => string;
+  /// Of the same run, for the path of the centreline.
+  readonly diagram: Diagram | undefined;
+  /// "r_k = 0.45", for files and titles.
+  readonly label: string;
+}
+
+export interface Table {
+  readonly heading: readonly string[];
+  readonly rows: Iterable<readonly (number | string)[]>;
+}
+
+/// Plain CSV after RFC 4180; numbers with all their digits.
+export function csvOf(table: Table): string {
+  const cell = (value: number | string) => {
+    const text = String(value);
+    return /[",\r\n]/.test(text) ? `"${text.replace(/"/g, '""')}"` : text;
+  };
+  const lines = [table.heading, ...table.rows].map((row) => row.map(cell).join(','));
+  return lines.join('\r\n') + '\r\n';
+}
+
+/// A file name of letters, digits and a few signs.
+export function fileName(...parts: readonly string[]): string {
+  return parts
+    .map((part) => part.replace(/[^A-Za-z0-9._+-]+/g, '-').replace(/^[-.]+|-+$/g, ''))
+    .filter((part) => part)
+    .join('-');
+}
+
+/// A menu that saves a figure as PNG or SVG and its data as CSV.
+export function saveMenu(title: string, name: () => string, figure: () => Figure, table: () => Table): HTMLElement {
+  const menu = el('details', { class: 'menu' }, el('summary', { 'aria-label': `Save: ${title}`, title: 'Save the picture or its data' }, '\u2913'));
+  const item = (kind: string, what: string, act: () => void | Promise<void>) =>
+    button(kind, `${title}: save ${what}`, () => {
+      menu.open = false;
+      void act();
+    }, { 'data-save': kind.toLowerCase() });
+  menu.append(
+    el('div', { class: 'menu-items' },
+      item('PNG', 'the picture as PNG', async () => {
+        const { svg, width, height } = figure().picture();
+        download(`${name()}.png`, 'image/png', await pngOf(svg, width, height));
+      }),
+      item('SVG', 'the picture as SVG', () => download(`${name()}.svg`, 'image/svg+xml', figure().picture().svg)),
+      item('CSV', 'the data as CSV', () => download(`${name()}.csv`, 'text/csv', csvOf(table()))),
+    ),
+  );
+  menu.addEventListener('keydown', (event) => {
+    if (event.key === 'Escape') menu.open = false;
+  });
+  document.addEventListener('pointerdown', (event) => {
+    if (menu.open && !menu.contains(event.target as Node)) menu.open = false;
+  });
+  return menu;
+}
+
+export abstract class Panel {
+  readonly root: HTMLElement;
+  protected subject: Subject | undefined;
+  protected readonly note = el('p', { class: 'panel-note' });
+  private readonly tools = el('div', { class: 'panel-tools' });
+
+  constructor(
+    readonly name: string,
+    readonly title: string,
+  ) {
+    this.root = el('section', { class: `card panel panel-${name}`, 'aria-label': title },
+      el('header', {}, el('h3', {}, title), this.tools));
+  }
+
+  /// To be called by constructors, when the figure is there.
+  protected assemble(...tools: readonly HTMLElement[]): void {
+    const name = () => fileName('whirl', this.name, this.subject?.info.name ?? '', this.subject?.label ?? '');
+    this.tools.append(...tools, saveMenu(this.title, name, () => this.figure, () => this.table()));
+    this.root.append(this.figure.root, this.note);
+  }
+
+  update(subject: Subject): void {
+    this.subject = subject;
+    this.refresh();
+  }
+
+  redraw(): void {
+    this.figure.redraw();
+  }
+
+  abstract readonly figure: Figure;
+  protected abstract refresh(): void;
+  protected abstract table(): Table;
+}

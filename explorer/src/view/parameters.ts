@@ -1,0 +1,160 @@
+// The parameters of a case: a slider and a number for each, with unit, range and meaning as the engine's descriptors say.
+import { button, el } from '../dom';
+import type { CaseInfo, ParameterInfo } from '../engine/protocol';
+import { labelled, parameterMeasure, shown, written, type Units } from '../model/units';
+import type { Assignments } from '../model/setting';
+
+export interface ParametersSubject {
+  /// Of the case as it stands in its file.
+  readonly original: CaseInfo;
+  /// With the assignments in force.
+  readonly current: CaseInfo;
+  readonly assignments: Assignments;
+  /// The parameter along the diagram: its value is the cursor's.
+  readonly swept: string;
+  readonly units: Units;
+}
+
+export interface ParametersListener {
+  /// A parameter's new value, as `whirl run --set` takes it; undefined: as in the case. `settled` when the hand let go.
+  assigned(name: string, text: string | undefined, settled: boolean): void;
+}
+
+const STEPS = 1000;
+
+/// How a parameter is shown and written: a number in a unit, and that unit's size in SI.
+interface Notation {
+  readonly unit: string;
+  /// Shown numbers per SI.
+  readonly factor: number;
+}
+
+function notationOf(parameter: ParameterInfo, units: Units): Notation {
+  const measure = parameterMeasure(parameter.unit, units);
+  if (measure.unit === 'rpm' || measure.unit === 'rad/s') return measure;
+  const [, figures, unit] = /^\s*([-+0-9.eE]+)\s+(\S.*?)\s*$/.exec(parameter.written) ?? [];
+  const number = Number(figures);
+  if (!parameter.expression && unit && number !== 0 && parameter.value !== 0 && Number.isFinite(number))
+    return { unit, factor: number / parameter.value };
+  return measure;
+}
+
+interface Bounds {
+  readonly low: number;
+  readonly high: number;
+}
+
+/// Where the slider ends, in SI: the sweep's range, else from nothing to twice the value, within what the keys allow.
+function sliderBounds(parameter: ParameterInfo, info: CaseInfo): Bounds {
+  const swept = info.batches.find((batch) => batch.parameter === parameter.name && batch.values.length > 1);
+  let [low, high] = parameter.value === 0 ? [-1, 1] : [Math.min(0, 2 * parameter.value), Math.max(0, 2 * parameter.value)];
+  if (swept) [low, high] = [Math.min(...swept.values), Math.max(...swept.values)];
+  for (const use of parameter.uses) {
+    if (!use.alone) continue;
+    const margin = Math.abs(parameter.value) * 1e-3 || 1e-3;
+    if (use.low !== null) low = Math.max(low, use.low + (use.lowOpen ? margin : 0));
+    if (use.high !== null) high = Math.min(high, use.high - (use.highOpen ? margin : 0));
+  }
+  return { low: Math.min(low, parameter.value), high: Math.max(high, parameter.value) };
+}
+
+function meaningOf(parameter: ParameterInfo): string {
+  const use = parameter.uses.find(({ alone }) => alone) ?? parameter.uses[0];
+  return parameter.comment || use?.meaning || '';
+}
+
+/// "above 0 N/m", as the descriptors say; "" where anything goes.
+function rangeOf(parameter: ParameterInfo): string {
+  const use = parameter.uses.find(({ alone }) => alone);
+  if (!use) return '';
+  const unit = use.unit === '1' ? '' : ` ${use.unit}`;
+  const low = use.low === null ? '' : `${use.lowOpen ? 'above' : 'at least'} ${shown(use.low)}${unit}`;
+  const high = use.high === null ? '' : `${use.highOpen ? 'below' : 'at most'} ${shown(use.high)}${unit}`;
+  return [low, high].filter((part) => part).join(', ');
+}
+
+class Row {
+  readonly root: HTMLElement;
+  private readonly slider = el('input', { type: 'range', min: 0, max: STEPS, step: 1 });
+  private readonly field = el('input', { type: 'number', step: 'any', inputmode: 'decimal' });
+  private readonly unit = el('span', { class: 'unit' });
+  private readonly reset: HTMLButtonElement;
+  private notation: Notation = { unit: '', factor: 1 };
+
+  constructor(
+    private readonly name: string,
+    private readonly bounds: Bounds,
+    original: ParameterInfo,
+    private readonly listener: ParametersListener,
+  ) {
+    const meaning = meaningOf(original);
+    const range = rangeOf(original);
+    const id = `parameter-${name}`;
+    this.field.id = id;
+    this.slider.setAttribute('aria-label', `${name}, slider`);
+    this.field.setAttribute('aria-describedby', `${id}-meaning`);
+    this.reset = button('\u21ba', `Reset ${name} to the case`, () => listener.assigned(name, undefined, true), { class: 'icon' });
+    this.slider.addEventListener('input', () => this.slid(false));
+    this.slider.addEventListener('change', () => this.slid(true));
+    this.field.addEventListener('change', () => this.typed());
+    this.root = el(
+      'div',
+      { class: 'parameter' },
+      el('label', { for: id }, name),
+      this.slider,
+      this.field,
+      this.unit,
+      this.reset,
+      el('p', { id: `${id}-meaning`, class: 'meaning' }, [meaning, range && `(${range})`].filter((part) => part).join(' ')),
+    );
+  }
+
+  show(now: ParameterInfo, changed: boolean, units: Units, swept: boolean): void {
+    this.notation = notationOf(now, units);
+    this.unit.textContent = this.notation.unit;
+    const { low, high } = this.bounds;
+    if (document.activeElement !== this.slider) this.slider.value = String(Math.round(((now.value - low) / (high - low)) * STEPS));
+    if (document.activeElement !== this.field) this.field.value = written(now.value * this.notation.factor, 7);
+    this.field.setAttribute('aria-label', labelled(this.name, this.notation.unit));
+    this.slider.setAttribute('aria-valuetext', `${shown(now.value * this.notation.factor)} ${this.notation.unit}`);
+    this.reset.disabled = !changed;
+    this.root.classList.toggle('changed', changed);
+    this.root.classList.toggle('swept', swept);
+    this.field.setCustomValidity('');
+  }
+
+  private slid(settled: boolean): void {
+    const { low, high } = this.bounds;
+    const value = low + (Number(this.slider.value) / STEPS) * (high - low);
+    const text = written(value * this.notation.factor, 5);
+    this.field.value = text;
+    this.assign(text, settled);
+  }
+
+  private typed(): void {
+    if (this.field.value.trim() && Number.isFinite(Number(this.field.value))) this.assign(written(Number(this.field.value), 12), true);
+  }
+
+  private assign(text: string, settled: boolean): void {
+    this.listener.assigned(this.name, this.notation.unit ? `${text} ${this.notation.unit}` : text, settled);
+  }
+}
+
+export class ParametersView {
+  readonly root = el('div', { class: 'parameters' });
+  private rows = new Map<string, Row>();
+  private original: CaseInfo | undefined;
+
+  constructor(private readonly listener: ParametersListener) {}
+
+  show({ original, current, assignments, swept, units }: ParametersSubject): void {
+    if (original !== this.original) this.build(original);
+    for (const parameter of current.parameters) this.rows.get(parameter.name)?.show(parameter, assignments.has(parameter.name), units, parameter.name === swept);
+  }
+
+  private build(original: CaseInfo): void {
+    this.original = original;
+    this.rows = new Map(original.parameters.map((parameter) => [parameter.name, new Row(parameter.name, sliderBounds(parameter, original), parameter, this.listener)]));
+    this.root.replaceChildren(...Array.from(this.rows.values(), (row) => row.root));
+  }
+}

@@ -1,0 +1,107 @@
+// The card of the setting: parameters, how motions are computed, and what can be taken away.
+import { button, el, select, setChoices } from '../dom';
+import type { CaseInfo } from '../engine/protocol';
+import type { Computation } from '../model/setting';
+import { ParametersView, type ParametersListener, type ParametersSubject } from './parameters';
+
+export interface SettingsListener extends ParametersListener {
+  computation(changed: Computation): void;
+  resetAll(): void;
+  download(): void;
+  copyCommand(): void;
+  copyLink(): void;
+}
+
+export interface SettingsSubject extends ParametersSubject {
+  readonly side: string;
+  readonly comparing: boolean;
+  readonly computation: Computation;
+  readonly trouble: string;
+}
+
+type WholeKey = 'steps' | 'transient' | 'record';
+
+export class SettingsCard {
+  readonly root: HTMLElement;
+  private readonly title = el('h2');
+  private readonly parameters: ParametersView;
+  private readonly method: HTMLSelectElement;
+  private readonly fields: Readonly<Record<WholeKey, HTMLInputElement>>;
+  private readonly trouble = el('p', { class: 'trouble', role: 'alert' });
+  private readonly notice = el('p', { class: 'notice', role: 'status' });
+  private computation: Computation = {};
+
+  constructor(private readonly listener: SettingsListener) {
+    this.parameters = new ParametersView(listener);
+    this.method = select('Method of integration', [], '', (value) => this.change('method', value));
+    this.fields = {
+      steps: this.wholeField('steps', 8, 65536),
+      transient: this.wholeField('transient', 0, 100000),
+      record: this.wholeField('record', 1, 100000),
+    };
+    this.root = el(
+      'section',
+      { class: 'card settings-card', 'aria-label': 'Parameters' },
+      el('header', {}, this.title, el('div', { class: 'tools' }, button('Reset all', 'Reset all parameters to the case', () => listener.resetAll()))),
+      this.trouble,
+      this.parameters.root,
+      el(
+        'details',
+        { class: 'computation' },
+        el('summary', {}, 'How motions are computed'),
+        el('div', { class: 'fields' }, this.labelled('Method', this.method), this.labelled('Steps a revolution', this.fields.steps), this.labelled('Transient, revolutions', this.fields.transient), this.labelled('Recorded, revolutions', this.fields.record)),
+      ),
+      el(
+        'div',
+        { class: 'tools keep' },
+        button('Save case', 'Save the present setting as a case file for whirl run', () => listener.download(), { 'data-save': 'case' }),
+        button('Copy command', 'Copy a command line that computes the present setting', () => listener.copyCommand()),
+        button('Copy link', 'Copy the address of this page with the present setting', () => listener.copyLink()),
+      ),
+      this.notice,
+    );
+  }
+
+  show(subject: SettingsSubject): void {
+    this.title.textContent = subject.comparing ? `Parameters of ${subject.side.toUpperCase()}` : 'Parameters';
+    this.trouble.textContent = subject.trouble;
+    this.parameters.show(subject);
+    this.showComputation(subject.original, subject.computation);
+  }
+
+  say(text: string): void {
+    this.notice.textContent = text;
+  }
+
+  private showComputation(info: CaseInfo, computation: Computation): void {
+    this.computation = computation;
+    const batch = info.batches[0];
+    setChoices(this.method, info.methods.map(({ name }) => ({ value: name, text: name })), computation.method ?? batch?.integrate.method ?? '');
+    const values: Record<WholeKey, number | undefined> = {
+      steps: computation.steps ?? batch?.integrate.stepsPerRevolution,
+      transient: computation.transient ?? batch?.record.transient,
+      record: computation.record ?? batch?.record.record,
+    };
+    for (const key of Object.keys(values) as WholeKey[]) {
+      const field = this.fields[key];
+      if (document.activeElement !== field) field.value = String(values[key] ?? '');
+    }
+  }
+
+  private wholeField(key: WholeKey, low: number, high: number): HTMLInputElement {
+    const field = el('input', { type: 'number', min: low, max: high, step: 1, inputmode: 'numeric' });
+    field.addEventListener('change', () => {
+      const value = Number(field.value);
+      if (Number.isInteger(value) && value >= low && value <= high) this.change(key, value);
+    });
+    return field;
+  }
+
+  private change(key: string, value: string | number): void {
+    this.listener.computation({ ...this.computation, [key]: value });
+  }
+
+  private labelled(text: string, field: HTMLElement): HTMLElement {
+    return el('label', {}, el('span', {}, text), field);
+  }
+}

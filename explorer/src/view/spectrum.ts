@@ -1,0 +1,196 @@
+// Spectra: amplitudes of both probes over orders, and the full spectrum of x + iy, forward to the right, backward to the left.
+import { button, el } from '../dom';
+import { Chart, type Frame, type Line, type Range } from '../figure/chart';
+import { textSize } from '../figure/figure';
+import { font, type Pen } from '../figure/pen';
+import type { Theme } from '../figure/theme';
+import { tickText } from '../figure/ticks';
+import { amplitudeMeasure, frequencyMeasure, shown } from '../model/units';
+import type { Spectrum } from '../data/motion';
+import { Panel, type Table } from './panel';
+import { key } from './waveform';
+
+/// Decades below the largest amplitude that a logarithmic axis shows.
+const DECADES = 5;
+const MOST_LABELS = 6;
+
+interface Curve {
+  readonly frequency: Float64Array;
+  readonly amplitudes: readonly Float64Array[];
+}
+
+interface Peak {
+  readonly frequency: number;
+  readonly amplitude: number;
+}
+
+const EMPTY: Curve = { frequency: new Float64Array(0), amplitudes: [] };
+
+abstract class SpectralPanel extends Panel {
+  readonly figure: Chart;
+  protected curve: Curve = EMPTY;
+  private peaks: readonly Peak[] = [];
+  private logarithmic = false;
+
+  constructor(name: string, title: string, lines: readonly Line[], xText?: (value: number, step: number) => string) {
+    super(name, title);
+    this.figure = new Chart({
+      title,
+      lines,
+      over: (pen, frame, colours) => this.drawPeaks(pen, frame, colours),
+      ...(xText ? { xText } : {}),
+    });
+    const scale = button('log', 'Logarithmic amplitudes', () => {
+      this.logarithmic = !this.logarithmic;
+      scale.setAttribute('aria-pressed', String(this.logarithmic));
+      this.refresh();
+    }, { class: 'icon', 'aria-pressed': 'false' });
+    this.assemble(scale);
+  }
+
+  protected abstract curveOf(spectrum: Spectrum, frequency: number, amplitude: number): Curve;
+  protected abstract peaksOf(lines: Spectrum, frequency: number, amplitude: number): Peak[];
+  protected abstract range(highest: number): Range;
+  protected abstract axis(unit: string): string;
+
+  protected refresh(): void {
+    const { motion, station, units, scales } = this.subject!;
+    const frequency = frequencyMeasure(units, scales);
+    const amplitude = amplitudeMeasure(units, scales);
+    const spectrum = motion?.spectrum(station);
+    this.curve = spectrum?.order.length ? this.curveOf(spectrum, frequency.factor, amplitude.factor) : EMPTY;
+    this.peaks = motion && spectrum?.order.length ? this.peaksOf(motion.lines(station), frequency.factor, amplitude.factor) : [];
+    let most = 0;
+    for (const values of this.curve.amplitudes) for (const value of values) most = Math.max(most, value);
+    for (const peak of this.peaks) most = Math.max(most, peak.amplitude);
+    if (!(most > 0)) most = 1;
+    const order = (spectrum?.order.at(-1) ?? 5) * frequency.factor;
+    this.figure.setAxes(this.axis(frequency.unit), `amplitude (${amplitude.unit})`, this.logarithmic);
+    const amplitudes: Range = this.logarithmic ? [most * 10 ** -DECADES, most * 3] : [0, most * 1.16];
+    const lines = this.curve.amplitudes.length ? this.curve.amplitudes : [new Float64Array(0), new Float64Array(0)];
+    this.figure.show(this.range(order), amplitudes, [this.curve.frequency, ...lines]);
+    this.describe();
+  }
+
+  protected abstract describe(): void;
+
+  private drawPeaks(pen: Pen, frame: Frame, colours: Theme): void {
+    const size = textSize() * frame.ratio;
+    pen.font = font(size);
+    pen.fillStyle = colours.ink;
+    pen.textAlign = 'center';
+    pen.textBaseline = 'bottom';
+    const taken: [number, number][] = [];
+    for (const peak of this.peaks) {
+      const [x, y] = [frame.x(peak.frequency), frame.y(peak.amplitude)];
+      const text = this.subject!.units.frequency === 'Hz' ? shown(Math.abs(peak.frequency), 4) : `${shown(Math.abs(peak.frequency), 3)}X`;
+      const half = 0.32 * size * text.length;
+      if (x < frame.left || x > frame.left + frame.width || taken.some(([from, to]) => x + half > from && x - half < to)) continue;
+      taken.push([x - half, x + half]);
+      if (taken.length > MOST_LABELS) break;
+      pen.fillText(text, Math.min(Math.max(x, frame.left + half), frame.left + frame.width - half), Math.max(y - 0.2 * size, frame.top + 1.1 * size));
+    }
+  }
+}
+
+/// Peaks worth a label: above a hundredth of the largest.
+function worthy(peaks: readonly Peak[]): Peak[] {
+  const most = Math.max(0, ...peaks.map((peak) => peak.amplitude));
+  return peaks.filter((peak) => peak.amplitude > 0.01 * most).sort((a, b) => b.amplitude - a.amplitude);
+}
+
+function scaled(values: Float64Array, factor: number): Float64Array {
+  return values.map((value) => value * factor);
+}
+
+export class SpectrumPanel extends SpectralPanel {
+  constructor() {
+    super('spectrum', 'Spectrum', [
+      { label: 'x', colour: (colours) => colours.x, width: 1.5 },
+      { label: 'y', colour: (colours) => colours.y, width: 1.5 },
+    ]);
+  }
+
+  protected curveOf(spectrum: Spectrum, frequency: number, amplitude: number): Curve {
+    return { frequency: scaled(spectrum.order, frequency), amplitudes: [scaled(spectrum.x, amplitude), scaled(spectrum.y, amplitude)] };
+  }
+
+  protected peaksOf(lines: Spectrum, frequency: number, amplitude: number): Peak[] {
+    return worthy(Array.from(lines.order, (order, i) => ({ frequency: order * frequency, amplitude: Math.max(lines.x[i]!, lines.y[i]!) * amplitude })));
+  }
+
+  protected range(highest: number): Range {
+    return [0, highest];
+  }
+
+  protected axis(unit: string): string {
+    return `frequency (${unit})`;
+  }
+
+  protected describe(): void {
+    this.note.replaceChildren(key('x', 'key-x'), key('y', 'key-y'));
+  }
+
+  protected table(): Table {
+    const { units, scales } = this.subject!;
+    const [f, a] = [frequencyMeasure(units, scales).unit, amplitudeMeasure(units, scales).unit];
+    return {
+      heading: [`frequency [${f}]`, `x [${a}]`, `y [${a}]`],
+      rows: Array.from(this.curve.frequency, (frequency, i) => [frequency, this.curve.amplitudes[0]![i]!, this.curve.amplitudes[1]![i]!]),
+    };
+  }
+}
+
+export class FullSpectrumPanel extends SpectralPanel {
+  constructor() {
+    super(
+      'full-spectrum',
+      'Full spectrum',
+      [
+        { label: 'backward', colour: (colours) => colours.backward, width: 1.5 },
+        { label: 'forward', colour: (colours) => colours.forward, width: 1.5 },
+      ],
+      (value, step) => tickText(value, step),
+    );
+  }
+
+  /// Backward frequencies are negative, the highest first, so that the axis runs through.
+  protected curveOf(spectrum: Spectrum, frequency: number, amplitude: number): Curve {
+    const count = spectrum.order.length;
+    const at = Float64Array.from({ length: 2 * count }, (_, i) => (i < count ? -spectrum.order[count - 1 - i]! : spectrum.order[i - count]!) * frequency);
+    const backward = Float64Array.from({ length: 2 * count }, (_, i) => (i < count ? spectrum.backward[count - 1 - i]! * amplitude : NaN));
+    const forward = Float64Array.from({ length: 2 * count }, (_, i) => (i < count ? NaN : spectrum.forward[i - count]! * amplitude));
+    return { frequency: at, amplitudes: [backward, forward] };
+  }
+
+  protected peaksOf(lines: Spectrum, frequency: number, amplitude: number): Peak[] {
+    const both = Array.from(lines.order, (order, i) => [
+      { frequency: order * frequency, amplitude: lines.forward[i]! * amplitude },
+      { frequency: -order * frequency, amplitude: lines.backward[i]! * amplitude },
+    ]);
+    return worthy(both.flat());
+  }
+
+  protected range(highest: number): Range {
+    return [-highest, highest];
+  }
+
+  protected axis(unit: string): string {
+    return `\u2190 backward    frequency (${unit})    forward \u2192`;
+  }
+
+  protected describe(): void {
+    this.note.replaceChildren(key('forward', 'key-forward'), key('backward', 'key-backward'), el('span', {}, 'relative to the rotation'));
+  }
+
+  protected table(): Table {
+    const { units, scales } = this.subject!;
+    const [f, a] = [frequencyMeasure(units, scales).unit, amplitudeMeasure(units, scales).unit];
+    const count = this.curve.frequency.length / 2;
+    const [backward, forward] = this.curve.amplitudes;
+    return {
+      heading: [`frequency [${f}]`, `forward [${a}]`, `backward [${a}]`],
+      rows: Array.from({ length: count }, (_, i) => [this.curve.frequency[count + i]!, forward![count + i]!, backward![count - 1 - i]!]),
+    };
+  }
+}

@@ -1,0 +1,70 @@
+// The head of the page: which machine, in which units, side by side or alone, light or dark.
+import { button, el, Segments, select, setChoices } from '../dom';
+import type { Machine } from '../model/machine';
+import type { AmplitudeUnit, FrequencyUnit, LengthUnit, SpeedUnit, Units } from '../model/units';
+
+export interface TopbarListener {
+  machine(name: string): void;
+  units(units: Units): void;
+  compare(): void;
+  theme(): void;
+  help(): void;
+}
+
+export class Topbar {
+  readonly root: HTMLElement;
+  private readonly title = el('h1');
+  private readonly intro = el('p', { class: 'intro' });
+  private readonly machines: HTMLSelectElement;
+  private readonly length: Segments;
+  private readonly speed: Segments;
+  private readonly frequency: Segments;
+  private readonly amplitude: Segments;
+  private readonly compare: HTMLButtonElement;
+  private units: Units = { length: 'um', speed: 'rpm', frequency: 'order', amplitude: '0-p' };
+
+  constructor(private readonly listener: TopbarListener) {
+    this.machines = select('Machine', [], '', (value) => listener.machine(value));
+    this.length = this.unitSegments('Length', [{ value: 'um', text: '\u00b5m' }, { value: 'mil', text: 'mil' }, { value: 'scale', text: 'c', title: 'length scales of the case' }], (value) => ({ length: value as LengthUnit }));
+    this.speed = this.unitSegments('Speed', [{ value: 'rpm', text: 'rpm' }, { value: 'rad/s', text: 'rad/s' }], (value) => ({ speed: value as SpeedUnit }));
+    this.frequency = this.unitSegments('Frequency', [{ value: 'order', text: 'X', title: 'orders of the running speed' }, { value: 'Hz', text: 'Hz' }], (value) => ({ frequency: value as FrequencyUnit }));
+    this.amplitude = this.unitSegments('Amplitude', ['0-p', 'p-p', 'rms'].map((value) => ({ value, text: value })), (value) => ({ amplitude: value as AmplitudeUnit }));
+    this.compare = button('A | B', 'Compare two settings side by side', () => listener.compare(), { 'aria-pressed': 'false' });
+    this.root = el(
+      'header',
+      { class: 'topbar' },
+      el('div', { class: 'topbar-title' }, el('span', { class: 'brand', 'aria-hidden': 'true' }, 'whirl'), this.title),
+      el(
+        'div',
+        { class: 'tools topbar-tools' },
+        this.machines,
+        this.length.root,
+        this.speed.root,
+        this.frequency.root,
+        this.amplitude.root,
+        this.compare,
+        button('\u25d0', 'Light or dark', () => listener.theme(), { class: 'icon' }),
+        button('?', 'Help', () => listener.help(), { class: 'icon' }),
+      ),
+      this.intro,
+    );
+  }
+
+  show(machine: Machine, machines: readonly Machine[], units: Units, comparing: boolean): void {
+    this.title.textContent = machine.title || machine.name;
+    document.title = `${machine.title || machine.name} \u00b7 whirl`;
+    this.intro.textContent = machine.intro;
+    setChoices(this.machines, machines.map(({ name, title, run }) => ({ value: name, text: `${title || name}${run ? '' : ' (computed here)'}` })), machine.name);
+    this.machines.hidden = machines.length < 2;
+    this.units = units;
+    this.length.value = units.length;
+    this.speed.value = units.speed;
+    this.frequency.value = units.frequency;
+    this.amplitude.value = units.amplitude;
+    this.compare.setAttribute('aria-pressed', String(comparing));
+  }
+
+  private unitSegments(label: string, choices: readonly { value: string; text: string; title?: string }[], part: (value: string) => Partial<Units>): Segments {
+    return new Segments(label, choices, choices[0]!.value, (value) => this.listener.units({ ...this.units, ...part(value) }));
+  }
+}
