@@ -1,4 +1,5 @@
-/// Ensembles: many machines of one structure, carried over revolutions side by side in vector lanes by RK4.
+/// Ensembles: many machines of one structure, carried over revolutions side by side in vector lanes: by rk4 step by
+/// step together, by dop853 each at its own time.
 ///
 /// Every lane is computed as if it were alone: its neighbours, its place, the number of lanes and the width of the vectors
 /// change no bit of it, on processors that fuse multiply-adds (and on those that do not, among themselves).
@@ -19,7 +20,8 @@ extern "C" {
 /// An ensemble with its workspace; not to be shared between threads.
 typedef struct whirl_ensemble whirl_ensemble;
 
-/// Whether machines of this system can run in lanes with these options: rotors, with method rk4.
+/// Whether machines of this system can run in lanes with these options: rotors, with method rk4, or dop853 where no contact can
+/// slide along a sharp reversal of its friction.
 bool whirl_ensemble_takes(const whirl_system *system, const whirl_integrate_options *options);
 
 /// Room for at least `lanes` machines of the structure of `system` (0: as many as are fast). The instruction set is the widest that the processor has,
@@ -46,7 +48,7 @@ void whirl_ensemble_state(const whirl_ensemble *ensemble, size_t lane, double *x
 /// Moves a machine with its state and all that was watched of it to another lane, whose own is lost.
 void whirl_ensemble_move(whirl_ensemble *ensemble, size_t from, size_t to);
 
-/// Bounded, or diverged by the options' limit.
+/// Bounded, diverged by the options' limit, or stuck where an adaptive method could not go on.
 whirl_motion whirl_ensemble_motion(const whirl_ensemble *ensemble, size_t lane);
 
 /// What revolutions shall gather besides the states at their ends.

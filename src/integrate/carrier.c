@@ -68,7 +68,7 @@ static double estimated_error(const carrier *c, double h) {
         square5 += (e5 / c->scale[d]) * (e5 / c->scale[d]);
         square3 += (e3 / c->scale[d]) * (e3 / c->scale[d]);
     }
-    const double mixed = square5 + 0.01 * square3;
+    const double mixed = square5 + DOP853_MIX * square3;
     return mixed > 0.0 ? h * square5 / sqrt(mixed * (double)c->dimension) : mixed;
 }
 
@@ -148,12 +148,16 @@ static double first_length(carrier *c) {
     return isfinite(longer) ? fmin(100.0 * h, longer) : h;
 }
 
-whirl_motion carrier_begin(carrier *c, const whirl_system *system, const double *x) {
+void carrier_place(carrier *c, const whirl_system *system, double t) {
     c->system = system;
-    c->t = 0.0;
+    c->t = t;
     c->error = 1.0;
     c->switchings = 0;
     c->crossed = true;
+}
+
+whirl_motion carrier_begin(carrier *c, const whirl_system *system, const double *x) {
+    carrier_place(c, system, 0.0);
     memcpy(c->x, x, c->dimension * sizeof *x);
     for (size_t d = 0; d < c->dimension; d++)
         if (!(fabs(x[d]) <= c->limit)) return WHIRL_DIVERGED; // NaN too

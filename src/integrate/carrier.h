@@ -50,6 +50,9 @@ carrier *carrier_new(size_t dimension, size_t switch_count, const whirl_integrat
 /// Begins a revolution at x: t = 0, sides as x says, a length of step that depends on x alone.
 whirl_motion carrier_begin(carrier *c, const whirl_system *system, const double *x);
 
+/// Places the motion of another carrier at time t: x, sides, held and h are the caller's to set.
+void carrier_place(carrier *c, const whirl_system *system, double t);
+
 /// Carries the motion one step further, at most to `until` and at most to the first switch.
 whirl_motion carrier_step(carrier *c, double until);
 

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #define VECTOR_ISA 0
+#include "dop853_lanes.h"
 #include "isa.h"
 #include "method.h"
 #include "rk4_lanes.h"
@@ -24,6 +25,9 @@ struct whirl_ensemble {
     size_t lane_count, contact_count;
     double limit;
     rk4_lanes lanes;
+    dop853_lanes *adaptive; ///< NULL for rk4
+    double *ended;          ///< [lane] whirl_motion, of adaptive methods
+    const double *shown;    ///< [dimension] states that coordinates are asked of: a sample's; NULL: the present ones
     const whirl_system **machines; ///< [lane_count] who is where
     size_t *contact_station;
     double *state;           ///< [dimension] of a lane that is asked for its contacts
@@ -31,13 +35,15 @@ struct whirl_ensemble {
 };
 
 bool whirl_ensemble_takes(const whirl_system *system, const whirl_integrate_options *options) {
-    return system->lanes && strcmp(options->method, "rk4") == 0;
+    if (!system->lanes) return false;
+    return strcmp(options->method, "rk4") == 0 || (strcmp(options->method, "dop853") == 0 && !system->lanes->slides);
 }
 
 /// Rows of the block, and where each array begins.
 static size_t lay_out(whirl_ensemble *e, double *block) {
     const size_t degrees = e->lanes.degrees, stations = degrees / 2, contacts = e->contact_count;
     const size_t forces = e->lanes.watch.normal_force ? contacts : 0;
+    const size_t fixed = e->adaptive ? 0 : degrees;
     size_t row = 0;
     const struct {
         double **array;
@@ -46,12 +52,13 @@ static size_t lay_out(whirl_ensemble *e, double *block) {
         {&e->lanes.numbers, e->system->lanes->number_count},
         {&e->lanes.q, degrees},
         {&e->lanes.v, degrees},
-        {&e->lanes.k[0], degrees},
-        {&e->lanes.k[1], degrees},
-        {&e->lanes.k[2], degrees},
-        {&e->lanes.k[3], degrees},
-        {&e->lanes.stage_q, degrees},
-        {&e->lanes.stage_v, degrees},
+        {&e->ended, 1},
+        {&e->lanes.k[0], fixed},
+        {&e->lanes.k[1], fixed},
+        {&e->lanes.k[2], fixed},
+        {&e->lanes.k[3], fixed},
+        {&e->lanes.stage_q, fixed},
+        {&e->lanes.stage_v, fixed},
         {&e->lanes.watch.low, 2 * degrees},
         {&e->lanes.watch.high, 2 * degrees},
         {&e->lanes.watch.square_max, stations},
@@ -73,7 +80,7 @@ static size_t lay_out(whirl_ensemble *e, double *block) {
 }
 
 static bool allocate(whirl_ensemble *e) {
-    const size_t table = (2 * (size_t)e->lanes.steps + 1) * e->lanes.forcing_count;
+    const size_t table = e->adaptive ? 0 : (2 * (size_t)e->lanes.steps + 1) * e->lanes.forcing_count;
     const size_t bytes = lay_out(e, NULL) * e->lane_count * sizeof(double);
     e->block = aligned_alloc(64, (bytes + 63) / 64 * 64);
     e->forcing = malloc((table + 1) * sizeof *e->forcing);
@@ -88,6 +95,7 @@ static bool allocate(whirl_ensemble *e) {
 
 static void tabulate(whirl_ensemble *e) {
     const whirl_system *system = e->system;
+    if (e->adaptive) return;
     for (int i = 0; i <= 2 * e->lanes.steps && system->forcing_count > 0; i++)
         system->forcing(system->model, system->period * ((double)i / (2.0 * e->lanes.steps)),
                         e->forcing + (size_t)i * system->forcing_count);
@@ -105,6 +113,11 @@ static void fill_lanes(whirl_ensemble *e, const whirl_integrate_options *options
     lanes->watch.station_count = lanes->degrees / 2;
     lanes->watch.contact_count = e->contact_count = system->lanes->contact_count;
     if (system->lanes->damped) lanes->watch.normal_force = system->lanes->contacts[e->isa->number];
+}
+
+static bool attach_adaptive(whirl_ensemble *e, const whirl_integrate_options *options) {
+    e->adaptive = dop853_lanes_new(e->system, options, e->isa);
+    return e->adaptive != NULL;
 }
 
 /// Vectors that hide each other's latency and still fit into the first cache (measured: 8 for two stations, 4 for ten, 2
@@ -131,7 +144,9 @@ whirl_status whirl_ensemble_new(const whirl_system *system, const whirl_integrat
         e->lanes.stride = (lanes + e->isa->lanes - 1) / e->isa->lanes;
         e->lane_count = e->lanes.stride * e->isa->lanes;
         fill_lanes(e, options);
-        if (!allocate(e)) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for an ensemble of %zu lanes", e->lane_count);
+        const bool ready = strcmp(options->method, "dop853") != 0 || attach_adaptive(e, options);
+        if (!ready || !allocate(e))
+            status = whirl_fail(WHIRL_NO_MEMORY, "no memory for an ensemble of %zu lanes", e->lane_count);
     }
     if (status.code != WHIRL_OK) {
         whirl_ensemble_free(e);
@@ -146,6 +161,7 @@ whirl_status whirl_ensemble_new(const whirl_system *system, const whirl_integrat
 
 void whirl_ensemble_free(whirl_ensemble *e) {
     if (!e) return;
+    dop853_lanes_free(e->adaptive);
     free(e->block);
     free(e->forcing);
     free(e->state);
@@ -175,6 +191,7 @@ whirl_status whirl_ensemble_load(whirl_ensemble *e, size_t lane, const whirl_sys
     for (size_t c = 0; c < e->contact_count; c++)
         form->contact(system->model, c, &e->contact_station[c], &e->lanes.watch.gap[c * e->lane_count + lane]);
     e->machines[lane] = system;
+    e->ended[lane] = WHIRL_BOUNDED;
     whirl_ensemble_place(e, lane, x);
     whirl_ensemble_forget(e, lane);
     return whirl_ok();
@@ -190,6 +207,7 @@ void whirl_ensemble_place(whirl_ensemble *e, size_t lane, const double *x) {
 
 double whirl_ensemble_coordinate(const whirl_ensemble *e, size_t lane, size_t index) {
     const size_t degrees = e->lanes.degrees;
+    if (e->shown) return e->shown[index * e->lane_count + lane];
     return index < degrees ? e->lanes.q[index * e->lane_count + lane]
                            : e->lanes.v[(index - degrees) * e->lane_count + lane];
 }
@@ -201,7 +219,7 @@ void whirl_ensemble_state(const whirl_ensemble *e, size_t lane, double *x) {
 whirl_motion whirl_ensemble_motion(const whirl_ensemble *e, size_t lane) {
     for (size_t i = 0; i < 2 * e->lanes.degrees; i++)
         if (!(fabs(whirl_ensemble_coordinate(e, lane, i)) <= e->limit)) return WHIRL_DIVERGED; // NaN too
-    return WHIRL_BOUNDED;
+    return (whirl_motion)e->ended[lane];
 }
 
 void whirl_ensemble_move(whirl_ensemble *e, size_t from, size_t to) {
@@ -210,7 +228,61 @@ void whirl_ensemble_move(whirl_ensemble *e, size_t from, size_t to) {
     e->machines[to] = e->machines[from];
 }
 
+/// What goes with a lane into its slot: the machine and its state; of a motion that is watched what was seen of it, too.
+static void fill_exchange(const whirl_ensemble *e, dop853_lanes *lanes) {
+    const lanes_watch *own = &lanes->watch, *theirs = &e->lanes.watch;
+    const size_t degrees = lanes->degrees, stations = own->station_count, contacts = own->contact_count;
+    const lane_rows rows[] = {
+        {lanes->numbers, e->lanes.numbers, lanes->number_count},
+        {lanes->q, e->lanes.q, degrees},
+        {lanes->v, e->lanes.v, degrees},
+        {lanes->ended, e->ended, 1},
+        {own->low, theirs->low, 2 * degrees},
+        {own->high, theirs->high, 2 * degrees},
+        {own->square_max, theirs->square_max, stations},
+        {own->square_min, theirs->square_min, stations},
+        {own->backward, theirs->backward, stations},
+        {own->sum, theirs->sum, degrees},
+        {own->gap, theirs->gap, contacts},
+        {own->touching, theirs->touching, contacts},
+        {own->contact, theirs->contact, contacts},
+        {own->begun, theirs->begun, contacts},
+        {own->force_max, theirs->force_max, own->normal_force ? contacts : 0},
+    };
+    enum { ALWAYS = 4, ALL = sizeof rows / sizeof *rows };
+    lanes->exchanged_count = lanes->watching ? ALL : ALWAYS;
+    memcpy(lanes->exchanged, rows, sizeof rows);
+}
+
+/// A revolution in which every lane goes its own way; samples are handed out when all are through.
+static void revolve_adaptive(whirl_ensemble *e, size_t count, const whirl_ensemble_watch *watch) {
+    const size_t wanted = watch && watch->stride > 0 ? (size_t)e->adaptive->instants / watch->stride : 0;
+    const size_t samples = dop853_lanes_make_room(e->adaptive, wanted, e->lane_count) ? wanted : 0;
+    const size_t size = 2 * e->lanes.degrees * e->lane_count;
+    dop853_lanes lanes = *e->adaptive;
+    lanes.lane_count = e->lane_count;
+    lanes.machines = e->machines;
+    lanes.watch.contact_station = e->contact_station;
+    lanes.watching = watch && (watch->extremes || samples > 0);
+    lanes.sample_stride = samples > 0 ? watch->stride : 0;
+    lanes.queue->next = 0;
+    lanes.queue->count = count;
+    fill_exchange(e, &lanes);
+    for (size_t i = 0; i < samples * size; i++) lanes.samples[i] = NAN; // of lanes that end on the way
+    for (size_t lane = 0; samples < wanted && lane < count; lane++) e->ended[lane] = WHIRL_STUCK; // for want of memory
+    dop853_lanes_revolves[e->isa->number](&lanes);
+    for (size_t i = 0; i < samples; i++) {
+        e->shown = lanes.samples + i * size;
+        watch->sample(watch->context);
+    }
+    e->shown = NULL;
+}
+
 void whirl_ensemble_revolve(whirl_ensemble *e, size_t count, const whirl_ensemble_watch *watch) {
+    if (e->adaptive) {
+        revolve_adaptive(e, count, watch);
+        return;
+    }
     rk4_lanes lanes = e->lanes;
     lanes.vectors = (count + e->isa->lanes - 1) / e->isa->lanes;
     if (watch) {

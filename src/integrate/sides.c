@@ -144,14 +144,34 @@ void carrier_watched(const carrier *c, double t, const double *x, double *values
         }
 }
 
-/// Derivative of a switching function on one side of it, at (t, x).
-static double rate_on(carrier *c, size_t which, double side) {
-    double *slope = c->work + (MAX_SLIDING + 1) * c->dimension;
-    const double kept = c->sides[which];
+/// How a switching function sets out on one side of it.
+typedef struct departure {
+    double rate, bend; ///< first and second derivative by time
+    bool level;        ///< the first is so small that the second alone tells
+} departure;
+
+/// From (t, x), where the function is zero.
+static departure depart(carrier *c, size_t which, double side) {
+    double *slope = c->work + (MAX_SLIDING + 1) * c->dimension, *later = slope + c->dimension, size = 0.0;
+    const double step = 1e-5 * c->system->period, kept = c->sides[which];
     c->sides[which] = side;
     carrier_slope(c, c->t, c->x, slope);
+    departure out = {.rate = rate_along(c, which, c->t, c->x, slope)};
+    for (size_t d = 0; d < c->dimension; d++) {
+        later[d] = c->x[d] + step * slope[d];
+        size = fmax(size, fabs(c->x[d]));
+    }
+    carrier_slope(c, c->t + step, later, slope);
+    out.bend = (rate_along(c, which, c->t + step, later, slope) - out.rate) / step;
     c->sides[which] = kept;
-    return rate_along(c, which, c->t, c->x, slope);
+    // By rate^2/(2 bend) the function would pass zero before it turns round: nothing but rounding?
+    out.level = out.rate * out.rate <= 16.0 * DBL_EPSILON * size * fabs(out.bend);
+    return out;
+}
+
+/// Whether the function goes the way of `side`.
+static bool goes(const departure *d, double side) {
+    return side * (d->level ? d->bend : d->rate) > 0.0;
 }
 
 static bool can_slide(const carrier *c) {
@@ -177,19 +197,27 @@ static void let_go(carrier *c, size_t which) {
     c->held[which] = 2; // the function and its derivative are both zero here
 }
 
+/// Whether both sides push onto the switch.
+static bool pushed(const departure *below, const departure *above) {
+    return below->rate > 0.0 && !below->level && above->rate < 0.0 && !above->level;
+}
+
 void carrier_cross(carrier *c, size_t which) {
     if (c->sliding[which]) {
         let_go(c, which);
         return;
     }
-    const double from = c->sides[which], onward = rate_on(c, which, -from);
-    if (-from * onward > 0.0) {
-        c->sides[which] = -from;
-    } else if (can_slide(c) && from * rate_on(c, which, from) < 0.0) {
+    const double from = c->sides[which];
+    const departure below = depart(c, which, -1.0), above = depart(c, which, 1.0);
+    const departure *back = from < 0.0 ? &below : &above, *onward = from < 0.0 ? &above : &below;
+    if (can_slide(c) && pushed(&below, &above)) {
         slide(c, which);
-        return;
+    } else if (goes(onward, -from)) {
+        c->sides[which] = -from;
+        c->held[which] = onward->level ? 2 : 1;
+    } else {
+        c->held[which] = back->level ? 2 : 1;
     }
-    c->held[which] = 1;
 }
 
 void carrier_find_sides(carrier *c) {
@@ -203,12 +231,13 @@ void carrier_find_sides(carrier *c) {
     for (size_t i = 0; i < system->switch_count; i++) c->sides[i] = values[i] > 0.0 ? 1.0 : -1.0;
     for (size_t i = 0; i < system->switch_count; i++) {
         if (fabs(values[i]) > carrier_reach(c, i, 0.0, c->x)) continue;
-        const double below = rate_on(c, i, -1.0), above = rate_on(c, i, 1.0);
-        if (below > 0.0 && above < 0.0 && can_slide(c)) {
+        const departure below = depart(c, i, -1.0), above = depart(c, i, 1.0);
+        if (can_slide(c) && pushed(&below, &above)) {
             slide(c, i);
-        } else if (above > 0.0 || below < 0.0) {
-            c->sides[i] = above > 0.0 ? 1.0 : -1.0;
-            c->held[i] = 1;
+        } else if (goes(&above, 1.0) || goes(&below, -1.0)) {
+            const departure *taken = goes(&above, 1.0) ? &above : &below;
+            c->sides[i] = taken == &above ? 1.0 : -1.0;
+            c->held[i] = taken->level ? 2 : 1;
         }
     }
 }

@@ -75,12 +75,16 @@ static whirl_status machine(const void *family, const whirl_batch *batch, double
     return whirl_ok();
 }
 
-static whirl_result *run(const double *values, size_t count, int threads, const char *isa) {
+static const char *const methods[] = {"rk4", "dop853"};
+enum { METHODS = 2 };
+
+static whirl_result *run(const char *method, const double *values, size_t count, int threads, const char *isa) {
     whirl_study study = {.batch_count = 1, .machine = machine};
     whirl_batch *batch = &study.batches[0];
     whirl_result *result;
     *batch = (whirl_batch){.name = "sweep", .parameter = "r_k", .count = count, .values = values};
     batch->integrate = whirl_integrate_default();
+    strcpy(batch->integrate.method, method);
     batch->integrate.steps_per_revolution = 256;
     batch->record = whirl_record_default();
     batch->record.transient = 30;
@@ -122,40 +126,46 @@ static void test_threads(void **state) {
     double values[POINTS];
     (void)state;
     sweep_values(values);
-    whirl_result *one = run(values, POINTS, 1, NULL);
-    for (int threads = 2; threads <= 7; threads += 5) {
-        whirl_result *more = run(values, POINTS, threads, NULL);
-        expect_same(one, more, POINTS);
-        whirl_result_free(more);
+    for (int m = 0; m < METHODS; m++) {
+        whirl_result *one = run(methods[m], values, POINTS, 1, NULL);
+        for (int threads = 2; threads <= 7; threads += 5) {
+            whirl_result *more = run(methods[m], values, POINTS, threads, NULL);
+            expect_same(one, more, POINTS);
+            whirl_result_free(more);
+        }
+        whirl_result_free(one);
     }
-    whirl_result_free(one);
+}
+
+/// The instruction sets that agree to the bit, as far as this processor has them.
+static void expect_same_widths(const char *method, const char *const *names, int count) {
+    double values[POINTS];
+    whirl_rotor *rotor = paper_rotor(0.5);
+    whirl_result *reference = NULL;
+    sweep_values(values);
+    for (int i = 0; i < count; i++) {
+        if (!present(names[i], whirl_rotor_system(rotor))) {
+            printf("%s: not on this processor\n", names[i]);
+            continue;
+        }
+        whirl_result *result = run(method, values, POINTS, 2, names[i]);
+        if (reference) expect_same(reference, result, POINTS);
+        printf("%s %-7s %016llx\n", method, names[i], (unsigned long long)point_hash(result, POINTS - 1));
+        if (reference)
+            whirl_result_free(result);
+        else
+            reference = result;
+    }
+    whirl_result_free(reference);
+    whirl_rotor_free(rotor);
 }
 
 static void test_widths(void **state) {
-    double values[POINTS];
-    whirl_rotor *rotor = paper_rotor(0.5);
     (void)state;
-    sweep_values(values);
-    for (int family = 0; family < 2; family++) {
-        const char *const *names = family ? unfused : fused;
-        const int count = family ? 2 : 3;
-        whirl_result *reference = NULL;
-        for (int i = 0; i < count; i++) {
-            if (!present(names[i], whirl_rotor_system(rotor))) {
-                printf("%s: not on this processor\n", names[i]);
-                continue;
-            }
-            whirl_result *result = run(values, POINTS, 2, names[i]);
-            if (reference) expect_same(reference, result, POINTS);
-            printf("%-7s %016llx\n", names[i], (unsigned long long)point_hash(result, POINTS - 1));
-            if (reference)
-                whirl_result_free(result);
-            else
-                reference = result;
-        }
-        whirl_result_free(reference);
+    for (int m = 0; m < METHODS; m++) {
+        expect_same_widths(methods[m], fused, 3);
+        expect_same_widths(methods[m], unfused, 2);
     }
-    whirl_rotor_free(rotor);
 }
 
 static void test_order_and_number_of_points(void **state) {
@@ -163,15 +173,18 @@ static void test_order_and_number_of_points(void **state) {
     (void)state;
     sweep_values(values);
     for (int i = 0; i < POINTS; i++) backward[i] = values[POINTS - 1 - i];
-    whirl_result *all = run(values, POINTS, 2, NULL), *reversed = run(backward, POINTS, 2, NULL);
-    for (size_t i = 0; i < POINTS; i++) {
-        whirl_result *alone = run(values + i, 1, 1, NULL);
-        assert_true(point_hash(all, i) == point_hash(reversed, POINTS - 1 - i));
-        assert_true(point_hash(all, i) == point_hash(alone, 0));
-        whirl_result_free(alone);
+    for (int m = 0; m < METHODS; m++) {
+        whirl_result *all = run(methods[m], values, POINTS, 2, NULL);
+        whirl_result *reversed = run(methods[m], backward, POINTS, 2, NULL);
+        for (size_t i = 0; i < POINTS; i++) {
+            whirl_result *alone = run(methods[m], values + i, 1, 1, NULL);
+            assert_true(point_hash(all, i) == point_hash(reversed, POINTS - 1 - i));
+            assert_true(point_hash(all, i) == point_hash(alone, 0));
+            whirl_result_free(alone);
+        }
+        whirl_result_free(all);
+        whirl_result_free(reversed);
     }
-    whirl_result_free(all);
-    whirl_result_free(reversed);
 }
 
 static void test_a_lane_that_is_not_a_number_touches_no_other(void **state) {
@@ -180,32 +193,38 @@ static void test_a_lane_that_is_not_a_number_touches_no_other(void **state) {
     sweep_values(values);
     memcpy(poisoned, values, sizeof values);
     for (int i = 0; i < POINTS; i += 4) poisoned[i] = 3;
-    whirl_result *clean = run(values, POINTS, 1, NULL), *dirty = run(poisoned, POINTS, 1, NULL);
-    for (size_t i = 0; i < POINTS; i++) {
-        const whirl_verdict verdict = whirl_table_verdict(&dirty->tables[0], i);
-        if (i % 4 == 0)
-            assert_true(verdict.regime == WHIRL_DIVERGING && verdict.diverged_at == 1.0);
-        else
-            assert_true(point_hash(clean, i) == point_hash(dirty, i));
+    for (int m = 0; m < METHODS; m++) {
+        whirl_result *clean = run(methods[m], values, POINTS, 1, NULL);
+        whirl_result *dirty = run(methods[m], poisoned, POINTS, 1, NULL);
+        for (size_t i = 0; i < POINTS; i++) {
+            const whirl_verdict verdict = whirl_table_verdict(&dirty->tables[0], i);
+            if (i % 4 == 0)
+                assert_true(verdict.regime == WHIRL_DIVERGING && verdict.diverged_at == 1.0);
+            else
+                assert_true(point_hash(clean, i) == point_hash(dirty, i));
+        }
+        whirl_result_free(clean);
+        whirl_result_free(dirty);
     }
-    whirl_result_free(clean);
-    whirl_result_free(dirty);
 }
 
 static void test_fused_and_unfused_agree(void **state) {
     const double values[] = {0.6, 0.8, 1.0};
     whirl_rotor *rotor = paper_rotor(0.5);
     (void)state;
-    if (!present("fma", whirl_rotor_system(rotor))) skip();
+    const bool fuses = present("fma", whirl_rotor_system(rotor));
     whirl_rotor_free(rotor);
-    whirl_result *a = run(values, 3, 1, "fma"), *b = run(values, 3, 1, "scalar");
-    for (size_t i = 0; i < 3; i++) {
-        const double *x = whirl_table_field(&a->tables[0], i, "poincare/section", 0);
-        const double *y = whirl_table_field(&b->tables[0], i, "poincare/section", 0);
-        for (int k = 0; k < 40; k++) assert_true(fabs(x[k] - y[k]) < 1e-9);
+    if (!fuses) skip();
+    for (int m = 0; m < METHODS; m++) {
+        whirl_result *a = run(methods[m], values, 3, 1, "fma"), *b = run(methods[m], values, 3, 1, "scalar");
+        for (size_t i = 0; i < 3; i++) {
+            const double *x = whirl_table_field(&a->tables[0], i, "poincare/section", 0);
+            const double *y = whirl_table_field(&b->tables[0], i, "poincare/section", 0);
+            for (int k = 0; k < 40; k++) assert_true(fabs(x[k] - y[k]) < 1e-9);
+        }
+        whirl_result_free(a);
+        whirl_result_free(b);
     }
-    whirl_result_free(a);
-    whirl_result_free(b);
 }
 
 // ---------------------------------------------------------------- against the integrator that runs alone
@@ -237,37 +256,94 @@ static whirl_rotor *long_rotor(size_t count) {
     return rotor;
 }
 
+/// Five revolutions in lanes and alone, from the same state.
+static void expect_agreement(size_t stations, const char *method, double tolerance) {
+    whirl_rotor *rotor = long_rotor(stations);
+    const whirl_system *system = whirl_rotor_system(rotor);
+    whirl_integrate_options options = whirl_integrate_default();
+    whirl_integrator *alone;
+    whirl_ensemble *lanes;
+    double *x = calloc(system->dimension, sizeof *x), *y = calloc(system->dimension, sizeof *y);
+    strcpy(options.method, method);
+    options.steps_per_revolution = 500;
+    options.rtol = 1e-11;
+    options.atol = 1e-14;
+    for (size_t i = 0; i < system->dimension / 2; i++) x[i] = 0.01 * (double)(i % 3);
+    check(whirl_integrator_new(system, &options, &alone));
+    check(whirl_ensemble_new(system, &options, 0, &lanes));
+    const size_t count = whirl_ensemble_lanes(lanes);
+    for (size_t lane = 0; lane < count; lane++) check(whirl_ensemble_load(lanes, lane, system, x));
+    for (int i = 0; i < 5; i++) {
+        assert_int_equal(whirl_integrator_revolve(alone, x, NULL, NULL), WHIRL_BOUNDED);
+        whirl_ensemble_revolve(lanes, count, NULL);
+    }
+    for (size_t lane = 0; lane < count; lane++) {
+        whirl_ensemble_state(lanes, lane, y);
+        for (size_t i = 0; i < system->dimension; i++)
+            if (!(fabs(x[i] - y[i]) < tolerance)) fail_msg("%s: %g apart", method, fabs(x[i] - y[i]));
+    }
+    free(x);
+    free(y);
+    whirl_ensemble_free(lanes);
+    whirl_integrator_free(alone);
+    whirl_rotor_free(rotor);
+}
+
 static void test_lanes_against_the_integrator(void **state) {
     const size_t stations[] = {1, 2, 10, 50};
     (void)state;
     unsetenv("WHIRL_ISA");
     for (size_t s = 0; s < 4; s++) {
-        whirl_rotor *rotor = long_rotor(stations[s]);
-        const whirl_system *system = whirl_rotor_system(rotor);
-        whirl_integrate_options options = whirl_integrate_default();
-        whirl_integrator *alone;
-        whirl_ensemble *lanes;
-        double *x = calloc(system->dimension, sizeof *x), *y = calloc(system->dimension, sizeof *y);
-        options.steps_per_revolution = 500;
-        for (size_t i = 0; i < system->dimension / 2; i++) x[i] = 0.01 * (double)(i % 3);
-        check(whirl_integrator_new(system, &options, &alone));
-        check(whirl_ensemble_new(system, &options, 0, &lanes));
-        const size_t count = whirl_ensemble_lanes(lanes);
-        for (size_t lane = 0; lane < count; lane++) check(whirl_ensemble_load(lanes, lane, system, x));
-        for (int i = 0; i < 5; i++) {
-            assert_int_equal(whirl_integrator_revolve(alone, x, NULL, NULL), WHIRL_BOUNDED);
-            whirl_ensemble_revolve(lanes, count, NULL);
-        }
-        for (size_t lane = 0; lane < count; lane++) {
-            whirl_ensemble_state(lanes, lane, y);
-            for (size_t i = 0; i < system->dimension; i++) assert_true(fabs(x[i] - y[i]) < 1e-11);
-        }
-        free(x);
-        free(y);
-        whirl_ensemble_free(lanes);
-        whirl_integrator_free(alone);
-        whirl_rotor_free(rotor);
+        expect_agreement(stations[s], "rk4", 1e-11);
+        expect_agreement(stations[s], "dop853", 1e-9); // each takes steps of its own
     }
+}
+
+static void expect_close(double a, double b, double tolerance) {
+    if (!(fabs(a - b) <= tolerance)) fail_msg("%.17g and %.17g are further apart than %g", a, b, tolerance);
+}
+
+/// What is recorded of a rubbing motion in lanes, and of the same motion alone.
+static void test_records_in_lanes_and_alone(void **state) {
+    (void)state;
+    whirl_rotor *rotor = paper_rotor(0.3);
+    whirl_system alone = *whirl_rotor_system(rotor);
+    alone.lanes = NULL;
+    whirl_integrate_options integrate = whirl_integrate_default();
+    whirl_record_options options = whirl_record_default();
+    const double start[8] = {0, -0.1, 0, -0.1};
+    whirl_record *a, *b;
+    strcpy(integrate.method, "dop853");
+    integrate.rtol = 1e-11;
+    integrate.atol = 1e-14;
+    options.transient = 2;
+    options.record = 4;
+    options.growth = false;
+    check(whirl_record_motion(whirl_rotor_system(rotor), &integrate, &options, start, NULL, &a));
+    check(whirl_record_motion(&alone, &integrate, &options, start, NULL, &b));
+    assert_int_equal(a->sample_count, b->sample_count);
+    assert_true(a->sample_count > 0);
+    const size_t capacity = a->record_count * a->samples_per_revolution;
+    for (size_t i = 0; i < 2 * a->probe_count * capacity; i++) expect_close(a->waveform[i], b->waveform[i], 1e-9);
+    for (size_t i = 0; i < 8; i++) {
+        expect_close(a->low[i], b->low[i], 1e-9);
+        expect_close(a->high[i], b->high[i], 1e-9);
+        expect_close(a->end[i], b->end[i], 1e-9);
+    }
+    for (size_t i = 0; i < a->probe_count; i++) {
+        expect_close(a->max_radius[i], b->max_radius[i], 1e-9);
+        expect_close(a->min_radius[i], b->min_radius[i], 1e-9);
+        expect_close(a->mean[2 * i], b->mean[2 * i], 1e-9);
+        expect_close(a->backward[i], b->backward[i], 0.0);
+    }
+    assert_true(a->contact_number[0] >= 2.0);
+    expect_close(a->contact_number[0], b->contact_number[0], 0.0);
+    // Alone the share is that of instants; in lanes it is that of time, between the located ends.
+    expect_close(a->contact_share[0], b->contact_share[0], 2.0 * a->contact_number[0] / (4.0 * 1024.0));
+    expect_close(a->contact_force[0], b->contact_force[0], 1e-6 * b->contact_force[0]);
+    whirl_record_free(a);
+    whirl_record_free(b);
+    whirl_rotor_free(rotor);
 }
 
 static void test_other_structures_are_refused(void **state) {
@@ -352,6 +428,7 @@ int main(void) {
         cmocka_unit_test(test_fused_and_unfused_agree),
         cmocka_unit_test(test_lanes_against_the_integrator),
         cmocka_unit_test(test_damped_contacts_in_lanes_and_alone),
+        cmocka_unit_test(test_records_in_lanes_and_alone),
         cmocka_unit_test(test_other_structures_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -11,6 +11,7 @@
 
 #include "carrier.h"
 #include "crossing.h"
+#include "dop853_sums.h"
 
 static const double pi = 3.14159265358979323846;
 
@@ -68,6 +69,36 @@ static void test_numbers_meet_their_conditions(void **state) {
         for (int i = j + 1; i < DOP853_STAGES; i++) sum += b[i] * dop853_a[i][j];
         expect_near(sum, b[j] * (1.0 - dop853_c[j]), 1e-13);
     }
+}
+
+static void expect_size(const slope_sum *sum) {
+    assert_in_range(sum->count, 1, MAX_SUM);
+}
+
+/// Sum of the weights times c^power.
+static double sum_moment(const slope_sum *sum, int power) {
+    double total = 0.0;
+    for (size_t j = 0; j < sum->count; j++) total += sum->weight[j] * pow(dop853_c[sum->slope[j]], power);
+    return total;
+}
+
+static void test_sums_of_accelerations(void **state) {
+    (void)state;
+    dop853_sums sums;
+    dop853_sums_fill(&sums);
+    for (int i = 1; i < DOP853_SLOPES; i++) {
+        expect_size(&sums.position[i]);
+        expect_size(&sums.velocity[i]);
+        expect_near(sum_moment(&sums.velocity[i], 0), dop853_c[i], 1e-13);
+        if (i > 1) expect_near(sum_moment(&sums.position[i], 0), pow(dop853_c[i], 2) / 2.0, 1e-13);
+    }
+    // A position under the acceleration t^p moves by 1/((p + 1)(p + 2)).
+    for (int p = 0; p < 7; p++)
+        expect_near(sum_moment(&sums.position[DOP853_STAGES], p), 1.0 / ((p + 1.0) * (p + 2.0)), 1e-14);
+    expect_size(&sums.position_error5);
+    expect_size(&sums.velocity_error5);
+    expect_size(&sums.position_error3);
+    expect_size(&sums.velocity_error3);
 }
 
 /// x' = t^p/p!: x = t^(p+1)/(p+1)!
@@ -184,8 +215,8 @@ static void test_contacts_are_located(void **state) {
             double x[2] = {-1.0, 0.0};
             system.rhs_on_sides = sided ? spring_on_sides : NULL;
             assert_int_equal(carry(&system, tolerances[i], 1e-2 * tolerances[i], 10, x), WHIRL_BOUNDED);
-            expect_near(x[0], -1.0, 10.0 * tolerances[i]);
-            expect_near(x[1], 0.0, 10.0 * tolerances[i]);
+            expect_near(x[0], -1.0, 30.0 * tolerances[i]);
+            expect_near(x[1], 0.0, 30.0 * tolerances[i]);
         }
 }
 
@@ -343,6 +374,7 @@ static void test_nothing_is_remembered(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_numbers_meet_their_conditions),
+        cmocka_unit_test(test_sums_of_accelerations),
         cmocka_unit_test(test_interpolant_has_order_seven),
         cmocka_unit_test(test_dips_are_found),
         cmocka_unit_test(test_the_zero_at_the_beginning_is_not_counted),

@@ -1,0 +1,142 @@
+// The workspace of the pair of Dormand and Prince over lanes.
+#include <stdlib.h>
+#include <string.h>
+
+#include "dop853_lanes.h"
+
+#define VECTOR_ISA 0
+#include "vector.h"
+
+dop853_lanes_revolve *const dop853_lanes_revolves[VECTOR_ISAS] = {
+    [VECTOR_SCALAR] = dop853_lanes_scalar, [VECTOR_128] = dop853_lanes_128,
+#if defined(__x86_64__)
+    [VECTOR_FMA] = dop853_lanes_fma,       [VECTOR_AVX2] = dop853_lanes_avx2, [VECTOR_AVX512] = dop853_lanes_avx512,
+#endif
+};
+
+typedef struct part {
+    double **array;
+    size_t rows;
+} part;
+
+/// Vectors of a group: enough to hide each other's latency, few enough for the first cache.
+static size_t fast_group(size_t degrees) {
+    return degrees <= 8 ? 4 : degrees <= 20 ? 2 : 1;
+}
+
+/// Rows of the block, and where each array begins.
+static size_t lay_out(dop853_lanes *lanes, double *block) {
+    const size_t degrees = lanes->degrees, stations = degrees / 2, switches = lanes->switch_count;
+    const size_t contacts = lanes->watch.contact_count;
+    size_t row = 0;
+    const part parts[] = {
+        {&lanes->q, degrees},
+        {&lanes->v, degrees},
+        {&lanes->stage_q, degrees},
+        {&lanes->stage_v, degrees},
+        {&lanes->end_q, degrees},
+        {&lanes->end_v, degrees},
+        {&lanes->numbers, lanes->number_count},
+        {&lanes->forcing, lanes->forcing_count},
+        {&lanes->ended, 1},
+        {&lanes->starting, 1},
+        {&lanes->attempts, 1},
+        {&lanes->t, 1},
+        {&lanes->h, 1},
+        {&lanes->running, 1},
+        {&lanes->before, 1},
+        {&lanes->rejected, 1},
+        {&lanes->sides, switches},
+        {&lanes->held, switches},
+        {&lanes->switchings, 1},
+        {&lanes->landing, 1},
+        {&lanes->whole, 1},
+        {&lanes->tries, 1},
+        {&lanes->value, switches},
+        {&lanes->rate, switches},
+        {&lanes->length, 1},
+        {&lanes->lengths, degrees},
+        {&lanes->error, 1},
+        {&lanes->size, 1},
+        {&lanes->special, 1},
+        {&lanes->fresh, 1},
+        {&lanes->end_value, switches},
+        {&lanes->end_rate, switches},
+        {&lanes->time, 1},
+        {&lanes->begin, 1},
+        {&lanes->taken, 1},
+        {&lanes->instant, 1},
+        {&lanes->seen, 1},
+        {&lanes->theta, 1},
+        {&lanes->watch.low, 2 * degrees},
+        {&lanes->watch.high, 2 * degrees},
+        {&lanes->watch.square_max, stations},
+        {&lanes->watch.square_min, stations},
+        {&lanes->watch.backward, stations},
+        {&lanes->watch.sum, degrees},
+        {&lanes->watch.gap, contacts},
+        {&lanes->watch.touching, contacts},
+        {&lanes->watch.contact, contacts},
+        {&lanes->watch.begun, contacts},
+        {&lanes->watch.force, lanes->watch.normal_force ? contacts : 0},
+        {&lanes->watch.force_max, lanes->watch.normal_force ? contacts : 0},
+    };
+    for (size_t i = 0; i < DOP853_SLOPES; i++, row += degrees) lanes->k[i] = block ? block + row * lanes->slots : NULL;
+    for (size_t i = 0; i < sizeof parts / sizeof *parts; i++, row += parts[i - 1].rows)
+        *parts[i].array = block ? block + row * lanes->slots : NULL;
+    for (size_t i = 0; i <= DENSE; i++, row += 2 * degrees) lanes->dense[i] = block ? block + row * lanes->slots : NULL;
+    return row;
+}
+
+dop853_lanes *dop853_lanes_new(const whirl_system *system, const whirl_integrate_options *options, const isa *set) {
+    const whirl_lanes *form = system->lanes;
+    dop853_lanes *lanes = calloc(1, sizeof *lanes);
+    if (!lanes) return NULL;
+    *lanes = (dop853_lanes){.model = system->model,
+                            .flow = form->flow[set->number],
+                            .switches = form->switches[set->number],
+                            .forcing_at = form->forcing[set->number],
+                            .stride = fast_group(form->degrees),
+                            .degrees = form->degrees,
+                            .number_count = form->number_count,
+                            .forcing_count = system->forcing_count,
+                            .switch_count = form->switch_count,
+                            .period = system->period,
+                            .rtol = options->rtol,
+                            .atol = options->atol,
+                            .limit = options->limit,
+                            .instants = options->steps_per_revolution,
+                            .watch = {.station_count = form->degrees / 2, .contact_count = form->contact_count}};
+    if (form->damped) lanes->watch.normal_force = form->contacts[set->number];
+    lanes->slots = lanes->stride * set->lanes;
+    dop853_sums_fill(&lanes->sums);
+    const size_t bytes = (lay_out(lanes, NULL) * lanes->slots * sizeof(double) + 63) / 64 * 64;
+    lanes->block = aligned_alloc(64, bytes);
+    lanes->queue = calloc(1, sizeof *lanes->queue);
+    lanes->carrier = carrier_new(system->dimension, system->switch_count, options);
+    if (!lanes->block || !lanes->queue || !lanes->carrier) {
+        dop853_lanes_free(lanes);
+        return NULL;
+    }
+    memset(lanes->block, 0, bytes);
+    lay_out(lanes, lanes->block);
+    for (size_t i = 0; i < MAX_SLOTS; i++) lanes->queue->slot_lane[i] = NO_LANE;
+    return lanes;
+}
+
+bool dop853_lanes_make_room(dop853_lanes *lanes, size_t samples, size_t lane_count) {
+    if (samples <= lanes->sample_room) return true;
+    free(lanes->samples);
+    lanes->samples = malloc(samples * 2 * lanes->degrees * lane_count * sizeof(double));
+    lanes->sample_room = lanes->samples ? samples : 0;
+    return lanes->samples != NULL;
+}
+
+void dop853_lanes_free(dop853_lanes *lanes) {
+    if (!lanes) return;
+    free(lanes->block);
+    free(lanes->queue);
+    free(lanes->carrier);
+    free(lanes->samples);
+    free(lanes);
+}

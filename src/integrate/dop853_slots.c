@@ -1,0 +1,53 @@
+// Lanes and slots: who is carried, and who waits.
+#include "dop853_lanes.h"
+
+/// Puts a lane into a slot, or back.
+static void exchange(const dop853_lanes *lanes, size_t slot, size_t lane, bool back) {
+    for (size_t i = 0; i < lanes->exchanged_count; i++) {
+        const lane_rows *rows = &lanes->exchanged[i];
+        for (size_t r = 0; r < rows->rows; r++) {
+            double *own = &rows->own[r * lanes->slots + slot], *theirs = &rows->theirs[r * lanes->lane_count + lane];
+            if (back)
+                *theirs = *own;
+            else
+                *own = *theirs;
+        }
+    }
+}
+
+static void leave(const dop853_lanes *lanes, size_t slot) {
+    size_t *lane = &lanes->queue->slot_lane[slot];
+    if (*lane == NO_LANE) return;
+    exchange(lanes, slot, *lane, true);
+    *lane = NO_LANE;
+}
+
+/// Gives a free slot to the next lane that has not ended.
+static bool enter(const dop853_lanes *lanes, size_t slot) {
+    lane_queue *queue = lanes->queue;
+    while (queue->next < queue->count) {
+        const size_t lane = queue->next++;
+        exchange(lanes, slot, lane, false);
+        if (lanes->ended[slot] != WHIRL_BOUNDED) continue;
+        queue->slot_lane[slot] = lane;
+        lanes->starting[slot] = 1.0;
+        return true;
+    }
+    return false;
+}
+
+bool dop853_fill(const dop853_lanes *lanes) {
+    const lane_queue *queue = lanes->queue;
+    const size_t waiting = queue->count - queue->next, batch = lanes->slots / 8 > 0 ? lanes->slots / 8 : 1;
+    size_t idle = 0;
+    bool any = false;
+    for (size_t slot = 0; slot < lanes->slots; slot++) idle += lanes->running[slot] < 0.5;
+    // A beginning costs all slots some slopes: not for one alone, unless nothing else is left to do.
+    if (idle < lanes->slots && (waiting == 0 || idle < batch)) return false;
+    for (size_t slot = 0; slot < lanes->slots; slot++) {
+        if (lanes->running[slot] > 0.5) continue;
+        leave(lanes, slot);
+        if (enter(lanes, slot)) any = true;
+    }
+    return any;
+}

@@ -1,0 +1,225 @@
+// Lanes that need to be looked at one by one: those that pass or come near a switch, and those that end.
+//
+// Where a switching function falls through zero without doubt, the step is tried anew so that it ends there, together with the other
+// lanes' next steps: first by the cubic through both ends, then by the function's own value and derivative. Where doubt is possible
+// (grazes, two switches at once) the lane's step is taken by a carrier, which looks with care.
+#include <math.h>
+#include <string.h>
+
+#include "dop853_lanes.h"
+
+enum { MAX_TRIES = 6 };
+
+static double *at(const dop853_lanes *lanes, double *rows, size_t row, size_t slot) {
+    return &rows[row * lanes->slots + slot];
+}
+
+static void copy(const dop853_lanes *lanes, double *to, const double *from, size_t rows, size_t slot) {
+    for (size_t i = 0; i < rows; i++) to[i * lanes->slots + slot] = from[i * lanes->slots + slot];
+}
+
+static void end(const dop853_lanes *lanes, size_t slot, whirl_motion motion) {
+    lanes->ended[slot] = motion;
+    lanes->running[slot] = 0.0;
+}
+
+// ---------------------------------------------------------------- by the carrier
+
+static void give_state(const dop853_lanes *lanes, size_t slot) {
+    carrier *c = lanes->carrier;
+    const size_t n = lanes->degrees;
+    for (size_t d = 0; d < n; d++) {
+        c->x[d] = *at(lanes, lanes->q, d, slot);
+        c->x[n + d] = *at(lanes, lanes->v, d, slot);
+    }
+    carrier_place(c, lanes->machines[lanes->queue->slot_lane[slot]], lanes->t[slot]);
+}
+
+static void give_sides(const dop853_lanes *lanes, size_t slot) {
+    for (size_t s = 0; s < lanes->switch_count; s++) {
+        lanes->carrier->sides[s] = *at(lanes, lanes->sides, s, slot);
+        lanes->carrier->held[s] = (int)*at(lanes, lanes->held, s, slot);
+    }
+}
+
+static void take_sides(const dop853_lanes *lanes, size_t slot) {
+    for (size_t s = 0; s < lanes->switch_count; s++) {
+        *at(lanes, lanes->sides, s, slot) = lanes->carrier->sides[s];
+        *at(lanes, lanes->held, s, slot) = lanes->carrier->held[s];
+    }
+}
+
+void dop853_find_sides(const dop853_lanes *lanes, size_t slot) {
+    give_state(lanes, slot);
+    carrier_find_sides(lanes->carrier);
+    take_sides(lanes, slot);
+}
+
+static void take_polynomials(const dop853_lanes *lanes, size_t slot) {
+    const carrier *c = lanes->carrier;
+    for (size_t i = 0; i < 2 * lanes->degrees; i++) {
+        *at(lanes, lanes->dense[0], i, slot) = c->start[i];
+        for (int p = 0; p < DENSE; p++) *at(lanes, lanes->dense[1 + p], i, slot) = c->dense[p][i];
+    }
+}
+
+/// Takes the step with care.
+static void step_alone(const dop853_lanes *lanes, size_t slot) {
+    carrier *c = lanes->carrier;
+    const size_t n = lanes->degrees;
+    give_state(lanes, slot);
+    give_sides(lanes, slot);
+    c->h = lanes->length[slot];
+    c->switchings = (int)lanes->switchings[slot];
+    c->observed = lanes->watching;
+    const whirl_motion motion = carrier_step(c, lanes->period);
+    for (size_t d = 0; d < n; d++) {
+        *at(lanes, lanes->q, d, slot) = c->x[d];
+        *at(lanes, lanes->v, d, slot) = c->x[n + d];
+    }
+    take_sides(lanes, slot);
+    lanes->t[slot] = c->t;
+    lanes->h[slot] = c->h;
+    lanes->switchings[slot] = c->switchings;
+    lanes->landing[slot] = 0.0;
+    lanes->fresh[slot] = 1.0;
+    if (lanes->watching) {
+        lanes->begin[slot] = c->begin;
+        lanes->taken[slot] = motion == WHIRL_BOUNDED ? c->length : 0.0;
+        take_polynomials(lanes, slot);
+    }
+    if (motion != WHIRL_BOUNDED)
+        end(lanes, slot, motion);
+    else if (!(c->t < lanes->period))
+        lanes->running[slot] = 0.0;
+}
+
+// ---------------------------------------------------------------- landing on a switch
+
+/// Bernstein coefficients of the cubic by values and derivatives at both ends; of a function that begins at zero those of the
+/// quotient by theta.
+typedef struct course {
+    double b[4];
+    int degree;
+} course;
+
+static course course_of(const dop853_lanes *lanes, size_t s, size_t slot) {
+    const double side = *at(lanes, lanes->sides, s, slot), third = side * lanes->length[slot] / 3.0;
+    const double rise = third * *at(lanes, lanes->rate, s, slot), b0 = side * *at(lanes, lanes->value, s, slot);
+    const double b3 = side * *at(lanes, lanes->end_value, s, slot);
+    const double b2 = b3 - third * *at(lanes, lanes->end_rate, s, slot);
+    if (*at(lanes, lanes->held, s, slot) > 0.5) return (course){{3.0 * rise, 1.5 * b2, b3}, 2};
+    return (course){{b0, b0 + rise, b2, b3}, 3};
+}
+
+static bool is_clear(const course *c) {
+    double least = c->b[0], margin = 0.0, jump = 0.0, before = 0.0;
+    for (int i = 0; i <= c->degree; i++) least = fmin(least, c->b[i]);
+    for (int i = 1; i < c->degree; i++) {
+        const double bend = c->b[i - 1] - 2.0 * c->b[i] + c->b[i + 1];
+        if (i > 1) jump = fabs(bend - before);
+        margin = fmax(margin, fabs(bend));
+        before = bend;
+    }
+    return least > (c->degree == 3 ? 0.5 * margin + jump : margin);
+}
+
+/// Whether it falls from above zero to below all along.
+static bool falls(const course *c) {
+    for (int i = 0; i < c->degree; i++)
+        if (!(c->b[i + 1] < c->b[i])) return false;
+    return c->b[0] > 0.0 && c->b[c->degree] < 0.0;
+}
+
+static double zero_of(const course *c) {
+    double low = 0.0, high = 1.0;
+    for (int i = 0; i < 40; i++) {
+        const double theta = 0.5 * (low + high);
+        double b[4];
+        memcpy(b, c->b, sizeof b);
+        for (int k = c->degree; k > 0; k--)
+            for (int j = 0; j < k; j++) b[j] += theta * (b[j + 1] - b[j]);
+        *(b[0] > 0.0 ? &low : &high) = theta;
+    }
+    return high;
+}
+
+/// Where the switches let the step tried be taken, or where the first of them is passed.
+typedef enum passage { PASSAGE_CLEAR, PASSAGE_FALLS, PASSAGE_DOUBTFUL } passage;
+
+static passage find_passage(const dop853_lanes *lanes, size_t slot, size_t except, size_t *which, double *theta) {
+    passage found = PASSAGE_CLEAR;
+    *theta = 2.0;
+    for (size_t s = 0; s < lanes->switch_count; s++) {
+        const course c = course_of(lanes, s, slot);
+        if (s == except || is_clear(&c)) continue;
+        if (!falls(&c)) return PASSAGE_DOUBTFUL;
+        const double zero = zero_of(&c);
+        if (zero < *theta) {
+            *theta = zero;
+            *which = s;
+        }
+        found = PASSAGE_FALLS;
+    }
+    return found;
+}
+
+/// Goes on at the end of the step tried, on the other side of switch `which`.
+static void cross(const dop853_lanes *lanes, size_t slot, size_t which) {
+    copy(lanes, lanes->q, lanes->end_q, lanes->degrees, slot);
+    copy(lanes, lanes->v, lanes->end_v, lanes->degrees, slot);
+    for (size_t s = 0; s < lanes->switch_count; s++) *at(lanes, lanes->held, s, slot) = s == which;
+    *at(lanes, lanes->sides, which, slot) *= -1.0;
+    lanes->taken[slot] = lanes->length[slot];
+    lanes->t[slot] = fmin(lanes->t[slot] + lanes->length[slot], lanes->period);
+    lanes->landing[slot] = 0.0;
+    lanes->fresh[slot] = 1.0;
+    if (++lanes->switchings[slot] > MAX_SWITCHINGS) end(lanes, slot, WHIRL_STUCK);
+    if (!(lanes->t[slot] < lanes->period)) lanes->running[slot] = 0.0;
+}
+
+static void begin_landing(const dop853_lanes *lanes, size_t slot) {
+    size_t which = 0;
+    double theta;
+    if (find_passage(lanes, slot, lanes->switch_count, &which, &theta) != PASSAGE_FALLS) {
+        step_alone(lanes, slot);
+        return;
+    }
+    lanes->landing[slot] = 1.0 + (double)which;
+    lanes->tries[slot] = 1.0;
+    lanes->whole[slot] = lanes->length[slot];
+    lanes->length[slot] *= theta;
+}
+
+/// A step that was tried to end at a switch: near enough, or nearer by Newton's method.
+static void go_on_landing(const dop853_lanes *lanes, size_t slot) {
+    const size_t which = (size_t)lanes->landing[slot] - 1;
+    const double value = *at(lanes, lanes->end_value, which, slot), rate = *at(lanes, lanes->end_rate, which, slot);
+    const double off = -value / rate, length = lanes->length[slot], reach = 1e-3 * lanes->rtol + 0x1p-50;
+    size_t other = 0;
+    double theta;
+    const bool falling = *at(lanes, lanes->sides, which, slot) * rate < 0.0 && lanes->error[slot] < 1.0;
+    if (!falling || find_passage(lanes, slot, which, &other, &theta) != PASSAGE_CLEAR) {
+        lanes->length[slot] = lanes->whole[slot];
+        step_alone(lanes, slot);
+    } else if (fabs(off) <= reach || ++lanes->tries[slot] > MAX_TRIES) {
+        cross(lanes, slot, which);
+    } else if (length + off > 0.0 && length + off < lanes->whole[slot]) {
+        lanes->length[slot] = length + off;
+    } else {
+        lanes->length[slot] = lanes->whole[slot];
+        step_alone(lanes, slot);
+    }
+}
+
+void dop853_special(const dop853_lanes *lanes, size_t slot) {
+    const bool accepted = lanes->error[slot]<1.0, landing = lanes->landing[slot]> 0.5;
+    if (landing)
+        go_on_landing(lanes, slot);
+    else if (!accepted || lanes->attempts[slot] > MAX_ATTEMPTS)
+        end(lanes, slot, accepted || isfinite(lanes->error[slot]) ? WHIRL_STUCK : WHIRL_DIVERGED);
+    else if (!(lanes->size[slot] < lanes->limit))
+        end(lanes, slot, WHIRL_DIVERGED);
+    else
+        begin_landing(lanes, slot);
+}

@@ -1,0 +1,32 @@
+/// The pair of dop853_tableau.h for x'' = f(t, x, x'): the slopes of positions are velocities, which are sums of accelerations
+/// themselves. So every state within a step is
+///
+///     q + c h v + h^2 sum_j position_j a_j,      v + h sum_j velocity_j a_j,
+///
+/// with accelerations a_j alone, which halves what is kept of a step.
+#ifndef INTEGRATE_DOP853_SUMS_H
+#define INTEGRATE_DOP853_SUMS_H
+
+#include <stddef.h>
+
+#include "dop853_tableau.h"
+
+enum { MAX_SUM = 11 }; ///< slopes in the sums of states and errors; those of the interpolant's polynomials have more
+
+/// A weighted sum of slopes, without those of weight zero.
+typedef struct slope_sum {
+    size_t count;
+    size_t slope[DOP853_SLOPES];
+    double weight[DOP853_SLOPES];
+} slope_sum;
+
+typedef struct dop853_sums {
+    slope_sum position[DOP853_SLOPES], velocity[DOP853_SLOPES]; ///< where slopes are taken; row 12 is the result
+    slope_sum position_error5, velocity_error5, position_error3, velocity_error3;
+    slope_sum position_dense[DOP853_DENSE], velocity_dense[DOP853_DENSE];
+    double dense_drift[DOP853_DENSE]; ///< what multiplies h v in the positions' polynomials
+} dop853_sums;
+
+void dop853_sums_fill(dop853_sums *sums);
+
+#endif
