@@ -22,6 +22,11 @@ static bool is_there(const char *path) {
 
 // ---------------------------------------------------------------- going on
 
+static int read_finished(const char *output, whirl_result **finished) {
+    const whirl_status status = whirl_result_read(output, finished);
+    return complain_of(&status);
+}
+
 /// Without a journal: the result may be there already.
 static int find_finished(const char *output, const char *path, const whirl_result *outline, whirl_result **finished) {
     char difference[WHIRL_MESSAGE_SIZE];
@@ -30,18 +35,20 @@ static int find_finished(const char *output, const char *path, const whirl_resul
         complain("there is nothing to resume: neither '%s' nor '%s' is there", path, output);
         return EXIT_BAD_INPUT;
     }
-    const whirl_status status = whirl_result_read(output, finished);
+    whirl_result *there;
+    const whirl_status status = whirl_result_read_outline(output, &there);
     if (status.code != WHIRL_OK) return complain_of(&status);
-    if (!whirl_result_same_study(*finished, outline, difference, sizeof difference))
+    const bool same = whirl_result_same_study(there, outline, difference, sizeof difference);
+    const bool partial = whirl_result_partial(there, &done, &total);
+    whirl_result_free(there);
+    if (!same)
         complain("there is nothing to resume: '%s' is not there, and '%s' is of another study: %s", path, output,
                  difference);
-    else if (whirl_result_partial(*finished, &done, &total))
+    else if (partial)
         complain("there is nothing to resume: '%s' is partial (%zu of %zu points), but its journal '%s' is gone",
                  output, done, total, path);
     else
-        return EXIT_DONE;
-    whirl_result_free(*finished);
-    *finished = NULL;
+        return read_finished(output, finished);
     return EXIT_BAD_INPUT;
 }
 

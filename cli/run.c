@@ -217,7 +217,7 @@ static bool would_cover(const char *path, const whirl_result *result) {
     whirl_result *earlier = NULL;
     if (!path || !whirl_result_partial(result, &done, &total)) return false;
     const bool complete =
-        whirl_result_read(path, &earlier).code == WHIRL_OK && !whirl_result_partial(earlier, &done, &total);
+        whirl_result_read_outline(path, &earlier).code == WHIRL_OK && !whirl_result_partial(earlier, &done, &total);
     whirl_result_free(earlier);
     return complete;
 }

@@ -13,6 +13,9 @@
 extern "C" {
 #endif
 
+/// Blocks that a run left with its keeper, for they are many (whirl_run_options.memory).
+typedef struct whirl_kept_blocks whirl_kept_blocks;
+
 /// The points of one batch.
 typedef struct whirl_table {
     char name[WHIRL_NAME_SIZE];      ///< "response", "sweep", "detail"
@@ -20,7 +23,9 @@ typedef struct whirl_table {
     size_t count;
     double *values; ///< [count] of the parameter in SI (NaN when nothing varies)
     int *branch;    ///< [count] +1 carried from the first value on, -1 carried from the last, 0 not carried
-    double *blocks; ///< [count][layout.size], NaN where a point is not done; NULL in an outline
+    /// [count][layout.size], NaN where a point is not done; NULL in an outline, and where the blocks are `kept`.
+    double *blocks;
+    whirl_kept_blocks *kept; ///< NULL, or where the blocks are
     /// [count] 1 for points that are done, 0 for those that a run did not come to; NULL: all are done.
     unsigned char *done;
     whirl_layout layout;
@@ -68,8 +73,12 @@ void whirl_result_free(whirl_result *result);
 /// The table of that name, or NULL.
 const whirl_table *whirl_result_table(const whirl_result *result, const char *name);
 
+/// The block [layout.size] of a point; NULL in an outline, and where it was kept and is lost. Borrowed; from a table whose
+/// blocks are kept only until another point is asked for, by one thread at a time.
+const double *whirl_table_block(const whirl_table *table, size_t point);
+
 /// The numbers [rows][columns] of a field for a point and a station or contact (0 for fields of the point);
-/// NULL when the table has no such field or an index is out of range. Borrowed.
+/// NULL when the table has no such field or an index is out of range. Borrowed as the block is.
 const double *whirl_table_field(const whirl_table *table, size_t point, const char *field, size_t which);
 
 /// Whether a point is done. Only the results of runs that were stopped have points that are not.
@@ -106,6 +115,9 @@ whirl_status whirl_result_read(const char *path, whirl_result **result);
 /// Writes every table as CSV files into the directory `path` (made when missing): one file with a line a point,
 /// and one file a field that has rows. Units stand in the headings.
 whirl_status whirl_result_export_csv(const whirl_result *result, const char *path);
+
+/// Reads all of a file but the numbers of its points, whose tables then have no blocks. Errors as whirl_result_read.
+whirl_status whirl_result_read_outline(const char *path, whirl_result **outline);
 
 /// Writes the points as one JSON document ({"points": [...]}) as the user guide describes.
 whirl_status whirl_result_write_json(const whirl_result *result, FILE *stream);

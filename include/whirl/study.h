@@ -115,6 +115,9 @@ typedef struct whirl_run_options {
     void *context;
     const volatile bool *stop;  ///< NULL, or becomes true when the run shall end early
     const whirl_keeper *keeper; ///< NULL: every point is computed
+    /// Bytes of a table's blocks from which on they are left with the keeper, if there is one, which must then live as
+    /// long as the result; 0: 256 MB. Not where points are confirmed or refined: their blocks stay in memory.
+    size_t memory;
 } whirl_run_options;
 
 /// Revolutions of all points without refinement, as a budget counts them: at n times the steps of the study n times.

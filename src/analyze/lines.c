@@ -16,47 +16,93 @@ static const double two_pi = 6.283185307179586476925;
 /// Lines below this share of the largest are taken for noise or leakage.
 static const double smallest_share = 1e-4;
 
+/// Sine and cosine of an angle.
+typedef struct turn {
+    double sine, cosine;
+} turn;
+
+static turn turn_of(double angle) {
+    return (turn){sin(angle), cos(angle)};
+}
+
+static turn turn_on(turn a, turn b) {
+    return (turn){a.sine * b.cosine + a.cosine * b.sine, a.cosine * b.cosine - a.sine * b.sine};
+}
+
+static turn turn_back(turn a, turn b) {
+    return (turn){a.sine * b.cosine - a.cosine * b.sine, a.cosine * b.cosine + a.sine * b.sine};
+}
+
+/// A frequency as the window's transform needs it: a lobe lies at the sum or the difference of two.
+typedef struct frequency {
+    double bin;
+    turn whole, part; ///< pi bin, pi bin/count
+} frequency;
+
+static frequency frequency_of(double bin, double count) {
+    return (frequency){bin, turn_of(0.5 * two_pi * bin), turn_of(0.5 * two_pi * bin / count)};
+}
+
 /// A sinusoid a e^(i theta) + conj(a) e^(-i theta) in each coordinate, theta = 2 pi bin j/count.
 typedef struct sinusoid {
     size_t peak; ///< whole bin where it was found
-    double bin;
+    frequency at;
     wave_amplitudes a;
 } sinusoid;
 
-/// Transform of the Hann window `bins` from its centre, where it is 1 (Harris 1978). That of the rectangular window is
-/// e^(-i angle (count - 1)/count) sin(angle)/(count sin(angle/count)), angle = pi bins; the Hann window's is this one
-/// less half of its two neighbours, a bin away, in which sin(angle) and the phase return but for their signs.
-static double complex hann_lobe(double bins, double count) {
+/// A signal and the lines found in it so far.
+typedef struct line_search {
+    const wave_transform *wave;
+    double samples;
+    turn unit; ///< pi/samples
+    size_t count;
+    sinusoid lines[WHIRL_MAX_LINES];
+} line_search;
+
+/// Transform of the Hann window at a distance from its centre, where it is 1 (Harris 1978). That of the rectangular
+/// window is e^(-i angle (count - 1)/count) sin(angle)/(count sin(angle/count)), angle = pi bins; the Hann window's is
+/// this one less half of its two neighbours, a bin away, in which sin(angle) and the phase return but for their signs.
+static double complex hann_lobe(const line_search *search, turn whole, turn part) {
     // At the bins 0, 1 and -1 both sides of a quotient are 0; nobody asks closer by, but at half the sampling frequency.
     const double least = 1e-12;
-    const double angle = 0.5 * two_pi * bins, small = angle / count, unit = 0.5 * two_pi / count;
-    const double s = sin(small), c = cos(small), unit_s = sin(unit), unit_c = cos(unit);
-    const double before = s * unit_c - c * unit_s, after = s * unit_c + c * unit_s;
-    if (fabs(s) < least || fabs(before) < least || fabs(after) < least) return fabs(s) < least ? 1.0 : -0.5;
-    const double even = 1.0 / s - 0.5 * unit_c * (1.0 / before + 1.0 / after);
-    const double odd = 0.5 * unit_s * (1.0 / before - 1.0 / after);
-    const double high = sin(angle) / count, turn = angle - small;
-    const double turn_s = -sin(turn), turn_c = cos(turn);
-    return high * ((even * turn_c - odd * turn_s) + I * (even * turn_s + odd * turn_c));
+    const double before = turn_back(part, search->unit).sine, after = turn_on(part, search->unit).sine;
+    if (fabs(part.sine) < least || fabs(before) < least || fabs(after) < least)
+        return fabs(part.sine) < least ? 1.0 : -0.5;
+    const double even = 1.0 / part.sine - 0.5 * search->unit.cosine * (1.0 / before + 1.0 / after);
+    const double odd = 0.5 * search->unit.sine * (1.0 / before - 1.0 / after);
+    const double high = whole.sine / search->samples;
+    const turn phase = turn_back(part, whole);
+    return high * ((even * phase.cosine - odd * phase.sine) + I * (even * phase.sine + odd * phase.cosine));
 }
 
-static void subtract(wave_amplitudes *value, const sinusoid *line, double at, double count, bool main_lobe) {
-    const double complex there = main_lobe ? hann_lobe(at - line->bin, count) : 0.0;
-    const double complex mirror = hann_lobe(at + line->bin, count);
-    value->x -= line->a.x * there + conj(line->a.x) * mirror;
-    value->y -= line->a.y * there + conj(line->a.y) * mirror;
+/// a times b; C's own product looks for infinities.
+static double complex times(double complex a, double complex b) {
+    return (creal(a) * creal(b) - cimag(a) * cimag(b)) + I * (creal(a) * cimag(b) + cimag(a) * creal(b));
 }
 
-/// The transform at `at` less what all lines but `own` leak there. Lines whose main lobes overlap that of `own` stay.
-static wave_amplitudes isolated(const wave_transform *wave, const sinusoid *lines, size_t count, size_t own,
-                                double at) {
-    wave_amplitudes value = wave_transform_at(wave, at);
-    for (size_t m = 0; m < count; m++) {
-        if (m == own) {
-            subtract(&value, &lines[m], at, (double)wave_transform_count(wave), false);
-        } else if (fabs(lines[m].bin - lines[own].bin) >= 2.5) {
-            subtract(&value, &lines[m], at, (double)wave_transform_count(wave), true);
-        }
+static void subtract(const line_search *search, wave_amplitudes *value, const sinusoid *line, const frequency *at,
+                     bool main_lobe) {
+    const turn whole = turn_on(at->whole, line->at.whole), part = turn_on(at->part, line->at.part);
+    const double complex mirror = hann_lobe(search, whole, part);
+    value->x -= times(conj(line->a.x), mirror);
+    value->y -= times(conj(line->a.y), mirror);
+    if (!main_lobe) return;
+    const double complex there =
+        hann_lobe(search, turn_back(at->whole, line->at.whole), turn_back(at->part, line->at.part));
+    value->x -= times(line->a.x, there);
+    value->y -= times(line->a.y, there);
+}
+
+/// The transform at `bin` less what all lines but `own` leak there. Lines whose main lobes overlap that of `own` stay.
+static wave_amplitudes isolated(const line_search *search, size_t own, double bin) {
+    const frequency at = frequency_of(bin, search->samples);
+    wave_amplitudes value = wave_transform_at(search->wave, bin);
+    for (size_t m = 0; m < search->count; m++) {
+        const sinusoid *line = &search->lines[m];
+        if (m == own)
+            subtract(search, &value, line, &at, false);
+        else if (fabs(line->at.bin - search->lines[own].at.bin) >= 2.5)
+            subtract(search, &value, line, &at, true);
     }
     return value;
 }
@@ -66,19 +112,21 @@ static double pair_power(wave_amplitudes value) {
 }
 
 /// One round for one line: its frequency from the two sides of the lobe, then its amplitudes.
-static void refine(const wave_transform *wave, sinusoid *lines, size_t count, size_t own) {
-    sinusoid *line = &lines[own];
-    const double above = pair_power(isolated(wave, lines, count, own, line->bin + 0.5));
-    const double below = pair_power(isolated(wave, lines, count, own, line->bin - 0.5));
+static void refine(line_search *search, size_t own) {
+    sinusoid *line = &search->lines[own];
+    const double above = pair_power(isolated(search, own, line->at.bin + 0.5));
+    const double below = pair_power(isolated(search, own, line->at.bin - 0.5));
     if (above > 0.0 && below > 0.0) {
-        const double moved = line->bin + 0.375 * log(above / below);
-        line->bin = fmin(fmax(moved, (double)line->peak - 0.75), (double)line->peak + 0.75);
+        const double moved = line->at.bin + 0.375 * log(above / below);
+        const double bin = fmin(fmax(moved, (double)line->peak - 0.75), (double)line->peak + 0.75);
+        line->at = frequency_of(bin, search->samples);
     }
-    line->a = isolated(wave, lines, count, own, line->bin);
+    line->a = isolated(search, own, line->at.bin);
 }
 
 /// The largest local maxima of `power`, largest first.
-static size_t pick_peaks(const double *power, size_t bins, sinusoid *lines) {
+static void pick_peaks(line_search *search, const double *power, size_t bins) {
+    sinusoid *lines = search->lines;
     double largest = 0.0;
     for (size_t k = 2; k < bins; k++) largest = fmax(largest, power[k]);
     size_t count = 0;
@@ -88,9 +136,9 @@ static size_t pick_peaks(const double *power, size_t bins, sinusoid *lines) {
         size_t place = count < WHIRL_MAX_LINES ? count++ : count;
         if (place == WHIRL_MAX_LINES && power[k] <= power[lines[--place].peak]) continue;
         for (; place > 0 && power[lines[place - 1].peak] < power[k]; place--) lines[place] = lines[place - 1];
-        lines[place] = (sinusoid){.peak = k, .bin = (double)k};
+        lines[place] = (sinusoid){.peak = k, .at = frequency_of((double)k, search->samples)};
     }
-    return count;
+    search->count = count;
 }
 
 whirl_line spectrum_line(double order, wave_amplitudes at) {
@@ -112,12 +160,14 @@ static int larger_first(const void *a, const void *b) {
 
 size_t spectrum_lines(const wave_transform *wave, const double *power, size_t bins, whirl_line *lines) {
     enum { ROUNDS = 5 };
-    sinusoid found[WHIRL_MAX_LINES];
-    const size_t count = pick_peaks(power, bins, found);
+    const double samples = (double)wave_transform_count(wave);
+    line_search search = {.wave = wave, .samples = samples, .unit = turn_of(0.5 * two_pi / samples)};
+    pick_peaks(&search, power, bins);
     for (int round = 0; round < ROUNDS; round++) {
-        for (size_t l = 0; l < count; l++) refine(wave, found, count, l);
+        for (size_t l = 0; l < search.count; l++) refine(&search, l);
     }
-    for (size_t l = 0; l < count; l++) lines[l] = spectrum_line(found[l].bin, found[l].a);
+    const size_t count = search.count;
+    for (size_t l = 0; l < count; l++) lines[l] = spectrum_line(search.lines[l].at.bin, search.lines[l].a);
     qsort(lines, count, sizeof *lines, larger_first);
     size_t kept = count;
     while (kept > 0 && line_size(&lines[kept - 1]) < smallest_share * line_size(&lines[0])) kept--;

@@ -9,7 +9,7 @@
 enum { ATOMIC_PATH_SIZE = 4096 };
 
 typedef struct atomic_file {
-    FILE *stream; // to write to; NULL when not open
+    FILE *stream; // to write to, or by its descriptor; NULL when not open
     char path[ATOMIC_PATH_SIZE], temporary[ATOMIC_PATH_SIZE];
 } atomic_file;
 

@@ -2,50 +2,87 @@
 
 #include <errno.h>
 #include <fcntl.h>
-#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+int bytes_read_at(int descriptor, uint64_t offset, void *to, size_t size) {
+    unsigned char *next = to;
+    while (size > 0) {
+        const ssize_t got = pread(descriptor, next, size, (off_t)offset);
+        if (got < 0 && errno == EINTR) continue;
+        if (got <= 0) return got < 0 ? errno : EIO; // shorter than it was
+        next += got;
+        offset += (uint64_t)got;
+        size -= (size_t)got;
+    }
+    return 0;
+}
+
+int bytes_write_at(int descriptor, uint64_t offset, const void *from, size_t size) {
+    const unsigned char *next = from;
+    while (size > 0) {
+        const ssize_t put = pwrite(descriptor, next, size, (off_t)offset);
+        if (put < 0 && errno == EINTR) continue;
+        if (put <= 0) return put < 0 ? errno : EIO;
+        next += put;
+        offset += (uint64_t)put;
+        size -= (size_t)put;
+    }
+    return 0;
+}
+
+static int read_memory(void *context, uint64_t offset, void *to, size_t size) {
+    memcpy(to, (const unsigned char *)context + offset, size);
+    return 0;
+}
+
+byte_source bytes_of_memory(unsigned char *bytes, size_t size) {
+    return (byte_source){read_memory, bytes, size};
+}
+
+static int read_file(void *context, uint64_t offset, void *to, size_t size) {
+    byte_file *file = context;
+    if (size > BYTE_WINDOW / 2) return bytes_read_at(file->descriptor, offset, to, size);
+    if (offset < file->start || offset + size > file->start + file->length) {
+        const uint64_t left = file->source.size - offset;
+        const size_t length = left < BYTE_WINDOW ? (size_t)left : BYTE_WINDOW;
+        file->length = 0;
+        const int reason = bytes_read_at(file->descriptor, offset, file->window, length);
+        if (reason) return reason;
+        file->start = offset;
+        file->length = length;
+    }
+    memcpy(to, file->window + (offset - file->start), size);
+    return 0;
+}
 
 static whirl_status cannot_read(const char *path, const char *reason) {
     return whirl_fail(WHIRL_IO_ERROR, "cannot read %s: %s", path, reason);
 }
 
-// Reads until the size that the file had, or its end where it has become shorter.
-static int fill(int file, unsigned char *bytes, size_t *size) {
-    size_t done = 0;
-    while (done < *size) {
-        const ssize_t got = read(file, bytes + done, *size - done);
-        if (got < 0 && errno == EINTR) continue;
-        if (got < 0) return errno;
-        if (got == 0) break;
-        done += (size_t)got;
-    }
-    *size = done;
-    return 0;
-}
-
-static whirl_status read_open(int file, const char *path, unsigned char **bytes, size_t *size) {
+whirl_status bytes_open(byte_file *file, const char *path) {
     struct stat found;
-    if (fstat(file, &found) != 0) return cannot_read(path, strerror(errno));
-    if (S_ISDIR(found.st_mode)) return cannot_read(path, "it is a folder");
-    if (!S_ISREG(found.st_mode)) return cannot_read(path, "it is no ordinary file");
-    *size = (size_t)found.st_size;
-    *bytes = malloc(*size ? *size : 1);
-    if (!*bytes) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %s, %zu bytes", path, *size);
-    const int reason = fill(file, *bytes, size);
-    if (reason == 0) return whirl_ok();
-    free(*bytes);
-    *bytes = NULL;
-    return cannot_read(path, strerror(reason));
+    file->start = file->length = 0;
+    // Opening a pipe without a writer must not wait.
+    do file->descriptor = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    while (file->descriptor < 0 && errno == EINTR);
+    if (file->descriptor < 0) return cannot_read(path, strerror(errno));
+    whirl_status status = whirl_ok();
+    if (fstat(file->descriptor, &found) != 0)
+        status = cannot_read(path, strerror(errno));
+    else if (S_ISDIR(found.st_mode))
+        status = cannot_read(path, "it is a folder");
+    else if (!S_ISREG(found.st_mode))
+        status = cannot_read(path, "it is no ordinary file");
+    if (status.code == WHIRL_OK)
+        file->source = (byte_source){read_file, file, (uint64_t)found.st_size};
+    else
+        bytes_close(file);
+    return status;
 }
 
-whirl_status bytes_read(const char *path, unsigned char **bytes, size_t *size) {
-    *bytes = NULL;
-    // Opening a pipe without a writer must not wait.
-    const int file = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-    if (file < 0) return cannot_read(path, strerror(errno));
-    const whirl_status status = read_open(file, path, bytes, size);
-    close(file);
-    return status;
+void bytes_close(byte_file *file) {
+    if (file->descriptor >= 0) close(file->descriptor);
+    file->descriptor = -1;
 }

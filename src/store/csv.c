@@ -122,12 +122,12 @@ static void write_points(FILE *stream, const whirl_result *result, const whirl_t
     end_line(&row);
     for (size_t point = 0; point < table->count; ++point) {
         char verdict[WHIRL_NAME_SIZE];
-        if (!whirl_table_done(table, point)) continue;
+        if (!whirl_table_done(table, point) || !whirl_table_block(table, point)) continue;
         const whirl_verdict found = whirl_table_verdict(table, point);
         whirl_verdict_name(&found, verdict, sizeof verdict);
         put_point_cells(&row, table, point);
         put_cell(&row, verdict);
-        const double *block = table->blocks + point * layout->size;
+        const double *block = whirl_table_block(table, point);
         for (const whirl_field *field = layout->fields; field < layout->fields + layout->field_count; ++field)
             for (size_t i = 0; field->rows == 1 && i < field->repeat * field->columns; ++i)
                 put_number_cell(&row, block[field->offset + i]);
@@ -164,8 +164,9 @@ static void write_rows(FILE *stream, const whirl_result *result, const whirl_tab
     put_rows_headings(&row, result, table, field);
     for (size_t i = 0; i < table->count * field->repeat * field->rows; ++i) {
         const size_t point = i / (field->repeat * field->rows), inner = i % (field->repeat * field->rows);
-        const double *numbers = table->blocks + point * table->layout.size + field->offset + inner * field->columns;
-        if (all_missing(numbers, field->columns)) continue;
+        const double *block = whirl_table_block(table, point);
+        const double *numbers = block ? block + field->offset + inner * field->columns : NULL;
+        if (!numbers || all_missing(numbers, field->columns)) continue;
         put_point_cells(&row, table, point);
         if (field->extent != WHIRL_PER_POINT) put_cell(&row, repetition_name(result, field, inner / field->rows));
         put_count_cell(&row, inner % field->rows + 1);

@@ -1,5 +1,5 @@
 // Reading from HDF5, distrusting what is there: see items.h.
-#include "image.h"
+#include "h5file.h"
 #include "items.h"
 
 #include <stdarg.h>
@@ -18,7 +18,7 @@ static void fail_get(whirl_status *status, hid_t object, const char *name, const
 
 static void fail_library(whirl_status *status, hid_t object, const char *name) {
     char reason[160], wrong[200];
-    image_reason(reason, sizeof reason);
+    h5_reason(reason, sizeof reason);
     snprintf(wrong, sizeof wrong, "cannot be read: %s", reason);
     fail_get(status, object, name, wrong);
 }
@@ -233,49 +233,99 @@ size_t get_length(whirl_status *status, hid_t parent, const char *name, size_t m
     return (size_t)length;
 }
 
-// Reads a dataset whose dimensions must be these.
-static void read_dataset(whirl_status *status, hid_t dataset, hid_t memory, const size_t *dimensions, int rank,
-                         void *values) {
+// Are these the dimensions?
+static void check_dimensions(whirl_status *status, hid_t dataset, const size_t *dimensions, int rank) {
     hsize_t found[ITEMS_MAX_RANK] = {0};
     bool well = dataset_extent(dataset, found, rank);
-    bool empty = false;
-    for (int i = 0; well && i < rank; ++i) {
-        well = found[i] == dimensions[i];
-        empty = empty || found[i] == 0;
-    }
-    if (!well)
-        fail_get(status, dataset, "", "has not the expected size");
-    else if (!empty && H5Dread(dataset, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0)
+    for (int i = 0; well && i < rank; ++i) well = found[i] == dimensions[i];
+    if (!well) fail_get(status, dataset, "", "has not the expected size");
+}
+
+// Reads a list of this length.
+static void read_list(whirl_status *status, hid_t dataset, hid_t memory, size_t count, void *values) {
+    check_dimensions(status, dataset, &count, 1);
+    if (status->code == WHIRL_OK && count > 0 && H5Dread(dataset, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0)
         fail_library(status, dataset, "");
 }
 
-// A dataset whose type equals `kind` exactly.
-static void read_kind(whirl_status *status, hid_t dataset, hid_t kind, hid_t memory, const size_t *dimensions, int rank,
-                      void *values) {
+// Is the type of a dataset exactly this?
+static void check_kind(whirl_status *status, hid_t dataset, hid_t kind) {
     if (status->code != WHIRL_OK) return;
     const hid_t type = H5Dget_type(dataset);
-    if (type < 0 || H5Tequal(type, kind) <= 0)
-        fail_get(status, dataset, "", "is not of the expected kind");
-    else
-        read_dataset(status, dataset, memory, dimensions, rank, values);
+    if (type < 0 || H5Tequal(type, kind) <= 0) fail_get(status, dataset, "", "is not of the expected kind");
     if (type >= 0) H5Tclose(type);
 }
 
-void get_array(whirl_status *status, hid_t dataset, double *values, const size_t *dimensions, int rank) {
-    read_kind(status, dataset, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, dimensions, rank, values);
+static void read_kind(whirl_status *status, hid_t parent, const char *name, hid_t kind, hid_t memory, size_t count,
+                      void *values) {
+    const hid_t dataset = get_dataset(status, parent, name);
+    check_kind(status, dataset, kind);
+    if (status->code == WHIRL_OK) read_list(status, dataset, memory, count, values);
+    close_dataset(dataset);
 }
 
 void get_numbers(whirl_status *status, hid_t parent, const char *name, double *values, size_t count) {
-    const hid_t dataset = get_dataset(status, parent, name);
-    get_array(status, dataset, values, &count, 1);
-    if (dataset >= 0) H5Dclose(dataset);
+    read_kind(status, parent, name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, count, values);
 }
 
 void get_wholes(whirl_status *status, hid_t parent, const char *name, int64_t *values, size_t count) {
-    const hid_t dataset = get_dataset(status, parent, name);
-    read_kind(status, dataset, H5T_STD_I64LE, H5T_NATIVE_INT64, &count, 1, values);
-    if (dataset >= 0) H5Dclose(dataset);
+    read_kind(status, parent, name, H5T_STD_I64LE, H5T_NATIVE_INT64, count, values);
 }
+
+// ---------------------------------------------------------------- columns
+
+// Points of a chunk, which the dataset is read by; they are no more than there are.
+static size_t chunk_length(hid_t dataset, int rank) {
+    hsize_t chunk[ITEMS_MAX_RANK] = {1};
+    const hid_t creation = H5Dget_create_plist(dataset);
+    if (creation >= 0) H5Pget_chunk(creation, rank, chunk);
+    if (creation >= 0) H5Pclose(creation);
+    return chunk[0] > 0 ? (size_t)chunk[0] : 1;
+}
+
+void column_open(whirl_status *status, column *from, hid_t parent, const char *name, const size_t *dimensions,
+                 int rank) {
+    *from = (column){.dataset = get_dataset(status, parent, name), .rank = rank, .size = sizeof(double)};
+    for (int i = 0; i < rank; ++i) from->dimensions[i] = dimensions[i];
+    for (int i = 1; i < rank; ++i) from->size *= dimensions[i];
+    check_kind(status, from->dataset, H5T_IEEE_F64LE);
+    if (status->code == WHIRL_OK) check_dimensions(status, from->dataset, dimensions, rank);
+    if (status->code != WHIRL_OK) return;
+    from->most = chunk_length(from->dataset, rank);
+    from->buffer = malloc(from->most * from->size + 1);
+    if (!from->buffer) *status = whirl_fail(WHIRL_NO_MEMORY, "no memory to read %s", name);
+}
+
+// Reads the next chunk's points.
+static void fill_column(whirl_status *status, column *from) {
+    hsize_t first[ITEMS_MAX_RANK] = {from->done}, count[ITEMS_MAX_RANK];
+    memcpy(count, from->dimensions, sizeof count);
+    const hsize_t left = from->dimensions[0] - from->done;
+    count[0] = left < from->most ? left : from->most;
+    const hid_t file = H5Dget_space(from->dataset), memory = H5Screate_simple(from->rank, count, NULL);
+    if (H5Sselect_hyperslab(file, H5S_SELECT_SET, first, NULL, count, NULL) < 0 ||
+        H5Dread(from->dataset, H5T_NATIVE_DOUBLE, memory, file, H5P_DEFAULT, from->buffer) < 0)
+        fail_library(status, from->dataset, "");
+    H5Sclose(memory);
+    H5Sclose(file);
+    from->gathered = 0;
+}
+
+void column_get(whirl_status *status, column *from, double *numbers) {
+    if (status->code != WHIRL_OK || from->size == 0) return;
+    if (from->gathered == from->most || from->done == 0) fill_column(status, from);
+    if (status->code != WHIRL_OK) return;
+    memcpy(numbers, from->buffer + from->gathered * from->size, from->size);
+    from->gathered++;
+    from->done++;
+}
+
+void column_close(column *from) {
+    close_dataset(from->dataset);
+    free(from->buffer);
+}
+
+// ---------------------------------------------------------------- texts
 
 // Texts without gaps between them.
 static void read_packed_texts(whirl_status *status, hid_t parent, const char *name, char *packed, size_t size,
@@ -286,7 +336,7 @@ static void read_packed_texts(whirl_status *status, hid_t parent, const char *na
     if (!is_text(type, size) || memory < 0)
         fail_get(status, parent, name, "is not a list of texts, or too long");
     else
-        read_dataset(status, dataset, memory, &count, 1, packed);
+        read_list(status, dataset, memory, count, packed);
     if (status->code == WHIRL_OK) end_texts(packed, size, count);
     if (memory >= 0) H5Tclose(memory);
     if (type >= 0) H5Tclose(type);

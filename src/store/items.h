@@ -35,11 +35,27 @@ void put_texts(whirl_status *status, hid_t parent, const char *name, texts list)
 void put_wholes(whirl_status *status, hid_t parent, const char *name, const int64_t *values, size_t count);
 void put_numbers(whirl_status *status, hid_t parent, const char *name, const double *values, size_t count);
 
-// A dataset of doubles with `rank` dimensions; the group above it ("group/name") is made. It is left open for its
-// attributes; closed by close_dataset.
-hid_t put_array(whirl_status *status, hid_t parent, const char *name, const double *values, const size_t *dimensions,
-                int rank);
 void close_dataset(hid_t dataset);
+
+// A dataset [points][...] that is written, or read, one point after the other: a chunk at a time is in memory.
+typedef struct column {
+    hid_t dataset, type; // the type in memory
+    int rank;
+    hsize_t dimensions[ITEMS_MAX_RANK];
+    size_t size;                 // bytes of a point
+    size_t most, gathered, done; // points: of a chunk, in the buffer, and before it
+    unsigned char *buffer;
+} column;
+
+// Begins a dataset of doubles, whose group ("group/name") is made, or of texts of at most `size` bytes, ends included.
+// The dataset is open for its attributes until column_end, which is to be called also after a failure.
+void column_of_numbers(whirl_status *status, column *out, hid_t parent, const char *name, const size_t *dimensions,
+                       int rank);
+void column_of_texts(whirl_status *status, column *out, hid_t parent, const char *name, size_t points, size_t size);
+
+// Appends a point.
+void column_put(whirl_status *status, column *out, const void *point);
+void column_end(whirl_status *status, column *out);
 
 // ---------------------------------------------------------------- reading (get.c)
 //
@@ -71,8 +87,13 @@ void get_texts(whirl_status *status, hid_t parent, const char *name, char *first
 void get_wholes(whirl_status *status, hid_t parent, const char *name, int64_t *values, size_t count);
 void get_numbers(whirl_status *status, hid_t parent, const char *name, double *values, size_t count);
 
-// All values of an open dataset of doubles that has exactly these dimensions.
-void get_array(whirl_status *status, hid_t dataset, double *values, const size_t *dimensions, int rank);
+// Opens a dataset of doubles that has exactly these dimensions, to be read by points; column_close also after a failure.
+void column_open(whirl_status *status, column *from, hid_t parent, const char *name, const size_t *dimensions,
+                 int rank);
+
+// The next point's numbers.
+void column_get(whirl_status *status, column *from, double *numbers);
+void column_close(column *from);
 
 // The only text of a dataset, of at most `most` bytes without its end; to be freed.
 char *get_long_text(whirl_status *status, hid_t parent, const char *name, size_t most);

@@ -202,7 +202,7 @@ static bool is_cut_header(const whirl_journal *journal, uint64_t file_size) {
 }
 
 static whirl_status find_points(whirl_journal *journal, uint64_t file_size) {
-    const journal_bytes bytes = {read_file, &journal->file, file_size};
+    const byte_source bytes = {read_file, &journal->file, file_size};
     journal_scan scan;
     const uint64_t from = start_of(journal) < file_size ? start_of(journal) : file_size;
     const int reason = journal_search(&bytes, from, note_frame, journal, &scan);
@@ -289,8 +289,11 @@ static whirl_status write_pending(whirl_journal *journal) {
     if (journal->pending_size == 0) return whirl_ok();
     const int reason = journal_file_write(&journal->file, journal->end, journal->pending, journal->pending_size);
     if (reason) return journal_file_failed(&journal->file, "write", reason);
+    frame_head head;
+    for (size_t at = 0; at < journal->pending_size && frame_head_get(journal->pending + at, &head);
+         at += JOURNAL_HEAD + (size_t)head.size + JOURNAL_TAIL)
+        note_frame(journal, &head, journal->end + at + JOURNAL_HEAD);
     journal->end += journal->pending_size;
-    journal->points += journal->pending_points;
     journal->pending_size = journal->pending_points = 0;
     journal->dirty = true;
     return tend(journal);

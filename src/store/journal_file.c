@@ -10,6 +10,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "bytes.h"
+
 // ---------------------------------------------------------------- opening
 
 whirl_status journal_file_failed(const journal_file *file, const char *what, int reason) {
@@ -78,29 +80,11 @@ int journal_file_size(const journal_file *file, uint64_t *size) {
 }
 
 int journal_file_read(const journal_file *file, uint64_t offset, void *to, size_t size) {
-    unsigned char *next = to;
-    while (size > 0) {
-        const ssize_t got = pread(file->descriptor, next, size, (off_t)offset);
-        if (got < 0 && errno == EINTR) continue;
-        if (got <= 0) return got < 0 ? errno : EIO; // shorter than it was
-        next += got;
-        offset += (uint64_t)got;
-        size -= (size_t)got;
-    }
-    return 0;
+    return bytes_read_at(file->descriptor, offset, to, size);
 }
 
 int journal_file_write(const journal_file *file, uint64_t offset, const void *from, size_t size) {
-    const unsigned char *next = from;
-    while (size > 0) {
-        const ssize_t put = pwrite(file->descriptor, next, size, (off_t)offset);
-        if (put < 0 && errno == EINTR) continue;
-        if (put <= 0) return put < 0 ? errno : EIO;
-        next += put;
-        offset += (uint64_t)put;
-        size -= (size_t)put;
-    }
-    return 0;
+    return bytes_write_at(file->descriptor, offset, from, size);
 }
 
 int journal_file_sync(const journal_file *file) {

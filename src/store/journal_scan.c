@@ -8,7 +8,7 @@ enum { WINDOW = 1 << 16 };
 
 // A stretch of the bytes in memory.
 typedef struct window {
-    const journal_bytes *bytes;
+    const byte_source *bytes;
     uint64_t start;
     size_t length;
     int error; // of a read; there is nothing to see afterwards
@@ -64,7 +64,7 @@ static bool payload_is_sound(window *w, uint64_t offset, uint64_t size) {
     return tail && frame_checksum(tail) == sum;
 }
 
-int journal_search(const journal_bytes *bytes, uint64_t from, journal_found found, void *context, journal_scan *scan) {
+int journal_search(const byte_source *bytes, uint64_t from, journal_found found, void *context, journal_scan *scan) {
     window w = {.bytes = bytes};
     uint64_t offset = from;
     bool astray = false; // between frames

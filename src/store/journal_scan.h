@@ -2,15 +2,8 @@
 #ifndef STORE_JOURNAL_SCAN_H
 #define STORE_JOURNAL_SCAN_H
 
+#include "bytes.h"
 #include "journal_frame.h"
-
-// Bytes that are read in any order: a file, or memory.
-typedef struct journal_bytes {
-    // Reads exactly `size` bytes; 0, or an errno.
-    int (*read)(void *context, uint64_t offset, void *to, size_t size);
-    void *context;
-    uint64_t size;
-} journal_bytes;
 
 // Called for every sound frame, in the order of the file; `offset` is that of its payload.
 typedef void (*journal_found)(void *context, const frame_head *head, uint64_t offset);
@@ -23,6 +16,6 @@ typedef struct journal_scan {
 } journal_scan;
 
 // Looks for frames from `from` on. After a bad one it goes on at the next good one. 0, or the errno of a read.
-int journal_search(const journal_bytes *bytes, uint64_t from, journal_found found, void *context, journal_scan *scan);
+int journal_search(const byte_source *bytes, uint64_t from, journal_found found, void *context, journal_scan *scan);
 
 #endif

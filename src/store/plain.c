@@ -32,12 +32,14 @@ typedef struct places {
 } places;
 
 typedef struct walk {
-    const unsigned char *bytes;
-    size_t size;
-    size_t seen;           // bytes of headers looked at: more than the file has means that they overlap or form a ring
+    const byte_source *source;
+    uint64_t seen;         // bytes of headers looked at: more than the file has means that they overlap or form a ring
     places objects, parts; // parts: of the object at hand
-    uint64_t wrong;        // where something is that whirl does not write
-    bool memory;           // ran out
+    unsigned char *bytes;  // of the header, or its part, at hand
+    size_t capacity;
+    uint64_t wrong; // where something is that whirl does not write
+    bool memory;    // ran out
+    int reason;     // errno of a read that failed
 } walk;
 
 uint64_t plain_number(plain_part *part, int bytes) {
@@ -80,25 +82,41 @@ static bool push(walk *through, places *list, place one) {
 
 // Counts bytes as looked at. False where they are not in the file or more have been seen than it has.
 static bool see(walk *through, uint64_t address, uint64_t length) {
-    if (address > through->size || length > through->size - address || length > through->size - through->seen)
-        return false;
-    through->seen += (size_t)length;
+    const uint64_t size = through->source->size;
+    if (address > size || length > size - address || length > size - through->seen) return false;
+    through->seen += length;
     return true;
 }
 
-// The messages of one part of an object's header; what is left at the end is smaller than a message.
-static bool walk_messages(walk *through, plain_part part, bool ordered, plain_object *object) {
+// Reads what lies in the file, over what was read before.
+static bool load(walk *through, uint64_t address, size_t length) {
+    if (length > through->capacity) {
+        unsigned char *bytes = realloc(through->bytes, length);
+        through->memory = !bytes;
+        if (!bytes) return false;
+        through->bytes = bytes;
+        through->capacity = length;
+    }
+    through->reason = through->source->read(through->source->context, address, through->bytes, length);
+    return through->reason == 0;
+}
+
+// The messages of one part of an object's header, which ends at `end` in the file; what is left there is smaller than a
+// message.
+static bool walk_messages(walk *through, plain_part part, uint64_t end, bool ordered, plain_object *object) {
     const size_t head = ordered ? 6 : 4;
     while (part.left >= head) {
-        through->wrong = (uint64_t)(part.at - through->bytes);
+        through->wrong = end - part.left;
         const unsigned type = (unsigned)plain_number(&part, 1);
         const size_t length = (size_t)plain_number(&part, 2);
         const unsigned flags = (unsigned)plain_number(&part, 1);
         plain_lead lead = {PLAIN_NONE, 0, 0};
         if (ordered) plain_skip(&part, 2);
         if (length > part.left || flags & ~(unsigned)MESSAGE_FLAGS) return false;
-        if (!plain_message(through->bytes, through->size, type, (plain_part){part.at, length, false}, object, &lead))
+        if (!plain_message(through->source, type, (plain_part){part.at, length, false}, object, &lead)) {
+            through->reason = object->reason;
             return false;
+        }
         if (lead.kind == PLAIN_CONTINUATION && !push(through, &through->parts, (place){lead.address, lead.length}))
             return false;
         if (lead.kind == PLAIN_OBJECT && !push(through, &through->objects, (place){lead.address, 0})) return false;
@@ -111,29 +129,44 @@ static bool walk_messages(walk *through, plain_part part, bool ordered, plain_ob
 static bool walk_continuation(walk *through, place one, bool ordered, plain_object *object) {
     through->wrong = one.address;
     if (one.length < 4 + CHECKSUM || !see(through, one.address, one.length)) return false;
-    const unsigned char *at = through->bytes + one.address;
-    if (memcmp(at, "OCHK", 4) != 0) return false;
-    return walk_messages(through, (plain_part){at + 4, (size_t)one.length - 4 - CHECKSUM, false}, ordered, object);
+    const size_t length = (size_t)one.length - CHECKSUM;
+    if (!load(through, one.address, length) || memcmp(through->bytes, "OCHK", 4) != 0) return false;
+    return walk_messages(through, (plain_part){through->bytes + 4, length - 4, false}, one.address + length, ordered,
+                         object);
 }
 
-static bool walk_object(walk *through, uint64_t address) {
-    plain_object object = {0};
-    through->wrong = address;
-    if (!see(through, address, 0)) return false;
-    plain_part part = {through->bytes + address, through->size - (size_t)address, false};
-    const bool signature = part.left >= 4 && memcmp(part.at, "OHDR", 4) == 0;
+// The head of an object: how long its messages are, and where they begin.
+static bool read_head(walk *through, uint64_t address, bool *ordered, uint64_t *length, size_t *begin) {
+    enum { LONGEST = 4 + 2 + 16 + 4 + 8 };
+    const uint64_t size = through->source->size;
+    if (address > size) return false;
+    const size_t there = size - address < LONGEST ? (size_t)(size - address) : LONGEST;
+    if (!load(through, address, there)) return false;
+    plain_part part = {through->bytes, there, false};
+    const bool signature = there >= 4 && memcmp(part.at, "OHDR", 4) == 0;
     plain_skip(&part, 4);
     const unsigned version = (unsigned)plain_number(&part, 1), flags = (unsigned)plain_number(&part, 1);
     if (flags & TIMES) plain_skip(&part, 16);
     if (flags & PHASE_CHANGE) plain_skip(&part, 4);
-    const uint64_t length = plain_number(&part, 1 << (flags & 3));
-    if (!signature || version != HEADER_VERSION || part.short_of || length > part.left ||
-        part.left - (size_t)length < CHECKSUM)
-        return false;
-    if (!see(through, (uint64_t)(part.at - through->bytes), length + CHECKSUM)) return false;
-    const bool ordered = flags & CREATION_ORDER;
+    *ordered = flags & CREATION_ORDER;
+    *length = plain_number(&part, 1 << (flags & 3));
+    *begin = (size_t)(part.at - through->bytes);
+    return signature && version == HEADER_VERSION && !part.short_of;
+}
+
+static bool walk_object(walk *through, uint64_t address) {
+    plain_object object = {0};
+    bool ordered;
+    uint64_t length;
+    size_t begin;
+    through->wrong = address;
     through->parts.count = 0;
-    if (!walk_messages(through, (plain_part){part.at, (size_t)length, false}, ordered, &object)) return false;
+    if (!read_head(through, address, &ordered, &length, &begin)) return false;
+    const uint64_t first = address + begin;
+    if (length > through->source->size || !see(through, first, length + CHECKSUM)) return false;
+    if (!load(through, first, (size_t)length)) return false;
+    if (!walk_messages(through, (plain_part){through->bytes, (size_t)length, false}, first + length, ordered, &object))
+        return false;
     for (size_t i = 0; i < through->parts.count; ++i)
         if (!walk_continuation(through, through->parts.items[i], ordered, &object)) return false;
     through->wrong = address;
@@ -141,8 +174,10 @@ static bool walk_object(walk *through, uint64_t address) {
 }
 
 static bool walk_file(walk *through) {
-    plain_part base = {through->bytes + BASE_ADDRESS, 8, false}, root = {through->bytes + ROOT_HEADER, 8, false},
-               extension = {through->bytes + SUPERBLOCK_EXTENSION, 8, false};
+    if (!load(through, BASE_ADDRESS, ROOT_HEADER + 8 - BASE_ADDRESS)) return false;
+    plain_part base = {through->bytes, 8, false},
+               extension = {through->bytes + SUPERBLOCK_EXTENSION - BASE_ADDRESS, 8, false},
+               root = {through->bytes + ROOT_HEADER - BASE_ADDRESS, 8, false};
     if (plain_number(&base, 8) != 0 || plain_number(&extension, 8) != PLAIN_NOWHERE) return false;
     if (!push(through, &through->objects, (place){plain_number(&root, 8), 0})) return false;
     while (through->objects.count > 0)
@@ -150,13 +185,15 @@ static bool walk_file(walk *through) {
     return true;
 }
 
-whirl_status plain_check(const unsigned char *bytes, size_t size) {
-    walk through = {.bytes = bytes, .size = size};
+whirl_status plain_check(const byte_source *source) {
+    walk through = {.source = source};
     const bool well = walk_file(&through);
     free(through.objects.items);
     free(through.parts.items);
+    free(through.bytes);
     if (well) return whirl_ok();
-    if (through.memory) return whirl_fail(WHIRL_NO_MEMORY, "no memory to look through a file of %zu bytes", size);
+    if (through.memory) return whirl_fail(WHIRL_NO_MEMORY, "no memory to look through the file");
+    if (through.reason) return whirl_fail(WHIRL_IO_ERROR, "%s", strerror(through.reason));
     return whirl_fail(WHIRL_BAD_INPUT, "is damaged, or holds what whirl does not write (at byte %llu)",
                       (unsigned long long)through.wrong);
 }

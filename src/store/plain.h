@@ -9,6 +9,7 @@
 #ifndef STORE_PLAIN_H
 #define STORE_PLAIN_H
 
+#include "bytes.h"
 #include "whirl/status.h"
 
 #include <stdbool.h>
@@ -32,6 +33,7 @@ typedef struct plain_object {
     unsigned found;           // a bit for each type of message that may stand once
     size_t type_size, rank;   // of a dataset's elements, and its dimensions
     size_t chunk_rank, chunk; // dimensions of its chunks, and bytes of an element by these
+    int reason;               // errno of a read that failed
 } plain_object;
 
 // What a message leads to.
@@ -41,13 +43,14 @@ typedef struct plain_lead {
 } plain_lead;
 
 // Checks a message (IV.A.2) of `type` and notes what it says. False for one that whirl does not write.
-bool plain_message(const unsigned char *bytes, size_t size, unsigned type, plain_part message, plain_object *object,
+bool plain_message(const byte_source *source, unsigned type, plain_part message, plain_object *object,
                    plain_lead *lead);
 
 // Do the messages of an object go together, as those of a group or of a dataset?
 bool plain_object_whole(const plain_object *object);
 
 // Checks the whole file; its superblock must have been seen to be one of version 3 with addresses of 8 bytes.
-whirl_status plain_check(const unsigned char *bytes, size_t size);
+// WHIRL_IO_ERROR where it cannot be read.
+whirl_status plain_check(const byte_source *source);
 
 #endif

@@ -6,6 +6,7 @@
 enum {
     MOST_RANK = 4,
     LEAST_CHUNK = 1 << 21, // bytes that a chunk may have in any file: a table without points has chunks all the same
+    MOST_PAGE_BITS = 10,   // chunks whose places lie in one page: 2^10, as HDF5 has it
     FLETCHER = 4           // bytes of the checksum behind a chunk
 };
 
@@ -25,7 +26,7 @@ enum {
     ATTRIBUTE_INFO = 0x15
 };
 
-static bool in_file(size_t size, uint64_t address, uint64_t length) {
+static bool in_file(uint64_t size, uint64_t address, uint64_t length) {
     return address <= size && length <= size - address;
 }
 
@@ -106,40 +107,66 @@ static bool check_attribute(plain_part part) {
            values * size <= part.left;
 }
 
-// VII.C: the places of the chunks of a large dataset. All have the same size.
-static bool check_fixed_array(const unsigned char *bytes, size_t size, uint64_t address, uint64_t stored) {
-    enum { HEADER = 28, BLOCK = 14, FILTERED = 1 };
-    if (!in_file(size, address, HEADER) || memcmp(bytes + address, "FAHD", 4) != 0) return false;
-    plain_part header = {bytes + address + 4, HEADER - 4, false};
+// VII.C: the head of the places of the chunks of a large dataset.
+typedef struct fixed_array {
+    size_t entry, page_bits;
+    uint64_t entries, block;
+} fixed_array;
+
+static bool read_fixed_array(const byte_source *source, uint64_t address, fixed_array *array, int *reason) {
+    enum { HEADER = 28, FILTERED = 1 };
+    unsigned char bytes[HEADER];
+    if (!in_file(source->size, address, HEADER)) return false;
+    *reason = source->read(source->context, address, bytes, sizeof bytes);
+    if (*reason || memcmp(bytes, "FAHD", 4) != 0) return false;
+    plain_part header = {bytes + 4, HEADER - 4, false};
     const unsigned version = (unsigned)plain_number(&header, 1), client = (unsigned)plain_number(&header, 1);
-    const size_t entry = (size_t)plain_number(&header, 1), page_bits = (size_t)plain_number(&header, 1);
-    const uint64_t entries = plain_number(&header, 8), block = plain_number(&header, 8);
-    if (version != 0 || client != FILTERED || entry < 13 || entry > 20 || page_bits == 0 || page_bits > 20)
+    array->entry = (size_t)plain_number(&header, 1), array->page_bits = (size_t)plain_number(&header, 1);
+    array->entries = plain_number(&header, 8), array->block = plain_number(&header, 8);
+    if (version != 0 || client != FILTERED || array->entry < 13 || array->entry > 20 || array->page_bits == 0 ||
+        array->page_bits > MOST_PAGE_BITS)
         return false;
-    if (entries == 0 || entries > size / entry) return false;
-    if (block == PLAIN_NOWHERE) return true;
-    if (!in_file(size, block, BLOCK + entries * entry + 4) || memcmp(bytes + block, "FADB", 4) != 0) return false;
-    plain_part part = {bytes + block + 4, BLOCK - 4 + (size_t)entries * entry, false};
-    const unsigned block_version = (unsigned)plain_number(&part, 1), block_client = (unsigned)plain_number(&part, 1);
-    if (block_version != 0 || block_client != FILTERED || plain_number(&part, 8) != address) return false;
-    if (entries > (uint64_t)1 << page_bits) return true; // in pages, each with a checksum of its own
-    for (uint64_t i = 0; i < entries; ++i) {
-        const uint64_t chunk = plain_number(&part, 8), length = plain_number(&part, (int)entry - 12);
+    return array->entries > 0 && array->entries <= source->size / array->entry;
+}
+
+// The places themselves; all chunks have the same size. More of them than a page has lie in pages, each with a checksum
+// of its own.
+static bool check_places(const byte_source *source, uint64_t address, const fixed_array *array, uint64_t stored,
+                         int *reason) {
+    enum { BLOCK = 14, FILTERED = 1, MOST = BLOCK + 20 * (1 << MOST_PAGE_BITS) };
+    unsigned char bytes[MOST];
+    const bool paged = array->entries > (uint64_t)1 << array->page_bits;
+    if (!in_file(source->size, array->block, BLOCK + array->entries * array->entry + 4)) return false;
+    const uint64_t length = BLOCK + (paged ? 0 : array->entries * array->entry);
+    if (length > MOST) return false;
+    *reason = source->read(source->context, array->block, bytes, (size_t)length);
+    if (*reason || memcmp(bytes, "FADB", 4) != 0) return false;
+    plain_part part = {bytes + 4, (size_t)length - 4, false};
+    const unsigned version = (unsigned)plain_number(&part, 1), client = (unsigned)plain_number(&part, 1);
+    if (version != 0 || client != FILTERED || plain_number(&part, 8) != address) return false;
+    for (uint64_t i = 0; !paged && i < array->entries; ++i) {
+        const uint64_t chunk = plain_number(&part, 8), bytes_of_chunk = plain_number(&part, (int)array->entry - 12);
         const uint64_t left_out = plain_number(&part, 4);
         if (chunk == PLAIN_NOWHERE) continue;
-        if (!in_file(size, chunk, length) || length != stored || left_out != 0) return false;
+        if (!in_file(source->size, chunk, bytes_of_chunk) || bytes_of_chunk != stored || left_out != 0) return false;
     }
     return true;
 }
 
+static bool check_fixed_array(const byte_source *source, uint64_t address, uint64_t stored, int *reason) {
+    fixed_array array;
+    if (!read_fixed_array(source, address, &array, reason)) return false;
+    return array.block == PLAIN_NOWHERE || check_places(source, address, &array, stored, reason);
+}
+
 // IV.A.2.i, version 4: chunks with checksums, one or those of a fixed array.
-static bool read_layout(const unsigned char *bytes, size_t size, plain_part part, plain_object *object) {
+static bool read_layout(const byte_source *source, plain_part part, plain_object *object) {
     enum { CHUNKED = 2, ONE_FILTERED = 2, ONE = 1, FIXED_ARRAY = 3 };
     const unsigned version = (unsigned)plain_number(&part, 1), kind = (unsigned)plain_number(&part, 1);
     const unsigned flags = (unsigned)plain_number(&part, 1);
     const size_t rank = (size_t)plain_number(&part, 1), width = (size_t)plain_number(&part, 1);
     if (version != 4 || kind != CHUNKED || rank < 2 || rank > MOST_RANK + 1 || width < 1 || width > 8) return false;
-    const uint64_t most = size > LEAST_CHUNK ? size : LEAST_CHUNK;
+    const uint64_t most = source->size > LEAST_CHUNK ? source->size : LEAST_CHUNK;
     uint64_t stored = 1;
     object->chunk_rank = rank - 1;
     for (size_t i = 0; i < rank; ++i) {
@@ -154,12 +181,13 @@ static bool read_layout(const unsigned char *bytes, size_t size, plain_part part
         const uint64_t length = plain_number(&part, 8), left_out = plain_number(&part, 4);
         const uint64_t address = plain_number(&part, 8);
         if (part.short_of) return false;
-        return address == PLAIN_NOWHERE || (in_file(size, address, length) && length == stored && left_out == 0);
+        return address == PLAIN_NOWHERE ||
+               (in_file(source->size, address, length) && length == stored && left_out == 0);
     }
     if (index != FIXED_ARRAY || flags != 0) return false;
     const uint64_t page_bits = plain_number(&part, 1), address = plain_number(&part, 8);
-    if (part.short_of || page_bits == 0 || page_bits > 20) return false;
-    return address == PLAIN_NOWHERE || check_fixed_array(bytes, size, address, stored);
+    if (part.short_of || page_bits == 0 || page_bits > MOST_PAGE_BITS) return false;
+    return address == PLAIN_NOWHERE || check_fixed_array(source, address, stored, &object->reason);
 }
 
 static bool read_dataset_space(plain_part part, plain_object *object) {
@@ -186,7 +214,7 @@ static bool check_group_info(plain_part part) {
     return version == 0 && flags <= 3 && !part.short_of;
 }
 
-bool plain_message(const unsigned char *bytes, size_t size, unsigned type, plain_part message, plain_object *object,
+bool plain_message(const byte_source *source, unsigned type, plain_part message, plain_object *object,
                    plain_lead *lead) {
     if (type < 32 && type != NIL && type != LINK && type != ATTRIBUTE && type != CONTINUATION) {
         if (object->found >> type & 1) return false;
@@ -206,7 +234,7 @@ bool plain_message(const unsigned char *bytes, size_t size, unsigned type, plain
     case LINK:
         return read_link(message, lead);
     case LAYOUT:
-        return read_layout(bytes, size, message, object);
+        return read_layout(source, message, object);
     case GROUP_INFO:
         return check_group_info(message);
     case FILTERS:

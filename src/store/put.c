@@ -1,5 +1,5 @@
 // Writing into HDF5: see items.h.
-#include "image.h"
+#include "h5file.h"
 #include "items.h"
 
 #include <stdlib.h>
@@ -12,7 +12,7 @@ enum {
 
 static void fail_put(whirl_status *status, const char *name) {
     char reason[200];
-    image_reason(reason, sizeof reason);
+    h5_reason(reason, sizeof reason);
     *status = whirl_fail(WHIRL_IO_ERROR, "cannot store %s: %s", name, reason);
 }
 
@@ -99,7 +99,7 @@ hid_t put_group(whirl_status *status, hid_t parent, const char *name) {
     if (status->code != WHIRL_OK) return H5I_INVALID_HID;
     const hid_t creation = H5Pcreate(H5P_GROUP_CREATE);
     hid_t group = H5I_INVALID_HID;
-    if (image_keep_plain(creation) >= 0 && H5Pset_link_phase_change(creation, IMAGE_MOST_COMPACT, 0) >= 0 &&
+    if (h5_keep_plain(creation) >= 0 && H5Pset_link_phase_change(creation, H5_MOST_COMPACT, 0) >= 0 &&
         H5Pset_attr_creation_order(creation, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED) >= 0)
         group = H5Gcreate2(parent, name, H5P_DEFAULT, creation, H5P_DEFAULT);
     if (group < 0) fail_put(status, name);
@@ -125,22 +125,31 @@ static void choose_chunk(hsize_t *chunk, const hsize_t *dimensions, int rank, si
         }
 }
 
-static hid_t put_dataset(whirl_status *status, hid_t parent, const char *name, hid_t file_type, hid_t memory_type,
-                         const hsize_t *dimensions, int rank, const void *values) {
+// Makes a dataset without values.
+static hid_t make_dataset(whirl_status *status, hid_t parent, const char *name, hid_t type, const hsize_t *dimensions,
+                          int rank) {
     if (status->code != WHIRL_OK) return H5I_INVALID_HID;
     hsize_t chunk[ITEMS_MAX_RANK];
-    choose_chunk(chunk, dimensions, rank, H5Tget_size(file_type));
+    choose_chunk(chunk, dimensions, rank, H5Tget_size(type));
     const hid_t space = H5Screate_simple(rank, dimensions, NULL);
     const hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
     hid_t dataset = H5I_INVALID_HID;
-    if (H5Pset_chunk(creation, rank, chunk) >= 0 && H5Pset_fletcher32(creation) >= 0 && image_keep_plain(creation) >= 0)
-        dataset = H5Dcreate2(parent, name, file_type, space, H5P_DEFAULT, creation, H5P_DEFAULT);
-    if (dataset < 0 || (H5Sget_simple_extent_npoints(space) > 0 &&
-                        H5Dwrite(dataset, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0))
-        fail_put(status, name);
+    if (H5Pset_chunk(creation, rank, chunk) >= 0 && H5Pset_fletcher32(creation) >= 0 && h5_keep_plain(creation) >= 0)
+        dataset = H5Dcreate2(parent, name, type, space, H5P_DEFAULT, creation, H5P_DEFAULT);
+    if (dataset < 0) fail_put(status, name);
     H5Pclose(creation);
     H5Sclose(space);
     return dataset;
+}
+
+static void put_list(whirl_status *status, hid_t parent, const char *name, hid_t file_type, hid_t memory_type,
+                     size_t count, const void *values) {
+    const hsize_t dimension = count;
+    const hid_t dataset = make_dataset(status, parent, name, file_type, &dimension, 1);
+    if (status->code == WHIRL_OK && count > 0 &&
+        H5Dwrite(dataset, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0)
+        fail_put(status, name);
+    close_dataset(dataset);
 }
 
 void close_dataset(hid_t dataset) {
@@ -155,20 +164,18 @@ void put_texts(whirl_status *status, hid_t parent, const char *name, texts list)
         *status = whirl_fail(WHIRL_NO_MEMORY, "no memory to store %s", name);
         return;
     }
-    const hsize_t count = list.count;
     const hid_t type = text_type(size - 1, H5T_CSET_ASCII);
-    close_dataset(put_dataset(status, parent, name, type, type, &count, 1, packed));
+    put_list(status, parent, name, type, type, list.count, packed);
     H5Tclose(type);
     free(packed);
 }
 
 void put_wholes(whirl_status *status, hid_t parent, const char *name, const int64_t *values, size_t count) {
-    const hsize_t dimension = count;
-    close_dataset(put_dataset(status, parent, name, H5T_STD_I64LE, H5T_NATIVE_INT64, &dimension, 1, values));
+    put_list(status, parent, name, H5T_STD_I64LE, H5T_NATIVE_INT64, count, values);
 }
 
 void put_numbers(whirl_status *status, hid_t parent, const char *name, const double *values, size_t count) {
-    close_dataset(put_array(status, parent, name, values, &count, 1));
+    put_list(status, parent, name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, count, values);
 }
 
 // The group in which `name` ("rub/share") lies. HDF5 could make it on its own, but then with the time of day in it.
@@ -181,10 +188,61 @@ static void put_group_above(whirl_status *status, hid_t parent, const char *name
     if (H5Lexists(parent, group, H5P_DEFAULT) <= 0) close_group(put_group(status, parent, group));
 }
 
-hid_t put_array(whirl_status *status, hid_t parent, const char *name, const double *values, const size_t *dimensions,
-                int rank) {
+// ---------------------------------------------------------------- columns: datasets of a point after the other
+
+static void begin_column(whirl_status *status, column *out, hid_t parent, const char *name, hid_t type) {
+    out->dataset = make_dataset(status, parent, name, type, out->dimensions, out->rank);
+    if (status->code != WHIRL_OK) return;
+    hsize_t chunk[ITEMS_MAX_RANK];
+    choose_chunk(chunk, out->dimensions, out->rank, H5Tget_size(type));
+    out->most = (size_t)chunk[0];
+    out->buffer = malloc(out->most * (out->size ? out->size : 1));
+    if (!out->buffer) *status = whirl_fail(WHIRL_NO_MEMORY, "no memory to store %s", name);
+}
+
+void column_of_numbers(whirl_status *status, column *out, hid_t parent, const char *name, const size_t *dimensions,
+                       int rank) {
+    *out = (column){.dataset = H5I_INVALID_HID, .type = H5I_INVALID_HID, .rank = rank, .size = sizeof(double)};
+    for (int i = 0; i < rank; ++i) out->dimensions[i] = dimensions[i];
+    for (int i = 1; i < rank; ++i) out->size *= dimensions[i];
     put_group_above(status, parent, name);
-    hsize_t extents[ITEMS_MAX_RANK];
-    for (int i = 0; i < rank; ++i) extents[i] = dimensions[i];
-    return put_dataset(status, parent, name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, extents, rank, values);
+    if (status->code == WHIRL_OK) out->type = H5Tcopy(H5T_NATIVE_DOUBLE);
+    begin_column(status, out, parent, name, H5T_IEEE_F64LE);
+}
+
+void column_of_texts(whirl_status *status, column *out, hid_t parent, const char *name, size_t points, size_t size) {
+    *out = (column){.dataset = H5I_INVALID_HID, .type = H5I_INVALID_HID, .rank = 1, .size = size};
+    out->dimensions[0] = points;
+    if (status->code == WHIRL_OK) out->type = text_type(size - 1, H5T_CSET_ASCII);
+    begin_column(status, out, parent, name, out->type);
+}
+
+// Writes the points that have gathered; whole chunks, but for the last ones.
+static void flush_column(whirl_status *status, column *out) {
+    hsize_t first[ITEMS_MAX_RANK] = {out->done}, count[ITEMS_MAX_RANK];
+    memcpy(count, out->dimensions, sizeof count);
+    count[0] = out->gathered;
+    if (status->code != WHIRL_OK || out->gathered == 0) return;
+    out->done += out->gathered;
+    out->gathered = 0;
+    if (out->size == 0) return;
+    const hid_t file = H5Dget_space(out->dataset), memory = H5Screate_simple(out->rank, count, NULL);
+    if (H5Sselect_hyperslab(file, H5S_SELECT_SET, first, NULL, count, NULL) < 0 ||
+        H5Dwrite(out->dataset, out->type, memory, file, H5P_DEFAULT, out->buffer) < 0)
+        fail_put(status, "the numbers of the points");
+    H5Sclose(memory);
+    H5Sclose(file);
+}
+
+void column_put(whirl_status *status, column *out, const void *point) {
+    if (status->code != WHIRL_OK) return;
+    memcpy(out->buffer + out->gathered * out->size, point, out->size);
+    if (++out->gathered == out->most) flush_column(status, out);
+}
+
+void column_end(whirl_status *status, column *out) {
+    flush_column(status, out);
+    close_dataset(out->dataset);
+    if (out->type >= 0) H5Tclose(out->type);
+    free(out->buffer);
 }

@@ -3,7 +3,7 @@
 
 #include "bytes.h"
 #include "format.h"
-#include "image.h"
+#include "h5file.h"
 #include "items.h"
 
 #include <limits.h>
@@ -246,22 +246,42 @@ static void get_done(whirl_status *status, hid_t group, whirl_table *table) {
     table->done = NULL;
 }
 
-// The numbers of a field into all blocks.
-static void get_numbers_of(whirl_status *status, hid_t group, whirl_table *table, const whirl_field *field) {
-    const size_t length = field->repeat * field->rows * field->columns;
-    double *values = take(status, table->count * length, sizeof *values);
-    const hid_t dataset = get_dataset(status, group, field->name);
-    size_t dimensions[4];
-    const int rank = format_dimensions(field, table->count, dimensions);
-    get_array(status, dataset, values, dimensions, rank);
-    close_dataset(dataset);
-    for (size_t i = 0; status->code == WHIRL_OK && length > 0 && i < table->count; ++i)
-        memcpy(table->blocks + i * table->layout.size + field->offset, values + i * length, length * sizeof *values);
-    free(values);
+// Where the numbers of the points go.
+typedef struct destination {
+    const block_taker *taker; // NULL: into the table
+    size_t table;
+} destination;
+
+// All points, one after the other.
+static void get_points(whirl_status *status, const whirl_table *table, const destination *to, column *columns,
+                       double *block) {
+    const whirl_layout *layout = &table->layout;
+    for (size_t point = 0; status->code == WHIRL_OK && point < table->count; ++point) {
+        double *here = to->taker ? block : table->blocks + point * layout->size;
+        for (size_t i = 0; i < layout->field_count; ++i)
+            column_get(status, &columns[i], here + layout->fields[i].offset);
+        if (status->code == WHIRL_OK && to->taker)
+            *status = to->taker->take(to->taker->context, table, to->table, point, block);
+    }
+}
+
+static void get_blocks(whirl_status *status, hid_t group, whirl_table *table, const destination *to) {
+    column columns[WHIRL_MAX_FIELDS];
+    const whirl_layout *layout = &table->layout;
+    double *block = take(status, layout->size, sizeof *block);
+    if (!to->taker) table->blocks = take(status, table->count * layout->size, sizeof *table->blocks);
+    for (size_t i = 0; i < layout->field_count; ++i) {
+        size_t dimensions[4];
+        const int rank = format_dimensions(&layout->fields[i], table->count, dimensions);
+        column_open(status, &columns[i], group, layout->fields[i].name, dimensions, rank);
+    }
+    get_points(status, table, to, columns, block);
+    for (size_t i = 0; i < layout->field_count; ++i) column_close(&columns[i]);
+    free(block);
 }
 
 static void get_table(whirl_status *status, hid_t file, const whirl_result *result, const whirl_layout *known,
-                      size_t limit, whirl_table *table) {
+                      size_t limit, whirl_table *table, const destination *to) {
     const hid_t group = get_group(status, file, table->name);
     whirl_layout *layout = &table->layout;
     get_text_attribute(status, group, "parameter", table->parameter, sizeof table->parameter);
@@ -279,8 +299,7 @@ static void get_table(whirl_status *status, hid_t file, const whirl_result *resu
         check_known(status, known, &layout->fields[i]);
     }
     // Each field has room in the file, so all of them have in 64 times its size; datasets are then checked one by one.
-    table->blocks = take(status, table->count * layout->size, sizeof *table->blocks);
-    for (size_t i = 0; i < layout->field_count; ++i) get_numbers_of(status, group, table, &layout->fields[i]);
+    if (status->code == WHIRL_OK && (!to->taker || to->taker->take)) get_blocks(status, group, table, to);
     close_group(group);
 }
 
@@ -298,7 +317,7 @@ static whirl_status known_fields(const whirl_result *result, whirl_layout *known
     return whirl_layout_new(&system, &integrate, &options, all, known);
 }
 
-static void get_tables(whirl_status *status, hid_t file, size_t limit, whirl_result *result) {
+static void get_tables(whirl_status *status, hid_t file, size_t limit, const block_taker *taker, whirl_result *result) {
     char names[FORMAT_MAX_TABLES][WHIRL_NAME_SIZE];
     whirl_layout known = {0};
     const size_t count = get_texts_attribute(status, file, "tables", names[0], WHIRL_NAME_SIZE, FORMAT_MAX_TABLES);
@@ -311,7 +330,7 @@ static void get_tables(whirl_status *status, hid_t file, size_t limit, whirl_res
         }
         memcpy(result->tables[i].name, names[i], WHIRL_NAME_SIZE);
         result->table_count = i + 1;
-        get_table(status, file, result, &known, limit, &result->tables[i]);
+        get_table(status, file, result, &known, limit, &result->tables[i], &(destination){taker, i});
     }
 }
 
@@ -328,7 +347,7 @@ static void check_format(whirl_status *status, hid_t file) {
                              FORMAT_VERSION);
 }
 
-static void get_result(whirl_status *status, hid_t file, size_t limit, whirl_result *result) {
+static void get_result(whirl_status *status, hid_t file, size_t limit, const block_taker *taker, whirl_result *result) {
     check_format(status, file);
     result->partial = get_whole_attribute(status, file, "partial", 0, 1) != 0;
     get_text_attribute(status, file, "title", result->title, sizeof result->title);
@@ -337,34 +356,44 @@ static void get_result(whirl_status *status, hid_t file, size_t limit, whirl_res
     get_stations(status, file, result);
     get_contacts(status, file, result);
     get_provenance(status, file, result);
-    get_tables(status, file, limit, result);
+    get_tables(status, file, limit, taker, result);
 }
 
-whirl_status read_result(unsigned char *bytes, size_t size, const char *name, whirl_result **result) {
+whirl_status read_result(const byte_source *source, const char *name, const block_taker *taker, whirl_result **result) {
     *result = calloc(1, sizeof **result);
     if (!*result) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a result");
-    const image_errors errors = image_quiet();
+    const h5_errors errors = h5_quiet();
+    h5_bytes bytes;
     hid_t file;
-    whirl_status status = image_open(bytes, size, &file);
-    get_result(&status, file, size, *result);
+    whirl_status status = h5_open(&bytes, source, &file);
+    get_result(&status, file, (size_t)source->size, taker, *result);
     if (file >= 0) H5Fclose(file);
     if (status.code == WHIRL_OK) {
-        image_loud(errors);
+        h5_loud(errors);
         return status;
     }
     // HDF5 1.10 loses memory when a checksum is wrong and, where it may print, complains of it at the end of the
     // program; after a damaged file it stays quiet.
     whirl_result_free(*result);
     *result = NULL;
+    if (bytes.reason) return whirl_fail(WHIRL_IO_ERROR, "cannot read %.250s: %s", name, strerror(bytes.reason));
     return whirl_fail(status.code, "%.120s: %.250s", name, status.message);
 }
 
-whirl_status whirl_result_read(const char *path, whirl_result **result) {
-    unsigned char *bytes = NULL;
-    size_t size = 0;
+whirl_status read_file(const char *path, const block_taker *taker, whirl_result **result) {
+    byte_file file;
     *result = NULL;
-    whirl_status status = bytes_read(path, &bytes, &size);
-    if (status.code == WHIRL_OK) status = read_result(bytes, size, path, result);
-    free(bytes);
+    whirl_status status = bytes_open(&file, path);
+    if (status.code != WHIRL_OK) return status;
+    status = read_result(&file.source, path, taker, result);
+    bytes_close(&file);
     return status;
+}
+
+whirl_status whirl_result_read(const char *path, whirl_result **result) {
+    return read_file(path, NULL, result);
+}
+
+whirl_status whirl_result_read_outline(const char *path, whirl_result **outline) {
+    return read_file(path, &(block_taker){NULL, NULL}, outline);
 }

@@ -1,7 +1,7 @@
 // A result as an HDF5 file.
 #include "atomic_file.h"
 #include "format.h"
-#include "image.h"
+#include "h5file.h"
 #include "items.h"
 
 #include <math.h>
@@ -147,64 +147,76 @@ static void put_column_names(whirl_status *status, hid_t dataset, const whirl_fi
         put_texts_attribute(status, dataset, "column_names", texts_of(names[0], WHIRL_NAME_SIZE, field->columns));
 }
 
-// The numbers of a field from all blocks, one point after the other; to be freed.
-static double *gather(const whirl_table *table, const whirl_field *field) {
-    const size_t length = field->repeat * field->rows * field->columns;
-    double *values = calloc(table->count * length + 1, sizeof *values);
-    if (!values) return NULL;
-    for (size_t i = 0; i < table->count && length > 0; ++i)
-        memcpy(values + i * length, table->blocks + i * table->layout.size + field->offset, length * sizeof *values);
-    return values;
-}
-
-static void put_field(whirl_status *status, hid_t group, const whirl_result *result, const whirl_table *table,
-                      const whirl_field *field) {
-    if (status->code != WHIRL_OK) return;
-    double *values = gather(table, field);
-    if (!values) {
-        *status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the field %s", field->name);
-        return;
-    }
+// The dataset of a field with its attributes.
+static void begin_field(whirl_status *status, column *out, hid_t group, const whirl_result *result,
+                        const whirl_table *table, const whirl_field *field) {
     size_t dimensions[4];
     const int rank = format_dimensions(field, table->count, dimensions);
-    const hid_t dataset = put_array(status, group, field->name, values, dimensions, rank);
+    column_of_numbers(status, out, group, field->name, dimensions, rank);
     const si_unit si = si_of(field->unit, result);
-    put_text_attribute(status, dataset, "unit", field->unit);
-    put_number_attribute(status, dataset, "SI_factor", si.factor);
-    put_text_attribute(status, dataset, "SI_unit", si.unit);
-    put_text_attribute(status, dataset, "meaning", field->meaning);
-    put_column_names(status, dataset, field);
-    put_text_attribute(status, dataset, "extent", format_extents[field->extent]);
-    put_whole_attribute(status, dataset, "repeat", (int64_t)field->repeat);
-    put_whole_attribute(status, dataset, "rows", (int64_t)field->rows);
-    put_whole_attribute(status, dataset, "columns", (int64_t)field->columns);
-    close_dataset(dataset);
-    free(values);
+    put_text_attribute(status, out->dataset, "unit", field->unit);
+    put_number_attribute(status, out->dataset, "SI_factor", si.factor);
+    put_text_attribute(status, out->dataset, "SI_unit", si.unit);
+    put_text_attribute(status, out->dataset, "meaning", field->meaning);
+    put_column_names(status, out->dataset, field);
+    put_text_attribute(status, out->dataset, "extent", format_extents[field->extent]);
+    put_whole_attribute(status, out->dataset, "repeat", (int64_t)field->repeat);
+    put_whole_attribute(status, out->dataset, "rows", (int64_t)field->rows);
+    put_whole_attribute(status, out->dataset, "columns", (int64_t)field->columns);
 }
 
-// Verdicts in words, for people: readers of this library take the numbers.
-static void put_verdicts(whirl_status *status, hid_t group, const whirl_table *table) {
-    enum { NAME = WHIRL_NAME_SIZE, REASON = WHIRL_MESSAGE_SIZE };
-    if (status->code != WHIRL_OK) return;
-    char *names = malloc((table->count ? table->count : 1) * (NAME + REASON));
-    if (!names) {
-        *status = whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu verdicts", table->count);
-        return;
+// The numbers of all fields: one pass over the points, for their blocks may lie on disk.
+static void put_fields(whirl_status *status, hid_t group, const whirl_result *result, const whirl_table *table) {
+    column columns[WHIRL_MAX_FIELDS];
+    const whirl_layout *layout = &table->layout;
+    for (size_t i = 0; i < layout->field_count; ++i)
+        begin_field(status, &columns[i], group, result, table, &layout->fields[i]);
+    for (size_t point = 0; status->code == WHIRL_OK && point < table->count; ++point) {
+        const double *block = whirl_table_block(table, point);
+        if (!block) *status = whirl_fail(WHIRL_IO_ERROR, "point %zu of the %s is lost", point + 1, table->name);
+        for (size_t i = 0; block && i < layout->field_count; ++i)
+            column_put(status, &columns[i], block + layout->fields[i].offset);
     }
-    char *reasons = names + table->count * NAME;
+    for (size_t i = 0; i < layout->field_count; ++i) column_end(status, &columns[i]);
+}
+
+// A verdict in words, for people: readers of this library take the numbers.
+typedef struct verdict_words {
+    char name[WHIRL_NAME_SIZE], reason[WHIRL_MESSAGE_SIZE];
+} verdict_words;
+
+static void put_into_words(const whirl_table *table, size_t point, verdict_words *words) {
+    // With zeros behind the texts, which are written too.
+    *words = (verdict_words){.name = "not computed"};
+    if (!whirl_table_done(table, point)) return;
+    const whirl_verdict verdict = whirl_table_verdict(table, point);
+    memset(words->name, 0, sizeof words->name);
+    whirl_verdict_name(&verdict, words->name, sizeof words->name);
+    whirl_verdict_reason(&verdict, words->reason, sizeof words->reason);
+}
+
+static void put_verdicts(whirl_status *status, hid_t group, const whirl_table *table) {
+    verdict_words words;
+    size_t longest_name = 0, longest_reason = 0;
+    column names, reasons;
+    if (status->code != WHIRL_OK) return;
     for (size_t i = 0; i < table->count; ++i) {
-        const whirl_verdict verdict = whirl_table_verdict(table, i);
-        whirl_verdict_name(&verdict, names + i * NAME, NAME);
-        whirl_verdict_reason(&verdict, reasons + i * REASON, REASON);
-        if (whirl_table_done(table, i)) continue;
-        snprintf(names + i * NAME, NAME, "not computed");
-        reasons[i * REASON] = '\0';
+        put_into_words(table, i, &words);
+        const size_t name = strlen(words.name), reason = strlen(words.reason);
+        if (name > longest_name) longest_name = name;
+        if (reason > longest_reason) longest_reason = reason;
     }
     const hid_t verdicts = put_group(status, group, "verdict");
-    put_texts(status, verdicts, "name", texts_of(names, NAME, table->count));
-    put_texts(status, verdicts, "reason", texts_of(reasons, REASON, table->count));
+    column_of_texts(status, &names, verdicts, "name", table->count, longest_name + 1);
+    column_of_texts(status, &reasons, verdicts, "reason", table->count, longest_reason + 1);
+    for (size_t i = 0; status->code == WHIRL_OK && i < table->count; ++i) {
+        put_into_words(table, i, &words);
+        column_put(status, &names, words.name);
+        column_put(status, &reasons, words.reason);
+    }
+    column_end(status, &names);
+    column_end(status, &reasons);
     close_group(verdicts);
-    free(names);
 }
 
 // Is there a verdict in the blocks?
@@ -273,7 +285,7 @@ static void put_table(whirl_status *status, hid_t file, const whirl_result *resu
     put_numbers(status, group, "values", table->values, table->count);
     put_branch(status, group, table);
     put_done(status, group, table);
-    for (size_t i = 0; i < layout->field_count; ++i) put_field(status, group, result, table, &layout->fields[i]);
+    if (status->code == WHIRL_OK) put_fields(status, group, result, table);
     if (has_verdict(layout)) put_verdicts(status, group, table);
     close_group(group);
 }
@@ -311,25 +323,25 @@ static void put_result(whirl_status *status, hid_t file, const whirl_result *res
     for (size_t i = 0; i < result->table_count; ++i) put_table(status, file, result, &result->tables[i]);
 }
 
-static whirl_status write_bytes(const image *made, const char *path) {
-    atomic_file out;
-    const whirl_status status = atomic_file_open(&out, path);
+static whirl_status make_file(const whirl_result *result, int descriptor) {
+    h5_bytes bytes;
+    hid_t file;
+    whirl_status status = h5_create(&bytes, descriptor, &file);
     if (status.code != WHIRL_OK) return status;
-    fwrite(made->bytes, 1, made->size, out.stream);
-    return atomic_file_commit(&out);
+    put_result(&status, file, result);
+    const whirl_status finished = h5_finish(&bytes, file);
+    // Where the disk failed, that is the reason for whatever went wrong afterwards.
+    return bytes.reason || status.code == WHIRL_OK ? finished : status;
 }
 
 whirl_status whirl_result_write(const whirl_result *result, const char *path) {
-    const image_errors errors = image_quiet();
-    image made;
-    whirl_status status = image_create(&made);
-    if (status.code == WHIRL_OK) put_result(&status, made.file, result);
-    if (status.code == WHIRL_OK) status = image_finish(&made);
-    image_loud(errors);
-    if (status.code == WHIRL_OK)
-        status = write_bytes(&made, path);
-    else
-        status = whirl_fail(status.code, "cannot write %.100s: %.250s", path, status.message);
-    image_free(&made);
-    return status;
+    atomic_file out;
+    whirl_status status = atomic_file_open(&out, path);
+    if (status.code != WHIRL_OK) return status;
+    const h5_errors errors = h5_quiet();
+    status = make_file(result, fileno(out.stream));
+    h5_loud(errors);
+    if (status.code == WHIRL_OK) return atomic_file_commit(&out);
+    atomic_file_discard(&out);
+    return whirl_fail(status.code, "cannot write %.100s: %.250s", path, status.message);
 }

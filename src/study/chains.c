@@ -65,6 +65,7 @@ typedef struct worker {
     size_t quota, under_way;
     double *end;          ///< [dimension] of a point
     double *other;        ///< [other.size] a verdict at the second tolerance
+    double *block;        ///< [layout.size] of a point whose block is left with the keeper
     whirl_status status;  ///< the first error of `next`
     double pending, last; ///< revolutions not yet told to the tracker, and when it was last told
 } worker;
@@ -100,8 +101,10 @@ static const double *carried_start(const chains *c, size_t slot) {
     return isnan(end[0]) ? NULL : end;
 }
 
-static double *block_of(const chains *c, size_t slot) {
-    return c->table->blocks + slot * c->table->layout.size;
+/// Where the block of a point is made.
+static double *block_of(const worker *w, size_t slot) {
+    const whirl_table *table = w->chains->table;
+    return table->blocks ? table->blocks + slot * table->layout.size : w->block;
 }
 
 /// After a point was computed or recalled: what its pass is about stands in w->end or in w->other.
@@ -111,8 +114,8 @@ static void finish_point(const worker *w, chain *link) {
     if (c->pass->confirming) {
         const whirl_verdict other = whirl_block_verdict(&c->other, w->other);
         const double *revolutions = &w->other[whirl_layout_field(&c->other, "regime/revolutions")->offset];
-        whirl_block_confirm(&c->table->layout, block_of(c, slot), &other);
-        if (c->pass->round > 0) refine_add_spent(&c->table->layout, block_of(c, slot), c->weight * *revolutions);
+        whirl_block_confirm(&c->table->layout, block_of(w, slot), &other);
+        if (c->pass->round > 0) refine_add_spent(&c->table->layout, block_of(w, slot), c->weight * *revolutions);
     } else if (c->ends && c->pass->round == 0) {
         memcpy(c->ends + slot * c->run->dimension, w->end, c->run->dimension * sizeof *w->end);
     }
@@ -126,7 +129,7 @@ static void finish_point(const worker *w, chain *link) {
 static double *kept_numbers(const worker *w, size_t slot, size_t *size) {
     const chains *c = w->chains;
     *size = c->pass->confirming ? c->other.size : c->table->layout.size;
-    return c->pass->confirming ? w->other : block_of(c, slot);
+    return c->pass->confirming ? w->other : block_of(w, slot);
 }
 
 static size_t keeper_number(const chains *c) {
@@ -210,7 +213,7 @@ static bool next(void *context, whirl_task *task) {
 static whirl_status analyze(const worker *w, size_t slot, const whirl_record *record) {
     const chains *c = w->chains;
     const pass *p = c->pass;
-    double *block = block_of(c, slot);
+    double *block = block_of(w, slot);
     if (p->confirming) {
         whirl_analysis_set regime = 0;
         whirl_analysis_add(&regime, "regime");
@@ -270,9 +273,10 @@ whirl_status chains_work(chains *c, size_t quota) {
     whirl_machine first;
     whirl_status status = c->run->study->machine(c->run->study->family, c->batch, c->table->values[0], &first);
     if (status.code != WHIRL_OK) return status;
-    w.end = calloc(c->run->dimension + c->other.size, sizeof *w.end);
+    w.end = calloc(c->run->dimension + c->other.size + c->table->layout.size, sizeof *w.end);
     if (w.end) {
         w.other = w.end + c->run->dimension;
+        w.block = w.other + c->other.size;
         status = whirl_record_motions(first.system, &c->pass->integrate, &c->pass->record, &source, &monitor);
     } else {
         status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a state");

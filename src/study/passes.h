@@ -62,8 +62,8 @@ whirl_status passes_outcome(const study_run *run);
 /// A result with tables without blocks, one a batch. What was made is in *result also where it fails.
 whirl_status tables_new(const whirl_study *study, whirl_result **result);
 
-/// Makes the blocks.
-whirl_status tables_fill(whirl_result *result);
+/// Makes the blocks, or leaves those of tables of `memory` bytes or more (0: 256 MB) with the keeper.
+whirl_status tables_fill(const study_run *run, size_t memory);
 
 /// Sets the blocks of points that are not done to NaN.
 void tables_blank(whirl_result *result);

@@ -1,6 +1,8 @@
 // Results in memory: what all layers above read.
 #include "whirl/result.h"
 
+#include "kept.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -11,6 +13,7 @@ void whirl_result_free(whirl_result *result) {
         free(result->tables[i].branch);
         free(result->tables[i].blocks);
         free(result->tables[i].done);
+        free(result->tables[i].kept);
     }
     free(result->tables);
     free(result->case_text);
@@ -27,10 +30,16 @@ const whirl_table *whirl_result_table(const whirl_result *result, const char *na
     return NULL;
 }
 
+const double *whirl_table_block(const whirl_table *table, size_t point) {
+    if (point >= table->count) return NULL;
+    if (table->kept) return kept_block(table, point);
+    return table->blocks ? table->blocks + point * table->layout.size : NULL;
+}
+
 const double *whirl_table_field(const whirl_table *table, size_t point, const char *field, size_t which) {
     const whirl_field *found = whirl_layout_field(&table->layout, field);
-    if (!found || !table->blocks || point >= table->count || which >= found->repeat) return NULL;
-    return table->blocks + point * table->layout.size + found->offset + which * found->rows * found->columns;
+    const double *block = found && which < found->repeat ? whirl_table_block(table, point) : NULL;
+    return block ? block + found->offset + which * found->rows * found->columns : NULL;
 }
 
 bool whirl_table_done(const whirl_table *table, size_t point) {
@@ -48,11 +57,9 @@ bool whirl_result_partial(const whirl_result *result, size_t *done, size_t *tota
 }
 
 whirl_verdict whirl_table_verdict(const whirl_table *table, size_t point) {
-    if (point >= table->count || !table->blocks) {
-        const whirl_layout nothing = {0};
-        return whirl_block_verdict(&nothing, NULL);
-    }
-    return whirl_block_verdict(&table->layout, table->blocks + point * table->layout.size);
+    const whirl_layout nothing = {0};
+    const double *block = whirl_table_block(table, point);
+    return block ? whirl_block_verdict(&table->layout, block) : whirl_block_verdict(&nothing, NULL);
 }
 
 // Copies what fits and ends it.

@@ -114,8 +114,8 @@ whirl_status whirl_study_run(const whirl_study *study, const whirl_run_options *
     if (options->threads < 0) return whirl_fail(WHIRL_BAD_INPUT, "threads is %d, expected 0 or more", options->threads);
     run.threads = options->threads > 0 ? options->threads : omp_get_num_procs();
     whirl_status status = whirl_study_outline(study, &run.result);
-    if (status.code == WHIRL_OK) status = tables_fill(run.result);
     if (status.code == WHIRL_OK) status = make_ends(&run);
+    if (status.code == WHIRL_OK) status = tables_fill(&run, options->memory);
     if (status.code == WHIRL_OK) status = run_stages(&run, options);
     for (size_t i = 0; i < WHIRL_MAX_BATCHES; i++) free(run.ends[i]);
     if (status.code == WHIRL_STOPPED) {

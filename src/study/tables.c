@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "kept.h"
 #include "passes.h"
 
 static void fill_values(whirl_table *table, const whirl_batch *batch) {
@@ -39,17 +40,27 @@ static whirl_status make_table(const whirl_study *study, const whirl_batch *batc
     return whirl_ok();
 }
 
-static whirl_status make_slots(whirl_table *table) {
+static whirl_status make_blocks(whirl_table *table) {
     table->blocks = calloc(table->count * table->layout.size + 1, sizeof *table->blocks);
-    table->done = calloc(table->count, sizeof *table->done);
-    return table->blocks && table->done
-               ? whirl_ok()
-               : whirl_fail(WHIRL_NO_MEMORY, "no memory for the results of %zu points", table->count);
+    return table->blocks ? whirl_ok()
+                         : whirl_fail(WHIRL_NO_MEMORY, "no memory for the results of %zu points", table->count);
 }
 
-whirl_status tables_fill(whirl_result *result) {
+/// Blocks that change after they were kept stay in memory.
+static bool may_leave(const study_run *run, size_t batch) {
+    return run->keeper && !run->study->batches[batch].confirm && !study_is_refined(run->study);
+}
+
+whirl_status tables_fill(const study_run *run, size_t memory) {
+    const size_t most = (memory > 0 ? memory : (size_t)256 << 20) / sizeof(double);
     whirl_status status = whirl_ok();
-    for (size_t i = 0; i < result->table_count && status.code == WHIRL_OK; i++) status = make_slots(&result->tables[i]);
+    for (size_t i = 0; i < run->result->table_count && status.code == WHIRL_OK; i++) {
+        whirl_table *table = &run->result->tables[i];
+        table->done = calloc(table->count, sizeof *table->done);
+        if (!table->done) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points", table->count);
+        const bool large = table->count >= most / (table->layout.size + 1);
+        status = large && may_leave(run, i) ? kept_new(table, run->keeper, i, run->dimension) : make_blocks(table);
+    }
     return status;
 }
 
@@ -57,7 +68,7 @@ void tables_blank(whirl_result *result) {
     for (size_t i = 0; i < result->table_count; i++) {
         const whirl_table *table = &result->tables[i];
         const size_t size = table->layout.size;
-        for (size_t k = 0; k < table->count * size; k++)
+        for (size_t k = 0; table->blocks && k < table->count * size; k++)
             if (!table->done[k / size]) table->blocks[k] = NAN;
     }
 }

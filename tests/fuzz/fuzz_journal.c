@@ -74,7 +74,7 @@ static void mend(uint8_t *data, size_t size) {
 static void search(const uint8_t *data, size_t size) {
     // The first byte says where the search begins.
     input in = {.data = data, .size = size};
-    const journal_bytes bytes = {read_input, &in, size};
+    const byte_source bytes = {read_input, &in, size};
     const uint64_t from = size > 0 && data[0] < size ? data[0] : 0;
     journal_scan scan;
     require(journal_search(&bytes, from, found, &in, &scan) == 0);

@@ -74,7 +74,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     whirl_result *result = NULL;
     require(bytes != NULL);
     memcpy(bytes, data, size);
-    const whirl_status status = read_result(bytes, size, "fuzz.h5", &result);
+    const byte_source source = bytes_of_memory(bytes, size);
+    const whirl_status status = read_result(&source, "fuzz.h5", NULL, &result);
     require((status.code == WHIRL_OK) == (result != NULL));
     require(status.code == WHIRL_OK || status.message[0] != '\0');
     if (result) walk(result);

@@ -6,10 +6,10 @@
 
 #include <cmocka.h>
 
-#include "bytes.h"
 #include "read.h"
 #include "same.h"
 #include "synthetic.h"
+#include "whole.h"
 
 #include <dirent.h>
 #include <errno.h>
@@ -69,7 +69,7 @@ static void written(fixture *f) {
     assert_well(whirl_result_write(f->made, f->path));
     free(f->bytes);
     f->bytes = NULL;
-    assert_well(bytes_read(f->path, &f->bytes, &f->size));
+    assert_well(whole_file(f->path, &f->bytes, &f->size));
 }
 
 static size_t files_in(const char *folder) {
@@ -233,6 +233,11 @@ static void refuses_other_hdf5_files(void **state) {
     assert_says(whirl_result_read(f->path, &read), WHIRL_BAD_INPUT, "/format is missing");
 }
 
+static whirl_status read_bytes(unsigned char *bytes, size_t size, whirl_result **read) {
+    const byte_source source = bytes_of_memory(bytes, size);
+    return read_result(&source, "bytes", NULL, read);
+}
+
 static void refuses_every_truncation(void **state) {
     fixture *f = *state;
     whirl_result *read = NULL;
@@ -241,7 +246,7 @@ static void refuses_every_truncation(void **state) {
         // A block of its own, so that reading past the end is seen.
         unsigned char *cut = synthetic_take(size, 1);
         memcpy(cut, f->bytes, size);
-        assert_int_equal(read_result(cut, size, "cut", &read).code, WHIRL_BAD_INPUT);
+        assert_int_equal(read_bytes(cut, size, &read).code, WHIRL_BAD_INPUT);
         free(cut);
     }
 }
@@ -257,7 +262,7 @@ static void no_flipped_bit_goes_unseen(void **state) {
         const unsigned char before = f->bytes[i];
         whirl_result *read = NULL;
         f->bytes[i] = (unsigned char)(before ^ (1u << tried % 8));
-        const whirl_status status = read_result(f->bytes, f->size, "flipped", &read);
+        const whirl_status status = read_bytes(f->bytes, f->size, &read);
         if (status.code == WHIRL_OK)
             assert_true(same_result(f->made, read));
         else

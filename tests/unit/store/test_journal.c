@@ -12,10 +12,10 @@
 
 #include <cmocka.h>
 
-#include "bytes.h"
 #include "crc32c.h"
 #include "journal_scan.h"
 #include "kept.h"
+#include "whole.h"
 
 typedef struct fixture {
     char folder[64], path[96];
@@ -197,10 +197,10 @@ static void frames_of_another_study_do_not_count(void **state) {
     unsigned char *ours, *theirs;
     size_t our_size, their_size;
     make(f, 1);
-    check(bytes_read(f->path, &ours, &our_size));
+    check(whole_file(f->path, &ours, &our_size));
     f->outline->parameters[1].value = 651.0; // an identity of the same length
     make(f, KEPT_POINTS);
-    check(bytes_read(f->path, &theirs, &their_size));
+    check(whole_file(f->path, &theirs, &their_size));
     f->outline->parameters[1].value = 650.0;
     const size_t frame = frame_size(KEPT_SIZE, KEPT_DIMENSION), tail = their_size - KEPT_POINTS * frame;
     assert_int_equal(our_size, tail + frame);
@@ -238,7 +238,7 @@ static void every_cut_loses_no_whole_point(void **state) {
     unsigned char *bytes;
     size_t size;
     make(f, KEPT_POINTS);
-    check(bytes_read(f->path, &bytes, &size));
+    check(whole_file(f->path, &bytes, &size));
     const size_t frame = frame_size(KEPT_SIZE, KEPT_DIMENSION), header = size - KEPT_POINTS * frame;
     for (size_t cut = 0; cut <= size; ++cut) {
         set_bytes(f, bytes, cut);
@@ -260,7 +260,7 @@ static void every_flipped_byte_costs_one_point_at_most(void **state) {
     unsigned char *bytes;
     size_t size;
     make(f, KEPT_POINTS);
-    check(bytes_read(f->path, &bytes, &size));
+    check(whole_file(f->path, &bytes, &size));
     const size_t header = size - KEPT_POINTS * frame_size(KEPT_SIZE, KEPT_DIMENSION);
     for (size_t i = 0; i < size; ++i) {
         const unsigned char before = bytes[i];
@@ -287,7 +287,7 @@ static void lost_stretches_cost_their_points_only(void **state) {
     unsigned char *bytes;
     size_t size;
     make(f, KEPT_POINTS);
-    check(bytes_read(f->path, &bytes, &size));
+    check(whole_file(f->path, &bytes, &size));
     const size_t frame = frame_size(KEPT_SIZE, KEPT_DIMENSION), header = size - KEPT_POINTS * frame;
     unsigned char *changed = malloc(size + 64);
     assert_non_null(changed);
@@ -339,7 +339,7 @@ static void other_files_are_left_alone(void **state) {
         size_t size;
         set_bytes(f, (const unsigned char *)texts[i], strlen(texts[i]));
         refuse(f, "is no journal of this study");
-        check(bytes_read(f->path, &bytes, &size));
+        check(whole_file(f->path, &bytes, &size));
         assert_int_equal(size, strlen(texts[i]));
         assert_memory_equal(bytes, texts[i], size);
         free(bytes);

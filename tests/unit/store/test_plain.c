@@ -6,9 +6,9 @@
 
 #include <cmocka.h>
 
-#include "bytes.h"
 #include "plain.h"
 #include "synthetic.h"
+#include "whole.h"
 
 #include <hdf5.h>
 #include <unistd.h>
@@ -23,7 +23,7 @@ typedef struct fixture {
 static void load(fixture *f) {
     free(f->bytes);
     f->bytes = NULL;
-    assert_int_equal(bytes_read(f->path, &f->bytes, &f->size).code, WHIRL_OK);
+    assert_int_equal(whole_file(f->path, &f->bytes, &f->size).code, WHIRL_OK);
 }
 
 static int setup(void **state) {
@@ -150,6 +150,11 @@ static void put_growing(hid_t file) {
     H5Sclose(space);
 }
 
+static whirl_status check_bytes(unsigned char *bytes, size_t size) {
+    const byte_source source = bytes_of_memory(bytes, size);
+    return plain_check(&source);
+}
+
 static void refuses_what_whirl_does_not_write(void **state) {
     static void (*const puts[])(hid_t) = {put_heap,    put_variable_text, put_float,      put_soft_link,
                                           put_ring,    put_external_link, put_named_type, put_contiguous,
@@ -158,12 +163,12 @@ static void refuses_what_whirl_does_not_write(void **state) {
     for (size_t i = 0; i < sizeof puts / sizeof *puts; ++i) {
         write_result(f);
         load(f);
-        assert_int_equal(plain_check(f->bytes, f->size).code, WHIRL_OK);
+        assert_int_equal(check_bytes(f->bytes, f->size).code, WHIRL_OK);
         const hid_t file = open_for_change(f);
         puts[i](file);
         assert_true(H5Fclose(file) >= 0);
         load(f);
-        if (plain_check(f->bytes, f->size).code != WHIRL_BAD_INPUT) fail_msg("structure %zu is not refused", i + 1);
+        if (check_bytes(f->bytes, f->size).code != WHIRL_BAD_INPUT) fail_msg("structure %zu is not refused", i + 1);
     }
 }
 
@@ -179,7 +184,7 @@ static void looks_within_the_file(void **state) {
         static const unsigned char changes[] = {0x01, 0x80, 0xff};
         for (size_t k = 0; k < sizeof changes; ++k, ++tried) {
             f->bytes[i] = (unsigned char)(before ^ changes[k]);
-            refused += plain_check(f->bytes, f->size).code == WHIRL_BAD_INPUT;
+            refused += check_bytes(f->bytes, f->size).code == WHIRL_BAD_INPUT;
         }
         f->bytes[i] = before;
     }
@@ -187,7 +192,7 @@ static void looks_within_the_file(void **state) {
     for (size_t size = 48; size < f->size; ++size) {
         unsigned char *cut = synthetic_take(size, 1);
         memcpy(cut, f->bytes, size);
-        (void)plain_check(cut, size);
+        (void)check_bytes(cut, size);
         free(cut);
     }
 }

@@ -211,6 +211,37 @@ static void test_recalled_points_change_no_bit(void **state) {
     }
 }
 
+/// Where a table is large its blocks stay with the keeper: to be asked for one by one, the same to the bit.
+static void test_blocks_may_stay_with_the_keeper(void **state) {
+    double values[POINTS];
+    const whirl_study s = study(values, WHIRL_CARRY_BOTH);
+    memory_keeper *memory = keeper_new(2 * POINTS, 1);
+    const whirl_keeper keeper = {.keep = memory_keep, .recall = memory_recall, .context = memory};
+    const whirl_run_options options = {.threads = 2, .keeper = &keeper, .memory = 1};
+    whirl_result *whole = run(&s, 1), *kept;
+    (void)state;
+    assert_int_equal(whirl_study_run(&s, &options, &kept).code, WHIRL_OK);
+    const whirl_table *a = whole->tables, *b = kept->tables;
+    assert_true(b->blocks == NULL && memory->kept == 2 * POINTS);
+    for (size_t i = 0; i < a->count; i++) {
+        assert_memory_equal(whirl_table_block(a, i), whirl_table_block(b, i), a->layout.size * sizeof(double));
+        assert_true(*whirl_table_field(b, i, "lyapunov/largest", 0) == *whirl_table_field(a, i, "lyapunov/largest", 0));
+        assert_int_equal(whirl_table_verdict(b, i).regime, whirl_table_verdict(a, i).regime);
+    }
+    // Asked for once, though three times looked at.
+    assert_int_equal(memory->recalled, 2 * POINTS);
+    memory->known[0][3] = false;
+    assert_null(whirl_table_block(b, 3));
+    assert_null(whirl_table_field(b, 3, "lyapunov/largest", 0));
+    assert_non_null(whirl_table_block(b, 4));
+    b->done[5] = 0;
+    assert_true(isnan(*whirl_table_field(b, 5, "lyapunov/largest", 0)));
+    assert_null(whirl_table_block(b, b->count));
+    whirl_result_free(kept);
+    whirl_result_free(whole);
+    free(memory);
+}
+
 static void test_a_carried_branch_goes_on_after_a_divergence(void **state) {
     double values[POINTS];
     whirl_study s = study(values, WHIRL_CARRY_FORWARD);
@@ -284,6 +315,7 @@ int main(void) {
         cmocka_unit_test(test_progress_ends_complete),
         cmocka_unit_test(test_a_stop_leaves_what_is_done),
         cmocka_unit_test(test_recalled_points_change_no_bit),
+        cmocka_unit_test(test_blocks_may_stay_with_the_keeper),
         cmocka_unit_test(test_a_carried_branch_goes_on_after_a_divergence),
         cmocka_unit_test(test_a_keeper_that_fails_ends_the_run),
         cmocka_unit_test(test_an_outline_has_all_but_the_points),
