@@ -46,7 +46,7 @@ typedef struct analysis_plan {
 } analysis_plan;
 
 extern const analysis_plan poincare_analysis, orbit_analysis, rub_analysis, waveform_analysis, spectrum_analysis,
-    lyapunov_analysis, regime_analysis;
+    lyapunov_analysis, regime_analysis, winding_analysis, evidence_analysis;
 
 /// The plans, in the order of whirl_analyses().
 extern const analysis_plan *const analysis_plans[];

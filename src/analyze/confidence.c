@@ -88,10 +88,9 @@ static double settling_exponent(const evidence *e) {
 }
 
 /// How many times as long the run must be for what is left of the transient to shrink to a tenth of what counts as
-/// settled. It shrinks with the rate of the returns, which are compared in quarters of the watched revolutions that are
-/// three quarters apart, or with the exponent, whichever is slower.
+/// settled. It shrinks with the rate of the returns or with the exponent, whichever is slower.
 static double settling_factor(const whirl_verdict *v, const evidence *e, const whirl_record *record) {
-    const double by_returns = log(v->recurrence_trend) / (0.75 * (double)e->points.count);
+    const double by_returns = settling_rate(e);
     const double by_exponent = settling_exponent(e);
     double rate = by_returns < 0.0 ? by_returns : by_exponent;
     if (by_exponent > rate) rate = by_exponent;

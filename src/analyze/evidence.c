@@ -1,5 +1,7 @@
 #include "evidence.h"
 
+#include <math.h>
+
 #include "lyapunov.h"
 
 evidence evidence_gather(const whirl_record *record) {
@@ -27,4 +29,8 @@ evidence evidence_later_half(const evidence *all) {
         half.exponent = estimate_mean(half.growth, half.growth_count);
     }
     return half;
+}
+
+double settling_rate(const evidence *e) {
+    return log(e->returns.trend) / (0.75 * (double)e->points.count);
 }

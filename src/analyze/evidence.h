@@ -21,4 +21,8 @@ evidence evidence_gather(const whirl_record *record);
 /// The evidence of the later half of the watched revolutions, for a motion that took long to come to its attractor.
 evidence evidence_later_half(const evidence *all);
 
+/// Rate at which returns grow, natural logarithm per revolution, below 0 while the motion settles: from those in the
+/// first and in the last quarter of the watched revolutions, which are three quarters apart.
+double settling_rate(const evidence *e);
+
 #endif

@@ -84,4 +84,15 @@ correlation correlation_find(const section *all);
 /// `curves` >= 1 closed curves that it visits in turn. The last 4000 points are looked at. NaN where it cannot be told.
 double rotation_number(const section *all, int curves);
 
+// ---------------------------------------------------------------- multiplier.c
+
+/// The largest Floquet multiplier of a periodic motion, of a pair that with the imaginary part above 0.
+typedef struct multiplier {
+    double real, imaginary;
+} multiplier;
+
+/// By least squares on the returns z(n + period) - z(n), where they shrink between a hundredth of the motion's size and
+/// its rounding. NaN where they never are there long enough, or do not follow one multiplier or a pair.
+multiplier multiplier_find(const section *all, int period, double size, double rounding);
+
 #endif

@@ -1,5 +1,6 @@
 // Verdicts in words.
 #include <math.h>
+#include <stdbool.h>
 #include <stdio.h>
 
 #include "section.h"
@@ -49,61 +50,100 @@ static void exponent_text(whirl_estimate exponent, char *text, size_t size) {
     }
 }
 
+static const char *plural(int count) {
+    return count == 1 ? "" : "s";
+}
+
+/// Why it is open: where it stands, in the order in which verdicts are tried.
 static void undetermined_reason(const whirl_verdict *v, const char *exponent, char *text, size_t size) {
-    if (isnan(v->recurrence)) {
+    const bool dies_out = v->exponent.value + 6.0 * v->exponent.error < 0.0;
+    const bool regular = v->regularity >= 2.5 && v->chaos < 0.5;
+    if (v->diverged_at > 0.0) {
+        snprintf(text, size, "the solver could not go on in revolution %.0f", v->diverged_at);
+    } else if (isnan(v->recurrence)) {
         snprintf(text, size, "too few revolutions were watched to tell");
     } else if (v->recurrence <= recurrence_tolerance) {
         snprintf(text, size,
                  "returns after %d revolution%s to %.1e of its size, but it is not certain that it has settled (%s)",
-                 v->recurrence_period, v->recurrence_period == 1 ? "" : "s", v->recurrence, exponent);
+                 v->recurrence_period, plural(v->recurrence_period), v->recurrence, exponent);
     } else if (v->recurrence_trend < 0.9) {
         snprintf(text, size,
                  "still settling: the distance of returns has shrunk to %.2g of what it was (best return %.1e of its "
                  "size, %s)",
                  v->recurrence_trend, v->recurrence, exponent);
+    } else if (dies_out) {
+        snprintf(text, size,
+                 "disturbances die out (%s), but it does not return within %d revolutions (best return %.1e of its "
+                 "size): it settles slowly or repeats after more",
+                 exponent, WHIRL_MAX_PERIOD, v->recurrence);
+    } else if (regular) {
+        snprintf(text, size,
+                 "regular, but its section does not fill a closed curve yet (nearly returns after %d revolution%s, "
+                 "averages of two halves agree to %.1f digits, %s)",
+                 v->recurrence_period, plural(v->recurrence_period), v->regularity, exponent);
     } else {
-        snprintf(
-            text, size,
-            "the evidence is not clear: best return %.1e of its size, averages of two halves agree to %.1f digits, %s",
-            v->recurrence, v->regularity, exponent);
+        snprintf(text, size,
+                 "the evidence is not clear: best return %.1e of its size, averages of two halves agree to %.1f "
+                 "digits, 0-1 test %.2f, %s",
+                 v->recurrence, v->regularity, v->chaos, exponent);
     }
 }
 
-void whirl_verdict_reason(const whirl_verdict *verdict, char *text, size_t size) {
-    char exponent[96];
-    exponent_text(verdict->exponent, exponent, sizeof exponent);
-    switch (verdict->regime) {
+static void regime_reason(const whirl_verdict *v, const char *exponent, char *text, size_t size) {
+    switch (v->regime) {
     case WHIRL_PERIODIC:
-        snprintf(text, size, "returns after %d revolution%s to %.1e of its size; %s", verdict->period,
-                 verdict->period == 1 ? "" : "s", verdict->recurrence, exponent);
+        snprintf(text, size, "returns after %d revolution%s to %.1e of its size; %s", v->period, plural(v->period),
+                 v->recurrence, exponent);
         return;
     case WHIRL_QUASI_PERIODIC:
         snprintf(text, size,
                  "does not return (%.1e of its size at best) but draws %d closed curve%s; averages of two halves agree "
                  "to %.1f digits; %s",
-                 verdict->recurrence, verdict->curves, verdict->curves == 1 ? "" : "s", verdict->regularity, exponent);
+                 v->recurrence, v->curves, plural(v->curves), v->regularity, exponent);
         return;
     case WHIRL_CHAOTIC:
-        snprintf(text, size, "small disturbances grow: %s; averages of two halves agree to %.1f digits only", exponent,
-                 verdict->regularity);
+        snprintf(text, size, "small disturbances grow: %s; averages of two halves agree to %.1f digits only%s",
+                 exponent, v->regularity, v->chaos < 0.5 ? ", but the 0-1 test does not see chaos" : "");
         return;
     case WHIRL_DIVERGING:
-        snprintf(text, size, "the motion left its bounds in revolution %.0f", verdict->diverged_at);
+        snprintf(text, size, "the motion left its bounds in revolution %.0f", v->diverged_at);
         return;
     case WHIRL_UNDETERMINED:
         break;
     }
-    undetermined_reason(verdict, exponent, text, size);
+    undetermined_reason(v, exponent, text, size);
+}
+
+/// What the second tolerance has against it.
+static void contradiction(const whirl_verdict *v, char *text, size_t size) {
+    const whirl_verdict there = {.regime = v->other_regime, .period = v->other_period};
+    char other[WHIRL_NAME_SIZE];
+    if (there.regime == WHIRL_PERIODIC)
+        whirl_verdict_name(&there, other, sizeof other);
+    else
+        snprintf(other, sizeof other, "%s", whirl_regime_name(there.regime));
+    if (there.regime != v->regime || there.period != v->period)
+        snprintf(text, size, "; at the second tolerance it is %s", other);
+    else if (v->confidence < v->agreement)
+        snprintf(text, size, "; at the second tolerance the evidence is weaker or another");
+}
+
+void whirl_verdict_reason(const whirl_verdict *verdict, char *text, size_t size) {
+    char exponent[96], reason[384], second[WHIRL_NAME_SIZE + 64] = "";
+    exponent_text(verdict->exponent, exponent, sizeof exponent);
+    regime_reason(verdict, exponent, reason, sizeof reason);
+    if (verdict->confirmed) contradiction(verdict, second, sizeof second);
+    snprintf(text, size, "%s%s", reason, second);
 }
 
 void whirl_verdict_advice(const whirl_verdict *verdict, char *text, size_t size) {
     const double factor = verdict->advice.factor;
     switch (verdict->advice.remedy) {
     case WHIRL_LONGER_TRANSIENT:
-        snprintf(text, size, "let it run %.2g times as long", factor);
+        snprintf(text, size, "let it run %.3g times as long", factor);
         return;
     case WHIRL_LONGER_WATCH:
-        snprintf(text, size, "watch %.2g times as many revolutions", factor);
+        snprintf(text, size, "watch %.3g times as many revolutions", factor);
         return;
     case WHIRL_TIGHTER:
         snprintf(text, size, "integrate with errors of a step %.3g times smaller", factor);

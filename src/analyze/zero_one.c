@@ -27,7 +27,7 @@ static bool observe(const section *points, double size, double *u) {
             square += away * away;
         }
         const double spread = sqrt(square / (double)points->count);
-        if (!(spread > 1e-9 * size)) continue;
+        if (!(spread > 1e-6 * size)) continue;
         for (size_t n = 0; n < points->count; n++)
             u[n] += (x[n * points->dimension] - mean) / (spread * (double)(i + 1));
     }

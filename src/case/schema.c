@@ -41,7 +41,7 @@ static const whirl_key study_keys[] = {
      "verdict is trusted where both agree",
      ""},
     {"keep", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "", "how much of waveforms and spectra: see keep", ""},
-    {"analyze", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "", "a list of analyses; all but waveform where absent",
+    {"analyze", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "", "a list of analyses; all but waveform and evidence where absent",
      ""},
     {"detail", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
      "values of the swept parameter that are computed once more, for longer and with whole waveforms and spectra", ""},

@@ -16,7 +16,7 @@ typedef void (*map_fn)(const double *parameters, size_t step, double *z, double 
 /// A map with what it starts from. `embed` (may be NULL) gives the section from the state.
 typedef struct map_system {
     map_fn map;
-    void (*embed)(const double *z, double *section);
+    void (*embed)(const double *z, double *point);
     size_t dimension, section_dimension;
     double parameters[4], start[MOST_DIMENSIONS];
 } map_system;
@@ -99,9 +99,9 @@ static inline void circle_map(const double *p, size_t step, double *z, double *v
     z[0] = fmod(z[0] + p[0] - p[1] / two_pi * sin(two_pi * z[0]), 1.0);
 }
 
-static inline void on_circle(const double *z, double *section) {
-    section[0] = cos(6.283185307179586 * z[0]);
-    section[1] = sin(6.283185307179586 * z[0]);
+static inline void on_circle(const double *z, double *point) {
+    point[0] = cos(6.283185307179586 * z[0]);
+    point[1] = sin(6.283185307179586 * z[0]);
 }
 
 /// x' = a x (1 - y), y' = x: the delayed logistic map, with a Neimark-Sacker bifurcation at a = 2

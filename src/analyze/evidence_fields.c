@@ -1,0 +1,42 @@
+// Evidence as fields, beyond what every verdict rests on.
+#include <math.h>
+
+#include "analysis.h"
+#include "evidence.h"
+
+enum { CHAOS, CORRELATION, MEMORY, SETTLING, MULTIPLIER, MODULUS, FIELD_COUNT };
+
+static const field_plan fields[FIELD_COUNT] = {
+    [CHAOS] = {"chaos", "1", "K of the 0-1 test, near 1 in chaos, near 0 for regular motion", WHIRL_PER_POINT, 1, NULL},
+    [CORRELATION] = {"correlation", "1", "largest correlation of points that are 1/8 to 1/4 of the watched ones apart",
+                     WHIRL_PER_POINT, 1, NULL},
+    [MEMORY] = {"memory", "revolution",
+                "revolutions after which the correlation stays below 0.2 (missing: it does not)", WHIRL_PER_POINT, 1,
+                NULL},
+    [SETTLING] = {"settling", "1/revolution", "rate at which returns grow, below 0 while the motion settles",
+                  WHIRL_PER_POINT, 1, NULL},
+    [MULTIPLIER] = {"multiplier", "1", "real, imaginary (largest Floquet multiplier, where the way to rest shows it)",
+                    WHIRL_PER_POINT, 2, NULL},
+    [MODULUS] = {"modulus", "1", "modulus of the largest Floquet multiplier of P-k, by the exponent", WHIRL_PER_POINT,
+                 1, NULL},
+};
+
+static whirl_status compute(const whirl_record *record, const whirl_record_options *options, const block_view *view) {
+    const evidence e = evidence_gather(record);
+    const correlation c = correlation_find(&e.points);
+    const whirl_verdict verdict = whirl_judge(record);
+    (void)options;
+    *view_numbers(view, CHAOS, 0) = zero_one_test(&e.points, e.size);
+    *view_numbers(view, CORRELATION, 0) = c.late;
+    *view_numbers(view, MEMORY, 0) = c.time;
+    *view_numbers(view, SETTLING, 0) = settling_rate(&e);
+    if (verdict.regime == WHIRL_PERIODIC) {
+        const multiplier m = multiplier_find(&e.points, verdict.period, e.size, e.rounding);
+        view_numbers(view, MULTIPLIER, 0)[0] = m.real;
+        view_numbers(view, MULTIPLIER, 0)[1] = m.imaginary;
+        *view_numbers(view, MODULUS, 0) = exp(verdict.exponent.value * verdict.period);
+    }
+    return whirl_ok();
+}
+
+const analysis_plan evidence_analysis = {.fields = fields, .field_count = FIELD_COUNT, .compute = compute};

@@ -1,0 +1,119 @@
+// Whirl: how often and in which sense every station goes round its mean position, and dry whip.
+#include <math.h>
+
+#include "analysis.h"
+
+enum { WINDING, BACKWARD, DIRECTION, CONTACT, DRY_WHIP, FIELD_COUNT };
+
+static const field_plan fields[FIELD_COUNT] = {
+    [WINDING] = {"winding", "1", "turns round the mean position per revolution, above 0 with the rotation",
+                 WHIRL_PER_STATION, 1, NULL},
+    [BACKWARD] = {"backward", "1", "share of the time in which it turns against the rotation", WHIRL_PER_STATION, 1,
+                  NULL},
+    [DIRECTION] = {"direction", "1", "1 forward, -1 backward, 0 mixed", WHIRL_PER_STATION, 1, NULL},
+    [CONTACT] = {"contact", "1", "share of the time beyond the gap (missing where there is none)", WHIRL_PER_STATION, 1,
+                 NULL},
+    [DRY_WHIP] = {"dry_whip", "1", "1 for backward whirl in lasting contact, at no order of the shaft, else 0",
+                  WHIRL_PER_STATION, 1, NULL},
+};
+
+static const double pi = 3.141592653589793238463;
+
+/// Whirl has a direction when it keeps it for this share of the time; contact lasts from this share on.
+static const double constant_share = 0.95, lasting_share = 0.95;
+
+/// A station whose motion is smaller than this share of its distance from the centre rests.
+static const double least_motion = 1e-6;
+
+/// The path of one station.
+typedef struct path {
+    size_t count;
+    const double *x, *y;
+    double centre[2];
+    double reach;     ///< square of the largest distance from the centre of the path
+    double excursion; ///< square of the largest distance from (0, 0)
+} path;
+
+static path path_of(const whirl_record *record, size_t station) {
+    path p = {.count = record->sample_count, .x = record->waveform + 2 * station * record->sample_count};
+    p.y = p.x + p.count;
+    for (size_t j = 0; j < p.count; j++) {
+        p.centre[0] += p.x[j] / (double)p.count;
+        p.centre[1] += p.y[j] / (double)p.count;
+    }
+    for (size_t j = 0; j < p.count; j++) {
+        const double dx = p.x[j] - p.centre[0], dy = p.y[j] - p.centre[1];
+        p.reach = fmax(p.reach, dx * dx + dy * dy);
+        p.excursion = fmax(p.excursion, p.x[j] * p.x[j] + p.y[j] * p.y[j]);
+    }
+    return p;
+}
+
+/// Turns round the centre, forward and backward.
+typedef struct turns {
+    double sum;      ///< forward less backward
+    double backward; ///< share of the samples
+} turns;
+
+/// Angle of a point of the path about its centre, in turns, 0 to 1.
+static double angle_at(const path *p, size_t j) {
+    const double angle = atan2(p->y[j] - p->centre[1], p->x[j] - p->centre[0]) / (2.0 * pi);
+    return angle < 0.0 ? angle + 1.0 : angle;
+}
+
+/// Whole turns end where the path crosses the half line to the right of its centre.
+static turns count_turns(const path *p) {
+    double whole = 0.0, backward = 0.0;
+    for (size_t j = 1; j < p->count; j++) {
+        const double ax = p->x[j - 1] - p->centre[0], ay = p->y[j - 1] - p->centre[1];
+        const double bx = p->x[j] - p->centre[0], by = p->y[j] - p->centre[1];
+        const double momentum = ax * by - ay * bx;
+        whole += ay < 0.0 && by >= 0.0 && momentum > 0.0 ? 1.0 : 0.0;
+        whole -= ay >= 0.0 && by < 0.0 && momentum < 0.0 ? 1.0 : 0.0;
+        backward += momentum < 0.0 ? 1.0 : 0.0;
+    }
+    return (turns){whole + angle_at(p, p->count - 1) - angle_at(p, 0), backward / (double)(p->count - 1)};
+}
+
+static double contact_share(const path *p, double gap) {
+    double touching = 0.0;
+    for (size_t j = 0; j < p->count; j++) touching += p->x[j] * p->x[j] + p->y[j] * p->y[j] > gap * gap ? 1.0 : 0.0;
+    return touching / (double)p->count;
+}
+
+/// Dry whip, or dry whirl where it rolls: friction at a lasting contact drives the station backward round its stator.
+/// Nothing outside turns at that frequency, so it is one of the rotor and stator together, or that of rolling (Black
+/// 1968; Jiang, Ulbrich 2005). A whole order would be an answer to the unbalance or to an asymmetric shaft.
+static bool is_dry_whip(double contact, double direction, double winding, double resolution) {
+    return contact >= lasting_share && direction < 0.0 && fabs(winding - round(winding)) > 2.0 * resolution;
+}
+
+static void describe(const whirl_record *record, size_t station, const block_view *view) {
+    const path p = path_of(record, station);
+    const double gap = record->probes[station].gap,
+                 revolutions = (double)p.count / (double)record->samples_per_revolution;
+    const double contact = gap > 0.0 ? contact_share(&p, gap) : NAN;
+    double winding = 0.0, direction = 0.0;
+    *view_numbers(view, CONTACT, station) = contact;
+    if (p.count > 1 && p.reach > least_motion * least_motion * p.excursion) {
+        const turns t = count_turns(&p);
+        winding = t.sum * (double)p.count / ((double)(p.count - 1) * revolutions);
+        direction = t.backward >= constant_share ? -1.0 : t.backward <= 1.0 - constant_share ? 1.0 : 0.0;
+        *view_numbers(view, WINDING, station) = winding;
+        *view_numbers(view, BACKWARD, station) = t.backward;
+        *view_numbers(view, DIRECTION, station) = direction;
+    }
+    if (gap > 0.0)
+        *view_numbers(view, DRY_WHIP, station) =
+            is_dry_whip(contact, direction, winding, 1.0 / revolutions) ? 1.0 : 0.0;
+}
+
+static whirl_status compute(const whirl_record *record, const whirl_record_options *options, const block_view *view) {
+    (void)options;
+    for (size_t s = 0; s < record->probe_count; s++)
+        if (record->probes[s].x != record->probes[s].y) describe(record, s, view); // one coordinate has no sense
+    return whirl_ok();
+}
+
+const analysis_plan winding_analysis = {
+    .fields = fields, .field_count = FIELD_COUNT, .needs_waveform = true, .compute = compute};
