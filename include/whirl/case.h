@@ -78,6 +78,28 @@ whirl_status whirl_case_outline(const whirl_case *object, whirl_result **outline
 /// Errors as whirl_study_run; stopped, it gives a partial result too.
 whirl_status whirl_case_run(const whirl_case *object, const whirl_run_options *options, whirl_result **result);
 
+/// A key of the case whose value is an expression with a parameter.
+typedef struct whirl_use {
+    const char *parameter;
+    const whirl_key *key;
+    char path[128]; ///< of the key, as in whirl_problem
+    bool alone;     ///< the parameter alone stands there ("= c")
+} whirl_use;
+
+typedef void (*whirl_case_use_fn)(void *context, const whirl_use *use);
+
+/// Tells of every use of every parameter in rotor, stations, elements and initial states.
+void whirl_case_uses(const whirl_case *object, whirl_case_use_fn see, void *context);
+
+/// What the case says of a parameter: the comment on its line, "" where there is none or others stand there too. Writes at
+/// most `size` bytes.
+void whirl_case_comment(const whirl_case *object, const char *name, char *comment, size_t size);
+
+/// The text of a case with `value` at the key `path` ("parameters.r_k", "study.sweep.from"), all else as it was; a key that
+/// is missing is added where its mapping stands. *edited is freed by the caller. WHIRL_BAD_INPUT for a text that is not
+/// YAML, or a place that takes no value. What the new text means is not checked: see whirl_case_parse.
+whirl_status whirl_case_edit(const char *text, size_t length, const char *path, const char *value, char **edited);
+
 /// The groups of keys of a case file outside rotor elements and stations (case, rotor, study, sweep, integrate, ...);
 /// static, ended by NULL. A key of kind WHIRL_KEY_CHOICE whose choices are "" holds a text, or a part with keys of its
 /// own.

@@ -131,6 +131,7 @@ static whirl_status make_content(const whirl_case *object, case_content *content
     snprintf(problems->file, sizeof problems->file, "%s", object->name);
     const whirl_status status = tree_read(object->text, object->length, &content->arena, problems, &root);
     reader.no_memory = status.code == WHIRL_NO_MEMORY;
+    content->root = root;
     if (status.code == WHIRL_OK) read_content(&reader, root, content);
     problems_sort(problems);
     return reader_outcome(&reader, object->name);

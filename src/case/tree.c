@@ -17,6 +17,7 @@ typedef struct tree_builder {
     file_node *open; ///< the list or mapping that is being filled
     char *key;       ///< of the next member, or NULL
     int key_line, key_column;
+    size_t key_from;
     size_t depth, nodes;
     bool done, no_memory;
 } tree_builder;
@@ -40,7 +41,12 @@ static file_node *add_node(tree_builder *b, const yaml_event_t *event, node_kind
         b->no_memory = true;
         return NULL;
     }
-    *made = (file_node){.kind = kind, .line = line_of(event), .column = column_of(event), .parent = b->open};
+    *made = (file_node){.kind = kind,
+                        .line = line_of(event),
+                        .column = column_of(event),
+                        .from = event->start_mark.index,
+                        .to = event->end_mark.index,
+                        .parent = b->open};
     if (!b->open) {
         b->root = made;
         return made;
@@ -50,6 +56,7 @@ static file_node *add_node(tree_builder *b, const yaml_event_t *event, node_kind
         made->key = b->key;
         made->key_line = b->key_line;
         made->key_column = b->key_column;
+        made->key_from = b->key_from;
         b->key = NULL;
     }
     *(b->open->last ? &b->open->last->next : &b->open->first) = made;
@@ -83,6 +90,7 @@ static bool take_scalar(tree_builder *b, const yaml_event_t *event) {
         b->key = text;
         b->key_line = line_of(event);
         b->key_column = column_of(event);
+        b->key_from = event->start_mark.index;
         return true;
     }
     file_node *made = add_node(b, event, NODE_TEXT);
@@ -102,6 +110,8 @@ static bool open_collection(tree_builder *b, const yaml_event_t *event, node_kin
     if (++b->depth > TREE_MAX_DEPTH) return stop(b, event, "is nested deeper than 32 levels, expected a case");
     file_node *made = add_node(b, event, kind);
     if (!made) return false;
+    made->flow = kind == NODE_LIST ? event->data.sequence_start.style == YAML_FLOW_SEQUENCE_STYLE
+                                   : event->data.mapping_start.style == YAML_FLOW_MAPPING_STYLE;
     b->open = made;
     return true;
 }

@@ -20,7 +20,10 @@ typedef struct file_node {
     bool quoted;              ///< the text stood in quotes
     const char *key;          ///< of a mapping's member, else NULL
     int key_line, key_column; ///< of that key
-    size_t index;             ///< of a list's item, from 1
+    size_t from, to; ///< characters of the file before the value and up to its end (of a collection: its first sign's)
+    size_t key_from; ///< characters before the key
+    bool flow;       ///< the list or mapping is written with brackets
+    size_t index;    ///< of a list's item, from 1
     struct file_node *parent; ///< NULL for the root
     struct file_node *first, *last, *next;
     size_t count; ///< of items or members

@@ -1,0 +1,156 @@
+// Changing values in the text of a case: all else, comments included, stays byte for byte.
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "content.h"
+#include "problem.h"
+#include "utf8.h"
+
+enum { PATH_SIZE = 256 };
+
+/// Bytes that the first `characters` take.
+static size_t byte_offset(const char *text, size_t length, size_t characters) {
+    size_t at = 0;
+    for (size_t i = 0; i < characters && at < length; i++) {
+        const size_t bytes = utf8_length(text + at, length - at);
+        at += bytes > 0 ? bytes : 1;
+    }
+    return at;
+}
+
+static const file_node *find_node(const file_node *at, const char *path) {
+    char here[PATH_SIZE];
+    node_path(at, here, sizeof here);
+    if (strcmp(here, path) == 0) return at;
+    for (const file_node *child = at->first; child; child = child->next) {
+        const file_node *found = find_node(child, path);
+        if (found) return found;
+    }
+    return NULL;
+}
+
+// ---------------------------------------------------------------- one change
+
+/// `text` with `count` bytes from `at` on replaced by before + value + after. Freed by the caller; NULL without memory.
+static char *splice(const char *text, size_t length, size_t at, size_t count, const char *before, const char *value,
+                    const char *after) {
+    const size_t size = length - count + strlen(before) + strlen(value) + strlen(after) + 1;
+    char *result = malloc(size);
+    if (result)
+        snprintf(result, size, "%.*s%s%s%s%.*s", (int)at, text, before, value, after, (int)(length - at - count),
+                 text + at + count);
+    return result;
+}
+
+static char *replace(const char *text, size_t length, const file_node *node, const char *value) {
+    const size_t from = byte_offset(text, length, node->from), to = byte_offset(text, length, node->to);
+    return splice(text, length, from, to - from, from > 0 && text[from - 1] == ':' ? " " : "", value, "");
+}
+
+/// A new member before the first one of a mapping.
+static char *insert(const char *text, size_t length, const file_node *mapping, const char *member) {
+    if (mapping->flow) {
+        const size_t at = byte_offset(text, length, mapping->to);
+        return splice(text, length, at, 0, "", member, mapping->first ? ", " : "");
+    }
+    char indent[PATH_SIZE];
+    snprintf(indent, sizeof indent, "\n%*s", mapping->first->key_column - 1, "");
+    return splice(text, length, byte_offset(text, length, mapping->first->key_from), 0, "", member, indent);
+}
+
+/// What a path lacks is written as mappings within each other: "integrate: {transient: 100}".
+static char *add(const char *text, size_t length, const file_node *root, const char *path, const char *value) {
+    char parent[PATH_SIZE], member[PATH_SIZE + 64];
+    const char *dot = strrchr(path, '.');
+    const file_node *found = dot ? NULL : root;
+    if (dot) {
+        snprintf(parent, sizeof parent, "%.*s", (int)(dot - path), path);
+        found = find_node(root, parent);
+    }
+    if (found && found->kind == NODE_MAPPING) {
+        snprintf(member, sizeof member, "%s: %s", dot ? dot + 1 : path, value);
+        return insert(text, length, found, member);
+    }
+    snprintf(member, sizeof member, "{%s: %s}", dot ? dot + 1 : path, value);
+    if (found && node_is_null(found)) return replace(text, length, found, member);
+    return found || !dot ? NULL : add(text, length, root, parent, member);
+}
+
+// ---------------------------------------------------------------- checking
+
+typedef struct edit_tree {
+    case_arena arena;
+    whirl_problems problems;
+    file_node *root;
+} edit_tree;
+
+static whirl_status read_tree(const char *text, size_t length, edit_tree *tree) {
+    char sentence[sizeof(whirl_problem)];
+    *tree = (edit_tree){0};
+    const whirl_status status = tree_read(text, length, &tree->arena, &tree->problems, &tree->root);
+    if (status.code != WHIRL_BAD_INPUT && tree->problems.count == 0) return status;
+    whirl_problem_text(&tree->problems, 0, sentence, sizeof sentence);
+    return whirl_fail(WHIRL_BAD_INPUT, "%s", sentence);
+}
+
+static void tree_free(edit_tree *tree) {
+    arena_free(&tree->arena);
+    whirl_problems_free(&tree->problems);
+}
+
+/// Whether the value is read back as it was meant.
+static bool says(const char *text, const char *path, const char *value) {
+    edit_tree tree;
+    const whirl_status status = read_tree(text, strlen(text), &tree);
+    const file_node *node = status.code == WHIRL_OK ? find_node(tree.root, path) : NULL;
+    const bool good = node && node->kind == NODE_TEXT && strcmp(node->text, value) == 0;
+    tree_free(&tree);
+    return good;
+}
+
+/// In single quotes, for values with signs of YAML. NULL without memory.
+static char *quoted(const char *value) {
+    char *result = malloc(2 * strlen(value) + 3), *to = result;
+    if (!result) return NULL;
+    *to++ = '\'';
+    for (const char *c = value; *c; c++) {
+        if (*c == '\'') *to++ = '\'';
+        *to++ = *c;
+    }
+    *to++ = '\'';
+    *to = '\0';
+    return result;
+}
+
+/// The edited text if it says what it should, or NULL.
+static char *try_edit(const char *text, size_t length, const file_node *root, const char *path, const char *value,
+                      const char *written) {
+    const file_node *node = find_node(root, path);
+    char *result = node ? replace(text, length, node, written) : add(text, length, root, path, written);
+    if (result && says(result, path, value)) return result;
+    free(result);
+    return NULL;
+}
+
+whirl_status whirl_case_edit(const char *text, size_t length, const char *path, const char *value, char **edited) {
+    edit_tree tree;
+    *edited = NULL;
+    if (strlen(path) >= PATH_SIZE || strlen(value) >= PATH_SIZE - 64 || strpbrk(value, "\r\n"))
+        return whirl_fail(WHIRL_BAD_INPUT, "%.80s cannot be written, expected a short value in one line", path);
+    whirl_status status = read_tree(text, length, &tree);
+    const file_node *node = status.code == WHIRL_OK ? find_node(tree.root, path) : NULL;
+    if (node && node->kind != NODE_TEXT)
+        status = whirl_fail(WHIRL_BAD_INPUT, "%s is %s, expected a value", path,
+                            node->kind == NODE_LIST ? "a list" : "a mapping");
+    if (status.code == WHIRL_OK) {
+        char *quotes = quoted(value);
+        *edited = try_edit(text, length, tree.root, path, value, value);
+        if (!*edited && quotes) *edited = try_edit(text, length, tree.root, path, value, quotes);
+        free(quotes);
+        if (!*edited)
+            status = whirl_fail(WHIRL_BAD_INPUT, "%s cannot be set to %.100s in the text of the case", path, value);
+    }
+    tree_free(&tree);
+    return status;
+}

@@ -1,0 +1,76 @@
+// Where a case uses its parameters, and what it says of them: for programs that let a person change them.
+#include <stdio.h>
+#include <string.h>
+
+#include "content.h"
+
+typedef struct walk {
+    const whirl_case *object;
+    whirl_case_use_fn see;
+    void *context;
+    const setting *at;
+} walk;
+
+/// Takes every name of an expression for a known one and tells of those that are parameters.
+static bool see_name(void *context, const char *name, size_t length) {
+    const walk *w = context;
+    const char *expression = w->at->value.expression;
+    const parameter_table *parameters = &w->object->content.parameters;
+    whirl_use use = {.key = w->at->key};
+    char text[WHIRL_NAME_SIZE];
+    if (length >= sizeof text) return true;
+    memcpy(text, name, length);
+    text[length] = '\0';
+    const size_t index = parameters_find(parameters, text);
+    if (index == parameters->count) return true;
+    use.parameter = parameters->items[index].name;
+    use.alone = name == expression + strspn(expression, " ") && strspn(name + length, " ") == strlen(name + length);
+    node_path(w->at->place, use.path, sizeof use.path);
+    w->see(w->context, &use);
+    return true;
+}
+
+static void see_list(walk *w, const setting_list *list) {
+    char why[WHY_SIZE];
+    for (size_t i = 0; i < list->count; i++) {
+        w->at = &list->items[i];
+        if (w->at->key && w->at->value.expression) expression_check(w->at->value.expression, see_name, w, why);
+    }
+}
+
+void whirl_case_uses(const whirl_case *object, whirl_case_use_fn see, void *context) {
+    const machine_parts *machine = &object->content.machine;
+    const study_plan *plan = &object->content.plan;
+    walk w = {.object = object, .see = see, .context = context};
+    see_list(&w, &machine->rotor);
+    for (size_t i = 0; i < machine->station_count; i++) see_list(&w, &machine->stations[i]);
+    for (size_t i = 0; i < machine->element_count; i++) see_list(&w, &machine->elements[i]);
+    for (size_t i = 0; i < plan->start_count; i++) see_list(&w, &plan->starts[i].state);
+}
+
+/// The line of a text that begins at `line`, counted from 1.
+static const char *line_at(const char *text, int line) {
+    for (; line > 1 && text; line--) {
+        text = strchr(text, '\n');
+        text = text ? text + 1 : NULL;
+    }
+    return text;
+}
+
+void whirl_case_comment(const whirl_case *object, const char *name, char *comment, size_t size) {
+    const parameter_table *parameters = &object->content.parameters;
+    const size_t index = parameters_find(parameters, name);
+    const file_node *root = object->content.root, *all = root ? node_member(root, "parameters") : NULL;
+    const file_node *node = index < parameters->count && all ? node_member(all, name) : NULL;
+    comment[0] = '\0';
+    // The line belongs to the parameter where no other one stands on it.
+    for (const file_node *other = all ? all->first : NULL; other && node; other = other->next)
+        if (other != node && other->line == node->line) node = NULL;
+    const char *line = node ? line_at(object->text, node->line) : NULL;
+    if (!line) return;
+    const size_t length = strcspn(line, "\r\n");
+    size_t at = (size_t)node->column - 1 + (node->text ? strlen(node->text) : 0);
+    while (at < length && !(line[at] == '#' && (line[at - 1] == ' ' || line[at - 1] == '\t'))) at++;
+    at += strspn(line + at, "# \t");
+    snprintf(comment, size, "%.*s", (int)(at < length ? length - at : 0), line + at);
+}
