@@ -14,7 +14,7 @@ COMPILE   = cmake --build $(BUILD) --parallel $(JOBS) --target whirl
 SOURCES   = $(shell git ls-files --cached --others --exclude-standard '*.c' '*.h')
 FUZZERS   = $(patsubst tests/fuzz/%.c,%,$(wildcard tests/fuzz/fuzz_*.c))
 
-.PHONY: all help test paper bench soak install format lint asan tsan clang fuzz clean
+.PHONY: all help test paper explorer bench soak install format lint asan tsan clang fuzz clean
 .DEFAULT_GOAL := all
 
 all:            ## build/whirl
@@ -84,6 +84,11 @@ $(PAPER)/%.h5: cases/%.yaml $(WHIRL)
 
 $(PAPER)/report/report.html: $(RESULTS) cases/paper-claims.yaml
 	$(WHIRL) report $(RESULTS) -o $(@D) --claims cases/paper-claims.yaml
+
+# ---------------------------------------------------------------- the explorer
+
+explorer: dependencies-build-explorer ## the explorer's engine and page: build/explorer
+	scripts/explorer.sh $(BUILD)/explorer
 
 # ---------------------------------------------------------------- the rest
 

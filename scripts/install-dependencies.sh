@@ -3,7 +3,7 @@
 #
 #   scripts/install-dependencies.sh [--check] GROUP...
 #
-# Groups: build (library and command), report (figures), test (all tests), lint, bench.
+# Groups: build (library and command), report (figures), test (all tests), explorer (the page), lint, bench.
 # --check only says what is missing, with exit status 1.
 set -euo pipefail
 
@@ -16,6 +16,8 @@ declare -A packages=(
     # clang with its run time: the fuzz target, and a second compiler that must agree; libomp-dev is its OpenMP.
     [test]="libcmocka-dev liblapacke-dev libopenblas-dev clang libclang-rt-14-dev libomp-dev valgrind
             python3-h5py"
+    # dpkg-dev unpacks the sources of libyaml and muParser, which emscripten compiles; chromium is for the tests of the page.
+    [explorer]="emscripten nodejs npm dpkg-dev libudunits2-dev chromium"
     [lint]="clang-format clang-tidy cppcheck"
     # The programs that are measured beside whirl; none of them is needed for whirl itself.
     [bench]="libgsl-dev libboost-dev octave python3 python3-numba"
@@ -31,14 +33,14 @@ fi
 wanted=()
 for group in "$@"; do
     if [ -z "${packages[$group]:-}" ]; then
-        say "there is no group '$group', expected one of: build report test lint bench"
+        say "there is no group '$group', expected one of: build report test explorer lint bench"
         exit 2
     fi
     read -r -d '' -a names <<<"${packages[$group]}" || true
     wanted+=("${names[@]}")
 done
 if [ ${#wanted[@]} -eq 0 ]; then
-    say "name at least one group: build report test lint bench"
+    say "name at least one group: build report test explorer lint bench"
     exit 2
 fi
 
@@ -46,6 +48,13 @@ if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
     # Another system: whoever works there has the libraries under other names, and CMake says which it does not find.
     say "this is not a Debian system, so nothing is installed here; whirl needs what Debian 12 calls: ${wanted[*]}"
     exit 0
+fi
+
+# Node that came from elsewhere, with npm, is as good as Debian's.
+if command -v node >/dev/null && command -v npm >/dev/null; then
+    for i in "${!wanted[@]}"; do
+        case ${wanted[i]} in nodejs | npm) unset "wanted[i]" ;; esac
+    done
 fi
 
 missing=()

@@ -161,8 +161,9 @@ export interface Verdict {
   /// Largest Lyapunov exponent per revolution with its standard error; null where none was found.
   readonly exponent: number | null;
   readonly exponentError: number | null;
-  /// null where the engine states none.
-  readonly confidence: 'low' | 'fair' | 'high' | null;
+  readonly confidence: 'low' | 'fair' | 'high';
+  /// What would settle it, in words; "" where nothing is advised.
+  readonly advice: string;
 }
 
 export interface PointRequest {
@@ -203,7 +204,7 @@ export interface SweepRequest {
   readonly parameter: string;
   /// In SI, in the order of the diagram.
   readonly values: Float64Array;
-  /// Left out: as the case's sweep, else 'none'. Carried points follow one another and take one worker (two for 'both').
+  /// Left out: 'none'. Carried points follow one another and take one worker (two for 'both').
   readonly carry?: Carry;
   /// As for points.
   readonly batch?: string;

@@ -1,0 +1,258 @@
+// Cases and what the page is told of them.
+#include "core.h"
+#include "pieces.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "whirl/version.h"
+
+static text message, answer;
+
+EXPORTED const char *explorer_message(void) {
+    return text_bytes(&message);
+}
+
+static void begin_message(const char *sentence) {
+    text_clear(&message);
+    text_add(&message, "{");
+    json_name(&message, "message");
+    json_text(&message, sentence);
+    json_name(&message, "problems");
+    text_add(&message, "[");
+}
+
+bool explorer_good(const whirl_status *status) {
+    if (status->code == WHIRL_OK) return true;
+    begin_message(status->message);
+    text_add(&message, "]}");
+    return false;
+}
+
+static void add_problem(const whirl_problem *problem) {
+    json_next(&message);
+    text_add(&message, "{\"line\":%d,\"column\":%d", problem->line, problem->column);
+    json_name(&message, "key");
+    json_text(&message, problem->key);
+    json_name(&message, "message");
+    json_text(&message, problem->message);
+    text_add(&message, "}");
+}
+
+EXPORTED whirl_case *explorer_case_new(const char *source, size_t length, const char *name) {
+    whirl_problems problems = {0};
+    whirl_case *object;
+    const whirl_status status = whirl_case_parse(source, length, name, &problems, &object);
+    if (status.code != WHIRL_OK) {
+        begin_message(status.message);
+        for (size_t i = 0; problems.items && i < problems.count; i++) add_problem(&problems.items[i]);
+        text_add(&message, "]}");
+    }
+    whirl_problems_free(&problems);
+    return object;
+}
+
+EXPORTED void explorer_case_free(whirl_case *object) {
+    whirl_case_free(object);
+}
+
+EXPORTED int explorer_assign(whirl_case *object, const char *assignment) {
+    const whirl_status status = whirl_case_set(object, assignment);
+    return explorer_good(&status);
+}
+
+// ---------------------------------------------------------------- describing
+
+void add_stations(text *t, const whirl_probe *stations, size_t count) {
+    json_name(t, "stations");
+    text_add(t, "[");
+    for (size_t i = 0; i < count; i++) {
+        json_next(t);
+        text_add(t, "{");
+        json_name(t, "name");
+        json_text(t, stations[i].name);
+        json_name(t, "clearance");
+        json_number(t, stations[i].clearance);
+        json_name(t, "gap");
+        json_number(t, stations[i].gap);
+        text_add(t, "}");
+    }
+    text_add(t, "]");
+}
+
+void add_scales(text *t, double length_scale, double speed) {
+    json_name(t, "lengthScale");
+    json_number(t, length_scale);
+    json_name(t, "speed");
+    json_number(t, speed);
+}
+
+/// Uses of the parameter that is being described.
+typedef struct use_list {
+    const char *parameter;
+    text *to;
+} use_list;
+
+static void add_use(void *context, const whirl_use *use) {
+    const use_list *list = context;
+    const whirl_range *range = &use->key->range;
+    text *t = list->to;
+    if (strcmp(use->parameter, list->parameter) != 0) return;
+    json_next(t);
+    text_add(t, "{");
+    json_name(t, "path");
+    json_text(t, use->path);
+    json_name(t, "meaning");
+    json_text(t, use->key->meaning);
+    json_name(t, "unit");
+    json_text(t, use->key->unit);
+    json_name(t, "low");
+    json_number(t, range->low);
+    json_name(t, "high");
+    json_number(t, range->high);
+    text_add(t, ",\"lowOpen\":%s,\"highOpen\":%s,\"alone\":%s}", range->low_open ? "true" : "false",
+             range->high_open ? "true" : "false", use->alone ? "true" : "false");
+}
+
+static void add_parameter(text *t, const whirl_case *object, const whirl_parameter *parameter) {
+    char comment[256];
+    use_list uses = {parameter->name, t};
+    text_add(t, "{");
+    json_name(t, "name");
+    json_text(t, parameter->name);
+    json_name(t, "written");
+    json_text(t, parameter->text);
+    json_name(t, "value");
+    json_number(t, parameter->value);
+    json_name(t, "unit");
+    json_text(t, parameter->unit);
+    json_name(t, "expression");
+    text_add(t, parameter->text[0] == '=' ? "true" : "false");
+    whirl_case_comment(object, parameter->name, comment, sizeof comment);
+    json_name(t, "comment");
+    json_text(t, comment);
+    json_name(t, "uses");
+    text_add(t, "[");
+    whirl_case_uses(object, add_use, &uses);
+    text_add(t, "]}");
+}
+
+static void add_methods(text *t) {
+    json_name(t, "methods");
+    text_add(t, "[");
+    const whirl_method *method;
+    for (size_t i = 0; (method = whirl_method_at(i)) != NULL; i++) {
+        json_next(t);
+        text_add(t, "{");
+        json_name(t, "name");
+        json_text(t, method->name);
+        json_name(t, "meaning");
+        json_text(t, method->meaning);
+        text_add(t, ",\"adaptive\":%s}", method->adaptive ? "true" : "false");
+    }
+    text_add(t, "]");
+}
+
+void add_options(text *t, const whirl_batch *batch) {
+    const whirl_integrate_options *i = &batch->integrate;
+    const whirl_record_options *r = &batch->record;
+    json_name(t, "integrate");
+    text_add(t, "{");
+    json_name(t, "method");
+    json_text(t, i->method);
+    text_add(t, ",\"stepsPerRevolution\":%d,\"rtol\":%.17g,\"atol\":%.17g,\"limit\":%.17g}", i->steps_per_revolution,
+             i->rtol, i->atol, i->limit);
+    json_name(t, "record");
+    text_add(t, "{\"transient\":%d,\"record\":%d,\"watch\":%d,\"waveform\":%d,\"samplesPerRevolution\":%d",
+             r->transient, r->record, r->watch, r->waveform_revolutions, r->samples_per_revolution);
+    text_add(t, ",\"highestOrder\":%.17g,\"settle\":%s}", r->highest_order, r->settle ? "true" : "false");
+}
+
+static const char *carry_name(whirl_carry carry) {
+    switch (carry) {
+    case WHIRL_CARRY_FORWARD:
+        return "forward";
+    case WHIRL_CARRY_REVERSE:
+        return "reverse";
+    case WHIRL_CARRY_BOTH:
+        return "both";
+    default:
+        return "none";
+    }
+}
+
+static void add_batch(text *t, const whirl_batch *batch) {
+    json_next(t);
+    text_add(t, "{");
+    json_name(t, "name");
+    json_text(t, batch->name);
+    json_name(t, "parameter");
+    json_text(t, batch->parameter);
+    json_name(t, "values");
+    text_add(t, "[");
+    for (size_t i = 0; batch->values && i < batch->count; i++) {
+        json_next(t);
+        json_number(t, batch->values[i]);
+    }
+    text_add(t, "]");
+    json_name(t, "carry");
+    json_text(t, carry_name(batch->carry));
+    add_options(t, batch);
+    text_add(t, "}");
+}
+
+static void add_case(text *t, const whirl_case *object, const whirl_result *described) {
+    whirl_study study;
+    json_name(t, "version");
+    json_text(t, WHIRL_VERSION);
+    json_name(t, "title");
+    json_text(t, described->title);
+    json_name(t, "parameters");
+    text_add(t, "[");
+    for (size_t i = 0; i < described->parameter_count; i++) {
+        json_next(t);
+        add_parameter(t, object, &described->parameters[i]);
+    }
+    text_add(t, "]");
+    add_stations(t, described->stations, described->station_count);
+    json_name(t, "contacts");
+    text_add(t, "[");
+    for (size_t i = 0; i < described->contact_count; i++) {
+        json_next(t);
+        json_text(t, described->contacts[i]);
+    }
+    text_add(t, "]");
+    add_scales(t, described->length_scale, described->speed);
+    json_name(t, "batches");
+    text_add(t, "[");
+    whirl_case_study(object, &study);
+    for (size_t i = 0; i < study.batch_count; i++) add_batch(t, &study.batches[i]);
+    text_add(t, "]");
+    add_methods(t);
+}
+
+EXPORTED const char *explorer_describe(const whirl_case *object) {
+    whirl_result *described = calloc(1, sizeof *described);
+    whirl_status status =
+        described ? whirl_case_describe_result(object, described) : whirl_fail(WHIRL_NO_MEMORY, "no memory");
+    const bool good = explorer_good(&status);
+    if (good) {
+        text_clear(&answer);
+        text_add(&answer, "{");
+        add_case(&answer, object, described);
+        text_add(&answer, "}");
+    }
+    whirl_result_free(described);
+    return good ? text_bytes(&answer) : NULL;
+}
+
+EXPORTED const char *explorer_edit(const char *source, size_t length, const char *path, const char *value) {
+    char *edited;
+    const whirl_status status = whirl_case_edit(source, length, path, value, &edited);
+    if (!explorer_good(&status)) return NULL;
+    text_clear(&answer);
+    text_add(&answer, "%s", edited);
+    free(edited);
+    return text_bytes(&answer);
+}

@@ -1,0 +1,115 @@
+/// The C core as the explorer's worker sees it: a few functions over handles, numbers and JSON.
+///
+/// A function that can fail returns 0, or a null handle, and leaves {"message": ..., "problems": [...]} to
+/// explorer_message. Texts that are handed out are valid until the next call. One thread.
+#ifndef EXPLORER_CORE_H
+#define EXPLORER_CORE_H
+
+#include "text.h"
+#include "whirl/case.h"
+#include "whirl/study.h"
+
+#if defined(__EMSCRIPTEN__)
+#include <emscripten.h>
+#define EXPORTED EMSCRIPTEN_KEEPALIVE
+#else
+#define EXPORTED
+#endif
+
+/// What the last call that failed had to say.
+const char *explorer_message(void);
+
+/// Keeps the message of a status; false unless that is WHIRL_OK.
+bool explorer_good(const whirl_status *status);
+
+// ---------------------------------------------------------------- cases
+
+/// Parses a case. Freed by explorer_case_free.
+whirl_case *explorer_case_new(const char *source, size_t length, const char *name);
+void explorer_case_free(whirl_case *object);
+
+/// whirl_case_set.
+int explorer_assign(whirl_case *object, const char *assignment);
+
+/// CaseInfo of protocol.ts as JSON.
+const char *explorer_describe(const whirl_case *object);
+
+/// The text of the case with one value written in place; see whirl_case_edit. NULL after a failure.
+const char *explorer_edit(const char *source, size_t length, const char *path, const char *value);
+
+// ---------------------------------------------------------------- plans
+
+/// How points are computed: the options of a batch of the case, with changes.
+typedef struct plan {
+    const whirl_case *object; ///< borrowed
+    whirl_study study;
+    whirl_batch batch;   ///< without values
+    whirl_layout layout; ///< after explorer_plan_layout
+    size_t dimension;
+} plan;
+
+/// A plan by the case's batch of that name ("": its first one) over a parameter ("": nothing varies; NULL: as the batch).
+/// Freed by explorer_plan_free.
+plan *explorer_plan_new(const whirl_case *object, const char *batch, const char *parameter);
+void explorer_plan_free(plan *p);
+
+/// Changes an option by its name in protocol.ts ("stepsPerRevolution", "transient", ...).
+int explorer_plan_number(plan *p, const char *option, double value);
+int explorer_plan_method(plan *p, const char *method);
+
+/// Asks for what a diagram shows of its points.
+void explorer_plan_diagram(plan *p);
+
+/// Asks for everything there is to see of a point: all analyses, whole spectra, and the waveform of `waveform` revolutions.
+void explorer_plan_everything(plan *p, int waveform);
+
+/// Layout of the blocks and the options as JSON; needed before points are computed. NULL after a
+/// failure. `value` is one that the parameter takes.
+const char *explorer_plan_layout(plan *p, double value);
+
+/// Doubles of a block and of a state.
+size_t explorer_block_size(const plan *p);
+size_t explorer_dimension(const plan *p);
+
+/// The verdict of a block as JSON.
+const char *explorer_verdict(const plan *p, const double *block);
+
+/// Scales and stations of the machine at a value as JSON. NULL after a failure.
+const char *explorer_machine(const plan *p, double value);
+
+// ---------------------------------------------------------------- points
+
+typedef struct job job;
+
+/// Starts points at `values` [count], each from its own start or, where `carried`, from the end of the one before.
+/// `start` [dimension] takes the place of the case's start; NULL: none. The plan must outlive the job, which is freed by
+/// explorer_job_free.
+job *explorer_job_new(const plan *p, const double *values, size_t count, int carried, const double *start);
+void explorer_job_free(job *j);
+
+/// Revolutions that were done in one turn of all that is under way: 0 at the end, -1 after a failure.
+double explorer_job_turn(job *j);
+
+/// A finished point that was not taken yet: its index, or -1. Writes its block and its end, NaN where it diverged.
+int explorer_job_take(job *j, double *block, double *end);
+
+// ---------------------------------------------------------------- motions to look at
+
+/// Revolutions of one motion, sampled.
+typedef struct motion motion;
+
+/// The machine of a plan at a value, in `state` [dimension], or at its start where that is NULL. Freed by
+/// explorer_motion_free.
+motion *explorer_motion_new(const plan *p, double value, const double *state, int samples);
+void explorer_motion_free(motion *m);
+
+size_t explorer_motion_samples(const motion *m); ///< a revolution
+size_t explorer_motion_contacts(const motion *m);
+
+/// One revolution. Writes [samples][dimension] states and [samples][contacts] forces. 1 bounded, 0 not.
+int explorer_motion_turn(motion *m, double *states, double *forces);
+
+/// The state [dimension] that was reached; borrowed.
+const double *explorer_motion_state(const motion *m);
+
+#endif

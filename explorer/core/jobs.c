@@ -1,0 +1,152 @@
+// Points under way, a revolution at a time.
+#include "core.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/// What a point left behind.
+typedef struct finished_point {
+    bool done, taken;
+    double *numbers; ///< [block size + dimension]
+} finished_point;
+
+struct job {
+    const plan *plan;
+    whirl_recorder *recorder;
+    whirl_task_source source;
+    bool carried;
+    size_t count, begun, oldest; ///< points; the first one that may not have been taken
+    double *values;              ///< [count]
+    whirl_machine first;         ///< whose structure all have
+    whirl_machine *machines;     ///< [count] of the points under way
+    finished_point *points;      ///< [count]
+    double *start;               ///< [dimension] instead of the machines' starts, or NULL
+    bool waiting;                ///< a carried point is under way
+    whirl_status status;         ///< the first error of `next`
+};
+
+static bool next(void *context, whirl_task *task) {
+    job *j = context;
+    if (j->begun == j->count || j->waiting || j->status.code != WHIRL_OK) return false;
+    const plan *p = j->plan;
+    whirl_machine *machine = &j->machines[j->begun];
+    j->status = p->study.machine(p->study.family, &p->batch, j->values[j->begun], machine);
+    if (j->status.code != WHIRL_OK) return false;
+    *task = (whirl_task){machine->system, j->start ? j->start : machine->start, &j->points[j->begun]};
+    j->begun++;
+    j->waiting = j->carried;
+    return true;
+}
+
+static void release(job *j, size_t index) {
+    whirl_machine *machine = &j->machines[index];
+    if (machine->release) machine->release(machine->owner);
+    *machine = (whirl_machine){0};
+}
+
+/// A carried point starts where the last one ended; after a divergence the chain starts afresh.
+static whirl_status carry(job *j, const whirl_record *record) {
+    const size_t bytes = j->plan->dimension * sizeof *j->start;
+    j->waiting = false;
+    if (!j->carried) return whirl_ok();
+    if (record->motion != WHIRL_BOUNDED) {
+        free(j->start);
+        j->start = NULL;
+        return whirl_ok();
+    }
+    if (!j->start) j->start = malloc(bytes);
+    if (!j->start) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a state");
+    memcpy(j->start, record->end, bytes);
+    return whirl_ok();
+}
+
+static whirl_status done(void *context, const whirl_task *task, whirl_record *record) {
+    job *j = context;
+    const plan *p = j->plan;
+    finished_point *point = task->tag;
+    point->numbers = malloc((p->layout.size + p->dimension + 1) * sizeof *point->numbers);
+    whirl_status status = point->numbers
+                              ? whirl_analyze(record, &p->batch.record, p->batch.analyses, &p->layout, point->numbers)
+                              : whirl_fail(WHIRL_NO_MEMORY, "no memory for the numbers of a point");
+    for (size_t i = 0; status.code == WHIRL_OK && i < p->dimension; i++)
+        point->numbers[p->layout.size + i] = record->motion == WHIRL_BOUNDED ? record->end[i] : NAN;
+    if (status.code == WHIRL_OK) status = carry(j, record);
+    point->done = status.code == WHIRL_OK;
+    whirl_record_free(record);
+    release(j, (size_t)(point - j->points));
+    return status;
+}
+
+static void abandon(void *context, const whirl_task *task) {
+    job *j = context;
+    release(j, (size_t)((finished_point *)task->tag - j->points));
+}
+
+static whirl_status start_job(job *j, const double *values, const double *start) {
+    const plan *p = j->plan;
+    const size_t bytes = p->dimension * sizeof *j->start;
+    j->values = calloc(j->count, sizeof *j->values);
+    j->machines = calloc(j->count, sizeof *j->machines);
+    j->points = calloc(j->count, sizeof *j->points);
+    if (start) j->start = malloc(bytes);
+    if (!j->values || !j->machines || !j->points || (start && !j->start))
+        return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points", j->count);
+    memcpy(j->values, values, j->count * sizeof *values);
+    if (start) memcpy(j->start, start, bytes);
+    const whirl_status status = p->study.machine(p->study.family, &p->batch, values[0], &j->first);
+    if (status.code != WHIRL_OK) return status;
+    // A motion and its twin take two lanes.
+    const size_t lanes = j->carried || j->count == 1 ? 2 : 0;
+    return whirl_recorder_new(j->first.system, &p->batch.integrate, &p->batch.record, &j->source, lanes, &j->recorder);
+}
+
+EXPORTED job *explorer_job_new(const plan *p, const double *values, size_t count, int carried, const double *start) {
+    job *j = calloc(1, sizeof *j);
+    whirl_status status = whirl_ok();
+    if (j) {
+        *j = (job){.plan = p, .carried = carried != 0, .count = count};
+        j->source = (whirl_task_source){next, done, abandon, j};
+        status = start_job(j, values, start);
+    } else {
+        status = whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points", count);
+    }
+    if (explorer_good(&status)) return j;
+    explorer_job_free(j);
+    return NULL;
+}
+
+EXPORTED void explorer_job_free(job *j) {
+    if (!j) return;
+    whirl_recorder_free(j->recorder);
+    if (j->first.release) j->first.release(j->first.owner);
+    for (size_t i = 0; j->points && i < j->count; i++) free(j->points[i].numbers);
+    free(j->points);
+    free(j->machines);
+    free(j->values);
+    free(j->start);
+    free(j);
+}
+
+EXPORTED double explorer_job_turn(job *j) {
+    size_t turned;
+    whirl_status status = whirl_recorder_revolve(j->recorder, &turned);
+    if (status.code == WHIRL_OK) status = j->status;
+    return explorer_good(&status) ? (double)turned : -1.0;
+}
+
+EXPORTED int explorer_job_take(job *j, double *block, double *end) {
+    const size_t size = j->plan->layout.size, dimension = j->plan->dimension;
+    while (j->oldest < j->begun && j->points[j->oldest].taken) j->oldest++;
+    for (size_t i = j->oldest; i < j->begun; i++) {
+        finished_point *point = &j->points[i];
+        if (!point->done || point->taken) continue;
+        memcpy(block, point->numbers, size * sizeof *block);
+        if (end) memcpy(end, point->numbers + size, dimension * sizeof *end);
+        free(point->numbers);
+        point->numbers = NULL;
+        point->taken = true;
+        return (int)i;
+    }
+    return -1;
+}

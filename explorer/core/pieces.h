@@ -1,0 +1,12 @@
+/// Pieces of JSON that several answers have.
+#ifndef EXPLORER_PIECES_H
+#define EXPLORER_PIECES_H
+
+#include "text.h"
+#include "whirl/study.h"
+
+void add_stations(text *t, const whirl_probe *stations, size_t count);
+void add_scales(text *t, double length_scale, double speed);
+void add_options(text *t, const whirl_batch *batch);
+
+#endif

@@ -1,0 +1,211 @@
+// Plans: how points are computed, and what their blocks are.
+#include "core.h"
+#include "pieces.h"
+
+#include <limits.h>
+#include <math.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static text answer;
+
+static const whirl_batch *find_batch(const whirl_study *study, const char *name) {
+    for (size_t i = 0; i < study->batch_count; i++)
+        if (!*name || strcmp(study->batches[i].name, name) == 0) return &study->batches[i];
+    return NULL;
+}
+
+EXPORTED plan *explorer_plan_new(const whirl_case *object, const char *batch, const char *parameter) {
+    plan *p = calloc(1, sizeof *p);
+    whirl_status status = p ? whirl_case_study(object, &p->study) : whirl_fail(WHIRL_NO_MEMORY, "no memory");
+    const whirl_batch *found = p && status.code == WHIRL_OK ? find_batch(&p->study, batch) : NULL;
+    if (status.code == WHIRL_OK && !found)
+        status = whirl_fail(WHIRL_BAD_INPUT, "the study has no batch that is called %.40s", batch);
+    if (!explorer_good(&status)) {
+        free(p);
+        return NULL;
+    }
+    p->object = object;
+    p->batch = *found;
+    p->batch.values = NULL;
+    p->batch.count = 1;
+    p->batch.carry = WHIRL_CARRY_NONE;
+    if (parameter) snprintf(p->batch.parameter, sizeof p->batch.parameter, "%s", parameter);
+    return p;
+}
+
+EXPORTED void explorer_plan_free(plan *p) {
+    free(p);
+}
+
+// ---------------------------------------------------------------- options
+
+typedef enum option_kind { OPTION_WHOLE, OPTION_NUMBER, OPTION_FLAG } option_kind;
+
+typedef struct plan_option {
+    const char *name; ///< as in protocol.ts
+    option_kind kind;
+    size_t offset; ///< in whirl_batch
+} plan_option;
+
+static const plan_option options[] = {
+    {"stepsPerRevolution", OPTION_WHOLE, offsetof(whirl_batch, integrate.steps_per_revolution)},
+    {"rtol", OPTION_NUMBER, offsetof(whirl_batch, integrate.rtol)},
+    {"atol", OPTION_NUMBER, offsetof(whirl_batch, integrate.atol)},
+    {"limit", OPTION_NUMBER, offsetof(whirl_batch, integrate.limit)},
+    {"transient", OPTION_WHOLE, offsetof(whirl_batch, record.transient)},
+    {"record", OPTION_WHOLE, offsetof(whirl_batch, record.record)},
+    {"watch", OPTION_WHOLE, offsetof(whirl_batch, record.watch)},
+    {"waveform", OPTION_WHOLE, offsetof(whirl_batch, record.waveform_revolutions)},
+    {"samplesPerRevolution", OPTION_WHOLE, offsetof(whirl_batch, record.samples_per_revolution)},
+    {"highestOrder", OPTION_NUMBER, offsetof(whirl_batch, record.highest_order)},
+    {"settle", OPTION_FLAG, offsetof(whirl_batch, record.settle)},
+};
+
+static whirl_status set_option(plan *p, const plan_option *option, double value) {
+    char *at = (char *)&p->batch + option->offset;
+    const bool whole = value == floor(value) && fabs(value) <= INT_MAX;
+    if (!isfinite(value) || (option->kind != OPTION_NUMBER && !whole))
+        return whirl_fail(WHIRL_BAD_INPUT, "%s is %g, expected a %s number", option->name, value,
+                          option->kind == OPTION_NUMBER ? "finite" : "whole");
+    if (option->kind == OPTION_WHOLE)
+        *(int *)(void *)at = (int)value;
+    else if (option->kind == OPTION_NUMBER)
+        *(double *)(void *)at = value;
+    else
+        *(bool *)(void *)at = value != 0.0;
+    return whirl_ok();
+}
+
+EXPORTED int explorer_plan_number(plan *p, const char *name, double value) {
+    whirl_status status = whirl_fail(WHIRL_BAD_INPUT, "no option is called %.40s", name);
+    for (size_t i = 0; i < sizeof options / sizeof *options; i++)
+        if (strcmp(options[i].name, name) == 0) status = set_option(p, &options[i], value);
+    return explorer_good(&status);
+}
+
+EXPORTED int explorer_plan_method(plan *p, const char *method) {
+    snprintf(p->batch.integrate.method, sizeof p->batch.integrate.method, "%s", method);
+    return 1;
+}
+
+EXPORTED void explorer_plan_diagram(plan *p) {
+    static const char *const names[] = {"poincare", "orbit", "rub", "lyapunov", "regime"};
+    p->batch.analyses = 0;
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) whirl_analysis_add(&p->batch.analyses, names[i]);
+    p->batch.record.spectra = false;
+    p->batch.record.waveform = false;
+    p->batch.record.growth = true;
+    p->batch.record.waveform_revolutions = 0;
+}
+
+EXPORTED void explorer_plan_everything(plan *p, int waveform) {
+    for (const whirl_analysis *analysis = whirl_analyses(); analysis->name; analysis++)
+        whirl_analysis_add(&p->batch.analyses, analysis->name);
+    p->batch.record.spectra = true;
+    p->batch.record.waveform = true;
+    p->batch.record.growth = true;
+    p->batch.record.waveform_revolutions = waveform < p->batch.record.record ? waveform : p->batch.record.record;
+}
+
+// ---------------------------------------------------------------- layout
+
+static const char *extent_name(whirl_extent extent) {
+    return extent == WHIRL_PER_STATION ? "station" : extent == WHIRL_PER_CONTACT ? "contact" : "point";
+}
+
+static void add_field(const whirl_field *field) {
+    json_next(&answer);
+    text_add(&answer, "{");
+    json_name(&answer, "name");
+    json_text(&answer, field->name);
+    json_name(&answer, "unit");
+    json_text(&answer, field->unit);
+    json_name(&answer, "meaning");
+    json_text(&answer, field->meaning);
+    json_name(&answer, "extent");
+    json_text(&answer, extent_name(field->extent));
+    text_add(&answer, ",\"rows\":%zu,\"columns\":%zu,\"repeat\":%zu,\"offset\":%zu}", field->rows, field->columns,
+             field->repeat, field->offset);
+}
+
+/// The machine of the plan at a value, with its start.
+static whirl_status make_machine(const plan *p, double value, whirl_machine *machine) {
+    return p->study.machine(p->study.family, &p->batch, value, machine);
+}
+
+EXPORTED const char *explorer_plan_layout(plan *p, double value) {
+    whirl_machine machine;
+    whirl_status status = make_machine(p, value, &machine);
+    if (status.code == WHIRL_OK) {
+        p->dimension = machine.system->dimension;
+        status = whirl_layout_new(machine.system, &p->batch.integrate, &p->batch.record, p->batch.analyses, &p->layout);
+        machine.release(machine.owner);
+    }
+    if (!explorer_good(&status)) return NULL;
+    text_clear(&answer);
+    text_add(&answer, "{\"layout\":{\"size\":%zu,\"fields\":[", p->layout.size);
+    for (size_t i = 0; i < p->layout.field_count; i++) add_field(&p->layout.fields[i]);
+    text_add(&answer, "]}");
+    add_options(&answer, &p->batch);
+    text_add(&answer, ",\"revolutions\":%d", p->batch.record.transient + p->batch.record.record);
+    text_add(&answer, ",\"waveformSamples\":%d}",
+             whirl_record_samples(&p->batch.record, p->batch.integrate.steps_per_revolution));
+    return text_bytes(&answer);
+}
+
+EXPORTED size_t explorer_block_size(const plan *p) {
+    return p->layout.size;
+}
+
+EXPORTED size_t explorer_dimension(const plan *p) {
+    return p->dimension;
+}
+
+EXPORTED const char *explorer_machine(const plan *p, double value) {
+    whirl_rotor *rotor;
+    const char *parameter = p->batch.parameter[0] ? p->batch.parameter : NULL;
+    const whirl_status status = whirl_case_rotor(p->object, parameter, value, &rotor);
+    if (!explorer_good(&status)) return NULL;
+    const whirl_system *system = whirl_rotor_system(rotor);
+    text_clear(&answer);
+    text_add(&answer, "{");
+    add_scales(&answer, whirl_rotor_length_scale(rotor), whirl_rotor_speed(rotor));
+    add_stations(&answer, system->probes, system->probe_count);
+    text_add(&answer, "}");
+    whirl_rotor_free(rotor);
+    return text_bytes(&answer);
+}
+
+// ---------------------------------------------------------------- verdicts
+
+EXPORTED const char *explorer_verdict(const plan *p, const double *block) {
+    const whirl_verdict verdict = whirl_block_verdict(&p->layout, block);
+    char sentence[WHIRL_MESSAGE_SIZE];
+    text_clear(&answer);
+    text_add(&answer, "{");
+    json_name(&answer, "regime");
+    json_text(&answer, whirl_regime_name(verdict.regime));
+    json_name(&answer, "name");
+    whirl_verdict_name(&verdict, sentence, sizeof sentence);
+    json_text(&answer, sentence);
+    json_name(&answer, "reason");
+    whirl_verdict_reason(&verdict, sentence, sizeof sentence);
+    json_text(&answer, sentence);
+    json_name(&answer, "confidence");
+    json_text(&answer, whirl_confidence_name(verdict.confidence));
+    json_name(&answer, "advice");
+    whirl_verdict_advice(&verdict, sentence, sizeof sentence);
+    json_text(&answer, sentence);
+    text_add(&answer, ",\"period\":%d,\"curves\":%d", verdict.period, verdict.curves);
+    json_name(&answer, "divergedAt");
+    json_number(&answer, verdict.diverged_at);
+    json_name(&answer, "exponent");
+    json_number(&answer, verdict.exponent.value);
+    json_name(&answer, "exponentError");
+    json_number(&answer, verdict.exponent.error);
+    text_add(&answer, "}");
+    return text_bytes(&answer);
+}

@@ -1,0 +1,39 @@
+/// A text that grows, with the pieces of JSON.
+#ifndef EXPLORER_TEXT_H
+#define EXPLORER_TEXT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+typedef struct text {
+    char *bytes;
+    size_t length, capacity;
+    bool no_memory;
+} text;
+
+/// Empties a text and keeps its memory.
+void text_clear(text *t);
+
+/// Appends, printf-formatted.
+void text_add(text *t, const char *format, ...)
+#if defined(__GNUC__)
+    __attribute__((format(printf, 2, 3)))
+#endif
+    ;
+
+/// Appends a string with quotes and escapes.
+void json_text(text *t, const char *value);
+
+/// Appends a number that reads back as the same double; null for what JSON has no number for.
+void json_number(text *t, double value);
+
+/// Appends `"name":`, with a comma before it unless a container has just begun.
+void json_name(text *t, const char *name);
+
+/// Appends a comma unless a container has just begun.
+void json_next(text *t);
+
+/// The bytes, or a sentence where memory ran out.
+const char *text_bytes(const text *t);
+
+#endif

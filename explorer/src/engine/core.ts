@@ -1,0 +1,212 @@
+// The C core behind types: handles, texts and numbers. See explorer/core/core.h, whose functions these are.
+import createCore, { type CoreModule } from 'whirl-core-glue';
+import type { CaseInfo, IntegrateOptions, Layout, RecordOptions, StationInfo, Verdict } from './protocol';
+import type { Refusal } from './wire';
+
+/// What the core refused, with its own words.
+export class Refused extends Error {
+  constructor(readonly refusal: Refusal) {
+    super(refusal.message);
+  }
+}
+
+export interface PlanLayout {
+  readonly layout: Layout;
+  readonly integrate: IntegrateOptions;
+  readonly record: RecordOptions;
+  /// Of a point that runs to its end.
+  readonly revolutions: number;
+  /// Samples of a kept waveform a revolution.
+  readonly waveformSamples: number;
+}
+
+export interface Machine {
+  readonly lengthScale: number;
+  readonly speed: number;
+  readonly stations: readonly StationInfo[];
+}
+
+export class Core {
+  private constructor(private readonly module: CoreModule) {}
+
+  static async start(binary: Uint8Array): Promise<Core> {
+    return new Core(await createCore({ wasmBinary: binary, print: () => {}, printErr: () => {} }));
+  }
+
+  // -------------------------------------------------------------- memory
+
+  /// Runs `use` with texts in the core's memory, as pointers.
+  private withTexts<T>(texts: readonly string[], use: (...pointers: number[]) => T): T {
+    const pointers: number[] = [];
+    try {
+      for (const text of texts) {
+        const size = this.module.lengthBytesUTF8(text) + 1;
+        const pointer = this.allocate(size);
+        pointers.push(pointer);
+        this.module.stringToUTF8(text, pointer, size);
+      }
+      return use(...pointers);
+    } finally {
+      for (const pointer of pointers) this.module._free(pointer);
+    }
+  }
+
+  private allocate(bytes: number): number {
+    const pointer = this.module._malloc(bytes);
+    if (pointer === 0) throw new Refused({ message: 'there is not enough memory', problems: [] });
+    return pointer;
+  }
+
+  /// Room for numbers, which the caller frees.
+  numbers(count: number): number {
+    return this.allocate(8 * Math.max(count, 1));
+  }
+
+  free(pointer: number): void {
+    this.module._free(pointer);
+  }
+
+  write(pointer: number, values: ArrayLike<number>): void {
+    this.module.HEAPF64.set(values, pointer / 8);
+  }
+
+  /// A copy.
+  read(pointer: number, count: number): Float64Array {
+    return this.module.HEAPF64.slice(pointer / 8, pointer / 8 + count);
+  }
+
+  private text(pointer: number): string {
+    if (pointer === 0) throw this.refused();
+    return this.module.UTF8ToString(pointer);
+  }
+
+  private refused(): Refused {
+    return new Refused(JSON.parse(this.module.UTF8ToString(this.module._explorer_message())) as Refusal);
+  }
+
+  private good(value: number): number {
+    if (value === 0) throw this.refused();
+    return value;
+  }
+
+  // -------------------------------------------------------------- cases
+
+  caseNew(source: string, name: string): number {
+    return this.withTexts([source, name], (at, nameAt) =>
+      this.good(this.module._explorer_case_new(at!, this.module.lengthBytesUTF8(source), nameAt!)),
+    );
+  }
+
+  caseFree(object: number): void {
+    this.module._explorer_case_free(object);
+  }
+
+  assign(object: number, assignment: string): void {
+    this.withTexts([assignment], (at) => this.good(this.module._explorer_assign(object, at!)));
+  }
+
+  describe(object: number): CaseInfo {
+    return JSON.parse(this.text(this.module._explorer_describe(object))) as CaseInfo;
+  }
+
+  edit(source: string, path: string, value: string): string {
+    return this.withTexts([source, path, value], (at, pathAt, valueAt) =>
+      this.text(this.module._explorer_edit(at!, this.module.lengthBytesUTF8(source), pathAt!, valueAt!)),
+    );
+  }
+
+  // -------------------------------------------------------------- plans
+
+  planNew(object: number, batch: string, parameter: string | undefined): number {
+    return this.withTexts([batch, parameter ?? ''], (batchAt, parameterAt) =>
+      this.good(this.module._explorer_plan_new(object, batchAt!, parameter === undefined ? 0 : parameterAt!)),
+    );
+  }
+
+  planFree(plan: number): void {
+    this.module._explorer_plan_free(plan);
+  }
+
+  planOption(plan: number, option: string, value: string | number | boolean): void {
+    this.withTexts([option, String(value)], (optionAt, valueAt) =>
+      this.good(
+        typeof value === 'string'
+          ? this.module._explorer_plan_method(plan, valueAt!)
+          : this.module._explorer_plan_number(plan, optionAt!, Number(value)),
+      ),
+    );
+  }
+
+  planEverything(plan: number, waveform: number): void {
+    this.module._explorer_plan_everything(plan, waveform);
+  }
+
+  planDiagram(plan: number): void {
+    this.module._explorer_plan_diagram(plan);
+  }
+
+  planLayout(plan: number, value: number): PlanLayout {
+    return JSON.parse(this.text(this.module._explorer_plan_layout(plan, value))) as PlanLayout;
+  }
+
+  dimension(plan: number): number {
+    return this.module._explorer_dimension(plan);
+  }
+
+  machine(plan: number, value: number): Machine {
+    return JSON.parse(this.text(this.module._explorer_machine(plan, value))) as Machine;
+  }
+
+  verdict(plan: number, block: number): Verdict {
+    return JSON.parse(this.text(this.module._explorer_verdict(plan, block))) as Verdict;
+  }
+
+  // -------------------------------------------------------------- points
+
+  /// `start` may be 0. The values are copied.
+  jobNew(plan: number, values: number, count: number, carried: boolean, start: number): number {
+    return this.good(this.module._explorer_job_new(plan, values, count, carried ? 1 : 0, start));
+  }
+
+  jobFree(job: number): void {
+    this.module._explorer_job_free(job);
+  }
+
+  /// Revolutions done; 0 at the end.
+  jobTurn(job: number): number {
+    const turned = this.module._explorer_job_turn(job);
+    if (turned < 0) throw this.refused();
+    return turned;
+  }
+
+  /// The index of a finished point, or -1.
+  jobTake(job: number, block: number, end: number): number {
+    return this.module._explorer_job_take(job, block, end);
+  }
+
+  // -------------------------------------------------------------- motions
+
+  motionNew(plan: number, value: number, state: number, samples: number): number {
+    return this.good(this.module._explorer_motion_new(plan, value, state, samples));
+  }
+
+  motionFree(motion: number): void {
+    this.module._explorer_motion_free(motion);
+  }
+
+  motionSamples(motion: number): number {
+    return this.module._explorer_motion_samples(motion);
+  }
+
+  motionContacts(motion: number): number {
+    return this.module._explorer_motion_contacts(motion);
+  }
+
+  motionTurn(motion: number, states: number, forces: number): boolean {
+    return this.module._explorer_motion_turn(motion, states, forces) !== 0;
+  }
+
+  motionState(motion: number, dimension: number): Float64Array {
+    return this.read(this.module._explorer_motion_state(motion), dimension);
+  }
+}

@@ -1,0 +1,260 @@
+// What a worker does for a task, in pieces: a generator yields whenever something else may go first.
+import type { Core } from './core';
+import type {
+  CaseInfo,
+  Edit,
+  IntegrateOptions,
+  PointRequest,
+  PointResult,
+  RecordOptions,
+  Setting,
+  TransientRequest,
+  TransientResult,
+} from './protocol';
+import type { FromWorker, PartRequest, Task } from './wire';
+
+/// Revolutions of the waveform of a point that asks for no number of them.
+const USUAL_WAVEFORM = 20;
+const MOST_CASES = 4;
+
+type Post = (message: FromWorker, transfer?: Transferable[]) => void;
+
+export type Steps = Generator<void, CaseInfo | PointResult | TransientResult | string | null, void>;
+
+export class Tasks {
+  /// Parsed cases by their text and assignments, the one used last at the end.
+  private readonly cases = new Map<string, number>();
+  /// Cases that jobs under way rest on, with their number.
+  private readonly inUse = new Map<number, number>();
+
+  constructor(
+    private readonly core: Core,
+    private readonly post: Post,
+  ) {}
+
+  run(id: number, task: Task): Steps {
+    switch (task.kind) {
+      case 'describe':
+        return this.describe(task.setting);
+      case 'point':
+        return this.point(task.request);
+      case 'part':
+        return this.part(id, task.request);
+      case 'transient':
+        return this.transient(task.request);
+      case 'rewrite':
+        return this.rewrite(task.setting, task.edits);
+    }
+  }
+
+  // -------------------------------------------------------------- cases
+
+  private open(setting: Setting): number {
+    const assignments = setting.assignments ?? [];
+    const key = JSON.stringify([setting.text, setting.name ?? '', assignments]);
+    const object = this.cases.get(key) ?? this.parse(setting, assignments);
+    this.cases.delete(key);
+    this.cases.set(key, object);
+    for (const [old, pointer] of this.cases) {
+      if (this.cases.size <= MOST_CASES) break;
+      if (pointer === object || this.inUse.has(pointer)) continue;
+      this.cases.delete(old);
+      this.core.caseFree(pointer);
+    }
+    return object;
+  }
+
+  private parse(setting: Setting, assignments: readonly string[]): number {
+    const object = this.core.caseNew(setting.text, setting.name ?? 'case.yaml');
+    try {
+      for (const assignment of assignments) this.core.assign(object, assignment);
+      return object;
+    } catch (error) {
+      this.core.caseFree(object);
+      throw error;
+    }
+  }
+
+  /// Runs `use` with a plan of the setting; the case stays until it is over.
+  private *withPlan<T>(
+    setting: Setting,
+    batch: string | undefined,
+    parameter: string | undefined,
+    use: (plan: number) => Generator<void, T, void>,
+  ): Generator<void, T, void> {
+    const object = this.open(setting);
+    const plan = this.core.planNew(object, batch ?? '', parameter);
+    this.inUse.set(object, (this.inUse.get(object) ?? 0) + 1);
+    try {
+      const options: { -readonly [K in keyof (IntegrateOptions & RecordOptions)]?: (IntegrateOptions & RecordOptions)[K] } = { ...setting.integrate, ...setting.record };
+      // How long a motion is watched was said for another length of it.
+      if (options.transient !== undefined || options.record !== undefined) options.watch ??= 0;
+      for (const [option, value] of Object.entries(options))
+        if (value !== undefined) this.core.planOption(plan, option, value);
+      return yield* use(plan);
+    } finally {
+      this.core.planFree(plan);
+      const left = (this.inUse.get(object) ?? 1) - 1;
+      if (left > 0) this.inUse.set(object, left);
+      else this.inUse.delete(object);
+    }
+  }
+
+  private *describe(setting: Setting): Steps {
+    return this.core.describe(this.open(setting));
+  }
+
+  private *rewrite(setting: Setting, edits: readonly Edit[]): Steps {
+    let text = setting.text;
+    for (const assignment of setting.assignments ?? []) {
+      const equals = assignment.indexOf('=');
+      const name = assignment.slice(0, equals).trim();
+      text = this.core.edit(text, `parameters.${name}`, assignment.slice(equals + 1).trim());
+    }
+    for (const edit of edits) text = this.core.edit(text, edit.path, edit.text);
+    yield;
+    this.core.caseFree(this.core.caseNew(text, setting.name ?? 'case.yaml'));
+    return text;
+  }
+
+  // -------------------------------------------------------------- points
+
+  private *point(request: PointRequest): Steps {
+    const began = performance.now();
+    const core = this.core;
+    const value = request.value ?? NaN;
+    // A value that is not given is the case's own: then nothing varies.
+    const parameter = request.value === undefined ? '' : request.parameter;
+    return yield* this.withPlan(request.setting, request.batch, parameter, function* (plan) {
+      core.planEverything(plan, request.setting.record?.waveform ?? USUAL_WAVEFORM);
+      const planned = core.planLayout(plan, value);
+      const size = planned.layout.size;
+      const dimension = core.dimension(plan);
+      const room = core.numbers(size + 2 * dimension + 1);
+      const end = room + 8 * size;
+      const start = end + 8 * dimension;
+      let job = 0;
+      try {
+        core.write(start + 8 * dimension, [value]);
+        if (request.start) core.write(start, request.start.subarray(0, dimension));
+        job = core.jobNew(plan, start + 8 * dimension, 1, false, request.start ? start : 0);
+        while (core.jobTurn(job) > 0) yield;
+        core.jobTake(job, room, end);
+        return {
+          value: Number.isNaN(value) ? null : value,
+          verdict: core.verdict(plan, room),
+          layout: planned.layout,
+          block: core.read(room, size),
+          ...core.machine(plan, value),
+          samplesPerRevolution: planned.waveformSamples,
+          end: core.read(end, dimension),
+          integrate: planned.integrate,
+          record: planned.record,
+          seconds: (performance.now() - began) / 1000,
+        } satisfies PointResult;
+      } finally {
+        core.jobFree(job);
+        core.free(room);
+      }
+    });
+  }
+
+  private *part(id: number, request: PartRequest): Steps {
+    const { core, post } = this;
+    const count = request.values.length;
+    return yield* this.withPlan(request.setting, request.batch, request.parameter, function* (plan) {
+      core.planDiagram(plan);
+      const planned = core.planLayout(plan, request.values[0] ?? NaN);
+      const size = planned.layout.size;
+      post({ kind: 'layout', id, layout: { layout: planned.layout, revolutions: planned.revolutions } });
+      const room = core.numbers(size + count);
+      let job = 0;
+      try {
+        core.write(room + 8 * size, request.values);
+        job = core.jobNew(plan, room + 8 * size, count, request.carried, 0);
+        let unreported = 0;
+        let reported = performance.now();
+        const report = () => {
+          const points = takePoints(core, plan, job, room, size);
+          if (points.indices.length > 0)
+            post({ kind: 'points', id, points }, [points.indices.buffer, points.blocks.buffer]);
+          post({ kind: 'revolutions', id, count: unreported });
+          unreported = 0;
+          reported = performance.now();
+        };
+        for (let turned = core.jobTurn(job); turned > 0; turned = core.jobTurn(job)) {
+          unreported += turned;
+          if (performance.now() - reported > 50) report();
+          yield;
+        }
+        report();
+        return null;
+      } finally {
+        core.jobFree(job);
+        core.free(room);
+      }
+    });
+  }
+
+  // -------------------------------------------------------------- motions
+
+  private *transient(request: TransientRequest): Steps {
+    const core = this.core;
+    const value = request.value ?? NaN;
+    const parameter = request.value === undefined ? '' : request.parameter;
+    return yield* this.withPlan(request.setting, request.batch, parameter, function* (plan) {
+      core.planLayout(plan, value);
+      const dimension = core.dimension(plan);
+      const state = core.numbers(dimension);
+      let motion = 0;
+      let room = 0;
+      try {
+        if (request.state) core.write(state, request.state.subarray(0, dimension));
+        motion = core.motionNew(plan, value, request.state ? state : 0, request.samplesPerRevolution);
+        const perRevolution = core.motionSamples(motion);
+        const contacts = core.motionContacts(motion);
+        const total = perRevolution * request.revolutions;
+        room = core.numbers(total * (dimension + contacts));
+        const forces = room + 8 * total * dimension;
+        let revolutions = 0;
+        let bounded = true;
+        while (bounded && revolutions < request.revolutions) {
+          const before = revolutions * perRevolution;
+          bounded = core.motionTurn(motion, room + 8 * before * dimension, forces + 8 * before * contacts);
+          if (bounded) revolutions++;
+          yield;
+        }
+        const samples = revolutions * perRevolution;
+        return {
+          state: core.motionState(motion, dimension),
+          samples: core.read(room, samples * dimension),
+          forces: core.read(forces, samples * contacts),
+          dimension,
+          contacts,
+          samplesPerRevolution: perRevolution,
+          revolutions,
+          diverged: !bounded,
+        } satisfies TransientResult;
+      } finally {
+        core.motionFree(motion);
+        if (room !== 0) core.free(room);
+        core.free(state);
+      }
+    });
+  }
+}
+
+/// All points of a job that are done and were not taken yet.
+function takePoints(core: Core, plan: number, job: number, room: number, size: number) {
+  const indices: number[] = [];
+  const blocks: Float64Array[] = [];
+  const verdicts = [];
+  for (let index = core.jobTake(job, room, 0); index >= 0; index = core.jobTake(job, room, 0)) {
+    indices.push(index);
+    blocks.push(core.read(room, size));
+    verdicts.push(core.verdict(plan, room));
+  }
+  const all = new Float64Array(indices.length * size);
+  blocks.forEach((block, i) => all.set(block, i * size));
+  return { indices: Uint32Array.from(indices), blocks: all, verdicts };
+}

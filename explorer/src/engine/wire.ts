@@ -1,0 +1,60 @@
+// What the engine and its workers send each other.
+import type {
+  CaseInfo,
+  Edit,
+  Layout,
+  PointRequest,
+  PointResult,
+  Problem,
+  Setting,
+  TransientRequest,
+  TransientResult,
+  Verdict,
+} from './protocol';
+
+/// Some points of a sweep, computed by one worker.
+export interface PartRequest {
+  readonly setting: Setting;
+  readonly parameter: string;
+  readonly batch?: string | undefined;
+  readonly values: Float64Array;
+  /// Each point starts where the one before ended.
+  readonly carried: boolean;
+}
+
+export type Task =
+  | { readonly kind: 'describe'; readonly setting: Setting }
+  | { readonly kind: 'point'; readonly request: PointRequest }
+  | { readonly kind: 'part'; readonly request: PartRequest }
+  | { readonly kind: 'transient'; readonly request: TransientRequest }
+  | { readonly kind: 'rewrite'; readonly setting: Setting; readonly edits: readonly Edit[] };
+
+export type ToWorker =
+  | { readonly kind: 'start'; readonly core: Uint8Array }
+  | { readonly kind: 'task'; readonly id: number; readonly priority: number; readonly task: Task }
+  | { readonly kind: 'stop'; readonly id: number };
+
+/// Points of a part that are done; `indices` count the values of the part.
+export interface PartPoints {
+  readonly indices: Uint32Array;
+  readonly blocks: Float64Array;
+  readonly verdicts: readonly Verdict[];
+}
+
+export interface PartLayout {
+  readonly layout: Layout;
+  readonly revolutions: number;
+}
+
+export interface Refusal {
+  readonly message: string;
+  readonly problems: readonly Problem[];
+}
+
+export type FromWorker =
+  | { readonly kind: 'done'; readonly id: number; readonly value: CaseInfo | PointResult | TransientResult | string | null }
+  | { readonly kind: 'bad'; readonly id: number; readonly refusal: Refusal }
+  | { readonly kind: 'failed'; readonly id: number; readonly message: string }
+  | { readonly kind: 'layout'; readonly id: number; readonly layout: PartLayout }
+  | { readonly kind: 'points'; readonly id: number; readonly points: PartPoints }
+  | { readonly kind: 'revolutions'; readonly id: number; readonly count: number };
