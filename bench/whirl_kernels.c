@@ -36,7 +36,7 @@ typedef struct crowd {
     whirl_ensemble *ensemble;
     size_t lanes, stations, sample_count;
     whirl_ensemble_watch watch;
-    double *waveform; ///< [SAMPLES][lanes][stations][2]
+    double *waveform; ///< [lanes][stations][2][SAMPLES], as records have them
 } crowd;
 
 static void crowd_revolve(void *context) {
@@ -46,14 +46,17 @@ static void crowd_revolve(void *context) {
 }
 
 static double crowd_x1(void *context) {
-    return whirl_ensemble_coordinate(((crowd *)context)->ensemble, 0, 0);
+    return whirl_ensemble_coordinate(((crowd *)context)->ensemble, 0)[0];
 }
 
 static void crowd_sample(void *context) {
     crowd *c = context;
-    double *to = c->waveform + c->sample_count++ * c->lanes * c->stations * 2;
-    for (size_t lane = 0; lane < c->lanes; lane++)
-        for (size_t i = 0; i < 2 * c->stations; i++) *to++ = whirl_ensemble_coordinate(c->ensemble, lane, i);
+    const size_t n = c->sample_count++;
+    for (size_t i = 0; i < 2 * c->stations; i++) {
+        const double *row = whirl_ensemble_coordinate(c->ensemble, i);
+        for (size_t lane = 0; lane < c->lanes; lane++)
+            c->waveform[(lane * 2 * c->stations + i) * SAMPLES + n] = row[lane];
+    }
 }
 
 static void *room(size_t count, size_t size) {

@@ -63,8 +63,8 @@ typedef struct whirl_ensemble_watch {
 /// Carries the lanes 0 to count - 1 over one period. `watch` may be NULL.
 void whirl_ensemble_revolve(whirl_ensemble *ensemble, size_t count, const whirl_ensemble_watch *watch);
 
-/// One coordinate of a lane, for samples.
-double whirl_ensemble_coordinate(const whirl_ensemble *ensemble, size_t lane, size_t index);
+/// One coordinate of all lanes [lanes], for samples. It belongs to the ensemble and always shows the present.
+const double *whirl_ensemble_coordinate(const whirl_ensemble *ensemble, size_t index);
 
 /// Forgets what was watched of a lane; contacts that are closed now do not count as begun.
 void whirl_ensemble_forget(whirl_ensemble *ensemble, size_t lane);

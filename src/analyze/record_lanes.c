@@ -181,21 +181,28 @@ static whirl_status prepare_all(lanes_recorder *r) {
     return status;
 }
 
-/// One sample of the waveforms of all motions that are recorded.
+static bool samples(const lanes_recorder *r, const motion *m) {
+    return !waits(m) && records(r, m);
+}
+
+/// One sample of the waveforms of all motions that are recorded; all have the same probes.
 static void sample(void *context) {
     const lanes_recorder *r = context;
-    for (size_t i = 0; i < r->count; i++) {
-        const motion *m = r->motions[i];
-        whirl_record *record = m->record;
-        if (waits(m) || !records(r, m)) continue;
-        const size_t n = record->sample_count++, capacity = record->record_count * record->samples_per_revolution;
-        for (size_t k = 0; k < record->probe_count; k++) {
-            record->waveform[2 * k * capacity + n] =
-                whirl_ensemble_coordinate(r->ensemble, m->lane, record->probes[k].x);
-            record->waveform[(2 * k + 1) * capacity + n] =
-                whirl_ensemble_coordinate(r->ensemble, m->lane, record->probes[k].y);
+    const whirl_record *any = r->motions[0]->record;
+    const size_t capacity = any->record_count * any->samples_per_revolution;
+    for (size_t k = 0; k < any->probe_count; k++) {
+        const double *x = whirl_ensemble_coordinate(r->ensemble, any->probes[k].x);
+        const double *y = whirl_ensemble_coordinate(r->ensemble, any->probes[k].y);
+        for (size_t i = 0; i < r->count; i++) {
+            const motion *m = r->motions[i];
+            if (!samples(r, m)) continue;
+            double *waveform = m->record->waveform + 2 * k * capacity + m->record->sample_count;
+            waveform[0] = x[m->lane];
+            waveform[capacity] = y[m->lane];
         }
     }
+    for (size_t i = 0; i < r->count; i++)
+        if (samples(r, r->motions[i])) r->motions[i]->record->sample_count++;
 }
 
 static void follow_twin(lanes_recorder *r, motion *m) {

@@ -205,20 +205,19 @@ void whirl_ensemble_place(whirl_ensemble *e, size_t lane, const double *x) {
     }
 }
 
-double whirl_ensemble_coordinate(const whirl_ensemble *e, size_t lane, size_t index) {
+const double *whirl_ensemble_coordinate(const whirl_ensemble *e, size_t index) {
     const size_t degrees = e->lanes.degrees;
-    if (e->shown) return e->shown[index * e->lane_count + lane];
-    return index < degrees ? e->lanes.q[index * e->lane_count + lane]
-                           : e->lanes.v[(index - degrees) * e->lane_count + lane];
+    if (e->shown) return e->shown + index * e->lane_count;
+    return index < degrees ? e->lanes.q + index * e->lane_count : e->lanes.v + (index - degrees) * e->lane_count;
 }
 
 void whirl_ensemble_state(const whirl_ensemble *e, size_t lane, double *x) {
-    for (size_t i = 0; i < 2 * e->lanes.degrees; i++) x[i] = whirl_ensemble_coordinate(e, lane, i);
+    for (size_t i = 0; i < 2 * e->lanes.degrees; i++) x[i] = whirl_ensemble_coordinate(e, i)[lane];
 }
 
 whirl_motion whirl_ensemble_motion(const whirl_ensemble *e, size_t lane) {
     for (size_t i = 0; i < 2 * e->lanes.degrees; i++)
-        if (!(fabs(whirl_ensemble_coordinate(e, lane, i)) <= e->limit)) return WHIRL_DIVERGED; // NaN too
+        if (!(fabs(whirl_ensemble_coordinate(e, i)[lane]) <= e->limit)) return WHIRL_DIVERGED; // NaN too
     return (whirl_motion)e->ended[lane];
 }
 
@@ -313,8 +312,8 @@ static void note_contacts(const whirl_ensemble *e, size_t lane) {
         e->machines[lane]->contacts(e->machines[lane]->model, e->state, force);
     }
     for (size_t c = 0; c < w->contact_count; c++) {
-        const double x = whirl_ensemble_coordinate(e, lane, 2 * e->contact_station[c]);
-        const double y = whirl_ensemble_coordinate(e, lane, 2 * e->contact_station[c] + 1);
+        const double x = whirl_ensemble_coordinate(e, 2 * e->contact_station[c])[lane];
+        const double y = whirl_ensemble_coordinate(e, 2 * e->contact_station[c] + 1)[lane];
         const double gap = w->gap[c * e->lane_count + lane];
         const bool closed = w->normal_force ? force[c] > 0.0 : x * x + y * y > gap * gap;
         w->touching[c * e->lane_count + lane] = closed ? 1.0 : 0.0;

@@ -6,10 +6,10 @@
 ///
 /// the film begins at alpha = atan2(-B, -A), so that cos alpha = -A/C and sin alpha = -B/C need no angle. Capone's
 /// G, V, S and the force on the journal (fx, fy) = -(C/q)(3xV - sin a G - 2 cos a S, 3yV + cos a G - 2 sin a S)
-/// become, with P = xB - yA, U = xA + yB and C^2 - U^2 = q C^2 + P^2 (which saves a cancellation near the wall),
+/// become, with P = xB - yA, U = xA + yB, W = C sqrt q and W^2 + P^2 = C^2 - U^2 (which saves a cancellation near the wall),
 ///
-///     G = (2/sqrt q)[pi/2 + atan(P/(C sqrt q))],   S = -U C/(q C^2 + P^2),   C V = (2C + P G)/q,
-///     (fx, fy) = -(1/q)(3x CV + B G + 2A S, 3y CV - A G + 2B S).
+///     G = (2/sqrt q) angle,   angle = pi/2 + atan(P/W),   S = -U C/D,   D = W^2 + P^2,   C V = (2C + P G)/q,
+///     (fx, fy) = -(2/q^(3/2)) (x M + B angle - A E, y M - A angle - B E),   M = 3(W + P angle)/q,   E = U W/D.
 ///
 /// The scale of the force is F0 = mu omega R L (R/c)^2 (L/2R)^2 = mu omega R L^3/(4 c^2).
 #ifndef ROTOR_FILM_KERNEL_H
@@ -19,78 +19,84 @@
 #include "elementary.h"
 #include "vector.h"
 
-/// Length scale over clearance; count F0/(m omega^2 length scale).
-enum { FILM_TO_CLEARANCES, FILM_STRENGTH, FILM_NUMBERS };
+/// Length scale over clearance, and twice that; twice the count times F0/(m omega^2 length scale).
+enum { FILM_TO_CLEARANCES, FILM_TWICE_TO_CLEARANCES, FILM_TWICE_STRENGTH, FILM_NUMBERS };
 
-/// Vectors that go through the film together, phase by phase: their long chains of operations hide each other's latency.
-enum { FILM_GROUP = 4 };
+/// Vectors that may be under way in a film at the same time.
+enum { FILM_PLACES = 4 };
 
-/// One group on its way. A journal at rest in the centre (C = 0) feels no force; beyond the wall (q <= 0) nothing is a number,
-/// and the motion counts as diverged.
-typedef struct film_group {
-    vec x[FILM_GROUP], y[FILM_GROUP], A[FILM_GROUP], B[FILM_GROUP];
-    vec over_root[FILM_GROUP];                            ///< 1/sqrt q
-    vec C[FILM_GROUP], P[FILM_GROUP], over_D[FILM_GROUP]; ///< D = q C^2 + P^2
-    vec angle[FILM_GROUP];                                ///< atan(P/(C sqrt q))
-} film_group;
+/// Vectors on their way through a film in three phases, place by place: film_begin, which leaves the machine's divider with a
+/// root; film_divide, which leaves it with a division; film_end. Phases of other vectors, and other elements, hide its latency.
+///
+/// A journal at rest in the centre (A = B = 0) feels no force; the 2^-600 in C^2 keeps its quotients finite. Beyond the wall
+/// (q < 0) W is not a number, and the motion counts as diverged.
+typedef struct film_work {
+    vec x[FILM_PLACES], y[FILM_PLACES], A[FILM_PLACES], B[FILM_PLACES];
+    vec q[FILM_PLACES], P[FILM_PLACES], D[FILM_PLACES], W[FILM_PLACES];
+    arctan_fold fold[FILM_PLACES];
+    vec over[FILM_PLACES]; ///< 1/(the fold's denominator times D)
+    vec over_root[FILM_PLACES];
+} film_work;
 
-/// The roots, the reciprocal and the angle. One root and one division are the machine's, the others multiply-adds, so that
-/// neither its divider nor its multipliers wait for the other.
-static inline void film_angles(size_t n, film_group *g) {
-    const vec tiny = v_set(0x1p-960);
-    vec q[FILM_GROUP], CC[FILM_GROUP], D[FILM_GROUP];
-    for (size_t j = 0; j < n; j++) {
-        q[j] = v_fnma(g->y[j], g->y[j], v_fnma(g->x[j], g->x[j], v_set(1.0)));
-        CC[j] = v_fma(g->A[j], g->A[j], v_mul(g->B[j], g->B[j]));
-        g->P[j] = v_fms(g->x[j], g->B[j], v_mul(g->y[j], g->A[j]));
-        D[j] = v_fma(q[j], CC[j], v_fma(g->P[j], g->P[j], tiny));
-    }
-    for (size_t j = 0; j < n; j++) g->C[j] = v_sqrt(CC[j]);
-    for (size_t j = 0; j < n; j++) g->over_root[j] = v_inverse_root(q[j]);
-    for (size_t j = 0; j < n; j++)
-        g->angle[j] = v_arctan_quotient(g->P[j], v_fma(g->C[j], v_mul(q[j], g->over_root[j]), tiny));
-    for (size_t j = 0; j < n; j++) g->over_D[j] = v_reciprocal(D[j]);
+static inline void film_place(film_work *w, size_t at, vec x, vec y, vec A, vec B) {
+    const vec q = v_fnma(y, y, v_fnma(x, x, v_set(1.0)));
+    const vec CC = v_fma(A, A, v_fma(B, B, v_set(0x1p-600))), WW = v_mul(q, CC);
+    const vec P = v_fms(x, B, v_mul(y, A));
+    w->x[at] = x;
+    w->y[at] = y;
+    w->A[at] = A;
+    w->B[at] = B;
+    w->q[at] = q;
+    w->P[at] = P;
+    w->D[at] = v_fma(P, P, WW);
+    w->W[at] = v_sqrt(WW);
 }
 
-/// Adds `strength` times the force to (fx, fy).
-static inline void film_add(const film_group *g, size_t j, vec strength, vec *fx, vec *fy) {
-    const vec x = g->x[j], y = g->y[j], A = g->A[j], B = g->B[j], P = g->P[j], C = g->C[j];
-    const vec over_q = v_mul(g->over_root[j], g->over_root[j]);
-    const vec U = v_fma(x, A, v_mul(y, B));
-    const vec G = v_mul(v_fma(v_set(2.0), g->angle[j], v_set(3.14159265358979323846)), g->over_root[j]);
-    const vec S2 = v_mul(v_mul(v_set(-2.0), U), v_mul(C, g->over_D[j]));
-    const vec CV3 = v_mul(v_set(3.0), v_mul(v_fma(P, G, v_add(C, C)), over_q));
-    const vec scale = v_mul(strength, over_q);
-    *fx = v_fnma(scale, v_fma(x, CV3, v_fma(B, G, v_mul(A, S2))), *fx);
-    *fy = v_fnma(scale, v_fma(y, CV3, v_fnma(A, G, v_mul(B, S2))), *fy);
+static inline void film_begin(const element *film, size_t stride, const vec *number, const vec *q, const vec *v,
+                              film_work *w, size_t at) {
+    const size_t i = 2 * film->station[0] * stride, j = i + stride;
+    const vec scale = number[FILM_TO_CLEARANCES * stride], twice = number[FILM_TWICE_TO_CLEARANCES * stride];
+    const vec x = v_mul(scale, q[i]), y = v_mul(scale, q[j]);
+    film_place(w, at, x, y, v_fnma(twice, v[j], x), v_fma(twice, v[i], y));
 }
 
-static inline void film_place(film_group *g, size_t j, vec x, vec y, vec vx, vec vy) {
-    g->x[j] = x;
-    g->y[j] = y;
-    g->A[j] = v_fnma(v_set(2.0), vy, x);
-    g->B[j] = v_fma(v_set(2.0), vx, y);
+/// One division serves both the angle and 1/D.
+static inline void film_divide(film_work *w, size_t at) {
+    w->fold[at] = v_arctan_fold(w->P[at], w->W[at]);
+    w->over[at] = v_div(v_set(1.0), v_mul(w->fold[at].denominator, w->D[at]));
+    w->over_root[at] = v_inverse_root(w->q[at]);
 }
 
-/// Loads n <= FILM_GROUP vectors and finds their angles.
-static inline void film_load(const element *film, size_t n, size_t stride, const vec *number, const vec *q,
-                             const vec *v, film_group *g) {
-    const size_t x = 2 * film->station[0] * stride, y = x + stride;
-    for (size_t j = 0; j < n; j++) {
-        const vec scale = number[FILM_TO_CLEARANCES * stride + j];
-        film_place(g, j, v_mul(scale, q[x + j]), v_mul(scale, q[y + j]), v_mul(scale, v[x + j]),
-                   v_mul(scale, v[y + j]));
-    }
-    film_angles(n, g);
+/// What the force is made of.
+typedef struct film_state {
+    vec x, y, A, B, P, W, angle;
+    vec over_root, over_D; ///< 1/sqrt q, 1/D
+} film_state;
+
+static inline film_state film_end(const film_work *w, size_t at) {
+    const arctan_fold *fold = &w->fold[at];
+    const vec P = w->P[at], quotient = v_mul(fold->numerator, v_mul(w->D[at], w->over[at]));
+    const vec angle = v_add(v_set(1.57079632679489661923), v_arctan_unfold(quotient, fold->centre, P));
+    return (film_state){w->x[at],
+                        w->y[at],
+                        w->A[at],
+                        w->B[at],
+                        P,
+                        w->W[at],
+                        angle,
+                        w->over_root[at],
+                        v_mul(fold->denominator, w->over[at])};
 }
 
-/// The film of n <= FILM_GROUP vectors.
-static inline void film_kernel(const element *film, size_t n, size_t stride, const vec *number, const vec *q,
-                               const vec *v, vec *a) {
-    const size_t x = 2 * film->station[0] * stride, y = x + stride;
-    film_group g;
-    film_load(film, n, stride, number, q, v, &g);
-    for (size_t j = 0; j < n; j++) film_add(&g, j, number[FILM_STRENGTH * stride + j], &a[x + j], &a[y + j]);
+/// Adds half of `twice_strength` times the force to (fx, fy).
+static inline void film_add(const film_state *f, vec twice_strength, vec *fx, vec *fy) {
+    const vec over_q = v_mul(f->over_root, f->over_root);
+    const vec scale = v_mul(v_mul(twice_strength, over_q), f->over_root);
+    const vec U = v_fma(f->x, f->A, v_mul(f->y, f->B));
+    const vec E = v_mul(v_mul(U, f->W), f->over_D);
+    const vec M = v_mul(v_mul(v_set(3.0), over_q), v_fma(f->P, f->angle, f->W));
+    *fx = v_fnma(scale, v_fma(f->x, M, v_fms(f->B, f->angle, v_mul(f->A, E))), *fx);
+    *fy = v_fnma(scale, v_fms(f->y, M, v_fma(f->A, f->angle, v_mul(f->B, E))), *fy);
 }
 
 #endif

@@ -20,16 +20,16 @@ typedef struct film_slopes {
     vec x, y, A, B, P, U, G, S, T, E, K, over_q;
 } film_slopes;
 
-static inline film_slopes film_slope(const film_group *g, size_t j) {
-    film_slopes s = {.x = g->x[j], .y = g->y[j], .A = g->A[j], .B = g->B[j], .P = g->P[j]};
-    const vec C = g->C[j], twice = v_add(C, C);
-    s.over_q = v_mul(g->over_root[j], g->over_root[j]);
+static inline film_slopes film_slope(const film_state *f) {
+    film_slopes s = {.x = f->x, .y = f->y, .A = f->A, .B = f->B, .P = f->P};
+    const vec twice_root = v_add(f->over_root, f->over_root), twice = v_mul(f->W, twice_root); // 2C
+    s.over_q = v_mul(f->over_root, f->over_root);
     s.U = v_fma(s.x, s.A, v_mul(s.y, s.B));
-    s.G = v_mul(v_fma(v_set(2.0), g->angle[j], v_set(3.14159265358979323846)), g->over_root[j]);
-    s.E = v_mul(twice, g->over_D[j]);
+    s.G = v_mul(f->angle, twice_root);
+    s.E = v_mul(twice, f->over_D);
     s.S = v_sub(v_set(0.0), v_mul(s.E, s.U));
     s.T = v_mul(v_set(3.0), v_mul(v_fma(s.P, s.G, twice), s.over_q));
-    s.K = v_mul(s.E, v_fma(v_mul(v_set(2.0), s.U), v_mul(s.U, g->over_D[j]), v_set(1.0)));
+    s.K = v_mul(s.E, v_fma(v_mul(v_set(2.0), s.U), v_mul(s.U, f->over_D), v_set(1.0)));
     return s;
 }
 
@@ -61,14 +61,14 @@ static inline void film_slope_angle(const film_slopes *s, vec *X, vec *Y) {
     *Y = v_fma(s->y, T, v_fma(s->B, s->G, v_fnma(s->A, G, v_fma(s->A, s->S, v_mul(s->B, S)))));
 }
 
-/// The derivatives of `strength` times the force by x, y, x', y', all times `scale`. At rest in the centre, where the force
+/// The derivatives of half of `twice_strength` times the force by x, y, x', y', all times `scale`. At rest in the centre, where the force
 /// has a corner, those by the velocities are zero.
-static inline void film_tangent(const film_group *g, size_t j, vec strength, vec scale, tangent_block *block) {
-    const film_slopes s = film_slope(g, j);
-    const vec zero = v_set(0.0), two = v_set(2.0), C = g->C[j];
+static inline void film_tangent(const film_state *f, vec twice_strength, vec scale, tangent_block *block) {
+    const film_slopes s = film_slope(f);
+    const vec zero = v_set(0.0), two = v_set(2.0), C = v_mul(f->W, f->over_root);
     const vec over_C = v_select(v_less(zero, C), v_div(v_set(1.0), v_max(C, v_set(0x1p-1022))), zero);
     const vec c = v_mul(s.A, over_C), d = v_mul(s.B, over_C); // cos beta, sin beta
-    const vec factor = v_sub(zero, v_mul(v_mul(strength, scale), s.over_q));
+    const vec factor = v_mul(v_set(-0.5), v_mul(v_mul(twice_strength, scale), s.over_q));
     const vec X = v_fma(s.x, s.T, v_fma(s.B, s.G, v_mul(s.A, s.S)));
     const vec Y = v_fma(s.y, s.T, v_fnma(s.A, s.G, v_mul(s.B, s.S)));
     vec by_x[2], by_y[2], by_angle[2];

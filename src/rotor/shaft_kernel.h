@@ -30,12 +30,17 @@ static inline void shaft_kernel(const element *shaft, vec c, vec s, size_t strid
     const vec turn_x = v_fma(c, dx, v_mul(s, dy));
     const vec turn_y = v_fma(c_y, dy, v_mul(s, dx));
     const vec mean = number[SHAFT_MEAN_A * stride], half = number[SHAFT_HALF_A * stride];
-    a[one] = v_fnma(mean, dx, v_fnma(half, turn_x, a[one]));
-    a[one + stride] = v_fnma(mean, dy, v_fnma(half, turn_y, a[one + stride]));
-    if (grounded) return;
-    const vec mean_b = number[SHAFT_MEAN_B * stride], half_b = number[SHAFT_HALF_B * stride];
-    a[other] = v_fma(mean_b, dx, v_fma(half_b, turn_x, a[other]));
-    a[other + stride] = v_fma(mean_b, dy, v_fma(half_b, turn_y, a[other + stride]));
+    const vec ax = v_fnma(mean, dx, v_fnma(half, turn_x, a[one]));
+    const vec ay = v_fnma(mean, dy, v_fnma(half, turn_y, a[one + stride]));
+    if (!grounded) {
+        const vec mean_b = number[SHAFT_MEAN_B * stride], half_b = number[SHAFT_HALF_B * stride];
+        const vec bx = v_fma(mean_b, dx, v_fma(half_b, turn_x, a[other]));
+        const vec by = v_fma(mean_b, dy, v_fma(half_b, turn_y, a[other + stride]));
+        a[other] = bx;
+        a[other + stride] = by;
+    }
+    a[one] = ax;
+    a[one + stride] = ay;
 }
 
 #endif

@@ -13,8 +13,9 @@ static inline void station_kernel(vec c, vec s, size_t stride, const vec *number
     const vec in_phase = number[STATION_UNBALANCE_COS * stride], ahead = number[STATION_UNBALANCE_SIN * stride];
     const vec free_x = v_fnma(damping, v[0], number[STATION_PULL_X * stride]);
     const vec free_y = v_fnma(damping, v[stride], number[STATION_PULL_Y * stride]);
-    a[0] = v_fma(in_phase, c, v_fnma(ahead, s, free_x));
-    a[stride] = v_fma(in_phase, s, v_fma(ahead, c, free_y));
+    const vec ax = v_fma(in_phase, c, v_fnma(ahead, s, free_x)), ay = v_fma(in_phase, s, v_fma(ahead, c, free_y));
+    a[0] = ax;
+    a[stride] = ay;
 }
 
 /// The same for a disturbance: only damping feels it.
