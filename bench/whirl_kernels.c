@@ -36,27 +36,35 @@ typedef struct crowd {
     whirl_ensemble *ensemble;
     size_t lanes, stations, sample_count;
     whirl_ensemble_watch watch;
+    double *samples;  ///< [SAMPLES][stations][2][lanes] of a revolution
     double *waveform; ///< [lanes][stations][2][SAMPLES], as records have them
 } crowd;
+
+static void crowd_sample(void *context) {
+    crowd *c = context;
+    double *to = c->samples + c->sample_count++ * 2 * c->stations * c->lanes;
+    for (size_t i = 0; i < 2 * c->stations; i++, to += c->lanes)
+        memcpy(to, whirl_ensemble_coordinate(c->ensemble, i), c->lanes * sizeof *to);
+}
+
+/// The samples of a revolution go to the waveform of every machine, as the command's recorder does it.
+static void crowd_keep(crowd *c) {
+    const size_t rows = 2 * c->stations;
+    for (size_t lane = 0; lane < c->lanes; lane++)
+        for (size_t row = 0; row < rows; row++)
+            for (size_t n = 0; n < c->sample_count; n++)
+                c->waveform[(lane * rows + row) * SAMPLES + n] = c->samples[(n * rows + row) * c->lanes + lane];
+}
 
 static void crowd_revolve(void *context) {
     crowd *c = context;
     c->sample_count = 0;
     whirl_ensemble_revolve(c->ensemble, c->lanes, c->watch.extremes ? &c->watch : NULL);
+    if (c->watch.extremes) crowd_keep(c);
 }
 
 static double crowd_x1(void *context) {
     return whirl_ensemble_coordinate(((crowd *)context)->ensemble, 0)[0];
-}
-
-static void crowd_sample(void *context) {
-    crowd *c = context;
-    const size_t n = c->sample_count++;
-    for (size_t i = 0; i < 2 * c->stations; i++) {
-        const double *row = whirl_ensemble_coordinate(c->ensemble, i);
-        for (size_t lane = 0; lane < c->lanes; lane++)
-            c->waveform[(lane * 2 * c->stations + i) * SAMPLES + n] = row[lane];
-    }
 }
 
 static void *room(size_t count, size_t size) {
@@ -98,6 +106,7 @@ static crowd *crowd_new(size_t stations, bool watched) {
     c->lanes = whirl_ensemble_lanes(c->ensemble);
     c->stations = stations;
     c->rotors = room(c->lanes, sizeof *c->rotors);
+    c->samples = room(SAMPLES * c->lanes * stations * 2, sizeof *c->samples);
     c->waveform = room(SAMPLES * c->lanes * stations * 2, sizeof *c->waveform);
     c->watch = (whirl_ensemble_watch){watched, ROTOR_STEPS / SAMPLES, crowd_sample, c};
     double *start = start_of(stations);
@@ -113,6 +122,7 @@ static void crowd_free(crowd *c) {
     whirl_ensemble_free(c->ensemble);
     for (size_t lane = 0; lane < c->lanes; lane++) whirl_rotor_free(c->rotors[lane]);
     free(c->rotors);
+    free(c->samples);
     free(c->waveform);
     free(c);
 }

@@ -40,6 +40,9 @@ struct lanes_recorder {
     motion **motions;        ///< [lane_count], those that wait included
     bool exhausted;          ///< the source had none when it was last asked
     whirl_ensemble_watch watch;
+    const whirl_probe *probes;
+    size_t probe_count, sample_count;
+    double *samples; ///< [of a revolution][probes][2][lane_count]
 };
 
 static bool follows(const lanes_recorder *r, const motion *m) {
@@ -181,28 +184,25 @@ static whirl_status prepare_all(lanes_recorder *r) {
     return status;
 }
 
-static bool samples(const lanes_recorder *r, const motion *m) {
-    return !waits(m) && records(r, m);
+/// One sample of the waveforms, of all lanes: rows of the ensemble as they are, told apart after the revolution.
+static void sample(void *context) {
+    lanes_recorder *r = context;
+    double *to = r->samples + r->sample_count++ * 2 * r->probe_count * r->lane_count;
+    for (size_t k = 0; k < r->probe_count; k++, to += 2 * r->lane_count) {
+        memcpy(to, whirl_ensemble_coordinate(r->ensemble, r->probes[k].x), r->used * sizeof *to);
+        memcpy(to + r->lane_count, whirl_ensemble_coordinate(r->ensemble, r->probes[k].y), r->used * sizeof *to);
+    }
 }
 
-/// One sample of the waveforms of all motions that are recorded; all have the same probes.
-static void sample(void *context) {
-    const lanes_recorder *r = context;
-    const whirl_record *any = r->motions[0]->record;
-    const size_t capacity = any->record_count * any->samples_per_revolution;
-    for (size_t k = 0; k < any->probe_count; k++) {
-        const double *x = whirl_ensemble_coordinate(r->ensemble, any->probes[k].x);
-        const double *y = whirl_ensemble_coordinate(r->ensemble, any->probes[k].y);
-        for (size_t i = 0; i < r->count; i++) {
-            const motion *m = r->motions[i];
-            if (!samples(r, m)) continue;
-            double *waveform = m->record->waveform + 2 * k * capacity + m->record->sample_count;
-            waveform[0] = x[m->lane];
-            waveform[capacity] = y[m->lane];
-        }
+/// The samples of a revolution of one motion go to its record.
+static void keep_samples(const lanes_recorder *r, const motion *m) {
+    whirl_record *record = m->record;
+    const size_t rows = 2 * r->probe_count, capacity = record->record_count * record->samples_per_revolution;
+    for (size_t row = 0; row < rows; row++) {
+        double *to = record->waveform + row * capacity + record->sample_count;
+        for (size_t n = 0; n < r->sample_count; n++) to[n] = r->samples[(n * rows + row) * r->lane_count + m->lane];
     }
-    for (size_t i = 0; i < r->count; i++)
-        if (samples(r, r->motions[i])) r->motions[i]->record->sample_count++;
+    record->sample_count += r->sample_count;
 }
 
 static void follow_twin(lanes_recorder *r, motion *m) {
@@ -217,6 +217,7 @@ static void note(lanes_recorder *r, motion *m) {
     whirl_record *record = m->record;
     whirl_ensemble_state(r->ensemble, m->lane, m->x);
     record->motion = whirl_ensemble_motion(r->ensemble, m->lane);
+    if (records(r, m)) keep_samples(r, m);
     m->revolution++;
     record->revolutions += 1.0;
     if (record->motion != WHIRL_BOUNDED) {
@@ -276,6 +277,7 @@ whirl_status lanes_recorder_revolve(lanes_recorder *r, size_t *turned) {
     whirl_status status = fill(r);
     if (status.code == WHIRL_OK) status = prepare_all(r);
     if (status.code != WHIRL_OK || r->count == 0) return status;
+    r->sample_count = 0;
     whirl_ensemble_revolve(r->ensemble, r->used, r->watch.extremes ? &r->watch : NULL);
     for (size_t i = 0; i < r->count; i++) {
         if (waits(r->motions[i])) continue;
@@ -291,11 +293,16 @@ static whirl_status start(lanes_recorder *r, const whirl_system *system, size_t 
     r->lane_count = whirl_ensemble_lanes(r->ensemble);
     r->owner = calloc(r->lane_count, sizeof(motion *));
     r->motions = calloc(r->lane_count, sizeof(motion *));
-    if (!r->owner || !r->motions) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu lanes", r->lane_count);
+    r->probes = system->probes;
+    r->probe_count = system->probe_count;
     r->watch = (whirl_ensemble_watch){.sample = sample, .context = r};
     if (r->options->waveform)
         r->watch.stride = (size_t)(r->integrate->steps_per_revolution /
                                    whirl_record_samples(r->options, r->integrate->steps_per_revolution));
+    const size_t samples = r->watch.stride > 0 ? (size_t)r->integrate->steps_per_revolution / r->watch.stride : 0;
+    r->samples = calloc(samples * 2 * r->probe_count * r->lane_count + 1, sizeof *r->samples);
+    if (!r->owner || !r->motions || !r->samples)
+        return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu lanes", r->lane_count);
     return whirl_ok();
 }
 
@@ -307,6 +314,7 @@ void lanes_recorder_free(lanes_recorder *r) {
     }
     free(r->motions);
     free(r->owner);
+    free(r->samples);
     whirl_ensemble_free(r->ensemble);
     free(r);
 }
