@@ -120,10 +120,14 @@ static bool attach_adaptive(whirl_ensemble *e, const whirl_integrate_options *op
     return e->adaptive != NULL;
 }
 
-/// Vectors that hide each other's latency and still fit into the first cache (measured: 8 for two stations, 4 for ten, 2
-/// for fifty).
-static size_t fast_vectors(size_t degrees) {
-    return degrees <= 8 ? 8 : degrees <= 40 ? 4 : 2;
+/// Vectors that hide each other's latency, at most 8, and whose numbers and stages still fit into the first cache: 8 of 512
+/// bits for two stations, 2 for ten, 1 for fifty (measured; of 256 bits 8, 4 and 1).
+static size_t fast_vectors(const whirl_system *system, const isa *set) {
+    const size_t first_cache = 40 * 1024;
+    const size_t bytes = (system->lanes->number_count + 8 * system->lanes->degrees) * set->lanes * sizeof(double);
+    size_t vectors = 8;
+    while (vectors > 1 && vectors * bytes > first_cache) vectors /= 2;
+    return vectors;
 }
 
 whirl_status whirl_ensemble_new(const whirl_system *system, const whirl_integrate_options *options, size_t lanes,
@@ -140,7 +144,7 @@ whirl_status whirl_ensemble_new(const whirl_system *system, const whirl_integrat
     if (status.code == WHIRL_OK) {
         e->system = system;
         e->limit = options->limit;
-        if (lanes == 0) lanes = fast_vectors(system->lanes->degrees) * e->isa->lanes;
+        if (lanes == 0) lanes = fast_vectors(system, e->isa) * e->isa->lanes;
         e->lanes.stride = (lanes + e->isa->lanes - 1) / e->isa->lanes;
         e->lane_count = e->lanes.stride * e->isa->lanes;
         fill_lanes(e, options);
