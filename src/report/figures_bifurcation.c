@@ -1,5 +1,5 @@
 // Bifurcation diagrams: the Poincare section of a station against the swept parameter, coloured by regime, above the
-// largest Lyapunov exponent, the largest radius and the time in contact on the same axis.
+// verdict and its confidence, the largest Lyapunov exponent, the largest radius and the time in contact on the same axis.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -21,8 +21,9 @@ typedef struct diagram {
     const whirl_result *result;
     const whirl_table *table;
     size_t station;
+    const char *data; ///< file of the section
     span parameter, x, y, exponent, radius;
-    bool rub, present[CLASS_COUNT], both;
+    bool rub, confidence, present[CLASS_COUNT], both;
     char label[LABEL_SIZE], length[LABEL_SIZE];
     double share; ///< largest share of the time in contact, with a margin
     double gap;   ///< radius at which the station touches a stator, 0 where none is near
@@ -83,6 +84,7 @@ static void survey(diagram *of) {
     of->radius = span_with_margin(radius, 0.08, 1e-6);
     of->exponent = exponent_span(table);
     of->rub = has_rub(table, of->result->contact_count);
+    of->confidence = whirl_layout_field(&table->layout, "regime/confidence") != NULL;
     parameter_label(of->result, table->parameter, of->label, sizeof of->label);
     length_symbol(of->result, of->length, sizeof of->length);
 }
@@ -151,12 +153,24 @@ static whirl_status write_section_data(const drawing *to, const diagram *of, con
     return memory ? status : whirl_fail(WHIRL_NO_MEMORY, "no memory for the dots of a bifurcation diagram");
 }
 
-/// One line a point, one block a branch.
+static void write_sweep_line(FILE *data, const diagram *of, size_t point) {
+    const whirl_verdict verdict = whirl_table_verdict(of->table, point);
+    const whirl_estimate exponent = point_exponent(of->table, point);
+    fprintf(data, "%.10g %d %d %.6g %.3g %.6g", of->table->values[point], (int)regime_class_of(&verdict),
+            (int)verdict.confidence, exponent.value, exponent.error,
+            rub_share(of->table, point, of->result->contact_count));
+    for (size_t s = 0; s < of->result->station_count; s++) fprintf(data, " %.7g", max_radius(of->table, point, s));
+    fputc('\n', data);
+}
+
+/// One line a point, one block a branch; an empty line where points were not computed.
 static whirl_status write_sweep_data(const drawing *to, const diagram *of) {
     report_file file;
     const whirl_status status = report_file_open(&file, to->folder, "sweep.dat");
     if (status.code != WHIRL_OK) return status;
-    fprintf(file.stream, "# parameter (SI)  class  exponent (1/revolution)  its error  rub share");
+    fprintf(file.stream,
+            "# parameter (SI)  class  confidence (0 low, 1 fair, 2 high)  exponent (1/revolution)  its error  "
+            "rub share");
     for (size_t s = 0; s < of->result->station_count; s++)
         fprintf(file.stream, "  largest radius of station %zu (%.10g m)", s + 1, of->result->length_scale);
     fprintf(file.stream, "\n# classes:");
@@ -164,15 +178,13 @@ static whirl_status write_sweep_data(const drawing *to, const diagram *of) {
         fprintf(file.stream, " %d %s;", kind, regime_class_name((regime_class)kind));
     fputc('\n', file.stream);
     for (int branch = 1; branch >= (of->both ? -1 : 1); branch -= 2) {
+        bool gap = false;
         for (size_t i = 0; i < of->table->count; i++) {
-            if ((of->table->branch[i] < 0 ? -1 : 1) != branch || !whirl_table_done(of->table, i)) continue;
-            const whirl_verdict verdict = whirl_table_verdict(of->table, i);
-            const whirl_estimate exponent = point_exponent(of->table, i);
-            fprintf(file.stream, "%.10g %d %.6g %.3g %.6g", of->table->values[i], (int)regime_class_of(&verdict),
-                    exponent.value, exponent.error, rub_share(of->table, i, of->result->contact_count));
-            for (size_t s = 0; s < of->result->station_count; s++)
-                fprintf(file.stream, " %.7g", max_radius(of->table, i, s));
-            fputc('\n', file.stream);
+            if ((of->table->branch[i] < 0 ? -1 : 1) != branch) continue;
+            const bool done = whirl_table_done(of->table, i);
+            if (done) write_sweep_line(file.stream, of, i);
+            if (!done && !gap) fputc('\n', file.stream);
+            gap = !done;
         }
         fputs("\n\n", file.stream);
     }
@@ -207,22 +219,54 @@ static void write_rub_bands(FILE *script, const diagram *of) {
     }
 }
 
-/// A ribbon above the first panel that shows the regime of every point, one strip a branch.
-static void write_ribbon(FILE *script, const diagram *of) {
+/// The regime of every point as a strip, the branch from the first value on above that from the last.
+static void write_regime_panel(FILE *script, const diagram *of) {
     const size_t most = of->table->count;
     regime_interval *intervals = malloc((most + 1) * sizeof *intervals);
     const size_t count = intervals ? regime_intervals(of->table, of->result->contact_count, intervals, most) : 0;
     for (size_t i = 0; i < count; i++) {
         double low, high;
         band_limits(of, intervals[i].first, intervals[i].last, &low, &high);
-        const double bottom = intervals[i].branch < 0 ? 1.055 : 1.02;
+        const double bottom = of->both && intervals[i].branch >= 0 ? 0.5 : 0.0;
         fprintf(script,
-                "set object %zu rectangle from %.8g, graph %.3f to %.8g, graph %.3f front noclip "
-                "fillcolor rgb '%s' fillstyle solid noborder\n",
-                1000 + i, low, bottom, high, bottom + 0.03, regime_class_colour(intervals[i].kind));
+                "set object %zu rectangle from %.8g, graph %.3f to %.8g, graph %.3f front fillcolor rgb '%s' "
+                "fillstyle solid noborder\n",
+                1000 + i, low, bottom, high, bottom + (of->both ? 0.5 : 1.0), regime_class_colour(intervals[i].kind));
     }
-    if (count > 0) fprintf(script, "ribbon = %zu\n", 1000 + count);
+    if (of->both)
+        fprintf(script,
+                "set object %zu rectangle from graph 0, graph 0.49 to graph 1, graph 0.51 front fillcolor rgb "
+                "'white' fillstyle solid noborder\n",
+                1000 + count);
+    fputs("set label 2 'regime' at screen 0.006, graph 0.5 left font ',6.5'\n"
+          "unset ytics\nunset key\nset yrange [0:1]\nplot NaN notitle\n"
+          "set ytics nomirror\n",
+          script);
+    fprintf(script, "do for [i = 1000:%zu] { unset object i }\n", 1000 + count);
     free(intervals);
+}
+
+/// Bars that are pale and long where a verdict is trusted, short and coloured where it is in doubt; the branch from the
+/// last value on as lines.
+static void write_confidence_panel(FILE *script, const diagram *of) {
+    fprintf(script,
+            "set label 2 'confidence' at screen 0.006, graph 0.6 left font ',6.5'\n"
+            "set yrange [0:3.4]\nset ytics ('low' 1, '' 2, 'high' 3) font ',6'\n"
+            "set boxwidth %.8g absolute\nset style fill solid 1 noborder\nunset key\n"
+            "plot 'sweep.dat' index 0 using 1:($3+1):(trust_colour($3)) with boxes linecolor rgb variable notitle",
+            2.1 * of->edge);
+    if (of->both)
+        fprintf(script,
+                ", \\\n  'sweep.dat' index 1 using ($1-%.8g):($3+1):(%.8g):(0) with vectors nohead linewidth 1.2 "
+                "linecolor rgb '#303030' notitle",
+                of->edge, 2.0 * of->edge);
+    fputs("\nset ytics font ',7'\n", script);
+}
+
+static int key_entries(const diagram *of) {
+    int count = of->rub + (of->both ? 2 : 0);
+    for (int kind = 0; kind < CLASS_COUNT; kind++) count += of->present[kind];
+    return count;
 }
 
 static void write_key(FILE *script, const diagram *of) {
@@ -259,7 +303,7 @@ static bool is_periodic(int kind) {
 }
 
 /// The dots of coordinate `column` of the section.
-static void write_section_panel(FILE *script, const diagram *of, const char *data, char coordinate, int column) {
+static void write_section_panel(FILE *script, const diagram *of, char coordinate, int column) {
     const span range = column == 2 ? of->x : of->y;
     write_range(script, range, 7);
     char label[64];
@@ -277,7 +321,7 @@ static void write_section_panel(FILE *script, const diagram *of, const char *dat
             fprintf(script,
                     "%s'%s' index %d using 1:%d with points pointtype %d pointsize %s linewidth 0.3 linecolor rgb '%s' "
                     "notitle",
-                    index ? ", \\\n  " : "", data, index, column, branch > 0 ? 7 : 2,
+                    index ? ", \\\n  " : "", of->data, index, column, branch > 0 ? 7 : 2,
                     branch < 0          ? "2.5*dot_size"
                     : is_periodic(kind) ? "2*dot_size"
                                         : "dot_size",
@@ -291,11 +335,11 @@ static void write_exponent_panel(FILE *script, const diagram *of) {
     write_range(script, of->exponent, 6);
     write_axis_label(script, "\"largest exponent\\n(1/revolution)\"");
     fputs("plot 0 linestyle 9 notitle, \\\n"
-          "  'sweep.dat' using 1:($3-$4):(0):(2*$4) with vectors nohead linewidth 0.5 linecolor rgb '#9A9A9A' notitle",
+          "  'sweep.dat' using 1:($4-$5):(0):(2*$5) with vectors nohead linewidth 0.5 linecolor rgb '#9A9A9A' notitle",
           script);
     for (int branch = 0; branch < (of->both ? 2 : 1); branch++)
         fprintf(script,
-                ", \\\n  'sweep.dat' index %d using 1:3:(colour($2)) with points pointtype %d pointsize %s linewidth "
+                ", \\\n  'sweep.dat' index %d using 1:4:(colour($2)) with points pointtype %d pointsize %s linewidth "
                 "0.3 linecolor rgb variable notitle",
                 branch, branch ? 2 : 7, branch ? "3*dot_size" : "2*dot_size");
     fputc('\n', script);
@@ -349,7 +393,7 @@ static void write_radius_panel(FILE *script, const diagram *of) {
         write_gap(script, of, scale * of->gap);
     else
         fputs("plot ", script);
-    write_line_panel(script, of, 6 + of->station, factor, "with lines linestyle 1");
+    write_line_panel(script, of, 7 + of->station, factor, "with lines linestyle 1");
     fputs("unset label 3\n", script);
 }
 
@@ -357,35 +401,62 @@ static void write_rub_panel(FILE *script, const diagram *of) {
     write_axis_label(script, "\"time in\\ncontact (%)\"");
     write_range(script, (span){0.0, 100.0 * of->share}, 5);
     fputs("plot ", script);
-    write_line_panel(script, of, 5, "100", "with lines linestyle 1");
+    write_line_panel(script, of, 6, "100", "with lines linestyle 1");
 }
 
 static void write_colour_function(FILE *script) {
     fputs("colours = '", script);
     for (int kind = 0; kind < CLASS_COUNT; kind++)
         fprintf(script, "%s0x%s", kind ? " " : "", regime_class_colour((regime_class)kind) + 1);
-    fputs("'\ncolour(class) = int(word(colours, int(class) + 1))\n", script);
+    fputs("'\ncolour(class) = int(word(colours, int(class) + 1))\n"
+          "trust_colour(level) = int(word('0xD55E00 0xA8A8A8 0xDCDCDC', int(level) + 1))\n",
+          script);
 }
 
-/// Heights of the panels from the top, in parts.
-static void write_panels(FILE *script, const diagram *of, const char *data) {
-    static const double parts[] = {3.0, 3.0, 1.9, 1.3, 1.1};
-    const int count = of->rub ? 5 : 4;
-    const double bottom = 0.058, top = of->both ? 0.898 : 0.922, gap = 0.014;
+typedef void (*panel_writer)(FILE *script, const diagram *of);
+
+static void write_x_panel(FILE *script, const diagram *of) {
+    write_section_panel(script, of, 'x', 2);
+}
+
+static void write_y_panel(FILE *script, const diagram *of) {
+    write_section_panel(script, of, 'y', 3);
+}
+
+/// The panels from the top, with their heights in parts.
+static void write_panels(FILE *script, const diagram *of) {
+    const struct {
+        panel_writer write;
+        double part;
+        bool there;
+    } all[] = {
+        {write_x_panel, 3.0, true},
+        {write_y_panel, 3.0, true},
+        {write_regime_panel, of->both ? 0.44 : 0.3, true},
+        {write_confidence_panel, 0.62, of->confidence},
+        {write_exponent_panel, 1.9, true},
+        {write_radius_panel, 1.3, true},
+        {write_rub_panel, 1.1, of->rub},
+    };
+    enum { PANELS = sizeof all / sizeof *all };
+    const double bottom = 0.055, top = key_entries(of) > 6 ? 0.917 : 0.933, gap = 0.012;
     double sum = 0.0;
-    for (int i = 0; i < count; i++) sum += parts[i];
+    int count = 0, last = 0;
+    for (int i = 0; i < PANELS; i++) {
+        if (!all[i].there) continue;
+        sum += all[i].part;
+        last = i;
+        count++;
+    }
     const double unit = (top - bottom - gap * (count - 1)) / sum;
     double high = top;
-    for (int i = 0; i < count; i++) {
-        const double low = high - parts[i] * unit;
+    for (int i = 0; i < PANELS; i++) {
+        if (!all[i].there) continue;
+        const double low = high - all[i].part * unit;
         script_panel(script, 0.122, 0.985, low, high);
-        if (i == count - 1) fputs("set format x '%g'\nset xlabel parameter_label\n", script);
-        if (i == 0) write_section_panel(script, of, data, 'x', 2);
-        if (i == 0) fputs("do for [i = 1000:ribbon - 1] { unset object i }\nunset label\n", script);
-        if (i == 1) write_section_panel(script, of, data, 'y', 3);
-        if (i == 2) write_exponent_panel(script, of);
-        if (i == 3) write_radius_panel(script, of);
-        if (i == 4) write_rub_panel(script, of);
+        if (i == last) fputs("set format x '%g'\nset xlabel parameter_label\n", script);
+        all[i].write(script, of);
+        fputs("unset label\n", script);
         high = low - gap;
     }
 }
@@ -397,12 +468,12 @@ static whirl_status write_script(const drawing *to, const diagram *of, const fig
     const whirl_status status = report_file_open(&file, to->folder, name);
     if (status.code != WHIRL_OK) return status;
     FILE *script = file.stream;
-    script_begin(script, what, what->title, of->rub ? 23.0 : 21.0);
+    script_begin(script, what, what->title, (of->rub ? 23.5 : 21.5) + (of->confidence ? 1.3 : 0.0));
     fputs("parameter_label = ", script);
     gnuplot_string(script, of->label);
     fputs("\nlength_symbol = ", script);
     gnuplot_string(script, of->length);
-    fputs("\ndot_size = 0.1\nribbon = 1000\n", script);
+    fputs("\ndot_size = 0.1\n", script);
     write_colour_function(script);
     fprintf(script, "set xrange [%.10g:%.10g]\n", of->parameter.low, of->parameter.high);
     script_loop(script);
@@ -410,8 +481,7 @@ static whirl_status write_script(const drawing *to, const diagram *of, const fig
           "set label 1 title_text at screen 0.545, screen 0.982 center font ',9'\n",
           script);
     write_rub_bands(script, of);
-    write_ribbon(script, of);
-    write_panels(script, of, what->data[0]);
+    write_panels(script, of);
     fputs("unset object\n", script);
     script_end(script);
     return report_file_close(&file);
@@ -428,14 +498,17 @@ static whirl_status draw_station(const drawing *to, diagram *of) {
     snprintf(what->data[1], sizeof what->data[1], "sweep.dat");
     snprintf(what->title, sizeof what->title, "Bifurcation diagram of %s over %s", station, of->table->parameter);
     snprintf(what->caption, sizeof what->caption,
-             "Poincare section of %s (one dot a revolution) over %s, coloured by regime; the ribbon on top repeats the "
-             "regime%s.%s Below: largest Lyapunov exponent with its standard error, %s%s%s%s.",
-             station, of->table->parameter,
-             of->both ? " (lower strip: followed from the first value on; upper strip: from the last)" : "",
-             of->rub ? " Shaded: the rotor rubs." : "",
+             "Poincare section of %s (one dot a revolution) over %s, coloured by regime.%s Below: the regime%s%s, the "
+             "largest Lyapunov exponent with its standard error, %s%s%s%s.",
+             station, of->table->parameter, of->rub ? " Shaded: the rotor rubs." : "",
+             of->both ? " (upper strip: followed from the first value on; lower strip: from the last)" : "",
+             !of->confidence ? ""
+             : of->both      ? ", how far it can be trusted (bars: from the first value on; lines: from the last)"
+                             : ", how far it can be trusted",
              to->result->stations[of->station].clearance > 0.0 ? "largest eccentricity ratio" : "largest radius",
              of->gap > 0.0 ? " (dashed: the gap to the stator)" : "", of->rub ? ", share of the time in contact" : "",
              of->both ? " (blue: from the first value on; orange: from the last)" : "");
+    of->data = what->data[0];
     const whirl_status status = write_section_data(to, of, what->data[0]);
     return status.code == WHIRL_OK ? write_script(to, of, what) : status;
 }

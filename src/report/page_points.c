@@ -130,6 +130,29 @@ static void write_lines(FILE *stream, numbers lines) {
     fputs("</td>", stream);
 }
 
+/// "high", and what the second tolerance says where it was asked.
+static void write_confidence(FILE *stream, const whirl_verdict *verdict) {
+    char other[WHIRL_NAME_SIZE];
+    const whirl_verdict second = {.regime = verdict->other_regime, .period = verdict->other_period};
+    html_text(stream, whirl_confidence_name(verdict->confidence));
+    if (!verdict->confirmed) return;
+    regime_name(&second, other, sizeof other);
+    fputs("<br><span class=\"soft\">second tolerance: ", stream);
+    html_text(stream, other);
+    fputs("</span>", stream);
+}
+
+/// Why the verdict is what it is, and what would settle it where it is in doubt.
+static void write_reason(FILE *stream, const whirl_verdict *verdict, int columns) {
+    char text[512];
+    reason_text(verdict, text, sizeof text);
+    fprintf(stream, "<tr class=\"reason\"><td></td><td colspan=\"%d\">", columns - 1);
+    html_text(stream, text);
+    whirl_verdict_advice(verdict, text, sizeof text);
+    if (verdict->confidence == WHIRL_LOW && *text) html_printf(stream, ". To settle it, %s.", text);
+    fputs("</td></tr>\n", stream);
+}
+
 /// The columns that belong to the point and stretch over the rows of its stations.
 static void write_point_columns(FILE *stream, const whirl_table *table, size_t point, const whirl_result *result) {
     const whirl_verdict verdict = whirl_table_verdict(table, point);
@@ -145,6 +168,8 @@ static void write_point_columns(FILE *stream, const whirl_table *table, size_t p
     write_swatch(stream, regime_class_of(&verdict));
     whirl_verdict_name(&verdict, text, sizeof text);
     html_text(stream, text);
+    fprintf(stream, "</td><td class=\"whole\" rowspan=\"%d\">", rows);
+    write_confidence(stream, &verdict);
     fprintf(stream, "</td><td class=\"number\" rowspan=\"%d\">", rows);
     if (isnan(exponent.value))
         fputs("&ndash;", stream);
@@ -153,6 +178,13 @@ static void write_point_columns(FILE *stream, const whirl_table *table, size_t p
                 exponent.error);
     fputs("</td>", stream);
     write_number(stream, "%.3g %%", 100.0 * rub_share(table, point, result->contact_count), rows);
+}
+
+/// Whether any station is a journal.
+static bool has_bearing(const whirl_result *result) {
+    bool found = false;
+    for (size_t s = 0; s < result->station_count; s++) found = found || result->stations[s].clearance > 0.0;
+    return found;
 }
 
 /// Whether any station may touch a stator.
@@ -172,18 +204,14 @@ static void write_point(FILE *stream, const whirl_table *table, size_t point, co
         html_text(stream, result->stations[s].name);
         fputs("</td>", stream);
         write_number(stream, "%.4f", radius, 1);
-        write_number(stream, "%.4f", clearance > 0.0 ? radius / clearance : (double)NAN, 1);
+        if (has_bearing(result)) write_number(stream, "%.4f", clearance > 0.0 ? radius / clearance : (double)NAN, 1);
         if (has_gap(result)) write_number(stream, "%.4f", gap > 0.0 ? radius / gap : (double)NAN, 1);
         write_number(stream, "%.3g %%", 100.0 * backward_share(table, point, s), 1);
         write_lines(stream, point_lines(table, point, s));
         fputs("</tr>\n", stream);
     }
     const whirl_verdict verdict = whirl_table_verdict(table, point);
-    char reason[512];
-    reason_text(&verdict, reason, sizeof reason);
-    fprintf(stream, "<tr class=\"reason\"><td></td><td colspan=\"%d\">", has_gap(result) ? 9 : 8);
-    html_text(stream, reason);
-    fputs("</td></tr>\n", stream);
+    write_reason(stream, &verdict, 9 + has_bearing(result) + has_gap(result));
 }
 
 void page_points(const page *to, size_t index) {
@@ -195,11 +223,12 @@ void page_points(const page *to, size_t index) {
     length_symbol(result, length, sizeof length);
     fputs("<h3>Points in detail</h3>\n<div class=\"scroll\"><table>\n<thead><tr><th>", to->stream);
     html_text(to->stream, *table->parameter ? label : "Point");
-    fputs("</th><th>Regime</th><th class=\"number\">Largest exponent<br>(1/revolution)</th>"
+    fputs("</th><th>Regime</th><th>Confidence</th><th class=\"number\">Largest exponent<br>(1/revolution)</th>"
           "<th class=\"number\">Time in<br>contact</th><th>Station</th><th class=\"number\">Largest<br>radius / ",
           to->stream);
     html_text(to->stream, length);
-    fputs("</th><th class=\"number\">Largest<br>eccentricity</th>", to->stream);
+    fputs("</th>", to->stream);
+    if (has_bearing(result)) fputs("<th class=\"number\">Largest<br>eccentricity</th>", to->stream);
     if (has_gap(result)) fputs("<th class=\"number\">Largest<br>radius / gap</th>", to->stream);
     fputs("<th class=\"number\">Time against<br>the rotation</th><th>Largest lines (order: larger amplitude of x and y "
           "/ ",

@@ -182,6 +182,43 @@ static void partial_results_say_so(void **state) {
     whirl_result_free(result);
 }
 
+/// The confidence of every verdict stands under the diagram, in the data and in the table of points.
+static void confidence_is_shown(void **state) {
+    (void)state;
+    whirl_result *result = sample_result();
+    whirl_table *sweep = &result->tables[0], *detail = &result->tables[1];
+    const whirl_report_options options = {.gnuplot = "no-such-gnuplot"};
+    for (size_t i = 0; i < sweep->count; i++) *sample_field(sweep, i, "regime/confidence", 0) = (double)(i % 3);
+    *sample_field(detail, 0, "regime/confidence", 0) = WHIRL_HIGH;
+    *sample_field(detail, 0, "regime/other_code", 0) = WHIRL_PERIODIC;
+    *sample_field(detail, 0, "regime/other_period", 0) = 3;
+    *sample_field(detail, 1, "regime/confidence", 0) = WHIRL_LOW;
+    *sample_field(detail, 1, "regime/advice", 0) = WHIRL_LONGER_TRANSIENT;
+    *sample_field(detail, 1, "regime/advice_factor", 0) = 2;
+    assert_int_equal(report_one(result, "made", &options).code, WHIRL_MISSING_PROGRAM);
+    // Value, class, confidence, exponent, its error, rub share, largest radii.
+    assert_holds("out/made/sweep.dat", "\n0.9 0 1 -0.1 0.01 0 0.8 0.8\n0.8 0 2 -0.1 0.01 0 0.8 0.8\n");
+    assert_holds("out/made/sweep.dat", "\n0.1 5 0 0.4 0.01 0.04 0.8 0.8\n");
+    assert_holds("out/made/bifurcation-disc.gp", "'confidence'");
+    assert_holds("out/report.html", "second tolerance: P-3");
+    assert_holds("out/report.html", ". To settle it, let it run 2 times as long.");
+    whirl_result_free(result);
+}
+
+/// Lines of a figure do not run over points that were not computed.
+static void curves_break_where_points_are_missing(void **state) {
+    (void)state;
+    whirl_result *result = sample_result();
+    whirl_table *sweep = &result->tables[0];
+    const whirl_report_options options = {.gnuplot = "no-such-gnuplot"};
+    sweep->done = sample_take(sweep->count, 1);
+    memset(sweep->done, 1, sweep->count);
+    sweep->done[2] = sweep->done[3] = 0;
+    assert_int_equal(report_one(result, "made", &options).code, WHIRL_MISSING_PROGRAM);
+    assert_holds("out/made/sweep.dat", "\n0.9 0 0 -0.1 0.01 0 0.8 0.8\n\n0.6 0 0 ");
+    whirl_result_free(result);
+}
+
 static void figures_can_be_drawn_again(void **state) {
     (void)state;
     if (!gnuplot_there()) skip();
@@ -293,6 +330,8 @@ int main(void) {
         cmocka_unit_test_setup_teardown(gaps_are_shown_where_they_are, enter_folder, leave_folder),
         cmocka_unit_test_setup_teardown(stators_near_the_orbit_are_drawn, enter_folder, leave_folder),
         cmocka_unit_test_setup_teardown(partial_results_say_so, enter_folder, leave_folder),
+        cmocka_unit_test_setup_teardown(confidence_is_shown, enter_folder, leave_folder),
+        cmocka_unit_test_setup_teardown(curves_break_where_points_are_missing, enter_folder, leave_folder),
         cmocka_unit_test_setup_teardown(figures_can_be_drawn_again, enter_folder, leave_folder),
         cmocka_unit_test_setup_teardown(hostile_names_do_nothing, enter_folder, leave_folder),
         cmocka_unit_test_setup_teardown(missing_gnuplot_leaves_scripts_and_page, enter_folder, leave_folder),
