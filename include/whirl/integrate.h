@@ -16,8 +16,10 @@ typedef struct whirl_integrate_options {
     char method[WHIRL_NAME_SIZE]; ///< a name of whirl_method_at()
     /// Instants of a revolution at which an observer is called, equally spaced; for a fixed-step method also its steps.
     int steps_per_revolution;
-    double rtol;  ///< relative tolerance of adaptive methods
-    double atol;  ///< absolute tolerance of adaptive methods, in the state's units
+    double rtol; ///< relative tolerance of adaptive methods
+    double atol; ///< absolute tolerance of adaptive methods, in the state's units
+    /// rk4: split steps at the zeros of the switching functions, located inside the step; other methods always do.
+    bool located;
     double limit; ///< a state with a coordinate beyond +-limit counts as diverged, in the state's units
 } whirl_integrate_options;
 

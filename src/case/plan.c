@@ -24,6 +24,7 @@ static whirl_integrate_options integrate_options(valuation *v, const plan_parts 
     options.rtol = settings_number(v, given, "rtol");
     options.atol = settings_number(v, given, "atol");
     options.limit = settings_number(v, given, "limit");
+    options.located = strcmp(settings_word(given, "contacts"), "located") == 0;
     return options;
 }
 

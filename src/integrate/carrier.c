@@ -1,4 +1,4 @@
-// Steps of the pair: slopes, error, length, interpolant, and where a step must end.
+// Steps: slopes, error, length, interpolant, and where a step must end.
 #include "carrier.h"
 
 #include <float.h>
@@ -10,12 +10,21 @@
 
 static const double safety = 0.9, least_factor = 1.0 / 3.0, most_factor = 6.0;
 
-carrier *carrier_new(size_t dimension, size_t switch_count, const whirl_integrate_options *options) {
+const formula dop853_formula = {DOP853_STAGES, dop853_c, dop853_a, true};
+
+static const double rk4_c[] = {0.0, 0.5, 0.5, 1.0, 1.0};
+static const double rk4_a[][DOP853_SLOPES - 1] = {
+    {0}, {0.5}, {0.0, 0.5}, {0.0, 0.0, 1.0}, {1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0}};
+const formula rk4_formula = {4, rk4_c, rk4_a, false};
+
+carrier *carrier_new(const formula *own, size_t dimension, size_t switch_count,
+                     const whirl_integrate_options *options) {
     const size_t rows = 5 + DOP853_SLOPES + DENSE + MAX_SLIDING + 3;
     carrier *c = calloc(1, sizeof *c + (rows * dimension + switch_count) * sizeof(double));
     if (!c) return NULL;
     double *row = (double *)(c + 1);
     double **const parts[] = {&c->x, &c->start, &c->end, &c->stage, &c->scale};
+    c->formula = own;
     c->dimension = dimension;
     c->rtol = options->rtol;
     c->atol = options->atol;
@@ -32,13 +41,13 @@ carrier *carrier_new(size_t dimension, size_t switch_count, const whirl_integrat
 
 /// Slope `i` of the step from `start` of length h.
 static void take_slope(const carrier *c, int i, double h) {
-    const double *weights = dop853_a[i];
+    const double *weights = c->formula->a[i];
     for (size_t d = 0; d < c->dimension; d++) {
         double sum = 0.0;
         for (int j = 0; j < i && j < DOP853_SLOPES - 1; j++) sum += weights[j] * c->k[j][d];
         c->stage[d] = c->start[d] + h * sum;
     }
-    carrier_slope(c, c->begin + dop853_c[i] * h, c->stage, c->k[i]);
+    carrier_slope(c, c->begin + c->formula->c[i] * h, c->stage, c->k[i]);
 }
 
 /// What an error of every coordinate is compared with, between the states a and b. A coordinate that passes zero is not small for that:
@@ -74,37 +83,40 @@ static double estimated_error(const carrier *c, double h) {
 
 /// Tries a step of length h from `start`, whose first slope is known: end, slope at the end and error.
 static double try_step(carrier *c, double h) {
-    for (int i = 1; i < DOP853_STAGES; i++) take_slope(c, i, h);
-    for (size_t d = 0; d < c->dimension; d++) {
-        double sum = 0.0;
-        for (int j = 0; j < DOP853_STAGES; j++) sum += dop853_a[DOP853_STAGES][j] * c->k[j][d];
-        c->end[d] = c->start[d] + h * sum;
-    }
-    carrier_slope(c, c->begin + h, c->end, c->k[DOP853_STAGES]);
+    const int stages = c->formula->stages;
+    for (int i = 1; i <= stages; i++) take_slope(c, i, h); // the last one at the step's end
+    memcpy(c->end, c->stage, c->dimension * sizeof *c->end);
     c->length = h;
-    set_scales(c, c->start, c->end);
-    const double error = estimated_error(c, h);
     for (size_t d = 0; d < c->dimension; d++)
-        if (!isfinite(c->k[DOP853_STAGES][d])) return NAN;
-    return error;
+        if (!isfinite(c->k[stages][d])) return NAN;
+    if (!c->formula->adaptive) return 0.0;
+    set_scales(c, c->start, c->end);
+    return estimated_error(c, h);
 }
 
-/// The interpolant of the step (Hairer, Norsett, Wanner 1993, II.6).
-static void interpolate(carrier *c) {
+/// The cubic by the states and slopes at both ends.
+static void take_cubic(carrier *c) {
     const double h = c->length;
-    const double *first = c->k[0], *last = c->k[DOP853_STAGES];
-    for (int i = DOP853_STAGES + 1; i < DOP853_SLOPES; i++) take_slope(c, i, h);
+    const double *first = c->k[0], *last = c->k[c->formula->stages];
     for (size_t d = 0; d < c->dimension; d++) {
         const double way = c->end[d] - c->start[d];
         c->dense[0][d] = way;
         c->dense[1][d] = h * first[d] - way;
         c->dense[2][d] = 2.0 * way - h * (first[d] + last[d]);
+    }
+}
+
+/// The interpolant of the step: a cubic, and what DOP853 adds to it by three more slopes (Hairer, Norsett, Wanner 1993, II.6).
+static void interpolate(carrier *c) {
+    take_cubic(c);
+    if (!c->formula->adaptive) return;
+    for (int i = DOP853_STAGES + 1; i < DOP853_SLOPES; i++) take_slope(c, i, c->length);
+    for (size_t d = 0; d < c->dimension; d++)
         for (int i = 0; i < DOP853_DENSE; i++) {
             double sum = 0.0;
             for (int j = 0; j < DOP853_SLOPES; j++) sum += dop853_d[i][j] * c->k[j][d];
-            c->dense[3 + i][d] = h * sum;
+            c->dense[3 + i][d] = c->length * sum;
         }
-    }
 }
 
 void carrier_between(const carrier *c, double theta, double *x) {
@@ -162,6 +174,7 @@ whirl_motion carrier_begin(carrier *c, const whirl_system *system, const double 
     for (size_t d = 0; d < c->dimension; d++)
         if (!(fabs(x[d]) <= c->limit)) return WHIRL_DIVERGED; // NaN too
     carrier_find_sides(c);
+    if (!c->formula->adaptive) return WHIRL_BOUNDED;
     carrier_slope(c, 0.0, c->x, c->k[0]);
     c->h = first_length(c);
     return WHIRL_BOUNDED;
@@ -214,6 +227,7 @@ static void go_on(carrier *c, double t) {
 /// A length for the step from t: no sliver is left before `until`.
 static double next_length(const carrier *c, double until) {
     const double left = until - c->t;
+    if (!c->formula->adaptive) return left;
     const double most = c->system->switch_count > 0 ? fmin(c->h, c->system->period / 8.0) : c->h;
     if (left <= most * 1.01) return left;
     return left < 2.0 * most ? 0.5 * left : most;
@@ -232,12 +246,14 @@ static whirl_motion accept(carrier *c, double until) {
         const double h = next_length(c, until);
         const double error = try_step(c, h);
         if (error <= 1.0) {
+            if (!c->formula->adaptive) return WHIRL_BOUNDED;
             const double factor = length_factor(error, c->error);
             // A step cut short by `until` or by a rejection says little of how long the next may be.
             c->h = fmax(h < c->h && !rejected ? c->h : 0.0, h * (rejected ? fmin(factor, 1.0) : factor));
             c->error = fmax(error, 1e-4);
             return WHIRL_BOUNDED;
         }
+        if (!c->formula->adaptive) return WHIRL_DIVERGED;
         const bool finite = isfinite(error);
         c->h = h * (finite ? fmax(least_factor, safety / sqrt(sqrt(sqrt(error)))) : 0.1);
         rejected = true;
@@ -254,7 +270,7 @@ whirl_motion carrier_step(carrier *c, double until) {
         if (c->crossed || c->sliding_count > 0) {
             carrier_slope(c, c->t, c->x, c->k[0]);
         } else {
-            memcpy(c->k[0], c->k[DOP853_STAGES], c->dimension * sizeof *c->x);
+            memcpy(c->k[0], c->k[c->formula->stages], c->dimension * sizeof *c->x);
         }
         for (size_t d = 0; d < c->dimension; d++)
             if (!isfinite(c->k[0][d])) return WHIRL_DIVERGED;

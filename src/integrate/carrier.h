@@ -1,4 +1,4 @@
-/// A machine carried by adaptive steps of order 8 that end where its laws switch.
+/// A machine carried by steps that end where its laws switch.
 ///
 /// Every step runs on fixed sides of the switching functions, where the right-hand side is smooth (whirl_system.rhs_on_sides); the
 /// first zero of a switching function within the step is found on the interpolant and the step taken anew to end there. Then
@@ -19,7 +19,17 @@ typedef struct carrier_variation {
     double *spare;                            ///< [SPARE_ROWS][dimension]
 } carrier_variation;
 
+/// An explicit Runge-Kutta formula: row `stages` of a gives the result, at whose end one more slope is taken.
+typedef struct formula {
+    int stages;
+    const double *c, (*a)[DOP853_SLOPES - 1];
+    bool adaptive; ///< estimates its error, chooses its steps, and has an interpolant of its own
+} formula;
+
+extern const formula dop853_formula, rk4_formula;
+
 typedef struct carrier {
+    const formula *formula;
     const whirl_system *system;
     size_t dimension;
     double rtol, atol, limit;
@@ -45,7 +55,8 @@ typedef struct carrier {
 } carrier;
 
 /// A carrier for systems of that dimension and number of switches, with no motion yet; NULL where there is no memory. Freed by free().
-carrier *carrier_new(size_t dimension, size_t switch_count, const whirl_integrate_options *options);
+carrier *carrier_new(const formula *formula, size_t dimension, size_t switch_count,
+                     const whirl_integrate_options *options);
 
 /// Begins a revolution at x: t = 0, sides as x says, a length of step that depends on x alone.
 whirl_motion carrier_begin(carrier *c, const whirl_system *system, const double *x);
@@ -56,7 +67,7 @@ void carrier_place(carrier *c, const whirl_system *system, double t);
 /// Carries the motion one step further, at most to `until` and at most to the first switch.
 whirl_motion carrier_step(carrier *c, double until);
 
-/// The state within the last step, by the interpolant of order 7; theta from 0 to 1.
+/// The state within the last step, by the formula's interpolant; theta from 0 to 1.
 void carrier_between(const carrier *c, double theta, double *x);
 
 // ---------------------------------------------------------------- between the carrier's own files

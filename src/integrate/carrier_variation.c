@@ -116,11 +116,12 @@ static double divergence(const carrier *c, double t, const double *x) {
 
 // ---------------------------------------------------------------- steps and switches
 
-/// What the slopes before add to `from` on the way to stage i, [size].
-static void add_slopes(double *const *k, int i, size_t size, double h, const double *from, double *out) {
+/// What the slopes before add, by the weights `a`, to `from` on the way to stage i, [size].
+static void add_slopes(const double *a, double *const *k, int i, size_t size, double h, const double *from,
+                       double *out) {
     for (size_t d = 0; d < size; d++) {
         double sum = 0.0;
-        for (int j = 0; j < i; j++) sum += dop853_a[i][j] * k[j][d];
+        for (int j = 0; j < i; j++) sum += a[j] * k[j][d];
         out[d] = from[d] + h * sum;
     }
 }
@@ -129,15 +130,16 @@ void carrier_vary(carrier *c) {
     whirl_disturbances *set = c->variation.set;
     if (!set) return;
     const size_t n = c->dimension, size = set->count * n;
+    const formula *f = c->formula;
     const double h = c->length;
-    for (int i = 0; i < DOP853_STAGES; i++) {
-        const double t = c->begin + dop853_c[i] * h;
-        add_slopes(c->k, i, n, h, c->start, c->stage);
-        add_slopes(c->variation.k, i, size, h, set->vectors, c->variation.stage);
+    for (int i = 0; i < f->stages; i++) {
+        const double t = c->begin + f->c[i] * h;
+        add_slopes(f->a[i], c->k, i, n, h, c->start, c->stage);
+        add_slopes(f->a[i], c->variation.k, i, size, h, set->vectors, c->variation.stage);
         apply_jacobian(c, t, c->stage, c->variation.stage, c->variation.k[i]);
-        set->volume += h * dop853_a[DOP853_STAGES][i] * divergence(c, t, c->stage);
+        set->volume += h * f->a[f->stages][i] * divergence(c, t, c->stage);
     }
-    add_slopes(c->variation.k, DOP853_STAGES, size, h, set->vectors, set->vectors);
+    add_slopes(f->a[f->stages], c->variation.k, f->stages, size, h, set->vectors, set->vectors);
     if (set->growth) make_orthonormal(n, set->count, set->vectors, set->growth);
 }
 

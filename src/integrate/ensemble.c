@@ -36,14 +36,16 @@ struct whirl_ensemble {
 
 bool whirl_ensemble_takes(const whirl_system *system, const whirl_integrate_options *options) {
     if (!system->lanes) return false;
-    return strcmp(options->method, "rk4") == 0 || (strcmp(options->method, "dop853") == 0 && !system->lanes->slides);
+    const bool fixed = strcmp(options->method, "rk4") == 0, located = !fixed || options->located;
+    return (fixed || strcmp(options->method, "dop853") == 0) && !(located && system->lanes->slides);
 }
 
 /// Rows of the block, and where each array begins.
 static size_t lay_out(whirl_ensemble *e, double *block) {
     const size_t degrees = e->lanes.degrees, stations = degrees / 2, contacts = e->contact_count;
     const size_t forces = e->lanes.watch.normal_force ? contacts : 0;
-    const size_t fixed = e->adaptive ? 0 : degrees;
+    const size_t fixed = e->adaptive ? 0 : degrees, located = e->lanes.located.switches ? degrees : 0;
+    const size_t switches = e->lanes.located.switch_count;
     size_t row = 0;
     const struct {
         double **array;
@@ -59,6 +61,12 @@ static size_t lay_out(whirl_ensemble *e, double *block) {
         {&e->lanes.k[3], fixed},
         {&e->lanes.stage_q, fixed},
         {&e->lanes.stage_v, fixed},
+        {&e->lanes.located.begin_q, located},
+        {&e->lanes.located.begin_v, located},
+        {&e->lanes.located.value[0], switches},
+        {&e->lanes.located.value[1], switches},
+        {&e->lanes.located.rate[0], switches},
+        {&e->lanes.located.rate[1], switches},
         {&e->lanes.watch.low, 2 * degrees},
         {&e->lanes.watch.high, 2 * degrees},
         {&e->lanes.watch.square_max, stations},
@@ -115,9 +123,20 @@ static void fill_lanes(whirl_ensemble *e, const whirl_integrate_options *options
     if (system->lanes->damped) lanes->watch.normal_force = system->lanes->contacts[e->isa->number];
 }
 
-static bool attach_adaptive(whirl_ensemble *e, const whirl_integrate_options *options) {
-    e->adaptive = dop853_lanes_new(e->system, options, e->isa);
-    return e->adaptive != NULL;
+/// What methods need that locate contacts.
+static bool attach_location(whirl_ensemble *e, const whirl_integrate_options *options) {
+    const whirl_system *system = e->system;
+    lanes_located *located = &e->lanes.located;
+    if (strcmp(options->method, "dop853") == 0) {
+        e->adaptive = dop853_lanes_new(system, options, e->isa);
+        return e->adaptive != NULL;
+    }
+    if (!options->located || system->lanes->switch_count == 0) return true;
+    *located = (lanes_located){.switches = system->lanes->switches[e->isa->number],
+                               .switch_count = system->lanes->switch_count,
+                               .needs_slopes = system->lanes->damped,
+                               .carrier = carrier_new(&rk4_formula, system->dimension, system->switch_count, options)};
+    return located->carrier != NULL;
 }
 
 /// Vectors that hide each other's latency, at most 8, and whose numbers and stages still fit into the first cache: 8 of 512
@@ -134,7 +153,8 @@ whirl_status whirl_ensemble_new(const whirl_system *system, const whirl_integrat
                                 whirl_ensemble **out) {
     *out = NULL;
     if (!whirl_ensemble_takes(system, options))
-        return whirl_fail(WHIRL_BAD_INPUT, "method %s of this system does not run in lanes, expected a rotor and rk4",
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "method %s of this system does not run in lanes, expected a rotor and rk4 or dop853",
                           options->method);
     whirl_status status = check_options(system, options);
     if (status.code != WHIRL_OK) return status;
@@ -148,8 +168,7 @@ whirl_status whirl_ensemble_new(const whirl_system *system, const whirl_integrat
         e->lanes.stride = (lanes + e->isa->lanes - 1) / e->isa->lanes;
         e->lane_count = e->lanes.stride * e->isa->lanes;
         fill_lanes(e, options);
-        const bool ready = strcmp(options->method, "dop853") != 0 || attach_adaptive(e, options);
-        if (!ready || !allocate(e))
+        if (!attach_location(e, options) || !allocate(e))
             status = whirl_fail(WHIRL_NO_MEMORY, "no memory for an ensemble of %zu lanes", e->lane_count);
     }
     if (status.code != WHIRL_OK) {
@@ -159,6 +178,9 @@ whirl_status whirl_ensemble_new(const whirl_system *system, const whirl_integrat
     tabulate(e);
     e->lanes.forcing = e->forcing;
     e->lanes.watch.contact_station = e->contact_station;
+    e->lanes.located.machines = e->machines;
+    e->lanes.located.ended = e->ended;
+    e->lanes.lane_count = e->lane_count;
     *out = e;
     return whirl_ok();
 }
@@ -166,6 +188,7 @@ whirl_status whirl_ensemble_new(const whirl_system *system, const whirl_integrat
 void whirl_ensemble_free(whirl_ensemble *e) {
     if (!e) return;
     dop853_lanes_free(e->adaptive);
+    free(e->lanes.located.carrier);
     free(e->block);
     free(e->forcing);
     free(e->state);

@@ -70,6 +70,7 @@ whirl_status whirl_integrator_new(const whirl_system *system, const whirl_integr
     if (status.code != WHIRL_OK) return status;
     whirl_integrator *integrator = calloc(1, sizeof *integrator);
     if (!integrator) return whirl_fail(WHIRL_NO_MEMORY, "no memory for an integrator");
+    if (options->located && chosen->located) chosen = chosen->located;
     *integrator = (whirl_integrator){.system = system, .options = *options, .method = chosen};
     status = chosen->start(integrator);
     if (status.code != WHIRL_OK) {

@@ -25,9 +25,10 @@ typedef struct method {
                             whirl_observe_fn observe, void *observer);
     size_t disturbance_rows; ///< 0: takes no disturbances along
     void (*end)(whirl_integrator *integrator);
+    const struct method *located; ///< the same with located contacts, where that is a choice
 } method;
 
-extern const method rk4_method, dop853_method, cvode_adams_method, cvode_bdf_method;
+extern const method rk4_method, rk4_located_method, dop853_method, cvode_adams_method, cvode_bdf_method;
 
 /// WHIRL_BAD_INPUT where the system or the options are none.
 whirl_status check_options(const whirl_system *system, const whirl_integrate_options *options);

@@ -126,9 +126,10 @@ static void end(whirl_integrator *integrator) {
 }
 
 const method rk4_method = {
-    .about = {"rk4", "Runge-Kutta of order 4, fixed steps; walks over contacts", false},
+    .about = {"rk4", "Runge-Kutta of order 4, fixed steps; walks over contacts unless they are to be located", false},
     .start = start,
     .revolve = revolve,
     .disturbance_rows = 5,
     .end = end,
+    .located = &rk4_located_method,
 };

@@ -2,9 +2,11 @@
 #ifndef INTEGRATE_RK4_LANES_H
 #define INTEGRATE_RK4_LANES_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "lanes.h"
+#include "whirl/system.h"
 
 /// What is watched, all [...][stride vectors].
 typedef struct lanes_watch {
@@ -19,23 +21,40 @@ typedef struct lanes_watch {
     double *force, *force_max; ///< [contact_count]
 } lanes_watch;
 
+/// What it takes to locate contacts: steps of lanes that pass or come near a switch are taken anew, one lane at a time.
+typedef struct lanes_located {
+    lanes_switches *switches; ///< NULL: steps walk over contacts
+    size_t switch_count;
+    bool needs_slopes;             ///< their derivatives by time depend on accelerations
+    double *begin_q, *begin_v;     ///< [degrees] the states at the step's beginning
+    double *value[2], *rate[2];    ///< [switch_count] at its beginning and end
+    struct carrier *carrier;       ///< takes these steps
+    const whirl_system **machines; ///< [lane]
+    double *ended;                 ///< [lane] whirl_motion
+} lanes_located;
+
 typedef struct rk4_lanes {
     const void *model; ///< whose structure all lanes have
     lanes_accelerate *accelerate;
-    size_t stride;  ///< vectors there are
-    size_t vectors; ///< vectors in use
+    size_t stride;     ///< vectors there are
+    size_t vectors;    ///< vectors in use
+    size_t lane_count; ///< lanes there are
     size_t degrees, forcing_count;
     int steps;
     double step;
     const double *forcing; ///< [2 steps + 1][forcing_count]
     double *numbers, *q, *v;
     double *k[4], *stage_q, *stage_v; ///< [degrees] workspace
+    lanes_located located;
     lanes_watch watch;
     int watching;
     size_t sample_stride;
     void (*sample)(void *context);
     void *context;
 } rk4_lanes;
+
+/// Takes step n of a lane anew from its beginning, split at the switches that it meets.
+void rk4_redo(const rk4_lanes *lanes, int n, size_t lane);
 
 typedef void rk4_lanes_revolve(const rk4_lanes *lanes);
 

@@ -227,10 +227,10 @@ void carrier_find_sides(carrier *c) {
     memset(c->sliding, 0, sizeof c->sliding);
     c->sliding_count = 0;
     if (system->switch_count == 0) return;
-    system->switches(system->model, 0.0, c->x, values);
+    system->switches(system->model, c->t, c->x, values);
     for (size_t i = 0; i < system->switch_count; i++) c->sides[i] = values[i] > 0.0 ? 1.0 : -1.0;
     for (size_t i = 0; i < system->switch_count; i++) {
-        if (fabs(values[i]) > carrier_reach(c, i, 0.0, c->x)) continue;
+        if (fabs(values[i]) > carrier_reach(c, i, c->t, c->x)) continue;
         const departure below = depart(c, i, -1.0), above = depart(c, i, 1.0);
         if (can_slide(c) && pushed(&below, &above)) {
             slide(c, i);

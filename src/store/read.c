@@ -117,6 +117,7 @@ static void get_integrate(whirl_status *status, hid_t group, whirl_integrate_opt
     get_number_attribute(status, group, "rtol", &options->rtol);
     get_number_attribute(status, group, "atol", &options->atol);
     get_number_attribute(status, group, "limit", &options->limit);
+    options->located = get_whole_attribute(status, group, "located", 0, 1) != 0;
 }
 
 static void get_record(whirl_status *status, hid_t group, whirl_record_options *options) {

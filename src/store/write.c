@@ -100,6 +100,7 @@ static void put_integrate(whirl_status *status, hid_t group, const whirl_integra
     put_number_attribute(status, group, "rtol", options->rtol);
     put_number_attribute(status, group, "atol", options->atol);
     put_number_attribute(status, group, "limit", options->limit);
+    put_whole_attribute(status, group, "located", options->located);
 }
 
 static void put_record(whirl_status *status, hid_t group, const whirl_record_options *options) {

@@ -82,8 +82,13 @@ static whirl_status machine(const void *family, const whirl_batch *batch, double
     return whirl_ok();
 }
 
-static const char *const methods[] = {"rk4", "dop853"};
-enum { METHODS = 2 };
+static const char *const methods[] = {"rk4", "located rk4", "dop853"};
+enum { METHODS = 3 };
+
+static void set_method(whirl_integrate_options *options, const char *method) {
+    options->located = strcmp(method, "located rk4") == 0;
+    strcpy(options->method, options->located ? "rk4" : method);
+}
 
 static whirl_result *run(const char *method, const double *values, size_t count, int threads, const char *isa) {
     whirl_study study = {.batch_count = 1, .machine = machine};
@@ -91,7 +96,7 @@ static whirl_result *run(const char *method, const double *values, size_t count,
     whirl_result *result;
     *batch = (whirl_batch){.name = "sweep", .parameter = "r_k", .count = count, .values = values};
     batch->integrate = whirl_integrate_default();
-    strcpy(batch->integrate.method, method);
+    set_method(&batch->integrate, method);
     batch->integrate.steps_per_revolution = 256;
     batch->record = whirl_record_default();
     batch->record.transient = 30;
@@ -271,7 +276,7 @@ static void expect_agreement(size_t stations, const char *method, double toleran
     whirl_integrator *alone;
     whirl_ensemble *lanes;
     double *x = calloc(system->dimension, sizeof *x), *y = calloc(system->dimension, sizeof *y);
-    strcpy(options.method, method);
+    set_method(&options, method);
     options.steps_per_revolution = 500;
     options.rtol = 1e-11;
     options.atol = 1e-14;
@@ -302,6 +307,7 @@ static void test_lanes_against_the_integrator(void **state) {
     unsetenv("WHIRL_ISA");
     for (size_t s = 0; s < 4; s++) {
         expect_agreement(stations[s], "rk4", 1e-11);
+        expect_agreement(stations[s], "located rk4", 1e-9);
         expect_agreement(stations[s], "dop853", 1e-9); // each takes steps of its own
     }
 }

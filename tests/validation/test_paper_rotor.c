@@ -12,6 +12,7 @@
 #include "support_check.h"
 #include "support_flow.h"
 #include "support_rotor.h"
+#include "whirl/ensemble.h"
 
 typedef struct e1_row {
     double r_k;
@@ -52,7 +53,8 @@ static double error_of(const e1_row *row, const char *method, int steps, double 
     whirl_integrator *integrator;
     crossing_counter counter = {whirl_rotor_system(rotor), 0, 0};
     double x[8] = {0.0, -0.1, 0.0, -0.1}, error = 0.0;
-    snprintf(options.method, sizeof options.method, "%s", method);
+    options.located = strcmp(method, "located rk4") == 0;
+    snprintf(options.method, sizeof options.method, "%s", options.located ? "rk4" : method);
     options.steps_per_revolution = steps;
     options.rtol = rtol;
     options.atol = atol;
@@ -77,6 +79,58 @@ static void e1_located_contacts(void **unused) {
                      error_of(&rows[i], "cvode-adams", 1, 1e-15, 1e-16, NULL), 1e-12);
         check_within("E1", words("r_k = %.1f, largest error of BDF, rtol 1e-15, atol 1e-16", rows[i].r_k), 0.0,
                      error_of(&rows[i], "cvode-bdf", 1, 1e-15, 1e-16, NULL), 1e-11);
+    }
+}
+
+static void e1_dop853(void **unused) {
+    (void)unused;
+    for (int i = 0; i < 2; i++) {
+        int crossings;
+        check_within("E1", words("r_k = %.1f, largest error of dop853, rtol 1e-9, atol 1e-12", rows[i].r_k), 0.0,
+                     error_of(&rows[i], "dop853", 256, 1e-9, 1e-12, &crossings), 1e-9);
+        check_within("E1", words("r_k = %.1f, crossings of the gap", rows[i].r_k), rows[i].crossings, crossings, 0.0);
+        check_within("E1", words("r_k = %.1f, largest error of dop853, rtol 1e-14, atol 1e-15", rows[i].r_k), 0.0,
+                     error_of(&rows[i], "dop853", 1, 1e-14, 1e-15, NULL), 1e-13);
+    }
+}
+
+static void e1_rk4_with_located_contacts(void **unused) {
+    (void)unused;
+    for (int i = 0; i < 2; i++)
+        check_within("E1", words("r_k = %.1f, largest error of RK4 in 1024 steps, contacts located", rows[i].r_k), 0.0,
+                     error_of(&rows[i], "located rk4", 1024, 1e-9, 1e-12, NULL), 5e-8);
+}
+
+/// Lanes at r_k of the row, beside others.
+static double error_in_lanes(const e1_row *row, const char *method) {
+    enum { LANES = 40 };
+    whirl_integrate_options options = whirl_integrate_default();
+    whirl_rotor *rotors[LANES];
+    whirl_ensemble *lanes;
+    double x[8] = {0.0, -0.1, 0.0, -0.1}, error = 0.0;
+    options.located = true;
+    snprintf(options.method, sizeof options.method, "%s", method);
+    for (int i = 0; i < LANES; i++) rotors[i] = make_paper_rotor(i % 7 == 3 ? row->r_k : 0.3 + 0.017 * i);
+    require_ok(whirl_ensemble_new(whirl_rotor_system(rotors[0]), &options, LANES, &lanes));
+    for (size_t i = 0; i < LANES; i++) require_ok(whirl_ensemble_load(lanes, i, whirl_rotor_system(rotors[i]), x));
+    for (int i = 0; i < 20; i++) whirl_ensemble_revolve(lanes, LANES, NULL);
+    for (size_t i = 0; i < LANES; i++) {
+        assert_int_equal(whirl_ensemble_motion(lanes, i), WHIRL_BOUNDED);
+        whirl_ensemble_state(lanes, i, x);
+        for (int d = 0; d < 8 && i % 7 == 3; d++) error = fmax(error, fabs(x[d] - row->end[d]));
+    }
+    whirl_ensemble_free(lanes);
+    for (int i = 0; i < LANES; i++) whirl_rotor_free(rotors[i]);
+    return error;
+}
+
+static void e1_in_lanes(void **unused) {
+    (void)unused;
+    for (int i = 0; i < 2; i++) {
+        check_within("E1", words("r_k = %.1f, largest error of dop853 in lanes, rtol 1e-9, atol 1e-12", rows[i].r_k),
+                     0.0, error_in_lanes(&rows[i], "dop853"), 1e-9);
+        check_within("E1", words("r_k = %.1f, largest error of RK4 in lanes, contacts located", rows[i].r_k), 0.0,
+                     error_in_lanes(&rows[i], "rk4"), 5e-8);
     }
 }
 
@@ -109,6 +163,9 @@ static void e1_fixed_steps(void **unused) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(e1_located_contacts),
+        cmocka_unit_test(e1_dop853),
+        cmocka_unit_test(e1_rk4_with_located_contacts),
+        cmocka_unit_test(e1_in_lanes),
         cmocka_unit_test(e1_tolerances),
         cmocka_unit_test(e1_fixed_steps),
     };

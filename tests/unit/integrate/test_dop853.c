@@ -113,7 +113,7 @@ static void test_interpolant_has_order_seven(void **state) {
     for (int p = 0; p <= 6; p++) {
         const whirl_system system = {.dimension = 1, .period = 1.0, .rhs = power_rhs, .model = &p};
         const whirl_integrate_options options = {.rtol = 1e9, .atol = 1.0, .limit = 1e6};
-        carrier *c = carrier_new(1, 0, &options);
+        carrier *c = carrier_new(&dop853_formula, 1, 0, &options);
         const double start = 0.0;
         c->observed = true;
         assert_int_equal(carrier_begin(c, &system, &start), WHIRL_BOUNDED);

@@ -1,0 +1,102 @@
+// The methods that carry one machine with located switches: the pair of Dormand and Prince of orders 8(5,3), and RK4 on a fixed
+// grid, whose steps are split where they meet a switch.
+//
+// Every revolution of dop853 begins with a length of step that depends on its first state alone, so that nothing is
+// remembered from one call to the next.
+#include <stdlib.h>
+#include <string.h>
+
+#include "carrier.h"
+#include "method.h"
+
+static whirl_status start(whirl_integrator *integrator, const formula *own) {
+    const whirl_system *system = integrator->system;
+    integrator->workspace = carrier_new(own, system->dimension, system->switch_count, &integrator->options);
+    return integrator->workspace ? whirl_ok()
+                                 : whirl_fail(WHIRL_NO_MEMORY, "no memory for %s", integrator->method->about.name);
+}
+
+static whirl_status start_dop853(whirl_integrator *integrator) {
+    return start(integrator, &dop853_formula);
+}
+static whirl_status start_rk4(whirl_integrator *integrator) {
+    return start(integrator, &rk4_formula);
+}
+
+enum { DISTURBANCE_ROWS = DOP853_STAGES + 2 };
+
+static void set_variation(const whirl_integrator *integrator, whirl_disturbances *disturbances) {
+    carrier_variation *v = &((carrier *)integrator->workspace)->variation;
+    const size_t row = integrator->most_disturbances * integrator->system->dimension;
+    v->set = disturbances;
+    if (!disturbances) return;
+    for (size_t i = 0; i < DOP853_STAGES; i++) v->k[i] = integrator->slopes + i * row;
+    v->stage = integrator->slopes + DOP853_STAGES * row;
+    v->upper = v->stage + row;
+    v->spare = integrator->slopes + DISTURBANCE_ROWS * row;
+}
+
+static whirl_motion begin(whirl_integrator *integrator, const double *x, whirl_disturbances *disturbances) {
+    carrier *c = integrator->workspace;
+    set_variation(integrator, disturbances);
+    const whirl_motion motion = carrier_begin(c, integrator->system, x);
+    if (motion == WHIRL_BOUNDED) carrier_vary_begin(c);
+    return motion;
+}
+
+static whirl_motion revolve_freely(whirl_integrator *integrator, double *x, whirl_disturbances *disturbances,
+                                   whirl_observe_fn observe, void *observer) {
+    carrier *c = integrator->workspace;
+    const double period = integrator->system->period;
+    const int instants = integrator->options.steps_per_revolution;
+    double *seen = c->end;
+    int instant = 1;
+    c->observed = observe != NULL;
+    whirl_motion motion = begin(integrator, x, disturbances);
+    while (motion == WHIRL_BOUNDED && c->t < period) {
+        motion = carrier_step(c, period);
+        for (; motion == WHIRL_BOUNDED && observe && instant < instants; instant++) {
+            const double t = period * ((double)instant / instants);
+            if (t > c->t) break;
+            carrier_between(c, (t - c->begin) / c->length, seen);
+            observe(observer, t, seen);
+        }
+    }
+    memcpy(x, c->x, c->dimension * sizeof *x);
+    if (motion == WHIRL_BOUNDED && observe) observe(observer, period, x);
+    return motion;
+}
+
+static whirl_motion revolve_on_grid(whirl_integrator *integrator, double *x, whirl_disturbances *disturbances,
+                                    whirl_observe_fn observe, void *observer) {
+    carrier *c = integrator->workspace;
+    const int steps = integrator->options.steps_per_revolution;
+    whirl_motion motion = begin(integrator, x, disturbances);
+    for (int i = 1; i <= steps && motion == WHIRL_BOUNDED; i++) {
+        const double until = integrator->system->period * ((double)i / steps);
+        while (motion == WHIRL_BOUNDED && c->t < until) motion = carrier_step(c, until);
+        if (motion == WHIRL_BOUNDED && observe) observe(observer, until, c->x);
+    }
+    memcpy(x, c->x, c->dimension * sizeof *x);
+    return motion;
+}
+
+static void end(whirl_integrator *integrator) {
+    free(integrator->workspace);
+}
+
+const method dop853_method = {
+    .about = {"dop853", "Dormand-Prince of order 8(5,3), steps by the tolerance, contacts located", true},
+    .start = start_dop853,
+    .revolve = revolve_freely,
+    .disturbance_rows = DISTURBANCE_ROWS,
+    .end = end,
+};
+
+const method rk4_located_method = {
+    .about = {"rk4", "Runge-Kutta of order 4, fixed steps that are split at contacts", false},
+    .start = start_rk4,
+    .revolve = revolve_on_grid,
+    .disturbance_rows = DISTURBANCE_ROWS,
+    .end = end,
+};
