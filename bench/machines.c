@@ -18,26 +18,37 @@ static whirl_rotor *built(whirl_design *design) {
     return rotor;
 }
 
-whirl_rotor *paper_rotor(double r_k) {
+static whirl_rotor *paper_rotor_in_order(bool journal_first, double r_k) {
     const double k2 = 1.0 / (rotor_w * rotor_w);
     const whirl_setting disc[] = {
         {"mass", rotor_r_m, 0}, {"damping", rotor_xi1 * rotor_r_m, 0}, {"eccentricity", rotor_rho, 0}};
     const whirl_setting journal[] = {{"mass", 2, 0}, {"damping", rotor_xi2, 0}};
-    const whirl_setting shaft[] = {
-        {"between", 0, "disc, journal"}, {"k1", r_k * k2, 0}, {"k2", k2, 0}, {"signs", 0, "paper"}};
+    const whirl_setting shaft[] = {{"between", 0, journal_first ? "journal, disc" : "disc, journal"},
+                                   {"k1", r_k * k2, 0},
+                                   {"k2", k2, 0},
+                                   {"signs", 0, "paper"}};
     const whirl_setting film[] = {{"at", 0, "journal"}, {"count", 2, 0}, {"clearance", 1, 0}, {"load", rotor_S_f, 0}};
     const whirl_setting rub[] = {
         {"at", 0, "disc"}, {"gap", rotor_r_delta, 0}, {"stiffness", rotor_r_ck * k2, 0}, {"friction", rotor_f, 0}};
     const whirl_setting gravity[] = {{"acceleration", rotor_G, 0}};
     whirl_design *design;
     must(whirl_design_new(1.0, 1.0, &design));
+    if (journal_first) must(whirl_design_station(design, "journal", journal, 2));
     must(whirl_design_station(design, "disc", disc, 3));
-    must(whirl_design_station(design, "journal", journal, 2));
+    if (!journal_first) must(whirl_design_station(design, "journal", journal, 2));
     must(whirl_design_element(design, "shaft", shaft, 4));
     must(whirl_design_element(design, "film", film, 4));
     must(whirl_design_element(design, "rub", rub, 4));
     must(whirl_design_element(design, "gravity", gravity, 1));
     return built(design);
+}
+
+whirl_rotor *paper_rotor(double r_k) {
+    return paper_rotor_in_order(false, r_k);
+}
+
+whirl_rotor *paper_rotor_journal_first(double r_k) {
+    return paper_rotor_in_order(true, r_k);
 }
 
 static void add_film(whirl_design *design, const char *station) {

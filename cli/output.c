@@ -1,32 +1,47 @@
+#define _GNU_SOURCE // O_TMPFILE; NOLINT(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp)
 #include "output.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include "command.h"
 
-/// Makes a file in the folder of `path` and takes it away again: permissions alone do not tell for root, full or
-/// read-only file systems.
-static bool folder_takes_files(const char *path) {
-    static const char pattern[] = ".whirl-XXXXXX";
-    const char *slash = strrchr(path, '/');
-    const size_t folder = slash ? (size_t)(slash - path) + 1 : 0;
-    char *trial = malloc(folder + sizeof pattern);
-    if (!trial) return false;
-    memcpy(trial, path, folder);
-    memcpy(trial + folder, pattern, sizeof pattern);
-    const int file = mkstemp(trial);
-    const int reason = errno;
-    if (file >= 0) {
-        close(file);
-        unlink(trial);
+enum { PATH_SIZE = 4096 };
+
+/// A file in `folder` that nobody sees and that is gone with its descriptor, where the system has such; else one by the
+/// name that half results have, which a later run takes away.
+static int trial_file(const char *folder, const char *path) {
+#ifdef O_TMPFILE
+    const int nameless = open(folder, O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600);
+    if (nameless >= 0 || (errno != EOPNOTSUPP && errno != EISDIR && errno != EINVAL)) return nameless;
+#else
+    (void)folder;
+#endif
+    char name[PATH_SIZE];
+    if (snprintf(name, sizeof name, "%s.tmp-%ld", path, (long)getpid()) >= (int)sizeof name) {
+        errno = ENAMETOOLONG;
+        return -1;
     }
-    free(trial);
-    errno = reason;
+    const int file = open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+    if (file >= 0) unlink(name);
+    return file;
+}
+
+/// Makes a file in the folder of `path`: permissions alone do not tell for root, full or read-only file systems.
+static bool folder_takes_files(const char *path) {
+    char folder[PATH_SIZE];
+    const char *slash = strrchr(path, '/');
+    const int length = slash ? (int)(slash - path) + 1 : 0;
+    if (snprintf(folder, sizeof folder, "%.*s", length ? length : 1, length ? path : ".") >= (int)sizeof folder) {
+        errno = ENAMETOOLONG;
+        return false;
+    }
+    const int file = trial_file(folder, path);
+    if (file >= 0) close(file);
     return file >= 0;
 }
 

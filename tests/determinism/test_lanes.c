@@ -10,14 +10,10 @@
 
 #include <cmocka.h>
 
-#include "whirl/whirl.h"
+#include "machines.h"
 
 static const char *const fused[] = {"fma", "avx2", "avx512"};
 static const char *const unfused[] = {"scalar", "simd128"};
-
-static void check(whirl_status status) {
-    if (status.code != WHIRL_OK) fail_msg("%s", status.message);
-}
 
 static bool present(const char *isa, const whirl_system *system) {
     const whirl_integrate_options options = whirl_integrate_default();
@@ -39,35 +35,6 @@ static void release(void *owner) {
     rotor_machine *own = owner;
     whirl_rotor_free(own->rotor);
     free(own);
-}
-
-static whirl_rotor *paper_rotor_from(bool journal_first, double r_k) {
-    whirl_design *design;
-    whirl_rotor *rotor;
-    const whirl_setting disc[] = {{"mass", 8.4, 0}, {"damping", 8.4 * 0.0157509, 0}, {"eccentricity", 0.08, 0}};
-    const whirl_setting journal[] = {{"mass", 2, 0}, {"damping", 0.286154, 0}};
-    const whirl_setting shaft[] = {{"between", 0, journal_first ? "journal, disc" : "disc, journal"},
-                                   {"k1", r_k * 25, 0},
-                                   {"k2", 25, 0},
-                                   {"signs", 0, "paper"}};
-    const whirl_setting film[] = {{"at", 0, "journal"}, {"count", 2, 0}, {"clearance", 1, 0}, {"load", 0.0042, 0}};
-    const whirl_setting rub[] = {{"at", 0, "disc"}, {"gap", 1.2, 0}, {"stiffness", 250, 0}, {"friction", 0.1, 0}};
-    const whirl_setting gravity[] = {{"acceleration", 0.125254, 0}};
-    check(whirl_design_new(1, 1, &design));
-    if (journal_first) check(whirl_design_station(design, "journal", journal, 2));
-    check(whirl_design_station(design, "disc", disc, 3));
-    if (!journal_first) check(whirl_design_station(design, "journal", journal, 2));
-    check(whirl_design_element(design, "shaft", shaft, 4));
-    check(whirl_design_element(design, "film", film, 4));
-    check(whirl_design_element(design, "rub", rub, 4));
-    check(whirl_design_element(design, "gravity", gravity, 1));
-    check(whirl_rotor_new(design, &rotor));
-    whirl_design_free(design);
-    return rotor;
-}
-
-static whirl_rotor *paper_rotor(double r_k) {
-    return paper_rotor_from(false, r_k);
 }
 
 /// Points beyond r_k = 2 start outside their bearing: their film is not a number from the first step.
@@ -108,7 +75,7 @@ static whirl_result *run(const char *method, const double *values, size_t count,
         setenv("WHIRL_ISA", isa, 1);
     else
         unsetenv("WHIRL_ISA");
-    check(whirl_study_run(&study, &(whirl_run_options){.threads = threads}, &result));
+    must(whirl_study_run(&study, &(whirl_run_options){.threads = threads}, &result));
     return result;
 }
 
@@ -246,24 +213,24 @@ static whirl_rotor *long_rotor(size_t count) {
     char name[32], pair[64];
     whirl_design *design;
     whirl_rotor *rotor;
-    check(whirl_design_new(1, 1, &design));
+    must(whirl_design_new(1, 1, &design));
     for (size_t i = 0; i < count; i++) {
         snprintf(name, sizeof name, "s%zu", i);
         const whirl_setting station[] = {
             {"mass", 1 + 0.1 * (double)i, 0}, {"damping", 0.1, 0}, {"eccentricity", 0.05, 0}};
-        check(whirl_design_station(design, name, station, 3));
+        must(whirl_design_station(design, name, station, 3));
         const whirl_setting film[] = {{"at", 0, name}, {"clearance", 2, 0}, {"load", 0.3, 0}};
         const whirl_setting rub[] = {{"at", 0, name},       {"gap", 0.02, 0},   {"stiffness", 3, 0},
                                      {"friction", 0.2, 0},  {"law", 0, "slip"}, {"radius", 0.05, 0},
                                      {"slip_speed", 0.1, 0}};
-        if (i % 3 == 0) check(whirl_design_element(design, "film", film, 3));
-        if (i % 4 == 0) check(whirl_design_element(design, "rub", rub, 7));
+        if (i % 3 == 0) must(whirl_design_element(design, "film", film, 3));
+        if (i % 4 == 0) must(whirl_design_element(design, "rub", rub, 7));
         if (i == 0) continue;
         snprintf(pair, sizeof pair, "s%zu, s%zu", i - 1, i);
         const whirl_setting shaft[] = {{"between", 0, pair}, {"k1", 20, 0}, {"k2", 25, 0}};
-        check(whirl_design_element(design, "shaft", shaft, 3));
+        must(whirl_design_element(design, "shaft", shaft, 3));
     }
-    check(whirl_rotor_new(design, &rotor));
+    must(whirl_rotor_new(design, &rotor));
     whirl_design_free(design);
     return rotor;
 }
@@ -281,10 +248,10 @@ static void expect_agreement(size_t stations, const char *method, double toleran
     options.rtol = 1e-11;
     options.atol = 1e-14;
     for (size_t i = 0; i < system->dimension / 2; i++) x[i] = 0.01 * (double)(i % 3);
-    check(whirl_integrator_new(system, &options, &alone));
-    check(whirl_ensemble_new(system, &options, 0, &lanes));
+    must(whirl_integrator_new(system, &options, &alone));
+    must(whirl_ensemble_new(system, &options, 0, &lanes));
     const size_t count = whirl_ensemble_lanes(lanes);
-    for (size_t lane = 0; lane < count; lane++) check(whirl_ensemble_load(lanes, lane, system, x));
+    for (size_t lane = 0; lane < count; lane++) must(whirl_ensemble_load(lanes, lane, system, x));
     for (int i = 0; i < 5; i++) {
         assert_int_equal(whirl_integrator_revolve(alone, x, NULL, NULL), WHIRL_BOUNDED);
         whirl_ensemble_revolve(lanes, count, NULL);
@@ -332,8 +299,8 @@ static void test_records_in_lanes_and_alone(void **state) {
     options.transient = 2;
     options.record = 4;
     options.growth = false;
-    check(whirl_record_motion(whirl_rotor_system(rotor), &integrate, &options, start, NULL, &a));
-    check(whirl_record_motion(&alone, &integrate, &options, start, NULL, &b));
+    must(whirl_record_motion(whirl_rotor_system(rotor), &integrate, &options, start, NULL, &a));
+    must(whirl_record_motion(&alone, &integrate, &options, start, NULL, &b));
     assert_int_equal(a->sample_count, b->sample_count);
     assert_true(a->sample_count > 0);
     const size_t capacity = a->record_count * a->samples_per_revolution;
@@ -368,18 +335,18 @@ static void test_own_kernels_against_the_list(void **state) {
     options.steps_per_revolution = 256;
     (void)state;
     for (int l = 0; l < LANES; l++) {
-        own[l] = paper_rotor_from(false, 1.0 - 0.04 * l);
-        listed[l] = paper_rotor_from(true, 1.0 - 0.04 * l);
+        own[l] = paper_rotor(1.0 - 0.04 * l);
+        listed[l] = paper_rotor_journal_first(1.0 - 0.04 * l);
     }
     for (int isa = 0; isa < 5; isa++) {
         whirl_ensemble *a, *b;
         const char *name = isa < 3 ? fused[isa] : unfused[isa - 3];
         if (!present(name, whirl_rotor_system(own[0]))) continue;
-        check(whirl_ensemble_new(whirl_rotor_system(own[0]), &options, LANES, &a));
-        check(whirl_ensemble_new(whirl_rotor_system(listed[0]), &options, LANES, &b));
+        must(whirl_ensemble_new(whirl_rotor_system(own[0]), &options, LANES, &a));
+        must(whirl_ensemble_new(whirl_rotor_system(listed[0]), &options, LANES, &b));
         for (size_t l = 0; l < LANES; l++) {
-            check(whirl_ensemble_load(a, l, whirl_rotor_system(own[l]), (double[8]){1.19, -0.1, 0, -0.1}));
-            check(whirl_ensemble_load(b, l, whirl_rotor_system(listed[l]), (double[8]){0, -0.1, 1.19, -0.1}));
+            must(whirl_ensemble_load(a, l, whirl_rotor_system(own[l]), (double[8]){1.19, -0.1, 0, -0.1}));
+            must(whirl_ensemble_load(b, l, whirl_rotor_system(listed[l]), (double[8]){0, -0.1, 1.19, -0.1}));
         }
         for (int i = 0; i < 5; i++) {
             whirl_ensemble_revolve(a, LANES, NULL);
@@ -403,7 +370,7 @@ static void test_other_structures_are_refused(void **state) {
     const double x[40] = {0};
     whirl_ensemble *lanes;
     (void)state;
-    check(whirl_ensemble_new(whirl_rotor_system(two), &options, 8, &lanes));
+    must(whirl_ensemble_new(whirl_rotor_system(two), &options, 8, &lanes));
     assert_int_equal(whirl_ensemble_load(lanes, 0, whirl_rotor_system(ten), x).code, WHIRL_BAD_INPUT);
     whirl_ensemble_free(lanes);
     setenv("WHIRL_ISA", "avx1024", 1);
@@ -423,12 +390,12 @@ static whirl_rotor *rub_rotor(double speed, double damping) {
     const whirl_setting rub[] = {
         {"at", 0, "disc"}, {"gap", 1, 0}, {"stiffness", 10, 0}, {"friction", 0.05, 0}, {"damping", damping, 0}};
     const whirl_setting gravity[] = {{"acceleration", 0.5, 0}};
-    check(whirl_design_new(speed, 1, &design));
-    check(whirl_design_station(design, "disc", disc, 3));
-    check(whirl_design_element(design, "shaft", shaft, 2));
-    check(whirl_design_element(design, "rub", rub, 5));
-    check(whirl_design_element(design, "gravity", gravity, 1));
-    check(whirl_rotor_new(design, &rotor));
+    must(whirl_design_new(speed, 1, &design));
+    must(whirl_design_station(design, "disc", disc, 3));
+    must(whirl_design_element(design, "shaft", shaft, 2));
+    must(whirl_design_element(design, "rub", rub, 5));
+    must(whirl_design_element(design, "gravity", gravity, 1));
+    must(whirl_rotor_new(design, &rotor));
     whirl_design_free(design);
     return rotor;
 }
@@ -441,7 +408,7 @@ static whirl_record *record_rub(const whirl_system *system) {
     options.transient = 300;
     options.record = 20;
     integrate.steps_per_revolution = 512;
-    check(whirl_record_motion(system, &integrate, &options, start, NULL, &record));
+    must(whirl_record_motion(system, &integrate, &options, start, NULL, &record));
     return record;
 }
 
