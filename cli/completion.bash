@@ -21,7 +21,7 @@ _whirl_options() {
     case $1 in
     run) echo '-o --output= --set= --threads= --json --resume --refine --refine= --quiet --help' ;;
     verify) echo '--points= --method= --revolutions= --set= --threads= --json --quiet --help' ;;
-    report) echo '-o --output= --claims= --gnuplot= --quiet --help' ;;
+    report) echo '-o --output= --claims= --gnuplot= --explorer= --quiet --help' ;;
     export) echo '--csv= --help' ;;
     check | describe) echo '--help' ;;
     *) echo '--help --version' ;;
@@ -44,6 +44,7 @@ _whirl() {
         ;;
     --csv) _whirl_files "$word"; return ;;
     --claims) _whirl_files "$word" yaml yml; return ;;
+    --explorer) mapfile -t COMPREPLY < <(compgen -f -- "$word"); return ;;
     --gnuplot) mapfile -t COMPREPLY < <(compgen -c -- "$word"); return ;;
     --set | --threads | --points | --method | --revolutions) return ;;
     esac

@@ -10,6 +10,9 @@ install(DIRECTORY include/whirl ${PROJECT_BINARY_DIR}/include/whirl DESTINATION 
         FILES_MATCHING PATTERN "*.h")
 install(FILES docs/whirl.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES cli/completion.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME whirl)
+# The explorer's template, where `make explorer` has built it.
+install(FILES ${PROJECT_BINARY_DIR}/explorer/template.html DESTINATION ${CMAKE_INSTALL_DATADIR}/whirl RENAME explorer.html
+        OPTIONAL)
 install(DIRECTORY cases DESTINATION ${CMAKE_INSTALL_DATADIR}/whirl FILES_MATCHING PATTERN "*.yaml")
 
 # The static library leaves its own libraries to the program that links it: those that have a pkg-config file by that

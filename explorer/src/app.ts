@@ -124,6 +124,11 @@ export class App {
     return this.sights.at(-1)!;
   }
 
+  /// The range of the first diagram.
+  private get whole(): Range {
+    return this.sights[0]?.diagram?.span ?? this.plannedRange();
+  }
+
   private get side(): SideModel {
     return this.sides[this.active];
   }
@@ -174,9 +179,14 @@ export class App {
       this.endWatch(name);
       this.sides[name].forget();
     }
+    this.sights = [];
     this.sides.a.choice = this.address.a;
     if (this.address.b) this.sides.b.choice = this.address.b;
     const { machine } = this;
+    // What is stored is there at once; the engine takes a moment to wake.
+    const stored = machine.run?.tables[0]?.parameter;
+    const early = stored !== undefined && (this.address.parameter === '' || this.address.parameter === stored);
+    if (early) this.openParameter();
     if (this.engine && !this.original) {
       const outcome = await this.engine.describe({ text: machine.text, name: machine.caseName }, { lane: 'original', priority: 0 });
       if (outcome.ok) this.originals.set(machine.name, outcome.value);
@@ -184,7 +194,8 @@ export class App {
       if (machine !== this.machine) return;
       if (outcome.ok && !machine.run && !location.hash.includes('units=')) this.address.units = this.unitsFor(outcome.value.lengthScale);
     }
-    this.openParameter();
+    if (!early) this.openParameter();
+    this.chooseValue();
     this.later('all');
     await this.refreshSides();
     if (!this.sight.diagram) void this.recompute(this.sight.range, true);
@@ -204,8 +215,12 @@ export class App {
     const whole = diagram?.span ?? this.plannedRange();
     this.sights = [{ diagram, range: whole, of: '', text: diagram ? this.storedText(diagram) : '' }];
     if (this.address.range) this.sights[0]!.range = this.address.range;
+    this.later('all');
+  }
+
+  private chooseValue(): void {
     const { a } = this.sides;
-    if (!Number.isFinite(a.choice.value)) a.choice = { ...a.choice, value: this.firstValue(whole) };
+    if (!Number.isFinite(a.choice.value)) a.choice = { ...a.choice, value: this.firstValue(this.whole) };
   }
 
   private plannedRange(): Range {
@@ -292,7 +307,7 @@ export class App {
   private assign(name: string, text: string | undefined, settled: boolean): void {
     const side = this.side;
     if (name === this.address.parameter) {
-      const value = text === undefined ? this.firstValue(this.sights[0]!.range) : this.valueOf(name, text);
+      const value = text === undefined ? this.firstValue(this.whole) : this.valueOf(name, text);
       if (Number.isFinite(value)) this.cursor(this.active, value, settled);
       return;
     }
@@ -348,7 +363,7 @@ export class App {
       if (own !== undefined) side.choice = { assignments, value: own };
     }
     this.openParameter();
-    this.later('all');
+    this.chooseValue();
     await this.refreshSides();
     if (!this.sight.diagram) void this.recompute(this.sight.range, true);
   }
@@ -375,7 +390,7 @@ export class App {
   // ---------------------------------------------------------------- the diagram
 
   private viewed(range: Range): void {
-    const [low, high] = this.sights[0]!.range;
+    const [low, high] = this.whole;
     const span = Math.min(range[1] - range[0], 3 * (high - low));
     if (!(span > Math.abs(range[0]) * 1e-9)) return;
     this.sight.range = [range[0], range[0] + span];
@@ -400,7 +415,7 @@ export class App {
   private resetView(): void {
     this.sweeping?.abort();
     const first = this.sights[0]!;
-    this.sights = [{ ...first, range: first.diagram?.span ?? first.range }];
+    this.sights = [{ ...first, range: this.whole }];
     this.later('all');
   }
 
@@ -493,7 +508,7 @@ export class App {
   private async rewritten(): Promise<string | undefined> {
     const { engine, original, side } = this;
     if (!engine || !original) return undefined;
-    const edits = caseEdits(original, this.address, side.choice, this.sight.range, this.sights[0]!.range);
+    const edits = caseEdits(original, this.address, side.choice, this.sight.range, this.whole);
     const setting = { text: this.machine.text, name: this.machine.caseName, assignments: assignmentTexts(side.choice.assignments) };
     const outcome = await engine.rewrite(setting, edits, { lane: 'rewrite', priority: 0 });
     if (outcome.ok) return outcome.value;
@@ -531,8 +546,8 @@ export class App {
 
   private currentAddress(): Address {
     const view = this.sight?.range;
-    const whole = this.sights[0]?.diagram?.span;
-    const zoomed = view && whole && (view[0] !== whole[0] || view[1] !== whole[1]);
+    const { whole } = this;
+    const zoomed = view && (view[0] !== whole[0] || view[1] !== whole[1]);
     return {
       ...this.address,
       run: this.machine.name,

@@ -56,7 +56,7 @@ export class Chart implements Figure {
   /// Lies over the plotting area: cursors and handlers go there.
   readonly overlay = el('div', { class: 'overlay' });
   private plot: uPlot | undefined;
-  private data: uPlot.AlignedData = [[0, 1]];
+  private data: uPlot.AlignedData;
   private xRange: Range = [0, 1];
   private yRange: Range = [0, 1];
   private xLabel = '';
@@ -65,6 +65,7 @@ export class Chart implements Figure {
   private ticks: { x: Ticks; y: Ticks } = { x: NO_TICKS, y: NO_TICKS };
 
   constructor(private readonly spec: ChartSpec) {
+    this.data = [[0, 1], ...(spec.lines ?? []).map(() => [null, null])];
     this.root = el('div', { class: 'figure chart', role: 'img', 'aria-label': spec.title });
     watchSize(this.root, (width, height) => this.resize(width, height));
   }

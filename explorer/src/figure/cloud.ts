@@ -2,6 +2,7 @@
 // a few milliseconds, which no drawing of single dots does.
 import type { Diagram, Column } from '../data/diagram';
 import type { Frame } from './chart';
+import { textSize } from './figure';
 import type { Pen } from './pen';
 import { pixelOf, type Theme } from './theme';
 
@@ -58,13 +59,15 @@ function pointsInside(cloud: Cloud, frame: Frame): number {
 /// Side of a dot in pixels: about a column of the diagram, neither dust nor blots.
 function dotSize(cloud: Cloud, frame: Frame): number {
   const column = frame.width / Math.max(1, pointsInside(cloud, frame));
+  // On a large screen, where the page's text is larger, dots are too.
+  const unit = (frame.ratio * textSize()) / 10.5;
   const least = cloud.column.rows === 1 ? 2.4 : 1;
-  return Math.max(1, Math.round(Math.min(Math.max(column, least * frame.ratio), 2.6 * frame.ratio)));
+  return Math.max(1, Math.round(Math.min(Math.max(column, least * unit), 2.6 * unit)));
 }
 
 /// Periodic motions have few dots, one on the other: they are drawn larger than those of a cloud.
-function sideOf(kind: number, side: number): number {
-  return kind <= LAST_PERIODIC ? side + 1 : side;
+function sideOf(cloud: Cloud, kind: number, side: number): number {
+  return kind <= LAST_PERIODIC && cloud.column.rows > 1 ? side + 1 : side;
 }
 
 function raster(cloud: Cloud, frame: Frame, colours: Theme): HTMLCanvasElement {
@@ -73,7 +76,7 @@ function raster(cloud: Cloud, frame: Frame, colours: Theme): HTMLCanvasElement {
   const counts = new Uint16Array(width * height);
   const kinds = new Uint8Array(width * height);
   visit(cloud, frame, side, (x, y, kind) => {
-    const wide = sideOf(kind, side);
+    const wide = sideOf(cloud, kind, side);
     const [left, top] = [Math.round(x - frame.left - (wide - 1) / 2), Math.round(y - frame.top - (wide - 1) / 2)];
     for (let row = Math.max(0, top); row < Math.min(height, top + wide); row++)
       for (let column = Math.max(0, left); column < Math.min(width, left + wide); column++) {
@@ -108,7 +111,7 @@ function drawShapes(pen: Pen, cloud: Cloud, frame: Frame, colours: Theme): void 
   visit(cloud, frame, side, (x, y, kind) => dots[kind]!.push(x, y));
   dots.forEach((places, kind) => {
     if (!places.length) return;
-    const wide = sideOf(kind, side);
+    const wide = sideOf(cloud, kind, side);
     pen.fillStyle = colours.classes[kind]!;
     pen.beginPath();
     for (let i = 0; i < places.length; i += 2) pen.rect(places[i]! - wide / 2, places[i + 1]! - wide / 2, wide, wide);

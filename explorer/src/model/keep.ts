@@ -9,7 +9,7 @@ function inUnit(value: number, unit: string): string {
   return unit === '1' || unit === 'SI' || unit === '' ? number : `${number} ${unit}`;
 }
 
-/// The edits that make the case one of this setting: the view becomes the sweep, the cursor's value its detail.
+/// The edits that make the case one of this setting: the view becomes the sweep, the cursor's value its first detail.
 export function caseEdits(original: CaseInfo, address: Address, side: Side, view: Range, whole: Range): Edit[] {
   const edits: Edit[] = [];
   const { parameter, computation } = address;
@@ -24,7 +24,8 @@ export function caseEdits(original: CaseInfo, address: Address, side: Side, view
       put('study.sweep.from', inUnit(view[falling ? 1 : 0], unit));
       put('study.sweep.to', inUnit(view[falling ? 0 : 1], unit));
     }
-    if (Number.isFinite(side.value)) put('study.detail.at', `[${inUnit(side.value, unit)}]`);
+    // A list is edited item by item: the first value that the case looks at closely becomes the cursor's.
+    if (Number.isFinite(side.value) && original.batches.some(({ name }) => name === 'detail')) put('study.detail.at[1]', inUnit(side.value, unit));
   } else if (parameter && Number.isFinite(side.value)) put(`parameters.${parameter}`, inUnit(side.value, unit));
   if (computation.method) put('study.integrate.method', computation.method);
   if (computation.steps) put('study.integrate.steps_per_revolution', String(computation.steps));

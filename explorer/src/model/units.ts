@@ -49,7 +49,7 @@ export function amplitudeMeasure(units: Units, scales: Scales): Measure {
 }
 
 export function frequencyMeasure(units: Units, scales: Scales): Measure {
-  return units.frequency === 'Hz' ? { factor: scales.speed / (2 * Math.PI), unit: 'Hz' } : { factor: 1, unit: 'orders, X' };
+  return units.frequency === 'Hz' ? { factor: scales.speed / (2 * Math.PI), unit: 'Hz' } : { factor: 1, unit: 'orders' };
 }
 
 /// A parameter's value in SI, as it is shown.

@@ -185,7 +185,7 @@ function drawCircles(pen: Pen, place: Place, subject: Subject, touching: boolean
     pen.setLineDash([6, 4]);
     pen.stroke();
     pen.setLineDash([]);
-    const angle = -0.75 * Math.PI;
+    const angle = 0.75 * Math.PI;
     label(pen, 'bearing', x + clearance * place.scale * Math.cos(angle), y - clearance * place.scale * Math.sin(angle), 'center', 'middle', colours.clearance, colours, size);
   }
   if (gap > 0) {
@@ -193,7 +193,7 @@ function drawCircles(pen: Pen, place: Place, subject: Subject, touching: boolean
     pen.strokeStyle = touching ? colours.touch : colours.stator;
     pen.lineWidth = touching ? 6 : 2;
     pen.stroke();
-    const angle = -0.25 * Math.PI;
+    const angle = 0.25 * Math.PI;
     label(pen, touching ? 'contact' : 'stator', x + gap * place.scale * Math.cos(angle), y - gap * place.scale * Math.sin(angle), 'center', 'middle', touching ? colours.touch : colours.stator, colours, size);
   }
 }

@@ -101,10 +101,10 @@ class Row {
       'div',
       { class: 'parameter' },
       el('label', { for: id }, name),
-      this.slider,
       this.field,
       this.unit,
       this.reset,
+      this.slider,
       el('p', { id: `${id}-meaning`, class: 'meaning' }, [meaning, range && `(${range})`].filter((part) => part).join(' ')),
     );
   }

@@ -61,7 +61,7 @@ abstract class SpectralPanel extends Panel {
     this.curve = spectrum?.order.length ? this.curveOf(spectrum, frequency.factor, amplitude.factor) : EMPTY;
     this.peaks = motion && spectrum?.order.length ? this.peaksOf(motion.lines(station), frequency.factor, amplitude.factor) : [];
     let most = 0;
-    for (const values of this.curve.amplitudes) for (const value of values) most = Math.max(most, value);
+    for (const values of this.curve.amplitudes) for (const value of values) if (value > most) most = value;
     for (const peak of this.peaks) most = Math.max(most, peak.amplitude);
     if (!(most > 0)) most = 1;
     const order = (spectrum?.order.at(-1) ?? 5) * frequency.factor;
@@ -84,7 +84,7 @@ abstract class SpectralPanel extends Panel {
     for (const peak of this.peaks) {
       const [x, y] = [frame.x(peak.frequency), frame.y(peak.amplitude)];
       const text = this.subject!.units.frequency === 'Hz' ? shown(Math.abs(peak.frequency), 4) : `${shown(Math.abs(peak.frequency), 3)}X`;
-      const half = 0.32 * size * text.length;
+      const half = 0.25 * size * text.length;
       if (x < frame.left || x > frame.left + frame.width || taken.some(([from, to]) => x + half > from && x - half < to)) continue;
       taken.push([x - half, x + half]);
       if (taken.length > MOST_LABELS) break;
@@ -176,7 +176,7 @@ export class FullSpectrumPanel extends SpectralPanel {
   }
 
   protected axis(unit: string): string {
-    return `\u2190 backward    frequency (${unit})    forward \u2192`;
+    return `\u2190 backward \u00b7 ${unit} \u00b7 forward \u2192`;
   }
 
   protected describe(): void {

@@ -1,0 +1,21 @@
+#!/bin/bash
+# The tests of the explorer's page in a real browser:  run.sh WHIRL TEMPLATE
+# Exit status 77, with one line, where something that they need is missing.
+set -u
+cd "$(dirname "$0")/.." || exit 1
+WHIRL=$(realpath "$1") && export WHIRL
+TEMPLATE=$2 && export TEMPLATE
+
+skip() {
+    echo "the page is not tested: $*"
+    exit 77
+}
+[ -f "$TEMPLATE" ] || skip "$TEMPLATE is not built (make explorer)"
+command -v node >/dev/null || skip "node is missing (scripts/install-dependencies.sh explorer)"
+[ -d node_modules/playwright-core ] || skip "playwright-core is missing (make explorer)"
+for browser in "${CHROMIUM:-}" chromium chromium-browser google-chrome; do
+    [ -n "$browser" ] && CHROMIUM=$(command -v "$browser") && break
+done
+[ -n "${CHROMIUM:-}" ] || skip "Chromium is missing (scripts/install-dependencies.sh explorer)"
+export CHROMIUM
+exec node --test tests/*.test.mjs

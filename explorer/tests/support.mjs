@@ -1,0 +1,87 @@
+// What the tests in a browser share: the page of a small run, opened from disk in Chromium, and what it complains of.
+//
+//   tests/run.sh WHIRL TEMPLATE
+import { execFileSync } from 'node:child_process';
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { chromium } from 'playwright-core';
+
+export const whirl = process.env.WHIRL;
+export const template = process.env.TEMPLATE;
+const program = process.env.CHROMIUM ?? '/usr/bin/chromium';
+
+export const CASE = readFileSync(new URL('./rub.yaml', import.meta.url), 'utf8');
+
+/// A folder that goes away with the process.
+export const folder = mkdtempSync(join(tmpdir(), 'whirl-explorer-'));
+process.on('exit', () => rmSync(folder, { recursive: true, force: true }));
+
+/// Runs the command; its standard output.
+export function command(...words) {
+  return execFileSync(whirl, words, { cwd: folder, encoding: 'utf8', stdio: ['ignore', 'pipe', 'pipe'] });
+}
+
+/// Runs a case and makes its page; the address of the page.
+export function makePage(name, text) {
+  writeFileSync(join(folder, `${name}.yaml`), text);
+  command('run', `${name}.yaml`, '-q', '-o', `${name}.h5`);
+  // No figures are wanted: `true` stands for gnuplot.
+  try {
+    command('report', `${name}.h5`, '-o', name, '-q', '--gnuplot', 'true', '--explorer', template);
+  } catch (failure) {
+    if (!existsSync(join(folder, name, 'explorer.html'))) throw failure;
+  }
+  return pathToFileURL(join(folder, name, 'explorer.html')).href;
+}
+
+let browser;
+
+/// Opens a page; `complaints` gathers errors of the console and the page, and requests of the network.
+export async function open(address, options = {}) {
+  browser ??= await chromium.launch({ executablePath: program, args: ['--no-sandbox', '--disable-gpu'] });
+  const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, acceptDownloads: true, ...options });
+  const page = await context.newPage();
+  const complaints = [];
+  page.on('console', (message) => {
+    if (['error', 'warning'].includes(message.type())) complaints.push(`console: ${message.text()}`);
+  });
+  page.on('pageerror', (error) => complaints.push(`page: ${error.message}`));
+  page.on('dialog', (dialog) => {
+    complaints.push(`dialog: ${dialog.message()}`);
+    void dialog.dismiss();
+  });
+  page.on('request', (request) => {
+    if (!/^(file|blob|data):/.test(request.url())) complaints.push(`request: ${request.url()}`);
+  });
+  await page.goto(address);
+  return { page, complaints, close: () => context.close() };
+}
+
+export async function closeBrowser() {
+  await browser?.close();
+}
+
+/// The verdict of a pane once a whole computation (no quick look) is there.
+export async function settled(page, side = 'a') {
+  // What was just done is drawn with the next frame.
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  await page.waitForFunction(
+    (name) => {
+      const pane = document.querySelector(`.pane-${name}`);
+      const how = pane.querySelector('.how').textContent;
+      return !pane.classList.contains('busy') && /revolutions by/.test(how) && !/quick look/.test(how);
+    },
+    side,
+    { timeout: 60_000 },
+  );
+  return page.textContent(`.pane-${side} .verdict`);
+}
+
+/// Presses an item of a panel's menu and gives what is downloaded, as text, with its name.
+export async function saved(page, panel, kind) {
+  await page.click(`${panel} .menu summary`);
+  const [file] = await Promise.all([page.waitForEvent('download'), page.click(`${panel} [data-save="${kind}"]`)]);
+  return { name: file.suggestedFilename(), bytes: readFileSync(await file.path()) };
+}

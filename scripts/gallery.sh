@@ -1,0 +1,19 @@
+#!/bin/bash
+# The gallery: explorers of the example cases, in docs/gallery:  gallery.sh BUILD
+# Needs BUILD/whirl and BUILD/explorer/template.html (make explorer).
+set -euo pipefail
+build=$(realpath "$1")
+cd "$(dirname "$0")/.."
+
+[ -f "$build/explorer/template.html" ] || { echo "the gallery needs the explorer's template: make explorer" >&2; exit 1; }
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+mkdir -p docs/gallery
+for name in paper paper-derived paper-literal jeffcott-rub rigid-rotor; do
+    "$build/whirl" run "cases/$name.yaml" -o "$work/$name.h5" -q
+    # Only the page is wanted: the exit status tells that no figures were drawn.
+    "$build/whirl" report "$work/$name.h5" -o "$work/$name" -q --gnuplot true --explorer "$build/explorer/template.html" \
+        2>/dev/null || [ -f "$work/$name/explorer.html" ]
+    mv "$work/$name/explorer.html" "docs/gallery/$name.html"
+    du -h "docs/gallery/$name.html"
+done
