@@ -610,7 +610,7 @@ export class App {
     this.root.classList.toggle('comparing', comparing);
     this.panes.b.root.hidden = !comparing;
     for (const name of ['a', 'b'] as const) this.panes[name].active = comparing && name === this.active;
-    this.topbar.show(this.machine, this.machines, this.address.units, comparing);
+    this.topbar.show(this.machine, this.machines, this.address.units, this.scales.symbol, comparing);
     const { sight } = this;
     const stale = sight.of !== assignmentTexts(this.side.choice.assignments).join('; ');
     this.card.show({

@@ -68,6 +68,12 @@ export class Segments {
     this.value = value;
   }
 
+  /// Another text on a button.
+  rename(value: string, text: string): void {
+    const found = this.buttons.find((made) => made.value === value);
+    if (found) found.textContent = text;
+  }
+
   set value(value: string) {
     for (const made of this.buttons) made.setAttribute('aria-pressed', String(made.value === value));
   }

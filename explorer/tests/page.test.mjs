@@ -1,5 +1,6 @@
 // The explorer in a real Chromium, from disk.
 import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
@@ -42,7 +43,12 @@ test('a click gives the motion at exactly that value, with the verdict of whirl 
   const shown = Number(await page.inputValue('#value-a'));
   assert.ok(Math.abs(shown - (1 + 0.4 * 3)) < 0.02, `the value under the cursor is ${shown}`);
   assert.ok(seconds < 30, `${seconds} s`);
-  const exact = await page.waitForFunction(() => new URLSearchParams(location.hash.slice(1)).get('at')).then((handle) => handle.jsonValue());
+  const exact = await page
+    .waitForFunction((near) => {
+      const at = new URLSearchParams(location.hash.slice(1)).get('at');
+      return Math.abs(Number(at) - near) < 1e-4 && at;
+    }, shown)
+    .then((handle) => handle.jsonValue());
   const text = CASE.replace(/from: 1.0, to: 4.0, points: 61/, `from: ${exact}, to: 4.0, points: 2`).replace(/\n  detail:.*\n/, '\n');
   writeFileSync(join(folder, 'one.yaml'), text);
   const [point] = JSON.parse(command('run', 'one.yaml', '--json', '-q')).points;
@@ -149,6 +155,32 @@ test('a setting becomes a case that whirl checks and runs', async () => {
   assert.equal(result.points.at(-1).parameters.omega, 3.5);
   assert.equal(result.detail.length, 1);
   assert.equal(result.detail[0].parameters.omega, 3.3);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('the command that is copied computes the setting', async () => {
+  const { page, complaints, close } = await open(`${address}#at=1.5&set=mu%3D0.08`);
+  await settled(page);
+  await page.evaluate(() => (navigator.clipboard.writeText = async (text) => void (window.copied = text)));
+  await page.click('button:text-is("Copy command")');
+  await page.waitForFunction(() => window.copied);
+  const script = await page.evaluate(() => window.copied);
+  assert.match(script, /whirl run rub-explored\.yaml -o rub-explored\.h5 && whirl report/);
+  execFileSync('bash', ['-e'], { cwd: folder, input: script.replace(/^whirl run.*$/m, `"$WHIRL" run rub-explored.yaml -q -o rub-explored.h5`) });
+  const { detail } = JSON.parse(command('run', 'rub-explored.yaml', '--json', '-q'));
+  assert.equal(detail[0].parameters.mu, 0.08);
+  assert.equal(detail[0].parameters.omega, 1.5);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('a preset of the gallery is computed here', async () => {
+  const { page, complaints, close } = await open(`${address}#run=rigid-rotor`);
+  await settled(page);
+  assert.equal(await page.textContent('h1'), 'Rigid rotor in an oil film');
+  await page.waitForFunction(() => Number(document.querySelector('.legend-entry .count')?.textContent) > 2, undefined, { timeout: 60_000 });
+  assert.equal(await page.$$eval('.parameter', (all) => all.length), 3);
   assert.deepEqual(complaints, []);
   await close();
 });

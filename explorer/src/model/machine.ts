@@ -22,11 +22,11 @@ const DRAG =
 
 /// Three sentences for a newcomer: what to try first.
 const INTROS: Readonly<Record<string, string>> = {
-  paper: `${DRAG} Start at r_k = 0.6, where the disc repeats itself every revolution, and go left: near 0.48 the oil film begins to whirl at a frequency of its own, and in the shaded parts the disc rubs its stator. Then press \u25b6 in the orbit at r_k = 0.35, and watch the rotor settle from its start and touch.`,
-  'paper-derived': `${DRAG} This reading has the signs that follow from a shaft that turns; compare where the whirl sets in with the calibrated reading (choose it above). Move the slider of the unbalance rho and press Recompute to see how far the answer depends on it.`,
-  'paper-literal': `${DRAG} This reading takes every number as it is printed, so that little of what the paper shows can be found in it. Choose the calibrated reading above for the difference that two fitted numbers make.`,
-  'jeffcott-rub': `${DRAG} At 1.5 times the natural frequency the disc stays in contact, at 3.8 it bounces once in four revolutions, and at 3.3 it never repeats itself. Brush a range (Shift and drag) around 3.3 to compute it more finely, and change the friction mu to see the chaos go.`,
-  'rigid-rotor': `${DRAG} More unbalance rho makes the journal repeat itself only after 2, 4, 8 revolutions until it never does: the cascade between 0.2 and 0.5. Look at the dots of the Poincar\u00e9 map double while you drag, and at the exponent below the diagram touch zero each time.`,
+  paper: `${DRAG} Start at r_k = 0.6, where the motion repeats itself every revolution, and go left: below 0.5 the oil film whirls at a frequency of its own, and in the shaded parts the disc rubs its stator. Then press \u25b6 in the orbit at r_k = 0.35, and watch the rotor settle from its start and touch.`,
+  'paper-derived': `${DRAG} This reading has the signs that follow from a shaft that turns; choose the calibrated reading above and compare what is left of the whirl and of the chaos. Then move the slider of the unbalance rho and press Recompute to see how far the answer depends on it.`,
+  'paper-literal': `${DRAG} This reading takes every number as it is printed: the disc rubs nearly everywhere, and most motions are chaotic. Choose the calibrated reading above for the difference that a few fitted numbers make.`,
+  'jeffcott-rub': `${DRAG} At 1.5 times the natural frequency the disc stays in contact, at 3.8 it repeats itself after four revolutions, and at 3.3 it never does. Brush a range around 3.3 (Shift and drag) to compute it more finely, or raise the friction mu to 0.1 there, and the motion does not stay bounded.`,
+  'rigid-rotor': `${DRAG} The journal repeats itself after 2 revolutions at an unbalance rho of 0.2, after 4 at 0.27, and from 0.31 on hardly ever: a cascade of period doublings. Look at the dots of the Poincar\u00e9 map double while you drag, and at the exponent below the diagram touch zero each time.`,
 };
 
 const OWN = `${DRAG} Change a parameter with its slider and press Recompute to see the diagram of the changed machine. Brush a range (Shift and drag) to compute that range more finely, and press \u25b6 in the orbit to watch the rotor settle.`;

@@ -77,6 +77,8 @@ export class MapView {
     this.main.overlay.append(this.brush);
     this.main.root.classList.add('map-main');
     this.exponent.root.classList.add('map-exponent');
+    // They hold a slider, which a picture would hide from assistive programs.
+    for (const chart of [this.main, this.exponent]) chart.root.setAttribute('role', 'group');
     this.root = el('div', { class: 'map' }, this.main.root, this.exponent.root, this.empty);
     this.listen(this.main.overlay);
     this.listen(this.exponent.overlay);

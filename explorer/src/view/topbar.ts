@@ -50,13 +50,14 @@ export class Topbar {
     );
   }
 
-  show(machine: Machine, machines: readonly Machine[], units: Units, comparing: boolean): void {
+  show(machine: Machine, machines: readonly Machine[], units: Units, lengthSymbol: string, comparing: boolean): void {
     this.title.textContent = machine.title || machine.name;
     document.title = `${machine.title || machine.name} \u00b7 whirl`;
     this.intro.textContent = machine.intro;
     setChoices(this.machines, machines.map(({ name, title, run }) => ({ value: name, text: `${title || name}${run ? '' : ' (computed here)'}` })), machine.name);
     this.machines.hidden = machines.length < 2;
     this.units = units;
+    this.length.rename('scale', lengthSymbol);
     this.length.value = units.length;
     this.speed.value = units.speed;
     this.frequency.value = units.frequency;

@@ -1,0 +1,44 @@
+// Pictures of every view, to be looked at:  WHIRL=... TEMPLATE=... node tests/pictures.mjs PAGE.html OUT
+//
+// PAGE.html is an explorer of the paper's case. Written to OUT as PNG at three widths, light and dark.
+import { join, resolve } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { closeBrowser, open, settled } from './support.mjs';
+
+const [file, out] = process.argv.slice(2);
+const address = pathToFileURL(resolve(file)).href;
+const SIZES = [[360, 780], [1280, 860], [2560, 1440]];
+
+async function picture(name, hash, [width, height], colorScheme, act = async () => {}, whole = false) {
+  const { page, complaints, close } = await open(address + hash, { viewport: { width, height }, colorScheme });
+  await settled(page);
+  await act(page);
+  await page.waitForTimeout(300);
+  await page.screenshot({ path: join(out, `${name}-${width}-${colorScheme}.png`), fullPage: whole });
+  if (complaints.length) console.log(name, complaints);
+  await close();
+}
+
+const watch = async (page) => {
+  await page.selectOption('select[aria-label="Speed of the animation"]', '16');
+  await page.click('.pane-a .play');
+  await page.waitForTimeout(4000);
+};
+const brush = async (page) => {
+  const box = await (await page.$('.map-main .overlay')).boundingBox();
+  await page.click('.map-card .segments button[value="range"]');
+  await page.mouse.move(box.x + box.width * 0.33, box.y + 50);
+  await page.mouse.down();
+  await page.mouse.move(box.x + box.width * 0.46, box.y + 60, { steps: 5 });
+  await page.mouse.up();
+  await page.waitForSelector('.map-card progress:not([hidden])');
+  await page.waitForFunction(() => document.querySelector('.map-card progress').hidden, undefined, { timeout: 300_000 });
+};
+
+for (const scheme of ['light', 'dark'])
+  for (const size of SIZES) await picture('page', '#at=0.35', size, scheme, undefined, size[0] === 360);
+for (const size of SIZES) await picture('compare', '#at=0.46&b=0.25&q=radius&st=journal', size, size[0] === 1280 ? 'light' : 'dark', undefined, size[0] === 360);
+await picture('help', '#at=0.35', SIZES[1], 'light', (page) => page.click('button[aria-label="Help"]'));
+await picture('watch', '#at=0.35', SIZES[1], 'dark', watch);
+await picture('range', '#at=0.44&q=y&st=journal', SIZES[1], 'light', brush);
+await closeBrowser();
