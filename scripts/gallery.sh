@@ -1,14 +1,13 @@
 #!/bin/bash
 # The gallery: explorers of the example cases, in docs/gallery:  gallery.sh BUILD
-# Needs BUILD/whirl and BUILD/explorer/template.html (make explorer).
+# BUILD is a folder as seen from the project's. Needs BUILD/whirl and BUILD/explorer/template.html (make explorer).
 set -euo pipefail
-build=$(realpath "$1")
 cd "$(dirname "$0")/.."
+build=$1
 
 [ -f "$build/explorer/template.html" ] || { echo "the gallery needs the explorer's template: make explorer" >&2; exit 1; }
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-mkdir -p docs/gallery
+work=$build/gallery
+mkdir -p "$work" docs/gallery
 for name in paper paper-derived paper-literal jeffcott-rub rigid-rotor; do
     "$build/whirl" run "cases/$name.yaml" -o "$work/$name.h5" -q
     # Only the page is wanted: the exit status tells that no figures were drawn.

@@ -28,9 +28,8 @@ interface Sight {
   readonly text: string;
 }
 
-const DRAFT = { transient: 100, record: 50, settle: true } as const;
+const LENGTHS = { draft: { transient: 100, record: 50, settle: true }, quick: { transient: 400, record: 100, settle: true } } as const;
 const DRAFT_STEPS = 256;
-const QUICK = { transient: 200, record: 100, settle: true } as const;
 
 export class App {
   readonly root = el('div', { class: 'app' });
@@ -429,9 +428,7 @@ export class App {
     const { quality } = this.card;
     const batch = this.original?.batches[0];
     const drafted: Setting =
-      quality === 'case' ? setting
-      : quality === 'quick' ? { ...setting, record: { ...QUICK, ...setting.record } }
-      : { ...setting, integrate: { stepsPerRevolution: DRAFT_STEPS, ...setting.integrate }, record: { ...DRAFT, ...setting.record } };
+      quality === 'case' ? setting : { ...setting, integrate: { stepsPerRevolution: DRAFT_STEPS, ...setting.integrate }, record: { ...LENGTHS[quality], ...setting.record } };
     const plan = { setting: drafted, parameter: this.address.parameter, low: range[0], high: range[1], points: this.card.points, batch };
     const diagram = awaitedDiagram(plan);
     const sight: Sight = { diagram, range, of: assignmentTexts(side.choice.assignments).join('; '), text: `Computed here, ${quality}: ${diagram.count} points.` };

@@ -195,7 +195,7 @@ test('a brushed range is computed anew, and Back returns', async () => {
   await page.mouse.down();
   await page.mouse.move(box.x + box.width * 0.8, box.y + 60, { steps: 5 });
   await page.mouse.up();
-  await page.waitForFunction(() => /Computed here, draft: 64 points/.test(document.querySelector('.status').textContent));
+  await page.waitForFunction(() => /Computed here, quick: 64 points/.test(document.querySelector('.status').textContent));
   await page.waitForFunction(() => document.querySelector('.map-card progress').hidden, undefined, { timeout: 120_000 });
   const counts = await page.$$eval('.legend-entry .count', (all) => all.reduce((sum, each) => sum + Number(each.textContent), 0));
   assert.equal(counts, 64, 'every point has a verdict');

@@ -62,7 +62,7 @@ export const DARK: Theme = {
   clearance: '#9aa7b4',
   touch: '#ff7a2f',
   keyphasor: '#ff9a5a',
-  contactShade: 'rgba(230,159,0,0.17)',
+  contactShade: 'rgba(230,159,0,0.13)',
   classes: ['#3d9be0', '#8fd0f7', '#1fc08f', '#f0b030', '#e07ac8', '#ffffff', '#7d8894', '#ff7a2f'],
 };
 

@@ -27,17 +27,17 @@ export class Help {
 
   constructor(facts: readonly { readonly name: string; readonly value: string }[]) {
     const rows = (entries: readonly (readonly [string, string])[]) => entries.flatMap(([term, text]) => [el('dt', {}, term), el('dd', {}, text)]);
-    const close = button('Close', 'Close this help', () => this.root.close(), { autofocus: true });
+    const close = button('\u00d7', 'Close this help', () => this.root.close(), { class: 'icon close', autofocus: true });
     this.root = el(
       'dialog',
       { class: 'help', 'aria-label': 'Help' },
+      close,
       el('h2', {}, 'How to read and use this page'),
       el('dl', {}, ...rows(POINTS)),
       el('h2', {}, 'Keys, while the diagram has the focus'),
       el('dl', {}, ...rows(KEYS)),
       el('h2', {}, 'How the stored run was made'),
       el('dl', { class: 'facts' }, ...facts.flatMap(({ name, value }) => [el('dt', {}, name), el('dd', {}, value)])),
-      close,
     );
     this.root.addEventListener('click', (event) => {
       if (event.target === this.root) this.root.close();

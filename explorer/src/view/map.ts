@@ -372,17 +372,26 @@ export class MapView {
     let doing: Mode | undefined;
     let from = NaN;
     let last = NaN;
+    const fingers = new Map<number, number>();
     overlay.addEventListener('pointerdown', (event) => {
       if (event.button !== 0 || !this.subject) return;
       overlay.setPointerCapture(event.pointerId);
       this.main.overlay.focus({ preventScroll: true });
       event.preventDefault();
+      fingers.set(event.pointerId, event.clientX);
+      if (fingers.size > 1) {
+        doing = undefined;
+        this.brush.hidden = true;
+        return;
+      }
       doing = event.shiftKey ? 'range' : this.mode;
       from = last = this.valueAt(overlay, event.clientX);
       if (doing === 'point') this.listener.cursor(from, false);
     });
     overlay.addEventListener('pointermove', (event) => {
-      if (!doing || !this.subject) return;
+      if (!this.subject) return;
+      if (fingers.size === 2 && fingers.has(event.pointerId)) this.pinch(overlay, fingers, event);
+      if (!doing) return;
       const value = this.valueAt(overlay, event.clientX);
       if (doing === 'point' && value !== last) this.listener.cursor(value, false);
       if (doing === 'range') this.showBrush(from, value);
@@ -390,6 +399,7 @@ export class MapView {
       last = value;
     });
     const end = (event: PointerEvent, cancelled: boolean) => {
+      fingers.delete(event.pointerId);
       if (!doing || !this.subject) return;
       const value = this.valueAt(overlay, event.clientX);
       if (doing === 'point') this.listener.cursor(cancelled ? last : value, true);
@@ -399,6 +409,20 @@ export class MapView {
     overlay.addEventListener('pointerup', (event) => end(event, false));
     overlay.addEventListener('pointercancel', (event) => end(event, true));
     overlay.addEventListener('wheel', (event) => this.wheel(overlay, event), { passive: false });
+  }
+
+  /// Two fingers zoom and move: what is under them stays under them.
+  private pinch(overlay: HTMLElement, fingers: Map<number, number>, event: PointerEvent): void {
+    const before = [...fingers.values()];
+    fingers.set(event.pointerId, event.clientX);
+    const now = [...fingers.values()];
+    const apart = (places: readonly number[]) => Math.max(20, Math.abs(places[0]! - places[1]!));
+    const middle = (places: readonly number[]) => this.valueAt(overlay, (places[0]! + places[1]!) / 2);
+    const by = apart(before) / apart(now);
+    const [low, high] = this.subject!.range;
+    const [about, to] = [middle(before), middle(now)];
+    const shift = (about - to) * by;
+    this.listener.viewed([about - (about - low) * by + shift, about + (high - about) * by + shift]);
   }
 
   private wheel(overlay: HTMLElement, event: WheelEvent): void {

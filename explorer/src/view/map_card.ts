@@ -34,7 +34,7 @@ export type Quality = 'draft' | 'quick' | 'case';
 const POINTS: readonly Choice[] = [64, 128, 256, 512, 1024].map((count) => ({ value: String(count), text: `${count} points` }));
 const QUALITIES: readonly Choice[] = [
   { value: 'draft', text: 'draft: 150 revolutions of 256 steps' },
-  { value: 'quick', text: 'quick: 300 revolutions' },
+  { value: 'quick', text: 'quick: 500 revolutions of 256 steps' },
   { value: 'case', text: 'as the case' },
 ];
 
@@ -42,7 +42,7 @@ export class MapCard {
   readonly root: HTMLElement;
   readonly map: MapView;
   points = 256;
-  quality: Quality = 'draft';
+  quality: Quality = 'quick';
   private subject: MapCardSubject | undefined;
   private hidden = new Set<number>();
   private readonly title = el('h2', {}, 'Diagram');

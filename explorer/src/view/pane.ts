@@ -42,6 +42,12 @@ export interface PaneListener {
 
 const SPEEDS = [0.25, 1, 4, 16, 64].map((speed) => ({ value: String(speed), text: `${speed} rev/s` }));
 
+/// "6207 rpm, 1X is 103.5 Hz".
+function speedText(speed: number, units: Units): string {
+  const measure = parameterMeasure('rad/s', units);
+  return `${shown(speed * measure.factor)} ${measure.unit}, 1X is ${shown(speed / (2 * Math.PI))} Hz`;
+}
+
 const REGIME_CODES: Record<string, number> = { undetermined: 0, periodic: 1, 'quasi-periodic': 2, chaotic: 3, diverged: 4 };
 
 export class Pane {
@@ -52,6 +58,7 @@ export class Pane {
   private readonly name = el('label', { for: '' });
   private readonly unit = el('span', { class: 'unit' });
   private readonly verdict = el('strong', { class: 'verdict' });
+  private readonly turning = el('span', { class: 'turning' });
   private readonly confidence = el('span', { class: 'confidence' });
   private readonly reason = el('p', { class: 'reason' });
   private readonly how = el('p', { class: 'how' });
@@ -85,7 +92,7 @@ export class Pane {
       el(
         'header',
         { class: 'card pane-head' },
-        el('div', { class: 'pane-value' }, el('span', { class: 'side', 'aria-hidden': 'true' }, side.toUpperCase()), this.name, this.field, this.unit, this.verdict, this.confidence, ...(side === 'b' ? [close] : [])),
+        el('div', { class: 'pane-value' }, el('span', { class: 'side', 'aria-hidden': 'true' }, side.toUpperCase()), this.name, this.field, this.unit, this.verdict, this.confidence, this.turning, ...(side === 'b' ? [close] : [])),
         this.reason,
         this.how,
         this.trouble,
@@ -109,6 +116,7 @@ export class Pane {
     if (document.activeElement !== this.field) this.field.value = Number.isFinite(subject.value) ? written(subject.value * measure.factor, 6) : '';
     this.showVerdict(subject.result?.verdict, subject.busy);
     this.how.textContent = subject.busy || subject.how;
+    this.turning.textContent = subject.result ? speedText(subject.result.speed, subject.units) : '';
     this.trouble.textContent = subject.trouble;
     this.root.classList.toggle('busy', subject.busy !== '');
     const info = subject.stations[subject.station];

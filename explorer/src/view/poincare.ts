@@ -56,7 +56,7 @@ export class PoincarePanel extends Panel {
     const [across, up] = [section[this.plane[0]], section[this.plane[1]]];
     if (!across.length) return;
     const size = textSize();
-    const area = { left: 4.6 * size, top: 0.8 * size, width: width - 5.6 * size, height: height - 4 * size };
+    const area = { left: 5.2 * size, top: 0.8 * size, width: width - 6.2 * size, height: height - 4 * size };
     const least = 0.04 * Math.max(subject.motion.number('orbit/max_radius', subject.station), 1e-12) * factor;
     const equal = this.plane[1] === 'y';
     const h = extent(across, factor, least);

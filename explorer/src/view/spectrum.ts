@@ -66,7 +66,7 @@ abstract class SpectralPanel extends Panel {
     if (!(most > 0)) most = 1;
     const order = (spectrum?.order.at(-1) ?? 5) * frequency.factor;
     this.figure.setAxes(this.axis(frequency.unit), `amplitude (${amplitude.unit})`, this.logarithmic);
-    const amplitudes: Range = this.logarithmic ? [most * 10 ** -DECADES, most * 3] : [0, most * 1.16];
+    const amplitudes: Range = this.logarithmic ? [most * 10 ** -DECADES, most * 3] : [0, most * 1.22];
     const lines = this.curve.amplitudes.length ? this.curve.amplitudes : [new Float64Array(0), new Float64Array(0)];
     this.figure.show(this.range(order), amplitudes, [this.curve.frequency, ...lines]);
     this.describe();
@@ -80,23 +80,28 @@ abstract class SpectralPanel extends Panel {
     pen.fillStyle = colours.ink;
     pen.textAlign = 'center';
     pen.textBaseline = 'bottom';
-    const taken: [number, number][] = [];
+    const taken: (readonly [left: number, right: number, bottom: number])[] = [];
     for (const peak of this.peaks) {
       const [x, y] = [frame.x(peak.frequency), frame.y(peak.amplitude)];
       const text = this.subject!.units.frequency === 'Hz' ? shown(Math.abs(peak.frequency), 4) : `${shown(Math.abs(peak.frequency), 3)}X`;
-      const half = 0.25 * size * text.length;
-      if (x < frame.left || x > frame.left + frame.width || taken.some(([from, to]) => x + half > from && x - half < to)) continue;
-      taken.push([x - half, x + half]);
-      if (taken.length > MOST_LABELS) break;
-      pen.fillText(text, Math.min(Math.max(x, frame.left + half), frame.left + frame.width - half), Math.max(y - 0.2 * size, frame.top + 1.1 * size));
+      const half = 0.3 * size * text.length;
+      if (x < frame.left || x > frame.left + frame.width || taken.length >= MOST_LABELS) continue;
+      const centre = Math.min(Math.max(x, frame.left + half), frame.left + frame.width - half);
+      // A line higher where another label stands, as long as there is room.
+      let bottom = Math.max(y - 0.2 * size, frame.top + 1.1 * size);
+      const free = () => taken.every(([left, right, other]) => centre + half < left || centre - half > right || Math.abs(bottom - other) > 1.05 * size);
+      for (let tries = 0; tries < 1 && !free(); tries++) bottom -= 1.1 * size;
+      if (!free() || bottom < frame.top + size) continue;
+      taken.push([centre - half, centre + half, bottom]);
+      pen.fillText(text, centre, bottom);
     }
   }
 }
 
-/// Peaks worth a label: above a hundredth of the largest.
+/// Peaks worth a label: above a thirtieth of the largest.
 function worthy(peaks: readonly Peak[]): Peak[] {
   const most = Math.max(0, ...peaks.map((peak) => peak.amplitude));
-  return peaks.filter((peak) => peak.amplitude > 0.01 * most).sort((a, b) => b.amplitude - a.amplitude);
+  return peaks.filter((peak) => peak.amplitude > 0.03 * most).sort((a, b) => b.amplitude - a.amplitude);
 }
 
 function scaled(values: Float64Array, factor: number): Float64Array {
