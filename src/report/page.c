@@ -36,6 +36,7 @@ static void write_head(const page *to) {
 
 static void write_contents(const page *to) {
     fputs("<nav><ul>\n", to->stream);
+    if (to->explorer) fputs("<li><a href=\"explorer.html\">Explorer: touch the diagrams</a></li>\n", to->stream);
     if (to->claims) fputs("<li><a href=\"#claims\">Claims</a></li>\n", to->stream);
     for (size_t r = 0; r < to->count; r++) {
         fprintf(to->stream, "<li><a href=\"#result-%zu\">", r + 1);
@@ -61,7 +62,7 @@ static void write_result(const page *to, size_t result) {
 
 void page_write(const page *to) {
     write_head(to);
-    if (to->count > 1 || to->claims) write_contents(to);
+    if (to->count > 1 || to->claims || to->explorer) write_contents(to);
     if (to->claims) page_claims(to);
     for (size_t r = 0; r < to->count; r++) write_result(to, r);
     fputs("</body>\n</html>\n", to->stream);

@@ -2,6 +2,7 @@
 #ifndef REPORT_PAGE_H
 #define REPORT_PAGE_H
 
+#include <stdbool.h>
 #include <stdio.h>
 
 #include "claim_parts.h"
@@ -21,6 +22,7 @@ typedef struct page {
     const whirl_claims *claims;    ///< NULL: none
     const claim_outcome *outcomes; ///< [claims->count][count]
     const figure_list *figures;
+    bool explorer; ///< explorer.html stands beside the page
 } page;
 
 /// Writes the whole page.

@@ -80,7 +80,7 @@ static void compare(report *made, const whirl_result *const *results, size_t cou
 }
 
 static whirl_status write_page(const report *made, const whirl_result *const *results, const char *const *names,
-                               size_t count, const char *directory, const whirl_claims *claims) {
+                               size_t count, const char *directory, const whirl_report_options *options) {
     report_file file;
     const whirl_status status = report_file_open(&file, directory, "report.html");
     if (status.code != WHIRL_OK) return status;
@@ -90,9 +90,10 @@ static whirl_status write_page(const report *made, const whirl_result *const *re
         .names = names,
         .folders = (const char(*)[FOLDER_NAME_SIZE])made->folders,
         .count = count,
-        .claims = claims,
+        .claims = options->claims,
         .outcomes = made->outcomes,
         .figures = &made->figures,
+        .explorer = options->explorer != NULL,
     };
     page_write(&to);
     return report_file_close(&file);
@@ -106,7 +107,7 @@ static whirl_status make(report *made, const whirl_result *const *results, const
     const whirl_status drawn = draw(made, options->gnuplot);
     if (drawn.code == WHIRL_NO_MEMORY) return drawn;
     if (options->claims) compare(made, results, count, options->claims);
-    status = write_page(made, results, names, count, directory, options->claims);
+    status = write_page(made, results, names, count, directory, options);
     if (status.code == WHIRL_OK && options->explorer)
         status = explorer_write(options->explorer, results, names, count, directory);
     return status.code == WHIRL_OK ? drawn : status;
