@@ -14,7 +14,7 @@ COMPILE   = cmake --build $(BUILD) --parallel $(JOBS) --target whirl
 SOURCES   = $(shell git ls-files --cached --others --exclude-standard '*.c' '*.h')
 FUZZERS   = $(patsubst tests/fuzz/%.c,%,$(wildcard tests/fuzz/fuzz_*.c))
 
-.PHONY: all help test paper explorer bench soak install format lint asan tsan clang fuzz clean
+.PHONY: all help test paper explorer gallery bench soak install format lint asan tsan clang fuzz clean
 .DEFAULT_GOAL := all
 
 all:            ## build/whirl
@@ -33,6 +33,7 @@ dependencies-%:
 test: dependencies-build-report-test ## everything is built, run and proved
 	cmake --preset release -DWHIRL_TESTS=ON
 	cmake --build $(BUILD) --parallel $(JOBS)
+	scripts/explorer.sh --if-possible $(BUILD)/explorer
 	cmake --preset asan
 	cmake --build $(BUILD)/asan --parallel $(JOBS)
 	cmake --preset fuzz
@@ -73,6 +74,7 @@ paper: dependencies-build-report ## the 2015 paper's study, from its three case 
 	@$(CONFIGURE)
 	@$(COMPILE)
 	@mkdir -p $(PAPER)
+	@scripts/explorer.sh --if-possible $(BUILD)/explorer
 	@$(MAKE) --no-print-directory $(PAPER)/report/report.html
 	@echo "The report is $(PAPER)/report/report.html"
 
@@ -82,13 +84,18 @@ paper: dependencies-build-report ## the 2015 paper's study, from its three case 
 $(PAPER)/%.h5: cases/%.yaml $(WHIRL)
 	$(WHIRL) run $< -o $@ $(if $(wildcard $@.journal),--resume)
 
-$(PAPER)/report/report.html: $(RESULTS) cases/paper-claims.yaml
+$(PAPER)/report/report.html: $(RESULTS) cases/paper-claims.yaml $(wildcard $(BUILD)/explorer/template.html)
 	$(WHIRL) report $(RESULTS) -o $(@D) --claims cases/paper-claims.yaml
 
 # ---------------------------------------------------------------- the explorer
 
 explorer: dependencies-build-explorer ## the explorer's engine and page: build/explorer
 	scripts/explorer.sh $(BUILD)/explorer
+
+gallery: explorer ## explorers of the example cases: docs/gallery
+	@$(CONFIGURE)
+	@$(COMPILE)
+	scripts/gallery.sh $(BUILD)
 
 # ---------------------------------------------------------------- the rest
 

@@ -1,10 +1,10 @@
 #!/bin/bash
-# Builds the explorer's engine: the C core for the browser and the program of its workers.
+# Builds the explorer: the C core for the browser, the program of its workers, and the page that `whirl report` fills.
 #
 #   scripts/explorer.sh [--if-possible] OUT
 #
-# OUT/whirl.wasm, OUT/worker.js. Needs emscripten, node with npm, and the sources of libyaml and muParser, which come from
-# Debian once. Where something is missing it says so in one line and fails; with --if-possible it does not fail.
+# OUT/whirl.wasm, OUT/worker.js, OUT/template.html. Needs emscripten, node with npm, and the sources of libyaml and
+# muParser, which come from Debian once. Where something is missing it says so in one line and fails; with --if-possible it does not fail.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -67,3 +67,4 @@ if [ ! -e explorer/node_modules/.package-lock.json ] ||
 fi
 explorer/node_modules/.bin/tsc --noEmit -p explorer
 node explorer/engine.mjs "$out"
+node explorer/build.mjs --worker "$out/worker.js" --core "$out/whirl.wasm" "$out/template.html"

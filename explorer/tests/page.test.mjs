@@ -4,7 +4,7 @@ import { execFileSync } from 'node:child_process';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { CASE, closeBrowser, command, folder, makePage, open, saved, settled } from './support.mjs';
+import { CASE, closeBrowser, command, folder, makePage, open, saved, settled } from './browser.mjs';
 
 let address;
 before(() => {

@@ -3,7 +3,7 @@
 // PAGE.html is an explorer of the paper's case. Written to OUT as PNG at three widths, light and dark.
 import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { closeBrowser, open, settled } from './support.mjs';
+import { closeBrowser, open, settled } from './browser.mjs';
 
 const [file, out] = process.argv.slice(2);
 const address = pathToFileURL(resolve(file)).href;

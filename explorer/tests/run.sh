@@ -18,4 +18,4 @@ for browser in "${CHROMIUM:-}" chromium chromium-browser google-chrome; do
 done
 [ -n "${CHROMIUM:-}" ] || skip "Chromium is missing (scripts/install-dependencies.sh explorer)"
 export CHROMIUM
-exec node --test tests/*.test.mjs
+exec node --test tests/page*.test.mjs

@@ -5,7 +5,7 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
-import { closeBrowser, folder, open, template } from './support.mjs';
+import { closeBrowser, folder, open, template } from './browser.mjs';
 
 after(closeBrowser);
 
