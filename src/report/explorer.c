@@ -175,7 +175,7 @@ typedef struct kept_part {
 
 static kept_part part_of(const whirl_field *field, const selection *chosen) {
     if (field->rows == 1) return (kept_part){0, 1, field->columns};
-    if (!chosen->sections || strcmp(field->name, "poincare/section") != 0) return (kept_part){0};
+    if (!chosen->sections || chosen->count == 0 || strcmp(field->name, "poincare/section") != 0) return (kept_part){0};
     const size_t most = MOST_SECTION / chosen->count;
     const size_t rows = field->rows < most ? field->rows : most;
     return (kept_part){field->rows - rows, rows, 2};
@@ -252,28 +252,34 @@ static void write_run(FILE *stream, const whirl_result *result, const char *name
     fputs("]}", stream);
 }
 
+/// The template up to `place`, the runs, and what follows the mark.
+static void write_page(FILE *stream, const char *page, const char *place, const whirl_result *const *results,
+                       const char *const *names, size_t count) {
+    fwrite(page, 1, (size_t)(place - page), stream);
+    fputc('[', stream);
+    for (size_t r = 0; r < count; r++) {
+        if (r > 0) fputs(",\n", stream);
+        write_run(stream, results[r], names[r]);
+    }
+    fputc(']', stream);
+    fputs(place + strlen(mark), stream);
+}
+
 whirl_status explorer_write(const char *template_path, const whirl_result *const *results, const char *const *names,
                             size_t count, const char *directory) {
     char *page;
     whirl_status status = read_template(template_path, &page);
     if (status.code != WHIRL_OK) return status;
     const char *place = strstr(page, mark);
-    report_file file;
-    if (!place)
-        status = unreadable(template_path, "has no place for results: it is no template of the explorer");
-    else
+    if (place) {
+        report_file file = {0};
         status = report_file_open(&file, directory, "explorer.html");
-    if (status.code == WHIRL_OK) {
-        fwrite(page, 1, (size_t)(place - page), file.stream);
-        fputc('[', file.stream);
-        for (size_t r = 0; r < count; r++) {
-            if (r > 0) fputs(",\n", file.stream);
-            write_run(file.stream, results[r], names[r]);
+        if (status.code == WHIRL_OK) {
+            write_page(file.stream, page, place, results, names, count);
+            status = report_file_close(&file);
         }
-        fputc(']', file.stream);
-        fputs(place + strlen(mark), file.stream);
-        status = report_file_close(&file);
-    }
+    } else
+        status = unreadable(template_path, "has no place for results: it is no template of the explorer");
     free(page);
     return status;
 }

@@ -207,7 +207,7 @@ export class SvgPen implements Pen {
   }
 }
 
-/// An SVG as a PNG, twice as fine.
+/// An SVG as a PNG, at least twice as fine and 1200 pixels wide.
 export async function pngOf(svg: string, width: number, height: number): Promise<Blob> {
   const address = URL.createObjectURL(new Blob([svg], { type: 'image/svg+xml' }));
   try {
@@ -215,8 +215,9 @@ export async function pngOf(svg: string, width: number, height: number): Promise
     image.src = address;
     await image.decode();
     const canvas = document.createElement('canvas');
-    canvas.width = 2 * width;
-    canvas.height = 2 * height;
+    const finer = Math.max(2, 1200 / width);
+    canvas.width = Math.round(finer * width);
+    canvas.height = Math.round(finer * height);
     canvas.getContext('2d')!.drawImage(image, 0, 0, canvas.width, canvas.height);
     return await new Promise((resolve, reject) =>
       canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error('the picture could not be made'))), 'image/png'),
