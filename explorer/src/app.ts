@@ -47,7 +47,7 @@ export class App {
   private readonly topbar: Topbar;
   private readonly card: MapCard;
   private readonly settings: SettingsCard;
-  private readonly help: Help;
+  private readonly help = new Help();
   private dirty = new Set<'all' | SideName | 'grow'>();
   private addressTimer = 0;
   private sweepProgress: SweepProgress | undefined;
@@ -70,7 +70,7 @@ export class App {
       units: (units) => this.setUnits(units),
       compare: () => this.compare(),
       theme: () => this.toggleTheme(),
-      help: () => this.help.open(),
+      help: () => this.openHelp(),
     });
     this.card = new MapCard({
       cursor: (value, settled) => this.cursor(this.active, value, settled),
@@ -96,7 +96,6 @@ export class App {
       copyCommand: () => void this.copyCommand(),
       copyLink: () => void this.copyLink(),
     });
-    this.help = new Help(this.machine.run?.facts ?? []);
     this.root.append(
       this.topbar.root,
       el('main', {}, this.card.root, this.settings.root, el('div', { class: 'panes' }, this.panes.a.root, this.panes.b.root)),
@@ -573,9 +572,13 @@ export class App {
     this.setTheme(dark);
   }
 
+  private openHelp(): void {
+    this.help.open(this.machine.run?.facts ?? []);
+  }
+
   private key(event: KeyboardEvent): void {
     const typing = event.target instanceof HTMLInputElement || event.target instanceof HTMLSelectElement;
-    if (event.key === '?' && !typing) this.help.open();
+    if (event.key === '?' && !typing) this.openHelp();
     if (event.key === 'Escape') {
       this.sweeping?.abort();
       for (const name of ['a', 'b'] as const) this.endWatch(name);

@@ -44,7 +44,7 @@ export function quantityOf(diagram: Diagram, id: string, station: number, statio
     case 'eccentricity':
       return made('orbit/eccentricity', station, 0, 1, `eccentricity ratio of ${name}`);
     case 'contact':
-      return made('rub/share', 0, 0, 1, 'share of the time in contact');
+      return diagram.column('rub/share') && { column: { rows: 1, data: Float32Array.from(diagram.values, (_, point) => (diagram.done[point] ? diagram.contact(point) : NaN)) }, factor: 1, label: 'share of the time in contact' };
     case 'exponent':
       return made('lyapunov/largest', 0, 0, 1, 'exponent per revolution') ?? made('regime/exponent', 0, 0, 1, 'exponent per revolution');
     case 'backward':

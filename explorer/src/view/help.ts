@@ -22,29 +22,32 @@ const POINTS: readonly (readonly [string, string])[] = [
   ['Keep', 'Every picture as PNG or SVG and its data as CSV (\u2913); the setting as a case file or a command line for whirl; the address of the page holds the setting too.'],
 ];
 
-export class Help {
-  readonly root: HTMLDialogElement;
+type Facts = readonly { readonly name: string; readonly value: string }[];
 
-  constructor(facts: readonly { readonly name: string; readonly value: string }[]) {
-    const rows = (entries: readonly (readonly [string, string])[]) => entries.flatMap(([term, text]) => [el('dt', {}, term), el('dd', {}, text)]);
-    const close = button('\u00d7', 'Close this help', () => this.root.close(), { class: 'icon close', autofocus: true });
-    this.root = el(
-      'dialog',
-      { class: 'help', 'aria-label': 'Help' },
-      close,
-      el('h2', {}, 'How to read and use this page'),
-      el('dl', {}, ...rows(POINTS)),
-      el('h2', {}, 'Keys, while the diagram has the focus'),
-      el('dl', {}, ...rows(KEYS)),
-      el('h2', {}, 'How the stored run was made'),
-      el('dl', { class: 'facts' }, ...facts.flatMap(({ name, value }) => [el('dt', {}, name), el('dd', {}, value)])),
-    );
+export class Help {
+  readonly root = el('dialog', { class: 'help', 'aria-label': 'Help' });
+
+  constructor() {
     this.root.addEventListener('click', (event) => {
       if (event.target === this.root) this.root.close();
     });
   }
 
-  open(): void {
+  /// `facts`: how the run that is shown was made; none where it is computed here.
+  open(facts: Facts): void {
+    const rows = (entries: readonly (readonly [string, string])[]) => entries.flatMap(([term, text]) => [el('dt', {}, term), el('dd', {}, text)]);
+    this.root.replaceChildren(
+      button('\u00d7', 'Close this help', () => this.root.close(), { class: 'icon close', autofocus: true }),
+      el('h2', {}, 'How to read and use this page'),
+      el('dl', {}, ...rows(POINTS)),
+      el('h2', {}, 'Keys, while the diagram has the focus'),
+      el('dl', {}, ...rows(KEYS)),
+    );
+    if (facts.length)
+      this.root.append(
+        el('h2', {}, 'How the stored run was made'),
+        el('dl', { class: 'facts' }, ...rows(facts.map(({ name, value }) => [name, value] as const))),
+      );
     if (!this.root.open) this.root.showModal();
   }
 }
