@@ -1,6 +1,6 @@
 #!/bin/bash
 # Writes the tables of docs/verification-manual.md:  scripts/verification-table.sh BUILD
-# Runs the validation programs of the build. Their logs have a line for every number compared,
+# Runs the validation programs of the build, all motions of the verdicts included. Their logs have a line for every number compared,
 #     A3 | what | expected | obtained | difference | tolerance
 # and what stands between `<!-- table A3 -->` and `<!-- end -->` in the manual is replaced by the lines of A3.
 set -euo pipefail
@@ -10,6 +10,7 @@ log=$(mktemp) fresh=$(mktemp)
 trap 'rm -f "$log" "$fresh"' EXIT
 
 status=0
+export WHIRL_SOAK=1
 for program in "$build"/tests/validation_test_*; do
     [ -x "$program" ] || continue
     echo "running $(basename "$program")" >&2

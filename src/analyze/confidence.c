@@ -55,7 +55,7 @@ static bool grows_steadily(const evidence *e) {
 }
 
 static whirl_confidence weigh_chaotic(const whirl_verdict *v, const evidence *e) {
-    if (!(v->chaos >= middle)) return WHIRL_LOW;
+    if (!(v->chaos > regular_walk)) return WHIRL_LOW;
     const bool strong = is_clear(v->exponent) && v->exponent.value >= strong_exponent && grows_steadily(e);
     const bool irregular = v->chaos >= random_walk && v->regularity < irregular_digits;
     return strong && irregular && (double)e->points.count >= enough_watched ? WHIRL_HIGH : WHIRL_FAIR;

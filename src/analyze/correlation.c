@@ -1,6 +1,7 @@
 // Correlation of the points of the section: how much a point still says of one that comes `lag` revolutions later. It
 // dies out in chaos that mixes and comes back again and again on tori and periodic motions.
 #include <math.h>
+#include <stdbool.h>
 #include <stdlib.h>
 
 #include "section.h"
@@ -20,7 +21,18 @@ static double correlation_at(const section *all, const double *mean, size_t lag)
     return early > 0.0 && late > 0.0 ? product / sqrt(early * late) : 0.0;
 }
 
-correlation correlation_find(const section *all) {
+/// Root mean square distance from the mean.
+static double spread(const section *all, const double *mean) {
+    double sum = 0.0;
+    for (size_t n = 0; n < all->count; n++)
+        for (size_t i = 0; i < all->dimension; i++) {
+            const double away = all->points[n * all->dimension + i] - mean[i];
+            sum += away * away;
+        }
+    return sqrt(sum / (double)all->count);
+}
+
+correlation correlation_find(const section *all, double least) {
     enum { MOST_POINTS = 1000, FEWEST_POINTS = 64 };
     const double forgotten = 0.2; // three standard errors of the correlation of 225 independent points
     const section points = section_tail(all, MOST_POINTS);
@@ -33,13 +45,14 @@ correlation correlation_find(const section *all) {
         for (size_t i = 0; i < points.dimension; i++)
             mean[i] += points.points[n * points.dimension + i] / (double)points.count;
     size_t last = 0; // lag that is still remembered
-    found.late = 0.0;
-    for (size_t lag = 1; lag <= longest; lag++) {
+    const bool moves = spread(&points, mean) > least;
+    found.late = moves ? 0.0 : NAN;
+    for (size_t lag = 1; lag <= longest && moves; lag++) {
         const double size = fabs(correlation_at(&points, mean, lag));
         if (size > forgotten) last = lag;
         if (lag > longest / 2) found.late = fmax(found.late, size);
     }
-    if (last <= longest / 2) found.time = (double)(last + 1);
+    if (moves && last <= longest / 2) found.time = (double)(last + 1);
     free(mean);
     return found;
 }

@@ -23,7 +23,7 @@ static const field_plan fields[FIELD_COUNT] = {
 
 static whirl_status compute(const whirl_record *record, const whirl_record_options *options, const block_view *view) {
     const evidence e = evidence_gather(record);
-    const correlation c = correlation_find(&e.points);
+    const correlation c = correlation_find(&e.points, e.rounding * e.size);
     const whirl_verdict verdict = whirl_judge(record);
     (void)options;
     *view_numbers(view, CHAOS, 0) = zero_one_test(&e.points, e.size);

@@ -63,7 +63,7 @@ int curves_count(const section *all);
 
 // ---------------------------------------------------------------- zero_one.c
 
-/// K of the 0-1 test for chaos over the last 1000 points: near 1 in chaos, near 0 for regular motion (below 0 too).
+/// K of the 0-1 test for chaos over the last 4000 points: near 1 in chaos, near 0 for regular motion (below 0 too).
 /// `size` is that of the motion. NaN for fewer than 100 points, or where nothing moves.
 double zero_one_test(const section *all, double size);
 
@@ -75,8 +75,8 @@ typedef struct correlation {
     double time; ///< revolutions after which it stays below 0.2; NaN where it does not
 } correlation;
 
-/// NaN for fewer than 64 points.
-correlation correlation_find(const section *all);
+/// NaN for fewer than 64 points, and where the root mean square spread is not above `least`.
+correlation correlation_find(const section *all, double least);
 
 // ---------------------------------------------------------------- rotation.c
 

@@ -103,7 +103,7 @@ static void regime_reason(const whirl_verdict *v, const char *exponent, char *te
         return;
     case WHIRL_CHAOTIC:
         snprintf(text, size, "small disturbances grow: %s; averages of two halves agree to %.1f digits only%s",
-                 exponent, v->regularity, v->chaos < 0.5 ? ", but the 0-1 test does not see chaos" : "");
+                 exponent, v->regularity, v->chaos <= 0.2 ? ", but the 0-1 test does not see chaos" : "");
         return;
     case WHIRL_DIVERGING:
         snprintf(text, size, "the motion left its bounds in revolution %.0f", v->diverged_at);

@@ -8,7 +8,7 @@
 
 #include "section.h"
 
-enum { MOST_POINTS = 1000, FEWEST_POINTS = 100, FREQUENCIES = 25, MOST_LAGS = 50 };
+enum { MOST_POINTS = 4000, FEWEST_POINTS = 100, FREQUENCIES = 25, MOST_LAGS = 50 };
 
 static const double pi = 3.141592653589793238463;
 

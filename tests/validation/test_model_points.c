@@ -12,6 +12,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -158,6 +159,9 @@ static whirl_result *run_points(void) {
     strcpy(study.batches[0].parameter, "r_k");
     study.batches[0].count = POINTS;
     study.batches[0].values = values;
+    study.batches[0].confirm = true;
+    assert_true(whirl_analysis_add(&study.batches[0].analyses, "evidence"));
+    assert_true(whirl_analysis_add(&study.batches[0].analyses, "winding"));
     const whirl_run_options options = {.threads = 2};
     require_ok(whirl_study_run(&study, &options, &result));
     whirl_case_free(object);
@@ -226,12 +230,46 @@ static void check_spectrum(const whirl_table *table, size_t point) {
     }
 }
 
+/// A number that nothing is known of beforehand.
+static void put_evidence(double r_k, const char *what, double value) {
+    if (!isnan(value)) printf("evidence | r_k = %.2f, %s | - | %.4g | - | -\n", r_k, what, value);
+}
+
+/// What supports the verdict, beside the exponent.
+static void check_evidence(const whirl_table *table, size_t point, const whirl_verdict *verdict) {
+    const known_point *k = &known[point];
+    char name[64];
+    whirl_verdict_name(verdict, name, sizeof name);
+    printf("evidence | r_k = %.2f, verdict and confidence | %s | %s, %s | - | -\n", k->r_k, k->regime, name,
+           whirl_confidence_name(verdict->confidence));
+    check_holds("evidence", words("r_k = %.2f, twice the steps give the same verdict", k->r_k),
+                verdict->confirmed && verdict->other_regime == verdict->regime &&
+                    verdict->other_period == verdict->period);
+    put_evidence(k->r_k, "distance of returns over the size of the motion", verdict->recurrence);
+    put_evidence(k->r_k, "digits to which averages of two halves agree", verdict->regularity);
+    put_evidence(k->r_k, "K of the 0-1 test", verdict->chaos);
+    put_evidence(k->r_k, "largest correlation of points 1/8 to 1/4 of the watched ones apart",
+                 number(table, point, "evidence/correlation", 0));
+    put_evidence(k->r_k, "turns of the disc round its mean position a revolution",
+                 number(table, point, "winding/winding", DISC));
+    if (verdict->regime == WHIRL_QUASI_PERIODIC)
+        check_within("evidence", words("r_k = %.2f, rotation number against the printed line", k->r_k),
+                     strtod(k->lines[0].order, NULL), verdict->rotation, 5e-4);
+    if (verdict->regime == WHIRL_PERIODIC) {
+        const double modulus = exp(k->exponent * verdict->period);
+        const double error = 3.0 * hypot(k->error, number(table, point, "lyapunov/error", 0));
+        check_within("evidence", words("r_k = %.2f, modulus of the largest multiplier", k->r_k), modulus,
+                     number(table, point, "evidence/modulus", 0), modulus * expm1(error * verdict->period));
+    }
+}
+
 static void check_point(const whirl_table *table, size_t point) {
     const known_point *k = &known[point];
     const whirl_verdict verdict = whirl_table_verdict(table, point);
     char name[64];
     whirl_verdict_name(&verdict, name, sizeof name);
     check_text("model", words("r_k = %.2f, regime", k->r_k), k->regime, name);
+    check_evidence(table, point, &verdict);
     const double error = number(table, point, "lyapunov/error", 0);
     check_within("model", words("r_k = %.2f, largest exponent per revolution", k->r_k), k->exponent,
                  number(table, point, "lyapunov/largest", 0), 3.0 * hypot(k->error, error));

@@ -103,17 +103,18 @@ static void memory(void **state) {
         .map = logistic_map, .dimension = 1, .section_dimension = 1, .parameters = {4.0}, .start = {0.3123}};
     whirl_record *record = record_map(&system, 100, 1000, 100);
     section points = section_of(record);
-    correlation c = correlation_find(&points);
+    correlation c = correlation_find(&points, 1e-12);
     assert_true(c.late < 0.2);
     assert_near(c.time, 1.0, 0.0);
     points.count = 63;
-    assert_true(isnan(correlation_find(&points).late));
+    assert_true(isnan(correlation_find(&points, 1e-12).late));
     free(record);
 
     record = record_rotation(golden, 1, 1000);
     points = section_of(record);
-    c = correlation_find(&points);
+    c = correlation_find(&points, 1e-12);
     assert_true(c.late > 0.98 && isnan(c.time));
+    assert_true(isnan(correlation_find(&points, 10.0).late)); // as if all that moved were rounding
     free(record);
 }
 
@@ -130,7 +131,7 @@ static void memory_has_a_length(void **state) {
         values[n] = x;
     }
     const section points = {COUNT, 1, values};
-    const correlation c = correlation_find(&points);
+    const correlation c = correlation_find(&points, 1e-12);
     assert_true(c.time > 8.0 && c.time < 40.0); // the estimate itself scatters by some 0.1
 }
 

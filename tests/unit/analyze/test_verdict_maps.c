@@ -1,0 +1,233 @@
+// Verdicts on maps whose regime is proved: superstable cycles and Misiurewicz points of the logistic map, the Lozi map,
+// hyperbolic maps of the torus, rotations.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+
+#include <cmocka.h>
+
+#include "synthetic.h"
+
+#define COUNT_OF(array) (sizeof(array) / sizeof *(array))
+
+/// The verdict on 650 iterates. It must be the expected one, or for a trap at least none that is wrong.
+static whirl_verdict judge(const map_system *system, size_t transient) {
+    whirl_record *record = record_map(system, transient, 650, 100);
+    record->revolutions = (double)(transient + 650);
+    const whirl_verdict verdict = whirl_judge(record);
+    free(record);
+    return verdict;
+}
+
+static void assert_verdict(const map_system *system, size_t transient, const char *expected, const char *label) {
+    const whirl_verdict verdict = judge(system, transient);
+    char name[64], reason[256];
+    whirl_verdict_name(&verdict, name, sizeof name);
+    whirl_verdict_reason(&verdict, reason, sizeof reason);
+    if (strcmp(name, expected) != 0) fail_msg("%s: %s, expected %s; %s", label, name, expected, reason);
+}
+
+static map_system logistic(double r) {
+    return (map_system){
+        .map = logistic_map, .dimension = 1, .section_dimension = 1, .parameters = {r}, .start = {0.3123}};
+}
+
+static double iterate(double r, double x, int count) {
+    for (int i = 0; i < count; i++) x = r * x * (1.0 - x);
+    return x;
+}
+
+/// Zero of f^count(1/2) - target(r) in (low, high), where it changes sign.
+static double bisect(double low, double high, int count, double (*target)(double r)) {
+    const double sign = iterate(low, 0.5, count) - target(low);
+    for (int i = 0; i < 200; i++) {
+        const double middle = 0.5 * (low + high);
+        *((iterate(middle, 0.5, count) - target(middle)) * sign > 0.0 ? &low : &high) = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+static double critical_point(double r) {
+    (void)r;
+    return 0.5;
+}
+
+static double fixed_point(double r) {
+    return 1.0 - 1.0 / r;
+}
+
+/// Calls `visit` for all r in 3 < r < 4 at which f^count(1/2) meets the target; returns how many there were.
+static int for_all_roots(int count, double (*target)(double r), bool (*visit)(double r, int count)) {
+    const int grid = 200000;
+    int found = 0;
+    for (int i = 0; i < grid; i++) {
+        const double low = 3.0 + (i + 0.5) / grid, high = low + 1.0 / grid;
+        if (high >= 4.0) break;
+        const double a = iterate(low, 0.5, count) - target(low), b = iterate(high, 0.5, count) - target(high);
+        if ((a > 0.0) != (b > 0.0)) found += visit(bisect(low, high, count, target), count);
+    }
+    return found;
+}
+
+static bool is_superstable(double r, int period) {
+    for (int k = 1; k < period; k++)
+        if (period % k == 0 && fabs(iterate(r, 0.5, k) - 0.5) < 1e-8) return false;
+    map_system system = logistic(r);
+    char expected[16], label[64];
+    system.start[0] = 0.5 + 1e-6; // some windows are so narrow that other starts take long
+    snprintf(expected, sizeof expected, "P-%d", period);
+    snprintf(label, sizeof label, "superstable at r = %.10f", r);
+    assert_verdict(&system, 5000, expected, label);
+    return true;
+}
+
+/// A cycle through 1/2 attracts. There are 1, 1, 2, 3, 5, 9 and 16 of the periods 2 to 8 (Metropolis, Stein, Stein
+/// 1973).
+static void superstable_cycles(void **state) {
+    (void)state;
+    const int known[] = {1, 1, 2, 3, 5, 9, 16};
+    for (int period = 2; period <= 8; period++)
+        assert_int_equal(for_all_roots(period, critical_point, is_superstable), known[period - 2]);
+}
+
+/// The superstable cycles of the cascade, to the longest period that is told, and one beyond it, which is not.
+static void long_periods(void **state) {
+    (void)state;
+    const double near[] = {3.5546408628, 3.5666673799, 3.5692435316, 3.5697952937};
+    const char *names[] = {"P-8", "P-16", "P-32", "P-64"};
+    for (int i = 0; i < 4; i++) {
+        const double r = bisect(near[i] - 1e-7, near[i] + 1e-7, 8 << i, critical_point);
+        const map_system system = logistic(r);
+        assert_verdict(&system, 20000, names[i], names[i]);
+    }
+    const map_system beyond = logistic(3.5699134654);
+    assert_verdict(&beyond, 50000, "undetermined", "P-128");
+}
+
+static bool is_misiurewicz(double r, int count) {
+    // 1/2 must land on the fixed point from elsewhere, which is so when f^(count - 1) lands on its other preimage.
+    if (fabs(iterate(r, 0.5, count - 1) - fixed_point(r)) < 1e-8) return false;
+    const map_system system = logistic(r);
+    char label[64];
+    snprintf(label, sizeof label, "Misiurewicz point r = %.10f", r);
+    assert_verdict(&system, 2000, "chaotic", label);
+    return true;
+}
+
+/// Where 1/2 falls onto the unstable fixed point almost all motions are chaotic (Misiurewicz 1981).
+static void misiurewicz_points(void **state) {
+    (void)state;
+    int found = 0;
+    for (int count = 3; count <= 9; count++) found += for_all_roots(count, fixed_point, is_misiurewicz);
+    assert_true(found >= 25);
+    const map_system full = logistic(4.0);
+    assert_verdict(&full, 2000, "chaotic", "r = 4");
+}
+
+/// x' = 1 + y - a |x|, y' = b x: chaotic for all b in (0, 1) and a between max(1 + b, (3b + 1)/sqrt 2 ...) and 2 - b/2,
+/// of which these lie well inside (Misiurewicz 1980).
+static void lozi_map(const double *p, size_t step, double *z, double *v) {
+    const double x = z[0], vx = v[0];
+    (void)step;
+    v[0] = v[1] - p[0] * (x < 0.0 ? -vx : vx);
+    v[1] = p[1] * vx;
+    z[0] = 1.0 + z[1] - p[0] * fabs(x);
+    z[1] = p[1] * x;
+}
+
+static void lozi(void **state) {
+    (void)state;
+    const double rows[][2] = {{1.7, 0.5}, {1.7, 0.3}, {1.75, 0.4}, {1.65, 0.2}, {1.8, 0.1}, {1.6, 0.3}};
+    for (size_t i = 0; i < COUNT_OF(rows); i++) {
+        const map_system system = {.map = lozi_map,
+                                   .dimension = 2,
+                                   .section_dimension = 2,
+                                   .parameters = {rows[i][0], rows[i][1]},
+                                   .start = {0.1, 0.1}};
+        assert_verdict(&system, 2000, "chaotic", "Lozi");
+    }
+}
+
+/// x' = (p + 1) x + y, y' = p x + y modulo 1: hyperbolic, determinant 1.
+static void cat_map(const double *p, size_t step, double *z, double *v) {
+    double *const pairs[2] = {z, v};
+    (void)step;
+    for (int i = 0; i < 2; i++) {
+        const double x = pairs[i][0], y = pairs[i][1];
+        pairs[i][0] = (p[0] + 1.0) * x + y;
+        pairs[i][1] = p[0] * x + y;
+    }
+    z[0] -= floor(z[0]);
+    z[1] -= floor(z[1]);
+}
+
+static void on_torus(const double *z, double *point) {
+    for (int i = 0; i < 2; i++) {
+        point[2 * i] = cos(6.283185307179586 * z[i]);
+        point[2 * i + 1] = sin(6.283185307179586 * z[i]);
+    }
+}
+
+static void cats(void **state) {
+    (void)state;
+    for (int p = 1; p <= 4; p++) {
+        const map_system system = {.map = cat_map,
+                                   .embed = on_torus,
+                                   .dimension = 2,
+                                   .section_dimension = 4,
+                                   .parameters = {p},
+                                   .start = {0.31234567, 0.71236541}};
+        assert_verdict(&system, 100, "chaotic", "map of the torus");
+    }
+}
+
+/// A rational rotation returns, but nothing holds it: it is not told as periodic. Nor is a slow drift.
+static void neutral_returns(void **state) {
+    (void)state;
+    const double turns[] = {0.5, 1.0 / 3.0, 0.4, 0.4 + 1e-9, 0.25 + 1e-7, 0.4 + 1e-5};
+    for (size_t i = 0; i < COUNT_OF(turns); i++) {
+        const map_system system = {.map = circle_map,
+                                   .embed = on_circle,
+                                   .dimension = 1,
+                                   .section_dimension = 2,
+                                   .parameters = {turns[i], 0.0},
+                                   .start = {0.1}};
+        assert_verdict(&system, 100, "undetermined", "rational rotation");
+    }
+}
+
+/// The golden and other rotations far from rational ones are tori, with confidence.
+static void rotations(void **state) {
+    (void)state;
+    const double turns[] = {0.38196601125, 0.41421356237, 0.27201964951, 0.2360679775,  0.44948974278,
+                            0.30277563773, 0.16227766017, 0.12310562562, 0.35889894354, 0.47213595500};
+    for (size_t i = 0; i < COUNT_OF(turns); i++) {
+        const map_system system = {.map = circle_map,
+                                   .embed = on_circle,
+                                   .dimension = 1,
+                                   .section_dimension = 2,
+                                   .parameters = {turns[i], 0.0},
+                                   .start = {0.1}};
+        assert_verdict(&system, 100, "quasi-periodic (1 curve)", "rotation");
+        const whirl_verdict verdict = judge(&system, 100);
+        assert_int_equal(verdict.agreement, WHIRL_HIGH);
+        assert_int_equal(verdict.confidence, WHIRL_FAIR);
+        assert_true(fabs(verdict.rotation - turns[i]) < 1e-9);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(superstable_cycles),
+        cmocka_unit_test(long_periods),
+        cmocka_unit_test(misiurewicz_points),
+        cmocka_unit_test(lozi),
+        cmocka_unit_test(cats),
+        cmocka_unit_test(neutral_returns),
+        cmocka_unit_test(rotations),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
