@@ -36,8 +36,15 @@ static double left_to_go(const whirl_verdict *v, const evidence *e) {
     return slowest < 0.0 ? v->recurrence / -expm1(slowest * v->recurrence_period) : INFINITY;
 }
 
+/// Whether the motion, where its way to rest is seen, comes to rest more slowly than the exponent says.
+static bool returns_contradict(const whirl_verdict *v, const evidence *e) {
+    const multiplier m = multiplier_find(&e->points, v->period, e->size, e->rounding);
+    const double rate = log(hypot(m.real, m.imaginary)) / v->period; // NaN where it is not seen
+    return rate > v->exponent.value + 0.1 * fabs(v->exponent.value) + clear_sigmas * v->exponent.error;
+}
+
 static whirl_confidence weigh_periodic(const whirl_verdict *v, const evidence *e) {
-    const bool clear = is_clear(v->exponent) && left_to_go(v, e) <= settled;
+    const bool clear = is_clear(v->exponent) && left_to_go(v, e) <= settled && !returns_contradict(v, e);
     return clear && e->returns.separation >= 100.0 * left_to_go(v, e) ? WHIRL_HIGH : WHIRL_FAIR;
 }
 

@@ -80,6 +80,8 @@ static void put_verdict(bool *well, json_t *object, const whirl_table *table, si
     document_put(well, evidence, "recurrence_period", json_integer(verdict.recurrence_period));
     document_put(well, evidence, "recurrence_trend", document_number(verdict.recurrence_trend));
     document_put(well, evidence, "regularity", document_number(verdict.regularity));
+    document_put(well, evidence, "chaos", document_number(verdict.chaos));
+    document_put(well, evidence, "rotation", document_number(verdict.rotation));
     document_put(well, object, "evidence", evidence);
 }
 
@@ -122,18 +124,28 @@ static void put_rub(bool *well, json_t *object, const whirl_result *result, cons
     document_put(well, object, "rub", rub);
 }
 
-// Every single number, or row of them, that an analysis gives of a station: orbit/max_radius, orbit/mean, ...
-static json_t *station_numbers(bool *well, const whirl_table *table, size_t point, size_t station) {
+// Every single number, or row of them, that an analysis ("orbit/") gives of a station: orbit/max_radius, orbit/mean, ...
+static json_t *numbers_of(const char *analysis, bool *well, const whirl_table *table, size_t point, size_t station) {
+    const size_t length = strlen(analysis);
     json_t *object = json_object();
     for (size_t i = 0; i < table->layout.field_count; ++i) {
         const whirl_field *field = &table->layout.fields[i];
-        if (field->extent != WHIRL_PER_STATION || field->rows != 1 || strncmp(field->name, "orbit/", 6) != 0) continue;
+        if (field->extent != WHIRL_PER_STATION || field->rows != 1 || strncmp(field->name, analysis, length) != 0)
+            continue;
         const double *values = whirl_table_field(table, point, field->name, station);
         if (!values || field->columns == 0) continue;
-        document_put(well, object, field->name + 6,
+        document_put(well, object, field->name + length,
                      field->columns == 1 ? document_number(*values) : numbers_array(well, values, field->columns));
     }
     return object;
+}
+
+static json_t *station_orbit(bool *well, const whirl_table *table, size_t point, size_t station) {
+    return numbers_of("orbit/", well, table, point, station);
+}
+
+static json_t *station_winding(bool *well, const whirl_table *table, size_t point, size_t station) {
+    return numbers_of("winding/", well, table, point, station);
 }
 
 // Points of the section, [x, y].
@@ -183,7 +195,9 @@ static json_t *point_object(bool *well, const whirl_result *result, const whirl_
     put_refinement(well, object, table, point);
     put_lyapunov(well, object, table, point);
     put_rub(well, object, result, table, point);
-    put_stations(well, object, "stations", station_numbers, result, table, point);
+    put_stations(well, object, "stations", station_orbit, result, table, point);
+    if (whirl_layout_field(&table->layout, "winding/winding"))
+        put_stations(well, object, "winding", station_winding, result, table, point);
     if (whirl_layout_field(&table->layout, "poincare/section"))
         put_stations(well, object, "poincare", station_section, result, table, point);
     if (whirl_layout_field(&table->layout, "spectrum/lines"))

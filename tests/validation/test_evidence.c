@@ -1,5 +1,6 @@
-// The sense of whirl of rubbing rotors (cases C2 and C3): with the shaft where the rub is synchronous, against it where
-// dry friction drives the rotor, rolling round its stator.
+// Evidence that analyses give, on rotors of which it is known. The sense of whirl of rubbing rotors (cases C2 and C3): with
+// the shaft where the rub is synchronous, against it where dry friction drives the rotor, rolling round its stator. The
+// largest multipliers of cases A7 and C4, by the way in which the motion comes to rest.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -14,18 +15,18 @@
 
 enum { BLOCK = 8 };
 
-/// Records the rotor and fills the fields of the analysis `winding`.
-static void analyse(const rub_case *p, const double *start, int steps, whirl_layout *layout, double *block) {
-    whirl_rotor *rotor = make_rub_rotor(p);
+/// Records the rotor, which is freed, and fills the fields of an analysis.
+static void analyse(const char *analysis, whirl_rotor *rotor, const double *start, int steps, int transient,
+                    whirl_layout *layout, double *block) {
     const whirl_system *system = whirl_rotor_system(rotor);
     whirl_integrate_options integrate = whirl_integrate_default();
     whirl_record_options options = whirl_record_default();
     whirl_analysis_set set = 0;
     whirl_record *record;
     integrate.steps_per_revolution = steps;
-    options.transient = 400;
-    options.growth = false;
-    assert_true(whirl_analysis_add(&set, "winding"));
+    options.transient = transient;
+    options.watch = options.record + transient; // the way to rest as well
+    assert_true(whirl_analysis_add(&set, analysis));
     require_ok(whirl_layout_new(system, &integrate, &options, set, layout));
     assert_true(layout->size <= BLOCK);
     require_ok(whirl_record_motion(system, &integrate, &options, start, NULL, &record));
@@ -44,7 +45,7 @@ static void synchronous_rub(void **state) {
     const double start[4] = {0.2, -1.05, 1.05, 0.2};
     whirl_layout layout;
     double block[BLOCK];
-    analyse(&p, start, 1024, &layout, block);
+    analyse("winding", make_rub_rotor(&p), start, 1024, 400, &layout, block);
     check_within("C2", "w = 1: turns round the mean position a revolution", 1.0,
                  value(&layout, block, "winding/winding"), 1e-6);
     check_within("C2", "w = 1: share of the time in contact", 1.0, value(&layout, block, "winding/contact"), 1e-9);
@@ -69,7 +70,7 @@ static void rolling(void **state) {
         const double start[4] = {1.5, 0.0, 0.0, -1.5 * rows[i].whirl / speed};
         whirl_layout layout;
         double block[BLOCK];
-        analyse(&p, start, 2048, &layout, block);
+        analyse("winding", make_rub_rotor(&p), start, 2048, 400, &layout, block);
         check_within("C3", words("zeta = %g: turns round the stator a revolution, rolling", p.zeta),
                      -p.surface_radius / rows[i].rolling, value(&layout, block, "winding/winding"), 5e-3);
         check_within("C3", words("zeta = %g: direction of whirl", p.zeta), -1.0,
@@ -78,7 +79,36 @@ static void rolling(void **state) {
     }
 }
 
+/// The printed digits, and what a fit to nonlinear returns of 1e-2 and less leaves open.
+static void check_multiplier(const char *id, const char *what, const whirl_layout *layout, const double *block,
+                             double real, double imaginary) {
+    const double *found = block + whirl_layout_field(layout, "evidence/multiplier")->offset;
+    check_within(id, words("%s: real part of the largest multiplier, from returns", what), real, found[0], 1e-4);
+    check_within(id, words("%s: imaginary part", what), imaginary, found[1], 1e-4);
+    check_within(id, words("%s: its modulus, by the exponent", what), hypot(real, imaginary),
+                 value(layout, block, "evidence/modulus"), 1e-4);
+}
+
+/// All revolutions are watched, so that the way to rest is among them.
+static void multipliers(void **state) {
+    (void)state;
+    const rub_case p = {.speed = 1.5, .zeta = 0.1, .kappa = 10.0, .eccentricity = 0.9, .friction = 0.05, .weight = 0.5};
+    const double c4_start[4] = {0.1, -0.2, 0.0, 0.0};
+    whirl_layout layout;
+    double block[BLOCK];
+    analyse("evidence", make_rub_rotor(&p), c4_start, 1024, 150, &layout, block);
+    check_multiplier("C4", "w = 1.5", &layout, block, .54774858, .61278587);
+
+    const double a7_start[4] = {0.28, 0.0, 0.0, 0.28};
+    analyse("evidence", make_film_rotor(0.2, 0.0, .304206515539), a7_start, 1024, 100, &layout, block);
+    const double *found = block + whirl_layout_field(&layout, "evidence/multiplier")->offset;
+    check_within("A7", "e = 0.3: modulus of the largest multiplier, from returns", .57499, hypot(found[0], found[1]),
+                 1e-4);
+    check_within("A7", "e = 0.3: modulus by the exponent", .57499, value(&layout, block, "evidence/modulus"), 1e-4);
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(synchronous_rub), cmocka_unit_test(rolling)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(synchronous_rub), cmocka_unit_test(rolling),
+                                       cmocka_unit_test(multipliers)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
