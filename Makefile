@@ -30,7 +30,7 @@ dependencies-%:
 
 # ---------------------------------------------------------------- tests
 
-test: dependencies-build-report-test ## everything is built, run and proved
+test: dependencies-build-report-test-explorer ## everything is built, run and proved
 	cmake --preset release -DWHIRL_TESTS=ON
 	cmake --build $(BUILD) --parallel $(JOBS)
 	scripts/explorer.sh --if-possible $(BUILD)/explorer
@@ -73,6 +73,7 @@ RESULTS := $(READINGS:%=$(PAPER)/%.h5)
 paper: dependencies-build-report ## the 2015 paper's study, from its three case files to a report
 	@$(CONFIGURE)
 	@$(COMPILE)
+	@scripts/explorer.sh --if-possible $(BUILD)/explorer
 	@mkdir -p $(PAPER)
 	@scripts/explorer.sh --if-possible $(BUILD)/explorer
 	@$(MAKE) --no-print-directory $(PAPER)/report/report.html

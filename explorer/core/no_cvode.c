@@ -6,8 +6,9 @@ static whirl_status start(whirl_integrator *integrator) {
                       integrator->method->about.name);
 }
 
-static whirl_motion revolve(whirl_integrator *integrator, double *x, whirl_observe_fn observe, void *observer) {
-    (void)integrator, (void)x, (void)observe, (void)observer;
+static whirl_motion revolve(whirl_integrator *integrator, double *x, whirl_disturbances *disturbances,
+                            whirl_observe_fn observe, void *observer) {
+    (void)integrator, (void)x, (void)disturbances, (void)observe, (void)observer;
     return WHIRL_STUCK;
 }
 

@@ -6,6 +6,7 @@
 
 #include <ctype.h>
 #include <float.h>
+#include <limits.h>
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -123,10 +124,11 @@ static bool read_name(const char *name, ut_unit *unit) {
 
 static const ut_unit one = {.scale = 1.0};
 
-static bool powers_are_small(const ut_unit *unit) {
+/// Powers that fit, and a scale that has not vanished.
+static bool is_sound(const ut_unit *unit) {
     for (size_t i = 0; i < BASE_COUNT; i++)
-        if (abs(unit->powers[i]) > MOST_POWER) return false;
-    return true;
+        if (abs(unit->powers[i]) > SHRT_MAX) return false;
+    return unit->scale != 0.0;
 }
 
 static bool multiply(ut_unit *a, const ut_unit *b) {
@@ -134,7 +136,7 @@ static bool multiply(ut_unit *a, const ut_unit *b) {
     a->scale = settle_scale(a->scale * b->scale);
     a->origin = 0.0;
     for (size_t i = 0; i < BASE_COUNT; i++) a->powers[i] += b->powers[i];
-    return powers_are_small(a);
+    return is_sound(a);
 }
 
 static bool raise_to(ut_unit *a, int power) {
@@ -147,7 +149,7 @@ static bool raise_to(ut_unit *a, int power) {
     a->scale = settle_scale(pow(a->scale, power));
     a->origin = 0.0;
     for (size_t i = 0; i < BASE_COUNT; i++) a->powers[i] *= power;
-    return powers_are_small(a);
+    return is_sound(a);
 }
 
 // ---------------------------------------------------------------- reading

@@ -6,6 +6,11 @@ const { parentPort } = require('node:worker_threads');
 globalThis.self = globalThis;
 globalThis.location = { href: 'blob:' };
 globalThis.postMessage = (message, transfer) => parentPort.postMessage(message, transfer);
+// Node empties one port before it looks at the next; a browser takes turns.
+globalThis.MessageChannel = class {
+  port1 = {};
+  port2 = { postMessage: () => setImmediate(() => this.port1.onmessage()) };
+};
 parentPort.on('message', (data) => globalThis.onmessage({ data }));
 `;
 

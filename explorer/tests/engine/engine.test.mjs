@@ -1,0 +1,224 @@
+// The engine in node's workers against `whirl run`: the same numbers, the same verdicts, and what a page may do to it.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { after, before, test } from 'node:test';
+import { build } from 'esbuild';
+import { installWorkers } from './node_worker.mjs';
+import { LONG, PARTS, POINTS, SHORT, caseText, run, sectionDifference, withStudy } from './support.mjs';
+
+let engine, startEngine, fieldNumbers;
+
+async function load(entry) {
+  const { outputFiles } = await build({
+    entryPoints: [new URL(`../../src/engine/${entry}.ts`, import.meta.url).pathname],
+    bundle: true,
+    format: 'esm',
+    write: false,
+  });
+  return import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].contents).toString('base64')}`);
+}
+
+const parts = () => ({
+  worker: readFileSync(`${PARTS}/worker.js`, 'utf8'),
+  core: new Uint8Array(readFileSync(`${PARTS}/whirl.wasm`)),
+  workers: 2,
+});
+
+before(async () => {
+  installWorkers();
+  ({ startEngine } = await load('engine'));
+  ({ fieldNumbers } = await load('protocol'));
+  engine = startEngine(parts());
+});
+after(() => engine.close());
+
+async function good(outcome) {
+  const result = await outcome;
+  assert.ok(result.ok, JSON.stringify(result));
+  return result.value;
+}
+
+for (const { name, parameter, values } of POINTS) {
+  // Neighbours in time differ by rounding alone: the command fuses multiply-adds, a browser does not.
+  test(`${name}: 20 revolutions agree to 1e-9`, async () => {
+    const text = withStudy(name, parameter, values, SHORT);
+    const told = run(text);
+    for (const [i, value] of values.entries()) {
+      const result = await good(engine.point({ setting: { text }, parameter, value, batch: 'detail' }));
+      const difference = sectionDifference(result, fieldNumbers, told.detail[i]);
+      assert.ok(difference < 1e-9, `${parameter} = ${value}: sections differ by ${difference}`);
+    }
+  });
+
+  test(`${name}: verdicts agree, and what settled motions show`, async () => {
+    const text = withStudy(name, parameter, values, LONG);
+    const told = run(text);
+    for (const [i, value] of values.entries()) {
+      const result = await good(engine.point({ setting: { text }, parameter, value, batch: 'detail' }));
+      const theirs = told.detail[i];
+      assert.equal(result.verdict.name, theirs.verdict, `${parameter} = ${value}: ${result.verdict.reason}`);
+      assert.equal(result.verdict.confidence, theirs.confidence);
+      assert.equal(result.speed, parameter === 'omega' ? value : told.speed);
+      if (theirs.regime !== 'periodic') continue;
+      assert.ok(sectionDifference(result, fieldNumbers, theirs) < 1e-7, `${parameter} = ${value}: sections differ`);
+      result.stations.forEach((station, which) => {
+        const [radius] = fieldNumbers(result.layout, result.block, 'orbit/max_radius', which);
+        assert.ok(Math.abs(radius - theirs.stations[station.name].max_radius) < 1e-7);
+        // The strongest line, and the spectrum at its order.
+        const [order, x] = fieldNumbers(result.layout, result.block, 'spectrum/lines', which);
+        assert.ok(Math.abs(order - theirs.spectrum[station.name][0].order) < 1e-6);
+        assert.ok(Math.abs(x - theirs.spectrum[station.name][0].x) < 1e-6);
+      });
+    }
+  });
+}
+
+// A sweep computes its points side by side, in an order of its own, on several workers: each is what a point alone is.
+test('points of a sweep are those of the command', async () => {
+  const values = [0.9, 0.75, 0.6, 0.4];
+  const text = withStudy('paper', 'r_k', values, SHORT);
+  const told = run(text);
+  const all = Float64Array.from({ length: 40 }, (_, i) => values[i % 4]);
+  const seen = new Map();
+  let layout;
+  const result = await good(
+    engine.sweep(
+      { setting: { text }, parameter: 'r_k', values: all },
+      {
+        layout: (given, slots) => {
+          layout = given;
+          assert.equal(slots, 40);
+        },
+        points: ({ slots, blocks, verdicts }) =>
+          slots.forEach((slot, i) => {
+            assert.ok(!seen.has(slot));
+            assert.equal(typeof verdicts[i].name, 'string');
+            seen.set(slot, blocks.slice(i * layout.size, (i + 1) * layout.size));
+          }),
+      },
+    ),
+  );
+  assert.deepEqual(result.layout, layout);
+  assert.equal(seen.size, 40);
+  for (const [slot, block] of seen)
+    assert.ok(
+      sectionDifference({ stations: [{ name: 'disc' }, { name: 'journal' }], layout, block }, fieldNumbers, told.detail[slot % 4]) < 1e-9,
+    );
+});
+
+test('a carried sweep follows the attractor there and back, as the command does', async () => {
+  const values = [0.1, 0.15, 0.2, 0.25, 0.3];
+  const text = withStudy('rigid-rotor', 'rho', values, { ...LONG, start: 'carry, direction: both' });
+  const told = run(text);
+  const verdicts = [];
+  await good(
+    engine.sweep(
+      { setting: { text }, parameter: 'rho', values: Float64Array.from(told.points.slice(0, 5), (point) => point.parameters.rho), carry: 'both' },
+      { points: (points) => points.slots.forEach((slot, i) => (verdicts[slot] = points.verdicts[i].name)) },
+    ),
+  );
+  assert.deepEqual(verdicts, told.points.map((point) => point.verdict));
+});
+
+test('the case layer says what the command says', async () => {
+  const wrong = await engine.describe({ text: 'whirl: 1\nrotor: {speed: 3 m}\n', name: 'x.yaml' });
+  assert.equal(wrong.ok, false);
+  assert.equal(wrong.why, 'bad');
+  const speed = wrong.problems.find((problem) => problem.key === 'rotor.speed');
+  assert.deepEqual([speed.line, speed.column], [2, 16]);
+  assert.equal(speed.message, 'is in m, expected a unit of rad/s');
+  const setting = { text: caseText('paper') };
+  const far = await engine.describe({ ...setting, assignments: ['r_kk=0.3'] });
+  assert.match(far.message, /no parameter is called r_kk, did you mean r_k\?/);
+  const unit = await engine.describe({ ...setting, assignments: ['omega=50 Hz'] });
+  assert.match(unit.message, /expected a unit of rad\/s, such as rpm/);
+});
+
+test('a case tells its parameters, stations and study', async () => {
+  const told = await good(engine.describe({ text: caseText('paper'), assignments: ['omega=6000 rpm'] }));
+  const omega = told.parameters.find((parameter) => parameter.name === 'omega');
+  assert.equal(omega.written, '6000 rpm');
+  assert.ok(Math.abs(omega.value - 200 * Math.PI) < 1e-10);
+  assert.ok(Math.abs(told.speed - 200 * Math.PI) < 1e-10);
+  assert.equal(omega.comment, 'rotation speed');
+  assert.equal(omega.uses.find((use) => use.alone).path, 'rotor.speed');
+  assert.deepEqual(told.stations, [
+    { name: 'disc', clearance: 0, gap: 1.2 },
+    { name: 'journal', clearance: 1, gap: 0 },
+  ]);
+  assert.deepEqual(told.contacts, ['rub at disc']);
+  assert.equal(told.batches[0].parameter, 'r_k');
+  assert.equal(told.batches[0].values.length, 512);
+});
+
+test('a motion goes on from where it was, and flashes its contacts', async () => {
+  const setting = { text: caseText('paper') };
+  const request = { setting, parameter: 'r_k', value: 0.2, samplesPerRevolution: 32 };
+  const whole = await good(engine.transient({ ...request, revolutions: 12 }));
+  const first = await good(engine.transient({ ...request, revolutions: 5 }));
+  const rest = await good(engine.transient({ ...request, revolutions: 7, state: first.state }));
+  assert.deepEqual(rest.state, whole.state);
+  assert.equal(whole.samples.length, 12 * 32 * 8);
+  assert.deepEqual(whole.samples.slice(-8), whole.state);
+  const radius = Math.hypot(whole.samples[8 * 40], whole.samples[8 * 40 + 1]);
+  assert.equal(whole.forces[40] > 0, radius > 1.2);
+});
+
+test('a setting becomes a case that means the same', async () => {
+  const setting = { text: caseText('paper'), assignments: ['r_k=0.42', 'c=250 um'] };
+  const text = await good(engine.rewrite(setting, [{ path: 'study.sweep.from', text: '0.5' }]));
+  assert.match(text, /r_k: {5}0\.42 +# k1\/k2/);
+  const told = await good(engine.describe({ text }));
+  assert.equal(told.parameters.find((parameter) => parameter.name === 'r_k').value, 0.42);
+  assert.equal(told.parameters.find((parameter) => parameter.name === 'c').value, 250e-6);
+  assert.equal(told.batches[0].values[0], 0.5);
+  const wrong = await engine.rewrite(setting, [{ path: 'study.sweep.points', text: 'many' }]);
+  assert.equal(wrong.why, 'bad');
+});
+
+test('a later request makes an earlier one of its lane stale, at once', async () => {
+  const setting = { text: caseText('paper'), record: { transient: 1000000 } };
+  const values = Float64Array.from({ length: 500 }, (_, i) => 0.1 + i / 1000);
+  const sweep = engine.sweep({ setting, parameter: 'r_k', values }, {}, { lane: 'diagram' });
+  const point = engine.point({ setting, value: 0.5 }, { lane: 'point' });
+  const began = performance.now();
+  const told = engine.describe(setting, { lane: 'point' });
+  assert.deepEqual(await point, { ok: false, why: 'stale' });
+  await good(told);
+  assert.ok(performance.now() - began < 5000);
+  engine.cancel('diagram');
+  assert.deepEqual(await sweep, { ok: false, why: 'stale' });
+  const aborted = new AbortController();
+  const other = engine.point({ setting, value: 0.5 }, { signal: aborted.signal });
+  aborted.abort();
+  assert.deepEqual(await other, { ok: false, why: 'stale' });
+});
+
+test('what cannot be computed is refused with a sentence', async () => {
+  const setting = { text: caseText('paper') };
+  const cases = [
+    [{ setting: { ...setting, integrate: { method: 'rk5' } }, value: 0.5 }, /no method is called 'rk5', did you mean 'rk4'\?/],
+    [{ setting: { ...setting, integrate: { method: 'cvode-bdf' } }, value: 0.5 }, /SUNDIALS/],
+    [{ setting: { ...setting, integrate: { stepsPerRevolution: 0 } }, value: 0.5 }, /0 steps/],
+    [{ setting: { ...setting, record: { record: 2.5 } }, value: 0.5 }, /record is 2.5, expected a whole number/],
+    [{ setting: { ...setting, record: { record: -1 } }, value: 0.5 }, /expected/],
+    [{ setting, parameter: 'nobody', value: 0.5 }, /no parameter is called nobody/],
+    [{ setting, parameter: 'c', value: -1 }, /at c = -1/],
+    [{ setting, batch: 'nothing', value: 0.5 }, /no batch/],
+  ];
+  for (const [request, sentence] of cases) {
+    const outcome = await engine.point(request);
+    assert.equal(outcome.why, 'bad', JSON.stringify(request.setting.integrate ?? request.setting.record));
+    assert.match(outcome.message, sentence);
+  }
+  const empty = await engine.sweep({ setting, parameter: 'r_k', values: new Float64Array(0) });
+  assert.equal(empty.ok, false);
+});
+
+test('an engine that cannot start says so', async () => {
+  const broken = startEngine({ ...parts(), core: new Uint8Array(8) });
+  const outcome = await broken.describe({ text: '' });
+  assert.equal(outcome.why, 'failed');
+  assert.match(outcome.message, /cannot start/);
+  broken.close();
+});

@@ -1,0 +1,24 @@
+#!/bin/bash
+# The explorer's engine against the command:  run.sh node|chromium WHIRL BUILD
+# Exit status 77, with one line, where something that the tests need is missing.
+set -u
+kind=$1
+WHIRL=$(realpath "$2") && export WHIRL
+WHIRL_BUILD=$(realpath "$3") && export WHIRL_BUILD
+cd "$(dirname "$0")/../.." || exit 1
+
+skip() {
+    echo "the explorer's engine is not tested: $*"
+    exit 77
+}
+command -v node >/dev/null || skip "node is missing (scripts/install-dependencies.sh explorer)"
+[ -f "$WHIRL_BUILD/explorer/worker.js" ] && [ -d node_modules/esbuild ] || skip "it is not built (make explorer)"
+if [ "$kind" = chromium ]; then
+    for browser in "${CHROMIUM:-}" chromium chromium-browser google-chrome; do
+        [ -n "$browser" ] && CHROMIUM=$(command -v "$browser") && break
+    done
+    [ -n "${CHROMIUM:-}" ] || skip "Chromium is missing (scripts/install-dependencies.sh explorer)"
+    export CHROMIUM
+    exec node --test tests/engine/chromium.test.mjs
+fi
+exec node --test tests/engine/engine.test.mjs
