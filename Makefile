@@ -73,7 +73,6 @@ RESULTS := $(READINGS:%=$(PAPER)/%.h5)
 paper: dependencies-build-report ## the 2015 paper's study, from its three case files to a report
 	@$(CONFIGURE)
 	@$(COMPILE)
-	@scripts/explorer.sh --if-possible $(BUILD)/explorer
 	@mkdir -p $(PAPER)
 	@scripts/explorer.sh --if-possible $(BUILD)/explorer
 	@$(MAKE) --no-print-directory $(PAPER)/report/report.html

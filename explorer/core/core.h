@@ -60,7 +60,8 @@ int explorer_plan_method(plan *p, const char *method);
 /// Asks for what a diagram shows of its points.
 void explorer_plan_diagram(plan *p);
 
-/// Asks for everything there is to see of a point: all analyses, whole spectra, and the waveform of `waveform` revolutions.
+/// Asks for everything that the page shows of a point besides what the case wants to know: whole spectra, and the waveform
+/// of `waveform` revolutions.
 void explorer_plan_everything(plan *p, int waveform);
 
 /// Layout of the blocks and the options as JSON; needed before points are computed. NULL after a

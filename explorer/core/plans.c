@@ -91,10 +91,18 @@ EXPORTED int explorer_plan_method(plan *p, const char *method) {
     return 1;
 }
 
+/// What a diagram shows of its points, and what the panels show of one.
+static const char *const shown_of_many[] = {"poincare", "orbit", "rub", "lyapunov", "regime", NULL};
+static const char *const shown_of_one[] = {"poincare", "orbit",    "rub",      "lyapunov",
+                                           "regime",   "spectrum", "waveform", NULL};
+
+static void add_analyses(plan *p, const char *const *names) {
+    for (; *names; names++) whirl_analysis_add(&p->batch.analyses, *names);
+}
+
 EXPORTED void explorer_plan_diagram(plan *p) {
-    static const char *const names[] = {"poincare", "orbit", "rub", "lyapunov", "regime"};
     p->batch.analyses = 0;
-    for (size_t i = 0; i < sizeof names / sizeof *names; i++) whirl_analysis_add(&p->batch.analyses, names[i]);
+    add_analyses(p, shown_of_many);
     p->batch.record.spectra = false;
     p->batch.record.waveform = false;
     p->batch.record.growth = true;
@@ -102,8 +110,7 @@ EXPORTED void explorer_plan_diagram(plan *p) {
 }
 
 EXPORTED void explorer_plan_everything(plan *p, int waveform) {
-    for (const whirl_analysis *analysis = whirl_analyses(); analysis->name; analysis++)
-        whirl_analysis_add(&p->batch.analyses, analysis->name);
+    add_analyses(p, shown_of_one);
     p->batch.record.spectra = true;
     p->batch.record.waveform = true;
     p->batch.record.growth = true;

@@ -155,6 +155,22 @@ static void wrong_settings_leave_the_case_as_it_was(void **state) {
     expect_refused("kappa=2x", "kappa: is 2x, expected a number, or a number and a unit, with a space before the unit");
     expect_refused("kappa=", "kappa: is empty, expected a number, a quantity or an expression");
     expect_refused("omega=3 kg", "omega: is in kg, expected a unit of rad/s");
+    // What UDUNITS takes silently for something else.
+    static const char *const slips[] = {"rad/s)",
+                                        "rad/(s).2",
+                                        "(rad)2.s",
+                                        "rad\xC2\xB2"
+                                        "2/s",
+                                        "rad\xC2\xB7"
+                                        "2/s",
+                                        "rad/s since2"};
+    for (size_t i = 0; i < sizeof slips / sizeof *slips; i++) {
+        char assignment[80], sentence[200];
+        snprintf(assignment, sizeof assignment, "omega=3 %s", slips[i]);
+        snprintf(sentence, sizeof sentence, "omega: is 3 %s, expected a number in rad/s or rpm (no unit is called %s)",
+                 slips[i], slips[i]);
+        expect_refused(assignment, sentence);
+    }
     expect_refused("omega=50 Hz", "omega: is in Hz, expected a unit of rad/s, such as rpm (1 Hz = 60 rpm)");
     expect_refused("omega=-5", "t.yaml:8:10: rotor.speed: = omega is -5 rad/s, expected a number above 0 rad/s");
     expect_refused("kappa=\xFF", "the value of kappa is not text in UTF-8");

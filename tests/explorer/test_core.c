@@ -1,0 +1,179 @@
+// The explorer's C interface, as the browser's worker calls it: points are those of a study, to the bit.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "core.h"
+
+static const char text_of_case[] =
+    "whirl: 1\n"
+    "title: \"A \\\"rotor\\\" <b>\"\n"
+    "parameters:\n"
+    "  r: 0.4          # unbalance \\ \"eccentricity\"\n"
+    "  sigma: 0.3\n"
+    "rotor:\n"
+    "  speed: 1 rad/s\n"
+    "  length_scale: 1 m\n"
+    "  stations: {journal: {mass: 1 kg, eccentricity: = r}}\n"
+    "  elements:\n"
+    "    - film: {at: journal, clearance: 1 m, load: = sigma/9}\n"
+    "    - gravity: = 1/9\n"
+    "study:\n"
+    "  sweep: {parameter: r, from: 0.1, to: 0.5, points: 7, start: carry, direction: both}\n"
+    "  initial: {journal: {x: 0.1, y: -0.2}}\n"
+    "  integrate: {steps_per_revolution: 64, transient: 40, record: 20}\n"
+    "  analyze: [poincare, orbit, rub, lyapunov, regime]\n";
+
+static whirl_case *open_case(void) {
+    whirl_case *object = explorer_case_new(text_of_case, strlen(text_of_case), "t.yaml");
+    assert_non_null(object);
+    return object;
+}
+
+static plan *open_plan(const whirl_case *object) {
+    plan *p = explorer_plan_new(object, "sweep", NULL);
+    assert_non_null(p);
+    explorer_plan_diagram(p);
+    assert_non_null(explorer_plan_layout(p, 0.1));
+    return p;
+}
+
+/// Runs a job to its end and checks every point with the study's table, whose slots begin at `first`.
+static void expect_table(const plan *p, job *j, const whirl_table *table, const size_t *slots) {
+    double *block = calloc(explorer_block_size(p), sizeof *block), end[4];
+    size_t taken = 0;
+    assert_non_null(block);
+    assert_int_equal(explorer_block_size(p), table->layout.size);
+    for (double turned = 1.0; turned > 0.0;) {
+        turned = explorer_job_turn(j);
+        assert_true(turned >= 0.0);
+        for (int index; (index = explorer_job_take(j, block, end)) >= 0; taken++)
+            assert_memory_equal(block, table->blocks + slots[index] * table->layout.size,
+                                table->layout.size * sizeof *block);
+    }
+    assert_int_equal(taken, 7);
+    free(block);
+}
+
+static void points_are_those_of_a_study(void **state) {
+    (void)state;
+    whirl_case *object = open_case();
+    whirl_result *result;
+    const whirl_run_options options = {.threads = 1};
+    assert_int_equal(whirl_case_run(object, &options, &result).code, WHIRL_OK);
+    const whirl_table *table = &result->tables[0];
+    plan *p = open_plan(object);
+    size_t slots[7];
+    double values[7];
+    for (size_t direction = 0; direction < 2; direction++) { // there, and back in the order of the computation
+        for (size_t i = 0; i < 7; i++) {
+            slots[i] = direction == 0 ? i : 13 - i;
+            values[i] = table->values[slots[i]];
+        }
+        job *j = explorer_job_new(p, values, 7, 1, NULL);
+        assert_non_null(j);
+        expect_table(p, j, table, slots);
+        explorer_job_free(j);
+    }
+    explorer_plan_free(p);
+    whirl_result_free(result);
+    explorer_case_free(object);
+}
+
+static void a_job_may_end_at_any_time(void **state) {
+    (void)state;
+    whirl_case *object = open_case();
+    plan *p = open_plan(object);
+    const double values[40] = {0.1, 0.2, 0.3, 0.4, 0.5, 0.11, 0.21, 0.31, 0.41, 0.51};
+    for (int turns = 0; turns < 70; turns += 10)
+        for (int carried = 0; carried < 2; carried++) {
+            job *j = explorer_job_new(p, values, 10, carried, NULL);
+            assert_non_null(j);
+            for (int i = 0; i < turns; i++) assert_true(explorer_job_turn(j) > 0.0);
+            explorer_job_free(j);
+        }
+    explorer_plan_free(p);
+    explorer_case_free(object);
+}
+
+static void a_motion_goes_on_where_it_was(void **state) {
+    (void)state;
+    whirl_case *object = open_case();
+    plan *p = open_plan(object);
+    double states[2][32 * 4], middle[4];
+    motion *m = explorer_motion_new(p, 0.3, NULL, 30);
+    assert_non_null(m);
+    assert_int_equal(explorer_motion_samples(m), 32); // the next divisor of the steps
+    assert_int_equal(explorer_motion_contacts(m), 0);
+    assert_true(explorer_motion_turn(m, states[0], NULL));
+    memcpy(middle, explorer_motion_state(m), sizeof middle);
+    assert_memory_equal(states[0] + 31 * 4, middle, sizeof middle);
+    assert_true(explorer_motion_turn(m, states[0], NULL));
+    motion *again = explorer_motion_new(p, 0.3, middle, 30);
+    assert_non_null(again);
+    assert_true(explorer_motion_turn(again, states[1], NULL));
+    assert_memory_equal(states[0], states[1], sizeof states[0]);
+    explorer_motion_free(again);
+    explorer_motion_free(m);
+    explorer_plan_free(p);
+    explorer_case_free(object);
+}
+
+// Text of a case is anything; between quotes of JSON it stays text.
+static void texts_are_escaped(void **state) {
+    (void)state;
+    whirl_case *object = open_case();
+    const char *told = explorer_describe(object);
+    assert_non_null(strstr(told, "\"title\":\"A \\\"rotor\\\" <b>\""));
+    assert_non_null(strstr(told, "\"comment\":\"unbalance \\\\ \\\"eccentricity\\\"\""));
+    text t = {0};
+    json_text(&t, "a\tb\x01\xC3\xA9");
+    json_next(&t);
+    json_number(&t, NAN);
+    json_next(&t);
+    json_number(&t, 0.1);
+    assert_string_equal(text_bytes(&t), "\"a\\u0009b\\u0001\xC3\xA9\",null,0.10000000000000001");
+    free(t.bytes);
+    explorer_case_free(object);
+}
+
+static void failures_leave_a_message(void **state) {
+    (void)state;
+    assert_null(explorer_case_new("whirl: 1\nx: 2\n", 14, "t.yaml"));
+    assert_non_null(strstr(explorer_message(), "\"line\":2,\"column\":1,\"key\":\"x\""));
+    whirl_case *object = open_case();
+    assert_false(explorer_assign(object, "rr=2"));
+    assert_non_null(strstr(explorer_message(), "no parameter is called rr"));
+    assert_null(explorer_plan_new(object, "response", NULL));
+    assert_null(explorer_edit(text_of_case, strlen(text_of_case), "rotor", "2"));
+    plan *p = open_plan(object);
+    assert_false(explorer_plan_number(p, "steps", 2.0));
+    assert_false(explorer_plan_number(p, "transient", 1e10));
+    assert_false(explorer_plan_number(p, "rtol", NAN));
+    assert_true(explorer_plan_method(p, "euler"));
+    const double value = 0.1;
+    job *j = explorer_job_new(p, &value, 1, 0, NULL);
+    assert_non_null(j);
+    assert_true(explorer_job_turn(j) < 0.0);
+    explorer_job_free(j);
+    assert_non_null(strstr(explorer_message(), "no method is called 'euler'"));
+    assert_null(explorer_motion_new(p, 0.1, NULL, 8));
+    assert_null(explorer_machine(p, NAN));
+    explorer_plan_free(p);
+    explorer_case_free(object);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(points_are_those_of_a_study),   cmocka_unit_test(a_job_may_end_at_any_time),
+        cmocka_unit_test(a_motion_goes_on_where_it_was), cmocka_unit_test(texts_are_escaped),
+        cmocka_unit_test(failures_leave_a_message),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
