@@ -106,7 +106,7 @@ EXPORTED job *explorer_job_new(const plan *p, const double *values, size_t count
     whirl_status status = whirl_ok();
     if (j) {
         *j = (job){.plan = p, .carried = carried != 0, .count = count};
-        j->source = (whirl_task_source){next, done, abandon, j};
+        j->source = (whirl_task_source){.next = next, .done = done, .abandon = abandon, .context = j};
         status = start_job(j, values, start);
     } else {
         status = whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points", count);

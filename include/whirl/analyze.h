@@ -104,6 +104,25 @@ typedef struct whirl_task {
     void *tag; ///< the source's own
 } whirl_task;
 
+/// The state of a motion under way between two revolutions, as bytes.
+typedef struct whirl_motion_state {
+    const whirl_task *task;
+    double revolutions; ///< that were computed
+    void *bytes;
+    size_t size;
+} whirl_motion_state;
+
+/// Saves motions under way, so that a later run can take them up where they were. No bit of a record depends on it.
+typedef struct whirl_motion_saver {
+    /// Asked after every revolution: whether the states are wanted now.
+    bool (*wanted)(void *context);
+    /// Takes the states of all motions that one recorder has under way; borrowed.
+    void (*save)(void *context, const whirl_motion_state *states, size_t count);
+    /// Asked when a motion is to begin: a state that was saved of it, to be freed by free, or NULL. One that does not fit
+    /// the motion, its system or its options is not used.
+    void *(*saved)(void *context, const whirl_task *task, size_t *size);
+} whirl_motion_saver;
+
 /// Where motions come from and where their records go.
 typedef struct whirl_task_source {
     /// Writes the next motion and returns true; false when there is none now (there may be one after the next `done`).
@@ -113,6 +132,7 @@ typedef struct whirl_task_source {
     /// Takes back a motion that did not finish because the work ended early.
     void (*abandon)(void *context, const whirl_task *task);
     void *context;
+    const whirl_motion_saver *saver; ///< or NULL; called with `context`
 } whirl_task_source;
 
 /// Records all motions that the source gives, one after the other or, where they can (whirl_ensemble_takes), many side

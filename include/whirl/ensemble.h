@@ -48,6 +48,12 @@ void whirl_ensemble_state(const whirl_ensemble *ensemble, size_t lane, double *x
 /// Moves a machine with its state and all that was watched of it to another lane, whose own is lost.
 void whirl_ensemble_move(whirl_ensemble *ensemble, size_t from, size_t to);
 
+/// All that a lane has between revolutions, watched numbers included: numbers [whirl_ensemble_numbers]. Restored into a lane
+/// that the same machine was loaded into, of an ensemble with the same options.
+size_t whirl_ensemble_numbers(const whirl_ensemble *ensemble);
+void whirl_ensemble_save(const whirl_ensemble *ensemble, size_t lane, double *numbers);
+void whirl_ensemble_restore(whirl_ensemble *ensemble, size_t lane, const double *numbers);
+
 /// Bounded, diverged by the options' limit, or stuck where an adaptive method could not go on.
 whirl_motion whirl_ensemble_motion(const whirl_ensemble *ensemble, size_t lane);
 

@@ -91,6 +91,14 @@ typedef struct whirl_progress {
     double seconds;                             ///< since the start
 } whirl_progress;
 
+/// The state of a point under way, after so many revolutions.
+typedef struct whirl_kept_state {
+    size_t batch, slot; ///< as a keeper knows the point
+    double revolutions;
+    const void *bytes;
+    size_t size;
+} whirl_kept_state;
+
 /// Keeps finished points outside of a run, so that a later run of the same study can go on from them (a journal, see
 /// whirl/journal.h). A point is known by its batch and its slot in the batch's table. Where points are computed more than
 /// once, `batch` tells the passes apart: it is the batch's index plus batch_count times the pass, which is twice the round
@@ -106,6 +114,11 @@ typedef struct whirl_keeper {
     /// Called a few times a second, so that what was kept may be brought to safety. May be NULL. An error ends the run.
     whirl_status (*tend)(void *context);
     void *context;
+    /// Takes the states of the motions that thread `worker` has under way, in place of those that it gave before: so that
+    /// long points need not begin anew. Called every few seconds. May be NULL. What cannot be kept is no error.
+    void (*save)(void *context, size_t worker, const whirl_kept_state *states, size_t count);
+    /// Asked when a point is begun: the state furthest on that was saved of it, to be freed by free, or NULL.
+    void *(*saved)(void *context, size_t batch, size_t slot, double *revolutions, size_t *size);
 } whirl_keeper;
 
 typedef struct whirl_run_options {

@@ -77,7 +77,7 @@ static whirl_status recording_new(const whirl_task *task, const whirl_integrate_
     r->options = options;
     whirl_status status = whirl_integrator_new(system, integrate, &r->integrator);
     if (status.code == WHIRL_OK) {
-        r->x = malloc(2 * system->dimension * sizeof *r->x);
+        r->x = calloc(2 * system->dimension, sizeof *r->x);
         r->record = record_new(system, integrate, options);
         if (options->settle) r->settling = settling_new(system->dimension);
         if (!r->x || !r->record || (options->settle && !r->settling))
@@ -92,6 +92,18 @@ static whirl_status recording_new(const whirl_task *task, const whirl_integrate_
     watch_open(&r->watcher, system, integrate, r->record);
     *out = r;
     return whirl_ok();
+}
+
+/// All that the motion is between two revolutions: integrators remember nothing.
+static void recording_archive(recording *r, const whirl_integrate_options *integrate, archive *a) {
+    instant_watcher *watcher = &r->watcher;
+    record_archive(r->record, integrate, r->options, a);
+    archive_part(a, &r->revolution, sizeof r->revolution);
+    archive_part(a, &r->twin.distance, sizeof r->twin.distance);
+    archive_part(a, r->x, 2 * r->record->dimension * sizeof *r->x);
+    archive_part(a, &watcher->instants, sizeof watcher->instants);
+    archive_part(a, watcher->touching, sizeof watcher->touching);
+    if (r->settling) settling_archive(r->settling, a);
 }
 
 // ---------------------------------------------------------------- recorders
@@ -130,12 +142,40 @@ void whirl_recorder_free(whirl_recorder *recorder) {
     free(recorder);
 }
 
+/// Takes the motion up where it was saved; where that does not fit, it begins anew.
+static whirl_status take_up_alone(whirl_recorder *recorder, const whirl_task *task) {
+    const whirl_task_source *source = recorder->source;
+    size_t size = 0;
+    void *bytes = source->saver ? source->saver->saved(source->context, task, &size) : NULL;
+    archive a = {ARCHIVE_READ, bytes, size, 0, true};
+    if (!bytes) return whirl_ok();
+    recording_archive(recorder->alone, recorder->integrate, &a);
+    free(bytes);
+    if (a.sound && a.at == a.size) return whirl_ok();
+    recording_free(recorder->alone);
+    return recording_new(task, recorder->integrate, recorder->options, &recorder->alone);
+}
+
+static void save_alone(const whirl_recorder *recorder) {
+    const whirl_task_source *source = recorder->source;
+    recording *r = recorder->alone;
+    if (!source->saver || !source->saver->wanted(source->context)) return;
+    archive a = {.way = ARCHIVE_MEASURE};
+    recording_archive(r, recorder->integrate, &a);
+    a = (archive){ARCHIVE_WRITE, malloc(a.at), a.at, 0, true};
+    if (!a.bytes) return;
+    recording_archive(r, recorder->integrate, &a);
+    source->saver->save(source->context, &(whirl_motion_state){&r->task, r->record->revolutions, a.bytes, a.size}, 1);
+    free(a.bytes);
+}
+
 /// The next motion, if there is one.
 static whirl_status begin_alone(whirl_recorder *recorder) {
     const whirl_task_source *source = recorder->source;
     whirl_task task;
     if (recorder->alone || !source->next(source->context, &task)) return whirl_ok();
-    const whirl_status status = recording_new(&task, recorder->integrate, recorder->options, &recorder->alone);
+    whirl_status status = recording_new(&task, recorder->integrate, recorder->options, &recorder->alone);
+    if (status.code == WHIRL_OK) status = take_up_alone(recorder, &task);
     if (status.code != WHIRL_OK) source->abandon(source->context, &task);
     return status;
 }
@@ -144,7 +184,11 @@ static whirl_status revolve_alone(whirl_recorder *recorder, size_t *turned) {
     const whirl_status status = begin_alone(recorder);
     recording *r = recorder->alone;
     *turned = r ? 1 : 0;
-    if (status.code != WHIRL_OK || !r || !carry_on(r)) return status;
+    if (status.code != WHIRL_OK || !r) return status;
+    if (!carry_on(r)) {
+        save_alone(recorder);
+        return status;
+    }
     const whirl_task task = r->task;
     whirl_record *record = r->record;
     r->record = NULL;
@@ -202,7 +246,7 @@ whirl_status whirl_record_motion(const whirl_system *system, const whirl_integra
                                  const whirl_record_options *options, const double *start, const whirl_monitor *monitor,
                                  whirl_record **out) {
     single_task single = {.task = {system, start, NULL}, .out = out};
-    const whirl_task_source source = {single_next, single_done, single_abandon, &single};
+    const whirl_task_source source = {single_next, single_done, single_abandon, &single, NULL};
     *out = NULL;
     const whirl_status status = record_all(system, integrate, options, &source, 2, monitor);
     if (status.code != WHIRL_OK) {

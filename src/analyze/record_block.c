@@ -111,6 +111,43 @@ whirl_record *record_new(const whirl_system *system, const whirl_integrate_optio
     return record;
 }
 
+static void options_archive(const whirl_integrate_options *integrate, const whirl_record_options *options, archive *a) {
+    const double numbers[] = {integrate->steps_per_revolution,
+                              integrate->rtol,
+                              integrate->atol,
+                              integrate->limit,
+                              integrate->located,
+                              options->transient,
+                              options->record,
+                              whirl_record_watch(options),
+                              options->samples_per_revolution,
+                              options->settle,
+                              options->waveform,
+                              options->growth};
+    for (const char *letter = integrate->method; *letter; letter++) archive_same(a, *letter);
+    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) archive_same(a, numbers[i]);
+}
+
+void record_archive(whirl_record *r, const whirl_integrate_options *integrate, const whirl_record_options *options,
+                    archive *a) {
+    const size_t samples = r->record_count * r->samples_per_revolution;
+    options_archive(integrate, options, a);
+    archive_same(a, (double)r->dimension);
+    archive_same(a, (double)r->probe_count);
+    archive_same(a, (double)r->contact_count);
+    archive_part(a, &r->revolutions, sizeof r->revolutions);
+    archive_count(a, &r->section_count, (size_t)whirl_record_watch(options));
+    archive_count(a, &r->growth_count, options->growth ? (size_t)whirl_record_watch(options) : 0);
+    archive_count(a, &r->sample_count, samples);
+    archive_part(a, r->section, r->section_count * r->dimension * sizeof *r->section);
+    archive_part(a, r->growth, r->growth_count * sizeof *r->growth);
+    for (size_t i = 0; i < 2 * r->probe_count; i++)
+        archive_part(a, r->waveform + i * samples, r->sample_count * sizeof *r->waveform);
+    // What is watched of every instant stands behind the waveform, to the end.
+    const size_t watched = 3 * r->dimension + 5 * r->probe_count + 3 * r->contact_count;
+    archive_part(a, r->low, watched * sizeof *r->low);
+}
+
 void whirl_record_free(whirl_record *record) {
     free(record);
 }

@@ -2,6 +2,7 @@
 #ifndef ANALYZE_RECORD_BLOCK_H
 #define ANALYZE_RECORD_BLOCK_H
 
+#include "archive.h"
 #include "whirl/analyze.h"
 
 /// WHIRL_BAD_INPUT with a sentence where options contradict each other.
@@ -14,5 +15,9 @@ int record_skip(const whirl_record_options *options, int revolution);
 /// An empty record for a motion of the system, all zero; NULL without memory. Freed by whirl_record_free.
 whirl_record *record_new(const whirl_system *system, const whirl_integrate_options *integrate,
                          const whirl_record_options *options);
+
+/// Goes over the options and sizes that a record's meaning depends on, and over what it has gathered so far.
+void record_archive(whirl_record *record, const whirl_integrate_options *integrate, const whirl_record_options *options,
+                    archive *a);
 
 #endif

@@ -25,6 +25,7 @@ typedef struct motion {
     trajectory_twin twin;
     settling *settling; ///< NULL when every transient runs to its end
     double *x;          ///< [2 dimension] its state, and its twin's
+    double *saved;      ///< [2][numbers of a lane] to be restored into its lane, and its twin's; NULL: nothing
 } motion;
 
 struct lanes_recorder {
@@ -94,9 +95,14 @@ static void leave_lanes(lanes_recorder *r, motion *m) {
 static whirl_status enter_lanes(lanes_recorder *r, motion *m) {
     m->lane = take_lane(r, m);
     whirl_status status = whirl_ensemble_load(r->ensemble, m->lane, m->task.system, m->x);
-    if (status.code != WHIRL_OK || !follows(r, m)) return status;
-    m->twin_lane = take_lane(r, m);
-    return whirl_ensemble_load(r->ensemble, m->twin_lane, m->task.system, m->twin.x);
+    if (status.code == WHIRL_OK && follows(r, m)) {
+        m->twin_lane = take_lane(r, m);
+        status = whirl_ensemble_load(r->ensemble, m->twin_lane, m->task.system, m->twin.x);
+    }
+    if (m->saved && status.code == WHIRL_OK) whirl_ensemble_restore(r->ensemble, m->lane, m->saved);
+    free(m->saved);
+    m->saved = NULL;
+    return status;
 }
 
 static size_t lanes_needed(const lanes_recorder *r, const motion *m) {
@@ -109,6 +115,7 @@ static void motion_free(motion *m) {
     if (!m) return;
     whirl_record_free(m->record);
     settling_free(m->settling);
+    free(m->saved);
     free(m);
 }
 
@@ -126,19 +133,88 @@ static motion *motion_new(const lanes_recorder *r, const whirl_task *task) {
     return NULL;
 }
 
+// ---------------------------------------------------------------- motions are saved and taken up
+
+/// All that a motion is between two revolutions. What a lane has beside it, watched numbers, goes along where it is in one.
+/// A twin needs no more than its state.
+static void motion_archive(const lanes_recorder *r, motion *m, archive *a) {
+    record_archive(m->record, r->integrate, r->options, a);
+    archive_part(a, &m->revolution, sizeof m->revolution);
+    archive_part(a, &m->twin.distance, sizeof m->twin.distance);
+    archive_part(a, m->x, 2 * r->dimension * sizeof *m->x);
+    if (m->settling) settling_archive(m->settling, a);
+    const size_t numbers = whirl_ensemble_numbers(r->ensemble);
+    size_t in_lane = m->saved != NULL;
+    archive_count(a, &in_lane, 1);
+    if (in_lane && !m->saved) m->saved = calloc(numbers, sizeof *m->saved);
+    if (in_lane && !m->saved) a->sound = false;
+    if (m->saved && a->sound) archive_part(a, m->saved, numbers * sizeof *m->saved);
+}
+
+/// A motion as it was saved; where that does not fit, or nothing was, as it begins.
+static motion *motion_taken_up(const lanes_recorder *r, const whirl_task *task) {
+    const whirl_motion_saver *saver = r->source->saver;
+    motion *m = motion_new(r, task);
+    size_t size = 0;
+    void *bytes = m && saver ? saver->saved(r->source->context, task, &size) : NULL;
+    archive a = {ARCHIVE_READ, bytes, size, 0, true};
+    if (!bytes) return m;
+    motion_archive(r, m, &a);
+    free(bytes);
+    if (!a.sound || a.at != a.size) {
+        motion_free(m);
+        return motion_new(r, task);
+    }
+    // It was saved before the revolution in which it is to be followed.
+    if (follows(r, m) && m->record->growth_count == 0) twin_begin(&m->twin, m->x);
+    return m;
+}
+
+/// The state of one motion; false without memory.
+static bool save_motion(const lanes_recorder *r, motion *m, whirl_motion_state *state) {
+    if (!waits(m)) {
+        m->saved = malloc(whirl_ensemble_numbers(r->ensemble) * sizeof *m->saved);
+        if (!m->saved) return false;
+        whirl_ensemble_save(r->ensemble, m->lane, m->saved);
+    }
+    archive a = {.way = ARCHIVE_MEASURE, .sound = true};
+    motion_archive(r, m, &a);
+    a = (archive){ARCHIVE_WRITE, malloc(a.at), a.at, 0, true};
+    if (a.bytes) motion_archive(r, m, &a);
+    if (!waits(m)) {
+        free(m->saved);
+        m->saved = NULL;
+    }
+    *state = (whirl_motion_state){&m->task, m->record->revolutions, a.bytes, a.size};
+    return a.bytes != NULL;
+}
+
+static void save_motions(const lanes_recorder *r) {
+    const whirl_task_source *source = r->source;
+    if (!source->saver || r->count == 0 || !source->saver->wanted(source->context)) return;
+    whirl_motion_state *states = calloc(r->count, sizeof *states);
+    size_t count = 0;
+    while (states && count < r->count && save_motion(r, r->motions[count], &states[count])) count++;
+    if (count == r->count) source->saver->save(source->context, states, count);
+    for (size_t i = 0; i < count; i++) free(states[i].bytes);
+    free(states);
+}
+
+// ---------------------------------------------------------------- motions begin
+
 static whirl_status admit_new(lanes_recorder *r) {
     whirl_task task;
     if (!r->source->next(r->source->context, &task)) {
         r->exhausted = true;
         return whirl_ok();
     }
-    motion *m = motion_new(r, &task);
+    motion *m = motion_taken_up(r, &task);
     if (!m) {
         r->source->abandon(r->source->context, &task);
         return whirl_fail(WHIRL_NO_MEMORY, "no memory to record %d revolutions", r->options->record);
     }
     r->motions[r->count++] = m;
-    return enter_lanes(r, m);
+    return r->used + lanes_needed(r, m) <= r->lane_count ? enter_lanes(r, m) : whirl_ok();
 }
 
 /// Fills free lanes: first with motions that wait, then with new ones.
@@ -284,7 +360,9 @@ whirl_status lanes_recorder_revolve(lanes_recorder *r, size_t *turned) {
         note(r, r->motions[i]);
         ++*turned;
     }
-    return hand_over(r);
+    status = hand_over(r);
+    if (status.code == WHIRL_OK) save_motions(r);
+    return status;
 }
 
 static whirl_status start(lanes_recorder *r, const whirl_system *system, size_t lanes) {

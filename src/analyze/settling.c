@@ -26,6 +26,12 @@ void settling_free(settling *s) {
     free(s);
 }
 
+void settling_archive(settling *s, archive *a) {
+    archive_part(a, &s->count, sizeof s->count);
+    archive_part(a, s->returns, sizeof s->returns);
+    archive_part(a, s->states, KEPT * s->dimension * sizeof *s->states);
+}
+
 static bool close_to(const double *a, const double *b, size_t dimension, double square) {
     double sum = 0.0;
     for (size_t i = 0; i < dimension && sum <= square; i++) sum += (a[i] - b[i]) * (a[i] - b[i]);

@@ -5,12 +5,17 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "archive.h"
+
 /// The last states of a section, and for every k how many revolutions in a row have returned after k.
 typedef struct settling settling;
 
 /// NULL without memory. Freed by settling_free.
 settling *settling_new(size_t dimension);
 void settling_free(settling *settling);
+
+/// Goes over its state.
+void settling_archive(settling *settling, archive *a);
 
 /// Takes the state x [dimension] at the end of a revolution. True where the motion has returned after k revolutions,
 /// k <= 64, to 1e-11 of its size for three periods and 32 revolutions.

@@ -23,6 +23,7 @@ struct whirl_ensemble {
     const whirl_system *system; ///< of the first machine: the structure
     const isa *isa;
     size_t lane_count, contact_count;
+    size_t row_count; ///< of the block
     double limit;
     rk4_lanes lanes;
     dop853_lanes *adaptive; ///< NULL for rk4
@@ -97,7 +98,7 @@ static bool allocate(whirl_ensemble *e) {
     e->state = calloc(e->system->dimension, sizeof *e->state);
     if (!e->state || !e->block || !e->forcing || !e->machines || !e->contact_station) return false;
     memset(e->block, 0, bytes);
-    lay_out(e, e->block);
+    e->row_count = lay_out(e, e->block);
     return true;
 }
 
@@ -248,9 +249,21 @@ whirl_motion whirl_ensemble_motion(const whirl_ensemble *e, size_t lane) {
     return (whirl_motion)e->ended[lane];
 }
 
+size_t whirl_ensemble_numbers(const whirl_ensemble *e) {
+    return e->row_count;
+}
+
+void whirl_ensemble_save(const whirl_ensemble *e, size_t lane, double *numbers) {
+    for (size_t row = 0; row < e->row_count; row++) numbers[row] = e->block[row * e->lane_count + lane];
+}
+
+void whirl_ensemble_restore(whirl_ensemble *e, size_t lane, const double *numbers) {
+    for (size_t row = 0; row < e->row_count; row++) e->block[row * e->lane_count + lane] = numbers[row];
+}
+
 void whirl_ensemble_move(whirl_ensemble *e, size_t from, size_t to) {
-    const size_t rows = lay_out(e, e->block);
-    for (size_t row = 0; row < rows; row++) e->block[row * e->lane_count + to] = e->block[row * e->lane_count + from];
+    for (size_t row = 0; row < e->row_count; row++)
+        e->block[row * e->lane_count + to] = e->block[row * e->lane_count + from];
     e->machines[to] = e->machines[from];
 }
 

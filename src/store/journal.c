@@ -12,6 +12,7 @@
 #include "journal_file.h"
 #include "journal_frame.h"
 #include "journal_scan.h"
+#include "underway.h"
 
 enum { MOST_BATCHES = 64 };
 
@@ -39,6 +40,7 @@ struct whirl_journal {
     size_t points;      // of the first pass
     batch_index batches[MOST_BATCHES];
     whirl_journal_found found;
+    underway *states; // of points under way; NULL: none are kept
 };
 
 static uint64_t start_of(const whirl_journal *journal) {
@@ -51,6 +53,7 @@ static void free_journal(whirl_journal *journal) {
     if (!journal) return;
     journal_file_close(&journal->file);
     for (size_t i = 0; i < MOST_BATCHES; ++i) free(journal->batches[i].offset);
+    underway_close(journal->states);
     free(journal->pending);
     free(journal->identity);
     free(journal);
@@ -81,6 +84,14 @@ static whirl_status keep(void *context, size_t batch, size_t slot, const double 
 static bool recall(void *context, size_t batch, size_t slot, double *block, size_t size, double *end, size_t dimension);
 static whirl_status tend(void *context);
 
+static void save(void *context, size_t worker, const whirl_kept_state *states, size_t count) {
+    underway_save(((const whirl_journal *)context)->states, worker, states, count);
+}
+
+static void *saved(void *context, size_t batch, size_t slot, double *revolutions, size_t *size) {
+    return underway_saved(((const whirl_journal *)context)->states, batch, slot, revolutions, size);
+}
+
 static whirl_status new_journal(const whirl_result *outline, whirl_journal **out) {
     if (outline->table_count > MOST_BATCHES)
         return whirl_fail(WHIRL_BAD_INPUT, "a journal has at most %d tables, not %zu", MOST_BATCHES,
@@ -88,7 +99,7 @@ static whirl_status new_journal(const whirl_result *outline, whirl_journal **out
     whirl_journal *journal = *out = calloc(1, sizeof *journal);
     if (!journal) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a journal");
     journal->file.descriptor = -1;
-    journal->keeper = (whirl_keeper){keep, recall, tend, journal};
+    journal->keeper = (whirl_keeper){keep, recall, tend, journal, save, saved};
     journal->synced = clock_seconds();
     whirl_status status = identity_text(outline, true, &journal->identity, &journal->identity_size);
     if (status.code == WHIRL_OK) status = make_index(journal, outline);
@@ -131,6 +142,7 @@ whirl_status whirl_journal_begin(const char *path, const whirl_result *outline, 
     if (status.code == WHIRL_OK) status = write_header(journal);
     if (status.code == WHIRL_OK) {
         journal->end = start_of(journal);
+        journal->states = underway_open(path, journal->hash, false);
         *out = journal;
         return status;
     }
@@ -208,7 +220,7 @@ static whirl_status find_points(whirl_journal *journal, uint64_t file_size) {
     const int reason = journal_search(&bytes, from, note_frame, journal, &scan);
     if (reason) return journal_file_failed(&journal->file, "read", reason);
     journal->end = scan.end;
-    journal->found = (whirl_journal_found){journal->points, scan.damaged, scan.torn};
+    journal->found = (whirl_journal_found){.points = journal->points, .damaged = scan.damaged, .torn = scan.torn};
     return whirl_ok();
 }
 
@@ -253,10 +265,12 @@ whirl_status whirl_journal_resume(const char *path, const whirl_result *outline,
     if (status.code == WHIRL_OK) status = journal_file_open(&journal->file, path);
     if (status.code == WHIRL_OK) status = take_up(journal);
     if (status.code == WHIRL_OK) status = reserve(journal, outline);
-    if (status.code == WHIRL_OK)
+    if (status.code == WHIRL_OK) {
+        journal->states = underway_open(path, journal->hash, true);
         *out = journal;
-    else
+    } else {
         free_journal(journal);
+    }
     return status;
 }
 
@@ -367,6 +381,8 @@ whirl_status whirl_journal_close(whirl_journal *journal) {
 
 whirl_status whirl_journal_remove(whirl_journal *journal) {
     const int reason = journal_file_remove(&journal->file);
+    underway_remove(journal->states);
+    journal->states = NULL;
     const whirl_status status = reason ? journal_file_failed(&journal->file, "remove", reason) : whirl_ok();
     free_journal(journal);
     return status;

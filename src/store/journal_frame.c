@@ -71,7 +71,7 @@ size_t frame_size(size_t size, size_t dimension) {
     return JOURNAL_HEAD + (size + dimension) * sizeof(double) + JOURNAL_TAIL;
 }
 
-static unsigned char *put_numbers64(unsigned char *to, const double *from, size_t count) {
+unsigned char *frame_numbers_put(unsigned char *to, const double *from, size_t count) {
     for (size_t i = 0; i < count; ++i, to += 8) {
         uint64_t bits;
         memcpy(&bits, &from[i], sizeof bits);
@@ -80,16 +80,24 @@ static unsigned char *put_numbers64(unsigned char *to, const double *from, size_
     return to;
 }
 
-void frame_put(unsigned char *to, const frame_head *head, const double *block, size_t size, const double *end,
-               size_t dimension) {
+void frame_head_put(unsigned char *to, const frame_head *head) {
     memcpy(to, journal_magic, sizeof journal_magic);
     put64(to + HEAD_IDENTITY, head->identity);
     put64(to + HEAD_SLOT, head->slot);
     put64(to + HEAD_SIZE, head->size);
     put32(to + HEAD_BATCH, head->batch);
     put32(to + HEAD_CHECK, crc32c(0, to, HEAD_CHECK));
-    unsigned char *tail = put_numbers64(put_numbers64(to + JOURNAL_HEAD, block, size), end, dimension);
-    put32(tail, crc32c(0, to, (size_t)(tail - to)));
+}
+
+void frame_checksum_put(unsigned char *to, uint32_t sum) {
+    put32(to, sum);
+}
+
+void frame_put(unsigned char *to, const frame_head *head, const double *block, size_t size, const double *end,
+               size_t dimension) {
+    frame_head_put(to, head);
+    unsigned char *tail = frame_numbers_put(frame_numbers_put(to + JOURNAL_HEAD, block, size), end, dimension);
+    frame_checksum_put(tail, crc32c(0, to, (size_t)(tail - to)));
 }
 
 bool frame_head_get(const unsigned char *from, frame_head *head) {

@@ -53,6 +53,11 @@ size_t frame_size(size_t size, size_t dimension);
 void frame_put(unsigned char *to, const frame_head *head, const double *block, size_t size, const double *end,
                size_t dimension);
 
+// The parts of a frame: JOURNAL_HEAD bytes, doubles of a payload, JOURNAL_TAIL bytes.
+void frame_head_put(unsigned char *to, const frame_head *head);
+unsigned char *frame_numbers_put(unsigned char *to, const double *from, size_t count);
+void frame_checksum_put(unsigned char *to, uint32_t sum);
+
 // Reads JOURNAL_HEAD bytes; false when they are not the head of a frame.
 bool frame_head_get(const unsigned char *from, frame_head *head);
 

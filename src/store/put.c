@@ -193,7 +193,7 @@ static void put_group_above(whirl_status *status, hid_t parent, const char *name
 static void begin_column(whirl_status *status, column *out, hid_t parent, const char *name, hid_t type) {
     out->dataset = make_dataset(status, parent, name, type, out->dimensions, out->rank);
     if (status->code != WHIRL_OK) return;
-    hsize_t chunk[ITEMS_MAX_RANK];
+    hsize_t chunk[ITEMS_MAX_RANK] = {1};
     choose_chunk(chunk, out->dimensions, out->rank, H5Tget_size(type));
     out->most = (size_t)chunk[0];
     out->buffer = malloc(out->most * (out->size ? out->size : 1));

@@ -68,7 +68,12 @@ typedef struct worker {
     double *block;        ///< [layout.size] of a point whose block is left with the keeper
     whirl_status status;  ///< the first error of `next`
     double pending, last; ///< revolutions not yet told to the tracker, and when it was last told
+    size_t number;        ///< of the thread
+    double save_at;       ///< when motions under way are saved next
 } worker;
+
+/// Seconds after which a motion is saved, and saved again.
+static const double save_interval = 5.0;
 
 static chain *take_ready(chains *c) {
     chain *taken = NULL;
@@ -154,7 +159,7 @@ static bool recall(const worker *w, chain *link) {
     known = keeper->recall(keeper->context, keeper_number(c), slot, block, size, w->end, kept_dimension(c));
     if (!known) return false;
     finish_point(w, link);
-    tracker_recall(&c->run->tracker, c->revolutions);
+    tracker_recall(&c->run->tracker, c->revolutions, 1);
     return true;
 }
 
@@ -190,6 +195,49 @@ static chain *take_unknown(worker *w) {
     }
 }
 
+// ---------------------------------------------------------------- motions under way
+
+static bool save_is_wanted(void *context) {
+    const worker *w = context;
+    return clock_seconds() >= w->save_at;
+}
+
+/// Those that have been under way for some time; short points are sooner done anew than saved.
+static void save_states(void *context, const whirl_motion_state *states, size_t count) {
+    worker *w = context;
+    const chains *c = w->chains;
+    const whirl_keeper *keeper = c->run->keeper;
+    const double begun = clock_seconds();
+    whirl_kept_state *kept = calloc(count, sizeof *kept);
+    size_t long_ones = 0;
+    for (size_t i = 0; kept && i < count; i++) {
+        const chain *link = states[i].task->tag;
+        if (begun - link->begun < save_interval) continue;
+        kept[long_ones++] = (whirl_kept_state){keeper_number(c), current_slot(link), states[i].revolutions,
+                                               states[i].bytes, states[i].size};
+    }
+#pragma omp critical(whirl_keeper)
+    if (long_ones > 0) keeper->save(keeper->context, w->number, kept, long_ones);
+    free(kept);
+    // Large states on a slow disk are saved less often, so that they take a twentieth of the time at most.
+    const double now = clock_seconds();
+    w->save_at = now + fmax(save_interval, 20.0 * (now - begun));
+}
+
+static void *saved_state(void *context, const whirl_task *task, size_t *size) {
+    const worker *w = context;
+    const chains *c = w->chains;
+    const whirl_keeper *keeper = c->run->keeper;
+    double revolutions = 0.0;
+    void *bytes;
+#pragma omp critical(whirl_keeper)
+    bytes = keeper->saved(keeper->context, keeper_number(c), current_slot(task->tag), &revolutions, size);
+    if (bytes) tracker_recall(&c->run->tracker, c->weight * revolutions, 0);
+    return bytes;
+}
+
+// ---------------------------------------------------------------- the source of a recorder
+
 static bool time_is_over(const study_run *run) {
     return run->deadline > 0.0 && clock_seconds() > run->deadline;
 }
@@ -205,6 +253,7 @@ static bool next(void *context, whirl_task *task) {
     w->status = c->run->study->machine(c->run->study->family, c->batch, c->table->values[slot], &link->machine);
     if (w->status.code != WHIRL_OK) return false;
     w->under_way++;
+    link->begun = clock_seconds();
     *task = (whirl_task){link->machine.system, carried ? carried : link->machine.start, link};
     return true;
 }
@@ -266,9 +315,12 @@ static bool revolution_done(void *context) {
     return tracker_advance(&run->tracker, packet, 0);
 }
 
-whirl_status chains_work(chains *c, size_t quota) {
-    worker w = {.chains = c, .quota = quota, .last = clock_seconds()};
-    const whirl_task_source source = {next, done, abandon, &w};
+whirl_status chains_work(chains *c, size_t quota, size_t number) {
+    const double now = clock_seconds();
+    worker w = {.chains = c, .quota = quota, .last = now, .number = number, .save_at = now + save_interval};
+    const whirl_motion_saver saver = {save_is_wanted, save_states, saved_state};
+    const whirl_keeper *keeper = c->run->keeper;
+    const whirl_task_source source = {next, done, abandon, &w, keeper && keeper->save ? &saver : NULL};
     const whirl_monitor monitor = {revolution_done, &w};
     whirl_machine first;
     whirl_status status = c->run->study->machine(c->run->study->family, c->batch, c->table->values[0], &first);

@@ -12,6 +12,7 @@ typedef struct chain {
     size_t first_slot, length; ///< slots of the batch's table
     bool reverse;              ///< from the last slot to the first
     size_t done;               ///< points
+    double begun;              ///< when the point under way was (clock_seconds)
     whirl_machine machine;     ///< of the point under way
 } chain;
 
@@ -34,7 +35,7 @@ typedef struct chains {
 whirl_status chains_new(chains *chains, study_run *run, const pass *pass);
 void chains_free(chains *chains);
 
-/// Computes points until there are none left for this thread, at most `quota` at a time.
-whirl_status chains_work(chains *chains, size_t quota);
+/// Computes points until there are none left for this thread, at most `quota` at a time; `worker` is its number.
+whirl_status chains_work(chains *chains, size_t quota, size_t worker);
 
 #endif

@@ -42,12 +42,12 @@ bool tracker_advance(tracker *t, double revolutions, size_t points) {
     return !atomic_load(&t->halt);
 }
 
-void tracker_recall(tracker *t, double revolutions) {
+void tracker_recall(tracker *t, double revolutions, size_t points) {
 #pragma omp critical(whirl_tracker)
     {
         t->progress.revolutions_done += revolutions;
         t->progress.revolutions_recalled += revolutions;
-        t->progress.points_done++;
+        t->progress.points_done += points;
         look_around(t);
     }
 }

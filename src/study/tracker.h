@@ -25,7 +25,7 @@ void tracker_round(tracker *tracker, int round, size_t points, double revolution
 bool tracker_advance(tracker *tracker, double revolutions, size_t points);
 
 /// Adds a point that needs no computing.
-void tracker_recall(tracker *tracker, double revolutions);
+void tracker_recall(tracker *tracker, double revolutions, size_t points);
 
 /// Notes an error; the first one counts. The run ends.
 void tracker_fail(tracker *tracker, const whirl_status *status);

@@ -112,6 +112,88 @@ static void kept_points_come_back(void **state) {
     assert_int_not_equal(access(f->path, F_OK), 0);
 }
 
+// ---------------------------------------------------------------- points under way
+
+static void save_state(whirl_journal *journal, size_t worker, size_t slot, double revolutions, const char *text) {
+    const whirl_keeper *keeper = whirl_journal_keeper(journal);
+    const whirl_kept_state states[] = {{0, slot, revolutions, text, strlen(text) + 1}, {1, 0, 5.0, "detail", 7}};
+    keeper->save(keeper->context, worker, states, 2);
+}
+
+static void expect_state(whirl_journal *journal, size_t batch, size_t slot, const char *text) {
+    const whirl_keeper *keeper = whirl_journal_keeper(journal);
+    size_t size = 0;
+    double revolutions = 0.0;
+    char *found = keeper->saved(keeper->context, batch, slot, &revolutions, &size);
+    if (!text) {
+        assert_null(found);
+        return;
+    }
+    assert_non_null(found);
+    assert_true(size == strlen(text) + 1 && revolutions >= 5.0);
+    assert_string_equal(found, text);
+    free(found);
+}
+
+// The state furthest on counts, of whatever thread and run; what is damaged is not taken.
+static void states_come_back(void **state) {
+    fixture *f = *state;
+    whirl_journal *journal;
+    char first[200], second[200];
+    snprintf(first, sizeof first, "%s-0", f->path);
+    snprintf(second, sizeof second, "%s-4", f->path);
+    check(whirl_journal_begin(f->path, f->outline, &journal));
+    save_state(journal, 0, 2, 10.0, "old");
+    save_state(journal, 0, 2, 30.0, "far");
+    save_state(journal, 3, 2, 20.0, "near");
+    check(whirl_journal_close(journal));
+    journal = resumed(f);
+    expect_state(journal, 0, 2, "far");
+    expect_state(journal, 1, 0, "detail");
+    expect_state(journal, 0, 1, NULL);
+    save_state(journal, 0, 2, 40.0, "further");
+    expect_state(journal, 0, 2, "far"); // of earlier runs
+    check(whirl_journal_close(journal));
+    assert_int_equal(access(second, F_OK), 0);
+    FILE *file = fopen(second, "r+b");
+    assert_true(file && fseek(file, 50, SEEK_SET) == 0 && fputc('F', file) == 'F' && fclose(file) == 0);
+    journal = resumed(f);
+    expect_state(journal, 0, 2, "far");
+    check(whirl_journal_remove(journal));
+    assert_true(access(first, F_OK) != 0 && access(second, F_OK) != 0);
+}
+
+// A run that is begun anew has no use for them, and another study takes none.
+static void states_of_other_runs_are_not_taken(void **state) {
+    fixture *f = *state;
+    whirl_journal *journal;
+    char states[200], aside[200];
+    snprintf(states, sizeof states, "%s-1", f->path);
+    snprintf(aside, sizeof aside, "%s/aside", f->folder);
+    check(whirl_journal_begin(f->path, f->outline, &journal));
+    save_state(journal, 0, 2, 10.0, "old");
+    check(whirl_journal_close(journal));
+    remove(f->path);
+    check(whirl_journal_begin(f->path, f->outline, &journal));
+    expect_state(journal, 0, 2, NULL);
+    save_state(journal, 0, 2, 10.0, "old");
+    check(whirl_journal_close(journal));
+    remove(f->path);
+    f->outline->parameters[0].value += 1.0;
+    check(whirl_journal_begin(f->path, f->outline, &journal));
+    save_state(journal, 1, 2, 10.0, "other");
+    check(whirl_journal_close(journal));
+    f->outline->parameters[0].value -= 1.0;
+    assert_int_equal(rename(states, aside), 0);
+    make(f, 1);
+    assert_int_equal(rename(aside, states), 0);
+    journal = resumed(f);
+    expect_state(journal, 0, 2, NULL);
+    check(whirl_journal_remove(journal));
+}
+
+// ---------------------------------------------------------------- what does not fit
+
 static void blocks_of_another_size_are_not_taken(void **state) {
     fixture *f = *state;
     double block[KEPT_SIZE + 1], end[KEPT_DIMENSION];
@@ -354,6 +436,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(checksums_are_those_of_the_standard),
         IN_FOLDER(kept_points_come_back),
+        IN_FOLDER(states_come_back),
+        IN_FOLDER(states_of_other_runs_are_not_taken),
         IN_FOLDER(blocks_of_another_size_are_not_taken),
         IN_FOLDER(one_run_at_a_time),
         IN_FOLDER(places_that_take_no_journal),

@@ -1,0 +1,180 @@
+#include "underway.h"
+
+#include <dirent.h>
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "atomic_file.h"
+#include "crc32c.h"
+#include "journal_scan.h"
+
+enum { PATH_SIZE = ATOMIC_PATH_SIZE, REVOLUTIONS = 8 };
+
+// Where a state lies.
+typedef struct entry {
+    size_t file, batch, slot, size; // bytes of the state
+    uint64_t offset;                // of its payload
+    double revolutions;
+} entry;
+
+struct underway {
+    char path[PATH_SIZE]; // of the journal
+    uint64_t identity;
+    size_t first; // number of the first file of this run: those before are an earlier one's
+    size_t count, capacity;
+    entry *entries;
+};
+
+static bool name_of(const underway *u, size_t file, char name[PATH_SIZE]) {
+    return snprintf(name, PATH_SIZE, "%s-%zu", u->path, file) < PATH_SIZE;
+}
+
+// ---------------------------------------------------------------- files of an earlier run
+
+typedef void (*file_fn)(underway *u, const char *folder, const char *name, const char *number);
+
+// Calls for every file JOURNAL-..., with what stands behind the '-'.
+static void each_file(underway *u, file_fn visit) {
+    char folder[PATH_SIZE], pattern[PATH_SIZE + 1];
+    const char *slash = strrchr(u->path, '/');
+    const int length = slash ? (int)(slash - u->path) + 1 : 0;
+    snprintf(folder, sizeof folder, "%.*s", length ? length : 2, length ? u->path : "./");
+    snprintf(pattern, sizeof pattern, "%s-", u->path + length);
+    DIR *list = opendir(folder);
+    for (const struct dirent *file; list && (file = readdir(list)) != NULL;)
+        if (strncmp(file->d_name, pattern, strlen(pattern)) == 0)
+            visit(u, folder, file->d_name, file->d_name + strlen(pattern));
+    if (list) closedir(list);
+}
+
+static void remove_file(underway *u, const char *folder, const char *name, const char *number) {
+    char path[2 * PATH_SIZE];
+    (void)u;
+    // "3", or what a kill left of writing it: "3.tmp-1234".
+    if (strspn(number, "0123456789.tmp-") != strlen(number)) return;
+    snprintf(path, sizeof path, "%s%s", folder, name);
+    unlink(path);
+}
+
+static void add_entry(underway *u, const entry *one) {
+    if (u->count == u->capacity) {
+        const size_t capacity = u->capacity ? 2 * u->capacity : 64;
+        entry *entries = realloc(u->entries, capacity * sizeof *entries);
+        if (!entries) return;
+        u->entries = entries;
+        u->capacity = capacity;
+    }
+    u->entries[u->count++] = *one;
+}
+
+// A file that is being searched.
+typedef struct search {
+    underway *states;
+    const byte_source *source;
+    size_t file;
+} search;
+
+static void note_state(void *context, const frame_head *head, uint64_t offset) {
+    const search *s = context;
+    unsigned char number[REVOLUTIONS];
+    entry one = {s->file, head->batch, (size_t)head->slot, (size_t)head->size - REVOLUTIONS, offset, 0.0};
+    if (head->identity != s->states->identity || head->size < REVOLUTIONS) return;
+    if (s->source->read(s->source->context, offset, number, sizeof number) != 0) return;
+    frame_numbers(number, &one.revolutions, 1);
+    add_entry(s->states, &one);
+}
+
+static void search_file(underway *u, const char *folder, const char *name, const char *number) {
+    char path[2 * PATH_SIZE], *end;
+    const unsigned long file = strtoul(number, &end, 10);
+    byte_file from;
+    journal_scan scan;
+    if (*end != '\0' || end == number || file >= ULONG_MAX / 2) {
+        remove_file(u, folder, name, number);
+        return;
+    }
+    if (file >= u->first) u->first = file + 1;
+    snprintf(path, sizeof path, "%s%s", folder, name);
+    if (strlen(path) >= PATH_SIZE || bytes_open(&from, path).code != WHIRL_OK) return;
+    search s = {u, &from.source, file};
+    journal_search(&from.source, 0, note_state, &s, &scan);
+    bytes_close(&from);
+}
+
+// ---------------------------------------------------------------- the whole
+
+underway *underway_open(const char *path, uint64_t identity, bool resume) {
+    underway *u = calloc(1, sizeof *u);
+    if (!u) return NULL;
+    snprintf(u->path, sizeof u->path, "%s", path);
+    u->identity = identity;
+    each_file(u, resume ? search_file : remove_file);
+    return u;
+}
+
+void underway_close(underway *u) {
+    if (!u) return;
+    free(u->entries);
+    free(u);
+}
+
+void underway_remove(underway *u) {
+    if (u) each_file(u, remove_file);
+    underway_close(u);
+}
+
+// ---------------------------------------------------------------- saving
+
+static void write_state(FILE *stream, uint64_t identity, const whirl_kept_state *state) {
+    unsigned char head[JOURNAL_HEAD], number[REVOLUTIONS], tail[JOURNAL_TAIL];
+    const frame_head what = {
+        .identity = identity, .slot = state->slot, .size = REVOLUTIONS + state->size, .batch = (uint32_t)state->batch};
+    frame_head_put(head, &what);
+    frame_numbers_put(number, &state->revolutions, 1);
+    uint32_t sum = crc32c(0, head, sizeof head);
+    sum = crc32c(sum, number, sizeof number);
+    sum = crc32c(sum, state->bytes, state->size);
+    frame_checksum_put(tail, sum);
+    fwrite(head, 1, sizeof head, stream);
+    fwrite(number, 1, sizeof number, stream);
+    fwrite(state->bytes, 1, state->size, stream);
+    fwrite(tail, 1, sizeof tail, stream);
+}
+
+void underway_save(underway *u, size_t worker, const whirl_kept_state *kept, size_t count) {
+    char name[PATH_SIZE];
+    atomic_file out;
+    // What fails leaves the states that were saved before.
+    if (!u || !name_of(u, u->first + worker, name) || atomic_file_open(&out, name).code != WHIRL_OK) return;
+    for (size_t i = 0; i < count; ++i) write_state(out.stream, u->identity, &kept[i]);
+    (void)atomic_file_commit(&out);
+}
+
+// ---------------------------------------------------------------- taking up
+
+static const entry *furthest(const underway *u, size_t batch, size_t slot) {
+    const entry *found = NULL;
+    for (const entry *one = u->entries; one && one < u->entries + u->count; ++one)
+        if (one->batch == batch && one->slot == slot && (!found || one->revolutions > found->revolutions)) found = one;
+    return found;
+}
+
+void *underway_saved(const underway *u, size_t batch, size_t slot, double *revolutions, size_t *size) {
+    const entry *one = u ? furthest(u, batch, slot) : NULL;
+    char name[PATH_SIZE];
+    byte_file from;
+    if (!one || !name_of(u, one->file, name) || bytes_open(&from, name).code != WHIRL_OK) return NULL;
+    const uint64_t end = one->offset + REVOLUTIONS + one->size;
+    unsigned char *bytes = end <= from.source.size ? malloc(one->size + 1) : NULL;
+    if (bytes && from.source.read(&from, one->offset + REVOLUTIONS, bytes, one->size) != 0) {
+        free(bytes);
+        bytes = NULL;
+    }
+    bytes_close(&from);
+    *size = one->size;
+    *revolutions = one->revolutions;
+    return bytes;
+}

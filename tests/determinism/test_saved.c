@@ -1,0 +1,219 @@
+// Motions that were saved under way and taken up in another run: the same bits as if nobody had stopped them.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "machines.h"
+
+enum { MOTIONS = 5, TRANSIENT = 20, RECORD = 10 };
+
+/// A source of MOTIONS motions, which keeps their records, and their states after the save number `wanted`.
+typedef struct motions {
+    whirl_rotor *rotors[MOTIONS];
+    double start[8];
+    whirl_task tasks[MOTIONS];
+    whirl_record *records[MOTIONS];
+    size_t given;
+    int calls, wanted; ///< saves so far; the one that is kept, -1: none
+    void *states[MOTIONS];
+    size_t sizes[MOTIONS];
+} motions;
+
+static bool next(void *context, whirl_task *task) {
+    motions *m = context;
+    if (m->given == MOTIONS) return false;
+    *task = m->tasks[m->given++];
+    return true;
+}
+
+static whirl_status done(void *context, const whirl_task *task, whirl_record *record) {
+    motions *m = context;
+    m->records[(const whirl_task *)task->tag - m->tasks] = record;
+    return whirl_ok();
+}
+
+static void abandon(void *context, const whirl_task *task) {
+    (void)context, (void)task;
+}
+
+static bool always(void *context) {
+    (void)context;
+    return true;
+}
+
+static void save(void *context, const whirl_motion_state *states, size_t count) {
+    motions *m = context;
+    if (m->calls++ != m->wanted) return;
+    for (size_t i = 0; i < count; i++) {
+        const ptrdiff_t number = (const whirl_task *)states[i].task->tag - m->tasks;
+        m->states[number] = malloc(states[i].size);
+        assert_non_null(m->states[number]);
+        memcpy(m->states[number], states[i].bytes, states[i].size);
+        m->sizes[number] = states[i].size;
+    }
+}
+
+static void *saved(void *context, const whirl_task *task, size_t *size) {
+    motions *m = context;
+    const ptrdiff_t number = (const whirl_task *)task->tag - m->tasks;
+    void *bytes = m->states[number];
+    m->states[number] = NULL;
+    *size = m->sizes[number];
+    return bytes;
+}
+
+static void prepare(motions *m) {
+    *m = (motions){.start = {0, -0.1, 0, -0.1}, .wanted = -1};
+    for (size_t i = 0; i < MOTIONS; i++) {
+        // With rub and without.
+        m->rotors[i] = paper_rotor(1.0 - 0.2 * (double)i);
+        m->tasks[i] = (whirl_task){whirl_rotor_system(m->rotors[i]), m->start, &m->tasks[i]};
+    }
+}
+
+static void forget(motions *m) {
+    for (size_t i = 0; i < MOTIONS; i++) {
+        whirl_rotor_free(m->rotors[i]);
+        whirl_record_free(m->records[i]);
+        free(m->states[i]);
+    }
+}
+
+/// The revolutions that were computed.
+static size_t record(motions *m, const char *method, const whirl_record_options *options) {
+    static const whirl_motion_saver saver = {always, save, saved};
+    const whirl_task_source source = {next, done, abandon, m, &saver};
+    whirl_integrate_options integrate = whirl_integrate_default();
+    whirl_recorder *recorder;
+    size_t turned = 1, sum = 0;
+    strcpy(integrate.method, method);
+    integrate.located = options->settle; // both in one of the kinds
+    integrate.steps_per_revolution = 128;
+    must(whirl_recorder_new(m->tasks[0].system, &integrate, options, &source, 0, &recorder));
+    for (; turned > 0; sum += turned) must(whirl_recorder_revolve(recorder, &turned));
+    whirl_recorder_free(recorder);
+    return sum;
+}
+
+static void expect_same(const double *a, const double *b, size_t count) {
+    assert_memory_equal(a, b, count * sizeof *a);
+}
+
+static void expect_same_records(const whirl_record *a, const whirl_record *b) {
+    assert_true(a->motion == b->motion && a->revolutions == b->revolutions && a->diverged_at == b->diverged_at);
+    assert_true(a->section_count == b->section_count && a->growth_count == b->growth_count &&
+                a->sample_count == b->sample_count);
+    expect_same(a->section, b->section, a->section_count * a->dimension);
+    expect_same(a->growth, b->growth, a->growth_count);
+    expect_same(a->waveform, b->waveform, 2 * a->probe_count * a->sample_count);
+    expect_same(a->low, b->low, a->dimension);
+    expect_same(a->high, b->high, a->dimension);
+    expect_same(a->end, b->end, a->dimension);
+    expect_same(a->max_radius, b->max_radius, a->probe_count);
+    expect_same(a->min_radius, b->min_radius, a->probe_count);
+    expect_same(a->mean, b->mean, 2 * a->probe_count);
+    expect_same(a->backward, b->backward, a->probe_count);
+    expect_same(a->contact_share, b->contact_share, a->contact_count);
+    expect_same(a->contact_number, b->contact_number, a->contact_count);
+    expect_same(a->contact_force, b->contact_force, a->contact_count);
+}
+
+static whirl_record_options options_of(bool growth, bool settle) {
+    whirl_record_options options = whirl_record_default();
+    options.transient = TRANSIENT;
+    options.record = RECORD;
+    options.growth = growth;
+    options.settle = settle;
+    return options;
+}
+
+/// Saved after `wanted` + 1 revolutions (of the first motion, where they run one after the other), and taken up.
+static void expect_same_after(const motions *whole, size_t all, const char *method, const whirl_record_options *options,
+                              int wanted) {
+    motions first, second;
+    prepare(&first);
+    prepare(&second);
+    first.wanted = wanted;
+    record(&first, method, options);
+    size_t states = 0;
+    for (size_t i = 0; i < MOTIONS; i++) {
+        states += first.states[i] != NULL;
+        second.states[i] = first.states[i];
+        second.sizes[i] = first.sizes[i];
+        first.states[i] = NULL;
+    }
+    assert_true(states == MOTIONS || states == 1);
+    const size_t computed = record(&second, method, options);
+    assert_int_equal(computed, all - states * (size_t)(wanted + 1));
+    for (size_t i = 0; i < MOTIONS; i++) expect_same_records(whole->records[i], second.records[i]);
+    forget(&first);
+    forget(&second);
+}
+
+static void every_moment(const char *method, const int *moments, size_t count) {
+    for (int kind = 0; kind < 3; kind++) {
+        const whirl_record_options options = options_of(kind != 1, kind == 2);
+        motions whole;
+        prepare(&whole);
+        const size_t all = record(&whole, method, &options);
+        assert_int_equal(all, MOTIONS * (TRANSIENT + RECORD));
+        for (size_t i = 0; i < count; i++) expect_same_after(&whole, all, method, &options, moments[i]);
+        forget(&whole);
+    }
+}
+
+/// In the transient, before and after the disturbance begins to be followed (10), before and after the record begins (20).
+static void side_by_side(void **state) {
+    const int moments[] = {0, 4, 8, 9, 10, 15, 18, 19, 20, 21, 27, 28};
+    (void)state;
+    every_moment("rk4", moments, sizeof moments / sizeof *moments);
+    every_moment("dop853", moments, sizeof moments / sizeof *moments);
+}
+
+static void one_after_the_other(void **state) {
+    const int moments[] = {9, 19, 20};
+    (void)state;
+    every_moment("cvode-adams", moments, sizeof moments / sizeof *moments);
+}
+
+/// States of other options, and what is left of a state, are not used.
+static void states_that_do_not_fit(void **state) {
+    const whirl_record_options options = options_of(true, false);
+    whirl_record_options other = options;
+    motions whole, first, second;
+    (void)state;
+    other.record = RECORD + 1;
+    prepare(&whole);
+    const size_t all = record(&whole, "rk4", &options);
+    for (int kind = 0; kind < 3; kind++) {
+        prepare(&first);
+        prepare(&second);
+        first.wanted = 24;
+        record(&first, kind == 0 ? "dop853" : "rk4", kind == 1 ? &other : &options);
+        for (size_t i = 0; i < MOTIONS; i++) {
+            second.states[i] = first.states[i];
+            second.sizes[i] = kind == 2 ? first.sizes[i] - 1 - 100 * i : first.sizes[i];
+            first.states[i] = NULL;
+        }
+        assert_int_equal(record(&second, "rk4", &options), all);
+        for (size_t i = 0; i < MOTIONS; i++) expect_same_records(whole.records[i], second.records[i]);
+        forget(&first);
+        forget(&second);
+    }
+    forget(&whole);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(side_by_side),
+        cmocka_unit_test(one_after_the_other),
+        cmocka_unit_test(states_that_do_not_fit),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
