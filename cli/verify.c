@@ -161,7 +161,10 @@ static void print_run(const whirl_verification *v, const whirl_verify_point *poi
     tolerance_text(&v->integrate[m][level], tolerance);
     whirl_verdict_name(&run->verdict, verdict, sizeof verdict);
     if (m == 0 && level == 0 && *v->parameter) snprintf(value, sizeof value, "%.6g", point->value);
-    printf("%10s  %-11s  %-11s", value, level == 0 ? v->integrate[m][level].method : "", tolerance);
+    const char *method = level == 0                                 ? v->integrate[m][0].method
+                         : level == 1 && v->integrate[m][0].located ? "located"
+                                                                    : "";
+    printf("%10s  %-11s  %-11s", value, method, tolerance);
     const bool reference = m == WHIRL_VERIFY_METHODS - 1 && level == WHIRL_VERIFY_LEVELS - 1;
     if (reference)
         printf(" %10s", "reference");

@@ -38,6 +38,10 @@ void claim_regime_at(const claim_view *view, size_t point, char *text, size_t si
         whirl_verdict_name(&verdict, text, size);
     else
         regime_name(&verdict, text, size); // the curves have a line of their own
+    const size_t used = strlen(text);
+    const bool known = point_numbers(view->table, point, "regime/confidence", 0).at != NULL;
+    if (known && verdict.confidence == WHIRL_LOW && verdict.regime != WHIRL_UNDETERMINED)
+        snprintf(text + used, size - used, ", of low confidence");
 }
 
 /// "P-1 at 96.6 %, quasi-periodic at 3.4 % of 297 points".

@@ -153,6 +153,25 @@ static void write_reason(FILE *stream, const whirl_verdict *verdict, int columns
     fputs("</td></tr>\n", stream);
 }
 
+/// All exponents with their sum and what it is exactly, where they were computed.
+static void write_exponents(FILE *stream, const whirl_table *table, size_t point, int columns) {
+    const numbers values = point_numbers(table, point, "exponents/values", 0);
+    const numbers errors = point_numbers(table, point, "exponents/errors", 0);
+    const numbers sum = point_numbers(table, point, "exponents/sum", 0);
+    const numbers exact = point_numbers(table, point, "exponents/sum_exact", 0);
+    const numbers dimension = point_numbers(table, point, "exponents/dimension", 0);
+    if (!values.at || !errors.at || errors.rows < values.rows) return;
+    fprintf(stream, "<tr class=\"reason\"><td></td><td colspan=\"%d\">exponents ", columns - 1);
+    for (size_t i = 0; i < values.rows; i++) {
+        const shown_estimate shown = estimate_shown((whirl_estimate){values.at[i], errors.at[i]});
+        fprintf(stream, "%s%.*f&nbsp;&plusmn;&nbsp;%.*f", i ? ", " : "", shown.decimals, shown.value, shown.decimals,
+                shown.error);
+    }
+    if (sum.at && exact.at) html_printf(stream, "; their sum %.6f, exactly %.6f", sum.at[0], exact.at[0]);
+    if (dimension.at) html_printf(stream, "; Kaplan-Yorke dimension %.3g", dimension.at[0]);
+    fputs("</td></tr>\n", stream);
+}
+
 /// The columns that belong to the point and stretch over the rows of its stations.
 static void write_point_columns(FILE *stream, const whirl_table *table, size_t point, const whirl_result *result) {
     const whirl_verdict verdict = whirl_table_verdict(table, point);
@@ -211,7 +230,9 @@ static void write_point(FILE *stream, const whirl_table *table, size_t point, co
         fputs("</tr>\n", stream);
     }
     const whirl_verdict verdict = whirl_table_verdict(table, point);
-    write_reason(stream, &verdict, 9 + has_bearing(result) + has_gap(result));
+    const int columns = 11 - !has_bearing(result) - !has_gap(result);
+    write_reason(stream, &verdict, columns);
+    write_exponents(stream, table, point, columns);
 }
 
 void page_points(const page *to, size_t index) {

@@ -39,6 +39,21 @@ static void point_claims(void **state) {
     assert_string_equal(found, "P-1; no rub");
 }
 
+static void doubt_is_told(void **state) {
+    (void)state;
+    char found[600];
+    const whirl_claims claims = {.parameter = "r_k", .station = "disc"};
+    const whirl_claim claim = {.from = 0.6, .to = 0.6, .has_regime = true, .regime = WHIRL_PERIODIC, .period = 1};
+    whirl_result *result = sample_result();
+    *sample_field(&result->tables[1], 0, "regime/confidence", 0) = WHIRL_LOW;
+    assert_int_equal(whirl_claim_compare(&claims, &claim, result, found, sizeof found), WHIRL_AGREES);
+    assert_string_equal(found, "P-1, of low confidence");
+    *sample_field(&result->tables[1], 0, "regime/confidence", 0) = WHIRL_FAIR;
+    assert_int_equal(whirl_claim_compare(&claims, &claim, result, found, sizeof found), WHIRL_AGREES);
+    assert_string_equal(found, "P-1");
+    whirl_result_free(result);
+}
+
 static void point_comes_from_detail_or_nearest(void **state) {
     (void)state;
     char found[600];
@@ -188,6 +203,7 @@ static void nothing_to_compare(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(point_claims),
+        cmocka_unit_test(doubt_is_told),
         cmocka_unit_test(point_comes_from_detail_or_nearest),
         cmocka_unit_test(range_claims),
         cmocka_unit_test(line_claims),

@@ -205,6 +205,31 @@ static void confidence_is_shown(void **state) {
     whirl_result_free(result);
 }
 
+/// Makes a field of the detail, one number a point, one of another name.
+static void rename_field(whirl_result *result, const char *from, const char *to, double value) {
+    whirl_layout *layout = &result->tables[1].layout;
+    *sample_field(&result->tables[1], 0, from, 0) = value;
+    for (size_t f = 0; f < layout->field_count; f++)
+        if (strcmp(layout->fields[f].name, from) == 0) snprintf(layout->fields[f].name, WHIRL_NAME_SIZE, "%s", to);
+}
+
+static void exponents_are_listed_with_their_sum(void **state) {
+    (void)state;
+    whirl_result *result = sample_result();
+    const whirl_report_options options = {.gnuplot = "no-such-gnuplot"};
+    assert_int_equal(report_one(result, "made", &options).code, WHIRL_MISSING_PROGRAM);
+    assert_lacks("out/report.html", "Kaplan-Yorke");
+    rename_field(result, "regime/recurrence", "exponents/values", -0.1234);
+    rename_field(result, "regime/regularity", "exponents/errors", 0.002);
+    rename_field(result, "lyapunov/largest", "exponents/sum", -0.1234);
+    rename_field(result, "lyapunov/error", "exponents/sum_exact", -0.12345);
+    rename_field(result, "regime/recurrence_trend", "exponents/dimension", 1.5);
+    assert_int_equal(report_one(result, "made", &options).code, WHIRL_MISSING_PROGRAM);
+    assert_holds("out/report.html", "exponents -0.1234&nbsp;&plusmn;&nbsp;0.0020; their sum -0.123400, exactly "
+                                    "-0.123450; Kaplan-Yorke dimension 1.5");
+    whirl_result_free(result);
+}
+
 /// Lines of a figure do not run over points that were not computed.
 static void curves_break_where_points_are_missing(void **state) {
     (void)state;
@@ -331,6 +356,7 @@ int main(void) {
         cmocka_unit_test_setup_teardown(stators_near_the_orbit_are_drawn, enter_folder, leave_folder),
         cmocka_unit_test_setup_teardown(partial_results_say_so, enter_folder, leave_folder),
         cmocka_unit_test_setup_teardown(confidence_is_shown, enter_folder, leave_folder),
+        cmocka_unit_test_setup_teardown(exponents_are_listed_with_their_sum, enter_folder, leave_folder),
         cmocka_unit_test_setup_teardown(curves_break_where_points_are_missing, enter_folder, leave_folder),
         cmocka_unit_test_setup_teardown(figures_can_be_drawn_again, enter_folder, leave_folder),
         cmocka_unit_test_setup_teardown(hostile_names_do_nothing, enter_folder, leave_folder),
