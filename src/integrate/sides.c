@@ -28,16 +28,21 @@ static double rate_along(const carrier *c, size_t which, double t, const double 
     return (rate - value_of(c, which, t - step, c->work)) / (2.0 * step);
 }
 
-double carrier_reach(const carrier *c, size_t which, double t, const double *x) {
-    double *gradient = c->work, by_time, reach = 0.0;
-    if (!c->system->switch_gradient) { // a unit of the function for a unit of the state
-        for (size_t d = 0; d < c->dimension; d++) reach = fmax(reach, 1e-3 * (c->atol + c->rtol * fabs(x[d])));
-        return fmax(reach, 4.0 * DBL_EPSILON);
+/// By how much a switching function may change where every coordinate moves by `absolute` and `relative` of itself; without its
+/// gradient: a unit of the function for a unit of the state.
+static double change_by(const carrier *c, size_t which, double t, const double *x, double absolute, double relative) {
+    double *gradient = c->work, by_time, change = 0.0;
+    if (!c->system->switch_gradient) {
+        for (size_t d = 0; d < c->dimension; d++) change = fmax(change, absolute + relative * fabs(x[d]));
+        return change;
     }
     c->system->switch_gradient(c->system->model, t, x, which, gradient, &by_time);
-    for (size_t d = 0; d < c->dimension; d++)
-        reach += fabs(gradient[d]) * fmax(1e-3 * (c->atol + c->rtol * fabs(x[d])), 4.0 * DBL_EPSILON * fabs(x[d]));
-    return reach;
+    for (size_t d = 0; d < c->dimension; d++) change += fabs(gradient[d]) * (absolute + relative * fabs(x[d]));
+    return change;
+}
+
+double carrier_reach(const carrier *c, size_t which, double t, const double *x) {
+    return change_by(c, which, t, x, 1e-3 * c->atol, fmax(1e-3 * c->rtol, 4.0 * DBL_EPSILON));
 }
 
 // ---------------------------------------------------------------- slopes
@@ -230,7 +235,7 @@ void carrier_find_sides(carrier *c) {
     system->switches(system->model, c->t, c->x, values);
     for (size_t i = 0; i < system->switch_count; i++) c->sides[i] = values[i] > 0.0 ? 1.0 : -1.0;
     for (size_t i = 0; i < system->switch_count; i++) {
-        if (fabs(values[i]) > carrier_reach(c, i, c->t, c->x)) continue;
+        if (fabs(values[i]) > change_by(c, i, c->t, c->x, 0.0, 16.0 * DBL_EPSILON)) continue;
         const departure below = depart(c, i, -1.0), above = depart(c, i, 1.0);
         if (can_slide(c) && pushed(&below, &above)) {
             slide(c, i);
