@@ -10,10 +10,6 @@ enum {
     DOP853_DENSE = 4    ///< polynomials of the interpolant that need all slopes
 };
 
-/// The error of a step of length h is estimated as h e5^2/sqrt(e5^2 + MIX e3^2) from the norms of both differences below. DOP853
-/// has MIX = 0.01, which overrates the error of the result by far (E1: by more than 50); 1 still does.
-#define DOP853_MIX 1.0
-
 /// Times of the slopes in steps.
 static const double dop853_c[DOP853_SLOPES] = {0,
                                                0.05260015195876773,
