@@ -20,6 +20,13 @@ extern "C" {
 
 // ---------------------------------------------------------------- recording
 
+/// What is followed of small disturbances while a motion is watched.
+typedef enum whirl_growth {
+    WHIRL_GROWTH_NONE = 0,
+    WHIRL_GROWTH_LARGEST, ///< one, by a second trajectory, which any system has
+    WHIRL_GROWTH_ALL      ///< as many as the state has coordinates, by the system's Jacobian
+} whirl_growth;
+
 typedef struct whirl_record_options {
     int transient; ///< revolutions that pass before anything is recorded, >= 0
     int record;    ///< revolutions recorded, >= 1
@@ -33,13 +40,13 @@ typedef struct whirl_record_options {
     double highest_order; ///< spectra are kept up to this order of the running speed
     /// End the transient early, but for 64 revolutions, where the motion has settled on a periodic orbit to 1e-11.
     bool settle;
-    bool spectra;  ///< keep whole spectra, not only their peaks
-    bool waveform; ///< waveforms are needed (for spectra or to be kept)
-    bool growth;   ///< follow a disturbance (costs a second trajectory while watched)
+    bool spectra;        ///< keep whole spectra, not only their peaks
+    bool waveform;       ///< waveforms are needed (for spectra or to be kept)
+    whirl_growth growth; ///< costs one trajectory while watched, or as many as there are coordinates
 } whirl_record_options;
 
 /// transient 1100, record 100, watch 0, waveform_revolutions 0, samples_per_revolution 64, highest_order 5,
-/// settle false, spectra false, waveform true, growth true.
+/// settle false, spectra false, waveform true, growth WHIRL_GROWTH_LARGEST.
 whirl_record_options whirl_record_default(void);
 
 /// Revolutions watched, with the default resolved.
@@ -48,6 +55,11 @@ int whirl_record_watch(const whirl_record_options *options);
 /// Samples of a waveform a revolution: the smallest divisor of `steps_per_revolution` that is at least
 /// options->samples_per_revolution.
 int whirl_record_samples(const whirl_record_options *options, int steps_per_revolution);
+
+/// WHIRL_BAD_INPUT with a sentence where options contradict each other, or where all disturbances are to be followed and the system
+/// gives no Jacobian or the method takes none along.
+whirl_status whirl_record_check(const whirl_system *system, const whirl_integrate_options *integrate,
+                                const whirl_record_options *options);
 
 /// What was gathered of one motion. Lengths in the system's own; one block, freed by whirl_record_free.
 /// After a divergence only `diverged_at` and `motion` mean anything.
@@ -65,6 +77,8 @@ typedef struct whirl_record {
 
     size_t growth_count; ///< 0 when no disturbance was followed
     double *growth;      ///< [growth_count] ln of the disturbance's growth in each watched revolution
+    double *growths; ///< [growth_count][dimension] of all disturbances, orthonormal ones; NULL when one was followed
+    double *volume;  ///< [growth_count] what their sum is exactly (whirl_disturbances.volume); NULL likewise
 
     size_t sample_count;           ///< samples of the waveform over the record, 0 when not wanted
     size_t samples_per_revolution; ///< whose ends are at t = period/samples_per_revolution, ..., period
@@ -166,6 +180,14 @@ typedef struct whirl_estimate {
 /// Largest Lyapunov exponent per revolution (natural logarithm): the mean growth of a disturbance over the watched
 /// revolutions after the first tenth, with the standard error of block means. NaN where nothing was followed.
 whirl_estimate whirl_lyapunov_largest(const whirl_record *record);
+
+/// All Lyapunov exponents per revolution [dimension], as whirl_lyapunov_largest has the first one. False, and NaN, where not all
+/// disturbances were followed.
+bool whirl_lyapunov_spectrum(const whirl_record *record, whirl_estimate *exponents);
+
+/// Kaplan and Yorke's dimension of the attractor in the section, from exponents [count], largest first: how many of them
+/// sum to zero or more, the next one in part. Exponents within 3 errors of zero, and within 0.002, count as zero.
+double whirl_kaplan_yorke(const whirl_estimate *exponents, size_t count);
 
 typedef enum whirl_regime {
     WHIRL_UNDETERMINED = 0,

@@ -31,6 +31,7 @@ typedef struct whirl_method {
     const char *name;
     const char *meaning;
     bool adaptive; ///< uses rtol and atol, and finds the zeros of the switching functions
+    bool follows;  ///< takes disturbances along (whirl_integrator_follow)
 } whirl_method;
 
 /// The methods that this build has, by index from 0; NULL past the last. Static.

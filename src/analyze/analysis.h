@@ -10,7 +10,7 @@ enum { MAX_ANALYSIS_FIELDS = 32 };
 
 /// What the sizes of the fields depend on.
 typedef struct block_shape {
-    size_t station_count, contact_count;
+    size_t dimension, station_count, contact_count;
     size_t samples_per_revolution;
     const whirl_record_options *options;
 } block_shape;
@@ -39,14 +39,15 @@ double *view_numbers(const block_view *view, size_t field, size_t which);
 typedef struct analysis_plan {
     const field_plan *fields;
     size_t field_count;
-    bool needs_waveform, needs_growth; ///< options without them contradict the choice of this analysis
+    bool needs_waveform;       ///< options without it contradict the choice of this analysis
+    whirl_growth needs_growth; ///< the least of it, likewise
     whirl_status (*compute)(const whirl_record *record, const whirl_record_options *options, const block_view *view);
     /// Optional: fills what a motion that left its bounds still has to say.
     void (*compute_diverged)(const whirl_record *record, const block_view *view);
 } analysis_plan;
 
 extern const analysis_plan poincare_analysis, orbit_analysis, rub_analysis, waveform_analysis, spectrum_analysis,
-    lyapunov_analysis, regime_analysis, winding_analysis, evidence_analysis;
+    lyapunov_analysis, exponents_analysis, regime_analysis, winding_analysis, evidence_analysis;
 
 /// The plans, in the order of whirl_analyses().
 extern const analysis_plan *const analysis_plans[];

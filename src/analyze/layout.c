@@ -29,9 +29,10 @@ static whirl_status check_needs(const char *name, const analysis_plan *plan, con
     if (plan->needs_waveform && !options->waveform) {
         return whirl_fail(WHIRL_BAD_INPUT, "the analysis '%s' needs waveforms, but none are recorded", name);
     }
-    if (plan->needs_growth && !options->growth) {
-        return whirl_fail(WHIRL_BAD_INPUT, "the analysis '%s' needs the growth of a disturbance, but none is followed",
-                          name);
+    if (plan->needs_growth > options->growth) {
+        return whirl_fail(WHIRL_BAD_INPUT, "the analysis '%s' needs the growth of %s, but %s followed", name,
+                          plan->needs_growth == WHIRL_GROWTH_ALL ? "all disturbances" : "a disturbance",
+                          options->growth == WHIRL_GROWTH_NONE ? "none is" : "only one is");
     }
     return whirl_ok();
 }
@@ -75,6 +76,7 @@ whirl_status whirl_layout_new(const whirl_system *system, const whirl_integrate_
     whirl_status status = check_options(options, integrate->steps_per_revolution);
     if (status.code != WHIRL_OK) return status;
     const block_shape shape = {
+        .dimension = system->dimension,
         .station_count = system->probe_count,
         .contact_count = system->contact_count,
         .samples_per_revolution = (size_t)whirl_record_samples(options, integrate->steps_per_revolution),

@@ -90,4 +90,4 @@ static whirl_status compute(const whirl_record *record, const whirl_record_optio
 }
 
 const analysis_plan lyapunov_analysis = {
-    .fields = fields, .field_count = FIELD_COUNT, .needs_growth = true, .compute = compute};
+    .fields = fields, .field_count = FIELD_COUNT, .needs_growth = WHIRL_GROWTH_LARGEST, .compute = compute};

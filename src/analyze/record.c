@@ -17,12 +17,29 @@ typedef struct recording {
     whirl_record *record;
     instant_watcher watcher;
     trajectory_twin twin;
-    settling *settling; ///< NULL when every transient runs to its end
-    int revolution;     ///< the next one
+    double *disturbances; ///< [dimension][dimension] where all are followed, else NULL
+    settling *settling;   ///< NULL when every transient runs to its end
+    int revolution;       ///< the next one
     double *x;
 } recording;
 
-/// One revolution of the motion, and of its twin while that is followed.
+/// One revolution of the motion with all disturbances.
+static whirl_motion carry_all(recording *r, whirl_observe_fn observe) {
+    whirl_record *record = r->record;
+    const size_t n = record->dimension, count = record->growth_count;
+    if (count == 0) {
+        memset(r->disturbances, 0, n * n * sizeof *r->disturbances);
+        for (size_t i = 0; i < n; i++) r->disturbances[i * n + i] = 1.0;
+    }
+    whirl_disturbances set = {.count = n, .vectors = r->disturbances, .growth = record->growths + count * n};
+    const whirl_motion motion = whirl_integrator_carry(r->integrator, r->x, &set, observe, &r->watcher);
+    record->growth[count] = set.growth[0];
+    record->volume[count] = set.volume;
+    record->growth_count = count + 1;
+    return motion;
+}
+
+/// One revolution of the motion, and of its twin or its disturbances while they are followed.
 static void revolve(recording *r) {
     const int revolution = r->revolution++;
     const whirl_record_options *options = r->options;
@@ -33,7 +50,9 @@ static void revolve(recording *r) {
     const bool followed = watched && r->twin.x;
     if (followed && record->section_count == 0) twin_begin(&r->twin, r->x);
     if (revolution == options->transient) watch_note_contacts(&r->watcher, r->x);
-    record->motion = whirl_integrator_revolve(r->integrator, r->x, recorded ? watch_instant : NULL, &r->watcher);
+    const whirl_observe_fn observe = recorded ? watch_instant : NULL;
+    record->motion = watched && r->disturbances ? carry_all(r, observe)
+                                                : whirl_integrator_revolve(r->integrator, r->x, observe, &r->watcher);
     if (record->motion != WHIRL_BOUNDED) {
         record->diverged_at = r->revolution;
         return;
@@ -63,6 +82,7 @@ static void recording_free(recording *r) {
     whirl_integrator_free(r->integrator);
     settling_free(r->settling);
     whirl_record_free(r->record);
+    free(r->disturbances);
     free(r->x);
     free(r);
 }
@@ -75,12 +95,16 @@ static whirl_status recording_new(const whirl_task *task, const whirl_integrate_
     if (!r) return whirl_fail(WHIRL_NO_MEMORY, "no memory to record %d revolutions", options->record);
     r->task = *task;
     r->options = options;
+    const size_t n = system->dimension;
+    const bool all = options->growth == WHIRL_GROWTH_ALL;
     whirl_status status = whirl_integrator_new(system, integrate, &r->integrator);
+    if (status.code == WHIRL_OK && all) status = whirl_integrator_follow(r->integrator, n);
     if (status.code == WHIRL_OK) {
-        r->x = calloc(2 * system->dimension, sizeof *r->x);
+        if (all) r->disturbances = calloc(n * n, sizeof *r->disturbances);
+        r->x = calloc(2 * n, sizeof *r->x);
         r->record = record_new(system, integrate, options);
         if (options->settle) r->settling = settling_new(system->dimension);
-        if (!r->x || !r->record || (options->settle && !r->settling))
+        if (!r->x || !r->record || (options->settle && !r->settling) || (all && !r->disturbances))
             status = whirl_fail(WHIRL_NO_MEMORY, "no memory to record %d revolutions", options->record);
     }
     if (status.code != WHIRL_OK) {
@@ -88,7 +112,7 @@ static whirl_status recording_new(const whirl_task *task, const whirl_integrate_
         return status;
     }
     memcpy(r->x, task->start, system->dimension * sizeof *r->x);
-    r->twin = (trajectory_twin){.dimension = system->dimension, .x = options->growth ? r->x + system->dimension : NULL};
+    r->twin = (trajectory_twin){.dimension = n, .x = options->growth == WHIRL_GROWTH_LARGEST ? r->x + n : NULL};
     watch_open(&r->watcher, system, integrate, r->record);
     *out = r;
     return whirl_ok();
@@ -100,7 +124,9 @@ static void recording_archive(recording *r, const whirl_integrate_options *integ
     record_archive(r->record, integrate, r->options, a);
     archive_part(a, &r->revolution, sizeof r->revolution);
     archive_part(a, &r->twin.distance, sizeof r->twin.distance);
-    archive_part(a, r->x, 2 * r->record->dimension * sizeof *r->x);
+    const size_t n = r->record->dimension;
+    archive_part(a, r->x, 2 * n * sizeof *r->x);
+    if (r->disturbances) archive_part(a, r->disturbances, n * n * sizeof *r->disturbances);
     archive_part(a, &watcher->instants, sizeof watcher->instants);
     archive_part(a, watcher->touching, sizeof watcher->touching);
     if (r->settling) settling_archive(r->settling, a);
@@ -120,12 +146,13 @@ whirl_status whirl_recorder_new(const whirl_system *system, const whirl_integrat
                                 const whirl_record_options *options, const whirl_task_source *source, size_t lanes,
                                 whirl_recorder **out) {
     *out = NULL;
-    whirl_status status = record_check(options);
+    whirl_status status = whirl_record_check(system, integrate, options);
     if (status.code != WHIRL_OK) return status;
     whirl_recorder *made = calloc(1, sizeof *made);
     if (!made) return whirl_fail(WHIRL_NO_MEMORY, "no memory to record motions");
     *made = (whirl_recorder){.integrate = integrate, .options = options, .source = source};
-    if (whirl_ensemble_takes(system, integrate))
+    const bool alone = options->growth == WHIRL_GROWTH_ALL && !whirl_follower_takes(system, integrate);
+    if (whirl_ensemble_takes(system, integrate) && !alone)
         status = lanes_recorder_new(system, integrate, options, source, lanes, &made->lanes);
     if (status.code == WHIRL_OK)
         *out = made;

@@ -3,6 +3,7 @@
 
 #include <limits.h>
 #include <stdlib.h>
+#include <string.h>
 
 whirl_record_options whirl_record_default(void) {
     return (whirl_record_options){.transient = 1100,
@@ -10,7 +11,7 @@ whirl_record_options whirl_record_default(void) {
                                   .samples_per_revolution = 64,
                                   .highest_order = 5.0,
                                   .waveform = true,
-                                  .growth = true};
+                                  .growth = WHIRL_GROWTH_LARGEST};
 }
 
 int whirl_record_watch(const whirl_record_options *options) {
@@ -28,7 +29,21 @@ int whirl_record_samples(const whirl_record_options *options, int steps_per_revo
     return samples;
 }
 
-whirl_status record_check(const whirl_record_options *options) {
+/// Whether all disturbances can be followed, where they are to be.
+static whirl_status check_growth(const whirl_system *system, const char *name, const whirl_record_options *options) {
+    const whirl_method *method;
+    if (options->growth != WHIRL_GROWTH_ALL) return whirl_ok();
+    if (!system->tangent)
+        return whirl_fail(WHIRL_BAD_INPUT, "the system gives no Jacobian, expected one to follow all disturbances");
+    for (size_t i = 0; (method = whirl_method_at(i)); i++)
+        if (strcmp(method->name, name) == 0 && !method->follows)
+            return whirl_fail(WHIRL_BAD_INPUT,
+                              "method %s takes no disturbances along, expected rk4 or dop853 for all exponents", name);
+    return whirl_ok();
+}
+
+whirl_status whirl_record_check(const whirl_system *system, const whirl_integrate_options *integrate,
+                                const whirl_record_options *options) {
     if (options->transient < 0 || options->record < 1 || options->transient > INT_MAX - options->record)
         return whirl_fail(WHIRL_BAD_INPUT, "transient is %d and record %d revolutions, expected at least 0 and 1",
                           options->transient, options->record);
@@ -42,7 +57,7 @@ whirl_status record_check(const whirl_record_options *options) {
     if (options->samples_per_revolution < 1)
         return whirl_fail(WHIRL_BAD_INPUT, "samples_per_revolution is %d, expected at least 1",
                           options->samples_per_revolution);
-    return whirl_ok();
+    return check_growth(system, integrate->method, options);
 }
 
 int record_skip(const whirl_record_options *options, int revolution) {
@@ -55,7 +70,7 @@ int record_skip(const whirl_record_options *options, int revolution) {
 
 /// Numbers of every part of a record; the order of the parts is fixed in `lay_out`.
 typedef struct sizes {
-    size_t section, growth, waveform, dimension, probes, contacts;
+    size_t section, growth, growths, waveform, dimension, probes, contacts;
 } sizes;
 
 static sizes measure(const whirl_system *system, const whirl_integrate_options *integrate,
@@ -63,7 +78,8 @@ static sizes measure(const whirl_system *system, const whirl_integrate_options *
     const size_t watch = (size_t)whirl_record_watch(options);
     const size_t samples = (size_t)whirl_record_samples(options, integrate->steps_per_revolution);
     return (sizes){.section = watch * system->dimension,
-                   .growth = options->growth ? watch : 0,
+                   .growth = options->growth != WHIRL_GROWTH_NONE ? watch : 0,
+                   .growths = options->growth == WHIRL_GROWTH_ALL ? watch : 0,
                    .waveform = options->waveform ? 2 * system->probe_count * (size_t)options->record * samples : 0,
                    .dimension = system->dimension,
                    .probes = system->probe_count,
@@ -79,6 +95,10 @@ static double *cut(double **block, size_t count) {
 static void lay_out(whirl_record *record, double *block, const sizes *size) {
     record->section = cut(&block, size->section);
     record->growth = cut(&block, size->growth);
+    if (size->growths > 0) {
+        record->growths = cut(&block, size->growths * size->dimension);
+        record->volume = cut(&block, size->growths);
+    }
     record->waveform = cut(&block, size->waveform);
     record->low = cut(&block, size->dimension);
     record->high = cut(&block, size->dimension);
@@ -95,8 +115,8 @@ static void lay_out(whirl_record *record, double *block, const sizes *size) {
 whirl_record *record_new(const whirl_system *system, const whirl_integrate_options *integrate,
                          const whirl_record_options *options) {
     const sizes size = measure(system, integrate, options);
-    const size_t numbers =
-        size.section + size.growth + size.waveform + 3 * size.dimension + 5 * size.probes + 3 * size.contacts;
+    const size_t numbers = size.section + size.growth + size.growths * (size.dimension + 1) + size.waveform +
+                           3 * size.dimension + 5 * size.probes + 3 * size.contacts;
     whirl_record *record = calloc(1, sizeof *record + numbers * sizeof(double));
     if (!record) return NULL;
     lay_out(record, (double *)(record + 1), &size);
@@ -141,6 +161,8 @@ void record_archive(whirl_record *r, const whirl_integrate_options *integrate, c
     archive_count(a, &r->sample_count, samples);
     archive_part(a, r->section, r->section_count * r->dimension * sizeof *r->section);
     archive_part(a, r->growth, r->growth_count * sizeof *r->growth);
+    if (r->growths) archive_part(a, r->growths, r->growth_count * r->dimension * sizeof *r->growths);
+    if (r->growths) archive_part(a, r->volume, r->growth_count * sizeof *r->volume);
     for (size_t i = 0; i < 2 * r->probe_count; i++)
         archive_part(a, r->waveform + i * samples, r->sample_count * sizeof *r->waveform);
     // What is watched of every instant stands behind the waveform, to the end.

@@ -5,9 +5,6 @@
 #include "archive.h"
 #include "whirl/analyze.h"
 
-/// WHIRL_BAD_INPUT with a sentence where options contradict each other.
-whirl_status record_check(const whirl_record_options *options);
-
 /// Where a motion that has settled after `revolution` revolutions goes on: it leaves out what is left of the transient but
 /// for the last 64 revolutions.
 int record_skip(const whirl_record_options *options, int revolution);

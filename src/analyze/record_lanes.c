@@ -23,9 +23,10 @@ typedef struct motion {
     int revolution; ///< done so far
     size_t lane, twin_lane;
     trajectory_twin twin;
-    settling *settling; ///< NULL when every transient runs to its end
-    double *x;          ///< [2 dimension] its state, and its twin's
-    double *saved;      ///< [2][numbers of a lane] to be restored into its lane, and its twin's; NULL: nothing
+    settling *settling;   ///< NULL when every transient runs to its end
+    double *x;            ///< [2 dimension] its state, and its twin's
+    double *disturbances; ///< [dimension][dimension] where all are followed
+    double *saved;        ///< [2][numbers of a lane] to be restored into its lane, and its twin's; NULL: nothing
 } motion;
 
 struct lanes_recorder {
@@ -33,6 +34,8 @@ struct lanes_recorder {
     const whirl_record_options *options;
     const whirl_task_source *source;
     whirl_ensemble *ensemble;
+    whirl_follower *follower; ///< of all disturbances, or NULL
+    motion **followed;        ///< [lanes of the follower] workspace
     size_t dimension, lane_count;
     int first_watched, last; ///< revolutions
     size_t used;             ///< lanes
@@ -47,7 +50,7 @@ struct lanes_recorder {
 };
 
 static bool follows(const lanes_recorder *r, const motion *m) {
-    return r->options->growth && m->revolution >= r->first_watched;
+    return r->options->growth == WHIRL_GROWTH_LARGEST && m->revolution >= r->first_watched;
 }
 
 static bool records(const lanes_recorder *r, const motion *m) {
@@ -120,9 +123,12 @@ static void motion_free(motion *m) {
 }
 
 static motion *motion_new(const lanes_recorder *r, const whirl_task *task) {
-    motion *m = calloc(1, sizeof *m + 2 * r->dimension * sizeof(double));
+    const size_t rows = r->follower ? 2 + r->dimension : 2;
+    motion *m = calloc(1, sizeof *m + rows * r->dimension * sizeof(double));
     if (!m) return NULL;
     *m = (motion){.task = *task, .lane = NO_LANE, .twin_lane = NO_LANE, .x = (double *)(m + 1)};
+    m->disturbances = m->x + 2 * r->dimension;
+    for (size_t i = 0; r->follower && i < r->dimension; i++) m->disturbances[i * r->dimension + i] = 1.0;
     m->twin = (trajectory_twin){.dimension = r->dimension, .x = m->x + r->dimension};
     m->record = record_new(task->system, r->integrate, r->options);
     memcpy(m->x, task->start, r->dimension * sizeof *m->x);
@@ -141,7 +147,7 @@ static void motion_archive(const lanes_recorder *r, motion *m, archive *a) {
     record_archive(m->record, r->integrate, r->options, a);
     archive_part(a, &m->revolution, sizeof m->revolution);
     archive_part(a, &m->twin.distance, sizeof m->twin.distance);
-    archive_part(a, m->x, 2 * r->dimension * sizeof *m->x);
+    archive_part(a, m->x, (r->follower ? 2 + r->dimension : 2) * r->dimension * sizeof *m->x); // disturbances follow
     if (m->settling) settling_archive(m->settling, a);
     const size_t numbers = whirl_ensemble_numbers(r->ensemble);
     size_t in_lane = m->saved != NULL;
@@ -226,7 +232,7 @@ static whirl_status fill(lanes_recorder *r) {
         if (r->used + lanes_needed(r, m) > r->lane_count) return status;
         status = enter_lanes(r, m);
     }
-    const size_t first = r->options->growth && r->first_watched == 0 ? 2 : 1;
+    const size_t first = r->options->growth == WHIRL_GROWTH_LARGEST && r->first_watched == 0 ? 2 : 1;
     r->exhausted = false;
     while (status.code == WHIRL_OK && !r->exhausted && r->count < r->lane_count && r->used + first <= r->lane_count)
         status = admit_new(r);
@@ -286,6 +292,36 @@ static void follow_twin(lanes_recorder *r, motion *m) {
     const bool bounded = whirl_ensemble_motion(r->ensemble, m->twin_lane) == WHIRL_BOUNDED;
     m->record->growth[m->record->growth_count++] = twin_growth(&m->twin, m->x, bounded);
     whirl_ensemble_place(r->ensemble, m->twin_lane, m->twin.x);
+}
+
+/// Carries the disturbances of `count` motions whose x is still the state at the revolution's beginning.
+static void carry_followed(lanes_recorder *r, size_t count) {
+    if (count == 0) return;
+    whirl_follower_revolve(r->follower);
+    for (size_t i = 0; i < count; i++) {
+        motion *m = r->followed[i];
+        whirl_record *record = m->record;
+        double *growth = record->growths + record->growth_count * record->dimension;
+        whirl_follower_read(r->follower, i, m->disturbances, growth, &record->volume[record->growth_count]);
+        record->growth[record->growth_count++] = growth[0];
+    }
+}
+
+/// Carries the disturbances of all motions that are watched.
+static whirl_status follow_all(lanes_recorder *r) {
+    size_t count = 0;
+    for (size_t i = 0; r->follower && i < r->count; i++) {
+        motion *m = r->motions[i];
+        if (waits(m) || m->revolution < r->first_watched) continue;
+        const whirl_status status = whirl_follower_load(r->follower, count, m->task.system, m->x, m->disturbances);
+        if (status.code != WHIRL_OK) return status;
+        r->followed[count++] = m;
+        if (count < whirl_follower_lanes(r->follower)) continue;
+        carry_followed(r, count);
+        count = 0;
+    }
+    carry_followed(r, count);
+    return whirl_ok();
 }
 
 /// After a revolution of a motion.
@@ -353,6 +389,8 @@ whirl_status lanes_recorder_revolve(lanes_recorder *r, size_t *turned) {
     whirl_status status = fill(r);
     if (status.code == WHIRL_OK) status = prepare_all(r);
     if (status.code != WHIRL_OK || r->count == 0) return status;
+    status = follow_all(r);
+    if (status.code != WHIRL_OK) return status;
     r->sample_count = 0;
     whirl_ensemble_revolve(r->ensemble, r->used, r->watch.extremes ? &r->watch : NULL);
     for (size_t i = 0; i < r->count; i++) {
@@ -366,8 +404,11 @@ whirl_status lanes_recorder_revolve(lanes_recorder *r, size_t *turned) {
 }
 
 static whirl_status start(lanes_recorder *r, const whirl_system *system, size_t lanes) {
-    const whirl_status status = whirl_ensemble_new(system, r->integrate, lanes, &r->ensemble);
+    whirl_status status = whirl_ensemble_new(system, r->integrate, lanes, &r->ensemble);
+    if (status.code == WHIRL_OK && r->options->growth == WHIRL_GROWTH_ALL)
+        status = whirl_follower_new(system, r->integrate, &r->follower);
     if (status.code != WHIRL_OK) return status;
+    if (r->follower) r->followed = calloc(whirl_follower_lanes(r->follower), sizeof(motion *));
     r->lane_count = whirl_ensemble_lanes(r->ensemble);
     r->owner = calloc(r->lane_count, sizeof(motion *));
     r->motions = calloc(r->lane_count, sizeof(motion *));
@@ -379,7 +420,7 @@ static whirl_status start(lanes_recorder *r, const whirl_system *system, size_t 
                                    whirl_record_samples(r->options, r->integrate->steps_per_revolution));
     const size_t samples = r->watch.stride > 0 ? (size_t)r->integrate->steps_per_revolution / r->watch.stride : 0;
     r->samples = calloc(samples * 2 * r->probe_count * r->lane_count + 1, sizeof *r->samples);
-    if (!r->owner || !r->motions || !r->samples)
+    if (!r->owner || !r->motions || !r->samples || (r->follower && !r->followed))
         return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu lanes", r->lane_count);
     return whirl_ok();
 }
@@ -394,6 +435,8 @@ void lanes_recorder_free(lanes_recorder *r) {
     free(r->owner);
     free(r->samples);
     whirl_ensemble_free(r->ensemble);
+    whirl_follower_free(r->follower);
+    free(r->followed);
     free(r);
 }
 

@@ -12,6 +12,8 @@
     analysis(spectrum, "amplitudes over orders of the running speed, with the full spectrum of x + iy",                \
              "Harris 1978 (Hann window), Southwick 1993 (full spectrum)")                                              \
     analysis(lyapunov, "largest Lyapunov exponent per revolution with its standard error", "Benettin et al. 1980")     \
+    analysis(exponents, "all Lyapunov exponents, the sum that they must have, and the attractor's dimension",          \
+             "Benettin et al. 1980; Kaplan, Yorke 1979")                                                               \
     analysis(regime, "P-k, quasi-periodic, chaotic, diverged or undetermined, with the evidence and how far to trust it", \
              "Das, Saiki, Sander, Yorke 2017; Das, Yorke 2018 (weighted Birkhoff averages); Gottwald, Melbourne 2009 "  \
              "(0-1 test); docs/theory.md")                                                                             \

@@ -59,6 +59,8 @@ static void check_layouts(case_reader *reader, case_content *content, valuation 
         const whirl_batch *batch = &content->plan.batches[b];
         status =
             whirl_layout_new(whirl_rotor_system(rotor), &batch->integrate, &batch->record, batch->analyses, &layout);
+        if (status.code == WHIRL_OK)
+            status = whirl_record_check(whirl_rotor_system(rotor), &batch->integrate, &batch->record);
         if (status.code != WHIRL_OK) problem_at(reader->problems, content->plan.values_place[b], "%s", status.message);
     }
     whirl_rotor_free(rotor);

@@ -66,7 +66,10 @@ static void choose_analyses(whirl_batch *batch, whirl_analysis_set chosen, bool 
     batch->analyses = kept ? chosen | waveform : chosen & ~waveform;
     batch->record.spectra = spectra;
     batch->record.waveform = kept || has_analysis(chosen, "spectrum");
-    batch->record.growth = has_analysis(chosen, "lyapunov") || has_analysis(chosen, "regime");
+    const bool largest = has_analysis(chosen, "lyapunov") || has_analysis(chosen, "regime");
+    batch->record.growth = has_analysis(chosen, "exponents") ? WHIRL_GROWTH_ALL
+                           : largest                         ? WHIRL_GROWTH_LARGEST
+                                                             : WHIRL_GROWTH_NONE;
 }
 
 // ---------------------------------------------------------------- contradictions

@@ -147,7 +147,8 @@ static void read_analyses(case_reader *reader, plan_parts *parts) {
     const setting *given = settings_find(&parts->study, "analyze");
     if (!given) {
         for (const whirl_analysis *a = whirl_analyses(); a->name; a++)
-            if (strcmp(a->name, "waveform") != 0 && strcmp(a->name, "evidence") != 0)
+            if (strcmp(a->name, "waveform") != 0 && strcmp(a->name, "exponents") != 0 &&
+                strcmp(a->name, "evidence") != 0)
                 whirl_analysis_add(&parts->analyses, a->name);
         return;
     }

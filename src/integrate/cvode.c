@@ -149,7 +149,7 @@ static whirl_motion revolve(whirl_integrator *integrator, double *x, whirl_distu
 }
 
 const method cvode_adams_method = {
-    .about = {"cvode-adams", "SUNDIALS CVODE, Adams-Moulton of order 1 to 12, contacts located", true},
+    .about = {"cvode-adams", "SUNDIALS CVODE, Adams-Moulton of order 1 to 12, contacts located", true, false},
     .start = start_adams,
     .revolve = revolve,
     .end = end,
@@ -157,7 +157,7 @@ const method cvode_adams_method = {
 
 const method cvode_bdf_method = {
     .about = {"cvode-bdf", "SUNDIALS CVODE, backward differentiation of order 1 to 5 for stiff films, contacts located",
-              true},
+              true, false},
     .start = start_bdf,
     .revolve = revolve,
     .end = end,

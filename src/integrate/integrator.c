@@ -91,7 +91,7 @@ whirl_status whirl_integrator_follow(whirl_integrator *integrator, size_t most) 
     const size_t n = integrator->system->dimension;
     if (!integrator->system->tangent)
         return whirl_fail(WHIRL_BAD_INPUT, "the system gives no Jacobian, expected one to follow disturbances");
-    if (own->disturbance_rows == 0)
+    if (!own->about.follows)
         return whirl_fail(WHIRL_BAD_INPUT, "method %s takes no disturbances along, expected rk4 or dop853",
                           own->about.name);
     if (most > n)

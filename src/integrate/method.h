@@ -23,7 +23,7 @@ typedef struct method {
     /// `disturbances` is NULL where there are none.
     whirl_motion (*revolve)(whirl_integrator *integrator, double *x, whirl_disturbances *disturbances,
                             whirl_observe_fn observe, void *observer);
-    size_t disturbance_rows; ///< 0: takes no disturbances along
+    size_t disturbance_rows;
     void (*end)(whirl_integrator *integrator);
     const struct method *located; ///< the same with located contacts, where that is a choice
 } method;

@@ -126,7 +126,8 @@ static void end(whirl_integrator *integrator) {
 }
 
 const method rk4_method = {
-    .about = {"rk4", "Runge-Kutta of order 4, fixed steps; walks over contacts unless they are to be located", false},
+    .about = {"rk4", "Runge-Kutta of order 4, fixed steps; walks over contacts unless they are to be located", false,
+              true},
     .start = start,
     .revolve = revolve,
     .disturbance_rows = 5,

@@ -95,6 +95,23 @@ static void put_lyapunov(bool *well, json_t *object, const whirl_table *table, s
     document_put(well, object, "lyapunov", exponent);
 }
 
+static void put_exponents(bool *well, json_t *object, const whirl_table *table, size_t point) {
+    const double *values = whirl_table_field(table, point, "exponents/values", 0);
+    const double *errors = whirl_table_field(table, point, "exponents/errors", 0);
+    const double *sum = whirl_table_field(table, point, "exponents/sum", 0);
+    const double *exact = whirl_table_field(table, point, "exponents/sum_exact", 0);
+    const double *dimension = whirl_table_field(table, point, "exponents/dimension", 0);
+    if (!values || !errors || !sum || !exact || !dimension) return;
+    const size_t count = whirl_layout_field(&table->layout, "exponents/values")->rows;
+    json_t *exponents = json_object();
+    document_put(well, exponents, "values", numbers_array(well, values, count));
+    document_put(well, exponents, "errors", numbers_array(well, errors, count));
+    document_put(well, exponents, "sum", document_number(*sum));
+    document_put(well, exponents, "sum_exact", document_number(*exact));
+    document_put(well, exponents, "dimension", document_number(*dimension));
+    document_put(well, object, "exponents", exponents);
+}
+
 static json_t *contact_statistics(bool *well, const whirl_result *result, const whirl_table *table, size_t point,
                                   size_t contact) {
     const double *share = whirl_table_field(table, point, "rub/share", contact);
@@ -194,6 +211,7 @@ static json_t *point_object(bool *well, const whirl_result *result, const whirl_
     put_verdict(well, object, table, point);
     put_refinement(well, object, table, point);
     put_lyapunov(well, object, table, point);
+    put_exponents(well, object, table, point);
     put_rub(well, object, result, table, point);
     put_stations(well, object, "stations", station_orbit, result, table, point);
     if (whirl_layout_field(&table->layout, "winding/winding"))

@@ -130,7 +130,7 @@ static void get_record(whirl_status *status, hid_t group, whirl_record_options *
     get_number_attribute(status, group, "highest_order", &options->highest_order);
     options->spectra = get_whole_attribute(status, group, "spectra", 0, 1) != 0;
     options->waveform = get_whole_attribute(status, group, "waveform", 0, 1) != 0;
-    options->growth = get_whole_attribute(status, group, "growth", 0, 1) != 0;
+    options->growth = (whirl_growth)get_whole_attribute(status, group, "growth", 0, WHIRL_GROWTH_ALL);
 }
 
 // Analyses of a later version are none of ours; their fields are read all the same.
@@ -306,11 +306,12 @@ static void get_table(whirl_status *status, hid_t file, const whirl_result *resu
 
 // Every field that this version has, to compare shapes with.
 static whirl_status known_fields(const whirl_result *result, whirl_layout *known) {
-    const whirl_system system = {.probe_count = 1, .contact_count = 1, .probes = result->stations};
+    const whirl_system system = {.dimension = 4, .probe_count = 1, .contact_count = 1, .probes = result->stations};
     const whirl_integrate_options integrate = whirl_integrate_default();
     whirl_record_options options = whirl_record_default();
     // More than one row for all that can have more.
     options.spectra = true;
+    options.growth = WHIRL_GROWTH_ALL;
     options.waveform_revolutions = options.record;
     whirl_analysis_set all = 0;
     for (const whirl_analysis *analysis = whirl_analyses(); analysis->name; ++analysis)

@@ -69,6 +69,7 @@ static whirl_result *run(const char *method, const double *values, size_t count,
     batch->record.transient = 30;
     batch->record.record = 10;
     batch->record.waveform_revolutions = 2;
+    batch->record.growth = WHIRL_GROWTH_ALL;
     for (const whirl_analysis *analysis = whirl_analyses(); analysis->name; analysis++)
         assert_true(whirl_analysis_add(&batch->analyses, analysis->name));
     if (isa)
@@ -393,7 +394,7 @@ static whirl_rotor *rub_rotor(double speed, double damping) {
     must(whirl_design_new(speed, 1, &design));
     must(whirl_design_station(design, "disc", disc, 3));
     must(whirl_design_element(design, "shaft", shaft, 2));
-    must(whirl_design_element(design, "rub", rub, 5));
+    must(whirl_design_element(design, "rub", rub, damping < 0 ? 4 : 5));
     must(whirl_design_element(design, "gravity", gravity, 1));
     must(whirl_rotor_new(design, &rotor));
     whirl_design_free(design);
@@ -437,6 +438,46 @@ static void test_damped_contacts_in_lanes_and_alone(void **state) {
     assert_true(largest > 1.01);
 }
 
+static whirl_record *record_growths(const whirl_system *system, const double *start) {
+    whirl_integrate_options integrate = whirl_integrate_default();
+    whirl_record_options options = whirl_record_default();
+    whirl_record *record;
+    integrate.steps_per_revolution = 1024;
+    options.transient = 10;
+    options.record = options.watch = 12;
+    options.growth = WHIRL_GROWTH_ALL;
+    must(whirl_record_motion(system, &integrate, &options, start, NULL, &record));
+    return record;
+}
+
+/// All disturbances in lanes against those by the integrator's interface, a revolution at a time.
+static void test_disturbances_in_lanes_and_alone(void **state) {
+    const double start[8] = {0, -0.1, 0, -0.1};
+    (void)state;
+    unsetenv("WHIRL_ISA");
+    for (int i = 0; i < 2; i++) {
+        whirl_rotor *rotor = i ? rub_rotor(3.8, -1.0) : paper_rotor(0.6);
+        whirl_system alone = *whirl_rotor_system(rotor);
+        alone.lanes = NULL;
+        whirl_record *one = record_growths(whirl_rotor_system(rotor), start), *other = record_growths(&alone, start);
+        assert_int_equal(one->growth_count, 12);
+        for (size_t n = 0; n < one->growth_count; n++) {
+            double sum = 0.0;
+            for (size_t k = 0; k < one->dimension; k++) {
+                const double a = one->growths[n * one->dimension + k], b = other->growths[n * one->dimension + k];
+                assert_true(fabs(a - b) < 1e-7 * fmax(1.0, fabs(b)));
+                sum += a;
+            }
+            assert_true(one->growth[n] == one->growths[n * one->dimension]);
+            assert_true(fabs(one->volume[n] - other->volume[n]) < 1e-9 * fabs(other->volume[n]));
+            assert_true(fabs(sum - one->volume[n]) < 1e-3 * fabs(sum)); // the method's own error
+        }
+        whirl_record_free(one);
+        whirl_record_free(other);
+        whirl_rotor_free(rotor);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_threads),
@@ -448,6 +489,7 @@ int main(void) {
         cmocka_unit_test(test_damped_contacts_in_lanes_and_alone),
         cmocka_unit_test(test_records_in_lanes_and_alone),
         cmocka_unit_test(test_own_kernels_against_the_list),
+        cmocka_unit_test(test_disturbances_in_lanes_and_alone),
         cmocka_unit_test(test_other_structures_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -118,12 +118,53 @@ static void what_counts(void **state) {
     assert_true(isnan(whirl_lyapunov_largest(&record).value));
 }
 
+/// All exponents are the means of their columns, in place, beside the mean of the volume.
+static void all_exponents(void **state) {
+    (void)state;
+    enum { N = 3, COUNT = 50 };
+    double growths[COUNT][N], volume[COUNT];
+    whirl_estimate exponents[N];
+    for (size_t i = 0; i < COUNT; i++) {
+        for (size_t k = 0; k < N; k++) growths[i][k] = i < COUNT / 10 ? 7.0 : 0.5 - (double)k + (i % 2 ? 0.1 : -0.1);
+        volume[i] = -1.5;
+    }
+    const whirl_record record = {.dimension = N, .growth_count = COUNT, .growths = growths[0], .volume = volume};
+    assert_true(whirl_lyapunov_spectrum(&record, exponents));
+    // 45 revolutions count, of which 23 have 0.1 more.
+    for (size_t k = 0; k < N; k++) {
+        assert_near(exponents[k].value, 0.5 - (double)k + 0.1 / 45.0, 1e-14);
+        assert_true(exponents[k].error > 0.0 && exponents[k].error < 0.05);
+    }
+    const whirl_record one = {.dimension = N, .growth_count = COUNT, .growth = volume};
+    assert_false(whirl_lyapunov_spectrum(&one, exponents));
+    assert_true(isnan(exponents[0].value) && isnan(exponents[2].error));
+}
+
+/// Kaplan and Yorke's own example, Henon's map: 1 + 0.4192/1.6232 = 1.258; and the ends of the formula.
+static void dimension_of_an_attractor(void **state) {
+    (void)state;
+    const whirl_estimate henon[] = {{0.4192, 1e-4}, {-1.6232, 1e-4}};
+    assert_near(whirl_kaplan_yorke(henon, 2), 1.25826, 1e-5);
+    const whirl_estimate point[] = {{-0.1, 1e-3}, {-0.2, 1e-3}};
+    assert_near(whirl_kaplan_yorke(point, 2), 0.0, 0.0);
+    const whirl_estimate curve[] = {{-1e-4, 1e-4}, {-0.2, 1e-3}, {-0.3, 1e-3}};
+    assert_near(whirl_kaplan_yorke(curve, 3), 1.0, 0.0);
+    const whirl_estimate conservative[] = {{0.3, 1e-3}, {0.0, 1e-4}, {-0.3, 1e-3}};
+    assert_near(whirl_kaplan_yorke(conservative, 3), 3.0, 0.0);
+    const whirl_estimate strange[] = {{0.2, 1e-3}, {0.1, 1e-3}, {-0.15, 1e-3}, {-0.6, 1e-3}};
+    assert_near(whirl_kaplan_yorke(strange, 4), 3.25, 1e-14);
+    const whirl_estimate unknown[] = {{NAN, NAN}};
+    assert_true(isnan(whirl_kaplan_yorke(unknown, 1)));
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(correlated_noise),
         cmocka_unit_test(regular_sequences),
         cmocka_unit_test(known_exponents),
         cmocka_unit_test(what_counts),
+        cmocka_unit_test(all_exponents),
+        cmocka_unit_test(dimension_of_an_attractor),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

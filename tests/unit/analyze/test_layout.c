@@ -33,6 +33,7 @@ static whirl_record_options options_for_test(void) {
     options.samples_per_revolution = 16;
     options.waveform_revolutions = 3;
     options.spectra = true;
+    options.growth = WHIRL_GROWTH_ALL;
     return options;
 }
 
@@ -216,7 +217,8 @@ static void divergence(void **state) {
     const whirl_record_options options = options_for_test();
     whirl_layout layout;
     assert_int_equal(whirl_layout_new(&machine, &integrate, &options, all_analyses(), &layout).code, WHIRL_OK);
-    const whirl_record record = {.motion = WHIRL_DIVERGED, .diverged_at = 17.0, .probe_count = 2, .probes = probes};
+    const whirl_record record = {
+        .dimension = 8, .motion = WHIRL_DIVERGED, .diverged_at = 17.0, .probe_count = 2, .probes = probes};
     double *block = malloc(layout.size * sizeof *block);
     assert_non_null(block);
     assert_int_equal(whirl_analyze(&record, &options, all_analyses(), &layout, block).code, WHIRL_OK);
@@ -247,7 +249,7 @@ static void options_decide(void **state) {
     whirl_record_options wrong[6];
     for (size_t i = 0; i < 6; i++) wrong[i] = options;
     wrong[0].waveform = false;
-    wrong[1].growth = false;
+    wrong[1].growth = WHIRL_GROWTH_LARGEST;
     wrong[2].record = 0;
     wrong[3].waveform_revolutions = REVOLUTIONS + 1;
     wrong[4].highest_order = NAN;

@@ -341,6 +341,7 @@ static void absent_parts_have_the_defaults_of_the_layers(void **state) {
     for (const whirl_analysis *analysis = whirl_analyses(); analysis->name; analysis++)
         whirl_analysis_add(&all, analysis->name);
     whirl_analysis_add(&asked_for, "waveform");
+    whirl_analysis_add(&asked_for, "exponents");
     whirl_analysis_add(&asked_for, "evidence");
     assert_int_equal(batch.analyses, all & ~asked_for);
     whirl_case_free(object);

@@ -303,7 +303,7 @@ static void refuses_claims(void **state) {
         {"/", "format_version", 2, "format version 2"},
         {"/sweep", "steps_per_revolution", 0, "expected 1 to"},
         {"/sweep", "transient", -1, "expected 0 to"},
-        {"/sweep", "growth", 2, "expected 0 to 1"},
+        {"/sweep", "growth", 3, "expected 0 to 2"},
         {"/detail/made/array", "rows", INT64_MAX, "expected 0 to"},
         {"/detail/made/array", "rows", 2147483647, "more numbers than the file has"},
         {"/detail/made/array", "rows", 4, "not the expected size"},

@@ -1,0 +1,35 @@
+/// RK4 with disturbances over vector lanes: the block of memory that a kernel works on.
+#ifndef INTEGRATE_FOLLOWER_LANES_H
+#define INTEGRATE_FOLLOWER_LANES_H
+
+#include <stddef.h>
+
+#include "lanes.h"
+
+/// Arrays of the state and its disturbances are [1 + disturbances][degrees][stride vectors].
+typedef struct follower_lanes {
+    const void *model; ///< whose structure all lanes have
+    lanes_flow *flow;
+    size_t stride, lane_count;
+    size_t degrees, disturbances, forcing_count;
+    int steps, often; ///< disturbances are made orthonormal after every `often` steps
+    double step;
+    const double *forcing; ///< [2 steps + 1][forcing_count]
+    double *numbers;
+    double *q, *v, *k[4], *stage_q, *stage_v;
+    double *now;           ///< [forcing_count] of all lanes
+    double *divergence[4]; ///< [1] at the stages
+    double *volume;        ///< [1] its integral
+    double *lengths;       ///< [disturbances] products of what was left of them since the last call of `note`
+    void (*note)(struct follower_lanes *lanes); ///< takes their logarithms
+    double *growth;                             ///< [disturbances]
+} follower_lanes;
+
+typedef void follower_lanes_revolve(follower_lanes *lanes);
+
+/// One for every instruction set of vector.h; NULL where it is not built.
+extern follower_lanes_revolve *const follower_lanes_revolves[];
+follower_lanes_revolve follower_lanes_scalar, follower_lanes_128, follower_lanes_fma, follower_lanes_avx2,
+    follower_lanes_avx512;
+
+#endif
