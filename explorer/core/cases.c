@@ -161,8 +161,8 @@ void add_options(text *t, const whirl_batch *batch) {
     text_add(t, "{");
     json_name(t, "method");
     json_text(t, i->method);
-    text_add(t, ",\"stepsPerRevolution\":%d,\"rtol\":%.17g,\"atol\":%.17g,\"limit\":%.17g}", i->steps_per_revolution,
-             i->rtol, i->atol, i->limit);
+    text_add(t, ",\"stepsPerRevolution\":%d,\"rtol\":%.17g,\"atol\":%.17g,\"located\":%s,\"limit\":%.17g}",
+             i->steps_per_revolution, i->rtol, i->atol, i->located ? "true" : "false", i->limit);
     json_name(t, "record");
     text_add(t, "{\"transient\":%d,\"record\":%d,\"watch\":%d,\"waveform\":%d,\"samplesPerRevolution\":%d",
              r->transient, r->record, r->watch, r->waveform_revolutions, r->samples_per_revolution);

@@ -55,7 +55,7 @@ static whirl_status carry(job *j, const whirl_record *record) {
         j->start = NULL;
         return whirl_ok();
     }
-    if (!j->start) j->start = malloc(bytes);
+    if (!j->start) j->start = malloc(bytes + 1);
     if (!j->start) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a state");
     memcpy(j->start, record->end, bytes);
     return whirl_ok();
@@ -89,7 +89,7 @@ static whirl_status start_job(job *j, const double *values, const double *start)
     j->values = calloc(j->count, sizeof *j->values);
     j->machines = calloc(j->count, sizeof *j->machines);
     j->points = calloc(j->count, sizeof *j->points);
-    if (start) j->start = malloc(bytes);
+    if (start) j->start = malloc(bytes + 1);
     if (!j->values || !j->machines || !j->points || (start && !j->start))
         return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points", j->count);
     memcpy(j->values, values, j->count * sizeof *values);

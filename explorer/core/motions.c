@@ -29,7 +29,7 @@ static whirl_status start_motion(motion *m, const plan *p, double value, const d
     const size_t dimension = m->machine.system->dimension;
     m->samples = (size_t)whirl_record_samples(&wanted, integrate->steps_per_revolution);
     m->stride = (size_t)integrate->steps_per_revolution / m->samples;
-    m->x = malloc(dimension * sizeof *m->x);
+    m->x = malloc((dimension + 1) * sizeof *m->x);
     if (!m->x) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a state");
     memcpy(m->x, state ? state : m->machine.start, dimension * sizeof *m->x);
     return whirl_ok();

@@ -54,6 +54,7 @@ static const plan_option options[] = {
     {"stepsPerRevolution", OPTION_WHOLE, offsetof(whirl_batch, integrate.steps_per_revolution)},
     {"rtol", OPTION_NUMBER, offsetof(whirl_batch, integrate.rtol)},
     {"atol", OPTION_NUMBER, offsetof(whirl_batch, integrate.atol)},
+    {"located", OPTION_FLAG, offsetof(whirl_batch, integrate.located)},
     {"limit", OPTION_NUMBER, offsetof(whirl_batch, integrate.limit)},
     {"transient", OPTION_WHOLE, offsetof(whirl_batch, record.transient)},
     {"record", OPTION_WHOLE, offsetof(whirl_batch, record.record)},

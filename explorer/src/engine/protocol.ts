@@ -69,6 +69,8 @@ export interface IntegrateOptions {
   readonly stepsPerRevolution: number;
   readonly rtol: number;
   readonly atol: number;
+  /// rk4: steps are split where contact begins and ends; other methods always do.
+  readonly located: boolean;
   readonly limit: number;
 }
 

@@ -29,13 +29,14 @@ study:
 `;
 }
 
-/// The document of `whirl run --json` for a case's text.
-export function run(text) {
+/// The document of `whirl run --json` for a case's text, computed by an instruction set ("": the widest).
+export function run(text, isa = '') {
   const folder = mkdtempSync(join(tmpdir(), 'whirl-'));
   try {
     const file = join(folder, 'case.yaml');
     writeFileSync(file, text);
-    return JSON.parse(execFileSync(WHIRL, ['run', file, '--json'], { maxBuffer: 1 << 28, stdio: ['ignore', 'pipe', 'ignore'] }));
+    const options = { maxBuffer: 1 << 28, stdio: ['ignore', 'pipe', 'ignore'], env: { ...process.env, WHIRL_ISA: isa } };
+    return JSON.parse(execFileSync(WHIRL, ['run', file, '--json'], options));
   } finally {
     rmSync(folder, { recursive: true });
   }
