@@ -74,7 +74,7 @@ static double correlate(const double *a, const double *b, size_t count) {
 
 /// K at one frequency.
 static double growth_at(const double *u, size_t count, double c) {
-    double p[MOST_POINTS], q[MOST_POINTS], lags[MOST_LAGS], displacement[MOST_LAGS];
+    double p[MOST_POINTS], q[MOST_POINTS], lags[MOST_LAGS] = {0}, displacement[MOST_LAGS] = {0};
     const size_t longest = count / 10, averaged = count - longest;
     const size_t used = longest < MOST_LAGS ? longest : MOST_LAGS;
     drive(u, count, c, p, q);
