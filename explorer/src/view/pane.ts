@@ -92,9 +92,9 @@ export class Pane {
       el(
         'header',
         { class: 'card pane-head' },
-        el('div', { class: 'pane-value' }, el('span', { class: 'side', 'aria-hidden': 'true' }, side.toUpperCase()), this.name, this.field, this.unit, this.verdict, this.confidence, this.turning, ...(side === 'b' ? [close] : [])),
+        el('div', { class: 'pane-value' }, el('span', { class: 'side', 'aria-hidden': 'true' }, side.toUpperCase()), this.name, this.field, this.unit, this.verdict, this.confidence, ...(side === 'b' ? [close] : [])),
         this.reason,
-        this.how,
+        el('div', { class: 'pane-foot' }, this.how, this.turning),
         this.trouble,
       ),
       el('div', { class: 'panels' }, ...this.panels.map((panel) => panel.root)),
