@@ -131,8 +131,12 @@ static const H5FD_class_t driver = {
 herr_t h5_driver_set(hid_t access, h5_bytes *bytes) {
     const h5_access place = {bytes};
     const hid_t registered = H5FDregister(&driver);
-    const herr_t set = registered < 0 ? -1 : H5Pset_driver(access, registered, &place);
-    // The list keeps it as long as it needs it.
-    if (registered >= 0) H5FDunregister(registered);
-    return set;
+    if (registered < 0) return -1;
+    bytes->driver = registered;
+    return H5Pset_driver(access, registered, &place);
+}
+
+void h5_driver_free(h5_bytes *bytes) {
+    if (bytes->driver > 0) H5FDunregister(bytes->driver);
+    bytes->driver = 0;
 }

@@ -74,15 +74,22 @@ whirl_status h5_create(h5_bytes *bytes, int descriptor, hid_t *file) {
     h5_reason(text, sizeof text);
     H5Pclose(access);
     H5Pclose(creation);
+    if (*file < 0) h5_driver_free(bytes);
     return *file < 0 ? whirl_fail(WHIRL_NO_MEMORY, "cannot begin a result file: %s", text) : whirl_ok();
 }
 
-whirl_status h5_finish(const h5_bytes *bytes, hid_t file) {
+void h5_close(h5_bytes *bytes, hid_t file) {
+    if (file >= 0) H5Fclose(file);
+    h5_driver_free(bytes);
+}
+
+whirl_status h5_finish(h5_bytes *bytes, hid_t file) {
+    char text[200] = "";
     const herr_t closed = H5Fclose(file);
+    if (closed < 0) h5_reason(text, sizeof text);
+    h5_driver_free(bytes);
     if (bytes->reason) return whirl_fail(WHIRL_IO_ERROR, "%s", strerror(bytes->reason));
     if (closed >= 0) return whirl_ok();
-    char text[200];
-    h5_reason(text, sizeof text);
     return whirl_fail(WHIRL_NO_MEMORY, "cannot finish a result file: %s", text);
 }
 

@@ -33,10 +33,13 @@ herr_t h5_keep_plain(hid_t creation);
 whirl_status h5_create(h5_bytes *bytes, int descriptor, hid_t *file);
 
 // Closes a file that was made. WHIRL_IO_ERROR where a call failed, now or before.
-whirl_status h5_finish(const h5_bytes *bytes, hid_t file);
+whirl_status h5_finish(h5_bytes *bytes, hid_t file);
 
-// Opens bytes as a file for reading; they must live until it is closed by H5Fclose. WHIRL_BAD_INPUT when they are not
+// Opens bytes as a file for reading; they must live until it is closed by h5_close. WHIRL_BAD_INPUT when they are not
 // one of h5_create, WHIRL_IO_ERROR when they cannot be read.
 whirl_status h5_open(h5_bytes *bytes, const byte_source *source, hid_t *file);
+
+// Closes a file that was read; also where it could not be opened.
+void h5_close(h5_bytes *bytes, hid_t file);
 
 #endif

@@ -369,7 +369,7 @@ whirl_status read_result(const byte_source *source, const char *name, const bloc
     hid_t file;
     whirl_status status = h5_open(&bytes, source, &file);
     get_result(&status, file, (size_t)source->size, taker, *result);
-    if (file >= 0) H5Fclose(file);
+    h5_close(&bytes, file);
     if (status.code == WHIRL_OK) {
         h5_loud(errors);
         return status;
