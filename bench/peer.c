@@ -6,8 +6,7 @@
 
 #include "rotor.h"
 
-/// Of this process: what other processes take of the core does not count.
-static double processor_seconds(void) {
+double peer_clock(void) {
     struct timespec now;
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
@@ -20,12 +19,12 @@ double peer_seconds(int argc, char **argv) {
 
 void peer_measure(const peer *measured, double seconds) {
     for (int i = 0; i < 20; i++) measured->revolve(measured->context);
-    const double x1 = measured->x1(measured->context), start = processor_seconds();
+    const double x1 = measured->x1(measured->context), start = peer_clock();
     double revolutions = 0.0, spent = 0.0;
     while (spent < seconds) {
         measured->revolve(measured->context);
         revolutions += 1.0;
-        spent = processor_seconds() - start;
+        spent = peer_clock() - start;
     }
     printf("%s\t%.6g\t%.13f\n", measured->name, revolutions * ROTOR_STEPS * (double)measured->machines / spent, x1);
 }

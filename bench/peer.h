@@ -22,6 +22,9 @@ typedef struct peer {
 /// Seconds to measure for, from the command line: its first argument, 0.3 without.
 double peer_seconds(int argc, char **argv);
 
+/// Processor time of this process, in seconds: what other processes take of the core does not count.
+double peer_clock(void);
+
 /// Carries the machines over 20 revolutions, then over as many more as the time allows, and prints the line.
 void peer_measure(const peer *measured, double seconds);
 

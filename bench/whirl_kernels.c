@@ -1,7 +1,7 @@
 // whirl's own kernels, through the public library: the ensemble of the instruction set that WHIRL_ISA names, bare and watched,
 // of the paper's two stations, of ten and of fifty; and the integrator of single machines.
 //
-//   bench_whirl SECONDS [KIND...]      kinds: integrator bare watched ten fifty; all without
+//   bench_whirl_kernels SECONDS [KIND...]      kinds: integrator bare watched ten fifty; all without
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>

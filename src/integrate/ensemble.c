@@ -161,11 +161,13 @@ whirl_status whirl_ensemble_new(const whirl_system *system, const whirl_integrat
     if (status.code != WHIRL_OK) return status;
     whirl_ensemble *e = calloc(1, sizeof *e);
     if (!e) return whirl_fail(WHIRL_NO_MEMORY, "no memory for an ensemble");
+    // Lanes that go their own way: several for a slot, so that few slots are idle while the last of them finish.
+    const size_t rounds = strcmp(options->method, "dop853") == 0 ? 4 : 1;
     status = isa_choose(&e->isa);
     if (status.code == WHIRL_OK) {
         e->system = system;
         e->limit = options->limit;
-        if (lanes == 0) lanes = fast_vectors(system, e->isa) * e->isa->lanes;
+        if (lanes == 0) lanes = fast_vectors(system, e->isa) * e->isa->lanes * rounds;
         e->lanes.stride = (lanes + e->isa->lanes - 1) / e->isa->lanes;
         e->lane_count = e->lanes.stride * e->isa->lanes;
         fill_lanes(e, options);

@@ -1,0 +1,33 @@
+/// What the programs have in common that carry the rotor adaptively: rtol 1e-9 and atol 1e-12 where they do not say otherwise, error
+/// after 20 revolutions, then speed. C and C++.
+///
+/// A program is called with the seconds to measure for and prints one line for each thing that it measures:
+/// name, revolutions a second of processor time, largest error of a coordinate after 20 revolutions; separated by tabs.
+#ifndef BENCH_ADAPTIVE_H
+#define BENCH_ADAPTIVE_H
+
+#include <stddef.h>
+
+#include "rotor.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define ADAPTIVE_RTOL 1e-9
+#define ADAPTIVE_ATOL 1e-12
+
+typedef struct adaptive_peer {
+    const char *name;
+    size_t machines;                                         ///< carried side by side, the first with r_k = ROTOR_R_K
+    void (*revolve)(void *context);                          ///< all machines over one revolution
+    void (*state)(void *context, double z[ROTOR_DIMENSION]); ///< of the first machine
+    void *context;
+} adaptive_peer;
+
+void adaptive_measure(const adaptive_peer *measured, double seconds);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
