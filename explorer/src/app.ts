@@ -161,7 +161,7 @@ export class App {
 
   private get storedDiagram(): Diagram | undefined {
     const table = this.machine.run?.tables[0];
-    return table && table.parameter === this.address.parameter ? Diagram.stored(table) : undefined;
+    return table?.parameter && table.parameter === this.address.parameter ? Diagram.stored(table) : undefined;
   }
 
   private defaultUnits(machine: Machine | undefined): Units {
@@ -183,7 +183,7 @@ export class App {
     const { machine } = this;
     // What is stored is there at once; the engine takes a moment to wake.
     const stored = machine.run?.tables[0]?.parameter;
-    const early = stored !== undefined && (this.address.parameter === '' || this.address.parameter === stored);
+    const early = stored !== undefined && stored !== '' && (this.address.parameter === '' || this.address.parameter === stored);
     if (early) this.openParameter();
     if (this.engine && !this.original) {
       const outcome = await this.engine.describe({ text: machine.text, name: machine.caseName }, { lane: 'original', priority: 0 });
@@ -228,10 +228,12 @@ export class App {
     return value === 0 ? [-1, 1] : [Math.min(value / 2, value * 1.5), Math.max(value / 2, value * 1.5)];
   }
 
-  /// The first value that the case looks at closely, else the middle.
+  /// The first value that the case looks at closely; the middle of its sweep; what the case says of any other parameter.
   private firstValue([low, high]: Range): number {
-    const detail = this.original?.batches.find(({ name, parameter }) => name === 'detail' && parameter === this.address.parameter)?.values[0];
-    return detail ?? (low + high) / 2;
+    const mine = this.original?.batches.filter(({ parameter }) => parameter === this.address.parameter) ?? [];
+    const detail = mine.find(({ name }) => name === 'detail')?.values[0];
+    const own = this.original?.parameters.find(({ name }) => name === this.address.parameter)?.value;
+    return detail ?? (mine.length === 0 ? own : undefined) ?? (low + high) / 2;
   }
 
   private storedText(diagram: Diagram): string {

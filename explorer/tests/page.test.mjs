@@ -296,6 +296,36 @@ test('titles and names that look like markup stay text', async () => {
   await close();
 });
 
+test('no other script runs and nothing reaches the network', async () => {
+  const { page, close } = await open(address);
+  await settled(page);
+  const outcome = await page.evaluate(async () => {
+    const script = document.createElement('script');
+    script.textContent = 'window.intruder = true';
+    document.head.append(script);
+    const image = document.createElement('div');
+    image.innerHTML = '<img src="x" onerror="window.intruder = true">';
+    document.body.append(image);
+    const fetched = await fetch('https://example.org/').then(() => true, () => false);
+    await new Promise((done) => setTimeout(done, 200));
+    return { intruder: window.intruder === true, fetched };
+  });
+  assert.deepEqual(outcome, { intruder: false, fetched: false });
+  await close();
+});
+
+test('a run of one point is shown at its own parameters', async () => {
+  const text = CASE.replace(/  sweep:.*\n/, '  response: {}\n').replace(/  detail:.*\n/, '');
+  const { page, complaints, close } = await open(makePage('point', text));
+  const verdict = await settled(page);
+  const [point] = JSON.parse(command('run', 'point.yaml', '--json', '-q')).points;
+  assert.equal(verdict, point.verdict);
+  assert.equal(Number(await page.inputValue('#value-a')), 3.8);
+  await page.waitForFunction(() => document.querySelectorAll('.legend-entry').length > 0, undefined, { timeout: 60_000 });
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
 test('light and dark', async () => {
   const background = (page) => page.$eval('.card', (card) => getComputedStyle(card).backgroundColor);
   const light = await open(address, { colorScheme: 'light' });
