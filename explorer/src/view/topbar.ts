@@ -54,7 +54,7 @@ export class Topbar {
     this.title.textContent = machine.title || machine.name;
     document.title = `${machine.title || machine.name} \u00b7 whirl`;
     this.intro.textContent = machine.intro;
-    setChoices(this.machines, machines.map(({ name, title, run }) => ({ value: name, text: `${title || name}${run ? '' : ' (computed here)'}` })), machine.name);
+    setChoices(this.machines, machines.map(({ name, title, run }) => ({ value: name, text: `${name}: ${title}${run ? '' : ' (computed here)'}` })), machine.name);
     this.machines.hidden = machines.length < 2;
     this.units = units;
     this.length.rename('scale', lengthSymbol);
