@@ -1,0 +1,93 @@
+// The explorer's page: large tables are thinned evenly, everything else is there.
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+#include "explorer.h"
+
+/// One point more than fit, with a section of more rows than fit: every second point stays, and the last 2^20/count rows.
+enum { POINTS = 65537, ROWS = 40, COLUMNS = 2, KEPT = 32769, KEPT_ROWS = 31 };
+
+static whirl_result *large_result(void) {
+    whirl_result *result = calloc(1, sizeof *result);
+    whirl_table *table = calloc(1, sizeof *table);
+    assert_true(result && table);
+    *table = (whirl_table){.name = "sweep", .parameter = "a", .count = POINTS};
+    table->layout = (whirl_layout){.field_count = 1, .size = (size_t)ROWS * COLUMNS};
+    table->layout.fields[0] = (whirl_field){.name = "poincare/section",
+                                            .unit = "length",
+                                            .meaning = "x, y",
+                                            .extent = WHIRL_PER_STATION,
+                                            .rows = ROWS,
+                                            .columns = COLUMNS,
+                                            .repeat = 1};
+    table->values = calloc(POINTS, sizeof *table->values);
+    table->branch = calloc(POINTS, sizeof *table->branch);
+    table->blocks = calloc((size_t)POINTS * ROWS * COLUMNS, sizeof *table->blocks);
+    assert_true(table->values && table->branch && table->blocks);
+    result->case_text = calloc(1, 1);
+    result->tables = table;
+    result->table_count = 1;
+    return result;
+}
+
+static char *read_all(const char *path) {
+    FILE *stream = fopen(path, "rb");
+    assert_non_null(stream);
+    fseek(stream, 0, SEEK_END);
+    const size_t size = (size_t)ftell(stream);
+    rewind(stream);
+    char *text = calloc(size + 1, 1);
+    assert_non_null(text);
+    assert_int_equal(fread(text, 1, size, stream), size);
+    fclose(stream);
+    return text;
+}
+
+/// Bytes that the base64 text after `key` stands for.
+static size_t decoded_size(const char *text, const char *key) {
+    const char *at = strstr(text, key);
+    assert_non_null(at);
+    at += strlen(key);
+    const size_t length = strcspn(at, "\"=");
+    return length * 3 / 4;
+}
+
+static void large_tables_are_thinned(void **state) {
+    (void)state;
+    char folder[] = "/tmp/whirl-explorer-XXXXXX", path[64];
+    assert_non_null(mkdtemp(folder));
+    snprintf(path, sizeof path, "%s/template", folder);
+    FILE *template = fopen(path, "w");
+    assert_non_null(template);
+    fputs("@WHIRL-RUNS@", template);
+    fclose(template);
+
+    whirl_result *result = large_result();
+    const whirl_result *const results[] = {result};
+    const char *const names[] = {"large"};
+    assert_int_equal(explorer_write(path, results, names, 1, folder).code, WHIRL_OK);
+    unlink(path);
+    snprintf(path, sizeof path, "%s/explorer.html", folder);
+    char *page = read_all(path);
+    assert_non_null(strstr(page, "\"points\":65537,\"count\":32769"));
+    assert_non_null(strstr(page, "\"repeat\":1,\"rows\":31,\"columns\":2"));
+    assert_int_equal(decoded_size(page, "\"values\":\""), KEPT * sizeof(double));
+    assert_int_equal(decoded_size(page, "\"data\":\""), (size_t)KEPT * KEPT_ROWS * COLUMNS * sizeof(float));
+    free(page);
+    unlink(path);
+    rmdir(folder);
+    whirl_result_free(result);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(large_tables_are_thinned)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
