@@ -91,7 +91,7 @@ void whirl_ensemble_read(const whirl_ensemble *ensemble, size_t lane, const whir
 /// All disturbances of many machines side by side, for all Lyapunov exponents; not to be shared between threads.
 typedef struct whirl_follower whirl_follower;
 
-/// Whether disturbances of machines of this system can go in lanes with these options: rotors whose forces do not jump, with
+/// Whether disturbances of machines of this system can go in lanes with these options: rotors of up to 64 stations whose forces do not jump, with
 /// method rk4. All others go alone (whirl_integrator_carry).
 bool whirl_follower_takes(const whirl_system *system, const whirl_integrate_options *options);
 

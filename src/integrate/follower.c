@@ -25,9 +25,12 @@ struct whirl_follower {
     double *forcing, *block; ///< block: all arrays of lanes, aligned to 64 bytes
 };
 
+/// Beyond this their memory is out of all proportion: it grows with the square of the dimension, and with the lanes.
+enum { MOST_DISTURBANCES = 256 };
+
 bool whirl_follower_takes(const whirl_system *system, const whirl_integrate_options *options) {
     return system->lanes && strcmp(options->method, "rk4") == 0 && !options->located && !system->lanes->damped &&
-           !system->lanes->slides;
+           !system->lanes->slides && system->dimension <= MOST_DISTURBANCES;
 }
 
 /// Rows of the block, and where each array begins.
@@ -88,7 +91,8 @@ static bool allocate(whirl_follower *f) {
 
 whirl_status whirl_follower_new(const whirl_system *system, const whirl_integrate_options *options,
                                 whirl_follower **out) {
-    enum { VECTORS = 2, ORTHONORMAL = 64 }; // fit into the first cache; times in a revolution, as rk4.c
+    enum { ORTHONORMAL = 64 };                              // times in a revolution, as rk4.c
+    const size_t vectors = system->dimension <= 16 ? 2 : 1; // what fits into the first cache
     *out = NULL;
     if (!whirl_follower_takes(system, options))
         return whirl_fail(WHIRL_BAD_INPUT, "disturbances of this system do not go in lanes, expected a rotor without "
@@ -102,8 +106,8 @@ whirl_status whirl_follower_new(const whirl_system *system, const whirl_integrat
     if (status.code == WHIRL_OK) {
         f->lanes = (follower_lanes){.model = system->model,
                                     .flow = system->lanes->flow[f->isa->number],
-                                    .stride = VECTORS,
-                                    .lane_count = VECTORS * f->isa->lanes,
+                                    .stride = vectors,
+                                    .lane_count = vectors * f->isa->lanes,
                                     .degrees = system->lanes->degrees,
                                     .disturbances = system->dimension,
                                     .forcing_count = system->forcing_count,

@@ -33,7 +33,7 @@ void rotor_tangent(const void *model, double t, const double *forcing, const dou
                    size_t count, const double *dx, double *ddxdt) {
     const whirl_rotor *rotor = model;
     const size_t degrees = rotor->lanes.degrees, bytes = degrees * sizeof *x;
-    const size_t most = 2 * MAX_DEGREES / degrees - 1;
+    const size_t most = (size_t)2 * MAX_DEGREES / degrees - 1;
     lanes_view view = view_of(rotor, forcing, sides);
     group g;
     (void)t;

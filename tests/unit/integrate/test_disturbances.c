@@ -136,7 +136,8 @@ static const oscillator sticks = {.zeta = 0.02,
 static whirl_integrator *make_integrator(const whirl_system *system, const char *method, int steps) {
     whirl_integrate_options options = whirl_integrate_default();
     whirl_integrator *integrator;
-    strcpy(options.method, method);
+    options.located = strcmp(method, "rk4, located") == 0;
+    strcpy(options.method, options.located ? "rk4" : method);
     options.steps_per_revolution = steps;
     options.rtol = 1e-12;
     options.atol = 1e-14;
@@ -224,6 +225,16 @@ static void test_impacts_with_contact_damping(void **state) {
     (void)state;
     assert_true(compare_flow(&impacts, "dop853", 64, 1e-4, &volume) < 1e-8);
     assert_true(volume < 1e-9);
+}
+
+/// Steps of order four that are split at the switches.
+static void test_located_switches_of_fixed_steps(void **state) {
+    double volume;
+    (void)state;
+    assert_true(compare_flow(&impacts, "rk4, located", 1024, 1e-4, &volume) < 1e-7);
+    assert_true(volume < 1e-6);
+    assert_true(compare_flow(&reversals, "rk4, located", 1024, 1e-4, &volume) < 1e-7);
+    assert_true(compare_flow(&sticks, "rk4, located", 1024, 1e-4, &volume) < 1e-7);
 }
 
 /// Steps that walk over the impacts know them to the first order of their length.
@@ -358,6 +369,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_smooth_motion),
         cmocka_unit_test(test_impacts_with_contact_damping),
+        cmocka_unit_test(test_located_switches_of_fixed_steps),
         cmocka_unit_test(test_impacts_that_are_walked_over),
         cmocka_unit_test(test_reversals_of_friction),
         cmocka_unit_test(test_sticking),
