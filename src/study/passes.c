@@ -19,7 +19,7 @@ pass pass_confirming(const pass *points) {
     again.integrate = whirl_integrate_tighter(&points->integrate, confirm_factor);
     again.record.waveform = again.record.spectra = false;
     again.record.waveform_revolutions = 0;
-    again.record.growth = true; // one disturbance, whatever the points follow
+    again.record.growth = WHIRL_GROWTH_LARGEST; // whatever the points follow
     return again;
 }
 

@@ -65,7 +65,7 @@ static whirl_status run_levels(const whirl_study *study, const whirl_integrate_o
         batch->integrate = levels[i];
         batch->record.waveform = batch->record.spectra = false;
         batch->record.waveform_revolutions = 0;
-        batch->record.growth = true;
+        batch->record.growth = WHIRL_GROWTH_LARGEST;
         batch->analyses = 0;
         whirl_analysis_add(&batch->analyses, "poincare");
         whirl_analysis_add(&batch->analyses, "regime");
