@@ -2,9 +2,10 @@
 # The tests of the explorer's page in a real browser:  run.sh WHIRL TEMPLATE
 # Exit status 77, with one line, where something that they need is missing.
 set -u
+WHIRL=$(realpath "$1") || exit 1
+TEMPLATE=$(realpath -m "$2") || exit 1
+export WHIRL TEMPLATE
 cd "$(dirname "$0")/.." || exit 1
-WHIRL=$(realpath "$1") && export WHIRL
-TEMPLATE=$2 && export TEMPLATE
 
 skip() {
     echo "the page is not tested: $*"
