@@ -143,7 +143,7 @@ static bool attach_location(whirl_ensemble *e, const whirl_integrate_options *op
 /// Vectors that hide each other's latency, at most 8, and whose numbers and stages still fit into the first cache: 8 of 512
 /// bits for two stations, 2 for ten, 1 for fifty (measured; of 256 bits 8, 4 and 1).
 static size_t fast_vectors(const whirl_system *system, const isa *set) {
-    const size_t first_cache = 40 * 1024;
+    const size_t first_cache = 40960;
     const size_t bytes = (system->lanes->number_count + 8 * system->lanes->degrees) * set->lanes * sizeof(double);
     size_t vectors = 8;
     while (vectors > 1 && vectors * bytes > first_cache) vectors /= 2;
