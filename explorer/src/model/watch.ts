@@ -26,6 +26,8 @@ export class Watch {
   private fetching = false;
   private stopped = false;
   private at = 0;
+  /// The last sample that was shown.
+  private shown = -1;
   private before = NaN;
   private speed: number;
   private frame = 0;
@@ -101,11 +103,14 @@ export class Watch {
     const marks: number[] = [];
     for (let i = first; i <= now; i++) if ((i + this.dropped + 1) % this.per === 0) marks.push(i - first);
     const revolution = Math.floor(this.at / this.per);
+    // A touch between two frames is seen too.
+    const fresh = this.samples.slice(Math.max(first, Math.min(now, this.shown + 1 - this.dropped)), now + 1);
+    this.shown = Math.floor(this.at);
     return {
       x: shown.map((sample) => sample.x),
       y: shown.map((sample) => sample.y),
       marks,
-      touching: shown.at(-1)?.touching ?? false,
+      touching: fresh.some(({ touching }) => touching),
       text: this.ended && now === this.samples.length - 1 ? `diverged after ${revolution} revolutions` : `revolution ${revolution}`,
     };
   }
