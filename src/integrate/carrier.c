@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define VECTOR_ISA 0
+#include "course.h"
 #include "crossing.h"
 
 static const double safety = 0.92, least_factor = 1.0 / 3.0, most_factor = 6.0;
@@ -39,14 +41,21 @@ carrier *carrier_new(const formula *own, size_t dimension, size_t switch_count,
 
 // ---------------------------------------------------------------- one step
 
+/// The weighted sum of the first `count` slopes; many weights are zero.
+static void sum_slopes(const carrier *c, const double *weights, int count, double *restrict out) {
+    memset(out, 0, c->dimension * sizeof *out);
+    for (int j = 0; j < count; j++) {
+        const double *restrict slope = c->k[j];
+        const double weight = weights[j];
+        if (weight == 0.0) continue;
+        for (size_t d = 0; d < c->dimension; d++) out[d] += weight * slope[d];
+    }
+}
+
 /// Slope `i` of the step from `start` of length h.
 static void take_slope(const carrier *c, int i, double h) {
-    const double *weights = c->formula->a[i];
-    for (size_t d = 0; d < c->dimension; d++) {
-        double sum = 0.0;
-        for (int j = 0; j < i && j < DOP853_SLOPES - 1; j++) sum += weights[j] * c->k[j][d];
-        c->stage[d] = c->start[d] + h * sum;
-    }
+    sum_slopes(c, c->formula->a[i], i < DOP853_SLOPES - 1 ? i : DOP853_SLOPES - 1, c->stage);
+    for (size_t d = 0; d < c->dimension; d++) c->stage[d] = c->start[d] + h * c->stage[d];
     carrier_slope(c, c->begin + c->formula->c[i] * h, c->stage, c->k[i]);
 }
 
@@ -67,15 +76,12 @@ static void set_scales(carrier *c, const double *a, const double *b) {
 /// The norm of the estimated error over the tolerance, of both embedded formulas as DOP853 weighs them; not a number where the
 /// step leaves the equations' domain.
 static double estimated_error(const carrier *c, double h) {
-    double square5 = 0.0, square3 = 0.0;
+    double square5 = 0.0, square3 = 0.0, *e5 = c->work, *e3 = c->work + c->dimension;
+    sum_slopes(c, dop853_e5, DOP853_STAGES, e5);
+    sum_slopes(c, dop853_e3, DOP853_STAGES, e3);
     for (size_t d = 0; d < c->dimension; d++) {
-        double e5 = 0.0, e3 = 0.0;
-        for (int j = 0; j < DOP853_STAGES; j++) {
-            e5 += dop853_e5[j] * c->k[j][d];
-            e3 += dop853_e3[j] * c->k[j][d];
-        }
-        square5 += (e5 / c->scale[d]) * (e5 / c->scale[d]);
-        square3 += (e3 / c->scale[d]) * (e3 / c->scale[d]);
+        square5 += (e5[d] / c->scale[d]) * (e5[d] / c->scale[d]);
+        square3 += (e3[d] / c->scale[d]) * (e3[d] / c->scale[d]);
     }
     const double mixed = square5 + 0.01 * square3;
     return mixed > 0.0 ? h * square5 / sqrt(mixed * (double)c->dimension) : mixed;
@@ -111,12 +117,10 @@ static void interpolate(carrier *c) {
     take_cubic(c);
     if (!c->formula->adaptive) return;
     for (int i = DOP853_STAGES + 1; i < DOP853_SLOPES; i++) take_slope(c, i, c->length);
-    for (size_t d = 0; d < c->dimension; d++)
-        for (int i = 0; i < DOP853_DENSE; i++) {
-            double sum = 0.0;
-            for (int j = 0; j < DOP853_SLOPES; j++) sum += dop853_d[i][j] * c->k[j][d];
-            c->dense[3 + i][d] = c->length * sum;
-        }
+    for (int i = 0; i < DOP853_DENSE; i++) {
+        sum_slopes(c, dop853_d[i], DOP853_SLOPES, c->dense[3 + i]);
+        for (size_t d = 0; d < c->dimension; d++) c->dense[3 + i][d] *= c->length;
+    }
 }
 
 void carrier_between(const carrier *c, double theta, double *x) {
@@ -209,9 +213,29 @@ static void land(carrier *c, double theta, size_t which) {
     }
 }
 
+/// Whether all switching functions keep their signs by far, by their values and derivatives at both ends of the step.
+static bool is_clear(carrier *c) {
+    const double end = c->begin + c->length, *last = c->k[c->formula->stages];
+    double from[WHIRL_MAX_SWITCHES], to[WHIRL_MAX_SWITCHES];
+    if (!c->system->switch_gradient || c->sliding_count > 0) return false;
+    carrier_watched(c, c->begin, c->start, from);
+    carrier_watched(c, end, c->end, to);
+    for (size_t i = 0; i < c->system->switch_count; i++) {
+        if (c->held[i] > 0 || !(from[i] > 0.0) || !(to[i] > 0.0)) return false;
+        const double third = c->sides[i] * c->length / 3.0;
+        const double rise = third * carrier_rate(c, i, c->begin, c->start, c->k[0]);
+        if (course_clear(from[i], from[i] + rise, to[i] - third * carrier_rate(c, i, end, c->end, last), to[i]) < 0.5)
+            return false;
+    }
+    return true;
+}
+
 /// Where the step just tried must end; at its beginning where theta is 0.
 static bool meets_switch(carrier *c, double *theta, size_t *which) {
-    if (c->system->switch_count == 0) return false;
+    if (c->system->switch_count == 0 || is_clear(c)) {
+        if (c->observed) interpolate(c);
+        return false;
+    }
     const crossing_search search = {watch, c, c->system->switch_count, c->held};
     interpolate(c);
     return crossing_first(&search, theta, which);
@@ -279,7 +303,6 @@ whirl_motion carrier_step(carrier *c, double until) {
         if (motion != WHIRL_BOUNDED) return motion;
         c->crossed = meets_switch(c, &theta, &which);
         if (!c->crossed) {
-            if (c->observed && c->system->switch_count == 0) interpolate(c);
             carrier_vary(c);
             go_on(c, c->length < until - c->begin ? c->begin + c->length : until);
             return judge(c);

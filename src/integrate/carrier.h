@@ -75,6 +75,9 @@ void carrier_between(const carrier *c, double theta, double *x);
 /// dx/dt at (t, x) on the present sides, sliding included.
 void carrier_slope(const carrier *c, double t, const double *x, double *dxdt);
 
+/// The derivative by time of switch `which` along `slope`: by the system's gradient, else by central differences.
+double carrier_rate(const carrier *c, size_t which, double t, const double *x, const double *slope);
+
 /// The sides at the beginning of a revolution, where x may lie on a switch.
 void carrier_find_sides(carrier *c);
 

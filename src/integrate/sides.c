@@ -13,8 +13,7 @@ static double value_of(const carrier *c, size_t which, double t, const double *x
     return values[which];
 }
 
-/// The derivative by time of a switching function along `slope`: by the system's gradient, else by central differences.
-static double rate_along(const carrier *c, size_t which, double t, const double *x, const double *slope) {
+double carrier_rate(const carrier *c, size_t which, double t, const double *x, const double *slope) {
     double *gradient = c->work, rate;
     if (c->system->switch_gradient) {
         c->system->switch_gradient(c->system->model, t, x, which, gradient, &rate);
@@ -161,13 +160,13 @@ static departure depart(carrier *c, size_t which, double side) {
     const double step = 1e-5 * c->system->period, kept = c->sides[which];
     c->sides[which] = side;
     carrier_slope(c, c->t, c->x, slope);
-    departure out = {.rate = rate_along(c, which, c->t, c->x, slope)};
+    departure out = {.rate = carrier_rate(c, which, c->t, c->x, slope)};
     for (size_t d = 0; d < c->dimension; d++) {
         later[d] = c->x[d] + step * slope[d];
         size = fmax(size, fabs(c->x[d]));
     }
     carrier_slope(c, c->t + step, later, slope);
-    out.bend = (rate_along(c, which, c->t + step, later, slope) - out.rate) / step;
+    out.bend = (carrier_rate(c, which, c->t + step, later, slope) - out.rate) / step;
     c->sides[which] = kept;
     // By rate^2/(2 bend) the function would pass zero before it turns round: nothing but rounding?
     out.level = out.rate * out.rate <= 16.0 * DBL_EPSILON * size * fabs(out.bend);
