@@ -199,12 +199,10 @@ static void go_on_landing(const dop853_lanes *lanes, size_t slot) {
     size_t other = 0;
     double theta;
     const bool falling = *at(lanes, lanes->sides, which, slot) * rate < 0.0 && lanes->error[slot] < 1.0;
-    if (!falling || find_passage(lanes, slot, which, &other, &theta) != PASSAGE_CLEAR) {
-        lanes->length[slot] = lanes->whole[slot];
-        step_alone(lanes, slot);
-    } else if (fabs(off) <= reach || ++lanes->tries[slot] > MAX_TRIES) {
+    const bool sure = falling && find_passage(lanes, slot, which, &other, &theta) == PASSAGE_CLEAR;
+    if (sure && (fabs(off) <= reach || ++lanes->tries[slot] > MAX_TRIES)) {
         cross(lanes, slot, which);
-    } else if (length + off > 0.0 && length + off < lanes->whole[slot]) {
+    } else if (sure && length + off > 0.0 && length + off < lanes->whole[slot]) {
         lanes->length[slot] = length + off;
     } else {
         lanes->length[slot] = lanes->whole[slot];
@@ -213,7 +211,8 @@ static void go_on_landing(const dop853_lanes *lanes, size_t slot) {
 }
 
 void dop853_special(const dop853_lanes *lanes, size_t slot) {
-    const bool accepted = lanes->error[slot]<1.0, landing = lanes->landing[slot]> 0.5;
+    const bool accepted = lanes->error[slot] < 1.0;
+    const bool landing = lanes->landing[slot] > 0.5;
     if (landing)
         go_on_landing(lanes, slot);
     else if (!accepted || lanes->attempts[slot] > MAX_ATTEMPTS)
