@@ -61,7 +61,9 @@ make --no-print-directory -j "${JOBS:-$(nproc)}" -C explorer/core OUT="$out"
 
 if [ ! -e explorer/node_modules/.package-lock.json ] ||
     [ explorer/package-lock.json -nt explorer/node_modules/.package-lock.json ]; then
-    npm ci --prefix explorer --no-audit --no-fund --silent >"$out/npm.log" 2>&1 ||
+    # A registry that does not answer must not hold everything up.
+    timeout 300 npm ci --prefix explorer --no-audit --no-fund --silent --fetch-timeout=60000 \
+        --fetch-retry-mintimeout=1000 --fetch-retry-maxtimeout=5000 >"$out/npm.log" 2>&1 ||
         missing "npm cannot fetch the packages, see $out/npm.log"
     touch explorer/node_modules/.package-lock.json
 fi

@@ -148,10 +148,16 @@ static bool exponents_differ(whirl_estimate a, whirl_estimate b) {
            difference > 0.2 * fmax(fabs(a.value), fabs(b.value)) + least_difference;
 }
 
+/// Whether two motions leave their bounds in about the same revolution.
+static bool leave_alike(const whirl_verdict *a, const whirl_verdict *b) {
+    return fabs(a->diverged_at - b->diverged_at) <= fmax(1.0, 0.1 * a->diverged_at);
+}
+
 /// The confidence of two verdicts of the same name. Exponents of chaos that differ are made by the steps; those of
 /// periodic motions may belong to two that coexist.
 static whirl_confidence joint_confidence(const whirl_verdict *a, const whirl_verdict *b) {
     const whirl_confidence both = lesser(a->agreement, b->agreement);
+    if (a->regime == WHIRL_DIVERGING) return leave_alike(a, b) ? both : WHIRL_LOW;
     if (exponents_differ(a->exponent, b->exponent))
         return a->regime == WHIRL_CHAOTIC ? WHIRL_LOW : lesser(both, WHIRL_FAIR);
     return a->curves == b->curves ? both : lesser(both, WHIRL_FAIR);

@@ -139,13 +139,20 @@ static whirl_verdict judge_bounded(const whirl_record *record) {
     return verdict;
 }
 
+/// A method with fixed steps that is unstable throws a motion out at once, at any tolerance tried; only what takes longer to
+/// leave has shown that the machine does it.
+static whirl_confidence weigh_diverged(const whirl_record *record) {
+    const double at_once = 2.0;
+    return record->diverged_at > at_once ? WHIRL_HIGH : WHIRL_FAIR;
+}
+
 whirl_verdict whirl_judge(const whirl_record *record) {
     if (record->motion == WHIRL_BOUNDED) return judge_bounded(record);
     const bool diverged = record->motion == WHIRL_DIVERGED;
     return (whirl_verdict){.regime = diverged ? WHIRL_DIVERGING : WHIRL_UNDETERMINED,
                            .diverged_at = record->diverged_at,
                            .confidence = diverged ? WHIRL_FAIR : WHIRL_LOW,
-                           .agreement = diverged ? WHIRL_HIGH : WHIRL_LOW,
+                           .agreement = diverged ? weigh_diverged(record) : WHIRL_LOW,
                            .advice =
                                diverged ? (whirl_advice){WHIRL_NO_REMEDY, 1.0} : (whirl_advice){WHIRL_TIGHTER, 16.0},
                            .exponent = {NAN, NAN},

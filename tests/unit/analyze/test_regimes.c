@@ -201,6 +201,21 @@ static void diverged(void **state) {
     assert_string_equal(whirl_regime_name(verdict.regime), "diverged");
 }
 
+/// What unstable steps throw out at once, or at one step size much earlier than at the other, is not trusted.
+static void diverged_at_once_or_apart(void **state) {
+    (void)state;
+    const double first[] = {17.0, 1.0, 17.0}, other[] = {18.0, 1.0, 40.0};
+    const whirl_confidence expected[] = {WHIRL_HIGH, WHIRL_FAIR, WHIRL_LOW};
+    for (int i = 0; i < 3; i++) {
+        const whirl_record a = {.motion = WHIRL_DIVERGED, .diverged_at = first[i]};
+        const whirl_record b = {.motion = WHIRL_DIVERGED, .diverged_at = other[i]};
+        whirl_verdict verdict = whirl_judge(&a);
+        const whirl_verdict second = whirl_judge(&b);
+        whirl_verdict_confirm(&verdict, &second);
+        assert_int_equal(verdict.confidence, expected[i]);
+    }
+}
+
 /// A record of one revolution, and one of a few, say nothing.
 static void too_short(void **state) {
     (void)state;
@@ -218,9 +233,11 @@ static void too_short(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(periodic),       cmocka_unit_test(chaotic),   cmocka_unit_test(quasi_periodic),
-        cmocka_unit_test(several_curves), cmocka_unit_test(spirals),   cmocka_unit_test(blind),
-        cmocka_unit_test(diverged),       cmocka_unit_test(too_short),
+        cmocka_unit_test(periodic),       cmocka_unit_test(chaotic),
+        cmocka_unit_test(quasi_periodic), cmocka_unit_test(several_curves),
+        cmocka_unit_test(spirals),        cmocka_unit_test(blind),
+        cmocka_unit_test(diverged),       cmocka_unit_test(diverged_at_once_or_apart),
+        cmocka_unit_test(too_short),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
