@@ -435,6 +435,7 @@ export class App {
     const sight: Sight = { diagram, range, of: assignmentTexts(side.choice.assignments).join('; '), text: `Computed here, ${quality}: ${diagram.count} points.` };
     if (first) this.sights = [sight];
     else this.sights.push(sight);
+    this.showProgress(mine, { pointsDone: 0, pointsTotal: diagram.count, revolutionsDone: 0, revolutionsTotal: 0 });
     this.later('all');
     const trouble = await recompute(this.engine, plan, diagram, { grown: () => this.later('grow'), progress: (now) => this.showProgress(mine, now) }, mine.signal);
     if (mine !== this.sweeping) return;
