@@ -70,8 +70,8 @@ export async function settled(page, side = 'a') {
   await page.waitForFunction(
     (name) => {
       const pane = document.querySelector(`.pane-${name}`);
-      const how = pane.querySelector('.how').textContent;
-      return !pane.classList.contains('busy') && /revolutions by/.test(how) && !/quick look/.test(how);
+      const how = pane?.querySelector('.how').textContent; // nothing while the engine wakes
+      return pane && !pane.classList.contains('busy') && /revolutions by/.test(how) && !/quick look/.test(how);
     },
     side,
     { timeout: 60_000 },
