@@ -215,7 +215,7 @@ static void print_table(const whirl_verification *v) {
             for (int level = 0; level < WHIRL_VERIFY_LEVELS; level++) print_run(v, &v->points[i], m, level);
         agreed += v->points[i].agreed;
     }
-    printf("\n%zu of %zu verdict%s not depend on numerics\n", agreed, v->count, agreed == 1 ? " does" : "s do");
+    printf("\nverdicts that do not depend on numerics: %zu of %zu\n", agreed, v->count);
     for (size_t i = 0; i < v->count; i++) {
         if (v->points[i].agreed) continue;
         if (*v->parameter)
