@@ -41,8 +41,8 @@ static const whirl_key study_keys[] = {
      "verdict is trusted where both agree",
      ""},
     {"keep", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "", "how much of waveforms and spectra: see keep", ""},
-    {"analyze", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "", "a list of analyses; all but waveform and evidence where absent",
-     ""},
+    {"analyze", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
+     "a list of analyses; all but waveform and evidence where absent", ""},
     {"detail", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
      "values of the swept parameter that are computed once more, for longer and with whole waveforms and spectra", ""},
 };
@@ -79,7 +79,8 @@ static const whirl_key initial_keys[] = {
 static const whirl_key integrate_keys[] = {
     {"method", "", "", WHIRL_KEY_CHOICE, false, "rk4", WHIRL_ANY, "", "a method of integration", ""},
     {"contacts", "", "", WHIRL_KEY_CHOICE, false, "walked", WHIRL_ANY, "walked|located",
-     "of method rk4: walked: steps go over contacts; located: steps are split where contact begins and ends; other methods always "
+     "of method rk4: walked: steps go over contacts; located: steps are split where contact begins and ends; other "
+     "methods always "
      "locate them",
      ""},
     {"steps_per_revolution",

@@ -65,8 +65,8 @@ static void put_integration(FILE *out, const whirl_table *table) {
     const whirl_integrate_options *how = &table->integrate;
     char rtol[NUMBER_SIZE], atol[NUMBER_SIZE], limit[NUMBER_SIZE];
     fprintf(out, "integration of the %s\t%s%s, %d steps a revolution, tolerances %s and %s, limit %s\n", table->name,
-            how->method, how->located ? " with located contacts" : "", how->steps_per_revolution, exact(how->rtol, rtol), exact(how->atol, atol),
-            exact(how->limit, limit));
+            how->method, how->located ? " with located contacts" : "", how->steps_per_revolution,
+            exact(how->rtol, rtol), exact(how->atol, atol), exact(how->limit, limit));
 }
 
 static void put_record(FILE *out, const whirl_table *table) {

@@ -159,12 +159,9 @@ static void dimension_of_an_attractor(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(correlated_noise),
-        cmocka_unit_test(regular_sequences),
-        cmocka_unit_test(known_exponents),
-        cmocka_unit_test(what_counts),
-        cmocka_unit_test(all_exponents),
-        cmocka_unit_test(dimension_of_an_attractor),
+        cmocka_unit_test(correlated_noise), cmocka_unit_test(regular_sequences),
+        cmocka_unit_test(known_exponents),  cmocka_unit_test(what_counts),
+        cmocka_unit_test(all_exponents),    cmocka_unit_test(dimension_of_an_attractor),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
