@@ -55,8 +55,9 @@ static void fill(whirl_spectrum *spectrum, const wave_transform *wave, size_t bi
 
 /// The spectrum of two coordinates [2][count]. false: no memory.
 static bool analyse(const double *samples, size_t count, size_t bins, whirl_spectrum *spectrum) {
-    double *x = malloc((3 * count + bins) * sizeof *x), *y = x + count, *window = y + count, *power = window + count;
+    double *x = malloc((3 * count + bins) * sizeof *x);
     if (!x) return false;
+    double *y = x + count, *window = y + count, *power = window + count;
     hann_window(count, window);
     const bool moves_x = window_samples(samples, window, count, x);
     const bool moves_y = window_samples(samples + count, window, count, y);

@@ -171,12 +171,12 @@ static whirl_status compare_states(const whirl_study *study, whirl_verification 
     const size_t dimension = machine.system->dimension;
     double *states = calloc((size_t)WHIRL_VERIFY_METHODS * WHIRL_VERIFY_LEVELS * dimension, sizeof *states);
     if (!states) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for states");
-    const double *reference = states + (WHIRL_VERIFY_METHODS * WHIRL_VERIFY_LEVELS - 1) * dimension;
-    for (size_t i = 0; i < (size_t)WHIRL_VERIFY_METHODS * WHIRL_VERIFY_LEVELS && status.code == WHIRL_OK; i++)
+    const size_t runs = (size_t)WHIRL_VERIFY_METHODS * WHIRL_VERIFY_LEVELS;
+    for (size_t i = 0; i < runs && status.code == WHIRL_OK; i++)
         status = state_after(&machine, &v->integrate[i / WHIRL_VERIFY_LEVELS][i % WHIRL_VERIFY_LEVELS], v->revolutions,
                              states + i * dimension);
     for (size_t m = 0; m < WHIRL_VERIFY_METHODS && status.code == WHIRL_OK; m++) {
-        const double *own = states + m * WHIRL_VERIFY_LEVELS * dimension;
+        const double *own = states + m * WHIRL_VERIFY_LEVELS * dimension, *reference = states + (runs - 1) * dimension;
         for (size_t level = 0; level < WHIRL_VERIFY_LEVELS; level++)
             v->points[point].runs[m][level].difference = distance(own + level * dimension, reference, dimension);
         v->points[point].order[m] =
