@@ -5,12 +5,12 @@
 
 enum { MAX_THREADS = 1024 };
 
-void take_case(case_arguments *arguments, char *text, const struct argp_state *state) {
+static void take_case(case_arguments *arguments, char *text, const struct argp_state *state) {
     if (arguments->path) bad_argument(state, "takes one case, '%s' is one too many", text);
     arguments->path = text;
 }
 
-void take_override(case_arguments *arguments, char *text, const struct argp_state *state) {
+static void take_override(case_arguments *arguments, char *text, const struct argp_state *state) {
     if (arguments->override_count == MAX_OVERRIDES)
         bad_argument(state, "--set is given more than %d times", MAX_OVERRIDES);
     arguments->overrides[arguments->override_count++] = text;
@@ -25,8 +25,23 @@ int take_whole(const char *option, const char *text, int most, const struct argp
     return (int)value;
 }
 
-void take_threads(case_arguments *arguments, const char *text, const struct argp_state *state) {
-    arguments->threads = take_whole("--threads", text, MAX_THREADS, state);
+error_t parse_case_argument(case_arguments *arguments, int key, char *argument, struct argp_state *state) {
+    switch (key) {
+    case KEY_THREADS:
+        arguments->threads = take_whole("--threads", argument, MAX_THREADS, state);
+        return 0;
+    case KEY_SET:
+        take_override(arguments, argument, state);
+        return 0;
+    case ARGP_KEY_ARG:
+        take_case(arguments, argument, state);
+        return 0;
+    case ARGP_KEY_END:
+        require_option(state, arguments->path, "CASE.yaml");
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
 }
 
 int load_case(const case_arguments *arguments, whirl_case **object) {

@@ -13,10 +13,11 @@ typedef struct case_arguments {
     int threads;
 } case_arguments;
 
-/// Take an argument, or complain of it and end the program.
-void take_case(case_arguments *arguments, char *text, const struct argp_state *state);
-void take_override(case_arguments *arguments, char *text, const struct argp_state *state);
-void take_threads(case_arguments *arguments, const char *text, const struct argp_state *state);
+/// Keys of the options --set and --threads; a command's own begin at KEY_OWN.
+enum { KEY_SET = 256, KEY_THREADS, KEY_OWN };
+
+/// The part of an argp parser that takes these arguments, the case among them, without which it complains in the end.
+error_t parse_case_argument(case_arguments *arguments, int key, char *argument, struct argp_state *state);
 
 /// A whole number from 1 to `most`; complains of anything else that stands after `option`.
 int take_whole(const char *option, const char *text, int most, const struct argp_state *state);

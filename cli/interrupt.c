@@ -47,5 +47,5 @@ const volatile bool *interrupt_watch(void) {
 }
 
 const char *interrupt_text(void) {
-    return received ? strsignal(received) : NULL;
+    return received ? strsignal(received) : "interrupted";
 }

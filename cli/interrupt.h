@@ -7,7 +7,7 @@
 /// From now on SIGINT, SIGTERM and SIGHUP set the flag that is returned; another one, half a second later or more, kills as usual.
 const volatile bool *interrupt_watch(void);
 
-/// What happened, in words, or NULL while nothing has.
+/// What the interrupt was, in words.
 const char *interrupt_text(void);
 
 #endif

@@ -29,7 +29,7 @@ typedef struct run_arguments {
 
 // ---------------------------------------------------------------- arguments
 
-enum { KEY_SET = 256, KEY_THREADS, KEY_JSON, KEY_RESUME, KEY_REFINE };
+enum { KEY_JSON = KEY_OWN, KEY_RESUME, KEY_REFINE };
 
 static const struct argp_option options[] = {
     {.name = "output",
@@ -57,8 +57,8 @@ static const struct argp_option options[] = {
      .flags = OPTION_ARG_OPTIONAL,
      .doc =
          "Do points again whose verdict is undetermined or of low confidence, as the verdict advises (longer, or with "
-         "a "
-         "tighter tolerance), until BUDGET is spent: revolutions, as in --refine=2e6, or time, as in --refine='10 min' "
+         "a tighter tolerance), until BUDGET is spent: revolutions, as in --refine=2e6, or time, as in --refine='10 "
+         "min' "
          "(default: as many revolutions as the study has)"},
     {.name = "quiet", .key = 'q', .doc = "No progress and no summary"},
     {0},
@@ -111,23 +111,14 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
         arguments->refine = true;
         if (argument) arguments->budget = parse_budget(argument, state);
         return 0;
-    case KEY_THREADS:
-        take_threads(&arguments->given, argument, state);
-        return 0;
-    case KEY_SET:
-        take_override(&arguments->given, argument, state);
-        return 0;
-    case ARGP_KEY_ARG:
-        take_case(&arguments->given, argument, state);
-        return 0;
     case ARGP_KEY_END:
-        require_option(state, arguments->given.path, "CASE.yaml");
+        parse_case_argument(&arguments->given, key, argument, state);
         if (!arguments->output && arguments->json && arguments->resume)
             bad_argument(state, "--resume needs the name of the result, -o RESULT.h5");
         if (!arguments->output && !arguments->json) name_output(arguments);
         return 0;
     default:
-        return ARGP_ERR_UNKNOWN;
+        return parse_case_argument(&arguments->given, key, argument, state);
     }
 }
 
@@ -162,8 +153,7 @@ static int compute(const run_arguments *arguments, const whirl_case *object, whi
     const whirl_status status = whirl_case_run(object, &how, result);
     progress_end(&view);
     if (status.code != WHIRL_STOPPED) return complain_of(&status);
-    const char *why = interrupt_text();
-    complain("%s (%s)", status.message, why ? why : "interrupted");
+    complain("%s (%s)", status.message, interrupt_text());
     return EXIT_FAILED;
 }
 

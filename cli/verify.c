@@ -23,7 +23,7 @@ typedef struct verify_arguments {
 
 // ---------------------------------------------------------------- arguments
 
-enum { KEY_SET = 256, KEY_THREADS, KEY_JSON, KEY_POINTS, KEY_METHOD, KEY_REVOLUTIONS };
+enum { KEY_JSON = KEY_OWN, KEY_POINTS, KEY_METHOD, KEY_REVOLUTIONS };
 
 static const struct argp_option options[] = {
     {.name = "points",
@@ -68,20 +68,8 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     case KEY_METHOD:
         snprintf(arguments->options.method, sizeof arguments->options.method, "%s", argument);
         return 0;
-    case KEY_THREADS:
-        take_threads(&arguments->given, argument, state);
-        return 0;
-    case KEY_SET:
-        take_override(&arguments->given, argument, state);
-        return 0;
-    case ARGP_KEY_ARG:
-        take_case(&arguments->given, argument, state);
-        return 0;
-    case ARGP_KEY_END:
-        require_option(state, arguments->given.path, "CASE.yaml");
-        return 0;
     default:
-        return ARGP_ERR_UNKNOWN;
+        return parse_case_argument(&arguments->given, key, argument, state);
     }
 }
 
@@ -123,14 +111,9 @@ static int choose_points(const verify_arguments *arguments, whirl_study *study, 
 
 // ---------------------------------------------------------------- the table
 
-static bool is_adaptive(const whirl_integrate_options *how) {
-    const whirl_method *method;
-    return whirl_method_find(how->method, &method).code == WHIRL_OK && method->adaptive;
-}
-
 /// "1024 steps", "rtol 1e-09".
 static void tolerance_text(const whirl_integrate_options *how, char text[NAME_SIZE]) {
-    if (is_adaptive(how))
+    if (whirl_method_is_adaptive(how->method))
         snprintf(text, NAME_SIZE, "rtol %.3g", how->rtol);
     else
         snprintf(text, NAME_SIZE, "%d steps", how->steps_per_revolution);
@@ -148,9 +131,9 @@ static void print_order(const whirl_verification *v, const whirl_verify_point *p
     char text[NAME_SIZE] = "";
     if (level == WHIRL_VERIFY_LEVELS - 1)
         snprintf(text, sizeof text,
-                 isnan(point->order[m])             ? "-"
-                 : is_adaptive(&v->integrate[m][0]) ? "rtol^%.2f"
-                                                    : "%.2f",
+                 isnan(point->order[m])                                ? "-"
+                 : whirl_method_is_adaptive(v->integrate[m][0].method) ? "rtol^%.2f"
+                                                                       : "%.2f",
                  point->order[m]);
     printf(" %9s", text);
 }
@@ -239,8 +222,7 @@ static int verify(const verify_arguments *arguments, const whirl_study *study, w
     const whirl_status status = whirl_study_verify(study, &arguments->options, &how, verification);
     progress_end(&view);
     if (status.code != WHIRL_STOPPED) return complain_of(&status);
-    const char *why = interrupt_text();
-    complain("stopped, nothing is verified (%s)", why ? why : "interrupted");
+    complain("stopped, nothing is verified (%s)", interrupt_text());
     return EXIT_FAILED;
 }
 

@@ -40,6 +40,9 @@ const whirl_method *whirl_method_at(size_t index);
 /// The method of that name. WHIRL_BAD_INPUT that names the nearest one when there is none.
 whirl_status whirl_method_find(const char *name, const whirl_method **method);
 
+/// Whether there is a method of that name, and it is adaptive.
+bool whirl_method_is_adaptive(const char *name);
+
 /// Called at the end of each of the steps_per_revolution equal parts of a revolution: t in (0, period], x the state.
 typedef void (*whirl_observe_fn)(void *observer, double t, const double *x);
 

@@ -3,7 +3,6 @@
 
 #include <limits.h>
 #include <math.h>
-#include <string.h>
 
 #include "lyapunov.h"
 
@@ -184,16 +183,10 @@ static int times(int count, double factor) {
     return product < INT_MAX / 2 ? (int)product : INT_MAX / 2;
 }
 
-static bool is_adaptive(const char *name) {
-    const whirl_method *method = whirl_method_at(0);
-    for (size_t i = 0; method && strcmp(method->name, name) != 0; i++) method = whirl_method_at(i + 1);
-    return method && method->adaptive;
-}
-
 whirl_integrate_options whirl_integrate_tighter(const whirl_integrate_options *options, double factor) {
     const double least_tolerance = 1e-14;
     whirl_integrate_options tighter = *options;
-    if (is_adaptive(options->method)) {
+    if (whirl_method_is_adaptive(options->method)) {
         tighter.rtol = fmin(options->rtol, fmax(options->rtol / factor, least_tolerance));
         tighter.atol = options->atol / factor;
     } else {

@@ -39,6 +39,11 @@ whirl_status whirl_method_find(const char *name, const whirl_method **found) {
     return status;
 }
 
+bool whirl_method_is_adaptive(const char *name) {
+    const whirl_method *found;
+    return whirl_method_find(name, &found).code == WHIRL_OK && found->adaptive;
+}
+
 static bool positive(double value) {
     return isfinite(value) && value > 0.0;
 }

@@ -7,15 +7,10 @@
 #include "whirl/verify.h"
 #include "whirl/version.h"
 
-static bool is_adaptive(const whirl_integrate_options *options) {
-    const whirl_method *method;
-    return whirl_method_find(options->method, &method).code == WHIRL_OK && method->adaptive;
-}
-
 static json_t *run_object(bool *well, const whirl_integrate_options *options, const whirl_verify_run *run) {
     json_t *object = json_object();
     document_put(well, object, "method", document_text(options->method));
-    if (is_adaptive(options)) {
+    if (whirl_method_is_adaptive(options->method)) {
         document_put(well, object, "rtol", document_number(options->rtol));
         document_put(well, object, "atol", document_number(options->atol));
     } else {

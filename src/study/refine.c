@@ -105,10 +105,21 @@ static pass last_pass(const study_run *run, size_t batch, size_t slot, int round
     return p;
 }
 
-static bool same_options(const pass *a, const pass *b) {
-    return a->batch == b->batch && a->record.transient == b->record.transient && a->record.watch == b->record.watch &&
-           a->integrate.steps_per_revolution == b->integrate.steps_per_revolution &&
-           a->integrate.rtol == b->integrate.rtol && a->integrate.atol == b->integrate.atol;
+static int sign(double difference) {
+    return (difference > 0.0) - (difference < 0.0);
+}
+
+/// An order of passes by their batch and by the options that refinement changes: -1, 0 where these are the same, 1.
+static int compare_options(const pass *a, const pass *b) {
+    const double differences[] = {(double)a->batch - (double)b->batch,
+                                  (double)a->record.transient - b->record.transient,
+                                  (double)a->record.watch - b->record.watch,
+                                  (double)a->integrate.steps_per_revolution - b->integrate.steps_per_revolution,
+                                  a->integrate.rtol - b->integrate.rtol,
+                                  a->integrate.atol - b->integrate.atol};
+    for (size_t i = 0; i < sizeof differences / sizeof *differences; i++)
+        if (differences[i] != 0.0) return sign(differences[i]);
+    return 0;
 }
 
 /// Whether the point is in doubt and there is something to be done about it.
@@ -123,14 +134,10 @@ static bool is_candidate(const study_run *run, size_t batch, size_t slot, int ro
     found->next.record.samples_per_revolution = whirl_record_samples(&own->record, own->integrate.steps_per_revolution);
     verdict.advice.factor = rounded_up(verdict.advice.factor);
     whirl_advice_apply(verdict.advice, &found->next.integrate, &found->next.record);
-    if (same_options(&last, &found->next)) return false;
+    if (compare_options(&last, &found->next) == 0) return false;
     const pass again = pass_confirming(&found->next);
     found->cost = pass_revolutions(run, &found->next) + (own->confirm ? pass_revolutions(run, &again) : 0.0);
     return true;
-}
-
-static int sign(double difference) {
-    return (difference > 0.0) - (difference < 0.0);
 }
 
 static int by_place(const candidate *a, const candidate *b) {
@@ -145,16 +152,8 @@ static int by_cost(const void *left, const void *right) {
 
 static int by_options(const void *left, const void *right) {
     const candidate *a = left, *b = right;
-    const double differences[] = {(double)a->next.batch - (double)b->next.batch,
-                                  (double)a->next.record.transient - b->next.record.transient,
-                                  (double)a->next.record.watch - b->next.record.watch,
-                                  (double)a->next.integrate.steps_per_revolution -
-                                      b->next.integrate.steps_per_revolution,
-                                  a->next.integrate.rtol - b->next.integrate.rtol,
-                                  a->next.integrate.atol - b->next.integrate.atol};
-    for (size_t i = 0; i < sizeof differences / sizeof *differences; i++)
-        if (differences[i] != 0.0) return sign(differences[i]);
-    return by_place(a, b);
+    const int order = compare_options(&a->next, &b->next);
+    return order != 0 ? order : by_place(a, b);
 }
 
 // ---------------------------------------------------------------- a round
@@ -198,7 +197,7 @@ static void group(const study_run *run, plan *p) {
     for (size_t i = 0; i < p->count; i++) {
         pass *last = p->pass_count ? &p->passes[p->pass_count - 1] : NULL;
         p->slots[i] = p->points[i].slot;
-        if (!last || !same_options(last, &p->points[i].next)) {
+        if (!last || compare_options(last, &p->points[i].next) != 0) {
             last = &p->passes[p->pass_count++];
             *last = p->points[i].next;
             last->slots = &p->slots[i];

@@ -60,11 +60,6 @@ void tracker_fail(tracker *t, const whirl_status *status) {
     }
 }
 
-bool tracker_halted(tracker *t) {
-    if (t->options->stop && *t->options->stop) atomic_store(&t->halt, true);
-    return atomic_load(&t->halt);
-}
-
 void tracker_end(tracker *t) {
     t->progress.seconds = clock_seconds() - t->started;
     if (t->options->progress) t->options->progress(t->options->context, &t->progress);

@@ -30,9 +30,6 @@ void tracker_recall(tracker *tracker, double revolutions, size_t points);
 /// Notes an error; the first one counts. The run ends.
 void tracker_fail(tracker *tracker, const whirl_status *status);
 
-/// Looks whether the run was asked to end.
-bool tracker_halted(tracker *tracker);
-
 /// Reports for the last time.
 void tracker_end(tracker *tracker);
 

@@ -7,20 +7,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-/// A tolerance is this much smaller than the one of the level before, a step half as long.
-static const double tolerance_ratio = 10.0, step_ratio = 2.0;
+/// A tolerance is this much smaller than the one of the level before, a step half as long (its error, of order 4, a sixteenth).
+static const double tolerance_ratio = 10.0, step_ratio = 2.0, step_error_ratio = 16.0;
 
 /// Differences of states between which an order can be seen: below is rounding, above another motion.
 static const double least_difference = 1e-13, largest_difference = 0.1;
 
-static const double least_tolerance = 1e-14;
-
 // ---------------------------------------------------------------- methods
-
-static bool is_adaptive(const char *name) {
-    const whirl_method *method;
-    return whirl_method_find(name, &method).code == WHIRL_OK && method->adaptive;
-}
 
 static whirl_status second_method(const char *own, const char *wanted, char name[WHIRL_NAME_SIZE]) {
     const whirl_method *method = NULL;
@@ -40,15 +33,8 @@ static whirl_status second_method(const char *own, const char *wanted, char name
 }
 
 static void set_levels(whirl_integrate_options levels[WHIRL_VERIFY_LEVELS]) {
-    for (int i = 1; i < WHIRL_VERIFY_LEVELS; i++) {
-        levels[i] = levels[i - 1];
-        if (is_adaptive(levels[0].method)) {
-            levels[i].rtol = fmax(levels[i].rtol / tolerance_ratio, fmin(levels[i].rtol, least_tolerance));
-            levels[i].atol /= tolerance_ratio;
-        } else {
-            levels[i].steps_per_revolution = (int)(levels[i].steps_per_revolution * step_ratio);
-        }
-    }
+    const double factor = whirl_method_is_adaptive(levels[0].method) ? tolerance_ratio : step_error_ratio;
+    for (int i = 1; i < WHIRL_VERIFY_LEVELS; i++) levels[i] = whirl_integrate_tighter(&levels[i - 1], factor);
 }
 
 // ---------------------------------------------------------------- verdicts
@@ -179,8 +165,8 @@ static whirl_status compare_states(const whirl_study *study, whirl_verification 
         const double *own = states + m * WHIRL_VERIFY_LEVELS * dimension, *reference = states + (runs - 1) * dimension;
         for (size_t level = 0; level < WHIRL_VERIFY_LEVELS; level++)
             v->points[point].runs[m][level].difference = distance(own + level * dimension, reference, dimension);
-        v->points[point].order[m] =
-            observed_order(own, dimension, is_adaptive(v->integrate[m][0].method) ? tolerance_ratio : step_ratio);
+        const bool adaptive = whirl_method_is_adaptive(v->integrate[m][0].method);
+        v->points[point].order[m] = observed_order(own, dimension, adaptive ? tolerance_ratio : step_ratio);
     }
     free(states);
     if (machine.release) machine.release(machine.owner);

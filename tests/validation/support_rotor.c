@@ -1,5 +1,6 @@
 #include "support_rotor.h"
 
+#include <complex.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -111,4 +112,14 @@ whirl_rotor *make_paper_rotor(double r_k) {
     require_ok(whirl_design_element(design, "rub", rub, COUNT_OF(rub)));
     add_gravity(design, 0.115976);
     return finish_design(design);
+}
+
+void start_on_rub_circle(const rub_case *p, double radius, double state[4]) {
+    const double complex contact = p->kappa * (1.0 - 1.0 / radius) * (1.0 + I * p->friction);
+    const double complex z =
+        p->eccentricity * p->speed * p->speed / (1.0 + contact - p->speed * p->speed + 2.0 * I * p->zeta * p->speed);
+    state[0] = creal(z);
+    state[1] = cimag(z);
+    state[2] = -cimag(z);
+    state[3] = creal(z);
 }

@@ -11,6 +11,7 @@
 
 #include <cmocka.h>
 
+#include "support_cases.h"
 #include "support_check.h"
 #include "support_flow.h"
 #include "support_record.h"
@@ -124,24 +125,18 @@ static void a8_exponents(void **unused) {
 
 static void b2_multipliers(void **unused) {
     (void)unused;
-    static const struct {
-        double speed;
-        const char *derived, *printed;
-    } rows[] = {{0.9, "1.257484822459", "1.000000000"},
-                {1.0, "1.872990869329", "1.557766085"},
-                {1.09, "1.205916208597", "1.000000000"}};
-    for (size_t i = 0; i < 3; i++)
+    for (size_t i = 0; i < CASE_B2_ROWS; i++)
         for (int printed = 0; printed < 2; printed++) {
-            const shaft_case p = {.speed = rows[i].speed, .k1 = 0.8, .k2 = 1.2, .printed_signs = printed == 1};
+            const shaft_case p = {.speed = case_b2[i].speed, .k1 = 0.8, .k2 = 1.2, .printed_signs = printed == 1};
             double state[4] = {0.0}, matrix[16];
             whirl_rotor *rotor = make_shaft_rotor(&p);
             whirl_integrator *integrator = follow(whirl_rotor_system(rotor), 1e-15);
             // The disc moves, so that there is an error to be small.
             state[0] = 1.0;
             monodromy(integrator, 4, state, 1, matrix);
-            check_digits("B2",
-                         words("by exact Jacobians, w = %g, %s signs", rows[i].speed, printed ? "printed" : "derived"),
-                         printed ? rows[i].printed : rows[i].derived, largest_modulus(4, matrix));
+            check_digits(
+                "B2", words("by exact Jacobians, w = %g, %s signs", case_b2[i].speed, printed ? "printed" : "derived"),
+                printed ? case_b2[i].printed : case_b2[i].derived, largest_modulus(4, matrix));
             whirl_integrator_free(integrator);
             whirl_rotor_free(rotor);
         }
@@ -151,25 +146,16 @@ static void b2_multipliers(void **unused) {
 
 static void c2_stability(void **unused) {
     (void)unused;
-    static const struct {
-        double speed;
-        const char *radius, *growth, *name;
-    } rows[] = {{1.0, "1.078622962500", "-.014538323", "w = 1"},
-                {1.2, "1.381926301669", "-.008521731", "w = 1.2, upper branch"},
-                {1.2, "1.129114707795", "+.130297887", "w = 1.2, lower branch"}};
-    for (size_t i = 0; i < 3; i++) {
-        const rub_case p = {.speed = rows[i].speed, .zeta = 0.05, .kappa = 2.0, .eccentricity = 0.2, .friction = 0.1};
-        // z = A e^(i(tau + b)): [(1 + kap - w^2) A - kap + i((2 zeta w + mu kap) A - mu kap)] e^(ib) = e w^2.
-        const double A = strtod(rows[i].radius, NULL), w = p.speed;
-        const double complex left = (1.0 + p.kappa - w * w) * A - p.kappa +
-                                    I * ((2.0 * p.zeta * w + p.friction * p.kappa) * A - p.friction * p.kappa);
-        const double b = -carg(left);
-        double state[4] = {A * cos(b), A * sin(b), -A * sin(b), A * cos(b)}, matrix[16];
+    for (size_t i = 0; i < CASE_C2_ROWS; i++) {
+        const rub_case p = {
+            .speed = case_c2[i].speed, .zeta = 0.05, .kappa = 2.0, .eccentricity = 0.2, .friction = 0.1};
+        double state[4], matrix[16];
+        start_on_rub_circle(&p, strtod(case_c2[i].radius, NULL), state);
         whirl_rotor *rotor = make_rub_rotor(&p);
         whirl_integrator *integrator = follow(whirl_rotor_system(rotor), 1e-12);
         monodromy(integrator, 4, state, 1, matrix);
-        check_digits("C2", words("largest real part by exact Jacobians at %s", rows[i].name), rows[i].growth,
-                     log(largest_modulus(4, matrix)) * w / (2.0 * pi));
+        check_digits("C2", words("largest real part by exact Jacobians at %s", case_c2[i].name), case_c2[i].growth,
+                     log(largest_modulus(4, matrix)) * p.speed / (2.0 * pi));
         whirl_integrator_free(integrator);
         whirl_rotor_free(rotor);
     }
@@ -393,10 +379,6 @@ static void d1_oscillators(void **unused) {
     }
 }
 
-typedef struct mathieu {
-    double a, q;
-} mathieu;
-
 static void mathieu_rhs(const void *model, double t, const double *forcing, const double *x, double *dxdt) {
     const mathieu *m = model;
     (void)forcing;
@@ -412,18 +394,14 @@ static void mathieu_tangent(const void *model, double t, const double *forcing, 
 
 static void d3_mathieu(void **unused) {
     (void)unused;
-    static const struct {
-        mathieu m;
-        const char *trace;
-    } rows[] = {{{1.0, 0.5}, "-2.612418906625"}, {{2.0, 0.5}, "-.797128628431"}, {{4.0, 1.0}, "2.021314397417"}};
-    for (size_t i = 0; i < 3; i++) {
+    for (size_t i = 0; i < CASE_D3_ROWS; i++) {
         const whirl_system system = {
-            .dimension = 2, .period = pi, .rhs = mathieu_rhs, .tangent = mathieu_tangent, .model = &rows[i].m};
+            .dimension = 2, .period = pi, .rhs = mathieu_rhs, .tangent = mathieu_tangent, .model = &case_d3[i].m};
         whirl_integrator *integrator = follow(&system, 1e-15);
         double state[2] = {1.0, 0.5}, matrix[4];
         monodromy(integrator, 2, state, 1, matrix);
-        check_digits("D3", words("trace by the system's Jacobian, (a, q) = (%g, %g)", rows[i].m.a, rows[i].m.q),
-                     rows[i].trace, matrix[0] + matrix[3]);
+        check_digits("D3", words("trace by the system's Jacobian, (a, q) = (%g, %g)", case_d3[i].m.a, case_d3[i].m.q),
+                     case_d3[i].trace, matrix[0] + matrix[3]);
         whirl_integrator_free(integrator);
     }
 }

@@ -9,6 +9,7 @@
 
 #include <cmocka.h>
 
+#include "support_cases.h"
 #include "support_check.h"
 #include "support_flow.h"
 #include "support_record.h"
@@ -186,11 +187,6 @@ static void d2_regimes(void **unused) {
     }
 }
 
-/// x'' + (a - 2 q cos 2t) x = 0.
-typedef struct mathieu {
-    double a, q;
-} mathieu;
-
 static void mathieu_forcing(const void *model, double t, double *forcing) {
     const mathieu *m = model;
     forcing[0] = m->a - 2.0 * m->q * cos(2.0 * t);
@@ -204,23 +200,19 @@ static void mathieu_rhs(const void *model, double t, const double *forcing, cons
 
 static void d3_mathieu(void **unused) {
     (void)unused;
-    static const struct {
-        mathieu m;
-        const char *trace;
-    } rows[] = {{{1.0, 0.5}, "-2.612418906625"}, {{2.0, 0.5}, "-.797128628431"}, {{4.0, 1.0}, "2.021314397417"}};
-    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+    for (size_t i = 0; i < CASE_D3_ROWS; i++) {
         const whirl_system system = {.dimension = 2,
                                      .period = pi,
                                      .forcing_count = 1,
                                      .forcing = mathieu_forcing,
                                      .rhs = mathieu_rhs,
-                                     .model = &rows[i].m};
+                                     .model = &case_d3[i].m};
         whirl_integrator *integrator = make_integrator(&system, "rk4", 4096);
         double first[2] = {1.0, 0.0}, second[2] = {0.0, 1.0};
         revolve(integrator, first, 1);
         revolve(integrator, second, 1);
-        check_digits("D3", words("trace of the monodromy, (a, q) = (%g, %g)", rows[i].m.a, rows[i].m.q), rows[i].trace,
-                     first[0] + second[1]);
+        check_digits("D3", words("trace of the monodromy, (a, q) = (%g, %g)", case_d3[i].m.a, case_d3[i].m.q),
+                     case_d3[i].trace, first[0] + second[1]);
         check_within("D3", "determinant", 1.0, first[0] * second[1] - first[1] * second[0], 1e-12);
         whirl_integrator_free(integrator);
     }

@@ -10,6 +10,7 @@
 
 #include <cmocka.h>
 
+#include "support_cases.h"
 #include "support_check.h"
 #include "support_flow.h"
 #include "support_record.h"
@@ -73,23 +74,11 @@ static double find_grazing(double outside, double inside) {
     return 0.5 * (outside + inside);
 }
 
-/// A start on the circle of radius A that turns with the shaft, from the balance of forces
-/// [1 + kap (1 - 1/A)(1 + i mu) - w^2 + 2 i zeta w] A e^(-i psi) = e w^2.
-static void start_on_circle(const rub_case *p, double radius, double state[4]) {
-    const double complex contact = p->kappa * (1.0 - 1.0 / radius) * (1.0 + I * p->friction);
-    const double complex z =
-        p->eccentricity * p->speed * p->speed / (1.0 + contact - p->speed * p->speed + 2.0 * I * p->zeta * p->speed);
-    state[0] = creal(z);
-    state[1] = cimag(z);
-    state[2] = -cimag(z);
-    state[3] = creal(z);
-}
-
 /// Share of the time in contact when the rotor starts on the circle of the free rotor.
 static double contact_share(double speed) {
     rub_case p = {.speed = speed, .zeta = 0.05, .eccentricity = 0.2, .friction = 0.1};
     double start[4];
-    start_on_circle(&p, 1.0, start);
+    start_on_rub_circle(&p, 1.0, start);
     p.kappa = 2.0;
     whirl_rotor *rotor = make_rub_rotor(&p);
     whirl_record *record = record_motion(whirl_rotor_system(rotor), start, 1024, 200, 20);
@@ -111,27 +100,22 @@ static void c1_grazing(void **unused) {
 
 static void c2_synchronous_rub(void **unused) {
     (void)unused;
-    static const struct {
-        double speed;
-        const char *radius, *growth, *name;
-    } rows[] = {{1.0, "1.078622962500", "-.014538323", "w = 1"},
-                {1.2, "1.381926301669", "-.008521731", "w = 1.2, upper branch"},
-                {1.2, "1.129114707795", "+.130297887", "w = 1.2, lower branch"}};
-    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        const rub_case p = {.speed = rows[i].speed, .zeta = 0.05, .kappa = 2.0, .eccentricity = 0.2, .friction = 0.1};
+    for (size_t i = 0; i < CASE_C2_ROWS; i++) {
+        const rub_case p = {
+            .speed = case_c2[i].speed, .zeta = 0.05, .kappa = 2.0, .eccentricity = 0.2, .friction = 0.1};
         double state[4], matrix[16];
-        start_on_circle(&p, strtod(rows[i].radius, NULL), state);
+        start_on_rub_circle(&p, strtod(case_c2[i].radius, NULL), state);
         whirl_rotor *rotor = make_rub_rotor(&p);
         const tangent_model model = {whirl_rotor_system(rotor), rub_jacobian, &p};
         const whirl_system joint = make_tangent_system(&model);
         whirl_integrator *plain = make_integrator(model.base, "rk4", 4096);
         whirl_integrator *integrator = make_integrator(&joint, "rk4", 4096);
         find_fixed_point(plain, 4, state, 1);
-        check_digits("C2", words("radius at %s", rows[i].name), rows[i].radius, hypot(state[0], state[1]));
+        check_digits("C2", words("radius at %s", case_c2[i].name), case_c2[i].radius, hypot(state[0], state[1]));
         carry_tangents(integrator, 4, state, 1, matrix);
         // From the modulus after one revolution to a rate by time.
         const double rate = log(largest_modulus(4, matrix)) * p.speed / (2.0 * pi);
-        check_digits("C2", words("largest real part at %s", rows[i].name), rows[i].growth, rate);
+        check_digits("C2", words("largest real part at %s", case_c2[i].name), case_c2[i].growth, rate);
         whirl_integrator_free(integrator);
         whirl_integrator_free(plain);
         whirl_rotor_free(rotor);

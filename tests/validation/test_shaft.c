@@ -10,6 +10,7 @@
 
 #include <cmocka.h>
 
+#include "support_cases.h"
 #include "support_check.h"
 #include "support_flow.h"
 #include "support_rotor.h"
@@ -66,16 +67,11 @@ static double growth(double damping, double speed, bool printed_signs) {
 
 static void b2_multipliers(void **unused) {
     (void)unused;
-    static const struct {
-        double speed;
-        const char *derived, *printed;
-    } rows[] = {{0.9, "1.257484822459", "1.000000000"},
-                {1.0, "1.872990869329", "1.557766085"},
-                {1.09, "1.205916208597", "1.000000000"}};
-    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        check_digits("B2", words("largest multiplier modulus at w = %g", rows[i].speed), rows[i].derived,
-                     growth(0.0, rows[i].speed, false));
-        check_digits("B2", words("the same with printed signs"), rows[i].printed, growth(0.0, rows[i].speed, true));
+    for (size_t i = 0; i < CASE_B2_ROWS; i++) {
+        check_digits("B2", words("largest multiplier modulus at w = %g", case_b2[i].speed), case_b2[i].derived,
+                     growth(0.0, case_b2[i].speed, false));
+        check_digits("B2", words("the same with printed signs"), case_b2[i].printed,
+                     growth(0.0, case_b2[i].speed, true));
     }
 }
 

@@ -1,6 +1,4 @@
-// Confirmation and refinement, on an equation that RK4 carries wrongly where its steps are too long: x' = -r (x - cos t)
-// is stable for every r > 0, but RK4 grows without bound where r h > 2.7853 (Hairer, Wanner: Solving Ordinary Differential
-// Equations II, IV.2). With 64 steps in a period of 1 that is r > 178.3, with 128 r > 356.5.
+// Confirmation and refinement, on an equation that RK4 carries wrongly where its steps are too long (follower.h). With 64 steps in a period of 1 that is r > 178.3, with 128 r > 356.5.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -10,31 +8,9 @@
 
 #include <cmocka.h>
 
+#include "follower.h"
 #include "memory_keeper.h"
 #include "whirl/study.h"
-
-typedef struct follower {
-    double rate, start[1];
-    whirl_system system;
-} follower;
-
-static const whirl_probe probe = {.name = "follower"};
-
-static void slope(const void *model, double t, const double *forcing, const double *x, double *dxdt) {
-    (void)forcing;
-    dxdt[0] = -((const follower *)model)->rate * (x[0] - cos(6.283185307179586 * t));
-}
-
-static whirl_status machine(const void *family, const whirl_batch *batch, double value, whirl_machine *out) {
-    (void)family, (void)batch;
-    follower *own = malloc(sizeof *own);
-    assert_non_null(own);
-    *own = (follower){.rate = value, .start = {0.5}};
-    own->system =
-        (whirl_system){.dimension = 1, .period = 1, .rhs = slope, .probe_count = 1, .probes = &probe, .model = own};
-    *out = (whirl_machine){&own->system, own->start, own, free};
-    return whirl_ok();
-}
 
 enum { POINTS = 9, WRONG = 4, STEPS = 64, REVOLUTIONS = 80 };
 
@@ -42,7 +18,7 @@ enum { POINTS = 9, WRONG = 4, STEPS = 64, REVOLUTIONS = 80 };
 static const double rates[POINTS] = {20, 60, 100, 140, 200, 240, 280, 320, 420};
 
 static whirl_study study(whirl_carry carry, double budget) {
-    whirl_study s = {.refine = {.revolutions = budget}, .batch_count = 1, .machine = machine};
+    whirl_study s = {.refine = {.revolutions = budget}, .batch_count = 1, .machine = make_follower};
     whirl_batch *batch = &s.batches[0];
     *batch = (whirl_batch){
         .name = "sweep", .parameter = "r", .count = POINTS, .values = rates, .carry = carry, .confirm = true};
@@ -97,7 +73,7 @@ static void parabola(const void *model, double t, const double *forcing, const d
 }
 
 static whirl_status parabola_machine(const void *family, const whirl_batch *batch, double value, whirl_machine *out) {
-    const whirl_status status = machine(family, batch, value, out);
+    const whirl_status status = make_follower(family, batch, value, out);
     follower *own = out->owner;
     own->start[0] = -1.5;
     own->system.rhs = parabola;

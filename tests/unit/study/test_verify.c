@@ -1,5 +1,4 @@
-// Verification on x' = -r (x - cos t): smooth, so that RK4 shows its order, and known exactly. RK4 diverges where r h >
-// 2.7853 (see test_confirm.c).
+// Verification on an equation that is smooth, so that RK4 shows its order, and known exactly (follower.h).
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -10,36 +9,14 @@
 
 #include <cmocka.h>
 
+#include "follower.h"
 #include "whirl/verify.h"
-
-typedef struct follower {
-    double rate, start[1];
-    whirl_system system;
-} follower;
-
-static const whirl_probe probe = {.name = "follower"};
-
-static void slope(const void *model, double t, const double *forcing, const double *x, double *dxdt) {
-    (void)forcing;
-    dxdt[0] = -((const follower *)model)->rate * (x[0] - cos(6.283185307179586 * t));
-}
-
-static whirl_status machine(const void *family, const whirl_batch *batch, double value, whirl_machine *out) {
-    (void)family, (void)batch;
-    follower *own = malloc(sizeof *own);
-    assert_non_null(own);
-    *own = (follower){.rate = value, .start = {0.5}};
-    own->system =
-        (whirl_system){.dimension = 1, .period = 1, .rhs = slope, .probe_count = 1, .probes = &probe, .model = own};
-    *out = (whirl_machine){&own->system, own->start, own, free};
-    return whirl_ok();
-}
 
 enum { SLOW, STIFF, POINTS };
 static const double rates[POINTS] = {8, 100};
 
 static whirl_study study(const char *method, int steps) {
-    whirl_study s = {.batch_count = 1, .machine = machine};
+    whirl_study s = {.batch_count = 1, .machine = make_follower};
     whirl_batch *batch = &s.batches[0];
     *batch = (whirl_batch){.name = "sweep", .parameter = "r", .count = POINTS, .values = rates};
     batch->integrate = whirl_integrate_default();
@@ -76,7 +53,7 @@ static void test_the_order_of_a_step(void **state) {
     // What differs from a reference of 1e-11 is the error.
     double x[1] = {0.5};
     whirl_machine one;
-    assert_int_equal(machine(NULL, NULL, rates[SLOW], &one).code, WHIRL_OK);
+    assert_int_equal(make_follower(NULL, NULL, rates[SLOW], &one).code, WHIRL_OK);
     whirl_integrator *integrator;
     assert_int_equal(whirl_integrator_new(one.system, &v->integrate[0][0], &integrator).code, WHIRL_OK);
     whirl_integrator_revolve(integrator, x, NULL, NULL);
