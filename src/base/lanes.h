@@ -39,6 +39,8 @@ typedef void lanes_forcing(const void *model, size_t stride, size_t vectors, con
 /// Writes the normal forces [contact_count] at (q, v), 0 while open, in the model's unit of force.
 typedef void lanes_contacts(const lanes_view *view, void *normal_force);
 
+struct lanes_pair; ///< of pair_kernel.h
+
 /// The state is degrees positions, then their derivatives; stations are pairs of positions 2s, 2s + 1.
 struct whirl_lanes {
     size_t degrees;
@@ -56,6 +58,7 @@ struct whirl_lanes {
     lanes_switches *const *switches;
     lanes_forcing *const *forcing;
     lanes_contacts *const *contacts;
+    const struct lanes_pair *pair; ///< the structure for which integrators have loops of their own; NULL: another
 };
 
 #endif

@@ -10,6 +10,9 @@
 #include <math.h>
 #include <string.h>
 
+/// For what must not become a call, whose price is a store and a load of all that it works on.
+#define VECTOR_INLINE static inline __attribute__((always_inline))
+
 #define VECTOR_SCALAR 0 ///< one lane, unfused: any machine
 #define VECTOR_128 1    ///< two lanes, unfused: SSE2, NEON, WebAssembly
 #define VECTOR_FMA 2    ///< one lane, fused: the reference of the next two

@@ -115,6 +115,7 @@ static void fill_lanes(whirl_ensemble *e, const whirl_integrate_options *options
     rk4_lanes *lanes = &e->lanes;
     lanes->model = system->model;
     lanes->accelerate = system->lanes->accelerate[e->isa->number];
+    lanes->pair = system->lanes->pair;
     lanes->degrees = system->lanes->degrees;
     lanes->forcing_count = system->forcing_count;
     lanes->steps = options->steps_per_revolution;
@@ -140,14 +141,17 @@ static bool attach_location(whirl_ensemble *e, const whirl_integrate_options *op
     return located->carrier != NULL;
 }
 
-/// Vectors that hide each other's latency, at most 8, and whose numbers and stages still fit into the first cache: 8 of 512
-/// bits for two stations, 2 for ten, 1 for fifty (measured; of 256 bits 8, 4 and 1).
+/// Vectors that hide each other's latency, at most 8, and whose numbers, stages and, where they are at hand all the time
+/// (rk4_pair.inc), what is watched of them still fit into the first cache: 6 of 512 bits for a pair, 2 for ten stations, 1 for
+/// fifty (measured; of 256 bits 8, 4 and 1).
 static size_t fast_vectors(const whirl_system *system, const isa *set) {
-    const size_t first_cache = 40960;
-    const size_t bytes = (system->lanes->number_count + 8 * system->lanes->degrees) * set->lanes * sizeof(double);
-    size_t vectors = 8;
-    while (vectors > 1 && vectors * bytes > first_cache) vectors /= 2;
-    return vectors;
+    static const size_t choices[] = {8, 6, 4, 2, 1};
+    const size_t first_cache = 40960, degrees = system->lanes->degrees;
+    const size_t watched = system->lanes->pair ? 7 * degrees + 4 * system->lanes->contact_count : 0;
+    const size_t bytes = (system->lanes->number_count + 8 * degrees + watched) * set->lanes * sizeof(double);
+    size_t i = 0;
+    while (choices[i] > 1 && choices[i] * bytes > first_cache) i++;
+    return choices[i];
 }
 
 whirl_status whirl_ensemble_new(const whirl_system *system, const whirl_integrate_options *options, size_t lanes,

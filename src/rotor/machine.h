@@ -4,12 +4,14 @@
 
 #include "element.h"
 #include "lanes.h"
+#include "pair.h"
 #include "whirl/rotor.h"
 
 struct whirl_rotor {
     double speed, length;
     whirl_system system;
     whirl_lanes lanes;
+    struct lanes_pair pair; ///< where it is one
     size_t station_count, element_count, contact_count;
     element *elements; ///< [element_count] those that have a kernel, in the registry's order
     double *numbers;   ///< [station_count][STATION_NUMBERS], then those of the elements, one after the other
@@ -19,6 +21,9 @@ struct whirl_rotor {
     char (*contact_text)[WHIRL_NAME_SIZE + 16];
     const char **contact_names;
 };
+
+/// The elements of the structure of pair_kernel.h: a shaft from station 0 to station 1, a film there, a rub at station 0.
+enum { PAIR_SHAFT, PAIR_FILM, PAIR_RUB, PAIR_ELEMENTS };
 
 /// What rotors give to lanes.h: one function of each kind for every instruction set of vector.h (machine_<isa>.c,
 /// flow_<isa>.c).

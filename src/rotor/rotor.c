@@ -173,7 +173,17 @@ static whirl_status add_elements(const whirl_design *design, const element_type 
     return whirl_ok();
 }
 
+static bool is_pair(const whirl_rotor *rotor) {
+    const element *e = rotor->elements;
+    return rotor->station_count == 2 && rotor->element_count == PAIR_ELEMENTS &&
+           e[PAIR_SHAFT].type->kernel == KERNEL_SHAFT && e[PAIR_SHAFT].station[0] == 0 &&
+           e[PAIR_SHAFT].station[1] == 1 && e[PAIR_FILM].type->kernel == KERNEL_FILM && e[PAIR_FILM].station[0] == 1 &&
+           e[PAIR_RUB].type->kernel == KERNEL_RUB && e[PAIR_RUB].station[0] == 0;
+}
+
 static void fill_system(whirl_rotor *rotor) {
+    const bool pair = is_pair(rotor);
+    if (pair) rotor->pair = (struct lanes_pair){rotor->elements[PAIR_SHAFT], rotor->elements[PAIR_RUB]};
     rotor->lanes = (whirl_lanes){.degrees = 2 * rotor->station_count,
                                  .number_count = rotor->lanes.number_count,
                                  .numbers = lane_numbers,
@@ -187,7 +197,8 @@ static void fill_system(whirl_rotor *rotor) {
                                  .flow = machine_flow,
                                  .switches = machine_switches,
                                  .forcing = machine_forcing,
-                                 .contacts = machine_contacts};
+                                 .contacts = machine_contacts,
+                                 .pair = pair ? &rotor->pair : NULL};
     rotor->system = (whirl_system){.dimension = 4 * rotor->station_count,
                                    .period = 6.283185307179586476925,
                                    .forcing_count = FORCING_COUNT,

@@ -54,7 +54,7 @@ static inline vec_mask rub_touching(const element *rub, size_t stride, const vec
 }
 
 /// Whether any lane is in contact; if so fills `place`. With sides N is what the law of contact says, even below zero.
-static inline int rub_meet(const element *rub, size_t stride, const vec *number, const vec *sides, const vec *q,
+VECTOR_INLINE int rub_meet(const element *rub, size_t stride, const vec *number, const vec *sides, const vec *q,
                            const vec *v, rub_place *place) {
     const size_t i = 2 * rub->station[0] * stride, j = i + stride;
     const vec x = q[i], y = q[j], zero = v_set(0.0), one = v_set(1.0), gap = number[RUB_GAP * stride];
@@ -84,7 +84,7 @@ static inline vec rub_slip(const rub_place *p, size_t stride, const vec *number)
 }
 
 /// The coefficient of friction with the sign that the law gives it.
-static inline vec rub_friction(const element *rub, size_t stride, const vec *number, const vec *sides,
+VECTOR_INLINE vec rub_friction(const element *rub, size_t stride, const vec *number, const vec *sides,
                                const rub_place *p) {
     const vec f = number[RUB_FRICTION * stride];
     if (!rub_slips(rub)) return f;
@@ -93,7 +93,7 @@ static inline vec rub_friction(const element *rub, size_t stride, const vec *num
 }
 
 /// Adds the force; with `sides` of the switches the laws are held there, else the state decides.
-static inline void rub_kernel(const element *rub, size_t stride, const vec *number, const vec *sides, const vec *q,
+VECTOR_INLINE void rub_kernel(const element *rub, size_t stride, const vec *number, const vec *sides, const vec *q,
                               const vec *v, vec *a) {
     const size_t i = 2 * rub->station[0] * stride, j = i + stride;
     rub_place p;
