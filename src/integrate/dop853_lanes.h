@@ -35,7 +35,8 @@ typedef struct lane_queue {
 
 /// Arrays are [...][stride vectors] of slots.
 typedef struct dop853_lanes {
-    const void *model; ///< whose structure all lanes have
+    const void *model;             ///< whose structure all lanes have
+    const struct lanes_pair *pair; ///< the laws of the structure of pair_kernel.h; NULL: another, or another group
     lanes_flow *flow;
     lanes_switches *switches;
     lanes_forcing *forcing_at;
@@ -69,6 +70,7 @@ typedef struct dop853_lanes {
     double *end_q, *end_v;        ///< [degrees] the state at its end
     double *end_value, *end_rate; ///< [switch_count]
     double *time, *forcing;       ///< workspace; [forcing_count]
+    double *base;                 ///< cos and sin of t
     // What is watched: the step taken, as polynomials.
     bool watching;
     double *begin, *taken;          ///< its beginning and length; 0: none was taken

@@ -63,6 +63,7 @@ static size_t lay_out(dop853_lanes *lanes, double *block) {
         {&lanes->end_value, switches},
         {&lanes->end_rate, switches},
         {&lanes->time, 1},
+        {&lanes->base, 2},
         {&lanes->begin, 1},
         {&lanes->taken, 1},
         {&lanes->instant, 1},
@@ -109,6 +110,7 @@ dop853_lanes *dop853_lanes_new(const whirl_system *system, const whirl_integrate
                             .watch = {.station_count = form->degrees / 2, .contact_count = form->contact_count}};
     if (form->damped) lanes->watch.normal_force = form->contacts[set->number];
     lanes->slots = lanes->stride * set->lanes;
+    lanes->pair = form->pair;
     dop853_sums_fill(&lanes->sums);
     const size_t bytes = (lay_out(lanes, NULL) * lanes->slots * sizeof(double) + 63) / 64 * 64;
     lanes->block = aligned_alloc(64, bytes);

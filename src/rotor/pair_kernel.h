@@ -1,10 +1,13 @@
 /// A disc on a shaft to a journal in a film, with a rub at the disc: the rotor of most studies of oil film and rub, the paper's of
 /// 2015 among them. Integrators have loops of their own for it (rk4_pair.inc, dop853_pair.inc), made of these phases of an acceleration.
 ///
-/// The same kernels in the same order as machine.inc and flow.inc call them from their lists, so the same bits. All arrays are
-/// vectors one after the other: coordinates of the disc, then of the journal.
+/// The same kernels in the same order as machine.inc and flow.inc call them from their lists, so the same bits; three vectors are
+/// under way at a time, so that the divider never waits.
 #ifndef ROTOR_PAIR_KERNEL_H
 #define ROTOR_PAIR_KERNEL_H
+
+#include <stdbool.h>
+#include <string.h>
 
 #include "film_kernel.h"
 #include "pair.h"
@@ -24,31 +27,91 @@ enum {
     PAIR_NUMBERS = PAIR_RUB_NUMBERS + RUB_NUMBERS
 };
 
-/// Leaves the divider with the film's root; film_divide goes next.
-VECTOR_INLINE void pair_begin(const vec *number, const vec *q, const vec *v, film_work *work, size_t place) {
+/// Accelerations on their way, one in each phase, by their number modulo FILM_PLACES. All arrays have the stride that the line
+/// is used with.
+typedef struct pair_line {
+    size_t begun;
+    const vec *number[FILM_PLACES], *q[FILM_PLACES], *v[FILM_PLACES];
+    const vec *sides[FILM_PLACES];    ///< as rub_kernel takes them
+    const void *forcing[FILM_PLACES]; ///< doubles that all lanes share, or vectors
+    vec *a[FILM_PLACES];
+    film_work film;
+} pair_line;
+
+enum { PAIR_UNDER_WAY = 3, PAIR_MOST_STRIDE = 4 };
+
+/// Begins an acceleration: leaves the divider with the film's root.
+VECTOR_INLINE void pair_send(pair_line *line, size_t stride, const vec *number, const void *forcing, const vec *sides,
+                             const vec *q, const vec *v, vec *a) {
     const element film = {.station = {1}};
-    film_begin(&film, 1, number + PAIR_FILM_NUMBERS, q, v, work, place);
+    const size_t at = line->begun++ % FILM_PLACES;
+    film_begin(&film, stride, number + PAIR_FILM_NUMBERS * stride, q, v, &line->film, at);
+    line->number[at] = number;
+    line->forcing[at] = forcing;
+    line->sides[at] = sides;
+    line->q[at] = q;
+    line->v[at] = v;
+    line->a[at] = a;
 }
 
-/// Stations and shaft, which do not wait for the divider.
-VECTOR_INLINE void pair_frame(const struct lanes_pair *pair, const vec *number, const vec *forcing, const vec *q,
-                              const vec *v, vec *a) {
+/// Stations and shaft, which do not wait for the divider, into `frame`.
+VECTOR_INLINE void pair_frame(const struct lanes_pair *pair, size_t stride, const pair_line *line, size_t at,
+                              bool shared, vec *frame) {
     const element shaft = {.station = {0, 1}, .law = pair->shaft.law};
-    const vec c = forcing[COS_TAU], s = forcing[SIN_TAU];
-    station_kernel(c, s, 1, number + PAIR_DISC_NUMBERS, v, a);
-    station_kernel(c, s, 1, number + PAIR_JOURNAL_NUMBERS, v + PAIR_JOURNAL, a + PAIR_JOURNAL);
-    shaft_kernel(&shaft, forcing[COS_2TAU], forcing[SIN_2TAU], 1, number + PAIR_SHAFT_NUMBERS, q, a);
+    const vec *number = line->number[at], *q = line->q[at], *v = line->v[at], *own = line->forcing[at];
+    const double *all = line->forcing[at];
+    const size_t journal = PAIR_JOURNAL * stride;
+    const vec c = shared ? v_set(all[COS_TAU]) : own[COS_TAU * stride];
+    const vec s = shared ? v_set(all[SIN_TAU]) : own[SIN_TAU * stride];
+    const vec c2 = shared ? v_set(all[COS_2TAU]) : own[COS_2TAU * stride];
+    const vec s2 = shared ? v_set(all[SIN_2TAU]) : own[SIN_2TAU * stride];
+    station_kernel(c, s, stride, number + PAIR_DISC_NUMBERS * stride, v, frame);
+    station_kernel(c, s, stride, number + PAIR_JOURNAL_NUMBERS * stride, v + journal, frame + journal);
+    shaft_kernel(&shaft, c2, s2, stride, number + PAIR_SHAFT_NUMBERS * stride, q, frame);
 }
 
-/// Film and rub, to what pair_frame has left in `frame`; sides as rub_kernel takes them.
-VECTOR_INLINE void pair_end(const struct lanes_pair *pair, const vec *number, const vec *sides, const vec *q,
-                            const vec *v, const film_work *work, size_t place, vec *frame, vec *a) {
+/// Film and rub.
+VECTOR_INLINE void pair_end(const struct lanes_pair *pair, size_t stride, const pair_line *line, size_t at,
+                            vec *frame) {
     const element rub = {
         .station = {0}, .law = pair->rub.law, .number = {[RUB_SLIP_SPEED] = pair->rub.number[RUB_SLIP_SPEED]}};
-    const film_state film = film_end(work, place);
-    film_add(&film, number[PAIR_FILM_NUMBERS + FILM_TWICE_STRENGTH], &frame[PAIR_JOURNAL], &frame[PAIR_JOURNAL + 1]);
-    for (size_t d = 0; d < PAIR_DEGREES; d++) a[d] = frame[d];
-    rub_kernel(&rub, 1, number + PAIR_RUB_NUMBERS, sides, q, v, a);
+    const vec *number = line->number[at];
+    const size_t x = PAIR_JOURNAL * stride, y = x + stride;
+    const film_state film = film_end(&line->film, at);
+    vec *a = line->a[at];
+    film_add(&film, number[(PAIR_FILM_NUMBERS + FILM_TWICE_STRENGTH) * stride], &frame[x], &frame[y]);
+    for (size_t d = 0; d < PAIR_DEGREES; d++) a[d * stride] = frame[d * stride];
+    rub_kernel(&rub, stride, number + PAIR_RUB_NUMBERS * stride, line->sides[at], line->q[at], line->v[at], a);
+}
+
+/// Finishes the acceleration begun PAIR_UNDER_WAY - 1 before the last one.
+VECTOR_INLINE void pair_receive(const struct lanes_pair *pair, size_t stride, pair_line *line, bool shared) {
+    const size_t divided = (line->begun - 2) % FILM_PLACES, ended = (line->begun - 3) % FILM_PLACES;
+    vec frame[PAIR_DEGREES * PAIR_MOST_STRIDE];
+    pair_frame(pair, stride, line, ended, shared, frame);
+    film_divide(&line->film, divided);
+    pair_end(pair, stride, line, ended, frame);
+}
+
+/// Nothing is begun, one more is finished.
+VECTOR_INLINE void pair_drain(const struct lanes_pair *pair, size_t stride, pair_line *line, bool shared) {
+    line->begun++;
+    pair_receive(pair, stride, line, shared);
+}
+
+/// Makes a line ready: what it finishes first was never begun, and goes nowhere.
+VECTOR_INLINE void pair_open(pair_line *line, const vec *number, const void *forcing, const vec *sides, const vec *q,
+                             const vec *v, vec *nowhere) {
+    memset(&line->film, 0, sizeof line->film);
+    line->begun = 0;
+    for (size_t at = 0; at < FILM_PLACES; at++) {
+        line->number[at] = number;
+        line->forcing[at] = forcing;
+        line->sides[at] = sides;
+        line->q[at] = q;
+        line->v[at] = v;
+        line->a[at] = nowhere;
+    }
 }
 
 #endif
