@@ -1,22 +1,25 @@
 // SUNDIALS CVODE (Hindmarsh et al. 2005) with root finding: the independent reference.
 //
 // Every revolution starts afresh at t = 0, and the integration starts afresh at every zero of a switching function, so
-// that no step straddles a contact.
+// that no step straddles a contact. Where the system tells its laws on given sides of its switches these are held in
+// between, and CVODE, which steps past a switch before it looks back, never meets a law that changes within its step; what
+// happens at a zero, sliding included, is decided as for dop853 (sides.c). Of other systems the state decides.
 #include <cvode/cvode.h>
 #include <math.h>
 #include <nvector/nvector_serial.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sunlinsol/sunlinsol_dense.h>
 #include <sunmatrix/sunmatrix_dense.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
-#include "method.h"
+#include "carrier.h"
 
-enum { MAX_SWITCHES_A_REVOLUTION = 10000, MAX_STEPS_A_CALL = 100000 };
+enum { MAX_STEPS_A_CALL = 100000 };
 
 typedef struct cvode {
+    const whirl_system *system;
+    carrier *sides; ///< those that are held, with the state of the motion where it last met a switch; NULL: none are
     SUNContext context;
     void *memory;
     N_Vector state;
@@ -26,19 +29,26 @@ typedef struct cvode {
 } cvode;
 
 static int right_hand_side(realtype t, N_Vector x, N_Vector slope, void *data) {
-    const whirl_system *system = data;
-    double forcing[WHIRL_MAX_FORCING];
-    if (system->forcing_count > 0) system->forcing(system->model, t, forcing);
-    double *out = NV_DATA_S(slope);
-    system->rhs(system->model, t, forcing, NV_DATA_S(x), out);
+    const cvode *work = data;
+    const whirl_system *system = work->system;
+    double forcing[WHIRL_MAX_FORCING], *out = NV_DATA_S(slope);
+    if (work->sides) {
+        carrier_slope(work->sides, t, NV_DATA_S(x), out);
+    } else {
+        if (system->forcing_count > 0) system->forcing(system->model, t, forcing);
+        system->rhs(system->model, t, forcing, NV_DATA_S(x), out);
+    }
     for (size_t i = 0; i < system->dimension; i++)
         if (!isfinite(out[i])) return 1; // recoverable: CVODE tries a smaller step
     return 0;
 }
 
 static int switching(realtype t, N_Vector x, realtype *values, void *data) {
-    const whirl_system *system = data;
-    system->switches(system->model, t, NV_DATA_S(x), values);
+    const cvode *work = data;
+    if (work->sides)
+        carrier_watched(work->sides, t, NV_DATA_S(x), values);
+    else
+        work->system->switches(work->system->model, t, NV_DATA_S(x), values);
     return 0;
 }
 
@@ -55,6 +65,7 @@ static void end(whirl_integrator *integrator) {
     if (work->matrix) SUNMatDestroy(work->matrix);
     if (work->state) N_VDestroy(work->state);
     if (work->context) SUNContext_Free(&work->context);
+    free(work->sides);
     free(work);
 }
 
@@ -70,27 +81,42 @@ static int attach_solvers(cvode *work, int kind) {
     return work->linear ? CVodeSetLinearSolver(work->memory, work->linear, work->matrix) : CV_MEM_FAIL;
 }
 
+static int look_for_switches(cvode *work) {
+    int fall[WHIRL_MAX_SWITCHES];
+    const int count = (int)work->system->switch_count;
+    int code = CVodeRootInit(work->memory, count, switching);
+    if (code == CV_SUCCESS) code = CVodeSetNoInactiveRootWarn(work->memory);
+    // What is watched on held sides is positive until a switch is met.
+    for (int i = 0; i < count; i++) fall[i] = -1;
+    if (code == CV_SUCCESS && work->sides) code = CVodeSetRootDirection(work->memory, fall);
+    return code;
+}
+
 static int configure(cvode *work, const whirl_integrator *integrator, int kind) {
-    const whirl_system *system = integrator->system;
     int code = CVodeInit(work->memory, right_hand_side, 0.0, work->state);
     if (code == CV_SUCCESS) code = CVodeSetErrHandlerFn(work->memory, silent, NULL);
     if (code == CV_SUCCESS) code = CVodeSStolerances(work->memory, integrator->options.rtol, integrator->options.atol);
-    // The model is only read; CVODE's interface has no const.
-    if (code == CV_SUCCESS) code = CVodeSetUserData(work->memory, (void *)(uintptr_t)system);
+    if (code == CV_SUCCESS) code = CVodeSetUserData(work->memory, work);
     if (code == CV_SUCCESS) code = CVodeSetMaxNumSteps(work->memory, MAX_STEPS_A_CALL);
     if (code == CV_SUCCESS) code = attach_solvers(work, kind);
-    if (code == CV_SUCCESS && system->switch_count > 0) {
-        code = CVodeRootInit(work->memory, (int)system->switch_count, switching);
-        if (code == CV_SUCCESS) code = CVodeSetNoInactiveRootWarn(work->memory);
-    }
+    if (code == CV_SUCCESS && work->system->switch_count > 0) code = look_for_switches(work);
     return code;
+}
+
+/// Makes room for sides; false where there is no memory.
+static bool prepare_sides(cvode *work, const whirl_integrate_options *options) {
+    const whirl_system *system = work->system;
+    if (system->switch_count == 0 || !system->rhs_on_sides) return true;
+    work->sides = carrier_new(&dop853_formula, system->dimension, system->switch_count, options);
+    return work->sides != NULL;
 }
 
 static whirl_status start(whirl_integrator *integrator, int kind) {
     cvode *work = calloc(1, sizeof *work);
     if (!work) return whirl_fail(WHIRL_NO_MEMORY, "no memory for CVODE");
     integrator->workspace = work;
-    int code = SUNContext_Create(NULL, &work->context);
+    work->system = integrator->system;
+    int code = prepare_sides(work, &integrator->options) ? SUNContext_Create(NULL, &work->context) : CV_MEM_FAIL;
     if (code == 0) work->state = N_VNew_Serial((sunindextype)integrator->system->dimension, work->context);
     if (work->state) work->memory = CVodeCreate(kind, work->context);
     code = work->memory ? configure(work, integrator, kind) : CV_MEM_FAIL;
@@ -107,13 +133,38 @@ static whirl_status start_bdf(whirl_integrator *integrator) {
     return start(integrator, CV_BDF);
 }
 
+/// Finds the sides at the beginning of a revolution; the state is put onto a switch that it slides along.
+static void find_sides(const cvode *work) {
+    carrier *c = work->sides;
+    const size_t bytes = c->dimension * sizeof *c->x;
+    carrier_place(c, work->system, 0.0);
+    memcpy(c->x, NV_DATA_S(work->state), bytes);
+    carrier_find_sides(c);
+    memcpy(NV_DATA_S(work->state), c->x, bytes);
+}
+
+/// Goes beyond the switches that CVODE has found at t, or along them.
+static void cross(const cvode *work, double t) {
+    int found[WHIRL_MAX_SWITCHES];
+    carrier *c = work->sides;
+    const size_t bytes = c->dimension * sizeof *c->x;
+    if (CVodeGetRootInfo(work->memory, found) != CV_SUCCESS) return;
+    carrier_place(c, work->system, t);
+    memcpy(c->x, NV_DATA_S(work->state), bytes);
+    if (c->sliding_count > 0) carrier_project(c, c->x);
+    for (size_t i = 0; i < work->system->switch_count; i++)
+        if (found[i]) carrier_cross(c, i);
+    memcpy(NV_DATA_S(work->state), c->x, bytes);
+}
+
 /// Integrates from *t to `target`, starting afresh wherever a switching function passes zero.
 static whirl_motion advance(const whirl_integrator *integrator, double *t, double target, int *switches) {
     cvode *work = integrator->workspace;
     for (;;) {
         const int code = CVode(work->memory, target, work->state, t, CV_NORMAL);
         if (code == CV_ROOT_RETURN) {
-            if (++*switches > MAX_SWITCHES_A_REVOLUTION) return WHIRL_STUCK;
+            if (++*switches > MAX_SWITCHINGS) return WHIRL_STUCK;
+            if (work->sides) cross(work, *t);
             if (CVodeReInit(work->memory, *t, work->state) != CV_SUCCESS) return WHIRL_STUCK;
             CVodeSetStopTime(work->memory, integrator->system->period);
             // Closer than CVODE can step: there already.
@@ -133,6 +184,7 @@ static whirl_motion revolve(whirl_integrator *integrator, double *x, whirl_distu
     const int samples = observe ? integrator->options.steps_per_revolution : 1;
     const size_t bytes = integrator->system->dimension * sizeof *x;
     memcpy(NV_DATA_S(work->state), x, bytes);
+    if (work->sides) find_sides(work);
     if (CVodeReInit(work->memory, 0.0, work->state) != CV_SUCCESS) return WHIRL_STUCK;
     CVodeSetStopTime(work->memory, period);
     double t = 0.0;
