@@ -275,11 +275,12 @@ export class Chart implements Figure {
   private axis(index: 0 | 1, size: number): uPlot.Axis {
     const horizontal = index === 0;
     const bare = horizontal && this.spec.bareX === true;
+    const face = font(Math.round(size)); // uPlot reads whole pixels only
     return {
       stroke: () => theme().muted,
-      font: font(size),
+      font: face,
       label: bare ? '' : horizontal ? this.xLabel : this.yLabel,
-      labelFont: font(size),
+      labelFont: face,
       labelSize: bare ? 0 : size * 1.5,
       labelGap: 0,
       size: horizontal ? (bare ? 0 : size * 1.9) : size * 4.6,
