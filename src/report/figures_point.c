@@ -321,7 +321,8 @@ static void write_line_labels(FILE *script, const subject *of, double highest, i
         if (!peak_stands_alone(&peaks[k], labelled, count, 0.025 * highest)) continue;
         char text[32];
         const int letters = snprintf(text, sizeof text, "%.3g", fabs(peaks[k].place));
-        const double wide = 0.017 * highest * letters, tall = 0.07 * peaks[0].height;
+        // Half a letter between neighbours.
+        const double wide = 0.017 * highest * (letters + 0.5), tall = 0.07 * peaks[0].height;
         const int neighbour = neighbour_side(peaks, found, &peaks[k], wide, tall);
         const label here = place_label(&peaks[k], neighbour, placed, count, wide, tall);
         if (!here.side) continue;

@@ -24,6 +24,28 @@ interface Peak {
   readonly amplitude: number;
 }
 
+/// Where a label stands: its middle, half its width and its lower edge, in the pen's pixels.
+interface Place {
+  readonly centre: number;
+  readonly half: number;
+  readonly bottom: number;
+}
+
+/// Right above a peak at (x, y), to either side of it, or a line higher.
+function places(x: number, y: number, half: number, size: number, frame: Frame): Place[] {
+  const line = 1.1 * size;
+  const above = Math.max(y - 0.2 * size, frame.top + line);
+  const inside = (centre: number) => Math.min(Math.max(centre, frame.left + half), frame.left + frame.width - half);
+  return [above, above - line]
+    .filter((bottom) => bottom >= frame.top + size)
+    .flatMap((bottom) => [x, x - 0.8 * half, x + 0.8 * half].map((centre) => ({ centre: inside(centre), half, bottom })));
+}
+
+/// Whether two labels keep half a letter's distance.
+function apart(one: Place, other: Place, size: number): boolean {
+  return Math.abs(one.centre - other.centre) > one.half + other.half + 0.3 * size || Math.abs(one.bottom - other.bottom) > 1.05 * size;
+}
+
 const EMPTY: Curve = { frequency: new Float64Array(0), amplitudes: [] };
 
 abstract class SpectralPanel extends Panel {
@@ -80,20 +102,20 @@ abstract class SpectralPanel extends Panel {
     pen.fillStyle = colours.ink;
     pen.textAlign = 'center';
     pen.textBaseline = 'bottom';
-    const taken: (readonly [left: number, right: number, bottom: number])[] = [];
+    const taken: Place[] = [];
+    const higher: (readonly [x: number, y: number])[] = [];
     for (const peak of this.peaks) {
       const [x, y] = [frame.x(peak.frequency), frame.y(peak.amplitude)];
       const text = this.subject!.units.frequency === 'Hz' ? shown(Math.abs(peak.frequency), 4) : `${shown(Math.abs(peak.frequency), 3)}X`;
       const half = 0.3 * size * text.length;
       if (x < frame.left || x > frame.left + frame.width || taken.length >= MOST_LABELS) continue;
-      const centre = Math.min(Math.max(x, frame.left + half), frame.left + frame.width - half);
-      // A line higher where another label stands, as long as there is room.
-      let bottom = Math.max(y - 0.2 * size, frame.top + 1.1 * size);
-      const free = () => taken.every(([left, right, other]) => centre + half < left || centre - half > right || Math.abs(bottom - other) > 1.05 * size);
-      for (let tries = 0; tries < 1 && !free(); tries++) bottom -= 1.1 * size;
-      if (!free() || bottom < frame.top + size) continue;
-      taken.push([centre - half, centre + half, bottom]);
-      pen.fillText(text, centre, bottom);
+      const free = places(x, y, half, size, frame).filter((place) => taken.every((other) => apart(place, other, size)));
+      // Off the lines of higher peaks, if it can be.
+      const chosen = free.find((place) => higher.every(([at, top]) => Math.abs(place.centre - at) > half || top > place.bottom)) ?? free[0];
+      higher.push([x, y]);
+      if (!chosen) continue;
+      taken.push(chosen);
+      pen.fillText(text, chosen.centre, chosen.bottom);
     }
   }
 }
