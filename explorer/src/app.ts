@@ -10,7 +10,7 @@ import { machinesOf, scalesOf, shortName, type Machine } from './model/machine';
 import { awaitedDiagram, recompute } from './model/recompute';
 import { assignmentTexts, readAddress, writeAddress, type Address, type Computation } from './model/setting';
 import { SideModel, troubleOf } from './model/side';
-import type { Scales, Units } from './model/units';
+import { readable, type Scales, type Units } from './model/units';
 import { Watch } from './model/watch';
 import { Help } from './view/help';
 import { MapCard } from './view/map_card';
@@ -666,7 +666,7 @@ export class App {
     const point = diagram?.nearest(value) ?? -1;
     if (!diagram || point < 0) return this.missing;
     const [verdict, reason] = diagram.verdicts[point]!;
-    return `Nearest stored point, ${this.address.parameter} = ${Number(diagram.values[point]!.toPrecision(6))}: ${verdict}; ${reason}. ${this.missing}`;
+    return `Nearest stored point, ${this.address.parameter} = ${Number(diagram.values[point]!.toPrecision(6))}: ${verdict}; ${readable(reason)}. ${this.missing}`;
   }
 
   private showSettings(): void {

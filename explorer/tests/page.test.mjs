@@ -53,6 +53,8 @@ test('a click gives the motion at exactly that value, with the verdict of whirl 
   writeFileSync(join(folder, 'one.yaml'), text);
   const [point] = JSON.parse(command('run', 'one.yaml', '--json', '-q')).points;
   assert.equal(verdict, point.verdict);
+  assert.match(point.reason, /exponent -?[\d.]+ \+- [\d.]+ per/);
+  assert.match(await page.textContent('.pane-a .reason'), /exponent -?[\d.]+ \u00b1 [\d.]+ per/);
   assert.deepEqual(complaints, []);
   await close();
 });

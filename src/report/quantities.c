@@ -65,6 +65,8 @@ void reason_text(const whirl_verdict *verdict, char *text, size_t size) {
     const shown_estimate exponent = estimate_shown(verdict->exponent);
     copy.exponent = (whirl_estimate){exponent.value, exponent.error};
     whirl_verdict_reason(&copy, text, size);
+    // The sentence is plain ASCII, for terminals.
+    for (char *at = strstr(text, "+-"); at; at = strstr(at, "+-")) memcpy(at, "\u00b1", 2);
 }
 
 double max_radius(const whirl_table *table, size_t point, size_t station) {

@@ -69,6 +69,11 @@ export function shown(value: number, digits = 4): string {
   return plain.replace('-', '\u2212');
 }
 
+/// A sentence of the core, which writes plain ASCII for terminals, as it is read on a page.
+export function readable(sentence: string): string {
+  return sentence.replaceAll('+-', '\u00b1');
+}
+
 /// The same for a text that a program reads: a plain minus.
 export function written(value: number, digits = 9): string {
   return String(Number(value.toPrecision(digits)));

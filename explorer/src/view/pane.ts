@@ -4,7 +4,7 @@ import { button, el, select } from '../dom';
 import type { Diagram } from '../data/diagram';
 import type { PointResult, StationInfo, Verdict } from '../engine/protocol';
 import { regimeClass } from '../data/regimes';
-import { parameterMeasure, shown, written, type Scales, type Units } from '../model/units';
+import { parameterMeasure, readable, shown, written, type Scales, type Units } from '../model/units';
 import { CentrelinePanel } from './centreline';
 import { OrbitPanel, type Trail } from './orbit';
 import type { Panel, Subject } from './panel';
@@ -157,7 +157,7 @@ export class Pane {
     this.verdict.className = 'verdict';
     if (verdict) this.verdict.classList.add(`class-${regimeClass(REGIME_CODES[verdict.regime] ?? 0, verdict.period)}`);
     this.confidence.textContent = verdict?.confidence ? `confidence ${verdict.confidence}` : '';
-    this.reason.textContent = verdict?.reason ?? '';
+    this.reason.textContent = readable(verdict?.reason ?? '');
   }
 }
 

@@ -184,6 +184,19 @@ static void errors_are_shown_with_two_digits(void **state) {
     assert_true(isnan(estimate_shown((whirl_estimate){(double)NAN, (double)NAN}).value));
 }
 
+static void reasons_are_written_for_pages(void **state) {
+    (void)state;
+    const whirl_verdict verdict = {.regime = WHIRL_PERIODIC,
+                                   .period = 2,
+                                   .recurrence = 1e-11,
+                                   .recurrence_period = 2,
+                                   .exponent = {-0.164912, 4.9e-4}};
+    char text[512];
+    reason_text(&verdict, text, sizeof text);
+    assert_non_null(strstr(text, "-0.1649 \u00b1 0.0005 per revolution"));
+    assert_null(strstr(text, "+-"));
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(html_is_escaped),
@@ -193,6 +206,7 @@ int main(void) {
         cmocka_unit_test(folders_are_made_with_those_above),
         cmocka_unit_test(neighbouring_points_of_a_regime_merge),
         cmocka_unit_test(errors_are_shown_with_two_digits),
+        cmocka_unit_test(reasons_are_written_for_pages),
         cmocka_unit_test(axes_never_shrink_to_noise),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
