@@ -2,15 +2,16 @@
 import { Diagram } from './data/diagram';
 import type { Run } from './data/run';
 import { copyText, download, el } from './dom';
-import type { Engine, Setting, StationInfo, SweepProgress } from './engine/protocol';
+import type { Engine, Setting, StationInfo } from './engine/protocol';
 import type { Range } from './figure/chart';
 import { setDark } from './figure/figure';
 import { caseEdits, commandOf } from './model/keep';
 import { machinesOf, scalesOf, shortName, type Machine } from './model/machine';
-import { awaitedDiagram, recompute } from './model/recompute';
+import { firstValue, plannedRange, sweptParameter, valueOf } from './model/original';
 import { assignmentTexts, readAddress, writeAddress, type Address, type Computation } from './model/setting';
 import { SideModel, troubleOf } from './model/side';
-import { readable, type Scales, type Units } from './model/units';
+import { Sights, type Sight } from './model/sights';
+import { readable, unitsFor, type Scales, type Units } from './model/units';
 import { Watch } from './model/watch';
 import { Help } from './view/help';
 import { MapCard } from './view/map_card';
@@ -18,18 +19,6 @@ import { Pane, type PaneListener, type SideName } from './view/pane';
 import { fileName } from './view/panel';
 import { SettingsCard } from './view/settings_card';
 import { Topbar } from './view/topbar';
-
-/// A diagram that was looked at.
-interface Sight {
-  readonly diagram: Diagram | undefined;
-  range: Range;
-  /// The assignments that it was computed with.
-  readonly of: string;
-  readonly text: string;
-}
-
-const LENGTHS = { draft: { transient: 100, record: 50, settle: true }, quick: { transient: 400, record: 100, settle: true } } as const;
-const DRAFT_STEPS = 256;
 
 export class App {
   readonly root = el('div', { class: 'app' });
@@ -40,8 +29,7 @@ export class App {
   private readonly panes: Readonly<Record<SideName, Pane>>;
   private active: SideName = 'a';
   private originals = new Map<string, NonNullable<SideModel['info']>>();
-  private sights: Sight[] = [];
-  private sweeping: AbortController | undefined;
+  private readonly sights: Sights;
   private watches: Partial<Record<SideName, Watch>> = {};
   private hidden: ReadonlySet<number> = new Set();
   private readonly topbar: Topbar;
@@ -50,7 +38,6 @@ export class App {
   private readonly help = new Help();
   private dirty = new Set<'all' | SideName | 'grow'>();
   private addressTimer = 0;
-  private sweepProgress: SweepProgress | undefined;
 
   constructor(
     runs: readonly Run[],
@@ -59,10 +46,15 @@ export class App {
     private readonly missing: string,
   ) {
     this.machines = machinesOf(runs, engine !== undefined);
-    this.address = readAddress(location.hash, this.defaultUnits(this.machines[0]));
+    this.address = readAddress(location.hash, unitsFor(this.machines[0]?.run?.length_scale ?? 1));
     this.machine = this.machines.find(({ name }) => name === this.address.run) ?? this.machines[0]!;
     const side = (name: SideName) => new SideModel(name, engine, { changed: () => this.later(name) });
     this.sides = { a: side('a'), b: side('b') };
+    this.sights = new Sights(engine, {
+      changed: () => this.later('all'),
+      grown: () => this.later('grow'),
+      progress: (now) => this.card.progress(now),
+    });
     const pane = (name: SideName) => new Pane(name, this.paneListener());
     this.panes = { a: pane('a'), b: pane('b') };
     this.topbar = new Topbar({
@@ -75,8 +67,8 @@ export class App {
     this.card = new MapCard({
       cursor: (value, settled) => this.cursor(this.active, value, settled),
       brushed: (range) => this.brushed(range),
-      viewed: (range) => this.viewed(range),
-      back: () => this.back(),
+      viewed: (range) => this.sights.view(range, this.whole),
+      back: () => this.sights.back(),
       quantity: (id) => this.change({ quantity: id }),
       station: (index) => this.change({ station: this.stations[index]?.name ?? '' }),
       parameter: (name) => void this.setParameter(name),
@@ -84,9 +76,9 @@ export class App {
         this.hidden = classes;
         this.later('all');
       },
-      reset: () => this.resetView(),
+      reset: () => this.sights.reset(this.whole),
       recompute: () => void this.recompute(this.sight.range),
-      cancel: () => this.sweeping?.abort(),
+      cancel: () => this.sights.stop(),
     });
     this.settings = new SettingsCard({
       assigned: (name, text, settled) => this.assign(name, text, settled),
@@ -119,12 +111,12 @@ export class App {
   // ---------------------------------------------------------------- what is shown
 
   private get sight(): Sight {
-    return this.sights.at(-1)!;
+    return this.sights.shown!;
   }
 
   /// The range of the first diagram.
   private get whole(): Range {
-    return this.sights[0]?.diagram?.span ?? this.plannedRange();
+    return this.sights.first?.diagram?.span ?? plannedRange(this.original, this.address.parameter);
   }
 
   private get side(): SideModel {
@@ -164,12 +156,6 @@ export class App {
     return table?.parameter && table.parameter === this.address.parameter ? Diagram.stored(table) : undefined;
   }
 
-  private defaultUnits(machine: Machine | undefined): Units {
-    // Dimensionless cases have a length scale of 1 m: micrometres would say nothing there.
-    const plain = (machine?.run?.length_scale ?? 1) >= 0.1;
-    return { length: plain ? 'scale' : 'um', speed: plain ? 'rad/s' : 'rpm', frequency: 'order', amplitude: '0-p' };
-  }
-
   // ---------------------------------------------------------------- a machine is opened
 
   private async open(): Promise<void> {
@@ -177,7 +163,7 @@ export class App {
       this.endWatch(name);
       this.sides[name].forget();
     }
-    this.sights = [];
+    this.sights.open();
     this.sides.a.choice = this.address.a;
     if (this.address.b) this.sides.b.choice = this.address.b;
     const { machine } = this;
@@ -190,7 +176,7 @@ export class App {
       if (outcome.ok) this.originals.set(machine.name, outcome.value);
       else if (outcome.why !== 'stale') this.sides.a.trouble = troubleOf(outcome);
       if (machine !== this.machine) return;
-      if (outcome.ok && !machine.run && !location.hash.includes('units=')) this.address.units = this.unitsFor(outcome.value.lengthScale);
+      if (outcome.ok && !machine.run && !location.hash.includes('units=')) this.address.units = unitsFor(outcome.value.lengthScale, this.address.units);
     }
     if (!early) this.openParameter();
     this.chooseValue();
@@ -199,41 +185,24 @@ export class App {
     if (!this.sight.diagram) void this.recompute(this.sight.range, true);
   }
 
-  private unitsFor(length: number): Units {
-    return length >= 0.1 ? { ...this.address.units, length: 'scale', speed: 'rad/s' } : { ...this.address.units, length: 'um', speed: 'rpm' };
-  }
-
   /// The first sight: the stored diagram, or an empty one over the range of the sweep.
   private openParameter(): void {
     const { run } = this.machine;
-    const swept = run?.tables[0]?.parameter || this.original?.batches.find(({ parameter }) => parameter)?.parameter;
+    const swept = sweptParameter(this.original, run?.tables[0]?.parameter);
     const known = this.original?.parameters.some(({ name }) => name === this.address.parameter) || this.address.parameter === swept;
-    if (!known) this.address.parameter = swept ?? this.original?.parameters.find(({ expression }) => !expression)?.name ?? '';
+    if (!known) this.address.parameter = swept;
     const diagram = this.storedDiagram;
-    const whole = diagram?.span ?? this.plannedRange();
-    this.sights = [{ diagram, range: whole, of: '', text: diagram ? this.storedText(diagram) : '' }];
-    if (this.address.range) this.sights[0]!.range = this.address.range;
-    this.later('all');
+    const range = this.address.range ?? diagram?.span ?? plannedRange(this.original, this.address.parameter);
+    this.sights.open({ diagram, range, of: '', text: diagram ? this.storedText(diagram) : '' });
   }
 
   private chooseValue(): void {
     const { a } = this.sides;
-    if (!Number.isFinite(a.choice.value)) a.choice = { ...a.choice, value: this.firstValue(this.whole) };
+    if (!Number.isFinite(a.choice.value)) a.choice = { ...a.choice, value: this.firstValue };
   }
 
-  private plannedRange(): Range {
-    const batch = this.original?.batches.find(({ parameter, values }) => parameter === this.address.parameter && values.length > 1);
-    if (batch) return [Math.min(...batch.values), Math.max(...batch.values)];
-    const value = this.original?.parameters.find(({ name }) => name === this.address.parameter)?.value ?? 1;
-    return value === 0 ? [-1, 1] : [Math.min(value / 2, value * 1.5), Math.max(value / 2, value * 1.5)];
-  }
-
-  /// The first value that the case looks at closely; the middle of its sweep; what the case says of any other parameter.
-  private firstValue([low, high]: Range): number {
-    const mine = this.original?.batches.filter(({ parameter }) => parameter === this.address.parameter) ?? [];
-    const detail = mine.find(({ name }) => name === 'detail')?.values[0];
-    const own = this.original?.parameters.find(({ name }) => name === this.address.parameter)?.value;
-    return detail ?? (mine.length === 0 ? own : undefined) ?? (low + high) / 2;
+  private get firstValue(): number {
+    return firstValue(this.original, this.address.parameter, this.whole);
   }
 
   private storedText(diagram: Diagram): string {
@@ -246,11 +215,11 @@ export class App {
   private choose(name: string): void {
     const machine = this.machines.find((each) => each.name === name);
     if (!machine || machine === this.machine) return;
-    this.sweeping?.abort();
+    this.sights.stop();
     this.machine = machine;
     const { units } = this.address;
     this.address = { ...readAddress('', units), run: name };
-    this.address.units = this.unitsFor(machine.run?.length_scale ?? this.original?.lengthScale ?? 1);
+    this.address.units = unitsFor(machine.run?.length_scale ?? this.original?.lengthScale ?? 1, units);
     this.active = 'a';
     void this.open();
   }
@@ -258,7 +227,7 @@ export class App {
   private readHash(): void {
     const address = readAddress(location.hash, this.address.units);
     if (writeAddress(address) === writeAddress(this.currentAddress())) return;
-    this.sweeping?.abort();
+    this.sights.stop();
     this.address = address;
     this.machine = this.machines.find(({ name }) => name === address.run) ?? this.machine;
     void this.open();
@@ -307,7 +276,7 @@ export class App {
   private assign(name: string, text: string | undefined, settled: boolean): void {
     const side = this.side;
     if (name === this.address.parameter) {
-      const value = text === undefined ? this.firstValue(this.whole) : this.valueOf(name, text);
+      const value = text === undefined ? this.firstValue : valueOf(this.original, name, text);
       if (Number.isFinite(value)) this.cursor(this.active, value, settled);
       return;
     }
@@ -317,15 +286,6 @@ export class App {
     side.choice = { ...side.choice, assignments };
     this.endWatch(this.active);
     void this.refreshSide(side, settled);
-  }
-
-  /// A text of the parameter's own slider, in SI: its unit's size follows from the case.
-  private valueOf(name: string, text: string): number {
-    const [, figures = '', unit = ''] = /^(\S+)\s*(.*)$/.exec(text) ?? [];
-    const parameter = this.original?.parameters.find((each) => each.name === name);
-    if (unit === 'rpm') return (Number(figures) * Math.PI) / 30;
-    const [, number, written] = /^\s*([-+0-9.eE]+)\s+(\S.*?)\s*$/.exec(parameter?.written ?? '') ?? [];
-    return unit && unit === written && parameter ? (Number(figures) * parameter.value) / Number(number) : Number(figures);
   }
 
   private setComputation(computation: Computation): void {
@@ -352,7 +312,7 @@ export class App {
   }
 
   private async setParameter(name: string): Promise<void> {
-    this.sweeping?.abort();
+    this.sights.stop();
     this.address.parameter = name;
     this.address.range = undefined;
     for (const side of Object.values(this.sides)) {
@@ -389,66 +349,21 @@ export class App {
 
   // ---------------------------------------------------------------- the diagram
 
-  private viewed(range: Range): void {
-    const [low, high] = this.whole;
-    const span = Math.min(range[1] - range[0], 3 * (high - low));
-    if (!(span > Math.abs(range[0]) * 1e-9)) return;
-    this.sight.range = [range[0], range[0] + span];
-    this.later('all');
-  }
-
   private brushed(range: Range): void {
     if (this.engine) void this.recompute(range);
-    else {
-      this.sights.push({ ...this.sight, range });
-      this.later('all');
-    }
+    else this.sights.enlarge(range);
   }
 
-  private back(): void {
-    if (this.sights.length < 2) return;
-    this.sweeping?.abort();
-    this.sights.pop();
-    this.later('all');
-  }
-
-  private resetView(): void {
-    this.sweeping?.abort();
-    const first = this.sights[0]!;
-    this.sights = [{ ...first, range: this.whole }];
-    this.later('all');
-  }
-
-  /// Computes the diagram over a range with the active setting; the one before stays behind it.
-  private async recompute(range: Range, first = false): Promise<void> {
-    if (!this.engine || !this.address.parameter) return;
-    this.sweeping?.abort();
-    const mine = (this.sweeping = new AbortController());
+  /// Computes the diagram over a range with the active setting.
+  private async recompute([low, high]: Range, first = false): Promise<void> {
+    const { parameter } = this.address;
+    if (!parameter) return;
     const { side } = this;
-    const setting = this.settingOf(side);
-    const { quality } = this.card;
-    const batch = this.original?.batches[0];
-    const drafted: Setting =
-      quality === 'case' ? setting : { ...setting, integrate: { stepsPerRevolution: DRAFT_STEPS, ...setting.integrate }, record: { ...LENGTHS[quality], ...setting.record } };
-    const plan = { setting: drafted, parameter: this.address.parameter, low: range[0], high: range[1], points: this.card.points, batch };
-    const diagram = awaitedDiagram(plan);
-    const sight: Sight = { diagram, range, of: assignmentTexts(side.choice.assignments).join('; '), text: `Computed here, ${quality}: ${diagram.count} points.` };
-    if (first) this.sights = [sight];
-    else this.sights.push(sight);
-    this.showProgress(mine, { pointsDone: 0, pointsTotal: diagram.count, revolutionsDone: 0, revolutionsTotal: 0 });
+    const plan = { setting: this.settingOf(side), parameter, low, high, points: this.card.points, batch: this.original?.batches[0] };
+    const trouble = await this.sights.compute(plan, this.card.quality, assignmentTexts(side.choice.assignments).join('; '), first);
+    if (!trouble) return;
+    side.trouble = trouble;
     this.later('all');
-    const trouble = await recompute(this.engine, plan, diagram, { grown: () => this.later('grow'), progress: (now) => this.showProgress(mine, now) }, mine.signal);
-    if (mine !== this.sweeping) return;
-    this.sweeping = undefined;
-    this.showProgress(undefined, undefined);
-    if (trouble) side.trouble = trouble;
-    this.later('all');
-  }
-
-  private showProgress(of: AbortController | undefined, now: SweepProgress | undefined): void {
-    if (of && of !== this.sweeping) return;
-    this.sweepProgress = now;
-    this.card.progress(now);
   }
 
   // ---------------------------------------------------------------- watching a motion settle
@@ -544,7 +459,7 @@ export class App {
   // ---------------------------------------------------------------- address, theme, keys
 
   private currentAddress(): Address {
-    const view = this.sight?.range;
+    const view = this.sights.shown?.range;
     const { whole } = this;
     const zoomed = view && (view[0] !== whole[0] || view[1] !== whole[1]);
     return {
@@ -566,7 +481,7 @@ export class App {
     document.documentElement.classList.toggle('dark', dark);
     for (const pane of Object.values(this.panes)) pane.redraw();
     this.card.map.refresh();
-    if (this.sights.length) this.later('all');
+    if (this.sights.shown) this.later('all');
   }
 
   private toggleTheme(): void {
@@ -583,7 +498,7 @@ export class App {
     const typing = event.target instanceof HTMLInputElement || event.target instanceof HTMLSelectElement;
     if (event.key === '?' && !typing) this.openHelp();
     if (event.key === 'Escape') {
-      this.sweeping?.abort();
+      this.sights.stop();
       for (const name of ['a', 'b'] as const) this.endWatch(name);
     }
   }
@@ -598,7 +513,7 @@ export class App {
   private draw(): void {
     const dirty = this.dirty;
     this.dirty = new Set();
-    if (!this.sights.length) return;
+    if (!this.sights.shown) return;
     if (dirty.has('all')) this.showAll();
     else if (dirty.has('grow')) this.card.grow();
     for (const name of this.shownSides()) if (dirty.has('all') || dirty.has(name)) this.showPane(name);
@@ -628,13 +543,13 @@ export class App {
       range: sight.range,
       hidden: this.hidden,
       parameters: this.original?.parameters.map(({ name }) => name) ?? [this.address.parameter],
-      depth: this.sights.length - 1,
+      depth: this.sights.behind,
       computes: this.engine !== undefined,
       status: stale ? `${sight.text} The parameters have been changed since: Recompute shows the diagram of the changed machine.` : sight.text,
       stale,
       name: shortName(this.machine),
     });
-    this.card.progress(this.sweepProgress);
+    this.card.progress(this.sights.progress);
   }
 
   private showPane(name: SideName): void {

@@ -25,6 +25,12 @@ export interface Scales {
   readonly symbol: string;
 }
 
+/// Units that suit a machine's length scale [m]: micrometres say nothing of a dimensionless case, whose scale is 1 m.
+export function unitsFor(length: number, others: Pick<Units, 'frequency' | 'amplitude'> = { frequency: 'order', amplitude: '0-p' }): Units {
+  const { frequency, amplitude } = others;
+  return length >= 0.1 ? { length: 'scale', speed: 'rad/s', frequency, amplitude } : { length: 'um', speed: 'rpm', frequency, amplitude };
+}
+
 export interface Measure {
   readonly factor: number;
   readonly unit: string;

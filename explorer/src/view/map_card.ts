@@ -3,6 +3,7 @@ import { QUANTITIES } from '../data/quantities';
 import { CLASS_NAMES } from '../data/regimes';
 import { button, el, Segments, select, setChoices, type Choice } from '../dom';
 import type { SweepProgress } from '../engine/protocol';
+import type { Quality } from '../model/sights';
 import { MapView, type MapListener, type MapSubject, type Mode } from './map';
 import { fileName, saveMenu } from './panel';
 
@@ -27,9 +28,6 @@ export interface MapCardSubject extends MapSubject {
   readonly stale: boolean;
   readonly name: string;
 }
-
-/// How well a diagram is computed.
-export type Quality = 'draft' | 'quick' | 'case';
 
 const POINTS: readonly Choice[] = [64, 128, 256, 512, 1024].map((count) => ({ value: String(count), text: `${count} points` }));
 const QUALITIES: readonly Choice[] = [

@@ -1,0 +1,35 @@
+// What the case itself says of a parameter: the range to look at, the value to begin with, the size of its unit.
+import type { CaseInfo } from '../engine/protocol';
+
+type Range = readonly [number, number];
+
+/// The range of its sweep; without one, half around its value.
+export function plannedRange(original: CaseInfo | undefined, parameter: string): Range {
+  const batch = original?.batches.find((each) => each.parameter === parameter && each.values.length > 1);
+  if (batch) return [Math.min(...batch.values), Math.max(...batch.values)];
+  const value = original?.parameters.find(({ name }) => name === parameter)?.value ?? 1;
+  return value === 0 ? [-1, 1] : [Math.min(value / 2, value * 1.5), Math.max(value / 2, value * 1.5)];
+}
+
+/// The first value that the case looks at closely; the middle of its sweep; what the case says of any other parameter.
+export function firstValue(original: CaseInfo | undefined, parameter: string, [low, high]: Range): number {
+  const mine = original?.batches.filter((batch) => batch.parameter === parameter) ?? [];
+  const detail = mine.find(({ name }) => name === 'detail')?.values[0];
+  const own = original?.parameters.find(({ name }) => name === parameter)?.value;
+  return detail ?? (mine.length === 0 ? own : undefined) ?? (low + high) / 2;
+}
+
+/// A text of the parameter's own slider, in SI: its unit's size follows from the case.
+export function valueOf(original: CaseInfo | undefined, name: string, text: string): number {
+  const [, figures = '', unit = ''] = /^(\S+)\s*(.*)$/.exec(text) ?? [];
+  const parameter = original?.parameters.find((each) => each.name === name);
+  if (unit === 'rpm') return (Number(figures) * Math.PI) / 30;
+  const [, number, written] = /^\s*([-+0-9.eE]+)\s+(\S.*?)\s*$/.exec(parameter?.written ?? '') ?? [];
+  return unit && unit === written && parameter ? (Number(figures) * parameter.value) / Number(number) : Number(figures);
+}
+
+/// The parameter that a diagram runs along where none is asked for.
+export function sweptParameter(original: CaseInfo | undefined, stored: string | undefined): string {
+  const swept = stored || original?.batches.find(({ parameter }) => parameter)?.parameter;
+  return swept ?? original?.parameters.find(({ expression }) => !expression)?.name ?? '';
+}
