@@ -1,56 +1,131 @@
 #!/bin/bash
-# Writes the tables of docs/verification-manual.md:  scripts/verification-table.sh BUILD
-# Runs the validation programs of the build, all motions of the verdicts included. Their logs have a line for every number compared,
+# Writes the tables of docs/verification-manual.md:  scripts/verification-table.sh BUILD [PROGRAM...]
+#
+# Runs the validation programs of the build, all motions of the verdicts included, and says which test of how many is running.
+# With names (validation_test_rub ...) only these run; of the others the logs of the last time are taken, from
+# BUILD/verification, as long as they are not older than their programs. The logs have a line for every number compared,
 #     A3 | what | expected | obtained | difference | tolerance
-# and what stands between `<!-- table A3 -->` and `<!-- end -->` in the manual is replaced by the lines of A3.
+# and what stands between `<!-- table A3 -->` and `<!-- end -->` in the manual is replaced by the lines of A3. Where a test
+# fails, a log is not whole or lacks a row that the manual has, that is said and the manual stays as it is.
 set -euo pipefail
 build=${1:-build}
+[ $# -eq 0 ] || shift
 manual=docs/verification-manual.md
-log=$(mktemp) fresh=$(mktemp)
-trap 'rm -f "$log" "$fresh"' EXIT
+logs=$build/verification
+fresh=$(mktemp)
+trap 'rm -f "$fresh"' EXIT
 
-status=0
-export WHIRL_SOAK=1
-for program in "$build"/tests/validation_test_*; do
-    [ -x "$program" ] || continue
-    echo "running $(basename "$program")" >&2
-    "$program" >>"$log" || status=1
-done
-if ! grep -q ' | ' "$log"; then
-    echo "verification table: no validation program was found in $build/tests" >&2
+say() { echo "verification table: $*" >&2; }
+
+mapfile -t programs < <(find "$build/tests" -maxdepth 1 -name 'validation_test_*' -type f -executable | LC_ALL=C sort)
+if [ ${#programs[@]} -eq 0 ]; then
+    say "no validation program was found in $build/tests"
     exit 1
 fi
+for name in "$@"; do
+    [ -x "$build/tests/$name" ] && continue
+    say "there is no program $name in $build/tests"
+    exit 1
+done
 
-awk -v log_file="$log" '
+# ---- the logs
+
+failures=0
+fail() {
+    say "$*"
+    failures=$((failures + 1))
+}
+
+show_progress() { # what the lines of the program's log begin with
+    local line test=0 of='?'
+    while IFS= read -r line; do
+        if [[ $line =~ Running\ ([0-9]+)\ test ]]; then
+            of=${BASH_REMATCH[1]}
+        elif [[ $line == "[ RUN      ] "* ]]; then
+            test=$((test + 1))
+            echo "$1: test $test of $of, ${line#*] }, after $SECONDS s" >&2
+        fi
+    done
+}
+
+run_program() { # PROGRAM LOG PLACE
+    if ! WHIRL_SOAK=1 "$1" 2>"$2.errors" | tee "$2" | show_progress "$3"; then
+        fail "$(basename "$1") failed:"
+        cat "$2.errors" >&2
+        rm -f "$2"
+    fi
+    rm -f "$2.errors"
+}
+
+# Whole: as many tests were run as were begun with, and something was compared.
+check_log() { # PROGRAM LOG
+    local begun ended
+    begun=$(sed -nE 's/^\[=+\].* ([0-9]+) test\(s\)\.$/\1/p' "$2" | head -1)
+    ended=$(sed -nE 's/^\[=+\].* ([0-9]+) test\(s\) run\.$/\1/p' "$2" | head -1)
+    if [ -z "$begun" ] || [ "$begun" != "$ended" ]; then
+        fail "$2 ends early: ${ended:-0} of ${begun:-?} tests were run to their end"
+    elif ! grep -q ' | ' "$2"; then
+        fail "$2 has no row: $(basename "$1") compared nothing"
+    fi
+}
+
+mkdir -p "$logs"
+place=0
+for program in "${programs[@]}"; do
+    name=$(basename "$program")
+    log=$logs/$name.log
+    place=$((place + 1))
+    if [ $# -eq 0 ] || [[ " $* " == *" $name "* ]]; then
+        run_program "$program" "$log" "program $place of ${#programs[@]}, $name"
+        [ -e "$log" ] || continue
+    elif [ ! -e "$log" ] || [ "$log" -ot "$program" ]; then
+        fail "$name has no log of this build: name it, too, or none"
+        continue
+    fi
+    check_log "$program" "$log"
+done
+[ $failures -eq 0 ] || exit 1
+
+# ---- the manual
+
+for program in "${programs[@]}"; do cat "$logs/$(basename "$program").log"; done | awk '
+    function trim(text) { gsub(/^ +| +$/, "", text); return text }
+    function complain(text) { print "verification table: " text > "/dev/stderr"; bad = 1 }
     function write_table(id) {
         print "\n| what | expected | obtained | difference | tolerance |"
         print "|---|---|---|---|---|"
         for (i = 1; i <= count[id]; i++) print rows[id, i]
         print ""
     }
-    function trim(text) { gsub(/^ +| +$/, "", text); return text }
-    BEGIN {
-        # A bar inside a quantity (|Q|) has no space on both of its sides.
-        while ((getline line < log_file) > 0) {
-            n = split(line, part, / \| ?/)
-            if (n < 5) continue
-            id = trim(part[1])
-            gsub(/\|/, "\\|", part[2])
-            rows[id, ++count[id]] = "| " trim(part[2]) " | " trim(part[3]) " | " trim(part[4]) " | " trim(part[5]) " | " trim(part[6]) " |"
-        }
+    # A bar inside a quantity (|Q|) has no space on both of its sides.
+    FILENAME == "-" {
+        n = split($0, part, / \| ?/)
+        if (n < 5) next
+        id = trim(part[1])
+        gsub(/\|/, "\\|", part[2])
+        rows[id, ++count[id]] = "| " trim(part[2]) " | " trim(part[3]) " | " trim(part[4]) " | " trim(part[5]) " | " trim(part[6]) " |"
+        found[id, trim(part[2])] = 1
+        next
     }
     /^<!-- table .* -->$/ {
         print
-        if (!($3 in count)) { print "verification table: nothing was compared for " $3 > "/dev/stderr"; exit 1 }
-        write_table($3)
-        skipping = 1
+        table = $3
+        written[table] = 1
+        if (table in count) write_table(table)
+        else complain("nothing was compared for " table)
         next
     }
-    /^<!-- end -->$/ { skipping = 0 }
-    !skipping
-' "$manual" >"$fresh"
+    /^<!-- end -->$/ { table = "" }
+    table == "" { print; next }
+    table in count && /^\| / && !/^\| what \| expected / {
+        split(substr($0, 3), part, / \| /)
+        if (!((table, part[1]) in found))
+            complain("no log has this row of table " table ", take it out of the manual if it is no longer compared: " part[1])
+    }
+    END {
+        for (id in count)
+            if (!(id in written)) complain("the manual has no table " id)
+        exit bad
+    }
+' - "$manual" >"$fresh"
 cat "$fresh" >"$manual"
-if [ $status -ne 0 ]; then
-    echo "verification table: a comparison failed" >&2
-fi
-exit $status
