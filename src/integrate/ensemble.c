@@ -154,6 +154,12 @@ static size_t fast_vectors(const whirl_system *system, const isa *set) {
     return choices[i];
 }
 
+/// Lanes that go their own way: several for a slot, so that few slots are idle while the last of them finish.
+static size_t fast_lanes(const whirl_ensemble *e) {
+    enum { ROUNDS = 8 };
+    return e->adaptive ? e->adaptive->slots * ROUNDS : fast_vectors(e->system, e->isa) * e->isa->lanes;
+}
+
 whirl_status whirl_ensemble_new(const whirl_system *system, const whirl_integrate_options *options, size_t lanes,
                                 whirl_ensemble **out) {
     *out = NULL;
@@ -165,17 +171,16 @@ whirl_status whirl_ensemble_new(const whirl_system *system, const whirl_integrat
     if (status.code != WHIRL_OK) return status;
     whirl_ensemble *e = calloc(1, sizeof *e);
     if (!e) return whirl_fail(WHIRL_NO_MEMORY, "no memory for an ensemble");
-    // Lanes that go their own way: several for a slot, so that few slots are idle while the last of them finish.
-    const size_t rounds = strcmp(options->method, "dop853") == 0 ? 4 : 1;
     status = isa_choose(&e->isa);
     if (status.code == WHIRL_OK) {
         e->system = system;
         e->limit = options->limit;
-        if (lanes == 0) lanes = fast_vectors(system, e->isa) * e->isa->lanes * rounds;
+        fill_lanes(e, options);
+        const bool attached = attach_location(e, options);
+        if (lanes == 0 && attached) lanes = fast_lanes(e);
         e->lanes.stride = (lanes + e->isa->lanes - 1) / e->isa->lanes;
         e->lane_count = e->lanes.stride * e->isa->lanes;
-        fill_lanes(e, options);
-        if (!attach_location(e, options) || !allocate(e))
+        if (!attached || !allocate(e))
             status = whirl_fail(WHIRL_NO_MEMORY, "no memory for an ensemble of %zu lanes", e->lane_count);
     }
     if (status.code != WHIRL_OK) {
