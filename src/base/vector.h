@@ -71,10 +71,12 @@ static inline vec v_select(vec_mask mask, vec yes, vec no) {
 static inline int v_any(vec_mask mask) {
     return mask != 0;
 }
-static inline vec v_copysign(vec size, vec sign) {
+/// a, with its sign changed where that of `sign` is negative.
+static inline vec v_flip(vec a, vec sign) {
     const __m512i bit = _mm512_castpd_si512(_mm512_set1_pd(-0.0));
-    return _mm512_castsi512_pd(_mm512_or_si512(_mm512_andnot_si512(bit, _mm512_castpd_si512(size)),
-                                               _mm512_and_si512(bit, _mm512_castpd_si512(sign))));
+    enum { EXCLUSIVE_OR_OF_AND = 0x78 };
+    return _mm512_castsi512_pd(
+        _mm512_ternarylogic_epi64(_mm512_castpd_si512(a), _mm512_castpd_si512(sign), bit, EXCLUSIVE_OR_OF_AND));
 }
 
 /// As whole numbers: the bits of a, or half of them, taken from `magic`. Seeds of Newton's method.
@@ -137,9 +139,8 @@ static inline vec v_select(vec_mask mask, vec yes, vec no) {
 static inline int v_any(vec_mask mask) {
     return _mm256_movemask_pd(mask) != 0;
 }
-static inline vec v_copysign(vec size, vec sign) {
-    const vec bit = _mm256_set1_pd(-0.0);
-    return _mm256_or_pd(_mm256_andnot_pd(bit, size), _mm256_and_pd(bit, sign));
+static inline vec v_flip(vec a, vec sign) {
+    return _mm256_xor_pd(a, _mm256_and_pd(_mm256_set1_pd(-0.0), sign));
 }
 
 static inline vec v_seed(long long magic, vec a) {
@@ -201,9 +202,8 @@ static inline vec v_select(vec_mask mask, vec yes, vec no) {
 static inline int v_any(vec_mask mask) {
     return _mm_movemask_pd(mask) != 0;
 }
-static inline vec v_copysign(vec size, vec sign) {
-    const vec bit = _mm_set1_pd(-0.0);
-    return _mm_or_pd(_mm_andnot_pd(bit, size), _mm_and_pd(bit, sign));
+static inline vec v_flip(vec a, vec sign) {
+    return _mm_xor_pd(a, _mm_and_pd(_mm_set1_pd(-0.0), sign));
 }
 
 static inline vec v_seed(long long magic, vec a) {
@@ -264,8 +264,8 @@ static inline vec v_max(vec a, vec b) {
 static inline vec v_abs(vec a) {
     return (vec){fabs(a[0]), fabs(a[1])};
 }
-static inline vec v_copysign(vec size, vec sign) {
-    return (vec){copysign(size[0], sign[0]), copysign(size[1], sign[1])};
+static inline vec v_flip(vec a, vec sign) {
+    return (vec)((vec_mask)a ^ ((vec_mask)sign & (vec_mask)v_set(-0.0)));
 }
 
 static inline vec v_seed(long long magic, vec a) {
@@ -326,8 +326,8 @@ static inline vec v_select(vec_mask mask, vec yes, vec no) {
 static inline int v_any(vec_mask mask) {
     return mask;
 }
-static inline vec v_copysign(vec size, vec sign) {
-    return copysign(size, sign);
+static inline vec v_flip(vec a, vec sign) {
+    return a * copysign(1.0, sign);
 }
 
 static inline vec v_seed(long long magic, vec a) {

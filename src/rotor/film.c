@@ -53,7 +53,7 @@ static whirl_status build(const key_value *values, const scales *scale, element 
     out->number[FILM_TO_CLEARANCES] = scale->length / values[CLEARANCE].number;
     out->number[FILM_TWICE_TO_CLEARANCES] = 2.0 * out->number[FILM_TO_CLEARANCES];
     out->number[FILM_TWICE_STRENGTH] =
-        2.0 * values[COUNT].number * load / (stiffness_scale(scale, station) * scale->length);
+        FILM_STRENGTH_OF_1 * values[COUNT].number * load / (stiffness_scale(scale, station) * scale->length);
     return whirl_ok();
 }
 
@@ -67,7 +67,7 @@ void whirl_film_force(double x, double y, double vx, double vy, double force[2])
     film_place(&work, 0, x, y, x - 2.0 * vy, y + 2.0 * vx);
     film_divide(&work, 0);
     const film_state film = film_end(&work, 0);
-    film_add(&film, 2.0, &force[0], &force[1]);
+    film_add(&film, FILM_STRENGTH_OF_1, &force[0], &force[1]);
 }
 
 const element_type film_element = {

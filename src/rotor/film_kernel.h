@@ -19,7 +19,10 @@
 #include "elementary.h"
 #include "vector.h"
 
-/// Length scale over clearance, and twice that; twice the count times F0/(m omega^2 length scale).
+/// 2/3^(3/2): the force's factor 2/q^(3/2) is taken as this times sqrt(3/q)^3.
+#define FILM_STRENGTH_OF_1 0.384900179459750509673
+
+/// Length scale over clearance, and twice that; FILM_STRENGTH_OF_1 times the count times F0/(m omega^2 length scale).
 enum { FILM_TO_CLEARANCES, FILM_TWICE_TO_CLEARANCES, FILM_TWICE_STRENGTH, FILM_NUMBERS };
 
 /// Vectors that may be under way in a film at the same time.
@@ -31,25 +34,25 @@ enum { FILM_PLACES = 4 };
 /// A journal at rest in the centre (A = B = 0) feels no force; the 2^-600 in C^2 keeps its quotients finite. Beyond the wall
 /// (q < 0) W is not a number, and the motion counts as diverged.
 typedef struct film_work {
-    vec x[FILM_PLACES], y[FILM_PLACES], A[FILM_PLACES], B[FILM_PLACES];
-    vec q[FILM_PLACES], P[FILM_PLACES], D[FILM_PLACES], W[FILM_PLACES];
-    arctan_fold fold[FILM_PLACES];
-    vec over[FILM_PLACES]; ///< 1/(the fold's denominator times D)
-    vec over_root[FILM_PLACES];
+    struct {
+        vec x, y, A, B;
+        vec q, P, D, W;
+        vec over_D, root; ///< 1/D, sqrt(3/q)
+    } at[FILM_PLACES];
 } film_work;
 
 static inline void film_place(film_work *w, size_t at, vec x, vec y, vec A, vec B) {
     const vec q = v_fnma(y, y, v_fnma(x, x, v_set(1.0)));
     const vec CC = v_fma(A, A, v_fma(B, B, v_set(0x1p-600))), WW = v_mul(q, CC);
     const vec P = v_fms(x, B, v_mul(y, A));
-    w->x[at] = x;
-    w->y[at] = y;
-    w->A[at] = A;
-    w->B[at] = B;
-    w->q[at] = q;
-    w->P[at] = P;
-    w->D[at] = v_fma(P, P, WW);
-    w->W[at] = v_sqrt(WW);
+    w->at[at].x = x;
+    w->at[at].y = y;
+    w->at[at].A = A;
+    w->at[at].B = B;
+    w->at[at].q = q;
+    w->at[at].P = P;
+    w->at[at].D = v_fma(P, P, WW);
+    w->at[at].W = v_sqrt(WW);
 }
 
 static inline void film_begin(const element *film, size_t stride, const vec *number, const vec *q, const vec *v,
@@ -60,41 +63,32 @@ static inline void film_begin(const element *film, size_t stride, const vec *num
     film_place(w, at, x, y, v_fnma(twice, v[j], x), v_fma(twice, v[i], y));
 }
 
-/// One division serves both the angle and 1/D.
 static inline void film_divide(film_work *w, size_t at) {
-    w->fold[at] = v_arctan_fold(w->P[at], w->W[at]);
-    w->over[at] = v_div(v_set(1.0), v_mul(w->fold[at].denominator, w->D[at]));
-    w->over_root[at] = v_inverse_root(w->q[at]);
+    w->at[at].over_D = v_div(v_set(1.0), w->at[at].D);
+    w->at[at].root = v_root_of_3_over(w->at[at].q);
 }
 
 /// What the force is made of.
 typedef struct film_state {
     vec x, y, A, B, P, W, angle;
-    vec over_root, over_D; ///< 1/sqrt q, 1/D
+    vec root;           ///< sqrt(3/q)
+    vec over_D, W_by_D; ///< 1/D, W/D
 } film_state;
 
+/// atan(P/W) by half the cosine and half the sine of its double, W^2/D - 1/2 and P W/D.
 static inline film_state film_end(const film_work *w, size_t at) {
-    const arctan_fold *fold = &w->fold[at];
-    const vec P = w->P[at], quotient = v_mul(fold->numerator, v_mul(w->D[at], w->over[at]));
-    const vec angle = v_add(v_set(1.57079632679489661923), v_arctan_unfold(quotient, fold->centre, P));
-    return (film_state){w->x[at],
-                        w->y[at],
-                        w->A[at],
-                        w->B[at],
-                        P,
-                        w->W[at],
-                        angle,
-                        w->over_root[at],
-                        v_mul(fold->denominator, w->over[at])};
+    const vec P = w->at[at].P, W = w->at[at].W, over_D = w->at[at].over_D, W_by_D = v_mul(W, over_D);
+    const vec arctangent = v_half_angle(v_fms(W, W_by_D, v_set(0.5)), v_mul(P, W_by_D));
+    const vec angle = v_add(v_set(1.57079632679489661923), arctangent);
+    return (film_state){w->at[at].x, w->at[at].y, w->at[at].A,    w->at[at].B, P,
+                        W,           angle,       w->at[at].root, over_D,      W_by_D};
 }
 
-/// Adds half of `twice_strength` times the force to (fx, fy).
-static inline void film_add(const film_state *f, vec twice_strength, vec *fx, vec *fy) {
-    const vec over_q = v_mul(f->over_root, f->over_root);
-    const vec scale = v_mul(v_mul(twice_strength, over_q), f->over_root);
-    const vec U = v_fma(f->x, f->A, v_mul(f->y, f->B));
-    const vec E = v_mul(v_mul(U, f->W), f->over_D);
-    const vec M = v_mul(v_mul(v_set(3.0), over_q), v_fma(f->P, f->angle, f->W));
+/// Adds `strength`/FILM_STRENGTH_OF_1 times the force to (fx, fy).
+static inline void film_add(const film_state *f, vec strength, vec *fx, vec *fy) {
+    const vec three_over_q = v_mul(f->root, f->root), scale = v_mul(v_mul(strength, three_over_q), f->root);
+    const vec U = v_fma(f->x, f->A, v_mul(f->y, f->B)), E = v_mul(U, f->W_by_D);
+    const vec M = v_mul(three_over_q, v_fma(f->P, f->angle, f->W));
     *fx = v_fnma(scale, v_fma(f->x, M, v_fms(f->B, f->angle, v_mul(f->A, E))), *fx);
     *fy = v_fnma(scale, v_fms(f->y, M, v_fma(f->A, f->angle, v_mul(f->B, E))), *fy);
 }
