@@ -23,12 +23,12 @@ static inline void shaft_kernel(const element *shaft, vec c, vec s, size_t strid
                                 vec *a) {
     const size_t one = 2 * shaft->station[0] * stride, other = 2 * shaft->station[1] * stride;
     const int grounded = shaft->station[1] == GROUND;
-    const vec c_y = shaft->law == SHAFT_SIGNS_PAPER ? c : v_sub(v_set(0.0), c);
     const vec dx = grounded ? q[one] : v_sub(q[one], q[other]);
     const vec dy = grounded ? q[one + stride] : v_sub(q[one + stride], q[other + stride]);
     // The force over its scale is -(mean (dx, dy) + half (turn_x, turn_y)).
     const vec turn_x = v_fma(c, dx, v_mul(s, dy));
-    const vec turn_y = v_fma(c_y, dy, v_mul(s, dx));
+    const vec across = v_mul(s, dx);
+    const vec turn_y = shaft->law == SHAFT_SIGNS_PAPER ? v_fma(c, dy, across) : v_fnma(c, dy, across);
     const vec mean = number[SHAFT_MEAN_A * stride], half = number[SHAFT_HALF_A * stride];
     const vec ax = v_fnma(mean, dx, v_fnma(half, turn_x, a[one]));
     const vec ay = v_fnma(mean, dy, v_fnma(half, turn_y, a[one + stride]));
