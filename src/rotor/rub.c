@@ -44,6 +44,7 @@ static whirl_status build(const key_value *values, const scales *scale, element 
     out->number[RUB_FRICTION] = values[FRICTION].number;
     out->number[RUB_SURFACE] = slip ? values[RADIUS].number / scale->length : 0.0;
     out->number[RUB_SLIP_SPEED] = values[SLIP_SPEED].number / (scale->speed * scale->length);
+    out->number[RUB_GAP_SQUARE] = out->number[RUB_GAP] * out->number[RUB_GAP];
     out->number[RUB_NEWTONS] = stiffness_scale(scale, station) * scale->length;
     return whirl_ok();
 }

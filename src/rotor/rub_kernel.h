@@ -17,8 +17,19 @@
 #include "element.h"
 #include "vector.h"
 
-/// Gap, k/(m omega^2), c/(m omega), f, R (the surface's speed by tau), v_0, all in length scales; newtons of a unit of N.
-enum { RUB_GAP, RUB_STIFFNESS, RUB_DAMPING, RUB_FRICTION, RUB_SURFACE, RUB_SLIP_SPEED, RUB_NEWTONS, RUB_NUMBERS };
+/// Gap, k/(m omega^2), c/(m omega), f, R (the surface's speed by tau), v_0, all in length scales; newtons of a unit of N; the
+/// square of the gap.
+enum {
+    RUB_GAP,
+    RUB_STIFFNESS,
+    RUB_DAMPING,
+    RUB_FRICTION,
+    RUB_SURFACE,
+    RUB_SLIP_SPEED,
+    RUB_NEWTONS,
+    RUB_GAP_SQUARE,
+    RUB_NUMBERS
+};
 
 /// The law: the friction's, and whether the contact is damped.
 enum { RUB_LAW_PAPER, RUB_LAW_SLIP, RUB_DAMPED };
@@ -48,8 +59,9 @@ typedef struct rub_place {
     vec push; ///< N/r; 0 where nothing touches
 } rub_place;
 
-static inline vec_mask rub_touching(const element *rub, size_t stride, const vec *sides, vec gap, vec square) {
-    if (!sides) return v_less(v_mul(gap, gap), square);
+static inline vec_mask rub_touching(const element *rub, size_t stride, const vec *number, const vec *sides,
+                                    vec square) {
+    if (!sides) return v_less(number[RUB_GAP_SQUARE * stride], square);
     return v_less(v_set(0.0), rub_damped(rub) ? v_min(sides[0], sides[stride]) : sides[0]);
 }
 
@@ -57,12 +69,12 @@ static inline vec_mask rub_touching(const element *rub, size_t stride, const vec
 VECTOR_INLINE int rub_meet(const element *rub, size_t stride, const vec *number, const vec *sides, const vec *q,
                            const vec *v, rub_place *place) {
     const size_t i = 2 * rub->station[0] * stride, j = i + stride;
-    const vec x = q[i], y = q[j], zero = v_set(0.0), one = v_set(1.0), gap = number[RUB_GAP * stride];
+    const vec x = q[i], y = q[j], zero = v_set(0.0), one = v_set(1.0);
     const vec square = v_fma(x, x, v_mul(y, y));
-    const vec_mask touching = rub_touching(rub, stride, sides, gap, square);
+    const vec_mask touching = rub_touching(rub, stride, number, sides, square);
     if (!v_any(touching)) return 0;
     const vec r = v_sqrt(v_select(touching, square, one));
-    vec push = v_mul(number[RUB_STIFFNESS * stride], v_sub(one, v_div(gap, r)));
+    vec push = v_mul(number[RUB_STIFFNESS * stride], v_sub(one, v_div(number[RUB_GAP * stride], r)));
     if (rub_damped(rub)) {
         const vec along = v_fma(x, v[i], v_mul(y, v[j]));
         push = v_add(push, v_div(v_mul(number[RUB_DAMPING * stride], along), v_select(touching, square, one)));
