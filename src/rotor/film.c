@@ -50,21 +50,22 @@ static whirl_status build(const key_value *values, const scales *scale, element 
     const size_t station = values[AT].station[0];
     out->station[0] = station;
     out->law = values[LAW].choice;
-    out->number[FILM_TO_CLEARANCES] = scale->length / values[CLEARANCE].number;
-    out->number[FILM_TWICE_TO_CLEARANCES] = 2.0 * out->number[FILM_TO_CLEARANCES];
+    const double clearance = values[CLEARANCE].number / scale->length, square = clearance * clearance;
+    out->number[FILM_CLEARANCE] = clearance;
+    out->number[FILM_CLEARANCE_SQUARE] = square;
     out->number[FILM_TWICE_STRENGTH] =
-        FILM_STRENGTH_OF_1 * values[COUNT].number * load / (stiffness_scale(scale, station) * scale->length);
+        FILM_STRENGTH_OF_1 * square * values[COUNT].number * load / (stiffness_scale(scale, station) * scale->length);
     return whirl_ok();
 }
 
 static double bearing_clearance(const element *own) {
-    return 1.0 / own->number[FILM_TO_CLEARANCES];
+    return own->number[FILM_CLEARANCE];
 }
 
 void whirl_film_force(double x, double y, double vx, double vy, double force[2]) {
     film_work work;
     force[0] = force[1] = 0.0;
-    film_place(&work, 0, x, y, x - 2.0 * vy, y + 2.0 * vx);
+    film_place(&work, 0, 1.0, x, y, x - 2.0 * vy, y + 2.0 * vx);
     film_divide(&work, 0);
     const film_state film = film_end(&work, 0);
     film_add(&film, FILM_STRENGTH_OF_1, &force[0], &force[1]);

@@ -1,15 +1,15 @@
 /// The oil film of a short journal bearing, pi film (Capone 1991).
 ///
-/// Lengths in clearances, ' = d/dtau, film thickness h = 1 - x cos phi - y sin phi. With
+/// ' = d/dtau, c the clearance, film thickness h = c - x cos phi - y sin phi; lengths in any unit, that of the rotor here. With
 ///
-///     A = x - 2y',  B = y + 2x',  C = sqrt(A^2 + B^2),  q = 1 - x^2 - y^2
+///     A = x - 2y',  B = y + 2x',  C = sqrt(A^2 + B^2),  q = c^2 - x^2 - y^2
 ///
 /// the film begins at alpha = atan2(-B, -A), so that cos alpha = -A/C and sin alpha = -B/C need no angle. Capone's
-/// G, V, S and the force on the journal (fx, fy) = -(C/q)(3xV - sin a G - 2 cos a S, 3yV + cos a G - 2 sin a S)
-/// become, with P = xB - yA, U = xA + yB, W = C sqrt q and W^2 + P^2 = C^2 - U^2 (which saves a cancellation near the wall),
+/// G, V, S and the force on the journal (fx, fy) = -(C/q)(3xV - sin a G - 2 cos a S, 3yV + cos a G - 2 sin a S), where
+/// lengths are in clearances, become, with P = xB - yA, U = xA + yB, W = C sqrt q and W^2 + P^2 = C^2 - U^2 (which saves a cancellation near the wall),
 ///
 ///     G = (2/sqrt q) angle,   angle = pi/2 + atan(P/W),   S = -U C/D,   D = W^2 + P^2,   C V = (2C + P G)/q,
-///     (fx, fy) = -(2/q^(3/2)) (x M + B angle - A E, y M - A angle - B E),   M = 3(W + P angle)/q,   E = U W/D.
+///     (fx, fy) = -(2c^2/q^(3/2)) (x M + B angle - A E, y M - A angle - B E),   M = 3(W + P angle)/q,   E = U W/D.
 ///
 /// The scale of the force is F0 = mu omega R L (R/c)^2 (L/2R)^2 = mu omega R L^3/(4 c^2).
 #ifndef ROTOR_FILM_KERNEL_H
@@ -19,11 +19,11 @@
 #include "elementary.h"
 #include "vector.h"
 
-/// 2/3^(3/2): the force's factor 2/q^(3/2) is taken as this times sqrt(3/q)^3.
+/// 2/3^(3/2): the force's factor 2/q^(3/2) is this times sqrt(3/q)^3.
 #define FILM_STRENGTH_OF_1 0.384900179459750509673
 
-/// Length scale over clearance, and twice that; FILM_STRENGTH_OF_1 times the count times F0/(m omega^2 length scale).
-enum { FILM_TO_CLEARANCES, FILM_TWICE_TO_CLEARANCES, FILM_TWICE_STRENGTH, FILM_NUMBERS };
+/// c and c^2; FILM_STRENGTH_OF_1 c^2 times the count times F0/(m omega^2 length scale). All in length scales.
+enum { FILM_CLEARANCE, FILM_CLEARANCE_SQUARE, FILM_TWICE_STRENGTH, FILM_NUMBERS };
 
 /// Vectors that may be under way in a film at the same time.
 enum { FILM_PLACES = 4 };
@@ -35,14 +35,13 @@ enum { FILM_PLACES = 4 };
 /// (q < 0) W is not a number, and the motion counts as diverged.
 typedef struct film_work {
     struct {
-        vec x, y, A, B;
-        vec q, P, D, W;
-        vec over_D, root; ///< 1/D, sqrt(3/q)
+        vec x, y, A, B, P, W;
+        vec q, D; ///< since film_divide sqrt(3/q) and 1/D
     } at[FILM_PLACES];
 } film_work;
 
-static inline void film_place(film_work *w, size_t at, vec x, vec y, vec A, vec B) {
-    const vec q = v_fnma(y, y, v_fnma(x, x, v_set(1.0)));
+static inline void film_place(film_work *w, size_t at, vec clearance_square, vec x, vec y, vec A, vec B) {
+    const vec q = v_fnma(y, y, v_fnma(x, x, clearance_square));
     const vec CC = v_fma(A, A, v_fma(B, B, v_set(0x1p-600))), WW = v_mul(q, CC);
     const vec P = v_fms(x, B, v_mul(y, A));
     w->at[at].x = x;
@@ -58,14 +57,13 @@ static inline void film_place(film_work *w, size_t at, vec x, vec y, vec A, vec 
 static inline void film_begin(const element *film, size_t stride, const vec *number, const vec *q, const vec *v,
                               film_work *w, size_t at) {
     const size_t i = 2 * film->station[0] * stride, j = i + stride;
-    const vec scale = number[FILM_TO_CLEARANCES * stride], twice = number[FILM_TWICE_TO_CLEARANCES * stride];
-    const vec x = v_mul(scale, q[i]), y = v_mul(scale, q[j]);
-    film_place(w, at, x, y, v_fnma(twice, v[j], x), v_fma(twice, v[i], y));
+    const vec two = v_set(2.0), x = q[i], y = q[j];
+    film_place(w, at, number[FILM_CLEARANCE_SQUARE * stride], x, y, v_fnma(two, v[j], x), v_fma(two, v[i], y));
 }
 
 static inline void film_divide(film_work *w, size_t at) {
-    w->at[at].over_D = v_div(v_set(1.0), w->at[at].D);
-    w->at[at].root = v_root_of_3_over(w->at[at].q);
+    w->at[at].D = v_div(v_set(1.0), w->at[at].D);
+    w->at[at].q = v_root_of_3_over(w->at[at].q);
 }
 
 /// What the force is made of.
@@ -77,11 +75,10 @@ typedef struct film_state {
 
 /// atan(P/W) by half the cosine and half the sine of its double, W^2/D - 1/2 and P W/D.
 static inline film_state film_end(const film_work *w, size_t at) {
-    const vec P = w->at[at].P, W = w->at[at].W, over_D = w->at[at].over_D, W_by_D = v_mul(W, over_D);
+    const vec P = w->at[at].P, W = w->at[at].W, over_D = w->at[at].D, W_by_D = v_mul(W, over_D);
     const vec arctangent = v_half_angle(v_fms(W, W_by_D, v_set(0.5)), v_mul(P, W_by_D));
     const vec angle = v_add(v_set(1.57079632679489661923), arctangent);
-    return (film_state){w->at[at].x, w->at[at].y, w->at[at].A,    w->at[at].B, P,
-                        W,           angle,       w->at[at].root, over_D,      W_by_D};
+    return (film_state){w->at[at].x, w->at[at].y, w->at[at].A, w->at[at].B, P, W, angle, w->at[at].q, over_D, W_by_D};
 }
 
 /// Adds `strength`/FILM_STRENGTH_OF_1 times the force to (fx, fy).

@@ -66,14 +66,14 @@ static inline void film_slope_angle(const film_slopes *s, vec *X, vec *Y) {
     *Y = v_fma(s->y, T, v_fma(s->B, s->G, v_fnma(s->A, G, v_fma(s->A, s->S, v_mul(s->B, S)))));
 }
 
-/// The derivatives of `strength`/FILM_STRENGTH_OF_1 times the force by x, y, x', y', all times `scale`. At rest in the
-/// centre, where the force has a corner, those by the velocities are zero.
-static inline void film_tangent(const film_state *f, vec strength, vec scale, tangent_block *block) {
+/// The derivatives of `strength`/FILM_STRENGTH_OF_1 times the force by x, y, x', y'. At rest in the centre, where the force
+/// has a corner, those by the velocities are zero.
+static inline void film_tangent(const film_state *f, vec strength, tangent_block *block) {
     const film_slopes s = film_slope(f);
     const vec zero = v_set(0.0), two = v_set(2.0), C = v_mul(f->W, film_over_root(f));
     const vec over_C = v_select(v_less(zero, C), v_div(v_set(1.0), v_max(C, v_set(0x1p-1022))), zero);
     const vec c = v_mul(s.A, over_C), d = v_mul(s.B, over_C); // cos beta, sin beta
-    const vec factor = v_mul(v_set(-1.0 / FILM_STRENGTH_OF_1), v_mul(v_mul(strength, scale), s.over_q));
+    const vec factor = v_mul(v_set(-1.0 / FILM_STRENGTH_OF_1), v_mul(strength, s.over_q));
     const vec X = v_fma(s.x, s.T, v_fma(s.B, s.G, v_mul(s.A, s.S)));
     const vec Y = v_fma(s.y, s.T, v_fnma(s.A, s.G, v_mul(s.B, s.S)));
     vec by_x[2], by_y[2], by_angle[2];
