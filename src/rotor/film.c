@@ -53,7 +53,7 @@ static whirl_status build(const key_value *values, const scales *scale, element 
     const double clearance = values[CLEARANCE].number / scale->length, square = clearance * clearance;
     out->number[FILM_CLEARANCE] = clearance;
     out->number[FILM_CLEARANCE_SQUARE] = square;
-    out->number[FILM_TWICE_STRENGTH] =
+    out->number[FILM_STRENGTH] =
         FILM_STRENGTH_OF_1 * square * values[COUNT].number * load / (stiffness_scale(scale, station) * scale->length);
     return whirl_ok();
 }

@@ -23,7 +23,7 @@
 #define FILM_STRENGTH_OF_1 0.384900179459750509673
 
 /// c and c^2; FILM_STRENGTH_OF_1 c^2 times the count times F0/(m omega^2 length scale). All in length scales.
-enum { FILM_CLEARANCE, FILM_CLEARANCE_SQUARE, FILM_TWICE_STRENGTH, FILM_NUMBERS };
+enum { FILM_CLEARANCE, FILM_CLEARANCE_SQUARE, FILM_STRENGTH, FILM_NUMBERS };
 
 /// Vectors that may be under way in a film at the same time.
 enum { FILM_PLACES = 4 };

@@ -79,7 +79,7 @@ VECTOR_INLINE void pair_end(const struct lanes_pair *pair, size_t stride, const 
     const size_t x = PAIR_JOURNAL * stride, y = x + stride;
     const film_state film = film_end(&line->film, at);
     vec *a = line->a[at];
-    film_add(&film, number[(PAIR_FILM_NUMBERS + FILM_TWICE_STRENGTH) * stride], &frame[x], &frame[y]);
+    film_add(&film, number[(PAIR_FILM_NUMBERS + FILM_STRENGTH) * stride], &frame[x], &frame[y]);
     for (size_t d = 0; d < PAIR_DEGREES; d++) a[d * stride] = frame[d * stride];
     rub_kernel(&rub, stride, number + PAIR_RUB_NUMBERS * stride, line->sides[at], line->q[at], line->v[at], a);
 }
