@@ -16,6 +16,7 @@
 
 enum {
     MAX_ATTEMPTS = 1000000, ///< steps tried in a revolution
+    MAX_GROUP = 4,          ///< vectors
     MAX_SLOTS = 64,
     MAX_LANE_ROWS = 16
 };
@@ -25,6 +26,7 @@ enum {
 typedef struct lane_rows {
     double *own, *theirs;
     size_t rows;
+    bool constant; ///< need not go back
 } lane_rows;
 
 /// The lanes that wait for a slot.

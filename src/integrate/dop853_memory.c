@@ -111,7 +111,7 @@ dop853_lanes *dop853_lanes_new(const whirl_system *system, const whirl_integrate
     if (form->damped) lanes->watch.normal_force = form->contacts[set->number];
     lanes->slots = lanes->stride * set->lanes;
     lanes->pair = form->pair;
-    dop853_sums_fill(&lanes->sums);
+    dop853_sums_fill(&lanes->sums, lanes->degrees * lanes->stride);
     const size_t bytes = (lay_out(lanes, NULL) * lanes->slots * sizeof(double) + 63) / 64 * 64;
     lanes->block = aligned_alloc(64, bytes);
     lanes->queue = calloc(1, sizeof *lanes->queue);

@@ -5,6 +5,7 @@
 static void exchange(const dop853_lanes *lanes, size_t slot, size_t lane, bool back) {
     for (size_t i = 0; i < lanes->exchanged_count; i++) {
         const lane_rows *rows = &lanes->exchanged[i];
+        if (back && rows->constant) continue;
         for (size_t r = 0; r < rows->rows; r++) {
             double *own = &rows->own[r * lanes->slots + slot], *theirs = &rows->theirs[r * lanes->lane_count + lane];
             if (back)

@@ -26,7 +26,7 @@ static void through_velocities(const double *weights, size_t count, double produ
 }
 
 /// The sums that have the rows of `weights`.
-static slope_sums sums_of(const double (*weights)[DOP853_SLOPES], size_t count) {
+static slope_sums sums_of(const double (*weights)[DOP853_SLOPES], size_t count, size_t apart) {
     slope_sums sums = {0};
     for (size_t j = 0; j < DOP853_SLOPES; j++) {
         bool used = false;
@@ -34,26 +34,27 @@ static slope_sums sums_of(const double (*weights)[DOP853_SLOPES], size_t count) 
         if (!used) continue;
         for (size_t i = 0; i < count; i++)
             sums.weight[sums.count][i] = fabs(weights[i][j]) < nothing ? 0.0 : weights[i][j];
+        sums.place[sums.count] = j * apart;
         sums.slope[sums.count++] = j;
     }
     return sums;
 }
 
-void dop853_sums_fill(dop853_sums *sums) {
+void dop853_sums_fill(dop853_sums *sums, size_t apart) {
     double rows[MAX_SUMS][DOP853_SLOPES];
     memset(sums, 0, sizeof *sums);
     for (size_t i = 1; i < DOP853_SLOPES; i++) {
         through_velocities(dop853_a[i], DOP853_SLOPES - 1, rows[0]);
         memset(rows[1], 0, sizeof rows[1]);
         memcpy(rows[1], dop853_a[i], sizeof dop853_a[i]);
-        sums->stage[i] = sums_of((const double(*)[DOP853_SLOPES])rows, SUMS_OF_STAGE);
+        sums->stage[i] = sums_of((const double(*)[DOP853_SLOPES])rows, SUMS_OF_STAGE, apart);
     }
     memset(rows, 0, sizeof rows);
     through_velocities(dop853_e5, DOP853_STAGES, rows[0]);
     memcpy(rows[1], dop853_e5, sizeof dop853_e5);
     through_velocities(dop853_e3, DOP853_STAGES, rows[2]);
     memcpy(rows[3], dop853_e3, sizeof dop853_e3);
-    sums->error = sums_of((const double(*)[DOP853_SLOPES])rows, SUMS_OF_ERROR);
+    sums->error = sums_of((const double(*)[DOP853_SLOPES])rows, SUMS_OF_ERROR, apart);
     for (size_t i = 0; i < DOP853_DENSE; i++) {
         sums->velocity_dense[i] = sum_of(dop853_d[i], DOP853_SLOPES);
         through_velocities(dop853_d[i], DOP853_SLOPES, rows[0]);

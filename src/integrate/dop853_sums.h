@@ -23,6 +23,7 @@ enum { SUMS_OF_STAGE = 2, SUMS_OF_ERROR = 4, MAX_SUMS = 4 };
 typedef struct slope_sums {
     size_t count;
     size_t slope[DOP853_SLOPES];
+    size_t place[DOP853_SLOPES]; ///< of the slopes, where `apart` numbers lie between two
     double weight[DOP853_SLOPES][MAX_SUMS];
 } slope_sums;
 
@@ -33,6 +34,6 @@ typedef struct dop853_sums {
     double dense_drift[DOP853_DENSE]; ///< what multiplies h v in the positions' polynomials
 } dop853_sums;
 
-void dop853_sums_fill(dop853_sums *sums);
+void dop853_sums_fill(dop853_sums *sums, size_t apart);
 
 #endif

@@ -283,21 +283,21 @@ static void fill_exchange(const whirl_ensemble *e, dop853_lanes *lanes) {
     const lanes_watch *own = &lanes->watch, *theirs = &e->lanes.watch;
     const size_t degrees = lanes->degrees, stations = own->station_count, contacts = own->contact_count;
     const lane_rows rows[] = {
-        {lanes->numbers, e->lanes.numbers, lanes->number_count},
-        {lanes->q, e->lanes.q, degrees},
-        {lanes->v, e->lanes.v, degrees},
-        {lanes->ended, e->ended, 1},
-        {own->low, theirs->low, 2 * degrees},
-        {own->high, theirs->high, 2 * degrees},
-        {own->square_max, theirs->square_max, stations},
-        {own->square_min, theirs->square_min, stations},
-        {own->backward, theirs->backward, stations},
-        {own->sum, theirs->sum, degrees},
-        {own->gap, theirs->gap, contacts},
-        {own->touching, theirs->touching, contacts},
-        {own->contact, theirs->contact, contacts},
-        {own->begun, theirs->begun, contacts},
-        {own->force_max, theirs->force_max, own->normal_force ? contacts : 0},
+        {lanes->numbers, e->lanes.numbers, lanes->number_count, true},
+        {lanes->q, e->lanes.q, degrees, false},
+        {lanes->v, e->lanes.v, degrees, false},
+        {lanes->ended, e->ended, 1, false},
+        {own->low, theirs->low, 2 * degrees, false},
+        {own->high, theirs->high, 2 * degrees, false},
+        {own->square_max, theirs->square_max, stations, false},
+        {own->square_min, theirs->square_min, stations, false},
+        {own->backward, theirs->backward, stations, false},
+        {own->sum, theirs->sum, degrees, false},
+        {own->gap, theirs->gap, contacts, true},
+        {own->touching, theirs->touching, contacts, false},
+        {own->contact, theirs->contact, contacts, false},
+        {own->begun, theirs->begun, contacts, false},
+        {own->force_max, theirs->force_max, own->normal_force ? contacts : 0, false},
     };
     enum { ALWAYS = 4, ALL = sizeof rows / sizeof *rows };
     lanes->exchanged_count = lanes->watching ? ALL : ALWAYS;

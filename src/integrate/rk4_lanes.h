@@ -37,9 +37,9 @@ typedef struct rk4_lanes {
     const void *model; ///< whose structure all lanes have
     lanes_accelerate *accelerate;
     const struct lanes_pair *pair; ///< the laws of that structure; NULL: another
-    size_t stride;     ///< vectors there are
-    size_t vectors;    ///< vectors in use
-    size_t lane_count; ///< lanes there are
+    size_t stride;                 ///< vectors there are
+    size_t vectors;                ///< vectors in use
+    size_t lane_count;             ///< lanes there are
     size_t degrees, forcing_count;
     int steps;
     double step;
