@@ -87,7 +87,7 @@ int main(int argc, char **argv) {
         return 0;
     }
     measure_lanes("dop853", ADAPTIVE_RTOL, true, seconds);
-    measure_lanes("dop853", 3e-11, true, seconds);
+    measure_lanes("dop853", 4e-11, true, seconds);
     measure_lanes("rk4", ADAPTIVE_RTOL, true, seconds);
     measure_lanes("rk4", ADAPTIVE_RTOL, false, seconds);
     return 0;

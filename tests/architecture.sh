@@ -38,6 +38,9 @@ for folder in src/*/; do
         [ -e "$folder$header" ] || [ -e "src/base/$header" ] || [ -e "cmake/$header.in" ] ||
             grep -q "$header" CMakeLists.txt cmake/*.cmake || fail "$file includes $header of another layer"
     done < <(grep -roE '#include "[^/"]+"' "$folder" | sed -E 's,#include "([^"]*)",\1,')
+    while IFS=: read -r file header; do
+        [ "$layer $header" = "integrate ../rotor/pair_kernel.h" ] || fail "$file includes $header of another layer"
+    done < <(grep -roE '#include "\.\./[^"]+"' "$folder" | sed -E 's,#include "([^"]*)",\1,')
 done
 
 # ---- outside libraries, each in one layer

@@ -47,36 +47,38 @@ static inline vec v_round(vec a) {
     return v_sub(v_add(a, magic), magic);
 }
 
-/// sin and cos of an angle r + low with |r| up to pi/4 and low below a unit in the last place of r: minimax polynomials of six
-/// terms with relative errors of 2^-57.9 and 2^-63.9.
-static inline void v_sincos_near(vec r, vec low, vec *sine, vec *cosine) {
-    const vec one = v_set(1.0), half = v_set(0.5), z = v_mul(r, r), z2 = v_mul(z, z), z4 = v_mul(z2, z2);
+/// What follows the first terms, of z = r^2 for |r| up to pi/4: sin r = r + r z s, cos r = 1 - z/2 + z^2 c. Minimax polynomials,
+/// six terms of each function, with relative errors of 2^-57.9 and 2^-63.9.
+static inline void v_sincos_tails(vec z, vec *s, vec *c) {
+    const vec z2 = v_mul(z, z), z4 = v_mul(z2, z2);
     const vec s12 = v_fma(z, v_set(-0x1.a01a019bfbcc5p-13), v_set(0x1.111111110f7c0p-7));
     const vec s34 = v_fma(z, v_set(-0x1.ae5e59063c7b2p-26), v_set(0x1.71de3565e964dp-19));
     const vec s14 = v_fma(z4, v_set(0x1.5d8f5bd903f93p-33), v_fma(z2, s34, s12));
-    const vec s = v_fma(z, s14, v_set(-0x1.5555555555548p-3));
     const vec c01 = v_fma(z, v_set(-0x1.6c16c16c14f7fp-10), v_set(0x1.555555555554bp-5));
     const vec c23 = v_fma(z, v_set(-0x1.27e4f7e9640b1p-22), v_set(0x1.a01a019c8273bp-16));
     const vec c45 = v_fma(z, v_set(-0x1.8fa417db28766p-37), v_set(0x1.1ee9d6bf3773ep-29));
-    const vec c = v_fma(z4, c45, v_fma(z2, c23, c01));
+    *s = v_fma(z, s14, v_set(-0x1.5555555555548p-3));
+    *c = v_fma(z4, c45, v_fma(z2, c23, c01));
+}
+
+/// sin and cos of an angle r + low with |r| up to pi/4 and low below a unit in the last place of r.
+static inline void v_sincos_near(vec r, vec low, vec *sine, vec *cosine) {
+    const vec one = v_set(1.0), half = v_set(0.5), z = v_mul(r, r);
+    vec s, c;
+    v_sincos_tails(z, &s, &c);
     *sine = v_add(r, v_fma(v_mul(r, z), s, v_fnma(v_mul(half, z), low, low)));
     // What 1 - z/2 loses by rounding is added to the rest.
     const vec drop = v_mul(half, z), first = v_sub(one, drop);
-    *cosine = v_add(first, v_add(v_sub(v_sub(one, first), drop), v_fnma(r, low, v_mul(z2, c))));
+    *cosine = v_add(first, v_add(v_sub(v_sub(one, first), drop), v_fnma(r, low, v_mul(v_mul(z, z), c))));
 }
 
-/// sin and cos of an angle r with |r| up to pi/4, with the polynomials of v_sincos_near, to one unit in the last place of 1.
+/// sin and cos of an angle r with |r| up to pi/4, to a unit in the last place of 1 (measured: tests/unit/base/test_elementary.c).
 static inline void v_sincos_small(vec r, vec *sine, vec *cosine) {
-    const vec z = v_mul(r, r), z2 = v_mul(z, z), z4 = v_mul(z2, z2);
-    const vec s12 = v_fma(z, v_set(-0x1.a01a019bfbcc5p-13), v_set(0x1.111111110f7c0p-7));
-    const vec s34 = v_fma(z, v_set(-0x1.ae5e59063c7b2p-26), v_set(0x1.71de3565e964dp-19));
-    const vec s14 = v_fma(z4, v_set(0x1.5d8f5bd903f93p-33), v_fma(z2, s34, s12));
-    const vec c01 = v_fma(z, v_set(-0x1.6c16c16c14f7fp-10), v_set(0x1.555555555554bp-5));
-    const vec c23 = v_fma(z, v_set(-0x1.27e4f7e9640b1p-22), v_set(0x1.a01a019c8273bp-16));
-    const vec c45 = v_fma(z, v_set(-0x1.8fa417db28766p-37), v_set(0x1.1ee9d6bf3773ep-29));
-    const vec c = v_fma(z4, c45, v_fma(z2, c23, c01));
-    *sine = v_fma(v_mul(r, z), v_fma(z, s14, v_set(-0x1.5555555555548p-3)), r);
-    *cosine = v_fma(z2, c, v_fnma(v_set(0.5), z, v_set(1.0)));
+    const vec z = v_mul(r, r);
+    vec s, c;
+    v_sincos_tails(z, &s, &c);
+    *sine = v_fma(v_mul(r, z), s, r);
+    *cosine = v_fma(v_mul(z, z), c, v_fnma(v_set(0.5), z, v_set(1.0)));
 }
 
 /// sin and cos of 0 <= t <= 8 pi. The quarter turns are taken off in three parts, whose products with up to 16 are exact for

@@ -68,6 +68,22 @@ static void test_special_values(void **state) {
     assert_true(isnan(angle_of(NAN, 1.0)) && isnan(angle_of(1.0, NAN)));
 }
 
+/// Angles that are added to others: absolute errors count.
+static void test_sine_and_cosine_of_small_angles(void **state) {
+    double worst = 0.0, s, c;
+    uint64_t seed = 17;
+    (void)state;
+    for (int i = 0; i < 2000000; i++) {
+        const double r = (uniform(&seed) - 0.5) * (i % 2 ? 1.5707963267948966 : 0.1);
+        v_sincos_small(r, &s, &c);
+        worst = fmax(worst, fmax((double)fabsl(s - sinl(r)), (double)fabsl(c - cosl(r))));
+    }
+    printf("largest error: small angles %.3f 2^-52\n", worst / DBL_EPSILON);
+    assert_true(worst < 0.75 * DBL_EPSILON);
+    v_sincos_small(0.0, &s, &c);
+    assert_true(s == 0.0 && c == 1.0);
+}
+
 static void test_sine_and_cosine(void **state) {
     double worst[2] = {0.0, 0.0};
     uint64_t seed = 23;
@@ -94,7 +110,8 @@ static void test_sine_and_cosine(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_sine_and_cosine), cmocka_unit_test(test_whole_range),
-                                       cmocka_unit_test(test_special_values), cmocka_unit_test(test_root)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_sine_and_cosine), cmocka_unit_test(test_sine_and_cosine_of_small_angles),
+        cmocka_unit_test(test_whole_range), cmocka_unit_test(test_special_values), cmocka_unit_test(test_root)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
