@@ -101,7 +101,7 @@ dop853_lanes *dop853_lanes_new(const whirl_system *system, const whirl_integrate
 bool dop853_lanes_make_room(dop853_lanes *lanes, size_t samples, size_t lane_count);
 void dop853_lanes_free(dop853_lanes *lanes);
 
-/// Takes lanes that are through out of their slots and fills free ones, several at a time. True where revolutions begin.
+/// Takes lanes that are through out of their slots and fills free ones. True where revolutions begin.
 bool dop853_fill(const dop853_lanes *lanes);
 
 /// Looks at the step of a slot near a switch, or at its end.

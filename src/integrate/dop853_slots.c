@@ -38,13 +38,7 @@ static bool enter(const dop853_lanes *lanes, size_t slot) {
 }
 
 bool dop853_fill(const dop853_lanes *lanes) {
-    const lane_queue *queue = lanes->queue;
-    const size_t waiting = queue->count - queue->next, batch = lanes->slots / 16 > 0 ? lanes->slots / 16 : 1;
-    size_t idle = 0;
     bool any = false;
-    for (size_t slot = 0; slot < lanes->slots; slot++) idle += lanes->running[slot] < 0.5;
-    // A beginning costs all slots some slopes: not for one alone, unless nothing else is left to do.
-    if (idle < lanes->slots && (waiting == 0 || idle < batch)) return false;
     for (size_t slot = 0; slot < lanes->slots; slot++) {
         if (lanes->running[slot] > 0.5) continue;
         leave(lanes, slot);
