@@ -30,6 +30,7 @@ enum {
 /// Accelerations on their way, one in each phase, by their number modulo FILM_PLACES. All arrays have the stride that the line
 /// is used with.
 typedef struct pair_line {
+    bool balanced; ///< no journal has an unbalance, as usual: nothing is added for it
     size_t begun;
     const vec *number[FILM_PLACES], *q[FILM_PLACES], *v[FILM_PLACES];
     const vec *sides[FILM_PLACES];    ///< as rub_kernel takes them
@@ -66,7 +67,10 @@ VECTOR_INLINE void pair_frame(const struct lanes_pair *pair, size_t stride, cons
     const vec c2 = shared ? v_set(all[COS_2TAU]) : own[COS_2TAU * stride];
     const vec s2 = shared ? v_set(all[SIN_2TAU]) : own[SIN_2TAU * stride];
     station_kernel(c, s, stride, number + PAIR_DISC_NUMBERS * stride, v, frame);
-    station_kernel(c, s, stride, number + PAIR_JOURNAL_NUMBERS * stride, v + journal, frame + journal);
+    if (line->balanced)
+        station_balanced(stride, number + PAIR_JOURNAL_NUMBERS * stride, v + journal, frame + journal);
+    else
+        station_kernel(c, s, stride, number + PAIR_JOURNAL_NUMBERS * stride, v + journal, frame + journal);
     shaft_kernel(&shaft, c2, s2, stride, number + PAIR_SHAFT_NUMBERS * stride, q, frame);
 }
 
@@ -99,11 +103,19 @@ VECTOR_INLINE void pair_drain(const struct lanes_pair *pair, size_t stride, pair
     pair_receive(pair, stride, line, shared);
 }
 
+/// Whether the journal of a vector has no unbalance in any lane.
+VECTOR_INLINE bool pair_balanced(size_t stride, const vec *number) {
+    const vec *journal = number + PAIR_JOURNAL_NUMBERS * stride;
+    const vec in_phase = v_abs(journal[STATION_UNBALANCE_COS * stride]);
+    return !v_any(v_less(v_set(0.0), v_max(in_phase, v_abs(journal[STATION_UNBALANCE_SIN * stride]))));
+}
+
 /// Makes a line ready: what it finishes first was never begun, and goes nowhere.
-VECTOR_INLINE void pair_open(pair_line *line, const vec *number, const void *forcing, const vec *sides, const vec *q,
-                             const vec *v, vec *nowhere) {
+VECTOR_INLINE void pair_open(pair_line *line, bool balanced, const vec *number, const void *forcing, const vec *sides,
+                             const vec *q, const vec *v, vec *nowhere) {
     memset(&line->film, 0, sizeof line->film);
     line->begun = 0;
+    line->balanced = balanced;
     for (size_t at = 0; at < FILM_PLACES; at++) {
         line->number[at] = number;
         line->forcing[at] = forcing;

@@ -7,13 +7,18 @@
 #include "element.h"
 #include "vector.h"
 
+/// Damping and pull alone.
+static inline void station_balanced(size_t stride, const vec *number, const vec *v, vec *a) {
+    const vec damping = number[STATION_DAMPING * stride];
+    a[0] = v_fnma(damping, v[0], number[STATION_PULL_X * stride]);
+    a[stride] = v_fnma(damping, v[stride], number[STATION_PULL_Y * stride]);
+}
+
 /// c and s: cos tau, sin tau.
 static inline void station_kernel(vec c, vec s, size_t stride, const vec *number, const vec *v, vec *a) {
-    const vec damping = number[STATION_DAMPING * stride];
     const vec in_phase = number[STATION_UNBALANCE_COS * stride], ahead = number[STATION_UNBALANCE_SIN * stride];
-    const vec free_x = v_fnma(damping, v[0], number[STATION_PULL_X * stride]);
-    const vec free_y = v_fnma(damping, v[stride], number[STATION_PULL_Y * stride]);
-    const vec ax = v_fma(in_phase, c, v_fnma(ahead, s, free_x)), ay = v_fma(in_phase, s, v_fma(ahead, c, free_y));
+    station_balanced(stride, number, v, a);
+    const vec ax = v_fma(in_phase, c, v_fnma(ahead, s, a[0])), ay = v_fma(in_phase, s, v_fma(ahead, c, a[stride]));
     a[0] = ax;
     a[stride] = ay;
 }
