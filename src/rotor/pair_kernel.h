@@ -41,6 +41,13 @@ typedef struct pair_line {
 
 enum { PAIR_UNDER_WAY = 3, PAIR_MOST_STRIDE = 4 };
 
+/// Whether the journal of a vector has no unbalance in any lane.
+VECTOR_INLINE bool pair_balanced(size_t stride, const vec *number) {
+    const vec *journal = number + PAIR_JOURNAL_NUMBERS * stride;
+    const vec in_phase = v_abs(journal[STATION_UNBALANCE_COS * stride]);
+    return !v_any(v_less(v_set(0.0), v_max(in_phase, v_abs(journal[STATION_UNBALANCE_SIN * stride]))));
+}
+
 /// Begins an acceleration: leaves the divider with the film's root.
 VECTOR_INLINE void pair_send(pair_line *line, size_t stride, const vec *number, const void *forcing, const vec *sides,
                              const vec *q, const vec *v, vec *a) {
@@ -97,17 +104,23 @@ VECTOR_INLINE void pair_receive(const struct lanes_pair *pair, size_t stride, pa
     pair_end(pair, stride, line, ended, frame);
 }
 
+/// An acceleration all by itself; arguments as pair_send.
+VECTOR_INLINE void pair_alone(const struct lanes_pair *pair, size_t stride, const vec *number, const void *forcing,
+                              bool shared, const vec *sides, const vec *q, const vec *v, vec *a) {
+    pair_line line;
+    vec frame[PAIR_DEGREES * PAIR_MOST_STRIDE];
+    line.begun = 0;
+    line.balanced = pair_balanced(stride, number);
+    pair_send(&line, stride, number, forcing, sides, q, v, a);
+    pair_frame(pair, stride, &line, 0, shared, frame);
+    film_divide(&line.film, 0);
+    pair_end(pair, stride, &line, 0, frame);
+}
+
 /// Nothing is begun, one more is finished.
 VECTOR_INLINE void pair_drain(const struct lanes_pair *pair, size_t stride, pair_line *line, bool shared) {
     line->begun++;
     pair_receive(pair, stride, line, shared);
-}
-
-/// Whether the journal of a vector has no unbalance in any lane.
-VECTOR_INLINE bool pair_balanced(size_t stride, const vec *number) {
-    const vec *journal = number + PAIR_JOURNAL_NUMBERS * stride;
-    const vec in_phase = v_abs(journal[STATION_UNBALANCE_COS * stride]);
-    return !v_any(v_less(v_set(0.0), v_max(in_phase, v_abs(journal[STATION_UNBALANCE_SIN * stride]))));
 }
 
 /// Makes a line ready: what it finishes first was never begun, and goes nowhere.
