@@ -49,11 +49,15 @@ static void crowd_sample(void *context) {
 
 /// The samples of a revolution go to the waveform of every machine, as the command's recorder does it.
 static void crowd_keep(crowd *c) {
+    enum { NEIGHBOURS = 8 };
     const size_t rows = 2 * c->stations;
-    for (size_t lane = 0; lane < c->lanes; lane++)
+    for (size_t first = 0; first < c->lanes; first += NEIGHBOURS)
         for (size_t row = 0; row < rows; row++)
-            for (size_t n = 0; n < c->sample_count; n++)
-                c->waveform[(lane * rows + row) * SAMPLES + n] = c->samples[(n * rows + row) * c->lanes + lane];
+            for (size_t n = 0; n < c->sample_count; n++) {
+                const double *from = c->samples + (n * rows + row) * c->lanes + first;
+                for (size_t i = 0; i < NEIGHBOURS && first + i < c->lanes; i++)
+                    c->waveform[((first + i) * rows + row) * SAMPLES + n] = from[i];
+            }
 }
 
 static void crowd_revolve(void *context) {

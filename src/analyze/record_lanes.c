@@ -276,15 +276,27 @@ static void sample(void *context) {
     }
 }
 
-/// The samples of a revolution of one motion go to its record.
-static void keep_samples(const lanes_recorder *r, const motion *m) {
-    whirl_record *record = m->record;
-    const size_t rows = 2 * r->probe_count, capacity = record->record_count * record->samples_per_revolution;
-    for (size_t row = 0; row < rows; row++) {
-        double *to = record->waveform + row * capacity + record->sample_count;
-        for (size_t n = 0; n < r->sample_count; n++) to[n] = r->samples[(n * rows + row) * r->lane_count + m->lane];
+/// Where the waveforms of lane's motion go on; NULL where nothing is recorded there.
+static double *waveform_of(const lanes_recorder *r, size_t lane) {
+    const motion *m = lane < r->used ? r->owner[lane] : NULL;
+    return m && m->lane == lane && records(r, m) ? m->record->waveform + m->record->sample_count : NULL;
+}
+
+/// The samples of a revolution go to the records, those of a few neighbouring lanes at a time, which lie side by side.
+static void keep_samples(const lanes_recorder *r) {
+    enum { NEIGHBOURS = 8 };
+    const size_t rows = 2 * r->probe_count;
+    const size_t capacity = (size_t)r->options->record * r->sample_count; // as many samples in every revolution
+    for (size_t first = 0; first < r->used && r->sample_count > 0; first += NEIGHBOURS) {
+        double *to[NEIGHBOURS];
+        for (size_t i = 0; i < NEIGHBOURS; i++) to[i] = waveform_of(r, first + i);
+        for (size_t row = 0; row < rows; row++)
+            for (size_t n = 0; n < r->sample_count; n++) {
+                const double *from = r->samples + (n * rows + row) * r->lane_count + first;
+                for (size_t i = 0; i < NEIGHBOURS; i++)
+                    if (to[i]) to[i][row * capacity + n] = from[i];
+            }
     }
-    record->sample_count += r->sample_count;
 }
 
 static void follow_twin(lanes_recorder *r, motion *m) {
@@ -329,7 +341,7 @@ static void note(lanes_recorder *r, motion *m) {
     whirl_record *record = m->record;
     whirl_ensemble_state(r->ensemble, m->lane, m->x);
     record->motion = whirl_ensemble_motion(r->ensemble, m->lane);
-    if (records(r, m)) keep_samples(r, m);
+    if (records(r, m)) record->sample_count += r->sample_count;
     m->revolution++;
     record->revolutions += 1.0;
     if (record->motion != WHIRL_BOUNDED) {
@@ -393,6 +405,7 @@ whirl_status lanes_recorder_revolve(lanes_recorder *r, size_t *turned) {
     if (status.code != WHIRL_OK) return status;
     r->sample_count = 0;
     whirl_ensemble_revolve(r->ensemble, r->used, r->watch.extremes ? &r->watch : NULL);
+    keep_samples(r);
     for (size_t i = 0; i < r->count; i++) {
         if (waits(r->motions[i])) continue;
         note(r, r->motions[i]);

@@ -48,18 +48,23 @@ VECTOR_INLINE bool pair_balanced(size_t stride, const vec *number) {
     return !v_any(v_less(v_set(0.0), v_max(in_phase, v_abs(journal[STATION_UNBALANCE_SIN * stride]))));
 }
 
-/// Begins an acceleration: leaves the divider with the film's root.
-VECTOR_INLINE void pair_send(pair_line *line, size_t stride, const vec *number, const void *forcing, const vec *sides,
-                             const vec *q, const vec *v, vec *a) {
-    const element film = {.station = {1}};
-    const size_t at = line->begun++ % FILM_PLACES;
-    film_begin(&film, stride, number + PAIR_FILM_NUMBERS * stride, q, v, &line->film, at);
+VECTOR_INLINE void pair_put(pair_line *line, size_t at, const vec *number, const void *forcing, const vec *sides,
+                            const vec *q, const vec *v, vec *a) {
     line->number[at] = number;
     line->forcing[at] = forcing;
     line->sides[at] = sides;
     line->q[at] = q;
     line->v[at] = v;
     line->a[at] = a;
+}
+
+/// Begins an acceleration: leaves the divider with the film's root.
+VECTOR_INLINE void pair_send(pair_line *line, size_t stride, const vec *number, const void *forcing, const vec *sides,
+                             const vec *q, const vec *v, vec *a) {
+    const element film = {.station = {1}};
+    const size_t at = line->begun++ % FILM_PLACES;
+    film_begin(&film, stride, number + PAIR_FILM_NUMBERS * stride, q, v, &line->film, at);
+    pair_put(line, at, number, forcing, sides, q, v, a);
 }
 
 /// Stations and shaft, which do not wait for the divider, into `frame`.
@@ -129,14 +134,7 @@ VECTOR_INLINE void pair_open(pair_line *line, bool balanced, const vec *number, 
     memset(&line->film, 0, sizeof line->film);
     line->begun = 0;
     line->balanced = balanced;
-    for (size_t at = 0; at < FILM_PLACES; at++) {
-        line->number[at] = number;
-        line->forcing[at] = forcing;
-        line->sides[at] = sides;
-        line->q[at] = q;
-        line->v[at] = v;
-        line->a[at] = nowhere;
-    }
+    for (size_t at = 0; at < FILM_PLACES; at++) pair_put(line, at, number, forcing, sides, q, v, nowhere);
 }
 
 #endif

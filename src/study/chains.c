@@ -62,7 +62,7 @@ void chains_free(chains *c) {
 /// A thread at a pass.
 typedef struct worker {
     chains *chains;
-    size_t quota, under_way;
+    size_t under_way;     ///< points
     double *end;          ///< [dimension] of a point
     double *other;        ///< [other.size] a verdict at the second tolerance
     double *block;        ///< [layout.size] of a point whose block is left with the keeper
@@ -75,16 +75,27 @@ typedef struct worker {
 /// Seconds after which a motion is saved, and saved again.
 static const double save_interval = 5.0;
 
-static chain *take_ready(chains *c) {
+/// The next chain, unless this thread already has its share of what is left and under way: towards the end no thread shall be
+/// at work with full lanes while another has none.
+static chain *take_ready(worker *w) {
+    chains *c = w->chains;
+    const size_t threads = (size_t)c->run->threads;
     chain *taken = NULL;
 #pragma omp critical(whirl_chains)
-    if (c->ready_count > 0) taken = c->ready[--c->ready_count];
+    if (c->ready_count > 0 && w->under_way < (c->ready_count + c->under_way + threads - 1) / threads) {
+        taken = c->ready[--c->ready_count];
+        c->under_way++;
+    }
     return taken;
 }
 
-static void put_ready(chains *c, chain *link) {
+/// After a point: others may go on with its chain.
+static void leave(chains *c, chain *link) {
 #pragma omp critical(whirl_chains)
-    c->ready[c->ready_count++] = link;
+    {
+        c->under_way--;
+        if (link->done < link->length) c->ready[c->ready_count++] = link;
+    }
 }
 
 static size_t current_slot(const chain *link) {
@@ -187,11 +198,12 @@ static whirl_status tend(const whirl_keeper *keeper) {
 /// A chain with a point to be computed, or NULL.
 static chain *take_unknown(worker *w) {
     for (;;) {
-        chain *link = take_ready(w->chains);
+        chain *link = take_ready(w);
         if (!link || !w->chains->run->keeper) return link;
         while (link->done < link->length && recall(w, link)) {
         }
         if (link->done < link->length) return link;
+        leave(w->chains, link);
     }
 }
 
@@ -245,7 +257,7 @@ static bool time_is_over(const study_run *run) {
 static bool next(void *context, whirl_task *task) {
     worker *w = context;
     const chains *c = w->chains;
-    if (w->under_way >= w->quota || w->status.code != WHIRL_OK || atomic_load(&c->run->tracker.halt)) return false;
+    if (w->status.code != WHIRL_OK || atomic_load(&c->run->tracker.halt)) return false;
     chain *link = time_is_over(c->run) ? NULL : take_unknown(w);
     if (!link) return false;
     const size_t slot = current_slot(link);
@@ -290,7 +302,7 @@ static whirl_status done(void *context, const whirl_task *task, whirl_record *re
     w->under_way--;
     if (status.code != WHIRL_OK) return status;
     finish_point(w, link);
-    if (link->done < link->length) put_ready(c, link);
+    leave(c, link);
     tracker_advance(&c->run->tracker, 0.0, 1);
     return status;
 }
@@ -315,9 +327,9 @@ static bool revolution_done(void *context) {
     return tracker_advance(&run->tracker, packet, 0);
 }
 
-whirl_status chains_work(chains *c, size_t quota, size_t number) {
+whirl_status chains_work(chains *c, size_t number) {
     const double now = clock_seconds();
-    worker w = {.chains = c, .quota = quota, .last = now, .number = number, .save_at = now + save_interval};
+    worker w = {.chains = c, .last = now, .number = number, .save_at = now + save_interval};
     const whirl_motion_saver saver = {save_is_wanted, save_states, saved_state};
     const whirl_keeper *keeper = c->run->keeper;
     const whirl_task_source source = {next, done, abandon, &w, keeper && keeper->save ? &saver : NULL};

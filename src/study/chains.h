@@ -28,14 +28,15 @@ typedef struct chains {
     size_t count;
     chain *items;
     size_t ready_count;
-    chain **ready; ///< [count] those that no thread is at, the next one last
+    chain **ready;    ///< [count] those that no thread is at, the next one last
+    size_t under_way; ///< the others that are not through
 } chains;
 
 /// The chains of a pass. Freed by chains_free, also where it fails.
 whirl_status chains_new(chains *chains, study_run *run, const pass *pass);
 void chains_free(chains *chains);
 
-/// Computes points until there are none left for this thread, at most `quota` at a time; `worker` is its number.
-whirl_status chains_work(chains *chains, size_t quota, size_t worker);
+/// Computes points until there are none left for this thread; `worker` is its number.
+whirl_status chains_work(chains *chains, size_t worker);
 
 #endif

@@ -37,9 +37,8 @@ static void work(study_run *run, chains *all, size_t count) {
     tracker *progress = &run->tracker;
 #pragma omp parallel num_threads(run->threads)
     for (size_t i = 0; i < count; i++) {
-        const size_t quota = (all[i].count + (size_t)run->threads - 1) / (size_t)run->threads;
         const whirl_status status =
-            atomic_load(&progress->halt) ? whirl_ok() : chains_work(&all[i], quota, (size_t)omp_get_thread_num());
+            atomic_load(&progress->halt) ? whirl_ok() : chains_work(&all[i], (size_t)omp_get_thread_num());
         if (status.code != WHIRL_OK && status.code != WHIRL_STOPPED) tracker_fail(progress, &status);
     }
 }
