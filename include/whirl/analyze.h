@@ -84,7 +84,8 @@ typedef struct whirl_record {
     size_t samples_per_revolution; ///< whose ends are at t = period/samples_per_revolution, ..., period
     double *waveform;              ///< [probe_count][2][sample_count] x, then y, of every probe
 
-    double *low, *high; ///< [dimension] bounds of every coordinate over the record; in lanes as whirl_ensemble_seen has them
+    double *low,
+        *high; ///< [dimension] bounds of every coordinate over the record; in lanes as whirl_ensemble_seen has them
     double *max_radius; ///< [probe_count] largest sqrt(x^2 + y^2) over the record
     double *min_radius; ///< [probe_count] smallest
     double *mean;       ///< [probe_count][2] mean position over the record

@@ -77,7 +77,7 @@ void whirl_ensemble_forget(whirl_ensemble *ensemble, size_t lane);
 
 /// What was watched of a lane since it was last forgotten. The arrays belong to the caller.
 typedef struct whirl_ensemble_seen {
-    double *low, *high;              ///< [dimension] bounds of every coordinate; rk4: of velocities at every fourth step
+    double *low, *high; ///< [dimension] bounds of every coordinate; rk4: of velocities at every fourth step
     double *max_radius, *min_radius; ///< [stations]
     double *sum;                     ///< [stations][2] of the positions over the instants
     double *backward;                ///< [stations] instants of backward whirl

@@ -66,7 +66,11 @@ void reason_text(const whirl_verdict *verdict, char *text, size_t size) {
     copy.exponent = (whirl_estimate){exponent.value, exponent.error};
     whirl_verdict_reason(&copy, text, size);
     // The sentence is plain ASCII, for terminals.
-    for (char *at = strstr(text, "+-"); at; at = strstr(at, "+-")) memcpy(at, "\u00b1", 2);
+    static const char plus_minus[] = "\u00b1"; // two bytes, too
+    for (char *at = strstr(text, "+-"); at; at = strstr(at, "+-")) {
+        at[0] = plus_minus[0];
+        at[1] = plus_minus[1];
+    }
 }
 
 double max_radius(const whirl_table *table, size_t point, size_t station) {
