@@ -39,7 +39,7 @@ typedef void lanes_forcing(const void *model, size_t stride, size_t vectors, con
 /// Writes the normal forces [contact_count] at (q, v), 0 while open, in the model's unit of force.
 typedef void lanes_contacts(const lanes_view *view, void *normal_force);
 
-struct lanes_pair; ///< of pair_kernel.h
+struct lanes_pair; ///< of rotor/pair.h
 
 /// The state is degrees positions, then their derivatives; stations are pairs of positions 2s, 2s + 1.
 struct whirl_lanes {

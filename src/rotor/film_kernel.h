@@ -6,7 +6,8 @@
 ///
 /// the film begins at alpha = atan2(-B, -A), so that cos alpha = -A/C and sin alpha = -B/C need no angle. Capone's
 /// G, V, S and the force on the journal (fx, fy) = -(C/q)(3xV - sin a G - 2 cos a S, 3yV + cos a G - 2 sin a S), where
-/// lengths are in clearances, become, with P = xB - yA, U = xA + yB, W = C sqrt q and W^2 + P^2 = C^2 - U^2 (which saves a cancellation near the wall),
+/// lengths are in clearances, become, with P = xB - yA, U = xA + yB, W = C sqrt q and W^2 + P^2 = C^2 - U^2 (which saves a
+/// cancellation near the wall),
 ///
 ///     G = (2/sqrt q) angle,   angle = pi/2 + atan(P/W),   S = -U C/D,   D = W^2 + P^2,   C V = (2C + P G)/q,
 ///     (fx, fy) = -(2c^2/q^(3/2)) (x M + B angle - A E, y M - A angle - B E),   M = 3(W + P angle)/q,   E = U W/D.

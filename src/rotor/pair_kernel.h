@@ -1,5 +1,6 @@
-/// A disc on a shaft to a journal in a film, with a rub at the disc: the rotor of most studies of oil film and rub, the paper's of
-/// 2015 among them. Integrators have loops of their own for it (rk4_pair.inc, dop853_pair.inc), made of these phases of an acceleration.
+/// A disc on a shaft to a journal in a film, with a rub at the disc: the rotor of most studies of oil film and rub, the paper's
+/// of 2015 among them. Integrators have loops of their own for it (rk4_pair.inc, dop853_pair.inc), made of these phases of an
+/// acceleration.
 ///
 /// The same kernels in the same order as machine.inc and flow.inc call them from their lists, so the same bits; three vectors are
 /// under way at a time, so that the divider never waits.
