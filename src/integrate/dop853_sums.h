@@ -11,26 +11,18 @@
 
 #include "dop853_tableau.h"
 
-/// A weighted sum of slopes, without those of weight zero.
-typedef struct slope_sum {
-    size_t count;
-    size_t slope[DOP853_SLOPES];
-    double weight[DOP853_SLOPES];
-} slope_sum;
-
-/// Sums that run over the same slopes, side by side; the weights of some may be zero.
-enum { SUMS_OF_STAGE = 2, SUMS_OF_ERROR = 4, MAX_SUMS = 4 };
+/// Weighted sums that run over the same slopes, side by side; the weights of some may be zero.
+enum { POSITION, VELOCITY, SUMS_OF_STATE, SUMS_OF_ERROR = 4, MAX_SUMS = 4 };
 typedef struct slope_sums {
     size_t count;
-    size_t slope[DOP853_SLOPES];
     size_t place[DOP853_SLOPES]; ///< of the slopes, where `apart` numbers lie between two
     double weight[DOP853_SLOPES][MAX_SUMS];
 } slope_sums;
 
 typedef struct dop853_sums {
-    slope_sums stage[DOP853_SLOPES]; ///< position, velocity where a slope is taken; row 12 is the result
-    slope_sums error;                ///< of position and velocity by the formula of order 5, then by that of order 3
-    slope_sum position_dense[DOP853_DENSE], velocity_dense[DOP853_DENSE];
+    slope_sums stage[DOP853_SLOPES];  ///< position, velocity where a slope is taken; row 12 is the result
+    slope_sums error;                 ///< of position and velocity by the formula of order 5, then by that of order 3
+    slope_sums dense[DOP853_DENSE];   ///< the interpolant's polynomials, of position and velocity
     double dense_drift[DOP853_DENSE]; ///< what multiplies h v in the positions' polynomials
 } dop853_sums;
 

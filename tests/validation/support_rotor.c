@@ -5,9 +5,11 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdlib.h>
 
 #include <cmocka.h>
 
+#include "support_cases.h"
 #include "support_check.h"
 
 #define COUNT_OF(array) (sizeof(array) / sizeof *(array))
@@ -122,4 +124,10 @@ void start_on_rub_circle(const rub_case *p, double radius, double state[4]) {
     state[1] = cimag(z);
     state[2] = -cimag(z);
     state[3] = creal(z);
+}
+
+rub_case start_case_c2(size_t row, double state[4]) {
+    const rub_case p = {.speed = case_c2[row].speed, .zeta = 0.05, .kappa = 2.0, .eccentricity = 0.2, .friction = 0.1};
+    start_on_rub_circle(&p, strtod(case_c2[row].radius, NULL), state);
+    return p;
 }

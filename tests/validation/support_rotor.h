@@ -4,6 +4,7 @@
 #define SUPPORT_ROTOR_H
 
 #include <stdbool.h>
+#include <stddef.h>
 
 #include "whirl/rotor.h"
 
@@ -33,6 +34,9 @@ whirl_rotor *make_rub_rotor(const rub_case *parameters);
 /// The state [4] on the circle of radius A that turns with the shaft, without weight, from the balance of forces
 /// [1 + kap (1 - 1/A)(1 + i mu) - w^2 + 2 i zeta w] A e^(-i psi) = e w^2.
 void start_on_rub_circle(const rub_case *parameters, double radius, double state[4]);
+
+/// Row `row` of case C2 (case_c2), and its start on the circle.
+rub_case start_case_c2(size_t row, double state[4]);
 
 /// The 2015 paper's rotor with printed signs, Sf = .0045, G = .115976.
 whirl_rotor *make_paper_rotor(double r_k);

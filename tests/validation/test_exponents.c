@@ -147,10 +147,8 @@ static void b2_multipliers(void **unused) {
 static void c2_stability(void **unused) {
     (void)unused;
     for (size_t i = 0; i < CASE_C2_ROWS; i++) {
-        const rub_case p = {
-            .speed = case_c2[i].speed, .zeta = 0.05, .kappa = 2.0, .eccentricity = 0.2, .friction = 0.1};
         double state[4], matrix[16];
-        start_on_rub_circle(&p, strtod(case_c2[i].radius, NULL), state);
+        const rub_case p = start_case_c2(i, state);
         whirl_rotor *rotor = make_rub_rotor(&p);
         whirl_integrator *integrator = follow(whirl_rotor_system(rotor), 1e-12);
         monodromy(integrator, 4, state, 1, matrix);

@@ -19,8 +19,7 @@
 #include <cmocka.h>
 
 #include "support_check.h"
-#include "whirl/case.h"
-#include "whirl/study.h"
+#include "support_study.h"
 
 enum { POINTS = 10, DISC = 0, JOURNAL = 1, MAX_KNOWN_LINES = 4 };
 
@@ -145,34 +144,17 @@ static const known_point known[POINTS] = {
      .high_order = 0.44},
 };
 
+static void vary_ratio(whirl_batch *batch, const void *context) {
+    (void)context;
+    strcpy(batch->parameter, "r_k");
+    assert_true(whirl_analysis_add(&batch->analyses, "winding"));
+}
+
 /// The study of the case file with r_k over all points.
 static whirl_result *run_points(void) {
     double values[POINTS];
-    whirl_problems problems = {0};
-    whirl_case *object;
-    whirl_study study;
-    whirl_result *result;
     for (int i = 0; i < POINTS; i++) values[i] = known[i].r_k;
-    require_ok(whirl_case_load(WHIRL_CASES "/paper-point.yaml", &problems, &object));
-    require_ok(whirl_case_study(object, &study));
-    assert_int_equal(1, study.batch_count);
-    strcpy(study.batches[0].parameter, "r_k");
-    study.batches[0].count = POINTS;
-    study.batches[0].values = values;
-    study.batches[0].confirm = true;
-    assert_true(whirl_analysis_add(&study.batches[0].analyses, "evidence"));
-    assert_true(whirl_analysis_add(&study.batches[0].analyses, "winding"));
-    const whirl_run_options options = {.threads = 2};
-    require_ok(whirl_study_run(&study, &options, &result));
-    whirl_case_free(object);
-    whirl_problems_free(&problems);
-    return result;
-}
-
-static double number(const whirl_table *table, size_t point, const char *field, size_t which) {
-    const double *value = whirl_table_field(table, point, field, which);
-    if (!value) fail_msg("the result has no field %s", field);
-    return value ? *value : NAN;
+    return run_case_at("paper-point", 1, values, POINTS, vary_ratio, NULL);
 }
 
 /// The line of the disc's x whose order is nearest.
@@ -249,17 +231,17 @@ static void check_evidence(const whirl_table *table, size_t point, const whirl_v
     put_evidence(k->r_k, "digits to which averages of two halves agree", verdict->regularity);
     put_evidence(k->r_k, "K of the 0-1 test", verdict->chaos);
     put_evidence(k->r_k, "largest correlation of points 1/8 to 1/4 of the watched ones apart",
-                 number(table, point, "evidence/correlation", 0));
+                 field_number(table, point, "evidence/correlation", 0));
     put_evidence(k->r_k, "turns of the disc round its mean position a revolution",
-                 number(table, point, "winding/winding", DISC));
+                 field_number(table, point, "winding/winding", DISC));
     if (verdict->regime == WHIRL_QUASI_PERIODIC)
         check_within("evidence", words("r_k = %.2f, rotation number against the printed line", k->r_k),
                      strtod(k->lines[0].order, NULL), verdict->rotation, 5e-4);
     if (verdict->regime == WHIRL_PERIODIC) {
         const double modulus = exp(k->exponent * verdict->period);
-        const double error = 3.0 * hypot(k->error, number(table, point, "lyapunov/error", 0));
+        const double error = 3.0 * hypot(k->error, field_number(table, point, "lyapunov/error", 0));
         check_within("evidence", words("r_k = %.2f, modulus of the largest multiplier", k->r_k), modulus,
-                     number(table, point, "evidence/modulus", 0), modulus * expm1(error * verdict->period));
+                     field_number(table, point, "evidence/modulus", 0), modulus * expm1(error * verdict->period));
     }
 }
 
@@ -270,16 +252,16 @@ static void check_point(const whirl_table *table, size_t point) {
     whirl_verdict_name(&verdict, name, sizeof name);
     check_text("model", words("r_k = %.2f, regime", k->r_k), k->regime, name);
     check_evidence(table, point, &verdict);
-    const double error = number(table, point, "lyapunov/error", 0);
+    const double error = field_number(table, point, "lyapunov/error", 0);
     check_within("model", words("r_k = %.2f, largest exponent per revolution", k->r_k), k->exponent,
-                 number(table, point, "lyapunov/largest", 0), 3.0 * hypot(k->error, error));
+                 field_number(table, point, "lyapunov/largest", 0), 3.0 * hypot(k->error, error));
     check_scattered(words("r_k = %.2f, max r1", k->r_k), k->max_radius, k->radius_scatter,
-                    number(table, point, "orbit/max_radius", DISC));
+                    field_number(table, point, "orbit/max_radius", DISC));
     check_scattered(words("r_k = %.2f, max e", k->r_k), k->max_eccentricity, k->eccentricity_scatter,
-                    number(table, point, "orbit/eccentricity", JOURNAL));
+                    field_number(table, point, "orbit/eccentricity", JOURNAL));
     if (k->rub_share) {
         const char *what = words("r_k = %.2f, share of rub, percent", k->r_k);
-        const double share = 100.0 * number(table, point, "rub/share", 0);
+        const double share = 100.0 * field_number(table, point, "rub/share", 0);
         if (strcmp(k->rub_share, "0") == 0)
             check_within("model", what, 0.0, share, 0.0);
         else

@@ -9,50 +9,23 @@
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include <cmocka.h>
 
 #include "support_check.h"
-#include "whirl/case.h"
-#include "whirl/study.h"
+#include "support_study.h"
 
 enum { POINTS = 10, DISC = 0, JOURNAL = 1 };
 
 static const double ratios[POINTS] = {1.0, 0.6, 0.48, 0.46, 0.45, 0.44, 0.4, 0.35, 0.25, 0.15};
 
-/// The case's first sweep at the ten values, long enough to tell.
-static whirl_result *run(const char *file, const char *method) {
-    double values[POINTS];
-    whirl_problems problems = {0};
-    whirl_case *object;
-    whirl_study study;
-    whirl_result *result;
-    const bool is_long = getenv("WHIRL_SOAK") != NULL;
-    memcpy(values, ratios, sizeof values);
-    require_ok(whirl_case_load(words("%s/%s.yaml", WHIRL_CASES, file), &problems, &object));
-    require_ok(whirl_case_study(object, &study));
-    whirl_batch *batch = &study.batches[0];
+/// The sweep, long enough to tell.
+static void lengthen(whirl_batch *batch, const void *method) {
     assert_string_equal("r_k", batch->parameter);
-    study.batch_count = 1;
-    batch->count = POINTS;
-    batch->values = values;
-    batch->confirm = true;
+    const bool is_long = getenv("WHIRL_SOAK") != NULL;
     batch->record.transient = is_long ? 3000 : 1500;
     batch->record.record = is_long ? 2000 : 600;
-    snprintf(batch->integrate.method, sizeof batch->integrate.method, "%s", method);
-    assert_true(whirl_analysis_add(&batch->analyses, "evidence"));
-    const whirl_run_options options = {.threads = 2};
-    require_ok(whirl_study_run(&study, &options, &result));
-    whirl_case_free(object);
-    whirl_problems_free(&problems);
-    return result;
-}
-
-static double number(const whirl_table *table, size_t point, const char *field, size_t which) {
-    const double *value = whirl_table_field(table, point, field, which);
-    if (!value) fail_msg("the result has no field %s", field);
-    return value ? *value : NAN;
+    snprintf(batch->integrate.method, sizeof batch->integrate.method, "%s", (const char *)method);
 }
 
 static void put_verdict(const char *who, const whirl_verdict *verdict) {
@@ -63,10 +36,10 @@ static void put_verdict(const char *who, const whirl_verdict *verdict) {
 
 static void put_numbers(const char *who, const whirl_table *table, size_t i, const whirl_verdict *verdict) {
     printf("readings | %s, by RK4: exponent per revolution | - | %.4f +- %.4f | - | -\n", who,
-           number(table, i, "lyapunov/largest", 0), number(table, i, "lyapunov/error", 0));
+           field_number(table, i, "lyapunov/largest", 0), field_number(table, i, "lyapunov/error", 0));
     printf("readings | %s, by RK4: max r1, max e, share of rub | - | %.4f, %.4f, %.3f | - | -\n", who,
-           number(table, i, "orbit/max_radius", DISC), number(table, i, "orbit/eccentricity", JOURNAL),
-           number(table, i, "rub/share", 0));
+           field_number(table, i, "orbit/max_radius", DISC), field_number(table, i, "orbit/eccentricity", JOURNAL),
+           field_number(table, i, "rub/share", 0));
     printf("readings | %s, by RK4: distance of returns, digits of averages | - | %.2g, %.3g | - | -\n", who,
            verdict->recurrence, verdict->regularity);
     if (!isnan(verdict->chaos))
@@ -78,7 +51,8 @@ static bool is_sure(const whirl_verdict *verdict) {
 }
 
 static void compare(const char *reading, const char *file) {
-    whirl_result *fixed = run(file, "rk4"), *adaptive = run(file, "dop853");
+    whirl_result *fixed = run_case_at(file, 2, ratios, POINTS, lengthen, "rk4");
+    whirl_result *adaptive = run_case_at(file, 2, ratios, POINTS, lengthen, "dop853");
     for (size_t i = 0; i < POINTS; i++) {
         const whirl_verdict one = whirl_table_verdict(&fixed->tables[0], i);
         const whirl_verdict other = whirl_table_verdict(&adaptive->tables[0], i);

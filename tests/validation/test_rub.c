@@ -101,10 +101,8 @@ static void c1_grazing(void **unused) {
 static void c2_synchronous_rub(void **unused) {
     (void)unused;
     for (size_t i = 0; i < CASE_C2_ROWS; i++) {
-        const rub_case p = {
-            .speed = case_c2[i].speed, .zeta = 0.05, .kappa = 2.0, .eccentricity = 0.2, .friction = 0.1};
         double state[4], matrix[16];
-        start_on_rub_circle(&p, strtod(case_c2[i].radius, NULL), state);
+        const rub_case p = start_case_c2(i, state);
         whirl_rotor *rotor = make_rub_rotor(&p);
         const tangent_model model = {whirl_rotor_system(rotor), rub_jacobian, &p};
         const whirl_system joint = make_tangent_system(&model);

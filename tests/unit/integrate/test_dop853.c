@@ -77,12 +77,10 @@ static void test_numbers_meet_their_conditions(void **state) {
     }
 }
 
-enum { POSITION, VELOCITY };
-
 /// Sum of the weights of one of several sums times c^power.
 static double sum_moment(const slope_sums *sums, size_t which, int power) {
     double total = 0.0;
-    for (size_t j = 0; j < sums->count; j++) total += sums->weight[j][which] * pow(dop853_c[sums->slope[j]], power);
+    for (size_t j = 0; j < sums->count; j++) total += sums->weight[j][which] * pow(dop853_c[sums->place[j]], power);
     return total;
 }
 

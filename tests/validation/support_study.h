@@ -1,0 +1,17 @@
+/// Studies of the case files at values of the test's own.
+#ifndef SUPPORT_STUDY_H
+#define SUPPORT_STUDY_H
+
+#include <stddef.h>
+
+#include "whirl/study.h"
+
+/// Runs the first of the `batches` of cases/FILE.yaml at the values [count], every verdict confirmed, with the evidence
+/// added, after `change` had the batch in hand. Freed by whirl_result_free.
+whirl_result *run_case_at(const char *file, size_t batches, const double *values, size_t count,
+                          void (*change)(whirl_batch *batch, const void *context), const void *context);
+
+/// Number `which` of a field of a point; fails the test where the result has no such field.
+double field_number(const whirl_table *table, size_t point, const char *field, size_t which);
+
+#endif
