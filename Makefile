@@ -93,7 +93,7 @@ $(PAPER)/report/report.html: $(RESULTS) cases/paper-claims.yaml $(wildcard $(BUI
 explorer: dependencies-build-explorer ## the explorer's engine and page: build/explorer
 	scripts/explorer.sh $(BUILD)/explorer
 
-gallery: explorer ## explorers of the example cases: docs/gallery
+gallery: explorer ## explorers of the example cases: build/gallery
 	@$(CONFIGURE)
 	@$(COMPILE)
 	scripts/gallery.sh $(BUILD)

@@ -89,29 +89,30 @@ void whirl_ensemble_read(const whirl_ensemble *ensemble, size_t lane, const whir
 // ---------------------------------------------------------------- disturbances
 
 /// All disturbances of many machines side by side, for all Lyapunov exponents; not to be shared between threads.
-typedef struct whirl_follower whirl_follower;
+typedef struct whirl_variational whirl_variational;
 
 /// Whether disturbances of machines of this system can go in lanes with these options: rotors of up to 64 stations whose forces do not jump, with
 /// method rk4. All others go alone (whirl_integrator_carry).
-bool whirl_follower_takes(const whirl_system *system, const whirl_integrate_options *options);
+bool whirl_variational_takes(const whirl_system *system, const whirl_integrate_options *options);
 
-/// Errors as whirl_ensemble_new. Freed by whirl_follower_free.
-whirl_status whirl_follower_new(const whirl_system *system, const whirl_integrate_options *options,
-                                whirl_follower **follower);
-void whirl_follower_free(whirl_follower *follower);
-size_t whirl_follower_lanes(const whirl_follower *follower);
+/// Errors as whirl_ensemble_new. Freed by whirl_variational_free.
+whirl_status whirl_variational_new(const whirl_system *system, const whirl_integrate_options *options,
+                                   whirl_variational **variational);
+void whirl_variational_free(whirl_variational *variational);
+size_t whirl_variational_lanes(const whirl_variational *variational);
 
-/// Puts a machine of the follower's structure into a lane: its state x [dimension] at the beginning of a revolution, and orthonormal
+/// Puts a machine of the variational ensemble's structure into a lane: its state x [dimension] at the beginning of a revolution, and orthonormal
 /// disturbances [dimension][dimension]. WHIRL_NO_MEMORY.
-whirl_status whirl_follower_load(whirl_follower *follower, size_t lane, const whirl_system *system, const double *x,
-                                 const double *vectors);
+whirl_status whirl_variational_load(whirl_variational *variational, size_t lane, const whirl_system *system,
+                                    const double *x, const double *vectors);
 
 /// Carries all lanes over one period.
-void whirl_follower_revolve(whirl_follower *follower);
+void whirl_variational_revolve(whirl_variational *variational);
 
 /// The disturbances of a lane, orthonormal again, their growth [dimension] and its sum by the divergence, as whirl_disturbances has
 /// them.
-void whirl_follower_read(const whirl_follower *follower, size_t lane, double *vectors, double *growth, double *volume);
+void whirl_variational_read(const whirl_variational *variational, size_t lane, double *vectors, double *growth,
+                            double *volume);
 
 #ifdef __cplusplus
 }

@@ -151,7 +151,7 @@ whirl_status whirl_recorder_new(const whirl_system *system, const whirl_integrat
     whirl_recorder *made = calloc(1, sizeof *made);
     if (!made) return whirl_fail(WHIRL_NO_MEMORY, "no memory to record motions");
     *made = (whirl_recorder){.integrate = integrate, .options = options, .source = source};
-    const bool alone = options->growth == WHIRL_GROWTH_ALL && !whirl_follower_takes(system, integrate);
+    const bool alone = options->growth == WHIRL_GROWTH_ALL && !whirl_variational_takes(system, integrate);
     if (whirl_ensemble_takes(system, integrate) && !alone)
         status = lanes_recorder_new(system, integrate, options, source, lanes, &made->lanes);
     if (status.code == WHIRL_OK)

@@ -34,8 +34,8 @@ struct lanes_recorder {
     const whirl_record_options *options;
     const whirl_task_source *source;
     whirl_ensemble *ensemble;
-    whirl_follower *follower; ///< of all disturbances, or NULL
-    motion **followed;        ///< [lanes of the follower] workspace
+    whirl_variational *variational; ///< of all disturbances, or NULL
+    motion **followed;              ///< [lanes of the variational ensemble] workspace
     size_t dimension, lane_count;
     int first_watched, last; ///< revolutions
     size_t used;             ///< lanes
@@ -123,12 +123,12 @@ static void motion_free(motion *m) {
 }
 
 static motion *motion_new(const lanes_recorder *r, const whirl_task *task) {
-    const size_t rows = r->follower ? 2 + r->dimension : 2;
+    const size_t rows = r->variational ? 2 + r->dimension : 2;
     motion *m = calloc(1, sizeof *m + rows * r->dimension * sizeof(double));
     if (!m) return NULL;
     *m = (motion){.task = *task, .lane = NO_LANE, .twin_lane = NO_LANE, .x = (double *)(m + 1)};
     m->disturbances = m->x + 2 * r->dimension;
-    for (size_t i = 0; r->follower && i < r->dimension; i++) m->disturbances[i * r->dimension + i] = 1.0;
+    for (size_t i = 0; r->variational && i < r->dimension; i++) m->disturbances[i * r->dimension + i] = 1.0;
     m->twin = (trajectory_twin){.dimension = r->dimension, .x = m->x + r->dimension};
     m->record = record_new(task->system, r->integrate, r->options);
     memcpy(m->x, task->start, r->dimension * sizeof *m->x);
@@ -147,7 +147,7 @@ static void motion_archive(const lanes_recorder *r, motion *m, archive *a) {
     record_archive(m->record, r->integrate, r->options, a);
     archive_part(a, &m->revolution, sizeof m->revolution);
     archive_part(a, &m->twin.distance, sizeof m->twin.distance);
-    archive_part(a, m->x, (r->follower ? 2 + r->dimension : 2) * r->dimension * sizeof *m->x); // disturbances follow
+    archive_part(a, m->x, (r->variational ? 2 + r->dimension : 2) * r->dimension * sizeof *m->x); // disturbances follow
     if (m->settling) settling_archive(m->settling, a);
     const size_t numbers = whirl_ensemble_numbers(r->ensemble);
     size_t in_lane = m->saved != NULL;
@@ -309,12 +309,12 @@ static void follow_twin(lanes_recorder *r, motion *m) {
 /// Carries the disturbances of `count` motions whose x is still the state at the revolution's beginning.
 static void carry_followed(lanes_recorder *r, size_t count) {
     if (count == 0) return;
-    whirl_follower_revolve(r->follower);
+    whirl_variational_revolve(r->variational);
     for (size_t i = 0; i < count; i++) {
         motion *m = r->followed[i];
         whirl_record *record = m->record;
         double *growth = record->growths + record->growth_count * record->dimension;
-        whirl_follower_read(r->follower, i, m->disturbances, growth, &record->volume[record->growth_count]);
+        whirl_variational_read(r->variational, i, m->disturbances, growth, &record->volume[record->growth_count]);
         record->growth[record->growth_count++] = growth[0];
     }
 }
@@ -322,13 +322,14 @@ static void carry_followed(lanes_recorder *r, size_t count) {
 /// Carries the disturbances of all motions that are watched.
 static whirl_status follow_all(lanes_recorder *r) {
     size_t count = 0;
-    for (size_t i = 0; r->follower && i < r->count; i++) {
+    for (size_t i = 0; r->variational && i < r->count; i++) {
         motion *m = r->motions[i];
         if (waits(m) || m->revolution < r->first_watched) continue;
-        const whirl_status status = whirl_follower_load(r->follower, count, m->task.system, m->x, m->disturbances);
+        const whirl_status status =
+            whirl_variational_load(r->variational, count, m->task.system, m->x, m->disturbances);
         if (status.code != WHIRL_OK) return status;
         r->followed[count++] = m;
-        if (count < whirl_follower_lanes(r->follower)) continue;
+        if (count < whirl_variational_lanes(r->variational)) continue;
         carry_followed(r, count);
         count = 0;
     }
@@ -419,9 +420,9 @@ whirl_status lanes_recorder_revolve(lanes_recorder *r, size_t *turned) {
 static whirl_status start(lanes_recorder *r, const whirl_system *system, size_t lanes) {
     whirl_status status = whirl_ensemble_new(system, r->integrate, lanes, &r->ensemble);
     if (status.code == WHIRL_OK && r->options->growth == WHIRL_GROWTH_ALL)
-        status = whirl_follower_new(system, r->integrate, &r->follower);
+        status = whirl_variational_new(system, r->integrate, &r->variational);
     if (status.code != WHIRL_OK) return status;
-    if (r->follower) r->followed = calloc(whirl_follower_lanes(r->follower), sizeof(motion *));
+    if (r->variational) r->followed = calloc(whirl_variational_lanes(r->variational), sizeof(motion *));
     r->lane_count = whirl_ensemble_lanes(r->ensemble);
     r->owner = calloc(r->lane_count, sizeof(motion *));
     r->motions = calloc(r->lane_count, sizeof(motion *));
@@ -433,7 +434,7 @@ static whirl_status start(lanes_recorder *r, const whirl_system *system, size_t 
                                    whirl_record_samples(r->options, r->integrate->steps_per_revolution));
     const size_t samples = r->watch.stride > 0 ? (size_t)r->integrate->steps_per_revolution / r->watch.stride : 0;
     r->samples = calloc(samples * 2 * r->probe_count * r->lane_count + 1, sizeof *r->samples);
-    if (!r->owner || !r->motions || !r->samples || (r->follower && !r->followed))
+    if (!r->owner || !r->motions || !r->samples || (r->variational && !r->followed))
         return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu lanes", r->lane_count);
     return whirl_ok();
 }
@@ -448,7 +449,7 @@ void lanes_recorder_free(lanes_recorder *r) {
     free(r->owner);
     free(r->samples);
     whirl_ensemble_free(r->ensemble);
-    whirl_follower_free(r->follower);
+    whirl_variational_free(r->variational);
     free(r->followed);
     free(r);
 }

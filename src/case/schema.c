@@ -78,8 +78,8 @@ static const whirl_key initial_keys[] = {
 
 static const whirl_key integrate_keys[] = {
     {"method", "", "", WHIRL_KEY_CHOICE, false, "rk4", WHIRL_ANY, "", "a method of integration", ""},
-    {"contacts", "", "", WHIRL_KEY_CHOICE, false, "walked", WHIRL_ANY, "walked|located",
-     "of method rk4: walked: steps go over contacts; located: steps are split where contact begins and ends; other "
+    {"contacts", "", "", WHIRL_KEY_CHOICE, false, "unlocated", WHIRL_ANY, "unlocated|located",
+     "of method rk4: unlocated: steps go over contacts; located: steps are split where contact begins and ends; other "
      "methods always "
      "locate them",
      ""},

@@ -13,13 +13,13 @@
 #include <sunmatrix/sunmatrix_dense.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
-#include "carrier.h"
+#include "stepper.h"
 
 enum { MAX_STEPS_A_CALL = 100000 };
 
 typedef struct cvode {
     const whirl_system *system;
-    carrier *sides; ///< those that are held, with the state of the motion where it last met a switch; NULL: none are
+    stepper *sides; ///< those that are held, with the state of the motion where it last met a switch; NULL: none are
     SUNContext context;
     void *memory;
     N_Vector state;
@@ -33,7 +33,7 @@ static int right_hand_side(realtype t, N_Vector x, N_Vector slope, void *data) {
     const whirl_system *system = work->system;
     double forcing[WHIRL_MAX_FORCING], *out = NV_DATA_S(slope);
     if (work->sides) {
-        carrier_slope(work->sides, t, NV_DATA_S(x), out);
+        stepper_slope(work->sides, t, NV_DATA_S(x), out);
     } else {
         if (system->forcing_count > 0) system->forcing(system->model, t, forcing);
         system->rhs(system->model, t, forcing, NV_DATA_S(x), out);
@@ -46,7 +46,7 @@ static int right_hand_side(realtype t, N_Vector x, N_Vector slope, void *data) {
 static int switching(realtype t, N_Vector x, realtype *values, void *data) {
     const cvode *work = data;
     if (work->sides)
-        carrier_watched(work->sides, t, NV_DATA_S(x), values);
+        stepper_watched(work->sides, t, NV_DATA_S(x), values);
     else
         work->system->switches(work->system->model, t, NV_DATA_S(x), values);
     return 0;
@@ -107,7 +107,7 @@ static int configure(cvode *work, const whirl_integrator *integrator, int kind) 
 static bool prepare_sides(cvode *work, const whirl_integrate_options *options) {
     const whirl_system *system = work->system;
     if (system->switch_count == 0 || !system->rhs_on_sides) return true;
-    work->sides = carrier_new(&dop853_formula, system->dimension, system->switch_count, options);
+    work->sides = stepper_new(&dop853_formula, system->dimension, system->switch_count, options);
     return work->sides != NULL;
 }
 
@@ -135,25 +135,25 @@ static whirl_status start_bdf(whirl_integrator *integrator) {
 
 /// Finds the sides at the beginning of a revolution; the state is put onto a switch that it slides along.
 static void find_sides(const cvode *work) {
-    carrier *c = work->sides;
+    stepper *c = work->sides;
     const size_t bytes = c->dimension * sizeof *c->x;
-    carrier_place(c, work->system, 0.0);
+    stepper_place(c, work->system, 0.0);
     memcpy(c->x, NV_DATA_S(work->state), bytes);
-    carrier_find_sides(c);
+    stepper_find_sides(c);
     memcpy(NV_DATA_S(work->state), c->x, bytes);
 }
 
 /// Goes beyond the switches that CVODE has found at t, or along them.
 static void cross(const cvode *work, double t) {
     int found[WHIRL_MAX_SWITCHES];
-    carrier *c = work->sides;
+    stepper *c = work->sides;
     const size_t bytes = c->dimension * sizeof *c->x;
     if (CVodeGetRootInfo(work->memory, found) != CV_SUCCESS) return;
-    carrier_place(c, work->system, t);
+    stepper_place(c, work->system, t);
     memcpy(c->x, NV_DATA_S(work->state), bytes);
-    if (c->sliding_count > 0) carrier_project(c, c->x);
+    if (c->sliding_count > 0) stepper_project(c, c->x);
     for (size_t i = 0; i < work->system->switch_count; i++)
-        if (found[i]) carrier_cross(c, i);
+        if (found[i]) stepper_cross(c, i);
     memcpy(NV_DATA_S(work->state), c->x, bytes);
 }
 

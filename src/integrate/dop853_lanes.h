@@ -8,11 +8,11 @@
 #ifndef INTEGRATE_DOP853_LANES_H
 #define INTEGRATE_DOP853_LANES_H
 
-#include "carrier.h"
 #include "dop853_sums.h"
 #include "isa.h"
 #include "lanes.h"
 #include "rk4_lanes.h"
+#include "stepper.h"
 
 enum {
     MAX_ATTEMPTS = 1000000, ///< steps tried in a revolution
@@ -56,7 +56,7 @@ typedef struct dop853_lanes {
     double *running;      ///< 1 until its revolution is over
     double *before;       ///< (error of the step before)^(1/16)
     double *rejected;     ///< 1 after a step that was rejected
-    double *sides, *held; ///< [switch_count] as a carrier has them
+    double *sides, *held; ///< [switch_count] as a stepper has them
     double *switchings;
     double *landing;          ///< 1 + the switch that the step is to end at, 0: none
     double *whole, *tries;    ///< the step within which it is, and steps taken to find it
@@ -89,7 +89,7 @@ typedef struct dop853_lanes {
     lane_rows exchanged[MAX_LANE_ROWS];  ///< what goes with a lane into its slot and back
     size_t exchanged_count;
     lane_queue *queue;
-    carrier *carrier; ///< for slots that are looked at one by one
+    stepper *stepper; ///< for slots that are looked at one by one
     double *block;    ///< all arrays
 } dop853_lanes;
 

@@ -115,8 +115,8 @@ dop853_lanes *dop853_lanes_new(const whirl_system *system, const whirl_integrate
     const size_t bytes = (lay_out(lanes, NULL) * lanes->slots * sizeof(double) + 63) / 64 * 64;
     lanes->block = aligned_alloc(64, bytes);
     lanes->queue = calloc(1, sizeof *lanes->queue);
-    lanes->carrier = carrier_new(&dop853_formula, system->dimension, system->switch_count, options);
-    if (!lanes->block || !lanes->queue || !lanes->carrier) {
+    lanes->stepper = stepper_new(&dop853_formula, system->dimension, system->switch_count, options);
+    if (!lanes->block || !lanes->queue || !lanes->stepper) {
         dop853_lanes_free(lanes);
         return NULL;
     }
@@ -138,7 +138,7 @@ void dop853_lanes_free(dop853_lanes *lanes) {
     if (!lanes) return;
     free(lanes->block);
     free(lanes->queue);
-    free(lanes->carrier);
+    free(lanes->stepper);
     free(lanes->samples);
     free(lanes);
 }

@@ -2,7 +2,7 @@
 //
 // Where a switching function falls through zero without doubt, the step is tried anew so that it ends there, together with the other
 // lanes' next steps: first by the cubic through both ends, then by the function's own value and derivative. Where doubt is possible
-// (grazes, two switches at once) the lane's step is taken by a carrier, which looks with care.
+// (grazes, two switches at once) the lane's step is taken by a stepper, which looks with care.
 #include <math.h>
 #include <string.h>
 
@@ -23,40 +23,40 @@ static void end(const dop853_lanes *lanes, size_t slot, whirl_motion motion) {
     lanes->running[slot] = 0.0;
 }
 
-// ---------------------------------------------------------------- by the carrier
+// ---------------------------------------------------------------- by the stepper
 
 static void give_state(const dop853_lanes *lanes, size_t slot) {
-    carrier *c = lanes->carrier;
+    stepper *c = lanes->stepper;
     const size_t n = lanes->degrees;
     for (size_t d = 0; d < n; d++) {
         c->x[d] = *at(lanes, lanes->q, d, slot);
         c->x[n + d] = *at(lanes, lanes->v, d, slot);
     }
-    carrier_place(c, lanes->machines[lanes->queue->slot_lane[slot]], lanes->t[slot]);
+    stepper_place(c, lanes->machines[lanes->queue->slot_lane[slot]], lanes->t[slot]);
 }
 
 static void give_sides(const dop853_lanes *lanes, size_t slot) {
     for (size_t s = 0; s < lanes->switch_count; s++) {
-        lanes->carrier->sides[s] = *at(lanes, lanes->sides, s, slot);
-        lanes->carrier->held[s] = (int)*at(lanes, lanes->held, s, slot);
+        lanes->stepper->sides[s] = *at(lanes, lanes->sides, s, slot);
+        lanes->stepper->held[s] = (int)*at(lanes, lanes->held, s, slot);
     }
 }
 
 static void take_sides(const dop853_lanes *lanes, size_t slot) {
     for (size_t s = 0; s < lanes->switch_count; s++) {
-        *at(lanes, lanes->sides, s, slot) = lanes->carrier->sides[s];
-        *at(lanes, lanes->held, s, slot) = lanes->carrier->held[s];
+        *at(lanes, lanes->sides, s, slot) = lanes->stepper->sides[s];
+        *at(lanes, lanes->held, s, slot) = lanes->stepper->held[s];
     }
 }
 
 void dop853_find_sides(const dop853_lanes *lanes, size_t slot) {
     give_state(lanes, slot);
-    carrier_find_sides(lanes->carrier);
+    stepper_find_sides(lanes->stepper);
     take_sides(lanes, slot);
 }
 
 static void take_polynomials(const dop853_lanes *lanes, size_t slot) {
-    const carrier *c = lanes->carrier;
+    const stepper *c = lanes->stepper;
     for (size_t i = 0; i < 2 * lanes->degrees; i++) {
         *at(lanes, lanes->dense[0], i, slot) = c->start[i];
         for (int p = 0; p < DENSE; p++) *at(lanes, lanes->dense[1 + p], i, slot) = c->dense[p][i];
@@ -65,14 +65,14 @@ static void take_polynomials(const dop853_lanes *lanes, size_t slot) {
 
 /// Takes the step with care.
 static void step_alone(const dop853_lanes *lanes, size_t slot) {
-    carrier *c = lanes->carrier;
+    stepper *c = lanes->stepper;
     const size_t n = lanes->degrees;
     give_state(lanes, slot);
     give_sides(lanes, slot);
     c->h = lanes->length[slot];
     c->switchings = (int)lanes->switchings[slot];
     c->observed = lanes->watching;
-    const whirl_motion motion = carrier_step(c, lanes->period);
+    const whirl_motion motion = stepper_step(c, lanes->period);
     for (size_t d = 0; d < n; d++) {
         *at(lanes, lanes->q, d, slot) = c->x[d];
         *at(lanes, lanes->v, d, slot) = c->x[n + d];
@@ -98,21 +98,21 @@ static void step_alone(const dop853_lanes *lanes, size_t slot) {
 
 /// Bernstein coefficients of the cubic by values and derivatives at both ends; of a function that begins at zero those of the
 /// quotient by theta.
-typedef struct course {
+typedef struct cubic {
     double b[4];
     int degree;
-} course;
+} cubic;
 
-static course course_of(const dop853_lanes *lanes, size_t s, size_t slot) {
+static cubic cubic_of(const dop853_lanes *lanes, size_t s, size_t slot) {
     const double side = *at(lanes, lanes->sides, s, slot), third = side * lanes->length[slot] / 3.0;
     const double rise = third * *at(lanes, lanes->rate, s, slot), b0 = side * *at(lanes, lanes->value, s, slot);
     const double b3 = side * *at(lanes, lanes->end_value, s, slot);
     const double b2 = b3 - third * *at(lanes, lanes->end_rate, s, slot);
-    if (*at(lanes, lanes->held, s, slot) > 0.5) return (course){{3.0 * rise, 1.5 * b2, b3}, 2};
-    return (course){{b0, b0 + rise, b2, b3}, 3};
+    if (*at(lanes, lanes->held, s, slot) > 0.5) return (cubic){{3.0 * rise, 1.5 * b2, b3}, 2};
+    return (cubic){{b0, b0 + rise, b2, b3}, 3};
 }
 
-static bool is_clear(const course *c) {
+static bool is_clear(const cubic *c) {
     double least = c->b[0], margin = 0.0, jump = 0.0, before = 0.0;
     for (int i = 0; i <= c->degree; i++) least = fmin(least, c->b[i]);
     for (int i = 1; i < c->degree; i++) {
@@ -125,13 +125,13 @@ static bool is_clear(const course *c) {
 }
 
 /// Whether it falls from above zero to below all along.
-static bool falls(const course *c) {
+static bool falls(const cubic *c) {
     for (int i = 0; i < c->degree; i++)
         if (!(c->b[i + 1] < c->b[i])) return false;
     return c->b[0] > 0.0 && c->b[c->degree] < 0.0;
 }
 
-static double zero_of(const course *c) {
+static double zero_of(const cubic *c) {
     double low = 0.0, high = 1.0;
     for (int i = 0; i < 20; i++) { // Newton's method goes on from there
         const double theta = 0.5 * (low + high);
@@ -151,7 +151,7 @@ static passage find_passage(const dop853_lanes *lanes, size_t slot, size_t excep
     passage found = PASSAGE_CLEAR;
     *theta = 2.0;
     for (size_t s = 0; s < lanes->switch_count; s++) {
-        const course c = course_of(lanes, s, slot);
+        const cubic c = cubic_of(lanes, s, slot);
         if (s == except || is_clear(&c)) continue;
         if (!falls(&c)) return PASSAGE_DOUBTFUL;
         const double zero = zero_of(&c);

@@ -137,8 +137,8 @@ static bool attach_location(whirl_ensemble *e, const whirl_integrate_options *op
     *located = (lanes_located){.switches = system->lanes->switches[e->isa->number],
                                .switch_count = system->lanes->switch_count,
                                .needs_slopes = system->lanes->damped,
-                               .carrier = carrier_new(&rk4_formula, system->dimension, system->switch_count, options)};
-    return located->carrier != NULL;
+                               .stepper = stepper_new(&rk4_formula, system->dimension, system->switch_count, options)};
+    return located->stepper != NULL;
 }
 
 /// Vectors that hide each other's latency, at most 8, and whose numbers, stages and, where they are at hand all the time
@@ -200,7 +200,7 @@ whirl_status whirl_ensemble_new(const whirl_system *system, const whirl_integrat
 void whirl_ensemble_free(whirl_ensemble *e) {
     if (!e) return;
     dop853_lanes_free(e->adaptive);
-    free(e->lanes.located.carrier);
+    free(e->lanes.located.stepper);
     free(e->block);
     free(e->forcing);
     free(e->state);

@@ -6,7 +6,7 @@
 
 #include "method.h"
 #include "orthonormal.h"
-#include "walked.h"
+#include "unlocated.h"
 
 typedef struct rk4 {
     double step;
@@ -108,11 +108,11 @@ static whirl_motion revolve(whirl_integrator *integrator, double *x, whirl_distu
     const int steps = integrator->options.steps_per_revolution, often = (steps + ORTHONORMAL - 1) / ORTHONORMAL;
     const double *forcing = work->forcing;
     variation v = begin_variation(integrator, disturbances);
-    walked_step walked = {.system = system, .length = work->step, .slope = work->k[0], .rows = v.spare};
+    unlocated_step step = {.system = system, .length = work->step, .slope = work->k[0], .rows = v.spare};
     for (int i = 0; i < steps; i++) {
-        if (disturbances) walked_begin(&walked, i * work->step, x);
+        if (disturbances) unlocated_begin(&step, i * work->step, x);
         take_step(system, work, i * work->step, forcing, x, &v);
-        if (disturbances) walked_saltate(&walked, x, disturbances);
+        if (disturbances) unlocated_saltate(&step, x, disturbances);
         if (disturbances && disturbances->growth && ((i + 1) % often == 0 || i + 1 == steps))
             make_orthonormal(system->dimension, disturbances->count, disturbances->vectors, disturbances->growth);
         forcing += 2 * work->forcing_count;
@@ -126,7 +126,7 @@ static void end(whirl_integrator *integrator) {
 }
 
 const method rk4_method = {
-    .about = {"rk4", "Runge-Kutta of order 4, fixed steps; walks over contacts unless they are to be located", false,
+    .about = {"rk4", "Runge-Kutta of order 4, fixed steps; goes over contacts unless they are to be located", false,
               true},
     .start = start,
     .revolve = revolve,

@@ -28,7 +28,7 @@ typedef struct lanes_located {
     bool needs_slopes;             ///< their derivatives by time depend on accelerations
     double *begin_q, *begin_v;     ///< [degrees] the states at the step's beginning
     double *value[2], *rate[2];    ///< [switch_count] at its beginning and end
-    struct carrier *carrier;       ///< takes these steps
+    struct stepper *stepper;       ///< takes these steps
     const whirl_system **machines; ///< [lane]
     double *ended;                 ///< [lane] whirl_motion
 } lanes_located;

@@ -3,17 +3,17 @@
 #include <math.h>
 #include <string.h>
 
-#include "carrier.h"
+#include "stepper.h"
 
 // ---------------------------------------------------------------- switching functions and their derivatives
 
-static double value_of(const carrier *c, size_t which, double t, const double *x) {
+static double value_of(const stepper *c, size_t which, double t, const double *x) {
     double values[WHIRL_MAX_SWITCHES];
     c->system->switches(c->system->model, t, x, values);
     return values[which];
 }
 
-double carrier_rate(const carrier *c, size_t which, double t, const double *x, const double *slope) {
+double stepper_rate(const stepper *c, size_t which, double t, const double *x, const double *slope) {
     double *gradient = c->work, rate;
     if (c->system->switch_gradient) {
         c->system->switch_gradient(c->system->model, t, x, which, gradient, &rate);
@@ -29,7 +29,7 @@ double carrier_rate(const carrier *c, size_t which, double t, const double *x, c
 
 /// By how much a switching function may change where every coordinate moves by `absolute` and `relative` of itself; without its
 /// gradient: a unit of the function for a unit of the state.
-static double change_by(const carrier *c, size_t which, double t, const double *x, double absolute, double relative) {
+static double change_by(const stepper *c, size_t which, double t, const double *x, double absolute, double relative) {
     double *gradient = c->work, by_time, change = 0.0;
     if (!c->system->switch_gradient) {
         for (size_t d = 0; d < c->dimension; d++) change = fmax(change, absolute + relative * fabs(x[d]));
@@ -40,13 +40,13 @@ static double change_by(const carrier *c, size_t which, double t, const double *
     return change;
 }
 
-double carrier_reach(const carrier *c, size_t which, double t, const double *x) {
+double stepper_reach(const stepper *c, size_t which, double t, const double *x) {
     return change_by(c, which, t, x, 1e-3 * c->atol, fmax(1e-3 * c->rtol, 4.0 * DBL_EPSILON));
 }
 
 // ---------------------------------------------------------------- slopes
 
-static void slope_on(const carrier *c, double t, const double *x, const double *sides, double *dxdt) {
+static void slope_on(const stepper *c, double t, const double *x, const double *sides, double *dxdt) {
     const whirl_system *system = c->system;
     double forcing[WHIRL_MAX_FORCING];
     if (system->forcing_count > 0) system->forcing(system->model, t, forcing);
@@ -57,7 +57,7 @@ static void slope_on(const carrier *c, double t, const double *x, const double *
 }
 
 /// Solves the n by n equations matrix out = right by elimination with the largest pivot; false where they are singular.
-bool carrier_solve(size_t n, double matrix[MAX_SLIDING][MAX_SLIDING], double *right) {
+bool stepper_solve(size_t n, double matrix[MAX_SLIDING][MAX_SLIDING], double *right) {
     for (size_t k = 0; k < n; k++) {
         size_t pivot = k;
         for (size_t i = k + 1; i < n; i++)
@@ -84,7 +84,7 @@ bool carrier_solve(size_t n, double matrix[MAX_SLIDING][MAX_SLIDING], double *ri
     return true;
 }
 
-size_t carrier_list_sliding(const carrier *c, size_t list[MAX_SLIDING]) {
+size_t stepper_list_sliding(const stepper *c, size_t list[MAX_SLIDING]) {
     size_t count = 0;
     for (size_t i = 0; i < c->system->switch_count; i++)
         if (c->sliding[i]) list[count++] = i;
@@ -94,10 +94,10 @@ size_t carrier_list_sliding(const carrier *c, size_t list[MAX_SLIDING]) {
 /// The slope that keeps to all switches that are slid along: that on their lower sides plus the share of what the upper side of
 /// each of them adds (laws add, so the convex combination of all sides is of this form). Writes the shares, 0 to 1 while
 /// the motion keeps to the switch by itself.
-void carrier_slope_along(const carrier *c, double t, const double *x, double *dxdt, double *share) {
+void stepper_slope_along(const stepper *c, double t, const double *x, double *dxdt, double *share) {
     const size_t n = c->dimension;
     size_t list[MAX_SLIDING];
-    const size_t count = carrier_list_sliding(c, list);
+    const size_t count = stepper_list_sliding(c, list);
     double sides[WHIRL_MAX_SWITCHES], matrix[MAX_SLIDING][MAX_SLIDING], *added = c->work + n;
     memcpy(sides, c->sides, c->system->switch_count * sizeof *sides);
     for (size_t i = 0; i < count; i++) sides[list[i]] = -1.0;
@@ -118,28 +118,28 @@ void carrier_slope_along(const carrier *c, double t, const double *x, double *dx
             for (size_t d = 0; d < n; d++) matrix[i][j] += c->work[d] * added[j * n + d];
         }
     }
-    if (!carrier_solve(count, matrix, share)) // nothing holds the motion on the switch
+    if (!stepper_solve(count, matrix, share)) // nothing holds the motion on the switch
         for (size_t i = 0; i < count; i++) share[i] = 0.0;
     for (size_t j = 0; j < count; j++)
         for (size_t d = 0; d < n; d++) dxdt[d] += share[j] * added[j * n + d];
 }
 
-void carrier_slope(const carrier *c, double t, const double *x, double *dxdt) {
+void stepper_slope(const stepper *c, double t, const double *x, double *dxdt) {
     double share[MAX_SLIDING];
     if (c->sliding_count > 0)
-        carrier_slope_along(c, t, x, dxdt, share);
+        stepper_slope_along(c, t, x, dxdt, share);
     else
         slope_on(c, t, x, c->sides, dxdt);
 }
 
 // ---------------------------------------------------------------- sides
 
-void carrier_watched(const carrier *c, double t, const double *x, double *values) {
+void stepper_watched(const stepper *c, double t, const double *x, double *values) {
     double share[MAX_SLIDING];
     c->system->switches(c->system->model, t, x, values);
     for (size_t i = 0; i < c->system->switch_count; i++) values[i] *= c->sides[i];
     if (c->sliding_count == 0) return;
-    carrier_slope_along(c, t, x, c->work + (MAX_SLIDING + 1) * c->dimension, share);
+    stepper_slope_along(c, t, x, c->work + (MAX_SLIDING + 1) * c->dimension, share);
     size_t at = 0;
     for (size_t i = 0; i < c->system->switch_count; i++)
         if (c->sliding[i]) {
@@ -155,18 +155,18 @@ typedef struct departure {
 } departure;
 
 /// From (t, x), where the function is zero.
-static departure depart(carrier *c, size_t which, double side) {
+static departure depart(stepper *c, size_t which, double side) {
     double *slope = c->work + (MAX_SLIDING + 1) * c->dimension, *later = slope + c->dimension, size = 0.0;
     const double step = 1e-5 * c->system->period, kept = c->sides[which];
     c->sides[which] = side;
-    carrier_slope(c, c->t, c->x, slope);
-    departure out = {.rate = carrier_rate(c, which, c->t, c->x, slope)};
+    stepper_slope(c, c->t, c->x, slope);
+    departure out = {.rate = stepper_rate(c, which, c->t, c->x, slope)};
     for (size_t d = 0; d < c->dimension; d++) {
         later[d] = c->x[d] + step * slope[d];
         size = fmax(size, fabs(c->x[d]));
     }
-    carrier_slope(c, c->t + step, later, slope);
-    out.bend = (carrier_rate(c, which, c->t + step, later, slope) - out.rate) / step;
+    stepper_slope(c, c->t + step, later, slope);
+    out.bend = (stepper_rate(c, which, c->t + step, later, slope) - out.rate) / step;
     c->sides[which] = kept;
     // By rate^2/(2 bend) the function would pass zero before it turns round: nothing but rounding?
     out.level = out.rate * out.rate <= 16.0 * DBL_EPSILON * size * fabs(out.bend);
@@ -178,22 +178,22 @@ static bool goes(const departure *d, double side) {
     return side * (d->level ? d->bend : d->rate) > 0.0;
 }
 
-static bool can_slide(const carrier *c) {
+static bool can_slide(const stepper *c) {
     return c->system->rhs_on_sides && c->system->switch_gradient && c->sliding_count < MAX_SLIDING;
 }
 
 /// Begins to slide along a switch.
-static void slide(carrier *c, size_t which) {
+static void slide(stepper *c, size_t which) {
     c->sliding[which] = true;
     c->sliding_count++;
-    carrier_project(c, c->x);
+    stepper_project(c, c->x);
 }
 
 /// Ends sliding on the side that keeps the motion: where the share of the upper side is 1, the upper.
-static void let_go(carrier *c, size_t which) {
+static void let_go(stepper *c, size_t which) {
     double share[MAX_SLIDING];
     size_t at = 0;
-    carrier_slope_along(c, c->t, c->x, c->work + (MAX_SLIDING + 1) * c->dimension, share);
+    stepper_slope_along(c, c->t, c->x, c->work + (MAX_SLIDING + 1) * c->dimension, share);
     for (size_t i = 0; i < which; i++) at += c->sliding[i];
     c->sides[which] = share[at] > 0.5 ? 1.0 : -1.0;
     c->sliding[which] = false;
@@ -206,7 +206,7 @@ static bool pushed(const departure *below, const departure *above) {
     return below->rate > 0.0 && !below->level && above->rate < 0.0 && !above->level;
 }
 
-void carrier_cross(carrier *c, size_t which) {
+void stepper_cross(stepper *c, size_t which) {
     if (c->sliding[which]) {
         let_go(c, which);
         return;
@@ -224,7 +224,7 @@ void carrier_cross(carrier *c, size_t which) {
     }
 }
 
-void carrier_find_sides(carrier *c) {
+void stepper_find_sides(stepper *c) {
     const whirl_system *system = c->system;
     double values[WHIRL_MAX_SWITCHES];
     memset(c->held, 0, sizeof c->held);
@@ -246,7 +246,7 @@ void carrier_find_sides(carrier *c) {
     }
 }
 
-void carrier_project(const carrier *c, double *x) {
+void stepper_project(const stepper *c, double *x) {
     double *gradient = c->work, by_time;
     for (int turn = 0; turn < 2; turn++)
         for (size_t i = 0; i < c->system->switch_count; i++) {

@@ -148,7 +148,7 @@ static void e1_tolerances(void **unused) {
 
 static void e1_fixed_steps(void **unused) {
     (void)unused;
-    // Contacts are walked over: the error falls with the steps, but erratically and more slowly than their fourth
+    // Contacts are not located: the error falls with the steps, but erratically and more slowly than their fourth
     // power.
     static const struct {
         int steps;

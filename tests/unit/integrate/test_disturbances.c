@@ -238,24 +238,24 @@ static void test_located_switches_of_fixed_steps(void **state) {
 }
 
 /// Steps that walk over the impacts know them to the first order of their length.
-static void test_impacts_that_are_walked_over(void **state) {
+static void test_impacts_that_are_not_located(void **state) {
     const whirl_system system = make_system(&impacts);
     double worst[2] = {0.0, 0.0};
     (void)state;
     for (int k = 0; k < 2; k++) {
         whirl_integrator *exact = make_integrator(&system, "dop853", 64);
-        whirl_integrator *walked = make_integrator(&system, "rk4", k ? 65536 : 4096);
+        whirl_integrator *unlocated = make_integrator(&system, "rk4", k ? 65536 : 4096);
         double x[2] = {0.1, 0.2}, theirs[4], ours[4];
         for (int i = 0; i < 10; i++) {
             double z[2] = {x[0], x[1]};
-            const double volume = carry_columns(walked, z, ours);
+            const double volume = carry_columns(unlocated, z, ours);
             assert_true(fabs(volume - carry_columns(exact, x, theirs)) < (k ? 2e-4 : 3e-3));
             worst[k] = fmax(worst[k], worst_difference(ours, theirs));
         }
         whirl_integrator_free(exact);
-        whirl_integrator_free(walked);
+        whirl_integrator_free(unlocated);
     }
-    printf("walked over: %g with 4096 steps, %g with 65536\n", worst[0], worst[1]);
+    printf("not located: %g with 4096 steps, %g with 65536\n", worst[0], worst[1]);
     assert_true(worst[0] < 3e-2 && worst[1] < 2e-3);
 }
 
@@ -370,7 +370,7 @@ int main(void) {
         cmocka_unit_test(test_smooth_motion),
         cmocka_unit_test(test_impacts_with_contact_damping),
         cmocka_unit_test(test_located_switches_of_fixed_steps),
-        cmocka_unit_test(test_impacts_that_are_walked_over),
+        cmocka_unit_test(test_impacts_that_are_not_located),
         cmocka_unit_test(test_reversals_of_friction),
         cmocka_unit_test(test_sticking),
         cmocka_unit_test(test_saltation_of_a_broken_line),

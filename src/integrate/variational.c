@@ -4,38 +4,38 @@
 #include <string.h>
 
 #define VECTOR_ISA 0
-#include "follower_lanes.h"
 #include "isa.h"
 #include "method.h"
+#include "variational_lanes.h"
 #include "vector.h"
 #include "whirl/ensemble.h"
 
-follower_lanes_revolve *const follower_lanes_revolves[VECTOR_ISAS] = {
-    [VECTOR_SCALAR] = follower_lanes_scalar, [VECTOR_128] = follower_lanes_128,
+variational_lanes_revolve *const variational_lanes_revolves[VECTOR_ISAS] = {
+    [VECTOR_SCALAR] = variational_lanes_scalar, [VECTOR_128] = variational_lanes_128,
 #if defined(__x86_64__)
-    [VECTOR_FMA] = follower_lanes_fma,       [VECTOR_AVX2] = follower_lanes_avx2,
-    [VECTOR_AVX512] = follower_lanes_avx512,
+    [VECTOR_FMA] = variational_lanes_fma,       [VECTOR_AVX2] = variational_lanes_avx2,
+    [VECTOR_AVX512] = variational_lanes_avx512,
 #endif
 };
 
-struct whirl_follower {
+struct whirl_variational {
     const whirl_system *system; ///< of the first machine: the structure
     const isa *isa;
-    follower_lanes lanes;
+    variational_lanes lanes;
     double *forcing, *block; ///< block: all arrays of lanes, aligned to 64 bytes
 };
 
 /// Beyond this their memory is out of all proportion: it grows with the square of the dimension, and with the lanes.
 enum { MOST_DISTURBANCES = 256 };
 
-bool whirl_follower_takes(const whirl_system *system, const whirl_integrate_options *options) {
+bool whirl_variational_takes(const whirl_system *system, const whirl_integrate_options *options) {
     return system->lanes && strcmp(options->method, "rk4") == 0 && !options->located && !system->lanes->damped &&
            !system->lanes->slides && system->dimension <= MOST_DISTURBANCES;
 }
 
 /// Rows of the block, and where each array begins.
-static size_t lay_out(whirl_follower *f, double *block) {
-    follower_lanes *l = &f->lanes;
+static size_t lay_out(whirl_variational *f, double *block) {
+    variational_lanes *l = &f->lanes;
     const size_t set = (1 + l->disturbances) * l->degrees;
     size_t row = 0;
     const struct {
@@ -66,14 +66,14 @@ static size_t lay_out(whirl_follower *f, double *block) {
 }
 
 /// The logarithms of all products of lengths, which begin afresh.
-static void note_lengths(follower_lanes *lanes) {
+static void note_lengths(variational_lanes *lanes) {
     for (size_t i = 0; i < lanes->disturbances * lanes->lane_count; i++) {
         lanes->growth[i] += log(lanes->lengths[i]);
         lanes->lengths[i] = 1.0;
     }
 }
 
-static bool allocate(whirl_follower *f) {
+static bool allocate(whirl_variational *f) {
     const whirl_system *system = f->system;
     const size_t instants = 2 * (size_t)f->lanes.steps + 1;
     const size_t bytes = lay_out(f, NULL) * f->lanes.lane_count * sizeof(double);
@@ -89,54 +89,54 @@ static bool allocate(whirl_follower *f) {
     return true;
 }
 
-whirl_status whirl_follower_new(const whirl_system *system, const whirl_integrate_options *options,
-                                whirl_follower **out) {
+whirl_status whirl_variational_new(const whirl_system *system, const whirl_integrate_options *options,
+                                   whirl_variational **out) {
     enum { ORTHONORMAL = 64 };                              // times in a revolution, as rk4.c
     const size_t vectors = system->dimension <= 16 ? 2 : 1; // what fits into the first cache
     *out = NULL;
-    if (!whirl_follower_takes(system, options))
+    if (!whirl_variational_takes(system, options))
         return whirl_fail(WHIRL_BAD_INPUT, "disturbances of this system do not go in lanes, expected a rotor without "
                                            "jumps of its forces, and rk4 that walks over contacts");
     whirl_status status = check_options(system, options);
     if (status.code != WHIRL_OK) return status;
-    whirl_follower *f = calloc(1, sizeof *f);
+    whirl_variational *f = calloc(1, sizeof *f);
     if (!f) return whirl_fail(WHIRL_NO_MEMORY, "no memory to follow disturbances");
     f->system = system;
     status = isa_choose(&f->isa);
     if (status.code == WHIRL_OK) {
-        f->lanes = (follower_lanes){.model = system->model,
-                                    .flow = system->lanes->flow[f->isa->number],
-                                    .stride = vectors,
-                                    .lane_count = vectors * f->isa->lanes,
-                                    .degrees = system->lanes->degrees,
-                                    .disturbances = system->dimension,
-                                    .forcing_count = system->forcing_count,
-                                    .steps = options->steps_per_revolution,
-                                    .often = (options->steps_per_revolution + ORTHONORMAL - 1) / ORTHONORMAL,
-                                    .step = system->period / options->steps_per_revolution,
-                                    .note = note_lengths};
+        f->lanes = (variational_lanes){.model = system->model,
+                                       .flow = system->lanes->flow[f->isa->number],
+                                       .stride = vectors,
+                                       .lane_count = vectors * f->isa->lanes,
+                                       .degrees = system->lanes->degrees,
+                                       .disturbances = system->dimension,
+                                       .forcing_count = system->forcing_count,
+                                       .steps = options->steps_per_revolution,
+                                       .often = (options->steps_per_revolution + ORTHONORMAL - 1) / ORTHONORMAL,
+                                       .step = system->period / options->steps_per_revolution,
+                                       .note = note_lengths};
         if (!allocate(f)) status = whirl_fail(WHIRL_NO_MEMORY, "no memory to follow disturbances");
     }
     if (status.code == WHIRL_OK)
         *out = f;
     else
-        whirl_follower_free(f);
+        whirl_variational_free(f);
     return status;
 }
 
-void whirl_follower_free(whirl_follower *f) {
+void whirl_variational_free(whirl_variational *f) {
     if (!f) return;
     free(f->block);
     free(f->forcing);
     free(f);
 }
 
-size_t whirl_follower_lanes(const whirl_follower *f) {
+size_t whirl_variational_lanes(const whirl_variational *f) {
     return f->lanes.lane_count;
 }
 
 /// Puts a state (which = 0) or a disturbance [dimension] into a lane.
-static void place(whirl_follower *f, size_t lane, size_t which, const double *x) {
+static void place(whirl_variational *f, size_t lane, size_t which, const double *x) {
     const size_t degrees = f->lanes.degrees;
     for (size_t d = 0; d < degrees; d++) {
         f->lanes.q[(which * degrees + d) * f->lanes.lane_count + lane] = x[d];
@@ -144,8 +144,8 @@ static void place(whirl_follower *f, size_t lane, size_t which, const double *x)
     }
 }
 
-whirl_status whirl_follower_load(whirl_follower *f, size_t lane, const whirl_system *system, const double *x,
-                                 const double *vectors) {
+whirl_status whirl_variational_load(whirl_variational *f, size_t lane, const whirl_system *system, const double *x,
+                                    const double *vectors) {
     const size_t numbers = f->system->lanes->number_count;
     double *own = malloc(numbers * sizeof *own);
     if (!own) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine");
@@ -162,11 +162,11 @@ whirl_status whirl_follower_load(whirl_follower *f, size_t lane, const whirl_sys
     return whirl_ok();
 }
 
-void whirl_follower_revolve(whirl_follower *f) {
-    follower_lanes_revolves[f->isa->number](&f->lanes);
+void whirl_variational_revolve(whirl_variational *f) {
+    variational_lanes_revolves[f->isa->number](&f->lanes);
 }
 
-void whirl_follower_read(const whirl_follower *f, size_t lane, double *vectors, double *growth, double *volume) {
+void whirl_variational_read(const whirl_variational *f, size_t lane, double *vectors, double *growth, double *volume) {
     const size_t degrees = f->lanes.degrees;
     for (size_t k = 0; k < f->lanes.disturbances; k++) {
         for (size_t d = 0; d < degrees; d++) {

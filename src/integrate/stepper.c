@@ -1,5 +1,5 @@
 // Steps: slopes, error, length, interpolant, and where a step must end.
-#include "carrier.h"
+#include "stepper.h"
 
 #include <float.h>
 #include <math.h>
@@ -7,7 +7,7 @@
 #include <string.h>
 
 #define VECTOR_ISA 0
-#include "course.h"
+#include "bernstein.h"
 #include "crossing.h"
 
 static const double safety = 0.92, least_factor = 1.0 / 3.0, most_factor = 6.0;
@@ -19,10 +19,10 @@ static const double rk4_a[][DOP853_SLOPES - 1] = {
     {0}, {0.5}, {0.0, 0.5}, {0.0, 0.0, 1.0}, {1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0}};
 const formula rk4_formula = {4, rk4_c, rk4_a, false};
 
-carrier *carrier_new(const formula *own, size_t dimension, size_t switch_count,
+stepper *stepper_new(const formula *own, size_t dimension, size_t switch_count,
                      const whirl_integrate_options *options) {
     const size_t rows = 5 + DOP853_SLOPES + DENSE + MAX_SLIDING + 3;
-    carrier *c = calloc(1, sizeof *c + (rows * dimension + switch_count) * sizeof(double));
+    stepper *c = calloc(1, sizeof *c + (rows * dimension + switch_count) * sizeof(double));
     if (!c) return NULL;
     double *row = (double *)(c + 1);
     double **const parts[] = {&c->x, &c->start, &c->end, &c->stage, &c->scale};
@@ -42,7 +42,7 @@ carrier *carrier_new(const formula *own, size_t dimension, size_t switch_count,
 // ---------------------------------------------------------------- one step
 
 /// The weighted sum of the first `count` slopes; many weights are zero.
-static void sum_slopes(const carrier *c, const double *weights, int count, double *restrict out) {
+static void sum_slopes(const stepper *c, const double *weights, int count, double *restrict out) {
     memset(out, 0, c->dimension * sizeof *out);
     for (int j = 0; j < count; j++) {
         const double *restrict slope = c->k[j];
@@ -53,15 +53,15 @@ static void sum_slopes(const carrier *c, const double *weights, int count, doubl
 }
 
 /// Slope `i` of the step from `start` of length h.
-static void take_slope(const carrier *c, int i, double h) {
+static void take_slope(const stepper *c, int i, double h) {
     sum_slopes(c, c->formula->a[i], i < DOP853_SLOPES - 1 ? i : DOP853_SLOPES - 1, c->stage);
     for (size_t d = 0; d < c->dimension; d++) c->stage[d] = c->start[d] + h * c->stage[d];
-    carrier_slope(c, c->begin + c->formula->c[i] * h, c->stage, c->k[i]);
+    stepper_slope(c, c->begin + c->formula->c[i] * h, c->stage, c->k[i]);
 }
 
 /// What an error of every coordinate is compared with, between the states a and b. A coordinate that passes zero is not small for that:
 /// those of one probe count as large as the largest of them.
-static void set_scales(carrier *c, const double *a, const double *b) {
+static void set_scales(stepper *c, const double *a, const double *b) {
     for (size_t d = 0; d < c->dimension; d++) c->scale[d] = fmax(fabs(a[d]), fabs(b[d]));
     for (size_t i = 0; i < c->system->probe_count; i++) {
         const whirl_probe *probe = &c->system->probes[i];
@@ -75,7 +75,7 @@ static void set_scales(carrier *c, const double *a, const double *b) {
 
 /// The norm of the estimated error over the tolerance, of both embedded formulas as DOP853 weighs them; not a number where the
 /// step leaves the equations' domain.
-static double estimated_error(const carrier *c, double h) {
+static double estimated_error(const stepper *c, double h) {
     double square5 = 0.0, square3 = 0.0, *e5 = c->work, *e3 = c->work + c->dimension;
     sum_slopes(c, dop853_e5, DOP853_STAGES, e5);
     sum_slopes(c, dop853_e3, DOP853_STAGES, e3);
@@ -88,7 +88,7 @@ static double estimated_error(const carrier *c, double h) {
 }
 
 /// Tries a step of length h from `start`, whose first slope is known: end, slope at the end and error.
-static double try_step(carrier *c, double h) {
+static double try_step(stepper *c, double h) {
     const int stages = c->formula->stages;
     for (int i = 1; i <= stages; i++) take_slope(c, i, h); // the last one at the step's end
     memcpy(c->end, c->stage, c->dimension * sizeof *c->end);
@@ -101,7 +101,7 @@ static double try_step(carrier *c, double h) {
 }
 
 /// The cubic by the states and slopes at both ends.
-static void take_cubic(carrier *c) {
+static void take_cubic(stepper *c) {
     const double h = c->length;
     const double *first = c->k[0], *last = c->k[c->formula->stages];
     for (size_t d = 0; d < c->dimension; d++) {
@@ -113,7 +113,7 @@ static void take_cubic(carrier *c) {
 }
 
 /// The interpolant of the step: a cubic, and what DOP853 adds to it by three more slopes (Hairer, Norsett, Wanner 1993, II.6).
-static void interpolate(carrier *c) {
+static void interpolate(stepper *c) {
     take_cubic(c);
     if (!c->formula->adaptive) return;
     for (int i = DOP853_STAGES + 1; i < DOP853_SLOPES; i++) take_slope(c, i, c->length);
@@ -123,7 +123,7 @@ static void interpolate(carrier *c) {
     }
 }
 
-void carrier_between(const carrier *c, double theta, double *x) {
+void stepper_between(const stepper *c, double theta, double *x) {
     for (size_t d = 0; d < c->dimension; d++) {
         double sum = 0.0;
         for (int i = DENSE - 1; i >= 0; i--) sum = (sum + c->dense[i][d]) * (i % 2 == 0 ? theta : 1.0 - theta);
@@ -142,7 +142,7 @@ static double length_factor(double error, double before) {
 
 // ---------------------------------------------------------------- the first step
 
-static double norm(const carrier *c, const double *v, const double *other) {
+static double norm(const stepper *c, const double *v, const double *other) {
     double sum = 0.0;
     for (size_t d = 0; d < c->dimension; d++) {
         const double value = (v[d] - (other ? other[d] : 0.0)) / c->scale[d];
@@ -153,19 +153,19 @@ static double norm(const carrier *c, const double *v, const double *other) {
 
 /// A length for the first step (Hairer, Norsett, Wanner 1993, II.4), from the size of the state, of its slope and of the
 /// slope's change.
-static double first_length(carrier *c) {
+static double first_length(stepper *c) {
     set_scales(c, c->x, c->x);
     const double size = norm(c, c->x, NULL), slope = norm(c, c->k[0], NULL), period = c->system->period;
     double h = size < 1e-5 || slope < 1e-5 ? 1e-6 * period : 0.01 * size / slope;
     h = fmin(h, period);
     for (size_t d = 0; d < c->dimension; d++) c->stage[d] = c->x[d] + h * c->k[0][d];
-    carrier_slope(c, h, c->stage, c->k[1]);
+    stepper_slope(c, h, c->stage, c->k[1]);
     const double most = fmax(slope, norm(c, c->k[1], c->k[0]) / h);
     const double longer = most > 1e-15 ? sqrt(sqrt(sqrt(0.01 / most))) : fmax(1e-6 * period, 1e-3 * h);
     return isfinite(longer) ? fmin(100.0 * h, longer) : h;
 }
 
-void carrier_place(carrier *c, const whirl_system *system, double t) {
+void stepper_place(stepper *c, const whirl_system *system, double t) {
     c->system = system;
     c->t = t;
     c->error = 1.0;
@@ -173,14 +173,14 @@ void carrier_place(carrier *c, const whirl_system *system, double t) {
     c->crossed = true;
 }
 
-whirl_motion carrier_begin(carrier *c, const whirl_system *system, const double *x) {
-    carrier_place(c, system, 0.0);
+whirl_motion stepper_begin(stepper *c, const whirl_system *system, const double *x) {
+    stepper_place(c, system, 0.0);
     memcpy(c->x, x, c->dimension * sizeof *x);
     for (size_t d = 0; d < c->dimension; d++)
         if (!(fabs(x[d]) <= c->limit)) return WHIRL_DIVERGED; // NaN too
-    carrier_find_sides(c);
+    stepper_find_sides(c);
     if (!c->formula->adaptive) return WHIRL_BOUNDED;
-    carrier_slope(c, 0.0, c->x, c->k[0]);
+    stepper_slope(c, 0.0, c->x, c->k[0]);
     c->h = first_length(c);
     return WHIRL_BOUNDED;
 }
@@ -188,14 +188,14 @@ whirl_motion carrier_begin(carrier *c, const whirl_system *system, const double 
 // ---------------------------------------------------------------- steps that end at switches
 
 static void watch(void *context, double theta, double *values) {
-    carrier *c = context;
-    carrier_between(c, theta, c->stage);
-    carrier_watched(c, c->begin + theta * c->length, c->stage, values);
+    stepper *c = context;
+    stepper_between(c, theta, c->stage);
+    stepper_watched(c, c->begin + theta * c->length, c->stage, values);
 }
 
 /// Takes the step anew so that it ends where function `which` is zero: at theta of its length by the interpolant, then nearer by
 /// what is left.
-static void land(carrier *c, double theta, size_t which) {
+static void land(stepper *c, double theta, size_t which) {
     enum { TRIES = 4 };
     const double whole = c->length, nudge = 1e-4;
     double after[WHIRL_MAX_SWITCHES], before[WHIRL_MAX_SWITCHES];
@@ -205,8 +205,8 @@ static void land(carrier *c, double theta, size_t which) {
     double h = theta * whole;
     for (int i = 0; i < TRIES; i++) {
         try_step(c, h);
-        carrier_watched(c, c->begin + h, c->end, after);
-        if (fabs(after[which]) <= carrier_reach(c, which, c->begin + h, c->end) || !(rate < 0.0)) break;
+        stepper_watched(c, c->begin + h, c->end, after);
+        if (fabs(after[which]) <= stepper_reach(c, which, c->begin + h, c->end) || !(rate < 0.0)) break;
         const double nearer = h - after[which] / rate;
         if (!(nearer > 0.0 && nearer <= whole) || i == TRIES - 1) break;
         h = nearer;
@@ -214,24 +214,25 @@ static void land(carrier *c, double theta, size_t which) {
 }
 
 /// Whether all switching functions keep their signs by far, by their values and derivatives at both ends of the step.
-static bool is_clear(carrier *c) {
+static bool is_clear(stepper *c) {
     const double end = c->begin + c->length, *last = c->k[c->formula->stages];
     double from[WHIRL_MAX_SWITCHES], to[WHIRL_MAX_SWITCHES];
     if (!c->system->switch_gradient || c->sliding_count > 0) return false;
-    carrier_watched(c, c->begin, c->start, from);
-    carrier_watched(c, end, c->end, to);
+    stepper_watched(c, c->begin, c->start, from);
+    stepper_watched(c, end, c->end, to);
     for (size_t i = 0; i < c->system->switch_count; i++) {
         if (c->held[i] > 0 || !(from[i] > 0.0) || !(to[i] > 0.0)) return false;
         const double third = c->sides[i] * c->length / 3.0;
-        const double rise = third * carrier_rate(c, i, c->begin, c->start, c->k[0]);
-        if (course_clear(from[i], from[i] + rise, to[i] - third * carrier_rate(c, i, end, c->end, last), to[i]) < 0.5)
+        const double rise = third * stepper_rate(c, i, c->begin, c->start, c->k[0]);
+        if (bernstein_clear(from[i], from[i] + rise, to[i] - third * stepper_rate(c, i, end, c->end, last), to[i]) <
+            0.5)
             return false;
     }
     return true;
 }
 
 /// Where the step just tried must end; at its beginning where theta is 0.
-static bool meets_switch(carrier *c, double *theta, size_t *which) {
+static bool meets_switch(stepper *c, double *theta, size_t *which) {
     if (c->system->switch_count == 0 || is_clear(c)) {
         if (c->observed) interpolate(c);
         return false;
@@ -242,15 +243,15 @@ static bool meets_switch(carrier *c, double *theta, size_t *which) {
 }
 
 /// Lets the motion go on at the end of the step.
-static void go_on(carrier *c, double t) {
+static void go_on(stepper *c, double t) {
     c->t = t;
     memcpy(c->x, c->end, c->dimension * sizeof *c->x);
     memset(c->held, 0, sizeof c->held);
-    if (c->sliding_count > 0) carrier_project(c, c->x);
+    if (c->sliding_count > 0) stepper_project(c, c->x);
 }
 
 /// A length for the step from t: no sliver is left before `until`.
-static double next_length(const carrier *c, double until) {
+static double next_length(const stepper *c, double until) {
     const double left = until - c->t;
     if (!c->formula->adaptive) return left;
     const double most = c->system->switch_count > 0 ? fmin(c->h, c->system->period / 8.0) : c->h;
@@ -258,14 +259,14 @@ static double next_length(const carrier *c, double until) {
     return left < 2.0 * most ? 0.5 * left : most;
 }
 
-static whirl_motion judge(const carrier *c) {
+static whirl_motion judge(const stepper *c) {
     for (size_t d = 0; d < c->dimension; d++)
         if (!(fabs(c->x[d]) <= c->limit)) return WHIRL_DIVERGED; // NaN too
     return WHIRL_BOUNDED;
 }
 
 /// Tries steps, shorter and shorter, until one keeps the tolerance.
-static whirl_motion accept(carrier *c, double until) {
+static whirl_motion accept(stepper *c, double until) {
     bool rejected = false;
     for (;;) {
         const double h = next_length(c, until);
@@ -286,14 +287,14 @@ static whirl_motion accept(carrier *c, double until) {
     }
 }
 
-whirl_motion carrier_step(carrier *c, double until) {
+whirl_motion stepper_step(stepper *c, double until) {
     for (;;) {
         double theta = 1.0;
         size_t which = 0;
         c->begin = c->t;
         memcpy(c->start, c->x, c->dimension * sizeof *c->x);
         if (c->crossed || c->sliding_count > 0) {
-            carrier_slope(c, c->t, c->x, c->k[0]);
+            stepper_slope(c, c->t, c->x, c->k[0]);
         } else {
             memcpy(c->k[0], c->k[c->formula->stages], c->dimension * sizeof *c->x);
         }
@@ -303,7 +304,7 @@ whirl_motion carrier_step(carrier *c, double until) {
         if (motion != WHIRL_BOUNDED) return motion;
         c->crossed = meets_switch(c, &theta, &which);
         if (!c->crossed) {
-            carrier_vary(c);
+            stepper_vary(c);
             go_on(c, c->length < until - c->begin ? c->begin + c->length : until);
             return judge(c);
         }
@@ -311,10 +312,10 @@ whirl_motion carrier_step(carrier *c, double until) {
         if (theta > 0.0) {
             land(c, theta, which);
             if (c->observed) interpolate(c);
-            carrier_vary(c);
+            stepper_vary(c);
             go_on(c, c->begin + c->length);
         }
-        carrier_cross_varied(c, which);
+        stepper_cross_varied(c, which);
         if (theta > 0.0) return judge(c);
     }
 }

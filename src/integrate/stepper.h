@@ -4,8 +4,8 @@
 /// first zero of a switching function within the step is found on the interpolant and the step taken anew to end there. Then
 /// the motion goes on beyond the switch or, where both sides push onto it, slides along it (Filippov 1988) until one
 /// side lets go. Of systems that do not know sides the state decides, and steps end at the switches all the same.
-#ifndef INTEGRATE_CARRIER_H
-#define INTEGRATE_CARRIER_H
+#ifndef INTEGRATE_STEPPER_H
+#define INTEGRATE_STEPPER_H
 
 #include "dop853_tableau.h"
 #include "method.h"
@@ -13,11 +13,11 @@
 enum { MAX_SLIDING = 8, MAX_SWITCHINGS = 10000, DENSE = 3 + DOP853_DENSE };
 
 /// Disturbances that go with a motion, and their workspace.
-typedef struct carrier_variation {
+typedef struct stepper_variation {
     whirl_disturbances *set;                  ///< NULL: none
     double *k[DOP853_STAGES], *stage, *upper; ///< [count][dimension]
     double *spare;                            ///< [SPARE_ROWS][dimension]
-} carrier_variation;
+} stepper_variation;
 
 /// An explicit Runge-Kutta formula: row `stages` of a gives the result, at whose end one more slope is taken.
 typedef struct formula {
@@ -28,7 +28,7 @@ typedef struct formula {
 
 extern const formula dop853_formula, rk4_formula;
 
-typedef struct carrier {
+typedef struct stepper {
     const formula *formula;
     const whirl_system *system;
     size_t dimension;
@@ -42,7 +42,7 @@ typedef struct carrier {
     size_t sliding_count;
     int switchings; ///< since the beginning of the revolution
     bool crossed;   ///< the last step ended at a switch
-    bool observed;  ///< carrier_between is wanted after every step
+    bool observed;  ///< stepper_between is wanted after every step
     // The last step.
     double begin, length;
     double *start;                           ///< [dimension] the state at its beginning
@@ -51,66 +51,66 @@ typedef struct carrier {
     double error;                            ///< of the last accepted step, in tolerances
     double *stage, *scale;                   ///< [dimension] workspace
     double *work;                            ///< [MAX_SLIDING + 3][dimension] workspace of the sides
-    carrier_variation variation;
-} carrier;
+    stepper_variation variation;
+} stepper;
 
-/// A carrier for systems of that dimension and number of switches, with no motion yet; NULL where there is no memory. Freed by free().
-carrier *carrier_new(const formula *formula, size_t dimension, size_t switch_count,
+/// A stepper for systems of that dimension and number of switches, with no motion yet; NULL where there is no memory. Freed by free().
+stepper *stepper_new(const formula *formula, size_t dimension, size_t switch_count,
                      const whirl_integrate_options *options);
 
 /// Begins a revolution at x: t = 0, sides as x says, a length of step that depends on x alone.
-whirl_motion carrier_begin(carrier *c, const whirl_system *system, const double *x);
+whirl_motion stepper_begin(stepper *c, const whirl_system *system, const double *x);
 
-/// Places the motion of another carrier at time t: x, sides, held and h are the caller's to set.
-void carrier_place(carrier *c, const whirl_system *system, double t);
+/// Places the motion of another stepper at time t: x, sides, held and h are the caller's to set.
+void stepper_place(stepper *c, const whirl_system *system, double t);
 
 /// Carries the motion one step further, at most to `until` and at most to the first switch.
-whirl_motion carrier_step(carrier *c, double until);
+whirl_motion stepper_step(stepper *c, double until);
 
 /// The state within the last step, by the formula's interpolant; theta from 0 to 1.
-void carrier_between(const carrier *c, double theta, double *x);
+void stepper_between(const stepper *c, double theta, double *x);
 
-// ---------------------------------------------------------------- between the carrier's own files
+// ---------------------------------------------------------------- between the stepper's own files
 
 /// dx/dt at (t, x) on the present sides, sliding included.
-void carrier_slope(const carrier *c, double t, const double *x, double *dxdt);
+void stepper_slope(const stepper *c, double t, const double *x, double *dxdt);
 
 /// The derivative by time of switch `which` along `slope`: by the system's gradient, else by central differences.
-double carrier_rate(const carrier *c, size_t which, double t, const double *x, const double *slope);
+double stepper_rate(const stepper *c, size_t which, double t, const double *x, const double *slope);
 
 /// The sides at the beginning of a revolution, where x may lie on a switch.
-void carrier_find_sides(carrier *c);
+void stepper_find_sides(stepper *c);
 
 /// What must stay positive during a step, [switch_count]: the switching functions times their sides, and for those that are slid along
 /// the room that the two sides leave.
-void carrier_watched(const carrier *c, double t, const double *x, double *values);
+void stepper_watched(const stepper *c, double t, const double *x, double *values);
 
 /// At the end of a step on switch `which`: beyond it, or along it.
-void carrier_cross(carrier *c, size_t which);
+void stepper_cross(stepper *c, size_t which);
 
 /// At the beginning of a revolution: disturbances off a switch that is slid along are there at once, drawn along what its two
 /// sides differ by.
-void carrier_vary_begin(carrier *c);
+void stepper_vary_begin(stepper *c);
 
 /// Carries the disturbances over the step just taken, before the motion goes on.
-void carrier_vary(carrier *c);
+void stepper_vary(stepper *c);
 
-/// carrier_cross, with the saltation of the disturbances.
-void carrier_cross_varied(carrier *c, size_t which);
+/// stepper_cross, with the saltation of the disturbances.
+void stepper_cross_varied(stepper *c, size_t which);
 
 /// The switches that are slid along; gives how many.
-size_t carrier_list_sliding(const carrier *c, size_t list[MAX_SLIDING]);
+size_t stepper_list_sliding(const stepper *c, size_t list[MAX_SLIDING]);
 
 /// The slope along them with the shares of their upper sides; leaves what these add in the rows of `work` from the second on.
-void carrier_slope_along(const carrier *c, double t, const double *x, double *dxdt, double *share);
+void stepper_slope_along(const stepper *c, double t, const double *x, double *dxdt, double *share);
 
 /// Solves n by n equations in place of `right`; false where they are singular.
-bool carrier_solve(size_t n, double matrix[MAX_SLIDING][MAX_SLIDING], double *right);
+bool stepper_solve(size_t n, double matrix[MAX_SLIDING][MAX_SLIDING], double *right);
 
 /// Puts x back onto the switches that are slid along.
-void carrier_project(const carrier *c, double *x);
+void stepper_project(const stepper *c, double *x);
 
 /// Within which the value of switch `which` at x counts as zero: a thousandth of the tolerance of x.
-double carrier_reach(const carrier *c, size_t which, double t, const double *x);
+double stepper_reach(const stepper *c, size_t which, double t, const double *x);
 
 #endif

@@ -6,12 +6,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "carrier.h"
 #include "method.h"
+#include "stepper.h"
 
 static whirl_status start(whirl_integrator *integrator, const formula *own) {
     const whirl_system *system = integrator->system;
-    integrator->workspace = carrier_new(own, system->dimension, system->switch_count, &integrator->options);
+    integrator->workspace = stepper_new(own, system->dimension, system->switch_count, &integrator->options);
     return integrator->workspace ? whirl_ok()
                                  : whirl_fail(WHIRL_NO_MEMORY, "no memory for %s", integrator->method->about.name);
 }
@@ -26,7 +26,7 @@ static whirl_status start_rk4(whirl_integrator *integrator) {
 enum { DISTURBANCE_ROWS = DOP853_STAGES + 2 };
 
 static void set_variation(const whirl_integrator *integrator, whirl_disturbances *disturbances) {
-    carrier_variation *v = &((carrier *)integrator->workspace)->variation;
+    stepper_variation *v = &((stepper *)integrator->workspace)->variation;
     const size_t row = integrator->most_disturbances * integrator->system->dimension;
     v->set = disturbances;
     if (!disturbances) return;
@@ -37,16 +37,16 @@ static void set_variation(const whirl_integrator *integrator, whirl_disturbances
 }
 
 static whirl_motion begin(whirl_integrator *integrator, const double *x, whirl_disturbances *disturbances) {
-    carrier *c = integrator->workspace;
+    stepper *c = integrator->workspace;
     set_variation(integrator, disturbances);
-    const whirl_motion motion = carrier_begin(c, integrator->system, x);
-    if (motion == WHIRL_BOUNDED) carrier_vary_begin(c);
+    const whirl_motion motion = stepper_begin(c, integrator->system, x);
+    if (motion == WHIRL_BOUNDED) stepper_vary_begin(c);
     return motion;
 }
 
 static whirl_motion revolve_freely(whirl_integrator *integrator, double *x, whirl_disturbances *disturbances,
                                    whirl_observe_fn observe, void *observer) {
-    carrier *c = integrator->workspace;
+    stepper *c = integrator->workspace;
     const double period = integrator->system->period;
     const int instants = integrator->options.steps_per_revolution;
     double *seen = c->end;
@@ -54,11 +54,11 @@ static whirl_motion revolve_freely(whirl_integrator *integrator, double *x, whir
     c->observed = observe != NULL;
     whirl_motion motion = begin(integrator, x, disturbances);
     while (motion == WHIRL_BOUNDED && c->t < period) {
-        motion = carrier_step(c, period);
+        motion = stepper_step(c, period);
         for (; motion == WHIRL_BOUNDED && observe && instant < instants; instant++) {
             const double t = period * ((double)instant / instants);
             if (t > c->t) break;
-            carrier_between(c, (t - c->begin) / c->length, seen);
+            stepper_between(c, (t - c->begin) / c->length, seen);
             observe(observer, t, seen);
         }
     }
@@ -69,12 +69,12 @@ static whirl_motion revolve_freely(whirl_integrator *integrator, double *x, whir
 
 static whirl_motion revolve_on_grid(whirl_integrator *integrator, double *x, whirl_disturbances *disturbances,
                                     whirl_observe_fn observe, void *observer) {
-    carrier *c = integrator->workspace;
+    stepper *c = integrator->workspace;
     const int steps = integrator->options.steps_per_revolution;
     whirl_motion motion = begin(integrator, x, disturbances);
     for (int i = 1; i <= steps && motion == WHIRL_BOUNDED; i++) {
         const double until = integrator->system->period * ((double)i / steps);
-        while (motion == WHIRL_BOUNDED && c->t < until) motion = carrier_step(c, until);
+        while (motion == WHIRL_BOUNDED && c->t < until) motion = stepper_step(c, until);
         if (motion == WHIRL_BOUNDED && observe) observe(observer, until, c->x);
     }
     memcpy(x, c->x, c->dimension * sizeof *x);

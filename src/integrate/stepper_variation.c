@@ -1,15 +1,15 @@
-// Disturbances along the steps of a carrier: the exact derivative of every step, switches and sliding included.
+// Disturbances along the steps of a stepper: the exact derivative of every step, switches and sliding included.
 #include <math.h>
 #include <string.h>
 
-#include "carrier.h"
 #include "orthonormal.h"
 #include "saltation.h"
+#include "stepper.h"
 
 /// Parts of the workspace: single vectors.
 enum { BEFORE, AFTER, GRADIENT, CURVED };
 
-static double *spare(const carrier *c, int which) {
+static double *spare(const stepper *c, int which) {
     return c->variation.spare + (size_t)which * c->dimension;
 }
 
@@ -22,7 +22,7 @@ static double dot(size_t n, const double *a, const double *b) {
 // ---------------------------------------------------------------- the Jacobian of motion along switches
 
 /// The mean of the Jacobians on both sides of all switches that are slid along, weighted as the slopes are.
-static void mean_jacobian(const carrier *c, double t, const double *x, const size_t *list, const double *share,
+static void mean_jacobian(const stepper *c, double t, const double *x, const size_t *list, const double *share,
                           const double *vectors, double *out) {
     const whirl_system *system = c->system;
     const size_t size = c->variation.set->count * c->dimension;
@@ -45,14 +45,14 @@ static void mean_jacobian(const carrier *c, double t, const double *x, const siz
 
 /// The slope keeps n . f + dh/dt = 0 for every switch that is slid along; so must its change by a disturbance u: the shares change
 /// by what solves sum_j (n_i . added_j) dshare_j = -(n_i . J u + (H_i u) . f).
-static void slide_along(const carrier *c, double t, const double *x, const double *vectors, double *out) {
+static void slide_along(const stepper *c, double t, const double *x, const double *vectors, double *out) {
     const whirl_system *system = c->system;
     const size_t n = c->dimension, count = c->sliding_count;
     const double *added = c->work + n;
     double share[MAX_SLIDING], by_time, *slope = c->work + (MAX_SLIDING + 1) * n, *curved = spare(c, CURVED);
     size_t list[MAX_SLIDING];
-    carrier_list_sliding(c, list);
-    carrier_slope_along(c, t, x, slope, share);
+    stepper_list_sliding(c, list);
+    stepper_slope_along(c, t, x, slope, share);
     mean_jacobian(c, t, x, list, share, vectors, out);
     for (size_t k = 0; k < c->variation.set->count; k++) {
         const double *u = vectors + k * n;
@@ -66,21 +66,21 @@ static void slide_along(const carrier *c, double t, const double *x, const doubl
             }
             for (size_t j = 0; j < count; j++) matrix[i][j] = dot(n, spare(c, GRADIENT), added + j * n);
         }
-        if (!carrier_solve(count, matrix, change)) continue;
+        if (!stepper_solve(count, matrix, change)) continue;
         for (size_t j = 0; j < count; j++)
             for (size_t d = 0; d < n; d++) row[d] += change[j] * added[j * n + d];
     }
 }
 
-void carrier_vary_begin(carrier *c) {
+void stepper_vary_begin(stepper *c) {
     const whirl_system *system = c->system;
     const size_t n = c->dimension, count = c->sliding_count;
     const double *added = c->work + n;
     double share[MAX_SLIDING], by_time;
     size_t list[MAX_SLIDING];
     if (!c->variation.set || count == 0) return;
-    carrier_list_sliding(c, list);
-    carrier_slope_along(c, c->t, c->x, c->work + (MAX_SLIDING + 1) * n, share);
+    stepper_list_sliding(c, list);
+    stepper_slope_along(c, c->t, c->x, c->work + (MAX_SLIDING + 1) * n, share);
     for (size_t k = 0; k < c->variation.set->count; k++) {
         double matrix[MAX_SLIDING][MAX_SLIDING], off[MAX_SLIDING], *u = c->variation.set->vectors + k * n;
         for (size_t i = 0; i < count; i++) {
@@ -88,13 +88,13 @@ void carrier_vary_begin(carrier *c) {
             off[i] = dot(n, spare(c, GRADIENT), u);
             for (size_t j = 0; j < count; j++) matrix[i][j] = dot(n, spare(c, GRADIENT), added + j * n);
         }
-        if (!carrier_solve(count, matrix, off)) continue;
+        if (!stepper_solve(count, matrix, off)) continue;
         for (size_t j = 0; j < count; j++)
             for (size_t d = 0; d < n; d++) u[d] -= off[j] * added[j * n + d];
     }
 }
 
-static void apply_jacobian(const carrier *c, double t, const double *x, const double *vectors, double *out) {
+static void apply_jacobian(const stepper *c, double t, const double *x, const double *vectors, double *out) {
     const whirl_system *system = c->system;
     const double *sides = system->rhs_on_sides ? c->sides : NULL;
     double forcing[WHIRL_MAX_FORCING];
@@ -106,7 +106,7 @@ static void apply_jacobian(const carrier *c, double t, const double *x, const do
     system->tangent(system->model, t, forcing, x, sides, c->variation.set->count, vectors, out);
 }
 
-static double divergence(const carrier *c, double t, const double *x) {
+static double divergence(const stepper *c, double t, const double *x) {
     const whirl_system *system = c->system;
     double forcing[WHIRL_MAX_FORCING];
     if (c->sliding_count > 0) return NAN;
@@ -126,7 +126,7 @@ static void add_slopes(const double *a, double *const *k, int i, size_t size, do
     }
 }
 
-void carrier_vary(carrier *c) {
+void stepper_vary(stepper *c) {
     whirl_disturbances *set = c->variation.set;
     if (!set) return;
     const size_t n = c->dimension, size = set->count * n;
@@ -143,21 +143,21 @@ void carrier_vary(carrier *c) {
     if (set->growth) make_orthonormal(n, set->count, set->vectors, set->growth);
 }
 
-void carrier_cross_varied(carrier *c, size_t which) {
+void stepper_cross_varied(stepper *c, size_t which) {
     whirl_disturbances *set = c->variation.set;
     const bool slid = c->sliding[which];
     const double from = c->sides[which];
     double by_time;
     if (!set || slid || !c->system->rhs_on_sides || !c->system->switch_gradient) {
         // The slope goes on unbroken where a motion leaves a switch that it slid along.
-        carrier_cross(c, which);
+        stepper_cross(c, which);
         return;
     }
-    carrier_slope(c, c->t, c->x, spare(c, BEFORE));
+    stepper_slope(c, c->t, c->x, spare(c, BEFORE));
     c->system->switch_gradient(c->system->model, c->t, c->x, which, spare(c, GRADIENT), &by_time);
-    carrier_cross(c, which);
+    stepper_cross(c, which);
     if (c->sides[which] == from && !c->sliding[which]) return;
-    carrier_slope(c, c->t, c->x, spare(c, AFTER));
+    stepper_slope(c, c->t, c->x, spare(c, AFTER));
     set->volume +=
         saltate(c->dimension, spare(c, BEFORE), spare(c, AFTER), spare(c, GRADIENT), by_time, set->count, set->vectors);
     if (c->sliding[which]) set->volume = NAN;

@@ -1,5 +1,5 @@
 // Switches between the ends of a fixed step, and the saltation there.
-#include "walked.h"
+#include "unlocated.h"
 
 #include <string.h>
 
@@ -11,11 +11,11 @@ static bool sees(const whirl_system *system) {
     return system->switch_count > 0 && system->switch_gradient && system->rhs_on_sides;
 }
 
-static double *row(const walked_step *step, int which) {
+static double *row(const unlocated_step *step, int which) {
     return step->rows + (size_t)which * step->system->dimension;
 }
 
-void walked_begin(walked_step *step, double t, const double *x) {
+void unlocated_begin(unlocated_step *step, double t, const double *x) {
     const whirl_system *system = step->system;
     if (!sees(system)) return;
     step->t = t;
@@ -31,7 +31,7 @@ static void slope_at(const whirl_system *system, double t, const double *x, cons
 }
 
 /// The state at theta of the step, by its ends and the slopes there.
-static void between(const walked_step *step, const double *end, double theta, double *x) {
+static void between(const unlocated_step *step, const double *end, double theta, double *x) {
     const double *start = row(step, START), *last = row(step, END_SLOPE);
     const double left = 1.0 - theta, h = step->length;
     for (size_t d = 0; d < step->system->dimension; d++)
@@ -44,7 +44,7 @@ static void signs(const whirl_system *system, const double *values, double *side
 }
 
 /// Halves the step down to where switch `which` changes; BETWEEN gets the state and `values` the switches there.
-static double find_change(const walked_step *step, const double *end, size_t which, double *values) {
+static double find_change(const unlocated_step *step, const double *end, size_t which, double *values) {
     enum { HALVINGS = 50 };
     const whirl_system *system = step->system;
     const bool from = step->before[which] > 0.0;
@@ -57,7 +57,7 @@ static double find_change(const walked_step *step, const double *end, size_t whi
     return step->t + middle * step->length;
 }
 
-static void saltate_at(const walked_step *step, const double *end, size_t which, whirl_disturbances *disturbances) {
+static void saltate_at(const unlocated_step *step, const double *end, size_t which, whirl_disturbances *disturbances) {
     const whirl_system *system = step->system;
     double values[WHIRL_MAX_SWITCHES], sides[WHIRL_MAX_SWITCHES], by_time;
     const double t = find_change(step, end, which, values), *x = row(step, BETWEEN);
@@ -71,17 +71,17 @@ static void saltate_at(const walked_step *step, const double *end, size_t which,
                                     by_time, disturbances->count, disturbances->vectors);
 }
 
-void walked_saltate(walked_step *step, const double *x, whirl_disturbances *disturbances) {
+void unlocated_saltate(unlocated_step *step, const double *x, whirl_disturbances *disturbances) {
     const whirl_system *system = step->system;
     double after[WHIRL_MAX_SWITCHES], sides[WHIRL_MAX_SWITCHES];
-    bool walked = false;
+    bool changed = false;
     if (!sees(system)) return;
     system->switches(system->model, step->t + step->length, x, after);
     for (size_t i = 0; i < system->switch_count; i++) {
         if ((step->before[i] > 0.0) == (after[i] > 0.0)) continue;
         signs(system, after, sides);
-        if (!walked) slope_at(system, step->t + step->length, x, sides, row(step, END_SLOPE));
-        walked = true;
+        if (!changed) slope_at(system, step->t + step->length, x, sides, row(step, END_SLOPE));
+        changed = true;
         saltate_at(step, x, i, disturbances);
     }
     memcpy(step->before, after, system->switch_count * sizeof *after);

@@ -1,13 +1,13 @@
 /// RK4 with disturbances over vector lanes: the block of memory that a kernel works on.
-#ifndef INTEGRATE_FOLLOWER_LANES_H
-#define INTEGRATE_FOLLOWER_LANES_H
+#ifndef INTEGRATE_VARIATIONAL_LANES_H
+#define INTEGRATE_VARIATIONAL_LANES_H
 
 #include <stddef.h>
 
 #include "lanes.h"
 
 /// Arrays of the state and its disturbances are [1 + disturbances][degrees][stride vectors].
-typedef struct follower_lanes {
+typedef struct variational_lanes {
     const void *model; ///< whose structure all lanes have
     lanes_flow *flow;
     size_t stride, lane_count;
@@ -21,15 +21,15 @@ typedef struct follower_lanes {
     double *divergence[4]; ///< [1] at the stages
     double *volume;        ///< [1] its integral
     double *lengths;       ///< [disturbances] products of what was left of them since the last call of `note`
-    void (*note)(struct follower_lanes *lanes); ///< takes their logarithms
-    double *growth;                             ///< [disturbances]
-} follower_lanes;
+    void (*note)(struct variational_lanes *lanes); ///< takes their logarithms
+    double *growth;                                ///< [disturbances]
+} variational_lanes;
 
-typedef void follower_lanes_revolve(follower_lanes *lanes);
+typedef void variational_lanes_revolve(variational_lanes *lanes);
 
 /// One for every instruction set of vector.h; NULL where it is not built.
-extern follower_lanes_revolve *const follower_lanes_revolves[];
-follower_lanes_revolve follower_lanes_scalar, follower_lanes_128, follower_lanes_fma, follower_lanes_avx2,
-    follower_lanes_avx512;
+extern variational_lanes_revolve *const variational_lanes_revolves[];
+variational_lanes_revolve variational_lanes_scalar, variational_lanes_128, variational_lanes_fma,
+    variational_lanes_avx2, variational_lanes_avx512;
 
 #endif
