@@ -338,6 +338,10 @@ typedef unsigned whirl_analysis_set;
 /// Adds the analysis of that name; false when there is none.
 bool whirl_analysis_add(whirl_analysis_set *set, const char *name);
 
+/// Makes options record what the chosen analyses are made of: the waveform, the growth of disturbances. What is recorded
+/// already stays.
+void whirl_analysis_needs(whirl_analysis_set set, whirl_record_options *options);
+
 /// The layout of a point's block for a system, options and choice. WHIRL_BAD_INPUT for contradicting options.
 whirl_status whirl_layout_new(const whirl_system *system, const whirl_integrate_options *integrate,
                               const whirl_record_options *options, whirl_analysis_set set, whirl_layout *layout);

@@ -41,6 +41,7 @@ typedef struct analysis_plan {
     size_t field_count;
     bool needs_waveform;       ///< options without it contradict the choice of this analysis
     whirl_growth needs_growth; ///< the least of it, likewise
+    whirl_growth uses_growth;  ///< what is followed for it (whirl_analysis_needs) where it says less without
     whirl_status (*compute)(const whirl_record *record, const whirl_record_options *options, const block_view *view);
     /// Optional: fills what a motion that left its bounds still has to say.
     void (*compute_diverged)(const whirl_record *record, const block_view *view);

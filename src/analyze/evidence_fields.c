@@ -39,4 +39,5 @@ static whirl_status compute(const whirl_record *record, const whirl_record_optio
     return whirl_ok();
 }
 
-const analysis_plan evidence_analysis = {.fields = fields, .field_count = FIELD_COUNT, .compute = compute};
+const analysis_plan evidence_analysis = {
+    .fields = fields, .field_count = FIELD_COUNT, .uses_growth = WHIRL_GROWTH_LARGEST, .compute = compute};

@@ -37,6 +37,16 @@ static whirl_status check_needs(const char *name, const analysis_plan *plan, con
     return whirl_ok();
 }
 
+void whirl_analysis_needs(whirl_analysis_set set, whirl_record_options *options) {
+    for (size_t a = 0; analysis_plans[a]; a++) {
+        if (!(set >> a & 1u)) continue;
+        const analysis_plan *plan = analysis_plans[a];
+        options->waveform = options->waveform || plan->needs_waveform;
+        if (plan->needs_growth > options->growth) options->growth = plan->needs_growth;
+        if (plan->uses_growth > options->growth) options->growth = plan->uses_growth;
+    }
+}
+
 static size_t repetitions(whirl_extent extent, const block_shape *shape) {
     switch (extent) {
     case WHIRL_PER_STATION:

@@ -103,8 +103,11 @@ static whirl_status compute(const whirl_record *record, const whirl_record_optio
     return whirl_ok();
 }
 
-const analysis_plan regime_analysis = {
-    .fields = fields, .field_count = FIELD_COUNT, .compute = compute, .compute_diverged = put_judgement};
+const analysis_plan regime_analysis = {.fields = fields,
+                                       .field_count = FIELD_COUNT,
+                                       .uses_growth = WHIRL_GROWTH_LARGEST,
+                                       .compute = compute,
+                                       .compute_diverged = put_judgement};
 
 /// The number of a field of this analysis, NaN where the block has none.
 static double stored(const whirl_layout *layout, const double *block, const char *name) {

@@ -95,15 +95,34 @@ static bool read_expression(case_reader *reader, const parameter_table *known, c
     return false;
 }
 
-// "= omega" has the unit of omega. An expression that is more than a name has a unit that nobody knows.
-const char *expression_unit(const parameter_table *parameters, const char *expression) {
+// The parameter that is the whole of an expression, or NULL.
+static parameter *sole_name(const parameter_table *parameters, const char *expression) {
     char name[WHIRL_NAME_SIZE];
     const size_t length = strcspn(expression, " ");
-    if (length >= sizeof name || expression[length + strspn(expression + length, " ")]) return "";
+    if (length >= sizeof name || expression[length + strspn(expression + length, " ")]) return NULL;
     memcpy(name, expression, length);
     name[length] = '\0';
     const size_t index = parameters_find(parameters, name);
-    return index < parameters->count ? parameters->items[index].unit : "";
+    return index < parameters->count ? &parameters->items[index] : NULL;
+}
+
+// "= omega" has the unit of omega. An expression that is more than a name has a unit that nobody knows.
+const char *expression_unit(const parameter_table *parameters, const char *expression) {
+    const parameter *item = sole_name(parameters, expression);
+    return item ? item->unit : "";
+}
+
+const char *parameter_expected_unit(const parameter *item) {
+    return item->unit[0] ? item->unit : item->taken_as;
+}
+
+// A key takes a parameter for its value; where that is another one, the key takes that one, too.
+static void note_use(const parameter_table *parameters, const char *expression, const char *unit) {
+    parameter *item = sole_name(parameters, expression);
+    for (size_t depth = 0; item && depth < parameters->count && !item->taken_as[0]; depth++) {
+        item->taken_as = unit;
+        item = item->value.expression ? sole_name(parameters, item->value.expression) : NULL;
+    }
 }
 
 bool angle_is_likely(const whirl_key *key, double number, char why[WHY_SIZE]) {
@@ -132,6 +151,7 @@ bool formula_read(case_reader *reader, const file_node *where, const whirl_key *
     const char *expression = expression_of(where->text);
     if (expression) {
         if (!read_expression(reader, reader->parameters, where, expression, result)) return false;
+        note_use(reader->parameters, result->expression, key->unit);
         const char *unit = expression_unit(reader->parameters, result->expression);
         if (!unit[0] || !key->unit[0] || strcmp(unit, "1") == 0 || quantity_fits(unit, key->unit, why)) return true;
         problem_at(reader->problems, where, "= %s %s", text_shown(expression, shown), why);
@@ -201,6 +221,7 @@ static void read_one(case_reader *reader, const parameter_table *all, const file
                      parameter *result) {
     char shown[SHOWN_SIZE];
     result->unit = "1";
+    result->taken_as = "";
     result->place = where;
     result->text = where->kind == NODE_TEXT ? where->text : "";
     const char *expression = where->kind == NODE_TEXT ? expression_of(where->text) : NULL;
@@ -307,7 +328,7 @@ void parameters_read(case_reader *reader, const file_node *where, const paramete
     for (const file_node *member = where->first; member && result->count < PARAMETERS_MAX; member = member->next) {
         check_name(reader, member);
         if (parameters_find(result, member->key) < result->count) continue;
-        result->items[result->count] = (parameter){.name = member->key, .place = member};
+        result->items[result->count] = (parameter){.name = member->key, .place = member, .taken_as = ""};
         result->names[result->count++] = member->key;
     }
     for (size_t i = 0; i < result->count; i++) {

@@ -25,7 +25,8 @@ typedef struct parameter {
     const char *text; ///< as written
     const file_node *place;
     number_formula value;
-    const char *unit; ///< SI unit, "1" for a plain number, "" for an expression, whose unit is not known
+    const char *unit;     ///< SI unit, "1" for a plain number, "" for an expression, whose unit is not known
+    const char *taken_as; ///< unit of the first key whose value is this parameter alone, "" where there is none
 } parameter;
 
 typedef struct parameter_table {
@@ -61,6 +62,10 @@ size_t parameters_find(const parameter_table *parameters, const char *name);
 
 /// Reads a number of `key` at a place of the file: with a unit, plain, or an expression. false after a problem.
 bool formula_read(case_reader *reader, const file_node *where, const whirl_key *key, number_formula *result);
+
+/// The unit that values of a parameter must have: its own or, of an expression, that of the key that takes it. "" where
+/// neither is known.
+const char *parameter_expected_unit(const parameter *item);
 
 /// The unit of an expression that is no more than the name of a parameter, else "" (and "1" for a plain parameter).
 const char *expression_unit(const parameter_table *parameters, const char *expression);

@@ -65,11 +65,9 @@ static void choose_analyses(whirl_batch *batch, whirl_analysis_set chosen, bool 
     const bool kept = batch->record.waveform_revolutions > 0;
     batch->analyses = kept ? chosen | waveform : chosen & ~waveform;
     batch->record.spectra = spectra;
-    batch->record.waveform = kept || has_analysis(chosen, "spectrum");
-    const bool largest = has_analysis(chosen, "lyapunov") || has_analysis(chosen, "regime");
-    batch->record.growth = has_analysis(chosen, "exponents") ? WHIRL_GROWTH_ALL
-                           : largest                         ? WHIRL_GROWTH_LARGEST
-                                                             : WHIRL_GROWTH_NONE;
+    batch->record.waveform = false;
+    batch->record.growth = WHIRL_GROWTH_NONE;
+    whirl_analysis_needs(batch->analyses, &batch->record);
 }
 
 // ---------------------------------------------------------------- contradictions

@@ -28,6 +28,7 @@ typedef struct plan_parts {
     number_formula *at;
     const file_node **at_places;
     const parameter *swept;
+    const char *swept_unit; ///< of its values, "" where neither the case nor a value read so far tells
     whirl_analysis_set analyses;
     const file_node *waveform_place; ///< of the analysis `waveform`, or NULL
 } plan_parts;

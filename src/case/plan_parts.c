@@ -35,11 +35,21 @@ static const parameter *find_swept(case_reader *reader, const setting *given) {
     return NULL;
 }
 
-// A value of the swept parameter has the unit of what the case says of the parameter.
-static bool read_swept_value(case_reader *reader, const file_node *where, const parameter *swept,
-                             number_formula *result) {
-    const whirl_key key = {.name = swept->name, .unit = swept->unit, .range = WHIRL_ANY};
-    return formula_read(reader, where, &key, result);
+// A value of the swept parameter has the unit of what the case says of the parameter, or is used for; where neither is
+// known, the first value with a unit binds the others.
+static void read_swept_value(case_reader *reader, const file_node *where, plan_parts *parts, number_formula *result) {
+    char why[WHY_SIZE];
+    quantity read;
+    const whirl_key key = {.name = parts->swept->name, .unit = parts->swept_unit, .range = WHIRL_ANY};
+    if (!formula_read(reader, where, &key, result) || parts->swept_unit[0]) return;
+    if (result->expression) {
+        parts->swept_unit = expression_unit(reader->parameters, result->expression);
+    } else if (quantity_read(where->text, "", &read, why)) {
+        const char *unit = arena_text(reader->arena, read.unit, strlen(read.unit));
+        reader->no_memory = reader->no_memory || !unit;
+        parts->swept_unit = unit ? unit : "";
+    }
+    if (strcmp(parts->swept_unit, "1") == 0) parts->swept_unit = ""; // a plain number is one in SI
 }
 
 static void read_sweep(case_reader *reader, plan_parts *parts) {
@@ -47,8 +57,9 @@ static void read_sweep(case_reader *reader, plan_parts *parts) {
     const setting *name = settings_find(&parts->sweep, "parameter");
     const setting *from = settings_find(&parts->sweep, "from"), *to = settings_find(&parts->sweep, "to");
     if (name) parts->swept = find_swept(reader, name);
-    if (parts->swept && from) read_swept_value(reader, from->place, parts->swept, &parts->from);
-    if (parts->swept && to) read_swept_value(reader, to->place, parts->swept, &parts->to);
+    if (parts->swept) parts->swept_unit = parameter_expected_unit(parts->swept);
+    if (parts->swept && from) read_swept_value(reader, from->place, parts, &parts->from);
+    if (parts->swept && to) read_swept_value(reader, to->place, parts, &parts->to);
     const setting *direction = settings_find(&parts->sweep, "direction");
     if (direction && strcmp(settings_word(&parts->sweep, "start"), "carry") != 0)
         problem_at_key(reader->problems, direction->place, "has a meaning only with start: carry");
@@ -90,7 +101,7 @@ static void read_detail_values(case_reader *reader, const file_node *where, plan
     if (reader->no_memory) return;
     for (const file_node *item = where->first; item; item = item->next) {
         parts->at_places[parts->at_count] = item;
-        read_swept_value(reader, item, parts->swept, &parts->at[parts->at_count++]);
+        read_swept_value(reader, item, parts, &parts->at[parts->at_count++]);
     }
 }
 
@@ -186,10 +197,10 @@ void plan_read_parts(case_reader *reader, const file_node *where, const machine_
     *parts = (plan_parts){0};
     *result = (study_plan){0};
     settings_read(reader, where, &schema_study, &parts->study);
-    if (where->kind != NODE_MAPPING && !node_is_null(where)) return; // said already
-    read_kind(reader, parts);
-    const setting *initial = settings_find(&parts->study, "initial");
+    if (where->kind != NODE_MAPPING && !node_is_null(where)) return;  // said already
+    const setting *initial = settings_find(&parts->study, "initial"); // first: what is swept may be used here
     if (initial) read_initial(reader, initial->place, machine, result);
+    read_kind(reader, parts);
     read_part(reader, &parts->study, "integrate", &schema_integrate, &parts->integrate);
     read_part(reader, &parts->study, "keep", &schema_keep, &parts->keep);
     read_analyses(reader, parts);

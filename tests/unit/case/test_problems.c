@@ -64,6 +64,56 @@ static void units(void **state) {
                    "t:19:35: study.sweep.from: is in mm, expected a plain number");
 }
 
+/// The good case with parameters, the gap of the rub, and the values of a sweep of `wide` in other words.
+static char *swept_case(const char *parameters, const char *gap, const char *values) {
+    char sweep[128];
+    snprintf(sweep, sizeof sweep, "parameter: wide, %s, points", values);
+    char *one = edited(good_case, "  kappa: 10\n", parameters), *two = edited(one, "gap: = 1.2*c", gap);
+    char *three = edited(two, "parameter: kappa, from: 1, to: 20, points", sweep);
+    free(one);
+    free(two);
+    return three;
+}
+
+/// A parameter that is an expression has the unit of the key that takes it, directly or by way of other parameters.
+static void units_of_sweeps(void **state) {
+    (void)state;
+    static const struct {
+        const char *parameters, *gap, *values, *problem; ///< NULL: none
+    } rows[] = {
+        {"  kappa: 10\n  wide: = 1.2*c\n", "gap: = wide", "from: 100 kg, to: 0.3 mm",
+         "t:20:34: study.sweep.from: is in kg, expected a unit of m"},
+        {"  kappa: 10\n  wide: = 1.2*c\n", "gap: = wide", "from: 0.2 mm, to: 200 kg",
+         "t:20:46: study.sweep.to: is in kg, expected a unit of m"},
+        {"  kappa: 10\n  gap: = wide\n  wide: = 1.2*c\n", "gap: = gap", "from: 0.2 mm, to: 200 kg",
+         "t:21:46: study.sweep.to: is in kg, expected a unit of m"},
+        {"  kappa: 10\n  wide: = 1.2*c\n", "gap: = 1*wide", "from: 0.2 mm, to: 200 kg", // what it is nobody knows, but
+         "t:20:46: study.sweep.to: is in kg, expected a unit of m"},                    // one thing
+        {"  kappa: 10\n  wide: = 1.2*c\n", "gap: = wide", "from: 0.2 mm, to: 3e-4", NULL},
+        {"  kappa: 10\n  wide: = 1.2*c\n", "gap: = 1*wide", "from: 2e-4, to: 0.3 mm", NULL},
+        {"  kappa: 10\n  gap: = wide\n  wide: = 1.2*c\n", "gap: = gap", "from: = c, to: = 2*c", NULL},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        char *text = swept_case(rows[i].parameters, rows[i].gap, rows[i].values);
+        if (rows[i].problem)
+            expect_bytes_problem(text, strlen(text), rows[i].problem);
+        else
+            whirl_case_free(parse_good(text));
+        free(text);
+    }
+}
+
+/// Whatever is analysed, what it needs is recorded.
+static void single_analyses(void **state) {
+    (void)state;
+    for (const whirl_analysis *a = whirl_analyses(); a->name; a++) {
+        char list[64];
+        if (strcmp(a->name, "waveform") == 0) continue; // of which some must be kept
+        snprintf(list, sizeof list, "analyze: [%s]", a->name);
+        whirl_case_free(parse_edited("analyze: [poincare, regime, spectrum]", list));
+    }
+}
+
 static void angles(void **state) {
     (void)state;
     static const char advice[] = "without a unit, which is in radians, expected at most a full turn (2 pi); write "
@@ -372,6 +422,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(numbers),
         cmocka_unit_test(units),
+        cmocka_unit_test(units_of_sweeps),
+        cmocka_unit_test(single_analyses),
         cmocka_unit_test(angles),
         cmocka_unit_test(names),
         cmocka_unit_test(expressions),
