@@ -3,6 +3,8 @@
 #include <errno.h>
 #include <stdlib.h>
 
+#include "files.h"
+
 enum { MAX_THREADS = 1024 };
 
 static void take_case(case_arguments *arguments, char *text, const struct argp_state *state) {
@@ -46,6 +48,7 @@ error_t parse_case_argument(case_arguments *arguments, int key, char *argument, 
 
 int load_case(const case_arguments *arguments, whirl_case **object) {
     whirl_problems problems = {0};
+    if (is_result_for_case(arguments->path)) return EXIT_BAD_INPUT;
     whirl_status status = whirl_case_load(arguments->path, &problems, object);
     if (status.code != WHIRL_OK) return complain_of_problems(&problems, &status);
     for (size_t i = 0; i < arguments->override_count; i++) {

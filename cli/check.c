@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "files.h"
 #include "summary.h"
 
 static error_t parse(int key, char *argument, struct argp_state *state) {
@@ -63,6 +64,7 @@ static int check_file(const char *argument) {
     const char *const path = input ? "standard input" : argument;
     whirl_problems problems = {0};
     whirl_case *object = NULL;
+    if (!input && is_result_for_case(path)) return EXIT_BAD_INPUT;
     whirl_status status = input ? load_input(path, &problems, &object) : whirl_case_load(path, &problems, &object);
     if (status.code != WHIRL_OK) return complain_of_problems(&problems, &status);
     status = describe_case(path, object);
@@ -82,7 +84,8 @@ static int run(int argc, char **argv) {
                "- stands for standard input.",
     };
     int first = argc;
-    if (argp_parse(&argp, argc, argv, 0, NULL, &first) != 0) return EXIT_FAILED;
+    const int read = read_arguments(&argp, argc, argv, 0, &first);
+    if (read != EXIT_DONE) return read;
     int outcome = EXIT_DONE;
     for (int i = first; i < argc; i++)
         if (check_file(argv[i]) != EXIT_DONE) outcome = EXIT_BAD_INPUT;

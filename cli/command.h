@@ -15,13 +15,21 @@ typedef struct command {
     int (*run)(int argc, char **argv); ///< argv[0] is "whirl NAME"; gives the exit status
 } command;
 
-extern const command run_command, verify_command, check_command, describe_command, report_command, export_command;
+extern const command run_command, verify_command, check_command, describe_command, report_command, export_command,
+    show_command;
 
 /// Prints "whirl: ..." and a newline on standard error.
 void complain(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
+/// The same with another name in front: "whirl run".
+void complain_as(const char *program, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
 /// Complains of a status; gives the exit status that goes with it.
 int complain_of(const whirl_status *status);
+
+/// Reads the arguments of a command as argp_parse does, after complaining of a misspelt option with the one that was meant;
+/// gives EXIT_DONE or the exit status.
+int read_arguments(const struct argp *argp, int argc, char **argv, unsigned flags, void *input);
 
 /// Ends a parse with a sentence and EXIT_BAD_INPUT.
 void bad_argument(const struct argp_state *state, const char *format, ...) __attribute__((format(printf, 2, 3)));

@@ -6,12 +6,23 @@
 #include <stdlib.h>
 #include <string.h>
 
+static void say(const char *program, const char *format, va_list arguments) {
+    fprintf(stderr, "%s: ", program);
+    vfprintf(stderr, format, arguments);
+    fputc('\n', stderr);
+}
+
 void complain(const char *format, ...) {
     va_list arguments;
     va_start(arguments, format);
-    fputs("whirl: ", stderr);
-    vfprintf(stderr, format, arguments);
-    fputc('\n', stderr);
+    say("whirl", format, arguments);
+    va_end(arguments);
+}
+
+void complain_as(const char *program, const char *format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    say(program, format, arguments);
     va_end(arguments);
 }
 

@@ -23,7 +23,8 @@ _whirl_options() {
     verify) echo '--points= --method= --revolutions= --set= --threads= --json --quiet --help' ;;
     report) echo '-o --output= --claims= --gnuplot= --explorer= --quiet --help' ;;
     export) echo '--csv= --help' ;;
-    check | describe) echo '--help' ;;
+    show) echo '--json --help' ;;
+    check | describe | help) echo '--help' ;;
     *) echo '--help --version' ;;
     esac
 }
@@ -54,9 +55,10 @@ _whirl() {
         return
     fi
     case $command in
-    '') mapfile -t COMPREPLY < <(compgen -W 'run verify check describe report export' -- "$word") ;;
+    '') mapfile -t COMPREPLY < <(compgen -W 'run verify check describe report show export help' -- "$word") ;;
     run | verify | check) _whirl_files "$word" yaml yml ;;
-    report | export) _whirl_files "$word" h5 ;;
+    report | show | export) _whirl_files "$word" h5 ;;
+    help) mapfile -t COMPREPLY < <(compgen -W 'run verify check describe report show export' -- "$word") ;;
     describe) mapfile -t COMPREPLY < <(compgen -W "$(_whirl_names "${COMP_WORDS[0]}")" -- "$word") ;;
     esac
 }

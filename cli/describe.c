@@ -183,7 +183,8 @@ static int run(int argc, char **argv) {
                "source.",
     };
     const char *name = NULL;
-    if (argp_parse(&argp, argc, argv, 0, NULL, &name) != 0) return EXIT_FAILED;
+    const int read = read_arguments(&argp, argc, argv, 0, &name);
+    if (read != EXIT_DONE) return read;
     catalogue all = {.count = 0};
     collect(&all);
     int outcome = EXIT_DONE;

@@ -3,6 +3,7 @@
 
 #include <stdio.h>
 
+#include "files.h"
 #include "output.h"
 
 typedef struct export_arguments {
@@ -41,15 +42,13 @@ static int run(int argc, char **argv) {
         .doc = "Writes every table of a result as CSV files, units in the headings.",
     };
     export_arguments arguments = {0};
-    if (argp_parse(&argp, argc, argv, 0, NULL, &arguments) != 0) return EXIT_FAILED;
+    const int read = read_arguments(&argp, argc, argv, 0, &arguments);
+    if (read != EXIT_DONE) return read;
     if (!output_may_be_folder(arguments.csv)) return EXIT_BAD_INPUT;
     whirl_result *result = NULL;
-    whirl_status status = whirl_result_read(arguments.result, &result);
-    if (status.code != WHIRL_OK) {
-        complain_of(&status);
-        return EXIT_BAD_INPUT;
-    }
-    status = whirl_result_export_csv(result, arguments.csv);
+    const int outcome = load_result(arguments.result, &result);
+    if (outcome != EXIT_DONE) return outcome;
+    const whirl_status status = whirl_result_export_csv(result, arguments.csv);
     whirl_result_free(result);
     return complain_of(&status);
 }

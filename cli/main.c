@@ -4,8 +4,10 @@
 #include <stdio.h>
 #include <string.h>
 
-static const command *const commands[] = {&run_command,      &verify_command, &check_command,
-                                          &describe_command, &report_command, &export_command};
+static const command help_command;
+
+static const command *const commands[] = {&run_command,    &verify_command, &check_command,  &describe_command,
+                                          &report_command, &show_command,   &export_command, &help_command};
 enum { COMMAND_COUNT = sizeof commands / sizeof *commands };
 
 /// What the first argument chose, and where its own arguments begin.
@@ -58,20 +60,10 @@ static const command *find_command(const char *name) {
     return NULL;
 }
 
-/// `whirl help` and `whirl help COMMAND` are the option --help.
-static void read_help(int *argc, char **argv) {
-    static char help[] = "--help";
-    if (*argc < 2 || strcmp(argv[1], "help") != 0) return;
-    if (*argc > 2) argv[1] = argv[2];
-    argv[*argc > 2 ? 2 : 1] = help;
-    *argc = *argc > 2 ? 3 : 2;
-}
-
-int main(int argc, char **argv) {
-    read_help(&argc, argv);
-    struct argp_option options[COMMAND_COUNT + 2];
+/// What `whirl` alone takes; the options are the caller's.
+static struct argp whirl_argp(struct argp_option options[COMMAND_COUNT + 2]) {
     list_commands(options);
-    const struct argp argp = {
+    return (struct argp){
         .options = options,
         .parser = parse,
         .args_doc = "COMMAND [ARGUMENT...]",
@@ -79,15 +71,56 @@ int main(int argc, char **argv) {
                "'whirl COMMAND --help' or 'whirl help COMMAND' shows what a command takes; 'man whirl' has it all.\n"
                "Exit status: 0 done, 1 failed while running, 2 bad input.",
     };
+}
+
+static int run_command_by_name(const command *found, int argc, char **argv) {
+    char title[32]; // argp and getopt name the program by this
+    snprintf(title, sizeof title, "whirl %s", found->name);
+    argv[0] = title;
+    return found->run(argc, argv);
+}
+
+// ---------------------------------------------------------------- whirl help
+
+static error_t parse_help(int key, char *argument, struct argp_state *state) {
+    const char **name = state->input;
+    if (key != ARGP_KEY_ARG) return ARGP_ERR_UNKNOWN;
+    if (*name) bad_argument(state, "takes one command, '%s' is one too many", argument);
+    *name = argument;
+    return 0;
+}
+
+static int help(int argc, char **argv) {
+    static const struct argp argp = {
+        .parser = parse_help,
+        .args_doc = "[COMMAND]",
+        .doc = "Lists the commands, or shows what one of them takes, as 'whirl COMMAND --help' does.",
+    };
+    const char *name = NULL;
+    const int read = read_arguments(&argp, argc, argv, 0, &name);
+    if (read != EXIT_DONE) return read;
+    const command *const found = name ? find_command(name) : NULL;
+    if (name && !found) return EXIT_BAD_INPUT;
+    char program[] = "whirl", option[] = "--help";
+    char *arguments[] = {program, option, NULL};
+    if (found) return run_command_by_name(found, 2, arguments);
+    struct argp_option options[COMMAND_COUNT + 2];
+    const struct argp whole = whirl_argp(options);
+    argp_help(&whole, stdout, ARGP_HELP_STD_HELP, program);
+    return finish_output();
+}
+
+static const command help_command = {"help", "list the commands, or show what one takes", help};
+
+int main(int argc, char **argv) {
     argp_err_exit_status = EXIT_BAD_INPUT;
     argp_program_version_hook = print_version;
     choice chosen = {0};
-    if (argp_parse(&argp, argc, argv, ARGP_IN_ORDER, NULL, &chosen) != 0) return EXIT_FAILED;
+    struct argp_option options[COMMAND_COUNT + 2];
+    const struct argp argp = whirl_argp(options);
+    const int read = read_arguments(&argp, argc, argv, ARGP_IN_ORDER, &chosen);
+    if (read != EXIT_DONE) return read;
     const command *const found = find_command(chosen.name);
     if (!found) return EXIT_BAD_INPUT;
-
-    char title[32]; // argp and getopt name the program by this
-    snprintf(title, sizeof title, "whirl %s", found->name);
-    argv[chosen.index] = title;
-    return found->run(argc - chosen.index, argv + chosen.index);
+    return run_command_by_name(found, argc - chosen.index, argv + chosen.index);
 }

@@ -7,6 +7,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "files.h"
 #include "output.h"
 
 typedef struct report_arguments {
@@ -87,10 +88,7 @@ static int read_entry(const char *path, entry *entries, size_t index) {
                      mine->name);
             return EXIT_BAD_INPUT;
         }
-    const whirl_status status = whirl_result_read(path, &mine->result);
-    if (status.code == WHIRL_OK) return EXIT_DONE;
-    complain_of(&status);
-    return EXIT_BAD_INPUT;
+    return load_result(path, &mine->result);
 }
 
 static int read_claims(const char *path, whirl_claims **claims) {
@@ -153,7 +151,8 @@ static int run(int argc, char **argv) {
             "and one that computes on in a browser, DIR/explorer.html. Scripts and data are kept beside the figures.",
     };
     report_arguments arguments = {0};
-    if (argp_parse(&argp, argc, argv, 0, NULL, &arguments) != 0) return EXIT_FAILED;
+    const int read = read_arguments(&argp, argc, argv, 0, &arguments);
+    if (read != EXIT_DONE) return read;
     if (!output_may_be_folder(arguments.directory)) return EXIT_BAD_INPUT;
     whirl_claims *claims = NULL;
     entry *const entries = calloc(arguments.count, sizeof *entries);

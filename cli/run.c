@@ -284,7 +284,8 @@ static int run(int argc, char **argv) {
     run_arguments arguments = {.given.threads = available_cores()};
     char command_line[FACT_SIZE]; // argp reorders argv
     join(argc, argv, command_line, sizeof command_line);
-    if (argp_parse(&argp, argc, argv, 0, NULL, &arguments) != 0) return EXIT_FAILED;
+    const int read = read_arguments(&argp, argc, argv, 0, &arguments);
+    if (read != EXIT_DONE) return read;
     return run_case(&arguments, command_line);
 }
 

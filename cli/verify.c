@@ -265,7 +265,8 @@ static int run(int argc, char **argv) {
                "numerics. Every point starts from the initial state.",
     };
     verify_arguments arguments = {.given.threads = available_cores(), .options.revolutions = 20};
-    if (argp_parse(&argp, argc, argv, 0, NULL, &arguments) != 0) return EXIT_FAILED;
+    const int read = read_arguments(&argp, argc, argv, 0, &arguments);
+    if (read != EXIT_DONE) return read;
     interrupt_watch();
     return verify_case(&arguments);
 }

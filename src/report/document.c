@@ -1,11 +1,12 @@
 #include "document.h"
 
 #include <math.h>
+#include <string.h>
 
+#include "number.h"
 #include "utf8.h"
 
-// 17 digits give the same double back.
-enum { DUMP_FLAGS = JSON_REAL_PRECISION(17) | JSON_ENCODE_ANY, TEXT_SIZE = 1024 };
+enum { TEXT_SIZE = 1024 };
 
 json_t *document_number(double value) {
     return isfinite(value) ? json_real(value) : json_null();
@@ -38,8 +39,51 @@ void document_append(bool *well, json_t *array, json_t *value) {
     if (json_array_append_new(array, value) != 0) *well = false;
 }
 
+// A real number stays one: 2.0, not 2.
+static bool write_real(double value, FILE *stream) {
+    char text[NUMBER_SIZE];
+    number_text(value, text);
+    return fprintf(stream, "%s%s", text, strpbrk(text, ".e") ? "" : ".0") > 0;
+}
+
+static bool write_value(json_t *value, FILE *stream);
+
+static bool write_array(json_t *array, FILE *stream) {
+    bool done = fputc('[', stream) != EOF;
+    for (size_t i = 0; i < json_array_size(array) && done; ++i)
+        done = fputs(i ? ", " : "", stream) != EOF && write_value(json_array_get(array, i), stream);
+    return done && fputc(']', stream) != EOF;
+}
+
+static bool write_object(json_t *object, FILE *stream) {
+    const char *key, *separator = "";
+    json_t *value;
+    bool done = fputc('{', stream) != EOF;
+    json_object_foreach(object, key, value) {
+        done = done && fputs(separator, stream) != EOF && document_write(true, json_string(key), stream) &&
+               fputs(": ", stream) != EOF && write_value(value, stream);
+        separator = ", ";
+    }
+    return done && fputc('}', stream) != EOF;
+}
+
+// As Jansson writes a value, but for its real numbers, which have as many digits as they need. A document is made here, so
+// that its depth is known.
+static bool write_value(json_t *value, FILE *stream) {
+    switch (json_typeof(value)) {
+    case JSON_OBJECT:
+        return write_object(value, stream);
+    case JSON_ARRAY:
+        return write_array(value, stream);
+    case JSON_REAL:
+        return write_real(json_real_value(value), stream);
+    default:
+        return json_dumpf(value, stream, JSON_ENCODE_ANY) == 0;
+    }
+}
+
 bool document_write(bool well, json_t *value, FILE *stream) {
-    const bool done = well && value && json_dumpf(value, stream, DUMP_FLAGS) == 0;
+    const bool done = well && value && write_value(value, stream);
     json_decref(value);
     return done;
 }

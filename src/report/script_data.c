@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "number.h"
 #include "utf8.h"
 
 static void escape(FILE *stream, unsigned char letter) {
@@ -26,10 +27,9 @@ void script_text(FILE *stream, const char *text) {
 }
 
 void script_number(FILE *stream, double value) {
-    if (isfinite(value))
-        fprintf(stream, "%.17g", value);
-    else
-        fputs("null", stream);
+    char text[NUMBER_SIZE] = "null";
+    if (isfinite(value)) number_text(value, text);
+    fputs(text, stream);
 }
 
 static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";

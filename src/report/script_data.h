@@ -10,7 +10,7 @@
 /// not UTF-8 become U+FFFD.
 void script_text(FILE *stream, const char *text);
 
-/// Writes a number with 17 digits, null for NaN and infinities.
+/// Writes a number with the digits that give the same double back, null for NaN and infinities.
 void script_number(FILE *stream, double value);
 
 /// A stream of bytes written as base64 (RFC 4648); starts as {stream}.

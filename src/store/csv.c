@@ -6,6 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "number.h"
+
 // A line being written.
 typedef struct line {
     FILE *stream;
@@ -28,10 +30,9 @@ static void put_cell(line *row, const char *text) {
 }
 
 static void put_number_cell(line *row, double value) {
-    char text[40];
-    // 17 digits give the same double back; the sign of a missing value means nothing.
-    snprintf(text, sizeof text, "%.17g", value);
-    put_cell(row, isnan(value) ? "NaN" : text);
+    char text[NUMBER_SIZE];
+    number_text(value, text);
+    put_cell(row, isnan(value) ? "NaN" : isinf(value) ? value < 0 ? "-inf" : "inf" : text);
 }
 
 static void put_count_cell(line *row, size_t value) {

@@ -1,0 +1,15 @@
+/// Files given to a command: what they are, where that is not what was asked for.
+#ifndef CLI_FILES_H
+#define CLI_FILES_H
+
+#include <stdbool.h>
+
+#include "whirl/result.h"
+
+/// True when the file is a result, by its first bytes; complains then, and says what can be done with it.
+bool is_result_for_case(const char *path);
+
+/// Reads a result; gives the exit status, after complaining of what cannot be read. A case is named for what it is.
+int load_result(const char *path, whirl_result **result);
+
+#endif

@@ -1,0 +1,79 @@
+/// whirl show: the summary of results that are there, once more.
+#include "command.h"
+
+#include <stdbool.h>
+#include <stdio.h>
+
+#include "files.h"
+#include "summary.h"
+
+typedef struct show_arguments {
+    int first; ///< of the results in argv
+    bool json;
+} show_arguments;
+
+enum { KEY_JSON = 256 };
+
+static const struct argp_option options[] = {
+    {.name = "json", .key = KEY_JSON, .doc = "Print the points of one result as a JSON document, as `run` does"},
+    {0},
+};
+
+static error_t parse(int key, char *argument, struct argp_state *state) {
+    show_arguments *arguments = state->input;
+    (void)argument;
+    switch (key) {
+    case KEY_JSON:
+        arguments->json = true;
+        return 0;
+    case ARGP_KEY_ARG:
+        return ARGP_ERR_UNKNOWN; // all of them at once, below
+    case ARGP_KEY_ARGS:
+        arguments->first = state->next;
+        if (arguments->json && state->argc - state->next > 1)
+            bad_argument(state, "--json takes one result, '%s' is one too many", state->argv[state->next + 1]);
+        return 0;
+    case ARGP_KEY_NO_ARGS:
+        require_option(state, NULL, "RESULT.h5");
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static int show(const char *path, bool json) {
+    whirl_result *result;
+    int outcome = load_result(path, &result);
+    if (outcome != EXIT_DONE) return outcome;
+    if (json) {
+        const whirl_status status = whirl_result_write_json(result, stdout);
+        outcome = complain_of(&status);
+    } else {
+        summarize_result(result);
+    }
+    whirl_result_free(result);
+    return outcome;
+}
+
+static int run(int argc, char **argv) {
+    static const struct argp argp = {
+        .options = options,
+        .parser = parse,
+        .args_doc = "RESULT.h5...",
+        .doc = "Says again what `whirl run` said of a result: regimes, radii, rubs and how far the verdicts can be "
+               "trusted.",
+    };
+    show_arguments arguments = {.first = argc};
+    const int read = read_arguments(&argp, argc, argv, 0, &arguments);
+    if (read != EXIT_DONE) return read;
+    int outcome = EXIT_DONE;
+    for (int i = arguments.first; i < argc; i++) {
+        if (i > arguments.first) putchar('\n');
+        const int shown = show(argv[i], arguments.json);
+        if (shown != EXIT_DONE) outcome = shown;
+    }
+    const int written = finish_output();
+    return outcome == EXIT_DONE ? written : outcome;
+}
+
+const command show_command = {"show", "say again what a result holds", run};
