@@ -1,6 +1,6 @@
-# The facts of the build that src/base/build.c tells: compiler, flags and libraries when configuring, the git revision
-# at every build. To be included after whirl_layer(base), when the compile options are set.
-#   cmake -DSOURCE=<folder> -DHEADER=<file> -P cmake/build_info.cmake    writes the revision (what the build runs)
+# The facts of the build that src/base/build.c tells: compiler, flags and libraries when configuring, the git revision and
+# a hash of the sources at every build. To be included after whirl_layer(base), when the compile options are set.
+#   cmake -DSOURCE=<folder> -DHEADER=<file> -P cmake/build_info.cmake    writes the two (what the build runs)
 
 if(CMAKE_SCRIPT_MODE_FILE)
   cmake_minimum_required(VERSION 3.25)
@@ -14,8 +14,18 @@ if(CMAKE_SCRIPT_MODE_FILE)
       string(APPEND revision ", modified")
     endif()
   endif()
+  # Of all that is compiled into the library, and of the options that its kernels have of their own.
+  file(GLOB_RECURSE files RELATIVE ${SOURCE} ${SOURCE}/src/*.c ${SOURCE}/src/*.h ${SOURCE}/src/*.inc ${SOURCE}/include/*.h)
+  list(APPEND files cmake/layers.cmake)
+  list(SORT files)
+  set(sums "")
+  foreach(file ${files})
+    file(SHA256 ${SOURCE}/${file} sum)
+    string(APPEND sums "${sum} ${file}\n")
+  endforeach()
+  string(SHA256 sources "${sums}")
   # Rewritten only when it changes, so that nothing is compiled again for nothing.
-  file(CONFIGURE OUTPUT ${HEADER} CONTENT "#define BUILD_REVISION \"@revision@\"\n" @ONLY)
+  file(CONFIGURE OUTPUT ${HEADER} CONTENT "#define BUILD_REVISION \"@revision@\"\n#define BUILD_SOURCES \"@sources@\"\n" @ONLY)
   return()
 endif()
 
@@ -52,7 +62,7 @@ configure_file(${CMAKE_CURRENT_LIST_DIR}/build_info.h.in ${folder}/build_info.h 
 set(write_revision ${CMAKE_COMMAND} -DSOURCE=${PROJECT_SOURCE_DIR} -DHEADER=${folder}/build_revision.h
     -P ${CMAKE_CURRENT_LIST_FILE})
 add_custom_target(build_revision ALL COMMAND ${write_revision} BYPRODUCTS ${folder}/build_revision.h
-                  COMMENT "Git revision" VERBATIM)
+                  COMMENT "Revision and hash of the sources" VERBATIM)
 add_dependencies(whirl_base build_revision)
 set_source_files_properties(${PROJECT_SOURCE_DIR}/src/base/build.c PROPERTIES COMPILE_DEFINITIONS BUILD_INFO
                             INCLUDE_DIRECTORIES ${folder})

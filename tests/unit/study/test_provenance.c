@@ -21,8 +21,8 @@ static const char *fact(const whirl_result *result, const char *name) {
 
 static void says_what_ran_where(void **state) {
     (void)state;
-    static const char *const names[] = {"version",   "revision", "compiler", "flags",    "build type",
-                                        "libraries", "host",     "system",   "processor"};
+    static const char *const names[] = {"version",    "revision",  "sources", "compiler", "flags",
+                                        "build type", "libraries", "host",    "system",   "processor"};
     whirl_result *result = calloc(1, sizeof *result);
     struct utsname system;
     assert_int_equal(uname(&system), 0);
@@ -30,6 +30,7 @@ static void says_what_ran_where(void **state) {
     for (size_t i = 0; i < sizeof names / sizeof *names; ++i)
         if (!*fact(result, names[i])) fail_msg("the %s is missing", names[i]);
     assert_string_equal(fact(result, "version"), WHIRL_VERSION);
+    assert_int_equal(strspn(fact(result, "sources"), "0123456789abcdef"), 64);
     assert_string_equal(fact(result, "host"), system.nodename);
     assert_non_null(strstr(fact(result, "system"), system.release));
     // Once more changes nothing.

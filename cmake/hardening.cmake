@@ -1,0 +1,16 @@
+# What Debian builds its packages with (dpkg-buildflags, hardening=+all), and no way to libraries but the system's own.
+
+# An empty or relative entry of the run path would be the folder in which a user calls whirl. CMake pads the run paths of
+# builds with empty entries, where it means to rewrite them when installing; so they are from the first what is installed:
+# none, for the dynamic linker knows where its libraries are, or what CMAKE_INSTALL_RPATH says.
+set(CMAKE_BUILD_WITH_INSTALL_RPATH ON)
+
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+include(CheckPIESupported)
+check_pie_supported(LANGUAGES C)
+add_compile_options(-fstack-protector-strong -Wformat -Wformat-security)
+add_link_options(-Wl,-z,relro -Wl,-z,now)
+# Checked copies and prints need the optimizer, and sanitizers check more.
+if(CMAKE_BUILD_TYPE MATCHES "Rel" AND NOT WHIRL_SANITIZE)
+  add_compile_options(-U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2)
+endif()
