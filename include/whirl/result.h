@@ -90,6 +90,20 @@ bool whirl_result_partial(const whirl_result *result, size_t *done, size_t *tota
 /// The verdict on a point.
 whirl_verdict whirl_table_verdict(const whirl_table *table, size_t point);
 
+/// A unit in which numbers are shown: `size` of it in SI. "" and 1 for plain numbers.
+typedef struct whirl_unit {
+    char name[WHIRL_NAME_SIZE];
+    double size;
+} whirl_unit;
+
+/// The unit in which the case (or --set) wrote a parameter: "rpm" of 2 pi/60 rad/s where it says "6000 rpm". The SI unit
+/// where it wrote none, for expressions and for zeros; that of plain numbers for names that are no parameters.
+whirl_unit whirl_result_unit(const whirl_result *result, const char *parameter);
+
+/// The unit in which lengths of the result are best told: that in which the case wrote the parameter which is the length
+/// scale, else m, mm or um by the length scale's size.
+whirl_unit whirl_result_length_unit(const whirl_result *result);
+
 /// Appends a fact; a name that is there already gets the new value.
 whirl_status whirl_result_add_fact(whirl_result *result, const char *name, const char *value);
 

@@ -48,6 +48,42 @@ static void what_is_not_there_is_null(void **state) {
     assert_null(whirl_table_field(detail, 0, "made/row", 1));
 }
 
+/// A case that says rpm and mm is answered in them; 2 pi/60 and 25.4e-6 are the definitions.
+static void parameters_are_shown_in_the_units_of_the_case(void **state) {
+    (void)state;
+    whirl_parameter parameters[] = {{"omega", "rad/s", "6000 rpm", 6000 * 2 * 3.14159265358979323846 / 60},
+                                    {"c", "m", " 8mil ", 8 * 25.4e-6},
+                                    {"speed", "rad/s", "= 2*omega", 1200.0},
+                                    {"zero", "m", "0 mm", 0.0},
+                                    {"rho", "1", "0.08", 0.08},
+                                    {"bare", "kg", "12", 12.0}};
+    const whirl_result result = {.length_scale = 8 * 25.4e-6, .parameter_count = 6, .parameters = parameters};
+    static const struct {
+        const char *name, *unit;
+        double size;
+    } expected[] = {{"omega", "rpm", 0.10471975511965977},
+                    {"c", "mil", 25.4e-6},
+                    {"speed", "rad/s", 1.0},
+                    {"zero", "m", 1.0},
+                    {"rho", "", 1.0},
+                    {"bare", "kg", 1.0},
+                    {"none", "", 1.0}};
+    for (size_t i = 0; i < sizeof expected / sizeof *expected; i++) {
+        const whirl_unit unit = whirl_result_unit(&result, expected[i].name);
+        assert_string_equal(unit.name, expected[i].unit);
+        assert_true(fabs(unit.size / expected[i].size - 1.0) < 1e-14);
+    }
+    assert_string_equal(whirl_result_length_unit(&result).name, "mil");
+    static const struct {
+        double scale;
+        const char *unit;
+    } scales[] = {{1.0, "m"}, {0.1, "m"}, {2e-3, "mm"}, {1e-4, "mm"}, {5e-5, "um"}};
+    for (size_t i = 0; i < sizeof scales / sizeof *scales; i++) {
+        const whirl_result plain = {.length_scale = scales[i].scale};
+        assert_string_equal(whirl_result_length_unit(&plain).name, scales[i].unit);
+    }
+}
+
 static void verdicts_come_from_the_block(void **state) {
     const whirl_table *sweep = &((whirl_result *)*state)->tables[0];
     const whirl_verdict first = whirl_table_verdict(sweep, 0), last = whirl_table_verdict(sweep, 2);
@@ -88,6 +124,7 @@ int main(void) {
         cmocka_unit_test_setup_teardown(tables_have_names, setup, teardown),
         cmocka_unit_test_setup_teardown(fields_lie_where_the_layout_says, setup, teardown),
         cmocka_unit_test_setup_teardown(what_is_not_there_is_null, setup, teardown),
+        cmocka_unit_test(parameters_are_shown_in_the_units_of_the_case),
         cmocka_unit_test_setup_teardown(verdicts_come_from_the_block, setup, teardown),
         cmocka_unit_test_setup_teardown(facts_are_added_or_replaced, setup, teardown),
         cmocka_unit_test_setup_teardown(long_facts_are_cut, setup, teardown),
