@@ -4,7 +4,7 @@ import type { Run } from './data/run';
 import { copyText, download, el } from './dom';
 import type { Engine, Setting, StationInfo } from './engine/protocol';
 import type { Range } from './figure/chart';
-import { setDark } from './figure/figure';
+import { setDark, theme } from './figure/figure';
 import { caseEdits, commandOf } from './model/keep';
 import { machinesOf, scalesOf, shortName, type Machine } from './model/machine';
 import { firstValue, plannedRange, sweptParameter, valueOf } from './model/original';
@@ -479,6 +479,7 @@ export class App {
   private setTheme(dark: boolean): void {
     setDark(dark);
     document.documentElement.classList.toggle('dark', dark);
+    theme().classes.forEach((colour, kind) => document.documentElement.style.setProperty(`--class-${kind}`, colour));
     for (const pane of Object.values(this.panes)) pane.redraw();
     this.card.map.refresh();
     if (this.sights.shown) this.later('all');

@@ -8,14 +8,14 @@
 static const struct {
     const char *name, *colour;
 } classes[CLASS_COUNT] = {
-    [CLASS_P1] = {"P-1", "#0072B2"},
-    [CLASS_P2] = {"P-2", "#56B4E9"},
-    [CLASS_P4] = {"P-4", "#009E73"},
-    [CLASS_OTHER_PERIOD] = {"other P-k", "#E69F00"},
-    [CLASS_QUASI_PERIODIC] = {"quasi-periodic", "#B0479A"},
+    [CLASS_P1] = {"P-1", "#366EFB"},
+    [CLASS_P2] = {"P-2", "#1FBADD"},
+    [CLASS_P4] = {"P-4", "#1D7257"},
+    [CLASS_OTHER_PERIOD] = {"other P-k", "#664406"},
+    [CLASS_QUASI_PERIODIC] = {"quasi-periodic", "#CC0892"},
     [CLASS_CHAOTIC] = {"chaotic", "#000000"},
-    [CLASS_UNDETERMINED] = {"undetermined", "#8C8C8C"},
-    [CLASS_DIVERGED] = {"diverged", "#D55E00"},
+    [CLASS_UNDETERMINED] = {"undetermined", "#9A9F95"},
+    [CLASS_DIVERGED] = {"diverged", "#FB8D41"},
 };
 
 regime_class regime_class_of(const whirl_verdict *verdict) {

@@ -24,7 +24,8 @@ regime_class regime_class_of(const whirl_verdict *verdict);
 /// "P-1", "other P-k", "chaotic", ... Static text.
 const char *regime_class_name(regime_class kind);
 
-/// "#0072B2": told apart by readers of any colour vision (after Okabe and Ito 2008). Static text.
+/// "#366EFB": told apart by readers of any colour vision; the explorer's are the same (explorer/tests/colours.test.mjs). Static
+/// text.
 const char *regime_class_colour(regime_class kind);
 
 /// "P-1", "P-8", "quasi-periodic", "chaotic", ...: what neighbouring points must share to make an interval.

@@ -1,5 +1,6 @@
-// Colours of figures; the page's style sheet has the same for everything else. Regimes are told apart by readers of any
-// colour vision (after Okabe and Ito 2008), as in whirl's reports.
+// Colours of figures; the page's style sheet has the same for everything else, and takes those of regimes from here. Any two
+// regimes are at least 16 apart (CIEDE2000) in every colour vision, by lightness where hue does not tell; whirl's reports have
+// the light ones (tests/colours.test.mjs).
 
 export interface Theme {
   readonly dark: boolean;
@@ -42,7 +43,7 @@ export const LIGHT: Theme = {
   touch: '#d55e00',
   keyphasor: '#d55e00',
   contactShade: 'rgba(230,159,0,0.16)',
-  classes: ['#0072b2', '#56b4e9', '#009e73', '#e69f00', '#b0479a', '#000000', '#8c8c8c', '#d55e00'],
+  classes: ['#366efb', '#1fbadd', '#1d7257', '#664406', '#cc0892', '#000000', '#9a9f95', '#fb8d41'],
 };
 
 export const DARK: Theme = {
@@ -63,7 +64,7 @@ export const DARK: Theme = {
   touch: '#ff7a2f',
   keyphasor: '#ff9a5a',
   contactShade: 'rgba(230,159,0,0.13)',
-  classes: ['#3d9be0', '#8fd0f7', '#1fc08f', '#f0b030', '#e07ac8', '#ffffff', '#7d8894', '#ff7a2f'],
+  classes: ['#106af4', '#44aff2', '#137524', '#fdbc0b', '#be018c', '#ffffff', '#99929b', '#f66f6d'],
 };
 
 export const CONFIDENCE_NAMES = ['low', 'fair', 'high'] as const;

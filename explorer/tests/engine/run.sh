@@ -1,5 +1,5 @@
 #!/bin/bash
-# The explorer's engine against the command:  run.sh node|chromium WHIRL BUILD
+# The explorer's engine against the command, or its colours:  run.sh node|chromium|colours WHIRL BUILD
 # Exit status 77, with one line, where something that the tests need is missing.
 set -u
 kind=$1
@@ -12,6 +12,7 @@ skip() {
     exit 77
 }
 command -v node >/dev/null || skip "node is missing (scripts/install-dependencies.sh explorer)"
+[ "$kind" = colours ] && exec node --test tests/colours.test.mjs
 [ -f "$WHIRL_BUILD/explorer/worker.js" ] && [ -d node_modules/esbuild ] || skip "it is not built (make explorer)"
 if [ "$kind" = chromium ]; then
     for browser in "${CHROMIUM:-}" chromium chromium-browser google-chrome; do
