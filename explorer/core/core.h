@@ -39,6 +39,12 @@ const char *explorer_edit(const char *source, size_t length, const char *path, c
 
 // ---------------------------------------------------------------- plans
 
+/// What a first look leaves out; see explorer_plan_look.
+typedef struct look {
+    bool shorter, coarser;
+    int transient, record, steps; ///< that were asked for
+} look;
+
 /// How points are computed: the options of a batch of the case, with changes.
 typedef struct plan {
     const whirl_case *object; ///< borrowed
@@ -46,6 +52,7 @@ typedef struct plan {
     whirl_batch batch;   ///< without values
     whirl_layout layout; ///< after explorer_plan_layout
     size_t dimension;
+    look look;
 } plan;
 
 /// A plan by the case's batch of that name ("": its first one) over a parameter ("": nothing varies; NULL: as the batch).
@@ -56,6 +63,11 @@ void explorer_plan_free(plan *p);
 /// Changes an option by its name in protocol.ts ("stepsPerRevolution", "transient", ...).
 int explorer_plan_number(plan *p, const char *option, double value);
 int explorer_plan_method(plan *p, const char *method);
+
+/// Makes a first look of the plan: no more than `transient` + `record` revolutions (0: as they are) and, by methods of fixed
+/// step, `steps` of them (0: as they are). To be called after all other options. Where anything is left out, points have no
+/// verdict unless a longer run must give the same.
+void explorer_plan_look(plan *p, int transient, int record, int steps);
 
 /// Asks for what a diagram shows of its points.
 void explorer_plan_diagram(plan *p);
@@ -72,7 +84,7 @@ const char *explorer_plan_layout(plan *p, double value);
 size_t explorer_block_size(const plan *p);
 size_t explorer_dimension(const plan *p);
 
-/// The verdict of a block as JSON.
+/// The verdict of a block as JSON, "provisional" where a look was too short for one.
 const char *explorer_verdict(const plan *p, const double *block);
 
 /// Scales and stations of the machine at a value as JSON. NULL after a failure.

@@ -1,5 +1,6 @@
 // Points under way, a revolution at a time.
 #include "core.h"
+#include "looks.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -142,6 +143,7 @@ EXPORTED int explorer_job_take(job *j, double *block, double *end) {
         finished_point *point = &j->points[i];
         if (!point->done || point->taken) continue;
         memcpy(block, point->numbers, size * sizeof *block);
+        look_withhold(j->plan, block);
         if (end) memcpy(end, point->numbers + size, dimension * sizeof *end);
         free(point->numbers);
         point->numbers = NULL;

@@ -1,5 +1,6 @@
 // Plans: how points are computed, and what their blocks are.
 #include "core.h"
+#include "looks.h"
 #include "pieces.h"
 
 #include <limits.h>
@@ -189,6 +190,17 @@ EXPORTED const char *explorer_machine(const plan *p, double value) {
 
 // ---------------------------------------------------------------- verdicts
 
+static void add_reason(const plan *p, const double *block, const whirl_verdict *verdict) {
+    char sentence[WHIRL_MESSAGE_SIZE];
+    text told = {0};
+    const bool provisional = look_is_provisional(p, block);
+    whirl_verdict_reason(verdict, sentence, sizeof sentence);
+    if (provisional) look_reason(p, &told);
+    json_text(&answer, provisional ? text_bytes(&told) : sentence);
+    free(told.bytes);
+    text_add(&answer, ",\"provisional\":%s", provisional ? "true" : "false");
+}
+
 EXPORTED const char *explorer_verdict(const plan *p, const double *block) {
     const whirl_verdict verdict = whirl_block_verdict(&p->layout, block);
     char sentence[WHIRL_MESSAGE_SIZE];
@@ -200,8 +212,7 @@ EXPORTED const char *explorer_verdict(const plan *p, const double *block) {
     whirl_verdict_name(&verdict, sentence, sizeof sentence);
     json_text(&answer, sentence);
     json_name(&answer, "reason");
-    whirl_verdict_reason(&verdict, sentence, sizeof sentence);
-    json_text(&answer, sentence);
+    add_reason(p, block, &verdict);
     json_name(&answer, "confidence");
     json_text(&answer, whirl_confidence_name(verdict.confidence));
     json_name(&answer, "advice");

@@ -153,7 +153,7 @@ export class App {
 
   private get storedDiagram(): Diagram | undefined {
     const table = this.machine.run?.tables[0];
-    return table?.parameter && table.parameter === this.address.parameter ? Diagram.stored(table) : undefined;
+    return table?.parameter && table.parameter === this.address.parameter ? Diagram.stored(table, this.machine.run!.length_scale) : undefined;
   }
 
   // ---------------------------------------------------------------- a machine is opened

@@ -125,6 +125,40 @@ static void a_motion_goes_on_where_it_was(void **state) {
     explorer_case_free(object);
 }
 
+// The same motion at the same lengths has a verdict where that is what was asked for, and none where it is a first look.
+static void a_first_look_has_no_verdict(void **state) {
+    (void)state;
+    whirl_case *object = open_case();
+    const double value = 0.45;
+    for (int asked = 0; asked < 2; asked++) {
+        plan *p = explorer_plan_new(object, "sweep", NULL);
+        assert_non_null(p);
+        if (asked) {
+            assert_true(explorer_plan_number(p, "transient", 10) && explorer_plan_number(p, "settle", 1));
+            explorer_plan_look(p, 10, 20, 64); // leaves nothing out
+        } else {
+            explorer_plan_look(p, 10, 0, 0);
+        }
+        explorer_plan_diagram(p);
+        assert_non_null(explorer_plan_layout(p, value));
+        double *block = calloc(explorer_block_size(p), sizeof *block);
+        job *j = explorer_job_new(p, &value, 1, 0, NULL);
+        assert_true(block && j);
+        while (explorer_job_turn(j) > 0.0) continue;
+        assert_int_equal(explorer_job_take(j, block, NULL), 0);
+        const char *told = explorer_verdict(p, block);
+        assert_non_null(strstr(told, asked ? "\"provisional\":false" : "\"provisional\":true"));
+        if (!asked) {
+            assert_int_equal(whirl_block_verdict(&p->layout, block).regime, WHIRL_UNDETERMINED);
+            assert_non_null(strstr(told, "10 + 20 revolutions; a verdict takes the 40 + 20 that"));
+        }
+        explorer_job_free(j);
+        free(block);
+        explorer_plan_free(p);
+    }
+    explorer_case_free(object);
+}
+
 // Text of a case is anything; between quotes of JSON it stays text.
 static void texts_are_escaped(void **state) {
     (void)state;
@@ -173,7 +207,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(points_are_those_of_a_study),   cmocka_unit_test(a_job_may_end_at_any_time),
         cmocka_unit_test(a_motion_goes_on_where_it_was), cmocka_unit_test(texts_are_escaped),
-        cmocka_unit_test(failures_leave_a_message),
+        cmocka_unit_test(failures_leave_a_message),      cmocka_unit_test(a_first_look_has_no_verdict),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -18,6 +18,10 @@ function columnKey(field: string, which: number, column: number): string {
 export class Diagram {
   readonly classes: Uint8Array;
   readonly done: Uint8Array;
+  /// Points that had a first look only: a longer run has the verdict.
+  readonly provisional: Uint8Array;
+  /// m per length scale, of the machine at each point; NaN of points that are not done.
+  readonly lengthScales: Float64Array;
   /// Name and reason of the verdicts; empty texts where none is known.
   readonly verdicts: (readonly [string, string])[];
   private readonly columns = new Map<string, Column>();
@@ -32,6 +36,8 @@ export class Diagram {
   ) {
     this.classes = new Uint8Array(values.length).fill(UNDETERMINED);
     this.done = new Uint8Array(values.length);
+    this.provisional = new Uint8Array(values.length);
+    this.lengthScales = new Float64Array(values.length).fill(NaN);
     this.verdicts = Array.from({ length: values.length }, () => ['', ''] as const);
   }
 
@@ -46,9 +52,11 @@ export class Diagram {
     return sum;
   }
 
-  static stored(table: StoredTable): Diagram {
+  /// A stored table, whose lengths are in units of `lengthScale` [m].
+  static stored(table: StoredTable, lengthScale: number): Diagram {
     const made = new Diagram(table.parameter, float64Of(table.values), Int8Array.from(table.branch));
     made.done.set(table.done);
+    made.lengthScales.fill(lengthScale);
     for (const field of table.fields) {
       const all = float32Of(field.data);
       const size = table.count * field.rows;
@@ -66,18 +74,23 @@ export class Diagram {
     return new Diagram(parameter, values, branch);
   }
 
-  /// Makes room for the engine's points.
+  /// Makes room for the engine's points; numbers that are there stay.
   expect(layout: Layout): void {
     this.layout = layout;
     for (const field of layout.fields) {
       const columns = field.rows === 1 ? field.columns : field.name === SECTION ? 2 : 0;
       for (let which = 0; which < field.repeat; which++)
-        for (let column = 0; column < columns; column++)
-          this.columns.set(columnKey(field.name, which, column), {
-            rows: field.rows,
-            data: new Float32Array(this.count * field.rows).fill(NaN),
-          });
+        for (let column = 0; column < columns; column++) this.widen(columnKey(field.name, which, column), field.rows);
     }
+  }
+
+  /// Gives a column at least so many rows.
+  private widen(key: string, rows: number): void {
+    const before = this.columns.get(key);
+    if (before && before.rows >= rows) return;
+    const data = new Float32Array(this.count * rows).fill(NaN);
+    if (before) for (let point = 0; point < this.count; point++) data.set(before.data.subarray(point * before.rows, (point + 1) * before.rows), point * rows);
+    this.columns.set(key, { rows, data });
   }
 
   /// Takes points of a sweep; `place` says which point of the diagram a slot is.
@@ -93,11 +106,13 @@ export class Diagram {
             const to = this.columns.get(columnKey(field.name, which, column));
             if (!to) break;
             const from = base + field.offset + which * field.rows * field.columns + column;
-            for (let row = 0; row < field.rows; row++)
-              to.data[point * field.rows + row] = points.blocks[from + row * field.columns] ?? NaN;
+            for (let row = 0; row < to.rows; row++)
+              to.data[point * to.rows + row] = row < field.rows ? (points.blocks[from + row * field.columns] ?? NaN) : NaN;
           }
       const verdict: Verdict | undefined = points.verdicts[i];
       if (verdict) this.verdicts[point] = [verdict.name, verdict.reason];
+      this.provisional[point] = verdict?.provisional ? 1 : 0;
+      this.lengthScales[point] = points.lengthScales[i] ?? NaN;
       this.done[point] = 1;
       this.classify(point);
     });
@@ -127,6 +142,18 @@ export class Diagram {
   exponent(point: number): { readonly value: number; readonly error: number } {
     const from = this.column('lyapunov/largest') ? ['lyapunov/largest', 'lyapunov/error'] : ['regime/exponent', 'regime/exponent_error'];
     return { value: this.number(point, from[0]!), error: this.number(point, from[1]!) };
+  }
+
+  /// m per length scale where all points that are done have the same, else NaN.
+  get lengthScale(): number {
+    let common = NaN;
+    for (let point = 0; point < this.count; point++) {
+      const scale = this.lengthScales[point]!;
+      if (!this.done[point]) continue;
+      if (Number.isNaN(common)) common = scale;
+      else if (scale !== common) return NaN;
+    }
+    return common;
   }
 
   /// Low 0, fair 1, high 2; NaN where the run states none.

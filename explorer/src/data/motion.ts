@@ -18,6 +18,9 @@ export interface Spectrum extends Pairs {
   readonly backward: Float64Array;
 }
 
+/// Over the size of a motion: less is no pixel of a picture.
+const CLOSED = 1e-3;
+
 export class Motion {
   constructor(readonly result: PointResult) {}
 
@@ -72,9 +75,12 @@ export class Motion {
     return forward.length ? forward[0]! >= backward[0]! : undefined;
   }
 
-  /// Revolutions after which the motion repeats; 0 where it does not.
+  /// Revolutions after which a picture of the motion repeats; 0 where it does not. A first look has pictures before it has a
+  /// verdict.
   get period(): number {
-    return this.result.verdict.period;
+    const { period } = this.result.verdict;
+    const returns = this.number('regime/recurrence') < CLOSED ? this.number('regime/recurrence_period') : 0;
+    return period || (this.result.verdict.provisional ? returns : 0);
   }
 
   private spectral(field: string, station: number): Spectrum {

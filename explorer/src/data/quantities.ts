@@ -1,6 +1,6 @@
 // What a diagram can show over the parameter.
 import type { StationInfo } from '../engine/protocol';
-import { lengthMeasure, type Scales, type Units } from '../model/units';
+import { lengthMeasure, type Units } from '../model/units';
 import type { Column, Diagram } from './diagram';
 
 export interface Quantity {
@@ -27,20 +27,35 @@ export interface ShownQuantity {
   readonly label: string;
 }
 
-/// The numbers of a quantity, how they are scaled and what stands at the axis; undefined where the diagram has none.
-export function quantityOf(diagram: Diagram, id: string, station: number, stations: readonly StationInfo[], units: Units, scales: Scales): ShownQuantity | undefined {
-  const length = lengthMeasure(units, scales);
+/// Lengths of a diagram as they are shown: each point's in the length scale of its own machine.
+function shownLengths(diagram: Diagram, column: Column, units: Units): { readonly column: Column; readonly factor: number } {
+  const { factor } = lengthMeasure(units, { length: 1, speed: 1, symbol: '' });
+  if (units.length === 'scale') return { column, factor };
+  const common = diagram.lengthScale;
+  if (Number.isFinite(common)) return { column, factor: factor * common };
+  const data = column.data.map((value, i) => value * diagram.lengthScales[Math.floor(i / column.rows)]!);
+  return { column: { rows: column.rows, data }, factor };
+}
+
+/// The numbers of a quantity, how they are scaled and what stands at the axis; undefined where the diagram has none. `symbol`
+/// stands for the length scale.
+export function quantityOf(diagram: Diagram, id: string, station: number, stations: readonly StationInfo[], units: Units, symbol: string): ShownQuantity | undefined {
+  const { unit } = lengthMeasure(units, { length: 1, speed: 1, symbol });
   const name = stations[station]?.name ?? '';
   const made = (field: string, which: number, column: number, factor: number, label: string): ShownQuantity | undefined => {
     const found = diagram.column(field, which, column);
     return found && { column: found, factor, label };
   };
+  const length = (field: string, column: number, label: string): ShownQuantity | undefined => {
+    const found = diagram.column(field, station, column);
+    return found && { ...shownLengths(diagram, found, units), label };
+  };
   switch (id) {
     case 'x':
     case 'y':
-      return made('poincare/section', station, id === 'x' ? 0 : 1, length.factor, `${id} of ${name} (${length.unit})`);
+      return length('poincare/section', id === 'x' ? 0 : 1, `${id} of ${name} (${unit})`);
     case 'radius':
-      return made('orbit/max_radius', station, 0, length.factor, `largest radius of ${name} (${length.unit} 0-p)`);
+      return length('orbit/max_radius', 0, `largest radius of ${name} (${unit} 0-p)`);
     case 'eccentricity':
       return made('orbit/eccentricity', station, 0, 1, `eccentricity ratio of ${name}`);
     case 'contact':

@@ -1,6 +1,6 @@
 // The C core behind types: handles, texts and numbers. See explorer/core/core.h, whose functions these are.
 import createCore, { type CoreModule } from 'whirl-core-glue';
-import type { CaseInfo, IntegrateOptions, Layout, RecordOptions, StationInfo, Verdict } from './protocol';
+import type { CaseInfo, IntegrateOptions, Layout, Look, RecordOptions, StationInfo, Verdict } from './protocol';
 import type { Refusal } from './wire';
 
 /// What the core refused, with its own words.
@@ -135,6 +135,10 @@ export class Core {
           : this.module._explorer_plan_number(plan, optionAt!, Number(value)),
       ),
     );
+  }
+
+  planLook(plan: number, look: Look): void {
+    this.module._explorer_plan_look(plan, look.transient, look.record, look.stepsPerRevolution);
   }
 
   planEverything(plan: number, waveform: number): void {

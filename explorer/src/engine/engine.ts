@@ -304,7 +304,7 @@ class Sweep {
     if (this.settled) return;
     this.pointsDone += points.indices.length;
     const slots = points.indices.map((index) => part.slots[index]!);
-    this.listener.points?.({ slots, blocks: points.blocks, verdicts: points.verdicts });
+    this.listener.points?.({ ...points, slots });
     this.hearRevolutions(0);
   }
 

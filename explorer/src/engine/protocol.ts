@@ -12,6 +12,16 @@ export interface Setting {
   readonly assignments?: readonly string[];
   readonly integrate?: Partial<IntegrateOptions>;
   readonly record?: Partial<RecordOptions>;
+  /// Asks for a first look only.
+  readonly look?: Look;
+}
+
+/// A motion that is cut short and, by methods of fixed step, coarser; 0: as the setting says. Where that leaves anything out,
+/// its verdict is "undetermined" unless the whole motion must have the same.
+export interface Look {
+  readonly transient: number;
+  readonly record: number;
+  readonly stepsPerRevolution: number;
 }
 
 /// Something wrong in a case. Lines and columns count from 1; 0 where there is no place.
@@ -156,6 +166,8 @@ export interface Verdict {
   readonly name: string;
   /// One sentence from the evidence.
   readonly reason: string;
+  /// A first look: the whole motion has a verdict.
+  readonly provisional: boolean;
   readonly period: number;
   readonly curves: number;
   /// Revolution, 0 where the motion did not diverge.
@@ -204,7 +216,7 @@ export interface PointResult {
 export interface SweepRequest {
   readonly setting: Setting;
   readonly parameter: string;
-  /// In SI, in the order of the diagram.
+  /// In SI. Points that do not follow one another are computed in this order.
   readonly values: Float64Array;
   /// Left out: 'none'. Carried points follow one another and take one worker (two for 'both').
   readonly carry?: Carry;
@@ -219,6 +231,8 @@ export interface SweepPoints {
   /// [slots.length][layout.size]
   readonly blocks: Float64Array;
   readonly verdicts: readonly Verdict[];
+  /// [slots.length] m, of the machine at each point: what varies may change it.
+  readonly lengthScales: Float64Array;
 }
 
 export interface SweepProgress {

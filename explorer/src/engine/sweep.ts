@@ -10,26 +10,9 @@ export interface Part {
 /// Points that fill the lanes of the core once.
 const PART_SIZE = 16;
 
-/// All numbers below `count`, coarse to fine: the ends first, then what halves the gaps.
-export function coarseToFine(count: number): number[] {
-  const order: number[] = [];
-  const taken = new Uint8Array(count);
-  const take = (index: number) => {
-    if (taken[index]) return;
-    taken[index] = 1;
-    order.push(index);
-  };
-  if (count > 0) take(0);
-  if (count > 1) take(count - 1);
-  let stride = 1;
-  while (stride < count) stride *= 2;
-  for (; stride >= 1; stride /= 2) for (let index = 0; index < count; index += stride) take(index);
-  return order;
-}
-
 const range = (count: number) => Array.from({ length: count }, (_, index) => index);
 
-/// Points that follow one another are one part; of the others, some that lie far from each other.
+/// Points that follow one another are one part; the others are taken in their order.
 export function partsOf(count: number, carry: 'none' | 'forward' | 'reverse' | 'both'): Part[] {
   const chain = (slots: number[]) => ({ slots: Uint32Array.from(slots), carried: true });
   if (carry === 'forward') return [chain(range(count))];
@@ -44,9 +27,8 @@ export function partsOf(count: number, carry: 'none' | 'forward' | 'reverse' | '
           .map((index) => count + index),
       ),
     ];
-  const order = coarseToFine(count);
   const parts: Part[] = [];
   for (let first = 0; first < count; first += PART_SIZE)
-    parts.push({ slots: Uint32Array.from(order.slice(first, first + PART_SIZE)), carried: false });
+    parts.push({ slots: Uint32Array.from(range(Math.min(PART_SIZE, count - first)), (index) => first + index), carried: false });
   return parts;
 }

@@ -16,6 +16,8 @@ import type { FromWorker, PartRequest, Task } from './wire';
 /// Revolutions of the waveform of a point that asks for no number of them.
 const USUAL_WAVEFORM = 20;
 const MOST_CASES = 4;
+/// Milliseconds between two reports of a diagram's points: about two frames.
+const REPORT_EVERY = 30;
 
 type Post = (message: FromWorker, transfer?: Transferable[]) => void;
 
@@ -91,6 +93,7 @@ export class Tasks {
       if (options.transient !== undefined || options.record !== undefined) options.watch ??= 0;
       for (const [option, value] of Object.entries(options))
         if (value !== undefined) this.core.planOption(plan, option, value);
+      if (setting.look) this.core.planLook(plan, setting.look);
       return yield* use(plan);
     } finally {
       this.core.planFree(plan);
@@ -175,16 +178,16 @@ export class Tasks {
         let unreported = 0;
         let reported = performance.now();
         const report = () => {
-          const points = takePoints(core, plan, job, room, size);
+          const points = takePoints(core, plan, job, room, size, request.values);
           if (points.indices.length > 0)
-            post({ kind: 'points', id, points }, [points.indices.buffer, points.blocks.buffer]);
+            post({ kind: 'points', id, points }, [points.indices.buffer, points.blocks.buffer, points.lengthScales.buffer]);
           post({ kind: 'revolutions', id, count: unreported });
           unreported = 0;
           reported = performance.now();
         };
         for (let turned = core.jobTurn(job); turned > 0; turned = core.jobTurn(job)) {
           unreported += turned;
-          if (performance.now() - reported > 50) report();
+          if (performance.now() - reported > REPORT_EVERY) report();
           yield;
         }
         report();
@@ -245,7 +248,7 @@ export class Tasks {
 }
 
 /// All points of a job that are done and were not taken yet.
-function takePoints(core: Core, plan: number, job: number, room: number, size: number) {
+function takePoints(core: Core, plan: number, job: number, room: number, size: number, values: Float64Array) {
   const indices: number[] = [];
   const blocks: Float64Array[] = [];
   const verdicts = [];
@@ -256,5 +259,6 @@ function takePoints(core: Core, plan: number, job: number, room: number, size: n
   }
   const all = new Float64Array(indices.length * size);
   blocks.forEach((block, i) => all.set(block, i * size));
-  return { indices: Uint32Array.from(indices), blocks: all, verdicts };
+  const lengthScales = Float64Array.from(indices, (index) => core.machine(plan, values[index]!).lengthScale);
+  return { indices: Uint32Array.from(indices), blocks: all, verdicts, lengthScales };
 }

@@ -39,6 +39,7 @@ export interface PartPoints {
   readonly indices: Uint32Array;
   readonly blocks: Float64Array;
   readonly verdicts: readonly Verdict[];
+  readonly lengthScales: Float64Array;
 }
 
 export interface PartLayout {

@@ -1,6 +1,6 @@
 // A diagram computed in the page: coarse to fine where points do not follow one another, along the parameter where they do.
 import { Diagram } from '../data/diagram';
-import type { BatchInfo, Carry, Engine, Setting, SweepProgress } from '../engine/protocol';
+import type { BatchInfo, Carry, Engine, Look, Setting, SweepProgress } from '../engine/protocol';
 
 export interface Plan {
   readonly setting: Setting;
@@ -10,6 +10,21 @@ export interface Plan {
   readonly points: number;
   readonly batch: BatchInfo | undefined;
 }
+
+/// One pass over a diagram.
+export interface Pass {
+  /// What is being done, for the reader; "" at the end.
+  readonly text: string;
+  /// Undefined: as the setting says.
+  readonly look?: Look;
+  /// Some points that are spread over all, each alone.
+  readonly coarse?: boolean;
+  /// Those that have no verdict yet, the most doubtful first.
+  readonly doubtful?: boolean;
+}
+
+/// Points of a coarse pass.
+const COARSE = 32;
 
 export interface RecomputeListener {
   /// Points came in.
@@ -57,17 +72,43 @@ function carryOf(plan: Plan): Carry {
   return plan.batch?.parameter === plan.parameter ? plan.batch.carry : 'none';
 }
 
+/// Places of the points of the first branch that have no verdict yet: first those whose evidence is weakest, of these the
+/// least stable first.
+export function doubtfulFirst(diagram: Diagram, count: number): number[] {
+  const agreement = (point: number) => diagram.number(point, 'regime/agreement') || 0;
+  const exponent = (point: number) => {
+    const { value } = diagram.exponent(point);
+    return Number.isFinite(value) ? value : Number.MAX_VALUE;
+  };
+  const open = coarseToFine(count).filter((point) => !diagram.done[point] || diagram.provisional[point]);
+  return open.sort((a, b) => agreement(a) - agreement(b) || exponent(b) - exponent(a) || 0);
+}
+
+function orderOf(plan: Plan, pass: Pass, diagram: Diagram): number[] {
+  const chained = carryOf(plan) !== 'none';
+  if (pass.coarse) return coarseToFine(plan.points).slice(0, COARSE);
+  if (!chained) return pass.doubtful ? doubtfulFirst(diagram, plan.points) : coarseToFine(plan.points);
+  // Points that follow one another go together.
+  const settled = pass.doubtful && diagram.known === diagram.count && !diagram.provisional.includes(1);
+  return settled ? [] : Array.from({ length: plan.points }, (_, i) => i);
+}
+
 /// Fills the diagram; the sentence of what went wrong, "" when all went well or it was stopped.
-export async function recompute(engine: Engine, plan: Plan, diagram: Diagram, listener: RecomputeListener, signal: AbortSignal): Promise<string> {
-  const carry = carryOf(plan);
-  const order = carry === 'none' ? coarseToFine(plan.points) : Array.from({ length: plan.points }, (_, i) => i);
-  const values = Float64Array.from(order, (place) => diagram.values[place]!);
+export async function recompute(engine: Engine, plan: Plan, pass: Pass, diagram: Diagram, listener: RecomputeListener, signal: AbortSignal): Promise<string> {
+  const order = orderOf(plan, pass, diagram);
+  if (order.length === 0) return '';
   const outcome = await engine.sweep(
-    { setting: plan.setting, parameter: plan.parameter, values, carry, ...(plan.batch ? { batch: plan.batch.name } : {}) },
+    {
+      setting: { ...plan.setting, ...(pass.look ? { look: pass.look } : {}) },
+      parameter: plan.parameter,
+      values: Float64Array.from(order, (place) => diagram.values[place]!),
+      carry: pass.coarse ? 'none' : carryOf(plan),
+      ...(plan.batch ? { batch: plan.batch.name } : {}),
+    },
     {
       layout: (layout) => diagram.expect(layout),
       points: (points) => {
-        diagram.take(points, (slot) => (slot < plan.points ? order[slot]! : slot));
+        diagram.take(points, (slot) => (slot < order.length ? order[slot]! : slot));
         listener.grown();
       },
       progress: (progress) => listener.progress(progress),

@@ -4,7 +4,7 @@ import { LivePoint, type Wish } from './live';
 import type { Side } from './setting';
 
 /// While the cursor moves, motions are this long at most.
-const PREVIEW = { transient: 200, record: 100 } as const;
+const PREVIEW = { transient: 200, record: 100, stepsPerRevolution: 0 } as const;
 
 export interface SideListener {
   changed(): void;
@@ -60,10 +60,9 @@ export class SideModel {
     const whole = setting.record ?? {};
     const transient = whole.transient ?? batch?.record.transient ?? PREVIEW.transient;
     const record = whole.record ?? batch?.record.record ?? PREVIEW.record;
-    const short = { ...whole, transient: Math.min(transient, PREVIEW.transient), record: Math.min(record, PREVIEW.record), settle: true };
-    const shortened = !settled && (short.transient < transient || short.record < record);
+    const shortened = !settled && (PREVIEW.transient < transient || PREVIEW.record < record);
     const request = {
-      setting: shortened ? { ...setting, record: short } : setting,
+      setting: shortened ? { ...setting, look: PREVIEW } : setting,
       ...(parameter && Number.isFinite(value) ? { parameter, value } : {}),
     };
     this.live.want({ request, preview: shortened });

@@ -1,7 +1,7 @@
 // The diagrams that were looked at, one behind the other, and the one that is being computed.
 import type { Diagram } from '../data/diagram';
-import type { Engine, Setting, SweepProgress } from '../engine/protocol';
-import { awaitedDiagram, recompute, type Plan } from './recompute';
+import type { Engine, SweepProgress } from '../engine/protocol';
+import { awaitedDiagram, recompute, type Pass, type Plan } from './recompute';
 
 type Range = readonly [number, number];
 
@@ -16,13 +16,18 @@ export interface Sight {
 /// How well a diagram is computed.
 export type Quality = 'draft' | 'quick' | 'case';
 
-const LENGTHS = { draft: { transient: 100, record: 50, settle: true }, quick: { transient: 400, record: 100, settle: true } } as const;
-const DRAFT_STEPS = 256;
+const COARSE_STEPS = 256;
+const GLIMPSE: Pass = { text: 'a first glimpse', look: { transient: 24, record: 12, stepsPerRevolution: COARSE_STEPS }, coarse: true };
+const DRAFT: Pass = { text: 'undetermined until they run at full length', look: { transient: 100, record: 50, stepsPerRevolution: COARSE_STEPS } };
+const QUICK: Pass = { text: 'undetermined until they run at full length', look: { transient: 400, record: 100, stepsPerRevolution: COARSE_STEPS } };
+const WHOLE: Pass = { text: 'now at full length, the doubtful ones first', doubtful: true };
 
-function drafted(setting: Setting, quality: Quality): Setting {
-  if (quality === 'case') return setting;
-  return { ...setting, integrate: { stepsPerRevolution: DRAFT_STEPS, ...setting.integrate }, record: { ...LENGTHS[quality], ...setting.record } };
-}
+/// Coarse to fine: something is seen at once, and no verdict is given that a longer run may take back.
+const PASSES: Readonly<Record<Quality, readonly Pass[]>> = {
+  draft: [GLIMPSE, DRAFT],
+  quick: [GLIMPSE, QUICK, WHOLE],
+  case: [GLIMPSE, WHOLE],
+};
 
 export interface SightsListener {
   /// Another diagram or range is shown.
@@ -105,20 +110,29 @@ export class Sights {
     const mine = (this.sweeping = new AbortController());
     const diagram = awaitedDiagram(plan);
     if (first) this.stack = [];
-    this.stack.push({ diagram, range: [plan.low, plan.high], of, text: `Computed here, ${quality}: ${diagram.count} points.` });
+    this.stack.push({ diagram, range: [plan.low, plan.high], of, text: '' });
     const tell = (now: SweepProgress | undefined) => {
       if (mine !== this.sweeping) return;
       this.progress = now;
       this.listener.progress(now);
     };
-    tell({ pointsDone: 0, pointsTotal: diagram.count, revolutionsDone: 0, revolutionsTotal: 0 });
-    this.listener.changed();
-    const drawn = { ...plan, setting: drafted(plan.setting, quality) };
-    const trouble = await recompute(this.engine, drawn, diagram, { grown: () => this.listener.grown(), progress: tell }, mine.signal);
+    const say = (text: string) => {
+      const at = this.stack.findIndex((sight) => sight.diagram === diagram);
+      if (at >= 0) this.stack[at] = { ...this.stack[at]!, text: `Computed here, ${quality}: ${diagram.count} points${text && `, ${text}`}.` };
+      this.listener.changed();
+    };
+    let trouble = '';
+    for (const pass of PASSES[quality]) {
+      say(pass.text);
+      tell({ pointsDone: 0, pointsTotal: diagram.count, revolutionsDone: 0, revolutionsTotal: 0 });
+      trouble ||= await recompute(this.engine, plan, pass, diagram, { grown: () => this.listener.grown(), progress: tell }, mine.signal);
+      if (mine !== this.sweeping || mine.signal.aborted || trouble) break;
+    }
     if (mine !== this.sweeping) return '';
     tell(undefined);
     this.sweeping = undefined;
-    this.listener.changed();
+    const open = diagram.provisional.reduce((sum, one) => sum + one, 0);
+    say(open > 0 ? `${open} undetermined: they have not run at full length` : '');
     return trouble;
   }
 }

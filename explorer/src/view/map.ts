@@ -48,6 +48,7 @@ export class MapView {
   mode: Mode = 'point';
   private subject: MapSubject | undefined;
   private quantity: ShownQuantity | undefined;
+  private label = '';
   private shapes = false;
   private readonly main: Chart;
   private readonly exponent: Chart;
@@ -92,19 +93,25 @@ export class MapView {
     this.subject = subject;
     const { diagram } = subject;
     if (diagram && this.order.length !== diagram.count) this.order = Array.from(diagram.values.keys()).sort((a, b) => diagram.values[a]! - diagram.values[b]!);
-    this.quantity = diagram && quantityOf(diagram, subject.quantity, subject.station, subject.stations, subject.units, subject.scales);
-    const measure = parameterMeasure(subject.unit, subject.units);
-    const xLabel = labelled(subject.parameter, measure.unit);
-    this.main.setAxes(xLabel, this.quantity?.label ?? '');
-    this.exponent.setAxes(xLabel, 'exponent / rev.');
-    this.empty.textContent = this.quantity || !diagram ? '' : 'The run does not have this quantity.';
     this.refresh();
+  }
+
+  /// What is shown of the diagram: an awaited one has its columns, and their scale, once the first points come in.
+  private showQuantity(subject: MapSubject): void {
+    const { diagram } = subject;
+    this.quantity = diagram && quantityOf(diagram, subject.quantity, subject.station, subject.stations, subject.units, subject.scales.symbol);
+    const xLabel = labelled(subject.parameter, parameterMeasure(subject.unit, subject.units).unit);
+    if (this.quantity || diagram?.known) this.label = this.quantity?.label ?? '';
+    this.main.setAxes(xLabel, this.label);
+    this.exponent.setAxes(xLabel, 'exponent / rev.');
+    this.empty.textContent = this.quantity || !diagram?.known ? '' : 'The run does not have this quantity.';
   }
 
   /// After points have come in, or colours have changed.
   refresh(): void {
     const subject = this.subject;
     if (!subject) return;
+    this.showQuantity(subject);
     const measure = parameterMeasure(subject.unit, subject.units);
     const x: Range = [subject.range[0] * measure.factor, subject.range[1] * measure.factor];
     this.main.show(x, this.mainRange(subject));

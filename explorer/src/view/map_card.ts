@@ -31,8 +31,8 @@ export interface MapCardSubject extends MapSubject {
 
 const POINTS: readonly Choice[] = [64, 128, 256, 512, 1024].map((count) => ({ value: String(count), text: `${count} points` }));
 const QUALITIES: readonly Choice[] = [
-  { value: 'draft', text: 'draft: 150 revolutions of 256 steps' },
-  { value: 'quick', text: 'quick: 500 revolutions of 256 steps' },
+  { value: 'draft', text: 'draft: 150 revolutions, no verdicts' },
+  { value: 'quick', text: 'quick: 500 revolutions, then as the case' },
   { value: 'case', text: 'as the case' },
 ];
 
@@ -119,7 +119,6 @@ export class MapCard {
   /// undefined: nothing is being computed.
   progress(now: SweepProgress | undefined): void {
     this.bar.hidden = this.cancel.hidden = now === undefined;
-    this.again.disabled = now !== undefined;
     if (now) this.bar.value = now.revolutionsTotal > 0 ? now.revolutionsDone / now.revolutionsTotal : 0;
   }
 

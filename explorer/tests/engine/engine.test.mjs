@@ -239,3 +239,34 @@ test('an engine that cannot start says so', async () => {
   assert.match(outcome.message, /cannot start/);
   broken.close();
 });
+
+// Transients of the paper's rotor that a short run takes for chaos: 400 + 100 revolutions of 256 steps.
+test('a first look has no verdict where a longer run may have another', async () => {
+  const setting = { text: caseText('paper') };
+  const short = { transient: 400, record: 100, watch: 0, settle: true };
+  const look = { transient: 400, record: 100, stepsPerRevolution: 256 };
+  let chaotic = 0;
+  for (let i = 0; i < 16; i++) {
+    const point = { parameter: 'r_k', value: 0.316 + (0.068 * i) / 15 };
+    const hasty = await good(engine.point({ setting: { ...setting, integrate: { stepsPerRevolution: 256 }, record: short }, ...point }));
+    const looked = await good(engine.point({ setting: { ...setting, look }, ...point }));
+    chaotic += hasty.verdict.regime === 'chaotic' ? 1 : 0;
+    assert.equal(hasty.verdict.provisional, false, 'what was asked for has a verdict');
+    assert.deepEqual([looked.verdict.regime, looked.verdict.confidence, looked.verdict.provisional], ['undetermined', 'low', true]);
+    assert.match(looked.verdict.reason, /400 \+ 100 revolutions of 256 steps; a verdict takes the 1100 \+ 100 of 1024 steps/);
+    assert.equal(fieldNumbers(looked.layout, looked.block, 'regime/code')[0], 0);
+    // It is the same motion, with the same evidence.
+    assert.deepEqual(fieldNumbers(looked.layout, looked.block, 'poincare/section'), fieldNumbers(hasty.layout, hasty.block, 'poincare/section'));
+    assert.deepEqual(fieldNumbers(looked.layout, looked.block, 'regime/exponent'), fieldNumbers(hasty.layout, hasty.block, 'regime/exponent'));
+  }
+  assert.ok(chaotic > 0, 'a short run takes some for chaos');
+});
+
+// At the case's own steps a motion that settles early would settle so in a longer run too.
+test('a first look keeps the verdict of a motion that has ended by itself', async () => {
+  const setting = { text: caseText('paper') };
+  const whole = await good(engine.point({ setting, parameter: 'r_k', value: 0.8 }));
+  const looked = await good(engine.point({ setting: { ...setting, look: { transient: 400, record: 100, stepsPerRevolution: 0 } }, parameter: 'r_k', value: 0.8 }));
+  assert.equal(whole.verdict.regime, 'periodic');
+  assert.deepEqual([looked.verdict.name, looked.verdict.provisional], [whole.verdict.name, false]);
+});

@@ -1,0 +1,112 @@
+// Diagrams that are computed in the page: coarse to fine, and no verdict that a longer run takes back.
+import assert from 'node:assert/strict';
+import { writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { build } from 'esbuild';
+import { CASE, closeBrowser, command, folder, makePage, open, saved, settled } from './browser.mjs';
+
+/// Longer and finer than a quick look.
+const LONG = CASE.replace('points: 61', 'points: 64').replace('steps_per_revolution: 256, transient: 300', 'steps_per_revolution: 512, transient: 600');
+
+let address;
+before(() => {
+  address = makePage('long', LONG);
+});
+after(closeBrowser);
+
+/// Notes with every frame from the click on what the card of the diagram says, and whether dots are drawn.
+async function watchFrames(page) {
+  await page.evaluate(() => {
+    const canvas = document.querySelector('.map-main canvas');
+    const copy = document.createElement('canvas').getContext('2d', { willReadFrequently: true });
+    const dots = () => {
+      [copy.canvas.width, copy.canvas.height] = [canvas.width, canvas.height];
+      copy.drawImage(canvas, 0, 0);
+      const { data } = copy.getImageData(canvas.width * 0.2, 0, canvas.width * 0.6, canvas.height * 0.8);
+      const seen = new Set();
+      for (let i = 0; i < data.length; i += 4) seen.add((data[i] << 16) | (data[i + 1] << 8) | data[i + 2]);
+      return seen.has(0x8c8c8c);
+    };
+    window.frames = [];
+    let began;
+    const note = () => {
+      const counts = Object.fromEntries([...document.querySelectorAll('.legend-entry')].map((entry) => [entry.firstChild.textContent.trim(), Number(entry.querySelector('.count').textContent)]));
+      window.frames.push({ time: performance.now() - began, status: document.querySelector('.status').textContent, empty: document.querySelector('.map .empty').textContent, counts, dots: window.frames.some((frame) => frame.dots) || dots() });
+      requestAnimationFrame(note);
+    };
+    document.querySelector('.map-card button.primary').addEventListener('click', () => {
+      began = performance.now();
+      note();
+    }, { once: true });
+  });
+}
+
+test('Recompute paints a few points at once, then more, and gives no verdict before the length of the case', async (context) => {
+  const { page, complaints, close } = await open(address, { colorScheme: 'light' });
+  await settled(page);
+  await page.selectOption('select[aria-label="Points of a new diagram"]', '64');
+  await watchFrames(page);
+  await page.click('button:text-is("Recompute")');
+  await page.waitForFunction(() => document.querySelector('.map-card progress').hidden, undefined, { timeout: 120_000 });
+  const frames = (await page.evaluate(() => window.frames)).filter(({ status }) => /Computed here, quick: 64 points/.test(status));
+  assert.ok(frames.every(({ empty }) => empty === ''), 'never is a quantity said to be missing');
+  const early = frames.filter(({ status }) => /first glimpse|undetermined until/.test(status));
+  assert.ok(early.length > 0);
+  for (const { counts } of early) assert.deepEqual(Object.keys(counts).filter((name) => name !== 'undetermined'), []);
+  const first = frames.find(({ dots }) => dots);
+  context.diagnostic(`first points on the screen ${first.time.toFixed(0)} ms after the click, ${frames.indexOf(first)} frames`);
+  assert.ok(first.counts.undetermined <= 32, `the first picture has ${first.counts.undetermined} points`);
+  const total = Object.values(frames.at(-1).counts).reduce((sum, count) => sum + count, 0);
+  assert.equal(total, 64);
+  // What stands there in the end is what the command says.
+  const mine = (await saved(page, '.map-card', 'csv')).bytes.toString('utf8').trim().split('\r\n').slice(1).map((line) => line.split(',')[2]);
+  const { points } = JSON.parse(command('run', 'long.yaml', '--json', '-q'));
+  assert.deepEqual(mine, points.map(({ verdict }) => verdict));
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('a draft has no verdicts, and says so', async () => {
+  const { page, complaints, close } = await open(address);
+  await settled(page);
+  await page.selectOption('select[aria-label="Points of a new diagram"]', '64');
+  await page.selectOption('select[aria-label="How well a new diagram is computed"]', 'draft');
+  await page.click('button:text-is("Recompute")');
+  await page.waitForFunction(() => /64 undetermined: they have not run at full length/.test(document.querySelector('.status').textContent), undefined, { timeout: 60_000 });
+  assert.deepEqual(await page.$$eval('.legend-entry', (all) => all.map((entry) => entry.textContent.trim())), ['undetermined 64']);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('a dragged cursor gives no verdict before it rests', async () => {
+  const { page, complaints, close } = await open(`${address}#at=3.3`);
+  const verdict = await settled(page);
+  const box = await (await page.$('.map-main .overlay')).boundingBox();
+  const at = (omega) => box.x + (box.width * (omega - 1)) / 3;
+  await page.mouse.move(at(3.35), box.y + 80);
+  await page.mouse.down();
+  await page.mouse.move(at(3.3), box.y + 80, { steps: 3 });
+  await page.waitForFunction(() => /quick look/.test(document.querySelector('.pane-a .how').textContent));
+  assert.equal(await page.textContent('.pane-a .verdict'), 'undetermined');
+  assert.match(await page.textContent('.pane-a .reason'), /first look of 200 \+ 100 revolutions.*takes the 600 \+ 100/);
+  await page.mouse.up();
+  assert.equal(await settled(page), verdict);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('the weakest evidence goes first', async () => {
+  const { outputFiles } = await build({ entryPoints: [new URL('../src/model/recompute.ts', import.meta.url).pathname], bundle: true, format: 'esm', write: false });
+  const { doubtfulFirst } = await import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].contents).toString('base64')}`);
+  const agreement = [2, 0, 1, 1, 2, NaN];
+  const exponent = [-0.1, -0.2, 0.3, 0.5, 0, NaN];
+  const diagram = {
+    done: [1, 1, 1, 1, 1, 0],
+    provisional: [1, 1, 1, 1, 0, 0],
+    number: (point) => agreement[point],
+    exponent: (point) => ({ value: exponent[point] }),
+  };
+  // Point 5 is not known at all, point 4 has its verdict.
+  assert.deepEqual(doubtfulFirst(diagram, 6), [5, 1, 3, 2, 0]);
+});
