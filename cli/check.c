@@ -35,7 +35,10 @@ static whirl_status describe_case(const char *path, const whirl_case *object) {
     status = whirl_case_study(object, &study);
     if (status.code == WHIRL_OK) {
         const whirl_system *const system = whirl_rotor_system(rotor);
-        printf("%s: good\n", path);
+        char name[WHIRL_MESSAGE_SIZE];
+        snprintf(name, sizeof name, "%s", path);
+        whirl_make_plain(name);
+        printf("%s: good\n", name);
         if (*whirl_case_title(object)) printf("  %s\n", whirl_case_title(object));
         printf("  %zu station%s:", system->probe_count, system->probe_count == 1 ? "" : "s");
         for (size_t i = 0; i < system->probe_count; i++) printf("%s %s", i ? "," : "", system->probes[i].name);

@@ -6,10 +6,14 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { LONGEST_LINE = 8192 }; // a path may have 4096 bytes
+
+/// One line on standard error. Names of files, and what stands in them, are not to steer the terminal.
 static void say(const char *program, const char *format, va_list arguments) {
-    fprintf(stderr, "%s: ", program);
-    vfprintf(stderr, format, arguments);
-    fputc('\n', stderr);
+    char line[LONGEST_LINE];
+    vsnprintf(line, sizeof line, format, arguments);
+    whirl_make_plain(line);
+    fprintf(stderr, "%s: %s\n", program, line);
 }
 
 void complain(const char *format, ...) {
@@ -38,6 +42,7 @@ void bad_argument(const struct argp_state *state, const char *format, ...) {
     va_start(arguments, format);
     vsnprintf(sentence, sizeof sentence, format, arguments);
     va_end(arguments);
+    whirl_make_plain(sentence);
     argp_failure(state, EXIT_BAD_INPUT, 0, "%s", sentence);
 }
 
@@ -49,6 +54,7 @@ int complain_of_problems(whirl_problems *problems, const whirl_status *status) {
     for (size_t i = 0; i < problems->count; i++) {
         char text[sizeof problems->file + sizeof(whirl_problem)];
         whirl_problem_text(problems, i, text, sizeof text);
+        whirl_make_plain(text);
         fprintf(stderr, "%s\n", text);
     }
     if (problems->count > 0)

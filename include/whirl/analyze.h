@@ -27,6 +27,9 @@ typedef enum whirl_growth {
     WHIRL_GROWTH_ALL      ///< as many as the state has coordinates, by the system's Jacobian
 } whirl_growth;
 
+/// Most revolutions that cases and result files may say.
+enum { WHIRL_MAX_TRANSIENT = 1000000000, WHIRL_MAX_RECORD = 100000000 };
+
 typedef struct whirl_record_options {
     int transient; ///< revolutions that pass before anything is recorded, >= 0
     int record;    ///< revolutions recorded, >= 1

@@ -12,6 +12,10 @@
 extern "C" {
 #endif
 
+enum {
+    WHIRL_MAX_STEPS = 1 << 24 ///< of a revolution, and samples of one: what cases and result files may say
+};
+
 typedef struct whirl_integrate_options {
     char method[WHIRL_NAME_SIZE]; ///< a name of whirl_method_at()
     /// Instants of a revolution at which an observer is called, equally spaced; for a fixed-step method also its steps.

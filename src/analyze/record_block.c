@@ -23,10 +23,18 @@ int whirl_record_watch(const whirl_record_options *options) {
 }
 
 int whirl_record_samples(const whirl_record_options *options, int steps_per_revolution) {
-    int samples =
-        options->samples_per_revolution < steps_per_revolution ? options->samples_per_revolution : steps_per_revolution;
-    while (steps_per_revolution % samples != 0) samples++;
-    return samples;
+    const int steps = steps_per_revolution;
+    const int least = options->samples_per_revolution < steps ? options->samples_per_revolution : steps;
+    if (steps % least == 0) return least;
+    // Divisors come in pairs.
+    int found = steps;
+    for (int small = 1; small <= steps / small; small++) {
+        const int large = steps / small;
+        if (steps % small != 0) continue;
+        if (large >= least && large < found) found = large;
+        if (small >= least && small < found) found = small;
+    }
+    return found;
 }
 
 /// Whether all disturbances can be followed, where they are to be.

@@ -1,5 +1,7 @@
 #include "utf8.h"
 
+#include "whirl/status.h"
+
 size_t utf8_length(const char *text, size_t left) {
     const unsigned char *byte = (const unsigned char *)text;
     const unsigned char lead = byte[0];
@@ -14,4 +16,36 @@ size_t utf8_length(const char *text, size_t left) {
     for (size_t i = 2; i < length; i++)
         if ((byte[i] & 0xC0) != 0x80) return 0;
     return length;
+}
+
+unsigned utf8_character(const char *text, size_t length) {
+    static const unsigned char lead[5] = {0, 0x7F, 0x1F, 0x0F, 0x07};
+    unsigned number = (unsigned char)text[0] & lead[length];
+    for (size_t i = 1; i < length; i++) number = number << 6 | ((unsigned char)text[i] & 0x3Fu);
+    return number;
+}
+
+bool utf8_is_plain(const char *text, size_t length) {
+    static const unsigned ranges[][2] = {
+        {0, 0x1F},        {0x7F, 0x9F}, {0x061C, 0x061C}, // Arabic letter mark
+        {0x200E, 0x200F},                                 // marks of direction
+        {0x2028, 0x202E},                                 // ends of lines, embeddings and overrides
+        {0x2066, 0x2069},                                 // isolates
+    };
+    const unsigned number = utf8_character(text, length);
+    for (size_t i = 0; i < sizeof ranges / sizeof *ranges; i++)
+        if (number >= ranges[i][0] && number <= ranges[i][1]) return false;
+    return true;
+}
+
+void whirl_make_plain(char *text) {
+    char *to = text;
+    while (*text) {
+        const size_t length = utf8_length_of_text(text);
+        const bool plain = length > 0 && utf8_is_plain(text, length);
+        if (!plain) *to++ = '?';
+        for (size_t i = 0; plain && i < length; i++) *to++ = text[i];
+        text += length ? length : 1;
+    }
+    *to = '\0';
 }

@@ -18,6 +18,7 @@ static whirl_status describe_parameters(const case_content *content, whirl_resul
             snprintf(to->name, sizeof to->name, "%s", from->name);
             snprintf(to->unit, sizeof to->unit, "%s", from->unit[0] ? from->unit : "SI");
             snprintf(to->text, sizeof to->text, "%s", from->text);
+            whirl_make_plain(to->text);
             to->value = v.values[i];
         }
     }
@@ -64,6 +65,9 @@ whirl_status whirl_case_describe_result(const whirl_case *object, whirl_result *
     forget(result);
     snprintf(result->title, sizeof result->title, "%s", object->content.title);
     snprintf(result->case_name, sizeof result->case_name, "%s", object->name);
+    // A file may have any name; both may have been cut within a character.
+    whirl_make_plain(result->title);
+    whirl_make_plain(result->case_name);
     result->case_text = malloc(object->length + 1);
     if (!result->case_text) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the text of a case");
     memcpy(result->case_text, object->text, object->length + 1);

@@ -39,8 +39,21 @@ whirl_status source_load(const char *path, whirl_problems *problems, char **text
     return status;
 }
 
-static bool is_control(unsigned char c) {
-    return (c < 0x20 && c != '\t' && c != '\n' && c != '\r') || c == 0x7F;
+// What no case needs: characters that steer a terminal, or turn a line so that it reads otherwise than it is computed.
+static bool report_character(const char *text, size_t bytes, int line, int column, whirl_problems *problems) {
+    const unsigned char c = (unsigned char)text[0];
+    if (bytes == 0)
+        problem_in_file(problems, line, column, "has the byte 0x%02X, expected text in UTF-8", c);
+    else if (c == '\t' || c == '\n' || c == '\r' || utf8_is_plain(text, bytes))
+        return false;
+    else if (bytes == 1)
+        problem_in_file(problems, line, column,
+                        "has the byte 0x%02X, expected text in UTF-8 without control characters", c);
+    else
+        problem_in_file(
+            problems, line, column, "has the character U+%04X, expected text without %s", utf8_character(text, bytes),
+            bytes == 2 && c == 0xC2 ? "control characters" : "characters that end a line or turn its direction");
+    return true;
 }
 
 // A line that is blank, or a comment, may begin with tabs.
@@ -60,11 +73,7 @@ void source_check(const char *text, size_t length, whirl_problems *problems) {
     for (size_t i = 0; i < length;) {
         const unsigned char c = (unsigned char)text[i];
         const size_t bytes = utf8_length(text + i, length - i);
-        if (bytes == 0 || is_control(c)) {
-            problem_in_file(problems, line, column, "has the byte 0x%02X, expected text in UTF-8%s", c,
-                            bytes ? " without control characters" : "");
-            return;
-        }
+        if (report_character(text + i, bytes, line, column, problems)) return;
         if (indenting && c == '\t' && line_says_something(text + i, length - i)) {
             problem_in_file(problems, line, column, "is indented with a tab, expected spaces");
             indenting = false;

@@ -64,13 +64,12 @@ static file_node *add_node(tree_builder *b, const yaml_event_t *event, node_kind
     return made;
 }
 
-// Escapes in quotes can make what source_check refuses.
-static bool is_printable(const char *text, size_t length) {
-    for (size_t i = 0; i < length; i++) {
-        const unsigned char c = (unsigned char)text[i];
-        const bool c1 = c == 0xC2 && i + 1 < length && (unsigned char)text[i + 1] < 0xA0;
-        if ((c < 0x20 && c != '\n' && c != '\t') || c == 0x7F || c1) return false;
-        if (utf8_length(text + i, length - i) == 0 && (c & 0xC0) != 0x80) return false;
+// Escapes in quotes can make what source_check refuses, and surrogates, which are no characters.
+static bool is_text(const char *text, size_t length) {
+    for (size_t i = 0; i < length;) {
+        const size_t bytes = utf8_length(text + i, length - i);
+        if (bytes == 0 || !(utf8_is_plain(text + i, bytes) || text[i] == '\n' || text[i] == '\t')) return false;
+        i += bytes;
     }
     return true;
 }
@@ -81,7 +80,7 @@ static bool take_scalar(tree_builder *b, const yaml_event_t *event) {
     if (event->data.scalar.anchor)
         return stop(b, event, "has an anchor (&), expected a case without anchors and aliases");
     if (event->data.scalar.tag) return stop(b, event, "has a tag (!), expected a case without tags");
-    if (!is_printable(value, length)) return stop(b, event, "has a control character, expected text");
+    if (!is_text(value, length)) return stop(b, event, "has a control character, expected text");
     char *text = arena_text(b->arena, value, length);
     b->no_memory = b->no_memory || !text;
     if (!text) return false;

@@ -17,8 +17,9 @@ static const char *make_valid(const char *from, char valid[TEXT_SIZE]) {
     size_t length = 0;
     while (*from && length + 4 < TEXT_SIZE) {
         const size_t bytes = utf8_length_of_text(from);
-        if (bytes == 0) valid[length++] = '?';
-        for (size_t i = 0; i < bytes; ++i) valid[length++] = from[i];
+        const bool plain = bytes > 0 && utf8_is_plain(from, bytes);
+        if (!plain) valid[length++] = '?';
+        for (size_t i = 0; plain && i < bytes; ++i) valid[length++] = from[i];
         from += bytes > 0 ? bytes : 1;
     }
     valid[length] = '\0';

@@ -105,7 +105,7 @@ static int by_place(const void *left, const void *right) {
 }
 
 static int cell(double value, span range) {
-    return (int)(GRID * (value - range.low) / (range.high - range.low));
+    return (int)fmin(fmax(GRID * (value - range.low) / (range.high - range.low), -1.0), GRID + 1.0);
 }
 
 static void write_dots(FILE *data, const diagram *of, size_t point, dot *dots) {

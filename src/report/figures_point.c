@@ -249,7 +249,7 @@ static double drawn_height(const subject *of, double order, int column) {
     double most = 0.0;
     const double *at = of->spectrum.at;
     const double step = of->spectrum.rows > 1 ? at[5] - at[0] : 1.0;
-    const double middle = step > 0.0 ? (order - at[0]) / step : 0.0;
+    const double middle = step > 0.0 ? fmin((order - at[0]) / step, (double)of->spectrum.rows) : 0.0;
     const size_t first = middle > 2.0 ? (size_t)middle - 2 : 0;
     for (size_t k = first; k < of->spectrum.rows && k < first + 5; k++) most = fmax(most, at[5 * k + (size_t)column]);
     return most;

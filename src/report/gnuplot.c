@@ -20,10 +20,10 @@ void gnuplot_string(FILE *script, const char *text) {
         const size_t length = utf8_length_of_text(text);
         if (*text == '\'')
             fputs("\xE2\x80\x99", script);
-        else if (length == 1 && ((unsigned char)*text < 0x20 || *text == 0x7F))
-            fputc(' ', script);
         else if (length == 0)
             fputc('?', script);
+        else if (!utf8_is_plain(text, length))
+            fputc(' ', script);
         else
             fwrite(text, 1, length, script);
         text += length ? length : 1;
@@ -32,9 +32,13 @@ void gnuplot_string(FILE *script, const char *text) {
 }
 
 void gnuplot_comment(FILE *script, const char *text) {
-    for (; *text; text++) {
-        const unsigned char letter = (unsigned char)*text;
-        fputc(letter < 0x20 || letter == '\\' ? ' ' : letter, script);
+    while (*text) {
+        const size_t length = utf8_length_of_text(text);
+        if (length == 0 || *text == '\\' || !utf8_is_plain(text, length))
+            fputc(' ', script);
+        else
+            fwrite(text, 1, length, script);
+        text += length ? length : 1;
     }
 }
 

@@ -24,12 +24,11 @@ static const char *entity(char letter) {
 void html_text(FILE *stream, const char *text) {
     while (*text) {
         const size_t length = utf8_length_of_text(text);
-        const unsigned char letter = (unsigned char)*text;
         const char *replacement = length == 1 ? entity(*text) : NULL;
-        const int control = (letter < 0x20 && letter != '\n' && letter != '\t') || letter == 0x7F;
+        const int plain = length > 0 && (utf8_is_plain(text, length) || *text == '\n' || *text == '\t');
         if (replacement)
             fputs(replacement, stream);
-        else if (length == 0 || control)
+        else if (!plain)
             fputs("\xEF\xBF\xBD", stream);
         else
             fwrite(text, 1, length, stream);

@@ -6,19 +6,19 @@
 #include "number.h"
 #include "utf8.h"
 
-static void escape(FILE *stream, unsigned char letter) {
-    fprintf(stream, "\\u%04x", letter);
+// Characters to be escaped have at most four digits.
+static void escape(FILE *stream, unsigned character) {
+    fprintf(stream, "\\u%04x", character);
 }
 
 void script_text(FILE *stream, const char *text) {
     fputc('"', stream);
     while (*text) {
         const size_t length = utf8_length_of_text(text);
-        const unsigned char letter = (unsigned char)*text;
         if (length == 0)
             fputs("\\ufffd", stream);
-        else if (length == 1 && (letter < 0x20 || letter == 0x7F || strchr("\"\\<>&", *text)))
-            escape(stream, letter);
+        else if (!utf8_is_plain(text, length) || (length == 1 && strchr("\"\\<>&", *text)))
+            escape(stream, utf8_character(text, length));
         else
             fwrite(text, 1, length, stream);
         text += length ? length : 1;

@@ -97,6 +97,11 @@ static void end_texts(char *first, size_t stride, size_t count) {
     for (size_t i = 0; i < count; ++i) first[i * stride + stride - 1] = '\0';
 }
 
+// Words of a result are shown in many places, by terminals and browsers too.
+static void make_plain(char *first, size_t stride, size_t count) {
+    for (size_t i = 0; i < count; ++i) whirl_make_plain(first + i * stride);
+}
+
 // Texts of an attribute of that rank; returns how many.
 static size_t read_texts(whirl_status *status, hid_t object, const char *name, int rank, char *first, size_t stride,
                          size_t most) {
@@ -115,6 +120,7 @@ static size_t read_texts(whirl_status *status, hid_t object, const char *name, i
     H5Aclose(attribute);
     if (status->code != WHIRL_OK) return 0;
     end_texts(first, stride, (size_t)count);
+    make_plain(first, stride, (size_t)count);
     return (size_t)count;
 }
 
@@ -352,6 +358,7 @@ void get_texts(whirl_status *status, hid_t parent, const char *name, char *first
         return;
     }
     read_packed_texts(status, parent, name, packed, size, count);
+    if (status->code == WHIRL_OK) make_plain(packed, size, count);
     for (size_t i = 0; status->code == WHIRL_OK && i < count; ++i) memcpy(first + i * stride, packed + i * size, size);
     free(packed);
 }

@@ -104,6 +104,7 @@ static void get_provenance(whirl_status *status, hid_t file, whirl_result *resul
     for (size_t i = 0; status->code == WHIRL_OK && i < count; ++i) {
         get_attribute_name(status, group, i, facts[i].name, sizeof facts[i].name);
         get_text_attribute(status, group, facts[i].name, facts[i].value, sizeof facts[i].value);
+        whirl_make_plain(facts[i].name);
     }
     if (status->code == WHIRL_OK) result->fact_count = count;
     close_group(group);
@@ -113,7 +114,7 @@ static void get_provenance(whirl_status *status, hid_t file, whirl_result *resul
 
 static void get_integrate(whirl_status *status, hid_t group, whirl_integrate_options *options) {
     get_text_attribute(status, group, "method", options->method, sizeof options->method);
-    options->steps_per_revolution = (int)get_whole_attribute(status, group, "steps_per_revolution", 1, INT_MAX);
+    options->steps_per_revolution = (int)get_whole_attribute(status, group, "steps_per_revolution", 1, WHIRL_MAX_STEPS);
     get_number_attribute(status, group, "rtol", &options->rtol);
     get_number_attribute(status, group, "atol", &options->atol);
     get_number_attribute(status, group, "limit", &options->limit);
@@ -121,12 +122,13 @@ static void get_integrate(whirl_status *status, hid_t group, whirl_integrate_opt
 }
 
 static void get_record(whirl_status *status, hid_t group, whirl_record_options *options) {
-    options->transient = (int)get_whole_attribute(status, group, "transient", 0, INT_MAX);
-    options->record = (int)get_whole_attribute(status, group, "record", 1, INT_MAX);
-    options->watch = (int)get_whole_attribute(status, group, "watch", 0, INT_MAX);
+    options->transient = (int)get_whole_attribute(status, group, "transient", 0, WHIRL_MAX_TRANSIENT);
+    options->record = (int)get_whole_attribute(status, group, "record", 1, WHIRL_MAX_RECORD);
+    options->watch = (int)get_whole_attribute(status, group, "watch", 0, WHIRL_MAX_TRANSIENT + WHIRL_MAX_RECORD);
     options->settle = get_whole_attribute(status, group, "settle", 0, 1) != 0;
-    options->waveform_revolutions = (int)get_whole_attribute(status, group, "waveform_revolutions", 0, INT_MAX);
-    options->samples_per_revolution = (int)get_whole_attribute(status, group, "samples_per_revolution", 1, INT_MAX);
+    options->waveform_revolutions = (int)get_whole_attribute(status, group, "waveform_revolutions", 0, options->record);
+    options->samples_per_revolution =
+        (int)get_whole_attribute(status, group, "samples_per_revolution", 1, WHIRL_MAX_STEPS);
     get_number_attribute(status, group, "highest_order", &options->highest_order);
     options->spectra = get_whole_attribute(status, group, "spectra", 0, 1) != 0;
     options->waveform = get_whole_attribute(status, group, "waveform", 0, 1) != 0;
@@ -180,11 +182,12 @@ static void get_field(whirl_status *status, hid_t group, const whirl_result *res
     field->meaning = words->meaning;
     get_extent(status, dataset, result, field);
     field->rows = (size_t)get_whole_attribute(status, dataset, "rows", 0, INT_MAX);
-    field->columns = (size_t)get_whole_attribute(status, dataset, "columns", 0, INT_MAX);
+    field->columns = (size_t)get_whole_attribute(status, dataset, "columns", 1, INT_MAX);
     close_dataset(dataset);
     if (status->code != WHIRL_OK) return;
-    // Two factors below 2^31 and one of at most 256: no overflow in double, and none in size_t once it is small.
-    const double numbers = (double)field->rows * (double)field->columns * (double)field->repeat;
+    // Two factors below 2^31 and one of at most 256: no overflow in double, and none in size_t once it is small. Rows are
+    // gone through also where there are no points or no stations.
+    const double numbers = (double)field->rows * (double)field->columns * (double)(field->repeat ? field->repeat : 1);
     if (numbers * (double)(count ? count : 1) > (double)(limit / sizeof(double))) {
         *status = whirl_fail(WHIRL_BAD_INPUT, "%s claims more numbers than the file has", field->name);
         return;

@@ -27,10 +27,20 @@ static bool same_number(double a, double b) {
     return bits[0] == bits[1];
 }
 
+// As reading makes them.
+static bool same_text(const char *a, const char *b) {
+    char one[256], other[256];
+    snprintf(one, sizeof one, "%s", a);
+    snprintf(other, sizeof other, "%s", b);
+    whirl_make_plain(one);
+    whirl_make_plain(other);
+    return strcmp(one, other) == 0;
+}
+
 static bool same_facts(const whirl_result *a, const whirl_result *b) {
     if (a->fact_count != b->fact_count) return false;
     for (size_t i = 0; i < a->fact_count; ++i)
-        if (strcmp(a->facts[i].name, b->facts[i].name) != 0 || strcmp(a->facts[i].value, b->facts[i].value) != 0)
+        if (!same_text(a->facts[i].name, b->facts[i].name) || !same_text(a->facts[i].value, b->facts[i].value))
             return false;
     return true;
 }
@@ -48,22 +58,22 @@ static bool same_stations(const whirl_result *a, const whirl_result *b) {
 static bool same_contacts(const whirl_result *a, const whirl_result *b) {
     if (a->contact_count != b->contact_count) return false;
     for (size_t i = 0; i < a->contact_count; ++i)
-        if (strcmp(a->contacts[i], b->contacts[i]) != 0) return false;
+        if (!same_text(a->contacts[i], b->contacts[i])) return false;
     return true;
 }
 
 static bool same_parameters(const whirl_result *a, const whirl_result *b) {
     for (size_t i = 0; i < a->parameter_count; ++i)
         if (!same_number(a->parameters[i].value, b->parameters[i].value) ||
-            strcmp(a->parameters[i].text, b->parameters[i].text) != 0)
+            !same_text(a->parameters[i].text, b->parameters[i].text))
             return false;
     return true;
 }
 
 // What differs in the parts that belong to no table, or NULL.
 static const char *head_difference(const whirl_result *a, const whirl_result *b) {
-    if (strcmp(a->title, b->title) != 0) return "the title";
-    if (strcmp(a->case_name, b->case_name) != 0) return "the name of the case";
+    if (!same_text(a->title, b->title)) return "the title";
+    if (!same_text(a->case_name, b->case_name)) return "the name of the case";
     if (!same_number(a->speed, b->speed) || !same_number(a->length_scale, b->length_scale) ||
         !same_number(a->force_scale, b->force_scale))
         return "the scales";

@@ -242,6 +242,9 @@ static whirl_status check_layout(const whirl_table *table) {
         if (strlen(field->meaning) >= FORMAT_MAX_MEANING)
             return whirl_fail(WHIRL_BAD_INPUT, "table %s: the meaning of %s is longer than %d bytes", table->name,
                               field->name, FORMAT_MAX_MEANING - 1);
+        if (field->columns == 0)
+            return whirl_fail(WHIRL_BAD_INPUT, "table %s: the field %s has no columns, expected one at least",
+                              table->name, field->name);
         offset += field->repeat * field->rows * field->columns;
     }
     if (offset != layout->size)

@@ -62,11 +62,12 @@ whirl_verdict whirl_table_verdict(const whirl_table *table, size_t point) {
     return block ? whirl_block_verdict(&table->layout, block) : whirl_block_verdict(&nothing, NULL);
 }
 
-// Copies what fits and ends it.
+// Copies what fits and ends it. A command line and the names of a host may hold anything.
 static void copy_text(char *target, size_t size, const char *source) {
     const size_t length = strnlen(source, size - 1);
     memcpy(target, source, length);
     memset(target + length, 0, size - length);
+    whirl_make_plain(target);
 }
 
 whirl_status whirl_result_add_fact(whirl_result *result, const char *name, const char *value) {

@@ -124,6 +124,13 @@ static void test_samples_divide_the_steps(void **state) {
     assert_int_equal(whirl_record_samples(&options, 1000), 100);
     assert_int_equal(whirl_record_samples(&options, 997), 997);
     assert_int_equal(whirl_record_samples(&options, 48), 48);
+    // As the definition has it, for every number of steps.
+    for (int steps = 1; steps <= 2000; steps++) {
+        int found = steps < 64 ? steps : 64;
+        while (steps % found != 0) found++;
+        assert_int_equal(whirl_record_samples(&options, steps), found);
+    }
+    assert_int_equal(whirl_record_samples(&options, 2147483647), 2147483647); // a prime, and at once
 }
 
 /// x' = -x/4 + cos t: settles on its one periodic motion as exp(-2 pi/4) a revolution.

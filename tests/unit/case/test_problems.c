@@ -294,6 +294,26 @@ static void no_yaml(void **state) {
     expect_bytes_problem(nul, sizeof nul - 1,
                          "t:1:4: has the byte 0x00, expected text in UTF-8 without control characters");
     expect_bytes_problem(escape, sizeof escape - 1, "t:1:4: has a control character, expected text");
+    // What an editor shows of these lines is not what is read, and a terminal takes U+009B for an escape sequence.
+    const char override[] = "a: 1\nb: x\xE2\x80\xAE\n", isolate[] = "# \xE2\x81\xA6\na: 1\n",
+               c1[] = "a: \xC2\x9B"
+                      "2J\n",
+               written[] = "a: \"\\u202E\"\n", key[] = "\"\\u2066\": 1\n", line_end[] = "a: \xE2\x80\xA8\n",
+               ordinary[] = "d\xC3\xA9j\xC3\xA0: *b\n";
+    const char expected[] = "expected text without characters that end a line or turn its direction";
+    char sentence[200];
+    snprintf(sentence, sizeof sentence, "t:2:5: has the character U+202E, %s", expected);
+    expect_bytes_problem(override, sizeof override - 1, sentence);
+    snprintf(sentence, sizeof sentence, "t:1:3: has the character U+2066, %s", expected);
+    expect_bytes_problem(isolate, sizeof isolate - 1, sentence);
+    snprintf(sentence, sizeof sentence, "t:1:4: has the character U+2028, %s", expected);
+    expect_bytes_problem(line_end, sizeof line_end - 1, sentence);
+    expect_bytes_problem(c1, sizeof c1 - 1,
+                         "t:1:4: has the character U+009B, expected text without control characters");
+    expect_bytes_problem(written, sizeof written - 1, "t:1:4: has a control character, expected text");
+    expect_bytes_problem(key, sizeof key - 1, "t:1:1: has a control character, expected text");
+    expect_bytes_problem(ordinary, sizeof ordinary - 1,
+                         "t:1:7: has an alias (*), expected a case without anchors and aliases");
     expect_bytes_problem(complex, sizeof complex - 1, "t:1:3: has a list or a mapping for a key, expected a name");
     whirl_problems problems = {0};
     whirl_case *object;

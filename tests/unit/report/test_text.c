@@ -50,12 +50,15 @@ static void html_is_escaped(void **state) {
     assert_written(html_text, "\xed\xa0\x80", "\xef\xbf\xbd\xef\xbf\xbd\xef\xbf\xbd");
     assert_written(html_text, "a\xe2\x82", "a\xef\xbf\xbd\xef\xbf\xbd");
     assert_written(html_text, "\x1b[31m", "\xef\xbf\xbd[31m");
+    // U+009B, a terminal's escape sequence in one character, and an override of the direction.
+    assert_written(html_text, "a\n\xc2\x9b\x31m\xe2\x80\xae", "a\n\xef\xbf\xbd\x31m\xef\xbf\xbd");
 }
 
 static void gnuplot_strings_stay_strings(void **state) {
     (void)state;
     assert_written(gnuplot_string, "it's `date` \"x\" \\n @m", "'it\xe2\x80\x99s `date` \"x\" \\n @m'");
     assert_written(gnuplot_string, "two\nlines\x80", "'two lines?'");
+    assert_written(gnuplot_string, "a\xc2\x9b\xe2\x80\xae\xc3\xa9", "'a  \xc3\xa9'");
     assert_written(gnuplot_comment, "a\nsystem('x') \\", "a system('x')  ");
 }
 

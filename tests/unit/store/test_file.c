@@ -302,12 +302,19 @@ static void refuses_claims(void **state) {
     } claims[] = {
         {"/", "format_version", 2, "format version 2"},
         {"/sweep", "steps_per_revolution", 0, "expected 1 to"},
+        {"/sweep", "steps_per_revolution", 2147483647, "is 2147483647, expected 1 to 16777216"},
+        {"/sweep", "samples_per_revolution", 2147483647, "expected 1 to 16777216"},
         {"/sweep", "transient", -1, "expected 0 to"},
+        {"/sweep", "transient", 2147483647, "expected 0 to 1000000000"},
+        {"/sweep", "record", 2147483647, "expected 1 to 100000000"},
+        {"/sweep", "watch", 2147483647, "expected 0 to 1100000000"},
+        {"/sweep", "waveform_revolutions", 1000, "expected 0 to"},
         {"/sweep", "growth", 3, "expected 0 to 2"},
         {"/detail/made/array", "rows", INT64_MAX, "expected 0 to"},
         {"/detail/made/array", "rows", 2147483647, "more numbers than the file has"},
         {"/detail/made/array", "rows", 4, "not the expected size"},
-        {"/detail/made/array", "columns", 0, "not the expected size"},
+        {"/detail/made/array", "columns", 0, "expected 1 to"},
+        {"/detail/made/nothing", "columns", 0, "expected 1 to"},
         {"/detail/made/array", "repeat", 3, "expected 2 to 2"},
         {"/sweep/regime/code", "rows", 0, "expected 1 x 1"},
         {"/sweep/spectrum/lines", "columns", 1, "expected 16 x 5"},
@@ -320,6 +327,43 @@ static void refuses_claims(void **state) {
         assert_says(whirl_result_read(f->path, &read), WHIRL_BAD_INPUT, claims[i].words);
         assert_null(read);
     }
+}
+
+static void change_text(const fixture *f, const char *object, const char *attribute, const char *text) {
+    const hid_t file = open_for_change(f), owner = H5Oopen(file, object, H5P_DEFAULT);
+    const hid_t type = H5Tcopy(H5T_C_S1), space = H5Screate(H5S_SCALAR);
+    assert_true(H5Tset_size(type, strlen(text) + 1) >= 0 && H5Tset_cset(type, H5T_CSET_UTF8) >= 0);
+    assert_true(H5Adelete(owner, attribute) >= 0);
+    const hid_t changed = H5Acreate2(owner, attribute, type, space, H5P_DEFAULT, H5P_DEFAULT);
+    assert_true(H5Awrite(changed, type, text) >= 0);
+    H5Aclose(changed);
+    H5Sclose(space);
+    H5Tclose(type);
+    H5Oclose(owner);
+    assert_true(H5Fclose(file) >= 0);
+}
+
+// Terminals obey escape characters, also those of two bytes (U+009B), and overrides turn what is read.
+static void words_are_plain_when_they_are_read(void **state) {
+    fixture *f = *state;
+    whirl_result *read = NULL;
+    written(f);
+    change_text(f, "/", "title", "\x1b]0;owned\x07 \xc2\x9b\x33\x31m red \xe2\x80\xae turned Poincar\xc3\xa9 \xff");
+    change_text(f, "/provenance", f->made->facts[0].name, "one\ntwo");
+    assert_well(whirl_result_read(f->path, &read));
+    assert_string_equal(read->title, "?]0;owned? ?31m red ? turned Poincar\xc3\xa9 ?");
+    // An attribute that is replaced comes last.
+    assert_string_equal(read->facts[read->fact_count - 1].value, "one?two");
+    whirl_result_free(read);
+}
+
+// What a program puts into a result may be cut within a letter, and is the same when it is read.
+static void words_that_are_not_plain_are_verified(void **state) {
+    fixture *f = *state;
+    snprintf(f->made->title, sizeof f->made->title, "cut \x1b[1m \xc3");
+    snprintf(f->made->parameters[0].text, sizeof f->made->parameters[0].text, "1\n2");
+    assert_well(whirl_result_write(f->made, f->path));
+    assert_well(whirl_result_verify(f->made, f->path));
 }
 
 // Puts another object in the place of /sweep/values.
@@ -395,6 +439,8 @@ int main(void) {
         IN_FOLDER(refuses_every_truncation),
         IN_FOLDER(no_flipped_bit_goes_unseen),
         IN_FOLDER(refuses_claims),
+        IN_FOLDER(words_are_plain_when_they_are_read),
+        IN_FOLDER(words_that_are_not_plain_are_verified),
         IN_FOLDER(refuses_other_datasets),
         IN_FOLDER(follows_no_links_elsewhere),
     };
