@@ -3,7 +3,8 @@
 #
 #   scripts/install-dependencies.sh [--check] GROUP...
 #
-# Groups: build (library and command), report (figures), test (all tests), explorer (the page), lint, bench.
+# Groups: build (library and command), report (figures), test (all tests), explorer (the page), browser (its tests), lint,
+# bench.
 # --check only says what is missing, with exit status 1.
 set -euo pipefail
 
@@ -16,8 +17,9 @@ declare -A packages=(
     # clang with its run time: the fuzz target, and a second compiler that must agree; libomp-dev is its OpenMP.
     [test]="libcmocka-dev liblapacke-dev libopenblas-dev clang libclang-rt-14-dev libomp-dev valgrind
             python3-h5py"
-    # dpkg-dev unpacks the sources of libyaml and muParser, which emscripten compiles; chromium is for the tests of the page.
-    [explorer]="emscripten nodejs npm dpkg-dev libudunits2-dev chromium"
+    # dpkg-dev unpacks the sources of libyaml and muParser, which emscripten compiles.
+    [explorer]="emscripten nodejs npm dpkg-dev libudunits2-dev"
+    [browser]="chromium"
     [lint]="clang-format clang-tidy cppcheck"
     # The programs that are measured beside whirl; none of them is needed for whirl itself.
     [bench]="libgsl-dev libboost-dev octave python3 python3-numba"
@@ -33,14 +35,14 @@ fi
 wanted=()
 for group in "$@"; do
     if [ -z "${packages[$group]:-}" ]; then
-        say "there is no group '$group', expected one of: build report test explorer lint bench"
+        say "there is no group '$group', expected one of: build report test explorer browser lint bench"
         exit 2
     fi
     read -r -d '' -a names <<<"${packages[$group]}" || true
     wanted+=("${names[@]}")
 done
 if [ ${#wanted[@]} -eq 0 ]; then
-    say "name at least one group: build report test explorer lint bench"
+    say "name at least one group: build report test explorer browser lint bench"
     exit 2
 fi
 
@@ -86,8 +88,13 @@ if [ "$(id -u)" -ne 0 ]; then
 fi
 apt() { "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -o Acquire::Retries=3 "$@"; }
 
-say "installing them with apt-get"
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
+say "installing ${#missing[@]} packages and what they need with apt-get; this can take minutes"
 # The package lists of a fresh system are empty, and those of an old one name files that are gone.
-apt update -qq
-apt install -y -qq --no-install-recommends "${missing[@]}"
+if ! { apt update -qq && apt install -y -qq --no-install-recommends -o Dpkg::Use-Pty=0 "${missing[@]}"; } >"$log" 2>&1; then
+    tail -n 30 "$log" >&2
+    say "apt-get could not install them; what it said is above"
+    exit 1
+fi
 say "installed: ${missing[*]}"
