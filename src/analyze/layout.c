@@ -104,18 +104,6 @@ whirl_status whirl_layout_new(const whirl_system *system, const whirl_integrate_
     return status;
 }
 
-const whirl_field *whirl_layout_field(const whirl_layout *layout, const char *name) {
-    for (size_t f = 0; f < layout->field_count; f++) {
-        if (strcmp(layout->fields[f].name, name) == 0) return &layout->fields[f];
-    }
-    return NULL;
-}
-
-double *view_numbers(const block_view *view, size_t field, size_t which) {
-    const whirl_field *f = view->fields[field];
-    return f && which < f->repeat ? view->block + f->offset + which * f->rows * f->columns : NULL;
-}
-
 static block_view view_of(const whirl_layout *layout, size_t analysis, double *block) {
     const analysis_plan *plan = analysis_plans[analysis];
     block_view view = {.block = block};

@@ -33,6 +33,8 @@ typedef struct file_node {
 /// it. Keys that stand twice are reported and kept. Memory is the arena's.
 whirl_status tree_read(const char *text, size_t length, case_arena *arena, whirl_problems *problems, file_node **root);
 
+// ---------------------------------------------------------------- node.c
+
 /// The member of a mapping with that key, or NULL.
 const file_node *node_member(const file_node *mapping, const char *key);
 

@@ -117,20 +117,9 @@ whirl_motion whirl_integrator_carry(whirl_integrator *integrator, double *x, whi
     return integrator->method->revolve(integrator, x, disturbances, observe, observer);
 }
 
-double divergence_at(const whirl_system *system, double t, const double *forcing, const double *x,
-                     const double *sides) {
-    return system->divergence ? system->divergence(system->model, t, forcing, x, sides) : NAN;
-}
-
 void whirl_integrator_free(whirl_integrator *integrator) {
     if (!integrator) return;
     integrator->method->end(integrator);
     free(integrator->slopes);
     free(integrator);
-}
-
-whirl_motion state_motion(const whirl_integrator *integrator, const double *x) {
-    for (size_t i = 0; i < integrator->system->dimension; i++)
-        if (!(fabs(x[i]) <= integrator->options.limit)) return WHIRL_DIVERGED; // NaN too
-    return WHIRL_BOUNDED;
 }

@@ -3,24 +3,6 @@
 #include <math.h>
 #include <string.h>
 
-/// A line is where the claim says it is within this many orders.
-static const double LINE_TOLERANCE = 0.02;
-/// Lines below this share of the largest do not count as present.
-static const double LINE_SHARE = 0.05;
-
-static double line_amplitude(const double *line) {
-    return fmax(line[1], line[2]);
-}
-
-numbers claim_lines(const claim_view *view, size_t point) {
-    numbers lines = point_lines(view->table, point, view->station);
-    double most = 0.0;
-    for (size_t i = 0; i < lines.rows; i++) most = fmax(most, line_amplitude(&lines.at[5 * i]));
-    // The analysis sorts by size, so that the small ones stand at the end.
-    while (lines.rows > 0 && line_amplitude(&lines.at[5 * (lines.rows - 1)]) < LINE_SHARE * most) lines.rows--;
-    return lines;
-}
-
 // ---------------------------------------------------------------- regime and curves
 
 static bool states_regime(const whirl_claim *claim) {
@@ -86,23 +68,6 @@ static double score_lines(const claim_view *view, size_t point) {
 
 static bool states_band(const whirl_claim *claim) {
     return claim->has_band;
-}
-
-claim_band claim_band_of(const claim_view *view, size_t point) {
-    const numbers lines = claim_lines(view, point);
-    const double *band = view->claim->band;
-    double inside = 0.0, all = 0.0;
-    claim_band found = {(double)NAN, 0};
-    for (size_t i = 0; i < lines.rows; i++) {
-        const double order = lines.at[5 * i], x = lines.at[5 * i + 1], y = lines.at[5 * i + 2];
-        if (order >= 1.0 - LINE_TOLERANCE) continue;
-        all += x * x + y * y;
-        if (order < band[0] - LINE_TOLERANCE || order > band[1] + LINE_TOLERANCE) continue;
-        inside += x * x + y * y;
-        found.lines++;
-    }
-    if (lines.at) found.share = all > 0.0 ? inside / all : 0.0;
-    return found;
 }
 
 /// Half for the band holding three quarters of the power of the lines below the running speed, half for these being

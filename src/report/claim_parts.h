@@ -41,6 +41,9 @@ typedef struct claim_part {
 /// All parts; static, ended by an entry whose name is NULL.
 const claim_part *claim_parts(void);
 
+/// A line is where the claim says it is within this many orders.
+static const double LINE_TOLERANCE = 0.02;
+
 /// The lines of the spectrum that count in a comparison: at least a twentieth of the largest.
 numbers claim_lines(const claim_view *view, size_t point);
 

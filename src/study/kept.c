@@ -26,7 +26,7 @@ const double *kept_block(const whirl_table *table, size_t point) {
     const size_t size = table->layout.size;
     if (kept->point == point) return kept->numbers;
     kept->point = table->count;
-    if (!whirl_table_done(table, point))
+    if (table->done && !table->done[point])
         for (size_t i = 0; i < size; i++) kept->numbers[i] = NAN;
     else if (!keeper->recall(keeper->context, kept->batch, point, kept->numbers, size, kept->end, kept->dimension))
         return NULL;

@@ -32,6 +32,8 @@ typedef struct pass {
 /// Errors of a step at the second tolerance are smaller by this: twice the steps of RK4.
 static const double confirm_factor = 16.0;
 
+// ---------------------------------------------------------------- pass.c
+
 /// The same points, at the second tolerance.
 pass pass_confirming(const pass *points);
 
@@ -40,6 +42,8 @@ double pass_weight(const study_run *run, const pass *pass);
 
 /// Revolutions of a point that runs to its end, weighted.
 double pass_revolutions(const study_run *run, const pass *pass);
+
+// ---------------------------------------------------------------- passes.c
 
 /// One or two tables' worth of points: carried in both directions they are there twice.
 static inline size_t batch_copies(const whirl_batch *batch) {
@@ -68,7 +72,22 @@ whirl_status tables_fill(const study_run *run, size_t memory);
 /// Sets the blocks of points that are not done to NaN.
 void tables_blank(whirl_result *result);
 
-// ---------------------------------------------------------------- refine.c
+// ---------------------------------------------------------------- refine_fields.c
+
+/// The fields "refine/...", in this order.
+enum {
+    REFINE_ROUNDS,
+    REFINE_SPENT,
+    REFINE_TRANSIENT,
+    REFINE_WATCH,
+    REFINE_STEPS,
+    REFINE_RTOL,
+    REFINE_ATOL,
+    REFINE_FIELDS
+};
+
+/// The numbers [REFINE_FIELDS] in a block, NULL where the layout has none.
+double *refine_noted(const whirl_layout *layout, double *block);
 
 /// Adds the fields "refine/..." to the layout of a table. WHIRL_BAD_INPUT when it has too many.
 whirl_status refine_add_fields(whirl_layout *layout);
@@ -79,6 +98,8 @@ void refine_note(const whirl_layout *layout, double *block, const pass *pass, do
 /// What refining a point has cost so far, 0 where nothing was noted; and a further cost.
 double refine_spent(const whirl_layout *layout, const double *block);
 void refine_add_spent(const whirl_layout *layout, double *block, double revolutions);
+
+// ---------------------------------------------------------------- refine.c
 
 /// Does points in doubt again until the budget is used up or nothing is left in doubt. Stops are the tracker's.
 whirl_status refine_points(study_run *run);

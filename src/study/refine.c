@@ -1,76 +1,10 @@
 // Refinement: points whose verdict is in doubt are done again as the verdict advises, up to a budget. What is done next
 // follows from the blocks alone, so that threads, journals and interruptions change no bit.
-#include <limits.h>
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "clock.h"
 #include "passes.h"
-
-// ---------------------------------------------------------------- fields
-
-enum { ROUNDS, SPENT, TRANSIENT, WATCH, STEPS, RTOL, ATOL, FIELD_COUNT };
-
-static const struct {
-    const char *name, *unit, *meaning;
-} fields[FIELD_COUNT] = {
-    [ROUNDS] = {"refine/rounds", "1", "rounds of refinement, 0 for a point that was not in doubt or too dear"},
-    [SPENT] = {"refine/revolutions", "revolution",
-               "spent on refining, second tolerance included; those at n times the study's steps count n times"},
-    [TRANSIENT] = {"refine/transient", "revolution", "transient of the motion that the numbers are of"},
-    [WATCH] = {"refine/watch", "revolution", "watched revolutions of that motion"},
-    [STEPS] = {"refine/steps_per_revolution", "1", "its steps a revolution"},
-    [RTOL] = {"refine/rtol", "1", "its relative tolerance, of adaptive methods"},
-    [ATOL] = {"refine/atol", "1", "its absolute tolerance, of adaptive methods"},
-};
-
-whirl_status refine_add_fields(whirl_layout *layout) {
-    if (layout->field_count + FIELD_COUNT > WHIRL_MAX_FIELDS)
-        return whirl_fail(WHIRL_BAD_INPUT, "the chosen analyses and refinement have more than %d fields",
-                          WHIRL_MAX_FIELDS);
-    for (int i = 0; i < FIELD_COUNT; i++) {
-        whirl_field *field = &layout->fields[layout->field_count++];
-        *field = (whirl_field){.unit = fields[i].unit,
-                               .meaning = fields[i].meaning,
-                               .extent = WHIRL_PER_POINT,
-                               .rows = 1,
-                               .columns = 1,
-                               .repeat = 1,
-                               .offset = layout->size++};
-        snprintf(field->name, sizeof field->name, "%s", fields[i].name);
-    }
-    return whirl_ok();
-}
-
-/// The numbers [FIELD_COUNT] in a block, NULL where the layout has none.
-static double *noted(const whirl_layout *layout, double *block) {
-    const whirl_field *first = whirl_layout_field(layout, fields[ROUNDS].name);
-    return first ? block + first->offset : NULL;
-}
-
-void refine_note(const whirl_layout *layout, double *block, const pass *p, double spent) {
-    double *numbers = noted(layout, block);
-    if (!numbers) return;
-    numbers[ROUNDS] = p->round;
-    numbers[SPENT] = spent;
-    numbers[TRANSIENT] = p->record.transient;
-    numbers[WATCH] = whirl_record_watch(&p->record);
-    numbers[STEPS] = p->integrate.steps_per_revolution;
-    numbers[RTOL] = p->integrate.rtol;
-    numbers[ATOL] = p->integrate.atol;
-}
-
-double refine_spent(const whirl_layout *layout, const double *block) {
-    const whirl_field *field = whirl_layout_field(layout, fields[SPENT].name);
-    return field ? block[field->offset] : 0.0;
-}
-
-void refine_add_spent(const whirl_layout *layout, double *block, double revolutions) {
-    double *numbers = noted(layout, block);
-    if (numbers) numbers[SPENT] += revolutions;
-}
 
 // ---------------------------------------------------------------- points in doubt
 
@@ -94,14 +28,14 @@ static double rounded_up(double factor) {
 /// How the point was done the last time.
 static pass last_pass(const study_run *run, size_t batch, size_t slot, int round) {
     const whirl_batch *own = &run->study->batches[batch];
-    const double *numbers = noted(&run->result->tables[batch].layout, block_of(run, batch, slot));
+    const double *numbers = refine_noted(&run->result->tables[batch].layout, block_of(run, batch, slot));
     pass p = {.batch = batch, .round = round, .integrate = own->integrate, .record = own->record};
-    if (numbers[ROUNDS] == 0.0) return p;
-    p.integrate.steps_per_revolution = (int)numbers[STEPS];
-    p.integrate.rtol = numbers[RTOL];
-    p.integrate.atol = numbers[ATOL];
-    p.record.transient = (int)numbers[TRANSIENT];
-    p.record.watch = (int)numbers[WATCH];
+    if (numbers[REFINE_ROUNDS] == 0.0) return p;
+    p.integrate.steps_per_revolution = (int)numbers[REFINE_STEPS];
+    p.integrate.rtol = numbers[REFINE_RTOL];
+    p.integrate.atol = numbers[REFINE_ATOL];
+    p.record.transient = (int)numbers[REFINE_TRANSIENT];
+    p.record.watch = (int)numbers[REFINE_WATCH];
     return p;
 }
 
@@ -237,7 +171,8 @@ static size_t leave_done(const study_run *run, pass *p) {
     size_t count = 0;
     const whirl_layout *layout = &run->result->tables[p->batch].layout;
     for (size_t i = 0; i < p->count; i++)
-        if (noted(layout, block_of(run, p->batch, p->slots[i]))[ROUNDS] == p->round) p->slots[count++] = p->slots[i];
+        if (refine_noted(layout, block_of(run, p->batch, p->slots[i]))[REFINE_ROUNDS] == p->round)
+            p->slots[count++] = p->slots[i];
     p->count = count;
     return count;
 }
