@@ -286,6 +286,17 @@ typedef struct whirl_line {
     double forward, backward; ///< of the two circular motions that make it up (full spectrum of x + iy)
 } whirl_line;
 
+/// The synchronous (1X) part of a motion: of x, of y, and of the circular motions with the rotation (forward) and against it
+/// (backward) of which both are made, in this order. The mark on the shaft, from which phases count, stands on the x axis
+/// at tau = 0, 2 pi, ...: there an unbalance without an angle of its own points along x. x is
+/// amplitude[0] cos(tau - lag[0]), y likewise; forward is the vector at the angle tau - lag[2], backward that at -(tau - lag[3]).
+typedef struct whirl_synchronous {
+    double amplitude[4]; ///< zero to peak
+    /// Degrees, 0 <= ... < 360, by which the peak, or the vector on its way through the x axis, comes after the mark; NaN
+    /// where the amplitude is below 1e-12 of the largest displacement.
+    double lag[4];
+} whirl_synchronous;
+
 /// Spectra of one probe over the record: Hann window over all samples, mean removed, resolution 1/record orders.
 typedef struct whirl_spectrum {
     size_t count;                       ///< orders 0 .. highest
@@ -293,6 +304,7 @@ typedef struct whirl_spectrum {
     double *x, *y, *forward, *backward; ///< [count] amplitudes, zero to peak; one block, freed by whirl_spectrum_free
     size_t line_count;
     whirl_line lines[WHIRL_MAX_LINES]; ///< interpolated peaks, largest first
+    whirl_synchronous synchronous;     ///< NaN where there are fewer than 3 samples a revolution
 } whirl_spectrum;
 
 /// Spectrum of probe `probe` up to `highest_order`. WHIRL_BAD_INPUT when the record has no waveform.

@@ -2,9 +2,11 @@
 // backward whirl. The record holds whole revolutions, so whole orders and their fractions 1/record lie on bins.
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "analysis.h"
 #include "lines.h"
+#include "synchronous.h"
 
 static const double pi = 3.141592653589793238463;
 
@@ -53,8 +55,14 @@ static void fill(whirl_spectrum *spectrum, const wave_transform *wave, size_t bi
     for (size_t l = 0; l < spectrum->line_count; l++) spectrum->lines[l].order *= spectrum->resolution;
 }
 
-/// The spectrum of two coordinates [2][count]. false: no memory.
-static bool analyse(const double *samples, size_t count, size_t bins, whirl_spectrum *spectrum) {
+static double largest_of(const double *samples, size_t count) {
+    double largest = 0.0;
+    for (size_t j = 0; j < count; j++) largest = fmax(largest, fabs(samples[j]));
+    return largest;
+}
+
+/// The spectrum of two coordinates [2][count], of `turn` samples a revolution. false: no memory.
+static bool analyse(const double *samples, size_t count, size_t turn, size_t bins, whirl_spectrum *spectrum) {
     double *x = malloc((3 * count + bins) * sizeof *x);
     if (!x) return false;
     double *y = x + count, *window = y + count, *power = window + count;
@@ -62,7 +70,10 @@ static bool analyse(const double *samples, size_t count, size_t bins, whirl_spec
     const bool moves_x = window_samples(samples, window, count, x);
     const bool moves_y = window_samples(samples + count, window, count, y);
     wave_transform *wave = moves_x || moves_y ? wave_transform_new(x, y, count, 0.5 * (double)count) : NULL;
-    if (wave) fill(spectrum, wave, bins, power);
+    if (wave) {
+        fill(spectrum, wave, bins, power);
+        spectrum->synchronous = synchronous_part(wave, turn, largest_of(samples, 2 * count));
+    }
     const bool done = wave || (!moves_x && !moves_y);
     wave_transform_free(wave);
     free(x);
@@ -72,6 +83,7 @@ static bool analyse(const double *samples, size_t count, size_t bins, whirl_spec
 static whirl_spectrum *empty_spectrum(size_t bins, double resolution) {
     whirl_spectrum *spectrum = calloc(1, sizeof *spectrum + 4 * bins * sizeof(double));
     if (!spectrum) return NULL;
+    spectrum->synchronous = synchronous_none();
     spectrum->count = bins;
     spectrum->resolution = resolution;
     spectrum->x = (double *)(spectrum + 1);
@@ -105,7 +117,7 @@ whirl_status whirl_spectrum_new(const whirl_record *record, size_t probe, double
         bin_count(revolutions, record->samples_per_revolution, highest_order + 2.0 / (double)revolutions);
 
     whirl_spectrum *made = empty_spectrum(kept, 1.0 / (double)revolutions);
-    if (!made || !analyse(record->waveform + 2 * probe * count, count, bins, made)) {
+    if (!made || !analyse(record->waveform + 2 * probe * count, count, record->samples_per_revolution, bins, made)) {
         whirl_spectrum_free(made);
         return whirl_fail(WHIRL_NO_MEMORY, "no memory for the spectrum of %zu samples", count);
     }
@@ -127,11 +139,13 @@ static size_t kept_bins(const block_shape *shape) {
     return bin_count((size_t)shape->options->record, shape->samples_per_revolution, shape->options->highest_order);
 }
 
-enum { LINES, AMPLITUDE, FIELD_COUNT, COLUMNS = 5 };
+enum { LINES, AMPLITUDE, SYNCHRONOUS, LAG, FIELD_COUNT, COLUMNS = 5 };
 
 static const field_plan fields[FIELD_COUNT] = {
     [LINES] = {"lines", "length", "order, x, y, forward, backward", WHIRL_PER_STATION, COLUMNS, most_lines},
     [AMPLITUDE] = {"amplitude", "length", "order, x, y, forward, backward", WHIRL_PER_STATION, COLUMNS, kept_bins},
+    [SYNCHRONOUS] = {"synchronous", "length", "x, y, forward, backward", WHIRL_PER_STATION, 4, NULL},
+    [LAG] = {"synchronous_lag", "deg", "x, y, forward, backward", WHIRL_PER_STATION, 4, NULL},
 };
 
 static double *put_row(double *out, const whirl_line *line) {
@@ -143,6 +157,8 @@ static double *put_row(double *out, const whirl_line *line) {
 static void put_spectrum(const whirl_spectrum *spectrum, const block_view *view, size_t station) {
     double *lines = view_numbers(view, LINES, station);
     for (size_t l = 0; l < spectrum->line_count; l++) lines = put_row(lines, &spectrum->lines[l]);
+    memcpy(view_numbers(view, SYNCHRONOUS, station), spectrum->synchronous.amplitude, 4 * sizeof(double));
+    memcpy(view_numbers(view, LAG, station), spectrum->synchronous.lag, 4 * sizeof(double));
     double *amplitude = view_numbers(view, AMPLITUDE, station);
     for (size_t k = 0; k < spectrum->count && amplitude; k++) {
         const whirl_line bin = {(double)k * spectrum->resolution, spectrum->x[k], spectrum->y[k], spectrum->forward[k],

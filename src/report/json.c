@@ -194,6 +194,21 @@ static json_t *station_lines(bool *well, const whirl_table *table, size_t point,
     return array;
 }
 
+// The synchronous part: amplitude, zero to peak, and phase lag in degrees of x, y and both circular motions.
+static json_t *station_synchronous(bool *well, const whirl_table *table, size_t point, size_t station) {
+    static const char *const parts[] = {"x", "y", "forward", "backward"};
+    const double *amplitude = whirl_table_field(table, point, "spectrum/synchronous", station);
+    const double *lag = whirl_table_field(table, point, "spectrum/synchronous_lag", station);
+    json_t *object = json_object();
+    for (size_t i = 0; i < 4 && amplitude && lag; ++i) {
+        json_t *part = json_object();
+        document_put(well, part, "amplitude", document_number(amplitude[i]));
+        document_put(well, part, "lag", document_number(lag[i]));
+        document_put(well, object, parts[i], part);
+    }
+    return object;
+}
+
 typedef json_t *(*station_part)(bool *well, const whirl_table *table, size_t point, size_t station);
 
 static void put_stations(bool *well, json_t *object, const char *key, station_part part, const whirl_result *result,
@@ -220,6 +235,8 @@ static json_t *point_object(bool *well, const whirl_result *result, const whirl_
         put_stations(well, object, "poincare", station_section, result, table, point);
     if (whirl_layout_field(&table->layout, "spectrum/lines"))
         put_stations(well, object, "spectrum", station_lines, result, table, point);
+    if (whirl_layout_field(&table->layout, "spectrum/synchronous"))
+        put_stations(well, object, "synchronous", station_synchronous, result, table, point);
     return object;
 }
 

@@ -1,4 +1,5 @@
 // Spectra against the sinusoids that were put in.
+#include <complex.h>
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -84,6 +85,35 @@ static void ellipse(void **state) {
     whirl_spectrum *spectrum = spectrum_of(&t, 1);
     assert_int_equal(spectrum->line_count, 1);
     assert_line(&spectrum->lines[0], 1.7, 0.5, 0.2, 0.35, 0.15, 1e-10);
+    whirl_spectrum_free(spectrum);
+}
+
+/// The synchronous part of tones whose amplitudes and phases are known, beside others on and off the bins. x = a cos(tau + p)
+/// lags by -p; a circle at the angle tau + p is forward and lags by -p, one at -tau + p backward and passes x at p.
+static void synchronous_part(void **state) {
+    (void)state;
+    const double quarter = 0.25 * two_pi, degree = two_pi / 360.0;
+    const tone tones[] = {{1.0, 0.5, 0.0, 0.5, -quarter},                          // forward, no lag
+                          {1.0, 0.2, 40.0 * degree, 0.2, 40.0 * degree + quarter}, // backward
+                          {0.5, 0.7, 0.3, 0.1, 0.2},
+                          {2.0, 0.9, 1.0, 0.4, 2.0},
+                          {1.37, 0.3, 0.1, 0.2, 0.4}};
+    const double complex x = 0.5 + 0.2 * cexp(I * 40.0 * degree), y = -0.5 * I + 0.2 * I * cexp(I * 40.0 * degree);
+    const double amplitude[] = {cabs(x), cabs(y), 0.5, 0.2};
+    const double lag[] = {360.0 - carg(x) / degree, -carg(y) / degree, 0.0, 320.0};
+    whirl_spectrum *spectrum = spectrum_of(tones, 5);
+    for (int i = 0; i < 4; i++) {
+        assert_near(spectrum->synchronous.amplitude[i], amplitude[i], 1e-6); // 1.37 leaks so much at 37 bins
+        assert_near(remainder(spectrum->synchronous.lag[i] - lag[i], 360.0), 0.0, 1e-4);
+    }
+    whirl_spectrum_free(spectrum);
+    spectrum = spectrum_of(tones, 1);
+    assert_near(spectrum->synchronous.amplitude[2], 0.5, 1e-13);
+    assert_true(isnan(spectrum->synchronous.lag[3])); // of what rounding leaves there is no phase
+    whirl_spectrum_free(spectrum);
+    spectrum = spectrum_of(tones, 0);
+    assert_true(spectrum->synchronous.amplitude[0] == 0.0);
+    assert_true(isnan(spectrum->synchronous.lag[0]));
     whirl_spectrum_free(spectrum);
 }
 
@@ -181,9 +211,9 @@ static void bad_input(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(circles),    cmocka_unit_test(ellipse),   cmocka_unit_test(several_tones),
-        cmocka_unit_test(hann_lobe),  cmocka_unit_test(range),     cmocka_unit_test(few_lines),
-        cmocka_unit_test(standstill), cmocka_unit_test(bad_input),
+        cmocka_unit_test(circles),          cmocka_unit_test(ellipse),    cmocka_unit_test(several_tones),
+        cmocka_unit_test(synchronous_part), cmocka_unit_test(hann_lobe),  cmocka_unit_test(range),
+        cmocka_unit_test(few_lines),        cmocka_unit_test(standstill), cmocka_unit_test(bad_input),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
