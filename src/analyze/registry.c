@@ -5,7 +5,7 @@
 
 // clang-format off
 #define ANALYSES(analysis)                                                                                             \
-    analysis(poincare, "the state of every station at the end of each recorded revolution", "Poincare 1892")           \
+    analysis(poincare, "the state of every station at the end of each recorded revolution", "Poincar\u00e9 1892")           \
     analysis(orbit, "extent of the motion of every station", "")                                                       \
     analysis(rub, "time in contact, number of contacts, largest normal force", "")                                     \
     analysis(waveform, "displacement of every station over time", "")                                                  \
