@@ -24,9 +24,10 @@ typedef struct whirl_ensemble whirl_ensemble;
 /// slide along a sharp reversal of its friction.
 bool whirl_ensemble_takes(const whirl_system *system, const whirl_integrate_options *options);
 
-/// Room for at least `lanes` machines of the structure of `system` (0: as many as are fast). The instruction set is the widest that the processor has,
-/// or the one that the environment variable WHIRL_ISA names (scalar, simd128, fma, avx2, avx512; WHIRL_BAD_INPUT where it is not
-/// there). Other errors as whirl_integrator_new. Freed by whirl_ensemble_free.
+/// Room for at least `lanes` machines of the structure of `system`, which must outlive the ensemble (0: as many as are
+/// fast). The instruction set is the widest that the processor has, or the one that the environment variable WHIRL_ISA
+/// names (scalar, simd128, fma, avx2, avx512; WHIRL_BAD_INPUT where it is not there). Other errors as
+/// whirl_integrator_new. Freed by whirl_ensemble_free.
 whirl_status whirl_ensemble_new(const whirl_system *system, const whirl_integrate_options *options, size_t lanes,
                                 whirl_ensemble **ensemble);
 void whirl_ensemble_free(whirl_ensemble *ensemble);
@@ -38,14 +39,18 @@ size_t whirl_ensemble_lanes(const whirl_ensemble *ensemble);
 const char *whirl_ensemble_isa(const whirl_ensemble *ensemble);
 
 /// Puts a machine into a lane, in the state x [dimension]. WHIRL_BAD_INPUT when it is not of the ensemble's structure.
-/// The system must outlive its stay: contacts are asked of it.
+/// The system must outlive its stay, to the next load, unload or move: contacts are asked of it.
 whirl_status whirl_ensemble_load(whirl_ensemble *ensemble, size_t lane, const whirl_system *system, const double *x);
+
+/// Empties a lane. What a lane without a machine holds means nothing until one is loaded.
+void whirl_ensemble_unload(whirl_ensemble *ensemble, size_t lane);
 
 /// Sets or gives the state x [dimension] of a lane.
 void whirl_ensemble_place(whirl_ensemble *ensemble, size_t lane, const double *x);
 void whirl_ensemble_state(const whirl_ensemble *ensemble, size_t lane, double *x);
 
-/// Moves a machine with its state and all that was watched of it to another lane, whose own is lost.
+/// Moves a machine with its state and all that was watched of it to another lane, whose own is lost; the lane that it
+/// leaves is empty.
 void whirl_ensemble_move(whirl_ensemble *ensemble, size_t from, size_t to);
 
 /// All that a lane has between revolutions, watched numbers included: numbers [whirl_ensemble_numbers]. Restored into a lane
@@ -66,7 +71,7 @@ typedef struct whirl_ensemble_watch {
     void *context;
 } whirl_ensemble_watch;
 
-/// Carries the lanes 0 to count - 1 over one period. `watch` may be NULL.
+/// Carries the lanes 0 to count - 1 over one period. Empty lanes among them are left alone. `watch` may be NULL.
 void whirl_ensemble_revolve(whirl_ensemble *ensemble, size_t count, const whirl_ensemble_watch *watch);
 
 /// One coordinate of all lanes [lanes], for samples. It belongs to the ensemble and always shows the present.

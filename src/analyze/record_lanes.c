@@ -71,7 +71,10 @@ static size_t take_lane(lanes_recorder *r, motion *m) {
 /// Frees a lane; the last one in use moves there.
 static void free_lane(lanes_recorder *r, size_t lane) {
     const size_t last = --r->used;
-    if (lane == last) return;
+    if (lane == last) {
+        whirl_ensemble_unload(r->ensemble, lane);
+        return;
+    }
     motion *moved = r->owner[last];
     whirl_ensemble_move(r->ensemble, last, lane);
     r->owner[lane] = moved;

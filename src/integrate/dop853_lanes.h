@@ -85,7 +85,7 @@ typedef struct dop853_lanes {
     size_t sample_room;
     // The ensemble that is served.
     size_t lane_count;
-    const whirl_system *const *machines; ///< [lane_count]
+    const whirl_system *const *machines; ///< [lane_count] NULL: nobody is there
     lane_rows exchanged[MAX_LANE_ROWS];  ///< what goes with a lane into its slot and back
     size_t exchanged_count;
     lane_queue *queue;

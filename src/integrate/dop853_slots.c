@@ -23,11 +23,12 @@ static void leave(const dop853_lanes *lanes, size_t slot) {
     *lane = NO_LANE;
 }
 
-/// Gives a free slot to the next lane that has not ended.
+/// Gives a free slot to the next lane with a machine that has not ended.
 static bool enter(const dop853_lanes *lanes, size_t slot) {
     lane_queue *queue = lanes->queue;
     while (queue->next < queue->count) {
         const size_t lane = queue->next++;
+        if (!lanes->machines[lane]) continue;
         exchange(lanes, slot, lane, false);
         if (lanes->ended[slot] != WHIRL_BOUNDED) continue;
         queue->slot_lane[slot] = lane;

@@ -29,7 +29,7 @@ struct whirl_ensemble {
     dop853_lanes *adaptive; ///< NULL for rk4
     double *ended;          ///< [lane] whirl_motion, of adaptive methods
     const double *shown;    ///< [dimension] states that coordinates are asked of: a sample's; NULL: the present ones
-    const whirl_system **machines; ///< [lane_count] who is where
+    const whirl_system **machines; ///< [lane_count] who is where; NULL: nobody
     size_t *contact_station;
     double *state;           ///< [dimension] of a lane that is asked for its contacts
     double *forcing, *block; ///< block: all arrays of lanes, aligned to 64 bytes
@@ -272,10 +272,16 @@ void whirl_ensemble_restore(whirl_ensemble *e, size_t lane, const double *number
     for (size_t row = 0; row < e->row_count; row++) e->block[row * e->lane_count + lane] = numbers[row];
 }
 
+void whirl_ensemble_unload(whirl_ensemble *e, size_t lane) {
+    e->machines[lane] = NULL;
+}
+
 void whirl_ensemble_move(whirl_ensemble *e, size_t from, size_t to) {
+    if (from == to) return;
     for (size_t row = 0; row < e->row_count; row++)
         e->block[row * e->lane_count + to] = e->block[row * e->lane_count + from];
     e->machines[to] = e->machines[from];
+    whirl_ensemble_unload(e, from);
 }
 
 /// What goes with a lane into its slot: the machine and its state; of a motion that is watched what was seen of it, too.
@@ -334,6 +340,7 @@ void whirl_ensemble_revolve(whirl_ensemble *e, size_t count, const whirl_ensembl
         return;
     }
     rk4_lanes lanes = e->lanes;
+    lanes.used = count;
     lanes.vectors = (count + e->isa->lanes - 1) / e->isa->lanes;
     if (watch) {
         lanes.watching = watch->extremes;

@@ -29,7 +29,7 @@ typedef struct lanes_located {
     double *begin_q, *begin_v;     ///< [degrees] the states at the step's beginning
     double *value[2], *rate[2];    ///< [switch_count] at its beginning and end
     struct stepper *stepper;       ///< takes these steps
-    const whirl_system **machines; ///< [lane]
+    const whirl_system **machines; ///< [lane] NULL: nobody is there
     double *ended;                 ///< [lane] whirl_motion
 } lanes_located;
 
@@ -40,6 +40,7 @@ typedef struct rk4_lanes {
     size_t stride;                 ///< vectors there are
     size_t vectors;                ///< vectors in use
     size_t lane_count;             ///< lanes there are
+    size_t used; ///< lanes in use, the first; those beside them in the last vector are computed and not looked at
     size_t degrees, forcing_count;
     int steps;
     double step;
@@ -54,7 +55,7 @@ typedef struct rk4_lanes {
     void *context;
 } rk4_lanes;
 
-/// Takes step n of a lane anew from its beginning, split at the switches that it meets.
+/// Takes step n of a lane in use anew from its beginning, split at the switches that it meets.
 void rk4_redo(const rk4_lanes *lanes, int n, size_t lane);
 
 typedef void rk4_lanes_revolve(const rk4_lanes *lanes);

@@ -1,0 +1,220 @@
+// Lanes come and go: machines that have left an ensemble are not asked for anything, and those that stay do not notice.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "whirl/ensemble.h"
+#include "whirl/rotor.h"
+
+enum { DIMENSION = 4, MOST = 5, ALONE = 6, TOGETHER = 4 };
+
+static void must(whirl_status status) {
+    if (status.code != WHIRL_OK) fail_msg("%s", status.message);
+}
+
+// ---------------------------------------------------------------- machines that must not be asked once they have left
+
+/// A rotor that rubs in every revolution, and a copy of its system whose functions can be taken away.
+typedef struct machine {
+    whirl_rotor *rotor;
+    whirl_system system;
+} machine;
+
+static machine *machine_new(double eccentricity, double damping) {
+    const whirl_setting disc[] = {{"mass", 1.0, NULL}, {"damping", 0.2, NULL}, {"eccentricity", eccentricity, NULL}};
+    const whirl_setting shaft[] = {{"between", 0.0, "disc, ground"}, {"k1", 1.0, NULL}};
+    const whirl_setting rub[] = {{"at", 0.0, "disc"},
+                                 {"gap", 1.0, NULL},
+                                 {"stiffness", 10.0, NULL},
+                                 {"friction", 0.05, NULL},
+                                 {"damping", damping, NULL}};
+    const whirl_setting gravity[] = {{"acceleration", 0.5, NULL}};
+    whirl_design *design;
+    machine *own = calloc(1, sizeof *own);
+    assert_non_null(own);
+    must(whirl_design_new(1.0, 1.0, &design));
+    must(whirl_design_station(design, "disc", disc, sizeof disc / sizeof *disc));
+    must(whirl_design_element(design, "shaft", shaft, sizeof shaft / sizeof *shaft));
+    must(whirl_design_element(design, "rub", rub, sizeof rub / sizeof *rub - (damping == 0.0)));
+    must(whirl_design_element(design, "gravity", gravity, 1));
+    must(whirl_rotor_new(design, &own->rotor));
+    whirl_design_free(design);
+    own->system = *whirl_rotor_system(own->rotor);
+    return own;
+}
+
+static void rhs_of_nobody(const void *model, double t, const double *forcing, const double *x, double *dxdt) {
+    (void)model, (void)t, (void)forcing, (void)x, (void)dxdt;
+    fail_msg("a machine was asked for its forces after it had left");
+}
+static void rhs_on_sides_of_nobody(const void *model, double t, const double *forcing, const double *x,
+                                   const double *sides, double *dxdt) {
+    (void)sides;
+    rhs_of_nobody(model, t, forcing, x, dxdt);
+}
+static void switches_of_nobody(const void *model, double t, const double *x, double *values) {
+    (void)model, (void)t, (void)x, (void)values;
+    fail_msg("a machine was asked for its switches after it had left");
+}
+static void contacts_of_nobody(const void *model, const double *x, double *force) {
+    (void)model, (void)x, (void)force;
+    fail_msg("a machine was asked for its contacts after it had left");
+}
+
+/// The rotor goes; its system stays, to tell who asks (without it an address sanitizer would).
+static void machine_leaves(machine *own) {
+    whirl_rotor_free(own->rotor);
+    own->rotor = NULL;
+    own->system.rhs = rhs_of_nobody;
+    own->system.rhs_on_sides = rhs_on_sides_of_nobody;
+    own->system.switches = switches_of_nobody;
+    own->system.contacts = contacts_of_nobody;
+}
+
+static void machine_free(machine *own) {
+    whirl_rotor_free(own->rotor);
+    free(own);
+}
+
+// ---------------------------------------------------------------- ways to carry them
+
+typedef struct way {
+    const char *method;
+    bool located;
+    double damping; ///< of the contact: then normal forces are asked of the machine itself
+} way;
+
+static const way ways[] = {{"rk4", false, 0.0}, {"rk4", false, 0.3},    {"rk4", true, 0.0},
+                           {"rk4", true, 0.3},  {"dop853", false, 0.0}, {"dop853", false, 0.3}};
+static const char *const sets[] = {"scalar", "simd128", "fma", "avx2", "avx512"};
+enum { WAYS = sizeof ways / sizeof *ways, SETS = sizeof sets / sizeof *sets };
+
+/// NULL where the processor has no such instructions.
+static whirl_ensemble *ensemble_by(const way *by, const char *set, const whirl_system *system) {
+    whirl_integrate_options options = whirl_integrate_default();
+    whirl_ensemble *lanes;
+    strcpy(options.method, by->method);
+    options.located = by->located;
+    options.steps_per_revolution = 64;
+    setenv("WHIRL_ISA", set, 1);
+    const bool there = whirl_ensemble_new(system, &options, MOST, &lanes).code == WHIRL_OK;
+    unsetenv("WHIRL_ISA");
+    return there ? lanes : NULL;
+}
+
+static const double start[DIMENSION] = {0.1, -0.2, 0.0, 0.0};
+
+static void revolve(whirl_ensemble *lanes, size_t count, int revolutions) {
+    const whirl_ensemble_watch watch = {.extremes = true};
+    for (int i = 0; i < revolutions; i++) whirl_ensemble_revolve(lanes, count, &watch);
+}
+
+/// A machine as it goes where no other is.
+static void carry_alone(const way *by, const char *set, double eccentricity, int revolutions, double *x) {
+    machine *own = machine_new(eccentricity, by->damping);
+    whirl_ensemble *lanes = ensemble_by(by, set, &own->system);
+    must(whirl_ensemble_load(lanes, 0, &own->system, start));
+    revolve(lanes, 1, revolutions);
+    whirl_ensemble_state(lanes, 0, x);
+    whirl_ensemble_free(lanes);
+    machine_free(own);
+}
+
+static void expect_same(const whirl_ensemble *lanes, size_t lane, const double *expected) {
+    double x[DIMENSION];
+    whirl_ensemble_state(lanes, lane, x);
+    assert_memory_equal(x, expected, sizeof x);
+}
+
+static double eccentricity_of(size_t number) {
+    return 0.9 + 0.02 * (double)number;
+}
+
+// ---------------------------------------------------------------- machines leave
+
+/// All lanes are left one after the other, the first always by the last: by machines that are gone the next moment.
+static void leave_one_by_one(const way *by, const char *set) {
+    machine *own[MOST];
+    size_t who[MOST];
+    machine *structure = machine_new(1.0, by->damping);
+    whirl_ensemble *lanes = ensemble_by(by, set, &structure->system);
+    int revolutions = TOGETHER;
+    for (size_t i = 0; lanes && i < MOST; i++) {
+        who[i] = i;
+        own[i] = machine_new(eccentricity_of(i), by->damping);
+        must(whirl_ensemble_load(lanes, i, &own[i]->system, start));
+    }
+    if (lanes) revolve(lanes, MOST, TOGETHER);
+    for (size_t used = MOST - 1; lanes && used > 0; used--, revolutions += ALONE) {
+        double expected[DIMENSION];
+        whirl_ensemble_move(lanes, used, 0);
+        machine_leaves(own[who[0]]);
+        who[0] = who[used];
+        revolve(lanes, used, ALONE);
+        carry_alone(by, set, eccentricity_of(who[0]), revolutions + ALONE, expected);
+        expect_same(lanes, 0, expected);
+    }
+    if (lanes) {
+        double expected[DIMENSION];
+        whirl_ensemble_unload(lanes, 0);
+        machine_leaves(own[who[0]]);
+        must(whirl_ensemble_load(lanes, 1, &structure->system, start));
+        revolve(lanes, 2, ALONE); // the first is empty
+        carry_alone(by, set, 1.0, ALONE, expected);
+        expect_same(lanes, 1, expected);
+        for (size_t i = 0; i < MOST; i++) machine_free(own[i]);
+    }
+    whirl_ensemble_free(lanes);
+    machine_free(structure);
+}
+
+static void test_machines_that_left_are_not_asked(void **state) {
+    (void)state;
+    for (size_t set = 0; set < SETS; set++)
+        for (size_t by = 0; by < WAYS; by++) leave_one_by_one(&ways[by], sets[set]);
+}
+
+static void test_a_machine_that_moves_nowhere_stays(void **state) {
+    (void)state;
+    machine *own = machine_new(1.0, 0.0);
+    whirl_ensemble *lanes = ensemble_by(&ways[2], "scalar", &own->system);
+    double expected[DIMENSION];
+    must(whirl_ensemble_load(lanes, 0, &own->system, start));
+    whirl_ensemble_move(lanes, 0, 0);
+    revolve(lanes, 1, ALONE);
+    carry_alone(&ways[2], "scalar", 1.0, ALONE, expected);
+    expect_same(lanes, 0, expected);
+    whirl_ensemble_free(lanes);
+    machine_free(own);
+}
+
+/// Without contacts there would be nothing to ask machines for.
+static void test_the_rotor_rubs(void **state) {
+    (void)state;
+    machine *own = machine_new(eccentricity_of(0), 0.0);
+    whirl_ensemble *lanes = ensemble_by(&ways[2], "scalar", &own->system);
+    double low[DIMENSION], high[DIMENSION], radius[2], sum[2], backward, share, begun, force;
+    const whirl_ensemble_seen seen = {low, high, &radius[0], &radius[1], sum, &backward, &share, &begun, &force};
+    must(whirl_ensemble_load(lanes, 0, &own->system, start));
+    revolve(lanes, 1, TOGETHER + ALONE);
+    whirl_ensemble_read(lanes, 0, &seen);
+    assert_true(begun >= TOGETHER + ALONE);
+    whirl_ensemble_free(lanes);
+    machine_free(own);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_the_rotor_rubs),
+        cmocka_unit_test(test_machines_that_left_are_not_asked),
+        cmocka_unit_test(test_a_machine_that_moves_nowhere_stays),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
