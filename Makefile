@@ -97,7 +97,7 @@ paper:          ## the 2015 paper's study, from its three case files to a report
 # the command first. One that was interrupted goes on from its journal; its partial result is no target that is made.
 .DELETE_ON_ERROR:
 $(PAPER)/%.h5: cases/%.yaml $(WHIRL)
-	$(WHIRL) run $< -o $@ $(if $(wildcard $@.journal),--resume)
+	$(WHIRL) run $< -o $@ $(if $(wildcard $@.journal),--resume,--force)
 
 $(PAPER)/report/report.html: $(RESULTS) cases/paper-claims.yaml $(wildcard $(BUILD)/explorer/template.html)
 	$(WHIRL) report $(RESULTS) -o $(@D) --claims cases/paper-claims.yaml

@@ -19,7 +19,7 @@ _whirl_files() {
 
 _whirl_options() {
     case $1 in
-    run) echo '-o --output= --set= --threads= --json --resume --refine --refine= --quiet --help' ;;
+    run) echo '-o --output= --set= --threads= --json --resume --force --refine --refine= --quiet --help' ;;
     verify) echo '--points= --method= --revolutions= --set= --threads= --json --quiet --help' ;;
     report) echo '-o --output= --claims= --gnuplot= --explorer= --quiet --help' ;;
     export) echo '--csv= --help' ;;

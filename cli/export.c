@@ -44,7 +44,8 @@ static int run(int argc, char **argv) {
     export_arguments arguments = {0};
     const int read = read_arguments(&argp, argc, argv, 0, &arguments);
     if (read != EXIT_DONE) return read;
-    if (!output_may_be_folder(arguments.csv)) return EXIT_BAD_INPUT;
+    if (!output_may_be_folder(arguments.csv)) return EXIT_FAILED;
+    keep_private(arguments.result);
     whirl_result *result = NULL;
     const int outcome = load_result(arguments.result, &result);
     if (outcome != EXIT_DONE) return outcome;

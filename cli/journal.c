@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "command.h"
+#include "output.h"
 
 enum { PATH_SIZE = 4096 };
 
@@ -100,28 +101,30 @@ static int resume_journal(const char *output, const char *path, const whirl_resu
     return EXIT_DONE;
 }
 
-static int begin_journal(const char *path, const whirl_result *outline, whirl_journal **journal) {
+static int begin_journal(const char *output, const char *path, const whirl_result *outline, bool force,
+                         whirl_journal **journal) {
     if (is_there(path)) {
         complain("'%s' has the points of a run that did not finish: add --resume to go on with it, or remove it to "
                  "begin anew",
                  path);
         return EXIT_BAD_INPUT;
     }
+    if (!force && !output_is_free(output)) return EXIT_FAILED;
     const whirl_status status = whirl_journal_begin(path, outline, journal);
     return complain_of(&status);
 }
 
-int open_journal(const char *output, const whirl_case *object, bool resume, bool quiet, whirl_journal **journal,
-                 whirl_result **finished) {
+int open_journal(const char *output, const whirl_case *object, bool resume, bool force, bool quiet,
+                 whirl_journal **journal, whirl_result **finished) {
     char path[PATH_SIZE];
     whirl_result *outline;
     *journal = NULL;
     *finished = NULL;
-    if (!name_journal(output, path)) return EXIT_BAD_INPUT;
+    if (!name_journal(output, path)) return EXIT_FAILED;
     const whirl_status status = whirl_case_outline(object, &outline);
     if (status.code != WHIRL_OK) return complain_of(&status);
     const int outcome = resume ? resume_journal(output, path, outline, quiet, journal, finished)
-                               : begin_journal(path, outline, journal);
+                               : begin_journal(output, path, outline, force, journal);
     whirl_result_free(outline);
     return outcome;
 }

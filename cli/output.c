@@ -31,35 +31,83 @@ static int trial_file(const char *folder, const char *path) {
     return file;
 }
 
-/// Makes a file in the folder of `path`: permissions alone do not tell for root, full or read-only file systems.
-static bool folder_takes_files(const char *path) {
-    char folder[PATH_SIZE];
+/// The folder that `path` lies in: "." or what stands before the last '/', with it.
+static bool folder_of(const char *path, char folder[PATH_SIZE]) {
     const char *slash = strrchr(path, '/');
     const int length = slash ? (int)(slash - path) + 1 : 0;
-    if (snprintf(folder, sizeof folder, "%.*s", length ? length : 1, length ? path : ".") >= (int)sizeof folder) {
-        errno = ENAMETOOLONG;
-        return false;
-    }
+    return snprintf(folder, PATH_SIZE, "%.*s", length ? length : 1, length ? path : ".") < PATH_SIZE;
+}
+
+/// Makes a file in the folder: permissions alone do not tell for root, full or read-only file systems.
+static bool folder_takes_files(const char *folder, const char *path) {
     const int file = trial_file(folder, path);
     if (file >= 0) close(file);
     return file >= 0;
 }
 
-bool output_is_writable(const char *path, const char *input) {
+/// Room in a name for what is written beside a result: RESULT.h5.journal-NUMBER.tmp-PROCESS.
+enum { LONGEST_ENDING = 40 };
+
+static bool name_is_short(const char *folder, const char *path) {
+    const char *slash = strrchr(path, '/');
+    const size_t length = strlen(slash ? slash + 1 : path);
+    const long most = pathconf(folder, _PC_NAME_MAX);
+    if (most < LONGEST_ENDING || length <= (size_t)most - LONGEST_ENDING) return true;
+    complain("the name of the result has %zu bytes, expected at most %ld: the names of its journals are longer", length,
+             most - LONGEST_ENDING);
+    return false;
+}
+
+/// What stands at `path` may be replaced by a result.
+static bool is_no_other_thing(const char *path, const char *input) {
     struct stat there, source;
-    if (stat(path, &there) == 0) {
-        if (S_ISDIR(there.st_mode)) {
-            complain("'%s' is a folder, expected the name of a result file", path);
-            return false;
-        }
-        if (stat(input, &source) == 0 && there.st_dev == source.st_dev && there.st_ino == source.st_ino) {
-            complain("the result would replace its own case '%s'; choose another name with -o", input);
-            return false;
-        }
+    if (stat(path, &there) != 0) return true;
+    if (S_ISDIR(there.st_mode))
+        complain("'%s' is a folder, expected the name of a result file", path);
+    else if (!S_ISREG(there.st_mode))
+        complain("'%s' is no ordinary file, expected the name of a result file", path);
+    else if (stat(input, &source) == 0 && there.st_dev == source.st_dev && there.st_ino == source.st_ino)
+        complain("the result would replace its own case '%s'; choose another name with -o", input);
+    else
+        return true;
+    return false;
+}
+
+bool output_is_writable(const char *path, const char *input) {
+    char folder[PATH_SIZE];
+    struct stat found;
+    if (path[0] == '\0') {
+        complain("the name of the result is empty");
+        return false;
     }
-    if (folder_takes_files(path)) return true;
+    if (!is_no_other_thing(path, input)) return false;
+    if (strlen(path) + LONGEST_ENDING > PATH_SIZE || !folder_of(path, folder)) {
+        complain("the path of the result is too long");
+        return false;
+    }
+    if (stat(folder, &found) != 0 && errno == ENOENT) {
+        complain("'%s' cannot be written: there is no folder '%s'", path, folder);
+        return false;
+    }
+    if (!name_is_short(folder, path)) return false;
+    if (folder_takes_files(folder, path)) return true;
     complain("'%s' cannot be written: %s", path, strerror(errno));
     return false;
+}
+
+bool output_is_free(const char *path) {
+    struct stat there;
+    if (lstat(path, &there) != 0) return true;
+    complain("'%s' is there already and is kept: add --force to replace it, or name another result with -o", path);
+    return false;
+}
+
+void keep_private(const char *path) {
+    struct stat found;
+    if (stat(path, &found) != 0 || !S_ISREG(found.st_mode)) return;
+    const mode_t group = found.st_mode & S_IRGRP ? 0 : S_IRWXG, others = found.st_mode & S_IROTH ? 0 : S_IRWXO;
+    const mode_t mask = umask(S_IRWXG | S_IRWXO);
+    umask(mask | group | others);
 }
 
 bool output_may_be_folder(const char *path) {

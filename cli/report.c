@@ -153,7 +153,7 @@ static int run(int argc, char **argv) {
     report_arguments arguments = {0};
     const int read = read_arguments(&argp, argc, argv, 0, &arguments);
     if (read != EXIT_DONE) return read;
-    if (!output_may_be_folder(arguments.directory)) return EXIT_BAD_INPUT;
+    if (!output_may_be_folder(arguments.directory)) return EXIT_FAILED;
     whirl_claims *claims = NULL;
     entry *const entries = calloc(arguments.count, sizeof *entries);
     int outcome = EXIT_DONE;
@@ -163,6 +163,8 @@ static int run(int argc, char **argv) {
     }
     for (size_t i = 0; outcome == EXIT_DONE && i < arguments.count; i++)
         outcome = read_entry(arguments.results[i], entries, i);
+    for (size_t i = 0; outcome == EXIT_DONE && i < arguments.count; i++) keep_private(arguments.results[i]);
+    if (arguments.claims) keep_private(arguments.claims);
     if (outcome == EXIT_DONE && arguments.claims) outcome = read_claims(arguments.claims, &claims);
     if (outcome == EXIT_DONE) outcome = write_report(&arguments, entries, claims);
     for (size_t i = 0; entries && i < arguments.count; i++) whirl_result_free(entries[i].result);

@@ -22,14 +22,14 @@ enum { PATH_SIZE = 4096, FACT_SIZE = 256 };
 typedef struct run_arguments {
     case_arguments given;
     const char *output;
-    bool json, quiet, resume, refine;
+    bool json, quiet, resume, force, refine;
     whirl_budget budget; ///< of refinement; all zero: as many revolutions as the study has
     char default_output[PATH_SIZE];
 } run_arguments;
 
 // ---------------------------------------------------------------- arguments
 
-enum { KEY_JSON = KEY_OWN, KEY_RESUME, KEY_REFINE };
+enum { KEY_JSON = KEY_OWN, KEY_RESUME, KEY_FORCE, KEY_REFINE };
 
 static const struct argp_option options[] = {
     {.name = "output",
@@ -51,6 +51,7 @@ static const struct argp_option options[] = {
     {.name = "resume",
      .key = KEY_RESUME,
      .doc = "Go on with a run that did not finish, from RESULT.h5.journal; the result is that of an uninterrupted run"},
+    {.name = "force", .key = KEY_FORCE, .doc = "Replace a result that is there already; without it a result is kept"},
     {.name = "refine",
      .key = KEY_REFINE,
      .arg = "BUDGET",
@@ -106,6 +107,9 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
         return 0;
     case KEY_RESUME:
         arguments->resume = true;
+        return 0;
+    case KEY_FORCE:
+        arguments->force = true;
         return 0;
     case KEY_REFINE:
         arguments->refine = true;
@@ -260,9 +264,11 @@ static int run_case(const run_arguments *arguments, const char *command_line) {
     interrupt_watch(); // from the start: reading a case takes time too, and a full disk sends signals at the first write
     int outcome = load(arguments, &object);
     if (outcome == EXIT_DONE && arguments->output && !output_is_writable(arguments->output, arguments->given.path))
-        outcome = EXIT_BAD_INPUT;
+        outcome = EXIT_FAILED;
+    if (outcome == EXIT_DONE) keep_private(arguments->given.path);
     if (outcome == EXIT_DONE && arguments->output)
-        outcome = open_journal(arguments->output, object, arguments->resume, arguments->quiet, &journal, &finished);
+        outcome = open_journal(arguments->output, object, arguments->resume, arguments->force, arguments->quiet,
+                               &journal, &finished);
     if (outcome == EXIT_DONE && finished)
         outcome = show(arguments, finished);
     else if (outcome == EXIT_DONE)

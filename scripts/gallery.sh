@@ -9,7 +9,7 @@ build=$1
 work=$build/gallery
 mkdir -p "$work"
 for name in paper paper-derived paper-literal jeffcott-rub rigid-rotor; do
-    "$build/whirl" run "cases/$name.yaml" -o "$work/$name.h5" -q
+    "$build/whirl" run "cases/$name.yaml" -o "$work/$name.h5" --force -q
     # Only the page is wanted: the exit status tells that no figures were drawn.
     "$build/whirl" report "$work/$name.h5" -o "$work/$name" -q --gnuplot true --explorer "$build/explorer/template.html" \
         2>/dev/null || [ -f "$work/$name/explorer.html" ]

@@ -64,7 +64,7 @@ static char **utf8_environment(void) {
 static _Noreturn void become_gnuplot(const launch *how, const gnuplot_job *job, const char *log) {
     if (chdir(job->folder) != 0) _exit(1);
     const int nothing = open("/dev/null", O_RDONLY);
-    const int words = open(log, O_WRONLY | O_CREAT | O_TRUNC, 0666);
+    const int words = open(log, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW, 0666);
     if (nothing < 0 || words < 0) _exit(1);
     dup2(nothing, STDIN_FILENO);
     dup2(words, STDOUT_FILENO);
@@ -91,9 +91,22 @@ static void remove_empty_log(const gnuplot_job *job) {
     if (stat(path, &found) == 0 && found.st_size == 0) unlink(path);
 }
 
+/// gnuplot writes through links, and into files of other modes: what has its names goes before.
+static void remove_earlier(const gnuplot_job *job) {
+    static const char *const endings[] = {"png", "pdf", "gp.log"};
+    char path[4096 + LOG_NAME_SIZE];
+    const size_t length = strlen(job->script), stem = length > 3 ? length - 3 : 0; // without .gp
+    for (size_t i = 0; i < sizeof endings / sizeof *endings; i++) {
+        snprintf(path, sizeof path, "%.4000s/%.*s.%s", job->folder, (int)(stem < 480 ? stem : 480), job->script,
+                 endings[i]);
+        unlink(path);
+    }
+}
+
 static pid_t start(const launch *how, const gnuplot_job *job) {
     char log[LOG_NAME_SIZE];
     log_name(job, log);
+    remove_earlier(job);
     const pid_t child = fork();
     if (child == 0) become_gnuplot(how, job, log);
     return child;

@@ -45,7 +45,7 @@ static whirl_status write_figures(report *made, const whirl_result *const *resul
         if (length < 0 || length >= FILE_PATH_SIZE)
             return whirl_fail(WHIRL_IO_ERROR, "the path %.200s... is too long", directory);
         const drawing to = {results[r], r, made->paths[r], &made->figures};
-        whirl_status status = folder_make(made->paths[r]);
+        whirl_status status = folder_make_own(made->paths[r]);
         if (status.code == WHIRL_OK) status = draw_bifurcations(&to);
         if (status.code == WHIRL_OK) status = draw_points(&to);
         if (status.code != WHIRL_OK) return status;

@@ -1,6 +1,7 @@
 #include "report_file.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -10,9 +11,15 @@ whirl_status report_file_open(report_file *file, const char *folder, const char 
     if (length < 0 || (size_t)length >= sizeof file->path)
         return whirl_fail(WHIRL_IO_ERROR, "the path %.100s.../%.100s is too long", folder, name);
     snprintf(file->temporary, sizeof file->temporary, "%s.part", file->path);
-    file->stream = fopen(file->temporary, "w");
-    if (!file->stream) return whirl_fail(WHIRL_IO_ERROR, "%.300s cannot be written: %s", file->path, strerror(errno));
-    return whirl_ok();
+    // A folder may come from a stranger: what lies there by this name is nobody's, and no link is followed.
+    unlink(file->temporary);
+    const int made = open(file->temporary, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    file->stream = made >= 0 ? fdopen(made, "w") : NULL;
+    if (file->stream) return whirl_ok();
+    const int reason = errno;
+    if (made >= 0) close(made);
+    if (made >= 0) unlink(file->temporary);
+    return whirl_fail(WHIRL_IO_ERROR, "%.300s cannot be written: %s", file->path, strerror(reason));
 }
 
 whirl_status report_file_close(report_file *file) {
@@ -52,6 +59,14 @@ whirl_status folder_make(const char *path) {
         part[i] = '/';
     }
     return make_one(part);
+}
+
+whirl_status folder_make_own(const char *path) {
+    struct stat found;
+    const whirl_status status = folder_make(path);
+    if (status.code != WHIRL_OK) return status;
+    if (lstat(path, &found) == 0 && S_ISDIR(found.st_mode)) return status;
+    return whirl_fail(WHIRL_IO_ERROR, "%.300s is a link, expected a folder of the report's own", path);
 }
 
 void safe_name(const char *text, char *name, size_t size) {

@@ -24,6 +24,9 @@ whirl_status report_file_close(report_file *file);
 /// Makes a folder and those above it; one that is there already is fine.
 whirl_status folder_make(const char *path);
 
+/// The same for a folder that only the report writes to: a link in its place is refused, for it may lead anywhere.
+whirl_status folder_make_own(const char *path);
+
 /// The text as a file name: letters, digits, '.', '_', '+' and '-' stay, all else becomes '-'; never empty,
 /// never beginning with '.' or '-'.
 void safe_name(const char *text, char *name, size_t size);

@@ -48,7 +48,10 @@ whirl_status atomic_file_open(atomic_file *out, const char *path) {
     snprintf(out->temporary, sizeof out->temporary, "%s.tmp-%ld", path, (long)getpid());
     // A leftover of an earlier process of this number is nobody's; O_EXCL keeps from writing through a link.
     unlink(out->temporary);
-    const int file = open(out->temporary, O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    // What takes the place of a private file is no more public than that.
+    struct stat earlier;
+    const mode_t mode = stat(path, &earlier) == 0 ? earlier.st_mode & 0666 : 0666;
+    const int file = open(out->temporary, O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, mode | 0600);
     if (file < 0) return cannot_write(path, strerror(errno));
     out->stream = fdopen(file, "w+b");
     // From here on the number tells why writing failed, if it does.

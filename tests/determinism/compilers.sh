@@ -28,12 +28,12 @@ compared=0
 for isa in scalar simd128 fma avx2 avx512; do
     export WHIRL_ISA=$isa
     for method in rk4 dop853; do
-        "$whirl" run "$work/$method.yaml" -q -o "$work/one.h5" 2>"$work/log" || {
+        "$whirl" run "$work/$method.yaml" -q --force -o "$work/one.h5" 2>"$work/log" || {
             grep -q "does not have" "$work/log" && echo "$isa: not on this processor" && break
             cat "$work/log"
             exit 1
         }
-        "$folder/whirl" run "$work/$method.yaml" -q -o "$work/other.h5"
+        "$folder/whirl" run "$work/$method.yaml" -q --force -o "$work/other.h5"
         "$python" "$source/tests/cli/same_data.py" "$work/one.h5" "$work/other.h5" >/dev/null
         compared=$((compared + 1))
         "$whirl" export "$work/one.h5" --csv "$work/tables" >/dev/null

@@ -26,7 +26,7 @@ undisturbed() {
     sed "s/transient: 20, record: 10/transient: $1, record: 1000, settle: no/" "$good" >long.yaml
     measure
     before=$worked
-    "$whirl" run long.yaml -q --threads 1 -o whole.h5 || fail "the undisturbed run"
+    "$whirl" run long.yaml -q --threads 1 --force -o whole.h5 || fail "the undisturbed run"
     measure
     whole=$(awk "BEGIN {print $worked - $before}")
 }
@@ -38,7 +38,7 @@ measure
 before=$worked
 for ((i = 0; i < kills; ++i)); do
     resume=$([ -e result.h5.journal ] && echo --resume)
-    "$whirl" run long.yaml -q --threads 1 -o result.h5 $resume 2>/dev/null &
+    "$whirl" run long.yaml -q --threads 1 --force -o result.h5 $resume 2>/dev/null &
     job=$!
     sleep $((7 + RANDOM % 10))
     kill -KILL $job 2>/dev/null
