@@ -129,6 +129,65 @@ test('pictures and data can be saved', async () => {
   await close();
 });
 
+/// Boxes of the labels of peaks in an SVG, [left, right, top, bottom] of their letters, and the segments of its curves.
+async function labelled(page, svg) {
+  return page.evaluate((text) => {
+    const drawing = document.body.appendChild(new DOMParser().parseFromString(text, 'image/svg+xml').documentElement);
+    const size = (label) => Number(label.getAttribute('font-size'));
+    const labels = [...drawing.querySelectorAll('text')].filter((label) => /^[\d.]+X$/.test(label.textContent));
+    const boxes = labels.map((label) => {
+      const [middle, half] = [Number(label.getAttribute('x')), label.getComputedTextLength() / 2];
+      const baseline = Number(label.getAttribute('y')) - 0.2 * size(label);
+      return [middle - half, middle + half, baseline - 0.72 * size(label), baseline];
+    });
+    const segments = [];
+    for (const path of drawing.querySelectorAll('path[stroke-linejoin="round"]'))
+      for (const part of path.getAttribute('d').split('M').slice(1)) {
+        const places = part.split('L').map((place) => place.split(' ').map(Number));
+        for (let i = 1; i < places.length; i++) segments.push([...places[i - 1], ...places[i]]);
+      }
+    drawing.remove();
+    return { boxes, segments };
+  }, svg);
+}
+
+/// Whether a segment passes through a box (Liang and Barsky 1984).
+function crosses([left, right, top, bottom], [x0, y0, x1, y1]) {
+  let [from, to] = [0, 1];
+  for (const [p, q] of [[x0 - x1, x0 - left], [x1 - x0, right - x0], [y0 - y1, y0 - top], [y1 - y0, bottom - y0]]) {
+    if (p === 0 && q < 0) return false;
+    if (p < 0) from = Math.max(from, q / p);
+    if (p > 0) to = Math.min(to, q / p);
+  }
+  return from < to;
+}
+
+test('labels of spectra lie neither on one another nor on the curves', async () => {
+  const { page, complaints, close } = await open(`${address}#at=3.3`);
+  let count = 0;
+  for (const value of [3.3, 3.4, 3.5, 3.7]) {
+    await page.fill('#value-a', String(value));
+    await page.press('#value-a', 'Enter');
+    await settled(page);
+    for (const logarithmic of [false, true])
+      for (const panel of ['.panel-spectrum', '.panel-full-spectrum']) {
+        if (logarithmic) await page.click(`${panel} button:text-is("log")`);
+        const { boxes, segments } = await labelled(page, (await saved(page, panel, 'svg')).bytes.toString('utf8'));
+        if (logarithmic) await page.click(`${panel} button:text-is("log")`);
+        count += boxes.length;
+        assert.ok(boxes.length > 0 && segments.length > 100);
+        boxes.forEach((box, i) => {
+          const on = boxes.slice(0, i).filter(([l, r, t, b]) => l < box[1] && r > box[0] && t < box[3] && b > box[2]);
+          assert.deepEqual(on, [], `${panel} at ${value}: labels on one another`);
+          assert.deepEqual(segments.filter((segment) => crosses(box, segment)), [], `${panel} at ${value}${logarithmic ? ', logarithmic' : ''}: the curve runs through a label at ${box}`);
+        });
+      }
+  }
+  assert.ok(count >= 32, `${count} labels`);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
 test('the diagram that is saved is the one of the run', async () => {
   const { page, close } = await open(`${address}#q=radius&units=scale,rad/s,order,0-p`);
   await settled(page);

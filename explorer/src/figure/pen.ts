@@ -35,6 +35,15 @@ export function font(size: number, weight = 400): string {
   return `${weight} ${size}px ${FONT}`;
 }
 
+let ruler: CanvasRenderingContext2D | null = null;
+
+/// Width of a text in pixels.
+export function textWidth(text: string, face: string): number {
+  ruler ??= document.createElement('canvas').getContext('2d')!;
+  ruler.font = face;
+  return ruler.measureText(text).width;
+}
+
 interface State {
   fillStyle: string | CanvasGradient | CanvasPattern;
   strokeStyle: string | CanvasGradient | CanvasPattern;

@@ -2,7 +2,8 @@
 import { button, el } from '../dom';
 import { Chart, type Frame, type Line, type Range } from '../figure/chart';
 import { textSize } from '../figure/figure';
-import { font, type Pen } from '../figure/pen';
+import { placeLabels, skyline, type Peak } from '../figure/labels';
+import { font, textWidth, type Pen } from '../figure/pen';
 import type { Theme } from '../figure/theme';
 import { tickText } from '../figure/ticks';
 import { amplitudeMeasure, frequencyMeasure, shown } from '../model/units';
@@ -12,38 +13,10 @@ import { key } from './waveform';
 
 /// Decades below the largest amplitude that a logarithmic axis shows.
 const DECADES = 5;
-const MOST_LABELS = 6;
 
 interface Curve {
   readonly frequency: Float64Array;
   readonly amplitudes: readonly Float64Array[];
-}
-
-interface Peak {
-  readonly frequency: number;
-  readonly amplitude: number;
-}
-
-/// Where a label stands: its middle, half its width and its lower edge, in the pen's pixels.
-interface Place {
-  readonly centre: number;
-  readonly half: number;
-  readonly bottom: number;
-}
-
-/// Right above a peak at (x, y), to either side of it, or a line higher.
-function places(x: number, y: number, half: number, size: number, frame: Frame): Place[] {
-  const line = 1.1 * size;
-  const above = Math.max(y - 0.2 * size, frame.top + line);
-  const inside = (centre: number) => Math.min(Math.max(centre, frame.left + half), frame.left + frame.width - half);
-  return [above, above - line]
-    .filter((bottom) => bottom >= frame.top + size)
-    .flatMap((bottom) => [x, x - 0.8 * half, x + 0.8 * half].map((centre) => ({ centre: inside(centre), half, bottom })));
-}
-
-/// Whether two labels keep half a letter's distance.
-function apart(one: Place, other: Place, size: number): boolean {
-  return Math.abs(one.centre - other.centre) > one.half + other.half + 0.3 * size || Math.abs(one.bottom - other.bottom) > 1.05 * size;
 }
 
 const EMPTY: Curve = { frequency: new Float64Array(0), amplitudes: [] };
@@ -98,25 +71,15 @@ abstract class SpectralPanel extends Panel {
 
   private drawPeaks(pen: Pen, frame: Frame, colours: Theme): void {
     const size = textSize() * frame.ratio;
-    pen.font = font(size);
+    const face = font(size);
+    pen.font = face;
     pen.fillStyle = colours.ink;
     pen.textAlign = 'center';
     pen.textBaseline = 'bottom';
-    const taken: Place[] = [];
-    const higher: (readonly [x: number, y: number])[] = [];
-    for (const peak of this.peaks) {
-      const [x, y] = [frame.x(peak.frequency), frame.y(peak.amplitude)];
-      const text = this.subject!.units.frequency === 'Hz' ? shown(Math.abs(peak.frequency), 4) : `${shown(Math.abs(peak.frequency), 3)}X`;
-      const half = 0.3 * size * text.length;
-      if (x < frame.left || x > frame.left + frame.width || taken.length >= MOST_LABELS) continue;
-      const free = places(x, y, half, size, frame).filter((place) => taken.every((other) => apart(place, other, size)));
-      // Off the lines of higher peaks, if it can be.
-      const chosen = free.find((place) => higher.every(([at, top]) => Math.abs(place.centre - at) > half || top > place.bottom)) ?? free[0];
-      higher.push([x, y]);
-      if (!chosen) continue;
-      taken.push(chosen);
-      pen.fillText(text, chosen.centre, chosen.bottom);
-    }
+    const hertz = this.subject!.units.frequency === 'Hz';
+    const textOf = ({ frequency }: Peak) => (hertz ? shown(Math.abs(frequency), 4) : `${shown(Math.abs(frequency), 3)}X`);
+    const top = skyline(frame, this.curve.frequency, this.curve.amplitudes);
+    for (const label of placeLabels(this.peaks, textOf, frame, top, size, (text) => textWidth(text, face))) pen.fillText(label.text, label.centre, label.bottom);
   }
 }
 

@@ -1,0 +1,70 @@
+// Where the labels of a spectrum's peaks stand: over their peaks, off each other and off the curves.
+import type { Frame } from './chart';
+
+export interface Peak {
+  readonly frequency: number;
+  readonly amplitude: number;
+}
+
+/// Middle, half the width and lower edge, in the pen's pixels.
+interface Place {
+  readonly centre: number;
+  readonly half: number;
+  readonly bottom: number;
+}
+
+export interface Label extends Place {
+  readonly text: string;
+}
+
+const MOST_LABELS = 6;
+
+/// The highest place of the curves in every column of pixels of the frame, its lower edge where there is none.
+export function skyline(frame: Frame, at: Float64Array, curves: readonly Float64Array[]): Float64Array {
+  const floor = frame.top + frame.height;
+  const top = new Float64Array(Math.max(1, Math.ceil(frame.width))).fill(floor);
+  for (const curve of curves)
+    for (let i = 1; i < at.length; i++) {
+      const [x0, x1] = [frame.x(at[i - 1]!) - frame.left, frame.x(at[i]!) - frame.left];
+      const [y0, y1] = [Math.min(floor, frame.y(curve[i - 1]!)), Math.min(floor, frame.y(curve[i]!))];
+      if (Number.isNaN(y0 + y1)) continue; // the curve has a gap
+      const height = (column: number) => y0 + (y1 - y0) * Math.min(1, Math.max(0, (column - x0) / (x1 - x0 || 1)));
+      for (let column = Math.max(0, Math.floor(x0)); column <= Math.min(top.length - 1, Math.floor(x1)); column++)
+        top[column] = Math.min(top[column]!, height(column), height(column + 1));
+    }
+  return top;
+}
+
+/// Right above a peak at (x, y), to either side of it, beside its tip, or a line higher: what is free of curves and in the frame.
+function places(x: number, y: number, half: number, size: number, frame: Frame, top: Float64Array): Place[] {
+  const gap = 0.3 * size;
+  const roof = (centre: number) => {
+    const first = Math.max(0, Math.floor(centre - half - gap - frame.left));
+    return Math.min(...top.subarray(first, Math.max(first + 1, Math.ceil(centre + half + gap - frame.left))));
+  };
+  const inside = (centre: number) => Math.min(Math.max(centre, frame.left + half), frame.left + frame.width - half);
+  const above = [0, -0.8 * half, 0.8 * half].map((shift) => inside(x + shift)).map((centre) => ({ centre, half, bottom: Math.min(roof(centre), y) - 0.2 * size }));
+  const beside = [x - half - 2 * gap, x + half + 2 * gap].filter((centre) => centre === inside(centre)).map((centre) => ({ centre, half, bottom: Math.min(roof(centre) - 0.2 * size, y + 0.6 * size) }));
+  const higher = above.map((place) => ({ ...place, bottom: place.bottom - 1.15 * size }));
+  // Far from its peak a label says nothing.
+  return [...above, ...beside, ...higher].filter(({ bottom }) => bottom >= frame.top + size && y - bottom < 2.2 * size);
+}
+
+/// Whether two labels keep half a letter's distance.
+function apart(one: Place, other: Place, size: number): boolean {
+  return Math.abs(one.centre - other.centre) > one.half + other.half + 0.4 * size || Math.abs(one.bottom - other.bottom) > 1.15 * size;
+}
+
+/// Labels of the highest peaks, which come first, as far as they have room; `width` measures a text.
+export function placeLabels(peaks: readonly Peak[], textOf: (peak: Peak) => string, frame: Frame, top: Float64Array, size: number, width: (text: string) => number): Label[] {
+  const taken: Label[] = [];
+  for (const peak of peaks) {
+    const [x, y] = [frame.x(peak.frequency), frame.y(peak.amplitude)];
+    if (taken.length === MOST_LABELS) break;
+    if (x < frame.left || x > frame.left + frame.width) continue;
+    const text = textOf(peak);
+    const place = places(x, y, width(text) / 2, size, frame, top).find((each) => taken.every((other) => apart(each, other, size)));
+    if (place) taken.push({ ...place, text });
+  }
+  return taken;
+}
