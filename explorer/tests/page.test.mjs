@@ -295,7 +295,7 @@ test('a bad value is refused with a sentence', async () => {
 test('two settings side by side', async () => {
   const { page, complaints, close } = await open(`${address}#at=3.8`);
   const first = await settled(page);
-  await page.click('button[aria-label="Compare two settings side by side"]');
+  await page.click('button[title="Compare two settings side by side"]');
   await settled(page, 'b');
   assert.equal(await page.textContent('.settings-card h2'), 'Parameters of B');
   await page.fill('#value-b', '1.5');
@@ -416,4 +416,16 @@ test('nothing is wider than the screen, from a phone to 4K, and every control ha
     assert.deepEqual(complaints, []);
     await close();
   }
+});
+
+test('parameters, diagram and verdict are seen together at 1280 x 800', async () => {
+  const { page, complaints, close } = await open(`${address}#at=3.8`, { viewport: { width: 1280, height: 800 } });
+  await settled(page);
+  for (const part of ['.parameter', '.settings-card .keep button', '.pane-a .verdict', '.pane-a .reason', '.map-main canvas', '.map-card .primary']) {
+    const boxes = await page.$$eval(part, (all) => all.map((each) => each.getBoundingClientRect()).map(({ left, right, top, bottom }) => [left, right, top, bottom]));
+    assert.ok(boxes.length > 0, part);
+    for (const [left, right, top, bottom] of boxes) assert.ok(left >= 0 && right <= 1280 && top >= 0 && bottom <= 800, `${part} is at ${[left, right, top, bottom]}`);
+  }
+  assert.deepEqual(complaints, []);
+  await close();
 });
