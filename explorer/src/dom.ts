@@ -20,9 +20,11 @@ export function el<K extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
-/// A button with a text and what it does.
+/// A button with a text and what it does. Its name is what is seen, so that who speaks to the page can say it; a sign alone
+/// has the label for its name.
 export function button(text: string, label: string, action: () => void, attributes: Attributes = {}): HTMLButtonElement {
-  const made = el('button', { type: 'button', 'aria-label': label, title: label, ...attributes }, text);
+  const spoken = /[a-z]/i.test(text) && !label.toLowerCase().includes(text.trim().toLowerCase());
+  const made = el('button', { type: 'button', 'aria-label': !spoken && label, title: label, ...attributes }, text);
   made.addEventListener('click', action);
   return made;
 }

@@ -63,7 +63,8 @@ static void write_result(const page *to, size_t result) {
 void page_write(const page *to) {
     write_head(to);
     if (to->count > 1 || to->claims || to->explorer) write_contents(to);
+    fputs("<main>\n", to->stream);
     if (to->claims) page_claims(to);
     for (size_t r = 0; r < to->count; r++) write_result(to, r);
-    fputs("</body>\n</html>\n", to->stream);
+    fputs("</main>\n</body>\n</html>\n", to->stream);
 }

@@ -84,7 +84,7 @@ export abstract class Panel {
     readonly name: string,
     readonly title: string,
   ) {
-    this.root = el('section', { class: `card panel panel-${name}`, 'aria-label': title },
+    this.root = el('section', { class: `card panel panel-${name}`, role: 'group', 'aria-label': title },
       el('header', {}, el('h3', {}, title), this.tools));
   }
 

@@ -35,7 +35,7 @@ abstract class SpectralPanel extends Panel {
       over: (pen, frame, colours) => this.drawPeaks(pen, frame, colours),
       ...(xText ? { xText } : {}),
     });
-    const scale = button('log', 'Logarithmic amplitudes', () => {
+    const scale = button('log', 'Amplitudes on a log scale', () => {
       this.logarithmic = !this.logarithmic;
       scale.setAttribute('aria-pressed', String(this.logarithmic));
       this.refresh();
