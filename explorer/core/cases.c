@@ -58,7 +58,7 @@ EXPORTED void explorer_case_free(whirl_case *object) {
 }
 
 EXPORTED int explorer_assign(whirl_case *object, const char *assignment) {
-    const whirl_status status = whirl_case_set(object, assignment);
+    const whirl_status status = whirl_case_assign(object, assignment);
     return explorer_good(&status);
 }
 

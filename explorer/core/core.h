@@ -28,7 +28,7 @@ bool explorer_good(const whirl_status *status);
 whirl_case *explorer_case_new(const char *source, size_t length, const char *name);
 void explorer_case_free(whirl_case *object);
 
-/// whirl_case_set.
+/// whirl_case_assign.
 int explorer_assign(whirl_case *object, const char *assignment);
 
 /// CaseInfo of protocol.ts as JSON.

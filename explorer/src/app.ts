@@ -11,7 +11,7 @@ import { firstValue, plannedRange, sweptParameter, valueOf } from './model/origi
 import { assignmentTexts, readAddress, writeAddress, type Address, type Computation } from './model/setting';
 import { SideModel, troubleOf } from './model/side';
 import { Sights, type Sight } from './model/sights';
-import { readable, unitsFor, type Scales, type Units } from './model/units';
+import { parameterMeasure, readable, shown, unitsFor, written, type Scales, type Units } from './model/units';
 import { Watch } from './model/watch';
 import { Help } from './view/help';
 import { MapCard } from './view/map_card';
@@ -36,18 +36,23 @@ export class App {
   private readonly card: MapCard;
   private readonly settings: SettingsCard;
   private readonly help = new Help();
+  private readonly footer = el('p');
+  private readonly banner = el('p', { class: 'trouble banner', role: 'alert' });
+  /// The units are still to be those that suit the machine.
+  private unitsAwaited = false;
   private dirty = new Set<'all' | SideName | 'grow'>();
   private addressTimer = 0;
 
   constructor(
     runs: readonly Run[],
-    private readonly engine: Engine | undefined,
+    private engine: Engine | undefined,
     /// What is missing, "" when nothing is.
-    private readonly missing: string,
+    private missing: string,
   ) {
     this.machines = machinesOf(runs, engine !== undefined);
-    this.address = readAddress(location.hash, unitsFor(this.machines[0]?.run?.length_scale ?? 1));
+    this.address = readAddress(location.hash, unitsFor(1));
     this.machine = this.machines.find(({ name }) => name === this.address.run) ?? this.machines[0]!;
+    this.readUnits();
     const side = (name: SideName) => new SideModel(name, engine, { changed: () => this.later(name) });
     this.sides = { a: side('a'), b: side('b') };
     this.sights = new Sights(engine, {
@@ -82,6 +87,7 @@ export class App {
     });
     this.settings = new SettingsCard({
       assigned: (name, text, settled) => this.assign(name, text, settled),
+      refused: (sentence) => this.side.refuse(sentence),
       computation: (changed) => this.setComputation(changed),
       resetAll: () => this.resetParameters(),
       download: () => void this.saveCase(),
@@ -90,13 +96,31 @@ export class App {
     });
     this.root.append(
       this.topbar.root,
+      this.banner,
       el('main', {}, this.card.root, this.settings.root, el('div', { class: 'panes' }, this.panes.a.root, this.panes.b.root)),
-      el('footer', {}, el('p', {}, missing || 'Computed in this page by the C core of whirl; nothing leaves your machine.')),
+      el('footer', {}, this.footer),
       this.help.root,
     );
   }
 
+  /// Nothing can be computed after all.
+  lose(why: string): void {
+    this.sights.stop();
+    for (const name of ['a', 'b'] as const) this.endWatch(name);
+    this.engine = undefined;
+    this.missing = why;
+    for (const side of Object.values(this.sides)) side.lose();
+    this.sayMissing();
+    this.later('all');
+  }
+
+  private sayMissing(): void {
+    this.banner.textContent = this.missing;
+    this.footer.textContent = this.missing ? '' : 'Computed in this page by the C core of whirl; nothing leaves your machine.';
+  }
+
   start(): void {
+    this.sayMissing();
     const dark = window.matchMedia('(prefers-color-scheme: dark)');
     const follow = () => {
       if (!document.documentElement.dataset['theme']) this.setTheme(dark.matches);
@@ -174,10 +198,10 @@ export class App {
     if (this.engine && !this.original) {
       const outcome = await this.engine.describe({ text: machine.text, name: machine.caseName }, { lane: 'original', priority: 0 });
       if (outcome.ok) this.originals.set(machine.name, outcome.value);
-      else if (outcome.why !== 'stale') this.sides.a.trouble = troubleOf(outcome);
+      else if (outcome.why !== 'stale' && this.engine) this.sides.a.trouble = troubleOf(outcome);
       if (machine !== this.machine) return;
-      if (outcome.ok && !machine.run && !location.hash.includes('units=')) this.address.units = unitsFor(outcome.value.lengthScale, this.address.units);
     }
+    if (this.unitsAwaited && this.original) this.suitUnits(this.original.lengthScale);
     if (!early) this.openParameter();
     this.chooseValue();
     this.later('all');
@@ -219,7 +243,7 @@ export class App {
     this.machine = machine;
     const { units } = this.address;
     this.address = { ...readAddress('', units), run: name };
-    this.address.units = unitsFor(machine.run?.length_scale ?? this.original?.lengthScale ?? 1, units);
+    this.suitUnits(machine.run?.length_scale);
     this.active = 'a';
     void this.open();
   }
@@ -230,7 +254,20 @@ export class App {
     this.sights.stop();
     this.address = address;
     this.machine = this.machines.find(({ name }) => name === address.run) ?? this.machine;
+    this.readUnits();
     void this.open();
+  }
+
+  /// An address that names no units leaves them to the machine.
+  private readUnits(): void {
+    this.unitsAwaited = false;
+    if (!location.hash.includes('units=')) this.suitUnits(this.machine.run?.length_scale);
+  }
+
+  /// Units that suit a length scale [m]; of a machine whose scale is not known they are chosen when it is.
+  private suitUnits(lengthScale: number | undefined): void {
+    this.unitsAwaited = lengthScale === undefined;
+    if (lengthScale !== undefined) this.address.units = unitsFor(lengthScale, this.address.units);
   }
 
   // ---------------------------------------------------------------- settings
@@ -258,7 +295,24 @@ export class App {
     const setting = this.settingOf(side);
     const good = await side.describe(setting);
     this.later('all');
-    if (good) side.want(setting, this.address.parameter, settled);
+    if (good) this.want(side, settled);
+  }
+
+  private want(side: SideModel, settled: boolean): void {
+    const { parameter, units } = this.address;
+    const { factor, unit } = parameterMeasure(this.unit, units);
+    const value = written(side.choice.value * factor, 12);
+    side.want(this.settingOf(side), parameter, settled, `${parameter}=${value}${unit ? ` ${unit}` : ''}`);
+  }
+
+  /// What is still shown of a setting that cannot be computed.
+  private outdatedText(side: SideModel): string {
+    const { parameter, units } = this.address;
+    if (!side.outdated || !side.result || !side.resultOf) return '';
+    const { factor, unit } = parameterMeasure(this.unit, units);
+    const { value, assignments } = side.resultOf;
+    const parts = [...(parameter && Number.isFinite(value) ? [`${parameter} = ${shown(value * factor, 6)} ${unit}`.trim()] : []), ...assignmentTexts(assignments)];
+    return `Below: the last setting that could be computed${parts.length ? `, ${parts.join('; ')}` : ''}.`;
   }
 
   private shownSides(): SideName[] {
@@ -269,7 +323,7 @@ export class App {
     const side = this.sides[name];
     side.choice = { ...side.choice, value };
     this.endWatch(name);
-    side.want(this.settingOf(side), this.address.parameter, settled);
+    this.want(side, settled);
     this.later(name);
   }
 
@@ -302,6 +356,7 @@ export class App {
   }
 
   private setUnits(units: Units): void {
+    this.unitsAwaited = false;
     this.address.units = units;
     this.later('all');
   }
@@ -357,7 +412,7 @@ export class App {
   /// Computes the diagram over a range with the active setting.
   private async recompute([low, high]: Range, first = false): Promise<void> {
     const { parameter } = this.address;
-    if (!parameter) return;
+    if (!parameter || !this.engine) return;
     const { side } = this;
     const plan = { setting: this.settingOf(side), parameter, low, high, points: this.card.points, batch: this.original?.batches[0] };
     const trouble = await this.sights.compute(plan, this.card.quality, assignmentTexts(side.choice.assignments).join('; '), first);
@@ -371,6 +426,7 @@ export class App {
   private paneListener(): PaneListener {
     return {
       value: (name, value) => this.cursor(name, value, true),
+      refused: (name, sentence) => this.sides[name].refuse(sentence),
       activated: (name) => {
         if (this.active === name || (name === 'b' && !this.address.b)) return;
         this.active = name;
@@ -572,6 +628,7 @@ export class App {
       busy: side.busy && !result ? 'computing \u2026' : '',
       trouble: side.trouble,
       how,
+      outdated: this.outdatedText(side),
     });
     this.panes[name].root.classList.toggle('busy', side.busy);
   }
@@ -580,9 +637,9 @@ export class App {
   private storedVerdict(value: number): string {
     const { diagram } = this.sight;
     const point = diagram?.nearest(value) ?? -1;
-    if (!diagram || point < 0) return this.missing;
+    if (!diagram || point < 0) return '';
     const [verdict, reason] = diagram.verdicts[point]!;
-    return `Nearest stored point, ${this.address.parameter} = ${Number(diagram.values[point]!.toPrecision(6))}: ${verdict}; ${readable(reason)}. ${this.missing}`;
+    return `Nearest stored point, ${this.address.parameter} = ${Number(diagram.values[point]!.toPrecision(6))}: ${verdict}; ${readable(reason)}.`;
   }
 
   private showSettings(): void {

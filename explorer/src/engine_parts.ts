@@ -12,6 +12,11 @@ export interface Waking {
 const NOT_BUILT = 'This page was built without the compiled core: it shows what is stored and computes nothing.';
 const TOO_OLD = 'This browser is too old for the compiled core: the page shows what is stored and computes nothing.';
 
+/// For whoever sees a page that does not compute.
+function notStarted(why: string): string {
+  return `The compiled core does not start (${why}): this page shows what is stored and computes nothing. If a server sent it, the Content-Security-Policy in its answer must allow worker-src blob: and script-src 'wasm-unsafe-eval'; saved and opened from disk the page needs nothing.`;
+}
+
 function textOf(id: string): string {
   return document.getElementById(id)?.textContent ?? '';
 }
@@ -21,9 +26,14 @@ async function unpacked(bytes: Uint8Array<ArrayBuffer>): Promise<Uint8Array> {
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
-export async function wakeEngine(): Promise<Waking> {
+/// `broken` is told, at any later time, why the engine cannot compute after all.
+export async function wakeEngine(broken: (why: string) => void): Promise<Waking> {
   const [worker, core] = [textOf('whirl-worker'), textOf('whirl-core')];
   if (!worker || !core) return { engine: undefined, missing: NOT_BUILT };
   if (typeof WebAssembly === 'undefined' || typeof DecompressionStream === 'undefined') return { engine: undefined, missing: TOO_OLD };
-  return { engine: startEngine({ worker, core: await unpacked(bytesOf(core)) }), missing: '' };
+  try {
+    return { engine: startEngine({ worker, core: await unpacked(bytesOf(core)), broken: (why) => broken(notStarted(why)) }), missing: '' };
+  } catch (error) {
+    return { engine: undefined, missing: notStarted(String(error)) };
+  }
 }

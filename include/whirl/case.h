@@ -52,6 +52,9 @@ void whirl_case_free(whirl_case *object);
 /// ends of the sweep or the values of its detail depend on it.
 whirl_status whirl_case_set(whirl_case *object, const char *assignment);
 
+/// The same, of the parameter that a sweep varies, too: for programs that vary another one than the case does.
+whirl_status whirl_case_assign(whirl_case *object, const char *assignment);
+
 /// What the study of the case may spend on points in doubt (whirl_study.refine); nothing where it is not called.
 void whirl_case_refine(whirl_case *object, whirl_budget budget);
 
@@ -96,7 +99,7 @@ void whirl_case_uses(const whirl_case *object, whirl_case_use_fn see, void *cont
 void whirl_case_comment(const whirl_case *object, const char *name, char *comment, size_t size);
 
 /// The text of a case with `value` at the key `path` ("parameters.r_k", "study.sweep.from"), all else as it was; a key that
-/// is missing is added where its mapping stands. *edited is freed by the caller. WHIRL_BAD_INPUT for a text that is not
+/// is missing is added where its mapping stands. A list of values is replaced by another in brackets, "[1 mm, 2 mm]". *edited is freed by the caller. WHIRL_BAD_INPUT for a text that is not
 /// YAML, or a place that takes no value. What the new text means is not checked: see whirl_case_parse.
 whirl_status whirl_case_edit(const char *text, size_t length, const char *path, const char *value, char **edited);
 

@@ -253,7 +253,8 @@ static whirl_status refuse_swept(const study_plan *old, const study_plan *new, c
         sweep->parameter, sweep->values[0], sweep->values[sweep->count - 1]);
 }
 
-whirl_status whirl_case_set(whirl_case *object, const char *assignment) {
+/// Overrides a parameter; one that the study sweeps where `swept_too`.
+static whirl_status override(whirl_case *object, const char *assignment, bool swept_too) {
     size_t length = 0;
     whirl_status status = find_name(object, assignment, &length);
     if (status.code != WHIRL_OK) return status;
@@ -269,7 +270,8 @@ whirl_status whirl_case_set(whirl_case *object, const char *assignment) {
         status = make_content(object, &content, &problems);
     else
         status = whirl_fail(WHIRL_NO_MEMORY, "no memory to set %.40s", assignment);
-    if (status.code == WHIRL_OK) status = refuse_swept(&object->content.plan, &content.plan, assignment, length);
+    if (status.code == WHIRL_OK && !swept_too)
+        status = refuse_swept(&object->content.plan, &content.plan, assignment, length);
     if (status.code == WHIRL_OK) {
         arena_free(&object->content.arena);
         object->content = content;
@@ -279,6 +281,14 @@ whirl_status whirl_case_set(whirl_case *object, const char *assignment) {
     }
     whirl_problems_free(&problems);
     return status;
+}
+
+whirl_status whirl_case_set(whirl_case *object, const char *assignment) {
+    return override(object, assignment, false);
+}
+
+whirl_status whirl_case_assign(whirl_case *object, const char *assignment) {
+    return override(object, assignment, true);
 }
 
 // ---------------------------------------------------------------- asking

@@ -43,8 +43,28 @@ static char *splice(const char *text, size_t length, size_t at, size_t count, co
     return result;
 }
 
+/// Behind the bracket that ends a list whose last item ends at `at`.
+static size_t behind_bracket(const char *text, size_t length, size_t at) {
+    for (; at < length && text[at] != ']'; at++)
+        if (text[at] == '#') at += strcspn(text + at, "\n");
+    return at < length ? at + 1 : length;
+}
+
+/// The bytes of a list: of one in dashes all that follows its key, for a list in brackets may have to stand further right.
+static void list_extent(const char *text, size_t length, const file_node *list, size_t *from, size_t *to) {
+    const file_node *end = list->last ? list->last : list;
+    *to = byte_offset(text, length, end->to);
+    if (list->flow) {
+        *to = behind_bracket(text, length, *to);
+    } else if (list->key) {
+        *from = byte_offset(text, length, list->key_from);
+        *from += strcspn(text + *from, ":") + 1;
+    }
+}
+
 static char *replace(const char *text, size_t length, const file_node *node, const char *value) {
-    const size_t from = byte_offset(text, length, node->from), to = byte_offset(text, length, node->to);
+    size_t from = byte_offset(text, length, node->from), to = byte_offset(text, length, node->to);
+    if (node->kind == NODE_LIST) list_extent(text, length, node, &from, &to);
     return splice(text, length, from, to - from, from > 0 && text[from - 1] == ':' ? " " : "", value, "");
 }
 
@@ -99,12 +119,28 @@ static void tree_free(edit_tree *tree) {
     whirl_problems_free(&tree->problems);
 }
 
+/// A list is written in brackets.
+static bool is_list(const char *value) {
+    return value[0] == '[';
+}
+
+/// "[a, b]" of a list of values.
+static void list_text(const file_node *list, char text[PATH_SIZE]) {
+    size_t used = (size_t)snprintf(text, PATH_SIZE, "[");
+    for (const file_node *item = list->first; item && used < PATH_SIZE; item = item->next)
+        used += (size_t)snprintf(text + used, PATH_SIZE - used, "%s%s", item == list->first ? "" : ", ",
+                                 item->kind == NODE_TEXT ? item->text : "");
+    if (used < PATH_SIZE) snprintf(text + used, PATH_SIZE - used, "]");
+}
+
 /// Whether the value is read back as it was meant.
 static bool says(const char *text, const char *path, const char *value) {
     edit_tree tree;
+    char list[PATH_SIZE] = "";
     const whirl_status status = read_tree(text, strlen(text), &tree);
     const file_node *node = status.code == WHIRL_OK ? find_node(tree.root, path) : NULL;
-    const bool good = node && node->kind == NODE_TEXT && strcmp(node->text, value) == 0;
+    if (node && node->kind == NODE_LIST) list_text(node, list);
+    const bool good = node && node->kind != NODE_MAPPING && strcmp(node->text ? node->text : list, value) == 0;
     tree_free(&tree);
     return good;
 }
@@ -140,7 +176,8 @@ whirl_status whirl_case_edit(const char *text, size_t length, const char *path, 
         return whirl_fail(WHIRL_BAD_INPUT, "%.80s cannot be written, expected a short value in one line", path);
     whirl_status status = read_tree(text, length, &tree);
     const file_node *node = status.code == WHIRL_OK ? find_node(tree.root, path) : NULL;
-    if (node && node->kind != NODE_TEXT)
+    const bool values_only = node && node->kind == NODE_LIST && (!node->last || node->last->kind == NODE_TEXT);
+    if (node && node->kind != NODE_TEXT && !(values_only && is_list(value)))
         status = whirl_fail(WHIRL_BAD_INPUT, "%s is %s, expected a value", path,
                             node->kind == NODE_LIST ? "a list" : "a mapping");
     if (status.code == WHIRL_OK) {

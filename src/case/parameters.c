@@ -125,6 +125,41 @@ static void note_use(const parameter_table *parameters, const char *expression, 
     }
 }
 
+/// How many SI units the unit of "12 mm" is, 0 where it has none or counts from elsewhere, as degrees Celsius do.
+static double size_of_unit(const char *text, const char *expected, char unit[WHIRL_NAME_SIZE]) {
+    char quantities[2][WHIRL_NAME_SIZE + 2], why[WHY_SIZE];
+    quantity one, none;
+    double number;
+    const char *end;
+    if (!quantity_number(text, &number, &end) || *end != ' ') return 0.0;
+    const char *name = end + strspn(end, " ");
+    if (strlen(name) >= WHIRL_NAME_SIZE) return 0.0;
+    strcpy(unit, name);
+    for (int i = 0; i < 2; i++) snprintf(quantities[i], sizeof quantities[i], "%d %s", i, name);
+    const bool read =
+        quantity_read(quantities[0], expected, &none, why) && quantity_read(quantities[1], expected, &one, why);
+    return read && none.value == 0.0 && one.value > 0.0 ? one.value : 0.0;
+}
+
+static whirl_status check_as_written(const whirl_key *key, double value, const char *text) {
+    char unit[WHIRL_NAME_SIZE];
+    const whirl_status status = whirl_key_check_number(key, value);
+    const double size = status.code == WHIRL_OK ? 0.0 : size_of_unit(text, key->unit, unit);
+    if (size == 0.0) return status;
+    whirl_key spoken = *key;
+    spoken.unit = unit;
+    spoken.range.low /= size;
+    spoken.range.high /= size;
+    const whirl_status told = whirl_key_check_number(&spoken, value / size);
+    return told.code == WHIRL_OK ? status : told;
+}
+
+whirl_status formula_check(const parameter_table *parameters, const whirl_key *key, const number_formula *formula,
+                           double value) {
+    const parameter *item = formula->expression ? sole_name(parameters, formula->expression) : NULL;
+    return check_as_written(key, value, item ? item->text : "");
+}
+
 bool angle_is_likely(const whirl_key *key, double number, char why[WHY_SIZE]) {
     const double full_turn = 6.2831853071795865; // 2 pi
     if (strcmp(key->unit, "rad") != 0 || !isfinite(number) || fabs(number) <= full_turn * (1.0 + 1e-12)) return true;
@@ -167,7 +202,7 @@ bool formula_read(case_reader *reader, const file_node *where, const whirl_key *
         problem_at(reader->problems, where, "%s", why);
         return false;
     }
-    const whirl_status status = whirl_key_check_number(key, read.value);
+    const whirl_status status = check_as_written(key, read.value, where->text);
     if (status.code != WHIRL_OK) problem_at(reader->problems, where, "%s", status.message);
     return status.code == WHIRL_OK;
 }

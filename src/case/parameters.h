@@ -63,6 +63,11 @@ size_t parameters_find(const parameter_table *parameters, const char *name);
 /// Reads a number of `key` at a place of the file: with a unit, plain, or an expression. false after a problem.
 bool formula_read(case_reader *reader, const file_node *where, const whirl_key *key, number_formula *result);
 
+/// whirl_key_check_number for the value of a formula; of a parameter alone in the unit in which that is written: "is -100 rpm,
+/// expected a number above 0 rpm".
+whirl_status formula_check(const parameter_table *parameters, const whirl_key *key, const number_formula *formula,
+                           double value);
+
 /// The unit that values of a parameter must have: its own or, of an expression, that of the key that takes it. "" where
 /// neither is known.
 const char *parameter_expected_unit(const parameter *item);

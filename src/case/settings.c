@@ -185,7 +185,7 @@ bool settings_check(case_reader *reader, valuation *v, const setting_list *setti
         double number;
         whirl_status status = valuation_number(v, &item->value, &number);
         const bool evaluated = status.code == WHIRL_OK;
-        if (evaluated) status = whirl_key_check_number(item->key, number);
+        if (evaluated) status = formula_check(v->parameters, item->key, &item->value, number);
         const bool turned = strcmp(expression_unit(v->parameters, item->value.expression), "rad") == 0;
         char why[WHY_SIZE];
         if (status.code == WHIRL_OK && !turned && !angle_is_likely(item->key, number, why))

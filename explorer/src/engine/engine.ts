@@ -51,7 +51,7 @@ class Seat {
   constructor(url: string, core: Uint8Array, hear: (seat: Seat, message: FromWorker) => void) {
     this.worker = new Worker(url);
     this.worker.onmessage = (event: MessageEvent<FromWorker>) => hear(this, event.data);
-    this.worker.onerror = (event) => hear(this, { kind: 'failed', id: -1, message: event.message });
+    this.worker.onerror = (event) => hear(this, { kind: 'failed', id: -1, message: event.message || 'the browser does not let workers start' });
     this.send({ kind: 'start', core });
   }
 
@@ -85,6 +85,7 @@ class Pool implements Engine {
   private readonly seats: Seat[] = [];
   private readonly url: string;
   private readonly core: Uint8Array;
+  private readonly broken: ((why: string) => void) | undefined;
   private nextId = 0;
   private closed = false;
   /// Parts of sweeps that no worker has begun, in their order.
@@ -93,6 +94,7 @@ class Pool implements Engine {
   constructor(parts: EngineParts) {
     this.url = URL.createObjectURL(new Blob([parts.worker], { type: 'text/javascript' }));
     this.core = parts.core;
+    this.broken = parts.broken;
     const cores = typeof navigator === 'undefined' ? 1 : navigator.hardwareConcurrency;
     const count = Math.min(Math.max(parts.workers ?? cores ?? 1, 1), MOST_WORKERS);
     for (let i = 0; i < count; i++) this.seats.push(this.newSeat());
@@ -131,6 +133,7 @@ class Pool implements Engine {
     if (started) this.seats[at] = this.newSeat();
     for (const pending of lost) pending.settle(failed(message));
     if (!started) while (this.waiting.length > 0) this.waiting.shift()!.settle(failed(message));
+    if (this.seats.every((one) => one.broken)) this.broken?.(message);
   }
 
   private begin(pending: Pending): void {

@@ -332,6 +332,8 @@ export interface EngineParts {
   readonly core: Uint8Array;
   /// Left out: as many as the machine has cores.
   readonly workers?: number;
+  /// Told why once no worker can start.
+  readonly broken?: (why: string) => void;
 }
 
 /// `startEngine` of engine.ts.

@@ -24,8 +24,10 @@ export function caseEdits(original: CaseInfo, address: Address, side: Side, view
       put('study.sweep.from', inUnit(view[falling ? 1 : 0], unit));
       put('study.sweep.to', inUnit(view[falling ? 0 : 1], unit));
     }
-    // A list is edited item by item: the first value that the case looks at closely becomes the cursor's.
-    if (Number.isFinite(side.value) && original.batches.some(({ name }) => name === 'detail')) put('study.detail.at[1]', inUnit(side.value, unit));
+    // What the case looks at closely are values of the parameter that it sweeps: over another one none of them stays.
+    const detail = original.batches.find(({ name }) => name === 'detail');
+    if (detail && detail.parameter !== parameter) put('study.detail.at', `[${inUnit(Number.isFinite(side.value) ? side.value : (view[0] + view[1]) / 2, unit)}]`);
+    else if (detail && Number.isFinite(side.value)) put('study.detail.at[1]', inUnit(side.value, unit));
   } else if (parameter && Number.isFinite(side.value)) put(`parameters.${parameter}`, inUnit(side.value, unit));
   if (computation.method) put('study.integrate.method', computation.method);
   if (computation.steps) put('study.integrate.steps_per_revolution', String(computation.steps));

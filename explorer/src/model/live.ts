@@ -1,10 +1,15 @@
 // Motions on demand: while the cursor moves, one request at a time, the newest next; when it rests, the whole computation.
 import type { Engine, Outcome, PointRequest, PointResult } from '../engine/protocol';
+import type { Side } from './setting';
 
 export interface Wish {
   readonly request: PointRequest;
   /// A quick look, to be followed by the whole.
   readonly preview: boolean;
+  /// What it is of.
+  readonly of: Side;
+  /// The value as an assignment in the unit that the reader sees, "" where nothing varies.
+  readonly spoken: string;
 }
 
 export class LivePoint {

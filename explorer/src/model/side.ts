@@ -17,14 +17,18 @@ export class SideModel {
   result: PointResult | undefined;
   /// The result is of a shortened motion.
   preview = false;
+  /// What the result is of.
+  resultOf: Side | undefined;
   trouble = '';
+  /// The result is not of the present setting, which cannot be computed.
+  outdated = false;
   /// The case with the assignments cannot be computed.
   private bad = false;
-  private readonly live: LivePoint | undefined;
+  private live: LivePoint | undefined;
 
   constructor(
     readonly name: 'a' | 'b',
-    private readonly engine: Engine | undefined,
+    private engine: Engine | undefined,
     private readonly listener: SideListener,
   ) {
     this.live = engine && new LivePoint(engine, `point-${name}`, (wish, outcome) => this.take(wish, outcome));
@@ -38,6 +42,7 @@ export class SideModel {
   async describe(setting: Setting): Promise<boolean> {
     if (!this.engine) return false;
     const outcome = await this.engine.describe(setting, { lane: `describe-${this.name}`, priority: 0 });
+    if (!this.engine) return false;
     if (outcome.ok) {
       this.info = outcome.value;
       this.trouble = '';
@@ -46,13 +51,20 @@ export class SideModel {
     }
     if (outcome.why !== 'stale') {
       this.trouble = troubleOf(outcome);
-      this.bad = true;
+      this.bad = this.outdated = true;
     }
     return false;
   }
 
-  /// Asks for the motion at the side's value.
-  want(setting: Setting, parameter: string, settled: boolean): void {
+  /// Something was typed that is no setting.
+  refuse(sentence: string): void {
+    this.trouble = sentence;
+    this.outdated = true;
+    this.listener.changed();
+  }
+
+  /// Asks for the motion at the side's value; `spoken` is that value as an assignment in the unit that the reader sees.
+  want(setting: Setting, parameter: string, settled: boolean, spoken: string): void {
     if (!this.live || this.bad) return;
     this.trouble = '';
     const { value } = this.choice;
@@ -65,23 +77,48 @@ export class SideModel {
       setting: shortened ? { ...setting, look: PREVIEW } : setting,
       ...(parameter && Number.isFinite(value) ? { parameter, value } : {}),
     };
-    this.live.want({ request, preview: shortened });
+    this.live.want({ request, preview: shortened, of: this.choice, spoken: 'value' in request ? spoken : '' });
     this.listener.changed();
+  }
+
+  /// The engine is gone; what it has found stays.
+  lose(): void {
+    this.engine = this.live = undefined;
+    this.trouble = '';
   }
 
   forget(): void {
     this.live?.stop();
     this.result = undefined;
     this.info = undefined;
+    this.resultOf = undefined;
     this.trouble = '';
-    this.bad = false;
+    this.bad = this.outdated = false;
   }
 
   private take(wish: Wish, outcome: Outcome<PointResult>): void {
+    if (!this.engine) return;
     if (outcome.ok) {
       this.result = outcome.value;
+      this.resultOf = wish.of;
       this.preview = wish.preview;
-    } else if (outcome.why !== 'stale') this.trouble = troubleOf(outcome);
+      this.outdated = this.bad;
+    } else if (outcome.why !== 'stale') {
+      this.trouble = troubleOf(outcome);
+      this.outdated = true;
+      void this.speak(wish);
+    }
+    this.listener.changed();
+  }
+
+  /// What cannot be computed was said in SI: the case says it of the value as the reader sees it.
+  private async speak({ request, of, spoken }: Wish): Promise<void> {
+    if (!this.engine || !spoken) return;
+    const { text, name, assignments = [] } = request.setting;
+    const setting = { text, ...(name ? { name } : {}), assignments: [...assignments, spoken] };
+    const told = await this.engine.describe(setting, { lane: `speak-${this.name}`, priority: 0 });
+    if (told.ok || told.why === 'stale' || of !== this.choice) return;
+    this.trouble = troubleOf(told);
     this.listener.changed();
   }
 }

@@ -1,4 +1,5 @@
 // The shaft centreline: where the station hangs in its clearance circle on average, and the way it takes along the sweep.
+import type { Diagram } from '../data/diagram';
 import { font, type Pen } from '../figure/pen';
 import { textSize } from '../figure/figure';
 import { Round } from '../figure/round';
@@ -9,6 +10,11 @@ import { Panel, type Subject, type Table } from './panel';
 /// Angle of the line of centres from the load (downwards), in the sense of rotation, degrees from -180 to 180.
 export function attitude(x: number, y: number): number {
   return (Math.atan2(x, -y) * 180) / Math.PI;
+}
+
+/// The clearance of a point's own machine in its length scales, NaN where there is no bearing.
+function clearanceOf(diagram: Diagram, point: number, station: number): number {
+  return diagram.number(point, 'orbit/max_radius', station) / diagram.number(point, 'orbit/eccentricity', station);
 }
 
 export class CentrelinePanel extends Panel {
@@ -26,15 +32,16 @@ export class CentrelinePanel extends Panel {
   }
 
   protected table(): Table {
-    const { station, units, scales, diagram, info } = this.subject!;
-    const { factor, unit } = lengthMeasure(units, scales);
+    const { station, units, scales, diagram } = this.subject!;
+    const { unit } = lengthMeasure(units, scales);
     const [x, y] = [diagram?.column('orbit/mean', station, 0), diagram?.column('orbit/mean', station, 1)];
-    const wall = info.clearance || info.gap;
     return {
       heading: [diagram?.parameter || 'point', `mean x [${unit}]`, `mean y [${unit}]`, 'eccentricity ratio', 'attitude angle [deg]'],
       rows: Array.from(diagram?.values ?? [], (value, i) => {
         const [mx, my] = [x?.data[i] ?? NaN, y?.data[i] ?? NaN];
-        return [value, mx * factor, my * factor, wall ? Math.hypot(mx, my) / wall : NaN, attitude(mx, my)];
+        // Each point's in the length scale of its own machine.
+        const { factor } = lengthMeasure(units, { ...scales, length: diagram!.lengthScales[i]! });
+        return [value, mx * factor, my * factor, Math.hypot(mx, my) / clearanceOf(diagram!, i, station), attitude(mx, my)];
       }),
     };
   }
@@ -78,13 +85,15 @@ export class CentrelinePanel extends Panel {
     pen.fill();
   }
 
-  private drawPath(pen: Pen, { diagram, station }: Subject, place: (x: number, y: number) => readonly [number, number], colours: Theme): void {
+  private drawPath(pen: Pen, { diagram, station, units, scales }: Subject, place: (x: number, y: number) => readonly [number, number], colours: Theme): void {
     const [x, y] = [diagram?.column('orbit/mean', station, 0), diagram?.column('orbit/mean', station, 1)];
     if (!diagram || !x || !y) return;
     diagram.values.forEach((_, point) => {
       const [mx, my] = [x.data[point]!, y.data[point]!];
       if (!diagram.done[point] || !Number.isFinite(mx)) return;
-      const [px, py] = place(mx, my);
+      // In length units at its true size in this machine's clearance; in length scales beside those of its own.
+      const size = units.length === 'scale' ? 1 : diagram.lengthScales[point]! / scales.length;
+      const [px, py] = place(mx * size, my * size);
       pen.fillStyle = colours.classes[diagram.classes[point]!]!;
       pen.beginPath();
       pen.rect(px - 1.2, py - 1.2, 2.4, 2.4);

@@ -4,6 +4,7 @@ import { button, el, select } from '../dom';
 import type { Diagram } from '../data/diagram';
 import type { PointResult, StationInfo, Verdict } from '../engine/protocol';
 import { regimeClass } from '../data/regimes';
+import { markField, typedNumber } from '../model/typed';
 import { parameterMeasure, readable, shown, written, type Scales, type Units } from '../model/units';
 import { CentrelinePanel } from './centreline';
 import { OrbitPanel, type Trail } from './orbit';
@@ -30,10 +31,14 @@ export interface PaneSubject {
   readonly trouble: string;
   /// A sentence on how the motion was computed.
   readonly how: string;
+  /// What the result is of, where it is not of the present setting; else "".
+  readonly outdated: string;
 }
 
 export interface PaneListener {
   value(side: SideName, value: number): void;
+  /// A text that is no value was typed.
+  refused(side: SideName, sentence: string): void;
   activated(side: SideName): void;
   /// Starts or ends watching how the motion settles.
   watch(side: SideName, on: boolean, revolutionsPerSecond: number): void;
@@ -54,7 +59,7 @@ export class Pane {
   readonly root: HTMLElement;
   private readonly orbit: OrbitPanel;
   private readonly panels: readonly Panel[];
-  private readonly field = el('input', { type: 'number', step: 'any', inputmode: 'decimal', class: 'value' });
+  private readonly field = el('input', { type: 'text', inputmode: 'decimal', autocomplete: 'off', spellcheck: 'false', class: 'value' });
   private readonly name = el('label', { for: '' });
   private readonly unit = el('span', { class: 'unit' });
   private readonly verdict = el('strong', { class: 'verdict' });
@@ -63,6 +68,7 @@ export class Pane {
   private readonly reason = el('p', { class: 'reason' });
   private readonly how = el('p', { class: 'how' });
   private readonly trouble = el('p', { class: 'trouble', role: 'alert' });
+  private readonly outdated = el('p', { class: 'outdated-note' });
   private readonly play: HTMLButtonElement;
   private playing = false;
   private speed = 4;
@@ -82,8 +88,10 @@ export class Pane {
     this.field.id = `value-${side}`;
     this.name.htmlFor = this.field.id;
     this.field.addEventListener('change', () => {
-      const value = Number(this.field.value);
-      if (this.field.value.trim() && Number.isFinite(value)) this.listener.value(this.side, value / this.factor);
+      const value = typedNumber(this.field.value);
+      markField(this.field, typeof value === 'string');
+      if (typeof value === 'string') this.listener.refused(this.side, `${this.name.textContent}: ${value}`);
+      else this.listener.value(this.side, value / this.factor);
     });
     const close = button('\u00d7', 'Close setting B', () => listener.close(side), { class: 'icon close' });
     this.root = el(
@@ -93,9 +101,10 @@ export class Pane {
         'header',
         { class: 'card pane-head' },
         el('div', { class: 'pane-value' }, el('span', { class: 'side', 'aria-hidden': 'true' }, side.toUpperCase()), this.name, this.field, this.unit, this.verdict, this.confidence, ...(side === 'b' ? [close] : [])),
+        this.trouble,
+        this.outdated,
         this.reason,
         el('div', { class: 'pane-foot' }, this.how, this.turning),
-        this.trouble,
       ),
       el('div', { class: 'panels' }, ...this.panels.map((panel) => panel.root)),
     );
@@ -113,11 +122,15 @@ export class Pane {
     this.factor = measure.factor;
     this.name.textContent = subject.parameter;
     this.unit.textContent = measure.unit;
-    if (document.activeElement !== this.field) this.field.value = Number.isFinite(subject.value) ? written(subject.value * measure.factor, 6) : '';
+    const refused = this.field.hasAttribute('aria-invalid') && subject.trouble !== '';
+    markField(this.field, refused);
+    if (document.activeElement !== this.field && !refused) this.field.value = Number.isFinite(subject.value) ? written(subject.value * measure.factor, 6) : '';
     this.showVerdict(subject.result?.verdict, subject.busy);
     this.how.textContent = subject.busy || subject.how;
     this.turning.textContent = subject.result ? speedText(subject.result.speed, subject.units) : '';
     this.trouble.textContent = subject.trouble;
+    this.outdated.textContent = subject.outdated;
+    this.root.classList.toggle('outdated', subject.outdated !== '');
     this.root.classList.toggle('busy', subject.busy !== '');
     const info = subject.stations[subject.station];
     if (!info) return;
@@ -130,7 +143,8 @@ export class Pane {
       scales: subject.result ? { ...subject.scales, length: subject.result.lengthScale, speed: subject.result.speed } : subject.scales,
       accent: (colours) => colours[this.side],
       diagram: subject.diagram,
-      label: `${subject.parameter} ${shown(subject.value * measure.factor, 6)}`,
+      // Of the result: the setting may have moved on.
+      label: `${subject.parameter} ${shown((subject.result?.value ?? subject.value) * measure.factor, 6)}`,
     };
     for (const panel of this.panels) panel.update(seen);
   }

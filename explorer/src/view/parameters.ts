@@ -1,6 +1,7 @@
 // The parameters of a case: a slider and a number for each, with unit, range and meaning as the engine's descriptors say.
 import { button, el } from '../dom';
 import type { CaseInfo, ParameterInfo } from '../engine/protocol';
+import { markField, typedNumber } from '../model/typed';
 import { labelled, parameterMeasure, shown, written, type Units } from '../model/units';
 import type { Assignments } from '../model/setting';
 
@@ -13,11 +14,15 @@ export interface ParametersSubject {
   /// The parameter along the diagram: its value is the cursor's.
   readonly swept: string;
   readonly units: Units;
+  /// What is wrong with the setting, "" when nothing is.
+  readonly trouble: string;
 }
 
 export interface ParametersListener {
   /// A parameter's new value, as `whirl run --set` takes it; undefined: as in the case. `settled` when the hand let go.
   assigned(name: string, text: string | undefined, settled: boolean): void;
+  /// A text that is no value was typed.
+  refused(sentence: string): void;
 }
 
 const STEPS = 1000;
@@ -63,37 +68,42 @@ function meaningOf(parameter: ParameterInfo): string {
   return parameter.comment || use?.meaning || '';
 }
 
-/// "above 0 N/m", as the descriptors say; "" where anything goes.
-function rangeOf(parameter: ParameterInfo): string {
+/// "above 0 rpm", as the descriptors say, in the unit that is shown; "" where anything goes.
+function rangeOf(parameter: ParameterInfo, notation: Notation): string {
   const use = parameter.uses.find(({ alone }) => alone);
   if (!use) return '';
-  const unit = use.unit === '1' ? '' : ` ${use.unit}`;
-  const low = use.low === null ? '' : `${use.lowOpen ? 'above' : 'at least'} ${shown(use.low)}${unit}`;
-  const high = use.high === null ? '' : `${use.highOpen ? 'below' : 'at most'} ${shown(use.high)}${unit}`;
+  const unit = notation.unit && ` ${notation.unit}`;
+  const low = use.low === null ? '' : `${use.lowOpen ? 'above' : 'at least'} ${shown(use.low * notation.factor)}${unit}`;
+  const high = use.high === null ? '' : `${use.highOpen ? 'below' : 'at most'} ${shown(use.high * notation.factor)}${unit}`;
   return [low, high].filter((part) => part).join(', ');
 }
 
 class Row {
   readonly root: HTMLElement;
   private readonly slider = el('input', { type: 'range', min: 0, max: STEPS, step: 1 });
-  private readonly field = el('input', { type: 'number', step: 'any', inputmode: 'decimal' });
+  private readonly field = el('input', { type: 'text', inputmode: 'decimal', autocomplete: 'off', spellcheck: 'false' });
   private readonly unit = el('span', { class: 'unit' });
+  private readonly meaning = el('p', { class: 'meaning' });
   private readonly reset: HTMLButtonElement;
   private notation: Notation = { unit: '', factor: 1 };
+  /// The field holds a text that was refused.
+  private refused = false;
 
   constructor(
     private readonly name: string,
     private readonly bounds: Bounds,
-    original: ParameterInfo,
+    private readonly original: ParameterInfo,
     private readonly listener: ParametersListener,
   ) {
-    const meaning = meaningOf(original);
-    const range = rangeOf(original);
     const id = `parameter-${name}`;
     this.field.id = id;
+    this.meaning.id = `${id}-meaning`;
     this.slider.setAttribute('aria-label', `${name}, slider`);
     this.field.setAttribute('aria-describedby', `${id}-meaning`);
-    this.reset = button('\u21ba', `Reset ${name} to the case`, () => listener.assigned(name, undefined, true), { class: 'icon' });
+    this.reset = button('\u21ba', `Reset ${name} to the case`, () => {
+      this.refused = false;
+      listener.assigned(name, undefined, true);
+    }, { class: 'icon' });
     this.slider.addEventListener('input', () => this.slid(false));
     this.slider.addEventListener('change', () => this.slid(true));
     this.field.addEventListener('change', () => this.typed());
@@ -105,34 +115,41 @@ class Row {
       this.unit,
       this.reset,
       this.slider,
-      el('p', { id: `${id}-meaning`, class: 'meaning' }, [meaning, range && `(${range})`].filter((part) => part).join(' ')),
+      this.meaning,
     );
   }
 
-  show(now: ParameterInfo, changed: boolean, units: Units, swept: boolean): void {
+  show(now: ParameterInfo, changed: boolean, units: Units, swept: boolean, trouble: string): void {
     this.notation = notationOf(now, units);
+    this.refused &&= trouble !== '';
+    markField(this.field, this.refused);
     this.unit.textContent = this.notation.unit;
+    const range = rangeOf(this.original, this.notation);
+    this.meaning.textContent = [meaningOf(this.original), range && `(${range})`].filter((part) => part).join(' ');
     const { low, high } = this.bounds;
     if (document.activeElement !== this.slider) this.slider.value = String(Math.round(((now.value - low) / (high - low)) * STEPS));
-    if (document.activeElement !== this.field) this.field.value = written(now.value * this.notation.factor, 7);
+    if (document.activeElement !== this.field && !this.refused) this.field.value = written(now.value * this.notation.factor, 7);
     this.field.setAttribute('aria-label', labelled(this.name, this.notation.unit));
     this.slider.setAttribute('aria-valuetext', `${shown(now.value * this.notation.factor)} ${this.notation.unit}`);
-    this.reset.disabled = !changed;
+    this.reset.disabled = !changed && !this.refused;
     this.root.classList.toggle('changed', changed);
     this.root.classList.toggle('swept', swept);
-    this.field.setCustomValidity('');
   }
 
   private slid(settled: boolean): void {
     const { low, high } = this.bounds;
     const value = low + (Number(this.slider.value) / STEPS) * (high - low);
     const text = written(value * this.notation.factor, 5);
+    this.refused = false;
     this.field.value = text;
     this.assign(text, settled);
   }
 
   private typed(): void {
-    if (this.field.value.trim() && Number.isFinite(Number(this.field.value))) this.assign(written(Number(this.field.value), 12), true);
+    const value = typedNumber(this.field.value);
+    this.refused = typeof value === 'string';
+    if (typeof value === 'string') this.listener.refused(`${this.name}: ${value}`);
+    else this.assign(written(value, 12), true);
   }
 
   private assign(text: string, settled: boolean): void {
@@ -147,9 +164,9 @@ export class ParametersView {
 
   constructor(private readonly listener: ParametersListener) {}
 
-  show({ original, current, assignments, swept, units }: ParametersSubject): void {
+  show({ original, current, assignments, swept, units, trouble }: ParametersSubject): void {
     if (original !== this.original) this.build(original);
-    for (const parameter of current.parameters) this.rows.get(parameter.name)?.show(parameter, assignments.has(parameter.name), units, parameter.name === swept);
+    for (const parameter of current.parameters) this.rows.get(parameter.name)?.show(parameter, assignments.has(parameter.name), units, parameter.name === swept, trouble);
   }
 
   private build(original: CaseInfo): void {

@@ -2,6 +2,7 @@
 import { button, el, select, setChoices } from '../dom';
 import type { CaseInfo } from '../engine/protocol';
 import type { Computation } from '../model/setting';
+import { markField, typedWhole } from '../model/typed';
 import { ParametersView, type ParametersListener, type ParametersSubject } from './parameters';
 
 export interface SettingsListener extends ParametersListener {
@@ -16,7 +17,6 @@ export interface SettingsSubject extends ParametersSubject {
   readonly side: string;
   readonly comparing: boolean;
   readonly computation: Computation;
-  readonly trouble: string;
 }
 
 type WholeKey = 'steps' | 'transient' | 'record';
@@ -66,14 +66,14 @@ export class SettingsCard {
     this.title.textContent = subject.comparing ? `Parameters of ${subject.side.toUpperCase()}` : 'Parameters';
     this.trouble.textContent = subject.trouble;
     this.parameters.show(subject);
-    this.showComputation(subject.original, subject.computation);
+    this.showComputation(subject.original, subject.computation, subject.trouble);
   }
 
   say(text: string): void {
     this.notice.textContent = text;
   }
 
-  private showComputation(info: CaseInfo, computation: Computation): void {
+  private showComputation(info: CaseInfo, computation: Computation, trouble: string): void {
     this.computation = computation;
     const batch = info.batches[0];
     setChoices(this.method, info.methods.map(({ name }) => ({ value: name, text: name })), computation.method ?? batch?.integrate.method ?? '');
@@ -84,15 +84,19 @@ export class SettingsCard {
     };
     for (const key of Object.keys(values) as WholeKey[]) {
       const field = this.fields[key];
-      if (document.activeElement !== field) field.value = String(values[key] ?? '');
+      const refused = field.hasAttribute('aria-invalid') && trouble !== '';
+      markField(field, refused);
+      if (document.activeElement !== field && !refused) field.value = String(values[key] ?? '');
     }
   }
 
   private wholeField(key: WholeKey, low: number, high: number): HTMLInputElement {
-    const field = el('input', { type: 'number', min: low, max: high, step: 1, inputmode: 'numeric' });
+    const field = el('input', { type: 'text', inputmode: 'numeric', autocomplete: 'off' });
     field.addEventListener('change', () => {
-      const value = Number(field.value);
-      if (Number.isInteger(value) && value >= low && value <= high) this.change(key, value);
+      const value = typedWhole(field.value, low, high);
+      markField(field, typeof value === 'string');
+      if (typeof value === 'string') this.listener.refused(`${field.labels?.[0]?.textContent ?? key}: ${value}`);
+      else this.change(key, value);
     });
     return field;
   }

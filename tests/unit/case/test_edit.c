@@ -35,6 +35,16 @@ static void values_are_quoted_where_they_must_be(void **state) {
     expect_edit("p: 1\n", "p", "it's # 2", "p: 'it''s # 2'\n");
 }
 
+static void lists_are_replaced_by_lists(void **state) {
+    (void)state;
+    expect_edit("d: {at: [1, 0.5], n: 2} # c\n", "d.at", "[650 rad/s]", "d: {at: [650 rad/s], n: 2} # c\n");
+    expect_edit("d:\n  at: [1, # ]\n    2,\n  ]\n  n: 2\n", "d.at", "[3, 4]", "d:\n  at: [3, 4]\n  n: 2\n");
+    expect_edit("d:\n  at:\n    - 1\n    - 2 # two\n  n: 2\n", "d.at", "[3]", "d:\n  at: [3] # two\n  n: 2\n");
+    expect_edit("d:\n  at:\n  - 1\n  - 2\n  n: 2\n", "d.at", "[3]", "d:\n  at: [3]\n  n: 2\n");
+    expect_edit("d: {at: []}\n", "d.at", "[3]", "d: {at: [3]}\n");
+    expect_edit("d: {n: 2}\n", "d.at", "[3]", "d: {at: [3], n: 2}\n");
+}
+
 static void missing_keys_are_added(void **state) {
     (void)state;
     expect_edit("s:\n  # first\n  a: 1\n", "s.b", "2", "s:\n  # first\n  b: 2\n  a: 1\n");
@@ -47,9 +57,10 @@ static void missing_keys_are_added(void **state) {
 static void what_takes_no_value_is_refused(void **state) {
     (void)state;
     static const char *const wrong[][3] = {
-        {"a: {b: 1}\n", "a", "2"},      {"a: [1]\n", "a", "2"},          {"a: [1]\n", "a.b", "2"},
-        {"a: 1\n", "a.b", "2"},         {"a: [1\n", "a", "2"},           {"a: 1\n", "a", "2\nb: 3"},
-        {"a: {b: 1}\n", "a.b", "\x01"}, {"a: {b: 1, b: 2}\n", "a", "1"},
+        {"a: {b: 1}\n", "a", "2"},       {"a: [1]\n", "a", "2"},        {"a: [1]\n", "a.b", "2"},
+        {"a: 1\n", "a.b", "2"},          {"a: [1\n", "a", "2"},         {"a: 1\n", "a", "2\nb: 3"},
+        {"a: {b: 1}\n", "a", "[2]"},     {"a: [1, [2]]\n", "a", "[2]"}, {"a: {b: 1}\n", "a.b", "\x01"},
+        {"a: {b: 1, b: 2}\n", "a", "1"},
     };
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         char *found = NULL;
@@ -125,6 +136,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(values_change_in_place),
         cmocka_unit_test(values_are_quoted_where_they_must_be),
+        cmocka_unit_test(lists_are_replaced_by_lists),
         cmocka_unit_test(missing_keys_are_added),
         cmocka_unit_test(what_takes_no_value_is_refused),
         cmocka_unit_test(an_edited_case_means_what_was_written),

@@ -173,11 +173,24 @@ static void wrong_settings_leave_the_case_as_it_was(void **state) {
     }
     expect_refused("omega=50 Hz", "omega: is in Hz, expected a unit of rad/s, such as rpm (1 Hz = 60 rpm)");
     expect_refused("omega=-5", "t.yaml:8:10: rotor.speed: = omega is -5 rad/s, expected a number above 0 rad/s");
+    // In the unit in which it was written.
+    expect_refused("omega=-100 rpm", "t.yaml:8:10: rotor.speed: = omega is -100 rpm, expected a number above 0 rpm");
+    expect_refused("omega=0 rpm", "t.yaml:8:10: rotor.speed: = omega is 0 rpm, expected a number above 0 rpm");
+    expect_refused("omega== 0-2", "t.yaml:8:10: rotor.speed: = omega is -2 rad/s, expected a number above 0 rad/s");
     expect_refused("kappa=\xFF", "the value of kappa is not text in UTF-8");
     expect_refused("kappa=3",
                    "the study sweeps kappa from 1 to 20, so that setting it changes nothing; change sweep in "
                    "the case, or write response: {} in its place");
     expect_refused("kappa== kappa+1", "kappa: depends on itself: kappa -> kappa");
+}
+
+static void a_swept_parameter_can_be_assigned(void **state) {
+    (void)state;
+    whirl_case *object = parse_good(good_case);
+    assert_int_equal(whirl_case_assign(object, "kappa=3").code, WHIRL_OK);
+    assert_true(value_of(object, "kappa") == 3.0);
+    assert_int_equal(whirl_case_assign(object, "kapa=3").code, WHIRL_BAD_INPUT);
+    whirl_case_free(object);
 }
 
 // ---------------------------------------------------------------- studies
@@ -412,6 +425,7 @@ int main(void) {
         cmocka_unit_test(parameters_are_set),
         cmocka_unit_test(set_numbers_keep_their_unit),
         cmocka_unit_test(wrong_settings_leave_the_case_as_it_was),
+        cmocka_unit_test(a_swept_parameter_can_be_assigned),
         cmocka_unit_test(sweeps_are_equally_spaced),
         cmocka_unit_test(swept_values_have_the_parameter_s_unit),
         cmocka_unit_test(carry_follows_the_parameter),

@@ -1,0 +1,244 @@
+// Settings that are typed, refused and taken away; lengths that keep their scale; a page that cannot compute.
+import assert from 'node:assert/strict';
+import { readFileSync, writeFileSync } from 'node:fs';
+import { createServer } from 'node:http';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { after, before, test } from 'node:test';
+import { CASE, closeBrowser, command, folder, makePage, open, saved, settled } from './browser.mjs';
+
+/// A journal of 0.2 mm clearance, small enough to run at once: speeds in rpm, lengths in clearances.
+const BEARING = `whirl: 1
+title: Journal in its bearing
+
+parameters:
+  omega: 6000 rpm
+  c:     0.2 mm                     # clearance
+  e:     0.1                        # unbalance over clearance
+  F:     300 N                      # load coefficient of the film
+
+rotor:
+  speed: = omega
+  length_scale: = c
+  stations:
+    journal: {mass: 10 kg, damping: 2000 N.s/m, eccentricity: = e*c}
+  elements:
+    - film: {at: journal, clearance: = c, load: = F}
+    - gravity: 10 m/s2
+
+study:
+  sweep:     {parameter: e, from: 0.05, to: 0.3, points: 6, start: state}
+  initial:   {journal: {y: -0.2}}
+  integrate: {method: rk4, steps_per_revolution: 256, transient: 60, record: 20}
+  analyze:   [poincare, regime, lyapunov, spectrum, orbit]
+  detail:    {at: [0.1, 0.2, 0.25], waveform: 10}
+`;
+
+let rub, bearing;
+before(() => {
+  rub = makePage('rub', CASE);
+  bearing = makePage('bearing', BEARING);
+});
+after(closeBrowser);
+
+const troubled = (page, where = '.pane-a') => page.waitForSelector(`${where} .trouble:not(:empty)`).then((found) => found.textContent());
+const csv = async (page, panel) => (await saved(page, panel, 'csv')).bytes.toString('utf8');
+async function type(page, field, text) {
+  await page.fill(field, text);
+  await page.press(field, 'Enter');
+}
+
+test('a stored diagram keeps its own length scale, on screen and in the file', async () => {
+  const { page, complaints, close } = await open(`${bearing}#q=radius`);
+  await settled(page);
+  const before = [await csv(page, '.map-card'), await csv(page, '.panel-centreline')];
+  const radius = (text, line) => Number(text.split('\r\n')[line].split(',')[6]);
+  const { points } = JSON.parse(command('run', 'bearing.yaml', '--json', '-q'));
+  const told = points[0].stations.journal.max_radius * 200;
+  assert.ok(Math.abs(radius(before[0], 1) - told) < 1e-5 * told, 'micrometres of a clearance of 0.2 mm');
+  const [value, x, y, ratio] = before[1].split('\r\n')[2].split(',').map(Number);
+  assert.equal(value, 0.1);
+  assert.ok(Math.abs(ratio - Math.hypot(x, y) / 200) < 1e-6, 'of the clearance');
+  await type(page, '#parameter-c', '0.4');
+  await page.waitForFunction(() => location.hash.includes('c%3D0.4'));
+  await settled(page);
+  assert.match(await page.textContent('.status'), /Stored run/);
+  assert.deepEqual([await csv(page, '.map-card'), await csv(page, '.panel-centreline')], before);
+  // A diagram that is computed of the changed machine is in micrometres of that one.
+  await page.selectOption('select[aria-label="Points of a new diagram"]', '64');
+  await page.click('button:text-is("Recompute")');
+  await page.waitForFunction(() => document.querySelector('.map-card progress').hidden, undefined, { timeout: 60_000 });
+  const changed = await csv(page, '.map-card');
+  const cursor = Number(await page.inputValue('#value-a'));
+  const lines = changed.trim().split('\r\n').slice(1).map((line) => line.split(',').map(Number));
+  const near = lines.reduce((best, line) => (Math.abs(line[0] - cursor) < Math.abs(best[0] - cursor) ? line : best));
+  const orbit = Number(/([\d.]+) \u00b5m 0-p/.exec(await page.textContent('.panel-orbit .panel-note'))[1]);
+  assert.ok(Math.abs(near[6] - orbit) < 0.05 * orbit, `${near[6]} of the diagram, ${orbit} of the orbit`);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('along the clearance every point has its own micrometres', async () => {
+  const { page, complaints, close } = await open(`${bearing}#q=radius&par=c&range=0.0002,0.0004`);
+  await settled(page);
+  await page.waitForFunction(() => document.querySelector('.map-card progress').hidden && document.querySelector('.legend-entry'), undefined, { timeout: 60_000 });
+  const wide = (await csv(page, '.map-card')).trim().split('\r\n').slice(1).map((line) => line.split(',').map(Number));
+  await page.click('.topbar button[value="scale"]');
+  await page.waitForFunction(() => /c 0-p/.test(document.querySelector('.panel-orbit .panel-note').textContent));
+  const own = (await csv(page, '.map-card')).trim().split('\r\n').slice(1).map((line) => line.split(',').map(Number));
+  assert.ok(wide.length > 60);
+  wide.forEach(([c, , , , , , radius], i) => assert.ok(Math.abs(radius - own[i][6] * c * 1e6) < 1e-5 * radius, `at c = ${c}`));
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('every machine has the units that suit it', async () => {
+  const { page, complaints, close } = await open(`${bearing}#run=rigid-rotor`);
+  await settled(page);
+  const unit = () => page.textContent('.panel-orbit .panel-note');
+  assert.match(await unit(), / c p-p/, 'the scale of a dimensionless case says nothing in micrometres');
+  await page.selectOption('select[aria-label="Machine"]', 'paper');
+  await page.waitForFunction(() => /\u00b5m p-p/.test(document.querySelector('.panel-orbit .panel-note').textContent), undefined, { timeout: 60_000 });
+  assert.equal(await page.getAttribute('.topbar button[value="rpm"]', 'aria-pressed'), 'true');
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('over another parameter no value of the first one stays in the case', async () => {
+  const { page, complaints, close } = await open(`${bearing}#par=omega&at=650&range=500,700`);
+  await settled(page);
+  const [file] = await Promise.all([page.waitForEvent('download'), page.click('[data-save="case"]')]);
+  const text = readFileSync(await file.path(), 'utf8');
+  assert.match(text, /detail: +\{at: \[650 rad\/s\], waveform: 10\}/);
+  assert.match(text, /parameter: omega, from: 500 rad\/s, to: 700 rad\/s/);
+  writeFileSync(join(folder, 'over-omega.yaml'), text);
+  command('check', 'over-omega.yaml');
+  const result = JSON.parse(command('run', 'over-omega.yaml', '--json', '-q'));
+  assert.deepEqual(result.detail.map(({ parameters }) => parameters.omega), [650]);
+  await page.evaluate(() => (navigator.clipboard.writeText = async (copied) => void (window.copied = copied)));
+  await page.click('button:text-is("Copy command")');
+  await page.waitForFunction(() => window.copied);
+  assert.match(await page.evaluate(() => window.copied), /at: \[650 rad\/s\]/);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('the parameter that the case sweeps can be set while another one is along the diagram', async () => {
+  const { page, complaints, close } = await open(`${bearing}#par=omega&at=650&range=600,700&set=e%3D0.2`);
+  await settled(page);
+  assert.equal(await page.textContent('.settings-card .trouble'), '');
+  assert.equal(await page.inputValue('#parameter-e'), '0.2');
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('an error speaks the unit that was typed, and what is left of the last good value is dimmed', async () => {
+  const { page, complaints, close } = await open(`${bearing}#par=omega&at=650&range=600,700&units=um,rpm,order,0-p`);
+  const verdict = await settled(page);
+  await type(page, '#value-a', '-100');
+  await page.waitForFunction(() => /rpm/.test(document.querySelector('.pane-a .trouble').textContent));
+  assert.match(await troubled(page), /rotor\.speed: = omega is -100 rpm, expected a number above 0 rpm/);
+  assert.doesNotMatch(await troubled(page), /rad\/s/);
+  assert.equal(await page.textContent('.pane-a .verdict'), verdict);
+  assert.match(await page.textContent('.outdated-note'), /last setting that could be computed, omega = 6207\.\d+ rpm\.$/);
+  const opacity = () => page.$eval('.pane-a .panels', (panels) => Number(getComputedStyle(panels).opacity));
+  assert.ok((await opacity()) < 0.6);
+  assert.match((await saved(page, '.panel-orbit', 'csv')).name, /omega-6207/, 'a file is named after what is in it');
+  await type(page, '#value-a', '6000');
+  await page.waitForFunction(() => !document.querySelector('.pane-a').classList.contains('outdated'));
+  assert.equal(await page.textContent('.pane-a .trouble'), '');
+  assert.equal(await opacity(), 1);
+  // The same of a parameter that is no part of the diagram.
+  await type(page, '#parameter-c', '-0.4');
+  assert.match(await troubled(page, '.settings-card'), /= c is -0\.4 mm, expected a number above 0 mm/);
+  await page.waitForFunction(() => document.querySelector('.pane-a').classList.contains('outdated'));
+  await page.click('button[aria-label="Reset c to the case"]');
+  await page.waitForFunction(() => !document.querySelector('.pane-a').classList.contains('outdated'));
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('a comma is refused with a sentence, and nothing is guessed', async () => {
+  const { page, complaints, close } = await open(`${rub}#at=3.8`);
+  await settled(page);
+  const before = await page.textContent('.pane-a .reason');
+  await page.click('#parameter-kappa');
+  await page.fill('#parameter-kappa', '');
+  await page.keyboard.type('5,5');
+  await page.keyboard.press('Enter');
+  assert.match(await troubled(page, '.settings-card'), /^kappa: 5,5 has a comma: write 5\.5 with a decimal point, or 55 without the comma$/);
+  assert.equal(await page.inputValue('#parameter-kappa'), '5,5');
+  assert.equal(await page.getAttribute('#parameter-kappa', 'aria-invalid'), 'true');
+  assert.doesNotMatch(page.url(), /kappa/);
+  await page.click('button[aria-label="Reset kappa to the case"]');
+  await page.waitForSelector('.settings-card .trouble:empty', { state: 'attached' });
+  assert.equal(await page.inputValue('#parameter-kappa'), '10');
+  await type(page, '#value-a', '3,8');
+  assert.match(await troubled(page), /^omega: 3,8 has a comma/);
+  await type(page, '#value-a', 'fast');
+  await page.waitForFunction(() => /fast is not a number/.test(document.querySelector('.pane-a .trouble').textContent));
+  await type(page, '#value-a', '3.8');
+  await settled(page);
+  assert.equal(await page.textContent('.pane-a .trouble'), '');
+  assert.equal(await page.textContent('.pane-a .reason'), before);
+  await page.click('.computation summary');
+  const steps = page.getByLabel('Steps a revolution');
+  for (const [text, sentence] of [['1,024', /1,024 has a comma/], ['12.5', /12\.5 is not a whole number from 8 to 65536/]]) {
+    await steps.fill(text);
+    await steps.press('Enter');
+    assert.match(await troubled(page, '.settings-card'), sentence);
+  }
+  assert.doesNotMatch(page.url(), /steps/);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+/// Serves a page with a policy of the server's own.
+async function served(address, policy) {
+  const page = readFileSync(fileURLToPath(address));
+  const server = createServer((_, answer) => answer.writeHead(200, { 'content-type': 'text/html; charset=utf-8', 'content-security-policy': policy }).end(page));
+  await new Promise((done) => server.listen(0, '127.0.0.1', done));
+  return { at: `http://127.0.0.1:${server.address().port}/`, end: () => server.close() };
+}
+
+test('a page whose workers or core are forbidden shows what is stored, and says what is wrong', async () => {
+  for (const policy of ["worker-src 'none'", "script-src 'unsafe-inline'; worker-src blob:"]) {
+    const { at, end } = await served(rub, policy);
+    const { page, close } = await open(at);
+    await page.waitForSelector('.banner:not(:empty)');
+    assert.match(await page.textContent('.banner'), /The compiled core does not start \(.+\): this page shows what is stored.*worker-src blob:/s, policy);
+    assert.match(await page.textContent('.status'), /Stored run: 61 points/);
+    assert.ok(await page.isHidden('button:text-is("Recompute")'));
+    assert.match(await page.textContent('.pane-a .how'), /Nearest stored point, omega = /);
+    assert.equal(await page.textContent('.pane-a .trouble'), '');
+    await close();
+    end();
+  }
+});
+
+test('a browser without workers is told of, too', async () => {
+  const { page, close } = await open('about:blank');
+  await page.addInitScript(() => {
+    window.Worker = class {
+      constructor() {
+        throw new DOMException('not allowed', 'SecurityError');
+      }
+    };
+  });
+  await page.goto(rub);
+  await page.waitForSelector('.banner:not(:empty)');
+  assert.match(await page.textContent('.banner'), /SecurityError|not allowed/);
+  assert.match(await page.textContent('.status'), /Stored run: 61 points/);
+  await close();
+});
+
+test('a page whose program is forbidden says so', async () => {
+  for (const policy of ["script-src 'none'", "default-src 'none'"]) {
+    const { at, end } = await served(rub, policy);
+    const { page, close } = await open(at);
+    await page.waitForSelector('#whirl-silent', { state: 'visible', timeout: 10_000 });
+    assert.match(await page.textContent('#whirl-silent'), /program of this page does not run.*Content-Security-Policy/s);
+    await close();
+    end();
+  }
+});
