@@ -19,6 +19,7 @@ after(closeBrowser);
 async function watchFrames(page) {
   await page.evaluate(() => {
     const canvas = document.querySelector('.map-main canvas');
+    const undetermined = parseInt(getComputedStyle(document.documentElement).getPropertyValue('--class-6').trim().slice(1), 16);
     const copy = document.createElement('canvas').getContext('2d', { willReadFrequently: true });
     const dots = () => {
       [copy.canvas.width, copy.canvas.height] = [canvas.width, canvas.height];
@@ -26,7 +27,7 @@ async function watchFrames(page) {
       const { data } = copy.getImageData(canvas.width * 0.2, 0, canvas.width * 0.6, canvas.height * 0.8);
       const seen = new Set();
       for (let i = 0; i < data.length; i += 4) seen.add((data[i] << 16) | (data[i + 1] << 8) | data[i + 2]);
-      return seen.has(0x8c8c8c);
+      return seen.has(undetermined);
     };
     window.frames = [];
     let began;
