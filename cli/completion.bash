@@ -21,7 +21,7 @@ _whirl_options() {
     case $1 in
     run) echo '-o --output= --set= --threads= --json --resume --force --refine --refine= --quiet --help' ;;
     verify) echo '--points= --method= --revolutions= --set= --threads= --json --quiet --help' ;;
-    report) echo '-o --output= --claims= --gnuplot= --explorer= --quiet --help' ;;
+    report) echo '-o --output= --claims= --gnuplot= --explorer= --units= --quiet --help' ;;
     export) echo '--csv= --help' ;;
     show) echo '--json --help' ;;
     check | describe | help) echo '--help' ;;

@@ -13,7 +13,7 @@
 typedef struct report_arguments {
     char **results; ///< paths, borrowed from argv
     size_t count;
-    const char *directory, *claims, *gnuplot, *explorer;
+    const char *directory, *claims, *gnuplot, *explorer, *units;
     bool quiet;
 } report_arguments;
 
@@ -23,7 +23,7 @@ typedef struct entry {
     char name[WHIRL_NAME_SIZE];
 } entry;
 
-enum { KEY_CLAIMS = 256, KEY_GNUPLOT, KEY_EXPLORER, PATH_SIZE = 4096 };
+enum { KEY_CLAIMS = 256, KEY_GNUPLOT, KEY_EXPLORER, KEY_UNITS, PATH_SIZE = 4096 };
 
 static const struct argp_option options[] = {
     {.name = "output", .key = 'o', .arg = "DIR", .doc = "Folder for the report; it is made when it is not there"},
@@ -39,6 +39,12 @@ static const struct argp_option options[] = {
      .key = KEY_EXPLORER,
      .arg = "FILE",
      .doc = "Template of explorer.html (default: the one that `make explorer` built or that is installed)"},
+    {.name = "units",
+     .key = KEY_UNITS,
+     .arg = "LIST",
+     .doc = "Units of figures and pages, such as \"um, rpm, Hz, p-p\" (default: those of the case): scale, m, mm, um, "
+            "in or "
+            "mil; rad/s or rpm; order, Hz or cpm; 0-p, p-p or rms"},
     {.name = "quiet", .key = 'q', .doc = "Say nothing but errors"},
     {0},
 };
@@ -57,6 +63,9 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
         return 0;
     case KEY_GNUPLOT:
         arguments->gnuplot = argument;
+        return 0;
+    case KEY_UNITS:
+        arguments->units = argument;
         return 0;
     case KEY_EXPLORER:
         arguments->explorer = argument;
@@ -126,7 +135,8 @@ static int write_report(const report_arguments *arguments, const entry *entries,
             results[i] = entries[i].result;
             names[i] = entries[i].name;
         }
-        const whirl_report_options how = {.claims = claims, .gnuplot = arguments->gnuplot, .explorer = explorer};
+        const whirl_report_options how = {
+            .claims = claims, .gnuplot = arguments->gnuplot, .explorer = explorer, .units = arguments->units};
         status = whirl_report_write(results, names, arguments->count, arguments->directory, &how);
     }
     free(results);

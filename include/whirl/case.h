@@ -64,6 +64,9 @@ const char *whirl_case_title(const whirl_case *object);
 /// Value of a parameter in SI. WHIRL_BAD_INPUT for an unknown name.
 whirl_status whirl_case_parameter(const whirl_case *object, const char *name, double *value);
 
+/// Its speed of rotation in rad/s with parameter `name` at `value` (name NULL: as the case says).
+whirl_status whirl_case_speed(const whirl_case *object, const char *name, double value, double *speed);
+
 /// The rotor with parameter `name` at `value` (name NULL: as the case says). Freed by whirl_rotor_free. Thread-safe.
 whirl_status whirl_case_rotor(const whirl_case *object, const char *name, double value, whirl_rotor **rotor);
 

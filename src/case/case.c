@@ -9,6 +9,7 @@
 #include "problem.h"
 #include "schema.h"
 #include "source.h"
+#include "unit_words.h"
 #include "whirl/analyze.h"
 
 // ---------------------------------------------------------------- checks with values
@@ -98,6 +99,15 @@ static bool is_known_version(case_reader *reader, const setting_list *file) {
     return false;
 }
 
+/// The units of figures; what they mean is the report's affair.
+static void read_units(case_reader *reader, const setting_list *study, case_content *content) {
+    unit_choice choice;
+    settings_text(reader, study, "units", content->units, sizeof content->units);
+    const whirl_status status = unit_choice_read(content->units, &choice);
+    if (status.code != WHIRL_OK)
+        problem_at(reader->problems, settings_find(study, "units")->place, "%s", status.message);
+}
+
 static void read_content(case_reader *reader, const file_node *root, case_content *content) {
     setting_list file;
     plan_parts parts = {0};
@@ -119,6 +129,7 @@ static void read_content(case_reader *reader, const file_node *root, case_conten
     const setting *rotor = settings_find(&file, "rotor"), *study = settings_find(&file, "study");
     if (rotor && !reader->no_memory) machine_read(reader, rotor->place, &content->machine);
     if (study && !reader->no_memory) plan_read_parts(reader, study->place, &content->machine, &parts, &content->plan);
+    if (study && !reader->no_memory) read_units(reader, &parts.study, content);
     if (reader->no_memory) return;
     if (reader->problems->count == 0)
         check_with_values(reader, content, &parts);

@@ -1,4 +1,5 @@
 // What a result says of the case it came from, and the whole way from a case to a result.
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -61,6 +62,14 @@ static void forget(whirl_result *result) {
     result->parameter_count = result->station_count = result->contact_count = 0;
 }
 
+whirl_status whirl_case_speed(const whirl_case *object, const char *name, double value, double *speed) {
+    whirl_rotor *rotor;
+    const whirl_status status = whirl_case_rotor(object, name, value, &rotor);
+    *speed = status.code == WHIRL_OK ? whirl_rotor_speed(rotor) : (double)NAN;
+    whirl_rotor_free(rotor);
+    return status;
+}
+
 whirl_status whirl_case_describe_result(const whirl_case *object, whirl_result *result) {
     forget(result);
     snprintf(result->title, sizeof result->title, "%s", object->content.title);
@@ -71,8 +80,11 @@ whirl_status whirl_case_describe_result(const whirl_case *object, whirl_result *
     result->case_text = malloc(object->length + 1);
     if (!result->case_text) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the text of a case");
     memcpy(result->case_text, object->text, object->length + 1);
-    const whirl_status status = describe_parameters(&object->content, result);
-    return status.code == WHIRL_OK ? describe_rotor(object, result) : status;
+    whirl_status status = describe_parameters(&object->content, result);
+    if (status.code == WHIRL_OK) status = describe_rotor(object, result);
+    if (status.code == WHIRL_OK && *object->content.units)
+        status = whirl_result_add_fact(result, "units", object->content.units);
+    return status;
 }
 
 /// What the case and the build know of a result of the study; a result that cannot be described is freed.

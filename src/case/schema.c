@@ -45,6 +45,11 @@ static const whirl_key study_keys[] = {
      "a list of analyses; all but waveform and evidence where absent", ""},
     {"detail", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
      "values of the swept parameter that are computed once more, for longer and with whole waveforms and spectra", ""},
+    {"units", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
+     "units of figures and pages, such as um, rpm, Hz, p-p: a length (scale, m, mm, um, in, mil), a speed (rad/s, "
+     "rpm), a "
+     "frequency (order, Hz, cpm) and a way to count amplitudes (0-p, p-p, rms); absent: as the case writes them",
+     ""},
 };
 
 static const whirl_key sweep_keys[] = {

@@ -81,6 +81,25 @@ typedef struct claim_outcome {
     char note[FINDING_SIZE]; ///< where it was looked instead, or why nothing was compared; "" where neither applies
 } claim_outcome;
 
+/// The points that a claim speaks of: a table and the range of its parameter.
+typedef struct claim_selection {
+    const whirl_table *table;
+    double from, to;
+    size_t count;
+    double nearest; ///< value of the point taken for a claim of one value
+} claim_selection;
+
+/// The table of that name whose parameter is the given one; NULL where there is none with a point.
+const whirl_table *claim_table_over(const whirl_result *result, const char *name, const char *parameter);
+claim_selection claim_select(const whirl_result *result, const char *parameter, const whirl_claim *claim);
+bool claim_selected(const claim_selection *of, size_t point);
+size_t claim_station(const whirl_result *result, const char *name); ///< SIZE_MAX where there is none of that name
+
+/// Where a claim that is not met in full fails, and where it is met: over a range the values at which it does not hold, for a
+/// single value the nearest of the sweep at which it does. At most `size` bytes.
+void claim_whereabouts(const whirl_claims *claims, const whirl_claim *claim, const whirl_result *result, char *text,
+                       size_t size);
+
 void claim_compare(const whirl_claims *claims, const whirl_claim *claim, const whirl_result *result,
                    claim_outcome *outcome);
 

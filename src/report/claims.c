@@ -8,19 +8,11 @@
 #include "claim_parts.h"
 #include "whirl/claims.h"
 
-/// The points that a claim speaks of: a table and the range of its parameter.
-typedef struct selection {
-    const whirl_table *table;
-    double from, to;
-    size_t count;
-    double nearest; ///< value of the point taken for a claim of one value
-} selection;
-
 static bool near(double a, double b) {
     return fabs(a - b) <= 1e-9 * fmax(fabs(a), fabs(b));
 }
 
-static const whirl_table *table_over(const whirl_result *result, const char *name, const char *parameter) {
+const whirl_table *claim_table_over(const whirl_result *result, const char *name, const char *parameter) {
     const whirl_table *table = whirl_result_table(result, name);
     return table && table->count > 0 && strcmp(table->parameter, parameter) == 0 ? table : NULL;
 }
@@ -41,40 +33,40 @@ static double spacing(const whirl_table *table) {
 }
 
 /// One value: the detail point at it, else a single point computed there, else the sweep's nearest within one spacing.
-static selection select_point(const whirl_result *result, const char *parameter, double value) {
-    const whirl_table *detail = table_over(result, "detail", parameter);
+static claim_selection select_point(const whirl_result *result, const char *parameter, double value) {
+    const whirl_table *detail = claim_table_over(result, "detail", parameter);
     if (detail) {
         const double found = detail->values[nearest_point(detail, value)];
-        if (near(found, value)) return (selection){detail, found, found, 1, found};
+        if (near(found, value)) return (claim_selection){detail, found, found, 1, found};
     }
     const whirl_table *response = whirl_result_table(result, "response");
     for (size_t i = 0; response && response->count == 1 && i < result->parameter_count; i++)
         if (strcmp(result->parameters[i].name, parameter) == 0 && near(result->parameters[i].value, value))
-            return (selection){response, NAN, NAN, 1, value};
-    const whirl_table *sweep = table_over(result, "sweep", parameter);
+            return (claim_selection){response, NAN, NAN, 1, value};
+    const whirl_table *sweep = claim_table_over(result, "sweep", parameter);
     if (sweep) {
         const double found = sweep->values[nearest_point(sweep, value)];
         if (fabs(found - value) <= spacing(sweep) || near(found, value))
-            return (selection){sweep, found, found, 1, found};
+            return (claim_selection){sweep, found, found, 1, found};
     }
-    return (selection){0};
+    return (claim_selection){0};
 }
 
-static bool selected(const selection *of, size_t point) {
+bool claim_selected(const claim_selection *of, size_t point) {
     if (isnan(of->from)) return true;
     const double value = of->table->values[point];
     return (value >= of->from && value <= of->to) || near(value, of->from) || near(value, of->to);
 }
 
-static selection select_points(const whirl_result *result, const char *parameter, const whirl_claim *claim) {
+claim_selection claim_select(const whirl_result *result, const char *parameter, const whirl_claim *claim) {
     if (near(claim->from, claim->to)) return select_point(result, parameter, claim->from);
-    selection of = {table_over(result, "sweep", parameter), fmin(claim->from, claim->to), fmax(claim->from, claim->to),
-                    0, 0.0};
-    for (size_t i = 0; of.table && i < of.table->count; i++) of.count += selected(&of, i);
+    claim_selection of = {claim_table_over(result, "sweep", parameter), fmin(claim->from, claim->to),
+                          fmax(claim->from, claim->to), 0, 0.0};
+    for (size_t i = 0; of.table && i < of.table->count; i++) of.count += claim_selected(&of, i);
     return of;
 }
 
-static size_t station_index(const whirl_result *result, const char *name) {
+size_t claim_station(const whirl_result *result, const char *name) {
     for (size_t s = 0; s < result->station_count; s++)
         if (strcmp(result->stations[s].name, name) == 0) return s;
     return SIZE_MAX;
@@ -82,12 +74,12 @@ static size_t station_index(const whirl_result *result, const char *name) {
 
 /// Does the claim's part hold at the points of the selection? `share` is of those that can tell, of which there are
 /// `compared`.
-static whirl_agreement score_part(const claim_part *part, const claim_view *view, const selection *of, double *share,
-                                  size_t *compared) {
+static whirl_agreement score_part(const claim_part *part, const claim_view *view, const claim_selection *of,
+                                  double *share, size_t *compared) {
     double agreeing = 0.0;
     *compared = 0;
     for (size_t i = 0; i < of->table->count; i++) {
-        if (!selected(of, i) || !whirl_table_done(of->table, i)) continue;
+        if (!claim_selected(of, i) || !whirl_table_done(of->table, i)) continue;
         const double score = part->score(view, i);
         if (isnan(score)) continue;
         ++*compared;
@@ -99,16 +91,16 @@ static whirl_agreement score_part(const claim_part *part, const claim_view *view
     return *share == 1.0 && *compared == of->count ? WHIRL_AGREES : WHIRL_AGREES_PARTLY;
 }
 
-static void describe_part(const claim_part *part, const claim_view *view, const selection *of, double share,
+static void describe_part(const claim_part *part, const claim_view *view, const claim_selection *of, double share,
                           size_t compared, char *text, size_t size) {
     if (of->count == 1) {
         size_t point = 0;
-        while (!selected(of, point)) point++;
+        while (!claim_selected(of, point)) point++;
         part->at_point(view, point, text, size);
     } else if (part->over_range) {
         claim_census census = {0};
         for (size_t i = 0; i < of->table->count; i++)
-            if (selected(of, i) && whirl_table_done(of->table, i)) claim_census_add(&census, view, i);
+            if (claim_selected(of, i) && whirl_table_done(of->table, i)) claim_census_add(&census, view, i);
         part->over_range(view, &census, text, size);
     } else {
         snprintf(text, size, "%s as claimed at %.3g %% of %zu points", part->name, 100.0 * share, compared);
@@ -116,7 +108,8 @@ static void describe_part(const claim_part *part, const claim_view *view, const 
 }
 
 /// One part of the claim over all its points: whether it agrees, and what was found.
-static void compare_part(const claim_part *part, const claim_view *view, const selection *of, claim_finding *found) {
+static void compare_part(const claim_part *part, const claim_view *view, const claim_selection *of,
+                         claim_finding *found) {
     double share;
     size_t compared;
     found->agreement = score_part(part, view, of, &share, &compared);
@@ -145,8 +138,8 @@ static whirl_agreement all_parts(const claim_outcome *outcome) {
 
 void claim_compare(const whirl_claims *claims, const whirl_claim *claim, const whirl_result *result,
                    claim_outcome *outcome) {
-    const selection of = select_points(result, claims->parameter, claim);
-    const size_t station = station_index(result, claims->station);
+    const claim_selection of = claim_select(result, claims->parameter, claim);
+    const size_t station = claim_station(result, claims->station);
     *outcome = (claim_outcome){.agreement = WHIRL_NOT_COMPARED};
     if (station == SIZE_MAX) {
         snprintf(outcome->note, sizeof outcome->note, "the result has no station %s", claims->station);

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "gnuplot.h"
+#include "typeset.h"
 
 static bool taken(const figure_list *list, const figure *what) {
     for (const figure *other = list->items; other < what; other++)
@@ -29,37 +30,53 @@ figure *figure_add(figure_list *list, size_t result, const char *stem) {
     return what;
 }
 
-void script_begin(FILE *script, const figure *what, const char *title, double height) {
+void script_label(FILE *script, const char *name, const char *markup) {
+    fprintf(script, "%s = ", name);
+    gnuplot_string(script, markup);
+    fputc('\n', script);
+}
+
+void script_begin(FILE *script, const figure *what, double width, double height, double font) {
+    char title[2 * sizeof what->title];
+    typeset_text(what->title, title, sizeof title);
     fprintf(script, "# %s: ", what->stem);
-    gnuplot_comment(script, title);
+    gnuplot_comment(script, what->title);
     fprintf(script, "\n# Run in this folder to draw it again:  gnuplot %s.gp\n", what->stem);
-    fprintf(script, "title_text = ");
-    gnuplot_string(script, title);
-    fprintf(script, "\nname = '%s'\nwidth_cm = 18.0\nheight_cm = %.2f\ndots_per_inch = 300\ntext_scale = 0.86\n",
-            what->stem, height);
-    fputs("set encoding utf8\n"
-          "set border 31 linewidth 0.6 linecolor rgb '#303030'\n"
-          "set tics scale 0.5 font ',7' textcolor rgb '#303030'\n"
+    fputs(
+        "# Journals want the title in the caption; with show_title = 1 it stands in the picture too.\nshow_title = 0\n",
+        script);
+    script_label(script, "title_text", title);
+    fprintf(
+        script,
+        "name = '%s'\nwidth_cm = %.2f\nheight_cm = %.2f\ndots_per_inch = 300\nfont_name = 'Sans'\nfont_size = %.3g\n"
+        "base_font = sprintf('%%s,%%.3g', font_name, font_size)\n"
+        "small_font = sprintf('%%s,%%.3g', font_name, 0.9*font_size)\n",
+        what->stem, width, height, font);
+    fputs("set encoding utf8\nset minussign\n"
+          "set border 31 linewidth 0.5 linecolor rgb '#303030'\n"
+          "set tics scale 0.4 font small_font textcolor rgb '#000000'\n"
           "set xtics nomirror\nset ytics nomirror\n"
-          "set style line 1 linecolor rgb '#0072B2' linewidth 0.9\n"
-          "set style line 2 linecolor rgb '#D55E00' linewidth 0.9\n"
+          "set style line 1 linecolor rgb '#0072B2' linewidth 0.7\n"
+          "set style line 2 linecolor rgb '#D55E00' linewidth 0.7\n"
           "set style line 9 linecolor rgb '#9A9A9A' linewidth 0.5 dashtype 2\n"
           "unset key\n",
           script);
 }
 
 void script_loop(FILE *script) {
+    // Cairo takes a point for 1/96 inch: the scales make fonts, lines and points as large as they say.
     fputs("do for [format in 'png pdf'] {\n"
           "if (format eq 'png') {\n"
-          "  set terminal pngcairo noenhanced background 'white' font 'Sans,8' \\\n"
+          "  set terminal pngcairo enhanced background 'white' font base_font \\\n"
           "    size int(width_cm/2.54*dots_per_inch), int(height_cm/2.54*dots_per_inch) \\\n"
-          "    fontscale text_scale*dots_per_inch/72 linewidth dots_per_inch/96.0 pointscale dots_per_inch/96.0\n"
+          "    fontscale dots_per_inch/96.0 linewidth dots_per_inch/96.0 pointscale dots_per_inch/96.0\n"
           "} else {\n"
-          "  set terminal pdfcairo noenhanced background 'white' font 'Sans,8' \\\n"
-          "    fontscale text_scale linewidth 0.75 pointscale 0.75 size width_cm cm, height_cm cm\n"
+          "  set terminal pdfcairo enhanced background 'white' font base_font \\\n"
+          "    fontscale 0.75 linewidth 0.75 pointscale 0.75 size width_cm cm, height_cm cm\n"
           "}\n"
           "set output name.'.'.format\n"
-          "set multiplot\n",
+          "set multiplot\n"
+          "if (show_title) { set label 1 title_text at screen 0.5, graph 1 center offset 0, 1.2 }\n",
           script);
 }
 

@@ -6,6 +6,8 @@
 #include <stddef.h>
 
 #include "report_file.h"
+#include "units.h"
+#include "whirl/case.h"
 #include "whirl/result.h"
 #include "whirl/status.h"
 
@@ -34,8 +36,10 @@ figure *figure_add(figure_list *list, size_t result, const char *stem);
 /// What figures are made from and where they go.
 typedef struct drawing {
     const whirl_result *result;
-    size_t index;       ///< of the result
-    const char *folder; ///< where its files go
+    size_t index;              ///< of the result
+    const shown_units *units;  ///< of its numbers
+    const whirl_case *machine; ///< that it is of (machine_speed.h), or NULL
+    const char *folder;        ///< where its files go
     figure_list *list;
 } drawing;
 
@@ -45,9 +49,12 @@ whirl_status draw_bifurcations(const drawing *to);
 /// Writes data and scripts of the panels of every point of the detail table and every station.
 whirl_status draw_points(const drawing *to);
 
-/// Writes the beginning of a script: what it draws, and the variables and settings that all figures share.
-/// `height` in cm; figures are 18 cm wide.
-void script_begin(FILE *script, const figure *what, const char *title, double height);
+/// Writes the beginning of a script: what it draws, and the variables and settings that all figures share. Sizes in cm (a
+/// column of a journal is about 8.5 cm wide, two are 17.5 to 18), the font in points.
+void script_begin(FILE *script, const figure *what, double width, double height, double font);
+
+/// Writes `name = 'text'`; text in gnuplot's markup.
+void script_label(FILE *script, const char *name, const char *markup);
 
 /// Begins the loop over the two formats; what follows is drawn once as PNG and once as PDF.
 void script_loop(FILE *script);

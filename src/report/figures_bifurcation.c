@@ -9,11 +9,13 @@
 #include "gnuplot.h"
 #include "quantities.h"
 #include "regimes.h"
+#include "typeset.h"
 
 enum {
     GRID = 2000,        ///< dots nearer to each other than 1/GRID of the axis are written once
     MOST_DOTS = 100000, ///< of a figure, so that its PDF stays small
-    LEAST_DOTS = 64     ///< of a point
+    LEAST_DOTS = 64,    ///< of a point
+    MANY_POINTS = 150   ///< of a sweep: so many stand so close together that small dots are enough
 };
 
 /// What the panels share.
@@ -24,10 +26,11 @@ typedef struct diagram {
     const char *data; ///< file of the section
     span parameter, x, y, exponent, radius;
     bool rub, confidence, present[CLASS_COUNT], both;
-    char label[LABEL_SIZE], length[LABEL_SIZE];
-    double share; ///< largest share of the time in contact, with a margin
-    double gap;   ///< radius at which the station touches a stator, 0 where none is near
-    double edge;  ///< half the distance of two points of the sweep
+    const shown_units *units;
+    double length, value; ///< what displacements and values of the parameter are multiplied by to be shown
+    double share;         ///< largest share of the time in contact, with a margin
+    double gap;           ///< radius at which the station touches a stator, 0 where none is near
+    double edge;          ///< half the distance of two points of the sweep
 } diagram;
 
 static int by_value(const void *left, const void *right) {
@@ -64,29 +67,27 @@ static void survey(diagram *of) {
         const whirl_verdict verdict = whirl_table_verdict(table, i);
         of->present[regime_class_of(&verdict)] = true;
         of->both |= table->branch[i] < 0;
-        span_widen(&parameter, table->values[i]);
-        span_widen(&radius, max_radius(table, i, of->station));
+        span_widen(&parameter, of->value * table->values[i]);
+        span_widen(&radius, of->length * max_radius(table, i, of->station));
         of->share = fmax(of->share, 1.1 * rub_share(table, i, of->result->contact_count));
         for (size_t k = 0; k < section.rows; k++) {
-            span_widen(&x, section.at[4 * k]);
-            span_widen(&y, section.at[4 * k + 1]);
+            span_widen(&x, of->length * section.at[4 * k]);
+            span_widen(&y, of->length * section.at[4 * k + 1]);
         }
     }
     const double width = parameter.high - parameter.low;
     of->share = of->share > 0.0 ? of->share : 0.01;
-    of->edge = table->count > 1 && width > 0.0 ? fabs(0.5 * (table->values[1] - table->values[0])) : 0.5;
+    of->edge = table->count > 1 && width > 0.0 ? fabs(0.5 * of->value * (table->values[1] - table->values[0])) : 0.5;
     of->parameter = span_with_margin(parameter, 0.012, 2.0 * of->edge);
-    of->x = span_with_margin(x, 0.04, 1e-6);
-    of->y = span_with_margin(y, 0.04, 1e-6);
-    of->gap = of->result->stations[of->station].gap;
+    of->x = span_with_margin(x, 0.04, 1e-6 * of->length);
+    of->y = span_with_margin(y, 0.04, 1e-6 * of->length);
+    of->gap = of->length * of->result->stations[of->station].gap;
     if (of->gap > 2.0 * radius.high) of->gap = 0.0; // so far off that the radius would be a line at the bottom
     if (of->gap > 0.0) span_widen(&radius, of->gap);
-    of->radius = span_with_margin(radius, 0.08, 1e-6);
+    of->radius = span_with_margin(radius, 0.08, 1e-6 * of->length);
     of->exponent = exponent_span(table);
     of->rub = has_rub(table, of->result->contact_count);
     of->confidence = whirl_layout_field(&table->layout, "regime/confidence") != NULL;
-    parameter_label(of->result, table->parameter, of->label, sizeof of->label);
-    length_symbol(of->result, of->length, sizeof of->length);
 }
 
 // ---------------------------------------------------------------- data
@@ -114,7 +115,8 @@ static void write_dots(FILE *data, const diagram *of, size_t point, dot *dots) {
     const size_t count = section.rows < most ? section.rows : most;
     for (size_t k = 0; k < count; k++) {
         const size_t row = section.rows - count + k;
-        dots[k] = (dot){cell(section.at[4 * row], of->x), cell(section.at[4 * row + 1], of->y), row};
+        dots[k] = (dot){cell(of->length * section.at[4 * row], of->x),
+                        cell(of->length * section.at[4 * row + 1], of->y), row};
     }
     qsort(dots, count, sizeof *dots, by_place);
     for (size_t k = 0; k < count; k++) {
@@ -194,7 +196,7 @@ static whirl_status write_sweep_data(const drawing *to, const diagram *of) {
 // ---------------------------------------------------------------- script
 
 static void band_limits(const diagram *of, size_t first, size_t last, double *low, double *high) {
-    const double a = of->table->values[first], b = of->table->values[last];
+    const double a = of->value * of->table->values[first], b = of->value * of->table->values[last];
     *low = fmin(a, b) - of->edge;
     *high = fmax(a, b) + of->edge;
 }
@@ -238,7 +240,7 @@ static void write_regime_panel(FILE *script, const diagram *of) {
                 "set object %zu rectangle from graph 0, graph 0.49 to graph 1, graph 0.51 front fillcolor rgb "
                 "'white' fillstyle solid noborder\n",
                 1000 + count);
-    fputs("set label 2 'regime' at screen 0.006, graph 0.5 left font ',6.5'\n"
+    fputs("set label 2 'regime' at screen 0.008, graph 0.5 left\n"
           "unset ytics\nunset key\nset yrange [0:1]\nplot NaN notitle\n"
           "set ytics nomirror\n",
           script);
@@ -249,18 +251,20 @@ static void write_regime_panel(FILE *script, const diagram *of) {
 /// Bars that are pale and long where a verdict is trusted, short and coloured where it is in doubt; the branch from the
 /// last value on as lines.
 static void write_confidence_panel(FILE *script, const diagram *of) {
-    fprintf(script,
-            "set label 2 'confidence' at screen 0.006, graph 0.6 left font ',6.5'\n"
-            "set yrange [0:3.4]\nset ytics ('low' 1, '' 2, 'high' 3) font ',6'\n"
-            "set boxwidth %.8g absolute\nset style fill solid 1 noborder\nunset key\n"
-            "plot 'sweep.dat' index 0 using 1:($3+1):(trust_colour($3)) with boxes linecolor rgb variable notitle",
-            2.1 * of->edge);
+    fprintf(
+        script,
+        "set label 2 'confidence' at screen 0.008, graph 0.5 left\n"
+        "set yrange [0:3.4]\nunset ytics\nset y2range [0:3.4]\nset y2tics ('low' 1, '' 2, 'high' 3) font small_font "
+        "offset -0.6, 0\n"
+        "set boxwidth %.8g absolute\nset style fill solid 1 noborder\nunset key\n"
+        "plot 'sweep.dat' index 0 using (value*$1):($3+1):(trust_colour($3)) with boxes linecolor rgb variable notitle",
+        2.1 * of->edge);
     if (of->both)
         fprintf(script,
-                ", \\\n  'sweep.dat' index 1 using ($1-%.8g):($3+1):(%.8g):(0) with vectors nohead linewidth 1.2 "
+                ", \\\n  'sweep.dat' index 1 using (value*$1-%.8g):($3+1):(%.8g):(0) with vectors nohead linewidth 1.2 "
                 "linecolor rgb '#303030' notitle",
                 of->edge, 2.0 * of->edge);
-    fputs("\nset ytics font ',7'\n", script);
+    fputs("\nunset y2tics\nset ytics nomirror font small_font\n", script);
 }
 
 static int key_entries(const diagram *of) {
@@ -269,14 +273,23 @@ static int key_entries(const diagram *of) {
     return count;
 }
 
+static int key_columns(const diagram *of) {
+    return of->both ? 2 : 3;
+}
+
+static int key_rows(const diagram *of) {
+    return (key_entries(of) + key_columns(of) - 1) / key_columns(of);
+}
+
 static void write_key(FILE *script, const diagram *of) {
-    fputs("set key at screen 0.545, screen 0.972 center top horizontal maxrows 2 Left reverse samplen 0.5 width 1 font "
-          "',7'\n",
-          script);
+    fprintf(script,
+            "set key at screen 0.53, screen 0.995 center top horizontal maxrows %d Left reverse samplen 0.2 width %s "
+            "font small_font\n",
+            key_rows(of), of->both ? "-4" : "-2");
     fputs("plot ", script);
     for (int kind = 0; kind < CLASS_COUNT; kind++)
         if (of->present[kind])
-            fprintf(script, "keyentry with points pointtype 7 pointsize 0.5 linecolor rgb '%s' title '%s', \\\n  ",
+            fprintf(script, "keyentry with points pointtype 7 pointsize 0.4 linecolor rgb '%s' title '%s', \\\n  ",
                     regime_class_colour((regime_class)kind), regime_class_name((regime_class)kind));
     if (of->rub)
         fputs("keyentry with boxes fillstyle solid 1 noborder linecolor rgb '#EBCFAE' title 'rub', \\\n  ", script);
@@ -295,20 +308,20 @@ static void write_range(FILE *script, span range, int tics) {
 
 /// The label of a vertical axis, a gnuplot expression; all stand in one line, whatever the width of the tics.
 static void write_axis_label(FILE *script, const char *expression) {
-    fprintf(script, "set label 2 %s at screen 0.028, graph 0.5 center rotate\n", expression);
+    fprintf(script, "set label 2 %s at screen 0.042, graph 0.5 center rotate\n", expression);
 }
 
-static bool is_periodic(int kind) {
-    return kind == CLASS_P1 || kind == CLASS_P2 || kind == CLASS_P4 || kind == CLASS_OTHER_PERIOD;
+/// Regimes that have few dots, or dots in doubt, which shall be seen.
+static bool has_large_dots(int kind) {
+    return kind == CLASS_UNDETERMINED || kind == CLASS_P1 || kind == CLASS_P2 || kind == CLASS_P4 ||
+           kind == CLASS_OTHER_PERIOD;
 }
 
 /// The dots of coordinate `column` of the section.
 static void write_section_panel(FILE *script, const diagram *of, char coordinate, int column) {
     const span range = column == 2 ? of->x : of->y;
     write_range(script, range, 7);
-    char label[64];
-    snprintf(label, sizeof label, "'%c / '.length_symbol", coordinate);
-    write_axis_label(script, label);
+    write_axis_label(script, coordinate == 'x' ? "x_label" : "y_label");
     const bool key = column == 2;
     if (key)
         write_key(script, of);
@@ -319,12 +332,13 @@ static void write_section_panel(FILE *script, const diagram *of, char coordinate
         if (!of->present[kind]) continue;
         for (int branch = 1; branch >= (of->both ? -1 : 1); branch -= 2)
             fprintf(script,
-                    "%s'%s' index %d using 1:%d with points pointtype %d pointsize %s linewidth 0.3 linecolor rgb '%s' "
+                    "%s'%s' index %d using (value*$1):(length*$%d) with points pointtype %d pointsize %s linewidth 0.3 "
+                    "linecolor rgb '%s' "
                     "notitle",
                     index ? ", \\\n  " : "", of->data, index, column, branch > 0 ? 7 : 2,
-                    branch < 0          ? "2.5*dot_size"
-                    : is_periodic(kind) ? "2*dot_size"
-                                        : "dot_size",
+                    branch < 0             ? "2.5*dot_size"
+                    : has_large_dots(kind) ? "2*dot_size"
+                                           : "dot_size",
                     regime_class_colour((regime_class)kind)),
                 index++;
     }
@@ -335,11 +349,13 @@ static void write_exponent_panel(FILE *script, const diagram *of) {
     write_range(script, of->exponent, 6);
     write_axis_label(script, "\"largest exponent\\n(1/revolution)\"");
     fputs("plot 0 linestyle 9 notitle, \\\n"
-          "  'sweep.dat' using 1:($4-$5):(0):(2*$5) with vectors nohead linewidth 0.5 linecolor rgb '#9A9A9A' notitle",
+          "  'sweep.dat' using (value*$1):($4-$5):(0):(2*$5) with vectors nohead linewidth 0.5 linecolor rgb '#9A9A9A' "
+          "notitle",
           script);
     for (int branch = 0; branch < (of->both ? 2 : 1); branch++)
         fprintf(script,
-                ", \\\n  'sweep.dat' index %d using 1:4:(colour($2)) with points pointtype %d pointsize %s linewidth "
+                ", \\\n  'sweep.dat' index %d using (value*$1):4:(colour($2)) with points pointtype %d pointsize %s "
+                "linewidth "
                 "0.3 linecolor rgb variable notitle",
                 branch, branch ? 2 : 7, branch ? "3*dot_size" : "2*dot_size");
     fputc('\n', script);
@@ -347,8 +363,8 @@ static void write_exponent_panel(FILE *script, const diagram *of) {
 
 static void write_line_panel(FILE *script, const diagram *of, size_t column, const char *scale, const char *style) {
     for (int branch = 0; branch < (of->both ? 2 : 1); branch++)
-        fprintf(script, "%s'sweep.dat' index %d using 1:(%s*$%zu) %s notitle", branch ? ", \\\n  " : "", branch, scale,
-                column, branch ? "with lines linestyle 2" : style);
+        fprintf(script, "%s'sweep.dat' index %d using (value*$1):(%s*$%zu) %s notitle", branch ? ", \\\n  " : "",
+                branch, scale, column, branch ? "with lines linestyle 2" : style);
     fputc('\n', script);
 }
 
@@ -357,9 +373,10 @@ static double room_for_label(const diagram *of, double place) {
     const double width = of->parameter.high - of->parameter.low;
     double nearest = (double)INFINITY;
     for (size_t i = 0; i < of->table->count; i++) {
-        const double at = (of->table->values[i] - of->parameter.low) / width;
+        const double at = (of->value * of->table->values[i] - of->parameter.low) / width;
         if (fabs(at - place) > 0.1) continue;
-        nearest = fmin(nearest, fabs(max_radius(of->table, i, of->station) - of->gap)); // fmin leaves NaN out
+        nearest =
+            fmin(nearest, fabs(of->length * max_radius(of->table, i, of->station) - of->gap)); // fmin leaves NaN out
     }
     return nearest;
 }
@@ -374,21 +391,18 @@ static void write_gap(FILE *script, const diagram *of, double height) {
     for (int i = 1; i < 3; i++)
         if (room_for_label(of, places[i].at) > room_for_label(of, places[best].at)) best = i;
     fprintf(script,
-            "set label 3 'gap' at graph %.3f, first %.10g %s offset 0, 0.4 font ',6.5' textcolor rgb '#606060'\n",
+            "set label 3 'gap' at graph %.3f, first %.10g %s offset 0, 0.4 font small_font textcolor rgb '#606060'\n",
             places[best].at, height, places[best].side);
     fprintf(script, "plot %.10g with lines linecolor rgb '#606060' linewidth 0.7 dashtype 2 notitle, \\\n  ", height);
 }
 
 static void write_radius_panel(FILE *script, const diagram *of) {
-    const double clearance = of->result->stations[of->station].clearance;
+    const double clearance = of->length * of->result->stations[of->station].clearance;
     const double scale = clearance > 0.0 ? 1.0 / clearance : 1.0;
-    write_range(script, (span){scale * of->radius.low, scale * of->radius.high}, 5);
-    if (clearance > 0.0)
-        write_axis_label(script, "\"largest\\neccentricity\"");
-    else
-        write_axis_label(script, "\"largest\\nradius / \".length_symbol");
-    char factor[32];
-    snprintf(factor, sizeof factor, "%.10g", scale);
+    write_range(script, (span){scale * of->radius.low, scale * of->radius.high}, 4);
+    write_axis_label(script, clearance > 0.0 ? "\"largest\\neccentricity\"" : "\"largest\\n\".radius_label");
+    char factor[48];
+    snprintf(factor, sizeof factor, "%.10g*length", scale);
     if (of->gap > 0.0)
         write_gap(script, of, scale * of->gap);
     else
@@ -439,7 +453,7 @@ static void write_panels(FILE *script, const diagram *of) {
         {write_rub_panel, 1.1, of->rub},
     };
     enum { PANELS = sizeof all / sizeof *all };
-    const double bottom = 0.055, top = key_entries(of) > 6 ? 0.917 : 0.933, gap = 0.012;
+    const double bottom = 0.058, top = 1.0 - 0.0155 * key_rows(of) - 0.008, gap = 0.011;
     double sum = 0.0;
     int count = 0, last = 0;
     for (int i = 0; i < PANELS; i++) {
@@ -453,12 +467,27 @@ static void write_panels(FILE *script, const diagram *of) {
     for (int i = 0; i < PANELS; i++) {
         if (!all[i].there) continue;
         const double low = high - all[i].part * unit;
-        script_panel(script, 0.122, 0.985, low, high);
-        if (i == last) fputs("set format x '%g'\nset xlabel parameter_label\n", script);
+        script_panel(script, 0.172, 0.93, low, high);
+        if (i == last) fputs("set format x '%g'\nset xlabel parameter_label offset 0, 0.5\n", script);
         all[i].write(script, of);
         fputs("unset label\n", script);
         high = low - gap;
     }
+}
+
+/// What stands at the axes, and what the numbers of the data files are multiplied by.
+static void write_labels(FILE *script, const diagram *of) {
+    const shown_units units = typeset_units(of->units);
+    char label[TYPESET_SIZE];
+    typeset_parameter(of->units, of->table->parameter, label, sizeof label);
+    script_label(script, "parameter_label", label);
+    units_length_label(&units, "{/:Italic x}", label, sizeof label);
+    script_label(script, "x_label", label);
+    units_length_label(&units, "{/:Italic y}", label, sizeof label);
+    script_label(script, "y_label", label);
+    units_length_label(&units, "radius", label, sizeof label);
+    script_label(script, "radius_label", label);
+    fprintf(script, "# Of one unit of the data files:\nlength = %.15g\nvalue = %.15g\n", of->length, of->value);
 }
 
 static whirl_status write_script(const drawing *to, const diagram *of, const figure *what) {
@@ -468,18 +497,13 @@ static whirl_status write_script(const drawing *to, const diagram *of, const fig
     const whirl_status status = report_file_open(&file, to->folder, name);
     if (status.code != WHIRL_OK) return status;
     FILE *script = file.stream;
-    script_begin(script, what, what->title, (of->rub ? 23.5 : 21.5) + (of->confidence ? 1.3 : 0.0));
-    fputs("parameter_label = ", script);
-    gnuplot_string(script, of->label);
-    fputs("\nlength_symbol = ", script);
-    gnuplot_string(script, of->length);
-    fputs("\ndot_size = 0.1\n", script);
+    script_begin(script, what, 8.5, (of->rub ? 16.0 : 14.5) + (of->confidence ? 0.8 : 0.0), 6.5);
+    write_labels(script, of);
+    fprintf(script, "dot_size = %g\n", of->table->count > MANY_POINTS ? 0.06 : 0.1);
     write_colour_function(script);
     fprintf(script, "set xrange [%.10g:%.10g]\n", of->parameter.low, of->parameter.high);
     script_loop(script);
-    fputs("set format x ''\nunset xlabel\n"
-          "set label 1 title_text at screen 0.545, screen 0.982 center font ',9'\n",
-          script);
+    fputs("set format x ''\nunset xlabel\n", script);
     write_rub_bands(script, of);
     write_panels(script, of);
     fputs("unset object\n", script);
@@ -497,17 +521,18 @@ static whirl_status draw_station(const drawing *to, diagram *of) {
     snprintf(what->data[0], sizeof what->data[0], "%.190s.dat", what->stem);
     snprintf(what->data[1], sizeof what->data[1], "sweep.dat");
     snprintf(what->title, sizeof what->title, "Bifurcation diagram of %s over %s", station, of->table->parameter);
-    snprintf(what->caption, sizeof what->caption,
-             "Poincare section of %s (one dot a revolution) over %s, coloured by regime.%s Below: the regime%s%s, the "
-             "largest Lyapunov exponent with its standard error, %s%s%s%s.",
-             station, of->table->parameter, of->rub ? " Shaded: the rotor rubs." : "",
-             of->both ? " (upper strip: followed from the first value on; lower strip: from the last)" : "",
-             !of->confidence ? ""
-             : of->both      ? ", how far it can be trusted (bars: from the first value on; lines: from the last)"
-                             : ", how far it can be trusted",
-             to->result->stations[of->station].clearance > 0.0 ? "largest eccentricity ratio" : "largest radius",
-             of->gap > 0.0 ? " (dashed: the gap to the stator)" : "", of->rub ? ", share of the time in contact" : "",
-             of->both ? " (blue: from the first value on; orange: from the last)" : "");
+    snprintf(
+        what->caption, sizeof what->caption,
+        "Poincar\u00e9 section of %s (one dot a revolution) over %s, coloured by regime.%s Below: the regime%s%s, the "
+        "largest Lyapunov exponent with its standard error, %s%s%s%s.",
+        station, of->table->parameter, of->rub ? " Shaded: the rotor rubs." : "",
+        of->both ? " (upper strip: followed from the first value on; lower strip: from the last)" : "",
+        !of->confidence ? ""
+        : of->both      ? ", how far it can be trusted (bars: from the first value on; lines: from the last)"
+                        : ", how far it can be trusted",
+        to->result->stations[of->station].clearance > 0.0 ? "largest eccentricity ratio" : "largest radius",
+        of->gap > 0.0 ? " (dashed: the gap to the stator)" : "", of->rub ? ", share of the time in contact" : "",
+        of->both ? " (blue: from the first value on; orange: from the last)" : "");
     of->data = what->data[0];
     const whirl_status status = write_section_data(to, of, what->data[0]);
     return status.code == WHIRL_OK ? write_script(to, of, what) : status;
@@ -518,7 +543,12 @@ whirl_status draw_bifurcations(const drawing *to) {
     if (!table || table->count == 0 || !whirl_layout_field(&table->layout, "poincare/section")) return whirl_ok();
     whirl_status status = whirl_ok();
     for (size_t s = 0; s < to->result->station_count && status.code == WHIRL_OK; s++) {
-        diagram of = {.result = to->result, .table = table, .station = s};
+        diagram of = {.result = to->result,
+                      .table = table,
+                      .station = s,
+                      .units = to->units,
+                      .length = to->units->length,
+                      .value = 1.0 / units_parameter(to->units, table->parameter).size};
         survey(&of);
         if (s == 0) status = write_sweep_data(to, &of);
         if (status.code == WHIRL_OK) status = draw_station(to, &of);

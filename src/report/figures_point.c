@@ -1,4 +1,4 @@
-// Panels of one point and station, as the 2015 paper's figures 4 to 11 show them: waveform, orbit, spectrum and Poincare
+// Panels of one point and station, as the 2015 paper's figures 4 to 11 show them: waveform, orbit, spectrum and Poincaré
 // map, and the full spectrum below.
 #include <math.h>
 #include <stdio.h>
@@ -7,7 +7,9 @@
 
 #include "figures.h"
 #include "gnuplot.h"
+#include "machine_speed.h"
 #include "quantities.h"
+#include "typeset.h"
 
 /// An orbit is near a circle that it misses or passes by this share of its size.
 static const double NEAR = 0.35;
@@ -25,12 +27,23 @@ typedef struct subject {
     size_t point, station;
     numbers waveform, section, spectrum, lines;
     size_t turn; ///< samples of the waveform a revolution
-    span x, y;   ///< of the orbit, or of the section where there is no waveform
-    double size; ///< of the motion: the larger side of its box
+    span x, y;   ///< of the orbit, or of the section where there is no waveform; as shown
+    double size; ///< of the motion: the larger side of its box; as shown
+    const shown_units *units;
+    // What numbers of the result are multiplied by to be shown: displacements, amplitudes, orders (NaN: they stay orders).
+    double length, amplitude, order;
 } subject;
 
-static subject subject_of(const whirl_result *result, const whirl_table *table, size_t point, size_t station) {
-    subject of = {.result = result, .table = table, .point = point, .station = station};
+static double order_size(const subject *of) {
+    return isnan(of->order) ? 1.0 : of->order;
+}
+
+static subject subject_of(const drawing *to, const whirl_table *table, size_t point, size_t station) {
+    const shown_units *units = to->units;
+    subject of = {.result = to->result, .table = table, .point = point, .station = station, .units = units};
+    of.length = units->length;
+    of.amplitude = units->length * units->amplitude;
+    of.order = units_order(units, machine_speed(to->machine, to->result, table, point));
     of.waveform = point_waveform(table, point, station);
     of.section = point_section(table, point, station);
     of.spectrum = point_spectrum(table, point, station);
@@ -39,14 +52,14 @@ static subject subject_of(const whirl_result *result, const whirl_table *table, 
     if (of.turn == 0) of.turn = 1;
     of.x = of.y = span_empty();
     for (size_t k = 0; k < of.waveform.rows; k++) {
-        span_widen(&of.x, of.waveform.at[2 * k]);
-        span_widen(&of.y, of.waveform.at[2 * k + 1]);
+        span_widen(&of.x, of.length * of.waveform.at[2 * k]);
+        span_widen(&of.y, of.length * of.waveform.at[2 * k + 1]);
     }
     for (size_t k = 0; k < of.section.rows; k++) {
-        span_widen(&of.x, of.section.at[4 * k]);
-        span_widen(&of.y, of.section.at[4 * k + 1]);
+        span_widen(&of.x, of.length * of.section.at[4 * k]);
+        span_widen(&of.y, of.length * of.section.at[4 * k + 1]);
     }
-    of.size = fmax(fmax(of.x.high - of.x.low, of.y.high - of.y.low), 1e-9);
+    of.size = fmax(fmax(of.x.high - of.x.low, of.y.high - of.y.low), 1e-9 * of.length);
     return of;
 }
 
@@ -111,9 +124,13 @@ static whirl_status write_data(const drawing *to, const subject *of, figure *wha
 
 // ---------------------------------------------------------------- panels
 
-static void write_panel_title(FILE *script, const char *title) {
-    fprintf(script, "set title '%s' offset 0, -0.6 font ',8'\nset xlabel offset 0, 0.4\nset ylabel offset 1.2, 0\n",
-            title);
+/// The letter that the caption names the panel by, and where labels stand.
+static void write_panel_letter(FILE *script, char letter) {
+    fprintf(
+        script,
+        "set label 97 '(%c)' at graph 0, graph 1 right offset -1.2, 0.7\nset xlabel offset 0, 0.5\nset ylabel offset "
+        "1, 0\n",
+        letter);
 }
 
 static void write_waveform_panel(FILE *script, const subject *of, const figure *what) {
@@ -121,16 +138,16 @@ static void write_waveform_panel(FILE *script, const subject *of, const figure *
     span both = of->x;
     span_widen(&both, of->y.low);
     span_widen(&both, of->y.high);
-    both = span_with_margin(both, 0.12, 1e-9);
-    write_panel_title(script, "Waveform");
+    both = span_with_margin(both, 0.12, 1e-9 * of->length);
     fprintf(script,
-            "set xlabel 'revolution'\nset ylabel 'x / '.length_symbol.', y / '.length_symbol\n"
+            "set xlabel 'revolution'\nset ylabel xy_label\n"
             "set xrange [%.8g:%.8g]\nset yrange [%.10g:%.10g]\n"
-            "set xtics %g\nset ytics %g\nset key inside top right horizontal samplen 1.5 font ',7'\n"
-            "plot '%s' index 0 using 1:2 with lines linestyle 1 title 'x', '' index 0 using 1:3 with lines linestyle 2 "
-            "title 'y', \\\n"
-            "  '' index 1 using 1:2 with points pointtype 7 pointsize 0.25 linecolor rgb '#303030' notitle, "
-            "'' index 1 using 1:3 with points pointtype 7 pointsize 0.25 linecolor rgb '#303030' notitle\nunset key\n",
+            "set xtics %g\nset ytics %g\nset key inside top right horizontal samplen 1.5\n"
+            "plot '%s' index 0 using 1:(length*$2) with lines linestyle 1 title '{/:Italic x}', \\\n"
+            "  '' index 0 using 1:(length*$3) with lines linestyle 2 title '{/:Italic y}', \\\n"
+            "  '' index 1 using 1:(length*$2) with points pointtype 7 pointsize 0.2 linecolor rgb '#303030' notitle, "
+            "'' index 1 using 1:(length*$3) with points pointtype 7 pointsize 0.2 linecolor rgb '#303030' notitle\n"
+            "unset key\n",
             turns - shown, turns, both.low, both.high, tic_step(shown, 10), tic_step(both.high - both.low, 8),
             what->data[0]);
 }
@@ -148,7 +165,7 @@ static void write_window(FILE *script, const window *in) {
     fprintf(script, "set xrange [%.12g:%.12g]\nset yrange [%.12g:%.12g]\n", in->x - 0.5 * in->side,
             in->x + 0.5 * in->side, in->y - 0.5 * in->side, in->y + 0.5 * in->side);
     fprintf(script,
-            "set xlabel 'x / '.length_symbol\nset ylabel 'y / '.length_symbol\n"
+            "set xlabel x_label\nset ylabel y_label\n"
             "set size ratio -1\nset xtics %g\nset ytics %g\n",
             tic_step(in->side, 6), tic_step(in->side, 6));
 }
@@ -174,59 +191,67 @@ static void write_circle(FILE *script, const window *in, double radius, const ch
 static window orbit_window(const subject *of) {
     span x = of->x, y = of->y;
     const whirl_probe *station = &of->result->stations[of->station];
-    const double circles[] = {station->clearance, station->gap};
+    const double circles[] = {of->length * station->clearance, of->length * station->gap};
     size_t far = 0;
     double most = 0.0;
     for (size_t k = 0; k < of->waveform.rows; k++) {
-        const double r = hypot(of->waveform.at[2 * k], of->waveform.at[2 * k + 1]);
+        const double r = of->length * hypot(of->waveform.at[2 * k], of->waveform.at[2 * k + 1]);
         if (r > most) far = k, most = r;
     }
     for (int i = 0; i < 2 && most > 0.0; i++) {
         const double r = circles[i];
         if (r <= 0.0 || fabs(r - most) > NEAR * of->size) continue;
-        span_widen(&x, of->waveform.at[2 * far] * r / most);
-        span_widen(&y, of->waveform.at[2 * far + 1] * r / most);
+        span_widen(&x, of->length * of->waveform.at[2 * far] * r / most);
+        span_widen(&y, of->length * of->waveform.at[2 * far + 1] * r / most);
         if (of->size < r) continue; // a small orbit: an arc is enough
         for (int side = -1; side <= 1; side += 2) span_widen(&x, side * r), span_widen(&y, side * r);
     }
     return window_around(x, y, 1.16 * fmax(x.high - x.low, y.high - y.low));
 }
 
+/// Which circles the orbit's window shows: bit 0 the bearing, bit 1 the stator.
+static unsigned shown_circles(const subject *of) {
+    const whirl_probe *station = &of->result->stations[of->station];
+    const window in = orbit_window(of);
+    return (unsigned)circle_shows(&in, of->length * station->clearance) |
+           (unsigned)circle_shows(&in, of->length * station->gap) << 1;
+}
+
 static void write_orbit_panel(FILE *script, const subject *of, const figure *what) {
     const whirl_probe *station = &of->result->stations[of->station];
     const window in = orbit_window(of);
-    const bool bearing = circle_shows(&in, station->clearance), stator = circle_shows(&in, station->gap);
-    write_panel_title(script, bearing && stator ? "Orbit (grey: bearing, dashed: stator)"
-                              : bearing         ? "Orbit (grey: bearing)"
-                              : stator          ? "Orbit (dashed: stator)"
-                                                : "Orbit");
+    const unsigned circles = shown_circles(of);
     write_window(script, &in);
     fputs("plot ", script);
-    if (bearing) write_circle(script, &in, station->clearance, "linewidth 1.2 linecolor rgb '#9A9A9A'");
-    if (stator) write_circle(script, &in, station->gap, "linewidth 0.8 linecolor rgb '#707070' dashtype 2");
-    fprintf(script,
-            "'%s' index 0 using 2:3 with lines linestyle 1 linewidth 0.5, \\\n"
-            "  '' index 1 using 2:3 with points pointtype 7 pointsize 0.35 linecolor rgb '#D55E00'\nset size noratio\n",
-            what->data[0]);
+    if (circles & 1u)
+        write_circle(script, &in, of->length * station->clearance, "linewidth 1.2 linecolor rgb '#9A9A9A'");
+    if (circles & 2u)
+        write_circle(script, &in, of->length * station->gap, "linewidth 0.7 linecolor rgb '#707070' dashtype 2");
+    fprintf(
+        script,
+        "'%s' index 0 using (length*$2):(length*$3) with lines linestyle 1 linewidth 0.5, \\\n"
+        "  '' index 1 using (length*$2):(length*$3) with points pointtype 7 pointsize 0.25 linecolor rgb '#D55E00'\n"
+        "set size noratio\n",
+        what->data[0]);
 }
 
 /// The window follows the section, but never below a fifth of the motion: rounding noise of a fixed point is no structure.
 static void write_section_panel(FILE *script, const subject *of, const figure *what) {
     span x = span_empty(), y = span_empty();
     for (size_t k = 0; k < of->section.rows; k++) {
-        span_widen(&x, of->section.at[4 * k]);
-        span_widen(&y, of->section.at[4 * k + 1]);
+        span_widen(&x, of->length * of->section.at[4 * k]);
+        span_widen(&y, of->length * of->section.at[4 * k + 1]);
     }
     const double extent = fmax(x.high - x.low, y.high - y.low);
-    write_panel_title(script, "Poincare map");
     const window in = window_around(x, y, fmax(1.24 * extent, 0.2 * of->size));
     write_window(script, &in);
     const double size = of->section.rows > 1000 && extent > 1e-3 * of->size &&
                                 whirl_table_verdict(of->table, of->point).regime != WHIRL_PERIODIC
-                            ? 0.15
-                            : 0.45;
+                            ? 0.08
+                            : 0.25;
     fprintf(script,
-            "plot '%s' using 1:2 with points pointtype 7 pointsize %.2f linecolor rgb '#0072B2'\nset size noratio\n",
+            "plot '%s' using (length*$1):(length*$2) with points pointtype 7 pointsize %.2f linecolor rgb "
+            "'#0072B2'\nset size noratio\n",
             what->data[1], size);
 }
 
@@ -244,7 +269,7 @@ static int by_height(const void *left, const void *right) {
     return (a < b) - (a > b);
 }
 
-/// Height of the drawn curve near an order: that of a line between two bins is a little larger.
+/// Height of the drawn curve, as shown, near an order: that of a line between two bins is a little larger.
 static double drawn_height(const subject *of, double order, int column) {
     double most = 0.0;
     const double *at = of->spectrum.at;
@@ -252,16 +277,16 @@ static double drawn_height(const subject *of, double order, int column) {
     const double middle = step > 0.0 ? fmin((order - at[0]) / step, (double)of->spectrum.rows) : 0.0;
     const size_t first = middle > 2.0 ? (size_t)middle - 2 : 0;
     for (size_t k = first; k < of->spectrum.rows && k < first + 5; k++) most = fmax(most, at[5 * k + (size_t)column]);
-    return most;
+    return of->amplitude * most;
 }
 
 static size_t find_peaks(const subject *of, int full, peak *peaks) {
     size_t count = 0;
     for (size_t k = 0; k < of->lines.rows && k < WHIRL_MAX_LINES; k++) {
-        const double order = of->lines.at[5 * k];
-        if (!full) peaks[count++] = (peak){order, fmax(drawn_height(of, order, 1), drawn_height(of, order, 2))};
-        if (full) peaks[count++] = (peak){order, drawn_height(of, order, 3)};
-        if (full) peaks[count++] = (peak){-order, drawn_height(of, order, 4)};
+        const double order = of->lines.at[5 * k], at = order_size(of) * order;
+        if (!full) peaks[count++] = (peak){at, fmax(drawn_height(of, order, 1), drawn_height(of, order, 2))};
+        if (full) peaks[count++] = (peak){at, drawn_height(of, order, 3)};
+        if (full) peaks[count++] = (peak){-at, drawn_height(of, order, 4)};
     }
     qsort(peaks, count, sizeof *peaks, by_height);
     return count;
@@ -329,117 +354,165 @@ static void write_line_labels(FILE *script, const subject *of, double highest, i
         labelled[count] = peaks[k];
         placed[count++] = here;
         const double anchor = *here.side == 'l' ? here.low : *here.side == 'r' ? here.high : peaks[k].place;
-        fprintf(script, "set label %d '%s' at %.6g, %.6g %s offset 0, 0.35 font ',6'\n", 100 + count, text, anchor,
-                peaks[k].height, here.side);
+        fprintf(script, "set label %d '%s' at %.6g, %.6g %s offset 0, 0.35 font small_font\n", 100 + count, text,
+                anchor, peaks[k].height, here.side);
     }
 }
 
-/// The order up to which the spectrum is drawn.
+/// The frequency up to which the spectrum is drawn, as shown.
 static double highest_order(const subject *of) {
     const double last = of->spectrum.at[5 * (of->spectrum.rows - 1)];
-    return last > 0.0 ? last : 1.0;
+    return order_size(of) * (last > 0.0 ? last : 1.0);
 }
 
 static double tallest(const subject *of, int full) {
     double most = 0.0;
     for (size_t k = 0; k < of->spectrum.rows; k++) most = fmax(most, amplitude(&of->spectrum.at[5 * k], full));
-    return most > 0.0 ? most : 1.0;
+    return of->amplitude * (most > 0.0 ? most : 1.0);
 }
 
 static void write_spectrum_panel(FILE *script, const subject *of, const figure *what) {
     const double highest = highest_order(of), top = 1.22 * tallest(of, 0);
-    write_panel_title(script, "Spectrum");
     fprintf(script,
-            "set xlabel 'order of the running speed'\nset ylabel 'amplitude / '.length_symbol\n"
+            "set xlabel frequency_label\nset ylabel amplitude_label\n"
             "set xrange [0:%.6g]\nset yrange [0:%.8g]\nset xtics %g\nset ytics %g\n"
-            "set key inside top right horizontal samplen 1.5 font ',7'\n",
+            "set key inside top right horizontal samplen 1.5\n",
             highest, top, tic_step(highest, 6), tic_step(top, 6));
     write_line_labels(script, of, highest, 0);
     fprintf(script,
-            "plot keyentry with lines linestyle 1 title 'x', '%s' using 1:3 with lines linestyle 2 linewidth 0.6 title "
-            "'y', \\\n"
-            "  '' using 1:2 with lines linestyle 1 linewidth 0.6 notitle\n"
+            "plot keyentry with lines linestyle 1 title '{/:Italic x}', \\\n"
+            "  '%s' using (order*$1):(amplitude*$3) with lines linestyle 2 linewidth 0.5 title '{/:Italic y}', \\\n"
+            "  '' using (order*$1):(amplitude*$2) with lines linestyle 1 linewidth 0.5 notitle\n"
             "unset key\ndo for [i = 101:%d] { unset label i }\n",
             what->data[2], 100 + MOST_LABELS);
 }
 
 static void write_full_spectrum_panel(FILE *script, const subject *of, const figure *what) {
     const double highest = highest_order(of), top = 1.24 * tallest(of, 1);
-    write_panel_title(script, "Full spectrum of x + iy");
-    fprintf(
-        script,
-        "set xlabel 'order of the running speed (negative: backward whirl)'\nset ylabel 'amplitude / '.length_symbol\n"
-        "set xrange [%.6g:%.6g]\nset yrange [0:%.8g]\nset xtics %g\nset ytics %g\n",
-        -highest, highest, top, tic_step(highest, 6), tic_step(top, 5));
+    fprintf(script,
+            "set xlabel frequency_label.' (negative: backward whirl)'\nset ylabel amplitude_label\n"
+            "set xrange [%.6g:%.6g]\nset yrange [0:%.8g]\nset xtics %g\nset ytics %g\n",
+            -highest, highest, top, tic_step(highest, 6), tic_step(top, 5));
     write_line_labels(script, of, highest, 1);
     fprintf(script,
-            "set label 98 'backward' at graph 0.015, 0.9 left font ',7' textcolor rgb '#D55E00'\n"
-            "set label 99 'forward' at graph 0.985, 0.9 right font ',7' textcolor rgb '#0072B2'\n"
-            "plot '%s' using (-$1):5 with lines linestyle 2 linewidth 0.6, '' using 1:4 with lines linestyle 1 "
-            "linewidth 0.6\n"
+            "set label 98 'backward' at graph 0.015, 0.9 left textcolor rgb '#D55E00'\n"
+            "set label 99 'forward' at graph 0.985, 0.9 right textcolor rgb '#0072B2'\n"
+            "plot '%s' using (-order*$1):(amplitude*$5) with lines linestyle 2 linewidth 0.5, \\\n"
+            "  '' using (order*$1):(amplitude*$4) with lines linestyle 1 linewidth 0.5\n"
             "do for [i = 98:%d] { unset label i }\n",
             what->data[2], 100 + MOST_LABELS);
 }
 
-/// Draws the panels that there are data for, two a row, the full spectrum across below.
+enum { WAVEFORM_PANEL, ORBIT_PANEL, SPECTRUM_PANEL, SECTION_PANEL, FULL_PANEL, PANEL_COUNT };
+
+/// Which panels there are data for, in the order in which they are lettered.
+static void panels_there(const subject *of, bool there[PANEL_COUNT]) {
+    there[WAVEFORM_PANEL] = there[ORBIT_PANEL] = of->waveform.at != NULL;
+    there[SPECTRUM_PANEL] = there[FULL_PANEL] = of->spectrum.at != NULL;
+    there[SECTION_PANEL] = of->section.at != NULL;
+}
+
+static const double WIDTH = 17.5, SIDE = 6.5, GAP = 1.5, LOW_PANEL = 4.2; // cm
+
+/// Draws the panels, two a row, the full spectrum across below.
 static void write_panels(FILE *script, const subject *of, const figure *what, double height) {
     static void (*const panels[])(FILE *, const subject *, const figure *) = {
         write_waveform_panel, write_orbit_panel, write_spectrum_panel, write_section_panel};
-    const bool there[] = {of->waveform.at, of->waveform.at, of->spectrum.at, of->section.at};
-    const double side = 6.6 / height, gap = 1.9 / height, square = 6.6 / 18.0;
-    double high = 1.0 - 1.55 / height;
+    bool there[PANEL_COUNT];
+    panels_there(of, there);
+    const double side = SIDE / height, gap = GAP / height, square = SIDE / WIDTH;
+    double high = 1.0 - 0.7 / height;
     int place = 0;
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; i < FULL_PANEL; i++) {
         if (!there[i]) continue;
         // The right column is square, for orbits and maps; where only they are left they may stand on the left too.
         if (place % 2 == 0)
-            script_panel(script, 0.095, i % 2 ? 0.095 + square : 0.52, high - side, high);
+            script_panel(script, 0.085, i % 2 ? 0.085 + square : 0.515, high - side, high);
         else
             script_panel(script, 0.985 - square, 0.985, high - side, high);
+        write_panel_letter(script, (char)('a' + place));
         panels[i](script, of, what);
         if (place == 0) fputs("unset label 1\n", script);
         if (place % 2 == 1) high -= side + gap;
         place++;
     }
     if (place % 2 == 1) high -= side + gap;
-    if (!of->spectrum.at) return;
-    script_panel(script, 0.095, 0.985, high - 4.6 / height, high);
+    if (!there[FULL_PANEL]) return;
+    script_panel(script, 0.085, 0.985, high - LOW_PANEL / height, high);
+    write_panel_letter(script, (char)('a' + place));
     write_full_spectrum_panel(script, of, what);
 }
 
 static double figure_height(const subject *of) {
     const int panels = (of->waveform.at ? 2 : 0) + (of->spectrum.at ? 1 : 0) + (of->section.at ? 1 : 0);
     const int rows = (panels + 1) / 2;
-    return 1.55 + rows * (6.6 + 1.9) + (of->spectrum.at ? 4.6 + 1.3 : -0.5);
+    return 0.7 + rows * (SIDE + GAP) + (of->spectrum.at ? LOW_PANEL + 1.1 : -0.4);
+}
+
+/// What stands at the axes, and what the numbers of the data files are multiplied by.
+static void write_labels(FILE *script, const subject *of) {
+    const shown_units units = typeset_units(of->units);
+    char text[TYPESET_SIZE];
+    units_length_label(&units, "{/:Italic x}", text, sizeof text);
+    script_label(script, "x_label", text);
+    units_length_label(&units, "{/:Italic y}", text, sizeof text);
+    script_label(script, "y_label", text);
+    fprintf(script, units.ratio ? "xy_label = x_label.', '.y_label\n" : "xy_label = '{/:Italic x}, '.y_label\n");
+    units_amplitude_label(&units, "amplitude", text, sizeof text);
+    script_label(script, "amplitude_label", text);
+    snprintf(text, sizeof text, isnan(of->order) ? "order of the running speed" : "frequency (%s)",
+             of->units->frequency_name);
+    script_label(script, "frequency_label", text);
+    fprintf(script, "# Of one unit of the data files:\nlength = %.15g\namplitude = %.15g\norder = %.15g\n", of->length,
+            of->amplitude, order_size(of));
 }
 
 static whirl_status write_script(const drawing *to, const subject *of, const figure *what) {
-    char name[STEM_SIZE + 4], length[LABEL_SIZE];
+    char name[STEM_SIZE + 4];
     report_file file;
     snprintf(name, sizeof name, "%s.gp", what->stem);
     const whirl_status status = report_file_open(&file, to->folder, name);
     if (status.code != WHIRL_OK) return status;
     const double height = figure_height(of);
-    script_begin(file.stream, what, what->title, height);
-    length_symbol(of->result, length, sizeof length);
-    fputs("length_symbol = ", file.stream);
-    gnuplot_string(file.stream, length);
-    fputs("\n", file.stream);
+    script_begin(file.stream, what, WIDTH, height, 8.0);
+    write_labels(file.stream, of);
     script_loop(file.stream);
-    fprintf(file.stream, "set label 1 title_text at screen 0.5, screen %.4f center font ',9'\n", 1.0 - 0.5 / height);
     write_panels(file.stream, of, what, height);
     script_end(file.stream);
     return report_file_close(&file);
 }
 
+/// " (a) Waveform, (b) orbit (grey: bearing), ...": what the letters stand for.
+static void name_panels(const subject *of, char *text, size_t size) {
+    const unsigned circles = of->waveform.at ? shown_circles(of) : 0;
+    const char *orbit = circles == 3u   ? "orbit (grey: bearing, dashed: stator)"
+                        : circles == 1u ? "orbit (grey: bearing)"
+                        : circles == 2u ? "orbit (dashed: stator)"
+                                        : "orbit";
+    const char *const names[] = {"waveform", orbit, "spectrum", "Poincar\u00e9 map (once a revolution)",
+                                 "full spectrum of x + iy"};
+    bool there[PANEL_COUNT];
+    size_t used = 0;
+    char letter = 'a';
+    panels_there(of, there);
+    text[0] = '\0';
+    for (int i = 0; i < PANEL_COUNT && used < size; i++)
+        if (there[i]) {
+            used += (size_t)snprintf(text + used, size - used, "%s (%c) %s", letter > 'a' ? "," : "", letter, names[i]);
+            letter++;
+        }
+}
+
 static whirl_status draw_point(const drawing *to, const subject *of) {
-    char point[LABEL_SIZE], verdict_text[LABEL_SIZE], stem[STEM_SIZE];
+    char point[UNIT_LABEL_SIZE], verdict_text[LABEL_SIZE], stem[STEM_SIZE], panels[280];
     const char *station = of->result->stations[of->station].name;
     const whirl_verdict verdict = whirl_table_verdict(of->table, of->point);
-    point_label(of->result, of->table, of->point, point, sizeof point);
+    const whirl_unit unit = units_parameter(of->units, of->table->parameter);
+    units_point_label(of->units, of->table, of->point, point, sizeof point);
     whirl_verdict_name(&verdict, verdict_text, sizeof verdict_text);
     if (*of->table->parameter)
-        snprintf(stem, sizeof stem, "%.63s-%.6g-%.63s", of->table->parameter, of->table->values[of->point], station);
+        snprintf(stem, sizeof stem, "%.63s-%.6g%.20s-%.63s", of->table->parameter,
+                 of->table->values[of->point] / unit.size, unit.name, station);
     else
         snprintf(stem, sizeof stem, "%s-%s", of->table->name, station);
     figure *what = figure_add(to->list, to->index, stem);
@@ -447,7 +520,8 @@ static whirl_status draw_point(const drawing *to, const subject *of) {
     what->point = (long)of->point;
     what->station = of->station;
     snprintf(what->title, sizeof what->title, "%.80s, %.60s: %.54s", point, station, verdict_text);
-    snprintf(what->caption, sizeof what->caption, "%.120s, %.60s: %.100s.%s", point, station, verdict_text,
+    name_panels(of, panels, sizeof panels);
+    snprintf(what->caption, sizeof what->caption, "%.120s, %.60s: %.100s.%s.%s", point, station, verdict_text, panels,
              of->waveform.at ? "" : " No waveform was kept.");
     const whirl_status status = write_data(to, of, what);
     return status.code == WHIRL_OK ? write_script(to, of, what) : status;
@@ -459,7 +533,7 @@ whirl_status draw_points(const drawing *to) {
     for (size_t i = 0; table && i < table->count; i++) {
         if (!whirl_table_done(table, i)) continue;
         for (size_t s = 0; s < to->result->station_count && status.code == WHIRL_OK; s++) {
-            const subject of = subject_of(to->result, table, i, s);
+            const subject of = subject_of(to, table, i, s);
             if (of.waveform.at || of.section.at || of.spectrum.at) status = draw_point(to, &of);
         }
     }

@@ -44,3 +44,9 @@ void html_printf(FILE *stream, const char *format, ...) {
     va_end(arguments);
     html_text(stream, text);
 }
+
+void html_table(FILE *stream, const char *label, const char *class) {
+    fputs("<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"", stream);
+    html_text(stream, label);
+    fprintf(stream, *class ? "\"><table class=\"%s\">\n" : "\"><table>%s\n", class);
+}

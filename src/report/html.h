@@ -15,4 +15,8 @@ void html_printf(FILE *stream, const char *format, ...)
 #endif
     ;
 
+/// Begins a table of that class ("" for none) that scrolls by itself where it is wider than the page: a region with a
+/// name, which the keyboard can reach. Ends with </table></div>.
+void html_table(FILE *stream, const char *label, const char *class);
+
 #endif

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "html.h"
+#include "quantities.h"
 #include "whirl/version.h"
 
 /// The source of the claims, or the title of the only result, or how many results there are.
@@ -34,15 +35,42 @@ static void write_head(const page *to) {
     fputs("</p>\n</header>\n", to->stream);
 }
 
+/// A line of the contents.
+static void write_entry(FILE *stream, const char *anchor, size_t number, const char *text) {
+    fprintf(stream, "<li><a href=\"#%s-%zu\">", anchor, number);
+    html_text(stream, text);
+    fputs("</a></li>\n", stream);
+}
+
+static bool has_figures(const page *to, size_t result, bool diagrams) {
+    bool found = false;
+    for (size_t i = 0; i < to->figures->count; i++)
+        found =
+            found || (to->figures->items[i].result == result && (to->figures->items[i].point == NO_POINT) == diagrams);
+    return found;
+}
+
+static void write_result_contents(const page *to, size_t r) {
+    const whirl_result *result = to->results[r];
+    const whirl_table *sweep = whirl_result_table(result, "sweep");
+    fprintf(to->stream, "<li><a href=\"#result-%zu\">", r + 1);
+    html_text(to->stream, to->names[r]);
+    fputs("</a>\n<ul>\n", to->stream);
+    write_entry(to->stream, "computed", r + 1, "What was computed");
+    if (sweep && sweep->count > 0) write_entry(to->stream, "regimes", r + 1, "Regimes");
+    if (detail_table(result) && detail_table(result)->count > 0)
+        write_entry(to->stream, "points", r + 1, "Points in detail");
+    if (has_figures(to, r, true)) write_entry(to->stream, "diagrams", r + 1, "Bifurcation diagrams");
+    if (has_figures(to, r, false)) write_entry(to->stream, "motions", r + 1, "Single points");
+    if (result->fact_count > 0) write_entry(to->stream, "provenance", r + 1, "Provenance");
+    fputs("</ul></li>\n", to->stream);
+}
+
 static void write_contents(const page *to) {
-    fputs("<nav><ul>\n", to->stream);
+    fputs("<nav aria-label=\"Contents\"><ul>\n", to->stream);
     if (to->explorer) fputs("<li><a href=\"explorer.html\">Explorer: touch the diagrams</a></li>\n", to->stream);
     if (to->claims) fputs("<li><a href=\"#claims\">Claims</a></li>\n", to->stream);
-    for (size_t r = 0; r < to->count; r++) {
-        fprintf(to->stream, "<li><a href=\"#result-%zu\">", r + 1);
-        html_text(to->stream, to->names[r]);
-        fputs("</a></li>\n", to->stream);
-    }
+    for (size_t r = 0; r < to->count; r++) write_result_contents(to, r);
     fputs("</ul></nav>\n", to->stream);
 }
 
@@ -62,7 +90,7 @@ static void write_result(const page *to, size_t result) {
 
 void page_write(const page *to) {
     write_head(to);
-    if (to->count > 1 || to->claims || to->explorer) write_contents(to);
+    write_contents(to);
     fputs("<main>\n", to->stream);
     if (to->claims) page_claims(to);
     for (size_t r = 0; r < to->count; r++) write_result(to, r);

@@ -42,19 +42,22 @@ static void write_findings(FILE *stream, const claim_outcome *of) {
     fputs("</ul>", stream);
 }
 
+/// The value or the range that a claim speaks of.
+static void write_values(const page *to, const whirl_claim *of) {
+    html_printf(to->stream, "%s = %.4g", to->claims->parameter, of->from);
+    if (of->from != of->to) html_printf(to->stream, " to %.4g", of->to);
+}
+
 static void write_where(const page *to, const whirl_claim *claim) {
     html_text(to->stream, claim->where);
     fputs("<br><span class=\"soft small\">", to->stream);
-    if (claim->from == claim->to)
-        html_printf(to->stream, "%s = %.4g", to->claims->parameter, claim->from);
-    else
-        html_printf(to->stream, "%s = %.4g to %.4g", to->claims->parameter, claim->from, claim->to);
+    write_values(to, claim);
     fputs("</span>", to->stream);
 }
 
 static void write_table(const page *to) {
-    fputs("<div class=\"scroll\"><table class=\"claims\">\n<thead><tr><th>Where</th><th>The source says</th>",
-          to->stream);
+    html_table(to->stream, "Claims beside findings", "claims");
+    fputs("<thead><tr><th>Where</th><th>The source says</th>", to->stream);
     for (size_t r = 0; r < to->count; r++) {
         fprintf(to->stream, "<th><a href=\"#result-%zu\">", r + 1);
         html_text(to->stream, to->names[r]);
@@ -62,7 +65,7 @@ static void write_table(const page *to) {
     }
     fputs("</tr></thead>\n<tbody>\n", to->stream);
     for (size_t c = 0; c < to->claims->count; c++) {
-        fputs("<tr><th>", to->stream);
+        fprintf(to->stream, "<tr id=\"claim-%zu\"><th scope=\"row\">", c + 1);
         write_where(to, &to->claims->items[c]);
         fputs("</th><td class=\"says\">", to->stream);
         html_text(to->stream, to->claims->items[c].says);
@@ -82,7 +85,8 @@ static void write_table(const page *to) {
 
 static void write_counts(const page *to) {
     static const whirl_agreement order[] = {WHIRL_AGREES, WHIRL_AGREES_PARTLY, WHIRL_DISAGREES, WHIRL_NOT_COMPARED};
-    fputs("<div class=\"scroll\"><table>\n<thead><tr><th>Result</th><th class=\"number\">agrees</th><th "
+    html_table(to->stream, "How many claims are met", "");
+    fputs("<thead><tr><th>Result</th><th class=\"number\">agrees</th><th "
           "class=\"number\">partly</th>"
           "<th class=\"number\">disagrees</th><th class=\"number\">not compared</th></tr></thead>\n<tbody>\n",
           to->stream);
@@ -108,51 +112,39 @@ static whirl_agreement best(const page *to, size_t claim) {
     return found;
 }
 
-/// What was found instead of the parts that do not agree.
-static void write_missing_parts(FILE *stream, const claim_outcome *of) {
-    bool first = true;
-    for (size_t i = 0; i < of->count; i++) {
-        if (of->findings[i].agreement == WHIRL_AGREES) continue;
-        if (!first) fputs("; ", stream);
-        html_text(stream, of->findings[i].text);
-        first = false;
-    }
-    if (*of->note) html_printf(stream, "%s%s", first ? "" : "; ", of->note);
-}
-
+/// A claim with where it fails and where it is met, for the results that come nearest to it.
 static void write_missed(const page *to, size_t claim) {
     const whirl_claim *of = &to->claims->items[claim];
     const whirl_agreement reached = best(to, claim);
-    fputs("<li><strong>", to->stream);
-    html_printf(to->stream, "%s, %s = %.4g", of->where, to->claims->parameter, of->from);
-    if (of->from != of->to) html_printf(to->stream, " to %.4g", of->to);
-    fputs("</strong>: ", to->stream);
-    html_text(to->stream, of->says);
-    fputs(reached == WHIRL_AGREES_PARTLY ? ". Met in part; found instead:" : ". Met by no result; found instead:",
-          to->stream);
-    fputs("\n<ul>\n", to->stream);
+    fprintf(to->stream, "<li><a href=\"#claim-%zu\">", claim + 1);
+    html_printf(to->stream, "%s, ", of->where);
+    write_values(to, of);
+    fputs("</a>", to->stream);
+    bool first = true;
     for (size_t r = 0; r < to->count; r++) {
-        const claim_outcome *here = outcome(to, claim, r);
-        if (here->agreement != reached) continue;
-        fputs("<li><span class=\"soft\">", to->stream);
-        html_text(to->stream, to->names[r]);
-        fputs("</span>: ", to->stream);
-        write_missing_parts(to->stream, here);
-        fputs("</li>\n", to->stream);
+        char text[512];
+        if (outcome(to, claim, r)->agreement != reached) continue;
+        claim_whereabouts(to->claims, of, to->results[r], text, sizeof text);
+        fputs(first ? ": " : "; ", to->stream);
+        if (to->count > 1) html_printf(to->stream, "%s: ", to->names[r]);
+        html_text(to->stream, text);
+        first = false;
     }
-    fputs("</ul></li>\n", to->stream);
+    fputs("</li>\n", to->stream);
 }
 
 static void write_all_missed(const page *to) {
     size_t missed = 0;
     for (size_t c = 0; c < to->claims->count; c++) missed += best(to, c) >= WHIRL_AGREES_PARTLY;
-    fputs("<h3>What was not reproduced</h3>\n", to->stream);
+    fputs("<h3 id=\"missed\">What was not reproduced</h3>\n", to->stream);
     if (missed == 0) {
         fputs("<p>Every claim that could be compared is met in full by at least one result.</p>\n", to->stream);
         return;
     }
-    fprintf(to->stream, "<p>%zu of %zu claims %s met in full by no result.</p>\n<ul>\n", missed, to->claims->count,
-            missed == 1 ? "is" : "are");
+    fprintf(to->stream,
+            "<p>No result fully meets %zu of the %zu claims. What was found instead stands in the table; here is where "
+            "along the sweep each fails%s, or how far off it is met:</p>\n<ul>\n",
+            missed, to->claims->count, to->count > 1 ? " in the results that come nearest" : "");
     for (size_t c = 0; c < to->claims->count; c++)
         if (best(to, c) >= WHIRL_AGREES_PARTLY) write_missed(to, c);
     fputs("</ul>\n", to->stream);

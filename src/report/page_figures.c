@@ -36,15 +36,18 @@ void page_figures(const page *to, size_t index) {
         const figure *what = &to->figures->items[i];
         if (what->result != index) continue;
         if (what->point == NO_POINT) {
-            if (!diagrams) fputs("<h3>Bifurcation diagrams</h3>\n<div class=\"pair\">\n", to->stream);
+            if (!diagrams)
+                fprintf(to->stream, "<h3 id=\"diagrams-%zu\">Bifurcation diagrams</h3>\n<div class=\"pair\">\n",
+                        index + 1);
             diagrams = true;
         } else {
             if (!points && diagrams) fputs("</div>\n", to->stream);
             if (!points)
-                fputs("<h3>Motion at single points</h3>\n<p>Waveform, orbit, spectrum, Poincare map (once a "
-                      "revolution) and "
-                      "full spectrum of every station.</p>\n<div class=\"pair\">\n",
-                      to->stream);
+                fprintf(to->stream,
+                        "<h3 id=\"motions-%zu\">Motion at single points</h3>\n<p>One figure a station; its caption "
+                        "says what "
+                        "the letters of the panels stand for.</p>\n<div class=\"pair\">\n",
+                        index + 1);
             points = true;
         }
         write_figure(to, what);

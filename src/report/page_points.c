@@ -14,16 +14,23 @@ static void write_swatch(FILE *stream, regime_class kind) {
     fprintf(stream, "<span class=\"swatch\" style=\"background:%s\"></span>", regime_class_colour(kind));
 }
 
-static void write_range(FILE *stream, const whirl_table *table, size_t first, size_t last) {
+/// A table of a sweep in the unit in which its parameter is shown.
+typedef struct shown_table {
+    const whirl_table *table;
+    double unit; ///< in SI
+} shown_table;
+
+static void write_range(FILE *stream, const shown_table *of, size_t first, size_t last) {
+    const double *values = of->table->values;
     if (first == last)
-        html_printf(stream, "%.5g", table->values[first]);
+        html_printf(stream, "%.5g", values[first] / of->unit);
     else
-        html_printf(stream, "%.5g to %.5g", table->values[first], table->values[last]);
+        html_printf(stream, "%.5g to %.5g", values[first] / of->unit, values[last] / of->unit);
 }
 
-static void write_interval(FILE *stream, const whirl_table *table, const regime_interval *interval, bool branches) {
+static void write_interval(FILE *stream, const shown_table *of, const regime_interval *interval, bool branches) {
     fputs("<tr><td class=\"whole\">", stream);
-    write_range(stream, table, interval->first, interval->last);
+    write_range(stream, of, interval->first, interval->last);
     if (branches) fputs(interval->branch < 0 ? " <span class=\"soft\">(from the last value)</span>" : "", stream);
     fputs("</td><td class=\"whole\">", stream);
     write_swatch(stream, interval->kind);
@@ -33,10 +40,10 @@ static void write_interval(FILE *stream, const whirl_table *table, const regime_
 }
 
 /// Several short windows in a row stand as one line that names their regimes.
-static void write_windows(FILE *stream, const whirl_table *table, const regime_interval *windows, size_t count) {
+static void write_windows(FILE *stream, const shown_table *of, const regime_interval *windows, size_t count) {
     size_t points = 0, rubbing = 0;
     fputs("<tr><td class=\"whole\">", stream);
-    write_range(stream, table, windows[0].first, windows[count - 1].last);
+    write_range(stream, of, windows[0].first, windows[count - 1].last);
     fputs("</td><td class=\"wide\">changing: ", stream);
     for (size_t i = 0; i < count; i++) {
         bool named = false;
@@ -52,24 +59,25 @@ static void write_windows(FILE *stream, const whirl_table *table, const regime_i
 }
 
 static void write_interval_head(FILE *stream, const char *parameter) {
-    fputs("<div class=\"scroll\"><table>\n<thead><tr><th>", stream);
+    html_table(stream, "Regimes along the sweep", "");
+    fputs("<thead><tr><th>", stream);
     html_text(stream, parameter);
     fputs("</th><th>Regime</th><th class=\"number\">Points</th><th class=\"number\">of these with "
           "rub</th></tr></thead>\n<tbody>\n",
           stream);
 }
 
-static void write_merged(FILE *stream, const whirl_table *table, const regime_interval *intervals, size_t count,
+static void write_merged(FILE *stream, const shown_table *of, const regime_interval *intervals, size_t count,
                          bool branches) {
     for (size_t i = 0; i < count;) {
         size_t end = i;
         while (end < count && intervals[end].count < SHORT_INTERVAL && intervals[end].branch == intervals[i].branch)
             end++;
         if (end - i >= 2) {
-            write_windows(stream, table, &intervals[i], end - i);
+            write_windows(stream, of, &intervals[i], end - i);
             i = end;
         } else {
-            write_interval(stream, table, &intervals[i++], branches);
+            write_interval(stream, of, &intervals[i++], branches);
         }
     }
 }
@@ -81,8 +89,10 @@ void page_intervals(const page *to, size_t index) {
     regime_interval *intervals = malloc(table->count * sizeof *intervals);
     if (!intervals) return;
     const size_t count = regime_intervals(table, result->contact_count, intervals, table->count);
-    char label[LABEL_SIZE];
-    parameter_label(result, table->parameter, label, sizeof label);
+    const shown_units *units = &to->units[index];
+    const shown_table shown = {table, units_parameter(units, table->parameter).size};
+    char label[UNIT_LABEL_SIZE];
+    units_parameter_label(units, table->parameter, label, sizeof label);
     if (count == 0) {
         free(intervals);
         return;
@@ -91,14 +101,14 @@ void page_intervals(const page *to, size_t index) {
     size_t windows = 0;
     for (size_t i = 1; i < count; i++)
         windows += intervals[i].count < SHORT_INTERVAL && intervals[i - 1].count < SHORT_INTERVAL;
-    fputs("<h3>Regimes along the sweep</h3>\n", to->stream);
+    fprintf(to->stream, "<h3 id=\"regimes-%zu\">Regimes along the sweep</h3>\n", index + 1);
     write_interval_head(to->stream, label);
-    write_merged(to->stream, table, intervals, count, branches);
+    write_merged(to->stream, &shown, intervals, count, branches);
     fputs("</tbody></table></div>\n", to->stream);
     if (windows > 0) {
         fprintf(to->stream, "<details><summary>All %zu intervals</summary>\n", count);
         write_interval_head(to->stream, label);
-        for (size_t i = 0; i < count; i++) write_interval(to->stream, table, &intervals[i], branches);
+        for (size_t i = 0; i < count; i++) write_interval(to->stream, &shown, &intervals[i], branches);
         fputs("</tbody></table></div></details>\n", to->stream);
     }
     free(intervals);
@@ -106,10 +116,8 @@ void page_intervals(const page *to, size_t index) {
 
 // ---------------------------------------------------------------- points
 
-static void write_number(FILE *stream, const char *format, double value, int rows) {
-    fputs("<td class=\"number\"", stream);
-    if (rows > 1) fprintf(stream, " rowspan=\"%d\"", rows);
-    fputs(">", stream);
+static void write_number(FILE *stream, const char *format, double value) {
+    fputs("<td class=\"number\">", stream);
     if (isnan(value))
         fputs("&ndash;", stream);
     else {
@@ -120,15 +128,39 @@ static void write_number(FILE *stream, const char *format, double value, int row
     fputs("</td>", stream);
 }
 
-static void write_lines(FILE *stream, numbers lines) {
-    fputs("<td class=\"wide\">", stream);
-    for (size_t i = 0; i < lines.rows && i < SHOWN_LINES; i++) {
-        const double *line = &lines.at[5 * i];
-        html_printf(stream, "%s%.4g:\u00a0%.3g", i ? ", " : "", line[0], fmax(line[1], line[2]));
-    }
-    if (!lines.at) fputs("&ndash;", stream);
-    fputs("</td>", stream);
+/// What the tables of points share.
+typedef struct point_page {
+    FILE *stream;
+    const whirl_result *result;
+    const whirl_table *table;
+    const shown_units *units;
+    double unit; ///< of the parameter, in SI
+} point_page;
+
+static void write_value(const point_page *to, size_t point, size_t rows) {
+    fprintf(to->stream, "<th scope=\"row\" rowspan=\"%zu\">", rows);
+    if (*to->table->parameter)
+        html_printf(to->stream, "%.6g", to->table->values[point] / to->unit);
+    else
+        html_text(to->stream, to->table->name);
+    fputs("</th>", to->stream);
 }
+
+/// Begins a table whose first column is the point.
+static void begin_table(const point_page *to, const char *label) {
+    char parameter[UNIT_LABEL_SIZE];
+    units_parameter_label(to->units, to->table->parameter, parameter, sizeof parameter);
+    html_table(to->stream, label, "");
+    fputs("<thead><tr><th>", to->stream);
+    html_text(to->stream, *to->table->parameter ? parameter : "Point");
+    fputs("</th>", to->stream);
+}
+
+static void end_table(const point_page *to) {
+    fputs("</tbody></table></div>\n", to->stream);
+}
+
+// ---------------------------------------------------------------- verdicts
 
 /// "high", and what the second tolerance says where it was asked.
 static void write_confidence(FILE *stream, const whirl_verdict *verdict) {
@@ -137,31 +169,19 @@ static void write_confidence(FILE *stream, const whirl_verdict *verdict) {
     html_text(stream, whirl_confidence_name(verdict->confidence));
     if (!verdict->confirmed) return;
     regime_name(&second, other, sizeof other);
-    fputs("<br><span class=\"soft\">second tolerance: ", stream);
-    html_text(stream, other);
-    fputs("</span>", stream);
-}
-
-/// Why the verdict is what it is, and what would settle it where it is in doubt.
-static void write_reason(FILE *stream, const whirl_verdict *verdict, int columns) {
-    char text[512];
-    reason_text(verdict, text, sizeof text);
-    fprintf(stream, "<tr class=\"reason\"><td></td><td colspan=\"%d\">", columns - 1);
-    html_text(stream, text);
-    whirl_verdict_advice(verdict, text, sizeof text);
-    if (verdict->confidence == WHIRL_LOW && *text) html_printf(stream, ". To settle it, %s.", text);
-    fputs("</td></tr>\n", stream);
+    const bool same = second.regime == verdict->regime && second.period == verdict->period;
+    html_printf(stream, same ? ", confirmed" : "; at the second tolerance %s", other);
 }
 
 /// All exponents with their sum and what it is exactly, where they were computed.
-static void write_exponents(FILE *stream, const whirl_table *table, size_t point, int columns) {
+static void write_exponents(FILE *stream, const whirl_table *table, size_t point) {
     const numbers values = point_numbers(table, point, "exponents/values", 0);
     const numbers errors = point_numbers(table, point, "exponents/errors", 0);
     const numbers sum = point_numbers(table, point, "exponents/sum", 0);
     const numbers exact = point_numbers(table, point, "exponents/sum_exact", 0);
     const numbers dimension = point_numbers(table, point, "exponents/dimension", 0);
     if (!values.at || !errors.at || errors.rows < values.rows) return;
-    fprintf(stream, "<tr class=\"reason\"><td></td><td colspan=\"%d\">exponents ", columns - 1);
+    fputs("<br>exponents ", stream);
     for (size_t i = 0; i < values.rows; i++) {
         const shown_estimate shown = estimate_shown((whirl_estimate){values.at[i], errors.at[i]});
         fprintf(stream, "%s%.*f&nbsp;&plusmn;&nbsp;%.*f", i ? ", " : "", shown.decimals, shown.value, shown.decimals,
@@ -169,35 +189,57 @@ static void write_exponents(FILE *stream, const whirl_table *table, size_t point
     }
     if (sum.at && exact.at) html_printf(stream, "; their sum %.6f, exactly %.6f", sum.at[0], exact.at[0]);
     if (dimension.at) html_printf(stream, "; Kaplan-Yorke dimension %.3g", dimension.at[0]);
-    fputs("</td></tr>\n", stream);
 }
 
-/// The columns that belong to the point and stretch over the rows of its stations.
-static void write_point_columns(FILE *stream, const whirl_table *table, size_t point, const whirl_result *result) {
-    const whirl_verdict verdict = whirl_table_verdict(table, point);
-    const shown_estimate exponent = estimate_shown(point_exponent(table, point));
-    const int rows = (int)result->station_count;
-    char text[LABEL_SIZE];
-    fprintf(stream, "<th rowspan=\"%d\">", rows);
-    if (*table->parameter)
-        html_printf(stream, "%.6g", table->values[point]);
-    else
-        html_text(stream, table->name);
-    fprintf(stream, "</th><td class=\"whole\" rowspan=\"%d\">", rows);
-    write_swatch(stream, regime_class_of(&verdict));
-    whirl_verdict_name(&verdict, text, sizeof text);
-    html_text(stream, text);
-    fprintf(stream, "</td><td class=\"whole\" rowspan=\"%d\">", rows);
-    write_confidence(stream, &verdict);
-    fprintf(stream, "</td><td class=\"number\" rowspan=\"%d\">", rows);
-    if (isnan(exponent.value))
-        fputs("&ndash;", stream);
-    else
-        fprintf(stream, "%.*f&nbsp;&plusmn;&nbsp;%.*f", exponent.decimals, exponent.value, exponent.decimals,
-                exponent.error);
-    fputs("</td>", stream);
-    write_number(stream, "%.3g %%", 100.0 * rub_share(table, point, result->contact_count), rows);
+/// Why the verdict is what it is, what would settle it where it is in doubt, and all exponents.
+static void write_reason(const point_page *to, size_t point, const whirl_verdict *verdict) {
+    char text[512];
+    fputs("<td class=\"why\">", to->stream);
+    reason_text(verdict, text, sizeof text);
+    html_text(to->stream, text);
+    whirl_verdict_advice(verdict, text, sizeof text);
+    if (verdict->confidence == WHIRL_LOW && *text) html_printf(to->stream, ". To settle it, %s.", text);
+    write_exponents(to->stream, to->table, point);
+    fputs("</td>", to->stream);
 }
+
+static void write_verdict(const point_page *to, size_t point) {
+    const whirl_verdict verdict = whirl_table_verdict(to->table, point);
+    const shown_estimate exponent = estimate_shown(point_exponent(to->table, point));
+    char text[LABEL_SIZE];
+    fputs("<tr>", to->stream);
+    write_value(to, point, 1);
+    fputs("<td class=\"whole\">", to->stream);
+    write_swatch(to->stream, regime_class_of(&verdict));
+    whirl_verdict_name(&verdict, text, sizeof text);
+    html_text(to->stream, text);
+    fputs("</td><td>", to->stream);
+    write_confidence(to->stream, &verdict);
+    fputs("</td><td class=\"number\">", to->stream);
+    if (isnan(exponent.value))
+        fputs("&ndash;", to->stream);
+    else
+        fprintf(to->stream, "%.*f&nbsp;&plusmn;&nbsp;%.*f", exponent.decimals, exponent.value, exponent.decimals,
+                exponent.error);
+    fputs("</td>", to->stream);
+    if (has_rub(to->table, to->result->contact_count))
+        write_number(to->stream, "%.3g %%", 100.0 * rub_share(to->table, point, to->result->contact_count));
+    write_reason(to, point, &verdict);
+    fputs("</tr>\n", to->stream);
+}
+
+static void write_verdicts(const point_page *to) {
+    begin_table(to, "Verdicts on the points in detail");
+    fputs("<th>Regime</th><th>Confidence</th><th class=\"number\">Largest exponent<br>(1/revolution)</th>", to->stream);
+    if (has_rub(to->table, to->result->contact_count))
+        fputs("<th class=\"number\">Time in<br>contact</th>", to->stream);
+    fputs("<th>Why</th></tr></thead>\n<tbody>\n", to->stream);
+    for (size_t i = 0; i < to->table->count; i++)
+        if (whirl_table_done(to->table, i)) write_verdict(to, i);
+    end_table(to);
+}
+
+// ---------------------------------------------------------------- size and sense
 
 /// Whether any station is a journal.
 static bool has_bearing(const whirl_result *result) {
@@ -213,57 +255,112 @@ static bool has_gap(const whirl_result *result) {
     return found;
 }
 
-static void write_point(FILE *stream, const whirl_table *table, size_t point, const whirl_result *result) {
-    for (size_t s = 0; s < result->station_count; s++) {
-        const double clearance = result->stations[s].clearance, gap = result->stations[s].gap;
-        const double radius = max_radius(table, point, s);
-        fputs("<tr class=\"open\">", stream);
-        if (s == 0) write_point_columns(stream, table, point, result);
-        fputs("<td>", stream);
-        html_text(stream, result->stations[s].name);
-        fputs("</td>", stream);
-        write_number(stream, "%.4f", radius, 1);
-        if (has_bearing(result)) write_number(stream, "%.4f", clearance > 0.0 ? radius / clearance : (double)NAN, 1);
-        if (has_gap(result)) write_number(stream, "%.4f", gap > 0.0 ? radius / gap : (double)NAN, 1);
-        write_number(stream, "%.3g %%", 100.0 * backward_share(table, point, s), 1);
-        write_lines(stream, point_lines(table, point, s));
-        fputs("</tr>\n", stream);
+/// The largest lines: orders with their amplitudes.
+static void write_lines(const point_page *to, numbers lines) {
+    fputs("<td class=\"wide\">", to->stream);
+    const double amplitude = to->units->length * to->units->amplitude;
+    for (size_t i = 0; i < lines.rows && i < SHOWN_LINES; i++) {
+        const double *line = &lines.at[5 * i];
+        html_printf(to->stream, "%s%.4g:\u00a0%.3g", i ? ", " : "", line[0], amplitude * fmax(line[1], line[2]));
     }
-    const whirl_verdict verdict = whirl_table_verdict(table, point);
-    const int columns = 11 - !has_bearing(result) - !has_gap(result);
-    write_reason(stream, &verdict, columns);
-    write_exponents(stream, table, point, columns);
+    if (!lines.at) fputs("&ndash;", to->stream);
+    fputs("</td>", to->stream);
+}
+
+static void write_station_name(const point_page *to, size_t point, size_t station) {
+    fputs(station + 1 < to->result->station_count ? "<tr class=\"open\">" : "<tr>", to->stream);
+    if (station == 0) write_value(to, point, to->result->station_count);
+    fputs("<td>", to->stream);
+    html_text(to->stream, to->result->stations[station].name);
+    fputs("</td>", to->stream);
+}
+
+static void write_size(const point_page *to, size_t point, size_t s) {
+    const double clearance = to->result->stations[s].clearance, gap = to->result->stations[s].gap;
+    const double radius = max_radius(to->table, point, s), none = (double)NAN;
+    write_station_name(to, point, s);
+    write_number(to->stream, to->units->ratio ? "%.4f" : "%.4g", to->units->length * radius);
+    if (has_bearing(to->result)) write_number(to->stream, "%.4f", clearance > 0.0 ? radius / clearance : none);
+    if (has_gap(to->result)) write_number(to->stream, "%.4f", gap > 0.0 ? radius / gap : none);
+    write_number(to->stream, "%.3g %%", 100.0 * backward_share(to->table, point, s));
+    write_lines(to, point_lines(to->table, point, s));
+    fputs("</tr>\n", to->stream);
+}
+
+static void write_sizes(const point_page *to) {
+    char radius[UNIT_LABEL_SIZE], amplitude[UNIT_LABEL_SIZE];
+    units_length_label(to->units, "radius", radius, sizeof radius);
+    units_amplitude_label(to->units, "larger amplitude of x and y", amplitude, sizeof amplitude);
+    begin_table(to, "Size and sense of the motion at the points in detail");
+    fputs("<th>Station</th><th class=\"number\">Largest<br>", to->stream);
+    html_text(to->stream, radius);
+    fputs("</th>", to->stream);
+    if (has_bearing(to->result)) fputs("<th class=\"number\">Largest<br>eccentricity</th>", to->stream);
+    if (has_gap(to->result)) fputs("<th class=\"number\">Largest<br>radius / gap</th>", to->stream);
+    fputs("<th class=\"number\">Time against<br>the rotation</th><th>Largest lines: order, ", to->stream);
+    html_text(to->stream, amplitude);
+    fputs("</th></tr></thead>\n<tbody>\n", to->stream);
+    for (size_t i = 0; i < to->table->count; i++)
+        for (size_t s = 0; s < to->result->station_count && whirl_table_done(to->table, i); s++) write_size(to, i, s);
+    end_table(to);
+    fputs(
+        "<p class=\"soft small\">Time against the rotation: the share of the time in which the station moves backward "
+        "about the centre (0, 0), x&nbsp;y\u2032&nbsp;\u2212&nbsp;y&nbsp;x\u2032&nbsp;&lt;&nbsp;0; an orbit beside the "
+        "centre does so for about half of the time, whatever its sense. The exponent in the reason is that of the "
+        "evidence, which may be averaged in another way than the one in the table.</p>\n",
+        to->stream);
+}
+
+// ---------------------------------------------------------------- the running speed
+
+enum { SYNCHRONOUS_PARTS = 4 };
+
+static void write_synchronous(const point_page *to, size_t point, size_t station) {
+    const double *amplitude = whirl_table_field(to->table, point, "spectrum/synchronous", station);
+    const double *lag = whirl_table_field(to->table, point, "spectrum/synchronous_lag", station);
+    const double size = to->units->length * to->units->amplitude;
+    write_station_name(to, point, station);
+    for (int i = 0; i < SYNCHRONOUS_PARTS && amplitude && lag; i++) {
+        write_number(to->stream, "%.4g", size * amplitude[i]);
+        write_number(to->stream, "%.1f\u00b0", lag[i]);
+    }
+    fputs("</tr>\n", to->stream);
+}
+
+static void write_running_speed(const point_page *to) {
+    static const char *const parts[SYNCHRONOUS_PARTS] = {"x", "y", "forward", "backward"};
+    char amplitude[UNIT_LABEL_SIZE];
+    if (!whirl_layout_field(&to->table->layout, "spectrum/synchronous")) return;
+    units_amplitude_label(to->units, "amplitudes", amplitude, sizeof amplitude);
+    fputs("<h4>At the running speed (1X)</h4>\n<p>", to->stream);
+    html_text(to->stream, amplitude);
+    fputs(" and phase lags of x, of y, and of the circular motions with and against the rotation that make up the "
+          "orbit at 1X.</p>\n",
+          to->stream);
+    begin_table(to, "Amplitudes and phases at the running speed");
+    fputs("<th>Station</th>", to->stream);
+    for (int i = 0; i < SYNCHRONOUS_PARTS; i++)
+        fprintf(to->stream, "<th class=\"number\">%s</th><th class=\"number\">lag</th>", parts[i]);
+    fputs("</tr></thead>\n<tbody>\n", to->stream);
+    for (size_t i = 0; i < to->table->count; i++)
+        for (size_t s = 0; s < to->result->station_count && whirl_table_done(to->table, i); s++)
+            write_synchronous(to, i, s);
+    end_table(to);
+    fputs(
+        "<p class=\"soft small\">Lags are in degrees behind a mark on the shaft that stands on the x axis at the start "
+        "of every revolution, where an unbalance without an angle of its own lies: x&nbsp;= "
+        "a&nbsp;cos(\u03c4&nbsp;\u2212&nbsp;lag).</p>\n",
+        to->stream);
 }
 
 void page_points(const page *to, size_t index) {
     const whirl_result *result = to->results[index];
     const whirl_table *table = detail_table(result);
     if (!table || table->count == 0 || result->station_count == 0) return;
-    char label[LABEL_SIZE], length[LABEL_SIZE];
-    parameter_label(result, table->parameter, label, sizeof label);
-    length_symbol(result, length, sizeof length);
-    fputs("<h3>Points in detail</h3>\n<div class=\"scroll\"><table>\n<thead><tr><th>", to->stream);
-    html_text(to->stream, *table->parameter ? label : "Point");
-    fputs("</th><th>Regime</th><th>Confidence</th><th class=\"number\">Largest exponent<br>(1/revolution)</th>"
-          "<th class=\"number\">Time in<br>contact</th><th>Station</th><th class=\"number\">Largest<br>radius / ",
-          to->stream);
-    html_text(to->stream, length);
-    fputs("</th>", to->stream);
-    if (has_bearing(result)) fputs("<th class=\"number\">Largest<br>eccentricity</th>", to->stream);
-    if (has_gap(result)) fputs("<th class=\"number\">Largest<br>radius / gap</th>", to->stream);
-    fputs("<th class=\"number\">Time against<br>the rotation</th><th>Largest lines (order: larger amplitude of x and y "
-          "/ ",
-          to->stream);
-    html_text(to->stream, length);
-    fputs(")</th></tr></thead>\n<tbody>\n", to->stream);
-    for (size_t i = 0; i < table->count; i++)
-        if (whirl_table_done(table, i)) write_point(to->stream, table, i, result);
-    fputs("</tbody></table></div>\n<p class=\"soft small\">", to->stream);
-    fputs(
-        "Time against the rotation: the share of the time in which the station moves backward about the centre (0, 0), "
-        "x&nbsp;y\u2032&nbsp;\u2212&nbsp;y&nbsp;x\u2032&nbsp;&lt;&nbsp;0; an orbit beside the centre does so for about "
-        "half "
-        "of the time, whatever its sense. The exponent in the reason is that of the evidence, which may be averaged "
-        "in another way than the one in the table.</p>\n",
-        to->stream);
+    const shown_units *units = &to->units[index];
+    const point_page points = {to->stream, result, table, units, units_parameter(units, table->parameter).size};
+    fprintf(to->stream, "<h3 id=\"points-%zu\">Points in detail</h3>\n", index + 1);
+    write_verdicts(&points);
+    write_sizes(&points);
+    write_running_speed(&points);
 }

@@ -14,13 +14,14 @@ static void write_row(FILE *stream, const char *term, const char *text) {
     fputs("</dd>\n", stream);
 }
 
-static void describe_points(const whirl_result *result, const whirl_table *table, char *text, size_t size) {
-    char label[LABEL_SIZE];
+static void describe_points(const shown_units *units, const whirl_table *table, char *text, size_t size) {
+    char label[UNIT_LABEL_SIZE];
     if (!*table->parameter) {
         snprintf(text, size, "%zu point%s", table->count, table->count == 1 ? "" : "s");
         return;
     }
-    parameter_label(result, table->parameter, label, sizeof label);
+    units_parameter_label(units, table->parameter, label, sizeof label);
+    const double unit = units_parameter(units, table->parameter).size;
     size_t forward = 0;
     bool reverse = false;
     for (size_t i = 0; i < table->count; i++) {
@@ -28,15 +29,16 @@ static void describe_points(const whirl_result *result, const whirl_table *table
         reverse = reverse || table->branch[i] < 0;
     }
     const size_t last = forward > 0 && reverse ? forward - 1 : table->count - 1;
-    snprintf(text, size, "%s from %.6g to %.6g, %zu points%s", label, table->values[0], table->values[last],
-             table->count,
+    snprintf(text, size, "%s from %.6g to %.6g, %zu points%s", label, table->values[0] / unit,
+             table->values[last] / unit, table->count,
              forward && reverse ? " (both ways, each start carried from the point before)"
              : reverse || (table->count && table->branch[0] > 0) ? " (each start carried from the point before)"
                                                                  : "");
 }
 
-static void write_tables(FILE *stream, const whirl_result *result) {
-    fputs("<div class=\"scroll\"><table>\n<thead><tr><th>Part of the study</th><th>Points</th><th>Method</th>"
+static void write_tables(FILE *stream, const whirl_result *result, const shown_units *units) {
+    html_table(stream, "Parts of the study", "");
+    fputs("<thead><tr><th>Part of the study</th><th>Points</th><th>Method</th>"
           "<th class=\"number\">Steps a revolution</th><th class=\"number\">Transient</th><th "
           "class=\"number\">Recorded</th>"
           "</tr></thead>\n<tbody>\n",
@@ -45,7 +47,7 @@ static void write_tables(FILE *stream, const whirl_result *result) {
         const whirl_table *table = &result->tables[t];
         char points[512];
         if (table->count == 0) continue;
-        describe_points(result, table, points, sizeof points);
+        describe_points(units, table, points, sizeof points);
         fputs("<tr><th>", stream);
         html_text(stream, table->name);
         fputs("</th><td class=\"wide\">", stream);
@@ -62,7 +64,8 @@ static void write_tables(FILE *stream, const whirl_result *result) {
 
 static void write_parameters(FILE *stream, const whirl_result *result) {
     if (result->parameter_count == 0) return;
-    fputs("<div class=\"scroll\"><table>\n<thead><tr><th>Parameter</th><th>As given</th><th class=\"number\">In SI</th>"
+    html_table(stream, "Parameters", "");
+    fputs("<thead><tr><th>Parameter</th><th>As given</th><th class=\"number\">In SI</th>"
           "<th>Unit</th></tr></thead>\n<tbody>\n",
           stream);
     for (size_t i = 0; i < result->parameter_count; i++) {
@@ -72,25 +75,24 @@ static void write_parameters(FILE *stream, const whirl_result *result) {
         fputs("</th><td>", stream);
         html_text(stream, parameter->text);
         fprintf(stream, "</td><td class=\"number\">%.8g</td><td>", parameter->value);
-        html_text(stream, parameter_unit(result, parameter->name));
+        html_text(stream, strcmp(parameter->unit, "1") == 0 ? "" : parameter->unit);
         fputs("</td></tr>\n", stream);
     }
     fputs("</tbody></table></div>\n", stream);
 }
 
 /// " (stator at 1.2 c)".
-static void append_gap(const whirl_result *result, const whirl_probe *station, char *text, size_t size) {
-    char length[LABEL_SIZE];
+static void append_gap(const shown_units *units, const whirl_probe *station, char *text, size_t size) {
     const size_t used = strlen(text);
-    length_symbol(result, length, sizeof length);
-    snprintf(text + used, size - used, " (stator at %.4g %s)", station->gap, length);
+    snprintf(text + used, size - used, " (stator at %.4g %s)", units->length * station->gap, units->length_name);
 }
 
 void page_computed(const page *to, size_t index) {
     const whirl_result *result = to->results[index];
     char text[1024];
     size_t done, total;
-    fputs("<h3>What was computed</h3>\n", to->stream);
+    const shown_units *units = &to->units[index];
+    fprintf(to->stream, "<h3 id=\"computed-%zu\">What was computed</h3>\n", index + 1);
     const bool partial = whirl_result_partial(result, &done, &total);
     if (partial && done < total)
         fprintf(to->stream,
@@ -106,15 +108,16 @@ void page_computed(const page *to, size_t index) {
     snprintf(text, sizeof text, "%.6g rad/s (%.6g revolutions a minute)", result->speed,
              result->speed * 60.0 / 6.283185307179586);
     write_row(to->stream, "Speed of rotation", text);
-    snprintf(text, sizeof text, "%.6g m", result->length_scale);
-    write_row(to->stream, "Unit of length", text);
+    const whirl_unit length = whirl_result_length_unit(result);
+    snprintf(text, sizeof text, "%.6g %s", result->length_scale / length.size, length.name);
+    write_row(to->stream, "Length scale", text);
     text[0] = '\0';
     for (size_t s = 0; s < result->station_count; s++) {
         const size_t used = strlen(text);
         const whirl_probe *station = &result->stations[s];
         snprintf(text + used, sizeof text - used, "%s%s%s", s ? ", " : "", station->name,
                  station->clearance > 0.0 ? " (journal bearing)" : "");
-        if (station->gap > 0.0) append_gap(result, station, text, sizeof text);
+        if (station->gap > 0.0) append_gap(units, station, text, sizeof text);
     }
     write_row(to->stream, "Stations", text);
     if (result->contact_count > 0) {
@@ -126,14 +129,14 @@ void page_computed(const page *to, size_t index) {
         write_row(to->stream, "Contacts", text);
     }
     fputs("</dl>\n", to->stream);
-    write_tables(to->stream, result);
+    write_tables(to->stream, result, units);
     write_parameters(to->stream, result);
 }
 
 void page_provenance(const page *to, size_t index) {
     const whirl_result *result = to->results[index];
     if (result->fact_count > 0) {
-        fputs("<h3>Provenance</h3>\n<dl>\n", to->stream);
+        fprintf(to->stream, "<h3 id=\"provenance-%zu\">Provenance</h3>\n<dl>\n", index + 1);
         for (size_t i = 0; i < result->fact_count; i++)
             write_row(to->stream, result->facts[i].name, result->facts[i].value);
         fputs("</dl>\n", to->stream);

@@ -17,14 +17,17 @@ void page_style(FILE *stream) {
         "li{max-width:60rem}li li{font-size:.9rem}",
         ".soft{color:var(--soft)}.small{font-size:.86rem}",
         "nav ul{list-style:none;padding:0;margin:1rem 0;display:flex;flex-wrap:wrap;gap:.3rem 1.4rem}",
-        ".scroll{overflow-x:auto}",
+        "nav ul ul{display:none}",
+        ".scroll{overflow-x:auto}.scroll:focus-visible{outline:2px solid var(--link);outline-offset:2px}",
+        "h4{font-size:.95rem;margin:1.6rem 0 .3rem}",
+        "tr:target{background:var(--wash)}",
         "table{border-collapse:collapse;font-size:.86rem;line-height:1.4;margin:.8rem "
         "0;font-variant-numeric:tabular-nums}",
         "th,td{text-align:left;vertical-align:top;padding:.38rem .75rem .38rem 0;border-bottom:1px solid var(--line)}",
         "thead th{border-bottom:1.5px solid var(--ink);font-weight:600;vertical-align:bottom}",
         "tbody th{font-weight:600;white-space:nowrap}",
         ".number{text-align:right;white-space:nowrap}.whole{white-space:nowrap}.wide{min-width:13rem}",
-        "tr.reason td{color:var(--soft);border-bottom:1.5px solid var(--line);padding-top:.1rem}",
+        ".why{min-width:20rem;color:var(--soft)}",
         "tr.open td,tr.open th{border-bottom:0}",
         ".claims td{min-width:14rem;padding-top:.5rem;padding-bottom:.5rem}.claims td.says{min-width:11rem}"
         ".claims th{padding-top:.5rem}",
@@ -40,12 +43,18 @@ void page_style(FILE *stream) {
         "dl{display:grid;grid-template-columns:max-content 1fr;gap:.2rem 1.2rem;font-size:.92rem;margin:.8rem 0}",
         "dt{color:var(--soft)}dd{margin:0;overflow-wrap:anywhere}",
         "figure{margin:1.6rem 0 2.4rem}",
-        "figure img{display:block;width:100%;max-width:52rem;height:auto;background:#fff;border:1px solid var(--line)}",
+        "figure img{display:block;width:100%;max-width:46rem;height:auto;background:#fff;border:1px solid var(--line)}",
         "figcaption{max-width:52rem;font-size:.86rem;margin-top:.5rem}",
         ".pair{display:grid;grid-template-columns:repeat(auto-fit,minmax(26rem,1fr));gap:0 1.6rem}",
         ".missing{border:1px dashed var(--line);background:var(--wash);padding:2rem;max-width:52rem}",
         "details{margin:.8rem 0}summary{cursor:pointer;color:var(--link)}",
         "pre{overflow-x:auto;background:var(--wash);padding:1rem;font-size:.82rem;line-height:1.4}",
+        // The contents stand beside the text where there is room for both.
+        "@media (min-width:90rem){body{max-width:96rem;display:grid;grid-template-columns:13rem minmax(0,1fr);"
+        "column-gap:3rem}header{grid-column:2}nav{grid-column:1;grid-row:2;align-self:start;position:sticky;top:1.5rem;"
+        "max-height:calc(100vh - 3rem);overflow-y:auto;font-size:.9rem}nav ul{display:block;margin:0}"
+        "nav li{margin:.35rem 0}nav ul ul{display:block;padding-left:.9rem}main{grid-column:2}"
+        "main>section:first-child>h2{margin-top:0}}",
         "@media (max-width:45rem){body{padding:1rem 1rem 3rem}.claims thead{display:none}"
         ".claims,.claims tbody,.claims tr,.claims th,.claims td{display:block;min-width:0;border:0;padding:.1rem 0}"
         ".claims tr{padding:.8rem 0;border-bottom:1px solid var(--line)}.claims th br{display:none}.claims th "

@@ -91,53 +91,6 @@ bool has_rub(const whirl_table *table, size_t contact_count) {
     return contact_count > 0 && whirl_layout_field(&table->layout, "rub/share") != NULL;
 }
 
-static const whirl_parameter *parameter(const whirl_result *result, const char *name) {
-    for (size_t i = 0; i < result->parameter_count; i++)
-        if (strcmp(result->parameters[i].name, name) == 0) return &result->parameters[i];
-    return NULL;
-}
-
-const char *parameter_unit(const whirl_result *result, const char *name) {
-    const whirl_parameter *found = parameter(result, name);
-    return !found || strcmp(found->unit, "1") == 0 ? "" : found->unit;
-}
-
-void parameter_label(const whirl_result *result, const char *name, char *label, size_t size) {
-    const char *unit = parameter_unit(result, name);
-    snprintf(label, size, *unit ? "%s (%s)" : "%s", name, unit);
-}
-
-void point_label(const whirl_result *result, const whirl_table *table, size_t point, char *label, size_t size) {
-    if (!*table->parameter) {
-        snprintf(label, size, "%s", table->name);
-        return;
-    }
-    const char *unit = parameter_unit(result, table->parameter);
-    snprintf(label, size, "%s = %.6g%s%s", table->parameter, table->values[point], *unit ? " " : "", unit);
-}
-
-void length_symbol(const whirl_result *result, char *symbol, size_t size) {
-    static const struct {
-        double metres;
-        const char *unit;
-    } units[] = {{1.0, "m"}, {1e-3, "mm"}, {1e-6, "um"}};
-    const double scale = result->length_scale;
-    for (size_t i = 0; i < result->parameter_count; i++) {
-        const whirl_parameter *candidate = &result->parameters[i];
-        if (strcmp(candidate->unit, "m") == 0 && fabs(candidate->value - scale) <= 1e-12 * scale) {
-            snprintf(symbol, size, "%s", candidate->name);
-            return;
-        }
-    }
-    size_t unit = 0;
-    while (unit < 2 && scale < units[unit].metres * 0.0999) unit++;
-    const double value = scale / units[unit].metres;
-    if (value == 1.0)
-        snprintf(symbol, size, "%s", units[unit].unit);
-    else
-        snprintf(symbol, size, "(%.4g %s)", value, units[unit].unit);
-}
-
 const whirl_table *detail_table(const whirl_result *result) {
     const whirl_table *detail = whirl_result_table(result, "detail");
     return detail ? detail : whirl_result_table(result, "response");

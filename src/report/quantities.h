@@ -46,18 +46,6 @@ double rub_share(const whirl_table *table, size_t point, size_t contact_count);
 /// Whether the table knows of contacts at all.
 bool has_rub(const whirl_table *table, size_t contact_count);
 
-/// Value, unit ("rad/s", "" for a plain number) of the parameter of that name.
-const char *parameter_unit(const whirl_result *result, const char *name);
-
-/// "r_k" or "omega (rad/s)": for axes and column headings.
-void parameter_label(const whirl_result *result, const char *name, char *label, size_t size);
-
-/// "r_k = 0.46" or "omega = 650 rad/s"; for a table without a parameter its name.
-void point_label(const whirl_result *result, const whirl_table *table, size_t point, char *label, size_t size);
-
-/// What lengths are divided by, for axes: "c" where a parameter of that name is the length scale, "(0.2 mm)", or "m".
-void length_symbol(const whirl_result *result, char *symbol, size_t size);
-
 /// The table whose points are shown one by one: "detail", else "response"; NULL where there is neither.
 const whirl_table *detail_table(const whirl_result *result);
 

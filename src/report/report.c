@@ -6,6 +6,7 @@
 #include "explorer.h"
 #include "figures.h"
 #include "gnuplot.h"
+#include "machine_speed.h"
 #include "page.h"
 #include "whirl/report.h"
 
@@ -15,6 +16,7 @@ typedef struct report {
     char (*paths)[FILE_PATH_SIZE];
     claim_outcome *outcomes;
     figure_list figures;
+    shown_units *units;
 } report;
 
 static void report_free(report *made) {
@@ -22,6 +24,7 @@ static void report_free(report *made) {
     free(made->paths);
     free(made->outcomes);
     free(made->figures.items);
+    free(made->units);
 }
 
 /// A folder name for every result, no two alike.
@@ -38,16 +41,29 @@ static void name_folders(report *made, const char *const *names, size_t count) {
     }
 }
 
+static whirl_status draw_result(report *made, const whirl_result *result, size_t index) {
+    // Only frequencies in Hz ask for the speed at a point.
+    whirl_case *machine = made->units[index].frequency > 0.0 ? machine_of(result) : NULL;
+    const drawing to = {.result = result,
+                        .index = index,
+                        .units = &made->units[index],
+                        .machine = machine,
+                        .folder = made->paths[index],
+                        .list = &made->figures};
+    whirl_status status = folder_make_own(made->paths[index]);
+    if (status.code == WHIRL_OK) status = draw_bifurcations(&to);
+    if (status.code == WHIRL_OK) status = draw_points(&to);
+    whirl_case_free(machine);
+    return status;
+}
+
 static whirl_status write_figures(report *made, const whirl_result *const *results, size_t count,
                                   const char *directory) {
     for (size_t r = 0; r < count; r++) {
         const int length = snprintf(made->paths[r], FILE_PATH_SIZE, "%s/%s", directory, made->folders[r]);
         if (length < 0 || length >= FILE_PATH_SIZE)
             return whirl_fail(WHIRL_IO_ERROR, "the path %.200s... is too long", directory);
-        const drawing to = {results[r], r, made->paths[r], &made->figures};
-        whirl_status status = folder_make_own(made->paths[r]);
-        if (status.code == WHIRL_OK) status = draw_bifurcations(&to);
-        if (status.code == WHIRL_OK) status = draw_points(&to);
+        whirl_status status = draw_result(made, results[r], r);
         if (status.code != WHIRL_OK) return status;
     }
     return whirl_ok();
@@ -93,6 +109,7 @@ static whirl_status write_page(const report *made, const whirl_result *const *re
         .claims = options->claims,
         .outcomes = made->outcomes,
         .figures = &made->figures,
+        .units = made->units,
         .explorer = options->explorer != NULL,
     };
     page_write(&to);
@@ -118,13 +135,18 @@ whirl_status whirl_report_write(const whirl_result *const *results, const char *
     static const whirl_report_options none = {0};
     if (!options) options = &none;
     const size_t claims = options->claims ? options->claims->count : 0;
+    unit_choice choice;
+    whirl_status status = unit_choice_read(options->units ? options->units : "", &choice);
+    if (status.code != WHIRL_OK) return status;
     report made = {
         .folders = calloc(count + 1, sizeof *made.folders),
         .paths = calloc(count + 1, sizeof *made.paths),
         .outcomes = calloc(claims * count + 1, sizeof *made.outcomes),
+        .units = calloc(count + 1, sizeof *made.units),
     };
-    whirl_status status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a report of %zu results", count);
-    if (made.folders && made.paths && made.outcomes) {
+    status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a report of %zu results", count);
+    if (made.folders && made.paths && made.outcomes && made.units) {
+        for (size_t r = 0; r < count; r++) made.units[r] = units_shown(results[r], &choice);
         name_folders(&made, names, count);
         status = make(&made, results, names, count, directory, options);
     }

@@ -116,7 +116,7 @@ static void everything_is_written(void **state) {
     assert_holds("out/report.html", "src=\"made/r_k-0.25-journal.png\"");
     assert_holds("out/report.html", "P-1 &lt;b&gt;");
     assert_holds("out/report.html", "What was not reproduced");
-    assert_holds("out/report.html", "1 of 2 claims is met in full by no result");
+    assert_holds("out/report.html", "No result fully meets 1 of the 2 claims.");
     assert_holds("out/report.html", "chaotic at 18.2 % of 11 points"); // 2 of 11
     whirl_result_free(result);
 }
@@ -157,9 +157,15 @@ static void stators_near_the_orbit_are_drawn(void **state) {
         result->stations[0].gap = gaps[i].share * reach;
         assert_int_equal(report_one(result, "made", &options).code, WHIRL_MISSING_PROGRAM);
         if (gaps[i].shown)
-            assert_holds("out/made/r_k-0.6-disc.gp", "dashed: stator");
+            assert_holds("out/made/r_k-0.6-disc.gp", "*cos(angle)");
         else
-            assert_lacks("out/made/r_k-0.6-disc.gp", "dashed: stator");
+            assert_lacks("out/made/r_k-0.6-disc.gp", "*cos(angle)");
+        char *page = contents("out/report.html");
+        const char *caption = strstr(page, "r_k = 0.6, disc: P-1. (a) waveform");
+        assert_non_null(caption);
+        const char *end = strstr(caption, "</figcaption>"), *stator = strstr(caption, "(dashed: stator)");
+        assert_true(gaps[i].shown == (stator && stator < end));
+        free(page);
     }
     whirl_result_free(result);
 }
@@ -200,7 +206,7 @@ static void confidence_is_shown(void **state) {
     assert_holds("out/made/sweep.dat", "\n0.9 0 1 -0.1 0.01 0 0.8 0.8\n0.8 0 2 -0.1 0.01 0 0.8 0.8\n");
     assert_holds("out/made/sweep.dat", "\n0.1 5 0 0.4 0.01 0.04 0.8 0.8\n");
     assert_holds("out/made/bifurcation-disc.gp", "'confidence'");
-    assert_holds("out/report.html", "second tolerance: P-3");
+    assert_holds("out/report.html", "high; at the second tolerance P-3");
     assert_holds("out/report.html", ". To settle it, let it run 2 times as long.");
     whirl_result_free(result);
 }

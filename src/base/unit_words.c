@@ -1,0 +1,80 @@
+#include "unit_words.h"
+
+#include <stdbool.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "whirl/descriptor.h"
+
+enum { LONGEST_WORD = 31, MOST_WORDS = 32 };
+
+static const unit_word words[] = {
+    {"scale", "", UNIT_LENGTH, 0.0},
+    {"m", "m", UNIT_LENGTH, 1.0},
+    {"mm", "mm", UNIT_LENGTH, 1e-3},
+    {"um", "\u00b5m", UNIT_LENGTH, 1e-6},
+    {"in", "in", UNIT_LENGTH, 25.4e-3},
+    {"mil", "mil", UNIT_LENGTH, 25.4e-6},
+    {"rad/s", "rad/s", UNIT_SPEED, 1.0},
+    {"rpm", "rpm", UNIT_SPEED, 0.10471975511965977462}, // 2 pi/60
+    {"order", "", UNIT_FREQUENCY, 0.0},
+    {"Hz", "Hz", UNIT_FREQUENCY, 1.0},
+    {"cpm", "cpm", UNIT_FREQUENCY, 1.0 / 60.0},
+    {"0-p", "0-p", UNIT_AMPLITUDE, 1.0},
+    {"p-p", "p-p", UNIT_AMPLITUDE, 2.0},
+    {"rms", "rms", UNIT_AMPLITUDE, 0.70710678118654752440},
+    {NULL, NULL, UNIT_KINDS, 0.0},
+};
+
+const unit_word *unit_words(void) {
+    return words;
+}
+
+static const unit_word *find(const char *word) {
+    for (const unit_word *one = words; one->word; one++)
+        if (strcmp(one->word, word) == 0) return one;
+    return NULL;
+}
+
+static whirl_status unknown(const char *word) {
+    const char *names[MOST_WORDS];
+    char list[160] = "";
+    size_t count = 0, used = 0;
+    for (; words[count].word && count < MOST_WORDS; count++) {
+        names[count] = words[count].word;
+        used += (size_t)snprintf(list + used, sizeof list - used, "%s%s", count ? ", " : "", words[count].word);
+    }
+    const char *nearest = whirl_nearest_name(word, names, count);
+    if (nearest) return whirl_fail(WHIRL_BAD_INPUT, "'%s' is no unit of figures, did you mean %s?", word, nearest);
+    return whirl_fail(WHIRL_BAD_INPUT, "'%s' is no unit of figures, expected some of %s", word, list);
+}
+
+static whirl_status add(unit_choice *choice, const char *word) {
+    static const char *const kinds[UNIT_KINDS] = {"lengths", "speeds", "frequencies", "amplitudes"};
+    const unit_word *found = find(word);
+    if (!found) return unknown(word);
+    const unit_word *other = choice->of[found->kind];
+    if (other && other != found)
+        return whirl_fail(WHIRL_BAD_INPUT, "%s and %s are both for %s, expected one of them", other->word, found->word,
+                          kinds[found->kind]);
+    choice->of[found->kind] = found;
+    return whirl_ok();
+}
+
+whirl_status unit_choice_read(const char *text, unit_choice *choice) {
+    *choice = (unit_choice){0};
+    if (text[strspn(text, " ")] == '\0') return whirl_ok();
+    for (const char *from = text; from;) {
+        const size_t length = strcspn(from, ",");
+        size_t first = strspn(from, " "), end = length;
+        while (end > first && from[end - 1] == ' ') end--;
+        first = first < end ? first : end;
+        char word[LONGEST_WORD + 1];
+        snprintf(word, sizeof word, "%.*s", (int)(end - first < LONGEST_WORD ? end - first : LONGEST_WORD),
+                 from + first);
+        const whirl_status status = add(choice, word);
+        if (status.code != WHIRL_OK) return status;
+        from = from[length] == ',' ? from + length + 1 : NULL;
+    }
+    return whirl_ok();
+}

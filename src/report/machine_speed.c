@@ -1,0 +1,31 @@
+#include "machine_speed.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+whirl_case *machine_of(const whirl_result *result) {
+    whirl_case *machine;
+    const char *text = result->case_text ? result->case_text : "";
+    if (whirl_case_parse(text, strlen(text), "case", NULL, &machine).code != WHIRL_OK) return NULL;
+    for (size_t i = 0; i < result->parameter_count; i++) {
+        const whirl_parameter *parameter = &result->parameters[i];
+        double value;
+        char assignment[sizeof parameter->name + sizeof parameter->text + 2];
+        if (whirl_case_parameter(machine, parameter->name, &value).code == WHIRL_OK && value == parameter->value)
+            continue;
+        snprintf(assignment, sizeof assignment, "%s=%s", parameter->name, parameter->text);
+        if (whirl_case_set(machine, assignment).code == WHIRL_OK) continue;
+        whirl_case_free(machine);
+        return NULL;
+    }
+    return machine;
+}
+
+double machine_speed(const whirl_case *machine, const whirl_result *result, const whirl_table *table, size_t point) {
+    double speed;
+    if (!*table->parameter) return result->speed;
+    if (!machine || whirl_case_speed(machine, table->parameter, table->values[point], &speed).code != WHIRL_OK)
+        return (double)NAN;
+    return speed;
+}

@@ -1,0 +1,15 @@
+// The speed of rotation at a point of a result, which its parameter may change, from the case that the result holds.
+#ifndef REPORT_MACHINE_SPEED_H
+#define REPORT_MACHINE_SPEED_H
+
+#include "whirl/case.h"
+#include "whirl/result.h"
+
+/// The case that a result came from, with the parameters that the run used; NULL where it holds none that can be read.
+/// Freed by whirl_case_free.
+whirl_case *machine_of(const whirl_result *result);
+
+/// rad/s; NaN where it cannot be told.
+double machine_speed(const whirl_case *machine, const whirl_result *result, const whirl_table *table, size_t point);
+
+#endif

@@ -1,0 +1,76 @@
+#include "typeset.h"
+
+#include <ctype.h>
+#include <stdio.h>
+#include <string.h>
+
+void typeset_text(const char *text, char *markup, size_t size) {
+    size_t used = 0;
+    for (; *text && used + 3 < size; text++) {
+        if (strchr("^_@&~{}\\", *text)) markup[used++] = '\\';
+        markup[used++] = *text;
+    }
+    markup[used] = '\0';
+}
+
+static const struct {
+    const char *name, *letter;
+} greek[] = {
+    {"alpha", "\u03b1"},  {"beta", "\u03b2"},  {"gamma", "\u03b3"}, {"delta", "\u03b4"}, {"epsilon", "\u03b5"},
+    {"zeta", "\u03b6"},   {"eta", "\u03b7"},   {"theta", "\u03b8"}, {"kappa", "\u03ba"}, {"lambda", "\u03bb"},
+    {"mu", "\u03bc"},     {"nu", "\u03bd"},    {"xi", "\u03be"},    {"rho", "\u03c1"},   {"sigma", "\u03c3"},
+    {"tau", "\u03c4"},    {"phi", "\u03c6"},   {"chi", "\u03c7"},   {"psi", "\u03c8"},   {"omega", "\u03c9"},
+    {"Delta", "\u0394"},  {"Gamma", "\u0393"}, {"Omega", "\u03a9"}, {"Phi", "\u03a6"},   {"Psi", "\u03a8"},
+    {"Lambda", "\u039b"}, {"Sigma", "\u03a3"}, {"Theta", "\u0398"},
+};
+
+/// The letter of a Greek name, or NULL.
+static const char *greek_letter(const char *name, size_t length) {
+    for (size_t i = 0; i < sizeof greek / sizeof *greek; i++)
+        if (strlen(greek[i].name) == length && strncmp(greek[i].name, name, length) == 0) return greek[i].letter;
+    return NULL;
+}
+
+/// The length of the symbol that a name begins with, 0 where it is a word: a letter or a Greek name, then its end, digits
+/// or a subscript.
+static size_t symbol_length(const char *name) {
+    const size_t letters = strcspn(name, "_0123456789");
+    const bool symbol = (letters == 1 && isalpha((unsigned char)*name)) || greek_letter(name, letters);
+    return symbol && strspn(name + letters, "0123456789") + letters >= strcspn(name, "_") ? letters : 0;
+}
+
+void typeset_symbol(const char *name, char *markup, size_t size) {
+    const size_t letters = symbol_length(name);
+    char below[WHIRL_NAME_SIZE * 2];
+    if (letters == 0) {
+        typeset_text(name, markup, size);
+        return;
+    }
+    const char *rest = name + letters + (name[letters] == '_'), *letter = greek_letter(name, letters);
+    const char *under = greek_letter(rest, strlen(rest));
+    typeset_text(rest, below, sizeof below);
+    char symbol[8];
+    snprintf(symbol, sizeof symbol, "%.*s", letter ? 7 : 1, letter ? letter : name);
+    if (*rest)
+        snprintf(markup, size, "{/:Italic %s}_{%s}", symbol, under ? under : below);
+    else
+        snprintf(markup, size, "{/:Italic %s}", symbol);
+}
+
+shown_units typeset_units(const shown_units *units) {
+    shown_units marked = *units;
+    // "(0.2 mm)" is a number, "c" a symbol.
+    if (units->ratio && *units->length_name != '(')
+        typeset_symbol(units->length_name, marked.length_name, sizeof marked.length_name);
+    else
+        typeset_text(units->length_name, marked.length_name, sizeof marked.length_name);
+    return marked;
+}
+
+void typeset_parameter(const shown_units *units, const char *name, char *markup, size_t size) {
+    const whirl_unit unit = units_parameter(units, name);
+    char symbol[TYPESET_SIZE / 2], words[WHIRL_NAME_SIZE * 2];
+    typeset_symbol(name, symbol, sizeof symbol);
+    typeset_text(unit.name, words, sizeof words);
+    snprintf(markup, size, *words ? "%s (%s)" : "%s", symbol, words);
+}

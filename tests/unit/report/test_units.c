@@ -1,0 +1,150 @@
+// Units of figures: what is asked for, what the result asks for, and what its case has; and how symbols are set.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "machine_speed.h"
+#include "sample.h"
+#include "typeset.h"
+#include "units.h"
+
+static shown_units units_for(const whirl_result *result, const char *asked) {
+    unit_choice choice;
+    assert_int_equal(unit_choice_read(asked, &choice).code, WHIRL_OK);
+    return units_shown(result, &choice);
+}
+
+static void assert_labels(const shown_units *units, const char *length, const char *amplitude) {
+    char label[UNIT_LABEL_SIZE];
+    units_length_label(units, "x", label, sizeof label);
+    assert_string_equal(label, length);
+    units_amplitude_label(units, "amplitude", label, sizeof label);
+    assert_string_equal(label, amplitude);
+}
+
+/// The clearance c = 0.2 mm is the length scale of the sample.
+static void lengths(void **state) {
+    (void)state;
+    whirl_result *result = sample_result();
+    shown_units units = units_for(result, "");
+    assert_labels(&units, "x / c", "amplitude / c");
+    units = units_for(result, "p-p");
+    assert_labels(&units, "x / c", "amplitude / c (p-p)");
+    assert_true(units.amplitude == 2.0);
+    units = units_for(result, "um, p-p");
+    assert_labels(&units, "x (\u00b5m)", "amplitude (\u00b5m p-p)");
+    assert_true(fabs(units.length - 200.0) < 1e-11);
+    units = units_for(result, "mil");
+    assert_true(fabs(units.length * 25.4e-6 - 200e-6) < 1e-18);
+    result->parameter_count = 1; // the scale has no name any more
+    units = units_for(result, "");
+    assert_labels(&units, "x (mm)", "amplitude (mm)");
+    assert_true(fabs(units.length - 0.2) < 1e-15);
+    units = units_for(result, "scale");
+    assert_labels(&units, "x / (0.2 mm)", "amplitude / (0.2 mm)");
+    whirl_result_free(result);
+}
+
+/// What the command asks for goes before what the result says, kind by kind; what a file says that is no unit is nothing.
+static void who_asks(void **state) {
+    (void)state;
+    whirl_result *result = sample_result();
+    assert_int_equal(whirl_result_add_fact(result, "units", "um, Hz").code, WHIRL_OK);
+    shown_units units = units_for(result, "mil, rms");
+    assert_labels(&units, "x (mil)", "amplitude (mil rms)");
+    assert_true(fabs(units_order(&units, 100.0 * acos(-1.0)) - 50.0) < 1e-12); // 50 turns a second
+    assert_true(isnan(units_order(&units, (double)NAN)));
+    assert_int_equal(whirl_result_add_fact(result, "units", "um, <b>").code, WHIRL_OK);
+    units = units_for(result, "");
+    assert_labels(&units, "x / c", "amplitude / c");
+    assert_true(isnan(units_order(&units, 100.0)));
+    whirl_result_free(result);
+}
+
+static void parameters(void **state) {
+    (void)state;
+    whirl_result *result = sample_result();
+    char label[UNIT_LABEL_SIZE];
+    whirl_table *detail = &result->tables[1];
+    snprintf(detail->parameter, sizeof detail->parameter, "omega");
+    result->parameters[0] = (whirl_parameter){"omega", "rad/s", "6000 rpm", 200.0 * acos(-1.0)};
+    detail->values[0] = 100.0 * acos(-1.0);
+    shown_units units = units_for(result, "");
+    units_point_label(&units, detail, 0, label, sizeof label);
+    assert_string_equal(label, "omega = 3000 rpm");
+    units = units_for(result, "rad/s");
+    units_point_label(&units, detail, 0, label, sizeof label);
+    assert_string_equal(label, "omega = 314.159 rad/s");
+    // Points that vary the scale have lengths of their own: they stay over it.
+    snprintf(detail->parameter, sizeof detail->parameter, "c");
+    units = units_for(result, "um");
+    assert_labels(&units, "x / c", "amplitude / c");
+    units_parameter_label(&units, "c", label, sizeof label);
+    assert_string_equal(label, "c (\u00b5m)");
+    whirl_result_free(result);
+}
+
+/// The speed follows the parameter through the case's own expressions, with what --set changed.
+static void speeds(void **state) {
+    (void)state;
+    static const char text[] =
+        "whirl: 1\nparameters: {ratio: 0.5, critical: 100 rad/s}\n"
+        "rotor:\n  speed: = ratio*critical\n  length_scale: 1 mm\n"
+        "  stations: {disc: {mass: 1 kg}}\n  elements: [shaft: {between: [disc, ground], k1: 1 N/m}]\n"
+        "study: {sweep: {parameter: ratio, from: 0.5, to: 2, points: 4}}\n";
+    whirl_result *result = sample_result();
+    free(result->case_text);
+    result->case_text = strdup(text);
+    result->parameters[0] = (whirl_parameter){"ratio", "1", "0.5", 0.5};
+    result->parameters[1] = (whirl_parameter){"critical", "rad/s", "300 rad/s", 300.0};
+    whirl_table *sweep = &result->tables[0];
+    snprintf(sweep->parameter, sizeof sweep->parameter, "ratio");
+    sweep->values[3] = 1.5;
+    whirl_case *machine = machine_of(result);
+    assert_non_null(machine);
+    assert_true(fabs(machine_speed(machine, result, sweep, 3) - 450.0) < 1e-12);
+    whirl_case_free(machine);
+    strcpy(result->case_text, "whirl: 1\n"); // no case
+    assert_null(machine_of(result));
+    assert_true(isnan(machine_speed(NULL, result, sweep, 3)));
+    *sweep->parameter = '\0';
+    assert_true(machine_speed(NULL, result, sweep, 3) == 650.0);
+    whirl_result_free(result);
+}
+
+static void symbols_are_in_italics(void **state) {
+    (void)state;
+    static const struct {
+        const char *name, *markup;
+    } rows[] = {{"r_k", "{/:Italic r}_{k}"},
+                {"k2", "{/:Italic k}_{2}"},
+                {"omega", "{/:Italic \u03c9}"},
+                {"r_delta", "{/:Italic r}_{\u03b4}"},
+                {"omega_n", "{/:Italic \u03c9}_{n}"},
+                {"load", "load"},
+                {"oil_film", "oil\\_film"},
+                {"x2a", "x2a"},
+                {"a^{b}", "a\\^\\{b\\}"}};
+    char markup[TYPESET_SIZE];
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        typeset_symbol(rows[i].name, markup, sizeof markup);
+        assert_string_equal(markup, rows[i].markup);
+    }
+    typeset_text("@&~\\_", markup, 6);
+    assert_string_equal(markup, "\\@\\&"); // never cut within an escape
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(lengths),
+        cmocka_unit_test(who_asks),
+        cmocka_unit_test(parameters),
+        cmocka_unit_test(speeds),
+        cmocka_unit_test(symbols_are_in_italics),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
