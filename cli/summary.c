@@ -154,6 +154,18 @@ static void print_refinement(const whirl_table *table) {
     printf("  refined: %zu point%s, %zu still in doubt\n", refined, plural((double)refined), doubtful);
 }
 
+/// "4 jumps within a regime, first between 0.188 and 0.186: two motions side by side, or one that changes suddenly".
+static void print_jumps(const whirl_result *result, const whirl_table *table) {
+    whirl_jump first;
+    size_t count;
+    if (whirl_table_jumps(table, &first, 1, &count).code != WHIRL_OK || count == 0) return;
+    const whirl_unit unit = whirl_result_unit(result, table->parameter);
+    printf("  %zu jump%s within a regime%s between %.5g and %.5g%s%s: two motions side by side, or one that changes "
+           "suddenly\n",
+           count, plural((double)count), count > 1 ? ", first" : "", table->values[first.from] / unit.size,
+           table->values[first.to] / unit.size, *unit.name ? " " : "", unit.name);
+}
+
 void summarize_result(const whirl_result *result) {
     size_t done, total;
     puts(result->title[0] ? result->title : result->case_name);
@@ -176,6 +188,7 @@ void summarize_result(const whirl_result *result) {
         else
             print_counts(result, table);
         print_refinement(table);
+        print_jumps(result, table);
     }
 }
 

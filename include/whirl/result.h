@@ -90,6 +90,19 @@ bool whirl_result_partial(const whirl_result *result, size_t *done, size_t *tota
 /// The verdict on a point.
 whirl_verdict whirl_table_verdict(const whirl_table *table, size_t point);
 
+/// Neighbouring points of a sweep with one regime whose motions differ far more than those around them.
+typedef struct whirl_jump {
+    size_t from, to; ///< points of the table
+    size_t station;  ///< whose motion changes most
+    double change;   ///< of its mean position or its bounds, over its size
+    double usual;    ///< the median of the same from point to point around the two
+} whirl_jump;
+
+/// Looks for jumps along a table: changes of more than 3 % of the motion's size and 8 times what the points around show. Two
+/// motions may exist side by side there, or one changes suddenly (a crisis): that there is a jump does not tell which.
+/// *count is how many there are; at most `most` are written. None where the analysis "orbit" is missing. WHIRL_NO_MEMORY.
+whirl_status whirl_table_jumps(const whirl_table *table, whirl_jump *jumps, size_t most, size_t *count);
+
 /// A unit in which numbers are shown: `size` of it in SI. "" and 1 for plain numbers.
 typedef struct whirl_unit {
     char name[WHIRL_NAME_SIZE];

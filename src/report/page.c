@@ -82,6 +82,7 @@ static void write_result(const page *to, size_t result) {
     fputs("</span></h2>\n", to->stream);
     page_computed(to, result);
     page_intervals(to, result);
+    page_jumps(to, result);
     page_points(to, result);
     page_figures(to, result);
     page_provenance(to, result);
