@@ -92,6 +92,27 @@ test('along the clearance every point has its own micrometres', async () => {
   await close();
 });
 
+test('a stored run along the clearance has the micrometres of each of its machines', async () => {
+  const along = makePage('along', BEARING.replace(/sweep:.*/, 'sweep: {parameter: c, from: 0.2 mm, to: 0.4 mm, points: 5, start: state}').replace(/  detail:.*\n/, ''));
+  const { page, complaints, close } = await open(`${along}#q=radius&units=um,rpm,order,0-p`);
+  await settled(page);
+  const { points } = JSON.parse(command('run', 'along.yaml', '--json', '-q'));
+  const read = async () => (await csv(page, '.map-card')).trim().split('\r\n').slice(1).map((line) => line.split(',').map(Number));
+  let lines = await read();
+  // The scales come from the engine, a moment after the page is there.
+  for (let i = 0; i < 50 && lines[4][6] < 1.5 * points[4].stations.journal.max_radius * 200; i++) lines = await read();
+  points.forEach(({ parameters, stations }, i) => {
+    const told = stations.journal.max_radius * parameters.c * 1e6;
+    assert.ok(Math.abs(lines[i][6] - told) < 1e-5 * told, `at c = ${parameters.c}: ${lines[i][6]} and ${told}`);
+  });
+  const cursor = Number(await page.inputValue('#value-a'));
+  assert.ok(Math.abs(cursor - 0.0003) < 1e-9);
+  const orbit = Number(/([\d.]+) \u00b5m 0-p/.exec(await page.textContent('.panel-orbit .panel-note'))[1]);
+  assert.ok(Math.abs(lines[2][6] - orbit) < 0.01 * orbit, `${lines[2][6]} of the diagram, ${orbit} of the orbit`);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
 test('every machine has the units that suit it', async () => {
   const { page, complaints, close } = await open(`${bearing}#run=rigid-rotor`);
   await settled(page);

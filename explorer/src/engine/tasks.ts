@@ -1,7 +1,6 @@
 // What a worker does for a task, in pieces: a generator yields whenever something else may go first.
 import type { Core } from './core';
 import type {
-  CaseInfo,
   Edit,
   IntegrateOptions,
   PointRequest,
@@ -11,7 +10,7 @@ import type {
   TransientRequest,
   TransientResult,
 } from './protocol';
-import type { FromWorker, PartRequest, Task } from './wire';
+import type { Answer, FromWorker, PartRequest, Task } from './wire';
 
 /// Revolutions of the waveform of a point that asks for no number of them.
 const USUAL_WAVEFORM = 20;
@@ -21,7 +20,7 @@ const REPORT_EVERY = 30;
 
 type Post = (message: FromWorker, transfer?: Transferable[]) => void;
 
-export type Steps = Generator<void, CaseInfo | PointResult | TransientResult | string | null, void>;
+export type Steps = Generator<void, Answer, void>;
 
 export class Tasks {
   /// Parsed cases by their text and assignments, the one used last at the end.
@@ -38,6 +37,8 @@ export class Tasks {
     switch (task.kind) {
       case 'describe':
         return this.describe(task.setting);
+      case 'scales':
+        return this.scales(task.setting, task.parameter, task.values);
       case 'point':
         return this.point(task.request);
       case 'part':
@@ -105,6 +106,18 @@ export class Tasks {
 
   private *describe(setting: Setting): Steps {
     return this.core.describe(this.open(setting));
+  }
+
+  private *scales(setting: Setting, parameter: string, values: Float64Array): Steps {
+    const { core } = this;
+    return yield* this.withPlan(setting, undefined, parameter, function* (plan) {
+      const scales = new Float64Array(values.length);
+      for (const [i, value] of values.entries()) {
+        scales[i] = core.machine(plan, value).lengthScale;
+        yield;
+      }
+      return scales;
+    });
   }
 
   private *rewrite(setting: Setting, edits: readonly Edit[]): Steps {

@@ -24,6 +24,7 @@ export interface PartRequest {
 
 export type Task =
   | { readonly kind: 'describe'; readonly setting: Setting }
+  | { readonly kind: 'scales'; readonly setting: Setting; readonly parameter: string; readonly values: Float64Array }
   | { readonly kind: 'point'; readonly request: PointRequest }
   | { readonly kind: 'part'; readonly request: PartRequest }
   | { readonly kind: 'transient'; readonly request: TransientRequest }
@@ -52,8 +53,11 @@ export interface Refusal {
   readonly problems: readonly Problem[];
 }
 
+/// What comes of a task.
+export type Answer = CaseInfo | PointResult | TransientResult | Float64Array | string | null;
+
 export type FromWorker =
-  | { readonly kind: 'done'; readonly id: number; readonly value: CaseInfo | PointResult | TransientResult | string | null }
+  | { readonly kind: 'done'; readonly id: number; readonly value: Answer }
   | { readonly kind: 'bad'; readonly id: number; readonly refusal: Refusal }
   | { readonly kind: 'failed'; readonly id: number; readonly message: string }
   | { readonly kind: 'layout'; readonly id: number; readonly layout: PartLayout }
