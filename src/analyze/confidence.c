@@ -47,9 +47,17 @@ static whirl_confidence weigh_periodic(const whirl_verdict *v, const evidence *e
     return clear && e->returns.separation >= 100.0 * left_to_go(v, e) ? WHIRL_HIGH : WHIRL_FAIR;
 }
 
+/// Whether there are signs that the motion comes to rest on a locked one.
+static bool slows_down(const whirl_verdict *v) {
+    const double steady_trend = 0.95;
+    return v->exponent.value < -v->exponent.error || v->recurrence_trend < steady_trend;
+}
+
 static whirl_confidence weigh_quasi_periodic(const whirl_verdict *v) {
-    if (v->chaos > middle) return WHIRL_LOW;
-    return v->regularity >= regular_digits && v->chaos <= regular_walk && !isnan(v->rotation) ? WHIRL_HIGH : WHIRL_FAIR;
+    const bool may_lock = v->neighbours <= longest_lock;
+    if (v->chaos > middle || (may_lock && slows_down(v))) return WHIRL_LOW;
+    const bool regular = v->regularity >= regular_digits && v->chaos <= regular_walk && !isnan(v->rotation);
+    return regular && !may_lock ? WHIRL_HIGH : WHIRL_FAIR;
 }
 
 /// Whether disturbances grow alike in both halves.

@@ -157,20 +157,37 @@ static bool all_closed(const tree *t, const section *points, size_t parts) {
     return closed;
 }
 
-int curves_count(const section *all) {
+static int ascending(const void *a, const void *b) {
+    const size_t first = *(const size_t *)a, second = *(const size_t *)b;
+    return (first > second) - (first < second);
+}
+
+/// Median of the revolutions between the two points of an edge that was not cut. Uses up the tree's work space.
+static int median_lag(tree *t) {
+    size_t count = 0, *lags = t->nearest;
+    for (size_t e = 0; e + 1 < t->count; e++) {
+        const size_t a = t->edges[e].point, b = t->edges[e].parent;
+        if (t->label[a] == t->label[b]) lags[count++] = a > b ? a - b : b - a;
+    }
+    qsort(lags, count, sizeof *lags, ascending);
+    return (int)lags[count / 2];
+}
+
+closed_curves curves_find(const section *all) {
     const double clear_gap = 1.5; // between curves, over the longest edge on one
     const section points = section_tail(all, MOST_POINTS);
-    if (points.count < FEWEST_POINTS_A_CURVE) return 0;
+    closed_curves found = {0, 0};
+    if (points.count < FEWEST_POINTS_A_CURVE) return found;
     tree *t = tree_new(points.count);
-    if (!t) return 0;
+    if (!t) return found;
     grow(t, &points);
-    int found = 0;
-    for (size_t parts = points.count / FEWEST_POINTS_A_CURVE; parts >= 1 && found == 0; parts--) {
+    for (size_t parts = points.count / FEWEST_POINTS_A_CURVE; parts >= 1 && found.count == 0; parts--) {
         if (parts > MOST_CURVES) continue;
         if (parts > 1 && t->longest[parts - 2].length < clear_gap * t->longest[parts - 1].length) continue;
         label_parts(t, parts - 1);
-        if (visited_in_turn(t, parts) && all_closed(t, &points, parts)) found = (int)parts;
+        if (visited_in_turn(t, parts) && all_closed(t, &points, parts)) found.count = (int)parts;
     }
+    if (found.count > 0) found.neighbours = median_lag(t);
     free(t);
     return found;
 }

@@ -1,6 +1,7 @@
 // The regime of a point as fields, and verdicts read back from them.
 #include "analysis.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 
@@ -21,6 +22,7 @@ enum {
     REGULARITY,
     CHAOS,
     ROTATION,
+    NEIGHBOURS,
     EXPONENT,
     EXPONENT_ERROR,
     REVOLUTIONS,
@@ -58,6 +60,9 @@ static const field_plan fields[FIELD_COUNT] = {
                1, NULL},
     [ROTATION] = {"rotation", "1", "turns of a quasi-periodic motion round its curve from one visit to the next",
                   WHIRL_PER_POINT, 1, NULL},
+    [NEIGHBOURS] = {"neighbours", "revolution",
+                    "evidence: median between visits of neighbours on a curve; one that locks has its period here",
+                    WHIRL_PER_POINT, 1, NULL},
     [EXPONENT] = {"exponent", "1/revolution", "evidence: largest Lyapunov exponent that the verdict rests on",
                   WHIRL_PER_POINT, 1, NULL},
     [EXPONENT_ERROR] = {"exponent_error", "1/revolution", "evidence: its standard error", WHIRL_PER_POINT, 1, NULL},
@@ -82,6 +87,7 @@ static void put_verdict(const whirl_verdict *v, const block_view *view) {
         [REGULARITY] = v->regularity,
         [CHAOS] = v->chaos,
         [ROTATION] = v->rotation,
+        [NEIGHBOURS] = v->neighbours,
         [EXPONENT] = v->exponent.value,
         [EXPONENT_ERROR] = v->exponent.error,
     };
@@ -141,6 +147,7 @@ whirl_verdict whirl_block_verdict(const whirl_layout *layout, const double *bloc
         .regularity = stored(layout, block, "regime/regularity"),
         .chaos = stored(layout, block, "regime/chaos"),
         .rotation = stored(layout, block, "regime/rotation"),
+        .neighbours = whole(stored(layout, block, "regime/neighbours"), INT_MAX),
     };
 }
 

@@ -57,9 +57,19 @@ regularity regularity_find(const section *all, double size);
 
 // ---------------------------------------------------------------- curves.c
 
-/// Number of closed curves on which the points lie and which they visit in turn; 0 where they do not.
-/// The last 2000 points are looked at. 0 also when memory is short.
-int curves_count(const section *all);
+/// Closed curves on which the points lie and which they visit in turn.
+typedef struct closed_curves {
+    int count; ///< 0 where they do not
+    /// Median of the revolutions between the visits of neighbours on a curve. A motion that is locked on a period q and
+    /// still on its way never passes where another of its q branches began, so that neighbours are a return apart: q.
+    int neighbours;
+} closed_curves;
+
+/// Periods up to this must be ruled out before a motion counts as not locked for certain.
+static const int longest_lock = 96;
+
+/// The last 2000 points are looked at. None also when memory is short.
+closed_curves curves_find(const section *all);
 
 // ---------------------------------------------------------------- zero_one.c
 

@@ -105,7 +105,9 @@ static whirl_verdict periodic_verdict(const evidence *e, whirl_estimate exponent
 static whirl_verdict regular_verdict(const evidence *e) {
     whirl_verdict verdict = open_verdict(e);
     verdict.exponent = estimate_regular_mean(e->growth, e->growth_count, 1);
-    verdict.curves = curves_count(&e->points);
+    const closed_curves found = curves_find(&e->points);
+    verdict.curves = found.count;
+    verdict.neighbours = found.neighbours;
     if (verdict.curves == 0) return verdict;
     verdict.regime = WHIRL_QUASI_PERIODIC;
     verdict.rotation = rotation_number(&e->points, verdict.curves);

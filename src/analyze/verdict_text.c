@@ -89,6 +89,18 @@ static void undetermined_reason(const whirl_verdict *v, const char *exponent, ch
     }
 }
 
+static void quasi_periodic_reason(const whirl_verdict *v, const char *exponent, char *text, size_t size) {
+    char locked[112] = "";
+    if (v->neighbours > 0 && v->neighbours <= longest_lock)
+        snprintf(locked, sizeof locked,
+                 ", whose neighbours are %d revolutions apart: it may still come to rest on that period",
+                 v->neighbours);
+    snprintf(text, size,
+             "does not return (%.1e of its size at best) but draws %d closed curve%s%s; averages of two halves agree "
+             "to %.1f digits; %s",
+             v->recurrence, v->curves, plural(v->curves), locked, v->regularity, exponent);
+}
+
 static void regime_reason(const whirl_verdict *v, const char *exponent, char *text, size_t size) {
     switch (v->regime) {
     case WHIRL_PERIODIC:
@@ -96,10 +108,7 @@ static void regime_reason(const whirl_verdict *v, const char *exponent, char *te
                  v->recurrence, exponent);
         return;
     case WHIRL_QUASI_PERIODIC:
-        snprintf(text, size,
-                 "does not return (%.1e of its size at best) but draws %d closed curve%s; averages of two halves agree "
-                 "to %.1f digits; %s",
-                 v->recurrence, v->curves, plural(v->curves), v->regularity, exponent);
+        quasi_periodic_reason(v, exponent, text, size);
         return;
     case WHIRL_CHAOTIC:
         snprintf(text, size, "small disturbances grow: %s; averages of two halves agree to %.1f digits only%s",
