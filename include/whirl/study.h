@@ -61,7 +61,7 @@ enum {
 typedef struct whirl_budget {
     /// Revolutions; those at n times the steps of the study count n times. Then no bit depends on how fast the machine is.
     double revolutions;
-    double seconds; ///< ... or time after which no point is begun
+    double seconds; ///< ... or time; points that are not done within it are left as they were
 } whirl_budget;
 
 typedef struct whirl_study {

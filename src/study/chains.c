@@ -250,15 +250,11 @@ static void *saved_state(void *context, const whirl_task *task, size_t *size) {
 
 // ---------------------------------------------------------------- the source of a recorder
 
-static bool time_is_over(const study_run *run) {
-    return run->deadline > 0.0 && clock_seconds() > run->deadline;
-}
-
 static bool next(void *context, whirl_task *task) {
     worker *w = context;
     const chains *c = w->chains;
     if (w->status.code != WHIRL_OK || atomic_load(&c->run->tracker.halt)) return false;
-    chain *link = time_is_over(c->run) ? NULL : take_unknown(w);
+    chain *link = passes_time_is_over(c->run) ? NULL : take_unknown(w);
     if (!link) return false;
     const size_t slot = current_slot(link);
     const double *carried = carried_start(c, slot);
@@ -318,6 +314,7 @@ static bool revolution_done(void *context) {
     study_run *run = w->chains->run;
     w->pending += w->chains->weight;
     const double seconds = clock_seconds();
+    if (passes_time_is_over(run)) return false;
     if (seconds - w->last < 0.1) return true;
     w->last = seconds;
     const double packet = w->pending;

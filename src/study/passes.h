@@ -14,7 +14,7 @@ typedef struct study_run {
     size_t dimension;
     double *ends[WHIRL_MAX_BATCHES]; ///< [count][dimension] of carried batches: where every point ended, NaN where it
                                      ///< diverged; else NULL
-    double deadline;                 ///< no point is begun after it (clock_seconds); 0: there is none
+    double deadline;                 ///< what is under way then is given up (clock_seconds); 0: there is none
     tracker tracker;
 } study_run;
 
@@ -57,6 +57,9 @@ static inline bool study_is_refined(const whirl_study *study) {
 
 /// Makes all passes, on all threads. Errors and stops are the tracker's. WHIRL_NO_MEMORY.
 whirl_status passes_work(study_run *run, const pass *passes, size_t count);
+
+/// Whether the deadline is past.
+bool passes_time_is_over(const study_run *run);
 
 /// How a stage ended whose threads have come to rest: WHIRL_STOPPED where it was asked to before its last point.
 whirl_status passes_outcome(const study_run *run);

@@ -62,6 +62,8 @@ static bool is_candidate(const study_run *run, size_t batch, size_t slot, int ro
     whirl_verdict verdict = whirl_table_verdict(&run->result->tables[batch], slot);
     if (verdict.regime != WHIRL_UNDETERMINED && verdict.confidence != WHIRL_LOW) return false;
     if (verdict.advice.remedy == WHIRL_NO_REMEDY) return false;
+    if (refine_noted(&run->result->tables[batch].layout, block_of(run, batch, slot))[REFINE_ROUNDS] == round)
+        return false;
     const pass last = last_pass(run, batch, slot, round);
     *found = (candidate){.slot = slot, .next = last};
     // The samples of a waveform stay as they are, whatever the steps.
@@ -101,12 +103,14 @@ typedef struct plan {
     pass *passes, *again; ///< [pass_count] the points, and those of them that are confirmed
     size_t again_count;
     double cost;
+    double *before; ///< the blocks of the points as they were; NULL where the budget is no time
 } plan;
 
 static void plan_free(plan *p) {
     free(p->points);
     free(p->slots);
     free(p->passes);
+    free(p->before);
 }
 
 static size_t count_points(const whirl_result *result) {
@@ -115,15 +119,14 @@ static size_t count_points(const whirl_result *result) {
     return count;
 }
 
-/// The cheapest points that the budget pays for, all of them where it is a time.
+/// The cheapest points that the budget pays for.
 static void choose(const study_run *run, int round, double budget, plan *p) {
     size_t count = 0;
     for (size_t batch = 0; batch < run->study->batch_count; batch++)
         for (size_t slot = 0; slot < run->result->tables[batch].count; slot++)
             count += is_candidate(run, batch, slot, round, &p->points[count]);
     qsort(p->points, count, sizeof *p->points, by_cost);
-    while (p->count < count && (run->deadline > 0.0 || p->cost + p->points[p->count].cost <= budget))
-        p->cost += p->points[p->count++].cost;
+    while (p->count < count && p->cost + p->points[p->count].cost <= budget) p->cost += p->points[p->count++].cost;
     qsort(p->points, p->count, sizeof *p->points, by_options);
 }
 
@@ -156,6 +159,52 @@ static whirl_status plan_round(const study_run *run, int round, double budget, p
     return whirl_ok();
 }
 
+/// The cost of the cheapest point in doubt, 0 where there is none.
+static double cheapest_cost(const study_run *run, int round) {
+    double least = 0.0;
+    candidate found;
+    for (size_t batch = 0; batch < run->study->batch_count; batch++)
+        for (size_t slot = 0; slot < run->result->tables[batch].count; slot++)
+            if (is_candidate(run, batch, slot, round, &found) && (least == 0.0 || found.cost < least))
+                least = found.cost;
+    return least;
+}
+
+// ---------------------------------------------------------------- points that were not done in time
+
+static size_t block_size(const study_run *run, const candidate *point) {
+    return run->result->tables[point->next.batch].layout.size;
+}
+
+static whirl_status remember(const study_run *run, plan *p) {
+    size_t size = 0;
+    for (size_t i = 0; i < p->count; i++) size += block_size(run, &p->points[i]);
+    p->before = malloc(size * sizeof *p->before);
+    if (!p->before) return whirl_fail(WHIRL_NO_MEMORY, "no memory to refine %zu points", p->count);
+    double *to = p->before;
+    for (size_t i = 0; i < p->count; i++) {
+        const candidate *point = &p->points[i];
+        memcpy(to, block_of(run, point->next.batch, point->slot), block_size(run, point) * sizeof *to);
+        to += block_size(run, point);
+    }
+    return whirl_ok();
+}
+
+/// Points that were not done, or not confirmed, are what they were.
+static void take_back(const study_run *run, const plan *p, int round) {
+    const double *from = p->before;
+    for (size_t i = 0; i < p->count; i++) {
+        const candidate *point = &p->points[i];
+        const whirl_table *table = &run->result->tables[point->next.batch];
+        double *block = block_of(run, point->next.batch, point->slot);
+        const bool confirmed =
+            !run->study->batches[point->next.batch].confirm || whirl_block_verdict(&table->layout, block).confirmed;
+        if (refine_noted(&table->layout, block)[REFINE_ROUNDS] != round || !confirmed)
+            memcpy(block, from, block_size(run, point) * sizeof *block);
+        from += block_size(run, point);
+    }
+}
+
 static double spent_on(const study_run *run, const plan *p) {
     double sum = 0.0;
     for (size_t i = 0; i < p->count; i++) {
@@ -166,44 +215,60 @@ static double spent_on(const study_run *run, const plan *p) {
     return sum;
 }
 
-/// Leaves the points of a pass that were done in this round, for time may have run out before the others; how many.
-static size_t leave_done(const study_run *run, pass *p) {
-    size_t count = 0;
-    const whirl_layout *layout = &run->result->tables[p->batch].layout;
-    for (size_t i = 0; i < p->count; i++)
-        if (refine_noted(layout, block_of(run, p->batch, p->slots[i]))[REFINE_ROUNDS] == p->round)
-            p->slots[count++] = p->slots[i];
-    p->count = count;
-    return count;
-}
-
-/// The points, then those of them that are confirmed; what was begun in time is finished.
+/// The points, then those of them that are confirmed. Where time runs out the rest is left as it is.
 static whirl_status work(study_run *run, const plan *p) {
     whirl_status status = passes_work(run, p->passes, p->pass_count);
     if (status.code == WHIRL_OK) status = passes_outcome(run);
-    if (status.code != WHIRL_OK || p->again_count == 0) return status;
-    size_t confirmed = 0;
-    for (size_t i = 0; i < p->again_count; i++) confirmed += leave_done(run, &p->again[i]);
-    const double deadline = run->deadline;
-    run->deadline = 0.0;
-    run->tracker.progress.points_total += confirmed;
+    if (status.code != WHIRL_OK || p->again_count == 0 || passes_time_is_over(run)) return status;
+    for (size_t i = 0; i < p->again_count; i++) run->tracker.progress.points_total += p->again[i].count;
     status = passes_work(run, p->again, p->again_count);
-    run->deadline = deadline;
     return status.code == WHIRL_OK ? passes_outcome(run) : status;
 }
 
-static whirl_status refine_round(study_run *run, int round, double *budget, bool *over) {
+/// The cheapest points that the budget pays for, in one go. *done is how many there were.
+static whirl_status refine_some(study_run *run, int round, double *budget, size_t *done) {
     plan p;
     whirl_status status = plan_round(run, round, *budget, &p);
-    *over = status.code != WHIRL_OK || p.count == 0;
-    if (!*over) {
+    *done = status.code == WHIRL_OK ? p.count : 0;
+    if (*done > 0) {
         const double before = spent_on(run, &p);
         tracker_round(&run->tracker, round, p.count, p.cost);
-        status = work(run, &p);
+        if (run->deadline > 0.0) status = remember(run, &p);
+        if (status.code == WHIRL_OK) status = work(run, &p);
+        if (p.before && status.code == WHIRL_OK) take_back(run, &p, round);
         *budget -= spent_on(run, &p) - before;
-        *over = status.code != WHIRL_OK || (run->deadline > 0.0 && clock_seconds() > run->deadline);
     }
     plan_free(&p);
+    return status;
+}
+
+// ---------------------------------------------------------------- budgets of time
+
+/// Revolutions a second of the last stage, of what was computed in it; 0 where nothing was.
+static double pace_of(const study_run *run) {
+    const whirl_progress *progress = &run->tracker.progress;
+    const double seconds = clock_seconds() - run->tracker.started;
+    return seconds > 0.0 ? fmax(progress->revolutions_done - progress->revolutions_recalled, 0.0) / seconds : 0.0;
+}
+
+/// What the next portion may cost: what an eighth of the time that is left will do at the pace of the portion before, so
+/// that little is under way when time runs out; or one point, where all of that time will do. 0: there is none.
+static double next_portion(const study_run *run, int round) {
+    const double pace = pace_of(run), left = pace * (run->deadline - clock_seconds()),
+                 least = cheapest_cost(run, round);
+    if (pace > 0.0 && least > left) return 0.0;
+    return fmax(least, 0.125 * left);
+}
+
+static whirl_status refine_in_time(study_run *run, int round, size_t *done) {
+    whirl_status status = whirl_ok();
+    size_t portion = 1;
+    *done = 0;
+    while (status.code == WHIRL_OK && portion > 0 && !passes_time_is_over(run)) {
+        double budget = next_portion(run, round);
+        status = refine_some(run, round, &budget, &portion);
+        *done += portion;
+    }
     return status;
 }
 
@@ -211,8 +276,10 @@ whirl_status refine_points(study_run *run) {
     const whirl_budget *allowed = &run->study->refine;
     double budget = allowed->revolutions;
     whirl_status status = whirl_ok();
-    bool over = false;
-    if (allowed->seconds > 0.0) run->deadline = clock_seconds() + allowed->seconds;
-    for (int round = 1; round <= WHIRL_MAX_ROUNDS && !over; round++) status = refine_round(run, round, &budget, &over);
+    size_t done = 1;
+    const bool timed = allowed->seconds > 0.0;
+    if (timed) run->deadline = clock_seconds() + allowed->seconds;
+    for (int round = 1; round <= WHIRL_MAX_ROUNDS && done > 0 && status.code == WHIRL_OK; round++)
+        status = timed ? refine_in_time(run, round, &done) : refine_some(run, round, &budget, &done);
     return status;
 }

@@ -5,6 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
+#include <time.h>
 
 #include <cmocka.h>
 
@@ -152,6 +153,38 @@ static void test_no_time_is_no_refinement(void **state) {
     whirl_result_free(result);
 }
 
+static double now(void) {
+    struct timespec time;
+    timespec_get(&time, TIME_UTC);
+    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
+}
+
+/// Where a point takes longer than there is time it is given up within a revolution, and what was known of it stays.
+static void test_time_is_kept(void **state) {
+    static const double slow[] = {1e-6, 2e-6}; // these need runs a hundred times as long, some ten seconds
+    whirl_study s = study(WHIRL_CARRY_NONE, 0);
+    (void)state;
+    s.batches[0].values = slow;
+    s.batches[0].count = 2;
+    s.batches[0].confirm = false;
+    s.batches[0].record.transient = 30000;
+    const double begun = now();
+    whirl_result *plain = run(&s, 2);
+    const double computed = now();
+    s.refine.seconds = 0.2;
+    whirl_result *result = run(&s, 2);
+    assert_true(now() - computed < 4.0 * (computed - begun) + 1.0);
+    for (size_t i = 0; i < 2; i++) {
+        const size_t size = plain->tables->layout.size;
+        assert_int_equal(whirl_table_verdict(plain->tables, i).regime, WHIRL_UNDETERMINED);
+        assert_int_equal(number(result, i, "refine/rounds"), 0);
+        assert_memory_equal(result->tables->blocks + i * result->tables->layout.size, plain->tables->blocks + i * size,
+                            size * sizeof(double));
+    }
+    whirl_result_free(plain);
+    whirl_result_free(result);
+}
+
 static void test_threads_change_no_bit(void **state) {
     (void)state;
     for (int carry = WHIRL_CARRY_NONE; carry <= WHIRL_CARRY_BOTH; carry++) {
@@ -258,6 +291,7 @@ int main(void) {
         cmocka_unit_test(test_points_in_doubt_are_refined),
         cmocka_unit_test(test_the_budget_is_not_exceeded),
         cmocka_unit_test(test_no_time_is_no_refinement),
+        cmocka_unit_test(test_time_is_kept),
         cmocka_unit_test(test_threads_change_no_bit),
         cmocka_unit_test(test_recalled_points_change_no_bit),
         cmocka_unit_test(test_a_stop_while_confirming_is_told),
