@@ -2,6 +2,7 @@
 // follows from the blocks alone, so that threads, journals and interruptions change no bit.
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "clock.h"
 #include "passes.h"
