@@ -241,7 +241,7 @@ typedef struct whirl_verdict {
         recurrence_trend; ///< that distance in the last quarter of the watched revolutions over that in the first: < 1 settles
     double
         regularity; ///< decimal digits to which weighted Birkhoff averages over two halves agree: high on tori, low in chaos
-    double chaos; ///< K of the 0-1 test, near 1 in chaos, near 0 for regular motion; NaN for P-k
+    double chaos;   ///< K of the 0-1 test, near 1 in chaos, near 0 for regular motion; NaN for P-k
     int neighbours; ///< of a quasi-periodic motion: median revolutions between visits of neighbours on a curve, else 0
     double
         rotation; ///< turns round its closed curve from one visit to the next, 0 to 1/2; NaN but for a quasi-periodic motion
