@@ -254,7 +254,7 @@ static bool next(void *context, whirl_task *task) {
     worker *w = context;
     const chains *c = w->chains;
     if (w->status.code != WHIRL_OK || atomic_load(&c->run->tracker.halt)) return false;
-    chain *link = passes_time_is_over(c->run) ? NULL : take_unknown(w);
+    chain *link = pass_time_is_over(c->run) ? NULL : take_unknown(w);
     if (!link) return false;
     const size_t slot = current_slot(link);
     const double *carried = carried_start(c, slot);
@@ -314,7 +314,7 @@ static bool revolution_done(void *context) {
     study_run *run = w->chains->run;
     w->pending += w->chains->weight;
     const double seconds = clock_seconds();
-    if (passes_time_is_over(run)) return false;
+    if (pass_time_is_over(run)) return false;
     if (seconds - w->last < 0.1) return true;
     w->last = seconds;
     const double packet = w->pending;

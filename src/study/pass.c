@@ -1,6 +1,8 @@
 // What a pass is and costs.
 #include "passes.h"
 
+#include "clock.h"
+
 double pass_weight(const study_run *run, const pass *p) {
     return (double)p->integrate.steps_per_revolution / run->study->batches[p->batch].integrate.steps_per_revolution;
 }
@@ -17,4 +19,8 @@ pass pass_confirming(const pass *points) {
     again.record.waveform_revolutions = 0;
     again.record.growth = WHIRL_GROWTH_LARGEST; // whatever the points follow
     return again;
+}
+
+bool pass_time_is_over(const study_run *run) {
+    return run->deadline > 0.0 && clock_seconds() > run->deadline;
 }

@@ -4,7 +4,6 @@
 #include <stdlib.h>
 
 #include "chains.h"
-#include "clock.h"
 
 /// Order of the passes: those with long points first, so that no thread is left with one at the end.
 static void sort_long_first(chains *all, size_t count) {
@@ -38,10 +37,6 @@ whirl_status passes_work(study_run *run, const pass *passes, size_t count) {
     for (size_t i = 0; i < count; i++) chains_free(&all[i]);
     free(all);
     return status;
-}
-
-bool passes_time_is_over(const study_run *run) {
-    return run->deadline > 0.0 && clock_seconds() > run->deadline;
 }
 
 whirl_status passes_outcome(const study_run *run) {

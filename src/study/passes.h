@@ -43,6 +43,9 @@ double pass_weight(const study_run *run, const pass *pass);
 /// Revolutions of a point that runs to its end, weighted.
 double pass_revolutions(const study_run *run, const pass *pass);
 
+/// Whether the deadline is past.
+bool pass_time_is_over(const study_run *run);
+
 // ---------------------------------------------------------------- passes.c
 
 /// One or two tables' worth of points: carried in both directions they are there twice.
@@ -57,9 +60,6 @@ static inline bool study_is_refined(const whirl_study *study) {
 
 /// Makes all passes, on all threads. Errors and stops are the tracker's. WHIRL_NO_MEMORY.
 whirl_status passes_work(study_run *run, const pass *passes, size_t count);
-
-/// Whether the deadline is past.
-bool passes_time_is_over(const study_run *run);
 
 /// How a stage ended whose threads have come to rest: WHIRL_STOPPED where it was asked to before its last point.
 whirl_status passes_outcome(const study_run *run);

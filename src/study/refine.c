@@ -220,7 +220,7 @@ static double spent_on(const study_run *run, const plan *p) {
 static whirl_status work(study_run *run, const plan *p) {
     whirl_status status = passes_work(run, p->passes, p->pass_count);
     if (status.code == WHIRL_OK) status = passes_outcome(run);
-    if (status.code != WHIRL_OK || p->again_count == 0 || passes_time_is_over(run)) return status;
+    if (status.code != WHIRL_OK || p->again_count == 0 || pass_time_is_over(run)) return status;
     for (size_t i = 0; i < p->again_count; i++) run->tracker.progress.points_total += p->again[i].count;
     status = passes_work(run, p->again, p->again_count);
     return status.code == WHIRL_OK ? passes_outcome(run) : status;
@@ -265,7 +265,7 @@ static whirl_status refine_in_time(study_run *run, int round, size_t *done) {
     whirl_status status = whirl_ok();
     size_t portion = 1;
     *done = 0;
-    while (status.code == WHIRL_OK && portion > 0 && !passes_time_is_over(run)) {
+    while (status.code == WHIRL_OK && portion > 0 && !pass_time_is_over(run)) {
         double budget = next_portion(run, round);
         status = refine_some(run, round, &budget, &portion);
         *done += portion;
