@@ -42,12 +42,12 @@ static int find_finished(const char *output, const char *path, const whirl_resul
     const bool same = whirl_result_same_study(there, outline, difference, sizeof difference);
     const bool partial = whirl_result_partial(there, &done, &total);
     whirl_result_free(there);
-    if (!same)
-        complain("there is nothing to resume: '%s' is not there, and '%s' is of another study: %s", path, output,
-                 difference);
-    else if (partial)
+    if (partial)
         complain("there is nothing to resume: '%s' is partial (%zu of %zu points), but its journal '%s' is gone",
                  output, done, total, path);
+    else if (!same)
+        complain("there is nothing to resume: '%s' is not there, and '%s' is of another study: %s", path, output,
+                 difference);
     else
         return read_finished(output, finished);
     return EXIT_BAD_INPUT;

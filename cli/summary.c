@@ -177,13 +177,14 @@ void summarize_result(const whirl_result *result) {
     }
     for (size_t i = 0; i < result->table_count; i++) {
         const whirl_table *const table = &result->tables[i];
-        if (table->parameter[0] == '\0' && table->count == 1) {
+        const size_t planned = whirl_table_planned(table);
+        if (table->parameter[0] == '\0' && planned == 1) {
             print_point(result, table);
             print_refinement(table);
             continue;
         }
-        printf("%s of %s: %zu point%s\n", table->name, table->parameter, table->count, plural((double)table->count));
-        if (table->count <= LONGEST_LIST)
+        printf("%s of %s: %zu point%s\n", table->name, table->parameter, planned, plural((double)planned));
+        if (planned <= LONGEST_LIST)
             print_list(result, table);
         else
             print_counts(result, table);

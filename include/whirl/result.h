@@ -21,6 +21,9 @@ typedef struct whirl_table {
     char name[WHIRL_NAME_SIZE];      ///< "response", "sweep", "detail"
     char parameter[WHIRL_NAME_SIZE]; ///< what varies, or ""
     size_t count;
+    /// Points of the study, of which a file that was written too early has `count`; 0: count.
+    size_t planned;
+    size_t *slots;  ///< [count] which of them these are, from 0, rising; NULL: the first ones
     double *values; ///< [count] of the parameter in SI (NaN when nothing varies)
     int *branch;    ///< [count] +1 carried from the first value on, -1 carried from the last, 0 not carried
     /// [count][layout.size], NaN where a point is not done; NULL in an outline, and where the blocks are `kept`.
@@ -81,10 +84,17 @@ const double *whirl_table_block(const whirl_table *table, size_t point);
 /// NULL when the table has no such field or an index is out of range. Borrowed as the block is.
 const double *whirl_table_field(const whirl_table *table, size_t point, const char *field, size_t which);
 
-/// Whether a point is done. Only the results of runs that were stopped have points that are not.
+/// Which point of the study a point is: its own index, but in a result that was read and is partial.
+size_t whirl_table_slot(const whirl_table *table, size_t point);
+
+/// How many points of the table the study has, done or not.
+size_t whirl_table_planned(const whirl_table *table);
+
+/// Whether a point is done. Only the results of runs that were stopped have points that are not; a file has but those
+/// that are.
 bool whirl_table_done(const whirl_table *table, size_t point);
 
-/// Counts the points of all tables and those that are done; true when the result is partial.
+/// Counts the points of the study in all tables and those that are done; true when the result is partial.
 bool whirl_result_partial(const whirl_result *result, size_t *done, size_t *total);
 
 /// The verdict on a point.
@@ -125,7 +135,7 @@ whirl_status whirl_result_add_fact(whirl_result *result, const char *name, const
 whirl_status whirl_result_add_provenance(whirl_result *result);
 
 /// Writes the result as an HDF5 file: to a temporary name beside `path`, synced, then renamed, so that no half
-/// file is ever left. The layout of the file is described in docs/result-file.md.
+/// file is ever left. Points that are not done are left out. The layout of the file is described in docs/result-file.md.
 whirl_status whirl_result_write(const whirl_result *result, const char *path);
 
 /// Reads a file of whirl_result_write back and compares all of it with the result, numbers bit for bit. WHIRL_IO_ERROR
@@ -133,7 +143,8 @@ whirl_status whirl_result_write(const whirl_result *result, const char *path);
 whirl_status whirl_result_verify(const whirl_result *result, const char *path);
 
 /// Whether two results are of the same case and study, with the same parameters: what either found does not matter. When
-/// not, writes the first difference in at most `size` bytes ("line 5 of the case was 'a' and is 'b'").
+/// not, writes the first difference in at most `size` bytes ("line 5 of the case was 'a' and is 'b'"). Of a partial file it
+/// cannot be told, for it has not all points.
 bool whirl_result_same_study(const whirl_result *earlier, const whirl_result *later, char *difference, size_t size);
 
 /// Reads a file of whirl_result_write. WHIRL_BAD_INPUT with a sentence for a file that is not one.

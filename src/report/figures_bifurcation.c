@@ -77,7 +77,11 @@ static void survey(diagram *of) {
     }
     const double width = parameter.high - parameter.low;
     of->share = of->share > 0.0 ? of->share : 0.01;
-    of->edge = table->count > 1 && width > 0.0 ? fabs(0.5 * of->value * (table->values[1] - table->values[0])) : 0.5;
+    of->edge = 0.5;
+    if (table->count > 1 && width > 0.0) {
+        const size_t apart = whirl_table_slot(table, 1) - whirl_table_slot(table, 0);
+        of->edge = fabs(0.5 * of->value * (table->values[1] - table->values[0]) / (double)apart);
+    }
     of->parameter = span_with_margin(parameter, 0.012, 2.0 * of->edge);
     of->x = span_with_margin(x, 0.04, 1e-6 * of->length);
     of->y = span_with_margin(y, 0.04, 1e-6 * of->length);
@@ -180,13 +184,16 @@ static whirl_status write_sweep_data(const drawing *to, const diagram *of) {
         fprintf(file.stream, " %d %s;", kind, regime_class_name((regime_class)kind));
     fputc('\n', file.stream);
     for (int branch = 1; branch >= (of->both ? -1 : 1); branch -= 2) {
-        bool gap = false;
+        bool any = false;
+        size_t before = 0;
         for (size_t i = 0; i < of->table->count; i++) {
             if ((of->table->branch[i] < 0 ? -1 : 1) != branch) continue;
-            const bool done = whirl_table_done(of->table, i);
-            if (done) write_sweep_line(file.stream, of, i);
-            if (!done && !gap) fputc('\n', file.stream);
-            gap = !done;
+            if (!whirl_table_done(of->table, i)) continue;
+            const size_t slot = whirl_table_slot(of->table, i);
+            if (any && slot != before + 1) fputc('\n', file.stream);
+            write_sweep_line(file.stream, of, i);
+            any = true;
+            before = slot;
         }
         fputs("\n\n", file.stream);
     }
@@ -209,6 +216,7 @@ static void write_rub_bands(FILE *script, const diagram *of) {
         if (!(rub_share(table, i, contacts) > 0.0)) continue;
         size_t last = i;
         while (last + 1 < table->count && table->branch[last + 1] == table->branch[i] &&
+               whirl_table_slot(table, last + 1) == whirl_table_slot(table, last) + 1 &&
                rub_share(table, last + 1, contacts) > 0.0)
             last++;
         double low, high;

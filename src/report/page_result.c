@@ -16,8 +16,13 @@ static void write_row(FILE *stream, const char *term, const char *text) {
 
 static void describe_points(const shown_units *units, const whirl_table *table, char *text, size_t size) {
     char label[UNIT_LABEL_SIZE];
+    char count[48];
+    if (whirl_table_planned(table) > table->count)
+        snprintf(count, sizeof count, "%zu of %zu points", table->count, whirl_table_planned(table));
+    else
+        snprintf(count, sizeof count, "%zu point%s", table->count, table->count == 1 ? "" : "s");
     if (!*table->parameter) {
-        snprintf(text, size, "%zu point%s", table->count, table->count == 1 ? "" : "s");
+        snprintf(text, size, "%s", count);
         return;
     }
     units_parameter_label(units, table->parameter, label, sizeof label);
@@ -29,8 +34,8 @@ static void describe_points(const shown_units *units, const whirl_table *table, 
         reverse = reverse || table->branch[i] < 0;
     }
     const size_t last = forward > 0 && reverse ? forward - 1 : table->count - 1;
-    snprintf(text, size, "%s from %.6g to %.6g, %zu points%s", label, table->values[0] / unit,
-             table->values[last] / unit, table->count,
+    snprintf(text, size, "%s from %.6g to %.6g, %s%s", label, table->values[0] / unit, table->values[last] / unit,
+             count,
              forward && reverse ? " (both ways, each start carried from the point before)"
              : reverse || (table->count && table->branch[0] > 0) ? " (each start carried from the point before)"
                                                                  : "");

@@ -59,7 +59,8 @@ size_t regime_intervals(const whirl_table *table, size_t contact_count, regime_i
         const whirl_verdict verdict = whirl_table_verdict(table, i);
         char name[sizeof now.name];
         regime_name(&verdict, name, sizeof name);
-        if (now.count == 0 || i != now.last + 1 || strcmp(name, now.name) != 0 || table->branch[i] != now.branch) {
+        if (now.count == 0 || whirl_table_slot(table, i) != whirl_table_slot(table, now.last) + 1 ||
+            strcmp(name, now.name) != 0 || table->branch[i] != now.branch) {
             if (now.count > 0 && count++ < most) intervals[count - 1] = now;
             now = (regime_interval){.kind = regime_class_of(&verdict), .first = i, .branch = table->branch[i]};
             memcpy(now.name, name, sizeof name);

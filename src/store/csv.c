@@ -103,7 +103,7 @@ static void put_point_headings(line *row, const whirl_result *result, const whir
 static void put_point_cells(line *row, const whirl_table *table, size_t point) {
     char branch[16];
     snprintf(branch, sizeof branch, "%d", table->branch[point]);
-    put_count_cell(row, point + 1);
+    put_count_cell(row, whirl_table_slot(table, point) + 1);
     if (*table->parameter) put_number_cell(row, table->values[point]);
     put_cell(row, branch);
 }
@@ -165,7 +165,7 @@ static void write_rows(FILE *stream, const whirl_result *result, const whirl_tab
     put_rows_headings(&row, result, table, field);
     for (size_t i = 0; i < table->count * field->repeat * field->rows; ++i) {
         const size_t point = i / (field->repeat * field->rows), inner = i % (field->repeat * field->rows);
-        const double *block = whirl_table_block(table, point);
+        const double *block = whirl_table_done(table, point) ? whirl_table_block(table, point) : NULL;
         const double *numbers = block ? block + field->offset + inner * field->columns : NULL;
         if (!numbers || all_missing(numbers, field->columns)) continue;
         put_point_cells(&row, table, point);

@@ -9,7 +9,7 @@
 #define FORMAT_NAME "whirl result"
 
 enum {
-    FORMAT_VERSION = 1,
+    FORMAT_VERSION = 2, // version 1 had all points of a study, and a mark for those that were done
     FORMAT_MAX_TABLES = 64,
     FORMAT_MAX_FACTS = 1024,
     FORMAT_MAX_PARAMETERS = 100000,

@@ -10,6 +10,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+// A file that is being read, and where the numbers of its points go.
+typedef struct reading {
+    size_t limit; // bytes of the file
+    whirl_layout known;
+    const block_taker *taker; // NULL: into the tables
+} reading;
+
 // Zeroed memory, or NULL with the status set.
 static void *take(whirl_status *status, size_t count, size_t size) {
     if (status->code != WHIRL_OK) return NULL;
@@ -231,61 +238,58 @@ static void get_branch(whirl_status *status, hid_t group, whirl_table *table) {
     free(branch);
 }
 
-// NULL where all points are done, as in a result that was never partial.
-static void get_done(whirl_status *status, hid_t group, whirl_table *table) {
-    int64_t *done = take(status, table->count, sizeof *done);
-    size_t missing = 0;
-    table->done = take(status, table->count, sizeof *table->done);
-    get_wholes(status, group, "done", done, table->count);
-    for (size_t i = 0; status->code == WHIRL_OK && i < table->count; ++i) {
-        if (done[i] != 0 && done[i] != 1)
-            *status =
-                whirl_fail(WHIRL_BAD_INPUT, "/%s/done holds %lld, expected 0 or 1", table->name, (long long)done[i]);
-        table->done[i] = done[i] == 1;
-        missing += done[i] == 0;
+// Which points of the study these are. NULL where they are all.
+static void get_slots(whirl_status *status, hid_t group, whirl_table *table) {
+    int64_t *places = take(status, table->count, sizeof *places), before = 0;
+    table->slots = take(status, table->count, sizeof *table->slots);
+    const int64_t most = (int64_t)1 << 48; // tables of all sizes can be summed
+    const int64_t planned = get_whole_attribute(status, group, "points", (int64_t)table->count, most);
+    get_wholes(status, group, "point", places, table->count);
+    for (size_t i = 0; status->code == WHIRL_OK && i < table->count; before = places[i++]) {
+        if (places[i] <= before || places[i] > planned)
+            *status = whirl_fail(WHIRL_BAD_INPUT, "/%s/point holds %lld, expected %lld to %lld", table->name,
+                                 (long long)places[i], (long long)before + 1, (long long)planned);
+        table->slots[i] = (size_t)places[i] - 1;
     }
-    free(done);
-    if (missing > 0) return;
-    free(table->done);
-    table->done = NULL;
+    free(places);
+    if (status->code != WHIRL_OK) return;
+    if ((size_t)planned > table->count) {
+        table->planned = (size_t)planned;
+        return;
+    }
+    free(table->slots);
+    table->slots = NULL;
 }
-
-// Where the numbers of the points go.
-typedef struct destination {
-    const block_taker *taker; // NULL: into the table
-    size_t table;
-} destination;
 
 // All points, one after the other.
-static void get_points(whirl_status *status, const whirl_table *table, const destination *to, column *columns,
-                       double *block) {
+static void get_points(whirl_status *status, const whirl_table *table, size_t index, const block_taker *taker,
+                       column *columns, double *block) {
     const whirl_layout *layout = &table->layout;
     for (size_t point = 0; status->code == WHIRL_OK && point < table->count; ++point) {
-        double *here = to->taker ? block : table->blocks + point * layout->size;
+        double *here = taker ? block : table->blocks + point * layout->size;
         for (size_t i = 0; i < layout->field_count; ++i)
             column_get(status, &columns[i], here + layout->fields[i].offset);
-        if (status->code == WHIRL_OK && to->taker)
-            *status = to->taker->take(to->taker->context, table, to->table, point, block);
+        if (status->code == WHIRL_OK && taker) *status = taker->take(taker->context, table, index, point, block);
     }
 }
 
-static void get_blocks(whirl_status *status, hid_t group, whirl_table *table, const destination *to) {
+static void get_blocks(whirl_status *status, hid_t group, whirl_table *table, size_t index, const block_taker *taker) {
     column columns[WHIRL_MAX_FIELDS];
     const whirl_layout *layout = &table->layout;
     double *block = take(status, layout->size, sizeof *block);
-    if (!to->taker) table->blocks = take(status, table->count * layout->size, sizeof *table->blocks);
+    if (!taker) table->blocks = take(status, table->count * layout->size, sizeof *table->blocks);
     for (size_t i = 0; i < layout->field_count; ++i) {
         size_t dimensions[4];
         const int rank = format_dimensions(&layout->fields[i], table->count, dimensions);
         column_open(status, &columns[i], group, layout->fields[i].name, dimensions, rank);
     }
-    get_points(status, table, to, columns, block);
+    get_points(status, table, index, taker, columns, block);
     for (size_t i = 0; i < layout->field_count; ++i) column_close(&columns[i]);
     free(block);
 }
 
-static void get_table(whirl_status *status, hid_t file, const whirl_result *result, const whirl_layout *known,
-                      size_t limit, whirl_table *table, const destination *to) {
+static void get_table(whirl_status *status, hid_t file, const whirl_result *result, const reading *how, size_t index) {
+    whirl_table *table = &result->tables[index];
     const hid_t group = get_group(status, file, table->name);
     whirl_layout *layout = &table->layout;
     get_text_attribute(status, group, "parameter", table->parameter, sizeof table->parameter);
@@ -293,17 +297,18 @@ static void get_table(whirl_status *status, hid_t file, const whirl_result *resu
     get_integrate(status, group, &table->integrate);
     get_record(status, group, &table->record);
     get_field_names(status, group, table->name, layout);
-    table->count = get_length(status, group, "values", limit / sizeof(double));
+    table->count = get_length(status, group, "values", how->limit / sizeof(double));
     field_words *words = take_values(status, table);
     get_numbers(status, group, "values", table->values, table->count);
     get_branch(status, group, table);
-    get_done(status, group, table);
+    get_slots(status, group, table);
     for (size_t i = 0; status->code == WHIRL_OK && i < layout->field_count; ++i) {
-        get_field(status, group, result, table->count, limit, layout, &layout->fields[i], &words[i]);
-        check_known(status, known, &layout->fields[i]);
+        get_field(status, group, result, table->count, how->limit, layout, &layout->fields[i], &words[i]);
+        check_known(status, &how->known, &layout->fields[i]);
     }
     // Each field has room in the file, so all of them have in 64 times its size; datasets are then checked one by one.
-    if (status->code == WHIRL_OK && (!to->taker || to->taker->take)) get_blocks(status, group, table, to);
+    if (status->code == WHIRL_OK && (!how->taker || how->taker->take))
+        get_blocks(status, group, table, index, how->taker);
     close_group(group);
 }
 
@@ -322,12 +327,11 @@ static whirl_status known_fields(const whirl_result *result, whirl_layout *known
     return whirl_layout_new(&system, &integrate, &options, all, known);
 }
 
-static void get_tables(whirl_status *status, hid_t file, size_t limit, const block_taker *taker, whirl_result *result) {
+static void get_tables(whirl_status *status, hid_t file, reading *how, whirl_result *result) {
     char names[FORMAT_MAX_TABLES][WHIRL_NAME_SIZE];
-    whirl_layout known = {0};
     const size_t count = get_texts_attribute(status, file, "tables", names[0], WHIRL_NAME_SIZE, FORMAT_MAX_TABLES);
     result->tables = take(status, count, sizeof *result->tables);
-    if (status->code == WHIRL_OK) *status = known_fields(result, &known);
+    if (status->code == WHIRL_OK) *status = known_fields(result, &how->known);
     for (size_t i = 0; status->code == WHIRL_OK && i < count; ++i) {
         if (!format_is_name(names[i], 0) || format_reserved(names[i]) || whirl_result_table(result, names[i])) {
             *status = whirl_fail(WHIRL_BAD_INPUT, "'%s' cannot name a table", names[i]);
@@ -335,7 +339,7 @@ static void get_tables(whirl_status *status, hid_t file, size_t limit, const blo
         }
         memcpy(result->tables[i].name, names[i], WHIRL_NAME_SIZE);
         result->table_count = i + 1;
-        get_table(status, file, result, &known, limit, &result->tables[i], &(destination){taker, i});
+        get_table(status, file, result, how, i);
     }
 }
 
@@ -347,12 +351,14 @@ static void check_format(whirl_status *status, hid_t file) {
     if (status->code == WHIRL_OK && strcmp(format, FORMAT_NAME) != 0)
         *status = whirl_fail(WHIRL_BAD_INPUT, "is an HDF5 file, but not a result of whirl");
     const int64_t version = get_whole_attribute(status, file, "format_version", 1, INT_MAX);
-    if (status->code == WHIRL_OK && version > FORMAT_VERSION)
-        *status = whirl_fail(WHIRL_BAD_INPUT, "has format version %lld; this whirl reads up to %d", (long long)version,
-                             FORMAT_VERSION);
+    if (status->code == WHIRL_OK && version != FORMAT_VERSION)
+        *status =
+            whirl_fail(WHIRL_BAD_INPUT, "has format version %lld, this whirl reads version %d: %s", (long long)version,
+                       FORMAT_VERSION, version < FORMAT_VERSION ? "compute it again" : "a later whirl reads it");
 }
 
 static void get_result(whirl_status *status, hid_t file, size_t limit, const block_taker *taker, whirl_result *result) {
+    reading how = {.limit = limit, .taker = taker};
     check_format(status, file);
     result->partial = get_whole_attribute(status, file, "partial", 0, 1) != 0;
     get_text_attribute(status, file, "title", result->title, sizeof result->title);
@@ -361,7 +367,7 @@ static void get_result(whirl_status *status, hid_t file, size_t limit, const blo
     get_stations(status, file, result);
     get_contacts(status, file, result);
     get_provenance(status, file, result);
-    get_tables(status, file, limit, taker, result);
+    get_tables(status, file, &how, result);
 }
 
 whirl_status read_result(const byte_source *source, const char *name, const block_taker *taker, whirl_result **result) {

@@ -3,6 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "finished.h"
+#include "format.h"
 #include "identity.h"
 #include "read.h"
 
@@ -83,9 +85,12 @@ static const char *head_difference(const whirl_result *a, const whirl_result *b)
     return same_facts(a, b) ? NULL : "the provenance";
 }
 
-// What numbers are compared with.
+// What a file is compared with.
 typedef struct comparison {
-    const whirl_result *result;
+    const whirl_result *result; // what was written
+    whirl_result own;           // what of it a file holds: the same with the tables below
+    whirl_table tables[FORMAT_MAX_TABLES];
+    finished parts[FORMAT_MAX_TABLES];
     const char *path;
 } comparison;
 
@@ -94,11 +99,16 @@ static whirl_status differs(const char *path, const whirl_table *table, size_t p
                       point + 1, table->name);
 }
 
-static whirl_status compare_done(const comparison *with, const whirl_result *there) {
-    for (size_t i = 0; i < there->table_count; ++i)
-        for (size_t point = 0; point < there->tables[i].count; ++point)
-            if (whirl_table_done(&with->result->tables[i], point) != whirl_table_done(&there->tables[i], point))
-                return differs(with->path, &there->tables[i], point);
+// The same points of the study? There are as many.
+static whirl_status compare_slots(const comparison *with, const whirl_result *there) {
+    for (size_t i = 0; i < there->table_count; ++i) {
+        const whirl_table *own = &with->tables[i], *found = &there->tables[i];
+        const size_t planned = whirl_table_planned(found);
+        if (planned != own->planned) return differs(with->path, own, planned < own->planned ? planned : own->planned);
+        for (size_t point = 0; point < own->count; ++point)
+            if (whirl_table_slot(own, point) != whirl_table_slot(found, point) || !whirl_table_done(found, point))
+                return differs(with->path, own, own->slots[point]);
+    }
     return whirl_ok();
 }
 
@@ -107,11 +117,13 @@ static whirl_status compare_done(const comparison *with, const whirl_result *the
 static whirl_status compare_block(void *context, const whirl_table *there, size_t table, size_t point,
                                   const double *block) {
     const comparison *with = context;
-    const whirl_table *written = &with->result->tables[table < with->result->table_count ? table : 0];
+    const size_t index = table < with->result->table_count ? table : 0;
+    const whirl_table *written = &with->result->tables[index], *own = &with->tables[index];
     const size_t size = written->layout.size;
-    const double *expected = there->layout.size == size ? whirl_table_block(written, point) : NULL;
+    if (point >= own->count || there->layout.size != size) return differs(with->path, written, point);
+    const double *expected = whirl_table_block(written, with->parts[index].points[point]);
     const bool same = expected && memcmp(expected, block, size * sizeof *block) == 0;
-    return same ? whirl_ok() : differs(with->path, written, point);
+    return same ? whirl_ok() : differs(with->path, written, with->tables[index].slots[point]);
 }
 
 // All but the numbers.
@@ -121,22 +133,42 @@ static whirl_status compare_outline(const comparison *with) {
     whirl_status status = whirl_result_read_outline(with->path, &there);
     if (status.code != WHIRL_OK) return status;
     const char *part = NULL;
-    if (!whirl_result_same_study(with->result, there, difference, sizeof difference))
+    if (!whirl_result_same_study(&with->own, there, difference, sizeof difference))
         status = whirl_fail(WHIRL_IO_ERROR, "%.100s does not hold what was written: %.280s", with->path, difference);
     else if ((part = head_difference(with->result, there)) != NULL)
         status = whirl_fail(WHIRL_IO_ERROR, "%.200s does not hold what was written: %s differ", with->path, part);
     else
-        status = compare_done(with, there);
+        status = compare_slots(with, there);
+    whirl_result_free(there);
+    return status;
+}
+
+static whirl_status compare(comparison *with) {
+    whirl_result *there = NULL;
+    whirl_status status = whirl_ok();
+    for (size_t i = 0; i < with->result->table_count && status.code == WHIRL_OK; ++i) {
+        status = finished_points(&with->result->tables[i], &with->parts[i]);
+        with->tables[i] = with->parts[i].table;
+    }
+    // The same outline has the same tables of the same layout: only then the numbers can be compared.
+    if (status.code == WHIRL_OK) status = compare_outline(with);
+    if (status.code == WHIRL_OK) status = read_file(with->path, &(block_taker){compare_block, with}, &there);
     whirl_result_free(there);
     return status;
 }
 
 whirl_status whirl_result_verify(const whirl_result *result, const char *path) {
-    comparison with = {result, path};
-    whirl_result *there = NULL;
-    // The same outline has the same tables of the same layout: only then the numbers can be compared.
-    whirl_status status = compare_outline(&with);
-    if (status.code == WHIRL_OK) status = read_file(path, &(block_taker){compare_block, &with}, &there);
-    whirl_result_free(there);
-    return status.code == WHIRL_OK ? status : whirl_fail(WHIRL_IO_ERROR, "%s", status.message);
+    comparison *with = calloc(1, sizeof *with);
+    if (!with) return whirl_fail(WHIRL_NO_MEMORY, "no memory to compare %.200s", path);
+    with->result = result;
+    with->own = *result;
+    with->own.tables = with->tables;
+    with->path = path;
+    whirl_status status = result->table_count <= FORMAT_MAX_TABLES
+                              ? compare(with)
+                              : whirl_fail(WHIRL_IO_ERROR, "%.200s cannot hold %zu tables", path, result->table_count);
+    for (size_t i = 0; i < FORMAT_MAX_TABLES; ++i) finished_free(&with->parts[i]);
+    free(with);
+    if (status.code == WHIRL_OK || status.code == WHIRL_NO_MEMORY) return status;
+    return whirl_fail(WHIRL_IO_ERROR, "%s", status.message);
 }

@@ -1,5 +1,6 @@
 // A result as an HDF5 file.
 #include "atomic_file.h"
+#include "finished.h"
 #include "format.h"
 #include "h5file.h"
 #include "items.h"
@@ -167,14 +168,16 @@ static void begin_field(whirl_status *status, column *out, hid_t group, const wh
 }
 
 // The numbers of all fields: one pass over the points, for their blocks may lie on disk.
-static void put_fields(whirl_status *status, hid_t group, const whirl_result *result, const whirl_table *table) {
+static void put_fields(whirl_status *status, hid_t group, const whirl_result *result, const whirl_table *whole,
+                       const finished *own) {
     column columns[WHIRL_MAX_FIELDS];
-    const whirl_layout *layout = &table->layout;
+    const whirl_layout *layout = &whole->layout;
     for (size_t i = 0; i < layout->field_count; ++i)
-        begin_field(status, &columns[i], group, result, table, &layout->fields[i]);
-    for (size_t point = 0; status->code == WHIRL_OK && point < table->count; ++point) {
-        const double *block = whirl_table_block(table, point);
-        if (!block) *status = whirl_fail(WHIRL_IO_ERROR, "point %zu of the %s is lost", point + 1, table->name);
+        begin_field(status, &columns[i], group, result, &own->table, &layout->fields[i]);
+    for (size_t at = 0; status->code == WHIRL_OK && at < own->table.count; ++at) {
+        const double *block = whirl_table_block(whole, own->points[at]);
+        if (!block)
+            *status = whirl_fail(WHIRL_IO_ERROR, "point %zu of the %s is lost", own->points[at] + 1, whole->name);
         for (size_t i = 0; block && i < layout->field_count; ++i)
             column_put(status, &columns[i], block + layout->fields[i].offset);
     }
@@ -188,30 +191,28 @@ typedef struct verdict_words {
 
 static void put_into_words(const whirl_table *table, size_t point, verdict_words *words) {
     // With zeros behind the texts, which are written too.
-    *words = (verdict_words){.name = "not computed"};
-    if (!whirl_table_done(table, point)) return;
+    *words = (verdict_words){.name = ""};
     const whirl_verdict verdict = whirl_table_verdict(table, point);
-    memset(words->name, 0, sizeof words->name);
     whirl_verdict_name(&verdict, words->name, sizeof words->name);
     whirl_verdict_reason(&verdict, words->reason, sizeof words->reason);
 }
 
-static void put_verdicts(whirl_status *status, hid_t group, const whirl_table *table) {
+static void put_verdicts(whirl_status *status, hid_t group, const whirl_table *whole, const finished *own) {
     verdict_words words;
     size_t longest_name = 0, longest_reason = 0;
     column names, reasons;
     if (status->code != WHIRL_OK) return;
-    for (size_t i = 0; i < table->count; ++i) {
-        put_into_words(table, i, &words);
+    for (size_t i = 0; i < own->table.count; ++i) {
+        put_into_words(whole, own->points[i], &words);
         const size_t name = strlen(words.name), reason = strlen(words.reason);
         if (name > longest_name) longest_name = name;
         if (reason > longest_reason) longest_reason = reason;
     }
     const hid_t verdicts = put_group(status, group, "verdict");
-    column_of_texts(status, &names, verdicts, "name", table->count, longest_name + 1);
-    column_of_texts(status, &reasons, verdicts, "reason", table->count, longest_reason + 1);
-    for (size_t i = 0; status->code == WHIRL_OK && i < table->count; ++i) {
-        put_into_words(table, i, &words);
+    column_of_texts(status, &names, verdicts, "name", own->table.count, longest_name + 1);
+    column_of_texts(status, &reasons, verdicts, "reason", own->table.count, longest_reason + 1);
+    for (size_t i = 0; status->code == WHIRL_OK && i < own->table.count; ++i) {
+        put_into_words(whole, own->points[i], &words);
         column_put(status, &names, words.name);
         column_put(status, &reasons, words.reason);
     }
@@ -253,27 +254,30 @@ static whirl_status check_layout(const whirl_table *table) {
     return whirl_ok();
 }
 
-static void put_branch(whirl_status *status, hid_t group, const whirl_table *table) {
-    int64_t *branch = malloc((table->count ? table->count : 1) * sizeof *branch);
-    if (!branch) {
+// Branches, and which points of the study these are, from 1.
+static void put_places(whirl_status *status, hid_t group, const whirl_table *table) {
+    int64_t *numbers = malloc((table->count ? table->count : 1) * sizeof *numbers);
+    if (!numbers) {
         *status = whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points", table->count);
         return;
     }
-    for (size_t i = 0; i < table->count; ++i) branch[i] = table->branch[i];
-    put_wholes(status, group, "branch", branch, table->count);
-    free(branch);
+    for (size_t i = 0; i < table->count; ++i) numbers[i] = table->branch[i];
+    put_wholes(status, group, "branch", numbers, table->count);
+    for (size_t i = 0; i < table->count; ++i) numbers[i] = (int64_t)table->slots[i] + 1;
+    put_wholes(status, group, "point", numbers, table->count);
+    free(numbers);
 }
 
-// 1 for the points that a run came to, 0 for the others.
-static void put_done(whirl_status *status, hid_t group, const whirl_table *table) {
-    int64_t *done = malloc((table->count ? table->count : 1) * sizeof *done);
-    if (!done) {
-        *status = whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points", table->count);
-        return;
-    }
-    for (size_t i = 0; i < table->count; ++i) done[i] = whirl_table_done(table, i);
-    put_wholes(status, group, "done", done, table->count);
-    free(done);
+static void put_points(whirl_status *status, hid_t group, const whirl_result *result, const whirl_table *whole) {
+    finished own;
+    *status = finished_points(whole, &own);
+    if (status->code != WHIRL_OK) return;
+    put_whole_attribute(status, group, "points", (int64_t)own.table.planned);
+    put_numbers(status, group, "values", own.table.values, own.table.count);
+    put_places(status, group, &own.table);
+    if (status->code == WHIRL_OK) put_fields(status, group, result, whole, &own);
+    if (has_verdict(&whole->layout)) put_verdicts(status, group, whole, &own);
+    finished_free(&own);
 }
 
 static void put_table(whirl_status *status, hid_t file, const whirl_result *result, const whirl_table *table) {
@@ -286,11 +290,7 @@ static void put_table(whirl_status *status, hid_t file, const whirl_result *resu
                         texts_of(layout->fields[0].name, sizeof *layout->fields, layout->field_count));
     put_integrate(status, group, &table->integrate);
     put_record(status, group, &table->record);
-    put_numbers(status, group, "values", table->values, table->count);
-    put_branch(status, group, table);
-    put_done(status, group, table);
-    if (status->code == WHIRL_OK) put_fields(status, group, result, table);
-    if (has_verdict(layout)) put_verdicts(status, group, table);
+    if (status->code == WHIRL_OK) put_points(status, group, result, table);
     close_group(group);
 }
 
@@ -333,9 +333,9 @@ static whirl_status make_file(const whirl_result *result, int descriptor) {
     whirl_status status = h5_create(&bytes, descriptor, &file);
     if (status.code != WHIRL_OK) return status;
     put_result(&status, file, result);
-    const whirl_status finished = h5_finish(&bytes, file);
+    const whirl_status closed = h5_finish(&bytes, file);
     // Where the disk failed, that is the reason for whatever went wrong afterwards.
-    return bytes.reason || status.code == WHIRL_OK ? finished : status;
+    return bytes.reason || status.code == WHIRL_OK ? closed : status;
 }
 
 whirl_status whirl_result_write(const whirl_result *result, const char *path) {

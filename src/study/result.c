@@ -9,6 +9,7 @@
 void whirl_result_free(whirl_result *result) {
     if (!result) return;
     for (size_t i = 0; i < result->table_count; ++i) {
+        free(result->tables[i].slots);
         free(result->tables[i].values);
         free(result->tables[i].branch);
         free(result->tables[i].blocks);
@@ -42,6 +43,14 @@ const double *whirl_table_field(const whirl_table *table, size_t point, const ch
     return block ? block + found->offset + which * found->rows * found->columns : NULL;
 }
 
+size_t whirl_table_slot(const whirl_table *table, size_t point) {
+    return table->slots && point < table->count ? table->slots[point] : point;
+}
+
+size_t whirl_table_planned(const whirl_table *table) {
+    return table->planned > table->count ? table->planned : table->count;
+}
+
 bool whirl_table_done(const whirl_table *table, size_t point) {
     return point < table->count && (!table->done || table->done[point]);
 }
@@ -49,9 +58,9 @@ bool whirl_table_done(const whirl_table *table, size_t point) {
 bool whirl_result_partial(const whirl_result *result, size_t *done, size_t *total) {
     *done = *total = 0;
     for (size_t i = 0; i < result->table_count; ++i) {
-        *total += result->tables[i].count;
-        for (size_t point = 0; point < result->tables[i].count; ++point)
-            *done += whirl_table_done(&result->tables[i], point);
+        const whirl_table *table = &result->tables[i];
+        *total += whirl_table_planned(table);
+        for (size_t point = 0; point < table->count; ++point) *done += whirl_table_done(table, point);
     }
     return result->partial || *done < *total;
 }

@@ -35,9 +35,16 @@ static inline bool same_layout(const whirl_layout *a, const whirl_layout *b) {
     return true;
 }
 
+static inline bool same_slots(const whirl_table *a, const whirl_table *b) {
+    if (whirl_table_planned(a) != whirl_table_planned(b)) return false;
+    for (size_t i = 0; i < a->count && i < b->count; ++i)
+        if (whirl_table_slot(a, i) != whirl_table_slot(b, i)) return false;
+    return true;
+}
+
 static inline bool same_table(const whirl_table *a, const whirl_table *b) {
     return strcmp(a->name, b->name) == 0 && strcmp(a->parameter, b->parameter) == 0 && a->count == b->count &&
-           a->analyses == b->analyses && same_integrate(&a->integrate, &b->integrate) &&
+           same_slots(a, b) && a->analyses == b->analyses && same_integrate(&a->integrate, &b->integrate) &&
            same_record(&a->record, &b->record) && same_layout(&a->layout, &b->layout) &&
            same_bits(a->values, b->values, a->count) &&
            memcmp(a->branch, b->branch, a->count * sizeof *a->branch) == 0 &&

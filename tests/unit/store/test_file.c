@@ -116,6 +116,73 @@ static void reads_a_table_without_points(void **state) {
     whirl_result_free(read);
 }
 
+// Takes all points but those out of a result in memory.
+static whirl_result *with_points(whirl_result *made, const size_t *slots, size_t count) {
+    whirl_table *table = &made->tables[0];
+    const size_t size = table->layout.size;
+    table->planned = table->count;
+    table->slots = synthetic_take(count, sizeof *table->slots);
+    for (size_t i = 0; i < count; ++i) {
+        table->slots[i] = slots[i];
+        table->values[i] = table->values[slots[i]];
+        table->branch[i] = table->branch[slots[i]];
+        memmove(table->blocks + i * size, table->blocks + slots[i] * size, size * sizeof(double));
+    }
+    table->count = count;
+    return made;
+}
+
+// A run that was stopped: the file has the points that are done, and says which these are.
+static void a_partial_file_has_what_is_done(void **state) {
+    fixture *f = *state;
+    whirl_result *read = NULL, *again = NULL;
+    size_t done, total;
+    whirl_table *sweep = &f->made->tables[0];
+    f->made->partial = true;
+    sweep->done = synthetic_take(sweep->count, 1);
+    sweep->done[0] = sweep->done[2] = 1;
+    assert_well(whirl_result_write(f->made, f->path));
+    assert_well(whirl_result_verify(f->made, f->path));
+    assert_well(whirl_result_read(f->path, &read));
+    free(sweep->done);
+    sweep->done = NULL;
+    assert_true(same_result(with_points(f->made, (const size_t[]){0, 2}, 2), read));
+    assert_true(whirl_result_partial(read, &done, &total));
+    assert_int_equal(done, 2 + read->tables[1].count);
+    assert_int_equal(total, SYNTHETIC_POINTS + read->tables[1].count);
+    // What was read is written as it is.
+    assert_well(whirl_result_write(read, f->path));
+    assert_well(whirl_result_verify(read, f->path));
+    assert_well(whirl_result_read(f->path, &again));
+    assert_true(same_result(read, again));
+    whirl_result_free(again);
+    whirl_result_free(read);
+}
+
+// Of a hundred thousand points that were not come to, nothing is written.
+static void a_partial_file_is_as_large_as_its_points(void **state) {
+    enum { MANY = 100000, FEW = 3 };
+    fixture *f = *state;
+    whirl_table *sweep = &f->made->tables[0];
+    written(f);
+    const size_t whole = f->size;
+    double *values = synthetic_take(MANY, sizeof *values);
+    int *branch = synthetic_take(MANY, sizeof *branch);
+    double *blocks = synthetic_take(MANY * sweep->layout.size, sizeof *blocks);
+    memcpy(values, sweep->values, FEW * sizeof *values);
+    memcpy(branch, sweep->branch, FEW * sizeof *branch);
+    memcpy(blocks, sweep->blocks, FEW * sweep->layout.size * sizeof *blocks);
+    free(sweep->values), free(sweep->branch), free(sweep->blocks);
+    sweep->values = values, sweep->branch = branch, sweep->blocks = blocks;
+    sweep->count = MANY;
+    sweep->done = synthetic_take(MANY, 1);
+    memset(sweep->done, 1, FEW);
+    f->made->partial = true;
+    written(f);
+    assert_true(f->size == whole);
+    assert_well(whirl_result_verify(f->made, f->path));
+}
+
 // Many points, so that datasets have several chunks of 1 MiB.
 static void reads_large_tables(void **state) {
     fixture *f = *state;
@@ -300,7 +367,10 @@ static void refuses_claims(void **state) {
         int64_t value;
         const char *words;
     } claims[] = {
-        {"/", "format_version", 2, "format version 2"},
+        {"/", "format_version", 3, "format version 3"},
+        {"/", "format_version", 1, "format version 1, this whirl reads version 2: compute it again"},
+        {"/sweep", "points", 2, "is 2, expected 3 to"},
+        {"/sweep", "points", INT64_MAX, "expected 3 to"},
         {"/sweep", "steps_per_revolution", 0, "expected 1 to"},
         {"/sweep", "steps_per_revolution", 2147483647, "is 2147483647, expected 1 to 16777216"},
         {"/sweep", "samples_per_revolution", 2147483647, "expected 1 to 16777216"},
@@ -366,6 +436,20 @@ static void words_that_are_not_plain_are_verified(void **state) {
     assert_well(whirl_result_verify(f->made, f->path));
 }
 
+static void refuses_impossible_points(void **state) {
+    static const int64_t lists[][SYNTHETIC_POINTS] = {{0, 1, 2}, {1, 1, 2}, {2, 1, 3}, {1, 2, 4}, {1, 2, INT64_MIN}};
+    fixture *f = *state;
+    for (size_t i = 0; i < sizeof lists / sizeof *lists; ++i) {
+        whirl_result *read = NULL;
+        written(f);
+        const hid_t file = open_for_change(f), points = H5Dopen2(file, "/sweep/point", H5P_DEFAULT);
+        assert_true(H5Dwrite(points, H5T_NATIVE_INT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, lists[i]) >= 0);
+        H5Dclose(points);
+        assert_true(H5Fclose(file) >= 0);
+        assert_says(whirl_result_read(f->path, &read), WHIRL_BAD_INPUT, "/sweep/point holds");
+    }
+}
+
 // Puts another object in the place of /sweep/values.
 static void replace_values(const fixture *f, hid_t type, int rank, hsize_t length, bool checksums) {
     const hsize_t dimensions[2] = {length, 1}, chunk[2] = {length < 1024 ? length : 1024, 1};
@@ -428,6 +512,8 @@ int main(void) {
         IN_FOLDER(reads_what_was_written),
         IN_FOLDER(reads_an_empty_result),
         IN_FOLDER(reads_a_table_without_points),
+        IN_FOLDER(a_partial_file_has_what_is_done),
+        IN_FOLDER(a_partial_file_is_as_large_as_its_points),
         IN_FOLDER(reads_large_tables),
         IN_FOLDER(same_results_are_same_files),
         IN_FOLDER(replaces_a_file),
@@ -439,6 +525,7 @@ int main(void) {
         IN_FOLDER(refuses_every_truncation),
         IN_FOLDER(no_flipped_bit_goes_unseen),
         IN_FOLDER(refuses_claims),
+        IN_FOLDER(refuses_impossible_points),
         IN_FOLDER(words_are_plain_when_they_are_read),
         IN_FOLDER(words_that_are_not_plain_are_verified),
         IN_FOLDER(refuses_other_datasets),

@@ -359,11 +359,18 @@ static void partial_results_are_written_and_read(void **state) {
     assert_true(well(whirl_result_read(f->result, &read)));
     assert_true(whirl_result_partial(read, &done, &total));
     assert_true(done == 2 && total == KEPT_POINTS);
-    assert_true(!whirl_table_done(&read->tables[0], 0) && whirl_table_done(&read->tables[0], 1));
-    assert_true(whirl_table_done(&read->tables[1], 0));
+    assert_int_equal(read->tables[0].count, 1);
+    assert_int_equal(whirl_table_slot(&read->tables[0], 0), 1);
+    assert_true(whirl_table_done(&read->tables[0], 0) && whirl_table_done(&read->tables[1], 0));
     whirl_result_free(read);
     sweep->done[0] = 1;
-    assert_non_null(strstr(whirl_result_verify(f->made, f->result).message, "point 1 of the sweep differs"));
+    assert_non_null(strstr(whirl_result_verify(f->made, f->result).message, "points of the sweep was '2"));
+    // As many points of the same values, but others of the study.
+    sweep->values[2] = sweep->values[1];
+    sweep->branch[2] = sweep->branch[1];
+    sweep->done[0] = sweep->done[1] = 0;
+    sweep->done[2] = 1;
+    assert_non_null(strstr(whirl_result_verify(f->made, f->result).message, "point 3 of the sweep differs"));
 }
 
 int main(void) {
