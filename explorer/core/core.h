@@ -72,6 +72,9 @@ void explorer_plan_look(plan *p, int transient, int record, int steps);
 /// Asks for what a diagram shows of its points.
 void explorer_plan_diagram(plan *p);
 
+/// Asks besides for what is found in spectra, as amplitude and phase at the running speed: a tenth to a fifth more work.
+void explorer_plan_spectra(plan *p);
+
 /// Asks for everything that the page shows of a point besides what the case wants to know: whole spectra, and the waveform
 /// of `waveform` revolutions.
 void explorer_plan_everything(plan *p, int waveform);

@@ -111,6 +111,11 @@ EXPORTED void explorer_plan_diagram(plan *p) {
     p->batch.record.waveform_revolutions = 0;
 }
 
+EXPORTED void explorer_plan_spectra(plan *p) {
+    whirl_analysis_add(&p->batch.analyses, "spectrum");
+    p->batch.record.waveform = true;
+}
+
 EXPORTED void explorer_plan_everything(plan *p, int waveform) {
     add_analyses(p, shown_of_one);
     p->batch.record.spectra = true;

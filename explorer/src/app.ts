@@ -1,6 +1,7 @@
 // The page: what the reader does goes to the engine, what the engine finds goes to the views.
 import { Diagram } from './data/diagram';
 import type { Run } from './data/run';
+import { needsSpectra } from './data/quantities';
 import { copyText, download, el } from './dom';
 import type { Engine, Setting, StationInfo } from './engine/protocol';
 import type { Range } from './figure/chart';
@@ -430,7 +431,7 @@ export class App {
     const { parameter } = this.address;
     if (!parameter || !this.engine) return;
     const { side } = this;
-    const plan = { setting: this.settingOf(side), parameter, low, high, points: this.card.points, batch: this.original?.batches[0] };
+    const plan = { setting: this.settingOf(side), parameter, low, high, points: this.card.points, batch: this.original?.batches[0], spectra: needsSpectra(this.address.quantity) };
     const trouble = await this.sights.compute(plan, this.card.quality, assignmentTexts(side.choice.assignments).join('; '), first);
     if (!trouble) return;
     side.trouble = trouble;

@@ -427,9 +427,9 @@ static void write_panels(FILE *script, const subject *of, const figure *what, do
         if (!there[i]) continue;
         // The right column is square, for orbits and maps; where only they are left they may stand on the left too.
         if (place % 2 == 0)
-            script_panel(script, 0.085, i % 2 ? 0.085 + square : 0.515, high - side, high);
+            script_panel(script, 0.085, i % 2 ? 0.085 + square : 0.505, high - side, high);
         else
-            script_panel(script, 0.985 - square, 0.985, high - side, high);
+            script_panel(script, 0.975 - square, 0.975, high - side, high);
         write_panel_letter(script, (char)('a' + place));
         panels[i](script, of, what);
         if (place == 0) fputs("unset label 1\n", script);
@@ -438,7 +438,7 @@ static void write_panels(FILE *script, const subject *of, const figure *what, do
     }
     if (place % 2 == 1) high -= side + gap;
     if (!there[FULL_PANEL]) return;
-    script_panel(script, 0.085, 0.985, high - LOW_PANEL / height, high);
+    script_panel(script, 0.085, 0.975, high - LOW_PANEL / height, high);
     write_panel_letter(script, (char)('a' + place));
     write_full_spectrum_panel(script, of, what);
 }

@@ -125,6 +125,23 @@ static void a_motion_goes_on_where_it_was(void **state) {
     explorer_case_free(object);
 }
 
+// A diagram has no spectra but where it is asked for them.
+static void spectra_are_asked_for(void **state) {
+    (void)state;
+    whirl_case *object = open_case();
+    for (int asked = 0; asked < 2; asked++) {
+        plan *p = explorer_plan_new(object, "sweep", NULL);
+        assert_non_null(p);
+        explorer_plan_diagram(p);
+        if (asked) explorer_plan_spectra(p);
+        const char *layout = explorer_plan_layout(p, 0.1);
+        assert_non_null(layout);
+        assert_true((strstr(layout, "\"spectrum/synchronous\"") != NULL) == (asked == 1));
+        explorer_plan_free(p);
+    }
+    explorer_case_free(object);
+}
+
 // The same motion at the same lengths has a verdict where that is what was asked for, and none where it is a first look.
 static void a_first_look_has_no_verdict(void **state) {
     (void)state;
@@ -205,9 +222,10 @@ static void failures_leave_a_message(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(points_are_those_of_a_study),   cmocka_unit_test(a_job_may_end_at_any_time),
-        cmocka_unit_test(a_motion_goes_on_where_it_was), cmocka_unit_test(texts_are_escaped),
-        cmocka_unit_test(failures_leave_a_message),      cmocka_unit_test(a_first_look_has_no_verdict),
+        cmocka_unit_test(points_are_those_of_a_study), cmocka_unit_test(spectra_are_asked_for),
+        cmocka_unit_test(a_job_may_end_at_any_time),   cmocka_unit_test(a_motion_goes_on_where_it_was),
+        cmocka_unit_test(texts_are_escaped),           cmocka_unit_test(failures_leave_a_message),
+        cmocka_unit_test(a_first_look_has_no_verdict),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -65,11 +65,12 @@ static void jeffcott(void **state) {
         const whirl_synchronous found = synchronous_of(make_shaft_rotor(&jeffcott), start, "dop853");
         const double complex expected =
             0.1 * r * r * cexp(I * rows[i].angle) / (1.0 - r * r + 2.0 * I * rows[i].zeta * r);
-        check_within("B5", words("x, speed ratio %g, zeta %g, unbalance at %g", r, rows[i].zeta, rows[i].angle), 0.0,
-                     distance(&found, X, expected), 1e-10);
-        check_within("B5", "y", 0.0, distance(&found, Y, -I * expected), 1e-10);
-        check_within("B5", "forward", 0.0, distance(&found, FORWARD, expected), 1e-10);
-        check_within("B5", "backward", 0.0, found.amplitude[BACKWARD] / cabs(expected), 1e-10);
+        // y lags x by a quarter of a turn, and the circle has no backward part.
+        const double parts = fmax(fmax(distance(&found, X, expected), distance(&found, Y, -I * expected)),
+                                  distance(&found, FORWARD, expected));
+        const double backward = found.amplitude[BACKWARD] / cabs(expected);
+        check_within("B5", words("1X at r = %g, zeta = %g, unbalance at %g rad", r, rows[i].zeta, rows[i].angle), 0.0,
+                     fmax(parts, backward), 1e-11);
     }
 }
 
@@ -84,8 +85,8 @@ static void annular_rub(void **state) {
         const double complex stiffness =
             1.0 + p.kappa * (1.0 - 1.0 / radius) * (1.0 + I * p.friction) - w * w + 2.0 * I * p.zeta * w;
         const whirl_synchronous found = synchronous_of(make_rub_rotor(&p), start, "dop853");
-        check_within("B5", words("full annular rub, %s", case_c2[row].name), 0.0,
-                     distance(&found, FORWARD, p.eccentricity * w * w / stiffness), 1e-9);
+        check_within("B5", words("1X of the full annular rub, %s", case_c2[row].name), 0.0,
+                     distance(&found, FORWARD, p.eccentricity * w * w / stiffness), 1e-11);
     }
 }
 

@@ -298,7 +298,7 @@ static known_family families[] = {
     {"equilibria in a potential", "energy", 32, make_well},
     {"damped Mathieu", "Floquet", 64, make_mathieu},
     {"undamped Mathieu", "Floquet", 256, make_free_mathieu},
-    {"van der Pol, free", "Poincare-Bendixson", 64, make_van_der_pol},
+    {"van der Pol, free", "Poincar\u00e9-Bendixson", 64, make_van_der_pol},
 };
 
 static void known_from_theory(void **state) {

@@ -1,6 +1,6 @@
 // What a diagram can show over the parameter.
 import type { StationInfo } from '../engine/protocol';
-import { lengthMeasure, type Units } from '../model/units';
+import { amplitudeMeasure, lengthMeasure, type Units } from '../model/units';
 import type { Column, Diagram } from './diagram';
 
 export interface Quantity {
@@ -9,6 +9,8 @@ export interface Quantity {
   readonly text: string;
   /// One of these stations; or of the whole machine.
   readonly perStation: boolean;
+  /// Found in spectra, which diagrams are computed without unless it is shown.
+  readonly spectra?: boolean;
 }
 
 export const QUANTITIES: readonly Quantity[] = [
@@ -19,7 +21,15 @@ export const QUANTITIES: readonly Quantity[] = [
   { id: 'contact', text: 'Contact share', perStation: false },
   { id: 'exponent', text: 'Largest exponent', perStation: false },
   { id: 'backward', text: 'Backward whirl share', perStation: true },
+  { id: '1x', text: '1X amplitude of x', perStation: true, spectra: true },
+  { id: '1y', text: '1X amplitude of y', perStation: true, spectra: true },
+  { id: '1xlag', text: '1X phase lag of x', perStation: true, spectra: true },
+  { id: '1ylag', text: '1X phase lag of y', perStation: true, spectra: true },
 ];
+
+export function needsSpectra(id: string): boolean {
+  return QUANTITIES.find((quantity) => quantity.id === id)?.spectra ?? false;
+}
 
 export interface ShownQuantity {
   readonly column: Column;
@@ -64,6 +74,14 @@ export function quantityOf(diagram: Diagram, id: string, station: number, statio
       return made('lyapunov/largest', 0, 0, 1, 'exponent per revolution') ?? made('regime/exponent', 0, 0, 1, 'exponent per revolution');
     case 'backward':
       return made('orbit/backward', station, 0, 1, `backward whirl of ${name}, share of the time`);
+    case '1x':
+    case '1y': {
+      const found = length('spectrum/synchronous', id === '1x' ? 0 : 1, `1X amplitude of ${id.slice(1)} of ${name} (${unit} ${units.amplitude})`);
+      return found && { ...found, factor: found.factor * amplitudeMeasure({ ...units, length: 'scale' }, { length: 1, speed: 1, symbol: '' }).factor };
+    }
+    case '1xlag':
+    case '1ylag':
+      return made('spectrum/synchronous_lag', station, id === '1xlag' ? 0 : 1, 1, `1X phase lag of ${id.charAt(1)} of ${name} (degrees)`);
     default:
       return undefined;
   }

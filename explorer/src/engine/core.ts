@@ -149,6 +149,10 @@ export class Core {
     this.module._explorer_plan_diagram(plan);
   }
 
+  planSpectra(plan: number): void {
+    this.module._explorer_plan_spectra(plan);
+  }
+
   planLayout(plan: number, value: number): PlanLayout {
     return JSON.parse(this.text(this.module._explorer_plan_layout(plan, value))) as PlanLayout;
   }

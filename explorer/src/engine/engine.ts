@@ -270,7 +270,7 @@ class Sweep {
   }
 
   pendingFor(part: Part, id: number, priority: number, lane: string | undefined): Pending {
-    const { setting, parameter, batch, values } = this.request;
+    const { setting, parameter, batch, values, spectra = false } = this.request;
     const count = values.length;
     const task: Task = {
       kind: 'part',
@@ -280,6 +280,7 @@ class Sweep {
         batch,
         values: Float64Array.from(part.slots, (slot) => values[slot % count]!),
         carried: part.carried,
+        spectra,
       },
     };
     const pending: Pending = {

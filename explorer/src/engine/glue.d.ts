@@ -19,6 +19,7 @@ declare module 'whirl-core-glue' {
     _explorer_plan_method(plan: number, method: number): number;
     _explorer_plan_look(plan: number, transient: number, record: number, steps: number): void;
     _explorer_plan_diagram(plan: number): void;
+    _explorer_plan_spectra(plan: number): void;
     _explorer_plan_everything(plan: number, waveform: number): void;
     _explorer_plan_layout(plan: number, value: number): number;
     _explorer_dimension(plan: number): number;

@@ -222,6 +222,8 @@ export interface SweepRequest {
   readonly carry?: Carry;
   /// As for points.
   readonly batch?: string;
+  /// Also what is found in spectra ("spectrum/synchronous", ...), which takes a tenth to a fifth more work.
+  readonly spectra?: boolean;
 }
 
 /// Points of a sweep that are done. Slots count the values from 0; with carry 'both' the slots values.length and up are

@@ -180,6 +180,7 @@ export class Tasks {
     const count = request.values.length;
     return yield* this.withPlan(request.setting, request.batch, request.parameter, function* (plan) {
       core.planDiagram(plan);
+      if (request.spectra) core.planSpectra(plan);
       const planned = core.planLayout(plan, request.values[0] ?? NaN);
       const size = planned.layout.size;
       post({ kind: 'layout', id, layout: { layout: planned.layout, revolutions: planned.revolutions } });

@@ -20,6 +20,8 @@ export interface PartRequest {
   readonly values: Float64Array;
   /// Each point starts where the one before ended.
   readonly carried: boolean;
+  /// What is found in spectra, too.
+  readonly spectra: boolean;
 }
 
 export type Task =

@@ -9,6 +9,8 @@ export interface Plan {
   readonly high: number;
   readonly points: number;
   readonly batch: BatchInfo | undefined;
+  /// With what is found in spectra.
+  readonly spectra: boolean;
 }
 
 /// One pass over a diagram.
@@ -102,6 +104,7 @@ export async function recompute(engine: Engine, plan: Plan, pass: Pass, diagram:
       setting: { ...plan.setting, ...(pass.look ? { look: pass.look } : {}) },
       parameter: plan.parameter,
       values: Float64Array.from(order, (place) => diagram.values[place]!),
+      spectra: plan.spectra,
       carry: pass.coarse ? 'none' : carryOf(plan),
       ...(plan.batch ? { batch: plan.batch.name } : {}),
     },
