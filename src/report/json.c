@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "document.h"
@@ -265,6 +266,37 @@ static bool dump_points(const char *key, const whirl_result *result, const whirl
     return true;
 }
 
+enum { MOST_JUMPS = 1000 };
+
+// Jumps within a regime: between which values, of which station, how large and how large usually.
+static json_t *jumps_of(bool *well, const whirl_result *result, const whirl_table *table) {
+    json_t *array = json_array();
+    size_t count = 0;
+    whirl_jump *jumps = calloc(MOST_JUMPS, sizeof *jumps);
+    if (!jumps || whirl_table_jumps(table, jumps, MOST_JUMPS, &count).code != WHIRL_OK) *well = false;
+    for (size_t i = 0; i < count && i < MOST_JUMPS; ++i) {
+        json_t *jump = json_object();
+        document_put(well, jump, "from", document_number(table->values[jumps[i].from]));
+        document_put(well, jump, "to", document_number(table->values[jumps[i].to]));
+        document_put(well, jump, "station", document_text(result->stations[jumps[i].station].name));
+        document_put(well, jump, "change", document_number(jumps[i].change));
+        document_put(well, jump, "usual", document_number(jumps[i].usual));
+        document_append(well, array, jump);
+    }
+    free(jumps);
+    return array;
+}
+
+static bool dump_jumps(const whirl_result *result, FILE *stream) {
+    bool well = true;
+    json_t *object = json_object();
+    for (size_t t = 0; t < result->table_count; ++t) {
+        const whirl_table *table = &result->tables[t];
+        if (strcmp(table->name, "sweep") == 0) document_put(&well, object, table->name, jumps_of(&well, result, table));
+    }
+    return dump_member(",\n", "jumps", object, stream) && well;
+}
+
 // The version that computed the result, where it says so.
 static const char *version_of(const whirl_result *result) {
     for (size_t i = 0; i < result->fact_count; ++i)
@@ -288,9 +320,8 @@ static bool dump_head(const whirl_result *result, FILE *stream) {
 
 // Names of tables become keys beside these.
 static whirl_status check_names(const whirl_result *result) {
-    static const char *const taken[] = {"whirl",        "title",       "case",    "speed",
-                                        "length_scale", "force_scale", "partial", "table",
-                                        "points",       "parameters",  ""};
+    static const char *const taken[] = {"whirl",   "title", "case",   "speed",      "length_scale", "force_scale",
+                                        "partial", "table", "points", "parameters", "jumps",        ""};
     for (size_t t = 0; t < result->table_count; ++t)
         for (size_t i = 0; i < sizeof taken / sizeof *taken; ++i)
             if (strcmp(result->tables[t].name, taken[i]) == 0 || strpbrk(result->tables[t].name, "\"\\\n"))
@@ -306,6 +337,7 @@ whirl_status whirl_result_write_json(const whirl_result *result, FILE *stream) {
     if (result->table_count == 0) fputs(",\n\"points\": []", stream);
     for (size_t i = 0; well && i < result->table_count; ++i)
         well = dump_points(i == 0 ? "points" : result->tables[i].name, result, &result->tables[i], stream);
+    well = well && dump_jumps(result, stream);
     fputs("}\n", stream);
     if (fflush(stream) != 0 || ferror(stream))
         return whirl_fail(WHIRL_IO_ERROR, "cannot write JSON: %s", strerror(errno ? errno : EIO));

@@ -8,6 +8,7 @@
 #include <jansson.h>
 
 #include "../store/synthetic.h"
+#include "sample.h"
 
 typedef struct fixture {
     whirl_result *made;
@@ -199,6 +200,30 @@ static void contact_is_true_or_false(void **state) {
 }
 
 // Latin-1 in a title must not spoil the document.
+/// The six P-1 points of the sweep move by 0.001 from one to the next, but by 0.3 from the third to the fourth.
+static void jumps_are_told(void **state) {
+    fixture *f = *state;
+    whirl_result_free(f->made);
+    f->made = sample_result();
+    whirl_table *sweep = &f->made->tables[0];
+    for (size_t i = 0; i < 6; i++)
+        for (size_t s = 0; s < 2; s++) {
+            const double shift = s == 1 ? 0.0 : 0.001 * (double)i + (i > 2 ? 0.299 : 0.0);
+            const double bounds[][2] = {{shift, 0.0}, {shift - 0.3, -0.3}, {shift + 0.3, 0.3}};
+            static const char *const fields[] = {"orbit/mean", "orbit/low", "orbit/high"};
+            for (size_t k = 0; k < 3; k++) memcpy(sample_field(sweep, i, fields[k], s), bounds[k], sizeof bounds[k]);
+        }
+    write_document(f);
+    json_t *jumps = member(f->document, "jumps/sweep");
+    assert_int_equal(json_array_size(jumps), 1);
+    json_t *jump = json_array_get(jumps, 0);
+    assert_number(member(jump, "from"), sweep->values[2]);
+    assert_number(member(jump, "to"), sweep->values[3]);
+    assert_string_equal(json_string_value(member(jump, "station")), "disc");
+    assert_true(fabs(json_real_value(member(jump, "change")) - 0.5) < 1e-12);
+    assert_true(fabs(json_real_value(member(jump, "usual")) - 0.001 / 0.6) < 1e-12);
+}
+
 static void texts_become_utf8(void **state) {
     fixture *f = *state;
     strcpy(f->made->title, "r\xf6tor");
@@ -227,6 +252,7 @@ int main(void) {
         WITH_RESULT(spectra_have_directions),
         WITH_RESULT(missing_numbers_are_null),
         WITH_RESULT(contact_is_true_or_false),
+        WITH_RESULT(jumps_are_told),
         WITH_RESULT(texts_become_utf8),
         WITH_RESULT(a_stream_that_fails_is_an_error),
     };
