@@ -232,6 +232,9 @@ typedef struct whirl_verdict {
     bool confirmed;              ///< whether it was compared with a verdict at another tolerance, namely
     whirl_regime other_regime;
     int other_period;
+    double followed; ///< revolutions that copies of a chaotic motion were followed beyond its end, all together
+    whirl_regime later_regime; ///< what they were then: the first of these that is not chaotic
+    int later_period;
     // evidence
     whirl_estimate exponent; ///< largest, per revolution
     double
@@ -253,6 +256,11 @@ whirl_verdict whirl_judge(const whirl_record *record);
 /// Compares with the verdict on the same motion at another tolerance (whirl_integrate_tighter), which settles the
 /// confidence: high needs the same regime (and period) from both; where they differ it is low.
 void whirl_verdict_confirm(whirl_verdict *verdict, const whirl_verdict *other);
+
+/// Sets beside a chaotic verdict what a copy of the motion was after `revolutions` more than the point's own `all`. Chaos that
+/// ends was a transient: the confidence is low then, and fair where the copy does not tell. The order of copies changes
+/// nothing.
+void whirl_verdict_follow(whirl_verdict *verdict, const whirl_verdict *copy, double revolutions, double all);
 
 /// Options with errors of a step smaller by `factor` >= 1: tolerances divided by it, steps of a fixed-step method times
 /// its fourth root (rounded up; 16 gives twice the steps). Tolerances are not taken below 1e-14.
@@ -374,6 +382,9 @@ whirl_verdict whirl_block_verdict(const whirl_layout *layout, const double *bloc
 
 /// Confirms (whirl_verdict_confirm) the verdict that a block holds with that at another tolerance.
 void whirl_block_confirm(const whirl_layout *layout, double *block, const whirl_verdict *other);
+
+/// Sets beside the verdict that a block holds what became of a copy of its motion (whirl_verdict_follow).
+void whirl_block_follow(const whirl_layout *layout, double *block, const whirl_verdict *later, double revolutions);
 
 #ifdef __cplusplus
 }

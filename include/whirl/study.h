@@ -78,6 +78,7 @@ typedef struct whirl_study {
 typedef enum whirl_stage {
     WHIRL_STAGE_COMPUTE = 0, ///< the points of the study
     WHIRL_STAGE_CONFIRM,     ///< ... at the second tolerance; the revolutions of both stages are told together
+    WHIRL_STAGE_FOLLOW,      ///< copies of chaotic motions that may be on their way, with revolutions of their own
     WHIRL_STAGE_REFINE       ///< points in doubt; every round has revolutions and seconds of its own
 } whirl_stage;
 
@@ -101,8 +102,9 @@ typedef struct whirl_kept_state {
 
 /// Keeps finished points outside of a run, so that a later run of the same study can go on from them (a journal, see
 /// whirl/journal.h). A point is known by its batch and its slot in the batch's table. Where points are computed more than
-/// once, `batch` tells the passes apart: it is the batch's index plus batch_count times the pass, which is twice the round
-/// of refinement, and one more at the second tolerance; there `block` is shorter. All functions are called by one thread
+/// once, `batch` tells the passes apart: it is the batch's index plus batch_count times the pass, which is four times the
+/// round of refinement, one more at the second tolerance, two and three more for copies of chaotic motions that are followed;
+/// there `block` is shorter. All functions are called by one thread
 /// at a time.
 typedef struct whirl_keeper {
     /// Takes a finished point: its block [size] and, in pass 0, the state [dimension] that a carried point starts from, all

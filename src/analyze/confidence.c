@@ -186,6 +186,42 @@ void whirl_verdict_confirm(whirl_verdict *verdict, const whirl_verdict *other) {
     }
 }
 
+/// What outweighs what among the ends of copies: coming to rest, being lost, not telling, going on.
+static int end_rank(whirl_regime regime) {
+    static const int ranks[] = {[WHIRL_CHAOTIC] = 0,
+                                [WHIRL_UNDETERMINED] = 1,
+                                [WHIRL_DIVERGING] = 2,
+                                [WHIRL_QUASI_PERIODIC] = 3,
+                                [WHIRL_PERIODIC] = 4};
+    return ranks[regime];
+}
+
+/// What the copy was at its end: one that returns has come to rest, though its watch is still full of chaos.
+static whirl_verdict end_of(const whirl_verdict *later) {
+    whirl_verdict end = *later;
+    if (end.regime == WHIRL_UNDETERMINED && end.recurrence <= recurrence_tolerance) {
+        end.regime = WHIRL_PERIODIC;
+        end.period = end.recurrence_period;
+    }
+    return end;
+}
+
+void whirl_verdict_follow(whirl_verdict *verdict, const whirl_verdict *copy, double revolutions, double all) {
+    const whirl_verdict end = end_of(copy), *later = &end;
+    if (verdict->regime != WHIRL_CHAOTIC) return;
+    const whirl_regime before = verdict->followed > 0.0 ? verdict->later_regime : WHIRL_CHAOTIC;
+    const int period = verdict->followed > 0.0 ? verdict->later_period : 0;
+    const int gain = end_rank(later->regime) - end_rank(before);
+    const bool counts = gain > 0 || (gain == 0 && later->period < period);
+    verdict->followed += revolutions;
+    verdict->later_regime = counts ? later->regime : before;
+    verdict->later_period = counts ? later->period : period;
+    if (verdict->later_regime == WHIRL_CHAOTIC) return;
+    const bool ended = verdict->later_regime != WHIRL_UNDETERMINED;
+    verdict->confidence = lesser(verdict->confidence, ended ? WHIRL_LOW : WHIRL_FAIR);
+    verdict->advice = (whirl_advice){WHIRL_LONGER_TRANSIENT, bounded_factor(1.0 + verdict->followed / all)};
+}
+
 static int times(int count, double factor) {
     const double product = ceil(count * factor * (1.0 - 1e-12));
     return product < INT_MAX / 2 ? (int)product : INT_MAX / 2;

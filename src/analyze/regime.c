@@ -16,6 +16,9 @@ enum {
     ADVICE_FACTOR,
     OTHER_CODE,
     OTHER_PERIOD,
+    FOLLOWED,
+    LATER_CODE,
+    LATER_PERIOD,
     RECURRENCE,
     RECURRENCE_PERIOD,
     RECURRENCE_TREND,
@@ -48,6 +51,12 @@ static const field_plan fields[FIELD_COUNT] = {
     [OTHER_CODE] = {"other_code", "1", "code at the second tolerance, missing where there was none", WHIRL_PER_POINT, 1,
                     NULL},
     [OTHER_PERIOD] = {"other_period", "revolution", "k of P-k at the second tolerance", WHIRL_PER_POINT, 1, NULL},
+    [FOLLOWED] = {"followed", "revolution",
+                  "that copies of a chaotic motion were followed beyond its end, all together, else 0", WHIRL_PER_POINT,
+                  1, NULL},
+    [LATER_CODE] = {"later_code", "1", "code of what they were then, missing where none was followed", WHIRL_PER_POINT,
+                    1, NULL},
+    [LATER_PERIOD] = {"later_period", "revolution", "k of P-k that they came to rest on", WHIRL_PER_POINT, 1, NULL},
     [RECURRENCE] = {"recurrence", "1", "evidence: return distance over the size of the motion", WHIRL_PER_POINT, 1,
                     NULL},
     [RECURRENCE_PERIOD] = {"recurrence_period", "revolution", "evidence: revolutions from a point to its return",
@@ -81,6 +90,9 @@ static void put_verdict(const whirl_verdict *v, const block_view *view) {
         [ADVICE_FACTOR] = v->advice.factor,
         [OTHER_CODE] = v->confirmed ? (double)v->other_regime : (double)NAN,
         [OTHER_PERIOD] = v->confirmed ? (double)v->other_period : (double)NAN,
+        [FOLLOWED] = v->followed,
+        [LATER_CODE] = v->followed > 0.0 ? (double)v->later_regime : (double)NAN,
+        [LATER_PERIOD] = v->followed > 0.0 ? (double)v->later_period : (double)NAN,
         [RECURRENCE] = v->recurrence,
         [RECURRENCE_PERIOD] = v->recurrence_period,
         [RECURRENCE_TREND] = v->recurrence_trend,
@@ -140,6 +152,9 @@ whirl_verdict whirl_block_verdict(const whirl_layout *layout, const double *bloc
         .confirmed = !isnan(stored(layout, block, "regime/other_code")),
         .other_regime = (whirl_regime)whole(stored(layout, block, "regime/other_code"), WHIRL_DIVERGING),
         .other_period = whole(stored(layout, block, "regime/other_period"), WHIRL_MAX_PERIOD),
+        .followed = fmax(stored(layout, block, "regime/followed"), 0.0),
+        .later_regime = (whirl_regime)whole(stored(layout, block, "regime/later_code"), WHIRL_DIVERGING),
+        .later_period = whole(stored(layout, block, "regime/later_period"), WHIRL_MAX_PERIOD),
         .exponent = {stored(layout, block, "regime/exponent"), stored(layout, block, "regime/exponent_error")},
         .recurrence = stored(layout, block, "regime/recurrence"),
         .recurrence_period = whole(stored(layout, block, "regime/recurrence_period"), WHIRL_MAX_PERIOD),
@@ -151,14 +166,25 @@ whirl_verdict whirl_block_verdict(const whirl_layout *layout, const double *bloc
     };
 }
 
-void whirl_block_confirm(const whirl_layout *layout, double *block, const whirl_verdict *other) {
+/// Writes a changed verdict to its block.
+static void store_verdict(const whirl_layout *layout, double *block, const whirl_verdict *verdict) {
     block_view view = {.block = block};
-    whirl_verdict verdict = whirl_block_verdict(layout, block);
     for (size_t f = 0; f < FIELD_COUNT; f++) {
         char name[WHIRL_NAME_SIZE];
         snprintf(name, sizeof name, "regime/%s", fields[f].quantity);
         view.fields[f] = whirl_layout_field(layout, name);
     }
+    put_verdict(verdict, &view);
+}
+
+void whirl_block_confirm(const whirl_layout *layout, double *block, const whirl_verdict *other) {
+    whirl_verdict verdict = whirl_block_verdict(layout, block);
     whirl_verdict_confirm(&verdict, other);
-    put_verdict(&verdict, &view);
+    store_verdict(layout, block, &verdict);
+}
+
+void whirl_block_follow(const whirl_layout *layout, double *block, const whirl_verdict *later, double revolutions) {
+    whirl_verdict verdict = whirl_block_verdict(layout, block);
+    whirl_verdict_follow(&verdict, later, revolutions, fmax(stored(layout, block, "regime/revolutions"), 1.0));
+    store_verdict(layout, block, &verdict);
 }

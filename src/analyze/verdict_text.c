@@ -137,12 +137,29 @@ static void contradiction(const whirl_verdict *v, char *text, size_t size) {
         snprintf(text, size, "; at the second tolerance the evidence is weaker or another");
 }
 
+/// What became of copies of a chaotic motion that were followed beyond its end.
+static void later_text(const whirl_verdict *v, char *text, size_t size) {
+    const whirl_verdict there = {.regime = v->later_regime, .period = v->later_period};
+    char name[WHIRL_NAME_SIZE];
+    if (there.regime == WHIRL_PERIODIC)
+        whirl_verdict_name(&there, name, sizeof name);
+    else
+        snprintf(name, sizeof name, "%s", whirl_regime_name(there.regime));
+    if (there.regime == WHIRL_CHAOTIC)
+        snprintf(text, size, "; so it stays for %.0f revolutions more", v->followed);
+    else
+        snprintf(text, size, "; within %.0f revolutions more it is %s: the chaos may be a transient", v->followed,
+                 name);
+}
+
 void whirl_verdict_reason(const whirl_verdict *verdict, char *text, size_t size) {
-    char exponent[96], reason[384], second[WHIRL_NAME_SIZE + 64] = "";
+    char exponent[96], reason[384], second[WHIRL_NAME_SIZE + 64] = "", later[WHIRL_NAME_SIZE + 96] = "";
     exponent_text(verdict->exponent, exponent, sizeof exponent);
     regime_reason(verdict, exponent, reason, sizeof reason);
-    if (verdict->confirmed) contradiction(verdict, second, sizeof second);
-    snprintf(text, size, "%s%s", reason, second);
+    const bool ended = verdict->followed > 0.0 && verdict->later_regime != WHIRL_CHAOTIC;
+    if (verdict->confirmed && !ended) contradiction(verdict, second, sizeof second);
+    if (verdict->followed > 0.0) later_text(verdict, later, sizeof later);
+    snprintf(text, size, "%s%s%s", reason, second, later);
 }
 
 void whirl_verdict_advice(const whirl_verdict *verdict, char *text, size_t size) {

@@ -14,7 +14,7 @@
 #include "journal_scan.h"
 #include "underway.h"
 
-enum { MOST_BATCHES = 64 };
+enum { MOST_BATCHES = 128 };
 
 /// Most seconds that a finished point waits for the disk, but for the time of a revolution.
 static const double sync_interval = 5.0;

@@ -49,7 +49,7 @@ whirl_status chains_new(chains *c, study_run *run, const pass *p) {
         c->ready[c->count - 1 - i] = &c->items[i];
     }
     c->ready_count = c->count;
-    return p->confirming ? make_other_layout(c) : whirl_ok();
+    return pass_is_beside(p) ? make_other_layout(c) : whirl_ok();
 }
 
 void chains_free(chains *c) {
@@ -105,11 +105,13 @@ static size_t current_slot(const chain *link) {
 static void release(chain *link) {
     if (link->machine.release) link->machine.release(link->machine.owner);
     link->machine = (whirl_machine){0};
+    free(link->start);
+    link->start = NULL;
 }
 
 /// Where a carried point starts from: the end of the one before it, NULL where there is none or it diverged.
 static const double *carried_start(const chains *c, size_t slot) {
-    if (!c->ends) return NULL;
+    if (c->batch->carry == WHIRL_CARRY_NONE) return NULL;
     const size_t first = slot / c->batch->count * c->batch->count;
     const bool reverse = c->table->branch[slot] < 0;
     if (slot == (reverse ? first + c->batch->count - 1 : first)) return NULL;
@@ -123,15 +125,28 @@ static double *block_of(const worker *w, size_t slot) {
     return table->blocks ? table->blocks + slot * table->layout.size : w->block;
 }
 
+/// Two copies of a point may end at the same time.
+static void set_beside(const worker *w, size_t slot) {
+    const chains *c = w->chains;
+    const whirl_layout *layout = &c->table->layout;
+    const whirl_verdict other = whirl_block_verdict(&c->other, w->other);
+    const double revolutions = w->other[whirl_layout_field(&c->other, "regime/revolutions")->offset];
+#pragma omp critical(whirl_beside)
+    {
+        if (c->pass->confirming)
+            whirl_block_confirm(layout, block_of(w, slot), &other);
+        else
+            whirl_block_follow(layout, block_of(w, slot), &other, revolutions);
+        if (c->pass->round > 0) refine_add_spent(layout, block_of(w, slot), c->weight * revolutions);
+    }
+}
+
 /// After a point was computed or recalled: what its pass is about stands in w->end or in w->other.
 static void finish_point(const worker *w, chain *link) {
     chains *c = w->chains;
     const size_t slot = current_slot(link);
-    if (c->pass->confirming) {
-        const whirl_verdict other = whirl_block_verdict(&c->other, w->other);
-        const double *revolutions = &w->other[whirl_layout_field(&c->other, "regime/revolutions")->offset];
-        whirl_block_confirm(&c->table->layout, block_of(w, slot), &other);
-        if (c->pass->round > 0) refine_add_spent(&c->table->layout, block_of(w, slot), c->weight * *revolutions);
+    if (pass_is_beside(c->pass)) {
+        set_beside(w, slot);
     } else if (c->ends && c->pass->round == 0) {
         memcpy(c->ends + slot * c->run->dimension, w->end, c->run->dimension * sizeof *w->end);
     }
@@ -144,18 +159,19 @@ static void finish_point(const worker *w, chain *link) {
 /// What is kept of a point: its block, or the verdict at the second tolerance.
 static double *kept_numbers(const worker *w, size_t slot, size_t *size) {
     const chains *c = w->chains;
-    *size = c->pass->confirming ? c->other.size : c->table->layout.size;
-    return c->pass->confirming ? w->other : block_of(w, slot);
+    *size = pass_is_beside(c->pass) ? c->other.size : c->table->layout.size;
+    return pass_is_beside(c->pass) ? w->other : block_of(w, slot);
 }
 
 static size_t keeper_number(const chains *c) {
     const pass *p = c->pass;
-    return p->batch + c->run->study->batch_count * (2 * (size_t)p->round + p->confirming);
+    const size_t kinds = 2 + FOLLOW_COPIES, kind = p->copy > 0 ? 1 + (size_t)p->copy : p->confirming;
+    return p->batch + c->run->study->batch_count * (kinds * (size_t)p->round + kind);
 }
 
 /// States are kept where carried points need them.
 static size_t kept_dimension(const chains *c) {
-    return c->pass->confirming || c->pass->round > 0 ? 0 : c->run->dimension;
+    return pass_is_beside(c->pass) || c->pass->round > 0 ? 0 : c->run->dimension;
 }
 
 /// Takes the next point of a chain from the keeper, where that knows it.
@@ -260,6 +276,11 @@ static bool next(void *context, whirl_task *task) {
     const double *carried = carried_start(c, slot);
     w->status = c->run->study->machine(c->run->study->family, c->batch, c->table->values[slot], &link->machine);
     if (w->status.code != WHIRL_OK) return false;
+    if (c->pass->copy > 0) {
+        carried = link->start = pass_copy_start(c->run, c->pass, slot);
+        if (!carried) w->status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a state");
+        if (!carried) return false;
+    }
     w->under_way++;
     link->begun = clock_seconds();
     *task = (whirl_task){link->machine.system, carried ? carried : link->machine.start, link};
@@ -271,7 +292,7 @@ static whirl_status analyze(const worker *w, size_t slot, const whirl_record *re
     const chains *c = w->chains;
     const pass *p = c->pass;
     double *block = block_of(w, slot);
-    if (p->confirming) {
+    if (pass_is_beside(p)) {
         whirl_analysis_set regime = 0;
         whirl_analysis_add(&regime, "regime");
         return whirl_analyze(record, &p->record, regime, &c->other, w->other);

@@ -14,6 +14,7 @@ typedef struct chain {
     size_t done;               ///< points
     double begun;              ///< when the point under way was (clock_seconds)
     whirl_machine machine;     ///< of the point under way
+    double *start;             ///< of a copy under way
 } chain;
 
 /// The chains of one pass, shared by all threads.

@@ -1,7 +1,13 @@
 // What a pass is and costs.
 #include "passes.h"
 
+#include <math.h>
+#include <stdlib.h>
+
 #include "clock.h"
+
+/// Displacement of a copy over the size of the state.
+static const double displacement = 1e-6;
 
 double pass_weight(const study_run *run, const pass *p) {
     return (double)p->integrate.steps_per_revolution / run->study->batches[p->batch].integrate.steps_per_revolution;
@@ -23,4 +29,19 @@ pass pass_confirming(const pass *points) {
 
 bool pass_time_is_over(const study_run *run) {
     return run->deadline > 0.0 && clock_seconds() > run->deadline;
+}
+
+double *pass_copy_start(const study_run *run, const pass *p, size_t slot) {
+    const size_t d = run->dimension;
+    const double *end = run->ends[p->batch] + slot * d;
+    double *start = malloc(d * sizeof *start), size = 0.0;
+    if (!start) return NULL;
+    for (size_t i = 0; i < d; i++) size = fmax(size, fabs(end[i]));
+    // Another direction for every copy and round, the same in every run.
+    for (size_t i = 0; i < d; i++) {
+        const double turn =
+            fmod((double)((i + 1) * (size_t)(FOLLOW_COPIES * p->round + p->copy)) * 0.6180339887498949, 1.0);
+        start[i] = end[i] + displacement * size * (2.0 * turn - 1.0);
+    }
+    return start;
 }

@@ -12,8 +12,8 @@ typedef struct study_run {
     const whirl_keeper *keeper; ///< or NULL
     int threads;
     size_t dimension;
-    double *ends[WHIRL_MAX_BATCHES]; ///< [count][dimension] of carried batches: where every point ended, NaN where it
-                                     ///< diverged; else NULL
+    double *ends[WHIRL_MAX_BATCHES]; ///< [count][dimension] where every point ended, NaN where it diverged, of batches
+                                     ///< that are carried or may be followed; else NULL
     double deadline;                 ///< what is under way then is given up (clock_seconds); 0: there is none
     tracker tracker;
 } study_run;
@@ -23,6 +23,7 @@ typedef struct pass {
     size_t batch;
     int round;       ///< of refinement; 0: the study itself
     bool confirming; ///< the points are there; their motions are computed at the second tolerance
+    int copy;        ///< the points are there; copies of their motions go on, from 1; 0: this is none of these
     whirl_integrate_options integrate;
     whirl_record_options record;
     size_t count;
@@ -34,14 +35,26 @@ static const double confirm_factor = 16.0;
 
 // ---------------------------------------------------------------- pass.c
 
+enum {
+    FOLLOW_COPIES = 2 ///< of a chaotic motion that is followed
+};
+
 /// The same points, at the second tolerance.
 pass pass_confirming(const pass *points);
+
+/// Whether only the verdicts of its motions are taken, to be set beside those of the points.
+static inline bool pass_is_beside(const pass *p) {
+    return p->confirming || p->copy > 0;
+}
 
 /// What a revolution costs, in revolutions of the study.
 double pass_weight(const study_run *run, const pass *pass);
 
 /// Revolutions of a point that runs to its end, weighted.
 double pass_revolutions(const study_run *run, const pass *pass);
+
+/// Where the copy of a point begins [dimension], to be freed; NULL without memory.
+double *pass_copy_start(const study_run *run, const pass *p, size_t slot);
 
 /// Whether the deadline is past.
 bool pass_time_is_over(const study_run *run);
@@ -101,6 +114,12 @@ void refine_note(const whirl_layout *layout, double *block, const pass *pass, do
 /// What refining a point has cost so far, 0 where nothing was noted; and a further cost.
 double refine_spent(const whirl_layout *layout, const double *block);
 void refine_add_spent(const whirl_layout *layout, double *block, double revolutions);
+
+// ---------------------------------------------------------------- follow.c
+
+/// Follows chaotic motions whose chaos may end, where the budget pays for it, which is lessened by what that costs; *done is
+/// how many. Stops are the tracker's.
+whirl_status follow_points(study_run *run, int round, double *budget, size_t *done);
 
 // ---------------------------------------------------------------- refine.c
 

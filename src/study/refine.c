@@ -273,6 +273,17 @@ static whirl_status refine_in_time(study_run *run, int round, size_t *done) {
     return status;
 }
 
+/// Half of what is left (NULL: of the time) goes to chaos that may end; what has ended is in doubt in the next round.
+static whirl_status follow_some(study_run *run, int round, double *budget, size_t *done) {
+    size_t followed;
+    const double pace = pace_of(run), half = 0.5 * (budget ? *budget : pace * (run->deadline - clock_seconds()));
+    double left = half;
+    const whirl_status status = follow_points(run, round, &left, &followed);
+    if (budget) *budget -= half - left;
+    *done += followed;
+    return status;
+}
+
 whirl_status refine_points(study_run *run) {
     const whirl_budget *allowed = &run->study->refine;
     double budget = allowed->revolutions;
@@ -280,7 +291,9 @@ whirl_status refine_points(study_run *run) {
     size_t done = 1;
     const bool timed = allowed->seconds > 0.0;
     if (timed) run->deadline = clock_seconds() + allowed->seconds;
-    for (int round = 1; round <= WHIRL_MAX_ROUNDS && done > 0 && status.code == WHIRL_OK; round++)
+    for (int round = 1; round <= WHIRL_MAX_ROUNDS && done > 0 && status.code == WHIRL_OK; round++) {
         status = timed ? refine_in_time(run, round, &done) : refine_some(run, round, &budget, &done);
+        if (status.code == WHIRL_OK) status = follow_some(run, round, timed ? NULL : &budget, &done);
+    }
     return status;
 }

@@ -50,7 +50,8 @@ static whirl_status make_ends(study_run *run) {
     run->dimension = machine.system->dimension;
     if (machine.release) machine.release(machine.owner);
     for (size_t i = 0; i < study->batch_count; i++) {
-        if (study->batches[i].carry == WHIRL_CARRY_NONE) continue;
+        const whirl_batch *batch = &study->batches[i];
+        if (batch->carry == WHIRL_CARRY_NONE && !batch->confirm && !study_is_refined(study)) continue;
         run->ends[i] = calloc(run->result->tables[i].count * run->dimension, sizeof *run->ends[i]);
         if (!run->ends[i]) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the ends of carried points");
     }
@@ -103,6 +104,9 @@ static whirl_status run_stages(study_run *run, const whirl_run_options *options)
         status = passes_work(run, again, again_passes);
         if (status.code == WHIRL_OK) status = passes_outcome(run);
     }
+    double unlimited = (double)INFINITY;
+    size_t followed;
+    if (status.code == WHIRL_OK && again_count > 0) status = follow_points(run, 0, &unlimited, &followed);
     if (status.code == WHIRL_OK && study_is_refined(run->study)) status = refine_points(run);
     if (status.code == WHIRL_OK) tracker_end(&run->tracker);
     return status;

@@ -22,6 +22,11 @@ void tracker_round(tracker *t, int round, size_t points, double revolutions) {
     t->reported = 0.0;
 }
 
+void tracker_follow(tracker *t, int round, size_t motions, double revolutions) {
+    tracker_round(t, round, motions, revolutions);
+    t->progress.stage = WHIRL_STAGE_FOLLOW;
+}
+
 /// Reports when it is time to, and looks whether the run shall end.
 static void look_around(tracker *t) {
     const double seconds = clock_seconds() - t->started;

@@ -21,6 +21,9 @@ void tracker_begin(tracker *tracker, const whirl_run_options *options, double re
 void tracker_stage(tracker *tracker, whirl_stage stage, size_t points);
 void tracker_round(tracker *tracker, int round, size_t points, double revolutions);
 
+/// Begins to follow motions; of round 0, or in a round of refinement.
+void tracker_follow(tracker *tracker, int round, size_t motions, double revolutions);
+
 /// Adds to the progress and reports it now and then. False when the run shall end.
 bool tracker_advance(tracker *tracker, double revolutions, size_t points);
 

@@ -50,6 +50,42 @@ static void two_tolerances(void **state) {
     assert_int_equal(confirm(open, p2).advice.remedy, WHIRL_LONGER_TRANSIENT);
 }
 
+/// What became of copies of a chaotic motion, in whatever order they end.
+static void followed(void **state) {
+    (void)state;
+    whirl_verdict chaos = verdict_of(WHIRL_CHAOTIC, 0, WHIRL_HIGH);
+    chaos.confidence = WHIRL_HIGH;
+    whirl_verdict later[] = {verdict_of(WHIRL_CHAOTIC, 0, WHIRL_HIGH), verdict_of(WHIRL_PERIODIC, 3, WHIRL_HIGH),
+                             verdict_of(WHIRL_PERIODIC, 2, WHIRL_FAIR), verdict_of(WHIRL_UNDETERMINED, 0, WHIRL_LOW)};
+    whirl_verdict one = chaos, other = chaos, resting = verdict_of(WHIRL_UNDETERMINED, 0, WHIRL_LOW);
+    later[3].recurrence = NAN;
+    whirl_verdict_follow(&one, &later[0], 3000.0, 1000.0);
+    assert_int_equal(one.confidence, WHIRL_HIGH);
+    assert_true(one.followed == 3000.0);
+    whirl_verdict_follow(&one, &later[3], 1000.0, 1000.0);
+    assert_int_equal(one.confidence, WHIRL_FAIR);
+    for (int i = 0; i < 4; i++) {
+        whirl_verdict_follow(&one, &later[i], 500.0, 1000.0);
+        whirl_verdict_follow(&other, &later[3 - i], 500.0, 1000.0);
+    }
+    whirl_verdict_follow(&other, &later[0], 4000.0, 1000.0);
+    assert_int_equal(one.confidence, WHIRL_LOW);
+    assert_int_equal(one.later_regime, WHIRL_PERIODIC);
+    assert_int_equal(one.later_period, 2);
+    assert_memory_equal(&one.followed, &other.followed, sizeof one.followed);
+    assert_int_equal(one.later_period, other.later_period);
+    assert_int_equal(one.confidence, other.confidence);
+    assert_true(one.advice.remedy == WHIRL_LONGER_TRANSIENT && one.advice.factor == 7.0);
+    assert_true(other.advice.factor == one.advice.factor);
+    resting.recurrence = 1e-9;
+    resting.recurrence_period = 1;
+    whirl_verdict_follow(&one, &resting, 500.0, 1000.0);
+    assert_int_equal(one.later_period, 1);
+    whirl_verdict periodic = verdict_of(WHIRL_PERIODIC, 2, WHIRL_HIGH);
+    whirl_verdict_follow(&periodic, &later[0], 3000.0, 1000.0);
+    assert_true(periodic.followed == 0.0 && periodic.confidence == WHIRL_FAIR);
+}
+
 static void tighter(void **state) {
     (void)state;
     whirl_integrate_options options = whirl_integrate_default();
@@ -122,10 +158,8 @@ static void in_words(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(two_tolerances),
-        cmocka_unit_test(tighter),
-        cmocka_unit_test(advice_is_followed),
-        cmocka_unit_test(in_words),
+        cmocka_unit_test(two_tolerances),     cmocka_unit_test(followed), cmocka_unit_test(tighter),
+        cmocka_unit_test(advice_is_followed), cmocka_unit_test(in_words),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -7,14 +7,14 @@
 
 #include "whirl/study.h"
 
-enum { MOST_SLOTS = 128, MOST_PASSES = 2 * (WHIRL_MAX_ROUNDS + 1), BLOCK = 512 };
+enum { MOST_SLOTS = 128, MOST_PASSES = 4 * (WHIRL_MAX_ROUNDS + 1), BLOCK = 512, MOST_DIMENSION = 4 };
 
 /// `limit` is how many points it takes before it fails, -1: all.
 typedef struct memory_keeper {
     size_t slots, dimension;
     int kept, recalled, limit;
     bool known[MOST_PASSES][MOST_SLOTS];
-    double blocks[MOST_PASSES][MOST_SLOTS][BLOCK], ends[MOST_PASSES][MOST_SLOTS];
+    double blocks[MOST_PASSES][MOST_SLOTS][BLOCK], ends[MOST_PASSES][MOST_SLOTS][MOST_DIMENSION];
 } memory_keeper;
 
 static inline whirl_status memory_keep(void *context, size_t pass, size_t slot, const double *block, size_t size,
@@ -24,7 +24,7 @@ static inline whirl_status memory_keep(void *context, size_t pass, size_t slot, 
     assert_true(dimension == (pass == 0 ? memory->dimension : 0));
     if (memory->kept == memory->limit) return whirl_fail(WHIRL_IO_ERROR, "there is no room");
     memcpy(memory->blocks[pass][slot], block, size * sizeof *block);
-    if (dimension > 0) memory->ends[pass][slot] = *end;
+    memcpy(memory->ends[pass][slot], end, dimension * sizeof *end);
     memory->known[pass][slot] = true;
     memory->kept++;
     return whirl_ok();
@@ -36,7 +36,7 @@ static inline bool memory_recall(void *context, size_t pass, size_t slot, double
     assert_true(pass < MOST_PASSES && slot < memory->slots && dimension == (pass == 0 ? memory->dimension : 0));
     if (!memory->known[pass][slot]) return false;
     memcpy(block, memory->blocks[pass][slot], size * sizeof *block);
-    if (dimension > 0) *end = memory->ends[pass][slot];
+    memcpy(end, memory->ends[pass][slot], dimension * sizeof *end);
     memory->recalled++;
     return true;
 }
@@ -44,7 +44,7 @@ static inline bool memory_recall(void *context, size_t pass, size_t slot, double
 static inline memory_keeper *keeper_new(size_t slots, size_t dimension) {
     memory_keeper *memory = calloc(1, sizeof *memory);
     assert_non_null(memory);
-    assert_true(slots <= MOST_SLOTS);
+    assert_true(slots <= MOST_SLOTS && dimension <= MOST_DIMENSION);
     memory->slots = slots;
     memory->dimension = dimension;
     memory->limit = -1;

@@ -265,7 +265,7 @@ static void test_a_stop_while_confirming_is_told(void **state) {
 
 static void test_a_stop_while_refining_is_told(void **state) {
     (void)state;
-    expect_partial(1e6, 2, "stopped after 1 of 4 points of a round of refinement");
+    expect_partial(1e6, 4, "stopped after 1 of 4 points of a round of refinement");
 }
 
 static void test_verdicts_are_needed(void **state) {

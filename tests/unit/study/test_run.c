@@ -252,7 +252,7 @@ static void test_a_carried_branch_goes_on_after_a_divergence(void **state) {
     memory_keeper *memory = keeper_new(POINTS * 2, 1);
     whirl_result_free(run_kept(&s, memory, WHIRL_OK));
     int diverged = 0;
-    for (int i = 0; i < POINTS; i++) diverged += isnan(memory->ends[0][i]) != 0;
+    for (int i = 0; i < POINTS; i++) diverged += isnan(memory->ends[0][i][0]) != 0;
     assert_true(diverged > 0 && diverged < POINTS);
     for (int i = 1; i < POINTS; i += 2) memory->known[0][i] = false;
     whirl_result *resumed = run_kept(&s, memory, WHIRL_OK);
