@@ -56,6 +56,19 @@ static void print_radii(const whirl_result *result, const whirl_table *table, si
     printf(" (in %g m)\n", result->length_scale);
 }
 
+/// "at 1X: disc x 0.0225 mm lag 86.6 deg, y 0.0193 mm lag 128 deg", a line a station; phases as whirl_synchronous has them.
+static void print_synchronous(const whirl_result *result, const whirl_table *table, size_t point) {
+    const whirl_unit unit = whirl_result_length_unit(result);
+    const double size = result->length_scale / unit.size;
+    for (size_t i = 0; i < result->station_count; i++) {
+        const double *amplitude = whirl_table_field(table, point, "spectrum/synchronous", i);
+        const double *lag = whirl_table_field(table, point, "spectrum/synchronous_lag", i);
+        if (!amplitude || !lag || !isfinite(lag[0]) || !isfinite(lag[1])) continue;
+        printf("  at 1X: %s x %.4g %s lag %.1f deg, y %.4g %s lag %.1f deg\n", result->stations[i].name,
+               size * amplitude[0], unit.name, lag[0], size * amplitude[1], unit.name, lag[1]);
+    }
+}
+
 /// "confidence: fair (one tolerance only); to settle it, let it run 2 times as long".
 static void print_confidence(const whirl_verdict *verdict) {
     char other[VERDICT_SIZE], advice[WHIRL_MESSAGE_SIZE];
@@ -83,6 +96,7 @@ static void print_point(const whirl_result *result, const whirl_table *table) {
     if (verdict.regime == WHIRL_DIVERGING) return;
     print_rubs(result, table, 0);
     print_radii(result, table, 0);
+    print_synchronous(result, table, 0);
 }
 
 // ---------------------------------------------------------------- many points

@@ -331,7 +331,7 @@ static void write_running_speed(const point_page *to) {
     static const char *const parts[SYNCHRONOUS_PARTS] = {"x", "y", "forward", "backward"};
     char amplitude[UNIT_LABEL_SIZE];
     if (!whirl_layout_field(&to->table->layout, "spectrum/synchronous")) return;
-    units_amplitude_label(to->units, "amplitudes", amplitude, sizeof amplitude);
+    units_amplitude_label(to->units, "Amplitudes", amplitude, sizeof amplitude);
     fputs("<h4>At the running speed (1X)</h4>\n<p>", to->stream);
     html_text(to->stream, amplitude);
     fputs(" and phase lags of x, of y, and of the circular motions with and against the rotation that make up the "
