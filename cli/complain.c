@@ -5,15 +5,29 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
+
+#include "terminal.h"
+
+/// How things are set off on a terminal with colours; empty elsewhere.
+typedef struct colours {
+    const char *bold, *error, *mark, *plain;
+} colours;
+
+static colours find_colours(void) {
+    if (!has_colours(STDERR_FILENO)) return (colours){"", "", "", ""};
+    return (colours){"\033[1m", "\033[1;31m", "\033[1;32m", "\033[0m"};
+}
 
 enum { LONGEST_LINE = 8192 }; // a path may have 4096 bytes
 
 /// One line on standard error. Names of files, and what stands in them, are not to steer the terminal.
 static void say(const char *program, const char *format, va_list arguments) {
     char line[LONGEST_LINE];
+    const colours c = find_colours();
     vsnprintf(line, sizeof line, format, arguments);
     whirl_make_plain(line);
-    fprintf(stderr, "%s: %s\n", program, line);
+    fprintf(stderr, "%s%s:%s %s\n", c.error, program, c.plain, line);
 }
 
 void complain(const char *format, ...) {
@@ -50,13 +64,31 @@ void require_option(const struct argp_state *state, const char *value, const cha
     if (!value) bad_argument(state, "%s is missing; '%s --help' shows what is expected", option, state->argv[0]);
 }
 
+/// The line of the file with a mark under what is wrong with it, as compilers show it.
+static void show_excerpt(const whirl_problem *problem, const colours *c) {
+    if (!problem->excerpt[0]) return;
+    fprintf(stderr, "%6d | %s\n       | %*s%s^", problem->line, problem->excerpt, problem->mark, "", c->mark);
+    for (int i = 1; i < problem->marked; i++) fputc('~', stderr);
+    fprintf(stderr, "%s\n", c->plain);
+}
+
+/// One problem: a line for programs that read it, on a terminal with the place set off and the line of the file below.
+static void show_problem(const whirl_problems *problems, size_t index) {
+    char text[sizeof problems->file + sizeof(whirl_problem)], place[sizeof problems->file + 32] = "";
+    const colours c = find_colours();
+    const whirl_problem *const problem = problems->items ? &problems->items[index] : NULL;
+    whirl_problem_text(problems, index, text, sizeof text);
+    if (problem && problem->line > 0)
+        snprintf(place, sizeof place, "%s:%d:%d:", problems->file, problem->line, problem->column);
+    whirl_make_plain(text);
+    whirl_make_plain(place);
+    const size_t head = strncmp(text, place, strlen(place)) == 0 ? strlen(place) : 0;
+    fprintf(stderr, "%s%.*s%s%s\n", c.bold, (int)head, text, c.plain, text + head);
+    if (problem && is_terminal(STDERR_FILENO)) show_excerpt(problem, &c);
+}
+
 int complain_of_problems(whirl_problems *problems, const whirl_status *status) {
-    for (size_t i = 0; i < problems->count; i++) {
-        char text[sizeof problems->file + sizeof(whirl_problem)];
-        whirl_problem_text(problems, i, text, sizeof text);
-        whirl_make_plain(text);
-        fprintf(stderr, "%s\n", text);
-    }
+    for (size_t i = 0; i < problems->count; i++) show_problem(problems, i);
     if (problems->count > 0)
         complain("%zu problem%s in %s", problems->count, problems->count == 1 ? "" : "s", problems->file);
     else

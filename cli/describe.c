@@ -5,6 +5,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
+
+#include "terminal.h"
 
 // ---------------------------------------------------------------- one name that can be described
 
@@ -52,24 +55,27 @@ static void collect(catalogue *all) {
 
 // ---------------------------------------------------------------- printing
 
-/// Prints text and blanks up to `width` columns, one at least; UTF-8 continuation bytes take no column.
-static void print_padded(const char *text, size_t width) {
-    size_t columns = 0;
-    for (const char *c = text; *c; c++) columns += ((unsigned char)*c & 0xC0u) != 0x80u;
-    printf("%s%*s", text, columns < width ? (int)(width - columns) : 1, "");
+/// Prints text and blanks up to `width` columns, one at least.
+static void print_padded(const char *text, int width) {
+    const int columns = text_columns(text);
+    printf("%s%*s", text, columns < width ? width - columns : 1, "");
 }
 
-static void list_all(const catalogue *all) {
+static void list_all(const catalogue *all, int width) {
+    enum { NAME_COLUMNS = 16, INDENT = 2 };
     const char *part = "";
     for (size_t i = 0; i < all->count; i++) {
         const subject *const one = &all->items[i];
         if (strcmp(part, one->part) != 0) printf("%s%s:\n", *part ? "\n" : "", one->part);
         part = one->part;
-        fputs("  ", stdout);
-        print_padded(one->name, 16);
-        puts(one->meaning);
+        printf("%*s", INDENT, "");
+        print_padded(one->name, NAME_COLUMNS);
+        print_wrapped(one->meaning, INDENT + NAME_COLUMNS, INDENT + NAME_COLUMNS, width);
+        putchar('\n');
     }
-    puts("\n'whirl describe NAME' shows the keys of one with units, defaults, ranges and sources.");
+    putchar('\n');
+    print_wrapped("'whirl describe NAME' shows the keys of one with units, defaults, ranges and sources.", 0, 0, width);
+    putchar('\n');
 }
 
 /// The range in words: "> 0", "0 to 1", "any".
@@ -113,38 +119,87 @@ static void default_text(const whirl_key *key, char *text, size_t size) {
         snprintf(text, size, "%s", key->required ? "required" : *key->fallback ? key->fallback : "-");
 }
 
-static void print_key(const whirl_key *key) {
-    char allowed[128] = "", fallback[64];
-    allowed_text(key, allowed, sizeof allowed);
-    default_text(key, fallback, sizeof fallback);
-    fputs("  ", stdout);
-    print_padded(key->name, 23);
-    print_padded(*key->symbol ? key->symbol : "-", 10);
-    print_padded(*key->unit ? key->unit : "-", 10);
-    print_padded(fallback, 12);
-    printf("%s\n      %s", allowed, key->meaning);
-    if (*key->source) printf(" [%s]", key->source);
+// A key as it is shown: its cells side by side, its meaning below.
+enum { CELLS = 5, RANGE_CELL = CELLS - 1, CELL_SIZE = 128, KEY_INDENT = 2, MEANING_INDENT = 6 };
+typedef char key_cells[CELLS][CELL_SIZE];
+
+static void fill_cells(const whirl_key *key, key_cells cells) {
+    snprintf(cells[0], CELL_SIZE, "%s", key->name);
+    snprintf(cells[1], CELL_SIZE, "%s", *key->symbol ? key->symbol : "-");
+    snprintf(cells[2], CELL_SIZE, "%s", *key->unit ? key->unit : "-");
+    default_text(key, cells[3], CELL_SIZE);
+    allowed_text(key, cells[RANGE_CELL], CELL_SIZE);
+}
+
+static int longest_word(const char *text) {
+    int longest = 0;
+    for (text += strspn(text, " "); *text; text += strspn(text, " ")) {
+        const int length = (int)strcspn(text, " ");
+        if (length > longest) longest = length;
+        text += length;
+    }
+    return longest;
+}
+
+/// A line of cells; the last goes on below its column, or stands on a line of its own where it is too wide for that.
+static void print_cells(key_cells cells, const int columns[CELLS], int width) {
+    int at = KEY_INDENT;
+    printf("%*s", KEY_INDENT, "");
+    for (int i = 0; i < RANGE_CELL; i++) {
+        print_padded(cells[i], columns[i]);
+        at += columns[i];
+    }
+    if (at + longest_word(cells[RANGE_CELL]) > width) {
+        at = MEANING_INDENT;
+        printf("\n%*s", at, "");
+    }
+    print_wrapped(cells[RANGE_CELL], at, at, width);
     putchar('\n');
 }
 
-static void print_subject(const subject *one) {
-    printf("%s: %s\n", one->name, one->meaning);
-    if (*one->source) printf("Source: %s\n", one->source);
+static void print_keys(const whirl_group *group, int width) {
+    key_cells cells = {"name", "symbol", "unit", "default", "range"};
+    int columns[CELLS] = {0};
+    const key_cells headings = {"name", "symbol", "unit", "default", "range"};
+    for (size_t k = 0; k <= group->key_count; k++) {
+        for (int i = 0; i < CELLS; i++)
+            if (text_columns(cells[i]) + 2 > columns[i]) columns[i] = text_columns(cells[i]) + 2;
+        if (k < group->key_count) fill_cells(&group->keys[k], cells);
+    }
+    memcpy(cells, headings, sizeof headings);
+    print_cells(cells, columns, width);
+    for (size_t k = 0; k < group->key_count; k++) {
+        const whirl_key *const key = &group->keys[k];
+        char text[2 * WHIRL_MESSAGE_SIZE];
+        fill_cells(key, cells);
+        print_cells(cells, columns, width);
+        snprintf(text, sizeof text, *key->source ? "%s [%s]" : "%s", key->meaning, key->source);
+        printf("%*s", MEANING_INDENT, "");
+        print_wrapped(text, MEANING_INDENT, MEANING_INDENT, width);
+        putchar('\n');
+    }
+}
+
+static void print_sentence(const char *before, const char *text, int width) {
+    char sentence[2 * WHIRL_MESSAGE_SIZE];
+    snprintf(sentence, sizeof sentence, "%s: %s", before, text);
+    print_wrapped(sentence, 0, 2, width);
+    putchar('\n');
+}
+
+static void print_subject(const subject *one, int width) {
+    print_sentence(one->name, one->meaning, width);
+    if (*one->source) print_sentence("Source", one->source, width);
     if (one->kind == SUBJECT_METHOD) puts("Written as `integrate: {method: ...}`.");
     if (one->kind == SUBJECT_ANALYSIS) puts("Written in the list `analyze: [...]`.");
     if (!one->group || one->group->key_count == 0) return;
-    fputs("\n  ", stdout);
-    print_padded("name", 23);
-    print_padded("symbol", 10);
-    print_padded("unit", 10);
-    print_padded("default", 12);
-    puts("range");
-    for (size_t i = 0; i < one->group->key_count; i++) print_key(&one->group->keys[i]);
+    putchar('\n');
+    print_keys(one->group, width);
     if (one->group->shorthand) printf("\n`%s: VALUE` alone sets %s.\n", one->group->name, one->group->shorthand);
 }
 
 /// Prints all subjects of that name (an element and an analysis may share one); EXIT_BAD_INPUT when there is none.
-static int describe(const catalogue *all, const char *name) {
+static int describe(const catalogue *all, const char *name, int width) {
     const char *names[MAX_SUBJECTS];
     size_t found = 0;
     for (size_t i = 0; i < all->count; i++) {
@@ -152,7 +207,7 @@ static int describe(const catalogue *all, const char *name) {
         names[i] = one->name;
         if (strcmp(one->name, name) != 0) continue;
         if (found++) putchar('\n');
-        print_subject(one);
+        print_subject(one, width);
     }
     if (found) return EXIT_DONE;
     const char *nearest = whirl_nearest_name(name, names, all->count);
@@ -187,11 +242,12 @@ static int run(int argc, char **argv) {
     if (read != EXIT_DONE) return read;
     catalogue all = {.count = 0};
     collect(&all);
+    const int width = terminal_columns(STDOUT_FILENO);
     int outcome = EXIT_DONE;
     if (name)
-        outcome = describe(&all, name);
+        outcome = describe(&all, name, width);
     else
-        list_all(&all);
+        list_all(&all, width);
     return outcome == EXIT_DONE ? finish_output() : outcome;
 }
 

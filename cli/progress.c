@@ -3,19 +3,14 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-#include <sys/ioctl.h>
 #include <unistd.h>
 
-enum { MIN_WIDTH = 40, MAX_WIDTH = 120, MAX_BAR = 40 };
+#include "terminal.h"
+
+enum { MOST_COLUMNS = 120, MAX_BAR = 40 };
 
 progress_view progress_begin(void) {
-    return (progress_view){.terminal = isatty(STDERR_FILENO) == 1};
-}
-
-static int terminal_width(void) {
-    struct winsize size;
-    if (ioctl(STDERR_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return 80;
-    return size.ws_col < MIN_WIDTH ? MIN_WIDTH : size.ws_col > MAX_WIDTH ? MAX_WIDTH : size.ws_col;
+    return (progress_view){.terminal = is_terminal(STDERR_FILENO)};
 }
 
 /// "12 s", "3:05 min", "2:10 h".
@@ -46,7 +41,7 @@ static void state_text(const whirl_progress *progress, char *text, size_t size) 
 }
 
 static void draw_bar(const whirl_progress *progress, const char *state) {
-    const int width = terminal_width();
+    const int columns = terminal_columns(STDERR_FILENO), width = columns < MOST_COLUMNS ? columns : MOST_COLUMNS;
     int bar = width - (int)strlen(state) - 5;
     if (bar > MAX_BAR) bar = MAX_BAR;
     if (bar < 4) {

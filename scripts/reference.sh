@@ -7,24 +7,7 @@ cd "$(dirname "$0")/.."
 whirl=${1:-build/whirl}
 file=${2:-docs/reference/keys.md}
 
-# Lines of more than 116 characters go on below, as far to the right as they began.
-wrap() {
-    awk -v width=116 '{
-        match($0, /^ */)
-        indent = substr($0, 1, RLENGTH)
-        line = $0
-        while (length(line) > width) {
-            cut = width
-            while (cut > length(indent) && substr(line, cut, 1) != " ") cut--
-            if (cut <= length(indent)) break
-            print substr(line, 1, cut - 1)
-            line = indent substr(line, cut + 1)
-        }
-        print line
-    }'
-}
-
-overview=$("$whirl" describe)
+overview=$(COLUMNS=1000 "$whirl" describe)
 
 # The parts with what belongs to them, as links.
 list_parts() {
@@ -58,7 +41,7 @@ END
     list_parts
     while read -r name; do
         printf '\n## %s\n\n```\n' "$name"
-        "$whirl" describe "$name" | wrap
+        COLUMNS=116 "$whirl" describe "$name"
         printf '```\n'
     done < <(list_names)
 } >"$file.new"

@@ -20,6 +20,9 @@ typedef struct whirl_problem {
     int line, column;
     char key[128];     ///< path of the key, "rotor.stations.disc.mass"; items of a list count from 1
     char message[256]; ///< "is -3 kg, expected a number above 0 kg"
+    /// The line of the file, or what stands around the place in a long one; safe to show on a terminal; "" where there is none.
+    char excerpt[160];
+    int mark, marked; ///< characters of it before the place, and those that the problem is about
 } whirl_problem;
 
 /// A list of problems, all that were found; starts as {0}. Freed by whirl_problems_free.

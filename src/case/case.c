@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "content.h"
+#include "excerpt.h"
 #include "problem.h"
 #include "schema.h"
 #include "source.h"
@@ -147,6 +148,7 @@ static whirl_status make_content(const whirl_case *object, case_content *content
     content->root = root;
     if (status.code == WHIRL_OK) read_content(&reader, root, content);
     problems_sort(problems);
+    problems_quote(problems, object->text, object->length);
     return reader_outcome(&reader, object->name);
 }
 

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "claims_read.h"
+#include "excerpt.h"
 #include "problem.h"
 #include "schema.h"
 #include "settings.h"
@@ -180,6 +181,7 @@ whirl_status claims_parse(const char *text, size_t length, const char *name, whi
         if (status.code == WHIRL_OK) read_file(&reader, root, claims);
     }
     problems_sort(problems);
+    problems_quote(problems, text, length);
     const whirl_status status = reader_outcome(&reader, name);
     arena_free(&arena);
     whirl_problems_free(&own);
