@@ -72,42 +72,47 @@ void machine_advise(const machine_parts *machine, const char *word, bool ground,
     if (count > 0) describe_names(word, names, count, advice);
 }
 
-static void check_station(case_reader *reader, const machine_parts *machine, const file_node *where, const char *name,
+static bool check_station(case_reader *reader, const machine_parts *machine, const file_node *where, const char *name,
                           bool ground) {
-    char shown[SHOWN_SIZE];
-    if (machine_station(machine, name) < machine->station_count || (ground && strcmp(name, "ground") == 0)) return;
-    char advice[WHY_SIZE];
+    char shown[SHOWN_SIZE], advice[WHY_SIZE];
+    if (machine_station(machine, name) < machine->station_count || (ground && strcmp(name, "ground") == 0)) return true;
+    if (!reader_reports(reader, "station", name)) return false;
     machine_advise(machine, name, ground, advice);
     problem_at(reader->problems, where, "is %s, which is no station, %s", text_shown(name, shown), advice);
+    return false;
 }
 
 // The names of a list are reported where each of them stands.
-static void check_pair(case_reader *reader, const machine_parts *machine, const setting *pair) {
+static bool check_pair(case_reader *reader, const machine_parts *machine, const setting *pair) {
     const file_node *place = pair->place;
     if (place->kind == NODE_LIST) {
-        check_station(reader, machine, place->first, place->first->text, true);
-        check_station(reader, machine, place->first->next, place->first->next->text, true);
-        return;
+        const bool first = check_station(reader, machine, place->first, place->first->text, true);
+        return check_station(reader, machine, place->first->next, place->first->next->text, true) && first;
     }
     const char *text = pair->word;
+    bool good = true;
     for (int i = 0; i < 2; i++) {
         char name[WHIRL_NAME_SIZE];
         text += strspn(text, " ,");
         const size_t length = strcspn(text, " ,");
         snprintf(name, sizeof name, "%.*s", (int)(length < sizeof name ? length : sizeof name - 1), text);
-        check_station(reader, machine, place, name, true);
+        good = check_station(reader, machine, place, name, true) && good;
         text += length;
     }
+    return good;
 }
 
-static void check_stations(case_reader *reader, const machine_parts *machine, const setting_list *element) {
-    if (machine->station_count == 0) return; // said already
+static bool check_stations(case_reader *reader, const machine_parts *machine, const setting_list *element) {
+    bool good = true;
+    if (machine->station_count == 0) return true; // said already
     for (size_t i = 0; i < element->count; i++) {
         const setting *item = &element->items[i];
         if (!item->good) continue;
-        if (item->key->kind == WHIRL_KEY_STATION) check_station(reader, machine, item->place, item->word, false);
-        if (item->key->kind == WHIRL_KEY_STATIONS) check_pair(reader, machine, item);
+        if (item->key->kind == WHIRL_KEY_STATION)
+            good = check_station(reader, machine, item->place, item->word, false) && good;
+        if (item->key->kind == WHIRL_KEY_STATIONS) good = check_pair(reader, machine, item) && good;
     }
+    return good;
 }
 
 static void report_unknown_element(case_reader *reader, const file_node *where, const char *kind) {
@@ -143,8 +148,7 @@ static void read_element(case_reader *reader, const file_node *item, machine_par
     setting_list *element = &result->elements[result->element_count++];
     settings_read(reader, bare ? &nothing : where, group, element);
     element->place = where;
-    check_stations(reader, result, element);
-    element->sound = reader->problems->count == problems;
+    element->sound = check_stations(reader, result, element) && reader->problems->count == problems;
     for (size_t i = 0; i < element->count; i++) element->sound = element->sound && element->items[i].good;
 }
 

@@ -23,6 +23,18 @@ whirl_status reader_outcome(const case_reader *reader, const char *name) {
     return whirl_fail(WHIRL_BAD_INPUT, "%s", first);
 }
 
+bool reader_reports(case_reader *reader, const char *what, const char *name) {
+    for (const reported_name *one = reader->reported; one; one = one->next)
+        if (strcmp(one->name, name) == 0 && strcmp(one->what, what) == 0) return false;
+    reported_name *one = arena_take(reader->arena, sizeof *one);
+    const char *copy = arena_text(reader->arena, name, strlen(name));
+    reader->no_memory = reader->no_memory || !one || !copy;
+    if (!one || !copy) return true;
+    *one = (reported_name){.name = copy, .what = what, .next = reader->reported};
+    reader->reported = one;
+    return true;
+}
+
 // ---------------------------------------------------------------- names in expressions
 
 typedef struct lookup {
@@ -82,6 +94,7 @@ static bool read_expression(case_reader *reader, const parameter_table *known, c
         return true;
     }
     const bool unit = !why[0] && follows_number(expression, l.at);
+    if (!why[0] && !unit && !reader_reports(reader, "parameter", l.name)) return false;
     const char *near = why[0] || unit ? NULL : whirl_nearest_name(l.name, known->names, known->count);
     if (why[0])
         problem_at(reader->problems, where, "%s", why);
@@ -189,7 +202,8 @@ bool formula_read(case_reader *reader, const file_node *where, const whirl_key *
         note_use(reader->parameters, result->expression, key->unit);
         const char *unit = expression_unit(reader->parameters, result->expression);
         if (!unit[0] || !key->unit[0] || strcmp(unit, "1") == 0 || quantity_fits(unit, key->unit, why)) return true;
-        problem_at(reader->problems, where, "= %s %s", text_shown(expression, shown), why);
+        if (reader_reports(reader, key->unit, result->expression))
+            problem_at(reader->problems, where, "= %s %s", text_shown(expression, shown), why);
         return false;
     }
     quantity read;

@@ -41,6 +41,12 @@ typedef struct parameter_override {
     const char *name, *text;
 } parameter_override;
 
+/// A name that was found wrong: what follows from it at other places is not said again.
+typedef struct reported_name {
+    const char *name, *what;
+    struct reported_name *next;
+} reported_name;
+
 /// What reading a part of a case needs.
 typedef struct case_reader {
     case_arena *arena;
@@ -48,7 +54,12 @@ typedef struct case_reader {
     const parameter_table *parameters; ///< those that expressions may use
     size_t expression_bytes;           ///< read so far
     bool no_memory;
+    reported_name *reported;
 } case_reader;
+
+/// True when nothing was said yet of a wrong name: `what` it should be ("parameter", "station", or a unit). Compilers do the
+/// same with what is not declared.
+bool reader_reports(case_reader *reader, const char *what, const char *name);
 
 /// The status of a reading that is over: the first problem, or that memory ran out. `name` is the file's.
 whirl_status reader_outcome(const case_reader *reader, const char *name);

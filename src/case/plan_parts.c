@@ -132,6 +132,7 @@ static void read_initial(case_reader *reader, const file_node *where, const mach
     for (const file_node *member = where->first; member; member = member->next) {
         const size_t station = machine_station(machine, member->key);
         if (station == machine->station_count) {
+            if (!reader_reports(reader, "station", member->key)) continue;
             machine_advise(machine, member->key, false, advice);
             problem_at_key(reader->problems, member, "is no station, %s", advice);
             continue;
