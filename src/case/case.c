@@ -19,12 +19,14 @@
 /// element or a station counts as much as ELEMENT_COST of them.
 enum { CHECK_BUDGET = 1 << 18, ELEMENT_COST = 64 };
 
-static void check_machine_at(case_reader *reader, case_content *content, const whirl_batch *batch,
-                             const file_node *where, double value) {
+static void check_machine_at(case_reader *reader, case_content *content, size_t index, const file_node *where,
+                             double value) {
     valuation v;
     whirl_rotor *rotor = NULL;
+    const whirl_batch *batch = &content->plan.batches[index];
     whirl_status status = valuation_open(&v, &content->parameters, batch->parameter, value);
     if (status.code == WHIRL_OK) status = machine_build(&content->machine, &v, &rotor);
+    if (status.code == WHIRL_OK) plan_check_start(reader, &content->plan, index, &v, &content->machine, rotor);
     whirl_rotor_free(rotor);
     valuation_close(&v);
     reader->no_memory = reader->no_memory || status.code == WHIRL_NO_MEMORY;
@@ -41,13 +43,13 @@ static void check_ends(case_reader *reader, case_content *content, const plan_pa
         const whirl_batch *batch = &content->plan.batches[b];
         if (!batch->values) continue;
         if (strcmp(batch->name, "sweep") == 0) {
-            check_machine_at(reader, content, batch, settings_find(&parts->sweep, "from")->place, batch->values[0]);
-            check_machine_at(reader, content, batch, settings_find(&parts->sweep, "to")->place,
+            check_machine_at(reader, content, b, settings_find(&parts->sweep, "from")->place, batch->values[0]);
+            check_machine_at(reader, content, b, settings_find(&parts->sweep, "to")->place,
                              batch->values[batch->count - 1]);
             continue;
         }
         for (size_t i = 0; i < batch->count && i < affordable; i++)
-            check_machine_at(reader, content, batch, parts->at_places[i], batch->values[i]);
+            check_machine_at(reader, content, b, parts->at_places[i], batch->values[i]);
     }
 }
 
@@ -64,6 +66,7 @@ static void check_layouts(case_reader *reader, case_content *content, valuation 
         if (status.code == WHIRL_OK)
             status = whirl_record_check(whirl_rotor_system(rotor), &batch->integrate, &batch->record);
         if (status.code != WHIRL_OK) problem_at(reader->problems, content->plan.values_place[b], "%s", status.message);
+        if (!batch->values) plan_check_start(reader, &content->plan, b, v, &content->machine, rotor);
     }
     whirl_rotor_free(rotor);
 }

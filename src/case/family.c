@@ -27,8 +27,7 @@ static whirl_status make_member(const case_content *content, const whirl_batch *
     whirl_status status = valuation_open(&v, &content->parameters, name, value);
     if (status.code == WHIRL_OK) status = machine_build(&content->machine, &v, &m->rotor);
     if (status.code == WHIRL_OK)
-        status = plan_start_state(&content->plan, batch_index(&content->plan, batch), &v,
-                                  content->machine.station_count, m->start);
+        status = plan_start_state(&content->plan, batch_index(&content->plan, batch), &v, &content->machine, m->start);
     valuation_close(&v);
     return status;
 }

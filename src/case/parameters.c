@@ -190,6 +190,14 @@ static bool is_plain(const char *text) {
     return quantity_number(text, &value, &end) && !*end;
 }
 
+bool formula_has_unit(const case_reader *reader, const char *text) {
+    const char *const expression = expression_of(text), *end;
+    const char *const unit = expression ? expression_unit(reader->parameters, expression) : "";
+    double value;
+    if (expression) return unit[0] && strcmp(unit, "1") != 0;
+    return quantity_number(text, &value, &end) && *end == ' ';
+}
+
 bool formula_read(case_reader *reader, const file_node *where, const whirl_key *key, number_formula *result) {
     char why[WHY_SIZE], shown[SHOWN_SIZE];
     if (where->kind != NODE_TEXT) {

@@ -79,6 +79,9 @@ bool formula_read(case_reader *reader, const file_node *where, const whirl_key *
 whirl_status formula_check(const parameter_table *parameters, const whirl_key *key, const number_formula *formula,
                            double value);
 
+/// Whether a number has a unit: one beside it, or that of the parameter that is all of its expression.
+bool formula_has_unit(const case_reader *reader, const char *text);
+
 /// The unit that values of a parameter must have: its own or, of an expression, that of the key that takes it. "" where
 /// neither is known.
 const char *parameter_expected_unit(const parameter *item);

@@ -204,19 +204,52 @@ void plan_make(case_reader *reader, valuation *v, const plan_parts *parts, study
     }
 }
 
-whirl_status plan_start_state(const study_plan *plan, size_t batch, valuation *v, size_t station_count, double *state) {
-    static const char *const keys[] = {"x", "y", "vx", "vy"};
-    memset(state, 0, 4 * station_count * sizeof *state);
+// ---------------------------------------------------------------- initial state
+
+static const char *const state_keys[] = {"x", "y", "vx", "vy"};
+
+// What a number with a unit is divided by: the length scale, or a length scale per radian.
+static double state_scale(const machine_parts *machine, valuation *v, const char *key) {
+    const double length = settings_number(v, &machine->rotor, "length_scale");
+    return key[0] == 'v' ? length * settings_number(v, &machine->rotor, "speed") : length;
+}
+
+static double state_number(const machine_parts *machine, valuation *v, const setting_list *state, const char *key) {
+    const setting *given = settings_find(state, key);
+    const double number = settings_number(v, state, key);
+    return given && given->scaled ? number / state_scale(machine, v, key) : number;
+}
+
+whirl_status plan_start_state(const study_plan *plan, size_t batch, valuation *v, const machine_parts *machine,
+                              double *state) {
+    memset(state, 0, 4 * machine->station_count * sizeof *state);
     if (plan->rest[batch]) return whirl_ok();
     for (size_t i = 0; i < plan->start_count; i++) {
         const plan_start *start = &plan->starts[i];
         for (size_t k = 0; k < 4; k++) {
-            const size_t index = (k / 2) * 2 * station_count + 2 * start->station + k % 2;
-            state[index] = settings_number(v, &start->state, keys[k]);
+            const size_t index = (k / 2) * 2 * machine->station_count + 2 * start->station + k % 2;
+            state[index] = state_number(machine, v, &start->state, state_keys[k]);
             if (isfinite(state[index])) continue;
-            return whirl_fail(WHIRL_BAD_INPUT, "the initial %s of station %.63s has no finite value", keys[k],
+            return whirl_fail(WHIRL_BAD_INPUT, "the initial %s of station %.63s has no finite value", state_keys[k],
                               plan->starts[i].state.place->key);
         }
     }
     return whirl_ok();
+}
+
+void plan_check_start(case_reader *reader, const study_plan *plan, size_t batch, valuation *v,
+                      const machine_parts *machine, const whirl_rotor *rotor) {
+    const whirl_system *const system = whirl_rotor_system(rotor);
+    for (size_t i = 0; i < plan->start_count && !plan->rest[batch]; i++) {
+        const plan_start *start = &plan->starts[i];
+        const double clearance = system->probes[start->station].clearance;
+        const double radius =
+            hypot(state_number(machine, v, &start->state, "x"), state_number(machine, v, &start->state, "y"));
+        if (clearance <= 0 || radius < clearance || !reader_reports(reader, "start", start->state.place->key)) continue;
+        problem_at_key(
+            reader->problems, start->state.place,
+            "starts %.4g length scales from the centre of its bearing, expected less than the clearance, %.4g "
+            "length scales",
+            radius, clearance);
+    }
 }

@@ -39,7 +39,12 @@ void plan_read_parts(case_reader *reader, const file_node *where, const machine_
 /// ... then the batches, with the parameters' values. Call it when nothing is wrong so far.
 void plan_make(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result);
 
-/// The state [dimension] that the points of a batch start from.
-whirl_status plan_start_state(const study_plan *plan, size_t batch, valuation *v, size_t station_count, double *state);
+/// The state [dimension] that the points of a batch start from, in the scales of the machine.
+whirl_status plan_start_state(const study_plan *plan, size_t batch, valuation *v, const machine_parts *machine,
+                              double *state);
+
+/// Refuses an initial state that lies outside a bearing of the machine `rotor`: there is no oil film.
+void plan_check_start(case_reader *reader, const study_plan *plan, size_t batch, valuation *v,
+                      const machine_parts *machine, const whirl_rotor *rotor);
 
 #endif

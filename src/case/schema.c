@@ -42,7 +42,7 @@ static const whirl_key study_keys[] = {
      ""},
     {"keep", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "", "how much of waveforms and spectra: see keep", ""},
     {"analyze", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
-     "a list of analyses; all but waveform and evidence where absent", ""},
+     "a list of analyses; all but waveform, exponents and evidence where absent", ""},
     {"detail", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
      "values of the swept parameter that are computed once more, for longer and with whole waveforms and spectra", ""},
     {"units", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
@@ -73,13 +73,21 @@ static const whirl_key sweep_keys[] = {
 };
 
 static const whirl_key initial_keys[] = {
-    {"x", "x", "1", WHIRL_KEY_NUMBER, false, "0", WHIRL_ANY, NULL, "displacement in length scales", ""},
-    {"y", "y", "1", WHIRL_KEY_NUMBER, false, "0", WHIRL_ANY, NULL, "displacement in length scales", ""},
-    {"vx", "x'", "1", WHIRL_KEY_NUMBER, false, "0", WHIRL_ANY, NULL, "velocity in length scales per radian of rotation",
-     ""},
-    {"vy", "y'", "1", WHIRL_KEY_NUMBER, false, "0", WHIRL_ANY, NULL, "velocity in length scales per radian of rotation",
-     ""},
+    {"x", "x", "1", WHIRL_KEY_NUMBER, false, "0", WHIRL_ANY, NULL,
+     "displacement in length scales, or with a unit of length", ""},
+    {"y", "y", "1", WHIRL_KEY_NUMBER, false, "0", WHIRL_ANY, NULL,
+     "displacement in length scales, or with a unit of length", ""},
+    {"vx", "x'", "1", WHIRL_KEY_NUMBER, false, "0", WHIRL_ANY, NULL,
+     "velocity in length scales per radian of rotation, or with a unit of m/s", ""},
+    {"vy", "y'", "1", WHIRL_KEY_NUMBER, false, "0", WHIRL_ANY, NULL,
+     "velocity in length scales per radian of rotation, or with a unit of m/s", ""},
 };
+
+const char *schema_scaled_unit(const whirl_key *key) {
+    for (size_t k = 0; k < COUNT(initial_keys); k++)
+        if (key == &initial_keys[k]) return key->name[0] == 'v' ? "m/s" : "m";
+    return "";
+}
 
 static const whirl_key integrate_keys[] = {
     {"method", "", "", WHIRL_KEY_CHOICE, false, "rk4", WHIRL_ANY, "", "a method of integration", ""},

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "problem.h"
+#include "schema.h"
 
 void describe_names(const char *word, const char *const *names, size_t count, char text[WHY_SIZE]) {
     const char *near = whirl_nearest_name(word, names, count);
@@ -115,11 +116,20 @@ static bool read_stations(case_reader *reader, const file_node *where, setting *
     return word != NULL;
 }
 
+// A number of the state may be a plain one, in scales, or have a unit.
+static bool read_number(case_reader *reader, const file_node *where, const whirl_key *key, setting *result) {
+    const char *const unit = schema_scaled_unit(key);
+    whirl_key given = *key;
+    result->scaled = unit[0] && where->kind == NODE_TEXT && formula_has_unit(reader, where->text);
+    if (result->scaled) given.unit = unit;
+    return formula_read(reader, where, &given, &result->value);
+}
+
 static bool read_value(case_reader *reader, const file_node *where, const whirl_key *key, setting *result) {
     switch (key->kind) {
     case WHIRL_KEY_NUMBER:
     case WHIRL_KEY_WHOLE:
-        return key->unit[0] == '\0' || formula_read(reader, where, key, &result->value);
+        return key->unit[0] == '\0' || read_number(reader, where, key, result);
     case WHIRL_KEY_CHOICE:
         return key->choices[0] == '\0' || read_choice(reader, where, key, result);
     case WHIRL_KEY_STATION:

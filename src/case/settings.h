@@ -13,6 +13,7 @@ typedef struct setting {
     const file_node *place;
     bool good;            ///< no problem was found; what follows counts only then
     number_formula value; ///< of numbers
+    bool scaled;          ///< the value has the unit that schema_scaled_unit names: it is to be divided by its scale
     const char *word;     ///< of choices, texts and stations ("a, b"); NULL for numbers and for parts of the file
 } setting;
 
@@ -35,7 +36,7 @@ const setting *settings_find(const setting_list *settings, const char *key);
 /// Evaluates expressions and reports the ones that have no value or one out of range. false when any has.
 bool settings_check(case_reader *reader, valuation *v, const setting_list *settings);
 
-/// The value of a number, or the key's default. Only after settings_check.
+/// The value of a number, not yet divided by its scale, or the key's default. Only after settings_check.
 double settings_number(valuation *v, const setting_list *settings, const char *key);
 
 /// The word of a choice, or the key's default.

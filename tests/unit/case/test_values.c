@@ -288,6 +288,27 @@ static void starts_are_states(void **state) {
     whirl_case_free(object);
 }
 
+// c is 0.2 mm, omega 100 rad/s: a length scale per radian is 20 mm/s.
+static void starts_may_have_units(void **state) {
+    const double expected[8] = {0.0, -0.25, 0.1, -0.5, 0.0, 2.0, 0.5, 0.0};
+    double start[8];
+    (void)state;
+    whirl_case *object = parse_edited("{disc: {y: -0.5}, journal: {x: 0.1, y: -0.5, vx: 0.25}}",
+                                      "{disc: {y: -50 um, vy: 40 mm/s}, journal: {x: 0.1, y: -0.1 mm, vx: 0.5}}");
+    start_of(object, 0, start);
+    for (int i = 0; i < 8; i++) assert_true(fabs(start[i] - expected[i]) < 1e-15);
+    whirl_case_free(object);
+    // A parameter with a unit is one, too; an expression is in length scales.
+    char *text = edited(good_case, "c: 0.2 mm", "c: 0.2 mm\n  drop: -25 um");
+    char *more = edited(text, "disc: {y: -0.5}", "disc: {x: = 2*0.25, y: = drop}");
+    object = parse_good(more);
+    start_of(object, 0, start);
+    assert_true(start[0] == 0.5 && fabs(start[1] + 0.125) < 1e-15);
+    whirl_case_free(object);
+    free(text);
+    free(more);
+}
+
 static void details_are_batches_of_their_own(void **state) {
     (void)state;
     const double initial[8] = {0.0, -0.5, 0.1, -0.5, 0.0, 0.0, 0.25, 0.0};
@@ -430,6 +451,7 @@ int main(void) {
         cmocka_unit_test(swept_values_have_the_parameter_s_unit),
         cmocka_unit_test(carry_follows_the_parameter),
         cmocka_unit_test(starts_are_states),
+        cmocka_unit_test(starts_may_have_units),
         cmocka_unit_test(details_are_batches_of_their_own),
         cmocka_unit_test(responses_are_single_points),
         cmocka_unit_test(absent_parts_have_the_defaults_of_the_layers),
