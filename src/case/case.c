@@ -43,13 +43,12 @@ static void check_ends(case_reader *reader, case_content *content, const plan_pa
         const whirl_batch *batch = &content->plan.batches[b];
         if (!batch->values) continue;
         if (strcmp(batch->name, "sweep") == 0) {
-            check_machine_at(reader, content, b, settings_find(&parts->sweep, "from")->place, batch->values[0]);
-            check_machine_at(reader, content, b, settings_find(&parts->sweep, "to")->place,
-                             batch->values[batch->count - 1]);
+            check_machine_at(reader, content, b, content->plan.first_place, batch->values[0]);
+            check_machine_at(reader, content, b, content->plan.last_place, batch->values[batch->count - 1]);
             continue;
         }
         for (size_t i = 0; i < batch->count && i < affordable; i++)
-            check_machine_at(reader, content, b, parts->at_places[i], batch->values[i]);
+            check_machine_at(reader, content, b, parts->at.places[i], batch->values[i]);
     }
 }
 

@@ -122,15 +122,26 @@ static whirl_batch *add_batch(study_plan *result, const char *name, const file_n
     return batch;
 }
 
-static double *swept_values(case_reader *reader, double from, double to, size_t count) {
-    double *values = arena_take(reader->arena, count * sizeof *values);
-    reader->no_memory = reader->no_memory || !values;
-    if (!values) return NULL;
+// Values between two ends with equal differences; the last is exactly `to`, and nothing overflows between.
+static void space_values(double from, double to, size_t count, double *values) {
     for (size_t i = 0; i < count; i++) {
         const double share = count > 1 ? (double)i / (double)(count - 1) : 0.0;
-        values[i] = (1.0 - share) * from + share * to; // exactly `to` at the end, and no overflow between
+        values[i] = (1.0 - share) * from + share * to;
     }
-    return values;
+}
+
+// The same with equal ratios.
+static void scale_values(double from, double to, size_t count, double *values) {
+    for (size_t i = 0; i < count; i++) values[i] = from * pow(to / from, (double)i / (double)(count - 1));
+    values[count - 1] = count > 1 ? to : from;
+}
+
+// Values so far apart, from the first on; the last is `to` itself where it is met.
+static void step_values(double from, double to, double step, size_t count, double *values) {
+    for (size_t i = 0; i < count; i++) {
+        values[i] = from + (double)i * copysign(step, to - from);
+        if (fabs(values[i] - to) < 1e-6 * step) values[i] = to;
+    }
 }
 
 // Up and down are meant along the parameter; the batch knows first and last.
@@ -148,29 +159,92 @@ static bool formula_value(case_reader *reader, valuation *v, const file_node *wh
     return status.code == WHIRL_OK;
 }
 
-static void make_sweep(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result) {
-    double from, to;
+// Steps from one end to the other, with what rounding may have taken off the last.
+static bool count_steps(case_reader *reader, const setting *given, double from, double to, double step, size_t *count) {
+    const double steps = floor(fabs(to - from) / fabs(step) + 1e-6);
+    if (!(step > 0.0) || !isfinite(step))
+        problem_at(reader->problems, given->place, "is %.10g in SI, expected a distance above 0", step);
+    else if (!(steps < SCHEMA_MAX_POINTS))
+        problem_at(reader->problems, given->place, "gives %.10g values, expected at most %d", steps + 1.0,
+                   SCHEMA_MAX_POINTS);
+    else
+        *count = (size_t)steps + 1;
+    return *count > 0;
+}
+
+// Values of a sweep with two ends; NULL after a problem.
+static double *range_values(case_reader *reader, valuation *v, const plan_parts *parts, size_t *count) {
+    double from, to, distance = 0.0;
     const setting_list *sweep = &parts->sweep;
+    const setting *step = settings_find(sweep, "step");
+    const bool ratios = strcmp(settings_word(sweep, "scale"), "log") == 0;
     bool good = formula_value(reader, v, place_of(sweep, "from"), &parts->from, &from);
     good = formula_value(reader, v, place_of(sweep, "to"), &parts->to, &to) && good;
-    if (!good) return;
+    if (step) good = formula_value(reader, v, step->place, &parts->step, &distance) && good;
+    if (!good) return NULL;
+    if (ratios && !(to / from > 0.0 && isfinite(to / from))) {
+        problem_at(reader->problems, place_of(sweep, "scale"),
+                   "is log from %.10g to %.10g, expected two ends above 0 or two below", from, to);
+        return NULL;
+    }
+    *count = step ? 0 : (size_t)settings_number(v, sweep, "points");
+    if (step && !count_steps(reader, step, from, to, distance, count)) return NULL;
+    double *values = arena_take(reader->arena, *count * sizeof *values);
+    reader->no_memory = reader->no_memory || !values;
+    if (!values) return NULL;
+    if (step)
+        step_values(from, to, distance, *count, values);
+    else if (ratios)
+        scale_values(from, to, *count, values);
+    else
+        space_values(from, to, *count, values);
+    return values;
+}
+
+// The values of a list; NULL after a problem.
+static double *list_values(case_reader *reader, valuation *v, const formula_list *list) {
+    double *values = arena_take(reader->arena, list->count * sizeof *values);
+    bool good = values != NULL;
+    reader->no_memory = reader->no_memory || !values;
+    for (size_t i = 0; i < list->count && values; i++)
+        good = formula_value(reader, v, list->places[i], &list->items[i], &values[i]) && good;
+    return good ? values : NULL;
+}
+
+// Neighbours in a sweep are neighbours in the result: diagrams, regimes and carried states follow the values.
+static bool check_order(case_reader *reader, const formula_list *list, const double *values) {
+    for (size_t i = 1; i < list->count; i++) {
+        const bool rises = values[1] > values[0];
+        if (rises ? values[i] > values[i - 1] : values[i] < values[i - 1]) continue;
+        problem_at(reader->problems, list->places[i],
+                   "is %.10g in SI after %.10g, expected values that rise or fall throughout", values[i],
+                   values[i - 1]);
+        return false;
+    }
+    return true;
+}
+
+static void make_sweep(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result) {
+    const setting_list *sweep = &parts->sweep;
+    size_t count = parts->values.count;
+    double *values = count > 0 ? list_values(reader, v, &parts->values) : range_values(reader, v, parts, &count);
+    if (!values || (parts->values.count > 0 && !check_order(reader, &parts->values, values))) return;
     result->rest[result->batch_count] = strcmp(settings_word(sweep, "start"), "rest") == 0;
+    result->first_place = parts->values.count > 0 ? parts->values.places[0] : place_of(sweep, "from");
+    result->last_place = parts->values.count > 0 ? parts->values.places[count - 1] : place_of(sweep, "to");
     whirl_batch *batch = add_batch(result, "sweep", sweep->place);
     snprintf(batch->parameter, sizeof batch->parameter, "%.63s", parts->swept->name);
-    batch->count = (size_t)settings_number(v, sweep, "points");
-    batch->carry = carry_of(sweep, from <= to);
-    batch->values = swept_values(reader, from, to, batch->count);
+    batch->count = count;
+    batch->carry = carry_of(sweep, values[0] <= values[count - 1]);
+    batch->values = values;
 }
 
 static void make_detail(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result) {
-    double *values = arena_take(reader->arena, parts->at_count * sizeof *values);
-    reader->no_memory = reader->no_memory || !values;
+    double *values = list_values(reader, v, &parts->at);
     if (!values) return;
-    for (size_t i = 0; i < parts->at_count; i++)
-        formula_value(reader, v, parts->at_places[i], &parts->at[i], &values[i]);
     whirl_batch *batch = add_batch(result, "detail", parts->detail.place);
     snprintf(batch->parameter, sizeof batch->parameter, "%.63s", parts->swept->name);
-    batch->count = parts->at_count;
+    batch->count = parts->at.count;
     batch->values = values;
 }
 
@@ -192,7 +266,7 @@ void plan_make(case_reader *reader, valuation *v, const plan_parts *parts, study
         make_sweep(reader, v, parts, result);
     else
         add_batch(result, "response", parts->study.place);
-    if (parts->at_count > 0) make_detail(reader, v, parts, result);
+    if (parts->at.count > 0) make_detail(reader, v, parts, result);
     for (size_t i = 0; i < result->batch_count; i++) {
         whirl_batch *batch = &result->batches[i];
         const bool detail = strcmp(batch->name, "detail") == 0;

@@ -16,17 +16,24 @@ typedef struct study_plan {
     whirl_batch batches[WHIRL_MAX_BATCHES]; ///< values are the arena's
     bool rest[WHIRL_MAX_BATCHES];           ///< the batch starts from zero instead of the initial state
     const file_node *values_place[WHIRL_MAX_BATCHES];
+    const file_node *first_place, *last_place; ///< of the ends of the sweep
     size_t start_count;
     plan_start *starts;
 } study_plan;
 
+/// A list of numbers, each with its place.
+typedef struct formula_list {
+    size_t count;
+    number_formula *items;
+    const file_node **places;
+} formula_list;
+
 /// Reads `study:` in two steps. First what can be read without values, and everything that is wrong with it ...
 typedef struct plan_parts {
     setting_list study, sweep, integrate, keep, detail;
-    number_formula from, to;
-    size_t at_count;
-    number_formula *at;
-    const file_node **at_places;
+    number_formula from, to, step; ///< of the sweep, or
+    formula_list values;           ///< its list of values, empty where there is none
+    formula_list at;               ///< of the detail
     const parameter *swept;
     const char *swept_unit; ///< of its values, "" where neither the case nor a value read so far tells
     whirl_analysis_set analyses;

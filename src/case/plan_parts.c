@@ -52,16 +52,69 @@ static void read_swept_value(case_reader *reader, const file_node *where, plan_p
     if (strcmp(parts->swept_unit, "1") == 0) parts->swept_unit = ""; // a plain number is one in SI
 }
 
+// A list of values of the swept parameter, at most so many.
+static void read_values(case_reader *reader, const file_node *where, size_t most, plan_parts *parts,
+                        formula_list *result) {
+    char shown[SHOWN_SIZE];
+    if (where->kind != NODE_LIST || where->count == 0 || where->count > most) {
+        problem_at(reader->problems, where, "is %s, expected a list of 1 to %zu values",
+                   where->kind == NODE_LIST ? where->count ? "a longer list" : "an empty list"
+                                            : node_shown(where, shown),
+                   most);
+        return;
+    }
+    result->items = arena_take(reader->arena, where->count * sizeof *result->items);
+    result->places = arena_take(reader->arena, where->count * sizeof *result->places);
+    reader->no_memory = reader->no_memory || !result->items || !result->places;
+    if (reader->no_memory) return;
+    for (const file_node *item = where->first; item; item = item->next) {
+        result->places[result->count] = item;
+        read_swept_value(reader, item, parts, &result->items[result->count++]);
+    }
+}
+
+// What a sweep without a list of values lacks.
+static void check_range_keys(case_reader *reader, const setting_list *sweep) {
+    static const char *const ends[] = {"from", "to"};
+    const setting *points = settings_find(sweep, "points"), *step = settings_find(sweep, "step");
+    for (size_t i = 0; i < 2; i++)
+        if (!settings_find(sweep, ends[i]) && !settings_misspelt(sweep, ends[i]))
+            problem_missing(reader->problems, sweep->place, ends[i], "is missing, expected %s, or values: [...]",
+                            whirl_group_key(sweep->group, ends[i])->meaning);
+    if (points && step)
+        problem_at_key(reader->problems, step->place, "stands beside points, expected one of the two");
+    else if (!points && !step && !settings_misspelt(sweep, "points") && !settings_misspelt(sweep, "step"))
+        problem_missing(reader->problems, sweep->place, "points", "is missing, expected the number of values, or step");
+    if (step && strcmp(settings_word(sweep, "scale"), "log") == 0)
+        problem_at_key(reader->problems, step->place, "has no meaning with scale: log, expected points");
+}
+
+// What a list of values leaves no room for.
+static void check_list_keys(case_reader *reader, const setting_list *sweep) {
+    static const char *const others[] = {"from", "to", "points", "step", "scale"};
+    for (size_t i = 0; i < sizeof others / sizeof *others; i++) {
+        const setting *other = settings_find(sweep, others[i]);
+        if (other) problem_at_key(reader->problems, other->place, "stands beside values, expected one of the two");
+    }
+}
+
 static void read_sweep(case_reader *reader, plan_parts *parts) {
-    read_part(reader, &parts->study, "sweep", &schema_sweep, &parts->sweep);
-    const setting *name = settings_find(&parts->sweep, "parameter");
-    const setting *from = settings_find(&parts->sweep, "from"), *to = settings_find(&parts->sweep, "to");
+    setting_list *sweep = &parts->sweep;
+    read_part(reader, &parts->study, "sweep", &schema_sweep, sweep);
+    const setting *name = settings_find(sweep, "parameter"), *values = settings_find(sweep, "values");
+    const setting *from = settings_find(sweep, "from"), *to = settings_find(sweep, "to");
+    const setting *step = settings_find(sweep, "step"), *direction = settings_find(sweep, "direction");
+    if (values)
+        check_list_keys(reader, sweep);
+    else
+        check_range_keys(reader, sweep);
     if (name) parts->swept = find_swept(reader, name);
     if (parts->swept) parts->swept_unit = parameter_expected_unit(parts->swept);
     if (parts->swept && from) read_swept_value(reader, from->place, parts, &parts->from);
     if (parts->swept && to) read_swept_value(reader, to->place, parts, &parts->to);
-    const setting *direction = settings_find(&parts->sweep, "direction");
-    if (direction && strcmp(settings_word(&parts->sweep, "start"), "carry") != 0)
+    if (parts->swept && step) read_swept_value(reader, step->place, parts, &parts->step);
+    if (parts->swept && values) read_values(reader, values->place, SCHEMA_MAX_POINTS, parts, &parts->values);
+    if (direction && strcmp(settings_word(sweep, "start"), "carry") != 0)
         problem_at_key(reader->problems, direction->place, "has a meaning only with start: carry");
 }
 
@@ -86,25 +139,6 @@ static void read_kind(case_reader *reader, plan_parts *parts) {
 
 // ---------------------------------------------------------------- detail
 
-static void read_detail_values(case_reader *reader, const file_node *where, plan_parts *parts) {
-    char shown[SHOWN_SIZE];
-    if (where->kind != NODE_LIST || where->count == 0 || where->count > SCHEMA_MAX_DETAIL) {
-        problem_at(reader->problems, where, "is %s, expected a list of 1 to %d values",
-                   where->kind == NODE_LIST ? where->count ? "a longer list" : "an empty list"
-                                            : node_shown(where, shown),
-                   SCHEMA_MAX_DETAIL);
-        return;
-    }
-    parts->at = arena_take(reader->arena, where->count * sizeof *parts->at);
-    parts->at_places = arena_take(reader->arena, where->count * sizeof *parts->at_places);
-    reader->no_memory = reader->no_memory || !parts->at || !parts->at_places;
-    if (reader->no_memory) return;
-    for (const file_node *item = where->first; item; item = item->next) {
-        parts->at_places[parts->at_count] = item;
-        read_swept_value(reader, item, parts, &parts->at[parts->at_count++]);
-    }
-}
-
 static void read_detail(case_reader *reader, plan_parts *parts) {
     read_part(reader, &parts->study, "detail", &schema_detail, &parts->detail);
     const setting *given = settings_find(&parts->study, "detail");
@@ -112,7 +146,7 @@ static void read_detail(case_reader *reader, plan_parts *parts) {
     if (!settings_find(&parts->study, "sweep"))
         problem_at_key(reader->problems, given->place, "needs a sweep, whose parameter it gives values to");
     const setting *at = settings_find(&parts->detail, "at");
-    if (at && parts->swept) read_detail_values(reader, at->place, parts);
+    if (at && parts->swept) read_values(reader, at->place, SCHEMA_MAX_DETAIL, parts, &parts->at);
 }
 
 // ---------------------------------------------------------------- initial state

@@ -53,6 +53,10 @@ static bool is_misspelt(const file_node *mapping, const whirl_group *group, cons
     return false;
 }
 
+bool settings_misspelt(const setting_list *settings, const char *key) {
+    return is_misspelt(settings->place, settings->group, whirl_group_key(settings->group, key));
+}
+
 static void report_missing(case_reader *reader, const file_node *mapping, const whirl_group *group) {
     for (size_t k = 0; k < group->key_count; k++) {
         const whirl_key *key = &group->keys[k];

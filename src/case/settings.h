@@ -30,6 +30,9 @@ typedef struct setting_list {
 /// missing and wrong keys. Numbers whose unit is "" and parts of the file are left to the caller: only `place` is set.
 void settings_read(case_reader *reader, const file_node *where, const whirl_group *group, setting_list *result);
 
+/// Whether a key that is absent stands there misspelt, which has been said.
+bool settings_misspelt(const setting_list *settings, const char *key);
+
 /// The setting of a key if it was given, else NULL.
 const setting *settings_find(const setting_list *settings, const char *key);
 

@@ -35,6 +35,41 @@ static void numbers(void **state) {
                    "t:19:54: study.sweep.points: is 10000001, expected a whole number from 1 to 10000000");
 }
 
+static void sweeps(void **state) {
+    static const char old[] = "from: 1, to: 20, points: 5";
+    (void)state;
+    expect_problem(old, "from: 1, to: 20",
+                   "t:19:3: study.sweep.points: is missing, expected the number of values, or step");
+    expect_problem(old, "from: 1, points: 5",
+                   "t:19:3: study.sweep.to: is missing, expected its last value, or values: [...]");
+    expect_problem(old, "from: 1, to: 20, pionts: 5",
+                   "t:19:46: study.sweep.pionts: sweep has no key pionts, did you mean points?");
+    expect_problem(old, "from: 1, to: 20, points: 5, step: 1",
+                   "t:19:57: study.sweep.step: stands beside points, expected one of the two");
+    expect_problem(old, "from: 1, to: 20, step: 0",
+                   "t:19:52: study.sweep.step: is 0 in SI, expected a distance above 0");
+    expect_problem(old, "from: 1, to: 20, step: 1e-9",
+                   "t:19:52: study.sweep.step: gives 1.9e+10 values, expected at most 10000000");
+    expect_problem(old, "from: 1, to: 20, step: 1 mm", "t:19:52: study.sweep.step: is in mm, expected a plain number");
+    expect_problem(old, "from: 1, to: 20, step: 1, scale: log",
+                   "t:19:46: study.sweep.step: has no meaning with scale: log, expected points");
+    expect_problem(old, "from: 0, to: 20, points: 3, scale: log",
+                   "t:19:64: study.sweep.scale: is log from 0 to 20, expected two ends above 0 or two below");
+    expect_problem(old, "values: []",
+                   "t:19:29: study.sweep.values: is an empty list, expected a list of 1 to 10000000 values");
+    expect_problem(old, "values: 3", "t:19:37: study.sweep.values: is 3, expected a list of 1 to 10000000 values");
+    expect_problem(old, "values: [3, 4], points: 2",
+                   "t:19:45: study.sweep.points: stands beside values, expected one of the two");
+    expect_problem(old, "values: [3, 4, 2]",
+                   "t:19:44: study.sweep.values[3]: is 2 in SI after 4, expected values that rise or fall throughout");
+    expect_problem(old, "values: [3, 3]",
+                   "t:19:41: study.sweep.values[2]: is 3 in SI after 3, expected values that rise or fall throughout");
+    expect_problem(old, "values: [3, 4 mm]", "t:19:41: study.sweep.values[2]: is in mm, expected a plain number");
+    expect_problem(old, "values: [-3, 3]",
+                   "t:19:38: study.sweep.values[1]: gives no machine at kappa = -3: rub.stiffness is -3000000 N/m, "
+                   "expected a number of at least 0 N/m");
+}
+
 static void starts(void **state) {
     (void)state;
     expect_problem(
@@ -466,13 +501,11 @@ static void files(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(numbers),         cmocka_unit_test(starts),
-        cmocka_unit_test(units),           cmocka_unit_test(units_of_sweeps),
-        cmocka_unit_test(single_analyses), cmocka_unit_test(angles),
-        cmocka_unit_test(names),           cmocka_unit_test(expressions),
-        cmocka_unit_test(structure),       cmocka_unit_test(ends_of_sweeps),
-        cmocka_unit_test(no_yaml),         cmocka_unit_test(too_much),
-        cmocka_unit_test(too_many),        cmocka_unit_test(many_problems_at_once),
+        cmocka_unit_test(numbers),   cmocka_unit_test(sweeps),          cmocka_unit_test(starts),
+        cmocka_unit_test(units),     cmocka_unit_test(units_of_sweeps), cmocka_unit_test(single_analyses),
+        cmocka_unit_test(angles),    cmocka_unit_test(names),           cmocka_unit_test(expressions),
+        cmocka_unit_test(structure), cmocka_unit_test(ends_of_sweeps),  cmocka_unit_test(no_yaml),
+        cmocka_unit_test(too_much),  cmocka_unit_test(too_many),        cmocka_unit_test(many_problems_at_once),
         cmocka_unit_test(files),
     };
     return cmocka_run_group_tests_name("problems", tests, NULL, NULL);

@@ -226,6 +226,37 @@ static void sweeps_are_equally_spaced(void **state) {
     whirl_case_free(object);
 }
 
+static void expect_sweep(const char *written, const double *expected, size_t count) {
+    whirl_case *object = parse_edited("kappa, from: 1, to: 20, points: 5", written);
+    const whirl_study study = study_of(object);
+    assert_int_equal(study.batches[0].count, count);
+    for (size_t i = 0; i < count; i++)
+        assert_true(fabs(study.batches[0].values[i] - expected[i]) <= 1e-14 * fabs(expected[i]));
+    assert_true(study.batches[0].values[0] == expected[0]);
+    whirl_case_free(object);
+}
+
+static void sweeps_have_steps_ratios_or_lists(void **state) {
+    (void)state;
+    const double whole[] = {1, 3, 5, 7}, falling[] = {7, 5, 3, 1}, decades[] = {0.01, 0.1, 1, 10, 100};
+    const double tenths[] = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7}, list[] = {3, 3.5, 40};
+    const double rpm[] = {10 * pi, 20 * pi, 30 * pi};
+    expect_sweep("kappa, from: 1, to: 7, step: 2", whole, 4);
+    expect_sweep("kappa, from: 1, to: 8.9, step: 2", whole, 4); // the last is not beyond `to`
+    expect_sweep("kappa, from: 7, to: 1, step: 2", falling, 4);
+    expect_sweep("kappa, from: 0.1, to: 0.7, step: 0.1", tenths, 7); // 0.7 is met, whatever 0.1 is in binary
+    expect_sweep("kappa, from: 1, to: 1, step: 2", whole, 1);
+    expect_sweep("kappa, from: 0.01, to: 100, points: 5, scale: log", decades, 5);
+    expect_sweep("kappa, values: [3, 3.5, 40]", list, 3);
+    expect_sweep("kappa, values: [7, 5, = 0.3*kappa, 1]", falling, 4);
+    expect_sweep("omega, from: 300 rpm, to: 900 rpm, step: 300 rpm", rpm, 3);
+    expect_sweep("omega, values: [300 rpm, = 0.2*pi*omega, 900 rpm]", rpm, 3);
+    whirl_case *object =
+        parse_edited("kappa, from: 1, to: 20, points: 5, start: state", "kappa, values: [5, 2, 1], start: carry");
+    assert_int_equal(study_of(object).batches[0].carry, WHIRL_CARRY_REVERSE); // up, along the parameter
+    whirl_case_free(object);
+}
+
 static void swept_values_have_the_parameter_s_unit(void **state) {
     (void)state;
     whirl_case *object = parse_edited("kappa, from: 1, to: 20", "omega, from: 600 rpm, to: = 2*omega");
@@ -448,6 +479,7 @@ int main(void) {
         cmocka_unit_test(wrong_settings_leave_the_case_as_it_was),
         cmocka_unit_test(a_swept_parameter_can_be_assigned),
         cmocka_unit_test(sweeps_are_equally_spaced),
+        cmocka_unit_test(sweeps_have_steps_ratios_or_lists),
         cmocka_unit_test(swept_values_have_the_parameter_s_unit),
         cmocka_unit_test(carry_follows_the_parameter),
         cmocka_unit_test(starts_are_states),
