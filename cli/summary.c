@@ -47,13 +47,17 @@ static void print_rubs(const whirl_result *result, const whirl_table *table, siz
     }
 }
 
-/// "max radius: disc 1.154, journal 0.957 (length scale 0.0002 m)".
+/// "largest radius: disc 1.154, journal 0.957 (in 0.2 mm)", in the unit that the case writes lengths in.
 static void print_radii(const whirl_result *result, const whirl_table *table, size_t point) {
     if (!whirl_layout_field(&table->layout, "orbit/max_radius")) return;
     fputs("  largest radius:", stdout);
     for (size_t i = 0; i < result->station_count; i++)
         printf("%s %s %.4g", i ? "," : "", result->stations[i].name, number(table, point, "orbit/max_radius", i));
-    printf(" (in %g m)\n", result->length_scale);
+    const whirl_unit unit = whirl_result_length_unit(result);
+    if (result->length_scale == unit.size)
+        printf(" %s\n", unit.name);
+    else
+        printf(" (in %.6g %s)\n", result->length_scale / unit.size, unit.name);
 }
 
 /// "at 1X: disc x 0.0225 mm lag 86.6 deg, y 0.0193 mm lag 128 deg", a line a station; phases as whirl_synchronous has them.
@@ -101,21 +105,14 @@ static void print_point(const whirl_result *result, const whirl_table *table) {
 
 // ---------------------------------------------------------------- many points
 
-static const char *parameter_unit(const whirl_result *result, const char *name) {
-    for (size_t i = 0; i < result->parameter_count; i++)
-        if (strcmp(result->parameters[i].name, name) == 0 && strcmp(result->parameters[i].unit, "1") != 0)
-            return result->parameters[i].unit;
-    return "";
-}
-
 static void print_list(const whirl_result *result, const whirl_table *table) {
-    const char *unit = parameter_unit(result, table->parameter);
+    const whirl_unit unit = whirl_result_unit(result, table->parameter);
     for (size_t point = 0; point < table->count; point++) {
         if (!whirl_table_done(table, point)) continue;
         const whirl_verdict verdict = whirl_table_verdict(table, point);
         char name[VERDICT_SIZE];
         whirl_verdict_name(&verdict, name, sizeof name);
-        printf("  %10.6g %s%s%-26s", table->values[point], unit, *unit ? "  " : " ", name);
+        printf("  %10.6g %s%s%-26s", table->values[point] / unit.size, unit.name, *unit.name ? "  " : " ", name);
         printf(" %-5s", has_verdicts(table) ? whirl_confidence_name(verdict.confidence) : "");
         if (isfinite(verdict.exponent.value))
             printf(" exponent %8.4f +- %-7.1g", verdict.exponent.value,

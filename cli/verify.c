@@ -138,12 +138,12 @@ static void print_order(const whirl_verification *v, const whirl_verify_point *p
     printf(" %9s", text);
 }
 
-static void print_run(const whirl_verification *v, const whirl_verify_point *point, int m, int level) {
+static void print_run(const whirl_verification *v, const whirl_verify_point *point, double unit, int m, int level) {
     const whirl_verify_run *run = &point->runs[m][level];
     char tolerance[NAME_SIZE], verdict[NAME_SIZE], value[NAME_SIZE] = "";
     tolerance_text(&v->integrate[m][level], tolerance);
     whirl_verdict_name(&run->verdict, verdict, sizeof verdict);
-    if (m == 0 && level == 0 && *v->parameter) snprintf(value, sizeof value, "%.6g", point->value);
+    if (m == 0 && level == 0 && *v->parameter) snprintf(value, sizeof value, "%.6g", point->value / unit);
     const char *method = level == 0                                 ? v->integrate[m][0].method
                          : level == 1 && v->integrate[m][0].located ? "located"
                                                                     : "";
@@ -186,23 +186,26 @@ static void print_verdicts(const whirl_verify_point *point) {
     putchar('\n');
 }
 
-static void print_table(const whirl_verification *v) {
-    printf("%s%s%s: %zu point%s by %s and %s; differences in length scales after %d revolutions\n\n", v->table,
-           *v->parameter ? " of " : "", v->parameter, v->count, v->count == 1 ? "" : "s", v->integrate[0][0].method,
-           v->integrate[1][0].method, v->revolutions);
+static void print_table(const whirl_verification *v, const whirl_unit *unit) {
+    char named[WHIRL_NAME_SIZE + 4] = "";
+    if (*unit->name) snprintf(named, sizeof named, " (%s)", unit->name);
+    printf("%s%s%s%s: %zu point%s by %s and %s; differences in length scales after %d revolutions\n\n", v->table,
+           *v->parameter ? " of " : "", v->parameter, named, v->count, v->count == 1 ? "" : "s",
+           v->integrate[0][0].method, v->integrate[1][0].method, v->revolutions);
     printf("%10s  %-11s  %-11s %10s %9s %8s %9s  %s\n", v->parameter, "method", "tolerance", "difference", "order",
            "section", "exponent", "verdict");
     size_t agreed = 0;
     for (size_t i = 0; i < v->count; i++) {
         for (int m = 0; m < WHIRL_VERIFY_METHODS; m++)
-            for (int level = 0; level < WHIRL_VERIFY_LEVELS; level++) print_run(v, &v->points[i], m, level);
+            for (int level = 0; level < WHIRL_VERIFY_LEVELS; level++) print_run(v, &v->points[i], unit->size, m, level);
         agreed += v->points[i].agreed;
     }
     printf("\nverdicts that do not depend on numerics: %zu of %zu\n", agreed, v->count);
     for (size_t i = 0; i < v->count; i++) {
         if (v->points[i].agreed) continue;
         if (*v->parameter)
-            printf("  %s = %.6g: ", v->parameter, v->points[i].value);
+            printf("  %s = %.6g%s%s: ", v->parameter, v->points[i].value / unit->size, *unit->name ? " " : "",
+                   unit->name);
         else
             printf("  ");
         print_verdicts(&v->points[i]);
@@ -226,6 +229,16 @@ static int verify(const verify_arguments *arguments, const whirl_study *study, w
     return EXIT_FAILED;
 }
 
+/// The unit in which the case writes what is swept.
+static whirl_unit unit_of(const whirl_case *object, const char *parameter) {
+    whirl_result *outline = NULL;
+    whirl_unit unit = {.name = "", .size = 1.0};
+    if (*parameter && whirl_case_outline(object, &outline).code == WHIRL_OK)
+        unit = whirl_result_unit(outline, parameter);
+    whirl_result_free(outline);
+    return unit;
+}
+
 static int verify_case(const verify_arguments *arguments) {
     whirl_case *object = NULL;
     whirl_study study;
@@ -247,7 +260,8 @@ static int verify_case(const verify_arguments *arguments) {
         outcome = complain_of(&status);
     } else if (outcome == EXIT_DONE) {
         if (*whirl_case_title(object)) puts(whirl_case_title(object));
-        print_table(verification);
+        const whirl_unit unit = unit_of(object, verification->parameter);
+        print_table(verification, &unit);
     }
     whirl_verification_free(verification);
     whirl_case_free(object);

@@ -48,14 +48,17 @@ static void end_line(line *row) {
 
 // ---------------------------------------------------------------- headings
 
-// A unit in brackets; scales are written out: "[0.0002 m]".
+// A unit in brackets; scales are written out, lengths in the unit of the case: "[0.2 mm]".
 static void unit_text(const whirl_result *result, const char *unit, char *text, size_t size) {
-    const bool length = strcmp(unit, "length") == 0, force = strcmp(unit, "force") == 0;
-    const double scale = length ? result->length_scale : result->force_scale;
-    if ((length || force) && scale != 1.0)
-        snprintf(text, size, "[%.10g %s]", scale, length ? "m" : "N");
+    const whirl_unit length = whirl_result_length_unit(result);
+    if (strcmp(unit, "length") == 0 && result->length_scale != length.size)
+        snprintf(text, size, "[%.10g %s]", result->length_scale / length.size, length.name);
+    else if (strcmp(unit, "length") == 0)
+        snprintf(text, size, "[%s]", length.name);
+    else if (strcmp(unit, "force") == 0 && result->force_scale != 1.0)
+        snprintf(text, size, "[%.10g N]", result->force_scale);
     else
-        snprintf(text, size, "[%s]", length ? "m" : force ? "N" : unit);
+        snprintf(text, size, "[%s]", strcmp(unit, "force") == 0 ? "N" : unit);
 }
 
 static const char *repetition_name(const whirl_result *result, const whirl_field *field, size_t which) {
@@ -90,21 +93,30 @@ static void put_field_heading(line *row, const whirl_result *result, const whirl
 static void put_point_headings(line *row, const whirl_result *result, const whirl_table *table) {
     put_cell(row, "point");
     if (*table->parameter) {
-        const char *unit = "1";
-        for (size_t i = 0; i < result->parameter_count; ++i)
-            if (strcmp(result->parameters[i].name, table->parameter) == 0) unit = result->parameters[i].unit;
+        const whirl_unit unit = whirl_result_unit(result, table->parameter);
         char text[2 * WHIRL_NAME_SIZE + 8];
-        snprintf(text, sizeof text, "%s [%s]", table->parameter, unit);
+        snprintf(text, sizeof text, "%s [%s]", table->parameter, *unit.name ? unit.name : "1");
         put_cell(row, text);
     }
     put_cell(row, "branch");
 }
 
-static void put_point_cells(line *row, const whirl_table *table, size_t point) {
+// The value of the parameter in the unit of the case: what conversion rounds is left out, 2000 rpm is 2000.
+static void put_value_cell(line *row, const whirl_result *result, const whirl_table *table, size_t point) {
+    char text[NUMBER_SIZE];
+    const double size = whirl_result_unit(result, table->parameter).size, value = table->values[point];
+    snprintf(text, sizeof text, "%.14g", value / size);
+    if (size == 1.0 || !isfinite(value))
+        put_number_cell(row, value);
+    else
+        put_cell(row, text);
+}
+
+static void put_point_cells(line *row, const whirl_result *result, const whirl_table *table, size_t point) {
     char branch[16];
     snprintf(branch, sizeof branch, "%d", table->branch[point]);
     put_count_cell(row, whirl_table_slot(table, point) + 1);
-    if (*table->parameter) put_number_cell(row, table->values[point]);
+    if (*table->parameter) put_value_cell(row, result, table, point);
     put_cell(row, branch);
 }
 
@@ -126,7 +138,7 @@ static void write_points(FILE *stream, const whirl_result *result, const whirl_t
         if (!whirl_table_done(table, point) || !whirl_table_block(table, point)) continue;
         const whirl_verdict found = whirl_table_verdict(table, point);
         whirl_verdict_name(&found, verdict, sizeof verdict);
-        put_point_cells(&row, table, point);
+        put_point_cells(&row, result, table, point);
         put_cell(&row, verdict);
         const double *block = whirl_table_block(table, point);
         for (const whirl_field *field = layout->fields; field < layout->fields + layout->field_count; ++field)
@@ -168,7 +180,7 @@ static void write_rows(FILE *stream, const whirl_result *result, const whirl_tab
         const double *block = whirl_table_done(table, point) ? whirl_table_block(table, point) : NULL;
         const double *numbers = block ? block + field->offset + inner * field->columns : NULL;
         if (!numbers || all_missing(numbers, field->columns)) continue;
-        put_point_cells(&row, table, point);
+        put_point_cells(&row, result, table, point);
         if (field->extent != WHIRL_PER_POINT) put_cell(&row, repetition_name(result, field, inner / field->rows));
         put_count_cell(&row, inner % field->rows + 1);
         for (size_t c = 0; c < field->columns; ++c) put_number_cell(&row, numbers[c]);
