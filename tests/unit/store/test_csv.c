@@ -174,7 +174,7 @@ static void rows_have_files_of_their_own(void **state) {
     fixture *f = *state;
     const whirl_table *table = &f->made->tables[0];
     static cells heading, record;
-    static const char *const expected[] = {"point",        "r_k [1]",      "branch",        "station",      "row",
+    static const char *const expected[] = {"point",      "r_k [1]",    "branch",      "station",    "row",
                                            "x [0.2 mm]", "y [0.2 mm]", "vx [0.2 mm]", "vy [0.2 mm]"};
     // One row of the second station at the second point is missing altogether.
     const whirl_field *section = whirl_layout_field(&table->layout, "poincare/section");
