@@ -39,8 +39,8 @@ static const struct argp_option options[] = {
     {.name = "set",
      .key = KEY_SET,
      .arg = "NAME=VALUE",
-     .doc =
-         "Give a parameter of the case another value, as in --set r_k=0.45 or --set 'omega=6000 rpm'; may be repeated"},
+     .doc = "Give a parameter of the case another value, as in --set r_k=0.45 or --set 'omega=6000 rpm', or a key of "
+            "it, as in --set disc.mass=41; may be repeated"},
     {.name = "threads",
      .key = KEY_THREADS,
      .arg = "N",

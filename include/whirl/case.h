@@ -50,9 +50,11 @@ whirl_status whirl_case_parse(const char *text, size_t length, const char *name,
                               whirl_case **out);
 void whirl_case_free(whirl_case *object);
 
-/// Overrides a parameter: "r_k=0.45", "omega=6000 rpm", "c== 2*0.1e-3". The whole case is checked again:
-/// WHIRL_BAD_INPUT (nearest name named) leaves it as it was. The parameter that a sweep varies is refused, unless the
-/// ends of the sweep or the values of its detail depend on it.
+/// Sets a parameter ("r_k=0.45", "omega=6000 rpm", "c== 2*0.1e-3") or a key of the case: of a station ("disc.mass=41 kg"),
+/// an element ("film.clearance=0.1 mm"; "film[2].clearance" where there are several), the study
+/// ("integrate.transient=5000"), or by its path ("rotor.speed=650"). A key is changed in the text of the case, which a
+/// result then holds. The whole case is checked again: WHIRL_BAD_INPUT (nearest name named) leaves it as it was. The
+/// parameter that a sweep varies is refused, unless the ends of the sweep or the values of its detail depend on it.
 whirl_status whirl_case_set(whirl_case *object, const char *assignment);
 
 /// The same, of the parameter that a sweep varies, too: for programs that vary another one than the case does.

@@ -7,6 +7,7 @@
 
 #include "content.h"
 #include "excerpt.h"
+#include "path.h"
 #include "problem.h"
 #include "schema.h"
 #include "source.h"
@@ -204,44 +205,38 @@ void whirl_case_free(whirl_case *object) {
     free(object);
 }
 
-// ---------------------------------------------------------------- setting parameters
+// ---------------------------------------------------------------- setting parameters and keys
 
-// The overrides so far with one more, in the arena of the new content.
-static bool copy_overrides(const case_content *old, case_content *content, const char *name, size_t name_length,
-                           const char *text) {
+/// Bytes of a name, and of a value: an expression, at most.
+enum { SHOWN_NAME = 128, LONGEST_VALUE = 8192 };
+
+// The overrides so far with one more, where there is a name, in the arena of the new content.
+static bool copy_overrides(const case_content *old, case_content *content, const char *name, const char *text) {
     parameter_override *all = arena_take(&content->arena, (old->override_count + 1) * sizeof *all);
     if (!all) return false;
     size_t count = 0;
-    for (size_t i = 0; i < old->override_count; i++) {
-        const parameter_override *one = &old->overrides[i];
-        if (strlen(one->name) == name_length && strncmp(one->name, name, name_length) == 0) continue; // replaced
+    const parameter_override added = {.name = name, .text = text};
+    for (size_t i = 0; i <= old->override_count; i++) {
+        const parameter_override *one = i < old->override_count ? &old->overrides[i] : &added;
+        if (!one->name || (one != &added && name && strcmp(one->name, name) == 0)) continue; // none, or replaced
         all[count].name = arena_text(&content->arena, one->name, strlen(one->name));
         all[count].text = arena_text(&content->arena, one->text, strlen(one->text));
         if (!all[count].name || !all[count].text) return false;
         count++;
     }
-    size_t length = strlen(text);
-    while (length > 0 && text[length - 1] == ' ') length--;
-    all[count].name = arena_text(&content->arena, name, name_length);
-    all[count].text = arena_text(&content->arena, text, length);
-    if (!all[count].name || !all[count].text) return false;
     content->overrides = all;
-    content->override_count = count + 1;
+    content->override_count = count;
     return true;
 }
 
-static whirl_status find_name(const whirl_case *object, const char *assignment, size_t *length) {
-    const parameter_table *parameters = &object->content.parameters;
-    char name[WHIRL_NAME_SIZE], advice[WHY_SIZE];
+// The length of the name before '=', blanks left out.
+static whirl_status split_assignment(const char *assignment, size_t *length) {
     const char *equals = strchr(assignment, '=');
     if (!equals || equals == assignment)
         return whirl_fail(WHIRL_BAD_INPUT, "'%.80s' sets nothing, expected NAME=VALUE", assignment);
     *length = (size_t)(equals - assignment);
     while (*length > 1 && assignment[*length - 1] == ' ') --*length;
-    snprintf(name, sizeof name, "%.*s", (int)(*length < sizeof name ? *length : sizeof name - 1), assignment);
-    if (*length < sizeof name && parameters_find(parameters, name) < parameters->count) return whirl_ok();
-    describe_names(name, parameters->names, parameters->count, advice);
-    return whirl_fail(WHIRL_BAD_INPUT, "no parameter is called %s, %s", name, advice);
+    return whirl_ok();
 }
 
 // What is wrong with the value itself stands in no file.
@@ -268,42 +263,95 @@ static whirl_status refuse_swept(const study_plan *old, const study_plan *new, c
         sweep->parameter, sweep->values[0], sweep->values[sweep->count - 1]);
 }
 
-/// Overrides a parameter; one that the study sweeps where `swept_too`.
-static whirl_status override(whirl_case *object, const char *assignment, bool swept_too) {
-    size_t length = 0;
-    whirl_status status = find_name(object, assignment, &length);
-    if (status.code != WHIRL_OK) return status;
-    const char *value = strchr(assignment, '=') + 1;
-    value += strspn(value, " ");
-    case_content content = {0};
+static whirl_status check_value(const char *name, const char *value) {
     whirl_problems problems = {0};
     source_check(value, strlen(value), &problems);
-    if (problems.count > 0)
-        status = whirl_fail(WHIRL_BAD_INPUT, "the value of %.*s is not text in UTF-8",
-                            (int)(length < WHIRL_NAME_SIZE ? length : WHIRL_NAME_SIZE), assignment);
-    else if (copy_overrides(&object->content, &content, assignment, length, value))
-        status = make_content(object, &content, &problems);
-    else
-        status = whirl_fail(WHIRL_NO_MEMORY, "no memory to set %.40s", assignment);
+    const bool good = problems.count == 0;
+    whirl_problems_free(&problems);
+    return good ? whirl_ok() : whirl_fail(WHIRL_BAD_INPUT, "the value of %s is not text in UTF-8", name);
+}
+
+static void take_content(whirl_case *object, const case_content *content) {
+    arena_free(&object->content.arena);
+    object->content = *content;
+}
+
+// Overrides a parameter; one that the study sweeps where `swept_too`.
+static whirl_status set_parameter(whirl_case *object, const char *name, const char *value, bool swept_too) {
+    case_content content = {0};
+    whirl_problems problems = {0};
+    whirl_status status = whirl_fail(WHIRL_NO_MEMORY, "no memory to set %s", name);
+    if (copy_overrides(&object->content, &content, name, value)) status = make_content(object, &content, &problems);
     if (status.code == WHIRL_OK && !swept_too)
-        status = refuse_swept(&object->content.plan, &content.plan, assignment, length);
-    if (status.code == WHIRL_OK) {
-        arena_free(&object->content.arena);
-        object->content = content;
-    } else {
+        status = refuse_swept(&object->content.plan, &content.plan, name, strlen(name));
+    if (status.code == WHIRL_OK)
+        take_content(object, &content);
+    else
         status = without_file(&problems, &status);
-        arena_free(&content.arena);
+    if (status.code != WHIRL_OK) arena_free(&content.arena);
+    whirl_problems_free(&problems);
+    return status;
+}
+
+// A key of the case is set in its text, which goes into the result: what was computed can be read there.
+static whirl_status set_key(whirl_case *object, const char *name, const char *value) {
+    char path[PATH_SIZE];
+    whirl_case changed = *object;
+    whirl_problems problems = {0};
+    changed.content = (case_content){0};
+    whirl_status status = path_of_name(&object->content, name, path);
+    if (status.code != WHIRL_OK) return status;
+    status = whirl_case_edit(object->text, object->length, path, value, &changed.text);
+    if (status.code != WHIRL_OK) return status;
+    changed.length = strlen(changed.text);
+    if (copy_overrides(&object->content, &changed.content, NULL, NULL))
+        status = make_content(&changed, &changed.content, &problems);
+    else
+        status = whirl_fail(WHIRL_NO_MEMORY, "no memory to set %s", name);
+    if (status.code == WHIRL_OK) {
+        free(object->text);
+        arena_free(&object->content.arena);
+        *object = changed;
+    } else {
+        if (status.code == WHIRL_BAD_INPUT && problems.items)
+            status = whirl_fail(status.code, "%s: %s", problems.items[0].key, problems.items[0].message);
+        free(changed.text);
+        arena_free(&changed.content.arena);
     }
     whirl_problems_free(&problems);
     return status;
 }
 
+static whirl_status set_name(whirl_case *object, const char *assignment, bool swept_too) {
+    const parameter_table *parameters = &object->content.parameters;
+    char name[SHOWN_NAME], text[LONGEST_VALUE], advice[WHY_SIZE];
+    size_t length = 0;
+    whirl_status status = split_assignment(assignment, &length);
+    if (status.code != WHIRL_OK) return status;
+    snprintf(name, sizeof name, "%.*s", (int)(length < sizeof name ? length : sizeof name - 1), assignment);
+    const char *value = strchr(assignment, '=') + 1;
+    value += strspn(value, " ");
+    size_t used = strlen(value);
+    while (used > 0 && value[used - 1] == ' ') used--;
+    if (used >= sizeof text) return whirl_fail(WHIRL_BAD_INPUT, "the value of %s is too long", name);
+    snprintf(text, sizeof text, "%.*s", (int)used, value);
+    status = check_value(name, text);
+    if (status.code != WHIRL_OK) return status;
+    if (length >= sizeof name) return whirl_fail(WHIRL_BAD_INPUT, "%.60s... is too long for a name", name);
+    if (parameters_find(parameters, name) < parameters->count) return set_parameter(object, name, text, swept_too);
+    if (strncmp(name, "parameters.", 11) == 0 && parameters_find(parameters, name + 11) < parameters->count)
+        return set_parameter(object, name + 11, text, swept_too);
+    if (strchr(name, '.')) return set_key(object, name, text);
+    describe_names(name, parameters->names, parameters->count, advice);
+    return whirl_fail(WHIRL_BAD_INPUT, "no parameter is called %s, %s", name, advice);
+}
+
 whirl_status whirl_case_set(whirl_case *object, const char *assignment) {
-    return override(object, assignment, false);
+    return set_name(object, assignment, false);
 }
 
 whirl_status whirl_case_assign(whirl_case *object, const char *assignment) {
-    return override(object, assignment, true);
+    return set_name(object, assignment, true);
 }
 
 // ---------------------------------------------------------------- asking

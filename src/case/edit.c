@@ -4,10 +4,9 @@
 #include <string.h>
 
 #include "content.h"
+#include "path.h"
 #include "problem.h"
 #include "utf8.h"
-
-enum { PATH_SIZE = 256 };
 
 /// Bytes that the first `characters` take.
 static size_t byte_offset(const char *text, size_t length, size_t characters) {

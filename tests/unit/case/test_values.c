@@ -193,6 +193,71 @@ static void a_swept_parameter_can_be_assigned(void **state) {
     whirl_case_free(object);
 }
 
+// The rotor's numbers after a key was set, as they are after the same edit by hand.
+static void expect_key_set(const char *assignment, const char *old, const char *new) {
+    whirl_case *set = parse_good(good_case), *edited_case = parse_edited(old, new);
+    whirl_result *a = calloc(1, sizeof *a), *b = calloc(1, sizeof *b);
+    assert_true(a && b);
+    const whirl_status status = whirl_case_set(set, assignment);
+    if (status.code != WHIRL_OK) print_error("%s: %s\n", assignment, status.message);
+    assert_int_equal(status.code, WHIRL_OK);
+    assert_int_equal(whirl_case_describe_result(set, a).code, WHIRL_OK);
+    assert_int_equal(whirl_case_describe_result(edited_case, b).code, WHIRL_OK);
+    assert_string_equal(a->case_text, b->case_text); // what a result holds, so that it tells what was computed
+    whirl_result_free(a);
+    whirl_result_free(b);
+    whirl_case_free(set);
+    whirl_case_free(edited_case);
+}
+
+static void keys_are_set_in_the_text(void **state) {
+    (void)state;
+    expect_key_set("disc.mass=41 kg", "mass: 4 kg", "mass: 41 kg");
+    expect_key_set("disc.mass = 41 kg ", "mass: 4 kg", "mass: 41 kg");
+    expect_key_set("rotor.stations.disc.mass== kappa/2", "mass: 4 kg", "mass: = kappa/2");
+    expect_key_set("film.clearance=0.3 mm", "clearance: = c", "clearance: 0.3 mm");
+    expect_key_set("rub.gap== max(c, 1e-4)", "gap: = 1.2*c", "gap: '= max(c, 1e-4)'");
+    expect_key_set("gravity.acceleration=1.62 m/s2", "gravity: 9.81 m/s2", "gravity: 1.62 m/s2");
+    expect_key_set("integrate.transient=40", "transient: 20", "transient: 40");
+    expect_key_set("sweep.points=7", "points: 5", "points: 7");
+    expect_key_set("initial.disc.y=-20 um", "disc: {y: -0.5}", "disc: {y: -20 um}");
+    expect_key_set("rotor.elements[1].shaft.k1=2 kN/mm", "k1: 1 kN/mm", "k1: 2 kN/mm");
+    expect_key_set("parameters.omega=99", "A rotor", "A rotor"); // a parameter: beside the text, as ever
+    // A key that is absent is written before the others; what was set before stays.
+    whirl_case *object = parse_good(good_case);
+    assert_int_equal(whirl_case_set(object, "omega=99").code, WHIRL_OK);
+    assert_int_equal(whirl_case_set(object, "journal.damping=3 N.s/m").code, WHIRL_OK);
+    assert_int_equal(whirl_case_set(object, "disc.mass=5 kg").code, WHIRL_OK);
+    assert_true(value_of(object, "omega") == 99.0);
+    whirl_case_free(object);
+}
+
+static void wrong_keys_leave_the_case_as_it_was(void **state) {
+    (void)state;
+    expect_refused("disk.mass=4 kg", "the case has no disk whose mass could be set, did you mean disc?");
+    expect_refused("flim.load=4 N", "the case has no flim whose load could be set, did you mean film?");
+    expect_refused("disc.mas=4 kg", "rotor.stations.disc.mas: station has no key mas, did you mean mass?");
+    expect_refused("disc.mass=-4 kg", "rotor.stations.disc.mass: is -4 kg, expected a number above 0 kg");
+    expect_refused("disc.mass=4 m", "rotor.stations.disc.mass: is in m, expected a unit of kg");
+    expect_refused("film[2].load=4 N", "film[2] is no element, the case has 1 of that kind");
+    expect_refused("film[].load=4 N", "film[] is no element, the case has 1 of that kind");
+    expect_refused("study.analyze=regime", "study.analyze is a list, expected a value");
+    expect_refused(".mass=4 kg", ".mass is no key, expected a name as in disc.mass");
+    expect_refused(
+        "zzzzzz.mass=4 kg",
+        "the case has no zzzzzz whose mass could be set, expected one of disc, journal, gravity, shaft, film, "
+        "rub, response, sweep, initial, integrate, confirm, keep, analyze, detail");
+    expect_refused("disc.=4 kg", "disc. is no key, expected a name as in disc.mass");
+    char *two = edited(good_case, "    - gravity",
+                       "    - rub: {at: journal, gap: 2 m, stiffness: 1 N/m, friction: 0}\n    - gravity");
+    whirl_case *object = parse_good(two);
+    free(two);
+    assert_string_equal(whirl_case_set(object, "rub.gap=3 m").message,
+                        "the case has 2 elements rub, expected rub[1].gap to rub[2].gap");
+    assert_int_equal(whirl_case_set(object, "rub[2].gap=3 m").code, WHIRL_OK);
+    whirl_case_free(object);
+}
+
 // ---------------------------------------------------------------- studies
 
 static whirl_study study_of(const whirl_case *object) {
@@ -478,6 +543,8 @@ int main(void) {
         cmocka_unit_test(set_numbers_keep_their_unit),
         cmocka_unit_test(wrong_settings_leave_the_case_as_it_was),
         cmocka_unit_test(a_swept_parameter_can_be_assigned),
+        cmocka_unit_test(keys_are_set_in_the_text),
+        cmocka_unit_test(wrong_keys_leave_the_case_as_it_was),
         cmocka_unit_test(sweeps_are_equally_spaced),
         cmocka_unit_test(sweeps_have_steps_ratios_or_lists),
         cmocka_unit_test(swept_values_have_the_parameter_s_unit),
