@@ -1,8 +1,50 @@
 # bash completion for whirl
 
-# Names that `whirl describe` knows, from the command itself.
+# Names that `whirl describe` lists, from the command itself: all, or those of one part ("methods of integration").
 _whirl_names() {
-    "$1" describe 2>/dev/null | sed -n 's/^  \([A-Za-z0-9_-]*\) .*/\1/p'
+    "$1" describe 2>/dev/null | awk -v part="${2-}" '
+        /^[a-z].*:$/     { now = substr($0, 1, length($0) - 1); next }
+        /^  [A-Za-z0-9_]/ { if (part == "" || part == now) print $1 }'
+}
+
+# The keys of one name that `whirl describe NAME` shows.
+_whirl_keys() {
+    "$1" describe "$2" 2>/dev/null | sed -n 's/^  \([a-z][A-Za-z0-9_]*\) .*/\1/p' | grep -vx name
+}
+
+# The case among the words of the command line, or nothing.
+_whirl_case() {
+    local word
+    for word in "${COMP_WORDS[@]:2}"; do
+        case $word in *.yaml | *.yml) [ -r "$word" ] && { echo "$word"; return; } ;; esac
+    done
+}
+
+# Names in a mapping of a case that is written with indentation.
+_whirl_members() {
+    awk -v name="$2:" '
+        /^ *(#|$)/         { next }
+                           { match($0, /^ */); indent = RLENGTH }
+        inside && indent <= outer { exit }
+        inside             { if (!inner) inner = indent
+                             if (indent == inner) { sub(/:.*/, "", $1); print $1 }
+                             next }
+        $1 == name         { inside = 1; outer = indent }' "$1" 2>/dev/null
+}
+
+# What --set takes: parameters of the case, and keys of its stations, its elements and how it is integrated.
+_whirl_settings() {
+    local whirl=$1 case=$2 name key
+    [ -n "$case" ] || return
+    _whirl_members "$case" parameters | sed 's/$/=/'
+    for name in $(_whirl_members "$case" stations); do
+        for key in $(_whirl_keys "$whirl" station); do echo "$name.$key="; done
+    done
+    for name in $(_whirl_names "$whirl" elements); do
+        grep -qE "^ *- *$name\b" "$case" || continue
+        for key in $(_whirl_keys "$whirl" "$name"); do echo "$name.$key="; done
+    done
+    for key in $(_whirl_keys "$whirl" integrate); do echo "integrate.$key="; done
 }
 
 # Files with one of the given endings, and folders.
@@ -17,22 +59,28 @@ _whirl_files() {
     )
 }
 
+_whirl_words() { # WORD NAMES...
+    mapfile -t COMPREPLY < <(compgen -W "${*:2}" -- "$1")
+    [[ ${COMPREPLY[0]-} == *= ]] && compopt -o nospace 2>/dev/null
+}
+
 _whirl_options() {
     case $1 in
+    new) echo '-o --output= --force --help' ;;
     run) echo '-o --output= --set= --threads= --json --resume --force --refine --refine= --quiet --help' ;;
     verify) echo '--points= --method= --revolutions= --set= --threads= --json --quiet --help' ;;
     report) echo '-o --output= --claims= --gnuplot= --explorer= --units= --quiet --help' ;;
-    export) echo '--csv= --help' ;;
     show) echo '--json --help' ;;
+    export) echo '--csv= --help' ;;
     check | describe | help) echo '--help' ;;
     *) echo '--help --version' ;;
     esac
 }
 
 _whirl() {
-    local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} command=
+    local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} command= whirl=${COMP_WORDS[0]}
     [ "$COMP_CWORD" -gt 1 ] && command=${COMP_WORDS[1]}
-    # bash splits --option=value at the '='
+    # bash splits --option=value and NAME=VALUE at the '='
     if [ "$word" = = ]; then
         word=
     elif [ "$before" = = ]; then
@@ -40,26 +88,33 @@ _whirl() {
     fi
     case $before in
     -o | --output)
-        if [ "$command" = run ]; then _whirl_files "$word" h5; else _whirl_files "$word"; fi
+        case $command in
+        run) _whirl_files "$word" h5 ;;
+        new) _whirl_files "$word" yaml yml ;;
+        *) _whirl_files "$word" ;;
+        esac
         return
         ;;
     --csv) _whirl_files "$word"; return ;;
     --claims) _whirl_files "$word" yaml yml; return ;;
     --explorer) mapfile -t COMPREPLY < <(compgen -f -- "$word"); return ;;
     --gnuplot) mapfile -t COMPREPLY < <(compgen -c -- "$word"); return ;;
-    --set | --threads | --points | --method | --revolutions) return ;;
+    --set) _whirl_words "$word" "$(_whirl_settings "$whirl" "$(_whirl_case)")"; return ;;
+    --method | integrate.method) _whirl_words "$word" "$(_whirl_names "$whirl" 'methods of integration')"; return ;;
+    --threads) _whirl_words "$word" "$(seq "$(nproc 2>/dev/null || echo 1)")"; return ;;
+    --points | --revolutions | --refine) return ;;
     esac
     if [[ $word == -* ]]; then
-        mapfile -t COMPREPLY < <(compgen -W "$(_whirl_options "$command")" -- "$word")
-        [[ ${COMPREPLY[0]-} == *= ]] && compopt -o nospace 2>/dev/null
+        _whirl_words "$word" "$(_whirl_options "$command")"
         return
     fi
     case $command in
-    '') mapfile -t COMPREPLY < <(compgen -W 'run verify check describe report show export help' -- "$word") ;;
+    '') _whirl_words "$word" 'new run verify check describe report show export help' ;;
+    new) _whirl_words "$word" "$("$whirl" new --help | sed -n '/Kinds:/,/^$/s/^  \([a-z][a-z]*\)  .*/\1/p')" ;;
     run | verify | check) _whirl_files "$word" yaml yml ;;
     report | show | export) _whirl_files "$word" h5 ;;
-    help) mapfile -t COMPREPLY < <(compgen -W 'run verify check describe report show export' -- "$word") ;;
-    describe) mapfile -t COMPREPLY < <(compgen -W "$(_whirl_names "${COMP_WORDS[0]}")" -- "$word") ;;
+    describe) _whirl_words "$word" "$(_whirl_names "$whirl")" ;;
+    help) _whirl_words "$word" 'new run verify check describe report show export' ;;
     esac
 }
 
