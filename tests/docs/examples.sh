@@ -7,12 +7,13 @@
 #   ```sh              with "# tested" in the first line are run; the exit status is 0, or the one said there:
 #                      "# tested, exit status 2"
 #   ```python, octave  with "tested" in the first line are run, Octave where it is installed
-#   ```text            is what the block before prints: each of its lines must begin a line there, numbers apart, which
-#                      depend on the processor; " ..." at the end stands for the rest of a line and "..." for
-#                      any lines
+#   ```text            is what the block before prints: each of its lines must begin a line there, numbers within a
+#                      tolerance (compare.py); "# tested, numbers vary" before it leaves these out
+#   ```json            is what the last point.json holds
 # Of README.md: every command that starts with build/whirl, and every case.
 # Links of all documents to files of the repository must lead somewhere.
 set -u
+script=$(realpath "$0")
 root=$(realpath "$1")
 build=$(realpath "$2")
 # Debian's own Python is the one that Debian's h5py belongs to.
@@ -42,21 +43,10 @@ extract() {
         inside            { print >file }' "$1"
 }
 
-# Numbers become N and runs of blanks one, so that lines can be compared on any processor; P-2 stays.
-plain() {
-    sed -E 's/(^|[^A-Za-z_-])[-+]?[0-9]+(\.[0-9]+)?(e[-+]?[0-9]+)?/\1N/g; s/[ \t]+/ /g; s/^ //; s/ (\.\.\.)?$//' "$@"
-}
-
 # Every line that the document shows begins a line that was printed.
-compare() {
-    local line
-    plain "$2" >"$folder/printed"
-    while IFS= read -r line; do
-        [ "$line" = ... ] && continue
-        awk -v line="${line//\\/\\\\}" 'index($0, line) == 1 { found = 1 } END { exit !found }' "$folder/printed" ||
-            fail "${1##*/} is not printed: $line"
-    done < <(plain "$1")
-    grep -q . "$1" || fail "${1##*/} is empty"
+compare() { # BLOCK OUTPUT FIRST-LINE-OF-THE-COMMANDS
+    local differences
+    differences=$(python3 "$(dirname "$script")/compare.py" "$1" "$2" "$3") || fail "${1##*/} $differences"
 }
 
 ran=0
@@ -89,10 +79,11 @@ guide() {
     for block in "$folder"/guide/*; do
         first=$(head -n 1 "$block")
         case ${block##*.}:$first in
-        text:*) [ -n "$before" ] && compare "$block" "$folder/output" ;;
+        text:*) [ -n "$before" ] && compare "$block" "$folder/output" "$(head -n 1 "$before")" ;;
+        json:*) compare "$block" point.json "" ;;
         *:*"tested: "*) write_block "$block" "$first" ;;
         sh:"# tested, exit status "*) run_block "$block" "${first##* }" bash -uo pipefail "$block" ;;
-        sh:"# tested") run_block "$block" 0 bash -euo pipefail "$block" ;;
+        sh:"# tested"*) run_block "$block" 0 bash -euo pipefail "$block" ;;
         python:"# tested") run_block "$block" 0 "$python" "$block" ;;
         octave:"% tested")
             if ! command -v octave-cli >/dev/null; then
