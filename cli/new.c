@@ -65,7 +65,7 @@ static const starter *find_starter(const char *kind) {
 static int write_case(const char *path, bool force, const char *text) {
     FILE *const file = fopen(path, force ? "w" : "wx");
     if (!file && errno == EEXIST) {
-        complain("'%s' is there already and is left as it is; --force replaces it", path);
+        complain("'%s' is there already and is kept: add --force to replace it", path);
         return EXIT_FAILED;
     }
     bool done = file && fputs(text, file) != EOF;
