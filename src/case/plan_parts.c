@@ -77,6 +77,10 @@ static void read_values(case_reader *reader, const file_node *where, size_t most
 static void check_range_keys(case_reader *reader, const setting_list *sweep) {
     static const char *const ends[] = {"from", "to"};
     const setting *points = settings_find(sweep, "points"), *step = settings_find(sweep, "step");
+    if (!settings_find(sweep, "from") && !settings_find(sweep, "to") && !points && !step) {
+        problem_at(reader->problems, sweep->place, "has no values, expected from, to and points, or values: [...]");
+        return;
+    }
     for (size_t i = 0; i < 2; i++)
         if (!settings_find(sweep, ends[i]) && !settings_misspelt(sweep, ends[i]))
             problem_missing(reader->problems, sweep->place, ends[i], "is missing, expected %s, or values: [...]",

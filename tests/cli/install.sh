@@ -62,3 +62,14 @@ if ! { cmake -S . -B consumer -DCMAKE_PREFIX_PATH="$prefix" && cmake --build con
 fi
 expect "find_package, shared" consumer/with_shared
 expect "find_package, static" consumer/with_static
+
+# The static library has to be asked for, and CMake says so.
+mkdir without
+cp program.c without
+sed 's/ COMPONENTS static//' CMakeLists.txt >without/CMakeLists.txt
+if cmake -S without -B without/build -DCMAKE_PREFIX_PATH="$prefix" >log 2>&1; then
+    echo "find_package without COMPONENTS static gives whirl::whirl_static: mend the guide"
+    exit 1
+fi
+tr -s ' \n' ' ' <log | grep -qE 'whirl::whirl_static .*not found|target was not found' || { cat log; exit 1; }
+echo "find_package, static not asked for: refused"

@@ -27,6 +27,8 @@ PATH=$prefix/bin:$PATH
 library=$(dirname "$(find "$prefix" -name whirl.pc)")
 export PKG_CONFIG_PATH=$library
 export LD_LIBRARY_PATH=${library%/pkgconfig}
+export CMAKE_PREFIX_PATH=$prefix
+unset CMAKE_GENERATOR
 
 failures=0
 fail() {

@@ -40,6 +40,8 @@ static void sweeps(void **state) {
     (void)state;
     expect_problem(old, "from: 1, to: 20",
                    "t:19:3: study.sweep.points: is missing, expected the number of values, or step");
+    expect_problem("from: 1, to: 20, points: 5, start: state", "start: rest",
+                   "t:19:3: study.sweep: has no values, expected from, to and points, or values: [...]");
     expect_problem(old, "from: 1, points: 5",
                    "t:19:3: study.sweep.to: is missing, expected its last value, or values: [...]");
     expect_problem(old, "from: 1, to: 20, pionts: 5",
