@@ -102,7 +102,7 @@ _whirl() {
     --set) _whirl_words "$word" "$(_whirl_settings "$whirl" "$(_whirl_case)")"; return ;;
     --method | integrate.method) _whirl_words "$word" "$(_whirl_names "$whirl" 'methods of integration')"; return ;;
     --threads) _whirl_words "$word" "$(seq "$(nproc 2>/dev/null || echo 1)")"; return ;;
-    --points | --revolutions | --refine) return ;;
+    --points | --revolutions | --refine | --units) return ;;
     esac
     if [[ $word == -* ]]; then
         _whirl_words "$word" "$(_whirl_options "$command")"
