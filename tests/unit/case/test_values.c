@@ -243,15 +243,13 @@ static void wrong_keys_leave_the_case_as_it_was(void **state) {
     expect_refused("film[].load=4 N", "film[] is no element, the case has 1 of that kind");
     expect_refused("study.analyze=regime", "study.analyze is a list, expected a value");
     expect_refused(".mass=4 kg", ".mass is no key, expected a name as in disc.mass");
-    expect_refused(
-        "zzzzzz.mass=4 kg",
-        "the case has no zzzzzz whose mass could be set, expected one of disc, journal, gravity, shaft, film, "
-        "rub, response, sweep, initial, integrate, confirm, keep, analyze, detail");
     expect_refused("disc.=4 kg", "disc. is no key, expected a name as in disc.mass");
     char *two = edited(good_case, "    - gravity",
                        "    - rub: {at: journal, gap: 2 m, stiffness: 1 N/m, friction: 0}\n    - gravity");
     whirl_case *object = parse_good(two);
     free(two);
+    assert_non_null(strstr(whirl_case_set(object, "zzzzzz.mass=4 kg").message,
+                           "could be set, expected one of disc, journal, gravity, shaft, film, rub, response"));
     assert_string_equal(whirl_case_set(object, "rub.gap=3 m").message,
                         "the case has 2 elements rub, expected rub[1].gap to rub[2].gap");
     assert_int_equal(whirl_case_set(object, "rub[2].gap=3 m").code, WHIRL_OK);
