@@ -30,7 +30,7 @@ typedef struct diagram {
     double length, value; ///< what displacements and values of the parameter are multiplied by to be shown
     double share;         ///< largest share of the time in contact, with a margin
     double gap;           ///< radius at which the station touches a stator, 0 where none is near
-    double edge;          ///< half the distance of two points of the sweep
+    bool ratios;          ///< the points have equal ratios: the axis is logarithmic
 } diagram;
 
 static int by_value(const void *left, const void *right) {
@@ -58,6 +58,57 @@ static span exponent_span(const whirl_table *table) {
     return span_with_margin(range, 0.08, 0.01);
 }
 
+/// How many places of the study lie between two points of the table; 0 across branches.
+static double places_between(const whirl_table *table, size_t a, size_t b) {
+    if (b >= table->count || table->branch[a] != table->branch[b]) return 0.0;
+    return (double)whirl_table_slot(table, b) - (double)whirl_table_slot(table, a);
+}
+
+/// Whether a sweep was made with `scale: log`: the ratios of neighbours are the same throughout, their differences are not.
+static bool has_equal_ratios(const whirl_table *table) {
+    const double *v = table->values;
+    if (places_between(table, 0, 1) == 0.0 || places_between(table, 1, 2) == 0.0 || !(v[0] > 0.0)) return false;
+    const double ratio = log(v[1] / v[0]) / places_between(table, 0, 1);
+    for (size_t i = 1; i < table->count && places_between(table, i - 1, i) != 0.0; i++)
+        if (!(v[i] > 0.0) ||
+            !(fabs(log(v[i] / v[i - 1]) / places_between(table, i - 1, i) - ratio) < 1e-6 * fabs(ratio)))
+            return false;
+    const double first = (v[1] - v[0]) / places_between(table, 0, 1),
+                 next = (v[2] - v[1]) / places_between(table, 1, 2);
+    return fabs(next - first) > 1e-6 * fabs(first);
+}
+
+/// Half-way between two values, as the axis has it.
+static double middle(const diagram *of, double a, double b) {
+    return of->ratios ? sqrt(a * b) : 0.5 * (a + b);
+}
+
+/// Where a value lies that is as far from `a` as `b` is, on the other side.
+static double mirrored(const diagram *of, double a, double b) {
+    return of->ratios ? a * (a / b) : a + (a - b);
+}
+
+/// The value beside a point, one place further on (1) or before (-1); NaN where the table does not tell.
+static double value_beside(const diagram *of, size_t i, int side) {
+    const whirl_table *const table = of->table;
+    if (side < 0 && i == 0) return NAN;
+    const size_t other = side < 0 ? i - 1 : i + 1;
+    const double apart = side < 0 ? places_between(table, other, i) : places_between(table, i, other);
+    if (apart <= 0.0) return NAN;
+    const double at = table->values[i], there = table->values[other];
+    return of->ratios ? at * pow(there / at, 1.0 / apart) : at + (there - at) / apart;
+}
+
+/// What of the axis belongs to a point, in SI: up to half-way to its neighbours in its branch.
+static void point_edges(const diagram *of, size_t i, double *low, double *high) {
+    const double at = of->table->values[i];
+    double before = value_beside(of, i, -1), after = value_beside(of, i, 1);
+    if (isnan(before)) before = isnan(after) ? at - 1.0 : mirrored(of, at, after);
+    if (isnan(after)) after = mirrored(of, at, before);
+    *low = fmin(middle(of, at, before), middle(of, at, after));
+    *high = fmax(middle(of, at, before), middle(of, at, after));
+}
+
 static void survey(diagram *of) {
     const whirl_table *table = of->table;
     span parameter = span_empty(), x = span_empty(), y = span_empty(), radius = span_empty();
@@ -75,14 +126,16 @@ static void survey(diagram *of) {
             span_widen(&y, of->length * section.at[4 * k + 1]);
         }
     }
-    const double width = parameter.high - parameter.low;
     of->share = of->share > 0.0 ? of->share : 0.01;
-    of->edge = 0.5;
-    if (table->count > 1 && width > 0.0) {
-        const size_t apart = whirl_table_slot(table, 1) - whirl_table_slot(table, 0);
-        of->edge = fabs(0.5 * of->value * (table->values[1] - table->values[0]) / (double)apart);
+    of->ratios = has_equal_ratios(table);
+    for (size_t i = 0; i < table->count; i++) {
+        double low, high;
+        if (!whirl_table_done(table, i)) continue;
+        point_edges(of, i, &low, &high);
+        span_widen(&parameter, of->value * low);
+        span_widen(&parameter, of->value * high);
     }
-    of->parameter = span_with_margin(parameter, 0.012, 2.0 * of->edge);
+    of->parameter = of->ratios ? parameter : span_with_margin(parameter, 0.012, 0.0);
     of->x = span_with_margin(x, 0.04, 1e-6 * of->length);
     of->y = span_with_margin(y, 0.04, 1e-6 * of->length);
     of->gap = of->length * of->result->stations[of->station].gap;
@@ -166,7 +219,9 @@ static void write_sweep_line(FILE *data, const diagram *of, size_t point) {
             (int)verdict.confidence, exponent.value, exponent.error,
             rub_share(of->table, point, of->result->contact_count));
     for (size_t s = 0; s < of->result->station_count; s++) fprintf(data, " %.7g", max_radius(of->table, point, s));
-    fputc('\n', data);
+    double low, high;
+    point_edges(of, point, &low, &high);
+    fprintf(data, " %.10g %.10g\n", low, high);
 }
 
 /// One line a point, one block a branch; an empty line where points were not computed.
@@ -179,6 +234,7 @@ static whirl_status write_sweep_data(const drawing *to, const diagram *of) {
             "rub share");
     for (size_t s = 0; s < of->result->station_count; s++)
         fprintf(file.stream, "  largest radius of station %zu (%.10g m)", s + 1, of->result->length_scale);
+    fputs("  half-way to the points beside it (SI), below and above", file.stream);
     fprintf(file.stream, "\n# classes:");
     for (int kind = 0; kind < CLASS_COUNT; kind++)
         fprintf(file.stream, " %d %s;", kind, regime_class_name((regime_class)kind));
@@ -202,10 +258,21 @@ static whirl_status write_sweep_data(const drawing *to, const diagram *of) {
 
 // ---------------------------------------------------------------- script
 
+/// A logarithmic axis; where it has few decades, 2 and 5 are labelled in each.
+static void write_log_axis(FILE *script, span range) {
+    const int first = (int)floor(log10(range.low)), last = (int)ceil(log10(range.high));
+    fputs("set logscale x\n", script);
+    if (last - first > 3) return;
+    for (int k = first; k <= last; k++)
+        fprintf(script, "set xtics add (%.10g, %.10g, %.10g)\n", pow(10, k), 2 * pow(10, k), 5 * pow(10, k));
+}
+
 static void band_limits(const diagram *of, size_t first, size_t last, double *low, double *high) {
-    const double a = of->value * of->table->values[first], b = of->value * of->table->values[last];
-    *low = fmin(a, b) - of->edge;
-    *high = fmax(a, b) + of->edge;
+    double a[2], b[2];
+    point_edges(of, first, &a[0], &a[1]);
+    point_edges(of, last, &b[0], &b[1]);
+    *low = of->value * fmin(a[0], b[0]);
+    *high = of->value * fmax(a[1], b[1]);
 }
 
 /// Shades the ranges of the parameter in which there is contact, behind the panels that follow.
@@ -264,14 +331,16 @@ static void write_confidence_panel(FILE *script, const diagram *of) {
         "set label 2 'confidence' at screen 0.008, graph 0.5 left\n"
         "set yrange [0:3.4]\nunset ytics\nset y2range [0:3.4]\nset y2tics ('low' 1, '' 2, 'high' 3) font small_font "
         "offset -0.6, 0\n"
-        "set boxwidth %.8g absolute\nset style fill solid 1 noborder\nunset key\n"
-        "plot 'sweep.dat' index 0 using (value*$1):($3+1):(trust_colour($3)) with boxes linecolor rgb variable notitle",
-        2.1 * of->edge);
+        "set style fill solid 1 noborder\nunset key\nlow = %zu\nhigh = %zu\n"
+        "plot 'sweep.dat' index 0 using (value*$1):($3+1):(value*(1.02*column(low)-0.02*column(high))):"
+        "(value*(1.02*column(high)-0.02*column(low))):(0):($3+1):(trust_colour($3)) with boxxyerror linecolor rgb "
+        "variable "
+        "notitle",
+        7 + of->result->station_count, 8 + of->result->station_count);
     if (of->both)
         fprintf(script,
-                ", \\\n  'sweep.dat' index 1 using (value*$1-%.8g):($3+1):(%.8g):(0) with vectors nohead linewidth 1.2 "
-                "linecolor rgb '#303030' notitle",
-                of->edge, 2.0 * of->edge);
+                ", \\\n  'sweep.dat' index 1 using (value*column(low)):($3+1):(value*(column(high)-column(low))):(0) "
+                "with vectors nohead linewidth 1.2 linecolor rgb '#303030' notitle");
     fputs("\nunset y2tics\nset ytics nomirror font small_font\n", script);
 }
 
@@ -381,7 +450,9 @@ static double room_for_label(const diagram *of, double place) {
     const double width = of->parameter.high - of->parameter.low;
     double nearest = (double)INFINITY;
     for (size_t i = 0; i < of->table->count; i++) {
-        const double at = (of->value * of->table->values[i] - of->parameter.low) / width;
+        const double value = of->value * of->table->values[i];
+        const double at = of->ratios ? log(value / of->parameter.low) / log(of->parameter.high / of->parameter.low)
+                                     : (value - of->parameter.low) / width;
         if (fabs(at - place) > 0.1) continue;
         nearest =
             fmin(nearest, fabs(of->length * max_radius(of->table, i, of->station) - of->gap)); // fmin leaves NaN out
@@ -510,6 +581,7 @@ static whirl_status write_script(const drawing *to, const diagram *of, const fig
     fprintf(script, "dot_size = %g\n", of->table->count > MANY_POINTS ? 0.06 : 0.1);
     write_colour_function(script);
     fprintf(script, "set xrange [%.10g:%.10g]\n", of->parameter.low, of->parameter.high);
+    if (of->ratios) write_log_axis(script, of->parameter);
     script_loop(script);
     fputs("set format x ''\nunset xlabel\n", script);
     write_rub_bands(script, of);

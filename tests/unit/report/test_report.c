@@ -202,9 +202,9 @@ static void confidence_is_shown(void **state) {
     *sample_field(detail, 1, "regime/advice", 0) = WHIRL_LONGER_TRANSIENT;
     *sample_field(detail, 1, "regime/advice_factor", 0) = 2;
     assert_int_equal(report_one(result, "made", &options).code, WHIRL_MISSING_PROGRAM);
-    // Value, class, confidence, exponent, its error, rub share, largest radii.
-    assert_holds("out/made/sweep.dat", "\n0.9 0 1 -0.1 0.01 0 0.8 0.8\n0.8 0 2 -0.1 0.01 0 0.8 0.8\n");
-    assert_holds("out/made/sweep.dat", "\n0.1 5 0 0.4 0.01 0.04 0.8 0.8\n");
+    // Value, class, confidence, exponent, its error, rub share, largest radii, edges.
+    assert_holds("out/made/sweep.dat", "\n0.9 0 1 -0.1 0.01 0 0.8 0.8 0.85 0.95\n0.8 0 2 -0.1 0.01 0 0.8 0.8 0.75 0.85\n");
+    assert_holds("out/made/sweep.dat", "\n0.1 5 0 0.4 0.01 0.04 0.8 0.8 0.05 0.15\n");
     assert_holds("out/made/bifurcation-disc.gp", "'confidence'");
     assert_holds("out/report.html", "high; at the second tolerance P-3");
     assert_holds("out/report.html", ". To settle it, let it run 2 times as long.");
@@ -246,7 +246,7 @@ static void curves_break_where_points_are_missing(void **state) {
     memset(sweep->done, 1, sweep->count);
     sweep->done[2] = sweep->done[3] = 0;
     assert_int_equal(report_one(result, "made", &options).code, WHIRL_MISSING_PROGRAM);
-    assert_holds("out/made/sweep.dat", "\n0.9 0 0 -0.1 0.01 0 0.8 0.8\n\n0.6 0 0 ");
+    assert_holds("out/made/sweep.dat", "\n0.9 0 0 -0.1 0.01 0 0.8 0.8 0.85 0.95\n\n0.6 0 0 ");
     whirl_result_free(result);
 }
 
