@@ -203,7 +203,8 @@ static void confidence_is_shown(void **state) {
     *sample_field(detail, 1, "regime/advice_factor", 0) = 2;
     assert_int_equal(report_one(result, "made", &options).code, WHIRL_MISSING_PROGRAM);
     // Value, class, confidence, exponent, its error, rub share, largest radii, edges.
-    assert_holds("out/made/sweep.dat", "\n0.9 0 1 -0.1 0.01 0 0.8 0.8 0.85 0.95\n0.8 0 2 -0.1 0.01 0 0.8 0.8 0.75 0.85\n");
+    assert_holds("out/made/sweep.dat",
+                 "\n0.9 0 1 -0.1 0.01 0 0.8 0.8 0.85 0.95\n0.8 0 2 -0.1 0.01 0 0.8 0.8 0.75 0.85\n");
     assert_holds("out/made/sweep.dat", "\n0.1 5 0 0.4 0.01 0.04 0.8 0.8 0.05 0.15\n");
     assert_holds("out/made/bifurcation-disc.gp", "'confidence'");
     assert_holds("out/report.html", "high; at the second tolerance P-3");
