@@ -2,10 +2,11 @@
 import { Diagram } from './data/diagram';
 import type { Run } from './data/run';
 import { needsSpectra } from './data/quantities';
-import { copyText, download, el } from './dom';
+import { copyText, download, el, isTyping, releaseFields } from './dom';
 import type { Engine, Setting, StationInfo } from './engine/protocol';
 import type { Range } from './figure/chart';
 import { setDark, theme } from './figure/figure';
+import { History } from './model/history';
 import { caseEdits, commandOf } from './model/keep';
 import { machinesOf, scalesOf, shortName, type Machine } from './model/machine';
 import { firstValue, plannedRange, sweptParameter, valueOf } from './model/original';
@@ -42,7 +43,7 @@ export class App {
   /// The units are still to be those that suit the machine.
   private unitsAwaited = false;
   private dirty = new Set<'all' | SideName | 'grow'>();
-  private addressTimer = 0;
+  private readonly history = new History(() => writeAddress(this.currentAddress()), (hash) => this.restore(hash));
 
   constructor(
     runs: readonly Run[],
@@ -129,7 +130,6 @@ export class App {
     follow();
     dark.addEventListener('change', follow);
     document.addEventListener('keydown', (event) => this.key(event));
-    window.addEventListener('hashchange', () => this.readHash());
     void this.open();
   }
 
@@ -265,14 +265,31 @@ export class App {
     void this.open();
   }
 
-  private readHash(): void {
-    const address = readAddress(location.hash, this.address.units);
-    if (writeAddress(address) === writeAddress(this.currentAddress())) return;
-    this.sights.stop();
-    this.address = address;
-    this.machine = this.machines.find(({ name }) => name === address.run) ?? this.machine;
-    this.readUnits();
-    void this.open();
+  /// Goes to an address: all anew where it is of another machine or parameter, else what differs.
+  private restore(hash: string): void {
+    const address = readAddress(hash, this.address.units);
+    const machine = this.machines.find(({ name }) => name === address.run) ?? this.machine;
+    releaseFields();
+    const anew = machine !== this.machine || (address.parameter !== '' && address.parameter !== this.address.parameter);
+    this.address = { ...address, parameter: address.parameter || this.address.parameter };
+    this.active = address.b ? this.active : 'a';
+    for (const name of ['a', 'b'] as const) this.endWatch(name);
+    if (anew) {
+      this.sights.stop();
+      this.machine = machine;
+      this.address.parameter = address.parameter;
+      this.readUnits();
+      void this.open();
+      return;
+    }
+    const { a, b } = this.sides;
+    a.choice = address.a;
+    this.chooseValue();
+    if (address.b) b.choice = address.b;
+    else b.forget();
+    this.sights.restore(address.range ?? this.whole, this.whole);
+    void this.refreshSides();
+    this.later('all');
   }
 
   /// An address that names no units leaves them to the machine.
@@ -521,7 +538,7 @@ export class App {
   }
 
   private async copyLink(): Promise<void> {
-    this.writeHash();
+    this.history.write();
     this.said(await copyText(location.href), 'The address is on the clipboard.');
   }
 
@@ -543,10 +560,6 @@ export class App {
       range: zoomed ? view : undefined,
       station: this.stations[this.station]?.name ?? '',
     };
-  }
-
-  private writeHash(): void {
-    history.replaceState(null, '', writeAddress(this.currentAddress()));
   }
 
   private setTheme(dark: boolean): void {
@@ -571,6 +584,14 @@ export class App {
   private key(event: KeyboardEvent): void {
     const typing = event.target instanceof HTMLInputElement || event.target instanceof HTMLSelectElement;
     if (event.key === '?' && !typing) this.openHelp();
+    // A field that is being typed into has an undo of its own.
+    const command = (event.ctrlKey || event.metaKey) && !event.altKey && !isTyping();
+    const key = event.key.toLowerCase();
+    if (command && (key === 'z' || key === 'y')) {
+      event.preventDefault();
+      if (key === 'y' || event.shiftKey) this.history.redo();
+      else this.history.undo();
+    }
     if (event.key === 'Escape') {
       this.sights.stop();
       for (const name of ['a', 'b'] as const) this.endWatch(name);
@@ -593,8 +614,7 @@ export class App {
     for (const name of this.shownSides()) if (dirty.has('all') || dirty.has(name)) this.showPane(name);
     this.card.map.setCursors(this.sides.a.choice.value, this.address.b ? this.sides.b.choice.value : NaN);
     this.showSettings();
-    clearTimeout(this.addressTimer);
-    this.addressTimer = window.setTimeout(() => this.writeHash(), 250);
+    this.history.soon();
   }
 
   private showAll(): void {

@@ -106,3 +106,24 @@ export async function copyText(text: string): Promise<boolean> {
     return done;
   }
 }
+
+/// The field that the reader is at, and whether it has changed since its value was last taken.
+let touched: { readonly field: EventTarget | null; typing: boolean } | undefined;
+document.addEventListener('input', ({ target }) => (touched = { field: target, typing: true }), true);
+document.addEventListener('change', ({ target }) => touched?.field === target && (touched.typing = false), true);
+document.addEventListener('focusout', () => (touched = undefined), true);
+
+/// Whether what stands in a field is the reader's: it keeps the focus since it was changed.
+export function isTouched(field: HTMLElement): boolean {
+  return touched?.field === field;
+}
+
+/// Whether the reader is in the middle of a change of a field.
+export function isTyping(): boolean {
+  return touched?.typing ?? false;
+}
+
+/// What stands in fields is the page's again.
+export function releaseFields(): void {
+  touched = undefined;
+}

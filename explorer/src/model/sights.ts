@@ -16,6 +16,7 @@ export interface Sight {
 /// How well a diagram is computed.
 export type Quality = 'draft' | 'quick' | 'case';
 
+const MOST_LEFT = 16;
 const COARSE_STEPS = 256;
 const GLIMPSE: Pass = { text: 'a first glimpse', look: { transient: 24, record: 12, stepsPerRevolution: COARSE_STEPS }, coarse: true };
 const DRAFT: Pass = { text: 'undetermined until they run at full length', look: { transient: 100, record: 50, stepsPerRevolution: COARSE_STEPS } };
@@ -41,6 +42,8 @@ export class Sights {
   /// Of the diagram that is being computed.
   progress: SweepProgress | undefined;
   private stack: Sight[] = [];
+  /// Those that were gone back from, for the way forward.
+  private left: Sight[] = [];
   private sweeping: AbortController | undefined;
 
   constructor(
@@ -65,6 +68,7 @@ export class Sights {
   /// Begins with `sight`, or with nothing.
   open(sight?: Sight): void {
     this.stack = sight ? [sight] : [];
+    this.left = [];
     this.listener.changed();
   }
 
@@ -87,14 +91,38 @@ export class Sights {
   back(): void {
     if (this.behind === 0) return;
     this.stop();
-    this.stack.pop();
+    this.leave(this.behind);
+    this.listener.changed();
+  }
+
+  /// Takes away all from one on.
+  private leave(from: number): void {
+    this.left = [...this.stack.splice(from).reverse(), ...this.left].slice(0, MOST_LEFT);
+  }
+
+  /// Shows a range that was shown before: the diagram that was looked at there, else that part of the present one.
+  restore(range: Range, whole: Range): void {
+    const shows = (sight: Sight) => sight.range.every((end, i) => Math.abs(end - range[i]!) < 1e-6 * (range[1] - range[0]));
+    const at = this.stack.map(shows).lastIndexOf(true);
+    if (at >= 0 && at === this.behind) return;
+    this.stop();
+    const again = this.left.find(shows);
+    if (at >= 0) this.leave(at + 1);
+    else if (again) {
+      this.left = this.left.filter((sight) => sight !== again);
+      this.stack.push(again);
+    } else this.view(range, whole);
     this.listener.changed();
   }
 
   /// Back to the first one, all of it.
   reset(whole: Range): void {
     this.stop();
-    if (this.first) this.open({ ...this.first, range: whole });
+    const { first } = this;
+    if (!first) return;
+    this.leave(1);
+    this.stack = [{ ...first, range: whole }];
+    this.listener.changed();
   }
 
   /// Ends the computation of a diagram; what there is of it stays.

@@ -7,6 +7,7 @@ const KEYS: readonly (readonly [string, string])[] = [
   ['Home, End', 'to the ends of the range'],
   ['+ \u2212', 'zoom in and out about the cursor; the wheel does the same'],
   ['Backspace', 'back to the diagram before'],
+  ['Ctrl+Z, Ctrl+Shift+Z', 'undo, redo (also Ctrl+Y, and Back and Forward of the browser), wherever the focus is'],
   ['Esc', 'stops what is being computed, closes this help'],
   ['?', 'this help'],
 ];

@@ -1,6 +1,6 @@
 // A pane: the motion at one setting (A or B), its verdict in words, and its panels.
 import { Motion } from '../data/motion';
-import { button, el, select } from '../dom';
+import { button, el, isTouched, select } from '../dom';
 import type { Diagram } from '../data/diagram';
 import type { PointResult, StationInfo, Verdict } from '../engine/protocol';
 import { regimeClass } from '../data/regimes';
@@ -124,7 +124,7 @@ export class Pane {
     this.unit.textContent = measure.unit;
     const refused = this.field.hasAttribute('aria-invalid') && subject.trouble !== '';
     markField(this.field, refused);
-    if (document.activeElement !== this.field && !refused) this.field.value = Number.isFinite(subject.value) ? written(subject.value * measure.factor, 6) : '';
+    if (!isTouched(this.field) && !refused) this.field.value = Number.isFinite(subject.value) ? written(subject.value * measure.factor, 6) : '';
     this.showVerdict(subject.result?.verdict, subject.busy);
     this.how.textContent = subject.busy || subject.how;
     this.turning.textContent = subject.result ? speedText(subject.result.speed, subject.units) : '';

@@ -1,5 +1,5 @@
 // The parameters of a case: a slider and a number for each, with unit, range and meaning as the engine's descriptors say.
-import { button, el } from '../dom';
+import { button, el, isTouched } from '../dom';
 import type { CaseInfo, ParameterInfo } from '../engine/protocol';
 import { markField, typedNumber } from '../model/typed';
 import { labelled, parameterMeasure, shown, written, type Units } from '../model/units';
@@ -127,8 +127,8 @@ class Row {
     const range = rangeOf(this.original, this.notation);
     this.meaning.textContent = [meaningOf(this.original), range && `(${range})`].filter((part) => part).join(' ');
     const { low, high } = this.bounds;
-    if (document.activeElement !== this.slider) this.slider.value = String(Math.round(((now.value - low) / (high - low)) * STEPS));
-    if (document.activeElement !== this.field && !this.refused) this.field.value = written(now.value * this.notation.factor, 7);
+    if (!isTouched(this.slider)) this.slider.value = String(Math.round(((now.value - low) / (high - low)) * STEPS));
+    if (!isTouched(this.field) && !this.refused) this.field.value = written(now.value * this.notation.factor, 7);
     this.field.setAttribute('aria-label', labelled(this.name, this.notation.unit));
     this.slider.setAttribute('aria-valuetext', `${shown(now.value * this.notation.factor)} ${this.notation.unit}`);
     this.reset.disabled = !changed && !this.refused;

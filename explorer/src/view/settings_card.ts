@@ -1,5 +1,5 @@
 // The card of the setting: parameters, how motions are computed, and what can be taken away.
-import { button, el, select, setChoices } from '../dom';
+import { button, el, isTouched, select, setChoices } from '../dom';
 import type { CaseInfo } from '../engine/protocol';
 import type { Computation } from '../model/setting';
 import { markField, typedWhole } from '../model/typed';
@@ -86,7 +86,7 @@ export class SettingsCard {
       const field = this.fields[key];
       const refused = field.hasAttribute('aria-invalid') && trouble !== '';
       markField(field, refused);
-      if (document.activeElement !== field && !refused) field.value = String(values[key] ?? '');
+      if (!isTouched(field) && !refused) field.value = String(values[key] ?? '');
     }
   }
 
