@@ -10,9 +10,10 @@ import { History } from './model/history';
 import { caseEdits, commandOf } from './model/keep';
 import { machinesOf, scalesOf, shortName, type Machine } from './model/machine';
 import { firstValue, plannedRange, sweptParameter, valueOf } from './model/original';
+import type { Plan } from './model/recompute';
 import { assignmentTexts, readAddress, writeAddress, type Address, type Computation } from './model/setting';
 import { SideModel, troubleOf } from './model/side';
-import { Sights, type Sight } from './model/sights';
+import { howOf, Sights, type Sight } from './model/sights';
 import { parameterMeasure, readable, shown, unitsFor, written, type Scales, type Units } from './model/units';
 import { Watch } from './model/watch';
 import { Help } from './view/help';
@@ -42,6 +43,7 @@ export class App {
   private readonly banner = el('p', { class: 'trouble banner', role: 'alert' });
   /// The units are still to be those that suit the machine.
   private unitsAwaited = false;
+  private refineTimer = 0;
   private dirty = new Set<'all' | SideName | 'grow'>();
   private readonly history = new History(() => writeAddress(this.currentAddress()), (hash) => this.restore(hash));
 
@@ -74,7 +76,10 @@ export class App {
     this.card = new MapCard({
       cursor: (value, settled) => this.cursor(this.active, value, settled),
       brushed: (range) => this.brushed(range),
-      viewed: (range) => this.sights.view(range, this.whole),
+      viewed: (range) => {
+        this.sights.view(range, this.whole);
+        this.refineSoon();
+      },
       back: () => this.sights.back(),
       quantity: (id) => this.change({ quantity: id }),
       station: (index) => this.change({ station: this.stations[index]?.name ?? '' }),
@@ -219,7 +224,8 @@ export class App {
     if (!known) this.address.parameter = swept;
     const diagram = this.storedDiagram;
     const range = this.address.range ?? diagram?.span ?? plannedRange(this.original, this.address.parameter);
-    this.sights.open({ diagram, range, of: '', text: diagram ? this.storedText(diagram) : '' });
+    this.sights.open({ diagram, range, of: '', text: diagram ? this.storedText(diagram) : '', how: howOf({}) });
+    if (diagram && this.address.range) this.refineSoon();
   }
 
   /// What the stored run varies may be its length scale itself: then every point has its own.
@@ -288,6 +294,7 @@ export class App {
     if (address.b) b.choice = address.b;
     else b.forget();
     this.sights.restore(address.range ?? this.whole, this.whole);
+    this.refineSoon();
     void this.refreshSides();
     this.later('all');
   }
@@ -444,14 +451,29 @@ export class App {
   }
 
   /// Computes the diagram over a range with the active setting.
-  private async recompute([low, high]: Range, first = false): Promise<void> {
-    const { parameter } = this.address;
-    if (!parameter || !this.engine) return;
-    const { side } = this;
-    const plan = { setting: this.settingOf(side), parameter, low, high, points: this.card.points, batch: this.original?.batches[0], spectra: needsSpectra(this.address.quantity) };
-    const trouble = await this.sights.compute(plan, this.card.quality, assignmentTexts(side.choice.assignments).join('; '), first);
+  private async recompute(range: Range, first = false): Promise<void> {
+    if (!this.address.parameter || !this.engine) return;
+    const of = assignmentTexts(this.side.choice.assignments).join('; ');
+    this.report(await this.sights.compute(this.planOf(range), this.card.quality, of, first));
+    this.refineSoon(); // the view may have moved meanwhile
+  }
+
+  private planOf([low, high]: Range): Plan {
+    return { setting: this.settingOf(this.side), parameter: this.address.parameter, low, high, points: this.card.points, batch: this.original?.batches[0], spectra: needsSpectra(this.address.quantity) };
+  }
+
+  /// Computes finer points in the view once it has come to rest.
+  private refineSoon(): void {
+    clearTimeout(this.refineTimer);
+    this.refineTimer = window.setTimeout(async () => {
+      const { original, sights } = this;
+      if (original && sights.shown) this.report(await sights.refine(this.planOf(sights.shown.range), this.card.quality));
+    }, 400);
+  }
+
+  private report(trouble: string): void {
     if (!trouble) return;
-    side.trouble = trouble;
+    this.side.trouble = trouble;
     this.later('all');
   }
 
@@ -624,6 +646,7 @@ export class App {
     for (const name of ['a', 'b'] as const) this.panes[name].active = comparing && name === this.active;
     this.topbar.show(this.machine, this.machines, this.address.units, this.scales.symbol, comparing);
     const { sight } = this;
+    const text = [sight.text, sight.note].filter((part) => part).join(' ');
     const stale = sight.of !== assignmentTexts(this.side.choice.assignments).join('; ');
     this.card.show({
       diagram: sight.diagram,
@@ -639,7 +662,7 @@ export class App {
       parameters: this.original?.parameters.map(({ name }) => name) ?? [this.address.parameter],
       depth: this.sights.behind,
       computes: this.engine !== undefined,
-      status: stale ? `${sight.text} The parameters have been changed since: Recompute shows the diagram of the changed machine.` : sight.text,
+      status: stale ? `${text} The parameters have been changed since: Recompute shows the diagram of the changed machine.` : text,
       stale,
       name: shortName(this.machine),
     });

@@ -109,5 +109,5 @@ test('the weakest evidence goes first', async () => {
     exponent: (point) => ({ value: exponent[point] }),
   };
   // Point 5 is not known at all, point 4 has its verdict.
-  assert.deepEqual(doubtfulFirst(diagram, 6), [5, 1, 3, 2, 0]);
+  assert.deepEqual(doubtfulFirst(diagram, [0, 1, 2, 3, 4, 5]), [5, 1, 3, 2, 0]);
 });

@@ -74,6 +74,24 @@ export class Diagram {
     return new Diagram(parameter, values, branch);
   }
 
+  /// The points that `keep` says, and behind them points that are still to come.
+  joined(keep: (point: number) => boolean, values: Float64Array, branch: Int8Array): Diagram {
+    const old = Array.from(this.values.keys()).filter(keep);
+    const all = <T extends Float64Array | Int8Array>(made: T, kept: T, added: T) => (old.forEach((point, i) => (made[i] = kept[point]!)), made.set(added, old.length), made);
+    const count = old.length + values.length;
+    const made = new Diagram(this.parameter, all(new Float64Array(count), this.values, values), all(new Int8Array(count), this.branch, branch));
+    old.forEach((point, i) => {
+      for (const key of ['classes', 'done', 'provisional', 'lengthScales'] as const) made[key][i] = this[key][point]!;
+      made.verdicts[i] = this.verdicts[point]!;
+    });
+    for (const [key, { rows, data }] of this.columns) {
+      const wide = new Float32Array(count * rows).fill(NaN);
+      old.forEach((point, i) => wide.set(data.subarray(point * rows, (point + 1) * rows), i * rows));
+      made.columns.set(key, { rows, data: wide });
+    }
+    return made;
+  }
+
   /// Makes room for the engine's points; numbers that are there stay.
   expect(layout: Layout): void {
     this.layout = layout;

@@ -44,11 +44,12 @@ export class History {
       const step = (event.state as { step?: number } | null)?.step;
       this.step = step ?? this.step + 1; // an address that was typed in is a new entry
       this.newest = step === undefined ? this.step : Math.max(this.newest, this.step);
-      this.written = location.hash;
       this.acted = '';
       this.last = { keys: '', time: -Infinity };
-      if (step === undefined) history.replaceState({ step: this.step }, '');
       restore(location.hash);
+      // What the page makes of it is no deed of the reader's.
+      this.written = this.address();
+      history.replaceState({ step: this.step }, '', this.written);
     });
   }
 

@@ -11,6 +11,9 @@ export interface Plan {
   readonly batch: BatchInfo | undefined;
   /// With what is found in spectra.
   readonly spectra: boolean;
+  /// Points of the diagram that are wanted, along the parameter as the case goes, those of a way back right behind them; left
+  /// out: all.
+  readonly places?: readonly number[];
 }
 
 /// One pass over a diagram.
@@ -56,18 +59,38 @@ export function coarseToFine(count: number): number[] {
 /// The diagram that a plan will fill, points in the order of the case's own sweep.
 export function awaitedDiagram(plan: Plan): Diagram {
   const { low, high, points } = plan;
+  const { values, branch } = along(plan, Array.from({ length: points }, (_, i) => (points > 1 ? low + ((high - low) * i) / (points - 1) : low)));
+  return Diagram.awaited(plan.parameter, values, branch);
+}
+
+/// Rising values in the order of the case's own sweep, once for every way that it goes.
+function along(plan: Plan, rising: readonly number[]): { values: Float64Array; branch: Int8Array } {
   const falling = plan.batch !== undefined && plan.batch.parameter === plan.parameter && (plan.batch.values[0] ?? 0) > (plan.batch.values.at(-1) ?? 0);
-  const [from, to] = falling ? [high, low] : [low, high];
+  const once = falling ? [...rising].reverse() : rising;
   const carry = carryOf(plan);
   const ways = carry === 'both' ? [1, -1] : [carry === 'forward' ? 1 : carry === 'reverse' ? -1 : 0];
-  const values = new Float64Array(points * ways.length);
-  const branch = new Int8Array(values.length);
-  for (let i = 0; i < values.length; i++) {
-    const place = i % points;
-    values[i] = points > 1 ? from + ((to - from) * place) / (points - 1) : from;
-    branch[i] = ways[Math.floor(i / points)]!;
-  }
-  return Diagram.awaited(plan.parameter, values, branch);
+  return { values: Float64Array.from(ways.flatMap(() => once)), branch: Int8Array.from(ways.flatMap((way) => once.map(() => way))) };
+}
+
+/// The diagram with what is missing of the plan's points in its range, which lie on halves, quarters, ... of the diagram's own
+/// range, so that another zoom finds them again; undefined where nothing is missing or all of it is in view.
+export function finerDiagram(plan: Plan, coarse: Diagram): { readonly diagram: Diagram; readonly plan: Plan } | undefined {
+  const { points } = plan;
+  const [from, to] = coarse.span;
+  const [low, high] = [Math.max(plan.low, from), Math.min(plan.high, to)];
+  if (!(high > low) || high - low > 0.9 * (to - from)) return undefined;
+  const parts = 2 ** Math.ceil(Math.log2((points * (to - from)) / (high - low)));
+  const step = (to - from) / parts;
+  const inside = (value: number) => value >= low - 0.25 * step && value <= high + 0.25 * step;
+  const keep = (point: number) => coarse.done[point] === 1 && !(coarse.provisional[point] && inside(coarse.values[point]!));
+  const there = new Set(Array.from(coarse.values.keys()).filter(keep).map((point) => Math.round((coarse.values[point]! - from) / step)));
+  const rising: number[] = [];
+  for (let i = Math.ceil((low - from) / step); i <= (high - from) / step; i++) if (!there.has(i)) rising.push(from + i * step);
+  if (rising.length < 2) return undefined;
+  const { values, branch } = along(plan, rising);
+  const diagram = coarse.joined(keep, values, branch);
+  const first = diagram.count - values.length;
+  return { diagram, plan: { ...plan, points: rising.length, places: rising.map((_, i) => first + i) } };
 }
 
 function carryOf(plan: Plan): Carry {
@@ -76,23 +99,33 @@ function carryOf(plan: Plan): Carry {
 
 /// Places of the points of the first branch that have no verdict yet: first those whose evidence is weakest, of these the
 /// least stable first.
-export function doubtfulFirst(diagram: Diagram, count: number): number[] {
+export function doubtfulFirst(diagram: Diagram, places: readonly number[]): number[] {
   const agreement = (point: number) => diagram.number(point, 'regime/agreement') || 0;
   const exponent = (point: number) => {
     const { value } = diagram.exponent(point);
     return Number.isFinite(value) ? value : Number.MAX_VALUE;
   };
-  const open = coarseToFine(count).filter((point) => !diagram.done[point] || diagram.provisional[point]);
+  const open = spread(places).filter((point) => !diagram.done[point] || diagram.provisional[point]);
   return open.sort((a, b) => agreement(a) - agreement(b) || exponent(b) - exponent(a) || 0);
 }
 
-function orderOf(plan: Plan, pass: Pass, diagram: Diagram): number[] {
+function spread(places: readonly number[]): number[] {
+  return coarseToFine(places.length).map((i) => places[i]!);
+}
+
+function placesOf(plan: Plan): readonly number[] {
+  return plan.places ?? Array.from({ length: plan.points }, (_, i) => i);
+}
+
+function orderOf(plan: Plan, pass: Pass, diagram: Diagram): readonly number[] {
+  const places = placesOf(plan);
   const chained = carryOf(plan) !== 'none';
-  if (pass.coarse) return coarseToFine(plan.points).slice(0, COARSE);
-  if (!chained) return pass.doubtful ? doubtfulFirst(diagram, plan.points) : coarseToFine(plan.points);
+  if (pass.coarse) return spread(places).slice(0, COARSE);
+  if (!chained) return pass.doubtful ? doubtfulFirst(diagram, places) : spread(places);
   // Points that follow one another go together.
-  const settled = pass.doubtful && diagram.known === diagram.count && !diagram.provisional.includes(1);
-  return settled ? [] : Array.from({ length: plan.points }, (_, i) => i);
+  const open = (point: number) => !diagram.done[point] || diagram.provisional[point] === 1;
+  const back = carryOf(plan) === 'both' ? places.map((place) => place + places.length) : [];
+  return !pass.doubtful || [...places, ...back].some(open) ? places : [];
 }
 
 /// Fills the diagram; the sentence of what went wrong, "" when all went well or it was stopped.
@@ -111,7 +144,7 @@ export async function recompute(engine: Engine, plan: Plan, pass: Pass, diagram:
     {
       layout: (layout) => diagram.expect(layout),
       points: (points) => {
-        diagram.take(points, (slot) => (slot < order.length ? order[slot]! : slot));
+        diagram.take(points, (slot) => (slot < order.length ? order[slot]! : order[slot - order.length]! + order.length));
         listener.grown();
       },
       progress: (progress) => listener.progress(progress),

@@ -1,7 +1,7 @@
 // The diagrams that were looked at, one behind the other, and the one that is being computed.
 import type { Diagram } from '../data/diagram';
-import type { Engine, SweepProgress } from '../engine/protocol';
-import { awaitedDiagram, recompute, type Pass, type Plan } from './recompute';
+import type { Engine, Setting, SweepProgress } from '../engine/protocol';
+import { awaitedDiagram, finerDiagram, recompute, type Pass, type Plan } from './recompute';
 
 type Range = readonly [number, number];
 
@@ -11,6 +11,17 @@ export interface Sight {
   /// The assignments that it was computed with.
   readonly of: string;
   readonly text: string;
+  /// What it was computed with, as `howOf` says.
+  readonly how: string;
+  /// Points before the first refinement.
+  readonly coarse?: number;
+  /// On finer points, "" where there are none.
+  readonly note?: string;
+}
+
+/// What a diagram's points share: those of another setting do not go with them.
+export function howOf({ assignments, integrate, record }: Partial<Setting>): string {
+  return JSON.stringify([assignments ?? [], integrate ?? {}, record ?? {}]);
 }
 
 /// How well a diagram is computed.
@@ -45,6 +56,8 @@ export class Sights {
   /// Those that were gone back from, for the way forward.
   private left: Sight[] = [];
   private sweeping: AbortController | undefined;
+  /// What is being computed are finer points of a diagram.
+  private refining = false;
 
   constructor(
     private readonly engine: Engine | undefined,
@@ -135,32 +148,56 @@ export class Sights {
   async compute(plan: Plan, quality: Quality, of: string, first: boolean): Promise<string> {
     if (!this.engine) return '';
     this.stop();
-    const mine = (this.sweeping = new AbortController());
     const diagram = awaitedDiagram(plan);
     if (first) this.stack = [];
-    this.stack.push({ diagram, range: [plan.low, plan.high], of, text: '' });
+    this.stack.push({ diagram, range: [plan.low, plan.high], of, text: '', how: howOf(plan.setting) });
+    return this.fill(plan, quality, diagram, false, (sight, text) => ({ ...sight, text: `Computed here, ${quality}: ${diagram.count} points${text && `, ${text}`}.` }));
+  }
+
+  /// Whether a whole diagram is being computed.
+  private get computing(): boolean {
+    return this.sweeping !== undefined && !this.refining && !this.sweeping.signal.aborted;
+  }
+
+  /// Adds finer points to the diagram that is shown, in its range, where that is a part of it; they stay with it.
+  async refine(plan: Plan, quality: Quality): Promise<string> {
+    if (!this.engine || this.computing) return '';
+    this.stop(); // finer points of another range
+    const { shown } = this;
+    if (!shown?.diagram || shown.how !== howOf(plan.setting)) return '';
+    const finer = finerDiagram(plan, shown.diagram);
+    if (!finer) return '';
+    const { diagram } = finer;
+    const replace = (sight: Sight): Sight => (sight.diagram === shown.diagram ? { ...sight, diagram, coarse: sight.coarse ?? sight.diagram!.count } : sight);
+    [this.stack, this.left] = [this.stack.map(replace), this.left.map(replace)];
+    return this.fill(finer.plan, quality, diagram, true, (sight, text) => ({ ...sight, note: `${diagram.known - sight.coarse!} finer points were computed here${text && `, ${text}`}.` }));
+  }
+
+  /// Computes the points of a plan in passes; `say` puts what is being done into the texts of its sights.
+  private async fill(plan: Plan, quality: Quality, diagram: Diagram, refining: boolean, say: (sight: Sight, text: string) => Sight): Promise<string> {
+    const mine = (this.sweeping = new AbortController());
+    this.refining = refining;
     const tell = (now: SweepProgress | undefined) => {
       if (mine !== this.sweeping) return;
       this.progress = now;
       this.listener.progress(now);
     };
-    const say = (text: string) => {
-      const at = this.stack.findIndex((sight) => sight.diagram === diagram);
-      if (at >= 0) this.stack[at] = { ...this.stack[at]!, text: `Computed here, ${quality}: ${diagram.count} points${text && `, ${text}`}.` };
+    const told = (text: string) => {
+      this.stack = this.stack.map((sight) => (sight.diagram === diagram ? say(sight, text) : sight));
       this.listener.changed();
     };
     let trouble = '';
     for (const pass of PASSES[quality]) {
-      say(pass.text);
-      tell({ pointsDone: 0, pointsTotal: diagram.count, revolutionsDone: 0, revolutionsTotal: 0 });
-      trouble ||= await recompute(this.engine, plan, pass, diagram, { grown: () => this.listener.grown(), progress: tell }, mine.signal);
+      told(pass.text);
+      tell({ pointsDone: 0, pointsTotal: plan.points, revolutionsDone: 0, revolutionsTotal: 0 });
+      trouble ||= await recompute(this.engine!, plan, pass, diagram, { grown: () => this.listener.grown(), progress: tell }, mine.signal);
       if (mine !== this.sweeping || mine.signal.aborted || trouble) break;
     }
     if (mine !== this.sweeping) return '';
     tell(undefined);
     this.sweeping = undefined;
     const open = diagram.provisional.reduce((sum, one) => sum + one, 0);
-    say(open > 0 ? `${open} undetermined: they have not run at full length` : '');
+    told(open > 0 ? `${open} undetermined: they have not run at full length` : '');
     return trouble;
   }
 }
