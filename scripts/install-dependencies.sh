@@ -19,7 +19,7 @@ declare -A packages=(
             python3-h5py"
     # dpkg-dev unpacks the sources of libyaml and muParser, which emscripten compiles.
     [explorer]="emscripten nodejs npm dpkg-dev libudunits2-dev"
-    [browser]="chromium"
+    [browser]="chromium firefox-esr"
     [lint]="clang-format clang-tidy cppcheck"
     # The programs that are measured beside whirl; none of them is needed for whirl itself.
     [bench]="libgsl-dev libboost-dev octave python3 python3-numba"

@@ -1,5 +1,5 @@
 #!/bin/bash
-# The tests of the explorer's page in a real browser:  run.sh WHIRL TEMPLATE
+# The tests of the explorer's page in real browsers:  run.sh WHIRL TEMPLATE
 # Exit status 77, with one line, where something that they need is missing.
 set -u
 WHIRL=$(realpath "$1") || exit 1
@@ -17,6 +17,11 @@ command -v node >/dev/null || skip "node is missing (scripts/install-dependencie
 for browser in "${CHROMIUM:-}" chromium chromium-browser google-chrome; do
     [ -n "$browser" ] && CHROMIUM=$(command -v "$browser") && break
 done
-[ -n "${CHROMIUM:-}" ] || skip "Chromium is missing (scripts/install-dependencies.sh explorer)"
+[ -n "${CHROMIUM:-}" ] || skip "Chromium is missing (scripts/install-dependencies.sh browser)"
 export CHROMIUM
+# The tests in Firefox say themselves that they are left out.
+for browser in "${FIREFOX:-}" firefox-esr firefox; do
+    [ -n "$browser" ] && FIREFOX=$(command -v "$browser") && break
+done
+export FIREFOX
 exec node --test tests/page*.test.mjs

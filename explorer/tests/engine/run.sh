@@ -18,7 +18,7 @@ if [ "$kind" = chromium ]; then
     for browser in "${CHROMIUM:-}" chromium chromium-browser google-chrome; do
         [ -n "$browser" ] && CHROMIUM=$(command -v "$browser") && break
     done
-    [ -n "${CHROMIUM:-}" ] || skip "Chromium is missing (scripts/install-dependencies.sh explorer)"
+    [ -n "${CHROMIUM:-}" ] || skip "Chromium is missing (scripts/install-dependencies.sh browser)"
     export CHROMIUM
     exec node --test tests/engine/chromium.test.mjs
 fi
