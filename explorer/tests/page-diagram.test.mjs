@@ -81,13 +81,13 @@ test('a draft has no verdicts, and says so', async () => {
 });
 
 test('a dragged cursor gives no verdict before it rests', async () => {
-  const { page, complaints, close } = await open(`${address}#at=3.3`);
+  const { page, complaints, close } = await open(`${address}#at=3.4`);
   const verdict = await settled(page);
   const box = await (await page.$('.map-main .overlay')).boundingBox();
   const at = (omega) => box.x + (box.width * (omega - 1)) / 3;
-  await page.mouse.move(at(3.35), box.y + 80);
+  await page.mouse.move(at(3.45), box.y + 80);
   await page.mouse.down();
-  await page.mouse.move(at(3.3), box.y + 80, { steps: 3 });
+  await page.mouse.move(at(3.4), box.y + 80, { steps: 3 });
   await page.waitForFunction(() => /quick look/.test(document.querySelector('.pane-a .how').textContent));
   assert.equal(await page.textContent('.pane-a .verdict'), 'undetermined');
   assert.match(await page.textContent('.pane-a .reason'), /first look of 200 \+ 100 revolutions.*takes the 600 \+ 100/);

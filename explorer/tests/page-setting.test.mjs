@@ -162,7 +162,7 @@ test('an error speaks the unit that was typed, and what is left of the last good
   assert.doesNotMatch(await troubled(page), /rad\/s/);
   assert.equal(await page.textContent('.pane-a .verdict'), verdict);
   assert.match(await page.textContent('.outdated-note'), /last setting that could be computed, omega = 6207\.\d+ rpm\.$/);
-  const opacity = () => page.$eval('.pane-a .panels', (panels) => Number(getComputedStyle(panels).opacity));
+  const opacity = () => page.$eval('.pane-a .panels .figure', (panels) => Number(getComputedStyle(panels).opacity));
   assert.ok((await opacity()) < 0.6);
   assert.match((await saved(page, '.panel-orbit', 'csv')).name, /omega-6207/, 'a file is named after what is in it');
   await type(page, '#value-a', '6000');

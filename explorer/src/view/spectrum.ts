@@ -70,13 +70,14 @@ abstract class SpectralPanel extends Panel {
   protected abstract describe(): void;
 
   private drawPeaks(pen: Pen, frame: Frame, colours: Theme): void {
+    if (!this.subject) return;
     const size = textSize() * frame.ratio;
     const face = font(size);
     pen.font = face;
     pen.fillStyle = colours.ink;
     pen.textAlign = 'center';
     pen.textBaseline = 'bottom';
-    const hertz = this.subject!.units.frequency === 'Hz';
+    const hertz = this.subject.units.frequency === 'Hz';
     const textOf = ({ frequency }: Peak) => (hertz ? shown(Math.abs(frequency), 4) : `${shown(Math.abs(frequency), 3)}X`);
     const top = skyline(frame, this.curve.frequency, this.curve.amplitudes);
     for (const label of placeLabels(this.peaks, textOf, frame, top, size, (text) => textWidth(text, face))) pen.fillText(label.text, label.centre, label.bottom);
