@@ -52,7 +52,8 @@ void script_begin(FILE *script, const figure *what, double width, double height,
         "base_font = sprintf('%%s,%%.3g', font_name, font_size)\n"
         "small_font = sprintf('%%s,%%.3g', font_name, 0.9*font_size)\n",
         what->stem, width, height, font);
-    fputs("set encoding utf8\nset minussign\n"
+    fputs("top = show_title ? 0.975 : 1 # share of the height that the panels have\n"
+          "set encoding utf8\nset minussign\n"
           "set border 31 linewidth 0.5 linecolor rgb '#303030'\n"
           "set tics scale 0.4 font small_font textcolor rgb '#000000'\n"
           "set xtics nomirror\nset ytics nomirror\n"
@@ -76,7 +77,7 @@ void script_loop(FILE *script) {
           "}\n"
           "set output name.'.'.format\n"
           "set multiplot\n"
-          "if (show_title) { set label 1 title_text at screen 0.5, graph 1 center offset 0, 1.2 }\n",
+          "if (show_title) { set label 1 title_text at screen 0.5, screen 0.5*(1 + top) center }\n",
           script);
 }
 
@@ -86,7 +87,7 @@ void script_end(FILE *script) {
 
 void script_panel(FILE *script, double left, double right, double bottom, double top) {
     fprintf(script, "set lmargin at screen %.5f\nset rmargin at screen %.5f\n", left, right);
-    fprintf(script, "set bmargin at screen %.5f\nset tmargin at screen %.5f\n", bottom, top);
+    fprintf(script, "set bmargin at screen %.5f*top\nset tmargin at screen %.5f*top\n", bottom, top);
 }
 
 double tic_step(double width, int most) {

@@ -359,10 +359,11 @@ static int key_rows(const diagram *of) {
 }
 
 static void write_key(FILE *script, const diagram *of) {
-    fprintf(script,
-            "set key at screen 0.53, screen 0.995 center top horizontal maxrows %d Left reverse samplen 0.2 width %s "
-            "font small_font\n",
-            key_rows(of), of->both ? "-4" : "-2");
+    fprintf(
+        script,
+        "set key at screen 0.53, screen 0.995*top center top horizontal maxrows %d Left reverse samplen 0.2 width %s "
+        "font small_font\n",
+        key_rows(of), of->both ? "-4" : "-2");
     fputs("plot ", script);
     for (int kind = 0; kind < CLASS_COUNT; kind++)
         if (of->present[kind])
