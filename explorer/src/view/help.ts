@@ -5,7 +5,7 @@ const KEYS: readonly (readonly [string, string])[] = [
   ['\u2190 \u2192', 'move the cursor; with Shift ten times as far'],
   ['Page Up, Page Down', 'a twentieth of the range'],
   ['Home, End', 'to the ends of the range'],
-  ['+ \u2212', 'zoom in and out about the cursor; the wheel does the same'],
+  ['+ \u2212', 'zoom in and out about the cursor; the wheel does the same. Finer points are then computed in the view'],
   ['Backspace', 'back to the diagram before'],
   ['Ctrl+Z, Ctrl+Shift+Z', 'undo, redo (also Ctrl+Y, and Back and Forward of the browser), wherever the focus is'],
   ['Esc', 'stops what is being computed, closes this help'],
