@@ -33,6 +33,7 @@ static whirl_status describe_case(const char *path, const whirl_case *object) {
     if (status.code != WHIRL_OK) return status;
     whirl_study study;
     status = whirl_case_study(object, &study);
+    if (status.code == WHIRL_OK) status = whirl_study_choose_methods(&study);
     if (status.code == WHIRL_OK) {
         const whirl_system *const system = whirl_rotor_system(rotor);
         char name[WHIRL_MESSAGE_SIZE];

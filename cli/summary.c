@@ -188,6 +188,7 @@ void summarize_result(const whirl_result *result) {
     }
     for (size_t i = 0; i < result->table_count; i++) {
         const whirl_table *const table = &result->tables[i];
+        if (table->integrate.chosen) printf("method auto took %s for the %s\n", table->integrate.method, table->name);
         const size_t planned = whirl_table_planned(table);
         if (table->parameter[0] == '\0' && planned == 1) {
             print_point(result, table);
@@ -216,7 +217,8 @@ void summarize_study(const whirl_study *study) {
         if (batch->parameter[0]) printf(" of %s", batch->parameter);
         printf(": %.0f point%s, %.0f revolution%s each", points, plural(points), revolutions, plural(revolutions));
         if (whirl_method_find(name, &method).code == WHIRL_OK && method->adaptive) {
-            printf(" by %s%s\n", name, batch->confirm ? ", confirmed at a tolerance 16 times smaller" : "");
+            printf(" by %s%s%s\n", name, batch->integrate.chosen ? " (chosen by auto)" : "",
+                   batch->confirm ? ", confirmed at a tolerance 16 times smaller" : "");
             continue;
         }
         const double all = points * revolutions * steps * (batch->confirm ? 3 : 1);

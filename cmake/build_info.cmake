@@ -45,7 +45,7 @@ string(REPLACE "\"" "\\\"" BUILD_FLAGS "${BUILD_FLAGS}")
 
 # SUNDIALS comes without a pkg-config file and says its version in a header.
 set(sundials_version "of unknown version")
-get_target_property(sundials_folder SUNDIALS::CVODE INTERFACE_INCLUDE_DIRECTORIES)
+get_target_property(sundials_folder SUNDIALS::CVODES INTERFACE_INCLUDE_DIRECTORIES)
 set(sundials_header "${sundials_folder}/sundials/sundials_config.h")
 if(EXISTS "${sundials_header}")
   file(STRINGS "${sundials_header}" line REGEX "#define SUNDIALS_VERSION ")

@@ -19,7 +19,7 @@ function(whirl_find_library target header)
   target_link_libraries(${target} INTERFACE ${files})
 endfunction()
 
-whirl_find_library(SUNDIALS::CVODE cvode/cvode.h sundials_cvode sundials_nvecserial sundials_sunlinsoldense
+whirl_find_library(SUNDIALS::CVODES cvodes/cvodes.h sundials_cvodes sundials_nvecserial sundials_sunlinsoldense
                    sundials_sunmatrixdense sundials_sunnonlinsolnewton sundials_sunnonlinsolfixedpoint sundials_generic)
 add_library(LibYAML::LibYAML ALIAS PkgConfig::YAML)
 add_library(MuParser::MuParser ALIAS PkgConfig::MUPARSER)

@@ -19,7 +19,7 @@ install(DIRECTORY cases DESTINATION ${CMAKE_INSTALL_DATADIR}/whirl FILES_MATCHIN
 # name, the others as linker options.
 set(WHIRL_STATIC_MODULES hdf5-serial yaml-0.1 udunits muparser jansson)
 set(WHIRL_STATIC_OPTIONS "")
-get_target_property(sundials SUNDIALS::CVODE INTERFACE_LINK_LIBRARIES)
+get_target_property(sundials SUNDIALS::CVODES INTERFACE_LINK_LIBRARIES)
 foreach(file ${sundials})
   get_filename_component(name ${file} NAME_WE)
   string(REGEX REPLACE "^lib" "-l" option ${name})

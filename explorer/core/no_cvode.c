@@ -3,7 +3,8 @@
 #include "method.h"
 
 static whirl_status start(whirl_integrator *integrator) {
-    return whirl_fail(WHIRL_BAD_INPUT, "method %s needs SUNDIALS, which the explorer does not have; take dop853",
+    return whirl_fail(WHIRL_BAD_INPUT,
+                      "method %s needs SUNDIALS, which the explorer does not have; take auto or dop853",
                       integrator->method->about.name);
 }
 

@@ -18,6 +18,13 @@ static const whirl_batch *find_batch(const whirl_study *study, const char *name)
     return NULL;
 }
 
+/// The explorer has no CVODE: what "auto" takes here is dop853.
+static void choose_method(plan *p) {
+    whirl_integrate_options *how = &p->batch.integrate;
+    how->chosen = strcmp(how->method, "auto") == 0;
+    if (how->chosen) snprintf(how->method, sizeof how->method, "%s", "dop853");
+}
+
 EXPORTED plan *explorer_plan_new(const whirl_case *object, const char *batch, const char *parameter) {
     plan *p = calloc(1, sizeof *p);
     whirl_status status = p ? whirl_case_study(object, &p->study) : whirl_fail(WHIRL_NO_MEMORY, "no memory");
@@ -34,6 +41,7 @@ EXPORTED plan *explorer_plan_new(const whirl_case *object, const char *batch, co
     p->batch.count = 1;
     p->batch.carry = WHIRL_CARRY_NONE;
     if (parameter) snprintf(p->batch.parameter, sizeof p->batch.parameter, "%s", parameter);
+    choose_method(p);
     return p;
 }
 
@@ -90,6 +98,7 @@ EXPORTED int explorer_plan_number(plan *p, const char *name, double value) {
 
 EXPORTED int explorer_plan_method(plan *p, const char *method) {
     snprintf(p->batch.integrate.method, sizeof p->batch.integrate.method, "%s", method);
+    choose_method(p);
     return 1;
 }
 

@@ -64,8 +64,15 @@ int whirl_record_samples(const whirl_record_options *options, int steps_per_revo
 whirl_status whirl_record_check(const whirl_system *system, const whirl_integrate_options *integrate,
                                 const whirl_record_options *options);
 
+/// How long the steps of a fixed-step method were for the motion; NaN where they were not looked at (methods with a tolerance).
+typedef struct whirl_step_quality {
+    double growth; ///< whirl_step_check.growth, of the revolutions that were looked at: above 1 the step is unstable
+    double error;  ///< of a revolution by the steps, over the size of the motion
+    double factor; ///< times as many steps are needed, 1 where these are good
+} whirl_step_quality;
+
 /// What was gathered of one motion. Lengths in the system's own; one block, freed by whirl_record_free.
-/// After a divergence only `diverged_at` and `motion` mean anything.
+/// After a divergence only `diverged_at`, `motion`, `steps` and `end` mean anything.
 typedef struct whirl_record {
     size_t dimension, probe_count, contact_count;
     const whirl_probe *probes; ///< of the system; borrowed
@@ -98,7 +105,10 @@ typedef struct whirl_record {
     double *contact_number; ///< [contact_count] times that contact began
     double *contact_force;  ///< [contact_count] largest normal force, in the model's unit
 
-    double *end; ///< [dimension] the last state
+    double *
+        end; ///< [dimension] the last state; after a divergence that at the beginning of the revolution in which it left
+
+    whirl_step_quality steps;
 } whirl_record;
 
 /// Called after every revolution of a motion; false asks for a stop.
@@ -211,7 +221,8 @@ typedef enum whirl_remedy {
     WHIRL_NO_REMEDY = 0,
     WHIRL_LONGER_TRANSIENT, ///< the motion has not settled: a run of `factor` times as many revolutions
     WHIRL_LONGER_WATCH,     ///< more points of the section would tell: `factor` times as many revolutions watched
-    WHIRL_TIGHTER           ///< the tolerance decides: errors of a step smaller by `factor`
+    WHIRL_TIGHTER,          ///< the tolerance decides: errors of a step smaller by `factor`
+    WHIRL_MORE_STEPS        ///< fixed steps are too long: `factor` times as many, or a method with a tolerance
 } whirl_remedy;
 
 typedef struct whirl_advice {
@@ -248,6 +259,8 @@ typedef struct whirl_verdict {
     int neighbours; ///< of a quasi-periodic motion: median revolutions between visits of neighbours on a curve, else 0
     double
         rotation; ///< turns round its closed curve from one visit to the next, 0 to 1/2; NaN but for a quasi-periodic motion
+    double step_growth; ///< whirl_step_quality.growth; NaN for methods with a tolerance
+    double step_error;  ///< whirl_step_quality.error
 } whirl_verdict;
 
 /// Judges the motion. See docs/theory.md, "Verdicts".

@@ -17,7 +17,10 @@ enum {
 };
 
 typedef struct whirl_integrate_options {
-    char method[WHIRL_NAME_SIZE]; ///< a name of whirl_method_at()
+    /// A name of whirl_method_at(). "auto": studies choose for each of their batches (whirl_study_choose_methods); integrators,
+    /// ensembles and recorders that are given it as it stands take dop853.
+    char method[WHIRL_NAME_SIZE];
+    bool chosen; ///< the method was chosen by "auto": results tell; it changes nothing
     /// Instants of a revolution at which an observer is called, equally spaced; for a fixed-step method also its steps.
     int steps_per_revolution;
     double rtol; ///< relative tolerance of adaptive methods
@@ -35,7 +38,10 @@ typedef struct whirl_method {
     const char *name;
     const char *meaning;
     bool adaptive; ///< uses rtol and atol, and finds the zeros of the switching functions
-    bool follows;  ///< takes disturbances along (whirl_integrator_follow)
+    bool follows;  ///< takes disturbances along (whirl_integrator_follow), as many as there are coordinates
+    /// Takes one along, and needs to: its steps and orders are chosen so abruptly that a second trajectory would differ by them, not by
+    /// a small disturbance.
+    bool follows_one;
 } whirl_method;
 
 /// The methods that this build has, by index from 0; NULL past the last. Static.
@@ -84,15 +90,55 @@ typedef struct whirl_disturbances {
 } whirl_disturbances;
 
 /// Makes room for up to `most` disturbances. WHIRL_BAD_INPUT with a sentence where the system gives no Jacobian or the method
-/// takes no disturbances along; WHIRL_NO_MEMORY.
+/// takes not so many along; WHIRL_NO_MEMORY.
 whirl_status whirl_integrator_follow(whirl_integrator *integrator, size_t most);
 
 /// whirl_integrator_revolve, to the bit, with disturbances by the variational equations: the exact derivative of the method's
-/// steps and, at switches where the right-hand side jumps, the saltation matrix. There must be room for them.
+/// steps and, at switches where the right-hand side jumps, the saltation matrix. There must be room for them. By CVODE the equations
+/// of the disturbance are integrated beside the motion: their error shortens its steps, and volume stays unknown.
 whirl_motion whirl_integrator_carry(whirl_integrator *integrator, double *x, whirl_disturbances *disturbances,
                                     whirl_observe_fn observe, void *observer);
 
 void whirl_integrator_free(whirl_integrator *integrator);
+
+// ---------------------------------------------------------------- which method
+
+/// What a revolution costs, in right-hand sides.
+typedef struct whirl_method_cost {
+    double dop853; ///< by its steps where they are bounded by stability; 0 where they are not
+    double
+        bdf; ///< by cvode-bdf; NaN where dop853 is bounded by its tolerance alone, infinite where there is no cvode-bdf
+} whirl_method_cost;
+
+/// Counts what a machine costs, after a probe of a few revolutions from `start` [dimension]: a pure function of its arguments, no time
+/// is measured. WHIRL_NO_MEMORY, and WHIRL_BAD_INPUT as whirl_integrator_new.
+whirl_status whirl_method_probe(const whirl_system *system, const whirl_integrate_options *options, const double *start,
+                                whirl_method_cost *cost);
+
+// ---------------------------------------------------------------- whether fixed steps are short enough
+
+/// What a revolution says of the steps of a fixed-step method.
+typedef struct whirl_step_check {
+    /// Largest factor by which one step multiplies a disturbance, over what the machine itself makes of it where that grows: |R(h lambda)| /
+    /// max(1, |exp(h lambda)|) over the eigenvalues lambda of the Jacobian, where it is stiffest. The step is unstable above 1.
+    double growth;
+    double steps; ///< a revolution, that would be stable there: the method's own where they are
+    /// Euclidean distance of `end` from where the equations lead from `start` in a revolution; NaN where that is not known.
+    double error;
+    double reach; ///< largest modulus of a coordinate where the equations lead; NaN where that is not known
+} whirl_step_check;
+
+/// growth that counts as unstable: 1 and what rounding and the truncation of a growing mode may add.
+bool whirl_step_is_unstable(const whirl_step_check *check);
+
+/// Follows the equations over a revolution from `start` [dimension], by dop853 within `tolerance` (absolute, in the state's units),
+/// and looks at the steps of a fixed-step method at 17 equally spaced phases: whether they are stable, and how far the method's own
+/// end of that revolution, `end` [dimension] or NULL, lies off. Where they are unstable from the beginning the revolution is not
+/// followed. For methods with a tolerance there is nothing to look at: growth 1 and NaN. WHIRL_NO_MEMORY; WHIRL_BAD_INPUT as
+/// whirl_integrator_new.
+whirl_status whirl_step_check_revolution(const whirl_system *system, const whirl_integrate_options *options,
+                                         const double *start, const double *end, double tolerance,
+                                         whirl_step_check *check);
 
 #ifdef __cplusplus
 }

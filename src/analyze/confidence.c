@@ -255,6 +255,10 @@ void whirl_advice_apply(whirl_advice advice, whirl_integrate_options *integrate,
         record->samples_per_revolution = whirl_record_samples(record, integrate->steps_per_revolution);
         *integrate = whirl_integrate_tighter(integrate, advice.factor);
         break;
+    case WHIRL_MORE_STEPS:
+        record->samples_per_revolution = whirl_record_samples(record, integrate->steps_per_revolution);
+        integrate->steps_per_revolution = times(integrate->steps_per_revolution, advice.factor);
+        break;
     case WHIRL_NO_REMEDY:
         break;
     }

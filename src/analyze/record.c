@@ -1,10 +1,12 @@
 // Recording a motion alone: what is gathered while the integrator runs.
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "record_block.h"
 #include "record_lanes.h"
 #include "settling.h"
+#include "steps.h"
 #include "twin.h"
 #include "watcher.h"
 #include "whirl/ensemble.h"
@@ -17,24 +19,41 @@ typedef struct recording {
     whirl_record *record;
     instant_watcher watcher;
     trajectory_twin twin;
-    double *disturbances; ///< [dimension][dimension] where all are followed, else NULL
+    size_t
+        followed; ///< disturbances that go along by the system's Jacobian: none, one or as many as there are coordinates
+    double *disturbances; ///< [followed][dimension]
     settling *settling;   ///< NULL when every transient runs to its end
     int revolution;       ///< the next one
     double *x;
 } recording;
 
-/// One revolution of the motion with all disturbances.
-static whirl_motion carry_all(recording *r, whirl_observe_fn observe) {
+/// How many disturbances go along: a second trajectory shows the largest growth, but by methods whose steps change abruptly.
+static size_t count_followed(const whirl_system *system, const whirl_integrate_options *integrate,
+                             const whirl_record_options *options) {
+    const whirl_method *own;
+    if (options->growth == WHIRL_GROWTH_ALL) return system->dimension;
+    if (options->growth == WHIRL_GROWTH_NONE || !system->tangent) return 0;
+    return whirl_method_find(integrate->method, &own).code == WHIRL_OK && own->follows_one ? 1 : 0;
+}
+
+/// Disturbances as they are at first: along the axes, a single one across them all.
+static void place_disturbances(const recording *r) {
+    const size_t n = r->record->dimension;
+    memset(r->disturbances, 0, r->followed * n * sizeof *r->disturbances);
+    for (size_t i = 0; i < n; i++) r->disturbances[r->followed == n ? i * n + i : i] = 1.0;
+    for (size_t i = 0; r->followed == 1 && i < n; i++) r->disturbances[i] /= sqrt((double)n);
+}
+
+/// One revolution of the motion with its disturbances.
+static whirl_motion carry_disturbances(recording *r, whirl_observe_fn observe) {
     whirl_record *record = r->record;
-    const size_t n = record->dimension, count = record->growth_count;
-    if (count == 0) {
-        memset(r->disturbances, 0, n * n * sizeof *r->disturbances);
-        for (size_t i = 0; i < n; i++) r->disturbances[i * n + i] = 1.0;
-    }
-    whirl_disturbances set = {.count = n, .vectors = r->disturbances, .growth = record->growths + count * n};
+    const size_t count = record->growth_count;
+    if (count == 0) place_disturbances(r);
+    whirl_disturbances set = {.count = r->followed, .vectors = r->disturbances, .growth = &record->growth[count]};
+    if (record->growths) set.growth = record->growths + count * record->dimension;
     const whirl_motion motion = whirl_integrator_carry(r->integrator, r->x, &set, observe, &r->watcher);
     record->growth[count] = set.growth[0];
-    record->volume[count] = set.volume;
+    if (record->growths) record->volume[count] = set.volume;
     record->growth_count = count + 1;
     return motion;
 }
@@ -49,9 +68,10 @@ static void revolve(recording *r) {
     const bool recorded = revolution >= options->transient;
     const bool followed = watched && r->twin.x;
     if (followed && record->section_count == 0) twin_begin(&r->twin, r->x);
+    memcpy(record->end, r->x, record->dimension * sizeof *r->x);
     if (revolution == options->transient) watch_note_contacts(&r->watcher, r->x);
     const whirl_observe_fn observe = recorded ? watch_instant : NULL;
-    record->motion = watched && r->disturbances ? carry_all(r, observe)
+    record->motion = watched && r->disturbances ? carry_disturbances(r, observe)
                                                 : whirl_integrator_revolve(r->integrator, r->x, observe, &r->watcher);
     if (record->motion != WHIRL_BOUNDED) {
         record->diverged_at = r->revolution;
@@ -96,15 +116,15 @@ static whirl_status recording_new(const whirl_task *task, const whirl_integrate_
     r->task = *task;
     r->options = options;
     const size_t n = system->dimension;
-    const bool all = options->growth == WHIRL_GROWTH_ALL;
+    const bool along = (r->followed = count_followed(system, integrate, options)) > 0;
     whirl_status status = whirl_integrator_new(system, integrate, &r->integrator);
-    if (status.code == WHIRL_OK && all) status = whirl_integrator_follow(r->integrator, n);
+    if (status.code == WHIRL_OK && along) status = whirl_integrator_follow(r->integrator, r->followed);
     if (status.code == WHIRL_OK) {
-        if (all) r->disturbances = calloc(n * n, sizeof *r->disturbances);
+        if (along) r->disturbances = calloc(r->followed * n, sizeof *r->disturbances);
         r->x = calloc(2 * n, sizeof *r->x);
         r->record = record_new(system, integrate, options);
         if (options->settle) r->settling = settling_new(system->dimension);
-        if (!r->x || !r->record || (options->settle && !r->settling) || (all && !r->disturbances))
+        if (!r->x || !r->record || (options->settle && !r->settling) || (along && !r->disturbances))
             status = whirl_fail(WHIRL_NO_MEMORY, "no memory to record %d revolutions", options->record);
     }
     if (status.code != WHIRL_OK) {
@@ -112,7 +132,8 @@ static whirl_status recording_new(const whirl_task *task, const whirl_integrate_
         return status;
     }
     memcpy(r->x, task->start, system->dimension * sizeof *r->x);
-    r->twin = (trajectory_twin){.dimension = n, .x = options->growth == WHIRL_GROWTH_LARGEST ? r->x + n : NULL};
+    r->twin =
+        (trajectory_twin){.dimension = n, .x = options->growth == WHIRL_GROWTH_LARGEST && !along ? r->x + n : NULL};
     watch_open(&r->watcher, system, integrate, r->record);
     *out = r;
     return whirl_ok();
@@ -126,7 +147,7 @@ static void recording_archive(recording *r, const whirl_integrate_options *integ
     archive_part(a, &r->twin.distance, sizeof r->twin.distance);
     const size_t n = r->record->dimension;
     archive_part(a, r->x, 2 * n * sizeof *r->x);
-    if (r->disturbances) archive_part(a, r->disturbances, n * n * sizeof *r->disturbances);
+    if (r->disturbances) archive_part(a, r->disturbances, r->followed * n * sizeof *r->disturbances);
     archive_part(a, &watcher->instants, sizeof watcher->instants);
     archive_part(a, watcher->touching, sizeof watcher->touching);
     if (r->settling) settling_archive(r->settling, a);
@@ -216,6 +237,8 @@ static whirl_status revolve_alone(whirl_recorder *recorder, size_t *turned) {
         save_alone(recorder);
         return status;
     }
+    const whirl_status looked = steps_look(r->task.system, recorder->integrate, r->record);
+    if (looked.code != WHIRL_OK) return looked;
     const whirl_task task = r->task;
     whirl_record *record = r->record;
     r->record = NULL;

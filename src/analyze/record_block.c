@@ -2,6 +2,7 @@
 #include "record_block.h"
 
 #include <limits.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -133,6 +134,7 @@ whirl_record *record_new(const whirl_system *system, const whirl_integrate_optio
     record->contact_count = system->contact_count;
     record->probes = system->probes;
     record->period = system->period;
+    record->steps = (whirl_step_quality){(double)NAN, (double)NAN, 1.0};
     record->record_count = (size_t)options->record;
     if (options->waveform)
         record->samples_per_revolution = (size_t)whirl_record_samples(options, integrate->steps_per_revolution);

@@ -11,6 +11,7 @@
 
 #include "record_block.h"
 #include "settling.h"
+#include "steps.h"
 #include "twin.h"
 #include "whirl/ensemble.h"
 
@@ -343,6 +344,7 @@ static whirl_status follow_all(lanes_recorder *r) {
 /// After a revolution of a motion.
 static void note(lanes_recorder *r, motion *m) {
     whirl_record *record = m->record;
+    memcpy(record->end, m->x, record->dimension * sizeof *m->x);
     whirl_ensemble_state(r->ensemble, m->lane, m->x);
     record->motion = whirl_ensemble_motion(r->ensemble, m->lane);
     if (records(r, m)) record->sample_count += r->sample_count;
@@ -387,6 +389,7 @@ static whirl_status hand_over(lanes_recorder *r) {
             continue;
         }
         if (m->record->motion == WHIRL_BOUNDED) close_record(r, m);
+        status = steps_look(m->task.system, r->integrate, m->record);
         leave_lanes(r, m);
         if (status.code == WHIRL_OK) {
             status = r->source->done(r->source->context, &m->task, m->record);

@@ -28,6 +28,8 @@ enum {
     NEIGHBOURS,
     EXPONENT,
     EXPONENT_ERROR,
+    STEP_GROWTH,
+    STEP_ERROR,
     REVOLUTIONS,
     FIELD_COUNT
 };
@@ -43,11 +45,12 @@ static const field_plan fields[FIELD_COUNT] = {
                     WHIRL_PER_POINT, 1, NULL},
     [AGREEMENT] = {"agreement", "1", "confidence by the evidence of this tolerance alone: 0 low, 1 fair, 2 high",
                    WHIRL_PER_POINT, 1, NULL},
-    [ADVICE] = {"advice", "1",
-                "what would settle it: 0 nothing, 1 a longer run, 2 a longer watch, 3 a tighter tolerance",
-                WHIRL_PER_POINT, 1, NULL},
-    [ADVICE_FACTOR] = {"advice_factor", "1", "times as long, or errors of a step smaller by it", WHIRL_PER_POINT, 1,
-                       NULL},
+    [ADVICE] =
+        {"advice", "1",
+         "what would settle it: 0 nothing, 1 a longer run, 2 a longer watch, 3 a tighter tolerance, 4 more steps",
+         WHIRL_PER_POINT, 1, NULL},
+    [ADVICE_FACTOR] = {"advice_factor", "1", "times as long or as many, or errors of a step smaller by it",
+                       WHIRL_PER_POINT, 1, NULL},
     [OTHER_CODE] = {"other_code", "1", "code at the second tolerance, missing where there was none", WHIRL_PER_POINT, 1,
                     NULL},
     [OTHER_PERIOD] = {"other_period", "revolution", "k of P-k at the second tolerance", WHIRL_PER_POINT, 1, NULL},
@@ -75,6 +78,12 @@ static const field_plan fields[FIELD_COUNT] = {
     [EXPONENT] = {"exponent", "1/revolution", "evidence: largest Lyapunov exponent that the verdict rests on",
                   WHIRL_PER_POINT, 1, NULL},
     [EXPONENT_ERROR] = {"exponent_error", "1/revolution", "evidence: its standard error", WHIRL_PER_POINT, 1, NULL},
+    [STEP_GROWTH] = {"step_growth", "1",
+                     "evidence: growth of a disturbance in one fixed step that the machine does not have: above 1 the "
+                     "step is unstable",
+                     WHIRL_PER_POINT, 1, NULL},
+    [STEP_ERROR] = {"step_error", "1", "evidence: error of a revolution by fixed steps, over the size of the motion",
+                    WHIRL_PER_POINT, 1, NULL},
     [REVOLUTIONS] = {"revolutions", "revolution", "revolutions integrated", WHIRL_PER_POINT, 1, NULL},
 };
 
@@ -102,6 +111,8 @@ static void put_verdict(const whirl_verdict *v, const block_view *view) {
         [NEIGHBOURS] = v->neighbours,
         [EXPONENT] = v->exponent.value,
         [EXPONENT_ERROR] = v->exponent.error,
+        [STEP_GROWTH] = v->step_growth,
+        [STEP_ERROR] = v->step_error,
     };
     for (size_t f = 0; f < REVOLUTIONS; f++) {
         double *number = view_numbers(view, f, 0);
@@ -147,7 +158,7 @@ whirl_verdict whirl_block_verdict(const whirl_layout *layout, const double *bloc
         .diverged_at = isnan(diverged_at) ? 0.0 : diverged_at,
         .confidence = (whirl_confidence)whole(stored(layout, block, "regime/confidence"), WHIRL_HIGH),
         .agreement = (whirl_confidence)whole(stored(layout, block, "regime/agreement"), WHIRL_HIGH),
-        .advice = {(whirl_remedy)whole(stored(layout, block, "regime/advice"), WHIRL_TIGHTER),
+        .advice = {(whirl_remedy)whole(stored(layout, block, "regime/advice"), WHIRL_MORE_STEPS),
                    factor >= 1.0 ? factor : 1.0},
         .confirmed = !isnan(stored(layout, block, "regime/other_code")),
         .other_regime = (whirl_regime)whole(stored(layout, block, "regime/other_code"), WHIRL_DIVERGING),
@@ -163,6 +174,8 @@ whirl_verdict whirl_block_verdict(const whirl_layout *layout, const double *bloc
         .chaos = stored(layout, block, "regime/chaos"),
         .rotation = stored(layout, block, "regime/rotation"),
         .neighbours = whole(stored(layout, block, "regime/neighbours"), INT_MAX),
+        .step_growth = stored(layout, block, "regime/step_growth"),
+        .step_error = stored(layout, block, "regime/step_error"),
     };
 }
 

@@ -6,6 +6,7 @@
 #include "confidence.h"
 #include "evidence.h"
 #include "lyapunov.h"
+#include "steps.h"
 
 /// Standard errors by which an exponent must differ from zero.
 static const double sigmas = 3.0;
@@ -141,15 +142,14 @@ static whirl_verdict judge_bounded(const whirl_record *record) {
     return verdict;
 }
 
-/// A method with fixed steps that is unstable throws a motion out at once, at any tolerance tried; only what takes longer to
-/// leave has shown that the machine does it.
+/// A method with fixed steps that are far too long throws a motion out at once; only what takes longer to leave has shown that the
+/// machine does it.
 static whirl_confidence weigh_diverged(const whirl_record *record) {
     const double at_once = 2.0;
     return record->diverged_at > at_once ? WHIRL_HIGH : WHIRL_FAIR;
 }
 
-whirl_verdict whirl_judge(const whirl_record *record) {
-    if (record->motion == WHIRL_BOUNDED) return judge_bounded(record);
+static whirl_verdict judge_unbounded(const whirl_record *record) {
     const bool diverged = record->motion == WHIRL_DIVERGED;
     return (whirl_verdict){.regime = diverged ? WHIRL_DIVERGING : WHIRL_UNDETERMINED,
                            .diverged_at = record->diverged_at,
@@ -163,4 +163,10 @@ whirl_verdict whirl_judge(const whirl_record *record) {
                            .regularity = NAN,
                            .chaos = NAN,
                            .rotation = NAN};
+}
+
+whirl_verdict whirl_judge(const whirl_record *record) {
+    whirl_verdict verdict = record->motion == WHIRL_BOUNDED ? judge_bounded(record) : judge_unbounded(record);
+    steps_weigh(&verdict, &record->steps);
+    return verdict;
 }

@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 #include "section.h"
+#include "steps.h"
 #include "whirl/analyze.h"
 
 const char *whirl_regime_name(whirl_regime regime) {
@@ -58,6 +59,7 @@ static const char *plural(int count) {
 static void undetermined_reason(const whirl_verdict *v, const char *exponent, char *text, size_t size) {
     const bool dies_out = v->exponent.value + 6.0 * v->exponent.error < 0.0;
     const bool regular = v->regularity >= 2.5 && v->chaos < 0.5;
+    if (steps_reason(v, text, size)) return;
     if (v->diverged_at > 0.0) {
         snprintf(text, size, "the solver could not go on in revolution %.0f", v->diverged_at);
     } else if (isnan(v->recurrence)) {
@@ -173,6 +175,10 @@ void whirl_verdict_advice(const whirl_verdict *verdict, char *text, size_t size)
         return;
     case WHIRL_TIGHTER:
         snprintf(text, size, "integrate with errors of a step %.3g times smaller", factor);
+        return;
+    case WHIRL_MORE_STEPS:
+        snprintf(text, size, "take at least %.3g times as many steps, or a method with a tolerance (dop853, cvode-bdf)",
+                 factor);
         return;
     case WHIRL_NO_REMEDY:
         break;

@@ -19,7 +19,7 @@ static whirl_integrate_options integrate_options(valuation *v, const plan_parts 
     const setting_list *given = &parts->integrate;
     const setting *method = settings_find(given, "method");
     whirl_integrate_options options = whirl_integrate_default();
-    if (method) snprintf(options.method, sizeof options.method, "%.63s", method->place->text);
+    snprintf(options.method, sizeof options.method, "%.63s", method ? method->place->text : "auto");
     options.steps_per_revolution = (int)settings_number(v, given, "steps_per_revolution");
     options.rtol = settings_number(v, given, "rtol");
     options.atol = settings_number(v, given, "atol");

@@ -96,7 +96,8 @@ const char *schema_scaled_unit(const whirl_key *key) {
 }
 
 static const whirl_key integrate_keys[] = {
-    {"method", "", "", WHIRL_KEY_CHOICE, false, "rk4", WHIRL_ANY, "", "a method of integration", ""},
+    {"method", "", "", WHIRL_KEY_CHOICE, false, "auto", WHIRL_ANY, "",
+     "a method of integration; auto: dop853, or cvode-bdf where the machine is stiff", ""},
     {"contacts", "", "", WHIRL_KEY_CHOICE, false, "unlocated", WHIRL_ANY, "unlocated|located",
      "of method rk4: unlocated: steps go over contacts; located: steps are split where contact begins and ends; other "
      "methods always "
@@ -110,7 +111,7 @@ static const whirl_key integrate_keys[] = {
      "1024",
      {1, WHIRL_MAX_STEPS, false, false},
      NULL,
-     "steps of a fixed-step method, and instants at which the motion is seen",
+     "instants at which the motion is seen; of rk4 also its steps",
      ""},
     {"rtol",
      "",

@@ -1,10 +1,14 @@
-// SUNDIALS CVODE (Hindmarsh et al. 2005) with root finding: the independent reference.
+// SUNDIALS CVODE (Hindmarsh et al. 2005; CVODES: Serban, Hindmarsh 2005) with root finding: the independent reference, and what
+// method auto takes for machines that are stiff.
 //
 // Every revolution starts afresh at t = 0, and the integration starts afresh at every zero of a switching function, so
 // that no step straddles a contact. Where the system tells its laws on given sides of its switches these are held in
 // between, and CVODE, which steps past a switch before it looks back, never meets a law that changes within its step; what
 // happens at a zero, sliding included, is decided as for dop853 (sides.c). Of other systems the state decides.
-#include <cvode/cvode.h>
+//
+// A disturbance goes along by the variational equations, as CVODES carries sensitivities: two trajectories of their own would differ by
+// their steps and orders, which are chosen anew for each, more than by the disturbance.
+#include <cvodes/cvodes.h>
 #include <math.h>
 #include <nvector/nvector_serial.h>
 #include <stdlib.h>
@@ -13,9 +17,13 @@
 #include <sunmatrix/sunmatrix_dense.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
+#include "orthonormal.h"
 #include "stepper.h"
 
-enum { MAX_STEPS_A_CALL = 100000 };
+enum { MAX_STEPS_A_CALL = 100000, SHORTEST_TOUCH = 256 };
+
+/// How well a disturbance is known, of its own length and of the unit one that it was at the beginning of the revolution.
+static const double disturbance_rtol = 1e-7, disturbance_atol = 1e-9;
 
 typedef struct cvode {
     const whirl_system *system;
@@ -26,12 +34,17 @@ typedef struct cvode {
     SUNMatrix matrix;
     SUNLinearSolver linear;
     SUNNonlinearSolver nonlinear;
+    N_Vector disturbance[1];            ///< [0] NULL until one was followed
+    SUNNonlinearSolver for_disturbance; ///< of Adams
+    whirl_disturbances *set;            ///< of the present revolution, or NULL
+    size_t slopes;                      ///< taken so far
 } cvode;
 
 static int right_hand_side(realtype t, N_Vector x, N_Vector slope, void *data) {
-    const cvode *work = data;
+    cvode *work = data;
     const whirl_system *system = work->system;
     double forcing[WHIRL_MAX_FORCING], *out = NV_DATA_S(slope);
+    work->slopes++;
     if (work->sides) {
         stepper_slope(work->sides, t, NV_DATA_S(x), out);
     } else {
@@ -62,6 +75,8 @@ static void end(whirl_integrator *integrator) {
     if (work->memory) CVodeFree(&work->memory);
     if (work->linear) SUNLinSolFree(work->linear);
     if (work->nonlinear) SUNNonlinSolFree(work->nonlinear);
+    if (work->for_disturbance) SUNNonlinSolFree(work->for_disturbance);
+    if (work->disturbance[0]) N_VDestroy(work->disturbance[0]);
     if (work->matrix) SUNMatDestroy(work->matrix);
     if (work->state) N_VDestroy(work->state);
     if (work->context) SUNContext_Free(&work->context);
@@ -86,6 +101,8 @@ static int look_for_switches(cvode *work) {
     const int count = (int)work->system->switch_count;
     int code = CVodeRootInit(work->memory, count, switching);
     if (code == CV_SUCCESS) code = CVodeSetNoInactiveRootWarn(work->memory);
+    // CVODE sees a zero by the signs at the ends of a step: two in one step, a short touch, would escape long ones.
+    if (code == CV_SUCCESS) code = CVodeSetMaxStep(work->memory, work->system->period / SHORTEST_TOUCH);
     // What is watched on held sides is positive until a switch is met.
     for (int i = 0; i < count; i++) fall[i] = -1;
     if (code == CV_SUCCESS && work->sides) code = CVodeSetRootDirection(work->memory, fall);
@@ -133,6 +150,15 @@ static whirl_status start_bdf(whirl_integrator *integrator) {
     return start(integrator, CV_BDF);
 }
 
+/// What the stepper needs that decides on sides, to carry the disturbance over switches.
+static void set_variation(const whirl_integrator *integrator, stepper *sides) {
+    const cvode *work = integrator->workspace;
+    sides->variation.set = work->set;
+    if (!work->set) return;
+    sides->variation.upper = integrator->slopes;
+    sides->variation.spare = integrator->slopes + integrator->system->dimension;
+}
+
 /// Finds the sides at the beginning of a revolution; the state is put onto a switch that it slides along.
 static void find_sides(const cvode *work) {
     stepper *c = work->sides;
@@ -140,8 +166,67 @@ static void find_sides(const cvode *work) {
     stepper_place(c, work->system, 0.0);
     memcpy(c->x, NV_DATA_S(work->state), bytes);
     stepper_find_sides(c);
+    stepper_vary_begin(c);
     memcpy(NV_DATA_S(work->state), c->x, bytes);
 }
+
+// ---------------------------------------------------------------- a disturbance
+
+static int vary(int count, realtype t, N_Vector x, N_Vector slope, N_Vector *disturbance, N_Vector *change, void *data,
+                N_Vector spare, N_Vector other) {
+    const cvode *work = data;
+    const whirl_system *system = work->system;
+    double forcing[WHIRL_MAX_FORCING], *out = NV_DATA_S(change[0]);
+    const double *vector = NV_DATA_S(disturbance[0]);
+    (void)count, (void)slope, (void)spare, (void)other;
+    if (work->sides) {
+        stepper_apply_jacobian(work->sides, t, NV_DATA_S(x), vector, out);
+    } else {
+        if (system->forcing_count > 0) system->forcing(system->model, t, forcing);
+        system->tangent(system->model, t, forcing, NV_DATA_S(x), NULL, 1, vector, out);
+    }
+    for (size_t i = 0; i < system->dimension; i++)
+        if (!isfinite(out[i])) return 1;
+    return 0;
+}
+
+/// Room for a disturbance, the first time that there is one.
+static int prepare_disturbance(cvode *work) {
+    double tolerance[] = {disturbance_atol};
+    work->disturbance[0] = N_VClone(work->state);
+    if (!work->disturbance[0]) return CV_MEM_FAIL;
+    N_VConst(0.0, work->disturbance[0]);
+    int code = CVodeSensInit(work->memory, 1, CV_STAGGERED, vary, work->disturbance);
+    if (code == CV_SUCCESS) code = CVodeSensSStolerances(work->memory, disturbance_rtol, tolerance);
+    if (code == CV_SUCCESS) code = CVodeSetSensErrCon(work->memory, SUNTRUE);
+    if (code != CV_SUCCESS || !work->nonlinear) return code;
+    work->for_disturbance = SUNNonlinSol_FixedPointSens(1, work->state, 0, work->context);
+    return work->for_disturbance ? CVodeSetNonlinearSolverSensStg(work->memory, work->for_disturbance) : CV_MEM_FAIL;
+}
+
+/// The disturbance as it is now, for what happens at a switch or at the end; false where CVODES cannot say.
+static bool fetch_disturbance(const cvode *work) {
+    realtype t;
+    N_Vector at[] = {work->disturbance[0]};
+    if (!work->set) return true;
+    if (CVodeGetSens(work->memory, &t, at) != CV_SUCCESS) return false;
+    memcpy(work->set->vectors, NV_DATA_S(at[0]), work->system->dimension * sizeof *work->set->vectors);
+    return true;
+}
+
+/// Starts CVODE afresh at t, with the disturbance or without.
+static int restart(cvode *work, double t) {
+    int code = CVodeReInit(work->memory, t, work->state);
+    if (code != CV_SUCCESS) return code;
+    if (!work->set) return work->disturbance[0] ? CVodeSensToggleOff(work->memory) : CV_SUCCESS;
+    const size_t bytes = work->system->dimension * sizeof(double);
+    if (!work->disturbance[0]) code = prepare_disturbance(work);
+    if (code != CV_SUCCESS) return code;
+    memcpy(NV_DATA_S(work->disturbance[0]), work->set->vectors, bytes);
+    return CVodeSensReInit(work->memory, CV_STAGGERED, work->disturbance);
+}
+
+// ---------------------------------------------------------------- switches
 
 /// Goes beyond the switches that CVODE has found at t, or along them.
 static void cross(const cvode *work, double t) {
@@ -153,7 +238,7 @@ static void cross(const cvode *work, double t) {
     memcpy(c->x, NV_DATA_S(work->state), bytes);
     if (c->sliding_count > 0) stepper_project(c, c->x);
     for (size_t i = 0; i < work->system->switch_count; i++)
-        if (found[i]) stepper_cross(c, i);
+        if (found[i]) stepper_cross_varied(c, i);
     memcpy(NV_DATA_S(work->state), c->x, bytes);
 }
 
@@ -164,8 +249,9 @@ static whirl_motion advance(const whirl_integrator *integrator, double *t, doubl
         const int code = CVode(work->memory, target, work->state, t, CV_NORMAL);
         if (code == CV_ROOT_RETURN) {
             if (++*switches > MAX_SWITCHINGS) return WHIRL_STUCK;
+            if (!fetch_disturbance(work)) return WHIRL_STUCK;
             if (work->sides) cross(work, *t);
-            if (CVodeReInit(work->memory, *t, work->state) != CV_SUCCESS) return WHIRL_STUCK;
+            if (restart(work, *t) != CV_SUCCESS) return WHIRL_STUCK;
             CVodeSetStopTime(work->memory, integrator->system->period);
             // Closer than CVODE can step: there already.
             if (target - *t <= 1e-14 * integrator->system->period) return WHIRL_BOUNDED;
@@ -178,14 +264,15 @@ static whirl_motion advance(const whirl_integrator *integrator, double *t, doubl
 
 static whirl_motion revolve(whirl_integrator *integrator, double *x, whirl_disturbances *disturbances,
                             whirl_observe_fn observe, void *observer) {
-    (void)disturbances; // there are none
     cvode *work = integrator->workspace;
     const double period = integrator->system->period;
     const int samples = observe ? integrator->options.steps_per_revolution : 1;
     const size_t bytes = integrator->system->dimension * sizeof *x;
     memcpy(NV_DATA_S(work->state), x, bytes);
+    work->set = disturbances;
+    if (work->sides) set_variation(integrator, work->sides);
     if (work->sides) find_sides(work);
-    if (CVodeReInit(work->memory, 0.0, work->state) != CV_SUCCESS) return WHIRL_STUCK;
+    if (restart(work, 0.0) != CV_SUCCESS) return WHIRL_STUCK;
     CVodeSetStopTime(work->memory, period);
     double t = 0.0;
     int switches = 0;
@@ -197,20 +284,33 @@ static whirl_motion revolve(whirl_integrator *integrator, double *x, whirl_distu
         if (motion == WHIRL_BOUNDED && observe) observe(observer, target, NV_DATA_S(work->state));
     }
     memcpy(x, NV_DATA_S(work->state), bytes);
+    if (disturbances && motion == WHIRL_BOUNDED) {
+        if (!fetch_disturbance(work)) return WHIRL_STUCK;
+        disturbances->volume = (double)NAN; // CVODES takes no integral along
+        if (disturbances->growth)
+            make_orthonormal(integrator->system->dimension, 1, disturbances->vectors, disturbances->growth);
+    }
     return motion;
 }
 
+static size_t slopes(const whirl_integrator *integrator) {
+    return ((const cvode *)integrator->workspace)->slopes;
+}
+
 const method cvode_adams_method = {
-    .about = {"cvode-adams", "SUNDIALS CVODE, Adams-Moulton of order 1 to 12, contacts located", true, false},
+    .about = {"cvode-adams", "SUNDIALS CVODE, Adams-Moulton of order 1 to 12, contacts located", true, false, true},
     .start = start_adams,
     .revolve = revolve,
+    .disturbance_rows = 1,
     .end = end,
 };
 
 const method cvode_bdf_method = {
     .about = {"cvode-bdf", "SUNDIALS CVODE, backward differentiation of order 1 to 5 for stiff films, contacts located",
-              true, false},
+              true, false, true},
     .start = start_bdf,
     .revolve = revolve,
+    .disturbance_rows = 1,
     .end = end,
+    .slopes = slopes,
 };

@@ -38,7 +38,7 @@ struct whirl_ensemble {
 bool whirl_ensemble_takes(const whirl_system *system, const whirl_integrate_options *options) {
     if (!system->lanes) return false;
     const bool fixed = strcmp(options->method, "rk4") == 0, located = !fixed || options->located;
-    return (fixed || strcmp(options->method, "dop853") == 0) && !(located && system->lanes->slides);
+    return (fixed || takes_dop853(options)) && !(located && system->lanes->slides);
 }
 
 /// Rows of the block, and where each array begins.
@@ -129,7 +129,7 @@ static void fill_lanes(whirl_ensemble *e, const whirl_integrate_options *options
 static bool attach_location(whirl_ensemble *e, const whirl_integrate_options *options) {
     const whirl_system *system = e->system;
     lanes_located *located = &e->lanes.located;
-    if (strcmp(options->method, "dop853") == 0) {
+    if (takes_dop853(options)) {
         e->adaptive = dop853_lanes_new(system, options, e->isa);
         return e->adaptive != NULL;
     }

@@ -6,7 +6,8 @@
 #include "method.h"
 #include "whirl/descriptor.h"
 
-static const method *const methods[] = {&rk4_method, &dop853_method, &cvode_adams_method, &cvode_bdf_method, NULL};
+static const method *const methods[] = {&auto_method,        &rk4_method,       &dop853_method,
+                                        &cvode_adams_method, &cvode_bdf_method, NULL};
 enum { METHOD_COUNT = sizeof methods / sizeof *methods - 1, MAX_STEPS = 1 << 24 };
 
 whirl_integrate_options whirl_integrate_default(void) {
@@ -18,7 +19,7 @@ const whirl_method *whirl_method_at(size_t index) {
     return index < METHOD_COUNT ? &methods[index]->about : NULL;
 }
 
-static whirl_status find_method(const char *name, const method **found) {
+whirl_status method_find(const char *name, const method **found) {
     const char *names[METHOD_COUNT];
     for (size_t i = 0; i < METHOD_COUNT; i++) {
         names[i] = methods[i]->about.name;
@@ -34,7 +35,7 @@ static whirl_status find_method(const char *name, const method **found) {
 
 whirl_status whirl_method_find(const char *name, const whirl_method **found) {
     const method *own = NULL;
-    const whirl_status status = find_method(name, &own);
+    const whirl_status status = method_find(name, &own);
     *found = own ? &own->about : NULL;
     return status;
 }
@@ -42,6 +43,11 @@ whirl_status whirl_method_find(const char *name, const whirl_method **found) {
 bool whirl_method_is_adaptive(const char *name) {
     const whirl_method *found;
     return whirl_method_find(name, &found).code == WHIRL_OK && found->adaptive;
+}
+
+bool takes_dop853(const whirl_integrate_options *options) {
+    return strcmp(options->method, dop853_method.about.name) == 0 ||
+           strcmp(options->method, auto_method.about.name) == 0;
 }
 
 static bool positive(double value) {
@@ -71,7 +77,7 @@ whirl_status whirl_integrator_new(const whirl_system *system, const whirl_integr
     const method *chosen = NULL;
     *out = NULL;
     whirl_status status = check_options(system, options);
-    if (status.code == WHIRL_OK) status = find_method(options->method, &chosen);
+    if (status.code == WHIRL_OK) status = method_find(options->method, &chosen);
     if (status.code != WHIRL_OK) return status;
     whirl_integrator *integrator = calloc(1, sizeof *integrator);
     if (!integrator) return whirl_fail(WHIRL_NO_MEMORY, "no memory for an integrator");
@@ -96,9 +102,9 @@ whirl_status whirl_integrator_follow(whirl_integrator *integrator, size_t most) 
     const size_t n = integrator->system->dimension;
     if (!integrator->system->tangent)
         return whirl_fail(WHIRL_BAD_INPUT, "the system gives no Jacobian, expected one to follow disturbances");
-    if (!own->about.follows)
-        return whirl_fail(WHIRL_BAD_INPUT, "method %s takes no disturbances along, expected rk4 or dop853",
-                          own->about.name);
+    if (!own->about.follows && !(own->about.follows_one && most <= 1))
+        return whirl_fail(WHIRL_BAD_INPUT, "method %s takes %s, expected rk4 or dop853", own->about.name,
+                          own->about.follows_one ? "no more than one disturbance along" : "no disturbances along");
     if (most > n)
         return whirl_fail(WHIRL_BAD_INPUT, "%zu disturbances are to be followed, expected at most the dimension, %zu",
                           most, n);

@@ -26,9 +26,22 @@ typedef struct method {
     size_t disturbance_rows;
     void (*end)(whirl_integrator *integrator);
     const struct method *located; ///< the same with located contacts, where that is a choice
+    /// Of fixed steps: |R(z)| at z = real + i imaginary, by which a step multiplies the mode exp(z t / h). Else NULL.
+    double (*amplification)(double real, double imaginary);
+    size_t (*slopes)(const whirl_integrator *integrator); ///< right-hand sides taken so far, or NULL
 } method;
 
-extern const method rk4_method, rk4_located_method, dop853_method, cvode_adams_method, cvode_bdf_method;
+extern const method auto_method, rk4_method, rk4_located_method, dop853_method, cvode_adams_method, cvode_bdf_method;
+
+/// |R(z)| of the explicit methods, by their formulas.
+double rk4_amplification(double real, double imaginary);
+double dop853_amplification(double real, double imaginary);
+
+/// Whether machines go by dop853: asked for by its name, or by "auto" as it stands.
+bool takes_dop853(const whirl_integrate_options *options);
+
+/// The method of that name. WHIRL_BAD_INPUT that names the nearest one when there is none.
+whirl_status method_find(const char *name, const method **found);
 
 /// WHIRL_BAD_INPUT where the system or the options are none.
 whirl_status check_options(const whirl_system *system, const whirl_integrate_options *options);

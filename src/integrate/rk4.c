@@ -133,4 +133,5 @@ const method rk4_method = {
     .disturbance_rows = 5,
     .end = end,
     .located = &rk4_located_method,
+    .amplification = rk4_amplification,
 };

@@ -19,6 +19,29 @@ static const double rk4_a[][DOP853_SLOPES - 1] = {
     {0}, {0.5}, {0.0, 0.5}, {0.0, 0.0, 1.0}, {1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0}};
 const formula rk4_formula = {4, rk4_c, rk4_a, false};
 
+/// |R(z)| of a formula, stage by stage on x' = z x from x = 1.
+static double amplification(const formula *own, double real, double imaginary) {
+    double re[DOP853_STAGES + 1], im[DOP853_STAGES + 1], x = 1.0, y = 0.0;
+    for (int i = 0; i <= own->stages; i++) {
+        x = 1.0;
+        y = 0.0;
+        for (int j = 0; j < i; j++) {
+            x += own->a[i][j] * re[j];
+            y += own->a[i][j] * im[j];
+        }
+        re[i] = real * x - imaginary * y;
+        im[i] = real * y + imaginary * x;
+    }
+    return hypot(x, y);
+}
+
+double rk4_amplification(double real, double imaginary) {
+    return amplification(&rk4_formula, real, imaginary);
+}
+double dop853_amplification(double real, double imaginary) {
+    return amplification(&dop853_formula, real, imaginary);
+}
+
 stepper *stepper_new(const formula *own, size_t dimension, size_t switch_count,
                      const whirl_integrate_options *options) {
     const size_t rows = 5 + DOP853_SLOPES + DENSE + MAX_SLIDING + 3;

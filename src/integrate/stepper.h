@@ -92,6 +92,10 @@ void stepper_cross(stepper *c, size_t which);
 /// sides differ by.
 void stepper_vary_begin(stepper *c);
 
+/// The Jacobian at (t, x) on the present sides, sliding included, applied to as many vectors as there are disturbances: `vectors` and
+/// out are [count][dimension].
+void stepper_apply_jacobian(const stepper *c, double t, const double *x, const double *vectors, double *out);
+
 /// Carries the disturbances over the step just taken, before the motion goes on.
 void stepper_vary(stepper *c);
 

@@ -85,6 +85,14 @@ static void end(whirl_integrator *integrator) {
     free(integrator->workspace);
 }
 
+const method auto_method = {
+    .about = {"auto", "what suits the machine: dop853, or cvode-bdf where its steps would crawl", true, true, false},
+    .start = start_dop853,
+    .revolve = revolve_freely,
+    .disturbance_rows = DISTURBANCE_ROWS,
+    .end = end,
+};
+
 const method dop853_method = {
     .about = {"dop853", "Dormand-Prince of order 8(5,3), steps by the tolerance, contacts located", true, true},
     .start = start_dop853,
@@ -99,4 +107,5 @@ const method rk4_located_method = {
     .revolve = revolve_on_grid,
     .disturbance_rows = DISTURBANCE_ROWS,
     .end = end,
+    .amplification = rk4_amplification,
 };

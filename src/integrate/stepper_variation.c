@@ -94,7 +94,7 @@ void stepper_vary_begin(stepper *c) {
     }
 }
 
-static void apply_jacobian(const stepper *c, double t, const double *x, const double *vectors, double *out) {
+void stepper_apply_jacobian(const stepper *c, double t, const double *x, const double *vectors, double *out) {
     const whirl_system *system = c->system;
     const double *sides = system->rhs_on_sides ? c->sides : NULL;
     double forcing[WHIRL_MAX_FORCING];
@@ -136,7 +136,7 @@ void stepper_vary(stepper *c) {
         const double t = c->begin + f->c[i] * h;
         add_slopes(f->a[i], c->k, i, n, h, c->start, c->stage);
         add_slopes(f->a[i], c->variation.k, i, size, h, set->vectors, c->variation.stage);
-        apply_jacobian(c, t, c->stage, c->variation.stage, c->variation.k[i]);
+        stepper_apply_jacobian(c, t, c->stage, c->variation.stage, c->variation.k[i]);
         set->volume += h * f->a[f->stages][i] * divergence(c, t, c->stage);
     }
     add_slopes(f->a[f->stages], c->variation.k, f->stages, size, h, set->vectors, set->vectors);

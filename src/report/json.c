@@ -304,6 +304,20 @@ static const char *version_of(const whirl_result *result) {
     return WHIRL_VERSION;
 }
 
+// How the points of every table were integrated, by the tables' names.
+static bool dump_methods(const whirl_result *result, FILE *stream) {
+    json_t *methods = json_object();
+    bool well = true;
+    for (size_t i = 0; i < result->table_count; ++i) {
+        const whirl_integrate_options *how = &result->tables[i].integrate;
+        json_t *object = json_object();
+        document_put(&well, object, "method", document_text(how->method));
+        document_put(&well, object, "chosen_by_auto", json_boolean(how->chosen));
+        document_put(&well, methods, result->tables[i].name, object);
+    }
+    return dump_member(",\n", "integrated", methods, stream) && well;
+}
+
 static bool dump_head(const whirl_result *result, FILE *stream) {
     const whirl_table *first = result->table_count ? &result->tables[0] : NULL;
     size_t done, total;
@@ -315,13 +329,15 @@ static bool dump_head(const whirl_result *result, FILE *stream) {
            dump_member(",\n", "length_scale", document_number(result->length_scale), stream) &&
            dump_member(",\n", "force_scale", document_number(result->force_scale), stream) &&
            dump_member(",\n", "partial", json_boolean(partial), stream) &&
-           dump_member(",\n", "table", first ? document_text(first->name) : json_null(), stream);
+           dump_member(",\n", "table", first ? document_text(first->name) : json_null(), stream) &&
+           dump_methods(result, stream);
 }
 
 // Names of tables become keys beside these.
 static whirl_status check_names(const whirl_result *result) {
-    static const char *const taken[] = {"whirl",   "title", "case",   "speed",      "length_scale", "force_scale",
-                                        "partial", "table", "points", "parameters", "jumps",        ""};
+    static const char *const taken[] = {"whirl",       "title",      "case",  "speed",  "length_scale",
+                                        "force_scale", "partial",    "table", "points", "parameters",
+                                        "jumps",       "integrated", ""};
     for (size_t t = 0; t < result->table_count; ++t)
         for (size_t i = 0; i < sizeof taken / sizeof *taken; ++i)
             if (strcmp(result->tables[t].name, taken[i]) == 0 || strpbrk(result->tables[t].name, "\"\\\n"))

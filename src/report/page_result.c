@@ -59,6 +59,7 @@ static void write_tables(FILE *stream, const whirl_result *result, const shown_u
         html_text(stream, points);
         fputs("</td><td>", stream);
         html_text(stream, table->integrate.method);
+        if (table->integrate.chosen) fputs(" (by auto)", stream);
         fprintf(stream,
                 "</td><td class=\"number\">%d</td><td class=\"number\">%d revolutions</td>"
                 "<td class=\"number\">%d revolutions</td></tr>\n",

@@ -121,6 +121,7 @@ static void get_provenance(whirl_status *status, hid_t file, whirl_result *resul
 
 static void get_integrate(whirl_status *status, hid_t group, whirl_integrate_options *options) {
     get_text_attribute(status, group, "method", options->method, sizeof options->method);
+    options->chosen = get_whole_attribute(status, group, "method_chosen", 0, 1) != 0;
     options->steps_per_revolution = (int)get_whole_attribute(status, group, "steps_per_revolution", 1, WHIRL_MAX_STEPS);
     get_number_attribute(status, group, "rtol", &options->rtol);
     get_number_attribute(status, group, "atol", &options->atol);

@@ -97,6 +97,7 @@ static void put_provenance(whirl_status *status, hid_t file, const whirl_result 
 
 static void put_integrate(whirl_status *status, hid_t group, const whirl_integrate_options *options) {
     put_text_attribute(status, group, "method", options->method);
+    put_whole_attribute(status, group, "method_chosen", options->chosen);
     put_whole_attribute(status, group, "steps_per_revolution", options->steps_per_revolution);
     put_number_attribute(status, group, "rtol", options->rtol);
     put_number_attribute(status, group, "atol", options->atol);

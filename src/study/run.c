@@ -28,9 +28,11 @@ static whirl_status check_study(const whirl_study *study) {
 
 whirl_status whirl_study_outline(const whirl_study *study, whirl_result **out) {
     whirl_result *outline = NULL;
+    whirl_study chosen = *study;
     *out = NULL;
     whirl_status status = check_study(study);
-    if (status.code == WHIRL_OK) status = tables_new(study, &outline);
+    if (status.code == WHIRL_OK) status = whirl_study_choose_methods(&chosen);
+    if (status.code == WHIRL_OK) status = tables_new(&chosen, &outline);
     if (status.code == WHIRL_OK)
         *out = outline;
     else
@@ -113,11 +115,14 @@ static whirl_status run_stages(study_run *run, const whirl_run_options *options)
 }
 
 whirl_status whirl_study_run(const whirl_study *study, const whirl_run_options *options, whirl_result **out) {
-    study_run run = {.study = study, .keeper = options->keeper};
+    whirl_study chosen = *study;
+    study_run run = {.study = &chosen, .keeper = options->keeper};
     *out = NULL;
     if (options->threads < 0) return whirl_fail(WHIRL_BAD_INPUT, "threads is %d, expected 0 or more", options->threads);
     run.threads = options->threads > 0 ? options->threads : omp_get_num_procs();
-    whirl_status status = whirl_study_outline(study, &run.result);
+    whirl_status status = check_study(study);
+    if (status.code == WHIRL_OK) status = whirl_study_choose_methods(&chosen);
+    if (status.code == WHIRL_OK) status = whirl_study_outline(&chosen, &run.result);
     if (status.code == WHIRL_OK) status = make_ends(&run);
     if (status.code == WHIRL_OK) status = tables_fill(&run, options->memory);
     if (status.code == WHIRL_OK) status = run_stages(&run, options);

@@ -19,12 +19,12 @@ static whirl_status second_method(const char *own, const char *wanted, char name
     const whirl_method *method = NULL;
     if (!*wanted) {
         for (size_t i = 0; (method = whirl_method_at(i)) != NULL; i++)
-            if (method->adaptive && strcmp(method->name, own) != 0) break;
+            if (method->adaptive && strcmp(method->name, own) != 0 && strcmp(method->name, "auto") != 0) break;
         if (!method) return whirl_fail(WHIRL_BAD_INPUT, "there is no second method to verify %s with", own);
     } else {
         const whirl_status status = whirl_method_find(wanted, &method);
         if (status.code != WHIRL_OK) return status;
-        if (!method->adaptive || strcmp(method->name, own) == 0)
+        if (!method->adaptive || strcmp(method->name, own) == 0 || strcmp(method->name, "auto") == 0)
             return whirl_fail(WHIRL_BAD_INPUT, "%s can not verify %s, expected another method with a tolerance", wanted,
                               own);
     }
@@ -229,10 +229,12 @@ static whirl_status check(const whirl_study *study, const whirl_verify_options *
 
 whirl_status whirl_study_verify(const whirl_study *study, const whirl_verify_options *options,
                                 const whirl_run_options *run, whirl_verification **out) {
+    whirl_study chosen = *study;
     *out = NULL;
     whirl_status status = check(study, options, run);
+    if (status.code == WHIRL_OK) status = whirl_study_choose_methods(&chosen);
     if (status.code != WHIRL_OK) return status;
-    const whirl_batch *batch = &study->batches[0];
+    const whirl_batch *batch = &chosen.batches[0];
     whirl_verification *v = calloc(1, sizeof *v);
     if (v) v->points = calloc(batch->count, sizeof *v->points);
     if (!v || !v->points) {
@@ -247,7 +249,7 @@ whirl_status whirl_study_verify(const whirl_study *study, const whirl_verify_opt
     for (int m = 0; m < WHIRL_VERIFY_METHODS; m++) v->integrate[m][0] = batch->integrate;
     status = second_method(batch->integrate.method, options->method, v->integrate[1][0].method);
     for (int m = 0; m < WHIRL_VERIFY_METHODS; m++) set_levels(v->integrate[m]);
-    if (status.code == WHIRL_OK) status = verify(study, run, v);
+    if (status.code == WHIRL_OK) status = verify(&chosen, run, v);
     if (status.code == WHIRL_OK)
         *out = v;
     else

@@ -454,7 +454,7 @@ static void absent_parts_have_the_defaults_of_the_layers(void **state) {
     const whirl_batch batch = study_of(object).batches[0];
     const whirl_integrate_options integrate = whirl_integrate_default();
     const whirl_record_options record = whirl_record_default();
-    assert_string_equal(batch.integrate.method, integrate.method);
+    assert_string_equal(batch.integrate.method, "auto");
     assert_int_equal(batch.integrate.steps_per_revolution, integrate.steps_per_revolution);
     assert_true(batch.integrate.rtol == integrate.rtol);
     assert_true(batch.integrate.atol == integrate.atol);

@@ -1,0 +1,95 @@
+#include "steps.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "section.h"
+
+/// Errors of a revolution, over the size of the motion: what is another motion, and what may be one.
+static const double wrong_error = 0.1, coarse_error = 1e-2;
+
+/// What more steps are advised to reach, and how closely the equations are followed to see it.
+static const double good_error = 1e-4, seen_error = 1e-5;
+
+static bool are_unstable(double growth) {
+    return whirl_step_is_unstable(&(whirl_step_check){.growth = growth});
+}
+
+// ---------------------------------------------------------------- looking
+
+/// Adds what one revolution says.
+static void add_check(whirl_step_quality *all, const whirl_step_check *check, const whirl_integrate_options *integrate,
+                      double size) {
+    const double error = check->error / size;
+    all->growth = fmax(all->growth, check->growth); // the one that is a number
+    all->error = fmax(all->error, error);
+    all->factor = fmax(all->factor, check->steps / integrate->steps_per_revolution);
+    // Errors of a method of order 4.
+    if (error > coarse_error) all->factor = fmax(all->factor, sqrt(sqrt(fmin(error, 1e8) / good_error)));
+}
+
+static whirl_status look_at_bounded(const whirl_system *system, const whirl_integrate_options *integrate,
+                                    whirl_record *record) {
+    const size_t count = record->section_count, n = record->dimension;
+    const double size = motion_size(record);
+    const size_t starts[] = {count - 2, count / 2 - 1}; // the last revolution, and one in the middle
+    whirl_status status = whirl_ok();
+    for (size_t i = 0; i < sizeof starts / sizeof *starts && count >= 4 && status.code == WHIRL_OK; i++) {
+        const double *start = record->section + starts[i] * n;
+        whirl_step_check check;
+        status = whirl_step_check_revolution(system, integrate, start, start + n, seen_error * size, &check);
+        if (status.code == WHIRL_OK) add_check(&record->steps, &check, integrate, size);
+    }
+    return status;
+}
+
+/// Whether the equations leave the bounds in that revolution, too.
+static whirl_status look_at_diverged(const whirl_system *system, const whirl_integrate_options *integrate,
+                                     whirl_record *record) {
+    const double leaving = 0.1 * integrate->limit; // what grows slowly may be a revolution late
+    whirl_step_check check;
+    const whirl_status status = whirl_step_check_revolution(system, integrate, record->end, NULL, seen_error, &check);
+    if (status.code != WHIRL_OK) return status;
+    if (check.reach < leaving) check.error = INFINITY;
+    add_check(&record->steps, &check, integrate, 1.0);
+    return status;
+}
+
+whirl_status steps_look(const whirl_system *system, const whirl_integrate_options *integrate, whirl_record *record) {
+    if (whirl_method_is_adaptive(integrate->method) || record->motion == WHIRL_STUCK) return whirl_ok();
+    return record->motion == WHIRL_BOUNDED ? look_at_bounded(system, integrate, record)
+                                           : look_at_diverged(system, integrate, record);
+}
+
+// ---------------------------------------------------------------- weighing
+
+void steps_weigh(whirl_verdict *verdict, const whirl_step_quality *steps) {
+    const bool wrong = are_unstable(steps->growth) || steps->error > wrong_error;
+    verdict->step_growth = steps->growth;
+    verdict->step_error = steps->error;
+    if (wrong) {
+        verdict->regime = WHIRL_UNDETERMINED;
+        verdict->period = verdict->curves = 0;
+        verdict->rotation = (double)NAN;
+    }
+    if (wrong || steps->error > coarse_error) {
+        verdict->agreement = verdict->confidence = WHIRL_LOW;
+        verdict->advice = (whirl_advice){WHIRL_MORE_STEPS, fmax(steps->factor, 2.0)};
+    }
+}
+
+bool steps_reason(const whirl_verdict *verdict, char *text, size_t size) {
+    if (are_unstable(verdict->step_growth))
+        snprintf(text, size,
+                 "the fixed step is unstable: it makes a disturbance %.3g times as large that the machine does not let "
+                 "grow; what it computed is no motion of the machine",
+                 verdict->step_growth);
+    else if (verdict->step_error > wrong_error)
+        snprintf(text, size,
+                 "the fixed steps are far too long: a revolution by them ends %.2g of the motion's size from where the "
+                 "equations lead",
+                 verdict->step_error);
+    else
+        return false;
+    return true;
+}

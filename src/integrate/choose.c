@@ -1,0 +1,83 @@
+// Which method suits a machine: what method "auto" rests on.
+//
+// dop853 takes as many steps as its tolerance asks for, or as many as keep it stable where the machine is stiff: these follow from the
+// eigenvalues of the Jacobian and the method's own stability function. Where they would crawl, revolutions by cvode-bdf are counted.
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "dop853_tableau.h"
+#include "stiffest.h"
+
+/// Steps a revolution up to which nothing is gained by another method: about what cvode-bdf takes at the usual tolerances.
+static const double crawl = 1000.0;
+
+enum { PROBED = 16, COUNTED = 4, PHASES = 16 };
+
+static whirl_status start(const whirl_system *system, const whirl_integrate_options *options, const char *name,
+                          whirl_integrator **integrator) {
+    whirl_integrate_options own = *options;
+    memset(own.method, 0, sizeof own.method);
+    memcpy(own.method, name, strlen(name));
+    own.steps_per_revolution = PHASES;
+    return whirl_integrator_new(system, &own, integrator);
+}
+
+/// Steps a revolution that keep dop853 stable at the stiffest phase seen, where they are more than what counts as crawling; else 0.
+static double stable_steps(phase_search *search) {
+    const double safe = 2.0; // |z| up to which dop853 is stable in the whole left half plane
+    if (search->norm * search->system->period <= safe * crawl || !phase_search_solve(search)) return 0.0;
+    const double steps = phase_search_steps(search, dop853_amplification, crawl);
+    return steps > crawl ? steps : 0.0;
+}
+
+/// Carries x by a method, and looks at every phase; stops where dop853 would crawl. False where the motion could not go on.
+static bool carry(whirl_integrator *integrator, phase_search *search, int revolutions, bool until_stiff,
+                  double *steps) {
+    for (int i = 0; i < revolutions; i++) {
+        if (whirl_integrator_revolve(integrator, search->x, phase_search_note, search) != WHIRL_BOUNDED) return false;
+        *steps = stable_steps(search);
+        if (until_stiff && *steps > 0.0) return true;
+    }
+    return true;
+}
+
+/// Counts cvode-bdf over the last of a few revolutions more.
+static whirl_status count_bdf(phase_search *search, const whirl_integrate_options *options, double *steps,
+                              double *count) {
+    whirl_integrator *integrator;
+    *count = INFINITY;
+    const whirl_status status = start(search->system, options, "cvode-bdf", &integrator);
+    if (status.code == WHIRL_NO_MEMORY) return status;
+    if (status.code != WHIRL_OK) return whirl_ok(); // not in this build
+    if (carry(integrator, search, COUNTED, false, steps)) {
+        const size_t before = integrator->method->slopes(integrator);
+        if (whirl_integrator_revolve(integrator, search->x, NULL, NULL) == WHIRL_BOUNDED)
+            *count = (double)(integrator->method->slopes(integrator) - before);
+    }
+    whirl_integrator_free(integrator);
+    return whirl_ok();
+}
+
+whirl_status whirl_method_probe(const whirl_system *system, const whirl_integrate_options *options, const double *from,
+                                whirl_method_cost *cost) {
+    phase_search search;
+    whirl_integrator *integrator;
+    double *block, steps = 0.0;
+    *cost = (whirl_method_cost){0.0, (double)NAN};
+    whirl_status status = start(system, options, "dop853", &integrator);
+    if (status.code != WHIRL_OK) return status;
+    if (phase_search_begin(&search, system, &block)) {
+        memcpy(search.x, from, system->dimension * sizeof *from);
+        phase_search_note(&search, 0.0, search.x);
+        steps = stable_steps(&search);
+        const bool bounded = steps > 0.0 || carry(integrator, &search, PROBED, true, &steps);
+        if (bounded && steps > 0.0) status = count_bdf(&search, options, &steps, &cost->bdf);
+        cost->dop853 = DOP853_STAGES * steps;
+        free(block);
+    } else {
+        status = whirl_fail(WHIRL_NO_MEMORY, "no memory to choose a method");
+    }
+    whirl_integrator_free(integrator);
+    return status;
+}

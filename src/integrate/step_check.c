@@ -1,0 +1,83 @@
+// Whether fixed steps are short enough: beside the method's stability region, and beside the equations themselves.
+//
+// A step h multiplies the mode of eigenvalue lambda by R(h lambda), the machine by exp(h lambda). Where |R| > 1 in a mode that dies
+// out, what the method computes is no motion of the machine, however smooth it may look (see docs/theory.md, "Steps that are too
+// long"). Eigenvalues are taken at the phase where the balanced Jacobian is largest, and only where its norm does not show already that
+// all of them lie well within the region.
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "stiffest.h"
+
+enum { PHASES = 16 };
+
+/// h |lambda| up to which every mode is safe: the region of an explicit method of order 4 holds this half disc, and where a mode
+/// grows R follows exp to a few parts in a hundred.
+static const double safe_product = 1.0;
+
+// ---------------------------------------------------------------- the region
+
+/// growth and steps, by the stiffest phase found.
+static void judge_phase(phase_search *s, const method *own, int steps, whirl_step_check *check) {
+    const double h = s->system->period / steps;
+    check->growth = 1.0;
+    check->steps = steps;
+    if (h * s->norm <= safe_product || !phase_search_solve(s)) return;
+    check->growth = phase_search_growth(s, own->amplification, h);
+    check->steps = phase_search_steps(s, own->amplification, steps);
+}
+
+// ---------------------------------------------------------------- the revolution
+
+/// Where the equations lead from `start` in a revolution, in x; phases are noted.
+static whirl_status follow(phase_search *s, const whirl_integrate_options *options, double tolerance, double *x,
+                           whirl_motion *motion) {
+    whirl_integrate_options exact = *options;
+    whirl_integrator *integrator;
+    memcpy(exact.method, "dop853", sizeof "dop853");
+    exact.steps_per_revolution = PHASES;
+    exact.rtol = 1e-13;
+    exact.atol = tolerance;
+    const whirl_status status = whirl_integrator_new(s->system, &exact, &integrator);
+    if (status.code != WHIRL_OK) return status;
+    *motion = whirl_integrator_revolve(integrator, x, phase_search_note, s);
+    whirl_integrator_free(integrator);
+    return status;
+}
+
+static void compare_ends(const whirl_system *system, const double *x, const double *end, whirl_motion motion,
+                         whirl_step_check *check) {
+    double square = 0.0, reach = 0.0;
+    if (motion == WHIRL_STUCK) return;
+    for (size_t i = 0; i < system->dimension; i++) {
+        reach = fmax(reach, fabs(x[i]));
+        if (end) square += (x[i] - end[i]) * (x[i] - end[i]);
+    }
+    check->reach = motion == WHIRL_DIVERGED ? INFINITY : reach;
+    if (end) check->error = motion == WHIRL_DIVERGED ? INFINITY : sqrt(square);
+}
+
+whirl_status whirl_step_check_revolution(const whirl_system *system, const whirl_integrate_options *options,
+                                         const double *start, const double *end, double tolerance,
+                                         whirl_step_check *check) {
+    const method *own;
+    *check = (whirl_step_check){1.0, options->steps_per_revolution, (double)NAN, (double)NAN};
+    whirl_status status = method_find(options->method, &own);
+    if (status.code != WHIRL_OK || !own->amplification) return status;
+    phase_search search;
+    double *block;
+    if (!phase_search_begin(&search, system, &block)) return whirl_fail(WHIRL_NO_MEMORY, "no memory to look at steps");
+    double *x = search.x;
+    memcpy(x, start, system->dimension * sizeof *x);
+    phase_search_note(&search, 0.0, x);
+    judge_phase(&search, own, options->steps_per_revolution, check);
+    if (!whirl_step_is_unstable(check)) {
+        whirl_motion motion = WHIRL_STUCK;
+        status = follow(&search, options, tolerance, x, &motion);
+        judge_phase(&search, own, options->steps_per_revolution, check);
+        compare_ends(system, x, end, motion, check);
+    }
+    free(block);
+    return status;
+}
