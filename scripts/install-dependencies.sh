@@ -17,8 +17,8 @@ declare -A packages=(
     # clang with its run time: the fuzz target, and a second compiler that must agree; libomp-dev is its OpenMP.
     [test]="libcmocka-dev liblapacke-dev libopenblas-dev clang libclang-rt-14-dev libomp-dev valgrind
             python3-h5py"
-    # dpkg-dev unpacks the sources of libyaml and muParser, which emscripten compiles.
-    [explorer]="emscripten nodejs npm dpkg-dev libudunits2-dev"
+    # dpkg-dev unpacks the sources of libyaml, muParser, UDUNITS and expat, which emscripten compiles.
+    [explorer]="emscripten nodejs npm dpkg-dev"
     [browser]="chromium firefox-esr"
     [lint]="clang-format clang-tidy cppcheck"
     # The programs that are measured beside whirl; none of them is needed for whirl itself.

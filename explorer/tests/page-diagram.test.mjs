@@ -15,6 +15,16 @@ before(() => {
 });
 after(closeBrowser);
 
+/// The points of a case by the kernels of 128 bits, whose bits are the page's.
+function pointsOf(file) {
+  process.env.WHIRL_ISA = 'simd128';
+  try {
+    return JSON.parse(command('run', file, '--json', '-q')).points;
+  } finally {
+    delete process.env.WHIRL_ISA;
+  }
+}
+
 /// Notes with every frame from the click on what the card of the diagram says, and whether dots are drawn.
 async function watchFrames(page) {
   await page.evaluate(() => {
@@ -62,8 +72,24 @@ test('Recompute paints a few points at once, then more, and gives no verdict bef
   assert.equal(total, 64);
   // What stands there in the end is what the command says.
   const mine = (await saved(page, '.map-card', 'csv')).bytes.toString('utf8').trim().split('\r\n').slice(1).map((line) => line.split(',')[2]);
-  const { points } = JSON.parse(command('run', 'long.yaml', '--json', '-q'));
+  const points = pointsOf('long.yaml');
   assert.deepEqual(mine, points.map(({ verdict }) => verdict));
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('points that follow one another end with the verdicts of the case, there and back', async () => {
+  const carried = makePage('carried', LONG.replace('points: 64, start: state', 'points: 64, start: carry, direction: both').replace('transient: 600', 'transient: 450'));
+  const { page, complaints, close } = await open(carried);
+  await settled(page);
+  await page.selectOption('select[aria-label="Points of a new diagram"]', '64');
+  await page.click('button:text-is("Recompute")');
+  await page.waitForFunction(() => /Computed here, quick: 128 points/.test(document.querySelector('.status').textContent) && document.querySelector('.map-card progress').hidden, undefined, { timeout: 120_000 });
+  const mine = (await saved(page, '.map-card', 'csv')).bytes.toString('utf8').trim().split('\r\n').slice(1).map((line) => line.split(','));
+  const points = pointsOf('carried.yaml');
+  assert.equal(mine.length, points.length);
+  const told = points.map(({ parameters, verdict }) => `${parameters.omega.toPrecision(6)} ${verdict}`).sort();
+  assert.deepEqual(mine.map(([omega, , verdict]) => `${Number(omega).toPrecision(6)} ${verdict}`).sort(), told);
   assert.deepEqual(complaints, []);
   await close();
 });

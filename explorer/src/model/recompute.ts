@@ -59,7 +59,11 @@ export function coarseToFine(count: number): number[] {
 /// The diagram that a plan will fill, points in the order of the case's own sweep.
 export function awaitedDiagram(plan: Plan): Diagram {
   const { low, high, points } = plan;
-  const { values, branch } = along(plan, Array.from({ length: points }, (_, i) => (points > 1 ? low + ((high - low) * i) / (points - 1) : low)));
+  // The case's own sweep has the case's own values, to the last bit.
+  const swept = plan.batch?.parameter === plan.parameter ? [...plan.batch.values].sort((a, b) => a - b) : [];
+  const own = swept.length === points && swept[0] === low && swept.at(-1) === high;
+  const even = (i: number) => (points > 1 ? low + ((high - low) * i) / (points - 1) : low);
+  const { values, branch } = along(plan, own ? swept : Array.from({ length: points }, (_, i) => even(i)));
   return Diagram.awaited(plan.parameter, values, branch);
 }
 
