@@ -121,6 +121,38 @@ static double weighted_mean(const double *values, size_t count) {
     return sum / weights;
 }
 
+static size_t place_of(const cloud *c, size_t i) {
+    return (size_t)fmod(c->sorted[i % c->count], 1e5);
+}
+
+static double median_of(double *values, size_t count) {
+    qsort(values, count, sizeof *values, ascending);
+    return values[count / 2];
+}
+
+/// Whether points lie where their two neighbours on the curve, `sorted` by place, would have them: closer and closer as
+/// points fill a curve, but not on a torus of more frequencies or in a band, however thin. Uses up `across`.
+static bool is_smooth(cloud *c, double number, double reach) {
+    const double least = 0.02, by_bend = 0.6; // of the distance of the neighbours; a curve of some bends has reach/8
+    const size_t d = c->dimension;
+    for (size_t i = 0; i < c->count; i++) {
+        const size_t from = place_of(c, i), at = place_of(c, i + 1), to = place_of(c, i + 2);
+        const double before = fraction(((double)at - (double)from) * number);
+        const double after = fraction(((double)to - (double)at) * number), share = before / (before + after);
+        double off = 0.0, chord = 0.0;
+        for (size_t k = 0; k < d; k++) {
+            const double a = c->points[from * d + k], b = c->points[to * d + k];
+            const double away = c->points[at * d + k] - a - share * (b - a);
+            off += away * away;
+            chord += (b - a) * (b - a);
+        }
+        c->across[0][i] = sqrt(off);
+        c->across[1][i] = sqrt(chord);
+    }
+    const double off = median_of(c->across[0], c->count), chord = median_of(c->across[1], c->count);
+    return off <= fmax(least, by_bend * chord / reach) * chord;
+}
+
 /// Whether the points, put into the order in which a rotation by `number` meets them, go round a curve: then the way
 /// from each to the next is short. This holds for the right number alone, whatever the projection did to the curve.
 static bool goes_round(cloud *c, double number) {
@@ -143,7 +175,7 @@ static bool goes_round(cloud *c, double number) {
         }
         way += sqrt(square);
     }
-    return way <= longest_way * reach;
+    return way <= longest_way * reach && is_smooth(c, number, reach);
 }
 
 double rotation_number(const section *all, int curves) {

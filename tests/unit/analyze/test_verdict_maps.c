@@ -230,6 +230,43 @@ static void rotations(void **state) {
     assert_int_equal(open.agreement, WHIRL_FAIR);
 }
 
+/// Two rotations at once, the second of a size of its own.
+static void two_rotations_map(const double *p, size_t step, double *z, double *v) {
+    (void)step, (void)v;
+    for (int i = 0; i < 2; i++) z[i] = fmod(z[i] + p[i], 1.0);
+}
+
+static void embed_two(const double *z, double size, double *point) {
+    on_torus(z, point);
+    point[2] *= size;
+    point[3] *= size;
+}
+
+static void on_wide_torus(const double *z, double *point) {
+    embed_two(z, 0.5, point);
+}
+
+static void on_thin_torus(const double *z, double *point) {
+    embed_two(z, 2e-3, point);
+}
+
+/// Tori of three frequencies draw a surface. It may look like a curve, but is not told as one with confidence.
+static void surfaces(void **state) {
+    void (*const embeddings[])(const double *, double *) = {on_wide_torus, on_thin_torus};
+    const double turns[][2] = {
+        {0.38196601125, 0.41421356237}, {0.2360679775, 0.7320508}, {0.1622776, 0.3819660}, {0.27201964951, 0.0917}};
+    (void)state;
+    for (size_t i = 0; i < 8; i++) {
+        const map_system system = {.map = two_rotations_map,
+                                   .embed = embeddings[i / 4],
+                                   .dimension = 2,
+                                   .section_dimension = 4,
+                                   .parameters = {turns[i % 4][0], turns[i % 4][1]},
+                                   .start = {0.1, 0.2}};
+        assert_true(judge(&system, 100).agreement < WHIRL_HIGH);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(superstable_cycles),
@@ -239,6 +276,7 @@ int main(void) {
         cmocka_unit_test(cats),
         cmocka_unit_test(neutral_returns),
         cmocka_unit_test(rotations),
+        cmocka_unit_test(surfaces),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
