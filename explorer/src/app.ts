@@ -214,6 +214,7 @@ export class App {
     void this.scaleStored();
     await this.refreshSides();
     if (!this.sight.diagram) void this.recompute(this.sight.range, true);
+    else this.refineSoon(); // the address may name a part of it
   }
 
   /// The first sight: the stored diagram, or an empty one over the range of the sweep.
@@ -225,7 +226,6 @@ export class App {
     const diagram = this.storedDiagram;
     const range = this.address.range ?? diagram?.span ?? plannedRange(this.original, this.address.parameter);
     this.sights.open({ diagram, range, of: '', text: diagram ? this.storedText(diagram) : '', how: howOf({}) });
-    if (diagram && this.address.range) this.refineSoon();
   }
 
   /// What the stored run varies may be its length scale itself: then every point has its own.
