@@ -59,6 +59,7 @@ soak: test sanitize clang ## what takes longer: long fuzzing, all tests under th
 	ctest --test-dir $(BUILD)/asan --timeout 7200 -j $(JOBS)
 	scripts/fuzz.sh $(BUILD)/fuzz 1800
 	tests/soak/kills.sh $(BUILD)/whirl tests/cli/good.yaml 1000
+	tests/memory/no_memory.py $(BUILD)/whirl $(BUILD)/tests/libfailing_malloc.so tests/cli/good.yaml tests/memory/units.xml 0
 	tests/soak/long_points.sh $(BUILD)/whirl tests/cli/good.yaml 10
 	WHIRL_SOAK=1 ctest --test-dir $(BUILD) --timeout 7200 -j $(JOBS) -R 'verdicts|grazes|readings|faults'
 

@@ -1,5 +1,7 @@
 #include "case_arguments.h"
 
+#include "guard.h"
+
 #include <errno.h>
 #include <stdlib.h>
 
@@ -55,7 +57,8 @@ int load_case(const case_arguments *arguments, whirl_case **object) {
         status = whirl_case_set(*object, arguments->overrides[i]);
         if (status.code == WHIRL_OK) continue;
         complain("--set %s: %s", arguments->overrides[i], status.message);
-        return EXIT_BAD_INPUT;
+        if (status.code == WHIRL_NO_MEMORY) guard_note_exhausted();
+        return status.code == WHIRL_NO_MEMORY ? EXIT_FAILED : EXIT_BAD_INPUT;
     }
     return EXIT_DONE;
 }

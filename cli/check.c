@@ -1,5 +1,6 @@
 /// whirl check: all that is wrong with case files, or what they hold.
 #include "command.h"
+#include "guard.h"
 
 #include <stdbool.h>
 #include <stdio.h>
@@ -75,7 +76,8 @@ static int check_file(const char *argument) {
     whirl_case_free(object);
     if (status.code == WHIRL_OK) return EXIT_DONE;
     complain("%s: %s", path, status.message);
-    return EXIT_BAD_INPUT;
+    if (status.code == WHIRL_NO_MEMORY) guard_note_exhausted();
+    return status.code == WHIRL_NO_MEMORY ? EXIT_FAILED : EXIT_BAD_INPUT;
 }
 
 static int run(int argc, char **argv) {
@@ -91,8 +93,10 @@ static int run(int argc, char **argv) {
     const int read = read_arguments(&argp, argc, argv, 0, &first);
     if (read != EXIT_DONE) return read;
     int outcome = EXIT_DONE;
-    for (int i = first; i < argc; i++)
-        if (check_file(argv[i]) != EXIT_DONE) outcome = EXIT_BAD_INPUT;
+    for (int i = first; i < argc && outcome != EXIT_FAILED; i++) {
+        const int checked = check_file(argv[i]);
+        if (checked != EXIT_DONE) outcome = checked;
+    }
     return outcome == EXIT_DONE ? finish_output() : outcome;
 }
 

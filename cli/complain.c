@@ -1,4 +1,5 @@
 #include "command.h"
+#include "guard.h"
 
 #include <errno.h>
 #include <stdarg.h>
@@ -47,6 +48,7 @@ void complain_as(const char *program, const char *format, ...) {
 int complain_of(const whirl_status *status) {
     if (status->code == WHIRL_OK) return EXIT_DONE;
     complain("%s", status->message[0] ? status->message : whirl_code_text(status->code));
+    if (status->code == WHIRL_NO_MEMORY) guard_note_exhausted();
     return status->code == WHIRL_BAD_INPUT ? EXIT_BAD_INPUT : EXIT_FAILED;
 }
 
@@ -88,13 +90,14 @@ static void show_problem(const whirl_problems *problems, size_t index) {
 }
 
 int complain_of_problems(whirl_problems *problems, const whirl_status *status) {
-    for (size_t i = 0; i < problems->count; i++) show_problem(problems, i);
-    if (problems->count > 0)
+    const bool exhausted = status->code == WHIRL_NO_MEMORY;
+    for (size_t i = 0; i < problems->count && !exhausted; i++) show_problem(problems, i);
+    if (problems->count > 0 && !exhausted)
         complain("%zu problem%s in %s", problems->count, problems->count == 1 ? "" : "s", problems->file);
     else
         complain_of(status);
     whirl_problems_free(problems);
-    return EXIT_BAD_INPUT;
+    return status->code == WHIRL_NO_MEMORY ? EXIT_FAILED : EXIT_BAD_INPUT;
 }
 
 void base_name(const char *path, const char *suffix, char *name, size_t size) {

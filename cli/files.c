@@ -44,5 +44,5 @@ int load_result(const char *path, whirl_result **result) {
     }
     const whirl_status status = whirl_result_read(path, result);
     complain_of(&status);
-    return status.code == WHIRL_OK ? EXIT_DONE : EXIT_BAD_INPUT;
+    return status.code == WHIRL_OK ? EXIT_DONE : status.code == WHIRL_NO_MEMORY ? EXIT_FAILED : EXIT_BAD_INPUT;
 }

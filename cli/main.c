@@ -1,5 +1,6 @@
 /// whirl COMMAND ...: finds the command and hands over.
 #include "command.h"
+#include "guard.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -113,7 +114,7 @@ static int help(int argc, char **argv) {
 
 static const command help_command = {"help", "list the commands, or show what one takes", help};
 
-int main(int argc, char **argv) {
+static int whirl(int argc, char **argv) {
     argp_err_exit_status = EXIT_BAD_INPUT;
     argp_program_version_hook = print_version;
     choice chosen = {0};
@@ -124,4 +125,8 @@ int main(int argc, char **argv) {
     const command *const found = find_command(chosen.name);
     if (!found) return EXIT_BAD_INPUT;
     return run_command_by_name(found, argc - chosen.index, argv + chosen.index);
+}
+
+int main(int argc, char **argv) {
+    guard_leave(whirl(argc, argv));
 }

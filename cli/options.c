@@ -1,5 +1,6 @@
 /// Reading the arguments of a command: argp, and before it what argp can not say, the option that was meant.
 #include "command.h"
+#include "guard.h"
 
 #include <stdbool.h>
 #include <string.h>
@@ -73,6 +74,10 @@ static bool know_options(const struct argp *argp, int argc, char **argv, unsigne
 }
 
 int read_arguments(const struct argp *argp, int argc, char **argv, unsigned flags, void *input) {
+    guard_rest(); // argp ends the program by itself
     if (!know_options(argp, argc, argv, flags)) return EXIT_BAD_INPUT;
-    return argp_parse(argp, argc, argv, flags, NULL, input) == 0 ? EXIT_DONE : EXIT_FAILED;
+    const error_t failed = argp_parse(argp, argc, argv, flags, NULL, input);
+    guard_begin();
+    if (failed) complain("the arguments cannot be read: %s", strerror(failed));
+    return failed ? EXIT_FAILED : EXIT_DONE;
 }

@@ -8,9 +8,11 @@
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
+#include <unistd.h>
 
 #include "case_arguments.h"
 #include "cores.h"
+#include "guard.h"
 #include "interrupt.h"
 #include "journal.h"
 #include "output.h"
@@ -187,6 +189,9 @@ static whirl_status add_facts(whirl_result *result, const char *const facts[][2]
 
 /// Writes the result and makes sure of it.
 static int save(const run_arguments *arguments, const whirl_result *result) {
+    char half_written[PATH_SIZE + 32];
+    snprintf(half_written, sizeof half_written, "%s.tmp-%ld", arguments->output, (long)getpid());
+    guard_file(half_written);
     whirl_status status = whirl_result_write(result, arguments->output);
     if (status.code == WHIRL_OK) status = whirl_result_verify(result, arguments->output);
     if (status.code == WHIRL_OK) return EXIT_DONE;

@@ -7,6 +7,7 @@
 
 #include "content.h"
 #include "excerpt.h"
+#include "exhausted.h"
 #include "path.h"
 #include "problem.h"
 #include "schema.h"
@@ -144,6 +145,7 @@ static void read_content(case_reader *reader, const file_node *root, case_conten
 // Fills `content`, whose overrides are set, from the text of the case.
 static whirl_status make_content(const whirl_case *object, case_content *content, whirl_problems *problems) {
     file_node *root;
+    const int before = exhausted_watch();
     case_reader reader = {.arena = &content->arena, .problems = problems};
     snprintf(problems->file, sizeof problems->file, "%s", object->name);
     const whirl_status status = tree_read(object->text, object->length, &content->arena, problems, &root);
@@ -152,6 +154,7 @@ static whirl_status make_content(const whirl_case *object, case_content *content
     if (status.code == WHIRL_OK) read_content(&reader, root, content);
     problems_sort(problems);
     problems_quote(problems, object->text, object->length);
+    reader.no_memory = reader.no_memory || exhausted(before) || problems_blame_memory(problems);
     return reader_outcome(&reader, object->name);
 }
 
@@ -378,8 +381,10 @@ whirl_status whirl_case_parameter(const whirl_case *object, const char *name, do
 whirl_status whirl_case_rotor(const whirl_case *object, const char *name, double value, whirl_rotor **rotor) {
     valuation v;
     *rotor = NULL;
+    const int before = exhausted_watch();
     whirl_status status = valuation_open(&v, &object->content.parameters, name, value);
     if (status.code == WHIRL_OK) status = machine_build(&object->content.machine, &v, rotor);
+    if (status.code != WHIRL_OK && exhausted(before)) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a rotor");
     valuation_close(&v);
     return status;
 }

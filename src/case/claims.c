@@ -1,5 +1,6 @@
 // Reading a claims file: the same tree, tables and problems as for cases.
 #include "whirl/claims.h"
+#include "exhausted.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -173,6 +174,7 @@ whirl_status claims_parse(const char *text, size_t length, const char *name, whi
     if (!problems) problems = &own;
     snprintf(problems->file, sizeof problems->file, "%s", name);
     case_reader reader = {.arena = &arena, .problems = problems, .parameters = &none};
+    const int before = exhausted_watch();
     whirl_claims *claims = calloc(1, sizeof *claims);
     reader.no_memory = !claims;
     if (claims) {
@@ -182,6 +184,7 @@ whirl_status claims_parse(const char *text, size_t length, const char *name, whi
     }
     problems_sort(problems);
     problems_quote(problems, text, length);
+    reader.no_memory = reader.no_memory || exhausted(before) || problems_blame_memory(problems);
     const whirl_status status = reader_outcome(&reader, name);
     arena_free(&arena);
     whirl_problems_free(&own);

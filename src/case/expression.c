@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "exhausted.h"
 #include "problem.h"
 
 // muParser's own, all with radians; log is the natural logarithm, as ln.
@@ -172,7 +173,7 @@ static void describe_error(muParserHandle_t parser, const char *text, char why[W
         snprintf(why, WHY_SIZE, "is no expression at '%s'", text_shown(text + position, shown));
 }
 
-bool evaluator_value(expression_evaluator *evaluator, const char *text, double *value, char why[WHY_SIZE]) {
+static bool evaluate(expression_evaluator *evaluator, const char *text, double *value, char why[WHY_SIZE]) {
     muParserHandle_t parser = evaluator->parser;
     int count = 0;
     mupErrorReset(parser);
@@ -187,5 +188,14 @@ bool evaluator_value(expression_evaluator *evaluator, const char *text, double *
     char shown[SHOWN_SIZE];
     snprintf(why, WHY_SIZE, "= %s is %s, expected a finite number", text_shown(text, shown),
              isnan(*value) ? "not a number" : "infinite");
+    return false;
+}
+
+bool evaluator_value(expression_evaluator *evaluator, const char *text, double *value, char why[WHY_SIZE]) {
+    const int before = exhausted_watch();
+    const bool done = evaluate(evaluator, text, value, why);
+    // muParser's interface in C calls every exception but its own an internal error.
+    if (!exhausted(before)) return done;
+    snprintf(why, WHY_SIZE, "%s", problem_no_memory);
     return false;
 }

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "content.h"
+#include "exhausted.h"
 
 typedef struct member {
     whirl_rotor *rotor;
@@ -37,7 +38,9 @@ whirl_status case_machine(const void *family, const whirl_batch *batch, double v
     const size_t dimension = 4 * object->content.machine.station_count;
     member *m = calloc(1, sizeof *m + dimension * sizeof *m->start);
     if (!m) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine");
-    const whirl_status status = make_member(&object->content, batch, value, m);
+    const int before = exhausted_watch();
+    whirl_status status = make_member(&object->content, batch, value, m);
+    if (status.code != WHIRL_OK && exhausted(before)) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine");
     if (status.code != WHIRL_OK) {
         release(m);
         return status.code == WHIRL_NO_MEMORY || !batch->parameter[0]

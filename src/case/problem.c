@@ -7,6 +7,15 @@
 
 enum { MAX_PROBLEMS = 100 };
 
+const char problem_no_memory[] = "cannot be read, for there is no memory";
+
+bool problems_blame_memory(const whirl_problems *problems) {
+    if (problems->count > 0 && !problems->items) return true;
+    for (size_t i = 0; i < problems->count; i++)
+        if (strstr(problems->items[i].message, problem_no_memory)) return true;
+    return false;
+}
+
 // Without memory the problem is counted all the same, so that nothing wrong passes.
 static whirl_problem *add_problem(whirl_problems *problems) {
     if (!problems->items) {

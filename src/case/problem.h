@@ -26,6 +26,12 @@ void problem_at_key(whirl_problems *problems, const file_node *where, const char
 void problem_missing(whirl_problems *problems, const file_node *mapping, const char *key, const char *format, ...)
     PROBLEM_FORMAT(4);
 
+/// What is said of a value that could not be read for lack of memory: then nothing is wrong with the file.
+extern const char problem_no_memory[];
+
+/// Whether that was said, or nothing could be said.
+bool problems_blame_memory(const whirl_problems *problems);
+
 /// In an order that a person can walk through: by line, then column.
 void problems_sort(whirl_problems *problems);
 

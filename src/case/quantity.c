@@ -6,6 +6,7 @@
 #include "quantity.h"
 
 #include <ctype.h>
+#include <errno.h>
 #include <math.h>
 #include <pthread.h>
 #include <stdio.h>
@@ -13,12 +14,21 @@
 #include <string.h>
 #include <udunits2.h>
 
+#include "exhausted.h"
 #include "problem.h"
 
 enum { LONGEST_NUMBER = 60, LONGEST_UNIT = 60 };
 
 static pthread_mutex_t units_lock = PTHREAD_MUTEX_INITIALIZER;
 static ut_system *units; // guarded by units_lock
+
+// UDUNITS-2 tells a lack of memory by errno alone, and its lexer sets errno back: what failed for it is noted at once.
+static bool no_memory; // guarded by units_lock
+
+static bool made(bool well) {
+    if (!well && errno == ENOMEM) no_memory = true;
+    return well;
+}
 
 // Units that engineers write and UDUNITS does not know.
 static void add_unit(const char *name, const char *meaning) {
@@ -31,7 +41,7 @@ static bool units_ready(void) {
     if (units) return true;
     ut_set_error_message_handler(ut_ignore);
     units = ut_read_xml(NULL);
-    if (!units) return false;
+    if (!made(units != NULL)) return false;
     add_unit("deg", "degree");
     add_unit("cP", "mPa.s");
     return true;
@@ -62,26 +72,29 @@ static bool looks_like_unit(const char *text) {
 
 static ut_unit *parse_unit(const char *text) {
     if (strcmp(text, "1") == 0) return ut_get_dimensionless_unit_one(units);
-    return looks_like_unit(text) ? ut_parse(units, text, UT_UTF8) : NULL;
+    ut_unit *unit = looks_like_unit(text) ? ut_parse(units, text, UT_UTF8) : NULL;
+    made(unit != NULL);
+    return unit;
 }
 
 static bool has_radian(const ut_unit *unit) {
     char text[256];
     const int length = ut_format(unit, text, sizeof text, UT_ASCII | UT_DEFINITION);
+    made(length >= 0);
     if (length < 0 || (size_t)length >= sizeof text) return false;
     return strstr(text, "rad") != NULL;
 }
 
 static bool same_dimension(const ut_unit *a, const ut_unit *b) {
     ut_unit *ratio = ut_divide(a, b);
-    const bool same = ratio && ut_is_dimensionless(ratio);
+    const bool same = made(ratio != NULL) && ut_is_dimensionless(ratio);
     ut_free(ratio);
     return same && (ut_is_dimensionless(a) || has_radian(a) == has_radian(b));
 }
 
 static bool convert(ut_unit *from, ut_unit *to, double *value) {
     cv_converter *converter = ut_get_converter(from, to);
-    if (!converter) return false;
+    if (!made(converter != NULL)) return false;
     *value = cv_convert_double(converter, *value);
     cv_free(converter);
     return true;
@@ -95,7 +108,8 @@ static const char *const si_units[] = {"m",    "kg", "s",     "rad",   "rad/s", 
 static bool to_named_unit(ut_unit *unit, quantity *result) {
     for (size_t i = 0; i < sizeof si_units / sizeof *si_units; i++) {
         ut_unit *candidate = ut_parse(units, si_units[i], UT_ASCII);
-        const bool fits = candidate && has_radian(candidate) == has_radian(unit) && same_dimension(unit, candidate);
+        const bool fits =
+            made(candidate != NULL) && has_radian(candidate) == has_radian(unit) && same_dimension(unit, candidate);
         const bool done = fits && convert(unit, candidate, &result->value);
         ut_free(candidate);
         if (!done) continue;
@@ -228,7 +242,7 @@ static bool read_unit(const char *text, const char *unit_text, const char *expec
     return done;
 }
 
-bool quantity_read(const char *text, const char *expected, quantity *result, char why[WHY_SIZE]) {
+static bool read_quantity(const char *text, const char *expected, quantity *result, char why[WHY_SIZE]) {
     char shown[SHOWN_SIZE], expectation[WHY_SIZE / 2];
     const char *end;
     *result = (quantity){.unit = "1"};
@@ -241,7 +255,9 @@ bool quantity_read(const char *text, const char *expected, quantity *result, cha
     bool done = true;
     if (*end == ' ') {
         pthread_mutex_lock(&units_lock);
+        no_memory = false;
         done = read_unit(text, end + strspn(end, " "), expected, result, why);
+        if (no_memory) errno = ENOMEM;
         pthread_mutex_unlock(&units_lock);
     } else if (*end) {
         snprintf(why, WHY_SIZE, "is %s, expected %s, with a space before the unit", shown, expectation);
@@ -254,12 +270,21 @@ bool quantity_read(const char *text, const char *expected, quantity *result, cha
     return done;
 }
 
-bool quantity_fits(const char *unit_text, const char *expected, char why[WHY_SIZE]) {
+bool quantity_read(const char *text, const char *expected, quantity *result, char why[WHY_SIZE]) {
+    const int before = exhausted_watch();
+    const bool done = read_quantity(text, expected, result, why);
+    if (!exhausted(before)) return done;
+    snprintf(why, WHY_SIZE, "%s", problem_no_memory);
+    return false;
+}
+
+static bool fits_unit(const char *unit_text, const char *expected, char why[WHY_SIZE]) {
     pthread_mutex_lock(&units_lock);
     bool fits = true;
+    no_memory = false;
     ut_unit *unit = units_ready() ? ut_parse(units, unit_text, UT_ASCII) : NULL;
     ut_unit *wanted = unit ? ut_parse(units, expected, UT_ASCII) : NULL;
-    if (unit && wanted) fits = same_dimension(unit, wanted);
+    if (made(unit != NULL) && made(wanted != NULL)) fits = same_dimension(unit, wanted);
     char expectation[WHY_SIZE / 2];
     if (!fits) {
         describe_misfit(unit, expected, expectation);
@@ -267,6 +292,15 @@ bool quantity_fits(const char *unit_text, const char *expected, char why[WHY_SIZ
     }
     ut_free(unit);
     ut_free(wanted);
+    if (no_memory) errno = ENOMEM;
     pthread_mutex_unlock(&units_lock);
     return fits;
+}
+
+bool quantity_fits(const char *unit_text, const char *expected, char why[WHY_SIZE]) {
+    const int before = exhausted_watch();
+    const bool fits = fits_unit(unit_text, expected, why);
+    if (!exhausted(before)) return fits;
+    snprintf(why, WHY_SIZE, "%s", problem_no_memory);
+    return false;
 }

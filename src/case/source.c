@@ -12,6 +12,7 @@
 
 static whirl_status cannot_read(const char *path, int error) {
     char reason[128] = "unknown reason";
+    if (error == ENOMEM) return whirl_fail(WHIRL_NO_MEMORY, "no memory to read %.240s", path);
     if (strerror_r(error, reason, sizeof reason) != 0) snprintf(reason, sizeof reason, "error %d", error);
     return whirl_fail(WHIRL_BAD_INPUT, "%.240s cannot be read: %s", path, reason);
 }

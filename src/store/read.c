@@ -2,6 +2,7 @@
 #include "read.h"
 
 #include "bytes.h"
+#include "exhausted.h"
 #include "format.h"
 #include "h5file.h"
 #include "items.h"
@@ -374,12 +375,15 @@ static void get_result(whirl_status *status, hid_t file, size_t limit, const blo
 whirl_status read_result(const byte_source *source, const char *name, const block_taker *taker, whirl_result **result) {
     *result = calloc(1, sizeof **result);
     if (!*result) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a result");
+    const int before = exhausted_watch();
     const h5_errors errors = h5_quiet();
     h5_bytes bytes;
     hid_t file;
     whirl_status status = h5_open(&bytes, source, &file);
     get_result(&status, file, (size_t)source->size, taker, *result);
+    const bool no_memory = exhausted(before);
     h5_close(&bytes, file);
+    if (no_memory) status = whirl_fail(WHIRL_NO_MEMORY, "no memory to read it");
     if (status.code == WHIRL_OK) {
         h5_loud(errors);
         return status;

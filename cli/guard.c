@@ -1,0 +1,82 @@
+#include "guard.h"
+
+#include <errno.h>
+#include <signal.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "command.h"
+
+enum { PATH_SIZE = 4096 + 64 };
+
+// A signal handler can reach nothing but static storage.
+static volatile sig_atomic_t watching;
+static bool exhausted;
+static char half_written[PATH_SIZE];
+
+/// Only calls that are safe in a signal handler.
+static _Noreturn void give_up(void) {
+    static const char sentence[] =
+        "whirl: there is no memory left, and a library could not go on; nothing is half written\n";
+    if (half_written[0]) unlink(half_written);
+    const ssize_t said = write(STDERR_FILENO, sentence, sizeof sentence - 1);
+    (void)said;
+    _exit(EXIT_FAILED);
+}
+
+/// A library that has just been refused memory runs into the pointer that it did not get, or aborts. Any other fault is one
+/// of the program, and ends it as such.
+static void on_fault(int number) {
+    if (errno == ENOMEM) give_up();
+    signal(number, SIG_DFL);
+    raise(number);
+}
+
+/// Some libraries end the program themselves: the lexer of UDUNITS-2, HDF5, OpenMP.
+static void on_exit_of_others(void) {
+    if (watching) give_up();
+}
+
+static void watch_faults(void) {
+    enum { STACK_SIZE = 1 << 16 };
+    static const int faults[] = {SIGSEGV, SIGBUS, SIGABRT};
+    // HDF5 1.10 that cannot begin calls itself until the stack is full; the handler has one of its own.
+    static char stack[STACK_SIZE];
+    const stack_t own = {.ss_sp = stack, .ss_size = sizeof stack};
+    struct sigaction action = {.sa_handler = on_fault, .sa_flags = SA_ONSTACK}, before;
+    if (sigaltstack(&own, NULL) != 0) action.sa_flags = 0;
+    sigemptyset(&action.sa_mask);
+    // Sanitizers have handlers of their own.
+    for (size_t i = 0; i < sizeof faults / sizeof *faults; i++)
+        if (sigaction(faults[i], NULL, &before) == 0 && before.sa_handler == SIG_DFL)
+            sigaction(faults[i], &action, NULL);
+}
+
+void guard_begin(void) {
+    static bool ready;
+    if (!ready && atexit(on_exit_of_others) == 0) watch_faults();
+    ready = true;
+    watching = 1;
+}
+
+void guard_rest(void) {
+    watching = 0;
+}
+
+void guard_file(const char *path) {
+    snprintf(half_written, sizeof half_written, "%s", path);
+}
+
+void guard_note_exhausted(void) {
+    exhausted = true;
+}
+
+_Noreturn void guard_leave(int status) {
+    guard_rest();
+    if (!exhausted) exit(status);
+    fflush(stdout);
+    _exit(status);
+}
