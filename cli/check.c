@@ -2,6 +2,7 @@
 #include "command.h"
 #include "guard.h"
 
+#include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -27,6 +28,56 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     }
 }
 
+/// Looks at the steps after a few revolutions from the machine's start, by a method that is stable: films stiffen as a motion grows.
+static whirl_status look_at_steps(const whirl_machine *machine, const whirl_batch *batch, whirl_step_check *check) {
+    enum { REVOLUTIONS = 10 };
+    whirl_integrate_options stable = batch->integrate;
+    whirl_integrator *integrator;
+    const size_t bytes = machine->system->dimension * sizeof(double);
+    double *x = malloc(bytes);
+    if (!x) return whirl_fail(WHIRL_NO_MEMORY, "%s", whirl_code_text(WHIRL_NO_MEMORY));
+    memcpy(x, machine->start, bytes);
+    snprintf(stable.method, sizeof stable.method, "cvode-bdf");
+    stable.rtol = 1e-6;
+    stable.atol = 1e-9;
+    whirl_status status = whirl_integrator_new(machine->system, &stable, &integrator);
+    if (status.code == WHIRL_OK) {
+        whirl_motion motion = WHIRL_BOUNDED;
+        for (int i = 0; i < REVOLUTIONS && motion == WHIRL_BOUNDED; i++)
+            motion = whirl_integrator_revolve(integrator, x, NULL, NULL);
+        whirl_integrator_free(integrator);
+        const double *from = motion == WHIRL_BOUNDED ? x : machine->start;
+        status = whirl_step_check_revolution(machine->system, &batch->integrate, from, NULL, 1e-5, check);
+    }
+    free(x);
+    return status;
+}
+
+/// Warns where fixed steps are too long for the machine in its first revolutions, at the first, the middle and the last value.
+static whirl_status warn_of_steps(const char *path, const whirl_study *study, const whirl_batch *batch) {
+    const size_t at[] = {0, batch->count / 2, batch->count - 1};
+    whirl_status status = whirl_ok();
+    double needed = 0.0;
+    if (whirl_method_is_adaptive(batch->integrate.method)) return status;
+    for (size_t i = 0; i < 3 && status.code == WHIRL_OK; i++) {
+        whirl_machine machine;
+        whirl_step_check check = {.growth = 1.0};
+        const double value = batch->values ? batch->values[at[i]] : (double)NAN;
+        status = study->machine(study->family, batch, value, &machine);
+        if (status.code != WHIRL_OK) break;
+        status = look_at_steps(&machine, batch, &check);
+        if (machine.release) machine.release(machine.owner);
+        if (whirl_step_is_unstable(&check)) needed = fmax(needed, check.steps);
+    }
+    if (needed > 0.0)
+        fprintf(stderr,
+                "%s: warning: %d steps a revolution are unstable for this machine in its first revolutions (%s): it "
+                "needs %.0f or "
+                "more, or method auto\n",
+                path, batch->integrate.steps_per_revolution, batch->name, needed);
+    return status;
+}
+
 /// A case that reads well must also give a rotor and a study.
 static whirl_status describe_case(const char *path, const whirl_case *object) {
     whirl_rotor *rotor = NULL;
@@ -46,6 +97,8 @@ static whirl_status describe_case(const char *path, const whirl_case *object) {
         for (size_t i = 0; i < system->probe_count; i++) printf("%s %s", i ? "," : "", system->probes[i].name);
         putchar('\n');
         summarize_study(&study);
+        for (size_t i = 0; i < study.batch_count && status.code == WHIRL_OK; i++)
+            status = warn_of_steps(path, &study, &study.batches[i]);
     }
     whirl_rotor_free(rotor);
     return status;
