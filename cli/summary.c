@@ -136,7 +136,51 @@ static void count_verdict(verdict_counts *tally, const whirl_verdict *verdict) {
     tally->of[i]++;
 }
 
-/// Verdicts in the order in which the sweep meets them.
+/// Neighbouring points of one verdict.
+typedef struct window {
+    size_t first, last;
+    char name[VERDICT_SIZE];
+} window;
+
+/// The windows of a sweep in its order; as many as there are, of which `most` are written.
+static size_t find_windows(const whirl_table *table, window *windows, size_t most) {
+    size_t count = 0;
+    window now = {.name = ""};
+    for (size_t point = 0; point < table->count; point++) {
+        if (!whirl_table_done(table, point)) continue;
+        const whirl_verdict verdict = whirl_table_verdict(table, point);
+        char name[VERDICT_SIZE];
+        short_name(&verdict, name, sizeof name);
+        const bool next_to = count > 0 && whirl_table_slot(table, point) == whirl_table_slot(table, now.last) + 1;
+        if (!next_to || strcmp(name, now.name) != 0 || table->branch[point] != table->branch[now.last]) {
+            count++;
+            now.first = point;
+            memcpy(now.name, name, sizeof name);
+        }
+        now.last = point;
+        if (count <= most) windows[count - 1] = now;
+    }
+    return count;
+}
+
+/// "2000 to 6000 rpm  P-1", one line a window, in the order of the sweep. False, and nothing, where they are too many.
+static bool print_windows(const whirl_result *result, const whirl_table *table) {
+    window windows[LONGEST_LIST];
+    const size_t count = find_windows(table, windows, LONGEST_LIST);
+    const whirl_unit unit = whirl_result_unit(result, table->parameter);
+    for (size_t i = 0; i < count && count <= LONGEST_LIST; i++) {
+        const window *const one = &windows[i];
+        const double a = table->values[one->first] / unit.size, b = table->values[one->last] / unit.size;
+        char range[VERDICT_SIZE];
+        int length = snprintf(range, sizeof range, "%.6g", a);
+        if (one->last > one->first) length += snprintf(range + length, sizeof range - (size_t)length, " to %.6g", b);
+        snprintf(range + length, sizeof range - (size_t)length, "%s%s", *unit.name ? " " : "", unit.name);
+        printf("  %-24s %s%s\n", range, one->name, table->branch[one->first] < 0 ? ", from the last value on" : "");
+    }
+    return count <= LONGEST_LIST;
+}
+
+/// Verdicts in the order in which the sweep meets them, with their ranges where these are few.
 static void print_counts(const whirl_result *result, const whirl_table *table) {
     verdict_counts tally = {.count = 0};
     size_t rubbing = 0, sure[WHIRL_HIGH + 1] = {0};
@@ -147,7 +191,8 @@ static void print_counts(const whirl_result *result, const whirl_table *table) {
         rubbing += rubs(result, table, point);
         sure[verdict.confidence]++;
     }
-    for (size_t i = 0; i < tally.count; i++) printf("  %6zu  %s\n", tally.of[i], tally.names[i]);
+    const bool listed = print_windows(result, table);
+    for (size_t i = 0; i < tally.count && !listed; i++) printf("  %6zu  %s\n", tally.of[i], tally.names[i]);
     if (result->contact_count > 0) printf("  %6zu  with rub\n", rubbing);
     if (has_verdicts(table))
         printf("  confidence: %zu high, %zu fair, %zu low\n", sure[WHIRL_HIGH], sure[WHIRL_FAIR], sure[WHIRL_LOW]);
