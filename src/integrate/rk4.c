@@ -127,7 +127,7 @@ static void end(whirl_integrator *integrator) {
 
 const method rk4_method = {
     .about = {"rk4", "Runge-Kutta of order 4, fixed steps; goes over contacts unless they are to be located", false,
-              true},
+              true, false},
     .start = start,
     .revolve = revolve,
     .disturbance_rows = 5,
