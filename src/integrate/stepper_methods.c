@@ -94,7 +94,7 @@ const method auto_method = {
 };
 
 const method dop853_method = {
-    .about = {"dop853", "Dormand-Prince of order 8(5,3), steps by the tolerance, contacts located", true, true},
+    .about = {"dop853", "Dormand-Prince of order 8(5,3), steps by the tolerance, contacts located", true, true, false},
     .start = start_dop853,
     .revolve = revolve_freely,
     .disturbance_rows = DISTURBANCE_ROWS,
@@ -102,7 +102,7 @@ const method dop853_method = {
 };
 
 const method rk4_located_method = {
-    .about = {"rk4", "Runge-Kutta of order 4, fixed steps that are split at contacts", false, true},
+    .about = {"rk4", "Runge-Kutta of order 4, fixed steps that are split at contacts", false, true, false},
     .start = start_rk4,
     .revolve = revolve_on_grid,
     .disturbance_rows = DISTURBANCE_ROWS,
