@@ -85,6 +85,13 @@ static void print_confidence(const whirl_verdict *verdict) {
     putchar('\n');
 }
 
+/// "exponents failed: their sum is -4.186, the equations give -1.257; take a smaller tolerance or more steps".
+static void print_failed_exponents(const whirl_table *table, size_t point) {
+    if (!(number(table, point, "exponents/failed", 0) > 0.5)) return;
+    printf("  exponents failed: their sum is %.4g, the equations give %.4g; take a smaller tolerance or more steps\n",
+           number(table, point, "exponents/sum", 0), number(table, point, "exponents/sum_exact", 0));
+}
+
 static void print_point(const whirl_result *result, const whirl_table *table) {
     if (!whirl_table_done(table, 0)) {
         printf("%s: not computed\n", table->name);
@@ -98,6 +105,7 @@ static void print_point(const whirl_result *result, const whirl_table *table) {
     if (text[0]) printf("  %s\n", text);
     print_confidence(&verdict);
     if (verdict.regime == WHIRL_DIVERGING) return;
+    print_failed_exponents(table, 0);
     print_rubs(result, table, 0);
     print_radii(result, table, 0);
     print_synchronous(result, table, 0);
@@ -117,6 +125,8 @@ static void print_list(const whirl_result *result, const whirl_table *table) {
         if (isfinite(verdict.exponent.value))
             printf(" exponent %8.4f +- %-7.1g", verdict.exponent.value,
                    fmax(verdict.exponent.error, 1e-4)); // not below what the digits show
+        else if (verdict.exponents_failed)
+            printf(" %-28s", "exponents failed");
         puts(rubs(result, table, point) ? "  rub" : "");
     }
 }
@@ -183,17 +193,19 @@ static bool print_windows(const whirl_result *result, const whirl_table *table) 
 /// Verdicts in the order in which the sweep meets them, with their ranges where these are few.
 static void print_counts(const whirl_result *result, const whirl_table *table) {
     verdict_counts tally = {.count = 0};
-    size_t rubbing = 0, sure[WHIRL_HIGH + 1] = {0};
+    size_t rubbing = 0, failed = 0, sure[WHIRL_HIGH + 1] = {0};
     for (size_t point = 0; point < table->count; point++) {
         if (!whirl_table_done(table, point)) continue;
         const whirl_verdict verdict = whirl_table_verdict(table, point);
         count_verdict(&tally, &verdict);
         rubbing += rubs(result, table, point);
+        failed += verdict.exponents_failed;
         sure[verdict.confidence]++;
     }
     const bool listed = print_windows(result, table);
     for (size_t i = 0; i < tally.count && !listed; i++) printf("  %6zu  %s\n", tally.of[i], tally.names[i]);
     if (result->contact_count > 0) printf("  %6zu  with rub\n", rubbing);
+    if (failed > 0) printf("  %6zu  with failed exponents: take a smaller tolerance, or more steps\n", failed);
     if (has_verdicts(table))
         printf("  confidence: %zu high, %zu fair, %zu low\n", sure[WHIRL_HIGH], sure[WHIRL_FAIR], sure[WHIRL_LOW]);
 }

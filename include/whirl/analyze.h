@@ -192,11 +192,14 @@ typedef struct whirl_estimate {
 } whirl_estimate;
 
 /// Largest Lyapunov exponent per revolution (natural logarithm): the mean growth of a disturbance over the watched
-/// revolutions after the first tenth, with the standard error of block means. NaN where nothing was followed.
+/// revolutions after the first tenth, with the standard error of block means and, where all disturbances were followed,
+/// by what the sum of their exponents misses. NaN where nothing was followed, or that is too much
+/// (whirl_lyapunov_spectrum).
 whirl_estimate whirl_lyapunov_largest(const whirl_record *record);
 
-/// All Lyapunov exponents per revolution [dimension], as whirl_lyapunov_largest has the first one. False, and NaN, where not all
-/// disturbances were followed.
+/// All Lyapunov exponents per revolution [dimension], as whirl_lyapunov_largest has the first one. False, and NaN,
+/// where not all disturbances were followed, or where the sum of the exponents misses that by the divergence by more
+/// than their standard errors and by more than a thousandth of their sizes.
 bool whirl_lyapunov_spectrum(const whirl_record *record, whirl_estimate *exponents);
 
 /// Kaplan and Yorke's dimension of the attractor in the section, from exponents [count], largest first: how many of them
@@ -248,6 +251,7 @@ typedef struct whirl_verdict {
     int later_period;
     // evidence
     whirl_estimate exponent; ///< largest, per revolution
+    bool exponents_failed;   ///< all disturbances were followed, and the sum of their growth is wrong: none counts
     double
         recurrence; ///< smallest over k <= 64 of the largest return distance |z(n+k) - z(n)|, over the size of the motion
     int recurrence_period; ///< the k that gives it (the smallest k below the tolerance, where there is one)
@@ -398,6 +402,11 @@ void whirl_block_confirm(const whirl_layout *layout, double *block, const whirl_
 
 /// Sets beside the verdict that a block holds what became of a copy of its motion (whirl_verdict_follow).
 void whirl_block_follow(const whirl_layout *layout, double *block, const whirl_verdict *later, double revolutions);
+
+/// Adds to the errors of the exponents that a block holds by how much they differ from those of the same motion at
+/// another tolerance, in a block of another layout: that much is the method's own.
+void whirl_block_compare_exponents(const whirl_layout *layout, double *block, const whirl_layout *other_layout,
+                                   const double *other);
 
 #ifdef __cplusplus
 }

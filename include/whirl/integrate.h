@@ -93,9 +93,11 @@ typedef struct whirl_disturbances {
 /// takes not so many along; WHIRL_NO_MEMORY.
 whirl_status whirl_integrator_follow(whirl_integrator *integrator, size_t most);
 
-/// whirl_integrator_revolve, to the bit, with disturbances by the variational equations: the exact derivative of the method's
-/// steps and, at switches where the right-hand side jumps, the saltation matrix. There must be room for them. By CVODE the equations
-/// of the disturbance are integrated beside the motion: their error shortens its steps, and volume stays unknown.
+/// whirl_integrator_revolve with disturbances by the variational equations: the exact derivative of the method's steps
+/// and, at switches where the right-hand side jumps, the saltation matrix. There must be room for them. With fixed
+/// steps the motion is the same to the bit. Steps of an adaptive method are as long as both tolerate: the state's error
+/// its own tolerance, that of every disturbance rtol of its length, which an equilibrium would leave to steps of any
+/// length. By CVODE the equations of the disturbance are integrated beside the motion, and volume stays unknown.
 whirl_motion whirl_integrator_carry(whirl_integrator *integrator, double *x, whirl_disturbances *disturbances,
                                     whirl_observe_fn observe, void *observer);
 

@@ -29,7 +29,7 @@ typedef struct whirl_verify_run {
         difference; ///< largest of a coordinate from the reference after the revolutions, state's units; NaN: diverged
     double section; ///< largest distance of a point of the section from the nearest one of the reference, in the
                     ///< coordinates of the stations, where both motions are periodic with the same period; else NaN
-    whirl_verdict verdict;
+    whirl_verdict verdict; ///< the exponent's error with its difference from the same method's next tolerance
 } whirl_verify_run;
 
 typedef struct whirl_verify_point {

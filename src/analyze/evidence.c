@@ -9,7 +9,8 @@ evidence evidence_gather(const whirl_record *record) {
                   .size = motion_size(record),
                   .rounding = motion_rounding(record),
                   .exponent = whirl_lyapunov_largest(record)};
-    if (record->growth_count > 0) {
+    e.exponents_failed = balance_growth(record).failed;
+    if (record->growth_count > 0 && !e.exponents_failed) {
         const size_t aligning = record->growth_count / 10;
         e.growth = record->growth + aligning;
         e.growth_count = record->growth_count - aligning;

@@ -2,6 +2,8 @@
 #ifndef ANALYZE_EVIDENCE_H
 #define ANALYZE_EVIDENCE_H
 
+#include <stdbool.h>
+
 #include "section.h"
 
 typedef struct evidence {
@@ -13,6 +15,7 @@ typedef struct evidence {
     recurrence returns;
     regularity averages;
     whirl_estimate exponent;
+    bool exponents_failed; ///< then there is no growth that says anything
 } evidence;
 
 /// All that costs little.

@@ -6,28 +6,24 @@
 #include "analysis.h"
 #include "lyapunov.h"
 
-/// While the disturbances turn towards their directions they do not count.
-static size_t first_counted(const whirl_record *record) {
-    return record->growth_count / 10;
-}
-
-/// Mean of column `which` of rows [growth_count][columns]; `values` [growth_count] is workspace.
-static whirl_estimate column_mean(const whirl_record *record, const double *rows, size_t columns, size_t which,
-                                  double *values) {
-    const size_t first = first_counted(record);
-    for (size_t i = first; i < record->growth_count; i++) values[i - first] = rows[i * columns + which];
-    return estimate_mean(values, record->growth_count - first);
+/// Exponents whose balance failed are none; to the errors of the others belongs what their sum misses.
+static void settle_balance(const growth_balance *balance, whirl_estimate *exponents, size_t count) {
+    for (size_t k = 0; k < count; k++) {
+        if (balance->failed)
+            exponents[k] = (whirl_estimate){NAN, NAN};
+        else
+            exponents[k].error = hypot(exponents[k].error, balance->miss);
+    }
 }
 
 bool whirl_lyapunov_spectrum(const whirl_record *record, whirl_estimate *exponents) {
     const size_t n = record->dimension;
-    double *values = record->growths && record->growth_count > 0 ? malloc(record->growth_count * sizeof *values) : NULL;
-    const bool known = values && record->motion == WHIRL_BOUNDED;
-    for (size_t k = 0; k < n; k++)
-        exponents[k] =
-            known ? column_mean(record, record->growths, n, k, values) : (whirl_estimate){.value = NAN, .error = NAN};
+    double *values = follows_all(record) ? malloc(record->growth_count * sizeof *values) : NULL;
+    growth_balance balance = {.failed = true};
+    if (values) balance = gather_exponents(record, exponents, values);
+    settle_balance(&balance, exponents, n);
     free(values);
-    return known;
+    return !balance.failed;
 }
 
 double whirl_kaplan_yorke(const whirl_estimate *exponents, size_t count) {
@@ -44,7 +40,7 @@ double whirl_kaplan_yorke(const whirl_estimate *exponents, size_t count) {
     return (double)count;
 }
 
-enum { VALUES, ERRORS, SUM, SUM_EXACT, DIMENSION, FIELD_COUNT };
+enum { VALUES, ERRORS, SUM, SUM_EXACT, DIMENSION, FAILED, FIELD_COUNT };
 
 static size_t rows_of_exponents(const block_shape *shape) {
     return shape->dimension;
@@ -53,13 +49,17 @@ static size_t rows_of_exponents(const block_shape *shape) {
 static const field_plan fields[FIELD_COUNT] = {
     [VALUES] = {"values", "1/revolution", "all Lyapunov exponents, natural logarithms, largest first", WHIRL_PER_POINT,
                 1, rows_of_exponents},
-    [ERRORS] = {"errors", "1/revolution", "their standard errors", WHIRL_PER_POINT, 1, rows_of_exponents},
+    [ERRORS] = {"errors", "1/revolution",
+                "their standard errors, what the sum misses, and how far a second tolerance differs", WHIRL_PER_POINT,
+                1, rows_of_exponents},
     [SUM] = {"sum", "1/revolution", "the sum of all exponents", WHIRL_PER_POINT, 1, NULL},
     [SUM_EXACT] = {"sum_exact", "1/revolution",
                    "what it is by the divergence of the equations: the difference is an error of the integration",
                    WHIRL_PER_POINT, 1, NULL},
     [DIMENSION] = {"dimension", "1", "Kaplan-Yorke dimension of the attractor in the section", WHIRL_PER_POINT, 1,
                    NULL},
+    [FAILED] = {"failed", "1", "1 where the sum misses what it must be by more than the errors: no exponents then",
+                WHIRL_PER_POINT, 1, NULL},
 };
 
 static whirl_status compute(const whirl_record *record, const whirl_record_options *options, const block_view *view) {
@@ -67,16 +67,17 @@ static whirl_status compute(const whirl_record *record, const whirl_record_optio
     (void)options;
     whirl_estimate *exponents = malloc(n * sizeof *exponents + count * sizeof(double));
     if (!exponents) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu exponents", n);
-    if (whirl_lyapunov_spectrum(record, exponents)) {
-        double sum = 0.0;
+    if (follows_all(record)) {
+        const growth_balance balance = gather_exponents(record, exponents, (double *)(exponents + n));
+        settle_balance(&balance, exponents, n);
         for (size_t k = 0; k < n; k++) {
             view_numbers(view, VALUES, 0)[k] = exponents[k].value;
             view_numbers(view, ERRORS, 0)[k] = exponents[k].error;
-            sum += exponents[k].value;
         }
-        *view_numbers(view, SUM, 0) = sum;
-        *view_numbers(view, SUM_EXACT, 0) = column_mean(record, record->volume, 1, 0, (double *)(exponents + n)).value;
+        *view_numbers(view, SUM, 0) = balance.sum;
+        *view_numbers(view, SUM_EXACT, 0) = balance.exact;
         *view_numbers(view, DIMENSION, 0) = whirl_kaplan_yorke(exponents, n);
+        *view_numbers(view, FAILED, 0) = balance.failed ? 1.0 : 0.0;
     }
     free(exponents);
     return whirl_ok();
@@ -84,3 +85,21 @@ static whirl_status compute(const whirl_record *record, const whirl_record_optio
 
 const analysis_plan exponents_analysis = {
     .fields = fields, .field_count = FIELD_COUNT, .needs_growth = WHIRL_GROWTH_ALL, .compute = compute};
+
+void whirl_block_compare_exponents(const whirl_layout *layout, double *block, const whirl_layout *other_layout,
+                                   const double *other) {
+    static const char *const pairs[][2] = {{"regime/exponent", "regime/exponent_error"},
+                                           {"lyapunov/largest", "lyapunov/error"},
+                                           {"exponents/values", "exponents/errors"}};
+    for (size_t p = 0; p < sizeof pairs / sizeof *pairs; p++) {
+        const whirl_field *values = whirl_layout_field(layout, pairs[p][0]);
+        const whirl_field *errors = whirl_layout_field(layout, pairs[p][1]);
+        const whirl_field *others = whirl_layout_field(other_layout, pairs[p][0]);
+        if (!values || !errors || !others || others->rows != values->rows || errors->rows != values->rows) continue;
+        for (size_t i = 0; i < values->rows; i++) {
+            const double difference = block[values->offset + i] - other[others->offset + i];
+            double *error = &block[errors->offset + i];
+            if (isfinite(difference)) *error = hypot(*error, difference);
+        }
+    }
+}

@@ -2,6 +2,7 @@
 #include "lyapunov.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 #include "analysis.h"
 #include "section.h"
@@ -66,19 +67,75 @@ whirl_estimate estimate_regular_mean(const double *values, size_t count, size_t 
     return best;
 }
 
+// ---------------------------------------------------------------- all exponents
+
+/// While the disturbances turn towards their directions they do not count.
+static size_t first_counted(const whirl_record *record) {
+    return record->growth_count / 10;
+}
+
+/// Mean growth of disturbance `which`; `values` [growth_count] is workspace.
+static whirl_estimate mean_growth(const whirl_record *record, size_t which, double *values) {
+    const size_t first = first_counted(record), n = record->dimension;
+    for (size_t i = first; i < record->growth_count; i++) values[i - first] = record->growths[i * n + which];
+    return estimate_mean(values, record->growth_count - first);
+}
+
+/// Not a number where it is none in some revolution.
+static double mean_volume(const whirl_record *record) {
+    const size_t first = first_counted(record);
+    double sum = 0.0;
+    for (size_t i = first; i < record->growth_count; i++) sum += record->volume[i];
+    return sum / (double)(record->growth_count - first);
+}
+
+bool follows_all(const whirl_record *record) {
+    return record->growths && record->growth_count > 0 && record->motion == WHIRL_BOUNDED;
+}
+
+growth_balance gather_exponents(const whirl_record *record, whirl_estimate *exponents, double *values) {
+    const double least_share = 1e-3;
+    growth_balance b = {.exact = mean_volume(record)};
+    double errors = 0.0, sizes = 0.0;
+    for (size_t k = 0; k < record->dimension; k++) {
+        exponents[k] = mean_growth(record, k, values);
+        b.sum += exponents[k].value;
+        sizes += fabs(exponents[k].value);
+        errors += isnan(exponents[k].error) ? 0.0 : exponents[k].error; // of a single revolution
+    }
+    if (isfinite(b.exact)) b.miss = fabs(b.sum - b.exact);
+    b.failed = !(b.miss <= fmax(errors, least_share * sizes));
+    return b;
+}
+
+growth_balance balance_growth(const whirl_record *record) {
+    growth_balance balance = {0};
+    if (!follows_all(record)) return balance;
+    whirl_estimate *exponents = malloc(record->dimension * sizeof *exponents + record->growth_count * sizeof(double));
+    if (exponents) balance = gather_exponents(record, exponents, (double *)(exponents + record->dimension));
+    free(exponents);
+    return balance;
+}
+
+// ---------------------------------------------------------------- the largest one
+
 whirl_estimate whirl_lyapunov_largest(const whirl_record *record) {
     if (record->motion != WHIRL_BOUNDED) return (whirl_estimate){NAN, NAN};
     if (record->growth_count == 0) return (whirl_estimate){NAN, NAN};
     // While the disturbance turns towards the direction of fastest growth it does not count.
     const size_t aligning = record->growth_count / 10;
-    return estimate_mean(record->growth + aligning, record->growth_count - aligning);
+    const growth_balance balance = balance_growth(record);
+    if (balance.failed) return (whirl_estimate){NAN, NAN};
+    const whirl_estimate mean = estimate_mean(record->growth + aligning, record->growth_count - aligning);
+    return (whirl_estimate){mean.value, balance.miss > 0.0 ? hypot(mean.error, balance.miss) : mean.error};
 }
 
 enum { LARGEST, ERROR, FIELD_COUNT };
 
 static const field_plan fields[FIELD_COUNT] = {
     [LARGEST] = {"largest", "1/revolution", "largest Lyapunov exponent, natural logarithm", WHIRL_PER_POINT, 1, NULL},
-    [ERROR] = {"error", "1/revolution", "its standard error", WHIRL_PER_POINT, 1, NULL},
+    [ERROR] = {"error", "1/revolution", "its standard error, and how far a second tolerance differs", WHIRL_PER_POINT,
+               1, NULL},
 };
 
 static whirl_status compute(const whirl_record *record, const whirl_record_options *options, const block_view *view) {

@@ -132,8 +132,7 @@ static whirl_status recording_new(const whirl_task *task, const whirl_integrate_
         return status;
     }
     memcpy(r->x, task->start, system->dimension * sizeof *r->x);
-    r->twin =
-        (trajectory_twin){.dimension = n, .x = options->growth == WHIRL_GROWTH_LARGEST && !along ? r->x + n : NULL};
+    r->twin = twin_of(integrate, n, options->growth == WHIRL_GROWTH_LARGEST && !along ? r->x + n : NULL);
     watch_open(&r->watcher, system, integrate, r->record);
     *out = r;
     return whirl_ok();

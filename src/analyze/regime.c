@@ -77,7 +77,8 @@ static const field_plan fields[FIELD_COUNT] = {
                     WHIRL_PER_POINT, 1, NULL},
     [EXPONENT] = {"exponent", "1/revolution", "evidence: largest Lyapunov exponent that the verdict rests on",
                   WHIRL_PER_POINT, 1, NULL},
-    [EXPONENT_ERROR] = {"exponent_error", "1/revolution", "evidence: its standard error", WHIRL_PER_POINT, 1, NULL},
+    [EXPONENT_ERROR] = {"exponent_error", "1/revolution", "evidence: its error, and how far a second tolerance differs",
+                        WHIRL_PER_POINT, 1, NULL},
     [STEP_GROWTH] = {"step_growth", "1",
                      "evidence: growth of a disturbance in one fixed step that the machine does not have: above 1 the "
                      "step is unstable",
@@ -167,6 +168,7 @@ whirl_verdict whirl_block_verdict(const whirl_layout *layout, const double *bloc
         .later_regime = (whirl_regime)whole(stored(layout, block, "regime/later_code"), WHIRL_DIVERGING),
         .later_period = whole(stored(layout, block, "regime/later_period"), WHIRL_MAX_PERIOD),
         .exponent = {stored(layout, block, "regime/exponent"), stored(layout, block, "regime/exponent_error")},
+        .exponents_failed = stored(layout, block, "exponents/failed") > 0.5,
         .recurrence = stored(layout, block, "regime/recurrence"),
         .recurrence_period = whole(stored(layout, block, "regime/recurrence_period"), WHIRL_MAX_PERIOD),
         .recurrence_trend = stored(layout, block, "regime/recurrence_trend"),

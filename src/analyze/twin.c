@@ -4,8 +4,12 @@
 #include <float.h>
 #include <math.h>
 
-/// Size of the disturbance relative to the state: far above rounding, far below anything that matters.
-static const double disturbance_size = 1e-8;
+/// Size of the disturbance relative to the state: far above rounding, far below anything that matters. Also in
+/// tolerances.
+static const double least_share = 1e-8, most_share = 1e-4, share_in_tolerances = 1e4;
+
+/// A distance is kept while the state is not this many times larger or smaller than when it was chosen.
+static const double outgrown = 1e3;
 
 static double norm(const double *x, size_t count) {
     double sum = 0.0;
@@ -17,9 +21,23 @@ static void twin_place(trajectory_twin *twin, const double *x) {
     for (size_t i = 0; i < twin->dimension; i++) twin->x[i] = x[i] + twin->distance / sqrt((double)twin->dimension);
 }
 
+trajectory_twin twin_of(const whirl_integrate_options *integrate, size_t dimension, double *x) {
+    const whirl_method *method;
+    const bool known = whirl_method_find(integrate->method, &method).code == WHIRL_OK;
+    const bool apart = known && method->adaptive && !method->follows;
+    return (trajectory_twin){.dimension = dimension,
+                             .share = apart ? fmin(fmax(share_in_tolerances * integrate->rtol, least_share), most_share)
+                                            : least_share,
+                             .least = apart ? share_in_tolerances * integrate->atol : 0.0,
+                             .x = x};
+}
+
+static double distance_beside(const trajectory_twin *twin, double size) {
+    return fmax(twin->share * (size > 1e-12 ? size : 1.0), twin->least);
+}
+
 void twin_begin(trajectory_twin *twin, const double *x) {
-    const double size = norm(x, twin->dimension);
-    twin->distance = disturbance_size * (size > 1e-12 ? size : 1.0);
+    twin->distance = distance_beside(twin, norm(x, twin->dimension));
     twin_place(twin, x);
 }
 
@@ -30,12 +48,14 @@ double twin_growth(trajectory_twin *twin, const double *x, bool bounded) {
         distance += d * d;
     }
     distance = sqrt(distance);
-    const bool lost = !(distance > DBL_EPSILON * norm(x, twin->dimension));
+    const double size = norm(x, twin->dimension), before = twin->distance, next = distance_beside(twin, size);
+    const bool lost = !(distance > DBL_EPSILON * size);
+    if (next > outgrown * before || next < before / outgrown) twin->distance = next;
     if (lost || !bounded || !isfinite(distance)) {
         twin_place(twin, x);
-        return lost && bounded ? log(DBL_EPSILON / disturbance_size) : -log(disturbance_size);
+        return lost && bounded ? log(DBL_EPSILON / twin->share) : -log(twin->share);
     }
     const double factor = twin->distance / distance;
     for (size_t i = 0; i < twin->dimension; i++) twin->x[i] = x[i] + factor * (twin->x[i] - x[i]);
-    return log(distance / twin->distance);
+    return log(distance / before);
 }

@@ -121,6 +121,13 @@ static whirl_verdict chaotic_verdict(const evidence *e) {
     return verdict;
 }
 
+/// Steps that do not carry disturbances may carry the motion no better.
+static void distrust(whirl_verdict *verdict) {
+    verdict->exponents_failed = true;
+    verdict->agreement = verdict->confidence = WHIRL_LOW;
+    verdict->advice = (whirl_advice){WHIRL_TIGHTER, 256.0};
+}
+
 static whirl_verdict judge_bounded(const whirl_record *record) {
     const evidence all = evidence_gather(record), later = evidence_later_half(&all);
     const whirl_estimate returning = returning_exponent(&all);
@@ -139,6 +146,7 @@ static whirl_verdict judge_bounded(const whirl_record *record) {
         verdict = open_verdict(&all);
     }
     weigh_verdict(&verdict, e, record);
+    if (all.exponents_failed) distrust(&verdict);
     return verdict;
 }
 

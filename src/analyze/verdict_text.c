@@ -42,8 +42,11 @@ void whirl_verdict_name(const whirl_verdict *verdict, char *text, size_t size) {
 }
 
 /// The error is not told below what the printed digits show.
-static void exponent_text(whirl_estimate exponent, char *text, size_t size) {
-    if (isnan(exponent.value)) {
+static void exponent_text(const whirl_verdict *v, char *text, size_t size) {
+    const whirl_estimate exponent = v->exponent;
+    if (v->exponents_failed) {
+        snprintf(text, size, "the exponents failed: their sum is not what the equations give");
+    } else if (isnan(exponent.value)) {
         snprintf(text, size, "no disturbance was followed");
     } else {
         snprintf(text, size, "largest exponent %.4f +- %.1g per revolution", exponent.value,
@@ -156,7 +159,7 @@ static void later_text(const whirl_verdict *v, char *text, size_t size) {
 
 void whirl_verdict_reason(const whirl_verdict *verdict, char *text, size_t size) {
     char exponent[96], reason[384], second[WHIRL_NAME_SIZE + 64] = "", later[WHIRL_NAME_SIZE + 96] = "";
-    exponent_text(verdict->exponent, exponent, sizeof exponent);
+    exponent_text(verdict, exponent, sizeof exponent);
     regime_reason(verdict, exponent, reason, sizeof reason);
     const bool ended = verdict->followed > 0.0 && verdict->later_regime != WHIRL_CHAOTIC;
     if (verdict->confirmed && !ended) contradiction(verdict, second, sizeof second);

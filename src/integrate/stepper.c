@@ -123,6 +123,15 @@ static double try_step(stepper *c, double h) {
     return estimated_error(c, h);
 }
 
+/// The same for the disturbances that go along: they are as sure as the state. Where they have no error that is a
+/// number the state decides.
+static double try_all(stepper *c, double h) {
+    const double error = try_step(c, h);
+    if (!(error <= 1.0)) return error;
+    const double varied = stepper_try_varied(c);
+    return isfinite(varied) ? fmax(error, varied) : error;
+}
+
 /// The cubic by the states and slopes at both ends.
 static void take_cubic(stepper *c) {
     const double h = c->length;
@@ -293,7 +302,7 @@ static whirl_motion accept(stepper *c, double until) {
     bool rejected = false;
     for (;;) {
         const double h = next_length(c, until);
-        const double error = try_step(c, h);
+        const double error = try_all(c, h);
         if (error <= 1.0) {
             if (!c->formula->adaptive) return WHIRL_BOUNDED;
             const double factor = length_factor(error, c->error);
@@ -335,6 +344,7 @@ whirl_motion stepper_step(stepper *c, double until) {
         if (theta > 0.0) {
             land(c, theta, which);
             if (c->observed) interpolate(c);
+            stepper_try_varied(c);
             stepper_vary(c);
             go_on(c, c->begin + c->length);
         }

@@ -16,6 +16,8 @@ enum { MAX_SLIDING = 8, MAX_SWITCHINGS = 10000, DENSE = 3 + DOP853_DENSE };
 typedef struct stepper_variation {
     whirl_disturbances *set;                  ///< NULL: none
     double *k[DOP853_STAGES], *stage, *upper; ///< [count][dimension]
+    double *end;                              ///< [count][dimension] at the end of the step that was tried
+    double volume;                            ///< its part of the set's
     double *spare;                            ///< [SPARE_ROWS][dimension]
 } stepper_variation;
 
@@ -96,7 +98,11 @@ void stepper_vary_begin(stepper *c);
 /// out are [count][dimension].
 void stepper_apply_jacobian(const stepper *c, double t, const double *x, const double *vectors, double *out);
 
-/// Carries the disturbances over the step just taken, before the motion goes on.
+/// Tries the step of the state for the disturbances; gives the norm of their estimated error over the tolerance, 0
+/// where there are none or the formula estimates no error.
+double stepper_try_varied(stepper *c);
+
+/// Lets the disturbances go on at the end of the step that was tried, before the motion does.
 void stepper_vary(stepper *c);
 
 /// stepper_cross, with the saltation of the disturbances.

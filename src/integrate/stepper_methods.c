@@ -23,7 +23,7 @@ static whirl_status start_rk4(whirl_integrator *integrator) {
     return start(integrator, &rk4_formula);
 }
 
-enum { DISTURBANCE_ROWS = DOP853_STAGES + 2 };
+enum { DISTURBANCE_ROWS = DOP853_STAGES + 3 };
 
 static void set_variation(const whirl_integrator *integrator, whirl_disturbances *disturbances) {
     stepper_variation *v = &((stepper *)integrator->workspace)->variation;
@@ -33,6 +33,7 @@ static void set_variation(const whirl_integrator *integrator, whirl_disturbances
     for (size_t i = 0; i < DOP853_STAGES; i++) v->k[i] = integrator->slopes + i * row;
     v->stage = integrator->slopes + DOP853_STAGES * row;
     v->upper = v->stage + row;
+    v->end = v->upper + row;
     v->spare = integrator->slopes + DISTURBANCE_ROWS * row;
 }
 

@@ -126,21 +126,60 @@ static void add_slopes(const double *a, double *const *k, int i, size_t size, do
     }
 }
 
-void stepper_vary(stepper *c) {
-    whirl_disturbances *set = c->variation.set;
-    if (!set) return;
+/// The norm of disturbance `which` of a set.
+static double length_of(const stepper *c, const double *vectors, size_t which) {
+    const double *u = vectors + which * c->dimension;
+    return sqrt(dot(c->dimension, u, u));
+}
+
+/// The error of disturbance `which` over the step, as stepper.c has it of the state, over the tolerance of its length.
+/// Equations of disturbances are linear: they know no absolute tolerance.
+static double estimated_error(const stepper *c, size_t which) {
+    const stepper_variation *v = &c->variation;
+    const size_t first = which * c->dimension;
+    const double size = fmax(length_of(c, v->set->vectors, which), length_of(c, v->end, which));
+    double square5 = 0.0, square3 = 0.0;
+    for (size_t d = first; d < first + c->dimension; d++) {
+        double e5 = 0.0, e3 = 0.0;
+        for (int j = 0; j < DOP853_STAGES; j++) {
+            e5 += dop853_e5[j] * v->k[j][d];
+            e3 += dop853_e3[j] * v->k[j][d];
+        }
+        square5 += e5 * e5;
+        square3 += e3 * e3;
+    }
+    const double mixed = square5 + 0.01 * square3;
+    return mixed > 0.0 ? c->length * square5 / (sqrt(mixed) * c->rtol * size) : mixed;
+}
+
+double stepper_try_varied(stepper *c) {
+    stepper_variation *v = &c->variation;
+    const whirl_disturbances *set = v->set;
+    if (!set) return 0.0;
     const size_t n = c->dimension, size = set->count * n;
     const formula *f = c->formula;
     const double h = c->length;
+    double error = 0.0;
+    v->volume = 0.0;
     for (int i = 0; i < f->stages; i++) {
         const double t = c->begin + f->c[i] * h;
         add_slopes(f->a[i], c->k, i, n, h, c->start, c->stage);
-        add_slopes(f->a[i], c->variation.k, i, size, h, set->vectors, c->variation.stage);
-        stepper_apply_jacobian(c, t, c->stage, c->variation.stage, c->variation.k[i]);
-        set->volume += h * f->a[f->stages][i] * divergence(c, t, c->stage);
+        add_slopes(f->a[i], v->k, i, size, h, set->vectors, v->stage);
+        stepper_apply_jacobian(c, t, c->stage, v->stage, v->k[i]);
+        v->volume += h * f->a[f->stages][i] * divergence(c, t, c->stage);
     }
-    add_slopes(f->a[f->stages], c->variation.k, f->stages, size, h, set->vectors, set->vectors);
-    if (set->growth) make_orthonormal(n, set->count, set->vectors, set->growth);
+    add_slopes(f->a[f->stages], v->k, f->stages, size, h, set->vectors, v->end);
+    for (size_t k = 0; f->adaptive && k < set->count; k++) error = fmax(error, estimated_error(c, k));
+    return error;
+}
+
+void stepper_vary(stepper *c) {
+    const stepper_variation *v = &c->variation;
+    whirl_disturbances *set = v->set;
+    if (!set) return;
+    memcpy(set->vectors, v->end, set->count * c->dimension * sizeof *v->end);
+    set->volume += v->volume;
+    if (set->growth) make_orthonormal(c->dimension, set->count, set->vectors, set->growth);
 }
 
 void stepper_cross_varied(stepper *c, size_t which) {

@@ -102,6 +102,7 @@ static void put_exponents(bool *well, json_t *object, const whirl_table *table, 
     const double *sum = whirl_table_field(table, point, "exponents/sum", 0);
     const double *exact = whirl_table_field(table, point, "exponents/sum_exact", 0);
     const double *dimension = whirl_table_field(table, point, "exponents/dimension", 0);
+    const double *failed = whirl_table_field(table, point, "exponents/failed", 0); // results of old have none
     if (!values || !errors || !sum || !exact || !dimension) return;
     const size_t count = whirl_layout_field(&table->layout, "exponents/values")->rows;
     json_t *exponents = json_object();
@@ -110,6 +111,7 @@ static void put_exponents(bool *well, json_t *object, const whirl_table *table, 
     document_put(well, exponents, "sum", document_number(*sum));
     document_put(well, exponents, "sum_exact", document_number(*exact));
     document_put(well, exponents, "dimension", document_number(*dimension));
+    if (failed) document_put(well, exponents, "failed", json_boolean(*failed > 0.5));
     document_put(well, object, "exponents", exponents);
 }
 

@@ -1,5 +1,6 @@
 // Regimes along the sweep, and the table of the points that are shown one by one.
 #include <math.h>
+#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -180,6 +181,12 @@ static void write_exponents(FILE *stream, const whirl_table *table, size_t point
     const numbers sum = point_numbers(table, point, "exponents/sum", 0);
     const numbers exact = point_numbers(table, point, "exponents/sum_exact", 0);
     const numbers dimension = point_numbers(table, point, "exponents/dimension", 0);
+    const numbers failed = point_numbers(table, point, "exponents/failed", 0);
+    if (failed.at && failed.at[0] > 0.5 && sum.at && exact.at) {
+        fputs("<br>", stream);
+        html_printf(stream, "exponents failed: their sum is %.6g, the equations give %.6g", sum.at[0], exact.at[0]);
+        return;
+    }
     if (!values.at || !errors.at || errors.rows < values.rows) return;
     fputs("<br>exponents ", stream);
     for (size_t i = 0; i < values.rows; i++) {

@@ -9,14 +9,22 @@
 
 // ---------------------------------------------------------------- making
 
-/// The layout of the verdicts at the second tolerance, which are all that is taken from those motions.
+/// What is taken from motions beside the points: verdicts and, at the second tolerance, the exponents that were asked for.
+static whirl_analysis_set compared(const pass *p, const whirl_batch *batch) {
+    static const char *const names[] = {"regime", "lyapunov", "exponents"};
+    const size_t count = p->confirming ? sizeof names / sizeof *names : 1;
+    whirl_analysis_set set = 0;
+    for (size_t i = 0; i < count; i++) whirl_analysis_add(&set, names[i]);
+    return set & batch->analyses;
+}
+
+/// The layout of what is taken from them.
 static whirl_status make_other_layout(chains *c) {
     whirl_machine machine;
-    whirl_analysis_set regime = 0;
     whirl_status status = c->run->study->machine(c->run->study->family, c->batch, c->table->values[0], &machine);
     if (status.code != WHIRL_OK) return status;
-    whirl_analysis_add(&regime, "regime");
-    status = whirl_layout_new(machine.system, &c->pass->integrate, &c->pass->record, regime, &c->other);
+    status =
+        whirl_layout_new(machine.system, &c->pass->integrate, &c->pass->record, compared(c->pass, c->batch), &c->other);
     if (machine.release) machine.release(machine.owner);
     return status;
 }
@@ -133,10 +141,12 @@ static void set_beside(const worker *w, size_t slot) {
     const double revolutions = w->other[whirl_layout_field(&c->other, "regime/revolutions")->offset];
 #pragma omp critical(whirl_beside)
     {
-        if (c->pass->confirming)
+        if (c->pass->confirming) {
             whirl_block_confirm(layout, block_of(w, slot), &other);
-        else
+            whirl_block_compare_exponents(layout, block_of(w, slot), &c->other, w->other);
+        } else {
             whirl_block_follow(layout, block_of(w, slot), &other, revolutions);
+        }
         if (c->pass->round > 0) refine_add_spent(layout, block_of(w, slot), c->weight * revolutions);
     }
 }
@@ -292,11 +302,7 @@ static whirl_status analyze(const worker *w, size_t slot, const whirl_record *re
     const chains *c = w->chains;
     const pass *p = c->pass;
     double *block = block_of(w, slot);
-    if (pass_is_beside(p)) {
-        whirl_analysis_set regime = 0;
-        whirl_analysis_add(&regime, "regime");
-        return whirl_analyze(record, &p->record, regime, &c->other, w->other);
-    }
+    if (pass_is_beside(p)) return whirl_analyze(record, &p->record, compared(p, c->batch), &c->other, w->other);
     const double spent = p->round > 0 ? refine_spent(&c->table->layout, block) + c->weight * record->revolutions : 0.0;
     const whirl_status status = whirl_analyze(record, &p->record, c->batch->analyses, &c->table->layout, block);
     refine_note(&c->table->layout, block, p, spent);

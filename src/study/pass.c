@@ -23,7 +23,7 @@ pass pass_confirming(const pass *points) {
     again.integrate = whirl_integrate_tighter(&points->integrate, confirm_factor);
     again.record.waveform = again.record.spectra = false;
     again.record.waveform_revolutions = 0;
-    again.record.growth = WHIRL_GROWTH_LARGEST; // whatever the points follow
+    if (again.record.growth < WHIRL_GROWTH_LARGEST) again.record.growth = WHIRL_GROWTH_LARGEST;
     return again;
 }
 

@@ -112,6 +112,20 @@ static void take_verdicts(whirl_verification *v, whirl_result *const results[WHI
     }
 }
 
+/// To the error of an exponent belongs by how much the next tolerance's differs, to that of the last one the one
+/// before's.
+static void compare_exponents(whirl_verification *v) {
+    for (size_t point = 0; point < v->count; point++)
+        for (int m = 0; m < WHIRL_VERIFY_METHODS; m++)
+            for (int level = 0; level < WHIRL_VERIFY_LEVELS; level++) {
+                whirl_verify_run *runs = v->points[point].runs[m];
+                const int other = level + 1 < WHIRL_VERIFY_LEVELS ? level + 1 : level - 1;
+                whirl_estimate *own = &runs[level].verdict.exponent;
+                const double difference = own->value - runs[other].verdict.exponent.value;
+                if (isfinite(difference)) own->error = hypot(own->error, difference);
+            }
+}
+
 // ---------------------------------------------------------------- states
 
 /// The state after the revolutions, all NaN where the motion left its bounds.
@@ -211,6 +225,7 @@ static whirl_status verify(const whirl_study *study, const whirl_run_options *ru
         status = run_levels(study, v->integrate[m], run, &results[m]);
     if (status.code == WHIRL_OK) {
         take_verdicts(v, results);
+        compare_exponents(v);
         for (size_t i = 0; i < v->count; i++) judge_agreement(&v->points[i]);
     }
     for (int m = 0; m < WHIRL_VERIFY_METHODS; m++) whirl_result_free(results[m]);

@@ -121,7 +121,48 @@ static void a8_exponents(void **unused) {
     whirl_rotor_free(rotor);
 }
 
+/// A journal at rest under its weight: e = .5, s = 2.5, whose slowest eigenvalues by the linear coefficients of A4 are
+/// a pair. By the default tolerance, from near the equilibrium and from far away.
+static void a5_exponents_at_rest(void **unused) {
+    (void)unused;
+    const double e = 0.5, s = 2.5, real = -0.00246625; // per radian, to half a unit of the last digit
+    const double phi = atan2(pi * sqrt(1.0 - e * e), 4.0 * e);
+    const double sigma = pow(1.0 - e * e, 2) / (e * sqrt(16.0 * e * e + pi * pi * (1.0 - e * e)));
+    const double starts[2][4] = {{e * sin(phi) + 1e-6, -e * cos(phi), 0.0, 0.0}, {0.75, 0.0, 0.37, 0.0}};
+    whirl_rotor *rotor = make_film_rotor(sigma / (s * s), 1.0 / (s * s), 0.0);
+    for (int far = 0; far < 2; far++) {
+        const char *from = far ? "far" : "near";
+        whirl_estimate exponents[4];
+        double exact, state[4];
+        whirl_integrator *integrator = follow(whirl_rotor_system(rotor), 1e-9);
+        memcpy(state, starts[far], sizeof state);
+        revolve(integrator, state, 1500);
+        whirl_integrator_free(integrator);
+        find_exponents(whirl_rotor_system(rotor), state, 1e-9, 600, 1.0, exponents, &exact);
+        check_within("A5", words("journal at rest, e = .5, s = 2.5: mean of its two largest exponents, from %s", from),
+                     2.0 * pi * real, 0.5 * (exponents[0].value + exponents[1].value), 2.0 * pi * 5e-9);
+        check_within("A5", words("journal at rest: sum of all exponents against the divergence, from %s", from), exact,
+                     sum_of(exponents, 4), 1e-8);
+    }
+    whirl_rotor_free(rotor);
+}
+
 // ---------------------------------------------------------------- shafts
+
+/// At rest, with damping, by the default tolerance: the multiplier is that of B2's equations by an independent program.
+static void b2_exponents_at_rest(void **unused) {
+    (void)unused;
+    const shaft_case p = {.speed = 1.0, .damping = 0.1, .k1 = 0.8, .k2 = 1.2};
+    const double start[4] = {0.0};
+    whirl_rotor *rotor = make_shaft_rotor(&p);
+    whirl_estimate exponents[4];
+    double exact;
+    find_exponents(whirl_rotor_system(rotor), start, 1e-9, 400, 1.0, exponents, &exact);
+    check_within("B2", "at rest, c = .1, w = 1: largest exponent", log(1.368505096442), exponents[0].value, 1e-9);
+    check_within("B2", "at rest, c = .1, w = 1: sum of all exponents, -2 c T", -4.0 * pi * 0.1, sum_of(exponents, 4),
+                 1e-8);
+    whirl_rotor_free(rotor);
+}
 
 static void b2_multipliers(void **unused) {
     (void)unused;
@@ -131,8 +172,6 @@ static void b2_multipliers(void **unused) {
             double state[4] = {0.0}, matrix[16];
             whirl_rotor *rotor = make_shaft_rotor(&p);
             whirl_integrator *integrator = follow(whirl_rotor_system(rotor), 1e-15);
-            // The disc moves, so that there is an error to be small.
-            state[0] = 1.0;
             monodromy(integrator, 4, state, 1, matrix);
             check_digits(
                 "B2", words("by exact Jacobians, w = %g, %s signs", case_b2[i].speed, printed ? "printed" : "derived"),
@@ -392,16 +431,47 @@ static void mathieu_tangent(const void *model, double t, const double *forcing, 
 
 static void d3_mathieu(void **unused) {
     (void)unused;
-    for (size_t i = 0; i < CASE_D3_ROWS; i++) {
+    for (size_t i = 0; i < 2 * CASE_D3_ROWS; i++) {
+        const bool at_rest = i >= CASE_D3_ROWS;
+        const size_t row = i % CASE_D3_ROWS;
         const whirl_system system = {
-            .dimension = 2, .period = pi, .rhs = mathieu_rhs, .tangent = mathieu_tangent, .model = &case_d3[i].m};
+            .dimension = 2, .period = pi, .rhs = mathieu_rhs, .tangent = mathieu_tangent, .model = &case_d3[row].m};
         whirl_integrator *integrator = follow(&system, 1e-15);
-        double state[2] = {1.0, 0.5}, matrix[4];
+        double state[2] = {at_rest ? 0.0 : 1.0, at_rest ? 0.0 : 0.5}, matrix[4];
         monodromy(integrator, 2, state, 1, matrix);
-        check_digits("D3", words("trace by the system's Jacobian, (a, q) = (%g, %g)", case_d3[i].m.a, case_d3[i].m.q),
-                     case_d3[i].trace, matrix[0] + matrix[3]);
+        check_digits("D3",
+                     words("trace by the system's Jacobian, (a, q) = (%g, %g)%s", case_d3[row].m.a, case_d3[row].m.q,
+                           at_rest ? ", at rest" : ""),
+                     case_d3[row].trace, matrix[0] + matrix[3]);
         whirl_integrator_free(integrator);
     }
+}
+
+// ---------------------------------------------------------------- second trajectories
+
+/// A disc that comes to rest under its weight, x'' + 3 x' + x = 0: its exponents are (-3 +- sqrt 5)/2 by the radian.
+/// Neither the disc nor its twin moves then, and no error of the state shortens a step.
+static void d1_disc_at_rest(void **unused) {
+    (void)unused;
+    static const char *const methods[] = {"rk4", "dop853", "cvode-adams", "cvode-bdf"};
+    const shaft_case p = {.speed = 1.0, .damping = 3.0, .k1 = 1.0, .k2 = 1.0, .gravity = 1.0};
+    const double start[4] = {0.3, 0.0, 0.0, 0.0};
+    whirl_rotor *rotor = make_shaft_rotor(&p);
+    for (size_t i = 0; i < 4; i++) {
+        whirl_integrate_options integrate = whirl_integrate_default();
+        whirl_record_options options = whirl_record_default();
+        whirl_record *record;
+        strcpy(integrate.method, methods[i]);
+        integrate.steps_per_revolution = 128;
+        options.transient = 20;
+        options.record = options.watch = 100;
+        options.waveform = false;
+        require_ok(whirl_record_motion(whirl_rotor_system(rotor), &integrate, &options, start, NULL, &record));
+        check_within("D1", words("disc at rest under its weight: largest exponent by %s", methods[i]),
+                     pi * (sqrt(5.0) - 3.0), whirl_lyapunov_largest(record).value, 1e-5);
+        whirl_record_free(record);
+    }
+    whirl_rotor_free(rotor);
 }
 
 // ---------------------------------------------------------------- saltation
@@ -493,10 +563,21 @@ static void d5_reversals_of_the_slip(void **unused) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a7_multipliers), cmocka_unit_test(a8_exponents),   cmocka_unit_test(b2_multipliers),
-        cmocka_unit_test(c2_stability),   cmocka_unit_test(c4_multipliers), cmocka_unit_test(c4_exponents),
-        cmocka_unit_test(c5_restitution), cmocka_unit_test(d1_lorenz),      cmocka_unit_test(d1_oscillators),
-        cmocka_unit_test(d3_mathieu),     cmocka_unit_test(d5_impacts),     cmocka_unit_test(d5_reversals_of_the_slip),
+        cmocka_unit_test(a5_exponents_at_rest),
+        cmocka_unit_test(a7_multipliers),
+        cmocka_unit_test(a8_exponents),
+        cmocka_unit_test(b2_multipliers),
+        cmocka_unit_test(b2_exponents_at_rest),
+        cmocka_unit_test(c2_stability),
+        cmocka_unit_test(c4_multipliers),
+        cmocka_unit_test(c4_exponents),
+        cmocka_unit_test(c5_restitution),
+        cmocka_unit_test(d1_lorenz),
+        cmocka_unit_test(d1_oscillators),
+        cmocka_unit_test(d1_disc_at_rest),
+        cmocka_unit_test(d3_mathieu),
+        cmocka_unit_test(d5_impacts),
+        cmocka_unit_test(d5_reversals_of_the_slip),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

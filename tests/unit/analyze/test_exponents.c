@@ -2,6 +2,7 @@
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -157,11 +158,56 @@ static void dimension_of_an_attractor(void **state) {
     assert_true(isnan(whirl_kaplan_yorke(unknown, 1)));
 }
 
+/// Exponents -0.1, with a scatter, and -0.3; their sum misses what it must be by `miss`.
+static whirl_record *balanced_record(double scatter, double miss) {
+    enum { COUNT = 640 };
+    whirl_record *record = calloc(1, sizeof *record + 4 * COUNT * sizeof(double));
+    assert_non_null(record);
+    double *numbers = (double *)(record + 1);
+    *record = (whirl_record){.dimension = 2, .growth_count = COUNT};
+    record->growth = numbers;
+    record->growths = numbers + COUNT;
+    record->volume = numbers + 3 * (size_t)COUNT;
+    uint64_t seed = 5;
+    for (size_t i = 0; i < COUNT; i++) {
+        record->growths[2 * i] = record->growth[i] = -0.1 + scatter * normal(&seed);
+        record->growths[2 * i + 1] = -0.3;
+        record->volume[i] = record->growth[i] - 0.3 - miss;
+    }
+    return record;
+}
+
+/// What the sum misses belongs to every error; where errors do not explain it, there are no exponents.
+static void sums_that_miss(void **state) {
+    (void)state;
+    static const struct {
+        double scatter, miss;
+        bool failed;
+    } rows[] = {{0.0, 1e-5, false}, {0.0, 1e-3, true}, {0.0, -2.93, true}, {0.5, 2e-3, false}, {0.5, 0.5, true}};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        whirl_record *record = balanced_record(rows[i].scatter, rows[i].miss);
+        whirl_estimate exponents[2], largest = whirl_lyapunov_largest(record);
+        assert_int_equal(whirl_lyapunov_spectrum(record, exponents), !rows[i].failed);
+        assert_int_equal(isnan(exponents[0].value) && isnan(exponents[1].error), rows[i].failed);
+        assert_int_equal(isnan(largest.value) && isnan(largest.error), rows[i].failed);
+        const double missed = balance_growth(record).miss;
+        assert_near(missed, fabs(rows[i].miss), 1e-12);
+        if (!rows[i].failed) {
+            assert_near(largest.value, exponents[0].value, 1e-15);
+            assert_true(exponents[1].error >= missed * (1.0 - 1e-9) && largest.error >= missed * (1.0 - 1e-9));
+        }
+        record->volume[600] = NAN; // it slid along a switch: nothing is known of the sum
+        assert_true(whirl_lyapunov_spectrum(record, exponents));
+        free(record);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(correlated_noise), cmocka_unit_test(regular_sequences),
         cmocka_unit_test(known_exponents),  cmocka_unit_test(what_counts),
         cmocka_unit_test(all_exponents),    cmocka_unit_test(dimension_of_an_attractor),
+        cmocka_unit_test(sums_that_miss),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

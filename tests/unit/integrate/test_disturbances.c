@@ -196,7 +196,10 @@ static double compare_flow(const oscillator *o, const char *method, int steps, d
         difference_flow(integrator, x, step, theirs);
         const double volume = carry_columns(integrator, x, ours);
         revolve(integrator, alone);
-        assert_memory_equal(alone, x, sizeof alone);
+        if (strncmp(method, "rk4", 3) == 0)
+            assert_memory_equal(alone, x, sizeof alone);
+        else // the disturbances may shorten its steps
+            assert_true(fabs(alone[0] - x[0]) < 1e-10 && fabs(alone[1] - x[1]) < 1e-10);
         // Off the belt a start is drawn back to it at once, to the second order of how far it was off.
         if (on_belt) {
             assert_true(fabs(ours[2]) < 1e-12 && fabs(ours[3]) < 1e-12);
@@ -272,6 +275,24 @@ static void test_sticking(void **state) {
     (void)state;
     assert_true(compare_flow(&sticks, "dop853", 64, 1e-4, &volume) < 1e-8);
     assert_false(volume == volume); // the area is lost: there is no logarithm of it
+}
+
+/// An equilibrium leaves steps to the disturbances alone: x'' + 2 zeta x' + x = 0 at rest has a monodromy in closed
+/// form.
+static void test_disturbances_of_an_equilibrium(void **state) {
+    const oscillator linear = {.zeta = 0.1, .gap = 1e3, .stiffness = 1.0, .belt = 1e3};
+    const whirl_system system = make_system(&linear);
+    const double w = sqrt(1.0 - linear.zeta * linear.zeta), T = system.period, shrunk = exp(-linear.zeta * T);
+    const double c = cos(w * T), s = sin(w * T) / w;
+    const double expected[4] = {shrunk * (c + linear.zeta * s), -shrunk * s, shrunk * s,
+                                shrunk * (c - linear.zeta * s)};
+    whirl_integrator *integrator = make_integrator(&system, "dop853", 64);
+    double x[2] = {0.0, 0.0}, columns[4];
+    (void)state;
+    const double volume = carry_columns(integrator, x, columns);
+    assert_true(worst_difference(columns, expected) < 1e-11);
+    assert_true(fabs(volume + 2.0 * linear.zeta * T) < 1e-11);
+    whirl_integrator_free(integrator);
 }
 
 // ---------------------------------------------------------------- parts
@@ -406,6 +427,7 @@ int main(void) {
         cmocka_unit_test(test_impacts_that_are_not_located),
         cmocka_unit_test(test_reversals_of_friction),
         cmocka_unit_test(test_sticking),
+        cmocka_unit_test(test_disturbances_of_an_equilibrium),
         cmocka_unit_test(test_saltation_of_a_broken_line),
         cmocka_unit_test(test_orthonormal_vectors),
         cmocka_unit_test(test_one_disturbance_by_cvode),

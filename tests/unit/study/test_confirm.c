@@ -74,6 +74,39 @@ static void test_verdicts_at_two_tolerances(void **state) {
     whirl_result_free(result);
 }
 
+/// RK4 multiplies a disturbance of the follower by 1 + z + z^2/2 + z^3/6 + z^4/24 in a step, z = -r h.
+static double exponent_of_rk4(double rate, int steps) {
+    const double z = -rate / steps;
+    return steps * log(1.0 + z + z * z / 2.0 + z * z * z / 6.0 + z * z * z * z / 24.0);
+}
+
+static void test_errors_of_exponents_know_the_second_tolerance(void **state) {
+    enum { FEW = 8 };
+    static const double rate[] = {4.0};
+    (void)state;
+    for (int confirmed = 0; confirmed <= 1; confirmed++) {
+        whirl_study s = study(WHIRL_CARRY_NONE, 0);
+        s.batches[0].values = rate;
+        s.batches[0].count = 1;
+        s.batches[0].confirm = confirmed;
+        s.batches[0].integrate.steps_per_revolution = FEW;
+        assert_true(whirl_analysis_add(&s.batches[0].analyses, "lyapunov"));
+        whirl_result *result = run(&s, 1);
+        const double coarse = exponent_of_rk4(rate[0], FEW), fine = exponent_of_rk4(rate[0], 2 * FEW);
+        const double difference = confirmed ? fabs(coarse - fine) : 0.0;
+        static const char *const fields[][2] = {{"regime/exponent", "regime/exponent_error"},
+                                                {"lyapunov/largest", "lyapunov/error"}};
+        for (int i = 0; i < 2; i++) {
+            const double value = number(result, 0, fields[i][0]), error = number(result, 0, fields[i][1]);
+            assert_true(fabs(value - coarse) < 1e-5);
+            assert_true(fabs(error - difference) < 1e-5);
+            // The error of a method of order four is 16/15 of the difference.
+            assert_int_equal(fabs(value + rate[0]) < 1.1 * error, confirmed);
+        }
+        whirl_result_free(result);
+    }
+}
+
 /// x' = p - x^2: what starts above -sqrt p comes to rest at sqrt p, all else is lost.
 static void parabola(const void *model, double t, const double *forcing, const double *x, double *dxdt) {
     (void)t, (void)forcing;
@@ -295,6 +328,7 @@ static void test_verdicts_are_needed(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_verdicts_at_two_tolerances),
+        cmocka_unit_test(test_errors_of_exponents_know_the_second_tolerance),
         cmocka_unit_test(test_carried_points_are_confirmed_from_their_own_start),
         cmocka_unit_test(test_points_in_doubt_are_refined),
         cmocka_unit_test(test_the_budget_is_not_exceeded),
