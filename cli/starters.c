@@ -27,7 +27,7 @@ static const char rotor[] =
     "    - gravity: 9.81 m/s2\n"
     "\n"
     "study:\n"
-    "  sweep:     {parameter: omega, from: 2000 rpm, to: 12000 rpm, step: 500 rpm}\n"
+    "  sweep:     {parameter: omega, from: 2000 rpm, to: 12000 rpm, step: 1000 rpm}\n"
     "  # response: {}                      # in place of sweep and detail: one point with the parameters as they are\n"
     "  initial:   {journal: {y: -50 um}, disc: {y: -50 um}}\n"
     "  integrate: {transient: 500, record: 200} # revolutions before the record, and in it\n"
