@@ -1,5 +1,5 @@
-/// What the programs have in common that carry the rotor adaptively: rtol 1e-9 and atol 1e-12 where they do not say otherwise, error
-/// after 20 revolutions, then speed. C and C++.
+/// What the programs have in common that carry the rotor adaptively: rtol 1e-9 and atol 1e-12 where they do not say
+/// otherwise, error after 20 revolutions, then speed. C and C++.
 ///
 /// A program is called with the seconds to measure for and prints one line for each thing that it measures:
 /// name, revolutions a second of processor time, largest error of a coordinate after 20 revolutions; separated by tabs.

@@ -1,5 +1,5 @@
-// The peer GSL odeiv2, rk4 with a fixed step. Its rk4 takes every step twice, whole and as two halves, and goes on with the
-// halves; 512 of its steps are therefore 1024 of RK4, and counted as such.
+// The peer GSL odeiv2, rk4 with a fixed step. Its rk4 takes every step twice, whole and as two halves, and goes on with
+// the halves; 512 of its steps are therefore 1024 of RK4, and counted as such.
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
 #include <math.h>

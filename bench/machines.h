@@ -13,8 +13,8 @@ whirl_rotor *paper_rotor(double r_k);
 /// The same with its stations and the ends of its shaft in the other order, for which there are no kernels of its own.
 whirl_rotor *paper_rotor_journal_first(double r_k);
 
-/// A shaft of `stations` equal discs, each joined to the next; the middle one is out of balance and may rub; both ends run
-/// in an oil film. Scaled so that 1024 steps a revolution carry it stably. Freed by whirl_rotor_free.
+/// A shaft of `stations` equal discs, each joined to the next; the middle one is out of balance and may rub; both ends
+/// run in an oil film. Scaled so that 1024 steps a revolution carry it stably. Freed by whirl_rotor_free.
 whirl_rotor *chain_rotor(size_t stations, double r_k);
 
 #endif

@@ -1,5 +1,5 @@
-/// The rotor of all benchmarks: that of the 2015 paper with the printed signs, Sf = 0.0045 and G = 0.115976, from rest at
-/// y1 = y2 = -0.1, by RK4 in 1024 steps a revolution. C and C++.
+/// The rotor of all benchmarks: that of the 2015 paper with the printed signs, Sf = 0.0045 and G = 0.115976, from rest
+/// at y1 = y2 = -0.1, by RK4 in 1024 steps a revolution. C and C++.
 #ifndef BENCH_ROTOR_H
 #define BENCH_ROTOR_H
 
@@ -21,8 +21,8 @@ static const double rotor_r_delta = 1.2, rotor_r_ck = 10.0, rotor_f = 0.1;
 #define ROTOR_K2 (1.0 / (4.0 * rotor_w * rotor_w))
 #define ROTOR_PUSH (rotor_r_ck / (rotor_r_m * rotor_w * rotor_w))
 
-/// Stiffness ratio of machine i of n side by side: spread over the range of the paper's diagram, but for the first one, whose
-/// end state is compared.
+/// Stiffness ratio of machine i of n side by side: spread over the range of the paper's diagram, but for the first one,
+/// whose end state is compared.
 static inline double rotor_r_k(int i, int n) {
     return i == 0 ? ROTOR_R_K : ROTOR_R_K_FIRST + (ROTOR_R_K_LAST - ROTOR_R_K_FIRST) * i / (n > 1 ? n - 1 : 1);
 }

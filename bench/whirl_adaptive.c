@@ -1,5 +1,6 @@
-// whirl's methods that locate contacts, through the public library: dop853 in lanes of the instruction set that WHIRL_ISA names, at
-// the peers' tolerance and tighter, RK4 with located contacts beside plain RK4, and dop853 for a single machine.
+// whirl's methods that locate contacts, through the public library: dop853 in lanes of the instruction set that
+// WHIRL_ISA names, at the peers' tolerance and tighter, RK4 with located contacts beside plain RK4, and dop853 for a
+// single machine.
 //
 //   bench_whirl_adaptive SECONDS [alone]
 #include <stdio.h>

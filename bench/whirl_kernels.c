@@ -1,5 +1,5 @@
-// whirl's own kernels, through the public library: the ensemble of the instruction set that WHIRL_ISA names, bare and watched,
-// of the paper's two stations, of ten and of fifty; and the integrator of single machines.
+// whirl's own kernels, through the public library: the ensemble of the instruction set that WHIRL_ISA names, bare and
+// watched, of the paper's two stations, of ten and of fifty; and the integrator of single machines.
 //
 //   bench_whirl_kernels SECONDS [KIND...]      kinds: integrator bare watched ten fifty; all without
 #include <math.h>
@@ -35,7 +35,7 @@ typedef struct crowd {
     whirl_rotor **rotors;
     whirl_ensemble *ensemble;
     size_t lanes, stations, sample_count;
-    whirl_ensemble_watch watch;
+    whirl_ensemble_observe watch;
     double *samples;  ///< [SAMPLES][stations][2][lanes] of a revolution
     double *waveform; ///< [lanes][stations][2][SAMPLES], as records have them
 } crowd;
@@ -112,7 +112,7 @@ static crowd *crowd_new(size_t stations, bool watched) {
     c->rotors = room(c->lanes, sizeof *c->rotors);
     c->samples = room(SAMPLES * c->lanes * stations * 2, sizeof *c->samples);
     c->waveform = room(SAMPLES * c->lanes * stations * 2, sizeof *c->waveform);
-    c->watch = (whirl_ensemble_watch){watched, ROTOR_STEPS / SAMPLES, crowd_sample, c};
+    c->watch = (whirl_ensemble_observe){watched, ROTOR_STEPS / SAMPLES, crowd_sample, c};
     double *start = start_of(stations);
     for (size_t lane = 0; lane < c->lanes; lane++) {
         c->rotors[lane] = lane == 0 ? first : rotor_of(stations, rotor_r_k((int)lane, (int)c->lanes));

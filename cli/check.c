@@ -28,7 +28,8 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     }
 }
 
-/// Looks at the steps after a few revolutions from the machine's start, by a method that is stable: films stiffen as a motion grows.
+/// Looks at the steps after a few revolutions from the machine's start, by a method that is stable: films stiffen as a
+/// motion grows.
 static whirl_status look_at_steps(const whirl_machine *machine, const whirl_batch *batch, whirl_step_check *check) {
     enum { REVOLUTIONS = 10 };
     whirl_integrate_options stable = batch->integrate;
@@ -53,7 +54,8 @@ static whirl_status look_at_steps(const whirl_machine *machine, const whirl_batc
     return status;
 }
 
-/// Warns where fixed steps are too long for the machine in its first revolutions, at the first, the middle and the last value.
+/// Warns where fixed steps are too long for the machine in its first revolutions, at the first, the middle and the last
+/// value.
 static whirl_status warn_of_steps(const char *path, const whirl_study *study, const whirl_batch *batch) {
     const size_t at[] = {0, batch->count / 2, batch->count - 1};
     whirl_status status = whirl_ok();

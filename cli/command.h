@@ -27,8 +27,8 @@ void complain_as(const char *program, const char *format, ...) __attribute__((fo
 /// Complains of a status; gives the exit status that goes with it.
 int complain_of(const whirl_status *status);
 
-/// Reads the arguments of a command as argp_parse does, after complaining of a misspelt option with the one that was meant;
-/// gives EXIT_DONE or the exit status.
+/// Reads the arguments of a command as argp_parse does, after complaining of a misspelt option with the one that was
+/// meant; gives EXIT_DONE or the exit status.
 int read_arguments(const struct argp *argp, int argc, char **argv, unsigned flags, void *input);
 
 /// Ends a parse with a sentence and EXIT_BAD_INPUT.

@@ -27,8 +27,8 @@ static _Noreturn void give_up(void) {
     _exit(EXIT_FAILED);
 }
 
-/// A library that has just been refused memory runs into the pointer that it did not get, or aborts. Any other fault is one
-/// of the program, and ends it as such.
+/// A library that has just been refused memory runs into the pointer that it did not get, or aborts. Any other fault is
+/// one of the program, and ends it as such.
 static void on_fault(int number) {
     if (errno == ENOMEM) give_up();
     signal(number, SIG_DFL);

@@ -1,4 +1,5 @@
-/// What becomes of the program where a library does not survive a lack of memory: a sentence and exit status 1, no signal.
+/// What becomes of the program where a library does not survive a lack of memory: a sentence and exit status 1, no
+/// signal.
 #ifndef CLI_GUARD_H
 #define CLI_GUARD_H
 

@@ -17,8 +17,8 @@ static double now(void) {
     return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
 }
 
-/// One wish to stop may come as several signals: timeout(1) and batch systems signal a process and then its group. Only a
-/// later one ends the program at once.
+/// One wish to stop may come as several signals: timeout(1) and batch systems signal a process and then its group. Only
+/// a later one ends the program at once.
 static void on_signal(int number) {
     const double seconds = now();
     if (!received) {

@@ -4,7 +4,8 @@
 
 #include <stdbool.h>
 
-/// From now on SIGINT, SIGTERM and SIGHUP set the flag that is returned; another one, half a second later or more, kills as usual.
+/// From now on SIGINT, SIGTERM and SIGHUP set the flag that is returned; another one, half a second later or more,
+/// kills as usual.
 const volatile bool *interrupt_watch(void);
 
 /// What the interrupt was, in words.

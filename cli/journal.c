@@ -68,8 +68,8 @@ static void tell_what_was_found(const char *path, const whirl_journal *journal, 
     if (!quiet) complain("going on from '%s': %zu of %zu points are there", path, found.points, total);
 }
 
-/// Removes RESULT.h5.tmp-PROCESS, half results of runs that were killed while they wrote: who holds the journal's lock is
-/// the only one to write this result.
+/// Removes RESULT.h5.tmp-PROCESS, half results of runs that were killed while they wrote: who holds the journal's lock
+/// is the only one to write this result.
 static void remove_leftovers(const char *output) {
     char folder[PATH_SIZE], pattern[PATH_SIZE], path[2 * PATH_SIZE];
     const char *slash = strrchr(output, '/');

@@ -106,8 +106,8 @@ static int read_claims(const char *path, whirl_claims **claims) {
     return status.code == WHIRL_OK ? EXIT_DONE : complain_of_problems(&problems, &status);
 }
 
-/// Looks for the explorer's template where it is built and where it is installed, as seen from the program. Writes its path
-/// and gives it, or NULL where there is none.
+/// Looks for the explorer's template where it is built and where it is installed, as seen from the program. Writes its
+/// path and gives it, or NULL where there is none.
 static const char *find_template(char path[PATH_SIZE]) {
     static const char *const places[] = {"explorer/template.html", "../share/whirl/explorer.html"};
     char program[PATH_SIZE / 2];

@@ -266,7 +266,8 @@ static int run_case(const run_arguments *arguments, const char *command_line) {
     whirl_case *object = NULL;
     whirl_journal *journal = NULL;
     whirl_result *finished = NULL;
-    interrupt_watch(); // from the start: reading a case takes time too, and a full disk sends signals at the first write
+    interrupt_watch(); // from the start: reading a case takes time too, and a full disk sends signals at the first
+                       // write
     int outcome = load(arguments, &object);
     if (outcome == EXIT_DONE && arguments->output && !output_is_writable(arguments->output, arguments->given.path))
         outcome = EXIT_FAILED;

@@ -60,7 +60,8 @@ static void print_radii(const whirl_result *result, const whirl_table *table, si
         printf(" (in %.6g %s)\n", result->length_scale / unit.size, unit.name);
 }
 
-/// "at 1X: disc x 0.0225 mm lag 86.6 deg, y 0.0193 mm lag 128 deg", a line a station; phases as whirl_synchronous has them.
+/// "at 1X: disc x 0.0225 mm lag 86.6 deg, y 0.0193 mm lag 128 deg", a line a station; phases as whirl_synchronous has
+/// them.
 static void print_synchronous(const whirl_result *result, const whirl_table *table, size_t point) {
     const whirl_unit unit = whirl_result_length_unit(result);
     const double size = result->length_scale / unit.size;

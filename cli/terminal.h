@@ -16,8 +16,8 @@ int terminal_columns(int descriptor);
 /// Columns that a text takes: continuation bytes of UTF-8 take none.
 int text_columns(const char *text);
 
-/// Prints words to standard output, broken so that no line is longer than `width` where that is possible. The first line
-/// goes on at column `at`, the others begin at `indent`. No newline at the end.
+/// Prints words to standard output, broken so that no line is longer than `width` where that is possible. The first
+/// line goes on at column `at`, the others begin at `indent`. No newline at the end.
 void print_wrapped(const char *text, int at, int indent, int width);
 
 #endif

@@ -1,4 +1,5 @@
-// Any system: integrators and analyses know nothing of rotors. Duffing's oscillator x'' + 0.3 x' - x + x^3 = gamma cos 1.2 t.
+// Any system: integrators and analyses know nothing of rotors. Duffing's oscillator x'' + 0.3 x' - x + x^3 = gamma
+// cos 1.2 t.
 #include <math.h>
 #include <stdio.h>
 

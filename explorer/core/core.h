@@ -55,8 +55,8 @@ typedef struct plan {
     look look;
 } plan;
 
-/// A plan by the case's batch of that name ("": its first one) over a parameter ("": nothing varies; NULL: as the batch).
-/// Freed by explorer_plan_free.
+/// A plan by the case's batch of that name ("": its first one) over a parameter ("": nothing varies; NULL: as the
+/// batch). Freed by explorer_plan_free.
 plan *explorer_plan_new(const whirl_case *object, const char *batch, const char *parameter);
 void explorer_plan_free(plan *p);
 
@@ -64,19 +64,20 @@ void explorer_plan_free(plan *p);
 int explorer_plan_number(plan *p, const char *option, double value);
 int explorer_plan_method(plan *p, const char *method);
 
-/// Makes a first look of the plan: no more than `transient` + `record` revolutions (0: as they are) and, by methods of fixed
-/// step, `steps` of them (0: as they are). To be called after all other options. Where anything is left out, points have no
-/// verdict unless a longer run must give the same.
+/// Makes a first look of the plan: no more than `transient` + `record` revolutions (0: as they are) and, by methods of
+/// fixed step, `steps` of them (0: as they are). To be called after all other options. Where anything is left out,
+/// points have no verdict unless a longer run must give the same.
 void explorer_plan_look(plan *p, int transient, int record, int steps);
 
 /// Asks for what a diagram shows of its points.
 void explorer_plan_diagram(plan *p);
 
-/// Asks besides for what is found in spectra, as amplitude and phase at the running speed: a tenth to a fifth more work.
+/// Asks besides for what is found in spectra, as amplitude and phase at the running speed: a tenth to a fifth more
+/// work.
 void explorer_plan_spectra(plan *p);
 
-/// Asks for everything that the page shows of a point besides what the case wants to know: whole spectra, and the waveform
-/// of `waveform` revolutions.
+/// Asks for everything that the page shows of a point besides what the case wants to know: whole spectra, and the
+/// waveform of `waveform` revolutions.
 void explorer_plan_everything(plan *p, int waveform);
 
 /// Layout of the blocks and the options as JSON; needed before points are computed. NULL after a
@@ -98,8 +99,8 @@ const char *explorer_machine(const plan *p, double value);
 typedef struct job job;
 
 /// Starts points at `values` [count], each from its own start or, where `carried`, from the end of the one before.
-/// `start` [dimension] takes the place of the case's start; NULL: none. The plan must outlive the job, which is freed by
-/// explorer_job_free.
+/// `start` [dimension] takes the place of the case's start; NULL: none. The plan must outlive the job, which is freed
+/// by explorer_job_free.
 job *explorer_job_new(const plan *p, const double *values, size_t count, int carried, const double *start);
 void explorer_job_free(job *j);
 

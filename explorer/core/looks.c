@@ -1,5 +1,5 @@
-// First looks: motions that are cut short, and coarser, so that something is to be seen at once. What a short run takes for
-// chaos may be a transient, so that a look has a verdict only where a run at the case's length has the same.
+// First looks: motions that are cut short, and coarser, so that something is to be seen at once. What a short run takes
+// for chaos may be a transient, so that a look has a verdict only where a run at the case's length has the same.
 #include "looks.h"
 
 #include <string.h>

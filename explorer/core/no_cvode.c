@@ -1,5 +1,5 @@
-// The methods of SUNDIALS are known here by name, so that cases that ask for them are read; they do not start, and so need
-// nothing else.
+// The methods of SUNDIALS are known here by name, so that cases that ask for them are read; they do not start, and so
+// need nothing else.
 #include "method.h"
 
 static whirl_status start(whirl_integrator *integrator) {

@@ -59,12 +59,13 @@ int whirl_record_watch(const whirl_record_options *options);
 /// options->samples_per_revolution.
 int whirl_record_samples(const whirl_record_options *options, int steps_per_revolution);
 
-/// WHIRL_BAD_INPUT with a sentence where options contradict each other, or where all disturbances are to be followed and the system
-/// gives no Jacobian or the method takes none along.
+/// WHIRL_BAD_INPUT with a sentence where options contradict each other, or where all disturbances are to be followed
+/// and the system gives no Jacobian or the method takes none along.
 whirl_status whirl_record_check(const whirl_system *system, const whirl_integrate_options *integrate,
                                 const whirl_record_options *options);
 
-/// How long the steps of a fixed-step method were for the motion; NaN where they were not looked at (methods with a tolerance).
+/// How long the steps of a fixed-step method were for the motion; NaN where they were not looked at (methods with a
+/// tolerance).
 typedef struct whirl_step_quality {
     double growth; ///< whirl_step_check.growth, of the revolutions that were looked at: above 1 the step is unstable
     double error;  ///< of a revolution by the steps, over the size of the motion
@@ -105,8 +106,8 @@ typedef struct whirl_record {
     double *contact_number; ///< [contact_count] times that contact began
     double *contact_force;  ///< [contact_count] largest normal force, in the model's unit
 
-    double *
-        end; ///< [dimension] the last state; after a divergence that at the beginning of the revolution in which it left
+    double *end; ///< [dimension] the last state; after a divergence that at the beginning of the revolution in which it
+                 ///< left
 
     whirl_step_quality steps;
 } whirl_record;
@@ -146,8 +147,8 @@ typedef struct whirl_motion_saver {
     bool (*wanted)(void *context);
     /// Takes the states of all motions that one recorder has under way; borrowed.
     void (*save)(void *context, const whirl_motion_state *states, size_t count);
-    /// Asked when a motion is to begin: a state that was saved of it, to be freed by free, or NULL. One that does not fit
-    /// the motion, its system or its options is not used.
+    /// Asked when a motion is to begin: a state that was saved of it, to be freed by free, or NULL. One that does not
+    /// fit the motion, its system or its options is not used.
     void *(*saved)(void *context, const whirl_task *task, size_t *size);
 } whirl_motion_saver;
 
@@ -173,14 +174,15 @@ whirl_status whirl_record_motions(const whirl_system *system, const whirl_integr
 /// The same a revolution at a time, for programs that must answer in between.
 typedef struct whirl_recorder whirl_recorder;
 
-/// Starts a recorder; all that is given must outlive it. `lanes`: how many motions go side by side at least, where they can
-/// (0: as many as are fast). Errors as whirl_record_motions. Freed by whirl_recorder_free, which abandons what is under way.
+/// Starts a recorder; all that is given must outlive it. `lanes`: how many motions go side by side at least, where they
+/// can (0: as many as are fast). Errors as whirl_record_motions. Freed by whirl_recorder_free, which abandons what is
+/// under way.
 whirl_status whirl_recorder_new(const whirl_system *system, const whirl_integrate_options *integrate,
                                 const whirl_record_options *options, const whirl_task_source *source, size_t lanes,
                                 whirl_recorder **recorder);
 
-/// Carries the motions under way over a revolution, new ones of the source included. *turned is how many that were: 0 when
-/// the source has none left. After an error the recorder can only be freed.
+/// Carries the motions under way over a revolution, new ones of the source included. *turned is how many that were: 0
+/// when the source has none left. After an error the recorder can only be freed.
 whirl_status whirl_recorder_revolve(whirl_recorder *recorder, size_t *turned);
 void whirl_recorder_free(whirl_recorder *recorder);
 
@@ -202,8 +204,8 @@ whirl_estimate whirl_lyapunov_largest(const whirl_record *record);
 /// than their standard errors and by more than a thousandth of their sizes.
 bool whirl_lyapunov_spectrum(const whirl_record *record, whirl_estimate *exponents);
 
-/// Kaplan and Yorke's dimension of the attractor in the section, from exponents [count], largest first: how many of them
-/// sum to zero or more, the next one in part. Exponents within 3 errors of zero, and within 0.002, count as zero.
+/// Kaplan and Yorke's dimension of the attractor in the section, from exponents [count], largest first: how many of
+/// them sum to zero or more, the next one in part. Exponents within 3 errors of zero, and within 0.002, count as zero.
 double whirl_kaplan_yorke(const whirl_estimate *exponents, size_t count);
 
 typedef enum whirl_regime {
@@ -252,17 +254,17 @@ typedef struct whirl_verdict {
     // evidence
     whirl_estimate exponent; ///< largest, per revolution
     bool exponents_failed;   ///< all disturbances were followed, and the sum of their growth is wrong: none counts
-    double
-        recurrence; ///< smallest over k <= 64 of the largest return distance |z(n+k) - z(n)|, over the size of the motion
-    int recurrence_period; ///< the k that gives it (the smallest k below the tolerance, where there is one)
-    double
-        recurrence_trend; ///< that distance in the last quarter of the watched revolutions over that in the first: < 1 settles
-    double
-        regularity; ///< decimal digits to which weighted Birkhoff averages over two halves agree: high on tori, low in chaos
-    double chaos;   ///< K of the 0-1 test, near 1 in chaos, near 0 for regular motion; NaN for P-k
-    int neighbours; ///< of a quasi-periodic motion: median revolutions between visits of neighbours on a curve, else 0
-    double
-        rotation; ///< turns round its closed curve from one visit to the next, 0 to 1/2; NaN but for a quasi-periodic motion
+    double recurrence; ///< smallest over k <= 64 of the largest return distance |z(n+k) - z(n)|, over the size of the
+                       ///< motion
+    int recurrence_period;   ///< the k that gives it (the smallest k below the tolerance, where there is one)
+    double recurrence_trend; ///< that distance in the last quarter of the watched revolutions over that in the first: <
+                             ///< 1 settles
+    double regularity; ///< decimal digits to which weighted Birkhoff averages over two halves agree: high on tori, low
+                       ///< in chaos
+    double chaos;      ///< K of the 0-1 test, near 1 in chaos, near 0 for regular motion; NaN for P-k
+    int neighbours;  ///< of a quasi-periodic motion: median revolutions between visits of neighbours on a curve, else 0
+    double rotation; ///< turns round its closed curve from one visit to the next, 0 to 1/2; NaN but for a
+                     ///< quasi-periodic motion
     double step_growth; ///< whirl_step_quality.growth; NaN for methods with a tolerance
     double step_error;  ///< whirl_step_quality.error
 } whirl_verdict;
@@ -274,9 +276,9 @@ whirl_verdict whirl_judge(const whirl_record *record);
 /// confidence: high needs the same regime (and period) from both; where they differ it is low.
 void whirl_verdict_confirm(whirl_verdict *verdict, const whirl_verdict *other);
 
-/// Sets beside a chaotic verdict what a copy of the motion was after `revolutions` more than the point's own `all`. Chaos that
-/// ends was a transient: the confidence is low then, and fair where the copy does not tell. The order of copies changes
-/// nothing.
+/// Sets beside a chaotic verdict what a copy of the motion was after `revolutions` more than the point's own `all`.
+/// Chaos that ends was a transient: the confidence is low then, and fair where the copy does not tell. The order of
+/// copies changes nothing.
 void whirl_verdict_follow(whirl_verdict *verdict, const whirl_verdict *copy, double revolutions, double all);
 
 /// Options with errors of a step smaller by `factor` >= 1: tolerances divided by it, steps of a fixed-step method times
@@ -293,7 +295,8 @@ const char *whirl_regime_name(whirl_regime regime);
 /// "low", "fair", "high". Static text.
 const char *whirl_confidence_name(whirl_confidence confidence);
 
-/// "P-2", "quasi-periodic (1 curve)", "chaotic", "diverged at revolution 17", "undetermined". Writes at most `size` bytes.
+/// "P-2", "quasi-periodic (1 curve)", "chaotic", "diverged at revolution 17", "undetermined". Writes at most `size`
+/// bytes.
 void whirl_verdict_name(const whirl_verdict *verdict, char *text, size_t size);
 
 /// Why, in one sentence from the evidence. Writes at most `size` bytes.
@@ -312,14 +315,15 @@ typedef struct whirl_line {
     double forward, backward; ///< of the two circular motions that make it up (full spectrum of x + iy)
 } whirl_line;
 
-/// The synchronous (1X) part of a motion: of x, of y, and of the circular motions with the rotation (forward) and against it
-/// (backward) of which both are made, in this order. The mark on the shaft, from which phases count, stands on the x axis
-/// at tau = 0, 2 pi, ...: there an unbalance without an angle of its own points along x. x is
-/// amplitude[0] cos(tau - lag[0]), y likewise; forward is the vector at the angle tau - lag[2], backward that at -(tau - lag[3]).
+/// The synchronous (1X) part of a motion: of x, of y, and of the circular motions with the rotation (forward) and
+/// against it (backward) of which both are made, in this order. The mark on the shaft, from which phases count, stands
+/// on the x axis at tau = 0, 2 pi, ...: there an unbalance without an angle of its own points along x. x is
+/// amplitude[0] cos(tau - lag[0]), y likewise; forward is the vector at the angle tau - lag[2], backward that at -(tau
+/// - lag[3]).
 typedef struct whirl_synchronous {
     double amplitude[4]; ///< zero to peak
-    /// Degrees, 0 <= ... < 360, by which the peak, or the vector on its way through the x axis, comes after the mark; NaN
-    /// where the amplitude is below 1e-12 of the largest displacement.
+    /// Degrees, 0 <= ... < 360, by which the peak, or the vector on its way through the x axis, comes after the mark;
+    /// NaN where the amplitude is below 1e-12 of the largest displacement.
     double lag[4];
 } whirl_synchronous;
 
@@ -379,8 +383,8 @@ typedef unsigned whirl_analysis_set;
 /// Adds the analysis of that name; false when there is none.
 bool whirl_analysis_add(whirl_analysis_set *set, const char *name);
 
-/// Makes options record what the chosen analyses are made of: the waveform, the growth of disturbances. What is recorded
-/// already stays.
+/// Makes options record what the chosen analyses are made of: the waveform, the growth of disturbances. What is
+/// recorded already stays.
 void whirl_analysis_needs(whirl_analysis_set set, whirl_record_options *options);
 
 /// The layout of a point's block for a system, options and choice. WHIRL_BAD_INPUT for contradicting options.

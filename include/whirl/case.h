@@ -20,7 +20,8 @@ typedef struct whirl_problem {
     int line, column;
     char key[128];     ///< path of the key, "rotor.stations.disc.mass"; items of a list count from 1
     char message[256]; ///< "is -3 kg, expected a number above 0 kg"
-    /// The line of the file, or what stands around the place in a long one; safe to show on a terminal; "" where there is none.
+    /// The line of the file, or what stands around the place in a long one; safe to show on a terminal; "" where there
+    /// is none.
     char excerpt[160];
     int mark, marked; ///< characters of it before the place, and those that the problem is about
 } whirl_problem;
@@ -50,8 +51,8 @@ whirl_status whirl_case_parse(const char *text, size_t length, const char *name,
                               whirl_case **out);
 void whirl_case_free(whirl_case *object);
 
-/// Sets a parameter ("r_k=0.45", "omega=6000 rpm", "c== 2*0.1e-3") or a key of the case: of a station ("disc.mass=41 kg"),
-/// an element ("film.clearance=0.1 mm"; "film[2].clearance" where there are several), the study
+/// Sets a parameter ("r_k=0.45", "omega=6000 rpm", "c== 2*0.1e-3") or a key of the case: of a station ("disc.mass=41
+/// kg"), an element ("film.clearance=0.1 mm"; "film[2].clearance" where there are several), the study
 /// ("integrate.transient=5000"), or by its path ("rotor.speed=650"). A key is changed in the text of the case, which a
 /// result then holds. The whole case is checked again: WHIRL_BAD_INPUT (nearest name named) leaves it as it was. The
 /// parameter that a sweep varies is refused, unless the ends of the sweep or the values of its detail depend on it.
@@ -102,13 +103,14 @@ typedef void (*whirl_case_use_fn)(void *context, const whirl_use *use);
 /// Tells of every use of every parameter in rotor, stations, elements and initial states.
 void whirl_case_uses(const whirl_case *object, whirl_case_use_fn see, void *context);
 
-/// What the case says of a parameter: the comment on its line, "" where there is none or others stand there too. Writes at
-/// most `size` bytes.
+/// What the case says of a parameter: the comment on its line, "" where there is none or others stand there too. Writes
+/// at most `size` bytes.
 void whirl_case_comment(const whirl_case *object, const char *name, char *comment, size_t size);
 
-/// The text of a case with `value` at the key `path` ("parameters.r_k", "study.sweep.from"), all else as it was; a key that
-/// is missing is added where its mapping stands. A list of values is replaced by another in brackets, "[1 mm, 2 mm]". *edited is freed by the caller. WHIRL_BAD_INPUT for a text that is not
-/// YAML, or a place that takes no value. What the new text means is not checked: see whirl_case_parse.
+/// The text of a case with `value` at the key `path` ("parameters.r_k", "study.sweep.from"), all else as it was; a key
+/// that is missing is added where its mapping stands. A list of values is replaced by another in brackets, "[1 mm, 2
+/// mm]". *edited is freed by the caller. WHIRL_BAD_INPUT for a text that is not YAML, or a place that takes no value.
+/// What the new text means is not checked: see whirl_case_parse.
 whirl_status whirl_case_edit(const char *text, size_t length, const char *path, const char *value, char **edited);
 
 /// The groups of keys of a case file outside rotor elements and stations (case, rotor, study, sweep, integrate, ...);

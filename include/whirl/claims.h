@@ -15,7 +15,8 @@ extern "C" {
 
 enum { WHIRL_MAX_CLAIM_LINES = 8 };
 
-/// What somebody (a paper, a measurement) says of a point or of a range of a parameter. What is not said is not compared.
+/// What somebody (a paper, a measurement) says of a point or of a range of a parameter. What is not said is not
+/// compared.
 typedef struct whirl_claim {
     char where[WHIRL_NAME_SIZE]; ///< "Fig. 4"
     char says[400];              ///< in words

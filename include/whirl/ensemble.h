@@ -1,8 +1,8 @@
 /// Ensembles: many machines of one structure, carried over revolutions side by side in vector lanes: by rk4 step by
 /// step together, by dop853 each at its own time.
 ///
-/// Every lane is computed as if it were alone: its neighbours, its place, the number of lanes and the width of the vectors
-/// change no bit of it, on processors that fuse multiply-adds (and on those that do not, among themselves).
+/// Every lane is computed as if it were alone: its neighbours, its place, the number of lanes and the width of the
+/// vectors change no bit of it, on processors that fuse multiply-adds (and on those that do not, among themselves).
 #ifndef WHIRL_ENSEMBLE_H
 #define WHIRL_ENSEMBLE_H
 
@@ -20,8 +20,8 @@ extern "C" {
 /// An ensemble with its workspace; not to be shared between threads.
 typedef struct whirl_ensemble whirl_ensemble;
 
-/// Whether machines of this system can run in lanes with these options: rotors, with method rk4, or dop853 where no contact can
-/// slide along a sharp reversal of its friction.
+/// Whether machines of this system can run in lanes with these options: rotors, with method rk4, or dop853 where no
+/// contact can slide along a sharp reversal of its friction.
 bool whirl_ensemble_takes(const whirl_system *system, const whirl_integrate_options *options);
 
 /// Room for at least `lanes` machines of the structure of `system`, which must outlive the ensemble (0: as many as are
@@ -49,12 +49,12 @@ void whirl_ensemble_unload(whirl_ensemble *ensemble, size_t lane);
 void whirl_ensemble_place(whirl_ensemble *ensemble, size_t lane, const double *x);
 void whirl_ensemble_state(const whirl_ensemble *ensemble, size_t lane, double *x);
 
-/// Moves a machine with its state and all that was watched of it to another lane, whose own is lost; the lane that it
+/// Moves a machine with its state and all that was observed of it to another lane, whose own is lost; the lane that it
 /// leaves is empty.
 void whirl_ensemble_move(whirl_ensemble *ensemble, size_t from, size_t to);
 
-/// All that a lane has between revolutions, watched numbers included: numbers [whirl_ensemble_numbers]. Restored into a lane
-/// that the same machine was loaded into, of an ensemble with the same options.
+/// All that a lane has between revolutions, observed numbers included: numbers [whirl_ensemble_numbers]. Restored into
+/// a lane that the same machine was loaded into, of an ensemble with the same options.
 size_t whirl_ensemble_numbers(const whirl_ensemble *ensemble);
 void whirl_ensemble_save(const whirl_ensemble *ensemble, size_t lane, double *numbers);
 void whirl_ensemble_restore(whirl_ensemble *ensemble, size_t lane, const double *numbers);
@@ -63,24 +63,24 @@ void whirl_ensemble_restore(whirl_ensemble *ensemble, size_t lane, const double 
 whirl_motion whirl_ensemble_motion(const whirl_ensemble *ensemble, size_t lane);
 
 /// What revolutions shall gather besides the states at their ends.
-typedef struct whirl_ensemble_watch {
+typedef struct whirl_ensemble_observe {
     bool extremes; ///< gather what whirl_ensemble_seen gives, for all lanes
     /// Called after every `stride` steps (0: never), for samples of waveforms.
     size_t stride;
     void (*sample)(void *context);
     void *context;
-} whirl_ensemble_watch;
+} whirl_ensemble_observe;
 
-/// Carries the lanes 0 to count - 1 over one period. Empty lanes among them are left alone. `watch` may be NULL.
-void whirl_ensemble_revolve(whirl_ensemble *ensemble, size_t count, const whirl_ensemble_watch *watch);
+/// Carries the lanes 0 to count - 1 over one period. Empty lanes among them are left alone. `observe` may be NULL.
+void whirl_ensemble_revolve(whirl_ensemble *ensemble, size_t count, const whirl_ensemble_observe *observe);
 
 /// One coordinate of all lanes [lanes], for samples. It belongs to the ensemble and always shows the present.
 const double *whirl_ensemble_coordinate(const whirl_ensemble *ensemble, size_t index);
 
-/// Forgets what was watched of a lane; contacts that are closed now do not count as begun.
+/// Forgets what was observed of a lane; contacts that are closed now do not count as begun.
 void whirl_ensemble_forget(whirl_ensemble *ensemble, size_t lane);
 
-/// What was watched of a lane since it was last forgotten. The arrays belong to the caller.
+/// What was observed of a lane since it was last forgotten. The arrays belong to the caller.
 typedef struct whirl_ensemble_seen {
     double *low, *high; ///< [dimension] bounds of every coordinate; rk4: of velocities at every fourth step
     double *max_radius, *min_radius; ///< [stations]
@@ -96,8 +96,8 @@ void whirl_ensemble_read(const whirl_ensemble *ensemble, size_t lane, const whir
 /// All disturbances of many machines side by side, for all Lyapunov exponents; not to be shared between threads.
 typedef struct whirl_variational whirl_variational;
 
-/// Whether disturbances of machines of this system can go in lanes with these options: rotors of up to 64 stations whose forces do not jump, with
-/// method rk4. All others go alone (whirl_integrator_carry).
+/// Whether disturbances of machines of this system can go in lanes with these options: rotors of up to 64 stations
+/// whose forces do not jump, with method rk4. All others go alone (whirl_integrator_carry).
 bool whirl_variational_takes(const whirl_system *system, const whirl_integrate_options *options);
 
 /// Errors as whirl_ensemble_new. Freed by whirl_variational_free.
@@ -106,16 +106,16 @@ whirl_status whirl_variational_new(const whirl_system *system, const whirl_integ
 void whirl_variational_free(whirl_variational *variational);
 size_t whirl_variational_lanes(const whirl_variational *variational);
 
-/// Puts a machine of the variational ensemble's structure into a lane: its state x [dimension] at the beginning of a revolution, and orthonormal
-/// disturbances [dimension][dimension]. WHIRL_NO_MEMORY.
+/// Puts a machine of the variational ensemble's structure into a lane: its state x [dimension] at the beginning of a
+/// revolution, and orthonormal disturbances [dimension][dimension]. WHIRL_NO_MEMORY.
 whirl_status whirl_variational_load(whirl_variational *variational, size_t lane, const whirl_system *system,
                                     const double *x, const double *vectors);
 
 /// Carries all lanes over one period.
 void whirl_variational_revolve(whirl_variational *variational);
 
-/// The disturbances of a lane, orthonormal again, their growth [dimension] and its sum by the divergence, as whirl_disturbances has
-/// them.
+/// The disturbances of a lane, orthonormal again, their growth [dimension] and its sum by the divergence, as
+/// whirl_disturbances has them.
 void whirl_variational_read(const whirl_variational *variational, size_t lane, double *vectors, double *growth,
                             double *volume);
 

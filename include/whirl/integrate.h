@@ -17,8 +17,8 @@ enum {
 };
 
 typedef struct whirl_integrate_options {
-    /// A name of whirl_method_at(). "auto": studies choose for each of their batches (whirl_study_choose_methods); integrators,
-    /// ensembles and recorders that are given it as it stands take dop853.
+    /// A name of whirl_method_at(). "auto": studies choose for each of their batches (whirl_study_choose_methods);
+    /// integrators, ensembles and recorders that are given it as it stands take dop853.
     char method[WHIRL_NAME_SIZE];
     bool chosen; ///< the method was chosen by "auto": results tell; it changes nothing
     /// Instants of a revolution at which an observer is called, equally spaced; for a fixed-step method also its steps.
@@ -39,8 +39,8 @@ typedef struct whirl_method {
     const char *meaning;
     bool adaptive; ///< uses rtol and atol, and finds the zeros of the switching functions
     bool follows;  ///< takes disturbances along (whirl_integrator_follow), as many as there are coordinates
-    /// Takes one along, and needs to: its steps and orders are chosen so abruptly that a second trajectory would differ by them, not by
-    /// a small disturbance.
+    /// Takes one along, and needs to: its steps and orders are chosen so abruptly that a second trajectory would differ
+    /// by them, not by a small disturbance.
     bool follows_one;
 } whirl_method;
 
@@ -80,17 +80,19 @@ whirl_motion whirl_integrator_revolve(whirl_integrator *integrator, double *x, w
 typedef struct whirl_disturbances {
     size_t count;    ///< 1 to dimension
     double *vectors; ///< [count][dimension]
-    /// [count] With it the vectors stay orthonormal, and these are the natural logarithms of what their lengths were before, summed
-    /// over a revolution: their means over many are the Lyapunov exponents, largest first (Benettin et al. 1980). NULL: the
-    /// vectors are carried as they are, and unit vectors become the columns of the monodromy matrix.
+    /// [count] With it the vectors stay orthonormal, and these are the natural logarithms of what their lengths were
+    /// before, summed over a revolution: their means over many are the Lyapunov exponents, largest first (Benettin et
+    /// al. 1980). NULL: the vectors are carried as they are, and unit vectors become the columns of the monodromy
+    /// matrix.
     double *growth;
-    /// Integral of the divergence of the right-hand side over a revolution, and ln|det| of what happened at switches: the sum
-    /// of the growth of all disturbances. Not a number where the system gives no divergence or the motion slid along a switch.
+    /// Integral of the divergence of the right-hand side over a revolution, and ln|det| of what happened at switches:
+    /// the sum of the growth of all disturbances. Not a number where the system gives no divergence or the motion slid
+    /// along a switch.
     double volume;
 } whirl_disturbances;
 
-/// Makes room for up to `most` disturbances. WHIRL_BAD_INPUT with a sentence where the system gives no Jacobian or the method
-/// takes not so many along; WHIRL_NO_MEMORY.
+/// Makes room for up to `most` disturbances. WHIRL_BAD_INPUT with a sentence where the system gives no Jacobian or the
+/// method takes not so many along; WHIRL_NO_MEMORY.
 whirl_status whirl_integrator_follow(whirl_integrator *integrator, size_t most);
 
 /// whirl_integrator_revolve with disturbances by the variational equations: the exact derivative of the method's steps
@@ -112,8 +114,8 @@ typedef struct whirl_method_cost {
         bdf; ///< by cvode-bdf; NaN where dop853 is bounded by its tolerance alone, infinite where there is no cvode-bdf
 } whirl_method_cost;
 
-/// Counts what a machine costs, after a probe of a few revolutions from `start` [dimension]: a pure function of its arguments, no time
-/// is measured. WHIRL_NO_MEMORY, and WHIRL_BAD_INPUT as whirl_integrator_new.
+/// Counts what a machine costs, after a probe of a few revolutions from `start` [dimension]: a pure function of its
+/// arguments, no time is measured. WHIRL_NO_MEMORY, and WHIRL_BAD_INPUT as whirl_integrator_new.
 whirl_status whirl_method_probe(const whirl_system *system, const whirl_integrate_options *options, const double *start,
                                 whirl_method_cost *cost);
 
@@ -121,11 +123,13 @@ whirl_status whirl_method_probe(const whirl_system *system, const whirl_integrat
 
 /// What a revolution says of the steps of a fixed-step method.
 typedef struct whirl_step_check {
-    /// Largest factor by which one step multiplies a disturbance, over what the machine itself makes of it where that grows: |R(h lambda)| /
-    /// max(1, |exp(h lambda)|) over the eigenvalues lambda of the Jacobian, where it is stiffest. The step is unstable above 1.
+    /// Largest factor by which one step multiplies a disturbance, over what the machine itself makes of it where that
+    /// grows: |R(h lambda)| / max(1, |exp(h lambda)|) over the eigenvalues lambda of the Jacobian, where it is
+    /// stiffest. The step is unstable above 1.
     double growth;
     double steps; ///< a revolution, that would be stable there: the method's own where they are
-    /// Euclidean distance of `end` from where the equations lead from `start` in a revolution; NaN where that is not known.
+    /// Euclidean distance of `end` from where the equations lead from `start` in a revolution; NaN where that is not
+    /// known.
     double error;
     double reach; ///< largest modulus of a coordinate where the equations lead; NaN where that is not known
 } whirl_step_check;
@@ -133,11 +137,11 @@ typedef struct whirl_step_check {
 /// growth that counts as unstable: 1 and what rounding and the truncation of a growing mode may add.
 bool whirl_step_is_unstable(const whirl_step_check *check);
 
-/// Follows the equations over a revolution from `start` [dimension], by dop853 within `tolerance` (absolute, in the state's units),
-/// and looks at the steps of a fixed-step method at 17 equally spaced phases: whether they are stable, and how far the method's own
-/// end of that revolution, `end` [dimension] or NULL, lies off. Where they are unstable from the beginning the revolution is not
-/// followed. For methods with a tolerance there is nothing to look at: growth 1 and NaN. WHIRL_NO_MEMORY; WHIRL_BAD_INPUT as
-/// whirl_integrator_new.
+/// Follows the equations over a revolution from `start` [dimension], by dop853 within `tolerance` (absolute, in the
+/// state's units), and looks at the steps of a fixed-step method at 17 equally spaced phases: whether they are stable,
+/// and how far the method's own end of that revolution, `end` [dimension] or NULL, lies off. Where they are unstable
+/// from the beginning the revolution is not followed. For methods with a tolerance there is nothing to look at: growth
+/// 1 and NaN. WHIRL_NO_MEMORY; WHIRL_BAD_INPUT as whirl_integrator_new.
 whirl_status whirl_step_check_revolution(const whirl_system *system, const whirl_integrate_options *options,
                                          const double *start, const double *end, double tolerance,
                                          whirl_step_check *check);

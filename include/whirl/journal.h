@@ -31,9 +31,9 @@ typedef struct whirl_journal whirl_journal;
 /// that name; WHIRL_IO_ERROR when it cannot be made, or the disk has no room for all points.
 whirl_status whirl_journal_begin(const char *path, const whirl_result *outline, whirl_journal **journal);
 
-/// Opens the journal of a run that ended early. WHIRL_BAD_INPUT with a sentence when there is none, when it is in use, or
-/// when it is of another study: the sentence names the difference. A file that is damaged is mended: what is lost of it
-/// is computed again. To be closed in either way below.
+/// Opens the journal of a run that ended early. WHIRL_BAD_INPUT with a sentence when there is none, when it is in use,
+/// or when it is of another study: the sentence names the difference. A file that is damaged is mended: what is lost of
+/// it is computed again. To be closed in either way below.
 whirl_status whirl_journal_resume(const char *path, const whirl_result *outline, whirl_journal **journal);
 
 /// What a journal held when it was resumed.

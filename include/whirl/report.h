@@ -17,14 +17,14 @@ typedef struct whirl_report_options {
     const char *gnuplot;        ///< program; NULL: "gnuplot" on the PATH
     /// Template of the explorer's page, which `make explorer` builds; NULL: no explorer.html is written.
     const char *explorer;
-    /// Units of figures and pages, "um, rpm, Hz, p-p" (see docs/user-guide.md), where they shall not be those of the case;
-    /// NULL: none. WHIRL_BAD_INPUT for a word that is no unit.
+    /// Units of figures and pages, "um, rpm, Hz, p-p" (see docs/user-guide.md), where they shall not be those of the
+    /// case; NULL: none. WHIRL_BAD_INPUT for a word that is no unit.
     const char *units;
 } whirl_report_options;
 
-/// Writes DIR/report.html, DIR/explorer.html (all results in one page that computes on), and for every result DIR/<name>/
-/// with figures (PNG, PDF), their gnuplot scripts and data.
-/// `names` [count] become folder names. WHIRL_MISSING_PROGRAM when gnuplot is not there: scripts and data are written all the same.
+/// Writes DIR/report.html, DIR/explorer.html (all results in one page that computes on), and for every result
+/// DIR/<name>/ with figures (PNG, PDF), their gnuplot scripts and data. `names` [count] become folder names.
+/// WHIRL_MISSING_PROGRAM when gnuplot is not there: scripts and data are written all the same.
 whirl_status whirl_report_write(const whirl_result *const *results, const char *const *names, size_t count,
                                 const char *directory, const whirl_report_options *options);
 

@@ -76,8 +76,8 @@ void whirl_result_free(whirl_result *result);
 /// The table of that name, or NULL.
 const whirl_table *whirl_result_table(const whirl_result *result, const char *name);
 
-/// The block [layout.size] of a point; NULL in an outline, and where it was kept and is lost. Borrowed; from a table whose
-/// blocks are kept only until another point is asked for, by one thread at a time.
+/// The block [layout.size] of a point; NULL in an outline, and where it was kept and is lost. Borrowed; from a table
+/// whose blocks are kept only until another point is asked for, by one thread at a time.
 const double *whirl_table_block(const whirl_table *table, size_t point);
 
 /// The numbers [rows][columns] of a field for a point and a station or contact (0 for fields of the point);
@@ -108,9 +108,10 @@ typedef struct whirl_jump {
     double usual;    ///< the median of the same from point to point around the two
 } whirl_jump;
 
-/// Looks for jumps along a table: changes of more than 3 % of the motion's size and 8 times what the points around show. Two
-/// motions may exist side by side there, or one changes suddenly (a crisis): that there is a jump does not tell which.
-/// *count is how many there are; at most `most` are written. None where the analysis "orbit" is missing. WHIRL_NO_MEMORY.
+/// Looks for jumps along a table: changes of more than 3 % of the motion's size and 8 times what the points around
+/// show. Two motions may exist side by side there, or one changes suddenly (a crisis): that there is a jump does not
+/// tell which. *count is how many there are; at most `most` are written. None where the analysis "orbit" is missing.
+/// WHIRL_NO_MEMORY.
 whirl_status whirl_table_jumps(const whirl_table *table, whirl_jump *jumps, size_t most, size_t *count);
 
 /// A unit in which numbers are shown: `size` of it in SI. "" and 1 for plain numbers.
@@ -119,12 +120,12 @@ typedef struct whirl_unit {
     double size;
 } whirl_unit;
 
-/// The unit in which the case (or --set) wrote a parameter: "rpm" of 2 pi/60 rad/s where it says "6000 rpm". The SI unit
-/// where it wrote none, for expressions and for zeros; that of plain numbers for names that are no parameters.
+/// The unit in which the case (or --set) wrote a parameter: "rpm" of 2 pi/60 rad/s where it says "6000 rpm". The SI
+/// unit where it wrote none, for expressions and for zeros; that of plain numbers for names that are no parameters.
 whirl_unit whirl_result_unit(const whirl_result *result, const char *parameter);
 
-/// The unit in which lengths of the result are best told: that in which the case wrote the parameter which is the length
-/// scale, else m, mm or um by the length scale's size.
+/// The unit in which lengths of the result are best told: that in which the case wrote the parameter which is the
+/// length scale, else m, mm or um by the length scale's size.
 whirl_unit whirl_result_length_unit(const whirl_result *result);
 
 /// Appends a fact; a name that is there already gets the new value.
@@ -135,16 +136,17 @@ whirl_status whirl_result_add_fact(whirl_result *result, const char *name, const
 whirl_status whirl_result_add_provenance(whirl_result *result);
 
 /// Writes the result as an HDF5 file: to a temporary name beside `path`, synced, then renamed, so that no half
-/// file is ever left. Points that are not done are left out. The layout of the file is described in docs/result-file.md.
+/// file is ever left. Points that are not done are left out. The layout of the file is described in
+/// docs/result-file.md.
 whirl_status whirl_result_write(const whirl_result *result, const char *path);
 
 /// Reads a file of whirl_result_write back and compares all of it with the result, numbers bit for bit. WHIRL_IO_ERROR
 /// that names what differs.
 whirl_status whirl_result_verify(const whirl_result *result, const char *path);
 
-/// Whether two results are of the same case and study, with the same parameters: what either found does not matter. When
-/// not, writes the first difference in at most `size` bytes ("line 5 of the case was 'a' and is 'b'"). Of a partial file it
-/// cannot be told, for it has not all points.
+/// Whether two results are of the same case and study, with the same parameters: what either found does not matter.
+/// When not, writes the first difference in at most `size` bytes ("line 5 of the case was 'a' and is 'b'"). Of a
+/// partial file it cannot be told, for it has not all points.
 bool whirl_result_same_study(const whirl_result *earlier, const whirl_result *later, char *difference, size_t size);
 
 /// Reads a file of whirl_result_write. WHIRL_BAD_INPUT with a sentence for a file that is not one.

@@ -38,9 +38,9 @@ whirl_status whirl_fail(whirl_code code, const char *format, ...)
 /// What a code means, in a few words ("bad input"). Static text.
 const char *whirl_code_text(whirl_code code);
 
-/// Puts '?' in the place of every character of a line that is no plain text: control characters, which terminals obey, those that
-/// turn the direction of a line or end it, and bytes that are no UTF-8. For texts from files that anybody may have written,
-/// before they are shown.
+/// Puts '?' in the place of every character of a line that is no plain text: control characters, which terminals obey,
+/// those that turn the direction of a line or end it, and bytes that are no UTF-8. For texts from files that anybody
+/// may have written, before they are shown.
 void whirl_make_plain(char *text);
 
 #ifdef __cplusplus

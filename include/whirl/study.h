@@ -56,10 +56,11 @@ enum {
 };
 
 /// What a run may spend on points whose verdict is in doubt: undetermined, or of low confidence. Such points are done
-/// again from their own start as their verdict advises (whirl_advice_apply, its factor rounded up to a power of two), the
-/// cheapest first, in up to WHIRL_MAX_ROUNDS rounds. All zero: nothing is spent.
+/// again from their own start as their verdict advises (whirl_advice_apply, its factor rounded up to a power of two),
+/// the cheapest first, in up to WHIRL_MAX_ROUNDS rounds. All zero: nothing is spent.
 typedef struct whirl_budget {
-    /// Revolutions; those at n times the steps of the study count n times. Then no bit depends on how fast the machine is.
+    /// Revolutions; those at n times the steps of the study count n times. Then no bit depends on how fast the machine
+    /// is.
     double revolutions;
     double seconds; ///< ... or time; points that are not done within it are left as they were
 } whirl_budget;
@@ -101,14 +102,13 @@ typedef struct whirl_kept_state {
 } whirl_kept_state;
 
 /// Keeps finished points outside of a run, so that a later run of the same study can go on from them (a journal, see
-/// whirl/journal.h). A point is known by its batch and its slot in the batch's table. Where points are computed more than
-/// once, `batch` tells the passes apart: it is the batch's index plus batch_count times the pass, which is four times the
-/// round of refinement, one more at the second tolerance, two and three more for copies of chaotic motions that are followed;
-/// there `block` is shorter. All functions are called by one thread
-/// at a time.
+/// whirl/journal.h). A point is known by its batch and its slot in the batch's table. Where points are computed more
+/// than once, `batch` tells the passes apart: it is the batch's index plus batch_count times the pass, which is four
+/// times the round of refinement, one more at the second tolerance, two and three more for copies of chaotic motions
+/// that are followed; there `block` is shorter. All functions are called by one thread at a time.
 typedef struct whirl_keeper {
-    /// Takes a finished point: its block [size] and, in pass 0, the state [dimension] that a carried point starts from, all
-    /// NaN where the motion diverged. An error ends the run.
+    /// Takes a finished point: its block [size] and, in pass 0, the state [dimension] that a carried point starts from,
+    /// all NaN where the motion diverged. An error ends the run.
     whirl_status (*keep)(void *context, size_t batch, size_t slot, const double *block, size_t size, const double *end,
                          size_t dimension);
     /// Asked before a point is computed. True when it is known: then block and end are filled, to the bit.
@@ -116,8 +116,8 @@ typedef struct whirl_keeper {
     /// Called a few times a second, so that what was kept may be brought to safety. May be NULL. An error ends the run.
     whirl_status (*tend)(void *context);
     void *context;
-    /// Takes the states of the motions that thread `worker` has under way, in place of those that it gave before: so that
-    /// long points need not begin anew. Called every few seconds. May be NULL. What cannot be kept is no error.
+    /// Takes the states of the motions that thread `worker` has under way, in place of those that it gave before: so
+    /// that long points need not begin anew. Called every few seconds. May be NULL. What cannot be kept is no error.
     void (*save)(void *context, size_t worker, const whirl_kept_state *states, size_t count);
     /// Asked when a point is begun: the state furthest on that was saved of it, to be freed by free, or NULL.
     void *(*saved)(void *context, size_t batch, size_t slot, double *revolutions, size_t *size);
@@ -135,10 +135,11 @@ typedef struct whirl_run_options {
     size_t memory;
 } whirl_run_options;
 
-/// Puts a method in the place of "auto" in every batch that asks for it: dop853, or cvode-bdf where whirl_method_probe, at the first, the
-/// middle and the last value of the parameter, counts fewer right-hand sides in all, those of dop853 in lanes as a quarter. All points
-/// of a batch go by one method. With all exponents that is dop853, which takes their disturbances along. The choice is a pure
-/// function of the study. Runs, outlines and verifications do it by themselves. Errors as those of the machines.
+/// Puts a method in the place of "auto" in every batch that asks for it: dop853, or cvode-bdf where whirl_method_probe,
+/// at the first, the middle and the last value of the parameter, counts fewer right-hand sides in all, those of dop853
+/// in lanes as a quarter. All points of a batch go by one method. With all exponents that is dop853, which takes their
+/// disturbances along. The choice is a pure function of the study. Runs, outlines and verifications do it by
+/// themselves. Errors as those of the machines.
 whirl_status whirl_study_choose_methods(whirl_study *study);
 
 /// Revolutions of all points without refinement, as a budget counts them: at n times the steps of the study n times.
@@ -149,11 +150,11 @@ double whirl_study_revolutions(const whirl_study *study);
 whirl_status whirl_study_outline(const whirl_study *study, whirl_result **outline);
 
 /// Runs all batches. `result` gets one table a batch; the rest of it is empty (see whirl_case_describe_result).
-/// The first error of a point ends the run, without a result. WHIRL_STOPPED when stopped before the last point, or before
-/// the last one was confirmed or refined: then there is a result too, of the points that are done (whirl_table_done); the
-/// numbers of the others are NaN.
-/// With a budget the blocks have the fields "refine/...": rounds, what was spent, and the options that count at last.
-/// No bit of a result depends on which points a keeper knew. The result is freed by whirl_result_free.
+/// The first error of a point ends the run, without a result. WHIRL_STOPPED when stopped before the last point, or
+/// before the last one was confirmed or refined: then there is a result too, of the points that are done
+/// (whirl_table_done); the numbers of the others are NaN. With a budget the blocks have the fields "refine/...":
+/// rounds, what was spent, and the options that count at last. No bit of a result depends on which points a keeper
+/// knew. The result is freed by whirl_result_free.
 whirl_status whirl_study_run(const whirl_study *study, const whirl_run_options *options, whirl_result **result);
 
 #ifdef __cplusplus

@@ -22,7 +22,8 @@ enum {
 };
 
 /// A pair of displacement coordinates that is observed together, as a pair of proximity probes sees a shaft.
-/// `x` and `y` index the state; `vx` and `vy` their derivatives. For a system with one coordinate set y = x and vy = vx.
+/// `x` and `y` index the state; `vx` and `vy` their derivatives. For a system with one coordinate set y = x and vy =
+/// vx.
 typedef struct whirl_probe {
     char name[WHIRL_NAME_SIZE];
     size_t x, y, vx, vy;
@@ -53,8 +54,9 @@ typedef struct whirl_system {
     size_t switch_count;
     void (*switches)(const void *model, double t, const double *x, double *values);
 
-    /// Optional: the right-hand side with its laws held on given sides of the switches: sides [switch_count], each -1 or +1,
-    /// the sign of the switching function that is assumed, whatever x says; smooth in (t, x), continued beyond the switch.
+    /// Optional: the right-hand side with its laws held on given sides of the switches: sides [switch_count], each -1
+    /// or +1, the sign of the switching function that is assumed, whatever x says; smooth in (t, x), continued beyond
+    /// the switch.
     void (*rhs_on_sides)(const void *model, double t, const double *forcing, const double *x, const double *sides,
                          double *dxdt);
 

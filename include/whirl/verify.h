@@ -35,15 +35,16 @@ typedef struct whirl_verify_run {
 typedef struct whirl_verify_point {
     double value; ///< of the parameter, NaN when nothing varies
     whirl_verify_run runs[WHIRL_VERIFY_METHODS][WHIRL_VERIFY_LEVELS];
-    /// By the states of the three levels: the order in the step of a fixed-step method, the power of the tolerance of an
-    /// adaptive one. NaN where rounding (differences below 1e-13 of the state) or chaos (above 0.1) leaves nothing to see.
+    /// By the states of the three levels: the order in the step of a fixed-step method, the power of the tolerance of
+    /// an adaptive one. NaN where rounding (differences below 1e-13 of the state) or chaos (above 0.1) leaves nothing
+    /// to see.
     double order[WHIRL_VERIFY_METHODS];
     double exponent_spread; ///< largest difference between the exponents of any two runs; NaN where one has none
     bool agreed;            ///< all runs give the same regime and period
 } whirl_verify_point;
 
-/// The first method is that of the study: with its steps, two and four times as many, or at its tolerances, a tenth and a
-/// hundredth of them. So is the second one, whose last level is the reference of all differences.
+/// The first method is that of the study: with its steps, two and four times as many, or at its tolerances, a tenth and
+/// a hundredth of them. So is the second one, whose last level is the reference of all differences.
 typedef struct whirl_verification {
     char table[WHIRL_NAME_SIZE], parameter[WHIRL_NAME_SIZE];
     int revolutions;

@@ -1,5 +1,5 @@
-// All Lyapunov exponents: mean logarithmic growths of orthonormal disturbances (Benettin et al. 1980), with the sum that they must
-// have and the dimension that they give the attractor (Kaplan, Yorke 1979).
+// All Lyapunov exponents: mean logarithmic growths of orthonormal disturbances (Benettin et al. 1980), with the sum
+// that they must have and the dimension that they give the attractor (Kaplan, Yorke 1979).
 #include <math.h>
 #include <stdlib.h>
 

@@ -1,9 +1,10 @@
 // Lines between the bins of a spectrum.
 //
-// A peak of the transform gives a first guess. The transform is then evaluated half a bin to either side of the guess: there the main lobe W of the window falls with slope 2/3 of ln W per 1/2 bin, so the
-// ratio of the two values tells how far off the guess is. What the other lines (and a line's own mirror image at the
-// negative frequency) leak to where one is measured is known in closed form and subtracted; a few rounds settle it.
-// Side lobes need no care when peaks are picked: at whole bins the transform of one sinusoid falls monotonically.
+// A peak of the transform gives a first guess. The transform is then evaluated half a bin to either side of the guess:
+// there the main lobe W of the window falls with slope 2/3 of ln W per 1/2 bin, so the ratio of the two values tells
+// how far off the guess is. What the other lines (and a line's own mirror image at the negative frequency) leak to
+// where one is measured is known in closed form and subtracted; a few rounds settle it. Side lobes need no care when
+// peaks are picked: at whole bins the transform of one sinusoid falls monotonically.
 #include "lines.h"
 
 #include <complex.h>
@@ -63,7 +64,8 @@ typedef struct line_search {
 /// window is e^(-i angle (count - 1)/count) sin(angle)/(count sin(angle/count)), angle = pi bins; the Hann window's is
 /// this one less half of its two neighbours, a bin away, in which sin(angle) and the phase return but for their signs.
 static double complex hann_lobe(const line_search *search, turn whole, turn part) {
-    // At the bins 0, 1 and -1 both sides of a quotient are 0; nobody asks closer by, but at half the sampling frequency.
+    // At the bins 0, 1 and -1 both sides of a quotient are 0; nobody asks closer by, but at half the sampling
+    // frequency.
     const double least = 1e-12;
     const double before = turn_back(part, search->unit).sine, after = turn_on(part, search->unit).sine;
     if (fabs(part.sine) < least || fabs(before) < least || fabs(after) < least)

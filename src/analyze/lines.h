@@ -7,9 +7,9 @@
 #include "transform.h"
 #include "whirl/analyze.h"
 
-/// Finds up to WHIRL_MAX_LINES lines of a Hann-windowed signal, largest first, with `order` in bins. `power` [bins] is the squared amplitude at
-/// the whole bins 0, 1, ...; lines are looked for from bin 2 (below, they cannot be told from the mean) to bins - 2.
-/// Returns how many there are.
+/// Finds up to WHIRL_MAX_LINES lines of a Hann-windowed signal, largest first, with `order` in bins. `power` [bins] is
+/// the squared amplitude at the whole bins 0, 1, ...; lines are looked for from bin 2 (below, they cannot be told from
+/// the mean) to bins - 2. Returns how many there are.
 size_t spectrum_lines(const wave_transform *wave, const double *power, size_t bins, whirl_line *lines);
 
 /// Zero-to-peak amplitudes of the sinusoids of an order.

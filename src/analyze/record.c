@@ -3,12 +3,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "observer.h"
 #include "record_block.h"
 #include "record_lanes.h"
 #include "settling.h"
 #include "steps.h"
 #include "twin.h"
-#include "watcher.h"
 #include "whirl/ensemble.h"
 
 /// A motion that is recorded by the integrator's interface, which takes every system and method.
@@ -17,17 +17,18 @@ typedef struct recording {
     const whirl_record_options *options;
     whirl_integrator *integrator;
     whirl_record *record;
-    instant_watcher watcher;
+    observer observer; ///< of the record
     trajectory_twin twin;
-    size_t
-        followed; ///< disturbances that go along by the system's Jacobian: none, one or as many as there are coordinates
+    size_t followed;      ///< disturbances that go along by the system's Jacobian: none, one or as many as there are
+                          ///< coordinates
     double *disturbances; ///< [followed][dimension]
     settling *settling;   ///< NULL when every transient runs to its end
     int revolution;       ///< the next one
     double *x;
 } recording;
 
-/// How many disturbances go along: a second trajectory shows the largest growth, but by methods whose steps change abruptly.
+/// How many disturbances go along: a second trajectory shows the largest growth, but by methods whose steps change
+/// abruptly.
 static size_t count_followed(const whirl_system *system, const whirl_integrate_options *integrate,
                              const whirl_record_options *options) {
     const whirl_method *own;
@@ -51,7 +52,7 @@ static whirl_motion carry_disturbances(recording *r, whirl_observe_fn observe) {
     if (count == 0) place_disturbances(r);
     whirl_disturbances set = {.count = r->followed, .vectors = r->disturbances, .growth = &record->growth[count]};
     if (record->growths) set.growth = record->growths + count * record->dimension;
-    const whirl_motion motion = whirl_integrator_carry(r->integrator, r->x, &set, observe, &r->watcher);
+    const whirl_motion motion = whirl_integrator_carry(r->integrator, r->x, &set, observe, &r->observer);
     record->growth[count] = set.growth[0];
     if (record->growths) record->volume[count] = set.volume;
     record->growth_count = count + 1;
@@ -69,10 +70,10 @@ static void revolve(recording *r) {
     const bool followed = watched && r->twin.x;
     if (followed && record->section_count == 0) twin_begin(&r->twin, r->x);
     memcpy(record->end, r->x, record->dimension * sizeof *r->x);
-    if (revolution == options->transient) watch_note_contacts(&r->watcher, r->x);
-    const whirl_observe_fn observe = recorded ? watch_instant : NULL;
+    if (revolution == options->transient) observer_note_contacts(&r->observer, r->x);
+    const whirl_observe_fn observe = recorded ? observer_instant : NULL;
     record->motion = watched && r->disturbances ? carry_disturbances(r, observe)
-                                                : whirl_integrator_revolve(r->integrator, r->x, observe, &r->watcher);
+                                                : whirl_integrator_revolve(r->integrator, r->x, observe, &r->observer);
     if (record->motion != WHIRL_BOUNDED) {
         record->diverged_at = r->revolution;
         return;
@@ -92,7 +93,7 @@ static bool carry_on(recording *r) {
     if (r->record->motion != WHIRL_BOUNDED) return true;
     if (r->settling && settling_note(r->settling, r->x)) r->revolution = record_skip(r->options, r->revolution);
     if (r->revolution < r->options->transient + r->options->record) return false;
-    watch_close(&r->watcher);
+    observer_close(&r->observer);
     memcpy(r->record->end, r->x, r->record->dimension * sizeof *r->x);
     return true;
 }
@@ -133,22 +134,22 @@ static whirl_status recording_new(const whirl_task *task, const whirl_integrate_
     }
     memcpy(r->x, task->start, system->dimension * sizeof *r->x);
     r->twin = twin_of(integrate, n, options->growth == WHIRL_GROWTH_LARGEST && !along ? r->x + n : NULL);
-    watch_open(&r->watcher, system, integrate, r->record);
+    observer_open(&r->observer, system, integrate, r->record);
     *out = r;
     return whirl_ok();
 }
 
 /// All that the motion is between two revolutions: integrators remember nothing.
 static void recording_archive(recording *r, const whirl_integrate_options *integrate, archive *a) {
-    instant_watcher *watcher = &r->watcher;
+    observer *o = &r->observer;
     record_archive(r->record, integrate, r->options, a);
     archive_part(a, &r->revolution, sizeof r->revolution);
     archive_part(a, &r->twin.distance, sizeof r->twin.distance);
     const size_t n = r->record->dimension;
     archive_part(a, r->x, 2 * n * sizeof *r->x);
     if (r->disturbances) archive_part(a, r->disturbances, r->followed * n * sizeof *r->disturbances);
-    archive_part(a, &watcher->instants, sizeof watcher->instants);
-    archive_part(a, watcher->touching, sizeof watcher->touching);
+    archive_part(a, &o->instants, sizeof o->instants);
+    archive_part(a, o->touching, sizeof o->touching);
     if (r->settling) settling_archive(r->settling, a);
 }
 

@@ -175,9 +175,9 @@ void record_archive(whirl_record *r, const whirl_integrate_options *integrate, c
     if (r->growths) archive_part(a, r->volume, r->growth_count * sizeof *r->volume);
     for (size_t i = 0; i < 2 * r->probe_count; i++)
         archive_part(a, r->waveform + i * samples, r->sample_count * sizeof *r->waveform);
-    // What is watched of every instant stands behind the waveform, to the end.
-    const size_t watched = 3 * r->dimension + 5 * r->probe_count + 3 * r->contact_count;
-    archive_part(a, r->low, watched * sizeof *r->low);
+    // What is observed of every instant stands behind the waveform, to the end.
+    const size_t observed = 3 * r->dimension + 5 * r->probe_count + 3 * r->contact_count;
+    archive_part(a, r->low, observed * sizeof *r->low);
 }
 
 void whirl_record_free(whirl_record *record) {

@@ -5,8 +5,8 @@
 #include "archive.h"
 #include "whirl/analyze.h"
 
-/// Where a motion that has settled after `revolution` revolutions goes on: it leaves out what is left of the transient but
-/// for the last 64 revolutions.
+/// Where a motion that has settled after `revolution` revolutions goes on: it leaves out what is left of the transient
+/// but for the last 64 revolutions.
 int record_skip(const whirl_record_options *options, int revolution);
 
 /// An empty record for a motion of the system, all zero; NULL without memory. Freed by whirl_record_free.

@@ -1,8 +1,8 @@
 // Recording many motions side by side in the lanes of an ensemble.
 //
-// A motion takes one lane, and a second one for its twin while a disturbance is followed. Lanes in use are kept together
-// at the front. A motion that needs a second lane when none is free waits outside, with its state, and goes before new
-// ones. None of this changes a bit of any motion.
+// A motion takes one lane, and a second one for its twin while a disturbance is followed. Lanes in use are kept
+// together at the front. A motion that needs a second lane when none is free waits outside, with its state, and goes
+// before new ones. None of this changes a bit of any motion.
 #include "record_lanes.h"
 
 #include <math.h>
@@ -44,7 +44,7 @@ struct lanes_recorder {
     size_t count;            ///< motions under way
     motion **motions;        ///< [lane_count], those that wait included
     bool exhausted;          ///< the source had none when it was last asked
-    whirl_ensemble_watch watch;
+    whirl_ensemble_observe watch;
     const whirl_probe *probes;
     size_t probe_count, sample_count;
     double *samples; ///< [of a revolution][probes][2][lane_count]
@@ -145,8 +145,8 @@ static motion *motion_new(const lanes_recorder *r, const whirl_task *task) {
 
 // ---------------------------------------------------------------- motions are saved and taken up
 
-/// All that a motion is between two revolutions. What a lane has beside it, watched numbers, goes along where it is in one.
-/// A twin needs no more than its state.
+/// All that a motion is between two revolutions. What a lane has beside it, watched numbers, goes along where it is in
+/// one. A twin needs no more than its state.
 static void motion_archive(const lanes_recorder *r, motion *m, archive *a) {
     record_archive(m->record, r->integrate, r->options, a);
     archive_part(a, &m->revolution, sizeof m->revolution);
@@ -434,7 +434,7 @@ static whirl_status start(lanes_recorder *r, const whirl_system *system, size_t 
     r->motions = calloc(r->lane_count, sizeof(motion *));
     r->probes = system->probes;
     r->probe_count = system->probe_count;
-    r->watch = (whirl_ensemble_watch){.sample = sample, .context = r};
+    r->watch = (whirl_ensemble_observe){.sample = sample, .context = r};
     if (r->options->waveform)
         r->watch.stride = (size_t)(r->integrate->steps_per_revolution /
                                    whirl_record_samples(r->options, r->integrate->steps_per_revolution));

@@ -30,10 +30,10 @@ double motion_rounding(const whirl_record *record);
 typedef struct recurrence {
     size_t window; ///< last points of the section that were compared
     int period; ///< the smallest k that returns within the tolerance, else the k that returns best; 0: too few points
-    double distance; ///< largest |z(n+k) - z(n)| over the window, over the size of the motion
-    double
-        separation; ///< smallest such distance for a proper divisor of k: how far the k points are apart; infinite for k = 1
-    double trend; ///< largest |z(n+k) - z(n)| in the last quarter of the section over that in the first
+    double distance;   ///< largest |z(n+k) - z(n)| over the window, over the size of the motion
+    double separation; ///< smallest such distance for a proper divisor of k: how far the k points are apart; infinite
+                       ///< for k = 1
+    double trend;      ///< largest |z(n+k) - z(n)| in the last quarter of the section over that in the first
 } recurrence;
 
 /// A motion returns when it comes back within this share of its size.

@@ -1,10 +1,10 @@
 // The transform between bins, by Gaussian gridding (Greengard and Lee 2004, SIAM Review 46, 443).
 //
-// Between bins a transform is not the business of an FFT, but of interpolating in a longer one. The samples, n from their
-// middle, are multiplied by exp(+t n^2) and filled up with zeros to twice their number or more; in the transform of
-// these the factor is taken back by a convolution with the transform of exp(-t n^2), a Gaussian, of which the nearest
-// places suffice. The longer one may have any length: it has a power of two, so that a number of samples with large
-// prime factors costs no more than its neighbours.
+// Between bins a transform is not the business of an FFT, but of interpolating in a longer one. The samples, n from
+// their middle, are multiplied by exp(+t n^2) and filled up with zeros to twice their number or more; in the transform
+// of these the factor is taken back by a convolution with the transform of exp(-t n^2), a Gaussian, of which the
+// nearest places suffice. The longer one may have any length: it has a power of two, so that a number of samples with
+// large prime factors costs no more than its neighbours.
 #include "transform.h"
 
 #include <math.h>

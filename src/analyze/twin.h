@@ -16,10 +16,10 @@ typedef struct trajectory_twin {
     double *x; ///< NULL: no twin
 } trajectory_twin;
 
-/// A twin at x, yet to be placed, of motions that are carried in that way. Steps of one-step methods are a smooth function
-/// of the state: twin and motion err alike. CVODE's orders and steps have a history, each motion errs on its own, and
-/// the twin stands 10^4 tolerances off, so that what they err by is a small part of the distance. (All others would lose
-/// by it: a distance d adds errors of the order of d.)
+/// A twin at x, yet to be placed, of motions that are carried in that way. Steps of one-step methods are a smooth
+/// function of the state: twin and motion err alike. CVODE's orders and steps have a history, each motion errs on its
+/// own, and the twin stands 10^4 tolerances off, so that what they err by is a small part of the distance. (All others
+/// would lose by it: a distance d adds errors of the order of d.)
 trajectory_twin twin_of(const whirl_integrate_options *integrate, size_t dimension, double *x);
 
 /// Places the twin beside the state x.

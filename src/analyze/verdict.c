@@ -70,7 +70,8 @@ static bool is_chaotic(const evidence *e) {
            fabs(log(e->averages.spread)) < log(steady_factor) && grows_to_the_end(e);
 }
 
-/// Quasi-periodic, up to the curves: disturbances neither grow nor die out, and the motion is regular but never returns.
+/// Quasi-periodic, up to the curves: disturbances neither grow nor die out, and the motion is regular but never
+/// returns.
 static bool may_be_quasi_periodic(const evidence *e) {
     if (e->growth_count == 0) return false;
     const whirl_estimate exponent = estimate_regular_mean(e->growth, e->growth_count, 1);
@@ -150,8 +151,8 @@ static whirl_verdict judge_bounded(const whirl_record *record) {
     return verdict;
 }
 
-/// A method with fixed steps that are far too long throws a motion out at once; only what takes longer to leave has shown that the
-/// machine does it.
+/// A method with fixed steps that are far too long throws a motion out at once; only what takes longer to leave has
+/// shown that the machine does it.
 static whirl_confidence weigh_diverged(const whirl_record *record) {
     const double at_once = 2.0;
     return record->diverged_at > at_once ? WHIRL_HIGH : WHIRL_FAIR;

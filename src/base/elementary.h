@@ -7,8 +7,8 @@
 
 /// sqrt(3/a) for normal a > 0, by multiply-adds where the divider is the bottleneck. A seed r from the bits of a leaves
 /// y = a r^2 within 0.7901 and 0.8898; the cubic of y of least relative error, 4.3e-7, takes it to 3 - e; the series of
-/// 1/sqrt(1 - e/3) up to e^2 does the rest. The seed is chosen so that the cubic, which is -(z^3 + d z) + g about the place
-/// where its square term vanishes, begins with -1.
+/// 1/sqrt(1 - e/3) up to e^2 does the rest. The seed is chosen so that the cubic, which is -(z^3 + d z) + g about the
+/// place where its square term vanishes, begins with -1.
 static inline vec v_root_of_3_over(vec a) {
     vec r = v_seed_half(0x5fe4a4740bc00000, a);
     const vec z = v_fma(v_mul(a, r), r, v_set(-0x1.2cf762c990cfdp+0));
@@ -18,8 +18,9 @@ static inline vec v_root_of_3_over(vec a) {
     return v_fma(v_mul(r, e), v_fma(v_set(0x1.5555555555555p-5), e, v_set(0x1.5555555555555p-3)), r);
 }
 
-/// The angle a within -pi/2 and pi/2 from half the cosine and half the sine of 2a, which need one division but no root and
-/// no fold: atan(y/x), x > 0, from x^2/(x^2 + y^2) - 1/2 and x y/(x^2 + y^2). Symmetries take a to within pi/8 of pi/8, where
+/// The angle a within -pi/2 and pi/2 from half the cosine and half the sine of 2a, which need one division but no root
+/// and no fold: atan(y/x), x > 0, from x^2/(x^2 + y^2) - 1/2 and x y/(x^2 + y^2). Symmetries take a to within pi/8 of
+/// pi/8, where
 ///
 ///     a - pi/8 = w F(v),   w = (sin 2a - cos 2a)/2 = sin(2a - pi/4)/sqrt 2,   v = 1/sqrt 2 - (sin 2a + cos 2a)/2.
 ///
@@ -47,8 +48,8 @@ static inline vec v_round(vec a) {
     return v_sub(v_add(a, magic), magic);
 }
 
-/// What follows the first terms, of z = r^2 for |r| up to pi/4: sin r = r + r z s, cos r = 1 - z/2 + z^2 c. Minimax polynomials,
-/// six terms of each function, with relative errors of 2^-57.9 and 2^-63.9.
+/// What follows the first terms, of z = r^2 for |r| up to pi/4: sin r = r + r z s, cos r = 1 - z/2 + z^2 c. Minimax
+/// polynomials, six terms of each function, with relative errors of 2^-57.9 and 2^-63.9.
 static inline void v_sincos_tails(vec z, vec *s, vec *c) {
     const vec z2 = v_mul(z, z), z4 = v_mul(z2, z2);
     const vec s12 = v_fma(z, v_set(-0x1.a01a019bfbcc5p-13), v_set(0x1.111111110f7c0p-7));
@@ -72,7 +73,8 @@ static inline void v_sincos_near(vec r, vec low, vec *sine, vec *cosine) {
     *cosine = v_add(first, v_add(v_sub(v_sub(one, first), drop), v_fnma(r, low, v_mul(v_mul(z, z), c))));
 }
 
-/// sin and cos of an angle r with |r| up to pi/4, to a unit in the last place of 1 (measured: tests/unit/base/test_elementary.c).
+/// sin and cos of an angle r with |r| up to pi/4, to a unit in the last place of 1 (measured:
+/// tests/unit/base/test_elementary.c).
 static inline void v_sincos_small(vec r, vec *sine, vec *cosine) {
     const vec z = v_mul(r, r);
     vec s, c;
@@ -81,8 +83,8 @@ static inline void v_sincos_small(vec r, vec *sine, vec *cosine) {
     *cosine = v_fma(v_mul(z, z), c, v_fnma(v_set(0.5), z, v_set(1.0)));
 }
 
-/// sin and cos of 0 <= t <= 8 pi. The quarter turns are taken off in three parts, whose products with up to 16 are exact for
-/// the first two. The error is below 1 unit in the last place (measured: tests/unit/base/test_elementary.c).
+/// sin and cos of 0 <= t <= 8 pi. The quarter turns are taken off in three parts, whose products with up to 16 are
+/// exact for the first two. The error is below 1 unit in the last place (measured: tests/unit/base/test_elementary.c).
 static inline void v_sincos(vec t, vec *sine, vec *cosine) {
     const vec zero = v_set(0.0), quarters = v_round(v_mul(t, v_set(0x1.45f306dc9c883p-1)));
     const vec near = v_fnma(quarters, v_set(0x1.921fb54400000p+0), t);

@@ -18,8 +18,8 @@ typedef struct isa {
 /// The instruction set of that number, or NULL where this processor or this build has none.
 const isa *isa_at(int number);
 
-/// The widest one, or the one that the environment variable WHIRL_ISA names. WHIRL_BAD_INPUT for an unknown name or one that this
-/// processor does not have.
+/// The widest one, or the one that the environment variable WHIRL_ISA names. WHIRL_BAD_INPUT for an unknown name or one
+/// that this processor does not have.
 whirl_status isa_choose(const isa **chosen);
 
 #endif

@@ -50,8 +50,8 @@ struct whirl_lanes {
     size_t switch_count, contact_count;
     void (*contact)(const void *model, size_t index, size_t *station, double *gap);
     bool slides; ///< motions can slide along a switch
-    bool
-        damped; ///< normal forces depend on velocities too: contact is where `contacts` says, not where the gap is closed
+    bool damped; ///< normal forces depend on velocities too: contact is where `contacts` says, not where the gap is
+                 ///< closed
     // One for every instruction set of vector.h; NULL where it is not built.
     lanes_accelerate *const *accelerate;
     lanes_flow *const *flow;

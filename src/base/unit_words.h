@@ -23,8 +23,8 @@ typedef struct unit_choice {
 /// All words; static, ended by one whose word is NULL.
 const unit_word *unit_words(void);
 
-/// Reads "um, rpm, Hz, p-p": words in any order, between commas. "" chooses nothing. WHIRL_BAD_INPUT, with the nearest word,
-/// for one that is unknown, and for two of a kind.
+/// Reads "um, rpm, Hz, p-p": words in any order, between commas. "" chooses nothing. WHIRL_BAD_INPUT, with the nearest
+/// word, for one that is unknown, and for two of a kind.
 whirl_status unit_choice_read(const char *text, unit_choice *choice);
 
 #endif

@@ -18,8 +18,8 @@ static inline size_t utf8_length_of_text(const char *text) {
 unsigned utf8_character(const char *text, size_t length);
 
 /// Whether a valid character of `length` bytes is safe to show. Not so are control characters (below U+0020, U+007F to
-/// U+009F), which terminals obey; those that turn the direction of a line (Unicode's Bidi_Control), so that it reads otherwise
-/// than it stands; and U+2028 and U+2029, which end lines.
+/// U+009F), which terminals obey; those that turn the direction of a line (Unicode's Bidi_Control), so that it reads
+/// otherwise than it stands; and U+2028 and U+2029, which end lines.
 bool utf8_is_plain(const char *text, size_t length);
 
 #endif

@@ -1,8 +1,9 @@
 /// The vector type of the kernels: VECTOR_LANES numbers side by side that never touch each other.
 ///
 /// The including file defines VECTOR_ISA as one of the numbers below and is compiled for it. Every operation rounds as
-/// IEEE 754 says, and multiply-adds are explicit: in fused builds v_fma rounds once, in the others twice. Builds that agree in
-/// that give the same bits whatever their width and compiler. The only file with intrinsics and extensions of compilers.
+/// IEEE 754 says, and multiply-adds are explicit: in fused builds v_fma rounds once, in the others twice. Builds that
+/// agree in that give the same bits whatever their width and compiler. The only file with intrinsics and extensions of
+/// compilers.
 #ifndef BASE_VECTOR_H
 #define BASE_VECTOR_H
 

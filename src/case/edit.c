@@ -49,7 +49,8 @@ static size_t behind_bracket(const char *text, size_t length, size_t at) {
     return at < length ? at + 1 : length;
 }
 
-/// The bytes of a list: of one in dashes all that follows its key, for a list in brackets may have to stand further right.
+/// The bytes of a list: of one in dashes all that follows its key, for a list in brackets may have to stand further
+/// right.
 static void list_extent(const char *text, size_t length, const file_node *list, size_t *from, size_t *to) {
     const file_node *end = list->last ? list->last : list;
     *to = byte_offset(text, length, end->to);

@@ -26,7 +26,8 @@ typedef struct expression_evaluator expression_evaluator;
 /// `values` [count] are read when an expression is evaluated. NULL when memory ran out.
 expression_evaluator *evaluator_new(const char *const *names, double *values, size_t count);
 
-/// Value of an expression that expression_check has passed. false when it is no expression or not finite: `why` says it.
+/// Value of an expression that expression_check has passed. false when it is no expression or not finite: `why` says
+/// it.
 bool evaluator_value(expression_evaluator *evaluator, const char *text, double *value, char why[WHY_SIZE]);
 void evaluator_free(expression_evaluator *evaluator);
 

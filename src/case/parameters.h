@@ -57,8 +57,8 @@ typedef struct case_reader {
     reported_name *reported;
 } case_reader;
 
-/// True when nothing was said yet of a wrong name: `what` it should be ("parameter", "station", or a unit). Compilers do the
-/// same with what is not declared.
+/// True when nothing was said yet of a wrong name: `what` it should be ("parameter", "station", or a unit). Compilers
+/// do the same with what is not declared.
 bool reader_reports(case_reader *reader, const char *what, const char *name);
 
 /// The status of a reading that is over: the first problem, or that memory ran out. `name` is the file's.
@@ -74,8 +74,8 @@ size_t parameters_find(const parameter_table *parameters, const char *name);
 /// Reads a number of `key` at a place of the file: with a unit, plain, or an expression. false after a problem.
 bool formula_read(case_reader *reader, const file_node *where, const whirl_key *key, number_formula *result);
 
-/// whirl_key_check_number for the value of a formula; of a parameter alone in the unit in which that is written: "is -100 rpm,
-/// expected a number above 0 rpm".
+/// whirl_key_check_number for the value of a formula; of a parameter alone in the unit in which that is written: "is
+/// -100 rpm, expected a number above 0 rpm".
 whirl_status formula_check(const parameter_table *parameters, const whirl_key *key, const number_formula *formula,
                            double value);
 

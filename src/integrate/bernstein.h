@@ -1,12 +1,12 @@
-/// The course of a switching function over a step, by the Bernstein coefficients of the cubic through its values and derivatives at
-/// both ends.
+/// The course of a switching function over a step, by the Bernstein coefficients of the cubic through its values and
+/// derivatives at both ends.
 #ifndef INTEGRATE_BERNSTEIN_H
 #define INTEGRATE_BERNSTEIN_H
 
 #include "vector.h"
 
-/// 1 where the function stays positive by far, else 0: all coefficients exceed what the bend of their polygon says of the function
-/// between the ends.
+/// 1 where the function stays positive by far, else 0: all coefficients exceed what the bend of their polygon says of
+/// the function between the ends.
 static inline vec bernstein_clear(vec b0, vec b1, vec b2, vec b3) {
     const vec bend0 = v_add(v_sub(b0, v_add(b1, b1)), b2), bend1 = v_add(v_sub(b1, v_add(b2, b2)), b3);
     const vec margin = v_fma(v_set(0.5), v_max(v_abs(bend0), v_abs(bend1)), v_abs(v_sub(bend1, bend0)));

@@ -1,7 +1,8 @@
 // Which method suits a machine: what method "auto" rests on.
 //
-// dop853 takes as many steps as its tolerance asks for, or as many as keep it stable where the machine is stiff: these follow from the
-// eigenvalues of the Jacobian and the method's own stability function. Where they would crawl, revolutions by cvode-bdf are counted.
+// dop853 takes as many steps as its tolerance asks for, or as many as keep it stable where the machine is stiff: these
+// follow from the eigenvalues of the Jacobian and the method's own stability function. Where they would crawl,
+// revolutions by cvode-bdf are counted.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,7 +10,8 @@
 #include "dop853_tableau.h"
 #include "stiffest.h"
 
-/// Steps a revolution up to which nothing is gained by another method: about what cvode-bdf takes at the usual tolerances.
+/// Steps a revolution up to which nothing is gained by another method: about what cvode-bdf takes at the usual
+/// tolerances.
 static const double crawl = 1000.0;
 
 enum { PROBED = 16, COUNTED = 4, PHASES = 16 };
@@ -23,7 +25,8 @@ static whirl_status start(const whirl_system *system, const whirl_integrate_opti
     return whirl_integrator_new(system, &own, integrator);
 }
 
-/// Steps a revolution that keep dop853 stable at the stiffest phase seen, where they are more than what counts as crawling; else 0.
+/// Steps a revolution that keep dop853 stable at the stiffest phase seen, where they are more than what counts as
+/// crawling; else 0.
 static double stable_steps(phase_search *search) {
     const double safe = 2.0; // |z| up to which dop853 is stable in the whole left half plane
     if (search->norm * search->system->period <= safe * crawl || !phase_search_solve(search)) return 0.0;
@@ -31,7 +34,8 @@ static double stable_steps(phase_search *search) {
     return steps > crawl ? steps : 0.0;
 }
 
-/// Carries x by a method, and looks at every phase; stops where dop853 would crawl. False where the motion could not go on.
+/// Carries x by a method, and looks at every phase; stops where dop853 would crawl. False where the motion could not go
+/// on.
 static bool carry(whirl_integrator *integrator, phase_search *search, int revolutions, bool until_stiff,
                   double *steps) {
     for (int i = 0; i < revolutions; i++) {

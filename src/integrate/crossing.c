@@ -1,5 +1,6 @@
-// The polynomial of degree 8 through nine Chebyshev points in Bernstein form (Ainsworth and Sanchez 2016). Its least coefficient is
-// a lower bound; halving by de Casteljau's rule sharpens the bound until a piece is clear of zero or seen to pass it.
+// The polynomial of degree 8 through nine Chebyshev points in Bernstein form (Ainsworth and Sanchez 2016). Its least
+// coefficient is a lower bound; halving by de Casteljau's rule sharpens the bound until a piece is clear of zero or
+// seen to pass it.
 #include "crossing.h"
 
 #include <math.h>
@@ -98,7 +99,8 @@ static double refine(const suspect *s, double low, double f_low, double high, do
     return high;
 }
 
-/// A piece too short to be halved: does the function itself dip below zero at its ends, or where the polynomial is least?
+/// A piece too short to be halved: does the function itself dip below zero at its ends, or where the polynomial is
+/// least?
 static bool probe(const suspect *s, const double *c, double low, double high, double *theta) {
     const double left = c[0], right = c[s->degree], middle = value_at(s->degree, c, 0.5);
     const double slope = right - left, bend = 2.0 * (left - 2.0 * middle + right);

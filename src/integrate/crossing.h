@@ -12,13 +12,13 @@ typedef struct crossing_search {
     crossing_values *values;
     void *context;
     size_t count;
-    /// [count] 0; 1 for a function that begins at zero, 2 where its derivative begins at zero, too: the zero at theta = 0 is not
-    /// one that is looked for.
+    /// [count] 0; 1 for a function that begins at zero, 2 where its derivative begins at zero, too: the zero at theta =
+    /// 0 is not one that is looked for.
     const int *held;
 } crossing_search;
 
-/// The first zero: true with its place and the function's index. Two zeros in one step, where a function only dips below zero,
-/// are seen: every function is replaced by a polynomial, whose Bernstein coefficients bound it.
+/// The first zero: true with its place and the function's index. Two zeros in one step, where a function only dips
+/// below zero, are seen: every function is replaced by a polynomial, whose Bernstein coefficients bound it.
 bool crossing_first(const crossing_search *search, double *theta, size_t *which);
 
 #endif

@@ -1,13 +1,13 @@
-// SUNDIALS CVODE (Hindmarsh et al. 2005; CVODES: Serban, Hindmarsh 2005) with root finding: the independent reference, and what
-// method auto takes for machines that are stiff.
+// SUNDIALS CVODE (Hindmarsh et al. 2005; CVODES: Serban, Hindmarsh 2005) with root finding: the independent reference,
+// and what method auto takes for machines that are stiff.
 //
 // Every revolution starts afresh at t = 0, and the integration starts afresh at every zero of a switching function, so
 // that no step straddles a contact. Where the system tells its laws on given sides of its switches these are held in
-// between, and CVODE, which steps past a switch before it looks back, never meets a law that changes within its step; what
-// happens at a zero, sliding included, is decided as for dop853 (sides.c). Of other systems the state decides.
+// between, and CVODE, which steps past a switch before it looks back, never meets a law that changes within its step;
+// what happens at a zero, sliding included, is decided as for dop853 (sides.c). Of other systems the state decides.
 //
-// A disturbance goes along by the variational equations, as CVODES carries sensitivities: two trajectories of their own would differ by
-// their steps and orders, which are chosen anew for each, more than by the disturbance.
+// A disturbance goes along by the variational equations, as CVODES carries sensitivities: two trajectories of their own
+// would differ by their steps and orders, which are chosen anew for each, more than by the disturbance.
 #include <cvodes/cvodes.h>
 #include <math.h>
 #include <nvector/nvector_serial.h>
@@ -22,7 +22,8 @@
 
 enum { MAX_STEPS_A_CALL = 100000, SHORTEST_TOUCH = 256 };
 
-/// How well a disturbance is known, of its own length and of the unit one that it was at the beginning of the revolution.
+/// How well a disturbance is known, of its own length and of the unit one that it was at the beginning of the
+/// revolution.
 static const double disturbance_rtol = 1e-7, disturbance_atol = 1e-9;
 
 typedef struct cvode {
@@ -59,7 +60,7 @@ static int right_hand_side(realtype t, N_Vector x, N_Vector slope, void *data) {
 static int switching(realtype t, N_Vector x, realtype *values, void *data) {
     const cvode *work = data;
     if (work->sides)
-        stepper_watched(work->sides, t, NV_DATA_S(x), values);
+        stepper_guarded(work->sides, t, NV_DATA_S(x), values);
     else
         work->system->switches(work->system->model, t, NV_DATA_S(x), values);
     return 0;
@@ -103,7 +104,7 @@ static int look_for_switches(cvode *work) {
     if (code == CV_SUCCESS) code = CVodeSetNoInactiveRootWarn(work->memory);
     // CVODE sees a zero by the signs at the ends of a step: two in one step, a short touch, would escape long ones.
     if (code == CV_SUCCESS) code = CVodeSetMaxStep(work->memory, work->system->period / SHORTEST_TOUCH);
-    // What is watched on held sides is positive until a switch is met.
+    // What is observed on held sides is positive until a switch is met.
     for (int i = 0; i < count; i++) fall[i] = -1;
     if (code == CV_SUCCESS && work->sides) code = CVodeSetRootDirection(work->memory, fall);
     return code;

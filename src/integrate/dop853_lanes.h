@@ -1,10 +1,10 @@
-/// The pair of Dormand and Prince over vector lanes, each at its own time, with its own step and on its own sides of the
-/// switches: what a kernel works on.
+/// The method of Dormand and Prince over vector lanes, each at its own time, with its own step and on its own sides of
+/// the switches: what a kernel works on.
 ///
-/// Few vectors of slots, which stay in the first cache, serve the many lanes of an ensemble: a lane takes a slot for a revolution, and
-/// slots that have become free are given to the next lanes. A step is tried for all slots together; each takes or rejects its
-/// own. Slots near a switch are few: they are looked at one by one (dop853_special.c), by functions that are compiled once, so
-/// that widths cannot differ.
+/// Few vectors of slots, which stay in the first cache, serve the many lanes of an ensemble: a lane takes a slot for a
+/// revolution, and slots that have become free are given to the next lanes. A step is tried for all slots together;
+/// each takes or rejects its own. Slots near a switch are few: they are looked at one by one (dop853_special.c), by
+/// functions that are compiled once, so that widths cannot differ.
 #ifndef INTEGRATE_DOP853_LANES_H
 #define INTEGRATE_DOP853_LANES_H
 
@@ -73,13 +73,13 @@ typedef struct dop853_lanes {
     double *end_value, *end_rate; ///< [switch_count]
     double *time, *forcing;       ///< workspace; [forcing_count]
     double *base;                 ///< cos and sin of t
-    // What is watched: the step taken, as polynomials.
-    bool watching;
+    // What is observed: the step taken, as polynomials.
+    bool observing;
     double *begin, *taken;          ///< its beginning and length; 0: none was taken
     double *dense[1 + DENSE];       ///< [2 degrees] its first state, then the polynomials
     double *instant, *seen, *theta; ///< number of the next instant, 1 where it lies in the step, and its place there
     int instants;                   ///< of a revolution
-    lanes_watch watch;
+    lanes_observe observe;
     size_t sample_stride; ///< instants from one sample to the next, 0: no samples
     double *samples;      ///< [sample_room][2 degrees][lane_count]
     size_t sample_room;

@@ -1,4 +1,4 @@
-// The workspace of the pair of Dormand and Prince over lanes.
+// The workspace of the method of Dormand and Prince over lanes.
 #include <stdlib.h>
 #include <string.h>
 
@@ -27,7 +27,7 @@ static size_t fast_group(size_t degrees) {
 /// Rows of the block, and where each array begins.
 static size_t lay_out(dop853_lanes *lanes, double *block) {
     const size_t degrees = lanes->degrees, stations = degrees / 2, switches = lanes->switch_count;
-    const size_t contacts = lanes->watch.contact_count;
+    const size_t contacts = lanes->observe.contact_count;
     size_t row = 0;
     const part parts[] = {
         {&lanes->q, degrees},
@@ -69,18 +69,18 @@ static size_t lay_out(dop853_lanes *lanes, double *block) {
         {&lanes->instant, 1},
         {&lanes->seen, 1},
         {&lanes->theta, 1},
-        {&lanes->watch.low, 2 * degrees},
-        {&lanes->watch.high, 2 * degrees},
-        {&lanes->watch.square_max, stations},
-        {&lanes->watch.square_min, stations},
-        {&lanes->watch.backward, stations},
-        {&lanes->watch.sum, degrees},
-        {&lanes->watch.gap, contacts},
-        {&lanes->watch.touching, contacts},
-        {&lanes->watch.contact, contacts},
-        {&lanes->watch.begun, contacts},
-        {&lanes->watch.force, lanes->watch.normal_force ? contacts : 0},
-        {&lanes->watch.force_max, lanes->watch.normal_force ? contacts : 0},
+        {&lanes->observe.low, 2 * degrees},
+        {&lanes->observe.high, 2 * degrees},
+        {&lanes->observe.square_max, stations},
+        {&lanes->observe.square_min, stations},
+        {&lanes->observe.backward, stations},
+        {&lanes->observe.sum, degrees},
+        {&lanes->observe.gap, contacts},
+        {&lanes->observe.touching, contacts},
+        {&lanes->observe.contact, contacts},
+        {&lanes->observe.begun, contacts},
+        {&lanes->observe.force, lanes->observe.normal_force ? contacts : 0},
+        {&lanes->observe.force_max, lanes->observe.normal_force ? contacts : 0},
     };
     for (size_t i = 0; i < DOP853_SLOPES; i++, row += degrees) lanes->k[i] = block ? block + row * lanes->slots : NULL;
     for (size_t i = 0; i < sizeof parts / sizeof *parts; i++, row += parts[i - 1].rows)
@@ -107,8 +107,8 @@ dop853_lanes *dop853_lanes_new(const whirl_system *system, const whirl_integrate
                             .atol = options->atol,
                             .limit = options->limit,
                             .instants = options->steps_per_revolution,
-                            .watch = {.station_count = form->degrees / 2, .contact_count = form->contact_count}};
-    if (form->damped) lanes->watch.normal_force = form->contacts[set->number];
+                            .observe = {.station_count = form->degrees / 2, .contact_count = form->contact_count}};
+    if (form->damped) lanes->observe.normal_force = form->contacts[set->number];
     lanes->slots = lanes->stride * set->lanes;
     lanes->pair = form->pair;
     dop853_sums_fill(&lanes->sums, lanes->degrees * lanes->stride);

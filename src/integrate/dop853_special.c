@@ -1,8 +1,9 @@
 // Lanes that need to be looked at one by one: those that pass or come near a switch, and those that end.
 //
-// Where a switching function falls through zero without doubt, the step is tried anew so that it ends there, together with the other
-// lanes' next steps: first by the cubic through both ends, then by the function's own value and derivative. Where doubt is possible
-// (grazes, two switches at once) the lane's step is taken by a stepper, which looks with care.
+// Where a switching function falls through zero without doubt, the step is tried anew so that it ends there, together
+// with the other lanes' next steps: first by the cubic through both ends, then by the function's own value and
+// derivative. Where doubt is possible (grazes, two switches at once) the lane's step is taken by a stepper, which looks
+// with care.
 #include <math.h>
 #include <string.h>
 
@@ -71,7 +72,7 @@ static void step_alone(const dop853_lanes *lanes, size_t slot) {
     give_sides(lanes, slot);
     c->h = lanes->length[slot];
     c->switchings = (int)lanes->switchings[slot];
-    c->observed = lanes->watching;
+    c->observed = lanes->observing;
     const whirl_motion motion = stepper_step(c, lanes->period);
     for (size_t d = 0; d < n; d++) {
         *at(lanes, lanes->q, d, slot) = c->x[d];
@@ -83,7 +84,7 @@ static void step_alone(const dop853_lanes *lanes, size_t slot) {
     lanes->switchings[slot] = c->switchings;
     lanes->landing[slot] = 0.0;
     lanes->fresh[slot] = 1.0;
-    if (lanes->watching) {
+    if (lanes->observing) {
         lanes->begin[slot] = c->begin;
         lanes->taken[slot] = motion == WHIRL_BOUNDED ? c->length : 0.0;
         take_polynomials(lanes, slot);
@@ -96,8 +97,8 @@ static void step_alone(const dop853_lanes *lanes, size_t slot) {
 
 // ---------------------------------------------------------------- landing on a switch
 
-/// Bernstein coefficients of the cubic by values and derivatives at both ends; of a function that begins at zero those of the
-/// quotient by theta.
+/// Bernstein coefficients of the cubic by values and derivatives at both ends; of a function that begins at zero those
+/// of the quotient by theta.
 typedef struct cubic {
     double b[4];
     int degree;

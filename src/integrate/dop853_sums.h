@@ -1,5 +1,5 @@
-/// The pair of dop853_tableau.h for x'' = f(t, x, x'): the slopes of positions are velocities, which are sums of accelerations
-/// themselves. So every state within a step is
+/// The pair of dop853_tableau.h for x'' = f(t, x, x'): the slopes of positions are velocities, which are sums of
+/// accelerations themselves. So every state within a step is
 ///
 ///     q + c h v + h^2 sum_j position_j a_j,      v + h sum_j velocity_j a_j,
 ///

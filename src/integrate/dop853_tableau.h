@@ -1,6 +1,6 @@
-/// The pair of orders 8(5,3) of Dormand and Prince with the interpolant of order 7 (Hairer, Norsett, Wanner: Solving
-/// Ordinary Differential Equations I, 2nd ed. 1993, II.5 and II.6; their program DOP853). tests/unit/integrate/test_dop853.c
-/// holds these numbers against the conditions that they solve.
+/// The method of orders 8(5,3) of Dormand and Prince with the interpolant of order 7 (Hairer, Norsett, Wanner: Solving
+/// Ordinary Differential Equations I, 2nd ed. 1993, II.5 and II.6; their program DOP853).
+/// tests/unit/integrate/test_dop853.c holds these numbers against the conditions that they solve.
 #ifndef INTEGRATE_DOP853_TABLEAU_H
 #define INTEGRATE_DOP853_TABLEAU_H
 

@@ -80,8 +80,8 @@ static void reflect(const reflection *r, double *numbers, size_t stride) {
     for (size_t i = 0; i < r->count; i++) numbers[i * stride] -= r->scale * sum * r->v[i];
 }
 
-/// The similarity by a reflection of rows and columns `first` and the following, within rows `top` to `bottom` and columns from `left`
-/// to `bottom`.
+/// The similarity by a reflection of rows and columns `first` and the following, within rows `top` to `bottom` and
+/// columns from `left` to `bottom`.
 static void transform(double *a, size_t n, const reflection *r, size_t first, size_t top, size_t left, size_t bottom) {
     const size_t last = first + REFLECTED < bottom ? first + REFLECTED : bottom;
     for (size_t k = left; k <= bottom; k++) reflect(r, a + first * n + k, n);
@@ -134,8 +134,8 @@ static void francis_step(double *a, size_t n, size_t low, size_t high, shifts s)
     }
 }
 
-/// The first row of the block that ends with row `high` and hangs together; a subdiagonal that is nothing beside its neighbours is
-/// cleared.
+/// The first row of the block that ends with row `high` and hangs together; a subdiagonal that is nothing beside its
+/// neighbours is cleared.
 static size_t block_begin(double *a, size_t n, size_t high) {
     size_t low = high;
     for (; low > 0; low--) {

@@ -44,7 +44,7 @@ bool whirl_ensemble_takes(const whirl_system *system, const whirl_integrate_opti
 /// Rows of the block, and where each array begins.
 static size_t lay_out(whirl_ensemble *e, double *block) {
     const size_t degrees = e->lanes.degrees, stations = degrees / 2, contacts = e->contact_count;
-    const size_t forces = e->lanes.watch.normal_force ? contacts : 0;
+    const size_t forces = e->lanes.observe.normal_force ? contacts : 0;
     const size_t fixed = e->adaptive ? 0 : degrees, located = e->lanes.located.switches ? degrees : 0;
     const size_t switches = e->lanes.located.switch_count;
     size_t row = 0;
@@ -68,18 +68,18 @@ static size_t lay_out(whirl_ensemble *e, double *block) {
         {&e->lanes.located.value[1], switches},
         {&e->lanes.located.rate[0], switches},
         {&e->lanes.located.rate[1], switches},
-        {&e->lanes.watch.low, 2 * degrees},
-        {&e->lanes.watch.high, 2 * degrees},
-        {&e->lanes.watch.square_max, stations},
-        {&e->lanes.watch.square_min, stations},
-        {&e->lanes.watch.backward, stations},
-        {&e->lanes.watch.sum, degrees},
-        {&e->lanes.watch.gap, contacts},
-        {&e->lanes.watch.touching, contacts},
-        {&e->lanes.watch.contact, contacts},
-        {&e->lanes.watch.begun, contacts},
-        {&e->lanes.watch.force, forces},
-        {&e->lanes.watch.force_max, forces},
+        {&e->lanes.observe.low, 2 * degrees},
+        {&e->lanes.observe.high, 2 * degrees},
+        {&e->lanes.observe.square_max, stations},
+        {&e->lanes.observe.square_min, stations},
+        {&e->lanes.observe.backward, stations},
+        {&e->lanes.observe.sum, degrees},
+        {&e->lanes.observe.gap, contacts},
+        {&e->lanes.observe.touching, contacts},
+        {&e->lanes.observe.contact, contacts},
+        {&e->lanes.observe.begun, contacts},
+        {&e->lanes.observe.force, forces},
+        {&e->lanes.observe.force_max, forces},
     };
     for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {
         *parts[i].array = block ? block + row * e->lane_count : NULL;
@@ -120,9 +120,9 @@ static void fill_lanes(whirl_ensemble *e, const whirl_integrate_options *options
     lanes->forcing_count = system->forcing_count;
     lanes->steps = options->steps_per_revolution;
     lanes->step = system->period / options->steps_per_revolution;
-    lanes->watch.station_count = lanes->degrees / 2;
-    lanes->watch.contact_count = e->contact_count = system->lanes->contact_count;
-    if (system->lanes->damped) lanes->watch.normal_force = system->lanes->contacts[e->isa->number];
+    lanes->observe.station_count = lanes->degrees / 2;
+    lanes->observe.contact_count = e->contact_count = system->lanes->contact_count;
+    if (system->lanes->damped) lanes->observe.normal_force = system->lanes->contacts[e->isa->number];
 }
 
 /// What methods need that locate contacts.
@@ -141,14 +141,14 @@ static bool attach_location(whirl_ensemble *e, const whirl_integrate_options *op
     return located->stepper != NULL;
 }
 
-/// Vectors that hide each other's latency, at most 8, and whose numbers, stages and, where they are at hand all the time
-/// (rk4_pair.inc), what is watched of them still fit into the first cache: 6 of 512 bits for a pair, 2 for ten stations, 1 for
-/// fifty (measured; of 256 bits 8, 4 and 1).
+/// Vectors that hide each other's latency, at most 8, and whose numbers, stages and, where they are at hand all the
+/// time (rk4_pair.inc), what is observed of them still fit into the first cache: 6 of 512 bits for a pair, 2 for ten
+/// stations, 1 for fifty (measured; of 256 bits 8, 4 and 1).
 static size_t fast_vectors(const whirl_system *system, const isa *set) {
     static const size_t choices[] = {8, 6, 4, 2, 1};
     const size_t first_cache = 40960, degrees = system->lanes->degrees;
-    const size_t watched = system->lanes->pair ? 7 * degrees + 4 * system->lanes->contact_count : 0;
-    const size_t bytes = (system->lanes->number_count + 8 * degrees + watched) * set->lanes * sizeof(double);
+    const size_t observed = system->lanes->pair ? 7 * degrees + 4 * system->lanes->contact_count : 0;
+    const size_t bytes = (system->lanes->number_count + 8 * degrees + observed) * set->lanes * sizeof(double);
     size_t i = 0;
     while (choices[i] > 1 && choices[i] * bytes > first_cache) i++;
     return choices[i];
@@ -189,7 +189,7 @@ whirl_status whirl_ensemble_new(const whirl_system *system, const whirl_integrat
     }
     tabulate(e);
     e->lanes.forcing = e->forcing;
-    e->lanes.watch.contact_station = e->contact_station;
+    e->lanes.observe.contact_station = e->contact_station;
     e->lanes.located.machines = e->machines;
     e->lanes.located.ended = e->ended;
     e->lanes.lane_count = e->lane_count;
@@ -228,7 +228,7 @@ whirl_status whirl_ensemble_load(whirl_ensemble *e, size_t lane, const whirl_sys
     for (size_t i = 0; i < form->number_count; i++) e->lanes.numbers[i * e->lane_count + lane] = numbers[i];
     free(numbers);
     for (size_t c = 0; c < e->contact_count; c++)
-        form->contact(system->model, c, &e->contact_station[c], &e->lanes.watch.gap[c * e->lane_count + lane]);
+        form->contact(system->model, c, &e->contact_station[c], &e->lanes.observe.gap[c * e->lane_count + lane]);
     e->machines[lane] = system;
     e->ended[lane] = WHIRL_BOUNDED;
     whirl_ensemble_place(e, lane, x);
@@ -284,9 +284,10 @@ void whirl_ensemble_move(whirl_ensemble *e, size_t from, size_t to) {
     whirl_ensemble_unload(e, from);
 }
 
-/// What goes with a lane into its slot: the machine and its state; of a motion that is watched what was seen of it, too.
+/// What goes with a lane into its slot: the machine and its state; of a motion that is observed what was seen of it,
+/// too.
 static void fill_exchange(const whirl_ensemble *e, dop853_lanes *lanes) {
-    const lanes_watch *own = &lanes->watch, *theirs = &e->lanes.watch;
+    const lanes_observe *own = &lanes->observe, *theirs = &e->lanes.observe;
     const size_t degrees = lanes->degrees, stations = own->station_count, contacts = own->contact_count;
     const lane_rows rows[] = {
         {lanes->numbers, e->lanes.numbers, lanes->number_count, true},
@@ -306,21 +307,21 @@ static void fill_exchange(const whirl_ensemble *e, dop853_lanes *lanes) {
         {own->force_max, theirs->force_max, own->normal_force ? contacts : 0, false},
     };
     enum { ALWAYS = 4, ALL = sizeof rows / sizeof *rows };
-    lanes->exchanged_count = lanes->watching ? ALL : ALWAYS;
+    lanes->exchanged_count = lanes->observing ? ALL : ALWAYS;
     memcpy(lanes->exchanged, rows, sizeof rows);
 }
 
 /// A revolution in which every lane goes its own way; samples are handed out when all are through.
-static void revolve_adaptive(whirl_ensemble *e, size_t count, const whirl_ensemble_watch *watch) {
-    const size_t wanted = watch && watch->stride > 0 ? (size_t)e->adaptive->instants / watch->stride : 0;
+static void revolve_adaptive(whirl_ensemble *e, size_t count, const whirl_ensemble_observe *observe) {
+    const size_t wanted = observe && observe->stride > 0 ? (size_t)e->adaptive->instants / observe->stride : 0;
     const size_t samples = dop853_lanes_make_room(e->adaptive, wanted, e->lane_count) ? wanted : 0;
     const size_t size = 2 * e->lanes.degrees * e->lane_count;
     dop853_lanes lanes = *e->adaptive;
     lanes.lane_count = e->lane_count;
     lanes.machines = e->machines;
-    lanes.watch.contact_station = e->contact_station;
-    lanes.watching = watch && (watch->extremes || samples > 0);
-    lanes.sample_stride = samples > 0 ? watch->stride : 0;
+    lanes.observe.contact_station = e->contact_station;
+    lanes.observing = observe && (observe->extremes || samples > 0);
+    lanes.sample_stride = samples > 0 ? observe->stride : 0;
     lanes.queue->next = 0;
     lanes.queue->count = count;
     fill_exchange(e, &lanes);
@@ -329,29 +330,29 @@ static void revolve_adaptive(whirl_ensemble *e, size_t count, const whirl_ensemb
     dop853_lanes_revolves[e->isa->number](&lanes);
     for (size_t i = 0; i < samples; i++) {
         e->shown = lanes.samples + i * size;
-        watch->sample(watch->context);
+        observe->sample(observe->context);
     }
     e->shown = NULL;
 }
 
-void whirl_ensemble_revolve(whirl_ensemble *e, size_t count, const whirl_ensemble_watch *watch) {
+void whirl_ensemble_revolve(whirl_ensemble *e, size_t count, const whirl_ensemble_observe *observe) {
     if (e->adaptive) {
-        revolve_adaptive(e, count, watch);
+        revolve_adaptive(e, count, observe);
         return;
     }
     rk4_lanes lanes = e->lanes;
     lanes.used = count;
     lanes.vectors = (count + e->isa->lanes - 1) / e->isa->lanes;
-    if (watch) {
-        lanes.watching = watch->extremes;
-        lanes.sample_stride = watch->stride;
-        lanes.sample = watch->sample;
-        lanes.context = watch->context;
+    if (observe) {
+        lanes.observing = observe->extremes;
+        lanes.sample_stride = observe->stride;
+        lanes.sample = observe->sample;
+        lanes.context = observe->context;
     }
     rk4_lanes_revolves[e->isa->number](&lanes);
 }
 
-// ---------------------------------------------------------------- what is watched
+// ---------------------------------------------------------------- what is observed
 
 static void set(double *array, const whirl_ensemble *e, size_t rows, size_t lane, double value) {
     for (size_t i = 0; i < rows; i++) array[i * e->lane_count + lane] = value;
@@ -363,7 +364,7 @@ static void get(const double *array, const whirl_ensemble *e, size_t rows, size_
 
 /// Notes which contacts are closed now.
 static void note_contacts(const whirl_ensemble *e, size_t lane) {
-    const lanes_watch *w = &e->lanes.watch;
+    const lanes_observe *w = &e->lanes.observe;
     double force[WHIRL_MAX_CONTACTS];
     if (w->normal_force) {
         whirl_ensemble_state(e, lane, e->state);
@@ -380,7 +381,7 @@ static void note_contacts(const whirl_ensemble *e, size_t lane) {
 
 /// A force that grows with the displacement alone is largest at the largest radius.
 static void largest_forces(const whirl_ensemble *e, size_t lane, const double *max_radius, double *force) {
-    const lanes_watch *w = &e->lanes.watch;
+    const lanes_observe *w = &e->lanes.observe;
     if (w->normal_force) {
         get(w->force_max, e, w->contact_count, lane, force);
         return;
@@ -391,7 +392,7 @@ static void largest_forces(const whirl_ensemble *e, size_t lane, const double *m
 }
 
 void whirl_ensemble_forget(whirl_ensemble *e, size_t lane) {
-    const lanes_watch *w = &e->lanes.watch;
+    const lanes_observe *w = &e->lanes.observe;
     const size_t degrees = e->lanes.degrees;
     set(w->low, e, 2 * degrees, lane, INFINITY);
     set(w->high, e, 2 * degrees, lane, -INFINITY);
@@ -406,7 +407,7 @@ void whirl_ensemble_forget(whirl_ensemble *e, size_t lane) {
 }
 
 void whirl_ensemble_read(const whirl_ensemble *e, size_t lane, const whirl_ensemble_seen *seen) {
-    const lanes_watch *w = &e->lanes.watch;
+    const lanes_observe *w = &e->lanes.observe;
     get(w->low, e, 2 * e->lanes.degrees, lane, seen->low);
     get(w->high, e, 2 * e->lanes.degrees, lane, seen->high);
     get(w->square_max, e, w->station_count, lane, seen->max_radius);

@@ -12,7 +12,8 @@ struct whirl_integrator {
     const struct method *method;
     void *workspace; ///< of the method
     size_t most_disturbances;
-    /// [method->disturbance_rows][most_disturbances][dimension], then [SPARE_ROWS][dimension]: workspace for disturbances
+    /// [method->disturbance_rows][most_disturbances][dimension], then [SPARE_ROWS][dimension]: workspace for
+    /// disturbances
     double *slopes;
 };
 

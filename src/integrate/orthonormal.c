@@ -1,5 +1,5 @@
-// Gram and Schmidt's orthogonalisation, modified and done twice, so that the result is orthogonal to the last bits however
-// close the vectors were (Giraud, Langou, Rozloznik 2005).
+// Gram and Schmidt's orthogonalisation, modified and done twice, so that the result is orthogonal to the last bits
+// however close the vectors were (Giraud, Langou, Rozloznik 2005).
 #include "orthonormal.h"
 
 #include <float.h>
@@ -23,7 +23,8 @@ static double take_off(size_t n, const double *vectors, size_t before, double *u
     return sqrt(dot(n, u, u));
 }
 
-/// Some unit vector across the `before` ones: of those along the axes one has at least half its length left on the mean.
+/// Some unit vector across the `before` ones: of those along the axes one has at least half its length left on the
+/// mean.
 static void replace(size_t n, const double *vectors, size_t before, double *u) {
     for (size_t axis = 0; axis < n; axis++) {
         memset(u, 0, n * sizeof *u);

@@ -8,8 +8,8 @@
 #include "lanes.h"
 #include "whirl/system.h"
 
-/// What is watched, all [...][stride vectors].
-typedef struct lanes_watch {
+/// What is observed, all [...][stride vectors].
+typedef struct lanes_observe {
     size_t station_count, contact_count;
     const size_t *contact_station;              ///< [contact_count]
     double *low, *high;                         ///< [2 degrees]
@@ -19,7 +19,7 @@ typedef struct lanes_watch {
     /// Of contacts whose force depends on velocities; NULL where the gap alone tells.
     lanes_contacts *normal_force;
     double *force, *force_max; ///< [contact_count]
-} lanes_watch;
+} lanes_observe;
 
 /// What it takes to locate contacts: steps of lanes that pass or come near a switch are taken anew, one lane at a time.
 typedef struct lanes_located {
@@ -48,8 +48,8 @@ typedef struct rk4_lanes {
     double *numbers, *q, *v;
     double *k[4], *stage_q, *stage_v; ///< [degrees] workspace
     lanes_located located;
-    lanes_watch watch;
-    int watching;
+    lanes_observe observe;
+    int observing;
     size_t sample_stride;
     void (*sample)(void *context);
     void *context;

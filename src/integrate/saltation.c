@@ -1,4 +1,5 @@
-// The saltation matrix: a disturbed motion meets the switch a little earlier or later and has the other slope for that long.
+// The saltation matrix: a disturbed motion meets the switch a little earlier or later and has the other slope for that
+// long.
 #include "saltation.h"
 
 #include <math.h>

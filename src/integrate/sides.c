@@ -27,8 +27,8 @@ double stepper_rate(const stepper *c, size_t which, double t, const double *x, c
     return (rate - value_of(c, which, t - step, c->work)) / (2.0 * step);
 }
 
-/// By how much a switching function may change where every coordinate moves by `absolute` and `relative` of itself; without its
-/// gradient: a unit of the function for a unit of the state.
+/// By how much a switching function may change where every coordinate moves by `absolute` and `relative` of itself;
+/// without its gradient: a unit of the function for a unit of the state.
 static double change_by(const stepper *c, size_t which, double t, const double *x, double absolute, double relative) {
     double *gradient = c->work, by_time, change = 0.0;
     if (!c->system->switch_gradient) {
@@ -91,9 +91,9 @@ size_t stepper_list_sliding(const stepper *c, size_t list[MAX_SLIDING]) {
     return count;
 }
 
-/// The slope that keeps to all switches that are slid along: that on their lower sides plus the share of what the upper side of
-/// each of them adds (laws add, so the convex combination of all sides is of this form). Writes the shares, 0 to 1 while
-/// the motion keeps to the switch by itself.
+/// The slope that keeps to all switches that are slid along: that on their lower sides plus the share of what the upper
+/// side of each of them adds (laws add, so the convex combination of all sides is of this form). Writes the shares, 0
+/// to 1 while the motion keeps to the switch by itself.
 void stepper_slope_along(const stepper *c, double t, const double *x, double *dxdt, double *share) {
     const size_t n = c->dimension;
     size_t list[MAX_SLIDING];
@@ -134,7 +134,7 @@ void stepper_slope(const stepper *c, double t, const double *x, double *dxdt) {
 
 // ---------------------------------------------------------------- sides
 
-void stepper_watched(const stepper *c, double t, const double *x, double *values) {
+void stepper_guarded(const stepper *c, double t, const double *x, double *values) {
     double share[MAX_SLIDING];
     c->system->switches(c->system->model, t, x, values);
     for (size_t i = 0; i < c->system->switch_count; i++) values[i] *= c->sides[i];

@@ -1,9 +1,9 @@
 // Whether fixed steps are short enough: beside the method's stability region, and beside the equations themselves.
 //
-// A step h multiplies the mode of eigenvalue lambda by R(h lambda), the machine by exp(h lambda). Where |R| > 1 in a mode that dies
-// out, what the method computes is no motion of the machine, however smooth it may look (see docs/theory.md, "Steps that are too
-// long"). Eigenvalues are taken at the phase where the balanced Jacobian is largest, and only where its norm does not show already that
-// all of them lie well within the region.
+// A step h multiplies the mode of eigenvalue lambda by R(h lambda), the machine by exp(h lambda). Where |R| > 1 in a
+// mode that dies out, what the method computes is no motion of the machine, however smooth it may look (see
+// docs/theory.md, "Steps that are too long"). Eigenvalues are taken at the phase where the balanced Jacobian is
+// largest, and only where its norm does not show already that all of them lie well within the region.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,8 +12,8 @@
 
 enum { PHASES = 16 };
 
-/// h |lambda| up to which every mode is safe: the region of an explicit method of order 4 holds this half disc, and where a mode
-/// grows R follows exp to a few parts in a hundred.
+/// h |lambda| up to which every mode is safe: the region of an explicit method of order 4 holds this half disc, and
+/// where a mode grows R follows exp to a few parts in a hundred.
 static const double safe_product = 1.0;
 
 // ---------------------------------------------------------------- the region

@@ -82,8 +82,8 @@ static void take_slope(const stepper *c, int i, double h) {
     stepper_slope(c, c->begin + c->formula->c[i] * h, c->stage, c->k[i]);
 }
 
-/// What an error of every coordinate is compared with, between the states a and b. A coordinate that passes zero is not small for that:
-/// those of one probe count as large as the largest of them.
+/// What an error of every coordinate is compared with, between the states a and b. A coordinate that passes zero is not
+/// small for that: those of one probe count as large as the largest of them.
 static void set_scales(stepper *c, const double *a, const double *b) {
     for (size_t d = 0; d < c->dimension; d++) c->scale[d] = fmax(fabs(a[d]), fabs(b[d]));
     for (size_t i = 0; i < c->system->probe_count; i++) {
@@ -96,8 +96,8 @@ static void set_scales(stepper *c, const double *a, const double *b) {
     for (size_t d = 0; d < c->dimension; d++) c->scale[d] = c->atol + c->rtol * c->scale[d];
 }
 
-/// The norm of the estimated error over the tolerance, of both embedded formulas as DOP853 weighs them; not a number where the
-/// step leaves the equations' domain.
+/// The norm of the estimated error over the tolerance, of both embedded formulas as DOP853 weighs them; not a number
+/// where the step leaves the equations' domain.
 static double estimated_error(const stepper *c, double h) {
     double square5 = 0.0, square3 = 0.0, *e5 = c->work, *e3 = c->work + c->dimension;
     sum_slopes(c, dop853_e5, DOP853_STAGES, e5);
@@ -144,7 +144,8 @@ static void take_cubic(stepper *c) {
     }
 }
 
-/// The interpolant of the step: a cubic, and what DOP853 adds to it by three more slopes (Hairer, Norsett, Wanner 1993, II.6).
+/// The interpolant of the step: a cubic, and what DOP853 adds to it by three more slopes (Hairer, Norsett, Wanner 1993,
+/// II.6).
 static void interpolate(stepper *c) {
     take_cubic(c);
     if (!c->formula->adaptive) return;
@@ -163,9 +164,9 @@ void stepper_between(const stepper *c, double theta, double *x) {
     }
 }
 
-/// By what the length changes after a step of that error: proportional and integral control (Gustafsson 1991), err^(-3/32) times
-/// the error before to the power 1/16, which settles at 0.92^32 = 0.07 of the tolerance; roots alone, so that it is the same
-/// everywhere.
+/// By what the length changes after a step of that error: proportional and integral control (Gustafsson 1991),
+/// err^(-3/32) times the error before to the power 1/16, which settles at 0.92^32 = 0.07 of the tolerance; roots alone,
+/// so that it is the same everywhere.
 static double length_factor(double error, double before) {
     const double sixteenth = sqrt(sqrt(sqrt(sqrt(fmax(error, 1e-8)))));
     const double factor = safety * sqrt(sqrt(sqrt(sqrt(before)))) / (sixteenth * sqrt(sixteenth));
@@ -183,8 +184,8 @@ static double norm(const stepper *c, const double *v, const double *other) {
     return sqrt(sum / (double)c->dimension);
 }
 
-/// A length for the first step (Hairer, Norsett, Wanner 1993, II.4), from the size of the state, of its slope and of the
-/// slope's change.
+/// A length for the first step (Hairer, Norsett, Wanner 1993, II.4), from the size of the state, of its slope and of
+/// the slope's change.
 static double first_length(stepper *c) {
     set_scales(c, c->x, c->x);
     const double size = norm(c, c->x, NULL), slope = norm(c, c->k[0], NULL), period = c->system->period;
@@ -219,25 +220,25 @@ whirl_motion stepper_begin(stepper *c, const whirl_system *system, const double 
 
 // ---------------------------------------------------------------- steps that end at switches
 
-static void watch(void *context, double theta, double *values) {
+static void observe(void *context, double theta, double *values) {
     stepper *c = context;
     stepper_between(c, theta, c->stage);
-    stepper_watched(c, c->begin + theta * c->length, c->stage, values);
+    stepper_guarded(c, c->begin + theta * c->length, c->stage, values);
 }
 
-/// Takes the step anew so that it ends where function `which` is zero: at theta of its length by the interpolant, then nearer by
-/// what is left.
+/// Takes the step anew so that it ends where function `which` is zero: at theta of its length by the interpolant, then
+/// nearer by what is left.
 static void land(stepper *c, double theta, size_t which) {
     enum { TRIES = 4 };
     const double whole = c->length, nudge = 1e-4;
     double after[WHIRL_MAX_SWITCHES], before[WHIRL_MAX_SWITCHES];
-    watch(c, theta + nudge, after);
-    watch(c, theta - nudge, before);
+    observe(c, theta + nudge, after);
+    observe(c, theta - nudge, before);
     const double rate = (after[which] - before[which]) / (2.0 * nudge * whole);
     double h = theta * whole;
     for (int i = 0; i < TRIES; i++) {
         try_step(c, h);
-        stepper_watched(c, c->begin + h, c->end, after);
+        stepper_guarded(c, c->begin + h, c->end, after);
         if (fabs(after[which]) <= stepper_reach(c, which, c->begin + h, c->end) || !(rate < 0.0)) break;
         const double nearer = h - after[which] / rate;
         if (!(nearer > 0.0 && nearer <= whole) || i == TRIES - 1) break;
@@ -250,8 +251,8 @@ static bool is_clear(stepper *c) {
     const double end = c->begin + c->length, *last = c->k[c->formula->stages];
     double from[WHIRL_MAX_SWITCHES], to[WHIRL_MAX_SWITCHES];
     if (!c->system->switch_gradient || c->sliding_count > 0) return false;
-    stepper_watched(c, c->begin, c->start, from);
-    stepper_watched(c, end, c->end, to);
+    stepper_guarded(c, c->begin, c->start, from);
+    stepper_guarded(c, end, c->end, to);
     for (size_t i = 0; i < c->system->switch_count; i++) {
         if (c->held[i] > 0 || !(from[i] > 0.0) || !(to[i] > 0.0)) return false;
         const double third = c->sides[i] * c->length / 3.0;
@@ -269,7 +270,7 @@ static bool meets_switch(stepper *c, double *theta, size_t *which) {
         if (c->observed) interpolate(c);
         return false;
     }
-    const crossing_search search = {watch, c, c->system->switch_count, c->held};
+    const crossing_search search = {observe, c, c->system->switch_count, c->held};
     interpolate(c);
     return crossing_first(&search, theta, which);
 }

@@ -1,9 +1,10 @@
 /// A machine carried by steps that end where its laws switch.
 ///
-/// Every step runs on fixed sides of the switching functions, where the right-hand side is smooth (whirl_system.rhs_on_sides); the
-/// first zero of a switching function within the step is found on the interpolant and the step taken anew to end there. Then
-/// the motion goes on beyond the switch or, where both sides push onto it, slides along it (Filippov 1988) until one
-/// side lets go. Of systems that do not know sides the state decides, and steps end at the switches all the same.
+/// Every step runs on fixed sides of the switching functions, where the right-hand side is smooth
+/// (whirl_system.rhs_on_sides); the first zero of a switching function within the step is found on the interpolant and
+/// the step taken anew to end there. Then the motion goes on beyond the switch or, where both sides push onto it,
+/// slides along it (Filippov 1988) until one side lets go. Of systems that do not know sides the state decides, and
+/// steps end at the switches all the same.
 #ifndef INTEGRATE_STEPPER_H
 #define INTEGRATE_STEPPER_H
 
@@ -56,7 +57,8 @@ typedef struct stepper {
     stepper_variation variation;
 } stepper;
 
-/// A stepper for systems of that dimension and number of switches, with no motion yet; NULL where there is no memory. Freed by free().
+/// A stepper for systems of that dimension and number of switches, with no motion yet; NULL where there is no memory.
+/// Freed by free().
 stepper *stepper_new(const formula *formula, size_t dimension, size_t switch_count,
                      const whirl_integrate_options *options);
 
@@ -83,19 +85,19 @@ double stepper_rate(const stepper *c, size_t which, double t, const double *x, c
 /// The sides at the beginning of a revolution, where x may lie on a switch.
 void stepper_find_sides(stepper *c);
 
-/// What must stay positive during a step, [switch_count]: the switching functions times their sides, and for those that are slid along
-/// the room that the two sides leave.
-void stepper_watched(const stepper *c, double t, const double *x, double *values);
+/// What must stay positive during a step, [switch_count]: the switching functions times their sides, and for those that
+/// are slid along the room that the two sides leave.
+void stepper_guarded(const stepper *c, double t, const double *x, double *values);
 
 /// At the end of a step on switch `which`: beyond it, or along it.
 void stepper_cross(stepper *c, size_t which);
 
-/// At the beginning of a revolution: disturbances off a switch that is slid along are there at once, drawn along what its two
-/// sides differ by.
+/// At the beginning of a revolution: disturbances off a switch that is slid along are there at once, drawn along what
+/// its two sides differ by.
 void stepper_vary_begin(stepper *c);
 
-/// The Jacobian at (t, x) on the present sides, sliding included, applied to as many vectors as there are disturbances: `vectors` and
-/// out are [count][dimension].
+/// The Jacobian at (t, x) on the present sides, sliding included, applied to as many vectors as there are disturbances:
+/// `vectors` and out are [count][dimension].
 void stepper_apply_jacobian(const stepper *c, double t, const double *x, const double *vectors, double *out);
 
 /// Tries the step of the state for the disturbances; gives the norm of their estimated error over the tolerance, 0
@@ -111,7 +113,8 @@ void stepper_cross_varied(stepper *c, size_t which);
 /// The switches that are slid along; gives how many.
 size_t stepper_list_sliding(const stepper *c, size_t list[MAX_SLIDING]);
 
-/// The slope along them with the shares of their upper sides; leaves what these add in the rows of `work` from the second on.
+/// The slope along them with the shares of their upper sides; leaves what these add in the rows of `work` from the
+/// second on.
 void stepper_slope_along(const stepper *c, double t, const double *x, double *dxdt, double *share);
 
 /// Solves n by n equations in place of `right`; false where they are singular.

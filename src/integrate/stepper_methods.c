@@ -1,5 +1,5 @@
-// The methods that carry one machine with located switches: the pair of Dormand and Prince of orders 8(5,3), and RK4 on a fixed
-// grid, whose steps are split where they meet a switch.
+// The methods that carry one machine with located switches: the method of Dormand and Prince of orders 8(5,3), and RK4
+// on a fixed grid, whose steps are split where they meet a switch.
 //
 // Every revolution of dop853 begins with a length of step that depends on its first state alone, so that nothing is
 // remembered from one call to the next.

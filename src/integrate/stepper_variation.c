@@ -43,8 +43,8 @@ static void mean_jacobian(const stepper *c, double t, const double *x, const siz
     }
 }
 
-/// The slope keeps n . f + dh/dt = 0 for every switch that is slid along; so must its change by a disturbance u: the shares change
-/// by what solves sum_j (n_i . added_j) dshare_j = -(n_i . J u + (H_i u) . f).
+/// The slope keeps n . f + dh/dt = 0 for every switch that is slid along; so must its change by a disturbance u: the
+/// shares change by what solves sum_j (n_i . added_j) dshare_j = -(n_i . J u + (H_i u) . f).
 static void slide_along(const stepper *c, double t, const double *x, const double *vectors, double *out) {
     const whirl_system *system = c->system;
     const size_t n = c->dimension, count = c->sliding_count;

@@ -1,4 +1,5 @@
-/// The stiffest phase of a motion: where the balanced Jacobian is largest, and what a step of a given length does there.
+/// The stiffest phase of a motion: where the balanced Jacobian is largest, and what a step of a given length does
+/// there.
 #ifndef INTEGRATE_STIFFEST_H
 #define INTEGRATE_STIFFEST_H
 
@@ -29,7 +30,8 @@ bool phase_search_solve(phase_search *s);
 /// After phase_search_solve: the largest of |R(h lambda)| / max(1, |exp(h lambda)|), at least 1.
 double phase_search_growth(const phase_search *s, double (*amplification)(double, double), double h);
 
-/// ... and how many steps a period keep it below what counts as unstable: `steps`, or more within a few parts in a hundred.
+/// ... and how many steps a period keep it below what counts as unstable: `steps`, or more within a few parts in a
+/// hundred.
 double phase_search_steps(const phase_search *s, double (*amplification)(double, double), double steps);
 
 #endif

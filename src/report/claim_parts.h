@@ -95,8 +95,8 @@ claim_selection claim_select(const whirl_result *result, const char *parameter, 
 bool claim_selected(const claim_selection *of, size_t point);
 size_t claim_station(const whirl_result *result, const char *name); ///< SIZE_MAX where there is none of that name
 
-/// Where a claim that is not met in full fails, and where it is met: over a range the values at which it does not hold, for a
-/// single value the nearest of the sweep at which it does. At most `size` bytes.
+/// Where a claim that is not met in full fails, and where it is met: over a range the values at which it does not hold,
+/// for a single value the nearest of the sweep at which it does. At most `size` bytes.
 void claim_whereabouts(const whirl_claims *claims, const whirl_claim *claim, const whirl_result *result, char *text,
                        size_t size);
 

@@ -1,4 +1,5 @@
-// Where along the sweep a claim holds and where it does not: what the table of claims, which counts points, does not say.
+// Where along the sweep a claim holds and where it does not: what the table of claims, which counts points, does not
+// say.
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>

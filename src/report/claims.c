@@ -1,5 +1,5 @@
-// Setting a claim beside a result. A claim is taken apart into what it states (regime, curves, contact, lines, ...); each
-// part is compared at every point that the claim speaks of, and scores the share of the points that agree.
+// Setting a claim beside a result. A claim is taken apart into what it states (regime, curves, contact, lines, ...);
+// each part is compared at every point that the claim speaks of, and scores the share of the points that agree.
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>

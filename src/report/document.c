@@ -68,8 +68,8 @@ static bool write_object(json_t *object, FILE *stream) {
     return done && fputc('}', stream) != EOF;
 }
 
-// As Jansson writes a value, but for its real numbers, which have as many digits as they need. A document is made here, so
-// that its depth is known.
+// As Jansson writes a value, but for its real numbers, which have as many digits as they need. A document is made here,
+// so that its depth is known.
 static bool write_value(json_t *value, FILE *stream) {
     switch (json_typeof(value)) {
     case JSON_OBJECT:

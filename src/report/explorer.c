@@ -115,8 +115,8 @@ static void write_facts(FILE *stream, const whirl_result *result) {
 
 // ---------------------------------------------------------------- tables
 
-/// The points of a table that go into the page: every `stride`-th. Sections are those of the first table, the diagram; the
-/// page computes the motion of any other point itself.
+/// The points of a table that go into the page: every `stride`-th. Sections are those of the first table, the diagram;
+/// the page computes the motion of any other point itself.
 typedef struct selection {
     const whirl_table *table;
     size_t stride, count;
@@ -167,8 +167,8 @@ static void write_verdicts(FILE *stream, const selection *chosen) {
     fputc(']', stream);
 }
 
-/// The part of a field that the page draws: numbers of one row, all columns; of the section the displacements x and y of
-/// its last rows.
+/// The part of a field that the page draws: numbers of one row, all columns; of the section the displacements x and y
+/// of its last rows.
 typedef struct kept_part {
     size_t first_row, rows, columns;
 } kept_part;

@@ -1,5 +1,6 @@
 // Bifurcation diagrams: the Poincare section of a station against the swept parameter, coloured by regime, above the
-// verdict and its confidence, the largest Lyapunov exponent, the largest radius and the time in contact on the same axis.
+// verdict and its confidence, the largest Lyapunov exponent, the largest radius and the time in contact on the same
+// axis.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -64,7 +65,8 @@ static double places_between(const whirl_table *table, size_t a, size_t b) {
     return (double)whirl_table_slot(table, b) - (double)whirl_table_slot(table, a);
 }
 
-/// Whether a sweep was made with `scale: log`: the ratios of neighbours are the same throughout, their differences are not.
+/// Whether a sweep was made with `scale: log`: the ratios of neighbours are the same throughout, their differences are
+/// not.
 static bool has_equal_ratios(const whirl_table *table) {
     const double *v = table->values;
     if (places_between(table, 0, 1) == 0.0 || places_between(table, 1, 2) == 0.0 || !(v[0] > 0.0)) return false;
@@ -446,7 +448,8 @@ static void write_line_panel(FILE *script, const diagram *of, size_t column, con
     fputc('\n', script);
 }
 
-/// How near the curve of the largest radius comes to the gap within a tenth of the axis around a place (0: left, 1: right).
+/// How near the curve of the largest radius comes to the gap within a tenth of the axis around a place (0: left, 1:
+/// right).
 static double room_for_label(const diagram *of, double place) {
     const double width = of->parameter.high - of->parameter.low;
     double nearest = (double)INFINITY;

@@ -1,5 +1,5 @@
-// Panels of one point and station, as the 2015 paper's figures 4 to 11 show them: waveform, orbit, spectrum and Poincaré
-// map, and the full spectrum below.
+// Panels of one point and station, as the 2015 paper's figures 4 to 11 show them: waveform, orbit, spectrum and
+// Poincaré map, and the full spectrum below.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -30,7 +30,8 @@ typedef struct subject {
     span x, y;   ///< of the orbit, or of the section where there is no waveform; as shown
     double size; ///< of the motion: the larger side of its box; as shown
     const shown_units *units;
-    // What numbers of the result are multiplied by to be shown: displacements, amplitudes, orders (NaN: they stay orders).
+    // What numbers of the result are multiplied by to be shown: displacements, amplitudes, orders (NaN: they stay
+    // orders).
     double length, amplitude, order;
 } subject;
 
@@ -235,7 +236,8 @@ static void write_orbit_panel(FILE *script, const subject *of, const figure *wha
         what->data[0]);
 }
 
-/// The window follows the section, but never below a fifth of the motion: rounding noise of a fixed point is no structure.
+/// The window follows the section, but never below a fifth of the motion: rounding noise of a fixed point is no
+/// structure.
 static void write_section_panel(FILE *script, const subject *of, const figure *what) {
     span x = span_empty(), y = span_empty();
     for (size_t k = 0; k < of->section.rows; k++) {

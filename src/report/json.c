@@ -144,7 +144,8 @@ static void put_rub(bool *well, json_t *object, const whirl_result *result, cons
     document_put(well, object, "rub", rub);
 }
 
-// Every single number, or row of them, that an analysis ("orbit/") gives of a station: orbit/max_radius, orbit/mean, ...
+// Every single number, or row of them, that an analysis ("orbit/") gives of a station: orbit/max_radius, orbit/mean,
+// ...
 static json_t *numbers_of(const char *analysis, bool *well, const whirl_table *table, size_t point, size_t station) {
     const size_t length = strlen(analysis);
     json_t *object = json_object();

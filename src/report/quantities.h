@@ -16,7 +16,8 @@ typedef struct numbers {
     size_t rows, columns;
 } numbers;
 
-/// The array of a field for a point and a station or contact; at = NULL where the field is absent or its first number is NaN.
+/// The array of a field for a point and a station or contact; at = NULL where the field is absent or its first number
+/// is NaN.
 numbers point_numbers(const whirl_table *table, size_t point, const char *field, size_t which);
 
 numbers point_section(const whirl_table *table, size_t point, size_t station);  ///< x, y, vx, vy once a revolution
@@ -24,13 +25,15 @@ numbers point_waveform(const whirl_table *table, size_t point, size_t station); 
 numbers point_spectrum(const whirl_table *table, size_t point, size_t station); ///< order, x, y, forward, backward
 numbers point_lines(const whirl_table *table, size_t point, size_t station); ///< the same, of the peaks, largest first
 
-/// Largest Lyapunov exponent per revolution: the analysis "lyapunov", else the verdict's evidence; NaN where there is neither.
+/// Largest Lyapunov exponent per revolution: the analysis "lyapunov", else the verdict's evidence; NaN where there is
+/// neither.
 whirl_estimate point_exponent(const whirl_table *table, size_t point);
 
 double max_radius(const whirl_table *table, size_t point, size_t station);     ///< NaN where not computed
 double backward_share(const whirl_table *table, size_t point, size_t station); ///< NaN where not computed
 
-/// An estimate as it is shown: an error of at most two significant digits and at least 0.0001, a value of as many decimals.
+/// An estimate as it is shown: an error of at most two significant digits and at least 0.0001, a value of as many
+/// decimals.
 typedef struct shown_estimate {
     double value, error;
     int decimals;

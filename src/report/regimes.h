@@ -24,8 +24,8 @@ regime_class regime_class_of(const whirl_verdict *verdict);
 /// "P-1", "other P-k", "chaotic", ... Static text.
 const char *regime_class_name(regime_class kind);
 
-/// "#366EFB": told apart by readers of any colour vision; the explorer's are the same (explorer/tests/colours.test.mjs). Static
-/// text.
+/// "#366EFB": told apart by readers of any colour vision; the explorer's are the same
+/// (explorer/tests/colours.test.mjs). Static text.
 const char *regime_class_colour(regime_class kind);
 
 /// "P-1", "P-8", "quasi-periodic", "chaotic", ...: what neighbouring points must share to make an interval.
@@ -40,7 +40,8 @@ typedef struct regime_interval {
     int branch;
 } regime_interval;
 
-/// Merges the points of the table that are done into intervals, in their order. Returns their number; at most `most` are written.
+/// Merges the points of the table that are done into intervals, in their order. Returns their number; at most `most`
+/// are written.
 size_t regime_intervals(const whirl_table *table, size_t contact_count, regime_interval *intervals, size_t most);
 
 #endif

@@ -31,8 +31,8 @@ static const char *greek_letter(const char *name, size_t length) {
     return NULL;
 }
 
-/// The length of the symbol that a name begins with, 0 where it is a word: a letter or a Greek name, then its end, digits
-/// or a subscript.
+/// The length of the symbol that a name begins with, 0 where it is a word: a letter or a Greek name, then its end,
+/// digits or a subscript.
 static size_t symbol_length(const char *name) {
     const size_t letters = strcspn(name, "_0123456789");
     const bool symbol = (letters == 1 && isalpha((unsigned char)*name)) || greek_letter(name, letters);

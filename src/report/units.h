@@ -1,4 +1,5 @@
-// In which units figures and pages show their numbers: as asked for, else as the case has them, else those of the result.
+// In which units figures and pages show their numbers: as asked for, else as the case has them, else those of the
+// result.
 #ifndef REPORT_UNITS_H
 #define REPORT_UNITS_H
 
@@ -24,8 +25,8 @@ typedef struct shown_units {
     const char *frequency_name;
 } shown_units;
 
-/// What `asked` says, where it says nothing what the result's fact "units" says, else: lengths over their scale where that is a
-/// named parameter, in m, mm or um where it is not; parameters as the case writes them; orders; zero to peak.
+/// What `asked` says, where it says nothing what the result's fact "units" says, else: lengths over their scale where
+/// that is a named parameter, in m, mm or um where it is not; parameters as the case writes them; orders; zero to peak.
 shown_units units_shown(const whirl_result *result, const unit_choice *asked);
 
 /// The unit of a parameter: shown number = value in SI over its size.

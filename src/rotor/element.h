@@ -39,7 +39,8 @@ enum { STATION_DAMPING, STATION_UNBALANCE_COS, STATION_UNBALANCE_SIN, STATION_PU
 
 enum { MAX_ELEMENT_NUMBERS = 8 };
 
-/// An element as its kernel sees it. The structure (station, law) is shared by all machines of a block, the numbers are not.
+/// An element as its kernel sees it. The structure (station, law) is shared by all machines of a block, the numbers are
+/// not.
 typedef struct element {
     const struct element_type *type;
     size_t station[2];
@@ -68,8 +69,8 @@ typedef struct element_type {
     size_t (*switch_count)(const element *own);
     void (*switches)(const element *own, const double *q, const double *v, double *values);
 
-    /// With switches: derivatives of switch `index` by the place and velocity of station[0], and its second derivative applied to
-    /// the disturbance (uq, uv) of that station. All of them [2].
+    /// With switches: derivatives of switch `index` by the place and velocity of station[0], and its second derivative
+    /// applied to the disturbance (uq, uv) of that station. All of them [2].
     void (*switch_gradient)(const element *own, const double *q, const double *v, size_t index, double *by_q,
                             double *by_v);
     void (*switch_curvature)(const element *own, const double *q, const double *v, size_t index, const double *uq,

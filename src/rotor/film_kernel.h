@@ -1,13 +1,14 @@
 /// The oil film of a short journal bearing, pi film (Capone 1991).
 ///
-/// ' = d/dtau, c the clearance, film thickness h = c - x cos phi - y sin phi; lengths in any unit, that of the rotor here. With
+/// ' = d/dtau, c the clearance, film thickness h = c - x cos phi - y sin phi; lengths in any unit, that of the rotor
+/// here. With
 ///
 ///     A = x - 2y',  B = y + 2x',  C = sqrt(A^2 + B^2),  q = c^2 - x^2 - y^2
 ///
 /// the film begins at alpha = atan2(-B, -A), so that cos alpha = -A/C and sin alpha = -B/C need no angle. Capone's
 /// G, V, S and the force on the journal (fx, fy) = -(C/q)(3xV - sin a G - 2 cos a S, 3yV + cos a G - 2 sin a S), where
-/// lengths are in clearances, become, with P = xB - yA, U = xA + yB, W = C sqrt q and W^2 + P^2 = C^2 - U^2 (which saves a
-/// cancellation near the wall),
+/// lengths are in clearances, become, with P = xB - yA, U = xA + yB, W = C sqrt q and W^2 + P^2 = C^2 - U^2 (which
+/// saves a cancellation near the wall),
 ///
 ///     G = (2/sqrt q) angle,   angle = pi/2 + atan(P/W),   S = -U C/D,   D = W^2 + P^2,   C V = (2C + P G)/q,
 ///     (fx, fy) = -(2c^2/q^(3/2)) (x M + B angle - A E, y M - A angle - B E),   M = 3(W + P angle)/q,   E = U W/D.
@@ -29,11 +30,12 @@ enum { FILM_CLEARANCE, FILM_CLEARANCE_SQUARE, FILM_STRENGTH, FILM_NUMBERS };
 /// Vectors that may be under way in a film at the same time.
 enum { FILM_PLACES = 4 };
 
-/// Vectors on their way through a film in three phases, place by place: film_begin, which leaves the machine's divider with a
-/// root; film_divide, which leaves it with a division; film_end. Phases of other vectors, and other elements, hide its latency.
+/// Vectors on their way through a film in three phases, place by place: film_begin, which leaves the machine's divider
+/// with a root; film_divide, which leaves it with a division; film_end. Phases of other vectors, and other elements,
+/// hide its latency.
 ///
-/// A journal at rest in the centre (A = B = 0) feels no force; the 2^-600 in C^2 keeps its quotients finite. Beyond the wall
-/// (q < 0) W is not a number, and the motion counts as diverged.
+/// A journal at rest in the centre (A = B = 0) feels no force; the 2^-600 in C^2 keeps its quotients finite. Beyond the
+/// wall (q < 0) W is not a number, and the motion counts as diverged.
 typedef struct film_work {
     struct {
         vec x, y, A, B, P, W;

@@ -66,8 +66,8 @@ static inline void film_slope_angle(const film_slopes *s, vec *X, vec *Y) {
     *Y = v_fma(s->y, T, v_fma(s->B, s->G, v_fnma(s->A, G, v_fma(s->A, s->S, v_mul(s->B, S)))));
 }
 
-/// The derivatives of `strength`/FILM_STRENGTH_OF_1 times the force by x, y, x', y'. At rest in the centre, where the force
-/// has a corner, those by the velocities are zero.
+/// The derivatives of `strength`/FILM_STRENGTH_OF_1 times the force by x, y, x', y'. At rest in the centre, where the
+/// force has a corner, those by the velocities are zero.
 static inline void film_tangent(const film_state *f, vec strength, tangent_block *block) {
     const film_slopes s = film_slope(f);
     const vec zero = v_set(0.0), two = v_set(2.0), C = v_mul(f->W, film_over_root(f));

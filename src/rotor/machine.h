@@ -22,7 +22,8 @@ struct whirl_rotor {
     const char **contact_names;
 };
 
-/// The elements of the structure of pair_kernel.h: a shaft from station 0 to station 1, a film there, a rub at station 0.
+/// The elements of the structure of pair_kernel.h: a shaft from station 0 to station 1, a film there, a rub at station
+/// 0.
 enum { PAIR_SHAFT, PAIR_FILM, PAIR_RUB, PAIR_ELEMENTS };
 
 /// What rotors give to lanes.h: one function of each kind for every instruction set of vector.h (machine_<isa>.c,

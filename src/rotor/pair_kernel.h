@@ -1,9 +1,9 @@
-/// A disc on a shaft to a journal in a film, with a rub at the disc: the rotor of most studies of oil film and rub, the paper's
-/// of 2015 among them. Integrators have loops of their own for it (rk4_pair.inc, dop853_pair.inc), made of these phases of an
-/// acceleration.
+/// A disc on a shaft to a journal in a film, with a rub at the disc: the rotor of most studies of oil film and rub, the
+/// paper's of 2015 among them. Integrators have loops of their own for it (rk4_pair.inc, dop853_pair.inc), made of
+/// these phases of an acceleration.
 ///
-/// The same kernels in the same order as machine.inc and flow.inc call them from their lists, so the same bits; three vectors are
-/// under way at a time, so that the divider never waits.
+/// The same kernels in the same order as machine.inc and flow.inc call them from their lists, so the same bits; three
+/// vectors are under way at a time, so that the divider never waits.
 #ifndef ROTOR_PAIR_KERNEL_H
 #define ROTOR_PAIR_KERNEL_H
 
@@ -28,8 +28,8 @@ enum {
     PAIR_NUMBERS = PAIR_RUB_NUMBERS + RUB_NUMBERS
 };
 
-/// Accelerations on their way, one in each phase, by their number modulo FILM_PLACES. All arrays have the stride that the line
-/// is used with.
+/// Accelerations on their way, one in each phase, by their number modulo FILM_PLACES. All arrays have the stride that
+/// the line is used with.
 typedef struct pair_line {
     bool balanced; ///< no journal has an unbalance, as usual: nothing is added for it
     size_t begun;

@@ -1,5 +1,5 @@
-// What a rotor's system gives beyond its right-hand side: sides of its switches, its Jacobian, the switches' derivatives. All by
-// the one-lane build of flow.inc.
+// What a rotor's system gives beyond its right-hand side: sides of its switches, its Jacobian, the switches'
+// derivatives. All by the one-lane build of flow.inc.
 #include <string.h>
 
 #include "machine.h"

@@ -1,13 +1,13 @@
 /// A stator ring that a station touches when its displacement r exceeds the gap: elastic, with Coulomb friction.
 ///
-/// Normal force N = k (r - gap) + c r', never below zero (no adhesion), and friction f N against the sliding of the rotor's
-/// surface. For a surface that moves counter-clockwise past the stator (v_t > 0)
+/// Normal force N = k (r - gap) + c r', never below zero (no adhesion), and friction f N against the sliding of the
+/// rotor's surface. For a surface that moves counter-clockwise past the stator (v_t > 0)
 ///
 ///     (Fx, Fy) = -(N/r) [1 -f; f 1] (x, y),      v_t = R omega + (x y' - y x')/r.
 ///
 /// `law: paper` keeps this for every motion, as the paper of 2015 (eq. 3) does; `law: slip` gives the friction the sign
-/// of v_t, so that backward whirl settles to rolling where v_t = 0 (Black 1968); with a slip speed v_0 the sign grows as
-/// v_t/sqrt(v_t^2 + v_0^2).
+/// of v_t, so that backward whirl settles to rolling where v_t = 0 (Black 1968); with a slip speed v_0 the sign grows
+/// as v_t/sqrt(v_t^2 + v_0^2).
 ///
 /// The laws change where r - gap, with damping also N, and with a sharp sign also v_t change theirs: these are the
 /// switches, in this order. A rub is in contact where the first two are positive.
@@ -17,8 +17,8 @@
 #include "element.h"
 #include "vector.h"
 
-/// Gap, k/(m omega^2), c/(m omega), f, R (the surface's speed by tau), v_0, all in length scales; newtons of a unit of N; the
-/// square of the gap.
+/// Gap, k/(m omega^2), c/(m omega), f, R (the surface's speed by tau), v_0, all in length scales; newtons of a unit of
+/// N; the square of the gap.
 enum {
     RUB_GAP,
     RUB_STIFFNESS,

@@ -1,12 +1,13 @@
 /// A massless elastic shaft with two unequal principal stiffnesses k1, k2 that turn with it.
 ///
-/// With kbar = (k1 + k2)/2, dk = (k1 - k2)/2 and the principal axis of k1 along x at tau = 0, the force on a station that
-/// is displaced by (dx, dy) from the other is
+/// With kbar = (k1 + k2)/2, dk = (k1 - k2)/2 and the principal axis of k1 along x at tau = 0, the force on a station
+/// that is displaced by (dx, dy) from the other is
 ///
 ///     -[ kbar + dk cos 2tau     dk sin 2tau        ] (dx)
 ///      [ dk sin 2tau            kbar - dk cos 2tau ] (dy)
 ///
-/// (`signs: derived`; Friswell et al. 2010, section 7.3). The paper of 2015 prints + dk cos 2tau in both diagonal entries
+/// (`signs: derived`; Friswell et al. 2010, section 7.3). The paper of 2015 prints + dk cos 2tau in both diagonal
+/// entries
 /// (`signs: paper`): no turning shaft does that, x + y and x - y become two Mathieu oscillators.
 #ifndef ROTOR_SHAFT_KERNEL_H
 #define ROTOR_SHAFT_KERNEL_H

@@ -63,7 +63,8 @@ whirl_status atomic_file_open(atomic_file *out, const char *path) {
     return cannot_write(path, strerror(reason));
 }
 
-// Makes the new name last through a power failure. Some file systems cannot sync a folder; the file is whole all the same.
+// Makes the new name last through a power failure. Some file systems cannot sync a folder; the file is whole all the
+// same.
 static void sync_folder(const char *path) {
     char folder[ATOMIC_PATH_SIZE];
     parent_of(path, folder);

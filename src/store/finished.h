@@ -1,5 +1,5 @@
-// The finished points of a table, which are all that a file holds of it: a run of a million points that is stopped early
-// leaves a small file.
+// The finished points of a table, which are all that a file holds of it: a run of a million points that is stopped
+// early leaves a small file.
 #ifndef STORE_FINISHED_H
 #define STORE_FINISHED_H
 

@@ -22,7 +22,8 @@ typedef struct h5_bytes {
 // Makes `access` a list of properties for files of these bytes, which must outlive the file. Negative on failure.
 herr_t h5_driver_set(hid_t access, h5_bytes *bytes);
 
-// Gives the driver back. Not before the file is closed: HDF5 1.10 lets go of a file's driver and then calls it once more.
+// Gives the driver back. Not before the file is closed: HDF5 1.10 lets go of a file's driver and then calls it once
+// more.
 void h5_driver_free(h5_bytes *bytes);
 
 #endif

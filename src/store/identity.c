@@ -8,17 +8,17 @@
 #include "build.h"
 #include "crc32c.h"
 #include "isa.h"
+#include "number.h"
 
-enum { NUMBER_SIZE = 40, SHOWN = 90 };
+enum { SHOWN = 90 };
 
 // ---------------------------------------------------------------- writing
 
-// The shortest text that gives the same double back.
 static const char *exact(double value, char text[NUMBER_SIZE]) {
-    for (int digits = 15; digits <= 17; ++digits) {
-        snprintf(text, NUMBER_SIZE, "%.*g", digits, value);
-        if (strtod(text, NULL) == value || isnan(value)) break;
-    }
+    if (isfinite(value))
+        number_text(value, text);
+    else
+        snprintf(text, NUMBER_SIZE, "%g", value);
     return text;
 }
 
@@ -88,7 +88,8 @@ static void put_fields(FILE *out, const whirl_table *table) {
     }
 }
 
-// A checksum of what the mathematical functions of this machine's C library give: other versions of it round other last bits.
+// A checksum of what the mathematical functions of this machine's C library give: other versions of it round other last
+// bits.
 static uint32_t functions_sum(void) {
     uint32_t sum = 0;
     for (int i = 1; i <= 64; ++i) {
@@ -98,8 +99,8 @@ static uint32_t functions_sum(void) {
     return sum;
 }
 
-// Points are the same on all processors that fuse multiplications and additions, and on all that do not. The revision says
-// less than the sources: a change of a document is none of the program, and one that is not committed is.
+// Points are the same on all processors that fuse multiplications and additions, and on all that do not. The revision
+// says less than the sources: a change of a document is none of the program, and one that is not committed is.
 static whirl_status put_build(FILE *out) {
     static const char *const wanted[] = {"version", "sources", "compiler", "flags", "libraries"};
     const isa *chosen;

@@ -87,7 +87,8 @@ void get_texts(whirl_status *status, hid_t parent, const char *name, char *first
 void get_wholes(whirl_status *status, hid_t parent, const char *name, int64_t *values, size_t count);
 void get_numbers(whirl_status *status, hid_t parent, const char *name, double *values, size_t count);
 
-// Opens a dataset of doubles that has exactly these dimensions, to be read by points; column_close also after a failure.
+// Opens a dataset of doubles that has exactly these dimensions, to be read by points; column_close also after a
+// failure.
 void column_open(whirl_status *status, column *from, hid_t parent, const char *name, const size_t *dimensions,
                  int rank);
 

@@ -298,7 +298,8 @@ static whirl_status tend(void *context) {
     return clock_seconds() - journal->synced < sync_interval ? whirl_ok() : sync_now(journal);
 }
 
-// Writes what is pending at the end of the file. What part of it a failure leaves there is written over by the next try.
+// Writes what is pending at the end of the file. What part of it a failure leaves there is written over by the next
+// try.
 static whirl_status write_pending(whirl_journal *journal) {
     if (journal->pending_size == 0) return whirl_ok();
     const int reason = journal_file_write(&journal->file, journal->end, journal->pending, journal->pending_size);

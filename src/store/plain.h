@@ -1,8 +1,8 @@
 // Whether a file holds the few structures of HDF5 that whirl writes, and those only.
 //
-// HDF5 1.10 crashes on many a file whose metadata are damaged while their checksums are right, as they are in a file that
-// was made to harm (tests/fuzz/fuzz_result.c finds such within seconds). So the file is looked through before HDF5 sees
-// it: every object header, every message in it, and the places of all that is stored. What whirl does not write is
+// HDF5 1.10 crashes on many a file whose metadata are damaged while their checksums are right, as they are in a file
+// that was made to harm (tests/fuzz/fuzz_result.c finds such within seconds). So the file is looked through before HDF5
+// sees it: every object header, every message in it, and the places of all that is stored. What whirl does not write is
 // refused, whatever it may mean: other kinds of types, links and storage, heaps and trees.
 //
 // Numbers of sections are those of the HDF5 File Format Specification 3.0.

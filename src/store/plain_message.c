@@ -51,7 +51,8 @@ static bool is_type(const plain_part *part, const unsigned char *type, size_t le
     return part->left >= length && (part->at[0] & 0x0f) == type[0] && memcmp(part->at + 1, type + 1, length - 1) == 0;
 }
 
-// IV.A.2.d, versions 1 to 3, which do not differ for these: int64, double or text of fixed length, whatever its alphabet.
+// IV.A.2.d, versions 1 to 3, which do not differ for these: int64, double or text of fixed length, whatever its
+// alphabet.
 static bool read_datatype(plain_part *part, size_t *size) {
     static const unsigned char whole[] = {0x00, 0x08, 0, 0, 8, 0, 0, 0, 0, 0, 64, 0};
     static const unsigned char real[] = {0x01, 0x20, 0x3f, 0,    8,    0,    0,    0,    0, 0,

@@ -16,8 +16,8 @@ static void fail_put(whirl_status *status, const char *name) {
     *status = whirl_fail(WHIRL_IO_ERROR, "cannot store %s: %s", name, reason);
 }
 
-// A type for texts of up to `length` bytes, ended by 0. Texts are UTF-8 everywhere; datasets do not say so, for Octave's
-// `load` gives up on files with datasets of UTF-8.
+// A type for texts of up to `length` bytes, ended by 0. Texts are UTF-8 everywhere; datasets do not say so, for
+// Octave's `load` gives up on files with datasets of UTF-8.
 static hid_t text_type(size_t length, H5T_cset_t letters) {
     const hid_t type = H5Tcopy(H5T_C_S1);
     if (type < 0) return type;

@@ -194,8 +194,8 @@ static void get_field(whirl_status *status, hid_t group, const whirl_result *res
     field->columns = (size_t)get_whole_attribute(status, dataset, "columns", 1, INT_MAX);
     close_dataset(dataset);
     if (status->code != WHIRL_OK) return;
-    // Two factors below 2^31 and one of at most 256: no overflow in double, and none in size_t once it is small. Rows are
-    // gone through also where there are no points or no stations.
+    // Two factors below 2^31 and one of at most 256: no overflow in double, and none in size_t once it is small. Rows
+    // are gone through also where there are no points or no stations.
     const double numbers = (double)field->rows * (double)field->columns * (double)(field->repeat ? field->repeat : 1);
     if (numbers * (double)(count ? count : 1) > (double)(limit / sizeof(double))) {
         *status = whirl_fail(WHIRL_BAD_INPUT, "%s claims more numbers than the file has", field->name);

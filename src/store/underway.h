@@ -1,4 +1,5 @@
-// States of points under way: files JOURNAL-N beside the journal, one a thread, each replaced as a whole every few seconds.
+// States of points under way: files JOURNAL-N beside the journal, one a thread, each replaced as a whole every few
+// seconds.
 //
 // A state is good for its point whenever it was saved, so nothing need be removed before the end: of several the one
 // furthest on counts. Frames are those of the journal; their payload begins with the revolutions that were done.

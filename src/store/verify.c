@@ -112,8 +112,8 @@ static whirl_status compare_slots(const comparison *with, const whirl_result *th
     return whirl_ok();
 }
 
-// Signs of zeros and the bits of a NaN are part of a result. Values need no bits: they are in the identity. The file may
-// be another than the one whose outline was compared.
+// Signs of zeros and the bits of a NaN are part of a result. Values need no bits: they are in the identity. The file
+// may be another than the one whose outline was compared.
 static whirl_status compare_block(void *context, const whirl_table *there, size_t table, size_t point,
                                   const double *block) {
     const comparison *with = context;

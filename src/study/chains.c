@@ -9,7 +9,8 @@
 
 // ---------------------------------------------------------------- making
 
-/// What is taken from motions beside the points: verdicts and, at the second tolerance, the exponents that were asked for.
+/// What is taken from motions beside the points: verdicts and, at the second tolerance, the exponents that were asked
+/// for.
 static whirl_analysis_set compared(const pass *p, const whirl_batch *batch) {
     static const char *const names[] = {"regime", "lyapunov", "exponents"};
     const size_t count = p->confirming ? sizeof names / sizeof *names : 1;
@@ -83,8 +84,8 @@ typedef struct worker {
 /// Seconds after which a motion is saved, and saved again.
 static const double save_interval = 5.0;
 
-/// The next chain, unless this thread already has its share of what is left and under way: towards the end no thread shall be
-/// at work with full lanes while another has none.
+/// The next chain, unless this thread already has its share of what is left and under way: towards the end no thread
+/// shall be at work with full lanes while another has none.
 static chain *take_ready(worker *w) {
     chains *c = w->chains;
     const size_t threads = (size_t)c->run->threads;

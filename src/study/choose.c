@@ -6,8 +6,8 @@
 #include "whirl/ensemble.h"
 #include "whirl/study.h"
 
-/// Work of a right-hand side in lanes over that of one alone; work of cvode-bdf beside its right-hand sides, linear algebra above
-/// all, over theirs.
+/// Work of a right-hand side in lanes over that of one alone; work of cvode-bdf beside its right-hand sides, linear
+/// algebra above all, over theirs.
 static const double lane_share = 0.25, overhead = 2.0;
 
 /// Adds what the machine of one value costs.

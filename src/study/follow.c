@@ -1,7 +1,7 @@
 // Chaos that may be on its way to something else. No finite watch proves that chaos lasts: transients of hundreds and
-// thousands of revolutions are common close to where an attractor begins or ends. So chaotic points that have a neighbour
-// of another regime, or no neighbours at all, are followed for longer, from where they ended, in copies that soon go ways
-// of their own. What is done follows from the blocks alone.
+// thousands of revolutions are common close to where an attractor begins or ends. So chaotic points that have a
+// neighbour of another regime, or no neighbours at all, are followed for longer, from where they ended, in copies that
+// soon go ways of their own. What is done follows from the blocks alone.
 #include <math.h>
 #include <stdlib.h>
 

@@ -1,6 +1,7 @@
-// Jumps along a sweep. Where a motion depends on the parameter continuously, neighbouring points differ about as much as the
-// points around them do. Where one pair differs far more and yet has one regime, the sweep has changed from one motion to
-// another that exists beside it, or the motion itself has changed suddenly (a crisis); the numbers of the sweep do not tell which.
+// Jumps along a sweep. Where a motion depends on the parameter continuously, neighbouring points differ about as much
+// as the points around them do. Where one pair differs far more and yet has one regime, the sweep has changed from one
+// motion to another that exists beside it, or the motion itself has changed suddenly (a crisis); the numbers of the
+// sweep do not tell which.
 #include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
@@ -14,8 +15,8 @@ enum {
     BOUNDS = 6 ///< mean, least and largest x and y of a station
 };
 
-/// A jump changes more than this share of the motion's size, and this many times as much as the steps around it. Near a fold
-/// the steps of a continuous branch grow as square roots do, the last to 4 times the median of the 4 before it.
+/// A jump changes more than this share of the motion's size, and this many times as much as the steps around it. Near a
+/// fold the steps of a continuous branch grow as square roots do, the last to 4 times the median of the 4 before it.
 static const double LEAST_CHANGE = 0.03, LEAST_RATIO = 8.0;
 
 /// From one point to the next.

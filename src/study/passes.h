@@ -117,8 +117,8 @@ void refine_add_spent(const whirl_layout *layout, double *block, double revoluti
 
 // ---------------------------------------------------------------- follow.c
 
-/// Follows chaotic motions whose chaos may end, where the budget pays for it, which is lessened by what that costs; *done is
-/// how many. Stops are the tracker's.
+/// Follows chaotic motions whose chaos may end, where the budget pays for it, which is lessened by what that costs;
+/// *done is how many. Stops are the tracker's.
 whirl_status follow_points(study_run *run, int round, double *budget, size_t *done);
 
 // ---------------------------------------------------------------- refine.c

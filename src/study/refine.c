@@ -252,8 +252,8 @@ static double pace_of(const study_run *run) {
     return seconds > 0.0 ? fmax(progress->revolutions_done - progress->revolutions_recalled, 0.0) / seconds : 0.0;
 }
 
-/// What the next portion may cost: what an eighth of the time that is left will do at the pace of the portion before, so
-/// that little is under way when time runs out; or one point, where all of that time will do. 0: there is none.
+/// What the next portion may cost: what an eighth of the time that is left will do at the pace of the portion before,
+/// so that little is under way when time runs out; or one point, where all of that time will do. 0: there is none.
 static double next_portion(const study_run *run, int round) {
     const double pace = pace_of(run), left = pace * (run->deadline - clock_seconds()),
                  least = cheapest_cost(run, round);

@@ -7,7 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/// A tolerance is this much smaller than the one of the level before, a step half as long (its error, of order 4, a sixteenth).
+/// A tolerance is this much smaller than the one of the level before, a step half as long (its error, of order 4, a
+/// sixteenth).
 static const double tolerance_ratio = 10.0, step_ratio = 2.0, step_error_ratio = 16.0;
 
 /// Differences of states between which an order can be seen: below is rounding, above another motion.

@@ -327,8 +327,8 @@ static void test_records_in_lanes_and_alone(void **state) {
     whirl_rotor_free(rotor);
 }
 
-/// The paper's structure has kernels of its own; with its stations in the other order it has not, and must give the same bits:
-/// the shaft's pull only changes its sign.
+/// The paper's structure has kernels of its own; with its stations in the other order it has not, and must give the
+/// same bits: the shaft's pull only changes its sign.
 static void test_own_kernels_against_the_list(void **state) {
     enum { LANES = 21 };
     whirl_rotor *own[LANES], *listed[LANES];

@@ -173,7 +173,8 @@ static void every_moment(const char *method, const int *moments, size_t count) {
     }
 }
 
-/// In the transient, before and after the disturbance begins to be followed (10), before and after the record begins (20).
+/// In the transient, before and after the disturbance begins to be followed (10), before and after the record begins
+/// (20).
 static void side_by_side(void **state) {
     const int moments[] = {0, 4, 8, 9, 10, 15, 18, 19, 20, 21, 27, 28};
     (void)state;

@@ -142,7 +142,8 @@ static void spectra_are_asked_for(void **state) {
     explorer_case_free(object);
 }
 
-// The same motion at the same lengths has a verdict where that is what was asked for, and none where it is a first look.
+// The same motion at the same lengths has a verdict where that is what was asked for, and none where it is a first
+// look.
 static void a_first_look_has_no_verdict(void **state) {
     (void)state;
     whirl_case *object = open_case();

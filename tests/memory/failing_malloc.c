@@ -1,7 +1,8 @@
 // A malloc whose N-th call fails, to be preloaded:  WHIRL_FAIL_AT=N LD_PRELOAD=failing_malloc.so whirl ...
 //
-// WHIRL_FAIL_AT=0 fails none. WHIRL_FAIL_ALL=1 fails all later calls too, as in a process that has really reached its limit.
-// WHIRL_COUNT=FILE gets the number of calls, so that it is known how many there are to fail. Every process counts for itself.
+// WHIRL_FAIL_AT=0 fails none. WHIRL_FAIL_ALL=1 fails all later calls too, as in a process that has really reached its
+// limit. WHIRL_COUNT=FILE gets the number of calls, so that it is known how many there are to fail. Every process
+// counts for itself.
 #include <errno.h>
 #include <fcntl.h>
 #include <malloc.h>

@@ -14,7 +14,8 @@
 #include "support_check.h"
 
 /// Motions judged: right, undetermined, wrong by the confidence they are told with;
-/// of the right ones those with high confidence, of the undetermined ones those that are right when the advice is followed.
+/// of the right ones those with high confidence, of the undetermined ones those that are right when the advice is
+/// followed.
 typedef struct tally {
     int right, certain, open, settled, wrong[WHIRL_HIGH + 1], missed;
 } tally;

@@ -1,7 +1,7 @@
 // The observed order of dop853 is eight, across contacts and reversals of sharp friction as well.
 //
-// Steps are at most an eighth of a period long where there are switches. A tolerance that nothing exceeds makes them exactly that, so
-// that the same motion in twice as many periods, half as long, runs on half the step.
+// Steps are at most an eighth of a period long where there are switches. A tolerance that nothing exceeds makes them
+// exactly that, so that the same motion in twice as many periods, half as long, runs on half the step.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -42,8 +42,8 @@ typedef struct known_motion {
     int periods[LEVELS];
 } known_motion;
 
-/// Errors fall with the eighth power of the step: their root mean square over motions of different lengths, because where the switches lie
-/// within the steps matters, too.
+/// Errors fall with the eighth power of the step: their root mean square over motions of different lengths, because
+/// where the switches lie within the steps matters, too.
 static void check_order(const known_motion *motion) {
     double errors[LEVELS] = {0}, end[2];
     for (double after = 0.4; after < 1.4; after += 0.05)

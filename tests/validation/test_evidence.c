@@ -1,6 +1,6 @@
-// Evidence that analyses give, on rotors of which it is known. The sense of whirl of rubbing rotors (cases C2 and C3): with
-// the shaft where the rub is synchronous, against it where dry friction drives the rotor, rolling round its stator. The
-// largest multipliers of cases A7 and C4, by the way in which the motion comes to rest.
+// Evidence that analyses give, on rotors of which it is known. The sense of whirl of rubbing rotors (cases C2 and C3):
+// with the shaft where the rub is synchronous, against it where dry friction drives the rotor, rolling round its
+// stator. The largest multipliers of cases A7 and C4, by the way in which the motion comes to rest.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

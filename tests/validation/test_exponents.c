@@ -1,4 +1,5 @@
-// Multipliers and all exponents as the library finds them by its own Jacobians: cases A7, A8, B2, C2, C4, C5, D1, D3, D5.
+// Multipliers and all exponents as the library finds them by its own Jacobians: cases A7, A8, B2, C2, C4, C5, D1, D3,
+// D5.
 #include <complex.h>
 #include <math.h>
 #include <setjmp.h>
@@ -476,7 +477,8 @@ static void d1_disc_at_rest(void **unused) {
 
 // ---------------------------------------------------------------- saltation
 
-/// Largest difference between the monodromy and central differences of the flow, over the monodromy's size; the motion goes on.
+/// Largest difference between the monodromy and central differences of the flow, over the monodromy's size; the motion
+/// goes on.
 static double compare_with_flow(whirl_integrator *integrator, double *state, double step) {
     double theirs[16], ours[16], worst = 0.0, size = 0.0;
     flow_jacobian(integrator, 4, state, 1, step, theirs);
@@ -546,7 +548,8 @@ static void d5_reversals_of_the_slip(void **unused) {
     for (int n = 0; n < 10; n++) {
         const double r = hypot(state[0], state[1]);
         const double slip = p.surface_radius * r + state[0] * state[3] - state[1] * state[2];
-        // Where a revolution begins with rolling, starts beside it are drawn to it at once: differences of them are one-sided.
+        // Where a revolution begins with rolling, starts beside it are drawn to it at once: differences of them are
+        // one-sided.
         const bool rolls = r > 1.0 && fabs(slip) < 1e-9;
         const double difference = compare_with_flow(integrator, state, 1e-5);
         if (rolls) continue;

@@ -1,8 +1,9 @@
-// No graze is missed: rotors that come near their stator, touch it lightly or hit it, against a reference that is this file's own.
+// No graze is missed: rotors that come near their stator, touch it lightly or hit it, against a reference that is this
+// file's own.
 //
-// The reference takes classical RK4 steps in extended precision, so short that their error is below 1e-12, on one side of the contact at
-// a time. It looks for the largest (in contact: the smallest) radius in every step in which the radial velocity turns, and for
-// the beginning and the end of contact by bisection of the length of a step.
+// The reference takes classical RK4 steps in extended precision, so short that their error is below 1e-12, on one side
+// of the contact at a time. It looks for the largest (in contact: the smallest) radius in every step in which the
+// radial velocity turns, and for the beginning and the end of contact by bisection of the length of a step.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -176,7 +177,7 @@ static void compare(uint64_t *seed, int count, tally *sum) {
         const double x[4] = {(double)s->x, (double)s->y, (double)s->vx, (double)s->vy};
         require_ok(whirl_ensemble_load(lanes, (size_t)i, whirl_rotor_system(rotors[i]), x));
     }
-    whirl_ensemble_revolve(lanes, (size_t)count, &(whirl_ensemble_watch){.extremes = true});
+    whirl_ensemble_revolve(lanes, (size_t)count, &(whirl_ensemble_observe){.extremes = true});
     for (int i = 0; i < count; i++) {
         reference *r = &motions[i];
         const long double h = 8.0L * atanl(1.0L) / STEPS;

@@ -1,7 +1,7 @@
-// The paper's ten points in all three readings of its equations: the verdict with what it rests on, by RK4 confirmed with twice
-// the steps, and by dop853 with located contacts confirmed at a tighter tolerance. Nothing of the derived and the literal reading
-// is known from elsewhere; what can be asked of them is that two methods never contradict each other where both are sure.
-// WHIRL_SOAK: longer records.
+// The paper's ten points in all three readings of its equations: the verdict with what it rests on, by RK4 confirmed
+// with twice the steps, and by dop853 with located contacts confirmed at a tighter tolerance. Nothing of the derived
+// and the literal reading is known from elsewhere; what can be asked of them is that two methods never contradict each
+// other where both are sure. WHIRL_SOAK: longer records.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,5 +1,5 @@
-// A vertical pump: the films of its two unloaded bearings grow stiff as its journals whirl near the wall. What RK4 makes of it is no motion
-// of the machine, however many points of a sweep agree on it.
+// A vertical pump: the films of its two unloaded bearings grow stiff as its journals whirl near the wall. What RK4
+// makes of it is no motion of the machine, however many points of a sweep agree on it.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -120,8 +120,8 @@ static void auto_follows_the_machine(void **unused) {
     whirl_case_free(object);
 }
 
-/// Its journals whirl by themselves and its unbalance turns: two frequencies, disturbances that neither grow nor die out. By dop853 the
-/// exponent of the case's length is .0005; a second trajectory by cvode-bdf would have shown .395.
+/// Its journals whirl by themselves and its unbalance turns: two frequencies, disturbances that neither grow nor die
+/// out. By dop853 the exponent of the case's length is .0005; a second trajectory by cvode-bdf would have shown .395.
 static void auto_sees_no_chaos(void **unused) {
     (void)unused;
     whirl_result *result = run_pump("auto", 1024, 400, 200, 1);

@@ -306,8 +306,9 @@ static void known_from_theory(void **state) {
     check_family(family, 4);
 }
 
-/// Weakly locked on P-13, psi' = .0009 + .003 sin psi: 1200 revolutions after a start near the unstable orbit the motion is
-/// still on its way to the stable one, and draws a curve. It may not be told with confidence as quasi-periodic.
+/// Weakly locked on P-13, psi' = .0009 + .003 sin psi: 1200 revolutions after a start near the unstable orbit the
+/// motion is still on its way to the stable one, and draws a curve. It may not be told with confidence as
+/// quasi-periodic.
 static void weakly_locked(void **state) {
     (void)state;
     for (int turn = 0; turn < 12; turn += 11) {

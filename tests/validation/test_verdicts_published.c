@@ -268,7 +268,8 @@ static bool make_rossler(size_t index, known_motion *m) {
     return true;
 }
 
-// ---------------------------------------------------------------- van der Pol, forced: x'' - mu (1 - x^2) x' + x = f cos w t
+// ---------------------------------------------------------------- van der Pol, forced: x'' - mu (1 - x^2) x' + x = f
+// cos w t
 
 static void forced_rhs(const void *model, double t, const double *forcing, const double *x, double *dxdt) {
     const double *m = model; // mu, f, w

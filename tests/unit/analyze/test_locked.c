@@ -74,8 +74,8 @@ static bool soaks(void) {
     return getenv("WHIRL_SOAK") != NULL;
 }
 
-/// Motions locked on P-q, seen on their way from all round the curve, for weak and for strong tongues, in their middle and
-/// at their edges. None may be called quasi-periodic with high confidence, nor chaotic.
+/// Motions locked on P-q, seen on their way from all round the curve, for weak and for strong tongues, in their middle
+/// and at their edges. None may be called quasi-periodic with high confidence, nor chaotic.
 static void locked(void **state) {
     static const int tongues[][2] = {{2, 5},   {3, 7},   {3, 8},   {4, 9},   {5, 13},  {8, 21},
                                      {13, 34}, {21, 55}, {27, 64}, {19, 71}, {31, 80}, {34, 89}};
@@ -101,8 +101,8 @@ static void locked(void **state) {
     assert_true(sum.quasi[WHIRL_FAIR] + sum.quasi[WHIRL_LOW] > 0); // the trap is set
 }
 
-/// Rotations by any number, and oscillators beyond their tongues, fast and slow ones: most of them show that they are not
-/// locked. The shares are those of the verification manual.
+/// Rotations by any number, and oscillators beyond their tongues, fast and slow ones: most of them show that they are
+/// not locked. The shares are those of the verification manual.
 static void not_locked(void **state) {
     static const size_t watches[] = {650, 1000, 2000};
     static const double least_rotations[] = {0.55, 0.65, 0.8}, least_oscillators[] = {0.2, 0.4, 0.6};

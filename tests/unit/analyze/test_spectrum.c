@@ -88,8 +88,9 @@ static void ellipse(void **state) {
     whirl_spectrum_free(spectrum);
 }
 
-/// The synchronous part of tones whose amplitudes and phases are known, beside others on and off the bins. x = a cos(tau + p)
-/// lags by -p; a circle at the angle tau + p is forward and lags by -p, one at -tau + p backward and passes x at p.
+/// The synchronous part of tones whose amplitudes and phases are known, beside others on and off the bins. x = a
+/// cos(tau + p) lags by -p; a circle at the angle tau + p is forward and lags by -p, one at -tau + p backward and
+/// passes x at p.
 static void synchronous_part(void **state) {
     (void)state;
     const double quarter = 0.25 * two_pi, degree = two_pi / 360.0;

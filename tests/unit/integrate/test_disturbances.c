@@ -1,5 +1,5 @@
-// Disturbances carried along motions, against finite differences of the flow: smooth, through impacts with contact damping,
-// through reversals of dry friction, and along them.
+// Disturbances carried along motions, against finite differences of the flow: smooth, through impacts with contact
+// damping, through reversals of dry friction, and along them.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -22,7 +22,8 @@ static double uniform(uint64_t *seed) {
 
 // ---------------------------------------------------------------- an oscillator between a stop and a moving belt
 
-/// x'' + 2 zeta x' + x + cubic x^3 = force cos(t + phase) - [x > gap and N > 0] N - friction sgn(x' - belt), N = stiffness (x - gap) + damping x'.
+/// x'' + 2 zeta x' + x + cubic x^3 = force cos(t + phase) - [x > gap and N > 0] N - friction sgn(x' - belt), N =
+/// stiffness (x - gap) + damping x'.
 typedef struct oscillator {
     double zeta, cubic, force, phase;
     double gap, stiffness, damping;
@@ -340,8 +341,8 @@ static void test_orthonormal_vectors(void **state) {
     assert_true(growth[5] < -700.0);
 }
 
-/// CVODE's equations of one disturbance against the derivative of dop853's steps, column after column, through impacts, reversals and
-/// sticking; revolutions with and without a disturbance by turns.
+/// CVODE's equations of one disturbance against the derivative of dop853's steps, column after column, through impacts,
+/// reversals and sticking; revolutions with and without a disturbance by turns.
 static void test_one_disturbance_by_cvode(void **state) {
     static const oscillator *const machines[] = {&smooth, &impacts, &reversals, &sticks};
     static const char *const methods[] = {"cvode-bdf", "cvode-adams"};

@@ -1,5 +1,5 @@
-// The pair of order 8(5,3): its numbers, its interpolant, and motions that switch, slide and graze, against closed forms;
-// those that slide also by CVODE, whose sides are held in the same way.
+// The pair of order 8(5,3): its numbers, its interpolant, and motions that switch, slide and graze, against closed
+// forms; those that slide also by CVODE, whose sides are held in the same way.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

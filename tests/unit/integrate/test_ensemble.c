@@ -112,7 +112,7 @@ static whirl_ensemble *ensemble_by(const way *by, const char *set, const whirl_s
 static const double start[DIMENSION] = {0.1, -0.2, 0.0, 0.0};
 
 static void revolve(whirl_ensemble *lanes, size_t count, int revolutions) {
-    const whirl_ensemble_watch watch = {.extremes = true};
+    const whirl_ensemble_observe watch = {.extremes = true};
     for (int i = 0; i < revolutions; i++) whirl_ensemble_revolve(lanes, count, &watch);
 }
 

@@ -81,8 +81,8 @@ static void floor_level(const void *model, double t, const double *x, double *va
 }
 
 static void test_cvode_locates_contacts(void **state) {
-    // Flight up and down 2 sqrt(2h); contact: u'' + k u = 0 about the static depth 1/k, entered with speed v = sqrt(2h):
-    // half period pi/w plus the two arcs from the floor to the static depth, atan(1/(w v)) each.
+    // Flight up and down 2 sqrt(2h); contact: u'' + k u = 0 about the static depth 1/k, entered with speed v =
+    // sqrt(2h): half period pi/w plus the two arcs from the floor to the static depth, atan(1/(w v)) each.
     const double w = sqrt(stiffness), v = sqrt(2 * height);
     const whirl_system ball = {.dimension = 2,
                                .period = 2 * v + (pi + 2 * atan(1 / (w * v))) / w,

@@ -1,5 +1,5 @@
-// Steps that are too long, against RK4's known region (Hairer, Wanner: Solving Ordinary Differential Equations II, IV.2), and the
-// eigenvalues that tell them, against closed forms.
+// Steps that are too long, against RK4's known region (Hairer, Wanner: Solving Ordinary Differential Equations II,
+// IV.2), and the eigenvalues that tell them, against closed forms.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -72,8 +72,9 @@ static void test_cyclic_shifts(void **state) {
     }
 }
 
-/// A chain of 50 unit masses and springs k between walls, x'' = -k (2 x - neighbours): +- i 2 sqrt k sin(j pi / 102). Positions and
-/// velocities are scales apart, which balancing evens out; the norm then bounds the largest within sqrt 2.
+/// A chain of 50 unit masses and springs k between walls, x'' = -k (2 x - neighbours): +- i 2 sqrt k sin(j pi / 102).
+/// Positions and velocities are scales apart, which balancing evens out; the norm then bounds the largest within
+/// sqrt 2.
 static void test_a_chain_of_masses(void **state) {
     enum { MASSES = 50, N = 2 * MASSES };
     static double matrix[N * N];

@@ -1,4 +1,5 @@
-// Claims beside results whose content is known: what agrees, what agrees in part, what does not, and what is said of it.
+// Claims beside results whose content is known: what agrees, what agrees in part, what does not, and what is said of
+// it.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -12,7 +12,8 @@
 
 #include "explorer.h"
 
-/// One point more than fit, with a section of more rows than fit: every second point stays, and the last 2^20/count rows.
+/// One point more than fit, with a section of more rows than fit: every second point stays, and the last 2^20/count
+/// rows.
 enum { POINTS = 65537, ROWS = 40, COLUMNS = 2, KEPT = 32769, KEPT_ROWS = 31 };
 
 static whirl_result *large_result(void) {

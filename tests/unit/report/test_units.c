@@ -49,7 +49,8 @@ static void lengths(void **state) {
     whirl_result_free(result);
 }
 
-/// What the command asks for goes before what the result says, kind by kind; what a file says that is no unit is nothing.
+/// What the command asks for goes before what the result says, kind by kind; what a file says that is no unit is
+/// nothing.
 static void who_asks(void **state) {
     (void)state;
     whirl_result *result = sample_result();

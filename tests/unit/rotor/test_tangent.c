@@ -1,5 +1,5 @@
-// Jacobians, sides and switches of a rotor with every element, against the same equations typed in from the literature in
-// extended complex numbers, whose derivatives by complex steps have no truncation error.
+// Jacobians, sides and switches of a rotor with every element, against the same equations typed in from the literature
+// in extended complex numbers, whose derivatives by complex steps have no truncation error.
 #include <complex.h>
 #include <math.h>
 #include <setjmp.h>
@@ -228,8 +228,8 @@ static void identity(double *columns) {
     for (int i = 0; i < DIMENSION; i++) columns[i * DIMENSION + i] = 1.0;
 }
 
-/// What rounding leaves of the films' forces (power 2.5) or their derivatives (3.5): where the film is drawn apart, the terms
-/// of a pressed film of the same thickness cancel, which grow as C/q^power.
+/// What rounding leaves of the films' forces (power 2.5) or their derivatives (3.5): where the film is drawn apart, the
+/// terms of a pressed film of the same thickness cancel, which grow as C/q^power.
 static double film_rounding(const double *z, double power) {
     const double clearance[2] = {1.0, 0.8}, load[2] = {0.02, 0.05};
     double worst = 0.0;

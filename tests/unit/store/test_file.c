@@ -318,7 +318,8 @@ static void refuses_every_truncation(void **state) {
     }
 }
 
-// Checksums cover all that is used: a flipped bit gives an error or changes nothing. WHIRL_TEST_EVERY=1 tries all bytes.
+// Checksums cover all that is used: a flipped bit gives an error or changes nothing. WHIRL_TEST_EVERY=1 tries all
+// bytes.
 static void no_flipped_bit_goes_unseen(void **state) {
     fixture *f = *state;
     const char *every = getenv("WHIRL_TEST_EVERY");

@@ -1,5 +1,5 @@
-/// A family of machines for tests: x' = -r (x - cos t), stable for every r > 0 and known exactly, but RK4 grows without bound
-/// where r h > 2.7853 (Hairer, Wanner: Solving Ordinary Differential Equations II, IV.2). Include after cmocka.h.
+/// A family of machines for tests: x' = -r (x - cos t), stable for every r > 0 and known exactly, but RK4 grows without
+/// bound where r h > 2.7853 (Hairer, Wanner: Solving Ordinary Differential Equations II, IV.2). Include after cmocka.h.
 #ifndef TEST_FOLLOWER_H
 #define TEST_FOLLOWER_H
 

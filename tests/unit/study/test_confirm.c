@@ -1,4 +1,5 @@
-// Confirmation and refinement, on an equation that RK4 carries wrongly where its steps are too long (follower.h). With 64 steps in a period of 1 that is r > 178.3, with 128 r > 356.5.
+// Confirmation and refinement, on an equation that RK4 carries wrongly where its steps are too long (follower.h). With
+// 64 steps in a period of 1 that is r > 178.3, with 128 r > 356.5.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -15,7 +16,8 @@
 
 enum { POINTS = 9, WRONG = 4, STEPS = 64, REVOLUTIONS = 80 };
 
-/// Four rates that 64 steps carry well, then four that only 128 do, and one that needs 256: both tolerances of the first run lose it.
+/// Four rates that 64 steps carry well, then four that only 128 do, and one that needs 256: both tolerances of the
+/// first run lose it.
 static const double rates[POINTS] = {20, 60, 100, 140, 200, 240, 280, 320, 420};
 
 static whirl_study study(whirl_carry carry, double budget) {

@@ -1,5 +1,5 @@
-// Chaotic motions that may be on their way are followed beyond their end: the Lorenz system, whose chaos ends at an equilibrium
-// up to r = 24.06 and lasts beyond (Sparrow 1982).
+// Chaotic motions that may be on their way are followed beyond their end: the Lorenz system, whose chaos ends at an
+// equilibrium up to r = 24.06 and lasts beyond (Sparrow 1982).
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

@@ -74,9 +74,9 @@ static whirl_result *sweep(double alpha) {
     return result;
 }
 
-/// With rising w the large motion is followed to its fold, with falling w the small one. The folds are those of the response
-/// A^2 [(1 - w^2 + 3/4 alpha A^2)^2 + (0.1 w)^2] = 0.4^2 (harmonic balance), whose third harmonic, left out, moves them by
-/// (3/4 alpha A^2)^2/32 < 0.006.
+/// With rising w the large motion is followed to its fold, with falling w the small one. The folds are those of the
+/// response A^2 [(1 - w^2 + 3/4 alpha A^2)^2 + (0.1 w)^2] = 0.4^2 (harmonic balance), whose third harmonic, left out,
+/// moves them by (3/4 alpha A^2)^2/32 < 0.006.
 static void duffing_jumps_at_its_folds(void **state) {
     (void)state;
     whirl_jump jumps[8];
