@@ -358,7 +358,7 @@ typedef struct whirl_field {
     size_t offset; ///< of the first number in the block; the next repetition follows after rows * columns
 } whirl_field;
 
-enum { WHIRL_MAX_FIELDS = 64 };
+enum { WHIRL_MAX_FIELDS = 128 };
 
 /// The fields of a point's block.
 typedef struct whirl_layout {
