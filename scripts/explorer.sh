@@ -3,11 +3,10 @@
 #
 #   scripts/explorer.sh [--if-possible] OUT
 #
-# OUT/whirl.wasm, OUT/worker.js, OUT/template.html. Needs emscripten, node with npm, and the sources of libyaml, muParser,
-# UDUNITS and expat, which come from Debian once. Where something is missing it says so in one line and fails; with --if-possible it does not fail.
+# OUT/whirl.wasm, OUT/worker.js, OUT/template.html. Needs emscripten, node with npm, and the sources of libyaml and
+# muParser, which come from Debian once. Where something is missing it says so in one line and fails; with --if-possible it does not fail.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-root=$PWD
 
 required=true
 if [ "${1:-}" = --if-possible ]; then
@@ -26,14 +25,11 @@ for tool in emcc em++ node npm; do
     command -v "$tool" >/dev/null || missing "$tool is missing"
 done
 [ "$(node -p 'process.versions.node.split(".")[0] >= 18')" = true ] || missing "node is older than 18"
+[ -f /usr/include/udunits2.h ] && [ -d /usr/share/xml/udunits ] || missing "libudunits2-dev is missing"
 
 # ---- sources, by apt-get with a list of its own: the system's stay as they are
 
-fetch_file() { # FILE SHA256 ADDRESS
-    /usr/lib/apt/apt-helper -o APT::Sandbox::User=root download-file "$3/$1" "$1" "SHA256:$2" && tar -xf "$1"
-}
-
-fetch() { # PACKAGE DIRECTORY [FILE SHA256 ADDRESS]
+fetch() { # PACKAGE DIRECTORY
     [ -e "$out/sources/$2/.complete" ] && return
     command -v apt-get >/dev/null && command -v dpkg-source >/dev/null || missing "the source of $1 is fetched by Debian's apt-get and dpkg-dev"
     local work mirror
@@ -45,12 +41,11 @@ fetch() { # PACKAGE DIRECTORY [FILE SHA256 ADDRESS]
     mkdir -p "$work/lists/partial"
     local options=(-qq -o "Dir::Etc::sourcelist=$work/sources.list" -o Dir::Etc::sourceparts=/dev/null
         -o "Dir::State::lists=$work/lists" -o APT::Sandbox::User=root -o Acquire::Retries=3)
-    if ! { { apt-get "${options[@]}" update && cd "$work" && apt-get "${options[@]}" source "$1"; } ||
-        { [ $# -gt 2 ] && cd "$work" && fetch_file "$3" "$4" "$5"; }; } >"$out/fetch.log" 2>&1; then
+    if ! { apt-get "${options[@]}" update && cd "$work" && apt-get "${options[@]}" source "$1"; } >"$out/fetch.log" 2>&1; then
         rm -rf "$work"
         missing "the source of $1 cannot be fetched, see $out/fetch.log"
     fi
-    cd "$root"
+    cd - >/dev/null
     mkdir -p "$out/sources"
     rm -rf "${out:?}/sources/$2"
     mv "$work/$1"-*/ "$out/sources/$2"
@@ -59,10 +54,6 @@ fetch() { # PACKAGE DIRECTORY [FILE SHA256 ADDRESS]
 }
 fetch libyaml libyaml
 fetch muparser muparser
-fetch expat expat
-# Some mirrors of Debian lack this one; the same file, by its hash in Debian's index, lies in Ubuntu's archive.
-fetch udunits udunits udunits_2.2.28.orig.tar.xz 2d1f0bee400fafa0c146528f9d09140277d47d47daed5c3ea98815191d1363c5 \
-    http://archive.ubuntu.com/ubuntu/pool/universe/u/udunits
 
 # ---- the core, then the program around it
 

@@ -1,0 +1,40 @@
+/// What src/case asks of UDUNITS-2, for a build without it: the same functions with the same meaning and results
+/// (explorer/tests/units.sh compares them with the library's). Units come from the library's own database, which is
+/// compiled in (unit_table.c).
+#ifndef EXPLORER_UDUNITS2_H
+#define EXPLORER_UDUNITS2_H
+
+#include <stdarg.h>
+#include <stddef.h>
+
+typedef struct ut_system ut_system;
+typedef struct ut_unit ut_unit;
+typedef struct cv_converter cv_converter;
+typedef enum ut_encoding { UT_ASCII = 0, UT_UTF8 = 2 } ut_encoding;
+enum { UT_DEFINITION = 8 };
+typedef enum ut_status { UT_SUCCESS = 0, UT_EXISTS, UT_NO_MEMORY } ut_status;
+typedef int (*ut_error_message_handler)(const char *format, va_list arguments);
+
+int ut_ignore(const char *format, va_list arguments);
+ut_error_message_handler ut_set_error_message_handler(ut_error_message_handler handler);
+
+/// The units of the database; `path` is not read. Nothing is to be freed.
+ut_system *ut_read_xml(const char *path);
+
+/// A product of names with prefixes and whole powers, or NULL. Freed by ut_free.
+ut_unit *ut_parse(const ut_system *system, const char *text, ut_encoding encoding);
+ut_unit *ut_get_dimensionless_unit_one(const ut_system *system);
+ut_status ut_map_name_to_unit(const char *name, ut_encoding encoding, const ut_unit *unit);
+ut_unit *ut_divide(const ut_unit *numerator, const ut_unit *denominator);
+/// Angles are dimensionless.
+int ut_is_dimensionless(const ut_unit *unit);
+/// "0.001 m2.kg.s-3": the unit in base units. Returns the bytes that it takes, as snprintf.
+int ut_format(const ut_unit *unit, char *text, size_t size, unsigned options);
+void ut_free(ut_unit *unit);
+
+/// From numbers in `from` to numbers in `to`, or NULL where they are not of one kind. Freed by cv_free.
+cv_converter *ut_get_converter(ut_unit *from, ut_unit *to);
+double cv_convert_double(const cv_converter *converter, double value);
+void cv_free(cv_converter *converter);
+
+#endif
