@@ -75,8 +75,8 @@ test('a drag is one step, and Back and Forward of the browser go by steps', asyn
   await hashLacks(page, 'at=3.8');
   const dragged = await page.inputValue('#value-a');
   for (let i = 0; i < 5; i++) await page.keyboard.press('ArrowRight'); // the diagram has the focus
-  await page.waitForFunction((before) => document.querySelector('#value-a').value !== before, dragged);
-  await page.waitForTimeout(400);
+  const moved = Number(dragged) + (5 * 3) / 200; // five steps of a two hundredth of the range
+  await page.waitForFunction((value) => Math.abs(Number(new URLSearchParams(location.hash.slice(1)).get('at')) - value) < 1e-3, moved);
   assert.equal(await page.evaluate(() => history.length), began + 2, 'a drag and five strokes of a key are two entries');
   await page.goBack();
   await field(page, 'value-a', Number(dragged));

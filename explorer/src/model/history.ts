@@ -35,6 +35,7 @@ export class History {
     restore: (hash: string) => void,
   ) {
     this.step = this.newest = Number((history.state as { step?: number } | null)?.step) || 0;
+    history.replaceState({ step: this.step }, ''); // else the way back to here looks like an address that was typed in
     for (const event of ['keydown', 'wheel', 'input', 'change'])
       document.addEventListener(event, () => (this.acted ||= 'keys'), { capture: true, passive: true });
     document.addEventListener('pointerdown', () => ((this.held = true), (this.acted = 'pointer')), true);
