@@ -40,7 +40,7 @@ static whirl_status unknown(const char *word) {
     const char *names[MOST_WORDS];
     char list[160] = "";
     size_t count = 0, used = 0;
-    for (; words[count].word && count < MOST_WORDS; count++) {
+    for (; count < MOST_WORDS && words[count].word; count++) {
         names[count] = words[count].word;
         used += (size_t)snprintf(list + used, sizeof list - used, "%s%s", count ? ", " : "", words[count].word);
     }

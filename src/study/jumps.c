@@ -104,7 +104,7 @@ whirl_status whirl_table_jumps(const whirl_table *table, whirl_jump *jumps, size
     *count = 0;
     if (!field || table->count < 2) return whirl_ok();
     step *steps = malloc(table->count * sizeof *steps);
-    double *bounds = malloc(2 * BOUNDS * field->repeat * sizeof *bounds);
+    double *bounds = malloc((size_t)2 * BOUNDS * field->repeat * sizeof *bounds);
     const bool memory = steps && bounds;
     if (memory) find_steps(table, field->repeat, bounds, steps);
     for (size_t i = 0; memory && i + 1 < table->count; i++) {

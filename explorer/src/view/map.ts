@@ -473,7 +473,11 @@ export class MapView {
     const [low, high] = subject.range;
     const step = ((high - low) / KEYBOARD_STEPS) * (event.shiftKey ? 10 : 1);
     const now = Number.isFinite(this.value) ? this.value : (low + high) / 2;
-    const go = (value: number) => this.listener.cursor(Math.min(high, Math.max(low, value)), true);
+    // Keys may come faster than frames: the next one goes on from here.
+    const go = (value: number) => {
+      this.value = Math.min(high, Math.max(low, value));
+      this.listener.cursor(this.value, true);
+    };
     const actions: Record<string, () => void> = {
       ArrowLeft: () => go(now - step),
       ArrowRight: () => go(now + step),
