@@ -5,7 +5,9 @@ set -euo pipefail
 build=$1
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-export OMP_TOOL_LIBRARIES=libarcher.so ARCHER_OPTIONS=verbose=1
+# By its path: programs have no run path that leads there.
+archer=$(dirname "$(readlink -f "$(command -v clang)")")/../lib/libarcher.so
+export OMP_TOOL_LIBRARIES=$archer ARCHER_OPTIONS=verbose=1
 export TSAN_OPTIONS="ignore_noninstrumented_modules=1 halt_on_error=1 exitcode=66"
 
 # A race on purpose must be found, else a pass would say nothing.
