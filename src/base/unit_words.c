@@ -6,7 +6,7 @@
 
 #include "whirl/descriptor.h"
 
-enum { LONGEST_WORD = 31, MOST_WORDS = 32 };
+enum { LONGEST_WORD = 31 };
 
 static const unit_word words[] = {
     {"scale", "", UNIT_LENGTH, 0.0},
@@ -37,10 +37,10 @@ static const unit_word *find(const char *word) {
 }
 
 static whirl_status unknown(const char *word) {
-    const char *names[MOST_WORDS];
+    const char *names[sizeof words / sizeof *words];
     char list[160] = "";
     size_t count = 0, used = 0;
-    for (; count < MOST_WORDS && words[count].word; count++) {
+    for (; words[count].word; count++) {
         names[count] = words[count].word;
         used += (size_t)snprintf(list + used, sizeof list - used, "%s%s", count ? ", " : "", words[count].word);
     }
