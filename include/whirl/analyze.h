@@ -100,8 +100,8 @@ typedef struct whirl_record {
     double *max_radius; ///< [probe_count] largest sqrt(x^2 + y^2) over the record
     double *min_radius; ///< [probe_count] smallest
     double *mean;       ///< [probe_count][2] mean position over the record
-    double
-        *backward; ///< [probe_count] share of the time that x vy - y vx < 0: whirl against the rotation, about (0, 0)
+    /// [probe_count] share of the time that x vy - y vx < 0: whirl against the rotation, about (0, 0)
+    double *backward;
     double *contact_share;  ///< [contact_count] share of the time in contact
     double *contact_number; ///< [contact_count] times that contact began
     double *contact_force;  ///< [contact_count] largest normal force, in the model's unit

@@ -25,8 +25,8 @@ typedef struct whirl_verify_options {
 
 /// What one method says of a point at one tolerance.
 typedef struct whirl_verify_run {
-    double
-        difference; ///< largest of a coordinate from the reference after the revolutions, state's units; NaN: diverged
+    /// Largest of a coordinate from the reference after the revolutions, state's units; NaN: diverged
+    double difference;
     double section; ///< largest distance of a point of the section from the nearest one of the reference, in the
                     ///< coordinates of the stations, where both motions are periodic with the same period; else NaN
     whirl_verdict verdict; ///< the exponent's error with its difference from the same method's next tolerance

@@ -128,15 +128,20 @@ static void regime_reason(const whirl_verdict *v, const char *exponent, char *te
     undetermined_reason(v, exponent, text, size);
 }
 
+/// The regime in a word, with the period where there is one: what is known of another motion than the verdict's own.
+static void name_kind(whirl_regime regime, int period, char name[WHIRL_NAME_SIZE]) {
+    const whirl_verdict there = {.regime = regime, .period = period};
+    if (regime == WHIRL_PERIODIC)
+        whirl_verdict_name(&there, name, WHIRL_NAME_SIZE);
+    else
+        snprintf(name, WHIRL_NAME_SIZE, "%s", whirl_regime_name(regime));
+}
+
 /// What the second tolerance has against it.
 static void contradiction(const whirl_verdict *v, char *text, size_t size) {
-    const whirl_verdict there = {.regime = v->other_regime, .period = v->other_period};
     char other[WHIRL_NAME_SIZE];
-    if (there.regime == WHIRL_PERIODIC)
-        whirl_verdict_name(&there, other, sizeof other);
-    else
-        snprintf(other, sizeof other, "%s", whirl_regime_name(there.regime));
-    if (there.regime != v->regime || there.period != v->period)
+    name_kind(v->other_regime, v->other_period, other);
+    if (v->other_regime != v->regime || v->other_period != v->period)
         snprintf(text, size, "; at the second tolerance it is %s", other);
     else if (v->confidence < v->agreement)
         snprintf(text, size, "; at the second tolerance the evidence is weaker or another");
@@ -144,13 +149,9 @@ static void contradiction(const whirl_verdict *v, char *text, size_t size) {
 
 /// What became of copies of a chaotic motion that were followed beyond its end.
 static void later_text(const whirl_verdict *v, char *text, size_t size) {
-    const whirl_verdict there = {.regime = v->later_regime, .period = v->later_period};
     char name[WHIRL_NAME_SIZE];
-    if (there.regime == WHIRL_PERIODIC)
-        whirl_verdict_name(&there, name, sizeof name);
-    else
-        snprintf(name, sizeof name, "%s", whirl_regime_name(there.regime));
-    if (there.regime == WHIRL_CHAOTIC)
+    name_kind(v->later_regime, v->later_period, name);
+    if (v->later_regime == WHIRL_CHAOTIC)
         snprintf(text, size, "; so it stays for %.0f revolutions more", v->followed);
     else
         snprintf(text, size, "; within %.0f revolutions more it is %s: the chaos may be a transient", v->followed,
