@@ -12,6 +12,8 @@ INSTALL  := scripts/install-dependencies.sh
 CONFIGURE = test -f $(BUILD)/CMakeCache.txt || cmake --preset release -DWHIRL_TESTS=OFF
 COMPILE   = cmake --build $(BUILD) --parallel $(JOBS) --target whirl
 SOURCES   = $(shell git ls-files --cached --others --exclude-standard '*.c' '*.h')
+SCRIPTS   = $(shell git ls-files --cached --others --exclude-standard 'explorer/*.ts' 'explorer/*.mjs')
+PRETTIER  = explorer/node_modules/.bin/prettier --log-level warn
 FUZZERS   = $(patsubst tests/fuzz/%.c,%,$(wildcard tests/fuzz/fuzz_*.c))
 
 .PHONY: all help test check sanitize paper explorer gallery bench soak install format lint asan tsan clang fuzz clean
@@ -124,11 +126,16 @@ install: all    ## into PREFIX (/usr/local)
 	cmake --build $(BUILD) --parallel $(JOBS)
 	cmake --install $(BUILD) --prefix $(abspath $(PREFIX))
 
-format: dependencies-lint ## the sources, by clang-format
+format: dependencies-lint ## the sources, by clang-format and prettier
 	clang-format -i $(SOURCES)
+	scripts/node-packages.sh
+	$(PRETTIER) --write $(SCRIPTS)
 
-lint: dependencies-build-test-lint ## clang-format, clang-tidy and cppcheck, without changing anything
+lint: dependencies-build-test-lint ## formats, long lines, clang-tidy and cppcheck, without changing anything
 	cmake --preset release -DWHIRL_TESTS=ON
+	scripts/node-packages.sh
+	$(PRETTIER) --check $(SCRIPTS)
+	scripts/long-lines.sh
 	scripts/lint.sh $(BUILD) $(SOURCES)
 
 clean:          ## removes what was built

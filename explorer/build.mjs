@@ -1,7 +1,7 @@
 // Builds the explorer's template, one self-contained page:  node build.mjs [--worker FILE --core FILE] OUT.html
 //
-// Everything lies in the page: the program and the styles, whose hashes the Content-Security-Policy names, and as inert text
-// the worker's program and the C core (gzip, base64). `whirl report` puts results in the place of @WHIRL-RUNS@.
+// Everything lies in the page: the program and the styles, whose hashes the Content-Security-Policy names, and as inert
+// text the worker's program and the C core (gzip, base64). `whirl report` puts results in the place of @WHIRL-RUNS@.
 // Without --worker and --core the page shows what is stored and computes nothing.
 import { createHash } from 'node:crypto';
 import { mkdir, readFile, rename, writeFile } from 'node:fs/promises';

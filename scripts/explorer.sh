@@ -59,14 +59,7 @@ fetch muparser muparser
 
 make --no-print-directory -j "${JOBS:-$(nproc)}" -C explorer/core OUT="$out"
 
-if [ ! -e explorer/node_modules/.package-lock.json ] ||
-    [ explorer/package-lock.json -nt explorer/node_modules/.package-lock.json ]; then
-    # A registry that does not answer must not hold everything up.
-    timeout 300 npm ci --prefix explorer --no-audit --no-fund --silent --fetch-timeout=60000 \
-        --fetch-retry-mintimeout=1000 --fetch-retry-maxtimeout=5000 >"$out/npm.log" 2>&1 ||
-        missing "npm cannot fetch the packages, see $out/npm.log"
-    touch explorer/node_modules/.package-lock.json
-fi
+scripts/node-packages.sh >"$out/npm.log" 2>&1 || missing "npm cannot fetch the packages, see $out/npm.log"
 explorer/node_modules/.bin/tsc --noEmit -p explorer
 node explorer/engine.mjs "$out"
 node explorer/build.mjs --worker "$out/worker.js" --core "$out/whirl.wasm" "$out/template.html"

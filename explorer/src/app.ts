@@ -45,7 +45,10 @@ export class App {
   private unitsAwaited = false;
   private refineTimer = 0;
   private dirty = new Set<'all' | SideName | 'grow'>();
-  private readonly history = new History(() => writeAddress(this.currentAddress()), (hash) => this.restore(hash));
+  private readonly history = new History(
+    () => writeAddress(this.currentAddress()),
+    (hash) => this.restore(hash),
+  );
 
   constructor(
     runs: readonly Run[],
@@ -104,7 +107,13 @@ export class App {
     this.root.append(
       this.topbar.root,
       this.banner,
-      el('main', {}, this.card.root, this.settings.root, el('div', { class: 'panes' }, this.panes.a.root, this.panes.b.root)),
+      el(
+        'main',
+        {},
+        this.card.root,
+        this.settings.root,
+        el('div', { class: 'panes' }, this.panes.a.root, this.panes.b.root),
+      ),
       el('footer', {}, this.footer),
       this.help.root,
     );
@@ -123,7 +132,9 @@ export class App {
 
   private sayMissing(): void {
     this.banner.textContent = this.missing;
-    this.footer.textContent = this.missing ? '' : 'Computed in this page by the C core of whirl; nothing leaves your machine.';
+    this.footer.textContent = this.missing
+      ? ''
+      : 'Computed in this page by the C core of whirl; nothing leaves your machine.';
   }
 
   start(): void {
@@ -168,7 +179,10 @@ export class App {
   }
 
   private get station(): number {
-    return Math.max(0, this.stations.findIndex(({ name }) => name === this.address.station));
+    return Math.max(
+      0,
+      this.stations.findIndex(({ name }) => name === this.address.station),
+    );
   }
 
   /// SI unit of the parameter along the diagram.
@@ -183,7 +197,9 @@ export class App {
 
   private get storedDiagram(): Diagram | undefined {
     const table = this.machine.run?.tables[0];
-    return table?.parameter && table.parameter === this.address.parameter ? Diagram.stored(table, this.machine.run!.length_scale) : undefined;
+    return table?.parameter && table.parameter === this.address.parameter
+      ? Diagram.stored(table, this.machine.run!.length_scale)
+      : undefined;
   }
 
   // ---------------------------------------------------------------- a machine is opened
@@ -199,10 +215,14 @@ export class App {
     const { machine } = this;
     // What is stored is there at once; the engine takes a moment to wake.
     const stored = machine.run?.tables[0]?.parameter;
-    const early = stored !== undefined && stored !== '' && (this.address.parameter === '' || this.address.parameter === stored);
+    const early =
+      stored !== undefined && stored !== '' && (this.address.parameter === '' || this.address.parameter === stored);
     if (early) this.openParameter();
     if (this.engine && !this.original) {
-      const outcome = await this.engine.describe({ text: machine.text, name: machine.caseName }, { lane: 'original', priority: 0 });
+      const outcome = await this.engine.describe(
+        { text: machine.text, name: machine.caseName },
+        { lane: 'original', priority: 0 },
+      );
       if (outcome.ok) this.originals.set(machine.name, outcome.value);
       else if (outcome.why !== 'stale' && this.engine) this.sides.a.trouble = troubleOf(outcome);
       if (machine !== this.machine) return;
@@ -221,7 +241,8 @@ export class App {
   private openParameter(): void {
     const { run } = this.machine;
     const swept = sweptParameter(this.original, run?.tables[0]?.parameter);
-    const known = this.original?.parameters.some(({ name }) => name === this.address.parameter) || this.address.parameter === swept;
+    const known =
+      this.original?.parameters.some(({ name }) => name === this.address.parameter) || this.address.parameter === swept;
     if (!known) this.address.parameter = swept;
     const diagram = this.storedDiagram;
     const range = this.address.range ?? diagram?.span ?? plannedRange(this.original, this.address.parameter);
@@ -234,7 +255,10 @@ export class App {
     const diagram = this.sights.first?.diagram;
     if (!engine || !machine.run || !diagram || diagram.count === 0) return;
     const ask = (values: Float64Array) =>
-      engine.scales({ text: machine.text, name: machine.caseName }, diagram.parameter, values, { lane: 'scales', priority: 0 });
+      engine.scales({ text: machine.text, name: machine.caseName }, diagram.parameter, values, {
+        lane: 'scales',
+        priority: 0,
+      });
     const ends = await ask(Float64Array.from(diagram.span));
     if (!ends.ok || ends.value.every((scale) => scale === machine.run!.length_scale)) return;
     const all = await ask(diagram.values);
@@ -254,9 +278,15 @@ export class App {
 
   private storedText(diagram: Diagram): string {
     const table = this.machine.run!.tables[0]!;
-    const part = table.count < table.points ? `every ${Math.round(table.points / table.count)}th of ${table.points} points` : `${diagram.count} points`;
+    const part =
+      table.count < table.points
+        ? `every ${Math.round(table.points / table.count)}th of ${table.points} points`
+        : `${diagram.count} points`;
     const done = diagram.known < diagram.count ? `, ${diagram.known} of them computed` : '';
-    return `Stored run: ${part}${done}, ${table.transient} + ${table.record} revolutions by ${table.method} of ${table.steps_per_revolution} steps.`;
+    return (
+      `Stored run: ${part}${done}, ${table.transient} + ${table.record} revolutions by ${table.method} of ` +
+      `${table.steps_per_revolution} steps.`
+    );
   }
 
   private choose(name: string): void {
@@ -352,7 +382,10 @@ export class App {
     if (!side.outdated || !side.result || !side.resultOf) return '';
     const { factor, unit } = parameterMeasure(this.unit, units);
     const { value, assignments } = side.resultOf;
-    const parts = [...(parameter && Number.isFinite(value) ? [`${parameter} = ${shown(value * factor, 6)} ${unit}`.trim()] : []), ...assignmentTexts(assignments)];
+    const parts = [
+      ...(parameter && Number.isFinite(value) ? [`${parameter} = ${shown(value * factor, 6)} ${unit}`.trim()] : []),
+      ...assignmentTexts(assignments),
+    ];
     return `Below: the last setting that could be computed${parts.length ? `, ${parts.join('; ')}` : ''}.`;
   }
 
@@ -459,7 +492,15 @@ export class App {
   }
 
   private planOf([low, high]: Range): Plan {
-    return { setting: this.settingOf(this.side), parameter: this.address.parameter, low, high, points: this.card.points, batch: this.original?.batches[0], spectra: needsSpectra(this.address.quantity) };
+    return {
+      setting: this.settingOf(this.side),
+      parameter: this.address.parameter,
+      low,
+      high,
+      points: this.card.points,
+      batch: this.original?.batches[0],
+      spectra: needsSpectra(this.address.quantity),
+    };
   }
 
   /// Computes finer points in the view once it has come to rest.
@@ -467,7 +508,8 @@ export class App {
     clearTimeout(this.refineTimer);
     this.refineTimer = window.setTimeout(async () => {
       const { original, sights } = this;
-      if (original && sights.shown) this.report(await sights.refine(this.planOf(sights.shown.range), this.card.quality));
+      if (original && sights.shown)
+        this.report(await sights.refine(this.planOf(sights.shown.range), this.card.quality));
     }, 400);
   }
 
@@ -535,7 +577,11 @@ export class App {
     const { engine, original, side } = this;
     if (!engine || !original) return undefined;
     const edits = caseEdits(original, this.address, side.choice, this.sight.range, this.whole);
-    const setting = { text: this.machine.text, name: this.machine.caseName, assignments: assignmentTexts(side.choice.assignments) };
+    const setting = {
+      text: this.machine.text,
+      name: this.machine.caseName,
+      assignments: assignmentTexts(side.choice.assignments),
+    };
     const outcome = await engine.rewrite(setting, edits, { lane: 'rewrite', priority: 0 });
     if (outcome.ok) return outcome.value;
     if (outcome.why !== 'stale') this.settings.say(troubleOf(outcome));
@@ -556,7 +602,10 @@ export class App {
   private async copyCommand(): Promise<void> {
     const text = await this.rewritten();
     if (text === undefined) return;
-    this.said(await copyText(commandOf(text, fileName(shortName(this.machine), 'explored'))), 'The command is on the clipboard.');
+    this.said(
+      await copyText(commandOf(text, fileName(shortName(this.machine), 'explored'))),
+      'The command is on the clipboard.',
+    );
   }
 
   private async copyLink(): Promise<void> {
@@ -662,7 +711,9 @@ export class App {
       parameters: this.original?.parameters.map(({ name }) => name) ?? [this.address.parameter],
       depth: this.sights.behind,
       computes: this.engine !== undefined,
-      status: stale ? `${text} The parameters have been changed since: Recompute shows the diagram of the changed machine.` : text,
+      status: stale
+        ? `${text} The parameters have been changed since: Recompute shows the diagram of the changed machine.`
+        : text,
       stale,
       name: shortName(this.machine),
     });
@@ -673,7 +724,9 @@ export class App {
     const side = this.sides[name];
     const { result } = side;
     const how = result
-      ? `${side.preview ? 'A quick look: ' : ''}${result.record.transient} + ${result.record.record} revolutions by ${result.integrate.method} of ${result.integrate.stepsPerRevolution} steps, ${Math.round(result.seconds * 1000)} ms`
+      ? `${side.preview ? 'A quick look: ' : ''}${result.record.transient} + ${result.record.record} revolutions ` +
+        `by ${result.integrate.method} of ${result.integrate.stepsPerRevolution} steps, ` +
+        `${Math.round(result.seconds * 1000)} ms`
       : this.storedVerdict(side.choice.value);
     this.panes[name].show({
       result,
@@ -699,7 +752,10 @@ export class App {
     const point = diagram?.nearest(value) ?? -1;
     if (!diagram || point < 0) return '';
     const [verdict, reason] = diagram.verdicts[point]!;
-    return `Nearest stored point, ${this.address.parameter} = ${Number(diagram.values[point]!.toPrecision(6))}: ${verdict}; ${readable(reason)}.`;
+    return (
+      `Nearest stored point, ${this.address.parameter} = ${Number(diagram.values[point]!.toPrecision(6))}: ` +
+      `${verdict}; ${readable(reason)}.`
+    );
   }
 
   private showSettings(): void {
@@ -708,7 +764,9 @@ export class App {
     const current = side.info ?? original;
     const swept = this.address.parameter;
     const { value } = side.choice;
-    const parameters = current.parameters.map((parameter) => (parameter.name === swept && Number.isFinite(value) ? { ...parameter, value } : parameter));
+    const parameters = current.parameters.map((parameter) =>
+      parameter.name === swept && Number.isFinite(value) ? { ...parameter, value } : parameter,
+    );
     this.settings.show({
       original,
       current: { ...current, parameters },

@@ -20,9 +20,14 @@ export function el<K extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
-/// A button with a text and what it does. Its name is what is seen, so that who speaks to the page can say it; a sign alone
-/// has the label for its name.
-export function button(text: string, label: string, action: () => void, attributes: Attributes = {}): HTMLButtonElement {
+/// A button with a text and what it does. Its name is what is seen, so that who speaks to the page can say it; a sign
+/// alone has the label for its name.
+export function button(
+  text: string,
+  label: string,
+  action: () => void,
+  attributes: Attributes = {},
+): HTMLButtonElement {
   const spoken = /[a-z]/i.test(text) && !label.toLowerCase().includes(text.trim().toLowerCase());
   const made = el('button', { type: 'button', 'aria-label': !spoken && label, title: label, ...attributes }, text);
   made.addEventListener('click', action);
@@ -57,9 +62,18 @@ export class Segments {
   readonly root: HTMLElement;
   private readonly buttons: readonly HTMLButtonElement[];
 
-  constructor(label: string, choices: readonly (Choice & { readonly title?: string })[], value: string, chosen: (value: string) => void) {
+  constructor(
+    label: string,
+    choices: readonly (Choice & { readonly title?: string })[],
+    value: string,
+    chosen: (value: string) => void,
+  ) {
     this.buttons = choices.map((choice) => {
-      const made = el('button', { type: 'button', value: choice.value, title: choice.title ?? choice.text }, choice.text);
+      const made = el(
+        'button',
+        { type: 'button', value: choice.value, title: choice.title ?? choice.text },
+        choice.text,
+      );
       made.addEventListener('click', () => {
         this.value = choice.value;
         chosen(choice.value);

@@ -14,7 +14,11 @@ const TOO_OLD = 'This browser is too old for the compiled core: the page shows w
 
 /// For whoever sees a page that does not compute.
 function notStarted(why: string): string {
-  return `The compiled core does not start (${why}): this page shows what is stored and computes nothing. If a server sent it, the Content-Security-Policy in its answer must allow worker-src blob: and script-src 'wasm-unsafe-eval'; saved and opened from disk the page needs nothing.`;
+  return (
+    `The compiled core does not start (${why}): this page shows what is stored and computes nothing. If a server ` +
+    'sent it, the Content-Security-Policy in its answer must allow worker-src blob: and script-src ' +
+    `'wasm-unsafe-eval'; saved and opened from disk the page needs nothing.`
+  );
 }
 
 function textOf(id: string): string {
@@ -30,9 +34,13 @@ async function unpacked(bytes: Uint8Array<ArrayBuffer>): Promise<Uint8Array> {
 export async function wakeEngine(broken: (why: string) => void): Promise<Waking> {
   const [worker, core] = [textOf('whirl-worker'), textOf('whirl-core')];
   if (!worker || !core) return { engine: undefined, missing: NOT_BUILT };
-  if (typeof WebAssembly === 'undefined' || typeof DecompressionStream === 'undefined') return { engine: undefined, missing: TOO_OLD };
+  if (typeof WebAssembly === 'undefined' || typeof DecompressionStream === 'undefined')
+    return { engine: undefined, missing: TOO_OLD };
   try {
-    return { engine: startEngine({ worker, core: await unpacked(bytesOf(core)), broken: (why) => broken(notStarted(why)) }), missing: '' };
+    return {
+      engine: startEngine({ worker, core: await unpacked(bytesOf(core)), broken: (why) => broken(notStarted(why)) }),
+      missing: '',
+    };
   } catch (error) {
     return { engine: undefined, missing: notStarted(String(error)) };
   }

@@ -14,7 +14,13 @@ async function main(): Promise<void> {
     app?.lose(why);
   });
   if (runs.length === 0 && !engine) {
-    document.body.append(el('p', { class: 'empty' }, 'This page holds no run and nothing to compute one with: it is a template for `whirl report`.'));
+    document.body.append(
+      el(
+        'p',
+        { class: 'empty' },
+        'This page holds no run and nothing to compute one with: it is a template for `whirl report`.',
+      ),
+    );
     return;
   }
   app = new App(runs, engine, missing);
@@ -23,4 +29,6 @@ async function main(): Promise<void> {
   if (broken) app.lose(broken);
 }
 
-main().catch((error: unknown) => document.body.append(el('p', { class: 'empty', role: 'alert' }, `This page cannot start: ${String(error)}`)));
+main().catch((error: unknown) =>
+  document.body.append(el('p', { class: 'empty', role: 'alert' }, `This page cannot start: ${String(error)}`)),
+);

@@ -16,7 +16,11 @@ const themes = Object.fromEntries(
     return [name, { classes, paper: /paper: '(#[0-9a-f]{6})'/.exec(body)[1] }];
   }),
 );
-const names = [...read('../src/data/regimes.ts').match(/CLASS_NAMES = \[(.*?)\]/s)[1].matchAll(/'(.*?)'/g)].map(([, name]) => name);
+const names = [
+  ...read('../src/data/regimes.ts')
+    .match(/CLASS_NAMES = \[(.*?)\]/s)[1]
+    .matchAll(/'(.*?)'/g),
+].map(([, name]) => name);
 
 test('the distance is that of Sharma, Wu and Dalal', () => {
   // G. Sharma, W. Wu, E. N. Dalal, The CIEDE2000 Color-Difference Formula, Color Res. Appl. 30 (2005) 21, table 1.
@@ -27,7 +31,8 @@ test('the distance is that of Sharma, Wu and Dalal', () => {
     [[50, 2.5, 0], [56, -27, -3], 31.903],
     [[22.7233, 20.0904, -46.694], [23.0331, 14.973, -42.5619], 2.0373],
     [[2.0776, 0.0795, -1.135], [0.9033, -0.0636, -0.5514], 0.9082],
-  ]) assert.ok(Math.abs(distance(one, other) - published) < 5e-5, `${one} and ${other}: ${distance(one, other)}`);
+  ])
+    assert.ok(Math.abs(distance(one, other) - published) < 5e-5, `${one} and ${other}: ${distance(one, other)}`);
 });
 
 for (const [theme, { classes, paper }] of Object.entries(themes))
@@ -35,17 +40,29 @@ for (const [theme, { classes, paper }] of Object.entries(themes))
     test(`${theme}: regimes are told apart with ${vision}`, (context) => {
       assert.equal(classes.length, names.length);
       const all = [...classes, paper].map((colour, i) => ({ name: names[i] ?? 'paper', lab: labOf(colour, vision) }));
-      const pairs = all.flatMap((one, i) => all.slice(0, i).map((other) => ({ pair: `${other.name} and ${one.name}`, apart: distance(one.lab, other.lab) })));
+      const pairs = all.flatMap((one, i) =>
+        all
+          .slice(0, i)
+          .map((other) => ({ pair: `${other.name} and ${one.name}`, apart: distance(one.lab, other.lab) })),
+      );
       pairs.sort((a, b) => a.apart - b.apart);
       context.diagnostic(`nearest: ${pairs[0].pair}, ${pairs[0].apart.toFixed(1)}`);
-      assert.deepEqual(pairs.filter(({ apart }) => apart < APART), []);
+      assert.deepEqual(
+        pairs.filter(({ apart }) => apart < APART),
+        [],
+      );
     });
 
 test('every regime stands out from its paper', () => {
-  for (const { classes, paper } of Object.values(themes)) for (const colour of classes) assert.ok(contrast(colour, paper) >= 2.25, `${colour} on ${paper}: ${contrast(colour, paper)}`);
+  for (const { classes, paper } of Object.values(themes))
+    for (const colour of classes)
+      assert.ok(contrast(colour, paper) >= 2.25, `${colour} on ${paper}: ${contrast(colour, paper)}`);
 });
 
 test('reports have the colours and names of the light theme', () => {
   const report = [...read('../../src/report/regimes.c').matchAll(/\[CLASS_\w+\] = \{"(.*?)", "(#[0-9A-F]{6})"\}/g)];
-  assert.deepEqual(report.map(([, name, colour]) => [name, colour.toLowerCase()]), names.map((name, i) => [name, themes.LIGHT.classes[i]]));
+  assert.deepEqual(
+    report.map(([, name, colour]) => [name, colour.toLowerCase()]),
+    names.map((name, i) => [name, themes.LIGHT.classes[i]]),
+  );
 });

@@ -16,9 +16,13 @@ after(closeBrowser);
 /// What axe finds, one line for each thing.
 async function findings(page) {
   await page.evaluate(axe);
-  const { violations, passes } = await page.evaluate(() => window.axe.run(document, { resultTypes: ['violations', 'passes'] }));
+  const { violations, passes } = await page.evaluate(() =>
+    window.axe.run(document, { resultTypes: ['violations', 'passes'] }),
+  );
   assert.ok(passes.length > 10, 'axe has looked');
-  return violations.flatMap(({ id, nodes }) => nodes.map(({ target, failureSummary }) => `${id}: ${target.join(' ')}: ${failureSummary.replace(/\s+/g, ' ')}`));
+  return violations.flatMap(({ id, nodes }) =>
+    nodes.map(({ target, failureSummary }) => `${id}: ${target.join(' ')}: ${failureSummary.replace(/\s+/g, ' ')}`),
+  );
 }
 
 for (const colorScheme of ['light', 'dark']) {

@@ -7,7 +7,10 @@ import { build } from 'esbuild';
 import { CASE, closeBrowser, command, folder, makePage, open, saved, settled } from './browser.mjs';
 
 /// Longer and finer than a quick look.
-const LONG = CASE.replace('points: 61', 'points: 64').replace('steps_per_revolution: 256, transient: 300', 'steps_per_revolution: 512, transient: 600');
+const LONG = CASE.replace('points: 61', 'points: 64').replace(
+  'steps_per_revolution: 256, transient: 300',
+  'steps_per_revolution: 512, transient: 600',
+);
 
 let address;
 before(() => {
@@ -29,7 +32,10 @@ function pointsOf(file) {
 async function watchFrames(page) {
   await page.evaluate(() => {
     const canvas = document.querySelector('.map-main canvas');
-    const undetermined = parseInt(getComputedStyle(document.documentElement).getPropertyValue('--class-6').trim().slice(1), 16);
+    const undetermined = parseInt(
+      getComputedStyle(document.documentElement).getPropertyValue('--class-6').trim().slice(1),
+      16,
+    );
     const copy = document.createElement('canvas').getContext('2d', { willReadFrequently: true });
     const dots = () => {
       [copy.canvas.width, copy.canvas.height] = [canvas.width, canvas.height];
@@ -42,50 +48,103 @@ async function watchFrames(page) {
     window.frames = [];
     let began;
     const note = () => {
-      const counts = Object.fromEntries([...document.querySelectorAll('.legend-entry')].map((entry) => [entry.firstChild.textContent.trim(), Number(entry.querySelector('.count').textContent)]));
-      window.frames.push({ time: performance.now() - began, status: document.querySelector('.status').textContent, empty: document.querySelector('.map .empty').textContent, counts, dots: window.frames.some((frame) => frame.dots) || dots() });
+      const counts = Object.fromEntries(
+        [...document.querySelectorAll('.legend-entry')].map((entry) => [
+          entry.firstChild.textContent.trim(),
+          Number(entry.querySelector('.count').textContent),
+        ]),
+      );
+      window.frames.push({
+        time: performance.now() - began,
+        status: document.querySelector('.status').textContent,
+        empty: document.querySelector('.map .empty').textContent,
+        counts,
+        dots: window.frames.some((frame) => frame.dots) || dots(),
+      });
       requestAnimationFrame(note);
     };
-    document.querySelector('.map-card button.primary').addEventListener('click', () => {
-      began = performance.now();
-      note();
-    }, { once: true });
+    document.querySelector('.map-card button.primary').addEventListener(
+      'click',
+      () => {
+        began = performance.now();
+        note();
+      },
+      { once: true },
+    );
   });
 }
 
-test('Recompute paints a few points at once, then more, and gives no verdict before the length of the case', async (context) => {
+test('Recompute paints few points at once, then more; no verdict before the length of the case', async (context) => {
   const { page, complaints, close } = await open(address, { colorScheme: 'light' });
   await settled(page);
   await page.selectOption('select[aria-label="Points of a new diagram"]', '64');
   await watchFrames(page);
   await page.click('button:text-is("Recompute")');
-  await page.waitForFunction(() => document.querySelector('.map-card progress').hidden, undefined, { timeout: 120_000 });
-  const frames = (await page.evaluate(() => window.frames)).filter(({ status }) => /Computed here, quick: 64 points/.test(status));
-  assert.ok(frames.every(({ empty }) => empty === ''), 'never is a quantity said to be missing');
+  await page.waitForFunction(() => document.querySelector('.map-card progress').hidden, undefined, {
+    timeout: 120_000,
+  });
+  const frames = (await page.evaluate(() => window.frames)).filter(({ status }) =>
+    /Computed here, quick: 64 points/.test(status),
+  );
+  assert.ok(
+    frames.every(({ empty }) => empty === ''),
+    'never is a quantity said to be missing',
+  );
   const early = frames.filter(({ status }) => /first glimpse|undetermined until/.test(status));
   assert.ok(early.length > 0);
-  for (const { counts } of early) assert.deepEqual(Object.keys(counts).filter((name) => name !== 'undetermined'), []);
+  for (const { counts } of early)
+    assert.deepEqual(
+      Object.keys(counts).filter((name) => name !== 'undetermined'),
+      [],
+    );
   const first = frames.find(({ dots }) => dots);
-  context.diagnostic(`first points on the screen ${first.time.toFixed(0)} ms after the click, ${frames.indexOf(first)} frames`);
+  context.diagnostic(
+    `first points on the screen ${first.time.toFixed(0)} ms after the click, ${frames.indexOf(first)} frames`,
+  );
   assert.ok(first.counts.undetermined <= 32, `the first picture has ${first.counts.undetermined} points`);
   const total = Object.values(frames.at(-1).counts).reduce((sum, count) => sum + count, 0);
   assert.equal(total, 64);
   // What stands there in the end is what the command says.
-  const mine = (await saved(page, '.map-card', 'csv')).bytes.toString('utf8').trim().split('\r\n').slice(1).map((line) => line.split(',')[2]);
+  const mine = (await saved(page, '.map-card', 'csv')).bytes
+    .toString('utf8')
+    .trim()
+    .split('\r\n')
+    .slice(1)
+    .map((line) => line.split(',')[2]);
   const points = pointsOf('long.yaml');
-  assert.deepEqual(mine, points.map(({ verdict }) => verdict));
+  assert.deepEqual(
+    mine,
+    points.map(({ verdict }) => verdict),
+  );
   assert.deepEqual(complaints, []);
   await close();
 });
 
 test('points that follow one another end with the verdicts of the case, there and back', async () => {
-  const carried = makePage('carried', LONG.replace('points: 64, start: state', 'points: 64, start: carry, direction: both').replace('transient: 600', 'transient: 450'));
+  const carried = makePage(
+    'carried',
+    LONG.replace('points: 64, start: state', 'points: 64, start: carry, direction: both').replace(
+      'transient: 600',
+      'transient: 450',
+    ),
+  );
   const { page, complaints, close } = await open(carried);
   await settled(page);
   await page.selectOption('select[aria-label="Points of a new diagram"]', '64');
   await page.click('button:text-is("Recompute")');
-  await page.waitForFunction(() => /Computed here, quick: 128 points/.test(document.querySelector('.status').textContent) && document.querySelector('.map-card progress').hidden, undefined, { timeout: 120_000 });
-  const mine = (await saved(page, '.map-card', 'csv')).bytes.toString('utf8').trim().split('\r\n').slice(1).map((line) => line.split(','));
+  await page.waitForFunction(
+    () =>
+      /Computed here, quick: 128 points/.test(document.querySelector('.status').textContent) &&
+      document.querySelector('.map-card progress').hidden,
+    undefined,
+    { timeout: 120_000 },
+  );
+  const mine = (await saved(page, '.map-card', 'csv')).bytes
+    .toString('utf8')
+    .trim()
+    .split('\r\n')
+    .slice(1)
+    .map((line) => line.split(','));
   const points = pointsOf('carried.yaml');
   assert.equal(mine.length, points.length);
   const told = points.map(({ parameters, verdict }) => `${parameters.omega.toPrecision(6)} ${verdict}`).sort();
@@ -100,8 +159,14 @@ test('a draft has no verdicts, and says so', async () => {
   await page.selectOption('select[aria-label="Points of a new diagram"]', '64');
   await page.selectOption('select[aria-label="How well a new diagram is computed"]', 'draft');
   await page.click('button:text-is("Recompute")');
-  await page.waitForFunction(() => /64 undetermined: they have not run at full length/.test(document.querySelector('.status').textContent), undefined, { timeout: 60_000 });
-  assert.deepEqual(await page.$$eval('.legend-entry', (all) => all.map((entry) => entry.textContent.trim())), ['undetermined 64']);
+  await page.waitForFunction(
+    () => /64 undetermined: they have not run at full length/.test(document.querySelector('.status').textContent),
+    undefined,
+    { timeout: 60_000 },
+  );
+  assert.deepEqual(await page.$$eval('.legend-entry', (all) => all.map((entry) => entry.textContent.trim())), [
+    'undetermined 64',
+  ]);
   assert.deepEqual(complaints, []);
   await close();
 });
@@ -124,8 +189,15 @@ test('a dragged cursor gives no verdict before it rests', async () => {
 });
 
 test('the weakest evidence goes first', async () => {
-  const { outputFiles } = await build({ entryPoints: [new URL('../src/model/recompute.ts', import.meta.url).pathname], bundle: true, format: 'esm', write: false });
-  const { doubtfulFirst } = await import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].contents).toString('base64')}`);
+  const { outputFiles } = await build({
+    entryPoints: [new URL('../src/model/recompute.ts', import.meta.url).pathname],
+    bundle: true,
+    format: 'esm',
+    write: false,
+  });
+  const { doubtfulFirst } = await import(
+    `data:text/javascript;base64,${Buffer.from(outputFiles[0].contents).toString('base64')}`
+  );
   const agreement = [2, 0, 1, 1, 2, NaN];
   const exponent = [-0.1, -0.2, 0.3, 0.5, 0, NaN];
   const diagram = {

@@ -15,7 +15,11 @@ const complaints = [];
 before(async () => {
   if (!program) return;
   const address = makePage('fire', CASE);
-  const extraPrefsFirefox = { 'browser.download.folderList': 2, 'browser.download.dir': folder, 'browser.download.always_ask_before_handling_new_types': false };
+  const extraPrefsFirefox = {
+    'browser.download.folderList': 2,
+    'browser.download.dir': folder,
+    'browser.download.always_ask_before_handling_new_types': false,
+  };
   browser = await puppeteer.launch({ browser: 'firefox', executablePath: program, headless: true, extraPrefsFirefox });
   page = await browser.newPage();
   await page.setViewport({ width: 1280, height: 800 });
@@ -30,12 +34,23 @@ const textOf = (selector) => page.$eval(selector, (element) => element.textConte
 
 /// The verdict once a whole computation is there for a value.
 async function settled(low, high) {
-  await wait((from, to) => {
-    const pane = document.querySelector('.pane-a');
-    const how = pane?.querySelector('.how').textContent;
-    const value = Number(document.querySelector('#value-a')?.value);
-    return pane && !pane.classList.contains('busy') && /revolutions by/.test(how) && !/quick look/.test(how) && value >= from && value <= to;
-  }, low, high);
+  await wait(
+    (from, to) => {
+      const pane = document.querySelector('.pane-a');
+      const how = pane?.querySelector('.how').textContent;
+      const value = Number(document.querySelector('#value-a')?.value);
+      return (
+        pane &&
+        !pane.classList.contains('busy') &&
+        /revolutions by/.test(how) &&
+        !/quick look/.test(how) &&
+        value >= from &&
+        value <= to
+      );
+    },
+    low,
+    high,
+  );
   return textOf('.pane-a .verdict');
 }
 
@@ -45,7 +60,8 @@ test('Firefox opens the page from disk and computes', options, async () => {
   const colours = await page.$eval('.map-main canvas', (canvas) => {
     const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
     const seen = new Set();
-    for (let i = 0; i < data.length; i += 4) if (data[i + 3] > 200) seen.add((data[i] << 16) | (data[i + 1] << 8) | data[i + 2]);
+    for (let i = 0; i < data.length; i += 4)
+      if (data[i + 3] > 200) seen.add((data[i] << 16) | (data[i + 1] << 8) | data[i + 2]);
     return seen.size;
   });
   assert.ok(colours > 3, 'the diagram is drawn');
@@ -66,7 +82,10 @@ test('Firefox follows a drag, and takes it back', options, async () => {
   const verdict = await settled(3.6, 3.8);
   await wait(() => Number(new URLSearchParams(location.hash.slice(1)).get('at')) > 3.6);
   const at = await page.evaluate(() => new URLSearchParams(location.hash.slice(1)).get('at'));
-  writeFileSync(join(folder, 'dragged.yaml'), CASE.replace(/from: 1.0, to: 4.0, points: 61/, `from: ${at}, to: 4.0, points: 2`).replace(/\n  detail:.*\n/, '\n'));
+  writeFileSync(
+    join(folder, 'dragged.yaml'),
+    CASE.replace(/from: 1.0, to: 4.0, points: 61/, `from: ${at}, to: 4.0, points: 2`).replace(/\n  detail:.*\n/, '\n'),
+  );
   assert.equal(verdict, JSON.parse(command('run', 'dragged.yaml', '--json', '-q')).points[0].verdict);
   await page.keyboard.down('Control');
   await page.keyboard.press('z');
@@ -81,7 +100,8 @@ test('Firefox recomputes the diagram and saves it', options, async () => {
   await page.click('.map-card .menu summary');
   await page.click('.map-card [data-save="csv"]');
   const path = join(folder, 'whirl-fire-x-omega.csv');
-  for (let i = 0; i < 100 && !(existsSync(path) && readFileSync(path).length > 0); i++) await new Promise((done) => setTimeout(done, 100));
+  for (let i = 0; i < 100 && !(existsSync(path) && readFileSync(path).length > 0); i++)
+    await new Promise((done) => setTimeout(done, 100));
   const lines = readFileSync(path, 'utf8').trim().split('\r\n');
   assert.equal(lines.length, 65);
   assert.ok(lines.every((line) => line.split(',').length === lines[0].split(',').length));

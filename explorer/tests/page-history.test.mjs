@@ -10,14 +10,18 @@ before(() => {
 after(closeBrowser);
 
 const hashHas = (page, text) => page.waitForFunction((part) => decodeURIComponent(location.hash).includes(part), text);
-const hashLacks = (page, text) => page.waitForFunction((part) => !decodeURIComponent(location.hash).includes(part), text);
+const hashLacks = (page, text) =>
+  page.waitForFunction((part) => !decodeURIComponent(location.hash).includes(part), text);
 const set = async (page, name, value) => {
   await page.fill(`#parameter-${name}`, String(value));
   await page.press(`#parameter-${name}`, 'Enter');
   await hashHas(page, `${name}=${value}`);
 };
 const field = async (page, id, value) => {
-  await page.waitForFunction(([name, wanted]) => Math.abs(Number(document.getElementById(name).value) - wanted) < 1e-6, [id, value]);
+  await page.waitForFunction(
+    ([name, wanted]) => Math.abs(Number(document.getElementById(name).value) - wanted) < 1e-6,
+    [id, value],
+  );
 };
 
 test('Ctrl+Z takes back, Ctrl+Shift+Z and Ctrl+Y do again', async () => {
@@ -76,8 +80,15 @@ test('a drag is one step, and Back and Forward of the browser go by steps', asyn
   const dragged = await page.inputValue('#value-a');
   for (let i = 0; i < 5; i++) await page.keyboard.press('ArrowRight'); // the diagram has the focus
   const moved = Number(dragged) + (5 * 3) / 200; // five steps of a two hundredth of the range
-  await page.waitForFunction((value) => Math.abs(Number(new URLSearchParams(location.hash.slice(1)).get('at')) - value) < 1e-3, moved);
-  assert.equal(await page.evaluate(() => history.length), began + 2, 'a drag and five strokes of a key are two entries');
+  await page.waitForFunction(
+    (value) => Math.abs(Number(new URLSearchParams(location.hash.slice(1)).get('at')) - value) < 1e-3,
+    moved,
+  );
+  assert.equal(
+    await page.evaluate(() => history.length),
+    began + 2,
+    'a drag and five strokes of a key are two entries',
+  );
   await page.goBack();
   await field(page, 'value-a', Number(dragged));
   await page.goBack();
@@ -100,7 +111,9 @@ test('the way back knows diagrams, comparisons and parameters of the diagram', a
   await page.mouse.down();
   await page.mouse.move(box.x + box.width * 0.8, box.y + 60, { steps: 5 });
   await page.mouse.up();
-  await page.waitForFunction(() => /Computed here, draft: 64 points/.test(document.querySelector('.status').textContent));
+  await page.waitForFunction(() =>
+    /Computed here, draft: 64 points/.test(document.querySelector('.status').textContent),
+  );
   await hashHas(page, 'range=');
   await page.click('button[title="Compare two settings side by side"]');
   await settled(page, 'b');

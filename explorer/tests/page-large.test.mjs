@@ -1,5 +1,5 @@
-// Large diagrams: how long they take to appear and to be redrawn. The times are printed; what is asserted leaves room for a
-// machine that does other things.
+// Large diagrams: how long they take to appear and to be redrawn. The times are printed; what is asserted leaves room
+// for a machine that does other things.
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -22,41 +22,84 @@ function largePage(points, rows) {
       if (i >= 0) section[point * rows + i] = section[(points + point) * rows + i] = x;
     }
   });
-  const scalar = (name, of) => ({ name, unit: '1', meaning: '', repeat: 1, rows: 1, columns: 1, data: base64(Float32Array.from(values, of)) });
+  const scalar = (name, of) => ({
+    name,
+    unit: '1',
+    meaning: '',
+    repeat: 1,
+    rows: 1,
+    columns: 1,
+    data: base64(Float32Array.from(values, of)),
+  });
   const run = {
-    name: 'large', title: 'Large', case_name: 'large.yaml', case_text: '', speed: 1, length_scale: 1, force_scale: 1,
+    name: 'large',
+    title: 'Large',
+    case_name: 'large.yaml',
+    case_text: '',
+    speed: 1,
+    length_scale: 1,
+    force_scale: 1,
     parameters: [{ name: 'a', unit: '1', text: '', value: 3 }],
-    stations: [{ name: 'disc', clearance: 0, gap: 0 }], contacts: [], facts: [],
-    tables: [{
-      name: 'sweep', parameter: 'a', points, count: points, method: 'map', steps_per_revolution: 1, transient: 500, record: rows,
-      values: base64(values), branch: Array(points).fill(0), done: Array(points).fill(1),
-      fields: [
-        { name: 'poincare/section', unit: 'length', meaning: '', repeat: 1, rows, columns: 2, data: base64(section) },
-        scalar('regime/code', (a) => (a < 3.57 ? 1 : 3)), scalar('regime/period', (a) => (a < 3 ? 1 : a < 3.449 ? 2 : 4)), scalar('lyapunov/largest', (a) => a - 3.57),
-      ],
-    }],
+    stations: [{ name: 'disc', clearance: 0, gap: 0 }],
+    contacts: [],
+    facts: [],
+    tables: [
+      {
+        name: 'sweep',
+        parameter: 'a',
+        points,
+        count: points,
+        method: 'map',
+        steps_per_revolution: 1,
+        transient: 500,
+        record: rows,
+        values: base64(values),
+        branch: Array(points).fill(0),
+        done: Array(points).fill(1),
+        fields: [
+          { name: 'poincare/section', unit: 'length', meaning: '', repeat: 1, rows, columns: 2, data: base64(section) },
+          scalar('regime/code', (a) => (a < 3.57 ? 1 : 3)),
+          scalar('regime/period', (a) => (a < 3 ? 1 : a < 3.449 ? 2 : 4)),
+          scalar('lyapunov/largest', (a) => a - 3.57),
+        ],
+      },
+    ],
   };
   const path = join(folder, `large-${points}.html`);
   // Without the engine's parts: what is measured is the drawing.
-  const page = readFileSync(template, 'utf8').replace(/(id="whirl-(worker|core)">)[^<]*/g, '$1').replace('@WHIRL-RUNS@', () => JSON.stringify([run]));
+  const page = readFileSync(template, 'utf8')
+    .replace(/(id="whirl-(worker|core)">)[^<]*/g, '$1')
+    .replace('@WHIRL-RUNS@', () => JSON.stringify([run]));
   writeFileSync(path, page);
   return pathToFileURL(path).href;
 }
 
-for (const [points, rows, most] of [[512, 100, 10_000], [4096, 200, 30_000]])
+for (const [points, rows, most] of [
+  [512, 100, 10_000],
+  [4096, 200, 30_000],
+])
   test(`${points} x ${rows} points appear, and zoom`, async (context) => {
     const address = largePage(points, rows);
     await (await open('about:blank')).close(); // the browser itself is there
     const began = Date.now();
     const { page, complaints, close } = await open(address);
-    await page.waitForFunction(() => {
-      const canvas = document.querySelector('.map-main canvas');
-      if (!canvas) return false;
-      const { data } = canvas.getContext('2d').getImageData(canvas.width >> 1, 0, 40, canvas.height);
-      let coloured = 0;
-      for (let i = 0; i < data.length; i += 4) if (data[i + 3] > 100 && Math.max(data[i], data[i + 1], data[i + 2]) - Math.min(data[i], data[i + 1], data[i + 2]) > 60) coloured++;
-      return coloured > 20;
-    }, undefined, { timeout: most });
+    await page.waitForFunction(
+      () => {
+        const canvas = document.querySelector('.map-main canvas');
+        if (!canvas) return false;
+        const { data } = canvas.getContext('2d').getImageData(canvas.width >> 1, 0, 40, canvas.height);
+        let coloured = 0;
+        for (let i = 0; i < data.length; i += 4)
+          if (
+            data[i + 3] > 100 &&
+            Math.max(data[i], data[i + 1], data[i + 2]) - Math.min(data[i], data[i + 1], data[i + 2]) > 60
+          )
+            coloured++;
+        return coloured > 20;
+      },
+      undefined,
+      { timeout: most },
+    );
     const first = Date.now() - began;
     await page.focus('.map-main .overlay');
     const frame = await page.evaluate(async () => {
@@ -65,7 +108,15 @@ for (const [points, rows, most] of [[512, 100, 10_000], [4096, 200, 30_000]])
       const next = () => new Promise((done) => requestAnimationFrame(done));
       const times = [];
       for (let i = 0; i < 20; i++) {
-        overlay.dispatchEvent(new WheelEvent('wheel', { deltaY: -30, clientX: box.left + box.width * 0.7, clientY: box.top + 50, bubbles: true, cancelable: true }));
+        overlay.dispatchEvent(
+          new WheelEvent('wheel', {
+            deltaY: -30,
+            clientX: box.left + box.width * 0.7,
+            clientY: box.top + 50,
+            bubbles: true,
+            cancelable: true,
+          }),
+        );
         const start = performance.now();
         await next();
         await next();
@@ -73,7 +124,9 @@ for (const [points, rows, most] of [[512, 100, 10_000], [4096, 200, 30_000]])
       }
       return times.sort((a, b) => a - b)[10];
     });
-    context.diagnostic(`${points} x ${rows}: first picture ${first} ms, a frame of zooming ${frame.toFixed(1)} ms (median)`);
+    context.diagnostic(
+      `${points} x ${rows}: first picture ${first} ms, a frame of zooming ${frame.toFixed(1)} ms (median)`,
+    );
     assert.ok(frame < 500);
     assert.deepEqual(complaints, []);
     await close();

@@ -41,7 +41,8 @@ before(() => {
 });
 after(closeBrowser);
 
-const troubled = (page, where = '.pane-a') => page.waitForSelector(`${where} .trouble:not(:empty)`).then((found) => found.textContent());
+const troubled = (page, where = '.pane-a') =>
+  page.waitForSelector(`${where} .trouble:not(:empty)`).then((found) => found.textContent());
 const csv = async (page, panel) => (await saved(page, panel, 'csv')).bytes.toString('utf8');
 async function type(page, field, text) {
   await page.fill(field, text);
@@ -70,7 +71,11 @@ test('a stored diagram keeps its own length scale, on screen and in the file', a
   await page.waitForFunction(() => document.querySelector('.map-card progress').hidden, undefined, { timeout: 60_000 });
   const changed = await csv(page, '.map-card');
   const cursor = Number(await page.inputValue('#value-a'));
-  const lines = changed.trim().split('\r\n').slice(1).map((line) => line.split(',').map(Number));
+  const lines = changed
+    .trim()
+    .split('\r\n')
+    .slice(1)
+    .map((line) => line.split(',').map(Number));
   const near = lines.reduce((best, line) => (Math.abs(line[0] - cursor) < Math.abs(best[0] - cursor) ? line : best));
   const orbit = Number(/([\d.]+) \u00b5m 0-p/.exec(await page.textContent('.panel-orbit .panel-note'))[1]);
   assert.ok(Math.abs(near[6] - orbit) < 0.05 * orbit, `${near[6]} of the diagram, ${orbit} of the orbit`);
@@ -81,23 +86,48 @@ test('a stored diagram keeps its own length scale, on screen and in the file', a
 test('along the clearance every point has its own micrometres', async () => {
   const { page, complaints, close } = await open(`${bearing}#q=radius&par=c&range=0.0002,0.0004`);
   await settled(page);
-  await page.waitForFunction(() => document.querySelector('.map-card progress').hidden && document.querySelector('.legend-entry'), undefined, { timeout: 60_000 });
-  const wide = (await csv(page, '.map-card')).trim().split('\r\n').slice(1).map((line) => line.split(',').map(Number));
+  await page.waitForFunction(
+    () => document.querySelector('.map-card progress').hidden && document.querySelector('.legend-entry'),
+    undefined,
+    { timeout: 60_000 },
+  );
+  const wide = (await csv(page, '.map-card'))
+    .trim()
+    .split('\r\n')
+    .slice(1)
+    .map((line) => line.split(',').map(Number));
   await page.click('.topbar button[value="scale"]');
   await page.waitForFunction(() => /c 0-p/.test(document.querySelector('.panel-orbit .panel-note').textContent));
-  const own = (await csv(page, '.map-card')).trim().split('\r\n').slice(1).map((line) => line.split(',').map(Number));
+  const own = (await csv(page, '.map-card'))
+    .trim()
+    .split('\r\n')
+    .slice(1)
+    .map((line) => line.split(',').map(Number));
   assert.ok(wide.length > 60);
-  wide.forEach(([c, , , , , , radius], i) => assert.ok(Math.abs(radius - own[i][6] * c * 1e6) < 1e-5 * radius, `at c = ${c}`));
+  wide.forEach(([c, , , , , , radius], i) =>
+    assert.ok(Math.abs(radius - own[i][6] * c * 1e6) < 1e-5 * radius, `at c = ${c}`),
+  );
   assert.deepEqual(complaints, []);
   await close();
 });
 
 test('a stored run along the clearance has the micrometres of each of its machines', async () => {
-  const along = makePage('along', BEARING.replace(/sweep:.*/, 'sweep: {parameter: c, from: 0.2 mm, to: 0.4 mm, points: 5, start: state}').replace(/  detail:.*\n/, ''));
+  const along = makePage(
+    'along',
+    BEARING.replace(/sweep:.*/, 'sweep: {parameter: c, from: 0.2 mm, to: 0.4 mm, points: 5, start: state}').replace(
+      /  detail:.*\n/,
+      '',
+    ),
+  );
   const { page, complaints, close } = await open(`${along}#q=radius&units=um,rpm,order,0-p`);
   await settled(page);
   const { points } = JSON.parse(command('run', 'along.yaml', '--json', '-q'));
-  const read = async () => (await csv(page, '.map-card')).trim().split('\r\n').slice(1).map((line) => line.split(',').map(Number));
+  const read = async () =>
+    (await csv(page, '.map-card'))
+      .trim()
+      .split('\r\n')
+      .slice(1)
+      .map((line) => line.split(',').map(Number));
   let lines = await read();
   // The scales come from the engine, a moment after the page is there.
   for (let i = 0; i < 50 && lines[4][6] < 1.5 * points[4].stations.journal.max_radius * 200; i++) lines = await read();
@@ -119,7 +149,11 @@ test('every machine has the units that suit it', async () => {
   const unit = () => page.textContent('.panel-orbit .panel-note');
   assert.match(await unit(), / c p-p/, 'the scale of a dimensionless case says nothing in micrometres');
   await page.selectOption('select[aria-label="Machine"]', 'paper');
-  await page.waitForFunction(() => /\u00b5m p-p/.test(document.querySelector('.panel-orbit .panel-note').textContent), undefined, { timeout: 60_000 });
+  await page.waitForFunction(
+    () => /\u00b5m p-p/.test(document.querySelector('.panel-orbit .panel-note').textContent),
+    undefined,
+    { timeout: 60_000 },
+  );
   assert.equal(await page.getAttribute('.topbar button[value="rpm"]', 'aria-pressed'), 'true');
   assert.deepEqual(complaints, []);
   await close();
@@ -135,7 +169,10 @@ test('over another parameter no value of the first one stays in the case', async
   writeFileSync(join(folder, 'over-omega.yaml'), text);
   command('check', 'over-omega.yaml');
   const result = JSON.parse(command('run', 'over-omega.yaml', '--json', '-q'));
-  assert.deepEqual(result.detail.map(({ parameters }) => parameters.omega), [650]);
+  assert.deepEqual(
+    result.detail.map(({ parameters }) => parameters.omega),
+    [650],
+  );
   await page.evaluate(() => (navigator.clipboard.writeText = async (copied) => void (window.copied = copied)));
   await page.click('button:text-is("Copy command")');
   await page.waitForFunction(() => window.copied);
@@ -161,7 +198,10 @@ test('an error speaks the unit that was typed, and what is left of the last good
   assert.match(await troubled(page), /rotor\.speed: = omega is -100 rpm, expected a number above 0 rpm/);
   assert.doesNotMatch(await troubled(page), /rad\/s/);
   assert.equal(await page.textContent('.pane-a .verdict'), verdict);
-  assert.match(await page.textContent('.outdated-note'), /last setting that could be computed, omega = 6207\.\d+ rpm\.$/);
+  assert.match(
+    await page.textContent('.outdated-note'),
+    /last setting that could be computed, omega = 6207\.\d+ rpm\.$/,
+  );
   const opacity = () => page.$eval('.pane-a .panels .figure', (panels) => Number(getComputedStyle(panels).opacity));
   assert.ok((await opacity()) < 0.6);
   assert.match((await saved(page, '.panel-orbit', 'csv')).name, /omega-6207/, 'a file is named after what is in it');
@@ -187,7 +227,10 @@ test('a comma is refused with a sentence, and nothing is guessed', async () => {
   await page.fill('#parameter-kappa', '');
   await page.keyboard.type('5,5');
   await page.keyboard.press('Enter');
-  assert.match(await troubled(page, '.settings-card'), /^kappa: 5,5 has a comma: write 5\.5 with a decimal point, or 55 without the comma$/);
+  assert.match(
+    await troubled(page, '.settings-card'),
+    /^kappa: 5,5 has a comma: write 5\.5 with a decimal point, or 55 without the comma$/,
+  );
   assert.equal(await page.inputValue('#parameter-kappa'), '5,5');
   assert.equal(await page.getAttribute('#parameter-kappa', 'aria-invalid'), 'true');
   assert.doesNotMatch(page.url(), /kappa/);
@@ -204,7 +247,10 @@ test('a comma is refused with a sentence, and nothing is guessed', async () => {
   assert.equal(await page.textContent('.pane-a .reason'), before);
   await page.click('.computation summary');
   const steps = page.getByLabel('Steps a revolution');
-  for (const [text, sentence] of [['1,024', /1,024 has a comma/], ['12.5', /12\.5 is not a whole number from 8 to 65536/]]) {
+  for (const [text, sentence] of [
+    ['1,024', /1,024 has a comma/],
+    ['12.5', /12\.5 is not a whole number from 8 to 65536/],
+  ]) {
     await steps.fill(text);
     await steps.press('Enter');
     assert.match(await troubled(page, '.settings-card'), sentence);
@@ -217,7 +263,9 @@ test('a comma is refused with a sentence, and nothing is guessed', async () => {
 /// Serves a page with a policy of the server's own.
 async function served(address, policy) {
   const page = readFileSync(fileURLToPath(address));
-  const server = createServer((_, answer) => answer.writeHead(200, { 'content-type': 'text/html; charset=utf-8', 'content-security-policy': policy }).end(page));
+  const server = createServer((_, answer) =>
+    answer.writeHead(200, { 'content-type': 'text/html; charset=utf-8', 'content-security-policy': policy }).end(page),
+  );
   await new Promise((done) => server.listen(0, '127.0.0.1', done));
   return { at: `http://127.0.0.1:${server.address().port}/`, end: () => server.close() };
 }
@@ -227,7 +275,11 @@ test('a page whose workers or core are forbidden shows what is stored, and says 
     const { at, end } = await served(rub, policy);
     const { page, close } = await open(at);
     await page.waitForSelector('.banner:not(:empty)');
-    assert.match(await page.textContent('.banner'), /The compiled core does not start \(.+\): this page shows what is stored.*worker-src blob:/s, policy);
+    assert.match(
+      await page.textContent('.banner'),
+      /The compiled core does not start \(.+\): this page shows what is stored.*worker-src blob:/s,
+      policy,
+    );
     assert.match(await page.textContent('.status'), /Stored run: 61 points/);
     assert.ok(await page.isHidden('button:text-is("Recompute")'));
     assert.match(await page.textContent('.pane-a .how'), /Nearest stored point, omega = /);
@@ -258,7 +310,10 @@ test('a page whose program is forbidden says so', async () => {
     const { at, end } = await served(rub, policy);
     const { page, close } = await open(at);
     await page.waitForSelector('#whirl-silent', { state: 'visible', timeout: 10_000 });
-    assert.match(await page.textContent('#whirl-silent'), /program of this page does not run.*Content-Security-Policy/s);
+    assert.match(
+      await page.textContent('#whirl-silent'),
+      /program of this page does not run.*Content-Security-Policy/s,
+    );
     await close();
     end();
   }

@@ -12,8 +12,17 @@ before(() => {
 after(closeBrowser);
 
 const status = (page) => page.textContent('.map-card .status');
-const view = (page) => page.$eval('.map-main .overlay', (slider) => [Number(slider.getAttribute('aria-valuemin')), Number(slider.getAttribute('aria-valuemax'))]);
-const done = (page) => page.waitForFunction(() => /\d+ finer points were computed here\./.test(document.querySelector('.map-card .status').textContent), undefined, { timeout: 120_000 });
+const view = (page) =>
+  page.$eval('.map-main .overlay', (slider) => [
+    Number(slider.getAttribute('aria-valuemin')),
+    Number(slider.getAttribute('aria-valuemax')),
+  ]);
+const done = (page) =>
+  page.waitForFunction(
+    () => /\d+ finer points were computed here\./.test(document.querySelector('.map-card .status').textContent),
+    undefined,
+    { timeout: 120_000 },
+  );
 const finer = async (page) => Number(/(\d+) finer points/.exec(await status(page))?.[1] ?? 0);
 
 async function openSmall(hash) {
@@ -29,17 +38,25 @@ async function zoomIn(page) {
   for (let i = 0; i < 3; i++) {
     const [low, high] = await view(page);
     await page.keyboard.press('+');
-    await page.waitForFunction((span) => {
-      const slider = document.querySelector('.map-main .overlay');
-      return slider.getAttribute('aria-valuemax') - slider.getAttribute('aria-valuemin') < span;
-    }, 0.75 * (high - low));
+    await page.waitForFunction(
+      (span) => {
+        const slider = document.querySelector('.map-main .overlay');
+        return slider.getAttribute('aria-valuemax') - slider.getAttribute('aria-valuemin') < span;
+      },
+      0.75 * (high - low),
+    );
   }
 }
 
 /// [parameter, verdict] of every point of the diagram.
 async function points(page) {
   const text = (await saved(page, '.map-card', 'csv')).bytes.toString('utf8');
-  return text.trim().split('\r\n').slice(1).map((line) => line.split(',')).map((cells) => [Number(cells[0]), cells[2]]);
+  return text
+    .trim()
+    .split('\r\n')
+    .slice(1)
+    .map((line) => line.split(','))
+    .map((cells) => [Number(cells[0]), cells[2]]);
 }
 
 test('a zoom fills its range with finer points, which stay', async () => {
@@ -55,16 +72,28 @@ test('a zoom fills its range with finer points, which stay', async () => {
   // Each has the verdict of the command at its value.
   const some = inside.filter((_, i) => i % 15 === 7);
   for (const [value, verdict] of some) {
-    writeFileSync(join(folder, 'fine.yaml'), CASE.replace(/from: 1.0, to: 4.0, points: 61/, `from: ${value}, to: 4.0, points: 2`).replace(/\n  detail:.*\n/, '\n'));
+    writeFileSync(
+      join(folder, 'fine.yaml'),
+      CASE.replace(/from: 1.0, to: 4.0, points: 61/, `from: ${value}, to: 4.0, points: 2`).replace(
+        /\n  detail:.*\n/,
+        '\n',
+      ),
+    );
     assert.equal(verdict, JSON.parse(command('run', 'fine.yaml', '--json', '-q')).points[0].verdict, `at ${value}`);
   }
   // Back: they stay; again: nothing is computed twice.
   const count = await finer(page);
   await page.keyboard.press('Control+z');
-  await page.waitForFunction((before) => Number(document.querySelector('.map-main .overlay').getAttribute('aria-valuemax')) > before, high + 0.1);
+  await page.waitForFunction(
+    (before) => Number(document.querySelector('.map-main .overlay').getAttribute('aria-valuemax')) > before,
+    high + 0.1,
+  );
   assert.equal(await finer(page), count);
   await page.keyboard.press('Control+Shift+z');
-  await page.waitForFunction((before) => Number(document.querySelector('.map-main .overlay').getAttribute('aria-valuemax')) < before, high + 0.05);
+  await page.waitForFunction(
+    (before) => Number(document.querySelector('.map-main .overlay').getAttribute('aria-valuemax')) < before,
+    high + 0.05,
+  );
   await page.waitForTimeout(800);
   assert.equal(await finer(page), count);
   assert.ok(await page.$eval('.map-card progress', (bar) => bar.hidden));
@@ -78,19 +107,32 @@ test('coarse to fine, and another zoom overtakes', async () => {
   await page.focus('.map-main .overlay');
   await zoomIn(page);
   const [low, high] = await view(page);
-  await page.waitForFunction(() => /[1-9]\d* finer points were computed here, /.test(document.querySelector('.map-card .status').textContent));
+  await page.waitForFunction(() =>
+    /[1-9]\d* finer points were computed here, /.test(document.querySelector('.map-card .status').textContent),
+  );
   assert.ok(!(await page.isDisabled('button:text-is("Recompute")')), 'Recompute does not wait for it');
   const first = (await points(page)).map(([value]) => value);
   for (let part = 0; part < 4; part++) {
     const [from, to] = [low + ((high - low) * part) / 4, low + ((high - low) * (part + 1)) / 4];
-    assert.ok(first.some((value) => value >= from && value <= to), `a first point in quarter ${part + 1}`);
+    assert.ok(
+      first.some((value) => value >= from && value <= to),
+      `a first point in quarter ${part + 1}`,
+    );
   }
   await page.selectOption('select[aria-label="Points of a new diagram"]', '64');
   await page.focus('.map-main .overlay');
   await page.keyboard.press('End');
   await zoomIn(page);
   // Points of the first zoom that had a first look stay undetermined.
-  await page.waitForFunction(() => document.querySelector('.map-card progress').hidden && /finer points were computed here(\.|, \d+ undetermined: they)/.test(document.querySelector('.map-card .status').textContent), undefined, { timeout: 120_000 });
+  await page.waitForFunction(
+    () =>
+      document.querySelector('.map-card progress').hidden &&
+      /finer points were computed here(\.|, \d+ undetermined: they)/.test(
+        document.querySelector('.map-card .status').textContent,
+      ),
+    undefined,
+    { timeout: 120_000 },
+  );
   assert.ok((await finer(page)) < 1100, 'the first zoom did not run to its end');
   assert.deepEqual(complaints, []);
   await close();

@@ -17,7 +17,8 @@ const coloursIn = (page, selector) =>
   page.$eval(`${selector} canvas`, (canvas) => {
     const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
     const seen = new Set();
-    for (let i = 0; i < data.length; i += 4) if (data[i + 3] > 200) seen.add((data[i] << 16) | (data[i + 1] << 8) | data[i + 2]);
+    for (let i = 0; i < data.length; i += 4)
+      if (data[i + 3] > 200) seen.add((data[i] << 16) | (data[i + 1] << 8) | data[i + 2]);
     return seen.size;
   });
 
@@ -49,7 +50,10 @@ test('a click gives the motion at exactly that value, with the verdict of whirl 
       return Math.abs(Number(at) - near) < 1e-4 && at;
     }, shown)
     .then((handle) => handle.jsonValue());
-  const text = CASE.replace(/from: 1.0, to: 4.0, points: 61/, `from: ${exact}, to: 4.0, points: 2`).replace(/\n  detail:.*\n/, '\n');
+  const text = CASE.replace(/from: 1.0, to: 4.0, points: 61/, `from: ${exact}, to: 4.0, points: 2`).replace(
+    /\n  detail:.*\n/,
+    '\n',
+  );
   writeFileSync(join(folder, 'one.yaml'), text);
   const [point] = JSON.parse(command('run', 'one.yaml', '--json', '-q')).points;
   assert.equal(verdict, point.verdict);
@@ -81,7 +85,10 @@ test('the address holds the setting', async () => {
 });
 
 test('an address with nonsense does no harm', async () => {
-  const { page, complaints, close } = await open(`${address}#run=%3Cscript%3E&at=NaN&set=mu&set=%3D3&set=nobody%3D1&q=%22&range=4,1&units=a,b&method=%3Cb%3E&steps=-1&b=x`);
+  const { page, complaints, close } = await open(
+    `${address}#run=%3Cscript%3E&at=NaN&set=mu&set=%3D3&set=nobody%3D1&q=%22&range=4,1&units=a,b` +
+      '&method=%3Cb%3E&steps=-1&b=x',
+  );
   await page.waitForSelector('.trouble:not(:empty)');
   assert.match(await page.textContent('.pane-a .trouble'), /nobody/);
   assert.deepEqual(complaints, []);
@@ -99,7 +106,9 @@ test('keys move the cursor, zoom and give help', async () => {
   await page.waitForFunction(() => Number(document.querySelector('#value-a').value) === 1);
   assert.equal(Number(await page.getAttribute('.map-main .overlay', 'aria-valuenow')), 1);
   await page.keyboard.press('+');
-  await page.waitForFunction(() => Number(document.querySelector('.map-main .overlay').getAttribute('aria-valuemax')) < 3.9);
+  await page.waitForFunction(
+    () => Number(document.querySelector('.map-main .overlay').getAttribute('aria-valuemax')) < 3.9,
+  );
   await page.keyboard.press('?');
   assert.ok(await page.isVisible('dialog.help'));
   await page.keyboard.press('Escape');
@@ -111,19 +120,33 @@ test('keys move the cursor, zoom and give help', async () => {
 test('pictures and data can be saved', async () => {
   const { page, complaints, close } = await open(`${address}#at=3.8`);
   await settled(page);
-  for (const panel of ['.map-card', '.panel-orbit', '.panel-poincare', '.panel-waveform', '.panel-spectrum', '.panel-full-spectrum', '.panel-centreline']) {
+  for (const panel of [
+    '.map-card',
+    '.panel-orbit',
+    '.panel-poincare',
+    '.panel-waveform',
+    '.panel-spectrum',
+    '.panel-full-spectrum',
+    '.panel-centreline',
+  ]) {
     const png = await saved(page, panel, 'png');
     assert.match(png.name, /^whirl-.*\.png$/);
     assert.deepEqual([...png.bytes.subarray(0, 4)], [0x89, 0x50, 0x4e, 0x47]);
     assert.ok(png.bytes.length > 3000, `${panel}: a picture of ${png.bytes.length} bytes`);
     const svg = (await saved(page, panel, 'svg')).bytes.toString('utf8');
     assert.match(svg, /^<svg xmlns="http:\/\/www\.w3\.org\/2000\/svg"/);
-    const errors = await page.evaluate((text) => new DOMParser().parseFromString(text, 'image/svg+xml').querySelectorAll('parsererror').length, svg);
+    const errors = await page.evaluate(
+      (text) => new DOMParser().parseFromString(text, 'image/svg+xml').querySelectorAll('parsererror').length,
+      svg,
+    );
     assert.equal(errors, 0, `${panel}: the SVG is well-formed`);
     const csv = (await saved(page, panel, 'csv')).bytes.toString('utf8').split('\r\n');
     const columns = csv[0].split(',').length;
     assert.ok(csv.length > 10 && columns > 1, `${panel}: ${csv.length} lines of ${columns} columns`);
-    assert.ok(csv.slice(1, -1).every((line) => line.split(',').length === columns), `${panel}: columns`);
+    assert.ok(
+      csv.slice(1, -1).every((line) => line.split(',').length === columns),
+      `${panel}: columns`,
+    );
   }
   assert.deepEqual(complaints, []);
   await close();
@@ -154,7 +177,12 @@ async function labelled(page, svg) {
 /// Whether a segment passes through a box (Liang and Barsky 1984).
 function crosses([left, right, top, bottom], [x0, y0, x1, y1]) {
   let [from, to] = [0, 1];
-  for (const [p, q] of [[x0 - x1, x0 - left], [x1 - x0, right - x0], [y0 - y1, y0 - top], [y1 - y0, bottom - y0]]) {
+  for (const [p, q] of [
+    [x0 - x1, x0 - left],
+    [x1 - x0, right - x0],
+    [y0 - y1, y0 - top],
+    [y1 - y0, bottom - y0],
+  ]) {
     if (p === 0 && q < 0) return false;
     if (p < 0) from = Math.max(from, q / p);
     if (p > 0) to = Math.min(to, q / p);
@@ -179,7 +207,11 @@ test('labels of spectra lie neither on one another nor on the curves', async () 
         boxes.forEach((box, i) => {
           const on = boxes.slice(0, i).filter(([l, r, t, b]) => l < box[1] && r > box[0] && t < box[3] && b > box[2]);
           assert.deepEqual(on, [], `${panel} at ${value}: labels on one another`);
-          assert.deepEqual(segments.filter((segment) => crosses(box, segment)), [], `${panel} at ${value}${logarithmic ? ', logarithmic' : ''}: the curve runs through a label at ${box}`);
+          assert.deepEqual(
+            segments.filter((segment) => crosses(box, segment)),
+            [],
+            `${panel} at ${value}${logarithmic ? ', logarithmic' : ''}: the curve runs through a label at ${box}`,
+          );
         });
       }
   }
@@ -191,19 +223,27 @@ test('labels of spectra lie neither on one another nor on the curves', async () 
 test('the diagram that is saved is the one of the run', async () => {
   const { page, close } = await open(`${address}#q=radius&units=scale,rad/s,order,0-p`);
   await settled(page);
-  const lines = (await saved(page, '.map-card', 'csv')).bytes.toString('utf8').trim().split('\r\n').slice(1).map((line) => line.split(','));
+  const lines = (await saved(page, '.map-card', 'csv')).bytes
+    .toString('utf8')
+    .trim()
+    .split('\r\n')
+    .slice(1)
+    .map((line) => line.split(','));
   const { points } = JSON.parse(command('run', 'rub.yaml', '--json', '-q'));
   assert.equal(lines.length, points.length);
   points.forEach((point, i) => {
     assert.ok(Math.abs(Number(lines[i][0]) - point.parameters.omega) < 1e-12);
     assert.equal(lines[i][2], point.verdict);
-    assert.ok(Math.abs(Number(lines[i][6]) - point.stations.disc.max_radius) < 1e-6 * point.stations.disc.max_radius); // float32
+    const radius = point.stations.disc.max_radius;
+    assert.ok(Math.abs(Number(lines[i][6]) - radius) < 1e-6 * radius); // float32
   });
   await close();
 });
 
 test('a setting becomes a case that whirl checks and runs', async () => {
-  const { page, complaints, close } = await open(`${address}#at=3.3&set=mu%3D0.12&range=3,3.5&steps=128&transient=200&record=100`);
+  const { page, complaints, close } = await open(
+    `${address}#at=3.3&set=mu%3D0.12&range=3,3.5&steps=128&transient=200&record=100`,
+  );
   await settled(page);
   const [file] = await Promise.all([page.waitForEvent('download'), page.click('[data-save="case"]')]);
   const text = readFileSync(await file.path(), 'utf8');
@@ -228,7 +268,10 @@ test('the command that is copied computes the setting', async () => {
   await page.waitForFunction(() => window.copied);
   const script = await page.evaluate(() => window.copied);
   assert.match(script, /whirl run rub-explored\.yaml -o rub-explored\.h5 && whirl report/);
-  execFileSync('bash', ['-e'], { cwd: folder, input: script.replace(/^whirl run.*$/m, `"$WHIRL" run rub-explored.yaml -q -o rub-explored.h5`) });
+  execFileSync('bash', ['-e'], {
+    cwd: folder,
+    input: script.replace(/^whirl run.*$/m, `"$WHIRL" run rub-explored.yaml -q -o rub-explored.h5`),
+  });
   const { detail } = JSON.parse(command('run', 'rub-explored.yaml', '--json', '-q'));
   assert.equal(detail[0].parameters.mu, 0.08);
   assert.equal(detail[0].parameters.omega, 1.5);
@@ -240,7 +283,9 @@ test('a preset of the gallery is computed here', async () => {
   const { page, complaints, close } = await open(`${address}#run=rigid-rotor`);
   await settled(page);
   assert.equal(await page.textContent('h1'), 'Rigid rotor in an oil film');
-  await page.waitForFunction(() => Number(document.querySelector('.legend-entry .count')?.textContent) > 2, undefined, { timeout: 60_000 });
+  await page.waitForFunction(() => Number(document.querySelector('.legend-entry .count')?.textContent) > 2, undefined, {
+    timeout: 60_000,
+  });
   assert.equal(await page.$$eval('.parameter', (all) => all.length), 3);
   assert.deepEqual(complaints, []);
   await close();
@@ -256,9 +301,15 @@ test('a brushed range is computed anew, and Back returns', async () => {
   await page.mouse.down();
   await page.mouse.move(box.x + box.width * 0.8, box.y + 60, { steps: 5 });
   await page.mouse.up();
-  await page.waitForFunction(() => /Computed here, quick: 64 points/.test(document.querySelector('.status').textContent));
-  await page.waitForFunction(() => document.querySelector('.map-card progress').hidden, undefined, { timeout: 120_000 });
-  const counts = await page.$$eval('.legend-entry .count', (all) => all.reduce((sum, each) => sum + Number(each.textContent), 0));
+  await page.waitForFunction(() =>
+    /Computed here, quick: 64 points/.test(document.querySelector('.status').textContent),
+  );
+  await page.waitForFunction(() => document.querySelector('.map-card progress').hidden, undefined, {
+    timeout: 120_000,
+  });
+  const counts = await page.$$eval('.legend-entry .count', (all) =>
+    all.reduce((sum, each) => sum + Number(each.textContent), 0),
+  );
   assert.equal(counts, 64, 'every point has a verdict');
   await page.click('button:text-is("Back")');
   await page.waitForFunction(() => /Stored run/.test(document.querySelector('.status').textContent));
@@ -345,7 +396,9 @@ test('units are switched everywhere', async () => {
 
 test('titles and names that look like markup stay text', async () => {
   const evil = '</script><script>alert(1)</script><img src=x onerror=alert(2)>';
-  const text = CASE.replace(/title: .*/, `title: '${evil}'`).replace('# friction coefficient', `# ${evil}`).replace('points: 61', 'points: 5');
+  const text = CASE.replace(/title: .*/, `title: '${evil}'`)
+    .replace('# friction coefficient', `# ${evil}`)
+    .replace('points: 61', 'points: 5');
   const { page, complaints, close } = await open(makePage('hostile', text));
   await settled(page);
   assert.equal(await page.textContent('h1'), evil);
@@ -367,7 +420,10 @@ test('no other script runs and nothing reaches the network', async () => {
     const image = document.createElement('div');
     image.innerHTML = '<img src="x" onerror="window.intruder = true">';
     document.body.append(image);
-    const fetched = await fetch('https://example.org/').then(() => true, () => false);
+    const fetched = await fetch('https://example.org/').then(
+      () => true,
+      () => false,
+    );
     await new Promise((done) => setTimeout(done, 200));
     return { intruder: window.intruder === true, fetched };
   });
@@ -382,7 +438,9 @@ test('a run of one point is shown at its own parameters', async () => {
   const [point] = JSON.parse(command('run', 'point.yaml', '--json', '-q')).points;
   assert.equal(verdict, point.verdict);
   assert.equal(Number(await page.inputValue('#value-a')), 3.8);
-  await page.waitForFunction(() => document.querySelectorAll('.legend-entry').length > 0, undefined, { timeout: 60_000 });
+  await page.waitForFunction(() => document.querySelectorAll('.legend-entry').length > 0, undefined, {
+    timeout: 60_000,
+  });
   assert.deepEqual(complaints, []);
   await close();
 });
@@ -408,10 +466,15 @@ test('nothing is wider than the screen, from a phone to 4K, and every control ha
     const { page, complaints, close } = await open(`${address}#at=3.8&b=1.5`, { viewport: { width, height: 900 } });
     await settled(page);
     assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width, `at ${width} px`);
-    const spilled = await page.$$eval('.card', (cards) => cards.filter((card) => card.scrollWidth > card.clientWidth + 1).map((card) => card.className));
+    const spilled = await page.$$eval('.card', (cards) =>
+      cards.filter((card) => card.scrollWidth > card.clientWidth + 1).map((card) => card.className),
+    );
     assert.deepEqual(spilled, [], `at ${width} px`);
     const nameless = await page.$$eval('button, select, input, summary', (all) =>
-      all.filter((each) => !(each.getAttribute('aria-label') || each.textContent.trim() || each.labels?.length)).map((each) => each.outerHTML.slice(0, 120)));
+      all
+        .filter((each) => !(each.getAttribute('aria-label') || each.textContent.trim() || each.labels?.length))
+        .map((each) => each.outerHTML.slice(0, 120)),
+    );
     assert.deepEqual(nameless, []);
     assert.deepEqual(complaints, []);
     await close();
@@ -421,10 +484,20 @@ test('nothing is wider than the screen, from a phone to 4K, and every control ha
 test('parameters, diagram and verdict are seen together at 1280 x 800', async () => {
   const { page, complaints, close } = await open(`${address}#at=3.8`, { viewport: { width: 1280, height: 800 } });
   await settled(page);
-  for (const part of ['.parameter', '.settings-card .keep button', '.pane-a .verdict', '.pane-a .reason', '.map-main canvas', '.map-card .primary']) {
-    const boxes = await page.$$eval(part, (all) => all.map((each) => each.getBoundingClientRect()).map(({ left, right, top, bottom }) => [left, right, top, bottom]));
+  for (const part of [
+    '.parameter',
+    '.settings-card .keep button',
+    '.pane-a .verdict',
+    '.pane-a .reason',
+    '.map-main canvas',
+    '.map-card .primary',
+  ]) {
+    const boxes = await page.$$eval(part, (all) =>
+      all.map((each) => each.getBoundingClientRect()).map(({ left, right, top, bottom }) => [left, right, top, bottom]),
+    );
     assert.ok(boxes.length > 0, part);
-    for (const [left, right, top, bottom] of boxes) assert.ok(left >= 0 && right <= 1280 && top >= 0 && bottom <= 800, `${part} is at ${[left, right, top, bottom]}`);
+    for (const [left, right, top, bottom] of boxes)
+      assert.ok(left >= 0 && right <= 1280 && top >= 0 && bottom <= 800, `${part} is at ${[left, right, top, bottom]}`);
   }
   assert.deepEqual(complaints, []);
   await close();

@@ -7,7 +7,11 @@ import { closeBrowser, open, settled } from './browser.mjs';
 
 const [file, out] = process.argv.slice(2);
 const address = pathToFileURL(resolve(file)).href;
-const SIZES = [[360, 780], [1280, 860], [2560, 1440]];
+const SIZES = [
+  [360, 780],
+  [1280, 860],
+  [2560, 1440],
+];
 
 async function picture(name, hash, [width, height], colorScheme, act = async () => {}, whole = false) {
   const { page, complaints, close } = await open(address + hash, { viewport: { width, height }, colorScheme });
@@ -32,12 +36,22 @@ const brush = async (page) => {
   await page.mouse.move(box.x + box.width * 0.46, box.y + 60, { steps: 5 });
   await page.mouse.up();
   await page.waitForSelector('.map-card progress:not([hidden])');
-  await page.waitForFunction(() => document.querySelector('.map-card progress').hidden, undefined, { timeout: 300_000 });
+  await page.waitForFunction(() => document.querySelector('.map-card progress').hidden, undefined, {
+    timeout: 300_000,
+  });
 };
 
 for (const scheme of ['light', 'dark'])
   for (const size of SIZES) await picture('page', '#at=0.35', size, scheme, undefined, size[0] === 360);
-for (const size of SIZES) await picture('compare', '#at=0.46&b=0.25&q=radius&st=journal', size, size[0] === 1280 ? 'light' : 'dark', undefined, size[0] === 360);
+for (const size of SIZES)
+  await picture(
+    'compare',
+    '#at=0.46&b=0.25&q=radius&st=journal',
+    size,
+    size[0] === 1280 ? 'light' : 'dark',
+    undefined,
+    size[0] === 360,
+  );
 await picture('help', '#at=0.35', SIZES[1], 'light', (page) => page.click('button[aria-label="Help"]'));
 await picture('watch', '#at=0.35', SIZES[1], 'dark', watch);
 await picture('range', '#at=0.44&q=y&st=journal', SIZES[1], 'light', brush);

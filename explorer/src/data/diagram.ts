@@ -62,7 +62,10 @@ export class Diagram {
       const size = table.count * field.rows;
       for (let which = 0, at = 0; which < field.repeat; which++)
         for (let column = 0; column < field.columns; column++, at += size)
-          made.columns.set(columnKey(field.name, which, column), { rows: field.rows, data: all.subarray(at, at + size) });
+          made.columns.set(columnKey(field.name, which, column), {
+            rows: field.rows,
+            data: all.subarray(at, at + size),
+          });
     }
     table.verdicts?.forEach((verdict, point) => (made.verdicts[point] = verdict));
     for (let point = 0; point < made.count; point++) made.classify(point);
@@ -77,9 +80,17 @@ export class Diagram {
   /// The points that `keep` says, and behind them points that are still to come.
   joined(keep: (point: number) => boolean, values: Float64Array, branch: Int8Array): Diagram {
     const old = Array.from(this.values.keys()).filter(keep);
-    const all = <T extends Float64Array | Int8Array>(made: T, kept: T, added: T) => (old.forEach((point, i) => (made[i] = kept[point]!)), made.set(added, old.length), made);
+    const all = <T extends Float64Array | Int8Array>(made: T, kept: T, added: T) => (
+      old.forEach((point, i) => (made[i] = kept[point]!)),
+      made.set(added, old.length),
+      made
+    );
     const count = old.length + values.length;
-    const made = new Diagram(this.parameter, all(new Float64Array(count), this.values, values), all(new Int8Array(count), this.branch, branch));
+    const made = new Diagram(
+      this.parameter,
+      all(new Float64Array(count), this.values, values),
+      all(new Int8Array(count), this.branch, branch),
+    );
     old.forEach((point, i) => {
       for (const key of ['classes', 'done', 'provisional', 'lengthScales'] as const) made[key][i] = this[key][point]!;
       made.verdicts[i] = this.verdicts[point]!;
@@ -107,7 +118,9 @@ export class Diagram {
     const before = this.columns.get(key);
     if (before && before.rows >= rows) return;
     const data = new Float32Array(this.count * rows).fill(NaN);
-    if (before) for (let point = 0; point < this.count; point++) data.set(before.data.subarray(point * before.rows, (point + 1) * before.rows), point * rows);
+    if (before)
+      for (let point = 0; point < this.count; point++)
+        data.set(before.data.subarray(point * before.rows, (point + 1) * before.rows), point * rows);
     this.columns.set(key, { rows, data });
   }
 
@@ -125,7 +138,8 @@ export class Diagram {
             if (!to) break;
             const from = base + field.offset + which * field.rows * field.columns + column;
             for (let row = 0; row < to.rows; row++)
-              to.data[point * to.rows + row] = row < field.rows ? (points.blocks[from + row * field.columns] ?? NaN) : NaN;
+              to.data[point * to.rows + row] =
+                row < field.rows ? (points.blocks[from + row * field.columns] ?? NaN) : NaN;
           }
       const verdict: Verdict | undefined = points.verdicts[i];
       if (verdict) this.verdicts[point] = [verdict.name, verdict.reason];
@@ -158,7 +172,9 @@ export class Diagram {
   }
 
   exponent(point: number): { readonly value: number; readonly error: number } {
-    const from = this.column('lyapunov/largest') ? ['lyapunov/largest', 'lyapunov/error'] : ['regime/exponent', 'regime/exponent_error'];
+    const from = this.column('lyapunov/largest')
+      ? ['lyapunov/largest', 'lyapunov/error']
+      : ['regime/exponent', 'regime/exponent_error'];
     return { value: this.number(point, from[0]!), error: this.number(point, from[1]!) };
   }
 

@@ -75,8 +75,8 @@ export class Motion {
     return forward.length ? forward[0]! >= backward[0]! : undefined;
   }
 
-  /// Revolutions after which a picture of the motion repeats; 0 where it does not. A first look has pictures before it has a
-  /// verdict.
+  /// Revolutions after which a picture of the motion repeats; 0 where it does not. A first look has pictures before it
+  /// has a verdict.
   get period(): number {
     const { period } = this.result.verdict;
     const returns = this.number('regime/recurrence') < CLOSED ? this.number('regime/recurrence_period') : 0;

@@ -38,7 +38,11 @@ export interface ShownQuantity {
 }
 
 /// Lengths of a diagram as they are shown: each point's in the length scale of its own machine.
-function shownLengths(diagram: Diagram, column: Column, units: Units): { readonly column: Column; readonly factor: number } {
+function shownLengths(
+  diagram: Diagram,
+  column: Column,
+  units: Units,
+): { readonly column: Column; readonly factor: number } {
   const { factor } = lengthMeasure(units, { length: 1, speed: 1, symbol: '' });
   if (units.length === 'scale') return { column, factor };
   const common = diagram.lengthScale;
@@ -47,12 +51,25 @@ function shownLengths(diagram: Diagram, column: Column, units: Units): { readonl
   return { column: { rows: column.rows, data }, factor };
 }
 
-/// The numbers of a quantity, how they are scaled and what stands at the axis; undefined where the diagram has none. `symbol`
-/// stands for the length scale.
-export function quantityOf(diagram: Diagram, id: string, station: number, stations: readonly StationInfo[], units: Units, symbol: string): ShownQuantity | undefined {
+/// The numbers of a quantity, how they are scaled and what stands at the axis; undefined where the diagram has none.
+/// `symbol` stands for the length scale.
+export function quantityOf(
+  diagram: Diagram,
+  id: string,
+  station: number,
+  stations: readonly StationInfo[],
+  units: Units,
+  symbol: string,
+): ShownQuantity | undefined {
   const { unit } = lengthMeasure(units, { length: 1, speed: 1, symbol });
   const name = stations[station]?.name ?? '';
-  const made = (field: string, which: number, column: number, factor: number, label: string): ShownQuantity | undefined => {
+  const made = (
+    field: string,
+    which: number,
+    column: number,
+    factor: number,
+    label: string,
+  ): ShownQuantity | undefined => {
     const found = diagram.column(field, which, column);
     return found && { column: found, factor, label };
   };
@@ -69,19 +86,47 @@ export function quantityOf(diagram: Diagram, id: string, station: number, statio
     case 'eccentricity':
       return made('orbit/eccentricity', station, 0, 1, `eccentricity ratio of ${name}`);
     case 'contact':
-      return diagram.column('rub/share') && { column: { rows: 1, data: Float32Array.from(diagram.values, (_, point) => (diagram.done[point] ? diagram.contact(point) : NaN)) }, factor: 1, label: 'share of the time in contact' };
+      return (
+        diagram.column('rub/share') && {
+          column: {
+            rows: 1,
+            data: Float32Array.from(diagram.values, (_, point) => (diagram.done[point] ? diagram.contact(point) : NaN)),
+          },
+          factor: 1,
+          label: 'share of the time in contact',
+        }
+      );
     case 'exponent':
-      return made('lyapunov/largest', 0, 0, 1, 'exponent per revolution') ?? made('regime/exponent', 0, 0, 1, 'exponent per revolution');
+      return (
+        made('lyapunov/largest', 0, 0, 1, 'exponent per revolution') ??
+        made('regime/exponent', 0, 0, 1, 'exponent per revolution')
+      );
     case 'backward':
       return made('orbit/backward', station, 0, 1, `backward whirl of ${name}, share of the time`);
     case '1x':
     case '1y': {
-      const found = length('spectrum/synchronous', id === '1x' ? 0 : 1, `1X amplitude of ${id.slice(1)} of ${name} (${unit} ${units.amplitude})`);
-      return found && { ...found, factor: found.factor * amplitudeMeasure({ ...units, length: 'scale' }, { length: 1, speed: 1, symbol: '' }).factor };
+      const found = length(
+        'spectrum/synchronous',
+        id === '1x' ? 0 : 1,
+        `1X amplitude of ${id.slice(1)} of ${name} (${unit} ${units.amplitude})`,
+      );
+      return (
+        found && {
+          ...found,
+          factor:
+            found.factor * amplitudeMeasure({ ...units, length: 'scale' }, { length: 1, speed: 1, symbol: '' }).factor,
+        }
+      );
     }
     case '1xlag':
     case '1ylag':
-      return made('spectrum/synchronous_lag', station, id === '1xlag' ? 0 : 1, 1, `1X phase lag of ${id.charAt(1)} of ${name} (degrees)`);
+      return made(
+        'spectrum/synchronous_lag',
+        station,
+        id === '1xlag' ? 0 : 1,
+        1,
+        `1X phase lag of ${id.charAt(1)} of ${name} (degrees)`,
+      );
     default:
       return undefined;
   }

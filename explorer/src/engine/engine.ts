@@ -1,5 +1,5 @@
-// The engine: a pool of workers, each with a core of its own. The workers come from the text of their program, so that the
-// page works from disk.
+// The engine: a pool of workers, each with a core of its own. The workers come from the text of their program, so that
+// the page works from disk.
 import type {
   CaseInfo,
   Edit,
@@ -51,7 +51,8 @@ class Seat {
   constructor(url: string, core: Uint8Array, hear: (seat: Seat, message: FromWorker) => void) {
     this.worker = new Worker(url);
     this.worker.onmessage = (event: MessageEvent<FromWorker>) => hear(this, event.data);
-    this.worker.onerror = (event) => hear(this, { kind: 'failed', id: -1, message: event.message || 'the browser does not let workers start' });
+    this.worker.onerror = (event) =>
+      hear(this, { kind: 'failed', id: -1, message: event.message || 'the browser does not let workers start' });
     this.send({ kind: 'start', core });
   }
 

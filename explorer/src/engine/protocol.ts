@@ -16,8 +16,8 @@ export interface Setting {
   readonly look?: Look;
 }
 
-/// A motion that is cut short and, by methods of fixed step, coarser; 0: as the setting says. Where that leaves anything out,
-/// its verdict is "undetermined" unless the whole motion must have the same.
+/// A motion that is cut short and, by methods of fixed step, coarser; 0: as the setting says. Where that leaves
+/// anything out, its verdict is "undetermined" unless the whole motion must have the same.
 export interface Look {
   readonly transient: number;
   readonly record: number;
@@ -288,7 +288,8 @@ export interface TransientResult {
 
 // ---------------------------------------------------------------- cases to keep
 
-/// A value in the text of a case. `path` is a key's ("parameters.r_k", "study.sweep.from"), `text` what shall stand there.
+/// A value in the text of a case. `path` is a key's ("parameters.r_k", "study.sweep.from"), `text` what shall stand
+/// there.
 export interface Edit {
   readonly path: string;
   readonly text: string;
@@ -301,10 +302,15 @@ export interface Edit {
 export type Outcome<T> =
   | { readonly ok: true; readonly value: T }
   | { readonly ok: false; readonly why: 'stale' }
-  | { readonly ok: false; readonly why: 'bad' | 'failed'; readonly message: string; readonly problems: readonly Problem[] };
+  | {
+      readonly ok: false;
+      readonly why: 'bad' | 'failed';
+      readonly message: string;
+      readonly problems: readonly Problem[];
+    };
 
-/// How a request stands to others. Requests of one lane overtake each other: a new one makes all that are pending in its
-/// lane stale. Requests of lower priority number go first; sweeps take the workers that nothing else needs.
+/// How a request stands to others. Requests of one lane overtake each other: a new one makes all that are pending in
+/// its lane stale. Requests of lower priority number go first; sweeps take the workers that nothing else needs.
 export interface Manner {
   readonly lane?: string;
   readonly priority?: number;
@@ -348,8 +354,8 @@ export function findField(layout: Layout, name: string): Field | undefined {
   return layout.fields.find((field) => field.name === name);
 }
 
-/// The numbers [rows][columns] of a field for one station or contact (0 for the point's own) in the block that begins at
-/// `base` of `blocks`; a view. Empty where there is no such field.
+/// The numbers [rows][columns] of a field for one station or contact (0 for the point's own) in the block that begins
+/// at `base` of `blocks`; a view. Empty where there is no such field.
 export function fieldNumbers(layout: Layout, blocks: Float64Array, name: string, which = 0, base = 0): Float64Array {
   const field = findField(layout, name);
   if (!field || which >= field.repeat) return blocks.subarray(0, 0);

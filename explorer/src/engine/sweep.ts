@@ -29,6 +29,9 @@ export function partsOf(count: number, carry: 'none' | 'forward' | 'reverse' | '
     ];
   const parts: Part[] = [];
   for (let first = 0; first < count; first += PART_SIZE)
-    parts.push({ slots: Uint32Array.from(range(Math.min(PART_SIZE, count - first)), (index) => first + index), carried: false });
+    parts.push({
+      slots: Uint32Array.from(range(Math.min(PART_SIZE, count - first)), (index) => first + index),
+      carried: false,
+    });
   return parts;
 }

@@ -89,7 +89,9 @@ export class Tasks {
     const plan = this.core.planNew(object, batch ?? '', parameter);
     this.inUse.set(object, (this.inUse.get(object) ?? 0) + 1);
     try {
-      const options: { -readonly [K in keyof (IntegrateOptions & RecordOptions)]?: (IntegrateOptions & RecordOptions)[K] } = { ...setting.integrate, ...setting.record };
+      const options: {
+        -readonly [K in keyof (IntegrateOptions & RecordOptions)]?: (IntegrateOptions & RecordOptions)[K];
+      } = { ...setting.integrate, ...setting.record };
       // How long a motion is watched was said for another length of it.
       if (options.transient !== undefined || options.record !== undefined) options.watch ??= 0;
       for (const [option, value] of Object.entries(options))
@@ -194,7 +196,11 @@ export class Tasks {
         const report = () => {
           const points = takePoints(core, plan, job, room, size, request.values);
           if (points.indices.length > 0)
-            post({ kind: 'points', id, points }, [points.indices.buffer, points.blocks.buffer, points.lengthScales.buffer]);
+            post({ kind: 'points', id, points }, [
+              points.indices.buffer,
+              points.blocks.buffer,
+              points.lengthScales.buffer,
+            ]);
           post({ kind: 'revolutions', id, count: unreported });
           unreported = 0;
           reported = performance.now();

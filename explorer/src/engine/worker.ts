@@ -1,5 +1,5 @@
-// A worker: holds the core and works at tasks a slice at a time, the most urgent first, so that it hears between slices what
-// has become stale.
+// A worker: holds the core and works at tasks a slice at a time, the most urgent first, so that it hears between slices
+// what has become stale.
 import { Core, Refused } from './core';
 import { Tasks, type Steps } from './tasks';
 import type { FromWorker, Task, ToWorker } from './wire';

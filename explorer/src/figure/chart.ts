@@ -112,7 +112,9 @@ export class Chart implements Figure {
   /// Left edge and width of the plotting area in CSS pixels.
   get area(): { readonly left: number; readonly width: number } {
     const ratio = window.devicePixelRatio || 1;
-    return this.plot ? { left: this.plot.bbox.left / ratio, width: this.plot.bbox.width / ratio } : { left: 0, width: 1 };
+    return this.plot
+      ? { left: this.plot.bbox.left / ratio, width: this.plot.bbox.width / ratio }
+      : { left: 0, width: 1 };
   }
 
   picture(): Picture {
@@ -210,7 +212,8 @@ export class Chart implements Figure {
     pen.font = font(size);
     pen.textBaseline = 'top';
     pen.textAlign = 'center';
-    if (!this.spec.bareX) this.ticks.x.at.forEach((at, i) => pen.fillText(this.ticks.x.text[i] ?? '', frame.x(at), bottom + 5));
+    if (!this.spec.bareX)
+      this.ticks.x.at.forEach((at, i) => pen.fillText(this.ticks.x.text[i] ?? '', frame.x(at), bottom + 5));
     pen.textBaseline = 'middle';
     pen.textAlign = 'right';
     this.ticks.y.at.forEach((at, i) => pen.fillText(this.ticks.y.text[i] ?? '', frame.left - 6, frame.y(at)));
@@ -298,21 +301,39 @@ export class Chart implements Figure {
     const box = this.root.getBoundingClientRect();
     const length = horizontal ? (plot?.bbox.width ?? 0) / (window.devicePixelRatio || 1) || box.width : box.height;
     const wanted = horizontal ? length / (size * 6.5) : length / (size * 3.2);
-    const made = !horizontal && this.logarithmic ? decades(low, high, wanted) : linear(low, high, wanted, horizontal ? this.spec.xText : undefined);
+    const made =
+      !horizontal && this.logarithmic
+        ? decades(low, high, wanted)
+        : linear(low, high, wanted, horizontal ? this.spec.xText : undefined);
     if (horizontal) this.ticks.x = made;
     else this.ticks.y = made;
     return [...made.at];
   }
 }
 
-function linear(low: number, high: number, wanted: number, text: (value: number, step: number) => string = tickText): Ticks {
+function linear(
+  low: number,
+  high: number,
+  wanted: number,
+  text: (value: number, step: number) => string = tickText,
+): Ticks {
   const at = linearTicks(low, high, wanted);
   const step = niceStep(high - low, wanted);
   return { at, text: at.map((value) => text(value, step)) };
 }
 
 const SUPERSCRIPT: Record<string, string> = {
-  '-': '\u207b', '0': '\u2070', '1': '\u00b9', '2': '\u00b2', '3': '\u00b3', '4': '\u2074', '5': '\u2075', '6': '\u2076', '7': '\u2077', '8': '\u2078', '9': '\u2079',
+  '-': '\u207b',
+  '0': '\u2070',
+  '1': '\u00b9',
+  '2': '\u00b2',
+  '3': '\u00b3',
+  '4': '\u2074',
+  '5': '\u2075',
+  '6': '\u2076',
+  '7': '\u2077',
+  '8': '\u2078',
+  '9': '\u2079',
 };
 
 function decades(low: number, high: number, wanted: number): Ticks {
@@ -322,6 +343,10 @@ function decades(low: number, high: number, wanted: number): Ticks {
   for (let power = first; power <= last; power += every) powers.push(power);
   return {
     at: powers.map((power) => 10 ** power),
-    text: powers.map((power) => (power >= -3 && power <= 4 ? String(10 ** power) : `10${[...String(power)].map((digit) => SUPERSCRIPT[digit]).join('')}`)),
+    text: powers.map((power) =>
+      power >= -3 && power <= 4
+        ? String(10 ** power)
+        : `10${[...String(power)].map((digit) => SUPERSCRIPT[digit]).join('')}`,
+    ),
   };
 }

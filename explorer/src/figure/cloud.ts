@@ -1,5 +1,5 @@
-// Clouds of points: a raster of our own, coloured by regime, denser where more points fall on a pixel. 400,000 points take
-// a few milliseconds, which no drawing of single dots does.
+// Clouds of points: a raster of our own, coloured by regime, denser where more points fall on a pixel. 400,000 points
+// take a few milliseconds, which no drawing of single dots does.
 import type { Diagram, Column } from '../data/diagram';
 import type { Frame } from './chart';
 import { textSize } from './figure';
@@ -23,7 +23,12 @@ export interface Cloud {
 }
 
 /// Calls `visit` with the place of every dot that is in the frame, points in the order of the diagram.
-function visit(cloud: Cloud, frame: Frame, margin: number, visitor: (x: number, y: number, kind: number) => void): void {
+function visit(
+  cloud: Cloud,
+  frame: Frame,
+  margin: number,
+  visitor: (x: number, y: number, kind: number) => void,
+): void {
   const { diagram, column, factor, valueFactor, hidden } = cloud;
   const { rows, data } = column;
   // Both axes are linear.
@@ -89,7 +94,13 @@ function raster(cloud: Cloud, frame: Frame, colours: Theme): HTMLCanvasElement {
 }
 
 /// One hit is seen and many are seen better: opacity 1 - 0.45 e^(-(n-1)/3).
-function painted(counts: Uint16Array, kinds: Uint8Array, width: number, height: number, colours: Theme): HTMLCanvasElement {
+function painted(
+  counts: Uint16Array,
+  kinds: Uint8Array,
+  width: number,
+  height: number,
+  colours: Theme,
+): HTMLCanvasElement {
   const canvas = document.createElement('canvas');
   [canvas.width, canvas.height] = [width, height];
   const context = canvas.getContext('2d')!;
@@ -99,7 +110,7 @@ function painted(counts: Uint16Array, kinds: Uint8Array, width: number, height: 
   const alphas = Array.from({ length: 16 }, (_, n) => Math.round(255 * (1 - 0.45 * Math.exp(-(n - 1) / 3))));
   for (let at = 0; at < counts.length; at++) {
     const count = counts[at]!;
-    if (count) pixels[at] = ((rgb[kinds[at]!]! | (alphas[Math.min(count, 15)]! << 24)) >>> 0);
+    if (count) pixels[at] = (rgb[kinds[at]!]! | (alphas[Math.min(count, 15)]! << 24)) >>> 0;
   }
   context.putImageData(image, 0, 0);
   return canvas;

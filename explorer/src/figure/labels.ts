@@ -35,7 +35,8 @@ export function skyline(frame: Frame, at: Float64Array, curves: readonly Float64
   return top;
 }
 
-/// Right above a peak at (x, y), to either side of it, beside its tip, or a line higher: what is free of curves and in the frame.
+/// Right above a peak at (x, y), to either side of it, beside its tip, or a line higher: what is free of curves and in
+/// the frame.
 function places(x: number, y: number, half: number, size: number, frame: Frame, top: Float64Array): Place[] {
   const gap = 0.3 * size;
   const roof = (centre: number) => {
@@ -43,8 +44,12 @@ function places(x: number, y: number, half: number, size: number, frame: Frame, 
     return Math.min(...top.subarray(first, Math.max(first + 1, Math.ceil(centre + half + gap - frame.left))));
   };
   const inside = (centre: number) => Math.min(Math.max(centre, frame.left + half), frame.left + frame.width - half);
-  const above = [0, -0.8 * half, 0.8 * half].map((shift) => inside(x + shift)).map((centre) => ({ centre, half, bottom: Math.min(roof(centre), y) - 0.2 * size }));
-  const beside = [x - half - 2 * gap, x + half + 2 * gap].filter((centre) => centre === inside(centre)).map((centre) => ({ centre, half, bottom: Math.min(roof(centre) - 0.2 * size, y + 0.6 * size) }));
+  const above = [0, -0.8 * half, 0.8 * half]
+    .map((shift) => inside(x + shift))
+    .map((centre) => ({ centre, half, bottom: Math.min(roof(centre), y) - 0.2 * size }));
+  const beside = [x - half - 2 * gap, x + half + 2 * gap]
+    .filter((centre) => centre === inside(centre))
+    .map((centre) => ({ centre, half, bottom: Math.min(roof(centre) - 0.2 * size, y + 0.6 * size) }));
   const higher = above.map((place) => ({ ...place, bottom: place.bottom - 1.15 * size }));
   // Far from its peak a label says nothing.
   return [...above, ...beside, ...higher].filter(({ bottom }) => bottom >= frame.top + size && y - bottom < 2.2 * size);
@@ -52,18 +57,30 @@ function places(x: number, y: number, half: number, size: number, frame: Frame, 
 
 /// Whether two labels keep half a letter's distance.
 function apart(one: Place, other: Place, size: number): boolean {
-  return Math.abs(one.centre - other.centre) > one.half + other.half + 0.4 * size || Math.abs(one.bottom - other.bottom) > 1.15 * size;
+  return (
+    Math.abs(one.centre - other.centre) > one.half + other.half + 0.4 * size ||
+    Math.abs(one.bottom - other.bottom) > 1.15 * size
+  );
 }
 
 /// Labels of the highest peaks, which come first, as far as they have room; `width` measures a text.
-export function placeLabels(peaks: readonly Peak[], textOf: (peak: Peak) => string, frame: Frame, top: Float64Array, size: number, width: (text: string) => number): Label[] {
+export function placeLabels(
+  peaks: readonly Peak[],
+  textOf: (peak: Peak) => string,
+  frame: Frame,
+  top: Float64Array,
+  size: number,
+  width: (text: string) => number,
+): Label[] {
   const taken: Label[] = [];
   for (const peak of peaks) {
     const [x, y] = [frame.x(peak.frequency), frame.y(peak.amplitude)];
     if (taken.length === MOST_LABELS) break;
     if (x < frame.left || x > frame.left + frame.width) continue;
     const text = textOf(peak);
-    const place = places(x, y, width(text) / 2, size, frame, top).find((each) => taken.every((other) => apart(each, other, size)));
+    const place = places(x, y, width(text) / 2, size, frame, top).find((each) =>
+      taken.every((other) => apart(each, other, size)),
+    );
     if (place) taken.push({ ...place, text });
   }
   return taken;

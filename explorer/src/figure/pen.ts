@@ -132,7 +132,8 @@ export class SvgPen implements Pen {
   stroke(): void {
     const dash = this.dash.length ? ` stroke-dasharray="${this.dash.join(' ')}"` : '';
     this.put(
-      `<path d="${this.path.join('')}" fill="none" stroke="${this.colour(this.strokeStyle)}" stroke-width="${short(this.lineWidth)}"` +
+      `<path d="${this.path.join('')}" fill="none" stroke="${this.colour(this.strokeStyle)}" ` +
+        `stroke-width="${short(this.lineWidth)}"` +
         ` stroke-linejoin="${this.lineJoin}" stroke-linecap="${this.lineCap}"${dash}${this.opacity()}/>`,
     );
   }
@@ -147,14 +148,16 @@ export class SvgPen implements Pen {
     const shift = BASELINE[this.textBaseline] ?? '0';
     this.put(
       `<text x="${short(x)}" y="${short(y)}" dy="${shift}" text-anchor="${anchor}" font-family="${escaped(family)}"` +
-        ` font-size="${size}" font-weight="${weight}" fill="${this.colour(this.fillStyle)}"${this.opacity()}>${escaped(text)}</text>`,
+        ` font-size="${size}" font-weight="${weight}" ` +
+        `fill="${this.colour(this.fillStyle)}"${this.opacity()}>${escaped(text)}</text>`,
     );
   }
 
   drawImage(image: CanvasImageSource, x: number, y: number, width?: number, height?: number): void {
     if (!(image instanceof HTMLCanvasElement)) return;
     this.put(
-      `<image x="${short(x)}" y="${short(y)}" width="${short(width ?? image.width)}" height="${short(height ?? image.height)}"` +
+      `<image x="${short(x)}" y="${short(y)}" width="${short(width ?? image.width)}" ` +
+        `height="${short(height ?? image.height)}"` +
         ` preserveAspectRatio="none" href="${image.toDataURL('image/png')}"/>`,
     );
   }
@@ -164,8 +167,32 @@ export class SvgPen implements Pen {
   }
 
   save(): void {
-    const { fillStyle, strokeStyle, lineWidth, globalAlpha, font: face, textAlign, textBaseline, lineJoin, lineCap, dash, groups } = this;
-    this.stack.push({ fillStyle, strokeStyle, lineWidth, globalAlpha, font: face, textAlign, textBaseline, lineJoin, lineCap, dash, groups });
+    const {
+      fillStyle,
+      strokeStyle,
+      lineWidth,
+      globalAlpha,
+      font: face,
+      textAlign,
+      textBaseline,
+      lineJoin,
+      lineCap,
+      dash,
+      groups,
+    } = this;
+    this.stack.push({
+      fillStyle,
+      strokeStyle,
+      lineWidth,
+      globalAlpha,
+      font: face,
+      textAlign,
+      textBaseline,
+      lineJoin,
+      lineCap,
+      dash,
+      groups,
+    });
     this.groups = 0;
   }
 
@@ -194,7 +221,8 @@ export class SvgPen implements Pen {
     while (this.stack.length || this.groups) this.restore();
     return (
       `<svg xmlns="http://www.w3.org/2000/svg" width="${this.width}" height="${this.height}"` +
-      ` viewBox="0 0 ${this.width} ${this.height}" role="img"><title>${escaped(this.title)}</title>\n${this.parts.join('\n')}\n</svg>\n`
+      ` viewBox="0 0 ${this.width} ${this.height}" ` +
+      `role="img"><title>${escaped(this.title)}</title>\n${this.parts.join('\n')}\n</svg>\n`
     );
   }
 

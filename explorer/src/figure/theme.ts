@@ -1,6 +1,6 @@
-// Colours of figures; the page's style sheet has the same for everything else, and takes those of regimes from here. Any two
-// regimes are at least 16 apart (CIEDE2000) in every colour vision, by lightness where hue does not tell; whirl's reports have
-// the light ones (tests/colours.test.mjs).
+// Colours of figures; the page's style sheet has the same for everything else, and takes those of regimes from here.
+// Any two regimes are at least 16 apart (CIEDE2000) in every colour vision, by lightness where hue does not tell;
+// whirl's reports have the light ones (tests/colours.test.mjs).
 
 export interface Theme {
   readonly dark: boolean;

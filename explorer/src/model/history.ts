@@ -1,5 +1,5 @@
-// Undo and redo: what the reader does becomes entries of the browser's history, whose addresses hold the setting. A drag is one
-// entry, and so are keys and turns of the wheel that change the same things again within a second.
+// Undo and redo: what the reader does becomes entries of the browser's history, whose addresses hold the setting. A
+// drag is one entry, and so are keys and turns of the wheel that change the same things again within a second.
 const PAUSE = 250; // ms without a change before the address is written
 const SAME = 1000; // ms in which a change of the same things goes on with the entry before
 
@@ -12,7 +12,10 @@ function difference(one: string, other: string): string {
     .flatMap((key) => {
       const [before, after] = [parts(a!, key), parts(b!, key)];
       // Which parameters are set counts, not to what.
-      const changed = [...before.filter((text) => !after.includes(text)), ...after.filter((text) => !before.includes(text))];
+      const changed = [
+        ...before.filter((text) => !after.includes(text)),
+        ...after.filter((text) => !before.includes(text)),
+      ];
       return changed.map((text) => (key.endsWith('set') ? `${key}:${text.split('=')[0]}` : key));
     })
     .filter((key, i, all) => all.indexOf(key) === i)
@@ -39,7 +42,8 @@ export class History {
     for (const event of ['keydown', 'wheel', 'input', 'change'])
       document.addEventListener(event, () => (this.acted ||= 'keys'), { capture: true, passive: true });
     document.addEventListener('pointerdown', () => ((this.held = true), (this.acted = 'pointer')), true);
-    for (const event of ['pointerup', 'pointercancel']) document.addEventListener(event, () => (this.held = false), true);
+    for (const event of ['pointerup', 'pointercancel'])
+      document.addEventListener(event, () => (this.held = false), true);
     window.addEventListener('popstate', (event) => {
       clearTimeout(this.timer);
       const step = (event.state as { step?: number } | null)?.step;

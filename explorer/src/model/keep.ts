@@ -26,7 +26,8 @@ export function caseEdits(original: CaseInfo, address: Address, side: Side, view
     }
     // What the case looks at closely are values of the parameter that it sweeps: over another one none of them stays.
     const detail = original.batches.find(({ name }) => name === 'detail');
-    if (detail && detail.parameter !== parameter) put('study.detail.at', `[${inUnit(Number.isFinite(side.value) ? side.value : (view[0] + view[1]) / 2, unit)}]`);
+    if (detail && detail.parameter !== parameter)
+      put('study.detail.at', `[${inUnit(Number.isFinite(side.value) ? side.value : (view[0] + view[1]) / 2, unit)}]`);
     else if (detail && Number.isFinite(side.value)) put('study.detail.at[1]', inUnit(side.value, unit));
   } else if (parameter && Number.isFinite(side.value)) put(`parameters.${parameter}`, inUnit(side.value, unit));
   if (computation.method) put('study.integrate.method', computation.method);
@@ -40,5 +41,8 @@ export function caseEdits(original: CaseInfo, address: Address, side: Side, view
 export function commandOf(text: string, name: string): string {
   let mark = 'CASE';
   while (text.split('\n').includes(mark)) mark += '_';
-  return `cat >${name}.yaml <<'${mark}'\n${text.endsWith('\n') ? text : `${text}\n`}${mark}\nwhirl run ${name}.yaml -o ${name}.h5 && whirl report ${name}.h5 -o ${name}\n`;
+  return (
+    `cat >${name}.yaml <<'${mark}'\n${text.endsWith('\n') ? text : `${text}\n`}${mark}\n` +
+    `whirl run ${name}.yaml -o ${name}.h5 && whirl report ${name}.h5 -o ${name}\n`
+  );
 }

@@ -1,4 +1,5 @@
-// Motions on demand: while the cursor moves, one request at a time, the newest next; when it rests, the whole computation.
+// Motions on demand: while the cursor moves, one request at a time, the newest next; when it rests, the whole
+// computation.
 import type { Engine, Outcome, PointRequest, PointResult } from '../engine/protocol';
 import type { Side } from './setting';
 
@@ -26,7 +27,8 @@ export class LivePoint {
     return this.running !== undefined;
   }
 
-  /// A preview that runs is let finish, for else a hand that moves on would never see one; a whole computation is overtaken.
+  /// A preview that runs is let finish, for else a hand that moves on would never see one; a whole computation is
+  /// overtaken.
   want(wish: Wish): void {
     if (this.running?.preview) this.next = wish;
     else void this.run(wish);

@@ -1,4 +1,5 @@
-// The machines that the page can show: runs that a report put into it, and the presets of the gallery, which it computes.
+// The machines that the page can show: runs that a report put into it, and the presets of the gallery, which it
+// computes.
 import jeffcott from '../../../cases/jeffcott-rub.yaml';
 import paperDerived from '../../../cases/paper-derived.yaml';
 import paperLiteral from '../../../cases/paper-literal.yaml';
@@ -18,18 +19,36 @@ export interface Machine {
 }
 
 const DRAG =
-  'Drag across the diagram: the orbit, its spectrum and its Poincar\u00e9 map are computed on the spot for the value under the cursor.';
+  'Drag across the diagram: the orbit, its spectrum and its Poincar\u00e9 map are computed on the spot for the ' +
+  'value under the cursor.';
 
 /// Three sentences for a newcomer: what to try first.
 const INTROS: Readonly<Record<string, string>> = {
-  paper: `${DRAG} Start at r_k = 0.6, where the motion repeats itself every revolution, and go left: below 0.5 the oil film whirls at a frequency of its own, and in the shaded parts the disc rubs its stator. Then press \u25b6 in the orbit at r_k = 0.35, and watch the rotor settle from its start and touch.`,
-  'paper-derived': `${DRAG} This reading has the signs that follow from a shaft that turns; choose the calibrated reading above and compare what is left of the whirl and of the chaos. Then move the slider of the unbalance rho and press Recompute to see how far the answer depends on it.`,
-  'paper-literal': `${DRAG} This reading takes every number as it is printed: the disc rubs nearly everywhere, and most motions are chaotic. Choose the calibrated reading above for the difference that a few fitted numbers make.`,
-  'jeffcott-rub': `${DRAG} At 1.5 times the natural frequency the disc stays in contact, at 3.8 it repeats itself after four revolutions, and at 3.3 it never does. Brush a range around 3.3 (Shift and drag) to compute it more finely, or raise the friction mu to 0.1 there, and the motion does not stay bounded.`,
-  'rigid-rotor': `${DRAG} The journal repeats itself after 2 revolutions at an unbalance rho of 0.2, after 4 at 0.27, and from 0.31 on hardly ever: a cascade of period doublings. Look at the dots of the Poincar\u00e9 map double while you drag, and at the exponent below the diagram touch zero each time.`,
+  paper:
+    `${DRAG} Start at r_k = 0.6, where the motion repeats itself every revolution, and go left: below 0.5 the ` +
+    'oil film whirls at a frequency of its own, and in the shaded parts the disc rubs its stator. Then press ' +
+    '\u25b6 in the orbit at r_k = 0.35, and watch the rotor settle from its start and touch.',
+  'paper-derived':
+    `${DRAG} This reading has the signs that follow from a shaft that turns; choose the calibrated reading above ` +
+    'and compare what is left of the whirl and of the chaos. Then move the slider of the unbalance rho and press ' +
+    'Recompute to see how far the answer depends on it.',
+  'paper-literal':
+    `${DRAG} This reading takes every number as it is printed: the disc rubs nearly everywhere, and most motions ` +
+    'are chaotic. Choose the calibrated reading above for the difference that a few fitted numbers make.',
+  'jeffcott-rub':
+    `${DRAG} At 1.5 times the natural frequency the disc stays in contact, at 3.8 it repeats itself after four ` +
+    'revolutions, and at 3.3 it never does. Brush a range around 3.3 (Shift and drag) to compute it more finely, ' +
+    'or raise the friction mu to 0.1 there, and the motion does not stay bounded.',
+  'rigid-rotor':
+    `${DRAG} The journal repeats itself after 2 revolutions at an unbalance rho of 0.2, after 4 at 0.27, and ` +
+    'from 0.31 on hardly ever: a cascade of period doublings. Look at the dots of the Poincar\u00e9 map double ' +
+    'while you drag, and at the exponent below the diagram touch zero each time.',
 };
 
-const OWN = `${DRAG} Change a parameter with its slider and press Recompute to see the diagram of the changed machine. Brush a range (Shift and drag) to compute that range more finely, and press \u25b6 in the orbit to watch the rotor settle.`;
+const OWN =
+  `${DRAG} Change a parameter with its slider and press Recompute to see the diagram of the changed machine. ` +
+  'Brush a range (Shift and drag) to compute that range more finely, and press \u25b6 in the orbit to watch the ' +
+  'rotor settle.';
 
 interface Preset {
   readonly name: string;
@@ -84,8 +103,16 @@ export function shortName(machine: Machine): string {
 }
 
 /// What the length scale is, from the walls of the stations.
-export function scalesOf(length: number, speed: number, stations: readonly { readonly clearance: number; readonly gap: number }[]): Scales {
+export function scalesOf(
+  length: number,
+  speed: number,
+  stations: readonly { readonly clearance: number; readonly gap: number }[],
+): Scales {
   const near = (value: number) => Math.abs(value - 1) < 1e-9;
-  const symbol = stations.some(({ clearance }) => near(clearance)) ? 'c' : stations.some(({ gap }) => near(gap)) ? 'gap' : 'L';
+  const symbol = stations.some(({ clearance }) => near(clearance))
+    ? 'c'
+    : stations.some(({ gap }) => near(gap))
+      ? 'gap'
+      : 'L';
   return { length, speed, symbol };
 }

@@ -1,4 +1,5 @@
-// A diagram computed in the page: coarse to fine where points do not follow one another, along the parameter where they do.
+// A diagram computed in the page: coarse to fine where points do not follow one another, along the parameter where they
+// do.
 import { Diagram } from '../data/diagram';
 import type { BatchInfo, Carry, Engine, Look, Setting, SweepProgress } from '../engine/protocol';
 
@@ -11,8 +12,8 @@ export interface Plan {
   readonly batch: BatchInfo | undefined;
   /// With what is found in spectra.
   readonly spectra: boolean;
-  /// Points of the diagram that are wanted, along the parameter as the case goes, those of a way back right behind them; left
-  /// out: all.
+  /// Points of the diagram that are wanted, along the parameter as the case goes, those of a way back right behind
+  /// them; left out: all.
   readonly places?: readonly number[];
 }
 
@@ -69,16 +70,26 @@ export function awaitedDiagram(plan: Plan): Diagram {
 
 /// Rising values in the order of the case's own sweep, once for every way that it goes.
 function along(plan: Plan, rising: readonly number[]): { values: Float64Array; branch: Int8Array } {
-  const falling = plan.batch !== undefined && plan.batch.parameter === plan.parameter && (plan.batch.values[0] ?? 0) > (plan.batch.values.at(-1) ?? 0);
+  const falling =
+    plan.batch !== undefined &&
+    plan.batch.parameter === plan.parameter &&
+    (plan.batch.values[0] ?? 0) > (plan.batch.values.at(-1) ?? 0);
   const once = falling ? [...rising].reverse() : rising;
   const carry = carryOf(plan);
   const ways = carry === 'both' ? [1, -1] : [carry === 'forward' ? 1 : carry === 'reverse' ? -1 : 0];
-  return { values: Float64Array.from(ways.flatMap(() => once)), branch: Int8Array.from(ways.flatMap((way) => once.map(() => way))) };
+  return {
+    values: Float64Array.from(ways.flatMap(() => once)),
+    branch: Int8Array.from(ways.flatMap((way) => once.map(() => way))),
+  };
 }
 
-/// The diagram with what is missing of the plan's points in its range, which lie on halves, quarters, ... of the diagram's own
-/// range, so that another zoom finds them again; undefined where nothing is missing or all of it is in view.
-export function finerDiagram(plan: Plan, coarse: Diagram): { readonly diagram: Diagram; readonly plan: Plan } | undefined {
+/// The diagram with what is missing of the plan's points in its range, which lie on halves, quarters, ... of the
+/// diagram's own range, so that another zoom finds them again; undefined where nothing is missing or all of it is in
+/// view.
+export function finerDiagram(
+  plan: Plan,
+  coarse: Diagram,
+): { readonly diagram: Diagram; readonly plan: Plan } | undefined {
   const { points } = plan;
   const [from, to] = coarse.span;
   const [low, high] = [Math.max(plan.low, from), Math.min(plan.high, to)];
@@ -86,10 +97,16 @@ export function finerDiagram(plan: Plan, coarse: Diagram): { readonly diagram: D
   const parts = 2 ** Math.ceil(Math.log2((points * (to - from)) / (high - low)));
   const step = (to - from) / parts;
   const inside = (value: number) => value >= low - 0.25 * step && value <= high + 0.25 * step;
-  const keep = (point: number) => coarse.done[point] === 1 && !(coarse.provisional[point] && inside(coarse.values[point]!));
-  const there = new Set(Array.from(coarse.values.keys()).filter(keep).map((point) => Math.round((coarse.values[point]! - from) / step)));
+  const keep = (point: number) =>
+    coarse.done[point] === 1 && !(coarse.provisional[point] && inside(coarse.values[point]!));
+  const there = new Set(
+    Array.from(coarse.values.keys())
+      .filter(keep)
+      .map((point) => Math.round((coarse.values[point]! - from) / step)),
+  );
   const rising: number[] = [];
-  for (let i = Math.ceil((low - from) / step); i <= (high - from) / step; i++) if (!there.has(i)) rising.push(from + i * step);
+  for (let i = Math.ceil((low - from) / step); i <= (high - from) / step; i++)
+    if (!there.has(i)) rising.push(from + i * step);
   if (rising.length < 2) return undefined;
   const { values, branch } = along(plan, rising);
   const diagram = coarse.joined(keep, values, branch);
@@ -101,8 +118,8 @@ function carryOf(plan: Plan): Carry {
   return plan.batch?.parameter === plan.parameter ? plan.batch.carry : 'none';
 }
 
-/// Places of the points of the first branch that have no verdict yet: first those whose evidence is weakest, of these the
-/// least stable first.
+/// Places of the points of the first branch that have no verdict yet: first those whose evidence is weakest, of these
+/// the least stable first.
 export function doubtfulFirst(diagram: Diagram, places: readonly number[]): number[] {
   const agreement = (point: number) => diagram.number(point, 'regime/agreement') || 0;
   const exponent = (point: number) => {
@@ -133,7 +150,14 @@ function orderOf(plan: Plan, pass: Pass, diagram: Diagram): readonly number[] {
 }
 
 /// Fills the diagram; the sentence of what went wrong, "" when all went well or it was stopped.
-export async function recompute(engine: Engine, plan: Plan, pass: Pass, diagram: Diagram, listener: RecomputeListener, signal: AbortSignal): Promise<string> {
+export async function recompute(
+  engine: Engine,
+  plan: Plan,
+  pass: Pass,
+  diagram: Diagram,
+  listener: RecomputeListener,
+  signal: AbortSignal,
+): Promise<string> {
   const order = orderOf(plan, pass, diagram);
   if (order.length === 0) return '';
   const outcome = await engine.sweep(
@@ -148,7 +172,9 @@ export async function recompute(engine: Engine, plan: Plan, pass: Pass, diagram:
     {
       layout: (layout) => diagram.expect(layout),
       points: (points) => {
-        diagram.take(points, (slot) => (slot < order.length ? order[slot]! : order[slot - order.length]! + order.length));
+        diagram.take(points, (slot) =>
+          slot < order.length ? order[slot]! : order[slot - order.length]! + order.length,
+        );
         listener.grown();
       },
       progress: (progress) => listener.progress(progress),

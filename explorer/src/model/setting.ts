@@ -1,4 +1,5 @@
-// What the reader has set, as it stands in the address of the page. What an address holds is checked: it may come by mail.
+// What the reader has set, as it stands in the address of the page. What an address holds is checked: it may come by
+// mail.
 import { QUANTITIES } from '../data/quantities';
 import type { Units } from './units';
 
@@ -56,7 +57,8 @@ function readSide(all: URLSearchParams, value: string, set: string): Side {
   const assignments = new Map<string, string>();
   for (const text of all.getAll(set)) {
     const [, name = '', written = ''] = /^([^=]*)=(.*)$/s.exec(text) ?? [];
-    if (NAME.test(name) && written.trim() && written.length <= MOST_TEXT && !/[\r\n]/.test(written)) assignments.set(name, written);
+    if (NAME.test(name) && written.trim() && written.length <= MOST_TEXT && !/[\r\n]/.test(written))
+      assignments.set(name, written);
   }
   return { assignments, value: number(all.get(value)) };
 }
@@ -82,7 +84,11 @@ export function readAddress(hash: string, fallback: Units): Address {
     parameter: NAME.test(all.get('par') ?? '') ? all.get('par')! : '',
     a: readSide(all, 'at', 'set'),
     b: all.has('b') ? readSide(all, 'b', 'bset') : undefined,
-    quantity: oneOf(all.get('q'), QUANTITIES.map(({ id }) => id), 'x'),
+    quantity: oneOf(
+      all.get('q'),
+      QUANTITIES.map(({ id }) => id),
+      'x',
+    ),
     station: (all.get('st') ?? '').slice(0, MOST_TEXT),
     range: Number.isFinite(low) && Number.isFinite(high) && low! < high! ? [low!, high!] : undefined,
     units: {

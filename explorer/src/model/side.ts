@@ -124,7 +124,10 @@ export class SideModel {
 }
 
 /// The sentence of what went wrong, with the first problem's key where there is one.
-export function troubleOf(outcome: { readonly message: string; readonly problems: readonly { readonly key: string; readonly message: string }[] }): string {
+export function troubleOf(outcome: {
+  readonly message: string;
+  readonly problems: readonly { readonly key: string; readonly message: string }[];
+}): string {
   const first = outcome.problems[0];
   return first ? `${first.key ? `${first.key}: ` : ''}${first.message}` : outcome.message;
 }

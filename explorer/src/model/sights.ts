@@ -29,9 +29,19 @@ export type Quality = 'draft' | 'quick' | 'case';
 
 const MOST_LEFT = 16;
 const COARSE_STEPS = 256;
-const GLIMPSE: Pass = { text: 'a first glimpse', look: { transient: 24, record: 12, stepsPerRevolution: COARSE_STEPS }, coarse: true };
-const DRAFT: Pass = { text: 'undetermined until they run at full length', look: { transient: 100, record: 50, stepsPerRevolution: COARSE_STEPS } };
-const QUICK: Pass = { text: 'undetermined until they run at full length', look: { transient: 400, record: 100, stepsPerRevolution: COARSE_STEPS } };
+const GLIMPSE: Pass = {
+  text: 'a first glimpse',
+  look: { transient: 24, record: 12, stepsPerRevolution: COARSE_STEPS },
+  coarse: true,
+};
+const DRAFT: Pass = {
+  text: 'undetermined until they run at full length',
+  look: { transient: 100, record: 50, stepsPerRevolution: COARSE_STEPS },
+};
+const QUICK: Pass = {
+  text: 'undetermined until they run at full length',
+  look: { transient: 400, record: 100, stepsPerRevolution: COARSE_STEPS },
+};
 const WHOLE: Pass = { text: 'now at full length, the doubtful ones first', doubtful: true };
 
 /// Coarse to fine: something is seen at once, and no verdict is given that a longer run may take back.
@@ -115,7 +125,8 @@ export class Sights {
 
   /// Shows a range that was shown before: the diagram that was looked at there, else that part of the present one.
   restore(range: Range, whole: Range): void {
-    const shows = (sight: Sight) => sight.range.every((end, i) => Math.abs(end - range[i]!) < 1e-6 * (range[1] - range[0]));
+    const shows = (sight: Sight) =>
+      sight.range.every((end, i) => Math.abs(end - range[i]!) < 1e-6 * (range[1] - range[0]));
     const at = this.stack.map(shows).lastIndexOf(true);
     if (at >= 0 && at === this.behind) return;
     this.stop();
@@ -143,15 +154,18 @@ export class Sights {
     this.sweeping?.abort();
   }
 
-  /// Computes a diagram; the one before stays behind it, unless this is to be the first. Gives the sentence of what went
-  /// wrong, "" when nothing did or it was overtaken.
+  /// Computes a diagram; the one before stays behind it, unless this is to be the first. Gives the sentence of what
+  /// went wrong, "" when nothing did or it was overtaken.
   async compute(plan: Plan, quality: Quality, of: string, first: boolean): Promise<string> {
     if (!this.engine) return '';
     this.stop();
     const diagram = awaitedDiagram(plan);
     if (first) this.stack = [];
     this.stack.push({ diagram, range: [plan.low, plan.high], of, text: '', how: howOf(plan.setting) });
-    return this.fill(plan, quality, diagram, false, (sight, text) => ({ ...sight, text: `Computed here, ${quality}: ${diagram.count} points${text && `, ${text}`}.` }));
+    return this.fill(plan, quality, diagram, false, (sight, text) => ({
+      ...sight,
+      text: `Computed here, ${quality}: ${diagram.count} points${text && `, ${text}`}.`,
+    }));
   }
 
   /// Whether a whole diagram is being computed.
@@ -168,13 +182,23 @@ export class Sights {
     const finer = finerDiagram(plan, shown.diagram);
     if (!finer) return '';
     const { diagram } = finer;
-    const replace = (sight: Sight): Sight => (sight.diagram === shown.diagram ? { ...sight, diagram, coarse: sight.coarse ?? sight.diagram!.count } : sight);
+    const replace = (sight: Sight): Sight =>
+      sight.diagram === shown.diagram ? { ...sight, diagram, coarse: sight.coarse ?? sight.diagram!.count } : sight;
     [this.stack, this.left] = [this.stack.map(replace), this.left.map(replace)];
-    return this.fill(finer.plan, quality, diagram, true, (sight, text) => ({ ...sight, note: `${diagram.known - sight.coarse!} finer points were computed here${text && `, ${text}`}.` }));
+    return this.fill(finer.plan, quality, diagram, true, (sight, text) => ({
+      ...sight,
+      note: `${diagram.known - sight.coarse!} finer points were computed here${text && `, ${text}`}.`,
+    }));
   }
 
   /// Computes the points of a plan in passes; `say` puts what is being done into the texts of its sights.
-  private async fill(plan: Plan, quality: Quality, diagram: Diagram, refining: boolean, say: (sight: Sight, text: string) => Sight): Promise<string> {
+  private async fill(
+    plan: Plan,
+    quality: Quality,
+    diagram: Diagram,
+    refining: boolean,
+    say: (sight: Sight, text: string) => Sight,
+  ): Promise<string> {
     const mine = (this.sweeping = new AbortController());
     this.refining = refining;
     const tell = (now: SweepProgress | undefined) => {
@@ -190,7 +214,14 @@ export class Sights {
     for (const pass of PASSES[quality]) {
       told(pass.text);
       tell({ pointsDone: 0, pointsTotal: plan.points, revolutionsDone: 0, revolutionsTotal: 0 });
-      trouble ||= await recompute(this.engine!, plan, pass, diagram, { grown: () => this.listener.grown(), progress: tell }, mine.signal);
+      trouble ||= await recompute(
+        this.engine!,
+        plan,
+        pass,
+        diagram,
+        { grown: () => this.listener.grown(), progress: tell },
+        mine.signal,
+      );
       if (mine !== this.sweeping || mine.signal.aborted || trouble) break;
     }
     if (mine !== this.sweeping) return '';

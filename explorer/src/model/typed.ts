@@ -1,13 +1,21 @@
 // Numbers as hands type them.
 
-/// The number, or the sentence that says why it is none. A comma may part thousands or decimals: it is not guessed which.
+/// The number, or the sentence that says why it is none. A comma may part thousands or decimals: it is not guessed
+/// which.
 export function typedNumber(text: string): number | string {
   const plain = text.trim().replace('\u2212', '-');
   if (plain === '') return 'expected a number';
-  if (/^[-+]?\d*,\d*$/.test(plain)) return `${plain} has a comma: write ${plain.replace(',', '.')} with a decimal point, or ${plain.replace(',', '')} without the comma`;
-  if (plain.includes(',')) return `${plain} has commas: write it without them, with a decimal point where one is needed`;
+  if (/^[-+]?\d*,\d*$/.test(plain))
+    return (
+      `${plain} has a comma: write ${plain.replace(',', '.')} with a decimal point, or ${plain.replace(',', '')} ` +
+      'without the comma'
+    );
+  if (plain.includes(','))
+    return `${plain} has commas: write it without them, with a decimal point where one is needed`;
   const value = Number(plain);
-  return /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(plain) && Number.isFinite(value) ? value : `${plain} is not a number`;
+  return /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(plain) && Number.isFinite(value)
+    ? value
+    : `${plain} is not a number`;
 }
 
 /// The same for a whole number from `low` to `high`.

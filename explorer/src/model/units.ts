@@ -26,9 +26,14 @@ export interface Scales {
 }
 
 /// Units that suit a machine's length scale [m]: micrometres say nothing of a dimensionless case, whose scale is 1 m.
-export function unitsFor(length: number, others: Pick<Units, 'frequency' | 'amplitude'> = { frequency: 'order', amplitude: '0-p' }): Units {
+export function unitsFor(
+  length: number,
+  others: Pick<Units, 'frequency' | 'amplitude'> = { frequency: 'order', amplitude: '0-p' },
+): Units {
   const { frequency, amplitude } = others;
-  return length >= 0.1 ? { length: 'scale', speed: 'rad/s', frequency, amplitude } : { length: 'um', speed: 'rpm', frequency, amplitude };
+  return length >= 0.1
+    ? { length: 'scale', speed: 'rad/s', frequency, amplitude }
+    : { length: 'um', speed: 'rpm', frequency, amplitude };
 }
 
 export interface Measure {
@@ -55,7 +60,9 @@ export function amplitudeMeasure(units: Units, scales: Scales): Measure {
 }
 
 export function frequencyMeasure(units: Units, scales: Scales): Measure {
-  return units.frequency === 'Hz' ? { factor: scales.speed / (2 * Math.PI), unit: 'Hz' } : { factor: 1, unit: 'orders' };
+  return units.frequency === 'Hz'
+    ? { factor: scales.speed / (2 * Math.PI), unit: 'Hz' }
+    : { factor: 1, unit: 'orders' };
 }
 
 /// A parameter's value in SI, as it is shown.
@@ -71,7 +78,11 @@ export function shown(value: number, digits = 4): string {
   if (value === 0) return '0';
   const size = Math.abs(value);
   const text = size >= 1e6 || size < 1e-4 ? value.toExponential(digits - 1) : value.toPrecision(digits);
-  const plain = text.includes('e') ? text.replace(/\.?0+e/, 'e').replace('e+', 'e') : text.includes('.') ? text.replace(/\.?0+$/, '') : text;
+  const plain = text.includes('e')
+    ? text.replace(/\.?0+e/, 'e').replace('e+', 'e')
+    : text.includes('.')
+      ? text.replace(/\.?0+$/, '')
+      : text;
   return plain.replace('-', '\u2212');
 }
 

@@ -72,7 +72,12 @@ export class Watch {
   private async fetch(): Promise<void> {
     this.fetching = true;
     const outcome = await this.engine.transient(
-      { ...this.request, ...(this.state ? { state: this.state } : {}), revolutions: CHUNK, samplesPerRevolution: SAMPLES },
+      {
+        ...this.request,
+        ...(this.state ? { state: this.state } : {}),
+        revolutions: CHUNK,
+        samplesPerRevolution: SAMPLES,
+      },
       { lane: this.lane, priority: 0 },
     );
     this.fetching = false;
@@ -88,8 +93,13 @@ export class Watch {
     const x = Math.min(2 * this.station, half - 1);
     for (let i = 0; i < samples.length / dimension; i++) {
       let touching = false;
-      for (let contact = 0; contact < contacts; contact++) touching ||= mine[contact] === true && forces[i * contacts + contact]! > 0;
-      this.samples.push({ x: samples[i * dimension + x]!, y: samples[i * dimension + Math.min(x + 1, half - 1)]!, touching });
+      for (let contact = 0; contact < contacts; contact++)
+        touching ||= mine[contact] === true && forces[i * contacts + contact]! > 0;
+      this.samples.push({
+        x: samples[i * dimension + x]!,
+        y: samples[i * dimension + Math.min(x + 1, half - 1)]!,
+        touching,
+      });
     }
     this.state = result.state;
     this.per = result.samplesPerRevolution;
@@ -111,7 +121,10 @@ export class Watch {
       y: shown.map((sample) => sample.y),
       marks,
       touching: fresh.some(({ touching }) => touching),
-      text: this.ended && now === this.samples.length - 1 ? `diverged after ${revolution} revolutions` : `revolution ${revolution}`,
+      text:
+        this.ended && now === this.samples.length - 1
+          ? `diverged after ${revolution} revolutions`
+          : `revolution ${revolution}`,
     };
   }
 

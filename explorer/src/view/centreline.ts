@@ -1,4 +1,5 @@
-// The shaft centreline: where the station hangs in its clearance circle on average, and the way it takes along the sweep.
+// The shaft centreline: where the station hangs in its clearance circle on average, and the way it takes along the
+// sweep.
 import type { Diagram } from '../data/diagram';
 import { font, type Pen } from '../figure/pen';
 import { textSize } from '../figure/figure';
@@ -18,7 +19,9 @@ function clearanceOf(diagram: Diagram, point: number, station: number): number {
 }
 
 export class CentrelinePanel extends Panel {
-  readonly figure = new Round('Shaft centreline', (pen, width, height, colours) => this.draw(pen, width, height, colours));
+  readonly figure = new Round('Shaft centreline', (pen, width, height, colours) =>
+    this.draw(pen, width, height, colours),
+  );
 
   constructor() {
     super('centreline', 'Shaft centreline');
@@ -36,12 +39,24 @@ export class CentrelinePanel extends Panel {
     const { unit } = lengthMeasure(units, scales);
     const [x, y] = [diagram?.column('orbit/mean', station, 0), diagram?.column('orbit/mean', station, 1)];
     return {
-      heading: [diagram?.parameter || 'point', `mean x [${unit}]`, `mean y [${unit}]`, 'eccentricity ratio', 'attitude angle [deg]'],
+      heading: [
+        diagram?.parameter || 'point',
+        `mean x [${unit}]`,
+        `mean y [${unit}]`,
+        'eccentricity ratio',
+        'attitude angle [deg]',
+      ],
       rows: Array.from(diagram?.values ?? [], (value, i) => {
         const [mx, my] = [x?.data[i] ?? NaN, y?.data[i] ?? NaN];
         // Each point's in the length scale of its own machine.
         const { factor } = lengthMeasure(units, { ...scales, length: diagram!.lengthScales[i]! });
-        return [value, mx * factor, my * factor, Math.hypot(mx, my) / clearanceOf(diagram!, i, station), attitude(mx, my)];
+        return [
+          value,
+          mx * factor,
+          my * factor,
+          Math.hypot(mx, my) / clearanceOf(diagram!, i, station),
+          attitude(mx, my),
+        ];
       }),
     };
   }
@@ -57,7 +72,10 @@ export class CentrelinePanel extends Panel {
     if (!Number.isFinite(x)) return '';
     const { factor, unit } = lengthMeasure(units, scales);
     const ratio = info.clearance > 0 ? `eccentricity ratio ${shown(Math.hypot(x, y) / info.clearance, 3)}, ` : '';
-    return `${ratio}attitude ${shown(attitude(x, y), 3)}\u00b0, mean (${shown(x * factor, 3)}, ${shown(y * factor, 3)}) ${unit}`;
+    return (
+      `${ratio}attitude ${shown(attitude(x, y), 3)}\u00b0, mean (${shown(x * factor, 3)}, ` +
+      `${shown(y * factor, 3)}) ${unit}`
+    );
   }
 
   private draw(pen: Pen, width: number, height: number, colours: Theme): void {
@@ -85,7 +103,12 @@ export class CentrelinePanel extends Panel {
     pen.fill();
   }
 
-  private drawPath(pen: Pen, { diagram, station, units, scales }: Subject, place: (x: number, y: number) => readonly [number, number], colours: Theme): void {
+  private drawPath(
+    pen: Pen,
+    { diagram, station, units, scales }: Subject,
+    place: (x: number, y: number) => readonly [number, number],
+    colours: Theme,
+  ): void {
     const [x, y] = [diagram?.column('orbit/mean', station, 0), diagram?.column('orbit/mean', station, 1)];
     if (!diagram || !x || !y) return;
     diagram.values.forEach((_, point) => {
@@ -102,7 +125,14 @@ export class CentrelinePanel extends Panel {
   }
 }
 
-function drawPolar(pen: Pen, [x, y]: readonly [number, number], radius: number, subject: Subject, colours: Theme, size: number): void {
+function drawPolar(
+  pen: Pen,
+  [x, y]: readonly [number, number],
+  radius: number,
+  subject: Subject,
+  colours: Theme,
+  size: number,
+): void {
   pen.lineWidth = 1;
   for (const part of [0.25, 0.5, 0.75, 1]) {
     pen.strokeStyle = part === 1 ? colours.clearance : colours.grid;
@@ -120,7 +150,8 @@ function drawPolar(pen: Pen, [x, y]: readonly [number, number], radius: number, 
   pen.moveTo(x, y - radius);
   pen.lineTo(x, y + radius);
   pen.stroke();
-  const wall = subject.info.clearance > 0 ? 'bearing clearance' : subject.info.gap > 0 ? 'stator gap' : 'one length scale';
+  const wall =
+    subject.info.clearance > 0 ? 'bearing clearance' : subject.info.gap > 0 ? 'stator gap' : 'one length scale';
   const length = lengthMeasure(subject.units, subject.scales);
   const reach = (subject.info.clearance || subject.info.gap || 1) * length.factor;
   pen.fillStyle = colours.muted;
@@ -130,5 +161,10 @@ function drawPolar(pen: Pen, [x, y]: readonly [number, number], radius: number, 
   pen.fillText(`${wall} ${shown(reach, 3)} ${length.unit}`, 2, 1);
   pen.textAlign = 'center';
   pen.textBaseline = 'middle';
-  for (const part of [0.5, 1]) pen.fillText(String(part), x + radius * part * Math.SQRT1_2 - 0.7 * size, y - radius * part * Math.SQRT1_2 + 0.8 * size);
+  for (const part of [0.5, 1])
+    pen.fillText(
+      String(part),
+      x + radius * part * Math.SQRT1_2 - 0.7 * size,
+      y - radius * part * Math.SQRT1_2 + 0.8 * size,
+    );
 }

@@ -13,14 +13,48 @@ const KEYS: readonly (readonly [string, string])[] = [
 ];
 
 const POINTS: readonly (readonly [string, string])[] = [
-  ['Diagram', 'One column of dots for each value of the parameter: the displacement once per revolution. One dot is a motion that repeats itself every revolution, two dots one of two revolutions, a smear is quasi-periodic or chaotic. Colours are verdicts, the ribbon at the bottom repeats them; amber shading means that the rotor touches its stator.'],
-  ['Exponent', 'Below the diagram: the largest Lyapunov exponent per revolution, with its standard error where it can be seen. Above zero small disturbances grow: chaos.'],
-  ['Touch', 'Click or drag: the machine is integrated at exactly that value, first briefly, then as long as the case says. The mode Range (or Shift and drag) computes the brushed range anew, coarse to fine; Back returns.'],
-  ['Orbit', 'Seen along the shaft; it turns counter-clockwise, from x to y. The dot is the once-per-revolution mark (keyphasor); the trace pauses just before it, so blank to bright is the way the shaft moves. Forward means with the rotation.'],
-  ['Full spectrum', 'The two circular motions that make up the orbit, forward to the right, backward to the left, both relative to the rotation.'],
-  ['Centreline', 'The mean position in the clearance circle, along the diagram and at the cursor. The attitude angle is measured from straight down in the sense of rotation.'],
-  ['Amplitudes', 'Say 0-p (zero to peak), p-p (peak to peak) or rms. Switch units at the top; c is one bearing clearance.'],
-  ['Keep', 'Every picture as PNG or SVG and its data as CSV (\u2913); the setting as a case file or a command line for whirl; the address of the page holds the setting too.'],
+  [
+    'Diagram',
+    'One column of dots for each value of the parameter: the displacement once per revolution. One dot is a ' +
+      'motion that repeats itself every revolution, two dots one of two revolutions, a smear is quasi-periodic ' +
+      'or chaotic. Colours are verdicts, the ribbon at the bottom repeats them; amber shading means that the ' +
+      'rotor touches its stator.',
+  ],
+  [
+    'Exponent',
+    'Below the diagram: the largest Lyapunov exponent per revolution, with its standard error where it can be ' +
+      'seen. Above zero small disturbances grow: chaos.',
+  ],
+  [
+    'Touch',
+    'Click or drag: the machine is integrated at exactly that value, first briefly, then as long as the case ' +
+      'says. The mode Range (or Shift and drag) computes the brushed range anew, coarse to fine; Back returns.',
+  ],
+  [
+    'Orbit',
+    'Seen along the shaft; it turns counter-clockwise, from x to y. The dot is the once-per-revolution mark ' +
+      '(keyphasor); the trace pauses just before it, so blank to bright is the way the shaft moves. Forward ' +
+      'means with the rotation.',
+  ],
+  [
+    'Full spectrum',
+    'The two circular motions that make up the orbit, forward to the right, backward to the left, both ' +
+      'relative to the rotation.',
+  ],
+  [
+    'Centreline',
+    'The mean position in the clearance circle, along the diagram and at the cursor. The attitude angle is ' +
+      'measured from straight down in the sense of rotation.',
+  ],
+  [
+    'Amplitudes',
+    'Say 0-p (zero to peak), p-p (peak to peak) or rms. Switch units at the top; c is one bearing clearance.',
+  ],
+  [
+    'Keep',
+    'Every picture as PNG or SVG and its data as CSV (\u2913); the setting as a case file or a command line ' +
+      'for whirl; the address of the page holds the setting too.',
+  ],
 ];
 
 type Facts = readonly { readonly name: string; readonly value: string }[];
@@ -36,7 +70,8 @@ export class Help {
 
   /// `facts`: how the run that is shown was made; none where it is computed here.
   open(facts: Facts): void {
-    const rows = (entries: readonly (readonly [string, string])[]) => entries.flatMap(([term, text]) => [el('dt', {}, term), el('dd', {}, text)]);
+    const rows = (entries: readonly (readonly [string, string])[]) =>
+      entries.flatMap(([term, text]) => [el('dt', {}, term), el('dd', {}, text)]);
     this.root.replaceChildren(
       button('\u00d7', 'Close this help', () => this.root.close(), { class: 'icon close', autofocus: true }),
       el('h2', {}, 'How to read and use this page'),

@@ -1,4 +1,5 @@
-// The diagram: a quantity over the parameter, the exponent below on the same axis, and the cursors that ask for motions.
+// The diagram: a quantity over the parameter, the exponent below on the same axis, and the cursors that ask for
+// motions.
 import type { Diagram } from '../data/diagram';
 import { CLASS_NAMES } from '../data/regimes';
 import { quantityOf, type ShownQuantity } from '../data/quantities';
@@ -92,14 +93,17 @@ export class MapView {
     if (subject.diagram !== this.subject?.diagram) this.order = [];
     this.subject = subject;
     const { diagram } = subject;
-    if (diagram && this.order.length !== diagram.count) this.order = Array.from(diagram.values.keys()).sort((a, b) => diagram.values[a]! - diagram.values[b]!);
+    if (diagram && this.order.length !== diagram.count)
+      this.order = Array.from(diagram.values.keys()).sort((a, b) => diagram.values[a]! - diagram.values[b]!);
     this.refresh();
   }
 
   /// What is shown of the diagram: an awaited one has its columns, and their scale, once the first points come in.
   private showQuantity(subject: MapSubject): void {
     const { diagram } = subject;
-    this.quantity = diagram && quantityOf(diagram, subject.quantity, subject.station, subject.stations, subject.units, subject.scales.symbol);
+    this.quantity =
+      diagram &&
+      quantityOf(diagram, subject.quantity, subject.station, subject.stations, subject.units, subject.scales.symbol);
     const xLabel = labelled(subject.parameter, parameterMeasure(subject.unit, subject.units).unit);
     if (this.quantity || diagram?.known) this.label = this.quantity?.label ?? '';
     this.main.setAxes(xLabel, this.label);
@@ -135,7 +139,11 @@ export class MapView {
 
   picture(): Picture {
     const boxes = [this.main, this.exponent].map((chart) => chart.root.getBoundingClientRect());
-    const [width, upper, lower] = [Math.floor(boxes[0]!.width), Math.floor(boxes[0]!.height), Math.floor(boxes[1]!.height)];
+    const [width, upper, lower] = [
+      Math.floor(boxes[0]!.width),
+      Math.floor(boxes[0]!.height),
+      Math.floor(boxes[1]!.height),
+    ];
     const legend = Math.ceil(textSize() * 2);
     const pen = new SvgPen(width, upper + lower + legend, 'Bifurcation diagram');
     this.shapes = true;
@@ -159,14 +167,32 @@ export class MapView {
     const label = quantity?.label ?? '';
     return {
       heading: [
-        labelled(subject.parameter, measure.unit), 'branch', 'verdict', 'exponent per revolution', 'its error', 'contact share',
+        labelled(subject.parameter, measure.unit),
+        'branch',
+        'verdict',
+        'exponent per revolution',
+        'its error',
+        'contact share',
         ...Array.from({ length: rows }, (_, row) => (rows === 1 ? label : `${label} ${row + 1}`)),
       ],
-      rows: this.order.filter((point) => diagram.done[point]).map((point) => {
-        const exponent = diagram.exponent(point);
-        const numbers = Array.from(quantity?.column.data.subarray(point * rows, (point + 1) * rows) ?? [], (value) => value * quantity!.factor);
-        return [diagram.values[point]! * measure.factor, diagram.branch[point]!, diagram.verdicts[point]![0], exponent.value, exponent.error, diagram.contact(point), ...numbers];
-      }),
+      rows: this.order
+        .filter((point) => diagram.done[point])
+        .map((point) => {
+          const exponent = diagram.exponent(point);
+          const numbers = Array.from(
+            quantity?.column.data.subarray(point * rows, (point + 1) * rows) ?? [],
+            (value) => value * quantity!.factor,
+          );
+          return [
+            diagram.values[point]! * measure.factor,
+            diagram.branch[point]!,
+            diagram.verdicts[point]![0],
+            exponent.value,
+            exponent.error,
+            diagram.contact(point),
+            ...numbers,
+          ];
+        }),
     };
   }
 
@@ -177,7 +203,8 @@ export class MapView {
     if (!diagram) return;
     for (let point = 0; point < diagram.count; point++) {
       const value = diagram.values[point]!;
-      if (diagram.done[point] && value >= range[0] && value <= range[1] && !hidden.has(diagram.classes[point]!)) visit(point);
+      if (diagram.done[point] && value >= range[0] && value <= range[1] && !hidden.has(diagram.classes[point]!))
+        visit(point);
     }
   }
 
@@ -238,7 +265,8 @@ export class MapView {
 
   private drawExponent(pen: Pen, frame: Frame, colours: Theme): void {
     const { subject } = this;
-    const column = subject?.diagram && (subject.diagram.column('lyapunov/largest') ?? subject.diagram.column('regime/exponent'));
+    const column =
+      subject?.diagram && (subject.diagram.column('lyapunov/largest') ?? subject.diagram.column('regime/exponent'));
     if (!subject?.diagram || !column) return;
     pen.strokeStyle = colours.muted;
     pen.lineWidth = frame.ratio;
@@ -248,7 +276,13 @@ export class MapView {
     pen.stroke();
     this.drawErrors(pen, frame, subject, colours);
     const valueFactor = parameterMeasure(subject.unit, subject.units).factor;
-    drawCloud(pen, { diagram: subject.diagram, column, factor: 1, valueFactor, hidden: subject.hidden }, frame, colours, this.shapes);
+    drawCloud(
+      pen,
+      { diagram: subject.diagram, column, factor: 1, valueFactor, hidden: subject.hidden },
+      frame,
+      colours,
+      this.shapes,
+    );
   }
 
   /// Standard errors, where they are wide enough to be seen.
@@ -279,8 +313,9 @@ export class MapView {
       const place = (i: number) => frame.x(diagram.values[mine[i]!]! * factor);
       for (let i = 0; i < mine.length; i++) {
         const here = place(i);
-        const left = i > 0 ? (place(i - 1) + here) / 2 : here - ((mine.length > 1 ? place(1) - here : 4) / 2);
-        const right = i + 1 < mine.length ? (place(i + 1) + here) / 2 : here + ((mine.length > 1 ? here - place(i - 1) : 4) / 2);
+        const left = i > 0 ? (place(i - 1) + here) / 2 : here - (mine.length > 1 ? place(1) - here : 4) / 2;
+        const right =
+          i + 1 < mine.length ? (place(i + 1) + here) / 2 : here + (mine.length > 1 ? here - place(i - 1) : 4) / 2;
         if (right >= frame.left && left <= frame.left + frame.width) visitor(mine[i]!, left, right);
       }
     }
@@ -292,7 +327,8 @@ export class MapView {
     pen.fillStyle = colours.contactShade;
     pen.beginPath();
     this.cells(frame, (point, left, right) => {
-      if (diagram.branch[point]! >= 0 && diagram.contact(point) > 0) pen.rect(left, frame.top, right - left, frame.height);
+      if (diagram.branch[point]! >= 0 && diagram.contact(point) > 0)
+        pen.rect(left, frame.top, right - left, frame.height);
     });
     pen.fill();
   }
@@ -365,7 +401,10 @@ export class MapView {
     slider.setAttribute('aria-valuemin', String(subject.range[0] * measure.factor));
     slider.setAttribute('aria-valuemax', String(subject.range[1] * measure.factor));
     slider.setAttribute('aria-valuenow', String(this.value * measure.factor));
-    slider.setAttribute('aria-valuetext', `${subject.parameter} ${shown(this.value * measure.factor, 6)} ${measure.unit}`);
+    slider.setAttribute(
+      'aria-valuetext',
+      `${subject.parameter} ${shown(this.value * measure.factor, 6)} ${measure.unit}`,
+    );
   }
 
   private valueAt(overlay: HTMLElement, clientX: number): number {
@@ -433,7 +472,8 @@ export class MapView {
   }
 
   private wheel(overlay: HTMLElement, event: WheelEvent): void {
-    if (!this.subject || document.activeElement !== this.main.overlay) return; // the page scrolls until the diagram is in use
+    // The page scrolls until the diagram is in use.
+    if (!this.subject || document.activeElement !== this.main.overlay) return;
     event.preventDefault();
     if (Math.abs(event.deltaX) > Math.abs(event.deltaY)) {
       this.pan(((this.subject.range[1] - this.subject.range[0]) * event.deltaX) / 800);
@@ -454,7 +494,10 @@ export class MapView {
 
   private showBrush(from: number, to: number): void {
     const factor = parameterMeasure(this.subject!.unit, this.subject!.units).factor;
-    const [left, right] = [this.main.placeOf(Math.min(from, to) * factor), this.main.placeOf(Math.max(from, to) * factor)];
+    const [left, right] = [
+      this.main.placeOf(Math.min(from, to) * factor),
+      this.main.placeOf(Math.max(from, to) * factor),
+    ];
     this.brush.hidden = false;
     this.brush.style.left = `${left}px`;
     this.brush.style.width = `${right - left}px`;

@@ -29,7 +29,10 @@ export interface MapCardSubject extends MapSubject {
   readonly name: string;
 }
 
-const POINTS: readonly Choice[] = [64, 128, 256, 512, 1024].map((count) => ({ value: String(count), text: `${count} points` }));
+const POINTS: readonly Choice[] = [64, 128, 256, 512, 1024].map((count) => ({
+  value: String(count),
+  text: `${count} points`,
+}));
 const QUALITIES: readonly Choice[] = [
   { value: 'draft', text: 'draft: 150 revolutions, no verdicts' },
   { value: 'quick', text: 'quick: 500 revolutions, then as the case' },
@@ -54,22 +57,41 @@ export class MapCard {
   private readonly cancel: HTMLButtonElement;
   private readonly bar = el('progress', { max: 1, value: 0, 'aria-label': 'Progress of the diagram' });
   private readonly status = el('p', { class: 'status', role: 'status' });
-  private readonly legend = el('div', { class: 'legend', role: 'group', 'aria-label': 'Regimes; press to hide or show' });
+  private readonly legend = el('div', {
+    class: 'legend',
+    role: 'group',
+    'aria-label': 'Regimes; press to hide or show',
+  });
   private readonly computing: HTMLElement;
 
   constructor(private readonly listener: MapCardListener) {
     this.map = new MapView(listener);
-    this.quantity = select('What the diagram shows', QUANTITIES.map(({ id, text }) => ({ value: id, text })), 'x', (value) => listener.quantity(value));
+    this.quantity = select(
+      'What the diagram shows',
+      QUANTITIES.map(({ id, text }) => ({ value: id, text })),
+      'x',
+      (value) => listener.quantity(value),
+    );
     this.station = select('Station', [], '', (value) => listener.station(Number(value)));
     this.parameter = select('Parameter along the diagram', [], '', (value) => listener.parameter(value));
-    this.modes = new Segments('What dragging does', [
-      { value: 'point', text: 'Point', title: 'Drag: the motion at the value under the cursor' },
-      { value: 'range', text: 'Range', title: 'Drag: compute that range anew, finer' },
-      { value: 'pan', text: 'Pan', title: 'Drag: move the view; the wheel zooms' },
-    ], 'point', (value) => (this.map.mode = value as Mode));
+    this.modes = new Segments(
+      'What dragging does',
+      [
+        { value: 'point', text: 'Point', title: 'Drag: the motion at the value under the cursor' },
+        { value: 'range', text: 'Range', title: 'Drag: compute that range anew, finer' },
+        { value: 'pan', text: 'Pan', title: 'Drag: move the view; the wheel zooms' },
+      ],
+      'point',
+      (value) => (this.map.mode = value as Mode),
+    );
     this.back = button('Back', 'Back to the diagram before', () => listener.back());
     this.reset = button('Reset', 'The whole diagram of the case', () => listener.reset());
-    this.again = button('Recompute', 'Recompute the diagram here, with the present parameters', () => listener.recompute(), { class: 'primary' });
+    this.again = button(
+      'Recompute',
+      'Recompute the diagram here, with the present parameters',
+      () => listener.recompute(),
+      { class: 'primary' },
+    );
     this.cancel = button('Cancel', 'Stop computing', () => listener.cancel(), { hidden: true });
     this.bar.hidden = true;
     this.computing = el(
@@ -77,16 +99,40 @@ export class MapCard {
       { class: 'tools' },
       this.again,
       select('Points of a new diagram', POINTS, String(this.points), (value) => (this.points = Number(value))),
-      select('How well a new diagram is computed', QUALITIES, this.quality, (value) => (this.quality = value as Quality)),
+      select(
+        'How well a new diagram is computed',
+        QUALITIES,
+        this.quality,
+        (value) => (this.quality = value as Quality),
+      ),
       this.bar,
       this.cancel,
     );
-    const name = () => fileName('whirl', this.subject?.name ?? '', this.subject?.quantity ?? '', this.subject?.parameter ?? '');
+    const name = () =>
+      fileName('whirl', this.subject?.name ?? '', this.subject?.quantity ?? '', this.subject?.parameter ?? '');
     const figure = { root: this.map.root, redraw: () => this.map.refresh(), picture: () => this.map.picture() };
     this.root = el(
       'section',
       { class: 'card map-card', 'aria-label': 'Diagram' },
-      el('header', {}, this.title, el('div', { class: 'tools' }, this.quantity, this.station, el('span', { class: 'over' }, 'over'), this.parameter, saveMenu('Diagram', name, () => figure, () => this.map.table()))),
+      el(
+        'header',
+        {},
+        this.title,
+        el(
+          'div',
+          { class: 'tools' },
+          this.quantity,
+          this.station,
+          el('span', { class: 'over' }, 'over'),
+          this.parameter,
+          saveMenu(
+            'Diagram',
+            name,
+            () => figure,
+            () => this.map.table(),
+          ),
+        ),
+      ),
       el('div', { class: 'tools' }, this.modes.root, this.back, this.reset),
       this.map.root,
       this.legend,
@@ -97,9 +143,18 @@ export class MapCard {
 
   show(subject: MapCardSubject): void {
     this.subject = subject;
-    setChoices(this.station, subject.stations.map(({ name }, i) => ({ value: String(i), text: name })), String(subject.station));
-    this.station.hidden = !(QUANTITIES.find(({ id }) => id === subject.quantity)?.perStation ?? true) || subject.stations.length < 2;
-    setChoices(this.parameter, subject.parameters.map((name) => ({ value: name, text: name })), subject.parameter);
+    setChoices(
+      this.station,
+      subject.stations.map(({ name }, i) => ({ value: String(i), text: name })),
+      String(subject.station),
+    );
+    this.station.hidden =
+      !(QUANTITIES.find(({ id }) => id === subject.quantity)?.perStation ?? true) || subject.stations.length < 2;
+    setChoices(
+      this.parameter,
+      subject.parameters.map((name) => ({ value: name, text: name })),
+      subject.parameter,
+    );
     this.parameter.disabled = subject.parameters.length < 2;
     this.quantity.value = subject.quantity;
     this.back.disabled = subject.depth === 0;
@@ -129,7 +184,8 @@ export class MapCard {
     const entries = counts.flatMap((count, kind) => (count > 0 ? [this.legendEntry(kind, count)] : []));
     const rub = diagram?.values.some((_, point) => diagram.done[point] === 1 && diagram.contact(point) > 0);
     if (rub) entries.push(el('span', { class: 'legend-note key-contact' }, 'contact'));
-    if (diagram?.column('regime/confidence')) entries.push(el('span', { class: 'legend-note key-confidence' }, 'confidence (faint: low)'));
+    if (diagram?.column('regime/confidence'))
+      entries.push(el('span', { class: 'legend-note key-confidence' }, 'confidence (faint: low)'));
     // Rebuilt only when something changed, so that focus stays where it is.
     const text = entries.map((entry) => entry.textContent).join();
     if (this.legend.dataset['text'] === text) return;
@@ -138,11 +194,16 @@ export class MapCard {
   }
 
   private legendEntry(kind: number, count: number): HTMLElement {
-    const entry = button(`${CLASS_NAMES[kind]} `, `${CLASS_NAMES[kind]}: ${count} points; hide or show`, () => {
-      if (!this.hidden.delete(kind)) this.hidden.add(kind);
-      entry.setAttribute('aria-pressed', String(!this.hidden.has(kind)));
-      this.listener.hidden(new Set(this.hidden));
-    }, { class: `legend-entry class-${kind}`, 'aria-pressed': String(!this.hidden.has(kind)) });
+    const entry = button(
+      `${CLASS_NAMES[kind]} `,
+      `${CLASS_NAMES[kind]}: ${count} points; hide or show`,
+      () => {
+        if (!this.hidden.delete(kind)) this.hidden.add(kind);
+        entry.setAttribute('aria-pressed', String(!this.hidden.has(kind)));
+        this.listener.hidden(new Set(this.hidden));
+      },
+      { class: `legend-entry class-${kind}`, 'aria-pressed': String(!this.hidden.has(kind)) },
+    );
     entry.append(el('span', { class: 'count' }, String(count)));
     return entry;
   }

@@ -1,5 +1,5 @@
-// The orbit, as vibration analysts draw it: seen along the shaft, with the once-per-revolution mark, the probes' places,
-// the directions of rotation and whirl, and the circles that the station cannot leave without touching.
+// The orbit, as vibration analysts draw it: seen along the shaft, with the once-per-revolution mark, the probes'
+// places, the directions of rotation and whirl, and the circles that the station cannot leave without touching.
 import { button } from '../dom';
 import { font, type Pen } from '../figure/pen';
 import { Round } from '../figure/round';
@@ -35,11 +35,16 @@ export class OrbitPanel extends Panel {
 
   constructor(tools: readonly HTMLElement[]) {
     super('orbit', 'Orbit');
-    const zoom = button('\u2922', 'Fit the orbit, or show the whole clearance', () => {
-      this.whole = !this.whole;
-      zoom.setAttribute('aria-pressed', String(!this.whole));
-      this.figure.redraw();
-    }, { class: 'icon', 'aria-pressed': 'false' });
+    const zoom = button(
+      '\u2922',
+      'Fit the orbit, or show the whole clearance',
+      () => {
+        this.whole = !this.whole;
+        zoom.setAttribute('aria-pressed', String(!this.whole));
+        this.figure.redraw();
+      },
+      { class: 'icon', 'aria-pressed': 'false' },
+    );
     this.assemble(...tools, zoom);
   }
 
@@ -54,10 +59,14 @@ export class OrbitPanel extends Panel {
     const length = lengthMeasure(units, scales);
     if (!motion || motion.diverged) this.note.textContent = motion ? 'The motion diverged: there is no orbit.' : '';
     else {
-      const span = (column: number) => (motion.number('orbit/high', station, column) - motion.number('orbit/low', station, column)) * length.factor;
+      const span = (column: number) =>
+        (motion.number('orbit/high', station, column) - motion.number('orbit/low', station, column)) * length.factor;
       const radius = motion.number('orbit/max_radius', station) * length.factor;
-      this.note.textContent = `X ${shown(span(0), 3)}, Y ${shown(span(1), 3)} ${length.unit} p-p; ${shown(radius, 3)} ${length.unit} 0-p from the centre`;
-      this.figure.description = `${this.note.textContent}; whirl ${motion.forwardWhirl(station) === false ? 'backward' : 'forward'}`;
+      this.note.textContent =
+        `X ${shown(span(0), 3)}, Y ${shown(span(1), 3)} ${length.unit} p-p; ${shown(radius, 3)} ${length.unit} ` +
+        '0-p from the centre';
+      const whirl = motion.forwardWhirl(station) === false ? 'backward' : 'forward';
+      this.figure.description = `${this.note.textContent}; whirl ${whirl}`;
     }
     this.figure.redraw();
   }
@@ -123,11 +132,23 @@ function largest(x: ArrayLike<number>, y: ArrayLike<number>): number {
   return most;
 }
 
-function drawGrid(pen: Pen, place: Place, view: { x: number; y: number; half: number }, [width, height]: readonly [number, number], length: Measure, colours: Theme, size: number): void {
+function drawGrid(
+  pen: Pen,
+  place: Place,
+  view: { x: number; y: number; half: number },
+  [width, height]: readonly [number, number],
+  length: Measure,
+  colours: Theme,
+  size: number,
+): void {
   const halves = [width / 2 / place.scale, height / 2 / place.scale] as const;
   const division = niceStep(2 * view.half * length.factor, 8);
   const ticks = (centre: number, half: number) =>
-    linearTicks((centre - half) * length.factor, (centre + half) * length.factor, (2 * half * length.factor) / division).map((tick) => tick / length.factor);
+    linearTicks(
+      (centre - half) * length.factor,
+      (centre + half) * length.factor,
+      (2 * half * length.factor) / division,
+    ).map((tick) => tick / length.factor);
   pen.lineWidth = 1;
   pen.strokeStyle = colours.grid;
   pen.beginPath();
@@ -147,11 +168,31 @@ function drawGrid(pen: Pen, place: Place, view: { x: number; y: number; half: nu
   pen.moveTo(0, place.y(0));
   pen.lineTo(width, place.y(0));
   pen.stroke();
-  label(pen, `${shown(division, 3)} ${length.unit}/div`, width - 0.4 * size, height - 0.4 * size, 'right', 'bottom', colours.muted, colours, size);
+  label(
+    pen,
+    `${shown(division, 3)} ${length.unit}/div`,
+    width - 0.4 * size,
+    height - 0.4 * size,
+    'right',
+    'bottom',
+    colours.muted,
+    colours,
+    size,
+  );
 }
 
 /// A text on a scrap of paper, so that lines do not run through it.
-function label(pen: Pen, text: string, x: number, y: number, align: CanvasTextAlign, baseline: CanvasTextBaseline, ink: string, colours: Theme, size: number): void {
+function label(
+  pen: Pen,
+  text: string,
+  x: number,
+  y: number,
+  align: CanvasTextAlign,
+  baseline: CanvasTextBaseline,
+  ink: string,
+  colours: Theme,
+  size: number,
+): void {
   const width = text.length * size * 0.54 + 4;
   const left = align === 'right' ? x - width + 2 : align === 'center' ? x - width / 2 : x - 2;
   const top = baseline === 'bottom' ? y - size * 1.15 : baseline === 'middle' ? y - size * 0.65 : y - 2;
@@ -186,7 +227,17 @@ function drawCircles(pen: Pen, place: Place, subject: Subject, touching: boolean
     pen.stroke();
     pen.setLineDash([]);
     const angle = 0.75 * Math.PI;
-    label(pen, 'bearing', x + clearance * place.scale * Math.cos(angle), y - clearance * place.scale * Math.sin(angle), 'center', 'middle', colours.clearance, colours, size);
+    label(
+      pen,
+      'bearing',
+      x + clearance * place.scale * Math.cos(angle),
+      y - clearance * place.scale * Math.sin(angle),
+      'center',
+      'middle',
+      colours.clearance,
+      colours,
+      size,
+    );
   }
   if (gap > 0) {
     circle(pen, x, y, gap * place.scale);
@@ -194,7 +245,17 @@ function drawCircles(pen: Pen, place: Place, subject: Subject, touching: boolean
     pen.lineWidth = touching ? 6 : 2;
     pen.stroke();
     const angle = 0.25 * Math.PI;
-    label(pen, touching ? 'contact' : 'stator', x + gap * place.scale * Math.cos(angle), y - gap * place.scale * Math.sin(angle), 'center', 'middle', touching ? colours.touch : colours.stator, colours, size);
+    label(
+      pen,
+      touching ? 'contact' : 'stator',
+      x + gap * place.scale * Math.cos(angle),
+      y - gap * place.scale * Math.sin(angle),
+      'center',
+      'middle',
+      touching ? colours.touch : colours.stator,
+      colours,
+      size,
+    );
   }
 }
 
@@ -230,7 +291,8 @@ function drawOrbit(pen: Pen, place: Place, subject: Subject, colours: Theme): vo
   }
   pen.stroke();
   drawHeads(pen, place, x, y, first, per, revolutions, accent);
-  for (let mark = first + per - 1; mark < x.length; mark += per) dot(pen, place.x(x[mark]!), place.y(y[mark]!), revolutions > 8 ? 2.4 : 4.2, colours.keyphasor, colours.paper);
+  for (let mark = first + per - 1; mark < x.length; mark += per)
+    dot(pen, place.x(x[mark]!), place.y(y[mark]!), revolutions > 8 ? 2.4 : 4.2, colours.keyphasor, colours.paper);
 }
 
 function dot(pen: Pen, x: number, y: number, radius: number, ink: string, rim: string): void {
@@ -243,7 +305,16 @@ function dot(pen: Pen, x: number, y: number, radius: number, ink: string, rim: s
 }
 
 /// Heads of arrows along the first revolution that is drawn.
-function drawHeads(pen: Pen, place: Place, x: Float64Array, y: Float64Array, first: number, per: number, revolutions: number, ink: string): void {
+function drawHeads(
+  pen: Pen,
+  place: Place,
+  x: Float64Array,
+  y: Float64Array,
+  first: number,
+  per: number,
+  revolutions: number,
+  ink: string,
+): void {
   if (revolutions > 8) return;
   pen.fillStyle = ink;
   for (const part of [0.3, 0.7]) {
@@ -254,7 +325,8 @@ function drawHeads(pen: Pen, place: Place, x: Float64Array, y: Float64Array, fir
 }
 
 function head(pen: Pen, x: number, y: number, angle: number, size: number): void {
-  const corner = (turn: number, far: number) => [x + far * Math.cos(angle + turn), y + far * Math.sin(angle + turn)] as const;
+  const corner = (turn: number, far: number) =>
+    [x + far * Math.cos(angle + turn), y + far * Math.sin(angle + turn)] as const;
   pen.beginPath();
   pen.moveTo(...corner(0, size));
   pen.lineTo(...corner(2.5, size));
@@ -263,7 +335,15 @@ function head(pen: Pen, x: number, y: number, angle: number, size: number): void
   pen.fill();
 }
 
-function drawTrail(pen: Pen, place: Place, trail: Trail, ink: string, colours: Theme, [width]: readonly [number, number], size: number): void {
+function drawTrail(
+  pen: Pen,
+  place: Place,
+  trail: Trail,
+  ink: string,
+  colours: Theme,
+  [width]: readonly [number, number],
+  size: number,
+): void {
   const count = trail.x.length;
   pen.lineJoin = 'round';
   pen.strokeStyle = ink;
@@ -273,17 +353,34 @@ function drawTrail(pen: Pen, place: Place, trail: Trail, ink: string, colours: T
     pen.globalAlpha = 0.15 + (0.85 * (piece + 1)) / pieces;
     pen.lineWidth = 1.6;
     pen.beginPath();
-    for (let i = Math.max(0, from - 1); i < to; i++) (i === Math.max(0, from - 1) ? pen.moveTo : pen.lineTo).call(pen, place.x(trail.x[i]!), place.y(trail.y[i]!));
+    for (let i = Math.max(0, from - 1); i < to; i++)
+      (i === Math.max(0, from - 1) ? pen.moveTo : pen.lineTo).call(pen, place.x(trail.x[i]!), place.y(trail.y[i]!));
     pen.stroke();
   }
   pen.globalAlpha = 1;
-  for (const mark of trail.marks) dot(pen, place.x(trail.x[mark]!), place.y(trail.y[mark]!), 3, colours.keyphasor, colours.paper);
-  if (count > 0) dot(pen, place.x(trail.x[count - 1]!), place.y(trail.y[count - 1]!), 6, trail.touching ? colours.touch : ink, colours.paper);
+  for (const mark of trail.marks)
+    dot(pen, place.x(trail.x[mark]!), place.y(trail.y[mark]!), 3, colours.keyphasor, colours.paper);
+  if (count > 0)
+    dot(
+      pen,
+      place.x(trail.x[count - 1]!),
+      place.y(trail.y[count - 1]!),
+      6,
+      trail.touching ? colours.touch : ink,
+      colours.paper,
+    );
   label(pen, trail.text, width / 2, 0.4 * size, 'center', 'top', colours.ink, colours, size);
 }
 
 /// Rotation, whirl, and the places of the probes.
-function drawDirections(pen: Pen, subject: Subject, watching: boolean, [width, height]: readonly [number, number], colours: Theme, size: number): void {
+function drawDirections(
+  pen: Pen,
+  subject: Subject,
+  watching: boolean,
+  [width, height]: readonly [number, number],
+  colours: Theme,
+  size: number,
+): void {
   const radius = 1.1 * size;
   const [x, y] = [0.5 * size + radius, 0.5 * size + radius];
   pen.strokeStyle = colours.ink;
@@ -297,7 +394,17 @@ function drawDirections(pen: Pen, subject: Subject, watching: boolean, [width, h
   label(pen, 'rotation', x + radius + 0.5 * size, y, 'left', 'middle', colours.ink, colours, size);
   const forward = watching ? undefined : subject.motion?.forwardWhirl(subject.station);
   if (forward !== undefined && !subject.motion!.diverged)
-    label(pen, forward ? 'whirl: forward' : 'whirl: backward', 0.4 * size, height - 0.4 * size, 'left', 'bottom', forward ? colours.ink : colours.backward, colours, size);
+    label(
+      pen,
+      forward ? 'whirl: forward' : 'whirl: backward',
+      0.4 * size,
+      height - 0.4 * size,
+      'left',
+      'bottom',
+      forward ? colours.ink : colours.backward,
+      colours,
+      size,
+    );
   drawProbe(pen, width - 2, height / 2, Math.PI, 'X', colours, size);
   if (!watching) drawProbe(pen, width / 2, 2, Math.PI / 2, 'Y', colours, size);
 }

@@ -53,13 +53,25 @@ function speedText(speed: number, units: Units): string {
   return `${shown(speed * measure.factor)} ${measure.unit}, 1X is ${shown(speed / (2 * Math.PI))} Hz`;
 }
 
-const REGIME_CODES: Record<string, number> = { undetermined: 0, periodic: 1, 'quasi-periodic': 2, chaotic: 3, diverged: 4 };
+const REGIME_CODES: Record<string, number> = {
+  undetermined: 0,
+  periodic: 1,
+  'quasi-periodic': 2,
+  chaotic: 3,
+  diverged: 4,
+};
 
 export class Pane {
   readonly root: HTMLElement;
   private readonly orbit: OrbitPanel;
   private readonly panels: readonly Panel[];
-  private readonly field = el('input', { type: 'text', inputmode: 'decimal', autocomplete: 'off', spellcheck: 'false', class: 'value' });
+  private readonly field = el('input', {
+    type: 'text',
+    inputmode: 'decimal',
+    autocomplete: 'off',
+    spellcheck: 'false',
+    class: 'value',
+  });
   private readonly name = el('label', { for: '' });
   private readonly unit = el('span', { class: 'unit' });
   private readonly verdict = el('strong', { class: 'verdict' });
@@ -78,13 +90,23 @@ export class Pane {
     readonly side: SideName,
     private readonly listener: PaneListener,
   ) {
-    this.play = button('\u25b6', 'Watch the rotor settle from its start', () => this.setPlaying(!this.playing, true), { class: 'icon play', 'aria-pressed': 'false' });
+    this.play = button('\u25b6', 'Watch the rotor settle from its start', () => this.setPlaying(!this.playing, true), {
+      class: 'icon play',
+      'aria-pressed': 'false',
+    });
     const speed = select('Speed of the animation', SPEEDS, '4', (value) => {
       this.speed = Number(value);
       if (this.playing) this.listener.watch(this.side, true, this.speed);
     });
     this.orbit = new OrbitPanel([this.play, speed]);
-    this.panels = [this.orbit, new PoincarePanel(), new WaveformPanel(), new SpectrumPanel(), new FullSpectrumPanel(), new CentrelinePanel()];
+    this.panels = [
+      this.orbit,
+      new PoincarePanel(),
+      new WaveformPanel(),
+      new SpectrumPanel(),
+      new FullSpectrumPanel(),
+      new CentrelinePanel(),
+    ];
     this.field.id = `value-${side}`;
     this.name.htmlFor = this.field.id;
     this.field.addEventListener('change', () => {
@@ -100,7 +122,17 @@ export class Pane {
       el(
         'header',
         { class: 'card pane-head' },
-        el('div', { class: 'pane-value' }, el('span', { class: 'side', 'aria-hidden': 'true' }, side.toUpperCase()), this.name, this.field, this.unit, this.verdict, this.confidence, ...(side === 'b' ? [close] : [])),
+        el(
+          'div',
+          { class: 'pane-value' },
+          el('span', { class: 'side', 'aria-hidden': 'true' }, side.toUpperCase()),
+          this.name,
+          this.field,
+          this.unit,
+          this.verdict,
+          this.confidence,
+          ...(side === 'b' ? [close] : []),
+        ),
         this.trouble,
         this.outdated,
         this.reason,
@@ -124,7 +156,8 @@ export class Pane {
     this.unit.textContent = measure.unit;
     const refused = this.field.hasAttribute('aria-invalid') && subject.trouble !== '';
     markField(this.field, refused);
-    if (!isTouched(this.field) && !refused) this.field.value = Number.isFinite(subject.value) ? written(subject.value * measure.factor, 6) : '';
+    if (!isTouched(this.field) && !refused)
+      this.field.value = Number.isFinite(subject.value) ? written(subject.value * measure.factor, 6) : '';
     this.showVerdict(subject.result?.verdict, subject.busy);
     this.how.textContent = subject.busy || subject.how;
     this.turning.textContent = subject.result ? speedText(subject.result.speed, subject.units) : '';
@@ -140,7 +173,9 @@ export class Pane {
       // The gap and the clearance of this very machine: a parameter may have changed them.
       info: subject.result?.stations[subject.station] ?? info,
       units: subject.units,
-      scales: subject.result ? { ...subject.scales, length: subject.result.lengthScale, speed: subject.result.speed } : subject.scales,
+      scales: subject.result
+        ? { ...subject.scales, length: subject.result.lengthScale, speed: subject.result.speed }
+        : subject.scales,
       accent: (colours) => colours[this.side],
       diagram: subject.diagram,
       // Of the result: the setting may have moved on.
@@ -174,4 +209,3 @@ export class Pane {
     this.reason.textContent = readable(verdict?.reason ?? '');
   }
 }
-

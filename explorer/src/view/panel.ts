@@ -49,14 +49,25 @@ export function fileName(...parts: readonly string[]): string {
 
 /// A menu that saves a figure as PNG or SVG and its data as CSV.
 export function saveMenu(title: string, name: () => string, figure: () => Figure, table: () => Table): HTMLElement {
-  const menu = el('details', { class: 'menu' }, el('summary', { 'aria-label': `Save: ${title}`, title: 'Save the picture or its data' }, '\u2913'));
+  const menu = el(
+    'details',
+    { class: 'menu' },
+    el('summary', { 'aria-label': `Save: ${title}`, title: 'Save the picture or its data' }, '\u2913'),
+  );
   const item = (kind: string, what: string, act: () => void | Promise<void>) =>
-    button(kind, `${title}: save ${what}`, () => {
-      menu.open = false;
-      void act();
-    }, { 'data-save': kind.toLowerCase() });
+    button(
+      kind,
+      `${title}: save ${what}`,
+      () => {
+        menu.open = false;
+        void act();
+      },
+      { 'data-save': kind.toLowerCase() },
+    );
   menu.append(
-    el('div', { class: 'menu-items' },
+    el(
+      'div',
+      { class: 'menu-items' },
       item('PNG', 'the picture as PNG', async () => {
         const { svg, width, height } = figure().picture();
         download(`${name()}.png`, 'image/png', await pngOf(svg, width, height));
@@ -84,14 +95,25 @@ export abstract class Panel {
     readonly name: string,
     readonly title: string,
   ) {
-    this.root = el('section', { class: `card panel panel-${name}`, role: 'group', 'aria-label': title },
-      el('header', {}, el('h3', {}, title), this.tools));
+    this.root = el(
+      'section',
+      { class: `card panel panel-${name}`, role: 'group', 'aria-label': title },
+      el('header', {}, el('h3', {}, title), this.tools),
+    );
   }
 
   /// To be called by constructors, when the figure is there.
   protected assemble(...tools: readonly HTMLElement[]): void {
     const name = () => fileName('whirl', this.name, this.subject?.info.name ?? '', this.subject?.label ?? '');
-    this.tools.append(...tools, saveMenu(this.title, name, () => this.figure, () => this.table()));
+    this.tools.append(
+      ...tools,
+      saveMenu(
+        this.title,
+        name,
+        () => this.figure,
+        () => this.table(),
+      ),
+    );
     this.root.append(this.figure.root, this.note);
   }
 

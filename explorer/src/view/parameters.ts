@@ -1,4 +1,5 @@
-// The parameters of a case: a slider and a number for each, with unit, range and meaning as the engine's descriptors say.
+// The parameters of a case: a slider and a number for each, with unit, range and meaning as the engine's descriptors
+// say.
 import { button, el, isTouched } from '../dom';
 import type { CaseInfo, ParameterInfo } from '../engine/protocol';
 import { markField, typedNumber } from '../model/typed';
@@ -52,7 +53,8 @@ interface Bounds {
 /// Where the slider ends, in SI: the sweep's range, else from nothing to twice the value, within what the keys allow.
 function sliderBounds(parameter: ParameterInfo, info: CaseInfo): Bounds {
   const swept = info.batches.find((batch) => batch.parameter === parameter.name && batch.values.length > 1);
-  let [low, high] = parameter.value === 0 ? [-1, 1] : [Math.min(0, 2 * parameter.value), Math.max(0, 2 * parameter.value)];
+  let [low, high] =
+    parameter.value === 0 ? [-1, 1] : [Math.min(0, 2 * parameter.value), Math.max(0, 2 * parameter.value)];
   if (swept) [low, high] = [Math.min(...swept.values), Math.max(...swept.values)];
   for (const use of parameter.uses) {
     if (!use.alone) continue;
@@ -73,15 +75,22 @@ function rangeOf(parameter: ParameterInfo, notation: Notation): string {
   const use = parameter.uses.find(({ alone }) => alone);
   if (!use) return '';
   const unit = notation.unit && ` ${notation.unit}`;
-  const low = use.low === null ? '' : `${use.lowOpen ? 'above' : 'at least'} ${shown(use.low * notation.factor)}${unit}`;
-  const high = use.high === null ? '' : `${use.highOpen ? 'below' : 'at most'} ${shown(use.high * notation.factor)}${unit}`;
+  const low =
+    use.low === null ? '' : `${use.lowOpen ? 'above' : 'at least'} ${shown(use.low * notation.factor)}${unit}`;
+  const high =
+    use.high === null ? '' : `${use.highOpen ? 'below' : 'at most'} ${shown(use.high * notation.factor)}${unit}`;
   return [low, high].filter((part) => part).join(', ');
 }
 
 class Row {
   readonly root: HTMLElement;
   private readonly slider = el('input', { type: 'range', min: 0, max: STEPS, step: 1 });
-  private readonly field = el('input', { type: 'text', inputmode: 'decimal', autocomplete: 'off', spellcheck: 'false' });
+  private readonly field = el('input', {
+    type: 'text',
+    inputmode: 'decimal',
+    autocomplete: 'off',
+    spellcheck: 'false',
+  });
   private readonly unit = el('span', { class: 'unit' });
   private readonly meaning = el('p', { class: 'meaning' });
   private readonly reset: HTMLButtonElement;
@@ -100,10 +109,15 @@ class Row {
     this.meaning.id = `${id}-meaning`;
     this.slider.setAttribute('aria-label', `${name}, slider`);
     this.field.setAttribute('aria-describedby', `${id}-meaning`);
-    this.reset = button('\u21ba', `Reset ${name} to the case`, () => {
-      this.refused = false;
-      listener.assigned(name, undefined, true);
-    }, { class: 'icon' });
+    this.reset = button(
+      '\u21ba',
+      `Reset ${name} to the case`,
+      () => {
+        this.refused = false;
+        listener.assigned(name, undefined, true);
+      },
+      { class: 'icon' },
+    );
     this.slider.addEventListener('input', () => this.slid(false));
     this.slider.addEventListener('change', () => this.slid(true));
     this.field.addEventListener('change', () => this.typed());
@@ -166,12 +180,20 @@ export class ParametersView {
 
   show({ original, current, assignments, swept, units, trouble }: ParametersSubject): void {
     if (original !== this.original) this.build(original);
-    for (const parameter of current.parameters) this.rows.get(parameter.name)?.show(parameter, assignments.has(parameter.name), units, parameter.name === swept, trouble);
+    for (const parameter of current.parameters)
+      this.rows
+        .get(parameter.name)
+        ?.show(parameter, assignments.has(parameter.name), units, parameter.name === swept, trouble);
   }
 
   private build(original: CaseInfo): void {
     this.original = original;
-    this.rows = new Map(original.parameters.map((parameter) => [parameter.name, new Row(parameter.name, sliderBounds(parameter, original), parameter, this.listener)]));
+    this.rows = new Map(
+      original.parameters.map((parameter) => [
+        parameter.name,
+        new Row(parameter.name, sliderBounds(parameter, original), parameter, this.listener),
+      ]),
+    );
     this.root.replaceChildren(...Array.from(this.rows.values(), (row) => row.root));
   }
 }

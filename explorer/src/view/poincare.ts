@@ -17,7 +17,9 @@ const PLANES = [
 ] as const;
 
 export class PoincarePanel extends Panel {
-  readonly figure = new Round('Poincar\u00e9 map', (pen, width, height, colours) => this.draw(pen, width, height, colours));
+  readonly figure = new Round('Poincar\u00e9 map', (pen, width, height, colours) =>
+    this.draw(pen, width, height, colours),
+  );
   private plane: readonly [Coordinate, Coordinate] = ['x', 'y'];
 
   constructor() {
@@ -44,7 +46,12 @@ export class PoincarePanel extends Panel {
     const section = motion?.section(station);
     return {
       heading: [`x [${unit}]`, `y [${unit}]`, `vx [${unit}/rad]`, `vy [${unit}/rad]`],
-      rows: Array.from(section?.x ?? [], (x, i) => [x * factor, section!.y[i]! * factor, section!.vx[i]! * factor, section!.vy[i]! * factor]),
+      rows: Array.from(section?.x ?? [], (x, i) => [
+        x * factor,
+        section!.y[i]! * factor,
+        section!.vx[i]! * factor,
+        section!.vy[i]! * factor,
+      ]),
     };
   }
 
@@ -68,7 +75,8 @@ export class PoincarePanel extends Panel {
     }
     const x = (value: number) => area.left + (area.width * (value - h.centre + h.half)) / (2 * h.half);
     const y = (value: number) => area.top + (area.height * (v.centre + v.half - value)) / (2 * v.half);
-    const name = (coordinate: Coordinate) => (coordinate.startsWith('v') ? `${coordinate[1]}\u2032 (${unit}/rad)` : `${coordinate} (${unit})`);
+    const name = (coordinate: Coordinate) =>
+      coordinate.startsWith('v') ? `${coordinate[1]}\u2032 (${unit}/rad)` : `${coordinate} (${unit})`;
     drawAxes(pen, area, [h, v], [x, y], [name(this.plane[0]), name(this.plane[1])], height, colours, size);
     pen.save();
     pen.beginPath();
@@ -113,7 +121,10 @@ function drawAxes(
 ): void {
   const [right, bottom] = [area.left + area.width, area.top + area.height];
   const wanted = [area.width / (6 * size), area.height / (3.5 * size)] as const;
-  const ticks = [linearTicks(h.centre - h.half, h.centre + h.half, wanted[0]), linearTicks(v.centre - v.half, v.centre + v.half, wanted[1])] as const;
+  const ticks = [
+    linearTicks(h.centre - h.half, h.centre + h.half, wanted[0]),
+    linearTicks(v.centre - v.half, v.centre + v.half, wanted[1]),
+  ] as const;
   pen.lineWidth = 1;
   pen.strokeStyle = colours.grid;
   pen.beginPath();

@@ -42,19 +42,37 @@ export class SettingsCard {
     this.root = el(
       'section',
       { class: 'card settings-card', 'aria-label': 'Parameters' },
-      el('header', {}, this.title, el('div', { class: 'tools' }, button('Reset all', 'Reset all parameters to the case', () => listener.resetAll()))),
+      el(
+        'header',
+        {},
+        this.title,
+        el(
+          'div',
+          { class: 'tools' },
+          button('Reset all', 'Reset all parameters to the case', () => listener.resetAll()),
+        ),
+      ),
       this.trouble,
       this.parameters.root,
       el(
         'details',
         { class: 'computation' },
         el('summary', {}, 'How motions are computed'),
-        el('div', { class: 'fields' }, this.labelled('Method', this.method), this.labelled('Steps a revolution', this.fields.steps), this.labelled('Transient, revolutions', this.fields.transient), this.labelled('Recorded, revolutions', this.fields.record)),
+        el(
+          'div',
+          { class: 'fields' },
+          this.labelled('Method', this.method),
+          this.labelled('Steps a revolution', this.fields.steps),
+          this.labelled('Transient, revolutions', this.fields.transient),
+          this.labelled('Recorded, revolutions', this.fields.record),
+        ),
       ),
       el(
         'div',
         { class: 'tools keep' },
-        button('Save case', 'Save the present setting as a case file for whirl run', () => listener.download(), { 'data-save': 'case' }),
+        button('Save case', 'Save the present setting as a case file for whirl run', () => listener.download(), {
+          'data-save': 'case',
+        }),
         button('Copy command', 'Copy a command line that computes the present setting', () => listener.copyCommand()),
         button('Copy link', 'Copy the address of this page with the present setting', () => listener.copyLink()),
       ),
@@ -76,7 +94,11 @@ export class SettingsCard {
   private showComputation(info: CaseInfo, computation: Computation, trouble: string): void {
     this.computation = computation;
     const batch = info.batches[0];
-    setChoices(this.method, info.methods.map(({ name }) => ({ value: name, text: name })), computation.method ?? batch?.integrate.method ?? '');
+    setChoices(
+      this.method,
+      info.methods.map(({ name }) => ({ value: name, text: name })),
+      computation.method ?? batch?.integrate.method ?? '',
+    );
     const values: Record<WholeKey, number | undefined> = {
       steps: computation.steps ?? batch?.integrate.stepsPerRevolution,
       transient: computation.transient ?? batch?.record.transient,

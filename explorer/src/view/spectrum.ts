@@ -1,4 +1,5 @@
-// Spectra: amplitudes of both probes over orders, and the full spectrum of x + iy, forward to the right, backward to the left.
+// Spectra: amplitudes of both probes over orders, and the full spectrum of x + iy, forward to the right, backward to
+// the left.
 import { button, el } from '../dom';
 import { Chart, type Frame, type Line, type Range } from '../figure/chart';
 import { textSize } from '../figure/figure';
@@ -35,11 +36,16 @@ abstract class SpectralPanel extends Panel {
       over: (pen, frame, colours) => this.drawPeaks(pen, frame, colours),
       ...(xText ? { xText } : {}),
     });
-    const scale = button('log', 'Amplitudes on a log scale', () => {
-      this.logarithmic = !this.logarithmic;
-      scale.setAttribute('aria-pressed', String(this.logarithmic));
-      this.refresh();
-    }, { class: 'icon', 'aria-pressed': 'false' });
+    const scale = button(
+      'log',
+      'Amplitudes on a log scale',
+      () => {
+        this.logarithmic = !this.logarithmic;
+        scale.setAttribute('aria-pressed', String(this.logarithmic));
+        this.refresh();
+      },
+      { class: 'icon', 'aria-pressed': 'false' },
+    );
     this.assemble(scale);
   }
 
@@ -54,7 +60,8 @@ abstract class SpectralPanel extends Panel {
     const amplitude = amplitudeMeasure(units, scales);
     const spectrum = motion?.spectrum(station);
     this.curve = spectrum?.order.length ? this.curveOf(spectrum, frequency.factor, amplitude.factor) : EMPTY;
-    this.peaks = motion && spectrum?.order.length ? this.peaksOf(motion.lines(station), frequency.factor, amplitude.factor) : [];
+    this.peaks =
+      motion && spectrum?.order.length ? this.peaksOf(motion.lines(station), frequency.factor, amplitude.factor) : [];
     let most = 0;
     for (const values of this.curve.amplitudes) for (const value of values) if (value > most) most = value;
     for (const peak of this.peaks) most = Math.max(most, peak.amplitude);
@@ -78,9 +85,11 @@ abstract class SpectralPanel extends Panel {
     pen.textAlign = 'center';
     pen.textBaseline = 'bottom';
     const hertz = this.subject.units.frequency === 'Hz';
-    const textOf = ({ frequency }: Peak) => (hertz ? shown(Math.abs(frequency), 4) : `${shown(Math.abs(frequency), 3)}X`);
+    const textOf = ({ frequency }: Peak) =>
+      hertz ? shown(Math.abs(frequency), 4) : `${shown(Math.abs(frequency), 3)}X`;
     const top = skyline(frame, this.curve.frequency, this.curve.amplitudes);
-    for (const label of placeLabels(this.peaks, textOf, frame, top, size, (text) => textWidth(text, face))) pen.fillText(label.text, label.centre, label.bottom);
+    for (const label of placeLabels(this.peaks, textOf, frame, top, size, (text) => textWidth(text, face)))
+      pen.fillText(label.text, label.centre, label.bottom);
   }
 }
 
@@ -103,11 +112,19 @@ export class SpectrumPanel extends SpectralPanel {
   }
 
   protected curveOf(spectrum: Spectrum, frequency: number, amplitude: number): Curve {
-    return { frequency: scaled(spectrum.order, frequency), amplitudes: [scaled(spectrum.x, amplitude), scaled(spectrum.y, amplitude)] };
+    return {
+      frequency: scaled(spectrum.order, frequency),
+      amplitudes: [scaled(spectrum.x, amplitude), scaled(spectrum.y, amplitude)],
+    };
   }
 
   protected peaksOf(lines: Spectrum, frequency: number, amplitude: number): Peak[] {
-    return worthy(Array.from(lines.order, (order, i) => ({ frequency: order * frequency, amplitude: Math.max(lines.x[i]!, lines.y[i]!) * amplitude })));
+    return worthy(
+      Array.from(lines.order, (order, i) => ({
+        frequency: order * frequency,
+        amplitude: Math.max(lines.x[i]!, lines.y[i]!) * amplitude,
+      })),
+    );
   }
 
   protected range(highest: number): Range {
@@ -127,7 +144,11 @@ export class SpectrumPanel extends SpectralPanel {
     const [f, a] = [frequencyMeasure(units, scales).unit, amplitudeMeasure(units, scales).unit];
     return {
       heading: [`frequency [${f}]`, `x [${a}]`, `y [${a}]`],
-      rows: Array.from(this.curve.frequency, (frequency, i) => [frequency, this.curve.amplitudes[0]![i]!, this.curve.amplitudes[1]![i]!]),
+      rows: Array.from(this.curve.frequency, (frequency, i) => [
+        frequency,
+        this.curve.amplitudes[0]![i]!,
+        this.curve.amplitudes[1]![i]!,
+      ]),
     };
   }
 }
@@ -148,9 +169,16 @@ export class FullSpectrumPanel extends SpectralPanel {
   /// Backward frequencies are negative, the highest first, so that the axis runs through.
   protected curveOf(spectrum: Spectrum, frequency: number, amplitude: number): Curve {
     const count = spectrum.order.length;
-    const at = Float64Array.from({ length: 2 * count }, (_, i) => (i < count ? -spectrum.order[count - 1 - i]! : spectrum.order[i - count]!) * frequency);
-    const backward = Float64Array.from({ length: 2 * count }, (_, i) => (i < count ? spectrum.backward[count - 1 - i]! * amplitude : NaN));
-    const forward = Float64Array.from({ length: 2 * count }, (_, i) => (i < count ? NaN : spectrum.forward[i - count]! * amplitude));
+    const at = Float64Array.from(
+      { length: 2 * count },
+      (_, i) => (i < count ? -spectrum.order[count - 1 - i]! : spectrum.order[i - count]!) * frequency,
+    );
+    const backward = Float64Array.from({ length: 2 * count }, (_, i) =>
+      i < count ? spectrum.backward[count - 1 - i]! * amplitude : NaN,
+    );
+    const forward = Float64Array.from({ length: 2 * count }, (_, i) =>
+      i < count ? NaN : spectrum.forward[i - count]! * amplitude,
+    );
     return { frequency: at, amplitudes: [backward, forward] };
   }
 
@@ -171,7 +199,11 @@ export class FullSpectrumPanel extends SpectralPanel {
   }
 
   protected describe(): void {
-    this.note.replaceChildren(key('forward', 'key-forward'), key('backward', 'key-backward'), el('span', {}, 'relative to the rotation'));
+    this.note.replaceChildren(
+      key('forward', 'key-forward'),
+      key('backward', 'key-backward'),
+      el('span', {}, 'relative to the rotation'),
+    );
   }
 
   protected table(): Table {
@@ -181,7 +213,11 @@ export class FullSpectrumPanel extends SpectralPanel {
     const [backward, forward] = this.curve.amplitudes;
     return {
       heading: [`frequency [${f}]`, `forward [${a}]`, `backward [${a}]`],
-      rows: Array.from({ length: count }, (_, i) => [this.curve.frequency[count + i]!, forward![count + i]!, backward![count - 1 - i]!]),
+      rows: Array.from({ length: count }, (_, i) => [
+        this.curve.frequency[count + i]!,
+        forward![count + i]!,
+        backward![count - 1 - i]!,
+      ]),
     };
   }
 }

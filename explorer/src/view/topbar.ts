@@ -25,11 +25,39 @@ export class Topbar {
 
   constructor(private readonly listener: TopbarListener) {
     this.machines = select('Machine', [], '', (value) => listener.machine(value));
-    this.length = this.unitSegments('Length', [{ value: 'um', text: '\u00b5m' }, { value: 'mil', text: 'mil' }, { value: 'scale', text: 'c', title: 'length scales of the case' }], (value) => ({ length: value as LengthUnit }));
-    this.speed = this.unitSegments('Speed', [{ value: 'rpm', text: 'rpm' }, { value: 'rad/s', text: 'rad/s' }], (value) => ({ speed: value as SpeedUnit }));
-    this.frequency = this.unitSegments('Frequency', [{ value: 'order', text: 'X', title: 'orders of the running speed' }, { value: 'Hz', text: 'Hz' }], (value) => ({ frequency: value as FrequencyUnit }));
-    this.amplitude = this.unitSegments('Amplitude', ['0-p', 'p-p', 'rms'].map((value) => ({ value, text: value })), (value) => ({ amplitude: value as AmplitudeUnit }));
-    this.compare = button('A | B', 'Compare two settings side by side', () => listener.compare(), { 'aria-pressed': 'false' });
+    this.length = this.unitSegments(
+      'Length',
+      [
+        { value: 'um', text: '\u00b5m' },
+        { value: 'mil', text: 'mil' },
+        { value: 'scale', text: 'c', title: 'length scales of the case' },
+      ],
+      (value) => ({ length: value as LengthUnit }),
+    );
+    this.speed = this.unitSegments(
+      'Speed',
+      [
+        { value: 'rpm', text: 'rpm' },
+        { value: 'rad/s', text: 'rad/s' },
+      ],
+      (value) => ({ speed: value as SpeedUnit }),
+    );
+    this.frequency = this.unitSegments(
+      'Frequency',
+      [
+        { value: 'order', text: 'X', title: 'orders of the running speed' },
+        { value: 'Hz', text: 'Hz' },
+      ],
+      (value) => ({ frequency: value as FrequencyUnit }),
+    );
+    this.amplitude = this.unitSegments(
+      'Amplitude',
+      ['0-p', 'p-p', 'rms'].map((value) => ({ value, text: value })),
+      (value) => ({ amplitude: value as AmplitudeUnit }),
+    );
+    this.compare = button('A | B', 'Compare two settings side by side', () => listener.compare(), {
+      'aria-pressed': 'false',
+    });
     this.root = el(
       'header',
       { class: 'topbar' },
@@ -54,7 +82,14 @@ export class Topbar {
     this.title.textContent = machine.title || machine.name;
     document.title = `${machine.title || machine.name} \u00b7 whirl`;
     this.intro.textContent = machine.intro;
-    setChoices(this.machines, machines.map(({ name, title, run }) => ({ value: name, text: `${name}: ${title}${run ? '' : ' (computed here)'}` })), machine.name);
+    setChoices(
+      this.machines,
+      machines.map(({ name, title, run }) => ({
+        value: name,
+        text: `${name}: ${title}${run ? '' : ' (computed here)'}`,
+      })),
+      machine.name,
+    );
     this.machines.hidden = machines.length < 2;
     this.units = units;
     this.length.rename('scale', lengthSymbol);
@@ -65,7 +100,13 @@ export class Topbar {
     this.compare.setAttribute('aria-pressed', String(comparing));
   }
 
-  private unitSegments(label: string, choices: readonly { value: string; text: string; title?: string }[], part: (value: string) => Partial<Units>): Segments {
-    return new Segments(label, choices, choices[0]!.value, (value) => this.listener.units({ ...this.units, ...part(value) }));
+  private unitSegments(
+    label: string,
+    choices: readonly { value: string; text: string; title?: string }[],
+    part: (value: string) => Partial<Units>,
+  ): Segments {
+    return new Segments(label, choices, choices[0]!.value, (value) =>
+      this.listener.units({ ...this.units, ...part(value) }),
+    );
   }
 }

@@ -37,7 +37,10 @@ export class WaveformPanel extends Panel {
     // One sample before the first revolution: the mark at which it begins.
     const first = Math.max(0, wave.x.length - revolutions * per - 1);
     const unit = this.timeUnit(subject);
-    this.time = Float64Array.from({ length: wave.x.length - first }, (_, i) => ((i + first + 1) / per - wave.x.length / per + revolutions) * unit.factor);
+    this.time = Float64Array.from(
+      { length: wave.x.length - first },
+      (_, i) => ((i + first + 1) / per - wave.x.length / per + revolutions) * unit.factor,
+    );
     const shownPart = (values: Float64Array) => values.slice(first).map((value) => value * length.factor);
     this.traces = [shownPart(wave.x), shownPart(wave.y)];
     let [low, high] = [Infinity, -Infinity];
@@ -49,7 +52,11 @@ export class WaveformPanel extends Panel {
     if (!(low <= high)) [low, high] = [-1, 1];
     const room = 0.06 * (high - low) || 1;
     this.figure.setAxes(unit.label, `displacement (${length.unit})`);
-    this.figure.show([0, Math.max(revolutions, 1) * unit.factor], [low - room, high + room], [this.time, ...this.traces]);
+    this.figure.show(
+      [0, Math.max(revolutions, 1) * unit.factor],
+      [low - room, high + room],
+      [this.time, ...this.traces],
+    );
     this.note.replaceChildren(key('x', 'key-x'), key('y', 'key-y'), key('once per revolution', 'key-mark'));
   }
 

@@ -33,7 +33,8 @@ async function writePage(file) {
   const policy = `default-src 'none'; script-src 'sha256-${hash}' 'wasm-unsafe-eval'; worker-src blob:`;
   writeFileSync(
     file,
-    `<!doctype html><meta charset="utf-8"><meta http-equiv="Content-Security-Policy" content="${policy}"><title>engine</title>
+    `<!doctype html><meta charset="utf-8"><title>engine</title>
+<meta http-equiv="Content-Security-Policy" content="${policy}">
 <script type="text/plain" id="worker">${readFileSync(`${PARTS}/worker.js`, 'utf8')}</script>
 <script type="text/plain" id="core">${readFileSync(`${PARTS}/whirl.wasm`).toString('base64')}</script>
 <script>${script}</script>`,
@@ -94,7 +95,11 @@ for (const { name, parameter, values } of POINTS)
       compared++;
     });
     (await compute(long, parameter, values)).forEach((result, i) =>
-      assert.equal(result.verdict.name, toldLong.detail[i].verdict, `${parameter} = ${values[i]}: ${result.verdict.reason}`),
+      assert.equal(
+        result.verdict.name,
+        toldLong.detail[i].verdict,
+        `${parameter} = ${values[i]}: ${result.verdict.reason}`,
+      ),
     );
   });
 
@@ -115,8 +120,13 @@ test('how long the page waits', async (t) => {
     const sweep = await timed(() => window.engine.sweep({ setting: diagram, parameter: 'r_k', values }));
     return { first: points[0], later: Math.min(...points), sweep };
   }, caseText('paper'));
-  t.diagnostic(`a point of 300 revolutions at 1024 steps: ${times.first.toFixed(0)} ms at first, then ${times.later.toFixed(0)} ms`);
-  t.diagnostic(`a diagram of 256 points, 150 revolutions at 256 steps, two workers: ${(times.sweep / 1000).toFixed(2)} s`);
+  t.diagnostic(
+    `a point of 300 revolutions at 1024 steps: ${times.first.toFixed(0)} ms at first, then ` +
+      `${times.later.toFixed(0)} ms`,
+  );
+  t.diagnostic(
+    `a diagram of 256 points, 150 revolutions at 256 steps, two workers: ${(times.sweep / 1000).toFixed(2)} s`,
+  );
   // Far above what a quiet machine needs: a bound for what has gone wrong.
   assert.ok(times.later < 5000 && times.sweep < 120000);
 });

@@ -57,7 +57,7 @@ for (const { name, parameter, values } of POINTS) {
     { method: 'rk4', steps_per_revolution: 256, contacts: 'located' },
     { method: 'dop853', steps_per_revolution: 64, rtol: 1e-9 },
   ])
-    test(`${name}: ${integrate.method} ${integrate.contacts ?? ''} has the bits of the command's kernels of 128 bits`, async () => {
+    test(`${name}: ${integrate.method} ${integrate.contacts ?? ''} has the bits of the command's kernels`, async () => {
       const text = withStudy(name, parameter, values, { integrate, record });
       const told = run(text, 'simd128');
       for (const [i, value] of values.entries()) {
@@ -119,7 +119,11 @@ test('points of a sweep are those of the command', async () => {
   assert.equal(seen.size, 40);
   for (const [slot, block] of seen)
     assert.ok(
-      sectionDifference({ stations: [{ name: 'disc' }, { name: 'journal' }], layout, block }, fieldNumbers, told.detail[slot % 4]) < 1e-9,
+      sectionDifference(
+        { stations: [{ name: 'disc' }, { name: 'journal' }], layout, block },
+        fieldNumbers,
+        told.detail[slot % 4],
+      ) < 1e-9,
     );
 });
 
@@ -130,11 +134,19 @@ test('a carried sweep follows the attractor there and back, as the command does'
   const verdicts = [];
   await good(
     engine.sweep(
-      { setting: { text }, parameter: 'rho', values: Float64Array.from(told.points.slice(0, 5), (point) => point.parameters.rho), carry: 'both' },
+      {
+        setting: { text },
+        parameter: 'rho',
+        values: Float64Array.from(told.points.slice(0, 5), (point) => point.parameters.rho),
+        carry: 'both',
+      },
       { points: (points) => points.slots.forEach((slot, i) => (verdicts[slot] = points.verdicts[i].name)) },
     ),
   );
-  assert.deepEqual(verdicts, told.points.map((point) => point.verdict));
+  assert.deepEqual(
+    verdicts,
+    told.points.map((point) => point.verdict),
+  );
 });
 
 test('the case layer says what the command says', async () => {
@@ -214,7 +226,10 @@ test('a later request makes an earlier one of its lane stale, at once', async ()
 test('what cannot be computed is refused with a sentence', async () => {
   const setting = { text: caseText('paper') };
   const cases = [
-    [{ setting: { ...setting, integrate: { method: 'rk5' } }, value: 0.5 }, /no method is called 'rk5', did you mean 'rk4'\?/],
+    [
+      { setting: { ...setting, integrate: { method: 'rk5' } }, value: 0.5 },
+      /no method is called 'rk5', did you mean 'rk4'\?/,
+    ],
     [{ setting: { ...setting, integrate: { method: 'cvode-bdf' } }, value: 0.5 }, /SUNDIALS/],
     [{ setting: { ...setting, integrate: { stepsPerRevolution: 0 } }, value: 0.5 }, /0 steps/],
     [{ setting: { ...setting, record: { record: 2.5 } }, value: 0.5 }, /record is 2.5, expected a whole number/],
@@ -248,16 +263,30 @@ test('a first look has no verdict where a longer run may have another', async ()
   let chaotic = 0;
   for (let i = 0; i < 16; i++) {
     const point = { parameter: 'r_k', value: 0.316 + (0.068 * i) / 15 };
-    const hasty = await good(engine.point({ setting: { ...setting, integrate: { stepsPerRevolution: 256 }, record: short }, ...point }));
+    const hasty = await good(
+      engine.point({ setting: { ...setting, integrate: { stepsPerRevolution: 256 }, record: short }, ...point }),
+    );
     const looked = await good(engine.point({ setting: { ...setting, look }, ...point }));
     chaotic += hasty.verdict.regime === 'chaotic' ? 1 : 0;
     assert.equal(hasty.verdict.provisional, false, 'what was asked for has a verdict');
-    assert.deepEqual([looked.verdict.regime, looked.verdict.confidence, looked.verdict.provisional], ['undetermined', 'low', true]);
-    assert.match(looked.verdict.reason, /400 \+ 100 revolutions of 256 steps; a verdict takes the 1100 \+ 100 of 1024 steps/);
+    assert.deepEqual(
+      [looked.verdict.regime, looked.verdict.confidence, looked.verdict.provisional],
+      ['undetermined', 'low', true],
+    );
+    assert.match(
+      looked.verdict.reason,
+      /400 \+ 100 revolutions of 256 steps; a verdict takes the 1100 \+ 100 of 1024 steps/,
+    );
     assert.equal(fieldNumbers(looked.layout, looked.block, 'regime/code')[0], 0);
     // It is the same motion, with the same evidence.
-    assert.deepEqual(fieldNumbers(looked.layout, looked.block, 'poincare/section'), fieldNumbers(hasty.layout, hasty.block, 'poincare/section'));
-    assert.deepEqual(fieldNumbers(looked.layout, looked.block, 'regime/exponent'), fieldNumbers(hasty.layout, hasty.block, 'regime/exponent'));
+    assert.deepEqual(
+      fieldNumbers(looked.layout, looked.block, 'poincare/section'),
+      fieldNumbers(hasty.layout, hasty.block, 'poincare/section'),
+    );
+    assert.deepEqual(
+      fieldNumbers(looked.layout, looked.block, 'regime/exponent'),
+      fieldNumbers(hasty.layout, hasty.block, 'regime/exponent'),
+    );
   }
   assert.ok(chaotic > 0, 'a short run takes some for chaos');
 });
@@ -266,7 +295,13 @@ test('a first look has no verdict where a longer run may have another', async ()
 test('a first look keeps the verdict of a motion that has ended by itself', async () => {
   const setting = { text: caseText('paper') };
   const whole = await good(engine.point({ setting, parameter: 'r_k', value: 0.8 }));
-  const looked = await good(engine.point({ setting: { ...setting, look: { transient: 400, record: 100, stepsPerRevolution: 0 } }, parameter: 'r_k', value: 0.8 }));
+  const looked = await good(
+    engine.point({
+      setting: { ...setting, look: { transient: 400, record: 100, stepsPerRevolution: 0 } },
+      parameter: 'r_k',
+      value: 0.8,
+    }),
+  );
   assert.equal(whole.verdict.regime, 'periodic');
   assert.deepEqual([looked.verdict.name, looked.verdict.provisional], [whole.verdict.name, false]);
 });

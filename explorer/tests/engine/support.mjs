@@ -14,15 +14,16 @@ export const PARTS = join(BUILD, 'explorer');
 
 export const caseText = (name) => readFileSync(join(root, 'cases', `${name}.yaml`), 'utf8');
 
-/// A case with a study of its own over `values` of a parameter; the initial state is kept. Points of a detail are computed
-/// alone and keep whole spectra and waveforms.
+/// A case with a study of its own over `values` of a parameter; the initial state is kept. Points of a detail are
+/// computed alone and keep whole spectra and waveforms.
 export function withStudy(name, parameter, values, { integrate, record, start = 'state' }) {
   const text = caseText(name);
   const initial = /\n  initial:.*\n(?:    .*\n)*/.exec(text)[0];
   const options = Object.entries({ ...integrate, ...record }).map(([key, value]) => `${key}: ${value}`);
+  const range = `from: ${values[0]}, to: ${values.at(-1)}, points: ${values.length}`;
   return `${text.slice(0, text.indexOf('\nstudy:'))}
 study:
-  sweep: {parameter: ${parameter}, from: ${values[0]}, to: ${values.at(-1)}, points: ${values.length}, start: ${start}}${initial}\
+  sweep: {parameter: ${parameter}, ${range}, start: ${start}}${initial}\
   integrate: {${options.join(', ')}}
   analyze: [poincare, regime, lyapunov, spectrum, orbit, rub]
   detail: {at: [${values.join(', ')}], waveform: ${Math.min(record.record, 20)}}
@@ -35,7 +36,11 @@ export function run(text, isa = '') {
   try {
     const file = join(folder, 'case.yaml');
     writeFileSync(file, text);
-    const options = { maxBuffer: 1 << 28, stdio: ['ignore', 'pipe', 'ignore'], env: { ...process.env, WHIRL_ISA: isa } };
+    const options = {
+      maxBuffer: 1 << 28,
+      stdio: ['ignore', 'pipe', 'ignore'],
+      env: { ...process.env, WHIRL_ISA: isa },
+    };
     return JSON.parse(execFileSync(WHIRL, ['run', file, '--json'], options));
   } finally {
     rmSync(folder, { recursive: true });
@@ -53,7 +58,10 @@ export const POINTS = [
 /// 20 revolutions from the start: every state must agree.
 export const SHORT = { integrate: { method: 'rk4', steps_per_revolution: 512 }, record: { transient: 0, record: 20 } };
 /// Long enough for verdicts.
-export const LONG = { integrate: { method: 'rk4', steps_per_revolution: 256 }, record: { transient: 400, record: 200 } };
+export const LONG = {
+  integrate: { method: 'rk4', steps_per_revolution: 256 },
+  record: { transient: 400, record: 200 },
+};
 
 /// The largest difference between the sections of a result of the engine and of the command, in length scales.
 export function sectionDifference(result, fieldNumbers, told) {
@@ -61,7 +69,8 @@ export function sectionDifference(result, fieldNumbers, told) {
   result.stations.forEach((station, which) => {
     const mine = fieldNumbers(result.layout, result.block, 'poincare/section', which);
     const theirs = told.poincare[station.name];
-    if (mine.length !== 4 * theirs.length) throw new Error(`${mine.length / 4} and ${theirs.length} points of a section`);
+    if (mine.length !== 4 * theirs.length)
+      throw new Error(`${mine.length / 4} and ${theirs.length} points of a section`);
     theirs.forEach(([x, y], n) => {
       worst = Math.max(worst, Math.abs(mine[4 * n] - x), Math.abs(mine[4 * n + 1] - y));
     });

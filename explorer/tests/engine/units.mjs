@@ -24,19 +24,37 @@ for (const line of readFileSync(0, 'utf8').split('\n')) {
     );
 }
 const linear = [...new Set(names)].filter((name) => !/^B(Z|z|W|m|V|v|µV)$|^bel/i.test(name) || name === 'bm');
-const kinds = ['', 'm', 'kg', 's', 'rad/s', 'N', 'N/m', 'N s/m', 'Pa s', '1', 'rad', 'Pa', 'm/s2', '1/s', 'kg m', 'W', 'J', 'm2/s', 'K'];
+// prettier-ignore
+const kinds = [
+  '', 'm', 'kg', 's', 'rad/s', 'N', 'N/m', 'N s/m', 'Pa s', '1', 'rad', 'Pa', 'm/s2', '1/s', 'kg m', 'W', 'J', 'm2/s',
+  'K',
+];
 const lines = [];
 for (const name of linear) {
-  const forms = [name, `${name}s`, `${name}es`, name.toUpperCase(), name.replaceAll(' ', '_'), `${name}2`, `${name}-1`, `1/${name}`];
+  const forms = [
+    name,
+    `${name}s`,
+    `${name}es`,
+    name.toUpperCase(),
+    name.replaceAll(' ', '_'),
+    `${name}2`,
+    `${name}-1`,
+    `1/${name}`,
+  ];
   for (const form of forms) lines.push(`2.5 ${form}|`);
   for (const kind of kinds) lines.push(`2.5 ${name}|${kind}`);
   for (const prefix of prefixes) lines.push(`3 ${prefix}${name}|`);
 }
 
-const everyday =
-  'm mm um µm in mil ft kg g t N kN mN lbf lb s ms min h rpm rps rad deg Hz Pa kPa MPa bar mPa cP W kW J K degC °C % A V mol cd L l'.split(' ');
+const everyday = (
+  'm mm um µm in mil ft kg g t N kN mN lbf lb s ms min h rpm rps rad deg Hz Pa kPa MPa bar mPa cP W kW J K ' +
+  'degC °C % A V mol cd L l'
+).split(' ');
 const joints = ['.', '.', ' ', ' ', '*', '/', '/', '·', ' / ', ' * ', ' . ', '-', ' per ', '  ', ' PER '];
-const powers = ['', '', '', '', '2', '-1', '^2', '^-1', '**2', '²', '³', '⁻¹', '3', '-2', '0', '1', '^0', '-', '^', '2.', '⁻'];
+// prettier-ignore
+const powers = [
+  '', '', '', '', '2', '-1', '^2', '^-1', '**2', '²', '³', '⁻¹', '3', '-2', '0', '1', '^0', '-', '^', '2.', '⁻',
+];
 const factor = () => pick(everyday) + pick(powers);
 for (let i = 0; i < 20000; i++) {
   let text = '';
