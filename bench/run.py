@@ -5,8 +5,8 @@ table and the picture of docs/benchmarks.md.
     bench/run.py BUILD [--docs FOLDER] [--rounds N] [--seconds S] [--core N] [--no-study]
 
 Every round runs every program once, in turn, so that a noisy machine is noisy for all; the best round of each counts.
-Speeds are by the processor time of the program; of the whole diagram the clock is told, too. A program that is not there is
-left out with a line that says so; one that ends in another state fails the run.
+Speeds are by the processor time of the program; of the whole diagram the clock is told, too. A program that is not
+there is left out with a line that says so; one that ends in another state fails the run.
 """
 import argparse
 import os
@@ -17,6 +17,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import textwrap
 import time
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -251,7 +252,8 @@ def speed_table(best):
         if name.split()[-1] in CHAINS:
             continue
         whole = STEPS_OF_STUDY / rate
-        whole = f"{whole:.3g} s" if whole < 600 else f"{whole / 60:.3g} min" if whole < 36000 else f"{whole / 3600:.3g} h"
+        whole = (f"{whole:.3g} s" if whole < 600 else f"{whole / 60:.3g} min" if whole < 36000 else
+                 f"{whole / 3600:.3g} h")
         lines.append(f"| {name} | {short(rate)} | {ratio(rate, base)} | {ratio(rate, plain)} | {whole} |")
     return lines
 
@@ -278,8 +280,8 @@ def study_table(best, studies):
               for kind, (clock, used) in studies.items()]
     one, two = studies.get("all analyses, 1 thread"), studies.get("all analyses, 2 threads")
     if two:
-        lines += ["", f"Two threads are {one[0] / two[0]:.2f} times as fast as one by the clock, which counts on an idle "
-                  f"machine only (see the load above). Their processor time differs from that of one thread by "
+        lines += ["", f"Two threads are {one[0] / two[0]:.2f} times as fast as one by the clock, which counts on an "
+                  f"idle computer only (see the load above). Their processor time differs from that of one thread by "
                   f"{100 * (two[1] / one[1] - 1):.1f} percent."]
     return lines
 
@@ -291,22 +293,24 @@ def key_ratios(best):
     vectorised = best_loop(best)
     rows = [("straightforward C (-O3 -march=native -ffast-math)", best.get(BASE)),
             ("straightforward C (the faster of both builds)", max(best.get(BASE, 0), best.get("C -O3", 0)) or None),
-            ("the best loop that the compiler vectorised", vectorised), ("the Octave script", best.get("Octave script"))]
-    lines = [f"The {widest} kernel takes {short(bare)} steps a second bare and {short(watched)} watched: what is gathered while "
-             f"a motion is recorded (bounds, contacts, 64 samples a revolution) costs {100 * (bare / watched - 1):.0f} "
-             "percent while it is gathered. Times as fast as:", ""]
+            ("the best loop that the compiler vectorised", vectorised),
+            ("the Octave script", best.get("Octave script"))]
+    lines = [f"The {widest} kernel takes {short(bare)} steps a second bare and {short(watched)} watched: what is "
+             "gathered while a motion is recorded (bounds, contacts, 64 samples a revolution) costs "
+             f"{100 * (bare / watched - 1):.0f} percent while it is gathered. Times as fast as:", ""]
     lines += [f"- {name}: {short(bare / rate)} bare, {short(watched / rate)} watched" for name, rate in rows if rate]
     return lines
 
 
 TEXT = """# Benchmarks
 
-How fast whirl's kernels are, beside other programs that do the same: the rotor of the 2015 paper (printed signs,
-Sf = 0.0045, G = 0.115976), from rest at y = -0.1, double precision, RK4 in 1024 steps a revolution. A *step* is one step
-of one machine. `make bench` measures it anew and writes this page.
+How fast whirl's kernels are, beside other programs that do the same: the rotor of the 2015 paper (printed signs, Sf =
+0.0045, G = 0.115976), from rest at y = -0.1, double precision, RK4 in 1024 steps a revolution. A *step* is one step of
+one machine. `make bench` measures it anew and writes this page.
 
-All ran in one go on one core, in {rounds} alternating rounds of {seconds:g} s, of which the best counts; by processor time.
-Every program proved first that it does the same: x1 after 20 revolutions at r_k = 0.6 agrees to 1e-6 with 0.3457490150754.
+All ran in one go on one core, in {rounds} alternating rounds of {seconds:g} s, of which the best counts; by processor
+time. Every program proved first that it does the same: x1 after 20 revolutions at r_k = 0.6 agrees to 1e-6 with
+0.3457490150754.
 
 - Processor: {machine}
 - Compilers: {compilers}
@@ -323,18 +327,18 @@ Every program proved first that it does the same: x1 after 20 revolutions at r_k
   samples, as the command does while it records. The rotor comes from a list of elements at run time.
   `scalar`, `fma`: one lane; `simd128`: two, with no fused multiply-add; `avx2`: four; `avx512`: eight.
 - *whirl integrator*: `whirl_integrator_revolve`, a single machine through the general right-hand side.
-- *C*: the equations as the paper prints them (`bench/straightforward.c`), one machine, two sets of flags. The vectorised
-  loop (`bench/vectorised.c`) has no branch, one arctangent, tabulated cosines, 64 machines side by side and RK4 in
-  Nystrom's form; 512-bit vectors where the processor has them; also -march=native -ffast-math.
-- *GSL, ARKODE, Boost.odeint, Numba*: one machine, with the angle of the film eliminated. GSL's rk4 takes every step whole and as two
-  halves; its halves are counted. ARKODE's table has a fifth stage (see `bench/arkode.c`). *simd* is Boost.odeint over
-  `std::experimental::simd`.
+- *C*: the equations as the paper prints them (`bench/straightforward.c`), one machine, two sets of flags. The
+  vectorised loop (`bench/vectorised.c`) has no branch, one arctangent, tabulated cosines, 64 machines side by side and
+  RK4 in Nystrom's form; 512-bit vectors where the processor has them; also -march=native -ffast-math.
+- *GSL, ARKODE, Boost.odeint, Numba*: one machine, with the angle of the film eliminated. GSL's rk4 takes every step
+  whole and as two halves; its halves are counted. ARKODE's table has a fifth stage (see `bench/arkode.c`). *simd* is
+  Boost.odeint over `std::experimental::simd`.
 - *Octave*: 20 revolutions of one machine, and of 512 side by side; the whole diagram by extrapolation.
 
 ## More stations
 
-Chains of equal discs, a film at both ends, one rub in the middle; every shaft, disc and film from the list. In brackets: as a
-share of what two stations reach, 2 x steps/s.
+Chains of equal discs, a film at both ends, one rub in the middle; every shaft, disc and film from the list. In
+brackets: as a share of what two stations reach, 2 x steps/s.
 
 {stations}
 """
@@ -342,9 +346,9 @@ share of what two stations reach, 2 x steps/s.
 STUDY = """
 ## The whole diagram
 
-`bench/t1.yaml`: 512 values of r_k, 1100 revolutions of transient and 100 recorded, from case file to result file; the best
-of {rounds} rounds. With exponents, a disturbance is followed over 650 of the 1200 revolutions in a lane of its own: 1.54 times
-the steps.
+`bench/t1.yaml`: 512 values of r_k, 1100 revolutions of transient and 100 recorded, from case file to result file; the
+best of {rounds} rounds. With exponents, a disturbance is followed over 650 of the 1200 revolutions in a lane of its
+own: 1.54 times the steps.
 
 {study}
 """
@@ -354,25 +358,27 @@ ADAPTIVE = """
 ## Adaptive, contacts located
 
 The same rotor at r_k = 0.6 by adaptive methods at rtol 1e-9 and atol 1e-12 (where the name does not say otherwise), in
-revolutions a second of one core; the error is the largest of all coordinates after 20 revolutions with six crossings of the
-gap, against a reference in extended precision. All in one run, in alternating rounds as above.
+revolutions a second of one core; the error is the largest of all coordinates after 20 revolutions with six crossings of
+the gap, against a reference in extended precision. All in one run, in alternating rounds as above.
 
 {table}
 
 {sentences}
 
-heyoka 7 is not in Debian. On a Zen 5 core, where it was measured beside peers, it does {heyoka} revolutions a second in batches of 8 (AVX-512,
-events, error {heyoka_error:.1e}), GSL rk8pd {gsl}, and the loop that the compiler vectorised {there} steps of RK4 a second. GSL is scalar code, heyoka's
-batches are vectors of 512 bits: processors that differ in how many of these they begin in a cycle stand apart by one scale and not by
-the other, so both are given. The loop does {loop} steps a second here.
+heyoka 7 is not in Debian. On a Zen 5 core, where it was measured beside peers, it does {heyoka} revolutions a second in
+batches of 8 (AVX-512, events, error {heyoka_error:.1e}), GSL rk8pd {gsl}, and the loop that the compiler vectorised
+{there} steps of RK4 a second. GSL is scalar code, heyoka's batches are vectors of 512 bits: processors that differ in
+how many of these they begin in a cycle stand apart by one scale and not by the other, so both are given. The loop does
+{loop} steps a second here.
 
 - *whirl ISA*: machines in lanes, r_k from 0.55 to 0.65, the first 0.6, contacts located; at a tighter tolerance, too,
   and RK4 in 1024 steps with located contacts beside plain RK4.
-- *GSL, ARKODE, Boost.odeint*: one machine; they know of no contact and shorten their steps there. *CVODE* finds contacts as roots.
+- *GSL, ARKODE, Boost.odeint*: one machine; they know of no contact and shorten their steps there. *CVODE* finds
+  contacts as roots.
 """
 
-# heyoka 7 (batch of 8 with AVX-512, events) on a Zen 5 core, revolutions a second, and what peers did on the same core: GSL
-# rk8pd, revolutions a second, and the loop that the compiler vectorised, steps of RK4 a second (6.4e7 to 6.9e7 there).
+# heyoka 7 (batch of 8 with AVX-512, events) on a Zen 5 core, revolutions a second, and what peers did on the same core:
+# GSL rk8pd, revolutions a second, and the loop that the compiler vectorised, steps of RK4 a second (6.4e7 to 6.9e7).
 HEYOKA, HEYOKA_ERROR = 4.5e4, 1.1e-11
 GSL_THERE, LOOP_THERE = 8.6e3, 6.4e7
 
@@ -422,6 +428,17 @@ def measure_adaptive(options):
                            heyoka=short(HEYOKA), heyoka_error=HEYOKA_ERROR, gsl=short(GSL_THERE))
 
 
+def wrapped(page):
+    """The page with paragraphs and items in lines of at most 120 columns; tables, headings and pictures stay."""
+    def filled(item):
+        return textwrap.fill(" ".join(item.split()), 120, break_long_words=False, break_on_hyphens=False,
+                             subsequent_indent="  " if item.startswith("- ") else "")
+
+    blocks = [block if block.startswith(("|", "#", "!")) else "\n".join(map(filled, re.split(r"\n(?=- )", block)))
+              for block in page.strip().split("\n\n")]
+    return "\n\n".join(blocks) + "\n"
+
+
 def picture(best, path):
     """Horizontal bars by gnuplot, fastest on top."""
     rows = sorted((rate, name) for name, rate in best.items() if name.split()[-1] not in CHAINS)
@@ -442,7 +459,8 @@ set title "The rotor of the 2015 paper, 1024 steps a revolution"
 set grid x
 set style fill solid
 unset key
-plot $rows using (1e3):3:(1e3):2:($3-0.35):($3+0.35):($4==1 ? 0x2b6cb0 : 0xa0aec0):ytic(1) with boxxyerror lc rgb variable, \\
+plot $rows using (1e3):3:(1e3):2:($3-0.35):($3+0.35):($4==1 ? 0x2b6cb0 : 0xa0aec0):ytic(1) \\
+     with boxxyerror lc rgb variable, \\
      $rows using 2:3:(" ".strcol(5)) with labels left font "sans,9"
 """
     subprocess.run(["gnuplot"], input=script, text=True, check=True)
@@ -478,6 +496,7 @@ def main():
     page += measure_adaptive(options)
     if studies:
         page += STUDY.format(rounds=options.study_rounds, study="\n".join(study_table(best, studies)))
+    page = wrapped(page)
     say(page)
     if options.docs:
         (options.docs / "images").mkdir(parents=True, exist_ok=True)
