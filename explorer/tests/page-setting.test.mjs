@@ -181,6 +181,57 @@ test('over another parameter no value of the first one stays in the case', async
   await close();
 });
 
+/// The case that a page at this address saves.
+async function savedCase(address) {
+  const { page, complaints, close } = await open(address);
+  await settled(page);
+  const [file] = await Promise.all([page.waitForEvent('download'), page.click('[data-save="case"]')]);
+  const text = readFileSync(await file.path(), 'utf8');
+  assert.deepEqual(complaints, []);
+  await close();
+  return text;
+}
+
+const SWEEPS = {
+  list: '{parameter: e, values: [0.05, 0.1, 0.2, 0.3], start: state}',
+  'list-in-dashes':
+    '\n    parameter: e\n    values:                         # unbalances\n      - 0.05\n      - 0.1\n      - 0.3\n    start: state',
+  step: '{parameter: e, from: 0.3, to: 0.1, step: 0.05, start: state}',
+  log: '{parameter: e, from: 0.05, to: 0.4, points: 4, scale: log, start: state}',
+};
+for (const [name, sweep] of Object.entries(SWEEPS))
+  test(`a saved case whose sweep was written as ${name} is one that the command takes`, async () => {
+    const address = makePage(name, BEARING.replace(/sweep:.*/, `sweep: ${sweep}`).replace(/ {2}detail:.*\n/, ''));
+    const original = JSON.parse(command('run', `${name}.yaml`, '--json', '-q')).points.length;
+    const at = {
+      whole: '#at=0.15',
+      nearer: '#at=0.15&range=0.1,0.2',
+      other: '#par=omega&at=650&range=600,700',
+    };
+    for (const [what, hash] of Object.entries(at)) {
+      const file = `saved-${name}-${what}.yaml`;
+      const text = await savedCase(address + hash);
+      writeFileSync(join(folder, file), text);
+      command('check', file);
+      const values = JSON.parse(command('run', file, '--json', '-q')).points.map(({ parameters }) =>
+        what === 'other' ? parameters.omega : parameters.e,
+      );
+      assert.equal(values.length, original, `${file}: ${text}`);
+      const ends = { whole: undefined, nearer: [0.1, 0.2], other: [600, 700] }[what];
+      if (!ends) continue;
+      if (name === 'step') ends.reverse();
+      assert.ok(
+        Math.abs(values[0] - ends[0]) < 1e-9 * ends[0] && Math.abs(values.at(-1) - ends[1]) < 1e-9 * ends[1],
+        `${file}: ${values}`,
+      );
+      if (name === 'log') {
+        const [a, b, c] = values;
+        const even = what === 'nearer' ? Math.abs(b / a - c / b) : Math.abs(b - a - (c - b)) / b;
+        assert.ok(even < 1e-9, `${file}: ${values}`);
+      }
+    }
+  });
+
 test('the parameter that the case sweeps can be set while another one is along the diagram', async () => {
   const { page, complaints, close } = await open(`${bearing}#par=omega&at=650&range=600,700&set=e%3D0.2`);
   await settled(page);

@@ -79,7 +79,8 @@ whirl_status whirl_case_rotor(const whirl_case *object, const char *name, double
 /// The study of the case. It borrows from the case, which must outlive it.
 whirl_status whirl_case_study(const whirl_case *object, whirl_study *study);
 
-/// Fills the parts of a result that the case knows: title, text, scales, parameters, stations, contacts.
+/// Fills the parts of a result that the case knows: title, text, scales (of every point of its tables, too),
+/// parameters, stations, contacts.
 whirl_status whirl_case_describe_result(const whirl_case *object, whirl_result *result);
 
 /// The result of the case's study before any point is computed (whirl_study_outline), described, provenance included.
@@ -109,7 +110,7 @@ void whirl_case_comment(const whirl_case *object, const char *name, char *commen
 
 /// The text of a case with `value` at the key `path` ("parameters.r_k", "study.sweep.from"), all else as it was; a key
 /// that is missing is added where its mapping stands. A list of values is replaced by another in brackets, "[1 mm, 2
-/// mm]". *edited is freed by the caller. WHIRL_BAD_INPUT for a text that is not YAML, or a place that takes no value.
+/// mm]". `value` NULL takes the key and its value out; without the key the text stays as it is. *edited is freed by the caller. WHIRL_BAD_INPUT for a text that is not YAML, or a place that takes no value.
 /// What the new text means is not checked: see whirl_case_parse.
 whirl_status whirl_case_edit(const char *text, size_t length, const char *path, const char *value, char **edited);
 

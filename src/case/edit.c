@@ -97,6 +97,26 @@ static char *add(const char *text, size_t length, const file_node *root, const c
     return found || !dot ? NULL : add(text, length, root, parent, member);
 }
 
+/// The text without a member of a mapping. In braces its comma goes too; elsewhere its lines do, unless a dash stands
+/// before it in the first of them. NULL without memory.
+static char *take_away(const char *text, size_t length, const file_node *node) {
+    size_t from = byte_offset(text, length, node->key_from), to = byte_offset(text, length, node->to), unused;
+    if (node->kind == NODE_LIST) list_extent(text, length, node, &unused, &to);
+    const size_t indent = (size_t)node->key_column - 1;
+    const bool own_lines = !node->parent->flow && strspn(text + from - indent, " ") >= indent;
+    if (own_lines) {
+        from -= indent;
+        if (text[to - 1] != '\n') to += strcspn(text + to, "\n");
+        if (to < length && text[to - 1] != '\n') to++;
+    } else if (node->next) {
+        to = byte_offset(text, length, node->next->key_from);
+    } else {
+        while (strchr(" \r\n", text[from - 1])) from--;
+        from -= text[from - 1] == ',';
+    }
+    return splice(text, length, from, to - from, "", "", "");
+}
+
 // ---------------------------------------------------------------- checking
 
 typedef struct edit_tree {
@@ -169,24 +189,45 @@ static char *try_edit(const char *text, size_t length, const file_node *root, co
     return NULL;
 }
 
+/// The text that says `value` at the path, in quotes where it must be, or NULL.
+static char *write_value(const char *text, size_t length, const file_node *root, const char *path, const char *value) {
+    char *edited = try_edit(text, length, root, path, value, value);
+    char *quotes = edited ? NULL : quoted(value);
+    if (quotes) edited = try_edit(text, length, root, path, value, quotes);
+    free(quotes);
+    return edited;
+}
+
+/// The text without that node (NULL: as it is), or NULL where it would be there still, or what is left is not YAML.
+static char *without(const char *text, size_t length, const file_node *node, const char *path) {
+    if (!node) return splice(text, length, 0, 0, "", "", "");
+    char *edited = node->key ? take_away(text, length, node) : NULL;
+    edit_tree left;
+    const bool good = edited && read_tree(edited, strlen(edited), &left).code == WHIRL_OK;
+    const bool gone = good && !find_node(left.root, path);
+    if (edited) tree_free(&left);
+    if (gone) return edited;
+    free(edited);
+    return NULL;
+}
+
 whirl_status whirl_case_edit(const char *text, size_t length, const char *path, const char *value, char **edited) {
     edit_tree tree;
     *edited = NULL;
-    if (strlen(path) >= PATH_SIZE || strlen(value) >= PATH_SIZE - 64 || strpbrk(value, "\r\n"))
+    if (strlen(path) >= PATH_SIZE || (value && (strlen(value) >= PATH_SIZE - 64 || strpbrk(value, "\r\n"))))
         return whirl_fail(WHIRL_BAD_INPUT, "%.80s cannot be written, expected a short value in one line", path);
     whirl_status status = read_tree(text, length, &tree);
     const file_node *node = status.code == WHIRL_OK ? find_node(tree.root, path) : NULL;
     const bool values_only = node && node->kind == NODE_LIST && (!node->last || node->last->kind == NODE_TEXT);
-    if (node && node->kind != NODE_TEXT && !(values_only && is_list(value)))
+    if (node && node->kind != NODE_TEXT && !(values_only && (!value || is_list(value))))
         status = whirl_fail(WHIRL_BAD_INPUT, "%s is %s, expected a value", path,
                             node->kind == NODE_LIST ? "a list" : "a mapping");
     if (status.code == WHIRL_OK) {
-        char *quotes = quoted(value);
-        *edited = try_edit(text, length, tree.root, path, value, value);
-        if (!*edited && quotes) *edited = try_edit(text, length, tree.root, path, value, quotes);
-        free(quotes);
+        *edited = value ? write_value(text, length, tree.root, path, value) : without(text, length, node, path);
         if (!*edited)
-            status = whirl_fail(WHIRL_BAD_INPUT, "%s cannot be set to %.100s in the text of the case", path, value);
+            status =
+                value ? whirl_fail(WHIRL_BAD_INPUT, "%s cannot be set to %.100s in the text of the case", path, value)
+                      : whirl_fail(WHIRL_BAD_INPUT, "%s cannot be taken out of the text of the case", path);
     }
     tree_free(&tree);
     return status;

@@ -109,9 +109,10 @@ export class Core {
     return JSON.parse(this.text(this.module._explorer_describe(object))) as CaseInfo;
   }
 
-  edit(source: string, path: string, value: string): string {
-    return this.withTexts([source, path, value], (at, pathAt, valueAt) =>
-      this.text(this.module._explorer_edit(at!, this.module.lengthBytesUTF8(source), pathAt!, valueAt!)),
+  /// Without a value the key is taken out.
+  edit(source: string, path: string, value: string | undefined): string {
+    return this.withTexts(value === undefined ? [source, path] : [source, path, value], (at, pathAt, valueAt) =>
+      this.text(this.module._explorer_edit(at!, this.module.lengthBytesUTF8(source), pathAt!, valueAt ?? 0)),
     );
   }
 

@@ -289,10 +289,10 @@ export interface TransientResult {
 // ---------------------------------------------------------------- cases to keep
 
 /// A value in the text of a case. `path` is a key's ("parameters.r_k", "study.sweep.from"), `text` what shall stand
-/// there.
+/// there; without a text the key is taken out.
 export interface Edit {
   readonly path: string;
-  readonly text: string;
+  readonly text?: string;
 }
 
 // ---------------------------------------------------------------- answers

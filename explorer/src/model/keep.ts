@@ -9,6 +9,21 @@ function inUnit(value: number, unit: string): string {
   return unit === '1' || unit === 'SI' || unit === '' ? number : `${number} ${unit}`;
 }
 
+/// A sweep from one end of the view to the other, in as many points as the case's own has. What else the case may say
+/// of its values goes: a list, a step, a scale of ratios where the view has none.
+function sweepEdits(parameter: string, unit: string, sweep: CaseInfo['batches'][number], view: Range): Edit[] {
+  const falling = (sweep.values[0] ?? 0) > (sweep.values.at(-1) ?? 0);
+  const [from, to] = falling ? [view[1], view[0]] : view;
+  const edits: Edit[] = [{ path: 'study.sweep.values' }, { path: 'study.sweep.step' }];
+  if (sweep.parameter !== parameter || !(from / to > 0)) edits.push({ path: 'study.sweep.scale' });
+  const put = (key: string, text: string) => edits.push({ path: `study.sweep.${key}`, text });
+  put('parameter', parameter);
+  put('points', String(Math.max(sweep.values.length, 2)));
+  put('to', inUnit(to, unit));
+  put('from', inUnit(from, unit));
+  return edits;
+}
+
 /// The edits that make the case one of this setting: the view becomes the sweep, the cursor's value its first detail.
 export function caseEdits(original: CaseInfo, address: Address, side: Side, view: Range, whole: Range): Edit[] {
   const edits: Edit[] = [];
@@ -18,12 +33,8 @@ export function caseEdits(original: CaseInfo, address: Address, side: Side, view
   const sweep = original.batches.find(({ name }) => name === 'sweep');
   const put = (path: string, text: string) => edits.push({ path, text });
   if (sweep) {
-    const falling = (sweep.values[0] ?? 0) > (sweep.values.at(-1) ?? 0);
-    if (sweep.parameter !== parameter || view[0] !== whole[0] || view[1] !== whole[1]) {
-      put('study.sweep.parameter', parameter);
-      put('study.sweep.from', inUnit(view[falling ? 1 : 0], unit));
-      put('study.sweep.to', inUnit(view[falling ? 0 : 1], unit));
-    }
+    if (sweep.parameter !== parameter || view[0] !== whole[0] || view[1] !== whole[1])
+      edits.push(...sweepEdits(parameter, unit, sweep, view));
     // What the case looks at closely are values of the parameter that it sweeps: over another one none of them stays.
     const detail = original.batches.find(({ name }) => name === 'detail');
     if (detail && detail.parameter !== parameter)

@@ -54,13 +54,32 @@ static void missing_keys_are_added(void **state) {
     expect_edit("s: {a: 1}\n", "s.b.c", "2", "s: {b: {c: 2}, a: 1}\n");
 }
 
+static void keys_are_taken_out(void **state) {
+    (void)state;
+    static const char *const edits[][3] = {
+        {"s:\n  # first\n  a: 1\n  b: [1, 2] # two\n  # third\n  c: 3\n", "s.b",
+         "s:\n  # first\n  a: 1\n  # third\n  c: 3\n"},
+        {"s: {a: 1, b: [1, # ]\n  2], c: 3}\n", "s.b", "s: {a: 1, c: 3}\n"},
+        {"s: {a: 1, b: [1, 2]}\nt: 2\n", "s.b", "s: {a: 1}\nt: 2\n"},
+        {"s: {a: {d: 1},\n    b: 2}\n", "s.b", "s: {a: {d: 1}}\n"},
+        {"s: {b: 1}\n", "s.b", "s: {}\n"},
+        {"s:\n  a: 1\n  b:\n    - 1 # one\n    - 2 # two\n  c: 3\n", "s.b", "s:\n  a: 1\n  c: 3\n"},
+        {"s:\n  a: 1\n  b:\n  - 1\n  - 2", "s.b", "s:\n  a: 1\n"},
+        {"s:\n  b: |\n    1\n    2\n  c: 3\n", "s.b", "s:\n  c: 3\n"},
+        {"l:\n- a: 1\n  b: 2\n", "l[1].a", "l:\n- b: 2\n"},
+        {"µ: ü\r\nb: 1\r\nc: 2\r\n", "b", "µ: ü\r\nc: 2\r\n"},
+        {"s: {a: 1}\n", "s.b", "s: {a: 1}\n"},
+    };
+    for (size_t i = 0; i < sizeof edits / sizeof *edits; i++) expect_edit(edits[i][0], edits[i][1], NULL, edits[i][2]);
+}
+
 static void what_takes_no_value_is_refused(void **state) {
     (void)state;
     static const char *const wrong[][3] = {
         {"a: {b: 1}\n", "a", "2"},       {"a: [1]\n", "a", "2"},        {"a: [1]\n", "a.b", "2"},
         {"a: 1\n", "a.b", "2"},          {"a: [1\n", "a", "2"},         {"a: 1\n", "a", "2\nb: 3"},
         {"a: {b: 1}\n", "a", "[2]"},     {"a: [1, [2]]\n", "a", "[2]"}, {"a: {b: 1}\n", "a.b", "\x01"},
-        {"a: {b: 1, b: 2}\n", "a", "1"},
+        {"a: {b: 1, b: 2}\n", "a", "1"}, {"a: {b: 1}\n", "a", NULL},    {"a: [1]\n", "a[1]", NULL},
     };
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         char *found = NULL;
@@ -138,6 +157,7 @@ int main(void) {
         cmocka_unit_test(values_are_quoted_where_they_must_be),
         cmocka_unit_test(lists_are_replaced_by_lists),
         cmocka_unit_test(missing_keys_are_added),
+        cmocka_unit_test(keys_are_taken_out),
         cmocka_unit_test(what_takes_no_value_is_refused),
         cmocka_unit_test(an_edited_case_means_what_was_written),
         cmocka_unit_test(uses_are_found),
