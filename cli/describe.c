@@ -119,7 +119,7 @@ static void default_text(const whirl_key *key, char *text, size_t size) {
         snprintf(text, size, "%s", key->required ? "required" : *key->fallback ? key->fallback : "-");
 }
 
-// A key as it is shown: its cells side by side, its meaning below.
+/// A key as it is shown: its cells side by side, its meaning below.
 enum { CELLS = 5, RANGE_CELL = CELLS - 1, CELL_SIZE = 128, KEY_INDENT = 2, MEANING_INDENT = 6 };
 typedef char key_cells[CELLS][CELL_SIZE];
 

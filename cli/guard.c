@@ -12,7 +12,7 @@
 
 enum { PATH_SIZE = 4096 + 64 };
 
-// A signal handler can reach nothing but static storage.
+/// A signal handler can reach nothing but static storage.
 static volatile sig_atomic_t watching;
 static bool exhausted;
 static char half_written[PATH_SIZE];

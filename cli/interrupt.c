@@ -5,7 +5,7 @@
 #include <string.h>
 #include <time.h>
 
-// A signal handler can reach nothing but static storage.
+/// A signal handler can reach nothing but static storage.
 static volatile bool stopped;
 static volatile sig_atomic_t received;
 

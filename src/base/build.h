@@ -6,9 +6,9 @@ typedef struct build_fact {
     const char *name, *value;
 } build_fact;
 
-// "version", "revision", "sources" (a SHA-256 of all of them), "compiler", "flags", "build type", "libraries"; static,
-// ended by an entry whose name is NULL.
-// What is not known (a source archive has no revision) is "unknown".
+/// "version", "revision", "sources" (a SHA-256 of all of them), "compiler", "flags", "build type", "libraries"; static,
+/// ended by an entry whose name is NULL.
+/// What is not known (a source archive has no revision) is "unknown".
 const build_fact *build_facts(void);
 
 #endif

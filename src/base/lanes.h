@@ -52,7 +52,7 @@ struct whirl_lanes {
     bool slides; ///< motions can slide along a switch
     bool damped; ///< normal forces depend on velocities too: contact is where `contacts` says, not where the gap is
                  ///< closed
-    // One for every instruction set of vector.h; NULL where it is not built.
+    /// One for every instruction set of vector.h; NULL where it is not built.
     lanes_accelerate *const *accelerate;
     lanes_flow *const *flow;
     lanes_switches *const *switches;

@@ -216,7 +216,7 @@ static inline vec v_seed_half(long long magic, vec a) {
 
 #elif VECTOR_ISA == VECTOR_128
 
-// Other machines (NEON, WebAssembly) by the compilers' own vectors; as on x86 nothing is fused.
+/// Other machines (NEON, WebAssembly) by the compilers' own vectors; as on x86 nothing is fused.
 enum { VECTOR_LANES = 2 };
 typedef double vec __attribute__((vector_size(16)));
 typedef long long vec_mask __attribute__((vector_size(16)));
@@ -308,7 +308,7 @@ static inline vec v_fms(vec a, vec b, vec c) {
 static inline vec v_fnma(vec a, vec b, vec c) {
     return VECTOR_FUSED ? fma(-a, b, c) : c - a * b;
 }
-// As the instructions do: the second operand where one is not a number.
+/// As the instructions do: the second operand where one is not a number.
 static inline vec v_min(vec a, vec b) {
     return a < b ? a : b;
 }

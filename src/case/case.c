@@ -37,7 +37,7 @@ static void check_machine_at(case_reader *reader, case_content *content, size_t 
                    status.message);
 }
 
-// The ends of a sweep stand for all of it; what fails between them fails while running.
+/// The ends of a sweep stand for all of it; what fails between them fails while running.
 static void check_ends(case_reader *reader, case_content *content, const plan_parts *parts) {
     const size_t members = content->machine.station_count + content->machine.element_count;
     const size_t affordable = CHECK_BUDGET / (reader->expression_bytes + ELEMENT_COST * members + 1) + 2;
@@ -54,7 +54,7 @@ static void check_ends(case_reader *reader, case_content *content, const plan_pa
     }
 }
 
-// What the analyses refuse (too many fields, a record that lacks what they need).
+/// What the analyses refuse (too many fields, a record that lacks what they need).
 static void check_layouts(case_reader *reader, case_content *content, valuation *v) {
     whirl_rotor *rotor;
     whirl_layout layout;
@@ -93,7 +93,7 @@ static void check_with_values(case_reader *reader, case_content *content, const 
 
 // ---------------------------------------------------------------- reading
 
-// A file of another version is not read on: what it means is not known.
+/// A file of another version is not read on: what it means is not known.
 static bool is_known_version(case_reader *reader, const setting_list *file) {
     const setting *version = settings_find(file, "whirl");
     if (!version || !version->good) return true;
@@ -142,7 +142,7 @@ static void read_content(case_reader *reader, const file_node *root, case_conten
         machine_check_alone(reader, &content->machine);
 }
 
-// Fills `content`, whose overrides are set, from the text of the case.
+/// Fills `content`, whose overrides are set, from the text of the case.
 static whirl_status make_content(const whirl_case *object, case_content *content, whirl_problems *problems) {
     file_node *root;
     const int before = exhausted_watch();
@@ -213,7 +213,7 @@ void whirl_case_free(whirl_case *object) {
 /// Bytes of a name, and of a value: an expression, at most.
 enum { SHOWN_NAME = 128, LONGEST_VALUE = 8192 };
 
-// The overrides so far with one more, where there is a name, in the arena of the new content.
+/// The overrides so far with one more, where there is a name, in the arena of the new content.
 static bool copy_overrides(const case_content *old, case_content *content, const char *name, const char *text) {
     parameter_override *all = arena_take(&content->arena, (old->override_count + 1) * sizeof *all);
     if (!all) return false;
@@ -232,7 +232,7 @@ static bool copy_overrides(const case_content *old, case_content *content, const
     return true;
 }
 
-// The length of the name before '=', blanks left out.
+/// The length of the name before '=', blanks left out.
 static whirl_status split_assignment(const char *assignment, size_t *length) {
     const char *equals = strchr(assignment, '=');
     if (!equals || equals == assignment)
@@ -242,14 +242,14 @@ static whirl_status split_assignment(const char *assignment, size_t *length) {
     return whirl_ok();
 }
 
-// What is wrong with the value itself stands in no file.
+/// What is wrong with the value itself stands in no file.
 static whirl_status without_file(const whirl_problems *problems, const whirl_status *status) {
     if (!problems->items || problems->count == 0 || problems->items[0].line > 0 || !problems->items[0].key[0])
         return *status;
     return whirl_fail(status->code, "%s: %s", problems->items[0].key, problems->items[0].message);
 }
 
-// A parameter that is swept takes its values from the study alone, unless these depend on it.
+/// A parameter that is swept takes its values from the study alone, unless these depend on it.
 static whirl_status refuse_swept(const study_plan *old, const study_plan *new, const char *name, size_t length) {
     for (size_t b = 0; b < old->batch_count; b++) {
         const whirl_batch *batch = &old->batches[b], *now = &new->batches[b];
@@ -279,7 +279,7 @@ static void take_content(whirl_case *object, const case_content *content) {
     object->content = *content;
 }
 
-// Overrides a parameter; one that the study sweeps where `swept_too`.
+/// Overrides a parameter; one that the study sweeps where `swept_too`.
 static whirl_status set_parameter(whirl_case *object, const char *name, const char *value, bool swept_too) {
     case_content content = {0};
     whirl_problems problems = {0};
@@ -296,7 +296,7 @@ static whirl_status set_parameter(whirl_case *object, const char *name, const ch
     return status;
 }
 
-// A key of the case is set in its text, which goes into the result: what was computed can be read there.
+/// A key of the case is set in its text, which goes into the result: what was computed can be read there.
 static whirl_status set_key(whirl_case *object, const char *name, const char *value) {
     char path[PATH_SIZE];
     whirl_case changed = *object;

@@ -16,7 +16,7 @@
 
 enum { MAX_CLAIMS = 1000 };
 
-// A number of the parameter, with a unit or plain; claims have no parameters, so no expression has names.
+/// A number of the parameter, with a unit or plain; claims have no parameters, so no expression has names.
 static bool read_number(case_reader *reader, const setting_list *item, const char *name, double *value) {
     const setting *given = settings_find(item, name);
     const whirl_key key = {.name = name, .unit = "", .range = WHIRL_ANY};
@@ -45,7 +45,7 @@ static void read_range(case_reader *reader, const setting_list *item, whirl_clai
     claim->to = fmax(first, last);
 }
 
-// "P-2", or a word.
+/// "P-2", or a word.
 static bool parse_regime(const char *word, whirl_claim *claim) {
     static const struct {
         const char *word;
@@ -84,7 +84,7 @@ static void read_curves(case_reader *reader, const setting_list *item, whirl_cla
     claim->curves = (int)given->value.number;
 }
 
-// Between `least` and `most` orders of the running speed.
+/// Between `least` and `most` orders of the running speed.
 static size_t read_orders(case_reader *reader, const setting_list *item, const char *name, size_t least, size_t most,
                           double *orders) {
     char shown[SHOWN_SIZE];

@@ -10,7 +10,7 @@
 #include "exhausted.h"
 #include "problem.h"
 
-// muParser's own, all with radians; log is the natural logarithm, as ln.
+/// muParser's own, all with radians; log is the natural logarithm, as ln.
 static const char *const words[] = {"sin",   "cos",   "tan",   "asin", "acos",  "atan", "atan2", "sinh", "cosh", "tanh",
                                     "asinh", "acosh", "atanh", "log2", "log10", "log",  "ln",    "exp",  "sqrt", "sign",
                                     "rint",  "abs",   "min",   "max",  "sum",   "avg",  "pi",    "_pi",  "_e",   NULL};
@@ -29,12 +29,12 @@ bool expression_has_word(const char *name) {
     return has_word(name, strlen(name));
 }
 
-// What is open at a place of the text: a comma may stand only inside the parentheses of a function.
+/// What is open at a place of the text: a comma may stand only inside the parentheses of a function.
 typedef struct scanner {
     const char *text;
     size_t at, depth;
     bool calls[EXPRESSION_MAX_DEPTH + 1];
-    bool after_name; // the last thing was a name, so that a parenthesis calls it
+    bool after_name; ///< the last thing was a name, so that a parenthesis calls it
 } scanner;
 
 static bool is_name_start(char c) {
@@ -72,7 +72,7 @@ static bool scan_name(scanner *s, expression_name_fn known, void *context, char 
     return true;
 }
 
-// '=' alone would assign; == <= >= != compare.
+/// '=' alone would assign; == <= >= != compare.
 static bool is_assignment(const scanner *s) {
     const char before = s->at > 0 ? s->text[s->at - 1] : ' ';
     return s->text[s->at] == '=' && s->text[s->at + 1] != '=' && (before == '\0' || !strchr("=<>!", before));
@@ -132,7 +132,7 @@ struct expression_evaluator {
     muParserHandle_t parser;
 };
 
-// Without a handler muParser's C interface writes errors to standard output.
+/// Without a handler muParser's C interface writes errors to standard output.
 static void remember_only(muParserHandle_t parser) {
     (void)parser;
 }
@@ -159,7 +159,7 @@ void evaluator_free(expression_evaluator *evaluator) {
     free(evaluator);
 }
 
-// muParser's own message lies in a buffer that all threads share; its position does not.
+/// muParser's own message lies in a buffer that all threads share; its position does not.
 static void describe_error(muParserHandle_t parser, const char *text, char why[WHY_SIZE]) {
     char shown[SHOWN_SIZE];
     enum { TOO_MANY_ARGUMENTS = 14, TOO_FEW_ARGUMENTS = 15 }; // EErrorCodes of muParserDef.h, which is C++

@@ -21,7 +21,7 @@ static bool is_station_name(const char *name) {
     return name[0] && strlen(name) < WHIRL_NAME_SIZE;
 }
 
-// As a name of a station, not "ground", which some places take beside it.
+/// As a name of a station, not "ground", which some places take beside it.
 static bool is_usable(const char *name) {
     return is_station_name(name) && strcmp(name, "ground") != 0;
 }
@@ -82,7 +82,7 @@ static bool check_station(case_reader *reader, const machine_parts *machine, con
     return false;
 }
 
-// The names of a list are reported where each of them stands.
+/// The names of a list are reported where each of them stands.
 static bool check_pair(case_reader *reader, const machine_parts *machine, const setting *pair) {
     const file_node *place = pair->place;
     if (place->kind == NODE_LIST) {
@@ -125,7 +125,7 @@ static void report_unknown_element(case_reader *reader, const file_node *where, 
     problem_at_key(reader->problems, where, "no element is called %s, %s", text_shown(kind, shown), advice);
 }
 
-// `- gravity` alone is an element with its defaults.
+/// `- gravity` alone is an element with its defaults.
 static void read_element(case_reader *reader, const file_node *item, machine_parts *result) {
     char shown[SHOWN_SIZE];
     const bool bare = item->kind == NODE_TEXT && !item->quoted && whirl_element_group(item->text);
@@ -182,7 +182,7 @@ void machine_read(case_reader *reader, const file_node *where, machine_parts *re
 
 // ---------------------------------------------------------------- building
 
-// What the rotor layer takes: numbers in SI, and words.
+/// What the rotor layer takes: numbers in SI, and words.
 static whirl_status evaluate(const setting_list *settings, valuation *v, whirl_setting values[SETTINGS_MAX]) {
     for (size_t i = 0; i < settings->count && i < SETTINGS_MAX; i++) {
         const setting *item = &settings->items[i];
@@ -218,7 +218,7 @@ static whirl_status add_element(const machine_parts *machine, size_t index, valu
     return status;
 }
 
-// All stations with the elements from `first` to before `last`.
+/// All stations with the elements from `first` to before `last`.
 static whirl_status build(const machine_parts *machine, valuation *v, size_t first, size_t last, whirl_rotor **rotor) {
     whirl_design *design;
     *rotor = NULL;
@@ -250,8 +250,8 @@ static bool check_values(case_reader *reader, valuation *v, const machine_parts 
     return good;
 }
 
-// What is left are settings that contradict each other: every element is tried alone, so that each problem has its
-// line.
+/// What is left are settings that contradict each other: every element is tried alone, so that each problem has its
+/// line.
 static bool check_one_by_one(case_reader *reader, valuation *v, const machine_parts *machine) {
     whirl_rotor *rotor;
     whirl_status status = build(machine, v, 0, 0, &rotor);
@@ -266,8 +266,8 @@ static bool check_one_by_one(case_reader *reader, valuation *v, const machine_pa
     return good;
 }
 
-// A rotor with the element alone, its stations of 1 kg. Expressions, whose values may not be known, count as 1: what
-// contradicts each other are keys that are there and keys that are not.
+/// A rotor with the element alone, its stations of 1 kg. Expressions, whose values may not be known, count as 1: what
+/// contradicts each other are keys that are there and keys that are not.
 static whirl_status build_alone(const machine_parts *machine, const setting_list *element) {
     const whirl_setting unit_mass = {.key = "mass", .number = 1.0};
     whirl_setting values[SETTINGS_MAX];

@@ -39,8 +39,8 @@ bool reader_reports(case_reader *reader, const char *what, const char *name) {
 
 typedef struct lookup {
     const parameter_table *parameters;
-    char name[WHIRL_NAME_SIZE]; // the last one that was asked for
-    const char *at;             // where it stands
+    char name[WHIRL_NAME_SIZE]; ///< the last one that was asked for
+    const char *at;             ///< where it stands
 } lookup;
 
 static bool parameter_is_known(void *context, const char *name, size_t length) {
@@ -52,12 +52,12 @@ static bool parameter_is_known(void *context, const char *name, size_t length) {
     return parameters_find(l->parameters, l->name) < l->parameters->count;
 }
 
-// The text after "=", or NULL where there is no expression.
+/// The text after "=", or NULL where there is no expression.
 static const char *expression_of(const char *text) {
     return text[0] == '=' ? text + 1 + strspn(text + 1, " ") : NULL;
 }
 
-// A line break in an expression is a space.
+/// A line break in an expression is a space.
 static const char *one_line(case_reader *reader, const char *text) {
     char *copy = arena_text(reader->arena, text, strlen(text));
     reader->no_memory = reader->no_memory || !copy;
@@ -66,7 +66,7 @@ static const char *one_line(case_reader *reader, const char *text) {
     return copy;
 }
 
-// false once there is too much to evaluate; said once.
+/// false once there is too much to evaluate; said once.
 static bool can_afford(case_reader *reader, const file_node *where, const char *expression) {
     const size_t before = reader->expression_bytes;
     reader->expression_bytes += strlen(expression);
@@ -76,7 +76,7 @@ static bool can_afford(case_reader *reader, const file_node *where, const char *
     return reader->expression_bytes <= EXPRESSIONS_MAX_BYTES;
 }
 
-// "10 N": a name after a number is meant as a unit.
+/// "10 N": a name after a number is meant as a unit.
 static bool follows_number(const char *expression, const char *name) {
     const char *before = name;
     while (before > expression && before[-1] == ' ') before--;
@@ -108,7 +108,7 @@ static bool read_expression(case_reader *reader, const parameter_table *known, c
     return false;
 }
 
-// The parameter that is the whole of an expression, or NULL.
+/// The parameter that is the whole of an expression, or NULL.
 static parameter *sole_name(const parameter_table *parameters, const char *expression) {
     char name[WHIRL_NAME_SIZE];
     const size_t length = strcspn(expression, " ");
@@ -119,7 +119,7 @@ static parameter *sole_name(const parameter_table *parameters, const char *expre
     return index < parameters->count ? &parameters->items[index] : NULL;
 }
 
-// "= omega" has the unit of omega. An expression that is more than a name has a unit that nobody knows.
+/// "= omega" has the unit of omega. An expression that is more than a name has a unit that nobody knows.
 const char *expression_unit(const parameter_table *parameters, const char *expression) {
     const parameter *item = sole_name(parameters, expression);
     return item ? item->unit : "";
@@ -129,7 +129,7 @@ const char *parameter_expected_unit(const parameter *item) {
     return item->unit[0] ? item->unit : item->taken_as;
 }
 
-// A key takes a parameter for its value; where that is another one, the key takes that one, too.
+/// A key takes a parameter for its value; where that is another one, the key takes that one, too.
 static void note_use(const parameter_table *parameters, const char *expression, const char *unit) {
     parameter *item = sole_name(parameters, expression);
     for (size_t depth = 0; item && depth < parameters->count && !item->taken_as[0]; depth++) {
@@ -183,7 +183,7 @@ bool angle_is_likely(const whirl_key *key, double number, char why[WHY_SIZE]) {
     return false;
 }
 
-// A number that stands there without a unit.
+/// A number that stands there without a unit.
 static bool is_plain(const char *text) {
     const char *end;
     double value;
@@ -248,7 +248,7 @@ static void check_name(case_reader *reader, const file_node *where) {
                        text_shown(where->key, shown));
 }
 
-// A value from outside stands nowhere in the file.
+/// A value from outside stands nowhere in the file.
 static const file_node *outside(case_reader *reader, const parameter_override *override) {
     file_node *made = arena_take(reader->arena, sizeof *made);
     if (made) *made = (file_node){.kind = NODE_TEXT, .text = override->text, .key = override->name};
@@ -256,7 +256,7 @@ static const file_node *outside(case_reader *reader, const parameter_override *o
     return made;
 }
 
-// The unit of what the file says binds what is set from outside: a length stays a length.
+/// The unit of what the file says binds what is set from outside: a length stays a length.
 static bool read_quantity(case_reader *reader, const file_node *where, const char *expected, parameter *result) {
     char why[WHY_SIZE];
     quantity read;
@@ -313,13 +313,13 @@ static bool allocate(case_reader *reader, size_t count, parameter_table *result)
 typedef struct dependence_walk {
     case_reader *reader;
     parameter_table *result;
-    size_t done;                         // indices in result->order
-    unsigned char state[PARAMETERS_MAX]; // 0 not seen, 1 on the path, 2 done
+    size_t done;                         ///< indices in result->order
+    unsigned char state[PARAMETERS_MAX]; ///< 0 not seen, 1 on the path, 2 done
     size_t path[PARAMETERS_MAX], depth;
     bool cyclic;
 } dependence_walk;
 
-// "a -> b -> a"
+/// "a -> b -> a"
 static void report_cycle(dependence_walk *w, size_t again) {
     char text[160] = "";
     size_t first = 0;
@@ -343,7 +343,7 @@ static bool visit_name(void *context, const char *name, size_t length) {
     return true;
 }
 
-// Depth first; at most PARAMETERS_MAX deep.
+/// Depth first; at most PARAMETERS_MAX deep.
 static void visit(dependence_walk *w, size_t index) {
     char why[WHY_SIZE];
     parameter *item = &w->result->items[index];

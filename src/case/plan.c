@@ -42,7 +42,7 @@ static whirl_record_options record_options(valuation *v, const plan_parts *parts
     return options;
 }
 
-// The value of a whole number of `detail`, or what holds for the rest of the study.
+/// The value of a whole number of `detail`, or what holds for the rest of the study.
 static int detail_number(valuation *v, const plan_parts *parts, const char *key, int otherwise) {
     return settings_find(&parts->detail, key) ? (int)settings_number(v, &parts->detail, key) : otherwise;
 }
@@ -58,7 +58,7 @@ static whirl_record_options detail_options(valuation *v, const plan_parts *parts
     return options;
 }
 
-// What the chosen analyses need recorded. Waveforms are an analysis of their own exactly where some are kept.
+/// What the chosen analyses need recorded. Waveforms are an analysis of their own exactly where some are kept.
 static void choose_analyses(whirl_batch *batch, whirl_analysis_set chosen, bool spectra) {
     whirl_analysis_set waveform = 0;
     whirl_analysis_add(&waveform, "waveform");
@@ -72,7 +72,7 @@ static void choose_analyses(whirl_batch *batch, whirl_analysis_set chosen, bool 
 
 // ---------------------------------------------------------------- contradictions
 
-// At the key when it was given, at its mapping otherwise.
+/// At the key when it was given, at its mapping otherwise.
 static const file_node *place_of(const setting_list *settings, const char *key) {
     const setting *given = settings_find(settings, key);
     return given ? given->place : settings->place;
@@ -122,7 +122,7 @@ static whirl_batch *add_batch(study_plan *result, const char *name, const file_n
     return batch;
 }
 
-// Values between two ends with equal differences; the last is exactly `to`, and nothing overflows between.
+/// Values between two ends with equal differences; the last is exactly `to`, and nothing overflows between.
 static void space_values(double from, double to, size_t count, double *values) {
     for (size_t i = 0; i < count; i++) {
         const double share = count > 1 ? (double)i / (double)(count - 1) : 0.0;
@@ -130,13 +130,13 @@ static void space_values(double from, double to, size_t count, double *values) {
     }
 }
 
-// The same with equal ratios.
+/// The same with equal ratios.
 static void scale_values(double from, double to, size_t count, double *values) {
     for (size_t i = 0; i < count; i++) values[i] = from * pow(to / from, (double)i / (double)(count - 1));
     values[count - 1] = count > 1 ? to : from;
 }
 
-// Values so far apart, from the first on; the last is `to` itself where it is met.
+/// Values so far apart, from the first on; the last is `to` itself where it is met.
 static void step_values(double from, double to, double step, size_t count, double *values) {
     for (size_t i = 0; i < count; i++) {
         values[i] = from + (double)i * copysign(step, to - from);
@@ -144,7 +144,7 @@ static void step_values(double from, double to, double step, size_t count, doubl
     }
 }
 
-// Up and down are meant along the parameter; the batch knows first and last.
+/// Up and down are meant along the parameter; the batch knows first and last.
 static whirl_carry carry_of(const setting_list *sweep, bool rising) {
     if (strcmp(settings_word(sweep, "start"), "carry") != 0) return WHIRL_CARRY_NONE;
     const char *direction = settings_word(sweep, "direction");
@@ -159,7 +159,7 @@ static bool formula_value(case_reader *reader, valuation *v, const file_node *wh
     return status.code == WHIRL_OK;
 }
 
-// Steps from one end to the other, with what rounding may have taken off the last.
+/// Steps from one end to the other, with what rounding may have taken off the last.
 static bool count_steps(case_reader *reader, const setting *given, double from, double to, double step, size_t *count) {
     const double steps = floor(fabs(to - from) / fabs(step) + 1e-6);
     if (!(step > 0.0) || !isfinite(step))
@@ -172,7 +172,7 @@ static bool count_steps(case_reader *reader, const setting *given, double from, 
     return *count > 0;
 }
 
-// Values of a sweep with two ends; NULL after a problem.
+/// Values of a sweep with two ends; NULL after a problem.
 static double *range_values(case_reader *reader, valuation *v, const plan_parts *parts, size_t *count) {
     double from, to, distance = 0.0;
     const setting_list *sweep = &parts->sweep;
@@ -201,7 +201,7 @@ static double *range_values(case_reader *reader, valuation *v, const plan_parts 
     return values;
 }
 
-// The values of a list; NULL after a problem.
+/// The values of a list; NULL after a problem.
 static double *list_values(case_reader *reader, valuation *v, const formula_list *list) {
     double *values = arena_take(reader->arena, list->count * sizeof *values);
     bool good = values != NULL;
@@ -211,7 +211,7 @@ static double *list_values(case_reader *reader, valuation *v, const formula_list
     return good ? values : NULL;
 }
 
-// Neighbours in a sweep are neighbours in the result: diagrams, regimes and carried states follow the values.
+/// Neighbours in a sweep are neighbours in the result: diagrams, regimes and carried states follow the values.
 static bool check_order(case_reader *reader, const formula_list *list, const double *values) {
     for (size_t i = 1; i < list->count; i++) {
         const bool rises = values[1] > values[0];
@@ -282,7 +282,7 @@ void plan_make(case_reader *reader, valuation *v, const plan_parts *parts, study
 
 static const char *const state_keys[] = {"x", "y", "vx", "vy"};
 
-// What a number with a unit is divided by: the length scale, or a length scale per radian.
+/// What a number with a unit is divided by: the length scale, or a length scale per radian.
 static double state_scale(const machine_parts *machine, valuation *v, const char *key) {
     const double length = settings_number(v, &machine->rotor, "length_scale");
     return key[0] == 'v' ? length * settings_number(v, &machine->rotor, "speed") : length;

@@ -9,7 +9,7 @@
 #include "whirl/analyze.h"
 #include "whirl/integrate.h"
 
-// A part of the study; an empty one where it is absent.
+/// A part of the study; an empty one where it is absent.
 static void read_part(case_reader *reader, const setting_list *study, const char *key, const whirl_group *group,
                       setting_list *part) {
     const setting *given = settings_find(study, key);
@@ -35,8 +35,8 @@ static const parameter *find_swept(case_reader *reader, const setting *given) {
     return NULL;
 }
 
-// A value of the swept parameter has the unit of what the case says of the parameter, or is used for; where neither is
-// known, the first value with a unit binds the others.
+/// A value of the swept parameter has the unit of what the case says of the parameter, or is used for; where neither is
+/// known, the first value with a unit binds the others.
 static void read_swept_value(case_reader *reader, const file_node *where, plan_parts *parts, number_formula *result) {
     char why[WHY_SIZE];
     quantity read;
@@ -52,7 +52,7 @@ static void read_swept_value(case_reader *reader, const file_node *where, plan_p
     if (strcmp(parts->swept_unit, "1") == 0) parts->swept_unit = ""; // a plain number is one in SI
 }
 
-// A list of values of the swept parameter, at most so many.
+/// A list of values of the swept parameter, at most so many.
 static void read_values(case_reader *reader, const file_node *where, size_t most, plan_parts *parts,
                         formula_list *result) {
     char shown[SHOWN_SIZE];
@@ -73,7 +73,7 @@ static void read_values(case_reader *reader, const file_node *where, size_t most
     }
 }
 
-// What a sweep without a list of values lacks.
+/// What a sweep without a list of values lacks.
 static void check_range_keys(case_reader *reader, const setting_list *sweep) {
     static const char *const ends[] = {"from", "to"};
     const setting *points = settings_find(sweep, "points"), *step = settings_find(sweep, "step");
@@ -93,7 +93,7 @@ static void check_range_keys(case_reader *reader, const setting_list *sweep) {
         problem_at_key(reader->problems, step->place, "has no meaning with scale: log, expected points");
 }
 
-// What a list of values leaves no room for.
+/// What a list of values leaves no room for.
 static void check_list_keys(case_reader *reader, const setting_list *sweep) {
     static const char *const others[] = {"from", "to", "points", "step", "scale"};
     for (size_t i = 0; i < sizeof others / sizeof *others; i++) {

@@ -16,7 +16,7 @@ bool problems_blame_memory(const whirl_problems *problems) {
     return false;
 }
 
-// Without memory the problem is counted all the same, so that nothing wrong passes.
+/// Without memory the problem is counted all the same, so that nothing wrong passes.
 static whirl_problem *add_problem(whirl_problems *problems) {
     if (!problems->items) {
         problems->items = calloc(MAX_PROBLEMS, sizeof *problems->items);

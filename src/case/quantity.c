@@ -22,7 +22,7 @@ enum { LONGEST_NUMBER = 60, LONGEST_UNIT = 60 };
 static pthread_mutex_t units_lock = PTHREAD_MUTEX_INITIALIZER;
 static ut_system *units; // guarded by units_lock
 
-// UDUNITS-2 tells a lack of memory by errno alone, and its lexer sets errno back: what failed for it is noted at once.
+/// UDUNITS-2 tells a lack of memory by errno alone, and its lexer sets errno back: what failed for it is noted at once.
 static bool no_memory; // guarded by units_lock
 
 static bool made(bool well) {
@@ -30,7 +30,7 @@ static bool made(bool well) {
     return well;
 }
 
-// Units that engineers write and UDUNITS does not know.
+/// Units that engineers write and UDUNITS does not know.
 static void add_unit(const char *name, const char *meaning) {
     ut_unit *unit = ut_parse(units, meaning, UT_ASCII);
     if (unit) ut_map_name_to_unit(name, UT_ASCII, unit);
@@ -47,8 +47,8 @@ static bool units_ready(void) {
     return true;
 }
 
-// UDUNITS also reads numbers, dates and logarithms as units, and overlooks a ')' too many; only products of names and
-// powers are meant here.
+/// UDUNITS also reads numbers, dates and logarithms as units, and overlooks a ')' too many; only products of names and
+/// powers are meant here.
 static bool looks_like_unit(const char *text) {
     const size_t length = strlen(text);
     int open = 0;
@@ -100,7 +100,7 @@ static bool convert(ut_unit *from, ut_unit *to, double *value) {
     return true;
 }
 
-// SI units by the names that engineers know; others are written as products of base units.
+/// SI units by the names that engineers know; others are written as products of base units.
 static const char *const si_units[] = {"m",    "kg", "s",     "rad",   "rad/s", "N",     "N/m",  "N s/m",
                                        "Pa s", "Pa", "m/s",   "m/s2",  "J",     "W",     "kg m", "1/s",
                                        "m2",   "m3", "kg/m3", "kg m2", "m2/s",  "rad/s2"};
@@ -119,7 +119,7 @@ static bool to_named_unit(ut_unit *unit, quantity *result) {
     return false;
 }
 
-// "0.001 m2.kg.s-3" is 0.001 times its SI unit "m2.kg.s-3".
+/// "0.001 m2.kg.s-3" is 0.001 times its SI unit "m2.kg.s-3".
 static bool to_base_units(ut_unit *unit, quantity *result) {
     char text[256];
     const int length = ut_format(unit, text, sizeof text, UT_ASCII | UT_DEFINITION);
@@ -146,7 +146,7 @@ static bool to_si(ut_unit *unit, quantity *result) {
     return done;
 }
 
-// "a number in kg", "a plain number", "a number with or without a unit".
+/// "a number in kg", "a plain number", "a number with or without a unit".
 static void describe_expected(const char *expected, char text[WHY_SIZE / 2]) {
     if (expected[0] == '\0')
         snprintf(text, WHY_SIZE / 2, "a number, or a number and a unit");
@@ -158,7 +158,7 @@ static void describe_expected(const char *expected, char text[WHY_SIZE / 2]) {
         snprintf(text, WHY_SIZE / 2, "a number in %.60s", expected);
 }
 
-// What to say of a unit that does not fit. A frequency is no angular speed, and nobody should have to guess 2 pi.
+/// What to say of a unit that does not fit. A frequency is no angular speed, and nobody should have to guess 2 pi.
 static void describe_misfit(const ut_unit *unit, const char *expected, char text[WHY_SIZE / 2]) {
     ut_unit *hertz = ut_parse(units, "1/s", UT_ASCII);
     if (hertz && strcmp(expected, "rad/s") == 0 && same_dimension(unit, hertz))
@@ -195,7 +195,7 @@ bool quantity_number(const char *text, double *value, const char **end) {
     return true;
 }
 
-// What engineers write for units that have another spelling here, or "".
+/// What engineers write for units that have another spelling here, or "".
 static const char *usual_spelling(const char *unit) {
     static const char *const spellings[][2] = {
         {"RPM", "rpm"},    {"Rpm", "rpm"},   {"rev/min", "rpm"},   {"r/min", "rpm"},   {"U/min", "rpm"},
@@ -211,7 +211,7 @@ static const char *usual_spelling(const char *unit) {
     return "";
 }
 
-// The unit's text follows the number; both are checked against what is expected.
+/// The unit's text follows the number; both are checked against what is expected.
 static bool read_unit(const char *text, const char *unit_text, const char *expected, quantity *result,
                       char why[WHY_SIZE]) {
     char shown[SHOWN_SIZE], expectation[WHY_SIZE / 2];

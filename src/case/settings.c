@@ -41,7 +41,7 @@ static void report_unknown(case_reader *reader, const file_node *member, const w
                    advice);
 }
 
-// A required key that stands there misspelt is reported as unknown, not a second time as missing.
+/// A required key that stands there misspelt is reported as unknown, not a second time as missing.
 static bool is_misspelt(const file_node *mapping, const whirl_group *group, const whirl_key *key) {
     const char *names[SETTINGS_MAX];
     const size_t count = key_names(group, names);
@@ -70,7 +70,7 @@ static void report_missing(case_reader *reader, const file_node *mapping, const 
 
 // ---------------------------------------------------------------- values
 
-// Cuts "a|b|c" into names.
+/// Cuts "a|b|c" into names.
 static size_t split_choices(char *choices, const char *names[SETTINGS_MAX]) {
     size_t count = 0;
     for (char *word = choices; word && count < SETTINGS_MAX; count++) {
@@ -102,7 +102,7 @@ static bool read_station(case_reader *reader, const file_node *where, setting *r
     return false;
 }
 
-// [a, b], or "a, b"; either becomes "a, b".
+/// [a, b], or "a, b"; either becomes "a, b".
 static bool read_stations(case_reader *reader, const file_node *where, setting *result) {
     char shown[SHOWN_SIZE];
     result->word = where->text;
@@ -120,7 +120,7 @@ static bool read_stations(case_reader *reader, const file_node *where, setting *
     return word != NULL;
 }
 
-// A number of the state may be a plain one, in scales, or have a unit.
+/// A number of the state may be a plain one, in scales, or have a unit.
 static bool read_number(case_reader *reader, const file_node *where, const whirl_key *key, setting *result) {
     const char *const unit = schema_scaled_unit(key);
     whirl_key given = *key;

@@ -40,7 +40,7 @@ whirl_status source_load(const char *path, whirl_problems *problems, char **text
     return status;
 }
 
-// What no case needs: characters that steer a terminal, or turn a line so that it reads otherwise than it is computed.
+/// What no case needs: characters that steer a terminal, or turn a line so that it reads otherwise than it is computed.
 static bool report_character(const char *text, size_t bytes, int line, int column, whirl_problems *problems) {
     const unsigned char c = (unsigned char)text[0];
     if (bytes == 0)
@@ -57,7 +57,7 @@ static bool report_character(const char *text, size_t bytes, int line, int colum
     return true;
 }
 
-// A line that is blank, or a comment, may begin with tabs.
+/// A line that is blank, or a comment, may begin with tabs.
 static bool line_says_something(const char *text, size_t length) {
     size_t i = 0;
     while (i < length && (text[i] == ' ' || text[i] == '\t')) i++;

@@ -29,7 +29,7 @@ static int column_of(const yaml_event_t *event) {
     return (int)event->start_mark.column + 1;
 }
 
-// Anything that stops the parsing: one problem, said once.
+/// Anything that stops the parsing: one problem, said once.
 static bool stop(tree_builder *b, const yaml_event_t *event, const char *message) {
     problem_in_file(b->problems, line_of(event), column_of(event), "%s", message);
     return false;
@@ -64,7 +64,7 @@ static file_node *add_node(tree_builder *b, const yaml_event_t *event, node_kind
     return made;
 }
 
-// Escapes in quotes can make what source_check refuses, and surrogates, which are no characters.
+/// Escapes in quotes can make what source_check refuses, and surrogates, which are no characters.
 static bool is_text(const char *text, size_t length) {
     for (size_t i = 0; i < length;) {
         const size_t bytes = utf8_length(text + i, length - i);
@@ -122,7 +122,7 @@ static bool close_collection(tree_builder *b) {
     return true;
 }
 
-// false ends the parsing.
+/// false ends the parsing.
 static bool take_event(tree_builder *b, const yaml_event_t *event) {
     if (++b->nodes > TREE_MAX_NODES) return stop(b, event, "has more than 100000 values, expected a case");
     switch (event->type) {
@@ -188,7 +188,7 @@ static bool report_duplicates(const file_node *mapping, whirl_problems *problems
     return true;
 }
 
-// The depth of the tree, and so of the recursion, is at most TREE_MAX_DEPTH.
+/// The depth of the tree, and so of the recursion, is at most TREE_MAX_DEPTH.
 static bool check_keys(const file_node *at, whirl_problems *problems) {
     if (at->kind == NODE_MAPPING && at->count > 1 && !report_duplicates(at, problems)) return false;
     for (const file_node *child = at->first; child; child = child->next)

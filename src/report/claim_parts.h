@@ -54,7 +54,7 @@ typedef struct claim_band {
 } claim_band;
 claim_band claim_band_of(const claim_view *view, size_t point);
 
-// The lines that parts write (claim_text.c).
+/// The lines that parts write (claim_text.c).
 void claim_regime_at(const claim_view *view, size_t point, char *text, size_t size);
 void claim_regime_over(const claim_view *view, const claim_census *census, char *text, size_t size);
 void claim_curves_at(const claim_view *view, size_t point, char *text, size_t size);

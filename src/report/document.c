@@ -12,7 +12,7 @@ json_t *document_number(double value) {
     return isfinite(value) ? json_real(value) : json_null();
 }
 
-// Text from a file may be anything.
+/// Text from a file may be anything.
 static const char *make_valid(const char *from, char valid[TEXT_SIZE]) {
     size_t length = 0;
     while (*from && length + 4 < TEXT_SIZE) {
@@ -40,7 +40,7 @@ void document_append(bool *well, json_t *array, json_t *value) {
     if (json_array_append_new(array, value) != 0) *well = false;
 }
 
-// A real number stays one: 2.0, not 2.
+/// A real number stays one: 2.0, not 2.
 static bool write_real(double value, FILE *stream) {
     char text[NUMBER_SIZE];
     number_text(value, text);
@@ -68,8 +68,8 @@ static bool write_object(json_t *object, FILE *stream) {
     return done && fputc('}', stream) != EOF;
 }
 
-// As Jansson writes a value, but for its real numbers, which have as many digits as they need. A document is made here,
-// so that its depth is known.
+/// As Jansson writes a value, but for its real numbers, which have as many digits as they need. A document is made
+/// here, so that its depth is known.
 static bool write_value(json_t *value, FILE *stream) {
     switch (json_typeof(value)) {
     case JSON_OBJECT:

@@ -30,8 +30,8 @@ typedef struct subject {
     span x, y;   ///< of the orbit, or of the section where there is no waveform; as shown
     double size; ///< of the motion: the larger side of its box; as shown
     const shown_units *units;
-    // What numbers of the result are multiplied by to be shown: displacements, amplitudes, orders (NaN: they stay
-    // orders).
+    /// What numbers of the result are multiplied by to be shown: displacements, amplitudes, orders (NaN: they stay
+    /// orders).
     double length, amplitude, order;
 } subject;
 

@@ -29,7 +29,7 @@ typedef struct page {
 /// Writes the whole page.
 void page_write(const page *to);
 
-// Sections.
+/// Sections.
 void page_style(FILE *stream);
 void page_claims(const page *to);                  ///< the table of claims and what was not reproduced
 void page_computed(const page *to, size_t result); ///< what was computed, parameters

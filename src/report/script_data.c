@@ -6,7 +6,7 @@
 #include "number.h"
 #include "utf8.h"
 
-// Characters to be escaped have at most four digits.
+/// Characters to be escaped have at most four digits.
 static void escape(FILE *stream, unsigned character) {
     fprintf(stream, "\\u%04x", character);
 }

@@ -15,7 +15,7 @@ typedef struct shown_units {
     const whirl_result *result;
     const unit_word *speed; ///< of parameters in rad/s; NULL: as the case writes each
     const unit_word *size;  ///< of parameters in m; NULL likewise
-    // Displacements: `length` times what the result holds.
+    /// Displacements: `length` times what the result holds.
     double length;
     char length_name[2 * WHIRL_NAME_SIZE]; ///< "um" shown, or the symbol of the scale that they are given over
     bool ratio;                            ///< they are given over a scale: "x / c", not "x (mm)"

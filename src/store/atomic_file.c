@@ -10,7 +10,7 @@ static whirl_status cannot_write(const char *path, const char *reason) {
     return whirl_fail(WHIRL_IO_ERROR, "cannot write %s: %s", path, reason);
 }
 
-// The folder that `path` lies in.
+/// The folder that `path` lies in.
 static void parent_of(const char *path, char *folder) {
     const char *slash = strrchr(path, '/');
     const size_t length = slash ? (size_t)(slash - path) : 0;
@@ -24,7 +24,7 @@ static void parent_of(const char *path, char *folder) {
     }
 }
 
-// What stands in the way of writing to `path`, before anything is tried.
+/// What stands in the way of writing to `path`, before anything is tried.
 static whirl_status check_place(const char *path) {
     struct stat found;
     char folder[ATOMIC_PATH_SIZE];
@@ -63,8 +63,8 @@ whirl_status atomic_file_open(atomic_file *out, const char *path) {
     return cannot_write(path, strerror(reason));
 }
 
-// Makes the new name last through a power failure. Some file systems cannot sync a folder; the file is whole all the
-// same.
+/// Makes the new name last through a power failure. Some file systems cannot sync a folder; the file is whole all the
+/// same.
 static void sync_folder(const char *path) {
     char folder[ATOMIC_PATH_SIZE];
     parent_of(path, folder);

@@ -9,20 +9,20 @@
 enum { ATOMIC_PATH_SIZE = 4096 };
 
 typedef struct atomic_file {
-    FILE *stream; // to write to, or by its descriptor; NULL when not open
+    FILE *stream; ///< to write to, or by its descriptor; NULL when not open
     char path[ATOMIC_PATH_SIZE], temporary[ATOMIC_PATH_SIZE];
 } atomic_file;
 
-// Opens the temporary file. WHIRL_IO_ERROR with path and reason: a folder of that name, no such parent folder, ...
+/// Opens the temporary file. WHIRL_IO_ERROR with path and reason: a folder of that name, no such parent folder, ...
 whirl_status atomic_file_open(atomic_file *out, const char *path);
 
-// Gives the file its name when everything was written, removes it when not. Closes it in any case.
+/// Gives the file its name when everything was written, removes it when not. Closes it in any case.
 whirl_status atomic_file_commit(atomic_file *out);
 
-// Removes what was written.
+/// Removes what was written.
 void atomic_file_discard(atomic_file *out);
 
-// Makes a folder, and those above it that are missing. Well when it is there.
+/// Makes a folder, and those above it that are missing. Well when it is there.
 whirl_status atomic_folder(const char *path);
 
 #endif

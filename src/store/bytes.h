@@ -8,30 +8,30 @@
 #include <stdint.h>
 
 typedef struct byte_source {
-    // Reads exactly `size` bytes that are there; 0, or an errno.
+    /// Reads exactly `size` bytes that are there; 0, or an errno.
     int (*read)(void *context, uint64_t offset, void *to, size_t size);
     void *context;
     uint64_t size;
 } byte_source;
 
-// A block of memory, which is borrowed.
+/// A block of memory, which is borrowed.
 byte_source bytes_of_memory(unsigned char *bytes, size_t size);
 
 enum { BYTE_WINDOW = 1 << 16 };
 
-// An ordinary file opened for reading. WHIRL_IO_ERROR with path and reason. A stretch of it is kept, for headers are
-// read in many small pieces.
+/// An ordinary file opened for reading. WHIRL_IO_ERROR with path and reason. A stretch of it is kept, for headers are
+/// read in many small pieces.
 typedef struct byte_file {
     int descriptor;
-    byte_source source; // its context is this structure, which must stay where it is
-    uint64_t start;     // of the stretch
+    byte_source source; ///< its context is this structure, which must stay where it is
+    uint64_t start;     ///< of the stretch
     size_t length;
     unsigned char window[BYTE_WINDOW];
 } byte_file;
 whirl_status bytes_open(byte_file *file, const char *path);
 void bytes_close(byte_file *file);
 
-// All bytes of a stretch of an open file, read or written; what a signal interrupts goes on. 0, or an errno.
+/// All bytes of a stretch of an open file, read or written; what a signal interrupts goes on. 0, or an errno.
 int bytes_read_at(int descriptor, uint64_t offset, void *to, size_t size);
 int bytes_write_at(int descriptor, uint64_t offset, const void *from, size_t size);
 

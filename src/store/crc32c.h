@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-// The checksum of bytes that follow others, whose checksum is `before`; 0 where there are none.
+/// The checksum of bytes that follow others, whose checksum is `before`; 0 where there are none.
 uint32_t crc32c(uint32_t before, const void *bytes, size_t size);
 
 #endif

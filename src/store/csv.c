@@ -8,7 +8,7 @@
 
 #include "number.h"
 
-// A line being written.
+/// A line being written.
 typedef struct line {
     FILE *stream;
     bool started;
@@ -48,7 +48,7 @@ static void end_line(line *row) {
 
 // ---------------------------------------------------------------- headings
 
-// A unit in brackets; scales are written out, lengths in the unit of the case: "[0.2 mm]".
+/// A unit in brackets; scales are written out, lengths in the unit of the case: "[0.2 mm]".
 static void unit_text(const whirl_result *result, const char *unit, char *text, size_t size) {
     const whirl_unit length = whirl_result_length_unit(result);
     if (strcmp(unit, "length") == 0 && result->length_scale != length.size)
@@ -67,7 +67,7 @@ static const char *repetition_name(const whirl_result *result, const whirl_field
     return "";
 }
 
-// Name of a column of a field; "" where it has but one.
+/// Name of a column of a field; "" where it has but one.
 static void column_text(const whirl_field *field, size_t column, char *text, size_t size) {
     char names[FORMAT_MAX_COLUMNS][WHIRL_NAME_SIZE];
     if (field->columns == 1)
@@ -78,7 +78,7 @@ static void column_text(const whirl_field *field, size_t column, char *text, siz
         snprintf(text, size, "column %zu", column + 1);
 }
 
-// "orbit/mean disc x [0.0002 m]".
+/// "orbit/mean disc x [0.0002 m]".
 static void put_field_heading(line *row, const whirl_result *result, const whirl_field *field, size_t which,
                               size_t column) {
     char unit[WHIRL_NAME_SIZE + 40], name[WHIRL_NAME_SIZE], text[400];
@@ -101,7 +101,7 @@ static void put_point_headings(line *row, const whirl_result *result, const whir
     put_cell(row, "branch");
 }
 
-// The value of the parameter in the unit of the case: what conversion rounds is left out, 2000 rpm is 2000.
+/// The value of the parameter in the unit of the case: what conversion rounds is left out, 2000 rpm is 2000.
 static void put_value_cell(line *row, const whirl_result *result, const whirl_table *table, size_t point) {
     char text[NUMBER_SIZE];
     const double size = whirl_result_unit(result, table->parameter).size, value = table->values[point];
@@ -171,7 +171,7 @@ static void put_rows_headings(line *row, const whirl_result *result, const whirl
     end_line(row);
 }
 
-// A line for each row of a field; rows without any number are left out.
+/// A line for each row of a field; rows without any number are left out.
 static void write_rows(FILE *stream, const whirl_result *result, const whirl_table *table, const whirl_field *field) {
     line row = {stream, false};
     put_rows_headings(&row, result, table, field);
@@ -206,7 +206,7 @@ static void write_parameters(FILE *stream, const whirl_result *result, const whi
 
 typedef void (*write_fn)(FILE *stream, const whirl_result *result, const whirl_table *table, const whirl_field *field);
 
-// One file DIR/name.csv, whole or not at all.
+/// One file DIR/name.csv, whole or not at all.
 static whirl_status export_file(const char *folder, const char *name, write_fn write, const whirl_result *result,
                                 const whirl_table *table, const whirl_field *field) {
     char path[ATOMIC_PATH_SIZE];

@@ -6,8 +6,8 @@
 #include "whirl/result.h"
 
 typedef struct finished {
-    whirl_table table; // of these points alone, with their slots and without blocks
-    size_t *points;    // [table.count] which points of the whole table they are; owns what the table points to
+    whirl_table table; ///< of these points alone, with their slots and without blocks
+    size_t *points;    ///< [table.count] which points of the whole table they are; owns what the table points to
 } finished;
 
 whirl_status finished_points(const whirl_table *whole, finished *points);

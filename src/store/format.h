@@ -9,30 +9,30 @@
 #define FORMAT_NAME "whirl result"
 
 enum {
-    FORMAT_VERSION = 2, // version 1 had all points of a study, and a mark for those that were done
+    FORMAT_VERSION = 2, ///< version 1 had all points of a study, and a mark for those that were done
     FORMAT_MAX_TABLES = 64,
     FORMAT_MAX_FACTS = 1024,
     FORMAT_MAX_PARAMETERS = 100000,
     FORMAT_MAX_CASE_BYTES = 1 << 20,
-    FORMAT_MAX_MEANING = 512, // bytes of a field's meaning with its end
-    FORMAT_MAX_COLUMNS = 32,  // that are named
-    FORMAT_MAX_ANALYSES = 32  // bits of a whirl_analysis_set
+    FORMAT_MAX_MEANING = 512, ///< bytes of a field's meaning with its end
+    FORMAT_MAX_COLUMNS = 32,  ///< that are named
+    FORMAT_MAX_ANALYSES = 32  ///< bits of a whirl_analysis_set
 };
 
-// What stands in the attribute "extent" of a field.
+/// What stands in the attribute "extent" of a field.
 extern const char *const format_extents[3];
 
-// Groups of a file that are no tables.
+/// Groups of a file that are no tables.
 bool format_reserved(const char *name);
 
-// A name of letters, digits, '_', '-' and `slashes` times '/' between them: what may name tables (0) and fields (1).
+/// A name of letters, digits, '_', '-' and `slashes` times '/' between them: what may name tables (0) and fields (1).
 bool format_is_name(const char *name, int slashes);
 
-// Dimensions of the dataset of a field: [points][station or contact][rows][columns] without rows and columns that are
-// 1. Returns their number.
+/// Dimensions of the dataset of a field: [points][station or contact][rows][columns] without rows and columns that are
+/// 1. Returns their number.
 int format_dimensions(const whirl_field *field, size_t points, size_t dimensions[4]);
 
-// Names of the columns of a field with two or more, where its meaning lists them: "x, y" or "x, y, vx, vy (remark)".
+/// Names of the columns of a field with two or more, where its meaning lists them: "x, y" or "x, y, vx, vy (remark)".
 bool format_column_names(const whirl_field *field, char names[FORMAT_MAX_COLUMNS][WHIRL_NAME_SIZE]);
 
 #endif

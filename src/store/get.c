@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-// Says what is wrong with `name` of `object` ("": with the object itself).
+/// Says what is wrong with `name` of `object` ("": with the object itself).
 static void fail_get(whirl_status *status, hid_t object, const char *name, const char *wrong) {
     char folder[160] = "";
     H5Iget_name(object, folder, sizeof folder);
@@ -37,7 +37,7 @@ static hid_t open_attribute(whirl_status *status, hid_t object, const char *name
     return attribute;
 }
 
-// Number of elements where the attribute is a scalar (rank 0) or a list (rank 1); false for all else.
+/// Number of elements where the attribute is a scalar (rank 0) or a list (rank 1); false for all else.
 static bool attribute_extent(hid_t attribute, int rank, hsize_t *count) {
     const hid_t space = H5Aget_space(attribute);
     bool well = space >= 0 && H5Sget_simple_extent_type(space) == (rank == 0 ? H5S_SCALAR : H5S_SIMPLE) &&
@@ -48,13 +48,13 @@ static bool attribute_extent(hid_t attribute, int rank, hsize_t *count) {
     return well;
 }
 
-// Is it a text of fixed length as put.c writes it, of at most `size` bytes?
+/// Is it a text of fixed length as put.c writes it, of at most `size` bytes?
 static bool is_text(hid_t type, size_t size) {
     return type >= 0 && H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) == 0 &&
            H5Tget_strpad(type) == H5T_STR_NULLTERM && H5Tget_size(type) > 0 && H5Tget_size(type) <= size;
 }
 
-// The type of such texts in memory. HDF5 converts no letters, so it is told that they are of the same set.
+/// The type of such texts in memory. HDF5 converts no letters, so it is told that they are of the same set.
 static hid_t memory_text(hid_t stored, size_t size) {
     const hid_t type = H5Tcopy(H5T_C_S1);
     if (type < 0) return type;
@@ -92,17 +92,17 @@ int64_t get_whole_attribute(whirl_status *status, hid_t object, const char *name
     return status->code == WHIRL_OK ? value : low;
 }
 
-// A text that fills its field has no end of its own.
+/// A text that fills its field has no end of its own.
 static void end_texts(char *first, size_t stride, size_t count) {
     for (size_t i = 0; i < count; ++i) first[i * stride + stride - 1] = '\0';
 }
 
-// Words of a result are shown in many places, by terminals and browsers too.
+/// Words of a result are shown in many places, by terminals and browsers too.
 static void make_plain(char *first, size_t stride, size_t count) {
     for (size_t i = 0; i < count; ++i) whirl_make_plain(first + i * stride);
 }
 
-// Texts of an attribute of that rank; returns how many.
+/// Texts of an attribute of that rank; returns how many.
 static size_t read_texts(whirl_status *status, hid_t object, const char *name, int rank, char *first, size_t stride,
                          size_t most) {
     const hid_t attribute = open_attribute(status, object, name);
@@ -151,7 +151,7 @@ void get_attribute_name(whirl_status *status, hid_t object, size_t index, char *
 
 // ---------------------------------------------------------------- groups and datasets
 
-// Follows `path` ("rub/share") link by link: only links to objects of this very group count.
+/// Follows `path` ("rub/share") link by link: only links to objects of this very group count.
 static bool only_hard_links(hid_t parent, const char *path) {
     char part[200];
     const size_t length = strlen(path);
@@ -189,7 +189,7 @@ hid_t get_group(whirl_status *status, hid_t parent, const char *name) {
     return open_object(status, parent, name, H5I_GROUP);
 }
 
-// Is the dataset stored as put.c does, in chunks no larger than itself and with checksums alone?
+/// Is the dataset stored as put.c does, in chunks no larger than itself and with checksums alone?
 static bool stored_plainly(hid_t dataset, const hsize_t *dimensions, int rank) {
     hsize_t chunk[ITEMS_MAX_RANK];
     unsigned flags, configuration;
@@ -203,7 +203,7 @@ static bool stored_plainly(hid_t dataset, const hsize_t *dimensions, int rank) {
     return well;
 }
 
-// Number of elements of a dataset of that rank; its bytes must really be in the file.
+/// Number of elements of a dataset of that rank; its bytes must really be in the file.
 static bool dataset_extent(hid_t dataset, hsize_t *dimensions, int rank) {
     const hid_t space = H5Dget_space(dataset), type = H5Dget_type(dataset);
     bool well = space >= 0 && type >= 0 && H5Sget_simple_extent_type(space) == H5S_SIMPLE &&
@@ -239,7 +239,7 @@ size_t get_length(whirl_status *status, hid_t parent, const char *name, size_t m
     return (size_t)length;
 }
 
-// Are these the dimensions?
+/// Are these the dimensions?
 static void check_dimensions(whirl_status *status, hid_t dataset, const size_t *dimensions, int rank) {
     hsize_t found[ITEMS_MAX_RANK] = {0};
     bool well = dataset_extent(dataset, found, rank);
@@ -247,14 +247,14 @@ static void check_dimensions(whirl_status *status, hid_t dataset, const size_t *
     if (!well) fail_get(status, dataset, "", "has not the expected size");
 }
 
-// Reads a list of this length.
+/// Reads a list of this length.
 static void read_list(whirl_status *status, hid_t dataset, hid_t memory, size_t count, void *values) {
     check_dimensions(status, dataset, &count, 1);
     if (status->code == WHIRL_OK && count > 0 && H5Dread(dataset, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0)
         fail_library(status, dataset, "");
 }
 
-// Is the type of a dataset exactly this?
+/// Is the type of a dataset exactly this?
 static void check_kind(whirl_status *status, hid_t dataset, hid_t kind) {
     if (status->code != WHIRL_OK) return;
     const hid_t type = H5Dget_type(dataset);
@@ -280,7 +280,7 @@ void get_wholes(whirl_status *status, hid_t parent, const char *name, int64_t *v
 
 // ---------------------------------------------------------------- columns
 
-// Points of a chunk, which the dataset is read by; they are no more than there are.
+/// Points of a chunk, which the dataset is read by; they are no more than there are.
 static size_t chunk_length(hid_t dataset, int rank) {
     hsize_t chunk[ITEMS_MAX_RANK] = {1};
     const hid_t creation = H5Dget_create_plist(dataset);
@@ -302,7 +302,7 @@ void column_open(whirl_status *status, column *from, hid_t parent, const char *n
     if (!from->buffer) *status = whirl_fail(WHIRL_NO_MEMORY, "no memory to read %s", name);
 }
 
-// Reads the next chunk's points.
+/// Reads the next chunk's points.
 static void fill_column(whirl_status *status, column *from) {
     hsize_t first[ITEMS_MAX_RANK] = {from->done}, count[ITEMS_MAX_RANK];
     memcpy(count, from->dimensions, sizeof count);
@@ -333,7 +333,7 @@ void column_close(column *from) {
 
 // ---------------------------------------------------------------- texts
 
-// Texts without gaps between them.
+/// Texts without gaps between them.
 static void read_packed_texts(whirl_status *status, hid_t parent, const char *name, char *packed, size_t size,
                               size_t count) {
     const hid_t dataset = get_dataset(status, parent, name);

@@ -39,7 +39,7 @@ static void put_parameters(FILE *out, const whirl_result *outline) {
     }
 }
 
-// What a run may spend on points in doubt decides which of them are done again.
+/// What a run may spend on points in doubt decides which of them are done again.
 static void put_budget(FILE *out, const whirl_result *outline) {
     for (size_t i = 0; i < outline->fact_count; ++i)
         if (strcmp(outline->facts[i].name, "refine") == 0)
@@ -88,8 +88,8 @@ static void put_fields(FILE *out, const whirl_table *table) {
     }
 }
 
-// A checksum of what the mathematical functions of this machine's C library give: other versions of it round other last
-// bits.
+/// A checksum of what the mathematical functions of this machine's C library give: other versions of it round other
+/// last bits.
 static uint32_t functions_sum(void) {
     uint32_t sum = 0;
     for (int i = 1; i <= 64; ++i) {
@@ -99,8 +99,8 @@ static uint32_t functions_sum(void) {
     return sum;
 }
 
-// Points are the same on all processors that fuse multiplications and additions, and on all that do not. The revision
-// says less than the sources: a change of a document is none of the program, and one that is not committed is.
+/// Points are the same on all processors that fuse multiplications and additions, and on all that do not. The revision
+/// says less than the sources: a change of a document is none of the program, and one that is not committed is.
 static whirl_status put_build(FILE *out) {
     static const char *const wanted[] = {"version", "sources", "compiler", "flags", "libraries"};
     const isa *chosen;
@@ -141,7 +141,7 @@ whirl_status identity_text(const whirl_result *outline, bool build, char **text,
 
 // ---------------------------------------------------------------- comparing
 
-// A line: its label and its value, which ends before the line's end.
+/// A line: its label and its value, which ends before the line's end.
 typedef struct entry {
     const char *label, *value;
     int label_length, value_length;
@@ -157,7 +157,7 @@ static bool same_label(entry a, entry b) {
     return a.label_length == b.label_length && memcmp(a.label, b.label, (size_t)a.label_length) == 0;
 }
 
-// Whether a text has a line of that label.
+/// Whether a text has a line of that label.
 static bool has_label(const char *text, entry wanted) {
     while (*text) {
         const entry here = entry_at(text);
@@ -168,7 +168,7 @@ static bool has_label(const char *text, entry wanted) {
     return false;
 }
 
-// Shortens a value for a sentence, not within a letter of UTF-8.
+/// Shortens a value for a sentence, not within a letter of UTF-8.
 static int shown(entry one) {
     int length = one.value_length < SHOWN ? one.value_length : SHOWN;
     while (length > 0 && length < one.value_length && ((unsigned char)one.value[length] & 0xc0u) == 0x80u) --length;

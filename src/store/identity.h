@@ -4,13 +4,13 @@
 
 #include "whirl/result.h"
 
-// Lines "label\tvalue\n", in UTF-8; to be freed. `build` adds what else the bits depend on: whirl's sources and how
-// they are compiled, the kind of arithmetic, the mathematical functions of the system. WHIRL_BAD_INPUT for an unknown
-// WHIRL_ISA.
+/// Lines "label\tvalue\n", in UTF-8; to be freed. `build` adds what else the bits depend on: whirl's sources and how
+/// they are compiled, the kind of arithmetic, the mathematical functions of the system. WHIRL_BAD_INPUT for an unknown
+/// WHIRL_ISA.
 whirl_status identity_text(const whirl_result *outline, bool build, char **text, size_t *size);
 
-// Writes the first difference in at most `size` bytes: "line 5 of the case was 'a' and is 'b'". False when there is
-// none.
+/// Writes the first difference in at most `size` bytes: "line 5 of the case was 'a' and is 'b'". False when there is
+/// none.
 bool identity_difference(const char *earlier, const char *later, char *difference, size_t size);
 
 #endif

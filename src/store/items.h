@@ -13,7 +13,7 @@
 
 enum { ITEMS_MAX_RANK = 4 };
 
-// Texts that lie `stride` bytes apart, each with its end.
+/// Texts that lie `stride` bytes apart, each with its end.
 typedef struct texts {
     const char *first;
     size_t stride, count;
@@ -26,34 +26,34 @@ void put_texts_attribute(whirl_status *status, hid_t object, const char *name, t
 void put_number_attribute(whirl_status *status, hid_t object, const char *name, double value);
 void put_whole_attribute(whirl_status *status, hid_t object, const char *name, int64_t value);
 
-// A group whose attributes keep their order. Closed by close_group.
+/// A group whose attributes keep their order. Closed by close_group.
 hid_t put_group(whirl_status *status, hid_t parent, const char *name);
 void close_group(hid_t group);
 
-// Datasets [count], chunked and with Fletcher32 checksums. A count of 0 is allowed.
+/// Datasets [count], chunked and with Fletcher32 checksums. A count of 0 is allowed.
 void put_texts(whirl_status *status, hid_t parent, const char *name, texts list);
 void put_wholes(whirl_status *status, hid_t parent, const char *name, const int64_t *values, size_t count);
 void put_numbers(whirl_status *status, hid_t parent, const char *name, const double *values, size_t count);
 
 void close_dataset(hid_t dataset);
 
-// A dataset [points][...] that is written, or read, one point after the other: a chunk at a time is in memory.
+/// A dataset [points][...] that is written, or read, one point after the other: a chunk at a time is in memory.
 typedef struct column {
-    hid_t dataset, type; // the type in memory
+    hid_t dataset, type; ///< the type in memory
     int rank;
     hsize_t dimensions[ITEMS_MAX_RANK];
-    size_t size;                 // bytes of a point
-    size_t most, gathered, done; // points: of a chunk, in the buffer, and before it
+    size_t size;                 ///< bytes of a point
+    size_t most, gathered, done; ///< points: of a chunk, in the buffer, and before it
     unsigned char *buffer;
 } column;
 
-// Begins a dataset of doubles, whose group ("group/name") is made, or of texts of at most `size` bytes, ends included.
-// The dataset is open for its attributes until column_end, which is to be called also after a failure.
+/// Begins a dataset of doubles, whose group ("group/name") is made, or of texts of at most `size` bytes, ends included.
+/// The dataset is open for its attributes until column_end, which is to be called also after a failure.
 void column_of_numbers(whirl_status *status, column *out, hid_t parent, const char *name, const size_t *dimensions,
                        int rank);
 void column_of_texts(whirl_status *status, column *out, hid_t parent, const char *name, size_t points, size_t size);
 
-// Appends a point.
+/// Appends a point.
 void column_put(whirl_status *status, column *out, const void *point);
 void column_end(whirl_status *status, column *out);
 
@@ -62,41 +62,41 @@ void column_end(whirl_status *status, column *out);
 // Kind, rank and size are checked against what is expected before anything is read; a dataset must be stored as those
 // written here, so that a small file cannot claim a large one; links to other places and files are refused.
 
-// Writes at most `size` bytes, end included; longer texts are refused.
+/// Writes at most `size` bytes, end included; longer texts are refused.
 void get_text_attribute(whirl_status *status, hid_t object, const char *name, char *text, size_t size);
 void get_number_attribute(whirl_status *status, hid_t object, const char *name, double *value);
 int64_t get_whole_attribute(whirl_status *status, hid_t object, const char *name, int64_t low, int64_t high);
 
-// At most `most` texts of at most `stride` bytes with their ends; returns how many there are.
+/// At most `most` texts of at most `stride` bytes with their ends; returns how many there are.
 size_t get_texts_attribute(whirl_status *status, hid_t object, const char *name, char *first, size_t stride,
                            size_t most);
 
-// Attributes of an object (at most `most`), and the name of one in the order of writing.
+/// Attributes of an object (at most `most`), and the name of one in the order of writing.
 size_t get_attribute_count(whirl_status *status, hid_t object, size_t most);
 void get_attribute_name(whirl_status *status, hid_t object, size_t index, char *name, size_t size);
 
 hid_t get_group(whirl_status *status, hid_t parent, const char *name);
 hid_t get_dataset(whirl_status *status, hid_t parent, const char *name);
 
-// Length of a one-dimensional dataset, at most `most`.
+/// Length of a one-dimensional dataset, at most `most`.
 size_t get_length(whirl_status *status, hid_t parent, const char *name, size_t most);
 
-// All values of datasets [count]. Texts of at most `size` bytes, end included, go to places `stride` bytes apart.
+/// All values of datasets [count]. Texts of at most `size` bytes, end included, go to places `stride` bytes apart.
 void get_texts(whirl_status *status, hid_t parent, const char *name, char *first, size_t size, size_t stride,
                size_t count);
 void get_wholes(whirl_status *status, hid_t parent, const char *name, int64_t *values, size_t count);
 void get_numbers(whirl_status *status, hid_t parent, const char *name, double *values, size_t count);
 
-// Opens a dataset of doubles that has exactly these dimensions, to be read by points; column_close also after a
-// failure.
+/// Opens a dataset of doubles that has exactly these dimensions, to be read by points; column_close also after a
+/// failure.
 void column_open(whirl_status *status, column *from, hid_t parent, const char *name, const size_t *dimensions,
                  int rank);
 
-// The next point's numbers.
+/// The next point's numbers.
 void column_get(whirl_status *status, column *from, double *numbers);
 void column_close(column *from);
 
-// The only text of a dataset, of at most `most` bytes without its end; to be freed.
+/// The only text of a dataset, of at most `most` bytes without its end; to be freed.
 char *get_long_text(whirl_status *status, hid_t parent, const char *name, size_t most);
 
 #endif

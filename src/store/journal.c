@@ -19,10 +19,10 @@ enum { MOST_BATCHES = 128 };
 /// Most seconds that a finished point waits for the disk, but for the time of a revolution.
 static const double sync_interval = 5.0;
 
-// Where the payloads of the points of a pass over a batch lie in the file; 0: not there.
+/// Where the payloads of the points of a pass over a batch lie in the file; 0: not there.
 typedef struct batch_index {
     size_t count;
-    uint64_t *offset; // [count], NULL where the pass has none yet
+    uint64_t *offset; ///< [count], NULL where the pass has none yet
 } batch_index;
 
 struct whirl_journal {
@@ -31,16 +31,16 @@ struct whirl_journal {
     char *identity;
     size_t identity_size;
     uint64_t hash;
-    uint64_t end;           // of the last sound frame
-    unsigned char *pending; // frames that could not be written yet
+    uint64_t end;           ///< of the last sound frame
+    unsigned char *pending; ///< frames that could not be written yet
     size_t pending_size, pending_points;
-    bool dirty; // written, not synced
+    bool dirty; ///< written, not synced
     double synced;
-    size_t batch_count; // of the study; passes beyond the first have indices of their own (whirl_keeper)
-    size_t points;      // of the first pass
+    size_t batch_count; ///< of the study; passes beyond the first have indices of their own (whirl_keeper)
+    size_t points;      ///< of the first pass
     batch_index batches[MOST_BATCHES];
     whirl_journal_found found;
-    underway *states; // of points under way; NULL: none are kept
+    underway *states; ///< of points under way; NULL: none are kept
 };
 
 static uint64_t start_of(const whirl_journal *journal) {
@@ -69,7 +69,7 @@ static whirl_status make_index(whirl_journal *journal, const whirl_result *outli
     return whirl_ok();
 }
 
-// Where a frame's offset is noted; NULL for a point that the study has not, or where there is no memory.
+/// Where a frame's offset is noted; NULL for a point that the study has not, or where there is no memory.
 static uint64_t *place_of(whirl_journal *journal, uint64_t batch, uint64_t slot) {
     if (batch >= MOST_BATCHES || journal->batch_count == 0) return NULL;
     batch_index *index = &journal->batches[batch];
@@ -120,7 +120,7 @@ static whirl_status write_header(whirl_journal *journal) {
     return whirl_ok();
 }
 
-// Room for all points; the state of a rotor has four numbers a station.
+/// Room for all points; the state of a rotor has four numbers a station.
 static whirl_status reserve(const whirl_journal *journal, const whirl_result *outline) {
     uint64_t size = start_of(journal);
     for (size_t i = 0; i < outline->table_count; ++i)
@@ -165,10 +165,10 @@ static void note_frame(void *context, const frame_head *head, uint64_t offset) {
     *place = offset;
 }
 
-// What the file begins with.
+/// What the file begins with.
 typedef enum header_state { HEADER_OURS, HEADER_OTHER, HEADER_CUT, HEADER_DAMAGED } header_state;
 
-// Reads the header of `size` bytes of identity and compares.
+/// Reads the header of `size` bytes of identity and compares.
 static whirl_status compare_header(const whirl_journal *journal, size_t size, header_state *state, char *difference,
                                    size_t difference_size) {
     // With a 0 behind, so that the identity is a text whatever it is.
@@ -199,7 +199,7 @@ static whirl_status look_at_header(const whirl_journal *journal, uint64_t file_s
     return compare_header(journal, (size_t)size, state, difference, difference_size);
 }
 
-// Whether the file is nothing but the beginning of our header: a run was killed while it made the journal.
+/// Whether the file is nothing but the beginning of our header: a run was killed while it made the journal.
 static bool is_cut_header(const whirl_journal *journal, uint64_t file_size) {
     const size_t size = (size_t)start_of(journal);
     unsigned char *ours = malloc(2 * size);
@@ -231,7 +231,7 @@ static whirl_status begin_again(whirl_journal *journal) {
     return write_header(journal);
 }
 
-// Finds the points and makes the file end with the last of them.
+/// Finds the points and makes the file end with the last of them.
 static whirl_status take_up(whirl_journal *journal) {
     uint64_t size = 0;
     header_state state = HEADER_DAMAGED;
@@ -298,8 +298,8 @@ static whirl_status tend(void *context) {
     return clock_seconds() - journal->synced < sync_interval ? whirl_ok() : sync_now(journal);
 }
 
-// Writes what is pending at the end of the file. What part of it a failure leaves there is written over by the next
-// try.
+/// Writes what is pending at the end of the file. What part of it a failure leaves there is written over by the next
+/// try.
 static whirl_status write_pending(whirl_journal *journal) {
     if (journal->pending_size == 0) return whirl_ok();
     const int reason = journal_file_write(&journal->file, journal->end, journal->pending, journal->pending_size);
@@ -333,7 +333,7 @@ static whirl_status keep(void *context, size_t batch, size_t slot, const double 
 
 // ---------------------------------------------------------------- recalling
 
-// The frame is checked once more: the file may have changed since it was searched.
+/// The frame is checked once more: the file may have changed since it was searched.
 static bool is_frame_of(const whirl_journal *journal, const unsigned char *frame, size_t length, size_t batch,
                         size_t slot) {
     frame_head head;

@@ -22,49 +22,49 @@
 #include <stdint.h>
 
 enum {
-    JOURNAL_LEAD = 28, // bytes of the header before the identity
-    JOURNAL_HEAD = 40, // bytes of a frame before the payload
-    JOURNAL_TAIL = 4   // the checksum at the end of both
+    JOURNAL_LEAD = 28, ///< bytes of the header before the identity
+    JOURNAL_HEAD = 40, ///< bytes of a frame before the payload
+    JOURNAL_TAIL = 4   ///< the checksum at the end of both
 };
 
-// With a byte that no text in UTF-8 has, and line ends that careless copying changes.
+/// With a byte that no text in UTF-8 has, and line ends that careless copying changes.
 extern const unsigned char journal_magic[8];
 
 typedef struct frame_head {
-    uint64_t identity, slot, size; // bytes of the payload
+    uint64_t identity, slot, size; ///< bytes of the payload
     uint32_t batch;
 } frame_head;
 
-// The hash of an identity: FNV-1a of 64 bits.
+/// The hash of an identity: FNV-1a of 64 bits.
 uint64_t journal_hash(const char *identity, size_t size);
 
-// Bytes of the whole header of an identity of `size` bytes, written to `to`.
+/// Bytes of the whole header of an identity of `size` bytes, written to `to`.
 size_t header_size(size_t size);
 void header_put(unsigned char *to, const char *identity, size_t size);
 
-// The length of the identity, from the first JOURNAL_LEAD bytes; false when they are not those of a header.
+/// The length of the identity, from the first JOURNAL_LEAD bytes; false when they are not those of a header.
 bool header_lead(const unsigned char *from, uint64_t *size);
 
-// Whether the checksum of a whole header is right.
+/// Whether the checksum of a whole header is right.
 bool header_is_sound(const unsigned char *from, size_t size);
 
-// Bytes of the frame of a block of `size` doubles and a state of `dimension`, written to `to`.
+/// Bytes of the frame of a block of `size` doubles and a state of `dimension`, written to `to`.
 size_t frame_size(size_t size, size_t dimension);
 void frame_put(unsigned char *to, const frame_head *head, const double *block, size_t size, const double *end,
                size_t dimension);
 
-// The parts of a frame: JOURNAL_HEAD bytes, doubles of a payload, JOURNAL_TAIL bytes.
+/// The parts of a frame: JOURNAL_HEAD bytes, doubles of a payload, JOURNAL_TAIL bytes.
 void frame_head_put(unsigned char *to, const frame_head *head);
 unsigned char *frame_numbers_put(unsigned char *to, const double *from, size_t count);
 void frame_checksum_put(unsigned char *to, uint32_t sum);
 
-// Reads JOURNAL_HEAD bytes; false when they are not the head of a frame.
+/// Reads JOURNAL_HEAD bytes; false when they are not the head of a frame.
 bool frame_head_get(const unsigned char *from, frame_head *head);
 
-// The checksum at the end of a frame.
+/// The checksum at the end of a frame.
 uint32_t frame_checksum(const unsigned char *tail);
 
-// Doubles of a payload.
+/// Doubles of a payload.
 void frame_numbers(const unsigned char *from, double *to, size_t count);
 
 #endif

@@ -6,16 +6,16 @@
 
 enum { WINDOW = 1 << 16 };
 
-// A stretch of the bytes in memory.
+/// A stretch of the bytes in memory.
 typedef struct window {
     const byte_source *bytes;
     uint64_t start;
     size_t length;
-    int error; // of a read; there is nothing to see afterwards
+    int error; ///< of a read; there is nothing to see afterwards
     unsigned char data[WINDOW];
 } window;
 
-// The bytes from `offset` on, at least `least` of them (at most WINDOW, and not beyond the end); NULL after an error.
+/// The bytes from `offset` on, at least `least` of them (at most WINDOW, and not beyond the end); NULL after an error.
 static const unsigned char *window_at(window *w, uint64_t offset, size_t least) {
     if (w->error) return NULL;
     if (offset < w->start || offset + least > w->start + w->length) {
@@ -28,12 +28,12 @@ static const unsigned char *window_at(window *w, uint64_t offset, size_t least) 
     return w->data + (offset - w->start);
 }
 
-// Bytes in memory from `offset` on, after window_at.
+/// Bytes in memory from `offset` on, after window_at.
 static size_t window_left(const window *w, uint64_t offset) {
     return w->length - (size_t)(offset - w->start);
 }
 
-// Where the magic next stands, from `offset` on; the size of the bytes where it does not.
+/// Where the magic next stands, from `offset` on; the size of the bytes where it does not.
 static uint64_t find_magic(window *w, uint64_t offset) {
     const uint64_t size = w->bytes->size;
     while (offset + sizeof journal_magic <= size) {
@@ -47,7 +47,7 @@ static uint64_t find_magic(window *w, uint64_t offset) {
     return size;
 }
 
-// Whether the checksum of the frame at `offset` is right. The frame lies within the bytes.
+/// Whether the checksum of the frame at `offset` is right. The frame lies within the bytes.
 static bool payload_is_sound(window *w, uint64_t offset, uint64_t size) {
     uint32_t sum = 0;
     uint64_t left = JOURNAL_HEAD + size;

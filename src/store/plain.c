@@ -5,23 +5,23 @@
 #include <string.h>
 
 enum {
-    // II.A, superblock version 3.
+    /// II.A, superblock version 3.
     BASE_ADDRESS = 12,
     SUPERBLOCK_EXTENSION = 20,
     ROOT_HEADER = 36,
 
-    // IV.A.1.b, object header version 2.
+    /// IV.A.1.b, object header version 2.
     HEADER_VERSION = 2,
     CREATION_ORDER = 1 << 2,
     PHASE_CHANGE = 1 << 4,
     TIMES = 1 << 5,
     CHECKSUM = 4,
 
-    // IV.A.1.a: flags of messages that are whirl's: constant, not to be shared.
+    /// IV.A.1.a: flags of messages that are whirl's: constant, not to be shared.
     MESSAGE_FLAGS = 1 << 0 | 1 << 2
 };
 
-// Addresses that are still to be looked at; with a length for parts of a header, 0 for objects.
+/// Addresses that are still to be looked at; with a length for parts of a header, 0 for objects.
 typedef struct place {
     uint64_t address, length;
 } place;
@@ -33,13 +33,13 @@ typedef struct places {
 
 typedef struct walk {
     const byte_source *source;
-    uint64_t seen;         // bytes of headers looked at: more than the file has means that they overlap or form a ring
-    places objects, parts; // parts: of the object at hand
-    unsigned char *bytes;  // of the header, or its part, at hand
+    uint64_t seen; ///< bytes of headers looked at: more than the file has means that they overlap or form a ring
+    places objects, parts; ///< parts: of the object at hand
+    unsigned char *bytes;  ///< of the header, or its part, at hand
     size_t capacity;
-    uint64_t wrong; // where something is that whirl does not write
-    bool memory;    // ran out
-    int reason;     // errno of a read that failed
+    uint64_t wrong; ///< where something is that whirl does not write
+    bool memory;    ///< ran out
+    int reason;     ///< errno of a read that failed
 } walk;
 
 static bool push(walk *through, places *list, place one) {
@@ -57,7 +57,7 @@ static bool push(walk *through, places *list, place one) {
     return true;
 }
 
-// Counts bytes as looked at. False where they are not in the file or more have been seen than it has.
+/// Counts bytes as looked at. False where they are not in the file or more have been seen than it has.
 static bool see(walk *through, uint64_t address, uint64_t length) {
     const uint64_t size = through->source->size;
     if (address > size || length > size - address || length > size - through->seen) return false;
@@ -65,7 +65,7 @@ static bool see(walk *through, uint64_t address, uint64_t length) {
     return true;
 }
 
-// Reads what lies in the file, over what was read before.
+/// Reads what lies in the file, over what was read before.
 static bool load(walk *through, uint64_t address, size_t length) {
     if (length > through->capacity) {
         unsigned char *bytes = realloc(through->bytes, length);
@@ -78,8 +78,8 @@ static bool load(walk *through, uint64_t address, size_t length) {
     return through->reason == 0;
 }
 
-// The messages of one part of an object's header, which ends at `end` in the file; what is left there is smaller than a
-// message.
+/// The messages of one part of an object's header, which ends at `end` in the file; what is left there is smaller than
+/// a message.
 static bool walk_messages(walk *through, plain_part part, uint64_t end, bool ordered, plain_object *object) {
     const size_t head = ordered ? 6 : 4;
     while (part.left >= head) {
@@ -102,7 +102,7 @@ static bool walk_messages(walk *through, plain_part part, uint64_t end, bool ord
     return true;
 }
 
-// IV.A.1.c: a continuation has a signature, messages and a checksum.
+/// IV.A.1.c: a continuation has a signature, messages and a checksum.
 static bool walk_continuation(walk *through, place one, bool ordered, plain_object *object) {
     through->wrong = one.address;
     if (one.length < 4 + CHECKSUM || !see(through, one.address, one.length)) return false;
@@ -112,7 +112,7 @@ static bool walk_continuation(walk *through, place one, bool ordered, plain_obje
                          object);
 }
 
-// The head of an object: how long its messages are, and where they begin.
+/// The head of an object: how long its messages are, and where they begin.
 static bool read_head(walk *through, uint64_t address, bool *ordered, uint64_t *length, size_t *begin) {
     enum { LONGEST = 4 + 2 + 16 + 4 + 8 };
     const uint64_t size = through->source->size;

@@ -5,12 +5,12 @@
 
 enum {
     MOST_RANK = 4,
-    LEAST_CHUNK = 1 << 21, // bytes that a chunk may have in any file: a table without points has chunks all the same
-    MOST_PAGE_BITS = 10,   // chunks whose places lie in one page: 2^10, as HDF5 has it
-    FLETCHER = 4           // bytes of the checksum behind a chunk
+    LEAST_CHUNK = 1 << 21, ///< bytes that a chunk may have in any file: a table without points has chunks all the same
+    MOST_PAGE_BITS = 10,   ///< chunks whose places lie in one page: 2^10, as HDF5 has it
+    FLETCHER = 4           ///< bytes of the checksum behind a chunk
 };
 
-// Types of messages, IV.A.2.
+/// Types of messages, IV.A.2.
 enum {
     NIL = 0x00,
     DATASPACE = 0x01,
@@ -30,7 +30,7 @@ static bool in_file(uint64_t size, uint64_t address, uint64_t length) {
     return address <= size && length <= size - address;
 }
 
-// IV.A.2.b, version 2: a single value or a simple space; its number of values, no more than `most`.
+/// IV.A.2.b, version 2: a single value or a simple space; its number of values, no more than `most`.
 static bool read_dataspace(plain_part *part, size_t *rank, uint64_t most, uint64_t *values) {
     const unsigned version = (unsigned)plain_number(part, 1);
     *rank = (size_t)plain_number(part, 1);
@@ -46,13 +46,13 @@ static bool read_dataspace(plain_part *part, size_t *rank, uint64_t most, uint64
     return !part->short_of;
 }
 
-// Does a type begin like this, its version (the upper half of the first byte) aside?
+/// Does a type begin like this, its version (the upper half of the first byte) aside?
 static bool is_type(const plain_part *part, const unsigned char *type, size_t length) {
     return part->left >= length && (part->at[0] & 0x0f) == type[0] && memcmp(part->at + 1, type + 1, length - 1) == 0;
 }
 
-// IV.A.2.d, versions 1 to 3, which do not differ for these: int64, double or text of fixed length, whatever its
-// alphabet.
+/// IV.A.2.d, versions 1 to 3, which do not differ for these: int64, double or text of fixed length, whatever its
+/// alphabet.
 static bool read_datatype(plain_part *part, size_t *size) {
     static const unsigned char whole[] = {0x00, 0x08, 0, 0, 8, 0, 0, 0, 0, 0, 64, 0};
     static const unsigned char real[] = {0x01, 0x20, 0x3f, 0,    8,    0,    0,    0,    0, 0,
@@ -67,8 +67,8 @@ static bool read_datatype(plain_part *part, size_t *size) {
     return version >= 1 && version <= 3 && (number || text) && !part->short_of;
 }
 
-// IV.A.2.c and IV.A.2.v: where links and attributes stand outside of the header, which here is nowhere. A number of
-// `width` bytes may stand before the addresses.
+/// IV.A.2.c and IV.A.2.v: where links and attributes stand outside of the header, which here is nowhere. A number of
+/// `width` bytes may stand before the addresses.
 static bool check_info(plain_part part, size_t width) {
     const unsigned version = (unsigned)plain_number(&part, 1), flags = (unsigned)plain_number(&part, 1);
     bool nowhere = true;
@@ -77,7 +77,7 @@ static bool check_info(plain_part part, size_t width) {
     return version == 0 && flags <= 3 && nowhere && !part.short_of;
 }
 
-// IV.A.2.g: a hard link.
+/// IV.A.2.g: a hard link.
 static bool read_link(plain_part part, plain_lead *lead) {
     const unsigned version = (unsigned)plain_number(&part, 1), flags = (unsigned)plain_number(&part, 1);
     const unsigned kind = flags & 8 ? (unsigned)plain_number(&part, 1) : 0;
@@ -91,7 +91,7 @@ static bool read_link(plain_part part, plain_lead *lead) {
     return !part.short_of;
 }
 
-// IV.A.2.m, version 3: name, type, space and values lie one behind the other.
+/// IV.A.2.m, version 3: name, type, space and values lie one behind the other.
 static bool check_attribute(plain_part part) {
     const unsigned version = (unsigned)plain_number(&part, 1), flags = (unsigned)plain_number(&part, 1);
     const size_t name = (size_t)plain_number(&part, 2), type = (size_t)plain_number(&part, 2),
@@ -108,7 +108,7 @@ static bool check_attribute(plain_part part) {
            values * size <= part.left;
 }
 
-// VII.C: the head of the places of the chunks of a large dataset.
+/// VII.C: the head of the places of the chunks of a large dataset.
 typedef struct fixed_array {
     size_t entry, page_bits;
     uint64_t entries, block;
@@ -130,8 +130,8 @@ static bool read_fixed_array(const byte_source *source, uint64_t address, fixed_
     return array->entries > 0 && array->entries <= source->size / array->entry;
 }
 
-// The places themselves; all chunks have the same size. More of them than a page has lie in pages, each with a checksum
-// of its own.
+/// The places themselves; all chunks have the same size. More of them than a page has lie in pages, each with a
+/// checksum of its own.
 static bool check_places(const byte_source *source, uint64_t address, const fixed_array *array, uint64_t stored,
                          int *reason) {
     enum { BLOCK = 14, FILTERED = 1, MOST = BLOCK + 20 * (1 << MOST_PAGE_BITS) };
@@ -160,7 +160,7 @@ static bool check_fixed_array(const byte_source *source, uint64_t address, uint6
     return array.block == PLAIN_NOWHERE || check_places(source, address, &array, stored, reason);
 }
 
-// IV.A.2.i, version 4: chunks with checksums, one or those of a fixed array.
+/// IV.A.2.i, version 4: chunks with checksums, one or those of a fixed array.
 static bool read_layout(const byte_source *source, plain_part part, plain_object *object) {
     enum { CHUNKED = 2, ONE_FILTERED = 2, ONE = 1, FIXED_ARRAY = 3 };
     const unsigned version = (unsigned)plain_number(&part, 1), kind = (unsigned)plain_number(&part, 1);
@@ -202,13 +202,13 @@ static bool check_filters(plain_part part) {
     return part.left == sizeof checksums && memcmp(part.at, checksums, sizeof checksums) == 0;
 }
 
-// IV.A.2.f, version 3, without a value of its own.
+/// IV.A.2.f, version 3, without a value of its own.
 static bool check_fill(plain_part part) {
     const unsigned version = (unsigned)plain_number(&part, 1), flags = (unsigned)plain_number(&part, 1);
     return version == 3 && flags < 1 << 4 && !part.short_of;
 }
 
-// IV.A.2.k, version 0: hints for sizes.
+/// IV.A.2.k, version 0: hints for sizes.
 static bool check_group_info(plain_part part) {
     const unsigned version = (unsigned)plain_number(&part, 1), flags = (unsigned)plain_number(&part, 1);
     plain_skip(&part, (flags & 1 ? 4 : 0) + (flags & 2 ? 4 : 0));

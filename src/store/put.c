@@ -6,7 +6,7 @@
 #include <string.h>
 
 enum {
-    CHUNK_BYTES = 1 << 20, // a chunk is at most about this large, so that parts of large results are read quickly
+    CHUNK_BYTES = 1 << 20, ///< a chunk is at most about this large, so that parts of large results are read quickly
     PATH_SIZE = 256
 };
 
@@ -16,8 +16,8 @@ static void fail_put(whirl_status *status, const char *name) {
     *status = whirl_fail(WHIRL_IO_ERROR, "cannot store %s: %s", name, reason);
 }
 
-// A type for texts of up to `length` bytes, ended by 0. Texts are UTF-8 everywhere; datasets do not say so, for
-// Octave's `load` gives up on files with datasets of UTF-8.
+/// A type for texts of up to `length` bytes, ended by 0. Texts are UTF-8 everywhere; datasets do not say so, for
+/// Octave's `load` gives up on files with datasets of UTF-8.
 static hid_t text_type(size_t length, H5T_cset_t letters) {
     const hid_t type = H5Tcopy(H5T_C_S1);
     if (type < 0) return type;
@@ -41,7 +41,7 @@ static size_t longest(texts list) {
     return length;
 }
 
-// The texts one after the other in fields of `size` bytes, filled with 0; to be freed.
+/// The texts one after the other in fields of `size` bytes, filled with 0; to be freed.
 static char *pack_texts(texts list, size_t size) {
     char *packed = calloc(list.count ? list.count : 1, size);
     if (!packed) return NULL;
@@ -111,7 +111,7 @@ void close_group(hid_t group) {
     if (group >= 0) H5Gclose(group);
 }
 
-// Halves the longest leading dimension until a chunk is of a good size.
+/// Halves the longest leading dimension until a chunk is of a good size.
 static void choose_chunk(hsize_t *chunk, const hsize_t *dimensions, int rank, size_t element) {
     double bytes = (double)element;
     for (int i = 0; i < rank; ++i) {
@@ -125,7 +125,7 @@ static void choose_chunk(hsize_t *chunk, const hsize_t *dimensions, int rank, si
         }
 }
 
-// Makes a dataset without values.
+/// Makes a dataset without values.
 static hid_t make_dataset(whirl_status *status, hid_t parent, const char *name, hid_t type, const hsize_t *dimensions,
                           int rank) {
     if (status->code != WHIRL_OK) return H5I_INVALID_HID;
@@ -178,7 +178,7 @@ void put_numbers(whirl_status *status, hid_t parent, const char *name, const dou
     put_list(status, parent, name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, count, values);
 }
 
-// The group in which `name` ("rub/share") lies. HDF5 could make it on its own, but then with the time of day in it.
+/// The group in which `name` ("rub/share") lies. HDF5 could make it on its own, but then with the time of day in it.
 static void put_group_above(whirl_status *status, hid_t parent, const char *name) {
     char group[PATH_SIZE];
     const char *slash = strchr(name, '/');
@@ -217,7 +217,7 @@ void column_of_texts(whirl_status *status, column *out, hid_t parent, const char
     begin_column(status, out, parent, name, out->type);
 }
 
-// Writes the points that have gathered; whole chunks, but for the last ones.
+/// Writes the points that have gathered; whole chunks, but for the last ones.
 static void flush_column(whirl_status *status, column *out) {
     hsize_t first[ITEMS_MAX_RANK] = {out->done}, count[ITEMS_MAX_RANK];
     memcpy(count, out->dimensions, sizeof count);

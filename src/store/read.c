@@ -11,14 +11,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-// A file that is being read, and where the numbers of its points go.
+/// A file that is being read, and where the numbers of its points go.
 typedef struct reading {
-    size_t limit; // bytes of the file
+    size_t limit; ///< bytes of the file
     whirl_layout known;
-    const block_taker *taker; // NULL: into the tables
+    const block_taker *taker; ///< NULL: into the tables
 } reading;
 
-// Zeroed memory, or NULL with the status set.
+/// Zeroed memory, or NULL with the status set.
 static void *take(whirl_status *status, size_t count, size_t size) {
     if (status->code != WHIRL_OK) return NULL;
     void *memory = calloc(count ? count : 1, size);
@@ -57,7 +57,7 @@ static void get_parameters(whirl_status *status, hid_t file, whirl_result *resul
     free(values);
 }
 
-// State indices of all stations; a rotor has four coordinates a station, other systems may have more.
+/// State indices of all stations; a rotor has four coordinates a station, other systems may have more.
 static void get_indices(whirl_status *status, hid_t group, const char *name, size_t *first, size_t stride,
                         size_t count) {
     int64_t values[WHIRL_MAX_PROBES];
@@ -144,14 +144,14 @@ static void get_record(whirl_status *status, hid_t group, whirl_record_options *
     options->growth = (whirl_growth)get_whole_attribute(status, group, "growth", 0, WHIRL_GROWTH_ALL);
 }
 
-// Analyses of a later version are none of ours; their fields are read all the same.
+/// Analyses of a later version are none of ours; their fields are read all the same.
 static void get_analyses(whirl_status *status, hid_t group, whirl_analysis_set *set) {
     char names[FORMAT_MAX_ANALYSES][WHIRL_NAME_SIZE];
     const size_t count = get_texts_attribute(status, group, "analyses", names[0], WHIRL_NAME_SIZE, FORMAT_MAX_ANALYSES);
     for (size_t i = 0; i < count; ++i) whirl_analysis_add(set, names[i]);
 }
 
-// Words of a field that a table was read with; a field of a running program points to the registry's.
+/// Words of a field that a table was read with; a field of a running program points to the registry's.
 typedef struct field_words {
     char unit[WHIRL_NAME_SIZE], meaning[FORMAT_MAX_MEANING];
 } field_words;
@@ -171,7 +171,7 @@ static void get_extent(whirl_status *status, hid_t dataset, const whirl_result *
     *status = whirl_fail(WHIRL_BAD_INPUT, "%s: extent is '%s', expected point, station or contact", field->name, word);
 }
 
-// The rest of the program takes the shape of its own fields for granted: a single number, so many columns.
+/// The rest of the program takes the shape of its own fields for granted: a single number, so many columns.
 static void check_known(whirl_status *status, const whirl_layout *known, const whirl_field *field) {
     const whirl_field *ours = whirl_layout_field(known, field->name);
     if (status->code != WHIRL_OK || !ours) return;
@@ -181,7 +181,7 @@ static void check_known(whirl_status *status, const whirl_layout *known, const w
                              format_extents[ours->extent]);
 }
 
-// Shape and words of one field. Its numbers, `count` times the shape, must have room in a file of `limit` bytes.
+/// Shape and words of one field. Its numbers, `count` times the shape, must have room in a file of `limit` bytes.
 static void get_field(whirl_status *status, hid_t group, const whirl_result *result, size_t count, size_t limit,
                       whirl_layout *layout, whirl_field *field, field_words *words) {
     const hid_t dataset = get_dataset(status, group, field->name);
@@ -219,7 +219,7 @@ static void get_field_names(whirl_status *status, hid_t group, const char *table
     }
 }
 
-// Values of the parameter, and behind them in the same memory the words of the fields.
+/// Values of the parameter, and behind them in the same memory the words of the fields.
 static field_words *take_values(whirl_status *status, whirl_table *table) {
     const size_t numbers = table->count * sizeof(double);
     table->values = take(status, 1, numbers + table->layout.field_count * sizeof(field_words) + 1);
@@ -240,7 +240,7 @@ static void get_branch(whirl_status *status, hid_t group, whirl_table *table) {
     free(branch);
 }
 
-// Which points of the study these are. NULL where they are all.
+/// Which points of the study these are. NULL where they are all.
 static void get_slots(whirl_status *status, hid_t group, whirl_table *table) {
     int64_t *places = take(status, table->count, sizeof *places), before = 0;
     table->slots = take(status, table->count, sizeof *table->slots);
@@ -263,7 +263,7 @@ static void get_slots(whirl_status *status, hid_t group, whirl_table *table) {
     table->slots = NULL;
 }
 
-// All points, one after the other.
+/// All points, one after the other.
 static void get_points(whirl_status *status, const whirl_table *table, size_t index, const block_taker *taker,
                        column *columns, double *block) {
     const whirl_layout *layout = &table->layout;
@@ -314,7 +314,7 @@ static void get_table(whirl_status *status, hid_t file, const whirl_result *resu
     close_group(group);
 }
 
-// Every field that this version has, to compare shapes with.
+/// Every field that this version has, to compare shapes with.
 static whirl_status known_fields(const whirl_result *result, whirl_layout *known) {
     const whirl_system system = {.dimension = 4, .probe_count = 1, .contact_count = 1, .probes = result->stations};
     const whirl_integrate_options integrate = whirl_integrate_default();

@@ -13,17 +13,17 @@
 
 enum { PATH_SIZE = ATOMIC_PATH_SIZE, REVOLUTIONS = 8 };
 
-// Where a state lies.
+/// Where a state lies.
 typedef struct entry {
-    size_t file, batch, slot, size; // bytes of the state
-    uint64_t offset;                // of its payload
+    size_t file, batch, slot, size; ///< bytes of the state
+    uint64_t offset;                ///< of its payload
     double revolutions;
 } entry;
 
 struct underway {
-    char path[PATH_SIZE]; // of the journal
+    char path[PATH_SIZE]; ///< of the journal
     uint64_t identity;
-    size_t first; // number of the first file of this run: those before are an earlier one's
+    size_t first; ///< number of the first file of this run: those before are an earlier one's
     size_t count, capacity;
     entry *entries;
 };
@@ -36,7 +36,7 @@ static bool name_of(const underway *u, size_t file, char name[PATH_SIZE]) {
 
 typedef void (*file_fn)(underway *u, const char *folder, const char *name, const char *number);
 
-// Calls for every file JOURNAL-..., with what stands behind the '-'.
+/// Calls for every file JOURNAL-..., with what stands behind the '-'.
 static void each_file(underway *u, file_fn visit) {
     char folder[PATH_SIZE], pattern[PATH_SIZE + 1];
     const char *slash = strrchr(u->path, '/');
@@ -70,7 +70,7 @@ static void add_entry(underway *u, const entry *one) {
     u->entries[u->count++] = *one;
 }
 
-// A file that is being searched.
+/// A file that is being searched.
 typedef struct search {
     underway *states;
     const byte_source *source;

@@ -12,15 +12,15 @@
 
 typedef struct underway underway;
 
-// States beside the journal at `path` of the study with that hash. Those of an earlier run are found where it is
-// resumed, else removed. NULL without memory.
+/// States beside the journal at `path` of the study with that hash. Those of an earlier run are found where it is
+/// resumed, else removed. NULL without memory.
 underway *underway_open(const char *path, uint64_t identity, bool resume);
 
-// Closes; the files stay, or are removed.
+/// Closes; the files stay, or are removed.
 void underway_close(underway *states);
 void underway_remove(underway *states);
 
-// See whirl_keeper.
+/// See whirl_keeper.
 void underway_save(underway *states, size_t worker, const whirl_kept_state *kept, size_t count);
 void *underway_saved(const underway *states, size_t batch, size_t slot, double *revolutions, size_t *size);
 

@@ -21,7 +21,7 @@ bool whirl_result_same_study(const whirl_result *earlier, const whirl_result *la
     return same;
 }
 
-// NaN equals NaN, and 0 not -0.
+/// NaN equals NaN, and 0 not -0.
 static bool same_number(double a, double b) {
     uint64_t bits[2];
     memcpy(&bits[0], &a, sizeof a);
@@ -29,7 +29,7 @@ static bool same_number(double a, double b) {
     return bits[0] == bits[1];
 }
 
-// As reading makes them.
+/// As reading makes them.
 static bool same_text(const char *a, const char *b) {
     char one[256], other[256];
     snprintf(one, sizeof one, "%s", a);
@@ -72,7 +72,7 @@ static bool same_parameters(const whirl_result *a, const whirl_result *b) {
     return true;
 }
 
-// What differs in the parts that belong to no table, or NULL.
+/// What differs in the parts that belong to no table, or NULL.
 static const char *head_difference(const whirl_result *a, const whirl_result *b) {
     if (!same_text(a->title, b->title)) return "the title";
     if (!same_text(a->case_name, b->case_name)) return "the name of the case";
@@ -85,10 +85,10 @@ static const char *head_difference(const whirl_result *a, const whirl_result *b)
     return same_facts(a, b) ? NULL : "the provenance";
 }
 
-// What a file is compared with.
+/// What a file is compared with.
 typedef struct comparison {
-    const whirl_result *result; // what was written
-    whirl_result own;           // what of it a file holds: the same with the tables below
+    const whirl_result *result; ///< what was written
+    whirl_result own;           ///< what of it a file holds: the same with the tables below
     whirl_table tables[FORMAT_MAX_TABLES];
     finished parts[FORMAT_MAX_TABLES];
     const char *path;
@@ -99,7 +99,7 @@ static whirl_status differs(const char *path, const whirl_table *table, size_t p
                       point + 1, table->name);
 }
 
-// The same points of the study? There are as many.
+/// The same points of the study? There are as many.
 static whirl_status compare_slots(const comparison *with, const whirl_result *there) {
     for (size_t i = 0; i < there->table_count; ++i) {
         const whirl_table *own = &with->tables[i], *found = &there->tables[i];
@@ -112,8 +112,8 @@ static whirl_status compare_slots(const comparison *with, const whirl_result *th
     return whirl_ok();
 }
 
-// Signs of zeros and the bits of a NaN are part of a result. Values need no bits: they are in the identity. The file
-// may be another than the one whose outline was compared.
+/// Signs of zeros and the bits of a NaN are part of a result. Values need no bits: they are in the identity. The file
+/// may be another than the one whose outline was compared.
 static whirl_status compare_block(void *context, const whirl_table *there, size_t table, size_t point,
                                   const double *block) {
     const comparison *with = context;
@@ -126,7 +126,7 @@ static whirl_status compare_block(void *context, const whirl_table *there, size_
     return same ? whirl_ok() : differs(with->path, written, with->tables[index].slots[point]);
 }
 
-// All but the numbers.
+/// All but the numbers.
 static whirl_status compare_outline(const comparison *with) {
     whirl_result *there = NULL;
     char difference[WHIRL_MESSAGE_SIZE];

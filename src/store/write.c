@@ -118,7 +118,7 @@ static void put_record(whirl_status *status, hid_t group, const whirl_record_opt
     put_whole_attribute(status, group, "growth", options->growth);
 }
 
-// Bits have a meaning in one version only; names last.
+/// Bits have a meaning in one version only; names last.
 static void put_analyses(whirl_status *status, hid_t group, whirl_analysis_set set) {
     char names[FORMAT_MAX_ANALYSES][WHIRL_NAME_SIZE];
     size_t count = 0;
@@ -133,7 +133,7 @@ typedef struct si_unit {
     const char *unit;
 } si_unit;
 
-// What one unit of a field is in SI.
+/// What one unit of a field is in SI.
 static si_unit si_of(const char *unit, const whirl_result *result) {
     const double two_pi = 2.0 * acos(-1.0);
     if (strcmp(unit, "length") == 0) return (si_unit){result->length_scale, "m"};
@@ -150,7 +150,7 @@ static void put_column_names(whirl_status *status, hid_t dataset, const whirl_fi
         put_texts_attribute(status, dataset, "column_names", texts_of(names[0], WHIRL_NAME_SIZE, field->columns));
 }
 
-// The dataset of a field with its attributes.
+/// The dataset of a field with its attributes.
 static void begin_field(whirl_status *status, column *out, hid_t group, const whirl_result *result,
                         const whirl_table *table, const whirl_field *field) {
     size_t dimensions[4];
@@ -168,7 +168,7 @@ static void begin_field(whirl_status *status, column *out, hid_t group, const wh
     put_whole_attribute(status, out->dataset, "columns", (int64_t)field->columns);
 }
 
-// The numbers of all fields: one pass over the points, for their blocks may lie on disk.
+/// The numbers of all fields: one pass over the points, for their blocks may lie on disk.
 static void put_fields(whirl_status *status, hid_t group, const whirl_result *result, const whirl_table *whole,
                        const finished *own) {
     column columns[WHIRL_MAX_FIELDS];
@@ -185,7 +185,7 @@ static void put_fields(whirl_status *status, hid_t group, const whirl_result *re
     for (size_t i = 0; i < layout->field_count; ++i) column_end(status, &columns[i]);
 }
 
-// A verdict in words, for people: readers of this library take the numbers.
+/// A verdict in words, for people: readers of this library take the numbers.
 typedef struct verdict_words {
     char name[WHIRL_NAME_SIZE], reason[WHIRL_MESSAGE_SIZE];
 } verdict_words;
@@ -222,14 +222,14 @@ static void put_verdicts(whirl_status *status, hid_t group, const whirl_table *w
     close_group(verdicts);
 }
 
-// Is there a verdict in the blocks?
+/// Is there a verdict in the blocks?
 static bool has_verdict(const whirl_layout *layout) {
     for (size_t i = 0; i < layout->field_count; ++i)
         if (strncmp(layout->fields[i].name, "regime/", 7) == 0) return true;
     return false;
 }
 
-// Reading lays fields out one after the other, so that is how they must lie.
+/// Reading lays fields out one after the other, so that is how they must lie.
 static whirl_status check_layout(const whirl_table *table) {
     const whirl_layout *layout = &table->layout;
     size_t offset = 0;
@@ -255,7 +255,7 @@ static whirl_status check_layout(const whirl_table *table) {
     return whirl_ok();
 }
 
-// Branches, and which points of the study these are, from 1.
+/// Branches, and which points of the study these are, from 1.
 static void put_places(whirl_status *status, hid_t group, const whirl_table *table) {
     int64_t *numbers = malloc((table->count ? table->count : 1) * sizeof *numbers);
     if (!numbers) {

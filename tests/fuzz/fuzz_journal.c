@@ -18,7 +18,7 @@ static void require(int condition) {
 typedef struct input {
     const uint8_t *data;
     size_t size, frames;
-    uint64_t last; // where the last frame began
+    uint64_t last; ///< where the last frame began
 } input;
 
 static int read_input(void *context, uint64_t offset, void *to, size_t size) {
@@ -39,7 +39,7 @@ static void found(void *context, const frame_head *head, uint64_t offset) {
     in->frames++;
 }
 
-// The bytes as two identities, one after the other.
+/// The bytes as two identities, one after the other.
 static void compare_texts(const uint8_t *data, size_t size) {
     char difference[200];
     char *text = malloc(size + 2);
@@ -58,7 +58,7 @@ static void put_checksum(uint8_t *at, uint32_t sum) {
     for (int i = 0; i < 4; ++i) at[i] = (uint8_t)(sum >> 8 * i);
 }
 
-// Makes the checksums right wherever the magic stands, as no mutation would by chance: the lengths are then believed.
+/// Makes the checksums right wherever the magic stands, as no mutation would by chance: the lengths are then believed.
 static void mend(uint8_t *data, size_t size) {
     for (size_t i = 0; i + JOURNAL_HEAD <= size; ++i) {
         frame_head head;

@@ -14,7 +14,7 @@
 #include <string.h>
 #include <unistd.h>
 
-// The C library's own, under names that it keeps for this purpose.
+/// The C library's own, under names that it keeps for this purpose.
 extern void *__libc_malloc(size_t size);
 extern void *__libc_calloc(size_t count, size_t size);
 extern void *__libc_realloc(void *memory, size_t size);

@@ -28,7 +28,7 @@ static void values_change_in_place(void **state) {
     expect_edit("a:\nb: 1\n", "a", "2", "a: 2\nb: 1\n");
 }
 
-// A comma ends a value between braces, and ' #' begins a comment.
+/// A comma ends a value between braces, and ' #' begins a comment.
 static void values_are_quoted_where_they_must_be(void **state) {
     (void)state;
     expect_edit("p: {r: 1, s: 2}\n", "p.r", "= min(1, 2)", "p: {r: '= min(1, 2)', s: 2}\n");
@@ -89,7 +89,7 @@ static void what_takes_no_value_is_refused(void **state) {
     }
 }
 
-// What was written is what --set would have made of it.
+/// What was written is what --set would have made of it.
 static void an_edited_case_means_what_was_written(void **state) {
     (void)state;
     char *found = NULL;

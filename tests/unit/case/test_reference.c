@@ -13,7 +13,7 @@ static char *read_text(const char *path) {
     return text;
 }
 
-// "key:" as a word, in the case itself or in a line of it that is commented out (what excludes something else).
+/// "key:" as a word, in the case itself or in a line of it that is commented out (what excludes something else).
 static bool shows_key(const char *text, const char *key) {
     const size_t length = strlen(key);
     for (const char *at = strstr(text, key); at; at = strstr(at + 1, key)) {

@@ -11,7 +11,7 @@ static double value_of(const whirl_case *object, const char *name) {
     return value;
 }
 
-// The value of "p: TEXT" in SI.
+/// The value of "p: TEXT" in SI.
 static double parameter_value(const char *text) {
     char line[200];
     snprintf(line, sizeof line, "kappa: 10\n  p: %s", text);
@@ -120,7 +120,7 @@ static void parameters_are_set(void **state) {
     whirl_case_free(object);
 }
 
-// A plain number is in the SI unit of what it replaces, and results say so.
+/// A plain number is in the SI unit of what it replaces, and results say so.
 static void set_numbers_keep_their_unit(void **state) {
     (void)state;
     whirl_case *object = parse_good(good_case);
@@ -193,7 +193,7 @@ static void a_swept_parameter_can_be_assigned(void **state) {
     whirl_case_free(object);
 }
 
-// The rotor's numbers after a key was set, as they are after the same edit by hand.
+/// The rotor's numbers after a key was set, as they are after the same edit by hand.
 static void expect_key_set(const char *assignment, const char *old, const char *new) {
     whirl_case *set = parse_good(good_case), *edited_case = parse_edited(old, new);
     whirl_result *a = calloc(1, sizeof *a), *b = calloc(1, sizeof *b);
@@ -348,7 +348,7 @@ static void carry_follows_the_parameter(void **state) {
     assert_int_equal(carry_of("from: 1, to: 20", "start: rest"), WHIRL_CARRY_NONE);
 }
 
-// The state that the first point of batch `index` starts from.
+/// The state that the first point of batch `index` starts from.
 static void start_of(const whirl_case *object, size_t index, double state[8]) {
     const whirl_study study = study_of(object);
     const whirl_batch *batch = &study.batches[index];
@@ -382,7 +382,7 @@ static void starts_are_states(void **state) {
     whirl_case_free(object);
 }
 
-// c is 0.2 mm, omega 100 rad/s: a length scale per radian is 20 mm/s.
+/// c is 0.2 mm, omega 100 rad/s: a length scale per radian is 20 mm/s.
 static void starts_may_have_units(void **state) {
     const double expected[8] = {0.0, -0.25, 0.1, -0.5, 0.0, 2.0, 0.5, 0.0};
     double start[8];

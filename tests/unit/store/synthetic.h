@@ -18,7 +18,7 @@ static inline void *synthetic_take(size_t count, size_t size) {
     return memory;
 }
 
-// The block of every point numbered through, with special values strewn in.
+/// The block of every point numbered through, with special values strewn in.
 static inline void synthetic_fill(whirl_table *table, size_t count) {
     static const double special[] = {NAN, INFINITY, -INFINITY, -0.0, 5e-324, 1.0 / 3.0};
     table->count = count;
@@ -33,14 +33,14 @@ static inline void synthetic_fill(whirl_table *table, size_t count) {
         table->blocks[i] = i % 11 == 5 ? special[i / 11 % 6] : (double)i / 7.0;
 }
 
-// Sets a field of the first station, contact or of the point.
+/// Sets a field of the first station, contact or of the point.
 static inline void synthetic_set(whirl_table *table, size_t point, const char *name, double value) {
     const whirl_field *field = whirl_layout_field(&table->layout, name);
     if (!field) abort();
     table->blocks[point * table->layout.size + field->offset] = value;
 }
 
-// Fields as the analyses have them.
+/// Fields as the analyses have them.
 static inline void synthetic_sweep(whirl_table *table, const whirl_result *result) {
     static const char *const analyses[] = {"poincare", "regime", "lyapunov", "spectrum", "orbit", "rub"};
     const whirl_system system = {.dimension = 8,
@@ -65,7 +65,7 @@ static inline void synthetic_sweep(whirl_table *table, const whirl_result *resul
     }
 }
 
-// Fields of every extent and shape: [3][2], [3], [2], a single number, and one without rows.
+/// Fields of every extent and shape: [3][2], [3], [2], a single number, and one without rows.
 static inline void synthetic_detail(whirl_table *table, const whirl_result *result) {
     static const struct {
         const char *name, *unit, *meaning;

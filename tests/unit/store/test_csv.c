@@ -13,7 +13,7 @@
 
 enum { MAX_CELLS = 96, CELL_SIZE = 200 };
 
-// The export of the synthetic result in a new folder two levels down.
+/// The export of the synthetic result in a new folder two levels down.
 typedef struct fixture {
     char root[64], middle[80], folder[96];
     whirl_result *made;
@@ -57,7 +57,7 @@ typedef struct cells {
     char text[MAX_CELLS][CELL_SIZE];
 } cells;
 
-// Reads a record: cells between commas, quotes doubled inside quotes, a record ended by CR LF. False at the end.
+/// Reads a record: cells between commas, quotes doubled inside quotes, a record ended by CR LF. False at the end.
 static bool read_record(FILE *stream, cells *record) {
     int c = fgetc(stream);
     if (c == EOF) return false;
@@ -107,7 +107,7 @@ static void assert_number(const char *text, double expected) {
         assert_memory_equal(&value, &expected, sizeof value);
 }
 
-// Points and rows count from 1.
+/// Points and rows count from 1.
 static size_t index_of(const char *text) {
     char *end;
     const long number = strtol(text, &end, 10);
@@ -142,7 +142,7 @@ static void points_have_a_line_each(void **state) {
     fclose(stream);
 }
 
-// The cell under a heading is the number of that field, station and column, to the last bit.
+/// The cell under a heading is the number of that field, station and column, to the last bit.
 static void numbers_stand_under_their_headings(void **state) {
     static const struct {
         const char *heading, *field;

@@ -28,11 +28,11 @@ const char *__lsan_default_suppressions(void) {
 }
 // NOLINTEND(bugprone-reserved-identifier,cert-dcl*)
 
-// A folder of its own for every test, with a result and the path of a file in it.
+/// A folder of its own for every test, with a result and the path of a file in it.
 typedef struct fixture {
     char folder[64], path[128];
     whirl_result *made;
-    unsigned char *bytes; // of the file, when `written` was called
+    unsigned char *bytes; ///< of the file, when `written` was called
     size_t size;
 } fixture;
 
@@ -116,7 +116,7 @@ static void reads_a_table_without_points(void **state) {
     whirl_result_free(read);
 }
 
-// Takes all points but those out of a result in memory.
+/// Takes all points but those out of a result in memory.
 static whirl_result *with_points(whirl_result *made, const size_t *slots, size_t count) {
     whirl_table *table = &made->tables[0];
     const size_t size = table->layout.size;
@@ -132,7 +132,7 @@ static whirl_result *with_points(whirl_result *made, const size_t *slots, size_t
     return made;
 }
 
-// A run that was stopped: the file has the points that are done, and says which these are.
+/// A run that was stopped: the file has the points that are done, and says which these are.
 static void a_partial_file_has_what_is_done(void **state) {
     fixture *f = *state;
     whirl_result *read = NULL, *again = NULL;
@@ -159,7 +159,7 @@ static void a_partial_file_has_what_is_done(void **state) {
     whirl_result_free(read);
 }
 
-// Of a hundred thousand points that were not come to, nothing is written.
+/// Of a hundred thousand points that were not come to, nothing is written.
 static void a_partial_file_is_as_large_as_its_points(void **state) {
     enum { MANY = 100000, FEW = 3 };
     fixture *f = *state;
@@ -183,7 +183,7 @@ static void a_partial_file_is_as_large_as_its_points(void **state) {
     assert_well(whirl_result_verify(f->made, f->path));
 }
 
-// Many points, so that datasets have several chunks of 1 MiB.
+/// Many points, so that datasets have several chunks of 1 MiB.
 static void reads_large_tables(void **state) {
     fixture *f = *state;
     whirl_table *table = &f->made->tables[0];
@@ -197,7 +197,7 @@ static void reads_large_tables(void **state) {
     whirl_result_free(read);
 }
 
-// More than a second apart, for HDF5 counts times in seconds.
+/// More than a second apart, for HDF5 counts times in seconds.
 static void same_results_are_same_files(void **state) {
     fixture *f = *state;
     written(f);
@@ -239,7 +239,7 @@ static void says_where_it_cannot_write(void **state) {
     assert_int_equal(files_in(f->folder), 1);
 }
 
-// A limit on the size of files acts as a full disk does. The file that was there stays as it was.
+/// A limit on the size of files acts as a full disk does. The file that was there stays as it was.
 static void a_full_disk_leaves_the_old_file(void **state) {
     fixture *f = *state;
     struct rlimit before, small;
@@ -318,8 +318,8 @@ static void refuses_every_truncation(void **state) {
     }
 }
 
-// Checksums cover all that is used: a flipped bit gives an error or changes nothing. WHIRL_TEST_EVERY=1 tries all
-// bytes.
+/// Checksums cover all that is used: a flipped bit gives an error or changes nothing. WHIRL_TEST_EVERY=1 tries all
+/// bytes.
 static void no_flipped_bit_goes_unseen(void **state) {
     fixture *f = *state;
     const char *every = getenv("WHIRL_TEST_EVERY");
@@ -343,7 +343,7 @@ static void no_flipped_bit_goes_unseen(void **state) {
 
 // ---------------------------------------------------------------- files with sound checksums that claim nonsense
 
-// Opens the file for changes by HDF5's own means.
+/// Opens the file for changes by HDF5's own means.
 static hid_t open_for_change(const fixture *f) {
     const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
     assert_true(H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110) >= 0);
@@ -414,7 +414,7 @@ static void change_text(const fixture *f, const char *object, const char *attrib
     assert_true(H5Fclose(file) >= 0);
 }
 
-// Terminals obey escape characters, also those of two bytes (U+009B), and overrides turn what is read.
+/// Terminals obey escape characters, also those of two bytes (U+009B), and overrides turn what is read.
 static void words_are_plain_when_they_are_read(void **state) {
     fixture *f = *state;
     whirl_result *read = NULL;
@@ -428,7 +428,7 @@ static void words_are_plain_when_they_are_read(void **state) {
     whirl_result_free(read);
 }
 
-// What a program puts into a result may be cut within a letter, and is the same when it is read.
+/// What a program puts into a result may be cut within a letter, and is the same when it is read.
 static void words_that_are_not_plain_are_verified(void **state) {
     fixture *f = *state;
     snprintf(f->made->title, sizeof f->made->title, "cut \x1b[1m \xc3");
@@ -451,7 +451,7 @@ static void refuses_impossible_points(void **state) {
     }
 }
 
-// Puts another object in the place of /sweep/values.
+/// Puts another object in the place of /sweep/values.
 static void replace_values(const fixture *f, hid_t type, int rank, hsize_t length, bool checksums) {
     const hsize_t dimensions[2] = {length, 1}, chunk[2] = {length < 1024 ? length : 1024, 1};
     const hid_t file = open_for_change(f);

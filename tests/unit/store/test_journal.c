@@ -58,7 +58,7 @@ static whirl_journal *resumed(const fixture *f) {
     return journal;
 }
 
-// A closed journal of the first `count` points.
+/// A closed journal of the first `count` points.
 static void make(const fixture *f, size_t count) {
     whirl_journal *journal;
     remove(f->path);
@@ -77,7 +77,7 @@ static void set_bytes(const fixture *f, const unsigned char *bytes, size_t size)
 
 // ---------------------------------------------------------------- parts
 
-// RFC 3720, appendix B.4, and the usual check value of nine digits.
+/// RFC 3720, appendix B.4, and the usual check value of nine digits.
 static void checksums_are_those_of_the_standard(void **state) {
     unsigned char bytes[32] = {0};
     (void)state;
@@ -135,7 +135,7 @@ static void expect_state(whirl_journal *journal, size_t batch, size_t slot, cons
     free(found);
 }
 
-// The state furthest on counts, of whatever thread and run; what is damaged is not taken.
+/// The state furthest on counts, of whatever thread and run; what is damaged is not taken.
 static void states_come_back(void **state) {
     fixture *f = *state;
     whirl_journal *journal;
@@ -163,7 +163,7 @@ static void states_come_back(void **state) {
     assert_true(access(first, F_OK) != 0 && access(second, F_OK) != 0);
 }
 
-// A run that is begun anew has no use for them, and another study takes none.
+/// A run that is begun anew has no use for them, and another study takes none.
 static void states_of_other_runs_are_not_taken(void **state) {
     fixture *f = *state;
     whirl_journal *journal;
@@ -298,7 +298,7 @@ static void frames_of_another_study_do_not_count(void **state) {
 
 // ---------------------------------------------------------------- damage
 
-// Goes on from whatever is there, as a run would; returns how many points were known.
+/// Goes on from whatever is there, as a run would; returns how many points were known.
 static int go_on(const fixture *f) {
     whirl_journal *journal = resumed(f);
     int known = 0;
@@ -314,7 +314,7 @@ static int go_on(const fixture *f) {
     return known;
 }
 
-// A kill cuts the last write short, wherever.
+/// A kill cuts the last write short, wherever.
 static void every_cut_loses_no_whole_point(void **state) {
     fixture *f = *state;
     unsigned char *bytes;
@@ -336,7 +336,7 @@ static void every_cut_loses_no_whole_point(void **state) {
     free(bytes);
 }
 
-// Any one byte changed, in every bit in turn: at most the point that it belongs to is lost, and that is said.
+/// Any one byte changed, in every bit in turn: at most the point that it belongs to is lost, and that is said.
 static void every_flipped_byte_costs_one_point_at_most(void **state) {
     fixture *f = *state;
     unsigned char *bytes;
@@ -363,7 +363,7 @@ static void every_flipped_byte_costs_one_point_at_most(void **state) {
     free(bytes);
 }
 
-// Stretches that are lost, moved or filled with zeros, as a file system may leave them.
+/// Stretches that are lost, moved or filled with zeros, as a file system may leave them.
 static void lost_stretches_cost_their_points_only(void **state) {
     fixture *f = *state;
     unsigned char *bytes;

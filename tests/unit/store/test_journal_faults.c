@@ -23,7 +23,7 @@
 
 enum { SHORT_WRITE = -1, NEVER = -1 };
 
-// The call that fails, counted from 0; with which errno, or SHORT_WRITE; and whether all later ones fail too.
+/// The call that fails, counted from 0; with which errno, or SHORT_WRITE; and whether all later ones fail too.
 static struct {
     int calls, failing, reason;
     bool for_good;
@@ -34,19 +34,19 @@ static bool strikes(void) {
     return fault.failing != NEVER && (call == fault.failing || (fault.for_good && call > fault.failing));
 }
 
-// True when the call fails, with errno set; a call that writes nothing cannot be short.
+/// True when the call fails, with errno set; a call that writes nothing cannot be short.
 static bool fails(void) {
     if (!strikes() || fault.reason == SHORT_WRITE) return false;
     errno = fault.reason;
     return true;
 }
 
-// The same for calls that no signal interrupts on a local disk.
+/// The same for calls that no signal interrupts on a local disk.
 static bool fails_for_good(void) {
     return fails() && errno != EINTR;
 }
 
-// These take the place of the C library's for all that is linked here.
+/// These take the place of the C library's for all that is linked here.
 ssize_t pwrite(int file, const void *bytes, size_t size, off_t offset) {
     if (strikes()) {
         if (fault.reason != SHORT_WRITE) {
@@ -101,7 +101,7 @@ int open(const char *path, int flags, ...) {
     return fails_for_good() ? -1 : (int)syscall(SYS_openat, AT_FDCWD, path, flags, mode);
 }
 
-// Where a stream meets the disk.
+/// Where a stream meets the disk.
 int fflush(FILE *stream) {
     if (stream != stdout && stream != stderr && stream && fails_for_good()) return EOF;
     return fflush_unlocked(stream);
@@ -147,7 +147,7 @@ static int teardown(void **state) {
     return failed;
 }
 
-// What a run was told; `written` is verified, too: the file holds every number of the result.
+/// What a run was told; `written` is verified, too: the file holds every number of the result.
 typedef struct told {
     bool begun, kept[KEPT_POINTS], closed, written, removed;
 } told;
@@ -157,7 +157,7 @@ static bool well(whirl_status status) {
     return status.code == WHIRL_OK;
 }
 
-// Begins or goes on, keeps what is not there, and ends as `whirl run` does; an error ends the run.
+/// Begins or goes on, keeps what is not there, and ends as `whirl run` does; an error ends the run.
 static told run(const fixture *f) {
     told t = {0};
     whirl_journal *journal;
@@ -185,7 +185,7 @@ static void expect_whole_result(const fixture *f) {
     whirl_result_free(read);
 }
 
-// Nothing that was acknowledged is lost, and a result that is there is whole.
+/// Nothing that was acknowledged is lost, and a result that is there is whole.
 static void expect_safe(const fixture *f, const told *t) {
     whirl_journal *journal;
     if (access(f->result, F_OK) == 0) expect_whole_result(f);
@@ -210,12 +210,12 @@ static void clean(const fixture *f) {
 static const char *const reasons[] = {"ENOSPC", "EIO", "EINTR", "short"};
 static const int numbers[] = {ENOSPC, EIO, EINTR, SHORT_WRITE};
 
-// A broken disk is met like a full one: where both would be gone through, `make soak` alone takes both.
+/// A broken disk is met like a full one: where both would be gone through, `make soak` alone takes both.
 static bool soaking(void) {
     return getenv("WHIRL_SOAK") != NULL;
 }
 
-// Interruptions and short writes are no failures.
+/// Interruptions and short writes are no failures.
 static void expect_outcome(const told *t, int reason) {
     if (reason == SHORT_WRITE || reason == EINTR) assert_true(t->written && t->removed);
 }
@@ -240,7 +240,7 @@ static void every_call_fails_once(void **state) {
     }
 }
 
-// A disk that is full stays full; one that is broken stays broken.
+/// A disk that is full stays full; one that is broken stays broken.
 static void every_call_and_all_later_ones_fail(void **state) {
     const fixture *f = *state;
     for (int kind = 0; kind < (soaking() ? 2 : 1); ++kind) {
@@ -259,7 +259,7 @@ static void every_call_and_all_later_ones_fail(void **state) {
     }
 }
 
-// Going on fails at every call: what an earlier run kept stays.
+/// Going on fails at every call: what an earlier run kept stays.
 static void every_call_fails_while_going_on(void **state) {
     const fixture *f = *state;
     for (int kind = soaking() ? 0 : 1; kind < 4; ++kind) {
@@ -287,7 +287,7 @@ static void every_call_fails_while_going_on(void **state) {
     }
 }
 
-// The point that a full disk refused is written as soon as there is room, and so are those after it.
+/// The point that a full disk refused is written as soon as there is room, and so are those after it.
 static void a_point_that_found_no_room_is_tried_again(void **state) {
     const fixture *f = *state;
     whirl_journal *journal;
@@ -320,7 +320,7 @@ static void a_disk_without_room_is_met_before_the_run(void **state) {
     assert_int_not_equal(access(f->journal, F_OK), 0);
 }
 
-// Verifying sees any difference between the result and its file.
+/// Verifying sees any difference between the result and its file.
 static void a_file_that_differs_is_seen(void **state) {
     const fixture *f = *state;
     clean(f);
@@ -344,7 +344,7 @@ static void a_file_that_differs_is_seen(void **state) {
     assert_int_equal(whirl_result_verify(f->made, f->result).code, WHIRL_IO_ERROR);
 }
 
-// A result of a run that was stopped says which points it has.
+/// A result of a run that was stopped says which points it has.
 static void partial_results_are_written_and_read(void **state) {
     const fixture *f = *state;
     whirl_table *sweep = &f->made->tables[0];

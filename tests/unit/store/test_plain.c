@@ -13,7 +13,7 @@
 #include <hdf5.h>
 #include <unistd.h>
 
-// A result's file and its bytes.
+/// A result's file and its bytes.
 typedef struct fixture {
     char path[64];
     unsigned char *bytes;
@@ -69,7 +69,7 @@ static void put_value(hid_t object, const char *name, hid_t type, const void *va
     H5Sclose(space);
 }
 
-// Past eight attributes the library's own choice is a fractal heap and a B-tree.
+/// Past eight attributes the library's own choice is a fractal heap and a B-tree.
 static void put_heap(hid_t file) {
     const hid_t group = H5Gcreate2(file, "heap", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
     for (int64_t i = 0; i < 12; ++i) {
@@ -101,7 +101,7 @@ static void put_external_link(hid_t file) {
     assert_true(H5Lcreate_external("other.h5", "/", file, "external", H5P_DEFAULT, H5P_DEFAULT) >= 0);
 }
 
-// A group that holds itself.
+/// A group that holds itself.
 static void put_ring(hid_t file) {
     assert_true(H5Lcreate_hard(file, "/detail", file, "/detail/again", H5P_DEFAULT, H5P_DEFAULT) >= 0);
 }
@@ -138,7 +138,7 @@ static void put_compressed(hid_t file) {
     put_dataset(file, H5D_CHUNKED, true);
 }
 
-// A growing dataset is found by an extensible array.
+/// A growing dataset is found by an extensible array.
 static void put_growing(hid_t file) {
     const hsize_t length = 4, most = H5S_UNLIMITED;
     const hid_t space = H5Screate_simple(1, &length, &most), creation = H5Pcreate(H5P_DATASET_CREATE);
@@ -172,8 +172,8 @@ static void refuses_what_whirl_does_not_write(void **state) {
     }
 }
 
-// Wherever a header's byte is changed, the look stays within the file (the sanitizers watch) and comes to an end. Most
-// changes are seen at once, without any checksum.
+/// Wherever a header's byte is changed, the look stays within the file (the sanitizers watch) and comes to an end. Most
+/// changes are seen at once, without any checksum.
 static void looks_within_the_file(void **state) {
     fixture *f = *state;
     size_t refused = 0, tried = 0;
