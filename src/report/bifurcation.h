@@ -1,0 +1,45 @@
+// A bifurcation diagram: what is drawn of a station, and the parts that its figure is made of.
+#ifndef REPORT_BIFURCATION_H
+#define REPORT_BIFURCATION_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdio.h>
+
+#include "figures.h"
+#include "regimes.h"
+
+/// What is drawn of a station, and what the panels share.
+typedef struct bifurcation {
+    const whirl_result *result;
+    const whirl_table *table;
+    size_t station;
+    const char *data; ///< file of the section
+    span parameter, x, y, exponent, radius;
+    bool rub, confidence, present[CLASS_COUNT], both;
+    const shown_units *units;
+    double length, value; ///< what displacements and values of the parameter are multiplied by to be shown
+    double share;         ///< largest share of the time in contact, with a margin
+    double gap;           ///< radius at which the station touches a stator, 0 where none is near
+    bool ratios;          ///< the points have equal ratios: the axis is logarithmic
+} bifurcation;
+
+/// Fills in ranges and flags from result, table, station, units, length and value.
+void bifurcation_survey(bifurcation *of);
+
+/// What of the axis belongs to a point, in SI: up to half-way to its neighbours in its branch.
+void bifurcation_edges(const bifurcation *of, size_t i, double *low, double *high);
+
+/// One block (gnuplot: index) for each class that is present and each branch, in that order.
+whirl_status bifurcation_write_section(const drawing *to, const bifurcation *of, const char *name);
+
+/// One line a point, one block a branch; an empty line where points were not computed.
+whirl_status bifurcation_write_sweep(const drawing *to, const bifurcation *of);
+
+/// Shades the ranges of the parameter in which there is contact, behind the panels that follow.
+void bifurcation_write_rub_bands(FILE *script, const bifurcation *of);
+
+/// The panels from the top, with their heights in parts.
+void bifurcation_write_panels(FILE *script, const bifurcation *of);
+
+#endif

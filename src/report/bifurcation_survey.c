@@ -1,0 +1,120 @@
+// What a bifurcation diagram shows: the ranges of its axes, and what of the parameter's axis belongs to a point.
+#include <math.h>
+#include <stdlib.h>
+
+#include "bifurcation.h"
+#include "quantities.h"
+
+static int by_value(const void *left, const void *right) {
+    const double a = *(const double *)left, b = *(const double *)right;
+    return (a > b) - (a < b);
+}
+
+/// The range of the exponents without the rare deep minima at superstable points, which would flatten all else.
+static span exponent_span(const whirl_table *table) {
+    span range = span_empty();
+    double *sorted = malloc((table->count + 1) * sizeof *sorted);
+    size_t count = 0;
+    for (size_t i = 0; sorted && i < table->count; i++) {
+        const double value = point_exponent(table, i).value;
+        if (isfinite(value)) sorted[count++] = value;
+    }
+    if (count > 0) {
+        qsort(sorted, count, sizeof *sorted, by_value);
+        const double low = sorted[count / 20], high = sorted[count - 1 - count / 20], reach = 1.5 * (high - low);
+        span_widen(&range, fmax(sorted[0], low - reach));
+        span_widen(&range, fmin(sorted[count - 1], high + reach));
+        span_widen(&range, 0.0);
+    }
+    free(sorted);
+    return span_with_margin(range, 0.08, 0.01);
+}
+
+/// How many places of the study lie between two points of the table; 0 across branches.
+static double places_between(const whirl_table *table, size_t a, size_t b) {
+    if (b >= table->count || table->branch[a] != table->branch[b]) return 0.0;
+    return (double)whirl_table_slot(table, b) - (double)whirl_table_slot(table, a);
+}
+
+/// Whether a sweep was made with `scale: log`: the ratios of neighbours are the same throughout, their differences are
+/// not.
+static bool has_equal_ratios(const whirl_table *table) {
+    const double *v = table->values;
+    if (places_between(table, 0, 1) == 0.0 || places_between(table, 1, 2) == 0.0 || !(v[0] > 0.0)) return false;
+    const double ratio = log(v[1] / v[0]) / places_between(table, 0, 1);
+    for (size_t i = 1; i < table->count && places_between(table, i - 1, i) != 0.0; i++)
+        if (!(v[i] > 0.0) ||
+            !(fabs(log(v[i] / v[i - 1]) / places_between(table, i - 1, i) - ratio) < 1e-6 * fabs(ratio)))
+            return false;
+    const double first = (v[1] - v[0]) / places_between(table, 0, 1),
+                 next = (v[2] - v[1]) / places_between(table, 1, 2);
+    return fabs(next - first) > 1e-6 * fabs(first);
+}
+
+/// Half-way between two values, as the axis has it.
+static double middle(const bifurcation *of, double a, double b) {
+    return of->ratios ? sqrt(a * b) : 0.5 * (a + b);
+}
+
+/// Where a value lies that is as far from `a` as `b` is, on the other side.
+static double mirrored(const bifurcation *of, double a, double b) {
+    return of->ratios ? a * (a / b) : a + (a - b);
+}
+
+/// The value beside a point, one place further on (1) or before (-1); NaN where the table does not tell.
+static double value_beside(const bifurcation *of, size_t i, int side) {
+    const whirl_table *const table = of->table;
+    if (side < 0 && i == 0) return NAN;
+    const size_t other = side < 0 ? i - 1 : i + 1;
+    const double apart = side < 0 ? places_between(table, other, i) : places_between(table, i, other);
+    if (apart <= 0.0) return NAN;
+    const double at = table->values[i], there = table->values[other];
+    return of->ratios ? at * pow(there / at, 1.0 / apart) : at + (there - at) / apart;
+}
+
+void bifurcation_edges(const bifurcation *of, size_t i, double *low, double *high) {
+    const double at = of->table->values[i];
+    double before = value_beside(of, i, -1), after = value_beside(of, i, 1);
+    if (isnan(before)) before = isnan(after) ? at - 1.0 : mirrored(of, at, after);
+    if (isnan(after)) after = mirrored(of, at, before);
+    *low = fmin(middle(of, at, before), middle(of, at, after));
+    *high = fmax(middle(of, at, before), middle(of, at, after));
+}
+
+void bifurcation_survey(bifurcation *of) {
+    const whirl_table *table = of->table;
+    span parameter = span_empty(), x = span_empty(), y = span_empty(), radius = span_empty();
+    for (size_t i = 0; i < table->count; i++) {
+        if (!whirl_table_done(table, i)) continue;
+        const numbers section = point_section(table, i, of->station);
+        const whirl_verdict verdict = whirl_table_verdict(table, i);
+        of->present[regime_class_of(&verdict)] = true;
+        of->both |= table->branch[i] < 0;
+        span_widen(&parameter, of->value * table->values[i]);
+        span_widen(&radius, of->length * max_radius(table, i, of->station));
+        of->share = fmax(of->share, 1.1 * rub_share(table, i, of->result->contact_count));
+        for (size_t k = 0; k < section.rows; k++) {
+            span_widen(&x, of->length * section.at[4 * k]);
+            span_widen(&y, of->length * section.at[4 * k + 1]);
+        }
+    }
+    of->share = of->share > 0.0 ? of->share : 0.01;
+    of->ratios = has_equal_ratios(table);
+    for (size_t i = 0; i < table->count; i++) {
+        double low, high;
+        if (!whirl_table_done(table, i)) continue;
+        bifurcation_edges(of, i, &low, &high);
+        span_widen(&parameter, of->value * low);
+        span_widen(&parameter, of->value * high);
+    }
+    of->parameter = of->ratios ? parameter : span_with_margin(parameter, 0.012, 0.0);
+    of->x = span_with_margin(x, 0.04, 1e-6 * of->length);
+    of->y = span_with_margin(y, 0.04, 1e-6 * of->length);
+    of->gap = of->length * of->result->stations[of->station].gap;
+    if (of->gap > 2.0 * radius.high) of->gap = 0.0; // so far off that the radius would be a line at the bottom
+    if (of->gap > 0.0) span_widen(&radius, of->gap);
+    of->radius = span_with_margin(radius, 0.08, 1e-6 * of->length);
+    of->exponent = exponent_span(table);
+    of->rub = has_rub(table, of->result->contact_count);
+    of->confidence = whirl_layout_field(&table->layout, "regime/confidence") != NULL;
+}
