@@ -231,7 +231,6 @@ export class App {
     if (!early) this.openParameter();
     this.chooseValue();
     this.later('all');
-    void this.scaleStored();
     await this.refreshSides();
     if (!this.sight.diagram) void this.recompute(this.sight.range, true);
     else this.refineSoon(); // the address may name a part of it
@@ -247,24 +246,6 @@ export class App {
     const diagram = this.storedDiagram;
     const range = this.address.range ?? diagram?.span ?? plannedRange(this.original, this.address.parameter);
     this.sights.open({ diagram, range, of: '', text: diagram ? this.storedText(diagram) : '', how: howOf({}) });
-  }
-
-  /// What the stored run varies may be its length scale itself: then every point has its own.
-  private async scaleStored(): Promise<void> {
-    const { machine, engine } = this;
-    const diagram = this.sights.first?.diagram;
-    if (!engine || !machine.run || !diagram || diagram.count === 0) return;
-    const ask = (values: Float64Array) =>
-      engine.scales({ text: machine.text, name: machine.caseName }, diagram.parameter, values, {
-        lane: 'scales',
-        priority: 0,
-      });
-    const ends = await ask(Float64Array.from(diagram.span));
-    if (!ends.ok || ends.value.every((scale) => scale === machine.run!.length_scale)) return;
-    const all = await ask(diagram.values);
-    if (!all.ok) return;
-    diagram.lengthScales.set(all.value);
-    this.later('all');
   }
 
   private chooseValue(): void {

@@ -25,7 +25,9 @@ typedef struct whirl_table {
     size_t planned;
     size_t *slots;  ///< [count] which of them these are, from 0, rising; NULL: the first ones
     double *values; ///< [count] of the parameter in SI (NaN when nothing varies)
-    int *branch;    ///< [count] +1 carried from the first value on, -1 carried from the last, 0 not carried
+    /// [count] m per unit of length, where the parameter changes it; NULL: that of the result holds for all.
+    double *length_scales;
+    int *branch; ///< [count] +1 carried from the first value on, -1 carried from the last, 0 not carried
     /// [count][layout.size], NaN where a point is not done; NULL in an outline, and where the blocks are `kept`.
     double *blocks;
     whirl_kept_blocks *kept; ///< NULL, or where the blocks are
@@ -56,7 +58,7 @@ typedef struct whirl_result {
     char *case_text; ///< the case file, byte for byte; "" when there was none
     char case_name[256];
     double speed;        ///< rad/s
-    double length_scale; ///< m per unit of length
+    double length_scale; ///< m per unit of length, of the case as it stands; see whirl_result_length_scale
     double force_scale;  ///< N per unit of force; 1 for rotors
     size_t parameter_count;
     whirl_parameter *parameters;
@@ -83,6 +85,9 @@ const double *whirl_table_block(const whirl_table *table, size_t point);
 /// The numbers [rows][columns] of a field for a point and a station or contact (0 for fields of the point);
 /// NULL when the table has no such field or an index is out of range. Borrowed as the block is.
 const double *whirl_table_field(const whirl_table *table, size_t point, const char *field, size_t which);
+
+/// The length scale of a point, m per unit of length: of all its lengths. That of the result for a table NULL.
+double whirl_result_length_scale(const whirl_result *result, const whirl_table *table, size_t point);
 
 /// Which point of the study a point is: its own index, but in a result that was read and is partial.
 size_t whirl_table_slot(const whirl_table *table, size_t point);

@@ -50,7 +50,58 @@ static whirl_status describe_rotor(const whirl_case *object, whirl_result *resul
     return done ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for the stations of a result");
 }
 
+/// Whether an expression depends on a parameter, itself or by others that it names.
+typedef struct dependence {
+    const parameter_table *parameters;
+    const char *on;
+    bool found;
+} dependence;
+
+static bool look(void *context, const char *name, size_t length) {
+    dependence *d = context;
+    char text[WHIRL_NAME_SIZE], why[WHY_SIZE];
+    snprintf(text, sizeof text, "%.*s", (int)length, name);
+    d->found = d->found || strcmp(text, d->on) == 0;
+    const size_t index = parameters_find(d->parameters, text);
+    const char *expression = index < d->parameters->count ? d->parameters->items[index].value.expression : NULL;
+    return d->found || !expression || expression_check(expression, look, d, why);
+}
+
+static bool depends(const case_content *content, const char *expression, const char *name) {
+    dependence d = {&content->parameters, name, false};
+    char why[WHY_SIZE];
+    expression_check(expression, look, &d, why);
+    return d.found;
+}
+
+/// The length scale of every point of a table, where its parameter changes it.
+static whirl_status describe_scales(const case_content *content, const whirl_result *result, whirl_table *table) {
+    const setting *given = settings_find(&content->machine.rotor, "length_scale");
+    const char *expression = given ? given->value.expression : NULL;
+    if (!*table->parameter || !expression || !depends(content, expression, table->parameter)) return whirl_ok();
+    double *scales = malloc((table->count + 1) * sizeof *scales);
+    whirl_status status =
+        scales ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for the scales of %zu points", table->count);
+    bool changes = false;
+    for (size_t i = 0; i < table->count && status.code == WHIRL_OK; i++) {
+        valuation v;
+        status = valuation_open(&v, &content->parameters, table->parameter, table->values[i]);
+        if (status.code == WHIRL_OK) status = valuation_number(&v, &given->value, &scales[i]);
+        valuation_close(&v);
+        changes = changes || (status.code == WHIRL_OK && scales[i] != result->length_scale);
+    }
+    if (status.code == WHIRL_OK && changes)
+        table->length_scales = scales;
+    else
+        free(scales);
+    return status;
+}
+
 static void forget(whirl_result *result) {
+    for (size_t i = 0; i < result->table_count; i++) {
+        free(result->tables[i].length_scales);
+        result->tables[i].length_scales = NULL;
+    }
     free(result->case_text);
     free(result->parameters);
     free(result->stations);
@@ -82,6 +133,8 @@ whirl_status whirl_case_describe_result(const whirl_case *object, whirl_result *
     memcpy(result->case_text, object->text, object->length + 1);
     whirl_status status = describe_parameters(&object->content, result);
     if (status.code == WHIRL_OK) status = describe_rotor(object, result);
+    for (size_t i = 0; i < result->table_count && status.code == WHIRL_OK; i++)
+        status = describe_scales(&object->content, result, &result->tables[i]);
     if (status.code == WHIRL_OK && *object->content.units)
         status = whirl_result_add_fact(result, "units", object->content.units);
     return status;

@@ -21,6 +21,7 @@ typedef struct bifurcation {
     double length, value; ///< what displacements and values of the parameter are multiplied by to be shown
     double share;         ///< largest share of the time in contact, with a margin
     double gap;           ///< radius at which the station touches a stator, 0 where none is near
+    double clearance;     ///< of the bearing, 0 where there is none
     bool ratios;          ///< the points have equal ratios: the axis is logarithmic
 } bifurcation;
 

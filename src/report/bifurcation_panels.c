@@ -216,8 +216,7 @@ static void write_gap(FILE *script, const bifurcation *of, double height) {
 }
 
 static void write_radius_panel(FILE *script, const bifurcation *of) {
-    const double clearance = of->length * of->result->stations[of->station].clearance;
-    const double scale = clearance > 0.0 ? 1.0 / clearance : 1.0;
+    const double clearance = of->clearance, scale = clearance > 0.0 ? 1.0 / clearance : 1.0;
     write_range(script, (span){scale * of->radius.low, scale * of->radius.high}, 4);
     write_axis_label(script, clearance > 0.0 ? "\"largest\\neccentricity\"" : "\"largest\\n\".radius_label");
     char factor[48];

@@ -91,11 +91,12 @@ void bifurcation_survey(bifurcation *of) {
         of->present[regime_class_of(&verdict)] = true;
         of->both |= table->branch[i] < 0;
         span_widen(&parameter, of->value * table->values[i]);
-        span_widen(&radius, of->length * max_radius(table, i, of->station));
+        const double length = units_length(of->units, table, i);
+        span_widen(&radius, length * max_radius(table, i, of->station));
         of->share = fmax(of->share, 1.1 * rub_share(table, i, of->result->contact_count));
         for (size_t k = 0; k < section.rows; k++) {
-            span_widen(&x, of->length * section.at[4 * k]);
-            span_widen(&y, of->length * section.at[4 * k + 1]);
+            span_widen(&x, length * section.at[4 * k]);
+            span_widen(&y, length * section.at[4 * k + 1]);
         }
     }
     of->share = of->share > 0.0 ? of->share : 0.01;
@@ -110,7 +111,10 @@ void bifurcation_survey(bifurcation *of) {
     of->parameter = of->ratios ? parameter : span_with_margin(parameter, 0.012, 0.0);
     of->x = span_with_margin(x, 0.04, 1e-6 * of->length);
     of->y = span_with_margin(y, 0.04, 1e-6 * of->length);
-    of->gap = of->length * of->result->stations[of->station].gap;
+    // Where every point has a length of its own, these circles have one, too, that the result does not tell.
+    const bool fixed = units_one_length(of->units, table);
+    of->gap = fixed ? of->length * of->result->stations[of->station].gap : 0.0;
+    of->clearance = fixed ? of->length * of->result->stations[of->station].clearance : 0.0;
     if (of->gap > 2.0 * radius.high) of->gap = 0.0; // so far off that the radius would be a line at the bottom
     if (of->gap > 0.0) span_widen(&radius, of->gap);
     of->radius = span_with_margin(radius, 0.08, 1e-6 * of->length);

@@ -136,6 +136,14 @@ static void write_values(FILE *stream, const selection *chosen) {
     for (size_t p = 0; p < table->count; p += chosen->stride) base64_float64(&values, table->values[p]);
     base64_end(&values);
     fputc('"', stream);
+    if (table->length_scales) {
+        member(stream, ',', "length_scales");
+        fputc('"', stream);
+        base64 scales = {.stream = stream};
+        for (size_t p = 0; p < table->count; p += chosen->stride) base64_float64(&scales, table->length_scales[p]);
+        base64_end(&scales);
+        fputc('"', stream);
+    }
     member(stream, ',', "branch");
     fputc('[', stream);
     for (size_t p = 0; p < table->count; p += chosen->stride) fprintf(stream, p ? ",%d" : "%d", table->branch[p]);

@@ -85,7 +85,7 @@ static whirl_status draw_station(const drawing *to, bifurcation *of) {
         !of->confidence ? ""
         : of->both      ? ", how far it can be trusted (bars: from the first value on; lines: from the last)"
                         : ", how far it can be trusted",
-        to->result->stations[of->station].clearance > 0.0 ? "largest eccentricity ratio" : "largest radius",
+        of->clearance > 0.0 ? "largest eccentricity ratio" : "largest radius",
         of->gap > 0.0 ? " (dashed: the gap to the stator)" : "", of->rub ? ", share of the time in contact" : "",
         of->both ? " (blue: from the first value on; orange: from the last)" : "");
     of->data = what->data[0];

@@ -42,8 +42,8 @@ static double order_size(const subject *of) {
 static subject subject_of(const drawing *to, const whirl_table *table, size_t point, size_t station) {
     const shown_units *units = to->units;
     subject of = {.result = to->result, .table = table, .point = point, .station = station, .units = units};
-    of.length = units->length;
-    of.amplitude = units->length * units->amplitude;
+    of.length = units_length(units, table, point);
+    of.amplitude = of.length * units->amplitude;
     of.order = units_order(units, machine_speed(to->machine, to->result, table, point));
     of.waveform = point_waveform(table, point, station);
     of.section = point_section(table, point, station);
@@ -69,7 +69,8 @@ static subject subject_of(const drawing *to, const whirl_table *table, size_t po
 /// Revolutions before the end, x, y; the end of every revolution (the instant of the section) stands in a second block.
 static void write_waveform(FILE *data, const subject *of) {
     const size_t rows = of->waveform.rows;
-    fprintf(data, "# revolution  x  y (lengths in %.10g m)\n", of->result->length_scale);
+    fprintf(data, "# revolution  x  y (lengths in %.10g m)\n",
+            whirl_result_length_scale(of->result, of->table, of->point));
     for (int marks = 0; marks < 2; marks++) {
         for (size_t k = 0; k < rows; k++)
             if (!marks || (rows - 1 - k) % of->turn == 0)
@@ -81,7 +82,7 @@ static void write_waveform(FILE *data, const subject *of) {
 
 static void write_section(FILE *data, const subject *of) {
     fprintf(data, "# x  y (lengths in %.10g m)  x'  y' (per radian of the rotation), once a revolution\n",
-            of->result->length_scale);
+            whirl_result_length_scale(of->result, of->table, of->point));
     for (size_t k = 0; k < of->section.rows; k++) {
         const double *at = &of->section.at[4 * k];
         fprintf(data, "%.10g %.10g %.10g %.10g\n", at[0], at[1], at[2], at[3]);
@@ -91,7 +92,7 @@ static void write_section(FILE *data, const subject *of) {
 static void write_spectrum(FILE *data, const subject *of) {
     const size_t group = (of->spectrum.rows + MOST_BINS - 1) / MOST_BINS;
     fprintf(data, "# order  x  y  forward  backward (amplitudes, zero to peak, in %.10g m)\n",
-            of->result->length_scale);
+            whirl_result_length_scale(of->result, of->table, of->point));
     if (group > 1)
         fprintf(data, "# %zu bins of %.6g orders each stand as one: the largest amplitudes\n", group,
                 of->spectrum.rows > 1 ? of->spectrum.at[5] - of->spectrum.at[0] : 0.0);

@@ -226,6 +226,7 @@ static void put_stations(bool *well, json_t *object, const char *key, station_pa
 static json_t *point_object(bool *well, const whirl_result *result, const whirl_table *table, size_t point) {
     json_t *object = json_object();
     document_put(well, object, "parameters", point_parameters(well, result, table, point));
+    if (table->length_scales) document_put(well, object, "length_scale", document_number(table->length_scales[point]));
     if (table->branch[point] != 0) document_put(well, object, "branch", json_integer(table->branch[point]));
     put_verdict(well, object, table, point);
     put_refinement(well, object, table, point);

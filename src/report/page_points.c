@@ -263,9 +263,10 @@ static bool has_gap(const whirl_result *result) {
 }
 
 /// The largest lines: orders with their amplitudes.
-static void write_lines(const point_page *to, numbers lines) {
+static void write_lines(const point_page *to, size_t point, size_t station) {
+    const numbers lines = point_lines(to->table, point, station);
     fputs("<td class=\"wide\">", to->stream);
-    const double amplitude = to->units->length * to->units->amplitude;
+    const double amplitude = units_length(to->units, to->table, point) * to->units->amplitude;
     for (size_t i = 0; i < lines.rows && i < SHOWN_LINES; i++) {
         const double *line = &lines.at[5 * i];
         html_printf(to->stream, "%s%.4g:\u00a0%.3g", i ? ", " : "", line[0], amplitude * fmax(line[1], line[2]));
@@ -286,11 +287,11 @@ static void write_size(const point_page *to, size_t point, size_t s) {
     const double clearance = to->result->stations[s].clearance, gap = to->result->stations[s].gap;
     const double radius = max_radius(to->table, point, s), none = (double)NAN;
     write_station_name(to, point, s);
-    write_number(to->stream, to->units->ratio ? "%.4f" : "%.4g", to->units->length * radius);
+    write_number(to->stream, to->units->ratio ? "%.4f" : "%.4g", units_length(to->units, to->table, point) * radius);
     if (has_bearing(to->result)) write_number(to->stream, "%.4f", clearance > 0.0 ? radius / clearance : none);
     if (has_gap(to->result)) write_number(to->stream, "%.4f", gap > 0.0 ? radius / gap : none);
     write_number(to->stream, "%.3g %%", 100.0 * backward_share(to->table, point, s));
-    write_lines(to, point_lines(to->table, point, s));
+    write_lines(to, point, s);
     fputs("</tr>\n", to->stream);
 }
 
@@ -325,7 +326,7 @@ enum { SYNCHRONOUS_PARTS = 4 };
 static void write_synchronous(const point_page *to, size_t point, size_t station) {
     const double *amplitude = whirl_table_field(to->table, point, "spectrum/synchronous", station);
     const double *lag = whirl_table_field(to->table, point, "spectrum/synchronous_lag", station);
-    const double size = to->units->length * to->units->amplitude;
+    const double size = units_length(to->units, to->table, point) * to->units->amplitude;
     write_station_name(to, point, station);
     for (int i = 0; i < SYNCHRONOUS_PARTS && amplitude && lag; i++) {
         write_number(to->stream, "%.4g", size * amplitude[i]);

@@ -10,12 +10,27 @@ static const char *fact(const whirl_result *result, const char *name) {
     return "";
 }
 
+static bool near(double a, double b) {
+    return fabs(a - b) <= 1e-12 * fabs(b);
+}
+
+/// Whether a parameter is the length scale of a table's points: where it varies it is that of every one, where another
+/// one varies it must follow from that one if the scale does.
+static bool is_scale_of(const whirl_result *result, const whirl_table *table, const whirl_parameter *candidate) {
+    const bool expression = candidate->text[strspn(candidate->text, " \t")] == '=';
+    if (strcmp(table->parameter, candidate->name) != 0) return !table->length_scales || expression;
+    for (size_t i = 0; i < table->count; i++)
+        if (!near(table->values[i], whirl_result_length_scale(result, table, i))) return false;
+    return true;
+}
+
 /// The parameter that is the length scale, or NULL.
 static const whirl_parameter *scale_parameter(const whirl_result *result) {
     for (size_t i = 0; i < result->parameter_count; i++) {
         const whirl_parameter *candidate = &result->parameters[i];
-        const double apart = fabs(candidate->value - result->length_scale);
-        if (strcmp(candidate->unit, "m") == 0 && apart <= 1e-12 * result->length_scale) return candidate;
+        bool is = strcmp(candidate->unit, "m") == 0 && near(candidate->value, result->length_scale);
+        for (size_t t = 0; t < result->table_count && is; t++) is = is_scale_of(result, &result->tables[t], candidate);
+        if (is) return candidate;
     }
     return NULL;
 }
@@ -24,24 +39,26 @@ static const char *shown_name(const char *unit) {
     return strcmp(unit, "um") == 0 ? "\u00b5m" : unit;
 }
 
-/// Whether some table varies the parameter: then its points have scales of their own.
-static bool varies(const whirl_result *result, const whirl_parameter *parameter) {
+static bool scale_changes(const whirl_result *result) {
     bool found = false;
-    for (size_t t = 0; t < result->table_count; t++)
-        found = found || strcmp(result->tables[t].parameter, parameter->name) == 0;
+    for (size_t t = 0; t < result->table_count; t++) found = found || result->tables[t].length_scales;
     return found;
 }
 
 static void choose_length(shown_units *units, const unit_word *word) {
     const whirl_parameter *scale = scale_parameter(units->result);
     const whirl_unit natural = whirl_result_length_unit(units->result);
-    if (word && word->size > 0.0 && !(scale && varies(units->result, scale))) {
+    if (word && word->size > 0.0) {
         units->length = units->result->length_scale / word->size;
         snprintf(units->length_name, sizeof units->length_name, "%s", word->shown);
     } else if (scale) {
         units->length = 1.0;
         units->ratio = true;
         snprintf(units->length_name, sizeof units->length_name, "%s", scale->name);
+    } else if (word && scale_changes(units->result)) {
+        units->length = 1.0;
+        units->ratio = true;
+        snprintf(units->length_name, sizeof units->length_name, "(length scale)");
     } else if (word) {
         units->length = 1.0;
         units->ratio = true;
@@ -69,6 +86,15 @@ shown_units units_shown(const whirl_result *result, const unit_choice *asked) {
     choose_length(&units, choice.of[UNIT_LENGTH]);
     if (choice.of[UNIT_LENGTH] && choice.of[UNIT_LENGTH]->size > 0.0) units.size = choice.of[UNIT_LENGTH];
     return units;
+}
+
+bool units_one_length(const shown_units *units, const whirl_table *table) {
+    return units->ratio || !table || !table->length_scales;
+}
+
+double units_length(const shown_units *units, const whirl_table *table, size_t point) {
+    if (units_one_length(units, table)) return units->length;
+    return units->length * (whirl_result_length_scale(units->result, table, point) / units->result->length_scale);
 }
 
 /// The SI unit of a parameter; "" where there is no such parameter.

@@ -15,7 +15,7 @@ typedef struct shown_units {
     const whirl_result *result;
     const unit_word *speed; ///< of parameters in rad/s; NULL: as the case writes each
     const unit_word *size;  ///< of parameters in m; NULL likewise
-    /// Displacements: `length` times what the result holds.
+    /// Displacements: `length` times what the result holds in the case's own length scale; see units_length.
     double length;
     char length_name[2 * WHIRL_NAME_SIZE]; ///< "um" shown, or the symbol of the scale that they are given over
     bool ratio;                            ///< they are given over a scale: "x / c", not "x (mm)"
@@ -28,6 +28,12 @@ typedef struct shown_units {
 /// What `asked` says, where it says nothing what the result's fact "units" says, else: lengths over their scale where
 /// that is a named parameter, in m, mm or um where it is not; parameters as the case writes them; orders; zero to peak.
 shown_units units_shown(const whirl_result *result, const unit_choice *asked);
+
+/// What lengths of a point of the table are multiplied by to be shown (NULL: those of the case as it stands).
+double units_length(const shown_units *units, const whirl_table *table, size_t point);
+
+/// Whether one factor shows all lengths of the table, the stations' clearances and gaps included.
+bool units_one_length(const shown_units *units, const whirl_table *table);
 
 /// The unit of a parameter: shown number = value in SI over its size.
 whirl_unit units_parameter(const shown_units *units, const char *name);

@@ -48,10 +48,15 @@ static void end_line(line *row) {
 
 // ---------------------------------------------------------------- headings
 
+/// Where the parameter of a table changes the length scale, its lengths are in the unit of the case.
+static bool has_one_scale(const whirl_table *table) {
+    return !table->length_scales;
+}
+
 /// A unit in brackets; scales are written out, lengths in the unit of the case: "[0.2 mm]".
-static void unit_text(const whirl_result *result, const char *unit, char *text, size_t size) {
+static void unit_text(const whirl_result *result, const whirl_table *table, const char *unit, char *text, size_t size) {
     const whirl_unit length = whirl_result_length_unit(result);
-    if (strcmp(unit, "length") == 0 && result->length_scale != length.size)
+    if (strcmp(unit, "length") == 0 && has_one_scale(table) && result->length_scale != length.size)
         snprintf(text, size, "[%.10g %s]", result->length_scale / length.size, length.name);
     else if (strcmp(unit, "length") == 0)
         snprintf(text, size, "[%s]", length.name);
@@ -59,6 +64,12 @@ static void unit_text(const whirl_result *result, const char *unit, char *text, 
         snprintf(text, size, "[%.10g N]", result->force_scale);
     else
         snprintf(text, size, "[%s]", strcmp(unit, "force") == 0 ? "N" : unit);
+}
+
+/// What the numbers of a field at a point are multiplied by to be in the unit of the heading.
+static double unit_factor(const whirl_result *result, const whirl_table *table, size_t point, const char *unit) {
+    if (strcmp(unit, "length") != 0 || has_one_scale(table)) return 1.0;
+    return whirl_result_length_scale(result, table, point) / whirl_result_length_unit(result).size;
 }
 
 static const char *repetition_name(const whirl_result *result, const whirl_field *field, size_t which) {
@@ -79,10 +90,10 @@ static void column_text(const whirl_field *field, size_t column, char *text, siz
 }
 
 /// "orbit/mean disc x [0.0002 m]".
-static void put_field_heading(line *row, const whirl_result *result, const whirl_field *field, size_t which,
-                              size_t column) {
+static void put_field_heading(line *row, const whirl_result *result, const whirl_table *table, const whirl_field *field,
+                              size_t which, size_t column) {
     char unit[WHIRL_NAME_SIZE + 40], name[WHIRL_NAME_SIZE], text[400];
-    unit_text(result, field->unit, unit, sizeof unit);
+    unit_text(result, table, field->unit, unit, sizeof unit);
     column_text(field, column, name, sizeof name);
     const char *station = repetition_name(result, field, which);
     snprintf(text, sizeof text, "%.63s%s%.63s%s%.63s %s", field->name, *station ? " " : "", station, *name ? " " : "",
@@ -131,7 +142,7 @@ static void write_points(FILE *stream, const whirl_result *result, const whirl_t
     put_cell(&row, "verdict");
     for (const whirl_field *field = layout->fields; field < layout->fields + layout->field_count; ++field)
         for (size_t i = 0; field->rows == 1 && i < field->repeat * field->columns; ++i)
-            put_field_heading(&row, result, field, i / field->columns, i % field->columns);
+            put_field_heading(&row, result, table, field, i / field->columns, i % field->columns);
     end_line(&row);
     for (size_t point = 0; point < table->count; ++point) {
         char verdict[WHIRL_NAME_SIZE];
@@ -141,9 +152,11 @@ static void write_points(FILE *stream, const whirl_result *result, const whirl_t
         put_point_cells(&row, result, table, point);
         put_cell(&row, verdict);
         const double *block = whirl_table_block(table, point);
-        for (const whirl_field *field = layout->fields; field < layout->fields + layout->field_count; ++field)
+        for (const whirl_field *field = layout->fields; field < layout->fields + layout->field_count; ++field) {
+            const double factor = unit_factor(result, table, point, field->unit);
             for (size_t i = 0; field->rows == 1 && i < field->repeat * field->columns; ++i)
-                put_number_cell(&row, block[field->offset + i]);
+                put_number_cell(&row, factor * block[field->offset + i]);
+        }
         end_line(&row);
     }
 }
@@ -154,17 +167,21 @@ static bool all_missing(const double *numbers, size_t count) {
     return true;
 }
 
+/// Spectra have their orders in a column beside the amplitudes, whose unit the field states.
+static bool is_order(const char *column) {
+    return strcmp(column, "order") == 0;
+}
+
 static void put_rows_headings(line *row, const whirl_result *result, const whirl_table *table,
                               const whirl_field *field) {
     put_point_headings(row, result, table);
     if (field->extent != WHIRL_PER_POINT) put_cell(row, format_extents[field->extent]);
     put_cell(row, "row");
     char unit[WHIRL_NAME_SIZE + 40], name[WHIRL_NAME_SIZE], text[2 * WHIRL_NAME_SIZE + 48];
-    unit_text(result, field->unit, unit, sizeof unit);
+    unit_text(result, table, field->unit, unit, sizeof unit);
     for (size_t i = 0; i < field->columns; ++i) {
         column_text(field, i, name, sizeof name);
-        // Spectra have their orders in a column beside the amplitudes, whose unit the field states.
-        const char *own = strcmp(name, "order") == 0 ? "[1]" : unit;
+        const char *own = is_order(name) ? "[1]" : unit;
         snprintf(text, sizeof text, "%s %s", *name ? name : "value", own);
         put_cell(row, text);
     }
@@ -174,6 +191,9 @@ static void put_rows_headings(line *row, const whirl_result *result, const whirl
 /// A line for each row of a field; rows without any number are left out.
 static void write_rows(FILE *stream, const whirl_result *result, const whirl_table *table, const whirl_field *field) {
     line row = {stream, false};
+    char name[WHIRL_NAME_SIZE];
+    column_text(field, 0, name, sizeof name);
+    const bool orders = is_order(name);
     put_rows_headings(&row, result, table, field);
     for (size_t i = 0; i < table->count * field->repeat * field->rows; ++i) {
         const size_t point = i / (field->repeat * field->rows), inner = i % (field->repeat * field->rows);
@@ -183,7 +203,8 @@ static void write_rows(FILE *stream, const whirl_result *result, const whirl_tab
         put_point_cells(&row, result, table, point);
         if (field->extent != WHIRL_PER_POINT) put_cell(&row, repetition_name(result, field, inner / field->rows));
         put_count_cell(&row, inner % field->rows + 1);
-        for (size_t c = 0; c < field->columns; ++c) put_number_cell(&row, numbers[c]);
+        const double factor = unit_factor(result, table, point, field->unit);
+        for (size_t c = 0; c < field->columns; ++c) put_number_cell(&row, (c || !orders ? factor : 1.0) * numbers[c]);
         end_line(&row);
     }
 }

@@ -240,6 +240,23 @@ static void get_branch(whirl_status *status, hid_t group, whirl_table *table) {
     free(branch);
 }
 
+/// Kept where a point has another than the case.
+static void get_length_scales(whirl_status *status, hid_t group, const whirl_result *result, whirl_table *table) {
+    double *scales = table->length_scales = take(status, table->count, sizeof *scales);
+    bool changes = false;
+    get_numbers(status, group, "length_scale", scales, table->count);
+    for (size_t i = 0; status->code == WHIRL_OK && i < table->count; ++i) {
+        const bool own = scales[i] != result->length_scale;
+        changes = changes || own;
+        if (own && !(scales[i] > 0.0))
+            *status = whirl_fail(WHIRL_BAD_INPUT, "/%s/length_scale holds %g, expected lengths above 0", table->name,
+                                 scales[i]);
+    }
+    if (changes) return;
+    free(scales);
+    table->length_scales = NULL;
+}
+
 /// Which points of the study these are. NULL where they are all.
 static void get_slots(whirl_status *status, hid_t group, whirl_table *table) {
     int64_t *places = take(status, table->count, sizeof *places), before = 0;
@@ -304,6 +321,7 @@ static void get_table(whirl_status *status, hid_t file, const whirl_result *resu
     get_numbers(status, group, "values", table->values, table->count);
     get_branch(status, group, table);
     get_slots(status, group, table);
+    get_length_scales(status, group, result, table);
     for (size_t i = 0; status->code == WHIRL_OK && i < layout->field_count; ++i) {
         get_field(status, group, result, table->count, how->limit, layout, &layout->fields[i], &words[i]);
         check_known(status, &how->known, &layout->fields[i]);

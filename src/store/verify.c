@@ -99,14 +99,16 @@ static whirl_status differs(const char *path, const whirl_table *table, size_t p
                       point + 1, table->name);
 }
 
-/// The same points of the study? There are as many.
+/// The same points of the study, with the same scales? There are as many.
 static whirl_status compare_slots(const comparison *with, const whirl_result *there) {
     for (size_t i = 0; i < there->table_count; ++i) {
         const whirl_table *own = &with->tables[i], *found = &there->tables[i];
         const size_t planned = whirl_table_planned(found);
         if (planned != own->planned) return differs(with->path, own, planned < own->planned ? planned : own->planned);
         for (size_t point = 0; point < own->count; ++point)
-            if (whirl_table_slot(own, point) != whirl_table_slot(found, point) || !whirl_table_done(found, point))
+            if (whirl_table_slot(own, point) != whirl_table_slot(found, point) || !whirl_table_done(found, point) ||
+                !same_number(whirl_result_length_scale(with->result, own, point),
+                             whirl_result_length_scale(there, found, point)))
                 return differs(with->path, own, own->slots[point]);
     }
     return whirl_ok();

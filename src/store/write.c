@@ -133,10 +133,10 @@ typedef struct si_unit {
     const char *unit;
 } si_unit;
 
-/// What one unit of a field is in SI.
-static si_unit si_of(const char *unit, const whirl_result *result) {
+/// What one unit of a field is in SI; NaN where it is not the same at all points.
+static si_unit si_of(const char *unit, const whirl_result *result, const whirl_table *table) {
     const double two_pi = 2.0 * acos(-1.0);
-    if (strcmp(unit, "length") == 0) return (si_unit){result->length_scale, "m"};
+    if (strcmp(unit, "length") == 0) return (si_unit){table->length_scales ? (double)NAN : result->length_scale, "m"};
     if (strcmp(unit, "force") == 0) return (si_unit){result->force_scale, "N"};
     if (strcmp(unit, "revolution") == 0) return (si_unit){two_pi / result->speed, "s"};
     if (strcmp(unit, "1/revolution") == 0) return (si_unit){result->speed / two_pi, "1/s"};
@@ -156,7 +156,7 @@ static void begin_field(whirl_status *status, column *out, hid_t group, const wh
     size_t dimensions[4];
     const int rank = format_dimensions(field, table->count, dimensions);
     column_of_numbers(status, out, group, field->name, dimensions, rank);
-    const si_unit si = si_of(field->unit, result);
+    const si_unit si = si_of(field->unit, result, table);
     put_text_attribute(status, out->dataset, "unit", field->unit);
     put_number_attribute(status, out->dataset, "SI_factor", si.factor);
     put_text_attribute(status, out->dataset, "SI_unit", si.unit);
@@ -269,6 +269,17 @@ static void put_places(whirl_status *status, hid_t group, const whirl_table *tab
     free(numbers);
 }
 
+static void put_length_scales(whirl_status *status, hid_t group, const whirl_result *result, const whirl_table *table) {
+    double *scales = malloc((table->count + 1) * sizeof *scales);
+    if (!scales) {
+        *status = whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points", table->count);
+        return;
+    }
+    for (size_t i = 0; i < table->count; ++i) scales[i] = whirl_result_length_scale(result, table, i);
+    put_numbers(status, group, "length_scale", scales, table->count);
+    free(scales);
+}
+
 static void put_points(whirl_status *status, hid_t group, const whirl_result *result, const whirl_table *whole) {
     finished own;
     *status = finished_points(whole, &own);
@@ -276,6 +287,7 @@ static void put_points(whirl_status *status, hid_t group, const whirl_result *re
     put_whole_attribute(status, group, "points", (int64_t)own.table.planned);
     put_numbers(status, group, "values", own.table.values, own.table.count);
     put_places(status, group, &own.table);
+    if (status->code == WHIRL_OK) put_length_scales(status, group, result, &own.table);
     if (status->code == WHIRL_OK) put_fields(status, group, result, whole, &own);
     if (has_verdict(&whole->layout)) put_verdicts(status, group, whole, &own);
     finished_free(&own);

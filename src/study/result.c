@@ -11,6 +11,7 @@ void whirl_result_free(whirl_result *result) {
     for (size_t i = 0; i < result->table_count; ++i) {
         free(result->tables[i].slots);
         free(result->tables[i].values);
+        free(result->tables[i].length_scales);
         free(result->tables[i].branch);
         free(result->tables[i].blocks);
         free(result->tables[i].done);
@@ -41,6 +42,10 @@ const double *whirl_table_field(const whirl_table *table, size_t point, const ch
     const whirl_field *found = whirl_layout_field(&table->layout, field);
     const double *block = found && which < found->repeat ? whirl_table_block(table, point) : NULL;
     return block ? block + found->offset + which * found->rows * found->columns : NULL;
+}
+
+double whirl_result_length_scale(const whirl_result *result, const whirl_table *table, size_t point) {
+    return table && table->length_scales && point < table->count ? table->length_scales[point] : result->length_scale;
 }
 
 size_t whirl_table_slot(const whirl_table *table, size_t point) {

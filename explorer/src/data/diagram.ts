@@ -52,11 +52,12 @@ export class Diagram {
     return sum;
   }
 
-  /// A stored table, whose lengths are in units of `lengthScale` [m].
+  /// A stored table, whose lengths are in units of `lengthScale` [m] where its points have none of their own.
   static stored(table: StoredTable, lengthScale: number): Diagram {
     const made = new Diagram(table.parameter, float64Of(table.values), Int8Array.from(table.branch));
     made.done.set(table.done);
-    made.lengthScales.fill(lengthScale);
+    if (table.length_scales) made.lengthScales.set(float64Of(table.length_scales));
+    else made.lengthScales.fill(lengthScale);
     for (const field of table.fields) {
       const all = float32Of(field.data);
       const size = table.count * field.rows;

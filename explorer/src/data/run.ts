@@ -23,6 +23,8 @@ export interface StoredTable {
   readonly record: number;
   /// float64, little-endian, base64.
   readonly values: string;
+  /// float64 as well: metres per unit of length of every point, where the parameter changes them.
+  readonly length_scales?: string;
   readonly branch: readonly number[];
   readonly done: readonly number[];
   /// Name and reason of every point's verdict.

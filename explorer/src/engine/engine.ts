@@ -186,10 +186,6 @@ class Pool implements Engine {
     return this.ask({ kind: 'describe', setting }, manner);
   }
 
-  scales(setting: Setting, parameter: string, values: Float64Array, manner?: Manner): Promise<Outcome<Float64Array>> {
-    return this.ask({ kind: 'scales', setting, parameter, values }, manner);
-  }
-
   point(request: PointRequest, manner?: Manner): Promise<Outcome<PointResult>> {
     return this.ask({ kind: 'point', request }, manner);
   }

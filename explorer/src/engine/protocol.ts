@@ -322,8 +322,6 @@ export interface Engine {
   readonly workers: number;
   /// Reads and checks a case.
   describe(setting: Setting, manner?: Manner): Promise<Outcome<CaseInfo>>;
-  /// m per length scale of the machine at each value of a parameter.
-  scales(setting: Setting, parameter: string, values: Float64Array, manner?: Manner): Promise<Outcome<Float64Array>>;
   point(request: PointRequest, manner?: Manner): Promise<Outcome<PointResult>>;
   sweep(request: SweepRequest, listener?: SweepListener, manner?: Manner): Promise<Outcome<SweepResult>>;
   transient(request: TransientRequest, manner?: Manner): Promise<Outcome<TransientResult>>;

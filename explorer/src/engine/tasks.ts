@@ -37,8 +37,6 @@ export class Tasks {
     switch (task.kind) {
       case 'describe':
         return this.describe(task.setting);
-      case 'scales':
-        return this.scales(task.setting, task.parameter, task.values);
       case 'point':
         return this.point(task.request);
       case 'part':
@@ -108,18 +106,6 @@ export class Tasks {
 
   private *describe(setting: Setting): Steps {
     return this.core.describe(this.open(setting));
-  }
-
-  private *scales(setting: Setting, parameter: string, values: Float64Array): Steps {
-    const { core } = this;
-    return yield* this.withPlan(setting, undefined, parameter, function* (plan) {
-      const scales = new Float64Array(values.length);
-      for (const [i, value] of values.entries()) {
-        scales[i] = core.machine(plan, value).lengthScale;
-        yield;
-      }
-      return scales;
-    });
   }
 
   private *rewrite(setting: Setting, edits: readonly Edit[]): Steps {

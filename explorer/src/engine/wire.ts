@@ -26,7 +26,6 @@ export interface PartRequest {
 
 export type Task =
   | { readonly kind: 'describe'; readonly setting: Setting }
-  | { readonly kind: 'scales'; readonly setting: Setting; readonly parameter: string; readonly values: Float64Array }
   | { readonly kind: 'point'; readonly request: PointRequest }
   | { readonly kind: 'part'; readonly request: PartRequest }
   | { readonly kind: 'transient'; readonly request: TransientRequest }

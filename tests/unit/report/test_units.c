@@ -80,12 +80,35 @@ static void parameters(void **state) {
     units = units_for(result, "rad/s");
     units_point_label(&units, detail, 0, label, sizeof label);
     assert_string_equal(label, "omega = 314.159 rad/s");
-    // Points that vary the scale have lengths of their own: they stay over it.
+    whirl_result_free(result);
+}
+
+/// Points that vary the scale have lengths of their own; a parameter that varies without it is not the scale.
+static void points_have_scales(void **state) {
+    (void)state;
+    whirl_result *result = sample_result();
+    char label[UNIT_LABEL_SIZE];
+    whirl_table *detail = &result->tables[1];
     snprintf(detail->parameter, sizeof detail->parameter, "c");
-    units = units_for(result, "um");
-    assert_labels(&units, "x / c", "amplitude / c");
+    detail->length_scales = sample_take(detail->count, sizeof *detail->length_scales);
+    for (size_t i = 0; i < detail->count; i++)
+        detail->length_scales[i] = detail->values[i] = 2e-4 + 1e-4 * (double)(i + 1);
+    shown_units units = units_for(result, "um");
+    assert_labels(&units, "x (\u00b5m)", "amplitude (\u00b5m)");
+    assert_true(fabs(units_length(&units, NULL, 0) - 200.0) < 1e-9);
+    assert_true(fabs(units_length(&units, &result->tables[0], 0) - 200.0) < 1e-9);
+    assert_true(fabs(units_length(&units, detail, 0) - 300.0) < 1e-9);
+    assert_false(units_one_length(&units, detail));
     units_parameter_label(&units, "c", label, sizeof label);
     assert_string_equal(label, "c (\u00b5m)");
+    units = units_for(result, "");
+    assert_labels(&units, "x / c", "amplitude / c");
+    assert_true(units_length(&units, detail, 0) == 1.0);
+    detail->values[0] = 7e-4; // c varies by itself
+    units = units_for(result, "");
+    assert_true(units_for(result, "").ratio == false);
+    units_length_label(&units, "x", label, sizeof label);
+    assert_null(strstr(label, "/ c"));
     whirl_result_free(result);
 }
 
@@ -141,11 +164,9 @@ static void symbols_are_in_italics(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(lengths),
-        cmocka_unit_test(who_asks),
-        cmocka_unit_test(parameters),
-        cmocka_unit_test(speeds),
-        cmocka_unit_test(symbols_are_in_italics),
+        cmocka_unit_test(lengths),    cmocka_unit_test(who_asks),
+        cmocka_unit_test(parameters), cmocka_unit_test(points_have_scales),
+        cmocka_unit_test(speeds),     cmocka_unit_test(symbols_are_in_italics),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

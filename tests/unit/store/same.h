@@ -46,7 +46,8 @@ static inline bool same_table(const whirl_table *a, const whirl_table *b) {
     return strcmp(a->name, b->name) == 0 && strcmp(a->parameter, b->parameter) == 0 && a->count == b->count &&
            same_slots(a, b) && a->analyses == b->analyses && same_integrate(&a->integrate, &b->integrate) &&
            same_record(&a->record, &b->record) && same_layout(&a->layout, &b->layout) &&
-           same_bits(a->values, b->values, a->count) &&
+           same_bits(a->values, b->values, a->count) && !a->length_scales == !b->length_scales &&
+           (!a->length_scales || same_bits(a->length_scales, b->length_scales, a->count)) &&
            memcmp(a->branch, b->branch, a->count * sizeof *a->branch) == 0 &&
            same_bits(a->blocks, b->blocks, a->count * a->layout.size);
 }

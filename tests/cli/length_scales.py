@@ -1,0 +1,117 @@
+#!/usr/bin/env python3
+"""Along a parameter that is the length scale every number has the scale of its own point.
+
+    length_scales.py WHIRL LINEAR.yaml
+
+A disc on a linear shaft turns on a circle whose radius has a closed form in metres, whatever lengths are told in: CSV,
+JSON, HDF5, the data of figures and the tables of the report are compared with it.
+"""
+import csv
+import json
+import math
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import h5py
+
+ECCENTRICITY, SPEED, DAMPING = 0.05e-3, 0.8, 0.1  # m; over the natural frequency; ratio
+RADIUS = ECCENTRICITY * SPEED**2 / math.hypot(1 - SPEED**2, 2 * DAMPING * SPEED)
+# The method errs by less: 512 steps of order 4 a revolution. Data of figures have 7 digits, tables 4.
+EXACT, DATA, TABLE = 1e-8, 1e-6, 1e-3
+
+
+def expect(what, found, expected, tolerance):
+    if not abs(found - expected) <= tolerance * expected:
+        sys.exit(f"{what}: {found:.10g}, expected {expected:.10g}")
+
+
+def check_csv(folder):
+    with open(folder / "sweep.csv", newline="", encoding="utf-8") as stream:
+        rows = list(csv.DictReader(stream))
+    assert len(rows) == 4
+    for row in rows:
+        expect(f"CSV at c = {row['c [mm]']} mm", float(row["orbit/max_radius disc [mm]"]), RADIUS / 1e-3, EXACT)
+    with open(folder / "detail-spectrum-lines.csv", newline="", encoding="utf-8") as stream:
+        lines = list(csv.DictReader(stream))
+    for line in lines:
+        expect("order in CSV", float(line["order [1]"]), 1.0, EXACT)
+        expect("line in CSV", float(line["x [mm]"]), RADIUS / 1e-3, EXACT)
+
+
+def check_json(text):
+    document = json.loads(text)
+    for point in document["points"] + document["detail"]:
+        assert point["length_scale"] == point["parameters"]["c"]
+        expect("JSON", point["stations"]["disc"]["max_radius"] * point["length_scale"], RADIUS, EXACT)
+
+
+def check_file(path):
+    with h5py.File(path) as result:
+        for name in ("sweep", "detail"):
+            table = result[name]
+            radius = table["orbit/max_radius"]
+            scale = table["length_scale"][:]
+            assert (scale == table["values"][:]).all()
+            assert math.isnan(radius.attrs["SI_factor"])
+            for metres in radius[:, 0] * scale:
+                expect("HDF5", metres, RADIUS, EXACT)
+
+
+def numbers(path):
+    lines = (line.split() for line in path.read_text(encoding="utf-8").splitlines() if line and line[0] != "#")
+    return [[float(word) for word in line] for line in lines if "nan" not in line]
+
+
+def factor(path):
+    """What a script multiplies lengths by: mm per unit of its data."""
+    return float(re.search(r"^length = (\S+)$", path.read_text(encoding="utf-8"), re.M)[1])
+
+
+def check_figures(folder):
+    length = factor(folder / "bifurcation-disc.gp")
+    dots = numbers(folder / "bifurcation-disc.dat")
+    assert len({dot[0] for dot in dots}) == 4
+    for _, x, y in dots:
+        expect("bifurcation diagram", length * math.hypot(x, y), RADIUS / 1e-3, DATA)
+    for line in numbers(folder / "sweep.dat"):
+        expect("largest radius", length * line[6], RADIUS / 1e-3, DATA)
+    for c in ("0.1mm", "0.4mm"):
+        own = factor(folder / f"c-{c}-disc.gp")
+        for _, x, y in numbers(folder / f"c-{c}-disc-waveform.dat"):
+            expect(f"orbit at c = {c}", own * math.hypot(x, y), RADIUS / 1e-3, DATA)
+
+
+def check_page(text):
+    table = re.search(r"Size and sense.*?</table>", text, re.S)[0]
+    radii = re.findall(r"<td>disc</td><td class=\"number\">([\d.]+)</td>", table)
+    lines = re.findall(r"<td class=\"wide\">1:\u00a0([\d.]+)", table)
+    assert len(radii) == 2 and len(lines) == 2, table
+    for radius in radii:
+        expect("table of the report", float(radius), RADIUS / 1e-3, TABLE)
+    for line in lines:
+        expect("lines of the report", float(line), RADIUS / 1e-3, 10 * TABLE)
+
+
+def main():
+    whirl, case = str(Path(shutil.which(sys.argv[1])).resolve()), Path(sys.argv[2]).resolve()
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+
+        def run(*words):
+            return subprocess.run([whirl, *words], cwd=folder, check=True, capture_output=True, text=True).stdout
+
+        run("run", str(case), "-q", "-o", "linear.h5")
+        check_json(run("run", str(case), "-q", "--json"))
+        run("export", "linear.h5", "--csv", "csv")
+        run("report", "linear.h5", "-q", "-o", "report", "--units", "mm")
+        check_csv(folder / "csv")
+        check_file(folder / "linear.h5")
+        check_figures(folder / "report" / "linear")
+        check_page((folder / "report" / "report.html").read_text(encoding="utf-8"))
+
+
+main()
