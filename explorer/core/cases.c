@@ -161,6 +161,7 @@ void add_options(text *t, const whirl_batch *batch) {
     text_add(t, "{");
     json_name(t, "method");
     json_text(t, i->method);
+    text_add(t, ",\"chosen\":%s", i->chosen ? "true" : "false");
     text_add(t, ",\"stepsPerRevolution\":%d,\"rtol\":%.17g,\"atol\":%.17g,\"located\":%s,\"limit\":%.17g}",
              i->steps_per_revolution, i->rtol, i->atol, i->located ? "true" : "false", i->limit);
     json_name(t, "record");

@@ -23,6 +23,11 @@ import { fileName } from './view/panel';
 import { SettingsCard } from './view/settings_card';
 import { Topbar } from './view/topbar';
 
+/// "dop853 (by auto)", where the case leaves the choice.
+function methodText(how: { readonly method: string; readonly chosen?: boolean }): string {
+  return how.chosen ? `${how.method} (by auto)` : how.method;
+}
+
 export class App {
   readonly root = el('div', { class: 'app' });
   private readonly machines: Machine[];
@@ -265,8 +270,8 @@ export class App {
         : `${diagram.count} points`;
     const done = diagram.known < diagram.count ? `, ${diagram.known} of them computed` : '';
     return (
-      `Stored run: ${part}${done}, ${table.transient} + ${table.record} revolutions by ${table.method} of ` +
-      `${table.steps_per_revolution} steps.`
+      `Stored run: ${part}${done}, ${table.transient} + ${table.record} revolutions by ` +
+      `${methodText(table)} of ${table.steps_per_revolution} steps.`
     );
   }
 
@@ -706,7 +711,7 @@ export class App {
     const { result } = side;
     const how = result
       ? `${side.preview ? 'A quick look: ' : ''}${result.record.transient} + ${result.record.record} revolutions ` +
-        `by ${result.integrate.method} of ${result.integrate.stepsPerRevolution} steps, ` +
+        `by ${methodText(result.integrate)} of ${result.integrate.stepsPerRevolution} steps, ` +
         `${Math.round(result.seconds * 1000)} ms`
       : this.storedVerdict(side.choice.value);
     this.panes[name].show({

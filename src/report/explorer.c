@@ -232,6 +232,7 @@ static void write_table(FILE *stream, const whirl_table *table, bool sections) {
     text_member(stream, ',', "parameter", table->parameter);
     fprintf(stream, ",\"points\":%zu,\"count\":%zu", table->count, chosen.count);
     text_member(stream, ',', "method", table->integrate.method);
+    fprintf(stream, ",\"chosen\":%s", table->integrate.chosen ? "true" : "false");
     fprintf(stream, ",\"steps_per_revolution\":%d,\"transient\":%d,\"record\":%d",
             table->integrate.steps_per_revolution, table->record.transient, table->record.record);
     write_values(stream, &chosen);

@@ -83,6 +83,8 @@ static void put_verdict(bool *well, json_t *object, const whirl_table *table, si
     document_put(well, evidence, "regularity", document_number(verdict.regularity));
     document_put(well, evidence, "chaos", document_number(verdict.chaos));
     document_put(well, evidence, "rotation", document_number(verdict.rotation));
+    document_put(well, evidence, "neighbours", json_integer(verdict.neighbours));
+    document_put(well, evidence, "followed", document_number(verdict.followed));
     document_put(well, object, "evidence", evidence);
 }
 

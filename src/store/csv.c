@@ -138,8 +138,10 @@ static void write_points(FILE *stream, const whirl_result *result, const whirl_t
     (void)unused;
     line row = {stream, false};
     const whirl_layout *layout = &table->layout;
+    char method[WHIRL_NAME_SIZE + 16];
+    snprintf(method, sizeof method, "%s%s", table->integrate.method, table->integrate.chosen ? " (by auto)" : "");
     put_point_headings(&row, result, table);
-    put_cell(&row, "verdict");
+    put_cell(&row, "verdict"), put_cell(&row, "method");
     for (const whirl_field *field = layout->fields; field < layout->fields + layout->field_count; ++field)
         for (size_t i = 0; field->rows == 1 && i < field->repeat * field->columns; ++i)
             put_field_heading(&row, result, table, field, i / field->columns, i % field->columns);
@@ -151,6 +153,7 @@ static void write_points(FILE *stream, const whirl_result *result, const whirl_t
         whirl_verdict_name(&found, verdict, sizeof verdict);
         put_point_cells(&row, result, table, point);
         put_cell(&row, verdict);
+        put_cell(&row, method);
         const double *block = whirl_table_block(table, point);
         for (const whirl_field *field = layout->fields; field < layout->fields + layout->field_count; ++field) {
             const double factor = unit_factor(result, table, point, field->unit);

@@ -18,6 +18,8 @@ export interface StoredTable {
   readonly points: number;
   readonly count: number;
   readonly method: string;
+  /// Whether `method: auto` took it.
+  readonly chosen: boolean;
   readonly steps_per_revolution: number;
   readonly transient: number;
   readonly record: number;

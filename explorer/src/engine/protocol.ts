@@ -76,6 +76,8 @@ export interface StationInfo {
 export interface IntegrateOptions {
   /// A name of CaseInfo.methods.
   readonly method: string;
+  /// Of an answer: `method: auto` took it.
+  readonly chosen?: boolean;
   readonly stepsPerRevolution: number;
   readonly rtol: number;
   readonly atol: number;

@@ -108,6 +108,9 @@ static void verdicts_have_words_and_evidence(void **state) {
         assert_true(json_string_length(member(point, "reason")) > 0);
         assert_number(member(point, "evidence/regularity"),
                       *whirl_table_field(&f->made->tables[0], i, "regime/regularity", 0));
+        const whirl_verdict verdict = whirl_table_verdict(&f->made->tables[0], i);
+        assert_number(member(point, "evidence/followed"), verdict.followed);
+        assert_int_equal(json_integer_value(member(point, "evidence/neighbours")), verdict.neighbours);
     }
     assert_int_equal(json_integer_value(member(point_of(f, 0), "period")), 2);
     assert_null(member(point_of(f, 0), "diverged_at"));
