@@ -17,7 +17,7 @@ void page_style(FILE *stream) {
         "li{max-width:60rem}li li{font-size:.9rem}",
         ".soft{color:var(--soft)}.small{font-size:.86rem}",
         "nav ul{list-style:none;padding:0;margin:1rem 0;display:flex;flex-wrap:wrap;gap:.3rem 1.4rem}",
-        "nav ul ul{display:none}",
+        "nav ul ul{margin:.1rem 0 0;gap:0 1rem;font-size:.86rem}",
         ".scroll{overflow-x:auto}.scroll:focus-visible{outline:2px solid var(--link);outline-offset:2px}",
         "h4{font-size:.95rem;margin:1.6rem 0 .3rem}",
         "tr:target{background:var(--wash)}",
