@@ -18,7 +18,8 @@ static whirl_rotor *built(whirl_design *design) {
     return rotor;
 }
 
-static whirl_rotor *paper_rotor_in_order(bool journal_first, double r_k) {
+/// `more`: with a shaft of no stiffness to the ground.
+static whirl_rotor *paper_rotor_as(bool journal_first, bool more, double r_k) {
     const double k2 = 1.0 / (rotor_w * rotor_w);
     const whirl_setting disc[] = {
         {"mass", rotor_r_m, 0}, {"damping", rotor_xi1 * rotor_r_m, 0}, {"eccentricity", rotor_rho, 0}};
@@ -40,15 +41,21 @@ static whirl_rotor *paper_rotor_in_order(bool journal_first, double r_k) {
     must(whirl_design_element(design, "film", film, 4));
     must(whirl_design_element(design, "rub", rub, 4));
     must(whirl_design_element(design, "gravity", gravity, 1));
+    if (more)
+        must(whirl_design_element(design, "shaft", (whirl_setting[]){{"between", 0, "disc, ground"}, {"k1", 0, 0}}, 2));
     return built(design);
 }
 
 whirl_rotor *paper_rotor(double r_k) {
-    return paper_rotor_in_order(false, r_k);
+    return paper_rotor_as(false, false, r_k);
 }
 
 whirl_rotor *paper_rotor_journal_first(double r_k) {
-    return paper_rotor_in_order(true, r_k);
+    return paper_rotor_as(true, false, r_k);
+}
+
+whirl_rotor *paper_rotor_listed(double r_k) {
+    return paper_rotor_as(false, true, r_k);
 }
 
 static void add_film(whirl_design *design, const char *station) {

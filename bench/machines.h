@@ -10,8 +10,11 @@ void must(whirl_status status);
 /// The rotor of rotor.h from elements, in SI with omega = 1, c = 1 and m2 = 1. Freed by whirl_rotor_free.
 whirl_rotor *paper_rotor(double r_k);
 
-/// The same with its stations and the ends of its shaft in the other order, for which there are no kernels of its own.
+/// The same with its stations and the ends of its shaft in the other order.
 whirl_rotor *paper_rotor_journal_first(double r_k);
+
+/// The same with one element more, which does nothing: a structure that has no loops of its own.
+whirl_rotor *paper_rotor_listed(double r_k);
 
 /// A shaft of `stations` equal discs, each joined to the next; the middle one is out of balance and may rub; both ends
 /// run in an oil film. Scaled so that 1024 steps a revolution carry it stably. Freed by whirl_rotor_free.

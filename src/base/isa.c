@@ -5,7 +5,6 @@
 
 #include "whirl/descriptor.h"
 
-#define VECTOR_ISA 0
 #include "vector.h"
 
 static const isa known[VECTOR_ISAS] = {

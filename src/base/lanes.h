@@ -1,20 +1,15 @@
 /// What a system must give so that many machines of its kind run side by side in vector lanes.
 ///
-/// All machines of a block have the same structure (stations, elements, laws) and each its own numbers. Arrays hold for
-/// every quantity `stride` vectors: quantity k of lane l is at [k * stride * VECTOR_LANES + l].
+/// All machines of a block have the same structure (coordinates, elements, laws) and each its own numbers. Arrays hold
+/// for every quantity `stride` vectors: quantity k of lane l is at [k * stride * VECTOR_LANES + l].
 #ifndef BASE_LANES_H
 #define BASE_LANES_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
-/// Accelerations `a` [degrees] of `vectors` vectors at positions q and velocities v [degrees]; `forcing` holds the
-/// values that depend on time alone. The arrays are vectors of the instruction set that the function is made for.
-typedef void lanes_accelerate(const void *model, size_t stride, size_t vectors, const void *numbers,
-                              const double *forcing, const void *q, const void *v, void *a);
-
 /// Machines side by side, each lane at its own time and on its own sides of the switches, with disturbances. All arrays
-/// are vectors.
+/// are vectors of the instruction set that the function is made for.
 typedef struct lanes_view {
     const void *model;
     size_t stride, vectors;
@@ -41,19 +36,22 @@ typedef void lanes_contacts(const lanes_view *view, void *normal_force);
 
 struct lanes_pair; ///< of rotor/pair.h
 
-/// The state is degrees positions, then their derivatives; stations are pairs of positions 2s, 2s + 1.
+/// The state is degrees positions, then their derivatives.
 struct whirl_lanes {
     size_t degrees;
     size_t number_count;                               ///< numbers of one machine
     void (*numbers)(const void *model, double *out);   ///< [number_count]
     bool (*alike)(const void *one, const void *other); ///< same structure
     size_t switch_count, contact_count;
-    void (*contact)(const void *model, size_t index, size_t *station, double *gap);
+    void (*contact)(const void *model, size_t index, size_t *probe, double *gap);
+    /// Coordinates whose sizes are measured together, one after the other: group g holds groups[g] to before
+    /// groups[g + 1], [group_count + 1].
+    size_t group_count;
+    const size_t *groups;
     bool slides; ///< motions can slide along a switch
     bool damped; ///< normal forces depend on velocities too: contact is where `contacts` says, not where the gap is
                  ///< closed
     /// One for every instruction set of vector.h; NULL where it is not built.
-    lanes_accelerate *const *accelerate;
     lanes_flow *const *flow;
     lanes_switches *const *switches;
     lanes_forcing *const *forcing;

@@ -1,9 +1,9 @@
 /// The vector type of the kernels: VECTOR_LANES numbers side by side that never touch each other.
 ///
-/// The including file defines VECTOR_ISA as one of the numbers below and is compiled for it. Every operation rounds as
-/// IEEE 754 says, and multiply-adds are explicit: in fused builds v_fma rounds once, in the others twice. Builds that
-/// agree in that give the same bits whatever their width and compiler. The only file with intrinsics and extensions of
-/// compilers.
+/// VECTOR_ISA is one of the numbers below, and the including file is compiled for it; the first where nothing is said.
+/// Every operation rounds as IEEE 754 says, and multiply-adds are explicit: in fused builds v_fma rounds once, in the
+/// others twice. Builds that agree in that give the same bits whatever their width and compiler. The only file with
+/// intrinsics and extensions of compilers.
 #ifndef BASE_VECTOR_H
 #define BASE_VECTOR_H
 
@@ -14,12 +14,47 @@
 /// For what must not become a call, whose price is a store and a load of all that it works on.
 #define VECTOR_INLINE static inline __attribute__((always_inline))
 
+#ifndef VECTOR_ISA
+#define VECTOR_ISA 0
+#endif
+
 #define VECTOR_SCALAR 0 ///< one lane, unfused: any machine
 #define VECTOR_128 1    ///< two lanes, unfused: SSE2, NEON, WebAssembly
 #define VECTOR_FMA 2    ///< one lane, fused: the reference of the next two
 #define VECTOR_AVX2 3   ///< four lanes, fused
 #define VECTOR_AVX512 4 ///< eight lanes, fused
 #define VECTOR_ISAS 5
+
+/// The name of what is compiled once for every instruction set: name_avx2, ...
+#define ISA_JOIN(name, set) name##_##set
+#define ISA_NAME(name, set) ISA_JOIN(name, set)
+#define ISA(name) ISA_NAME(name, ISA_SUFFIX)
+
+/// Declares all of them; the table of them by number, NULL where this build has none.
+#if defined(__x86_64__)
+#define FOR_EVERY_ISA(type, name) extern type name##_scalar, name##_128, name##_fma, name##_avx2, name##_avx512
+#define EVERY_ISA(address, name)                                                                                       \
+    {                                                                                                                  \
+        [VECTOR_SCALAR] = address name##_scalar, [VECTOR_128] = address name##_128, [VECTOR_FMA] = address name##_fma, \
+        [VECTOR_AVX2] = address name##_avx2, [VECTOR_AVX512] = address name##_avx512                                   \
+    }
+#else
+#define FOR_EVERY_ISA(type, name) extern type name##_scalar, name##_128
+#define EVERY_ISA(address, name)                                                                                       \
+    { [VECTOR_SCALAR] = address name##_scalar, [VECTOR_128] = address name##_128 }
+#endif
+
+#if VECTOR_ISA == VECTOR_AVX512
+#define ISA_SUFFIX avx512
+#elif VECTOR_ISA == VECTOR_AVX2
+#define ISA_SUFFIX avx2
+#elif VECTOR_ISA == VECTOR_FMA
+#define ISA_SUFFIX fma
+#elif VECTOR_ISA == VECTOR_128
+#define ISA_SUFFIX 128
+#else
+#define ISA_SUFFIX scalar
+#endif
 
 #if VECTOR_ISA == VECTOR_AVX512
 

@@ -7,12 +7,13 @@
 
 typedef struct member {
     whirl_rotor *rotor;
-    double start[];
+    double *start; ///< [dimension]
 } member;
 
 static void release(void *owner) {
     member *m = owner;
     whirl_rotor_free(m->rotor);
+    free(m->start);
     free(m);
 }
 
@@ -22,21 +23,27 @@ static size_t batch_index(const study_plan *plan, const whirl_batch *batch) {
     return 0;
 }
 
+/// The state that the rotor starts from.
+static whirl_status make_start(const case_content *content, const whirl_batch *batch, valuation *v, member *m) {
+    const whirl_system *system = whirl_rotor_system(m->rotor);
+    m->start = calloc(system->dimension, sizeof *m->start);
+    if (!m->start) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine");
+    return plan_start_state(&content->plan, batch_index(&content->plan, batch), v, &content->machine, system, m->start);
+}
+
 static whirl_status make_member(const case_content *content, const whirl_batch *batch, double value, member *m) {
     valuation v;
     const char *name = batch->parameter[0] ? batch->parameter : NULL;
     whirl_status status = valuation_open(&v, &content->parameters, name, value);
     if (status.code == WHIRL_OK) status = machine_build(&content->machine, &v, &m->rotor);
-    if (status.code == WHIRL_OK)
-        status = plan_start_state(&content->plan, batch_index(&content->plan, batch), &v, &content->machine, m->start);
+    if (status.code == WHIRL_OK) status = make_start(content, batch, &v, m);
     valuation_close(&v);
     return status;
 }
 
 whirl_status case_machine(const void *family, const whirl_batch *batch, double value, whirl_machine *machine) {
     const whirl_case *object = family;
-    const size_t dimension = 4 * object->content.machine.station_count;
-    member *m = calloc(1, sizeof *m + dimension * sizeof *m->start);
+    member *m = calloc(1, sizeof *m);
     if (!m) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine");
     const int before = exhausted_watch();
     whirl_status status = make_member(&object->content, batch, value, m);

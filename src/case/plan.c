@@ -295,15 +295,16 @@ static double state_number(const machine_parts *machine, valuation *v, const set
 }
 
 whirl_status plan_start_state(const study_plan *plan, size_t batch, valuation *v, const machine_parts *machine,
-                              double *state) {
-    memset(state, 0, 4 * machine->station_count * sizeof *state);
+                              const whirl_system *system, double *state) {
+    memset(state, 0, system->dimension * sizeof *state);
     if (plan->rest[batch]) return whirl_ok();
     for (size_t i = 0; i < plan->start_count; i++) {
         const plan_start *start = &plan->starts[i];
+        const whirl_probe *probe = &system->probes[start->station];
+        const size_t index[] = {probe->x, probe->y, probe->vx, probe->vy};
         for (size_t k = 0; k < 4; k++) {
-            const size_t index = (k / 2) * 2 * machine->station_count + 2 * start->station + k % 2;
-            state[index] = state_number(machine, v, &start->state, state_keys[k]);
-            if (isfinite(state[index])) continue;
+            state[index[k]] = state_number(machine, v, &start->state, state_keys[k]);
+            if (isfinite(state[index[k]])) continue;
             return whirl_fail(WHIRL_BAD_INPUT, "the initial %s of station %.63s has no finite value", state_keys[k],
                               plan->starts[i].state.place->key);
         }

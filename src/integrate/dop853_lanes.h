@@ -44,6 +44,8 @@ typedef struct dop853_lanes {
     lanes_forcing *forcing_at;
     size_t stride, slots; ///< vectors, and slots in them
     size_t degrees, number_count, forcing_count, switch_count;
+    size_t group_count;
+    const size_t *groups; ///< coordinates whose sizes are measured together
     double period, rtol, atol, limit;
     dop853_sums sums;
     // One machine a lane.

@@ -4,7 +4,6 @@
 
 #include "dop853_lanes.h"
 
-#define VECTOR_ISA 0
 #include "vector.h"
 
 dop853_lanes_revolve *const dop853_lanes_revolves[VECTOR_ISAS] = {
@@ -26,7 +25,7 @@ static size_t fast_group(size_t degrees) {
 
 /// Rows of the block, and where each array begins.
 static size_t lay_out(dop853_lanes *lanes, double *block) {
-    const size_t degrees = lanes->degrees, stations = degrees / 2, switches = lanes->switch_count;
+    const size_t degrees = lanes->degrees, probes = lanes->observe.probe_count, switches = lanes->switch_count;
     const size_t contacts = lanes->observe.contact_count;
     size_t row = 0;
     const part parts[] = {
@@ -71,10 +70,10 @@ static size_t lay_out(dop853_lanes *lanes, double *block) {
         {&lanes->theta, 1},
         {&lanes->observe.low, 2 * degrees},
         {&lanes->observe.high, 2 * degrees},
-        {&lanes->observe.square_max, stations},
-        {&lanes->observe.square_min, stations},
-        {&lanes->observe.backward, stations},
-        {&lanes->observe.sum, degrees},
+        {&lanes->observe.square_max, probes},
+        {&lanes->observe.square_min, probes},
+        {&lanes->observe.backward, probes},
+        {&lanes->observe.sum, 2 * probes},
         {&lanes->observe.gap, contacts},
         {&lanes->observe.touching, contacts},
         {&lanes->observe.contact, contacts},
@@ -107,7 +106,11 @@ dop853_lanes *dop853_lanes_new(const whirl_system *system, const whirl_integrate
                             .atol = options->atol,
                             .limit = options->limit,
                             .instants = options->steps_per_revolution,
-                            .observe = {.station_count = form->degrees / 2, .contact_count = form->contact_count}};
+                            .group_count = form->group_count,
+                            .groups = form->groups,
+                            .observe = {.probe_count = system->probe_count,
+                                        .probes = system->probes,
+                                        .contact_count = form->contact_count}};
     if (form->damped) lanes->observe.normal_force = form->contacts[set->number];
     lanes->slots = lanes->stride * set->lanes;
     lanes->pair = form->pair;

@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define VECTOR_ISA 0
 #include "dop853_lanes.h"
 #include "isa.h"
 #include "method.h"
@@ -30,7 +29,7 @@ struct whirl_ensemble {
     double *ended;          ///< [lane] whirl_motion, of adaptive methods
     const double *shown;    ///< [dimension] states that coordinates are asked of: a sample's; NULL: the present ones
     const whirl_system **machines; ///< [lane_count] who is where; NULL: nobody
-    size_t *contact_station;
+    size_t *contact_probe;
     double *state;           ///< [dimension] of a lane that is asked for its contacts
     double *forcing, *block; ///< block: all arrays of lanes, aligned to 64 bytes
 };
@@ -43,7 +42,7 @@ bool whirl_ensemble_takes(const whirl_system *system, const whirl_integrate_opti
 
 /// Rows of the block, and where each array begins.
 static size_t lay_out(whirl_ensemble *e, double *block) {
-    const size_t degrees = e->lanes.degrees, stations = degrees / 2, contacts = e->contact_count;
+    const size_t degrees = e->lanes.degrees, probes = e->system->probe_count, contacts = e->contact_count;
     const size_t forces = e->lanes.observe.normal_force ? contacts : 0;
     const size_t fixed = e->adaptive ? 0 : degrees, located = e->lanes.located.switches ? degrees : 0;
     const size_t switches = e->lanes.located.switch_count;
@@ -62,6 +61,7 @@ static size_t lay_out(whirl_ensemble *e, double *block) {
         {&e->lanes.k[3], fixed},
         {&e->lanes.stage_q, fixed},
         {&e->lanes.stage_v, fixed},
+        {&e->lanes.now, e->adaptive ? 0 : e->system->forcing_count},
         {&e->lanes.located.begin_q, located},
         {&e->lanes.located.begin_v, located},
         {&e->lanes.located.value[0], switches},
@@ -70,10 +70,10 @@ static size_t lay_out(whirl_ensemble *e, double *block) {
         {&e->lanes.located.rate[1], switches},
         {&e->lanes.observe.low, 2 * degrees},
         {&e->lanes.observe.high, 2 * degrees},
-        {&e->lanes.observe.square_max, stations},
-        {&e->lanes.observe.square_min, stations},
-        {&e->lanes.observe.backward, stations},
-        {&e->lanes.observe.sum, degrees},
+        {&e->lanes.observe.square_max, probes},
+        {&e->lanes.observe.square_min, probes},
+        {&e->lanes.observe.backward, probes},
+        {&e->lanes.observe.sum, 2 * probes},
         {&e->lanes.observe.gap, contacts},
         {&e->lanes.observe.touching, contacts},
         {&e->lanes.observe.contact, contacts},
@@ -94,9 +94,9 @@ static bool allocate(whirl_ensemble *e) {
     e->block = aligned_alloc(64, (bytes + 63) / 64 * 64);
     e->forcing = malloc((table + 1) * sizeof *e->forcing);
     e->machines = calloc(e->lane_count, sizeof *e->machines);
-    e->contact_station = calloc(e->contact_count + 1, sizeof *e->contact_station);
+    e->contact_probe = calloc(e->contact_count + 1, sizeof *e->contact_probe);
     e->state = calloc(e->system->dimension, sizeof *e->state);
-    if (!e->state || !e->block || !e->forcing || !e->machines || !e->contact_station) return false;
+    if (!e->state || !e->block || !e->forcing || !e->machines || !e->contact_probe) return false;
     memset(e->block, 0, bytes);
     e->row_count = lay_out(e, e->block);
     return true;
@@ -114,13 +114,14 @@ static void fill_lanes(whirl_ensemble *e, const whirl_integrate_options *options
     const whirl_system *system = e->system;
     rk4_lanes *lanes = &e->lanes;
     lanes->model = system->model;
-    lanes->accelerate = system->lanes->accelerate[e->isa->number];
+    lanes->flow = system->lanes->flow[e->isa->number];
     lanes->pair = system->lanes->pair;
     lanes->degrees = system->lanes->degrees;
     lanes->forcing_count = system->forcing_count;
     lanes->steps = options->steps_per_revolution;
     lanes->step = system->period / options->steps_per_revolution;
-    lanes->observe.station_count = lanes->degrees / 2;
+    lanes->observe.probe_count = system->probe_count;
+    lanes->observe.probes = system->probes;
     lanes->observe.contact_count = e->contact_count = system->lanes->contact_count;
     if (system->lanes->damped) lanes->observe.normal_force = system->lanes->contacts[e->isa->number];
 }
@@ -189,7 +190,7 @@ whirl_status whirl_ensemble_new(const whirl_system *system, const whirl_integrat
     }
     tabulate(e);
     e->lanes.forcing = e->forcing;
-    e->lanes.observe.contact_station = e->contact_station;
+    e->lanes.observe.contact_probe = e->contact_probe;
     e->lanes.located.machines = e->machines;
     e->lanes.located.ended = e->ended;
     e->lanes.lane_count = e->lane_count;
@@ -205,7 +206,7 @@ void whirl_ensemble_free(whirl_ensemble *e) {
     free(e->forcing);
     free(e->state);
     free(e->machines);
-    free(e->contact_station);
+    free(e->contact_probe);
     free(e);
 }
 
@@ -228,7 +229,7 @@ whirl_status whirl_ensemble_load(whirl_ensemble *e, size_t lane, const whirl_sys
     for (size_t i = 0; i < form->number_count; i++) e->lanes.numbers[i * e->lane_count + lane] = numbers[i];
     free(numbers);
     for (size_t c = 0; c < e->contact_count; c++)
-        form->contact(system->model, c, &e->contact_station[c], &e->lanes.observe.gap[c * e->lane_count + lane]);
+        form->contact(system->model, c, &e->contact_probe[c], &e->lanes.observe.gap[c * e->lane_count + lane]);
     e->machines[lane] = system;
     e->ended[lane] = WHIRL_BOUNDED;
     whirl_ensemble_place(e, lane, x);
@@ -288,7 +289,7 @@ void whirl_ensemble_move(whirl_ensemble *e, size_t from, size_t to) {
 /// too.
 static void fill_exchange(const whirl_ensemble *e, dop853_lanes *lanes) {
     const lanes_observe *own = &lanes->observe, *theirs = &e->lanes.observe;
-    const size_t degrees = lanes->degrees, stations = own->station_count, contacts = own->contact_count;
+    const size_t degrees = lanes->degrees, probes = own->probe_count, contacts = own->contact_count;
     const lane_rows rows[] = {
         {lanes->numbers, e->lanes.numbers, lanes->number_count, true},
         {lanes->q, e->lanes.q, degrees, false},
@@ -296,10 +297,10 @@ static void fill_exchange(const whirl_ensemble *e, dop853_lanes *lanes) {
         {lanes->ended, e->ended, 1, false},
         {own->low, theirs->low, 2 * degrees, false},
         {own->high, theirs->high, 2 * degrees, false},
-        {own->square_max, theirs->square_max, stations, false},
-        {own->square_min, theirs->square_min, stations, false},
-        {own->backward, theirs->backward, stations, false},
-        {own->sum, theirs->sum, degrees, false},
+        {own->square_max, theirs->square_max, probes, false},
+        {own->square_min, theirs->square_min, probes, false},
+        {own->backward, theirs->backward, probes, false},
+        {own->sum, theirs->sum, 2 * probes, false},
         {own->gap, theirs->gap, contacts, true},
         {own->touching, theirs->touching, contacts, false},
         {own->contact, theirs->contact, contacts, false},
@@ -319,7 +320,7 @@ static void revolve_adaptive(whirl_ensemble *e, size_t count, const whirl_ensemb
     dop853_lanes lanes = *e->adaptive;
     lanes.lane_count = e->lane_count;
     lanes.machines = e->machines;
-    lanes.observe.contact_station = e->contact_station;
+    lanes.observe.contact_probe = e->contact_probe;
     lanes.observing = observe && (observe->extremes || samples > 0);
     lanes.sample_stride = samples > 0 ? observe->stride : 0;
     lanes.queue->next = 0;
@@ -371,8 +372,9 @@ static void note_contacts(const whirl_ensemble *e, size_t lane) {
         e->machines[lane]->contacts(e->machines[lane]->model, e->state, force);
     }
     for (size_t c = 0; c < w->contact_count; c++) {
-        const double x = whirl_ensemble_coordinate(e, 2 * e->contact_station[c])[lane];
-        const double y = whirl_ensemble_coordinate(e, 2 * e->contact_station[c] + 1)[lane];
+        const whirl_probe *probe = &w->probes[e->contact_probe[c]];
+        const double x = whirl_ensemble_coordinate(e, probe->x)[lane];
+        const double y = whirl_ensemble_coordinate(e, probe->y)[lane];
         const double gap = w->gap[c * e->lane_count + lane];
         const bool closed = w->normal_force ? force[c] > 0.0 : x * x + y * y > gap * gap;
         w->touching[c * e->lane_count + lane] = closed ? 1.0 : 0.0;
@@ -387,7 +389,7 @@ static void largest_forces(const whirl_ensemble *e, size_t lane, const double *m
         return;
     }
     memset(e->state, 0, e->system->dimension * sizeof *e->state);
-    for (size_t s = 0; s < w->station_count; s++) e->state[2 * s] = max_radius[s];
+    for (size_t p = 0; p < w->probe_count; p++) e->state[w->probes[p].x] = max_radius[p];
     if (w->contact_count > 0) e->machines[lane]->contacts(e->machines[lane]->model, e->state, force);
 }
 
@@ -396,10 +398,10 @@ void whirl_ensemble_forget(whirl_ensemble *e, size_t lane) {
     const size_t degrees = e->lanes.degrees;
     set(w->low, e, 2 * degrees, lane, INFINITY);
     set(w->high, e, 2 * degrees, lane, -INFINITY);
-    set(w->square_max, e, w->station_count, lane, 0.0);
-    set(w->square_min, e, w->station_count, lane, INFINITY);
-    set(w->backward, e, w->station_count, lane, 0.0);
-    set(w->sum, e, degrees, lane, 0.0);
+    set(w->square_max, e, w->probe_count, lane, 0.0);
+    set(w->square_min, e, w->probe_count, lane, INFINITY);
+    set(w->backward, e, w->probe_count, lane, 0.0);
+    set(w->sum, e, 2 * w->probe_count, lane, 0.0);
     set(w->contact, e, w->contact_count, lane, 0.0);
     set(w->begun, e, w->contact_count, lane, 0.0);
     if (w->normal_force) set(w->force_max, e, w->contact_count, lane, 0.0);
@@ -410,14 +412,14 @@ void whirl_ensemble_read(const whirl_ensemble *e, size_t lane, const whirl_ensem
     const lanes_observe *w = &e->lanes.observe;
     get(w->low, e, 2 * e->lanes.degrees, lane, seen->low);
     get(w->high, e, 2 * e->lanes.degrees, lane, seen->high);
-    get(w->square_max, e, w->station_count, lane, seen->max_radius);
-    get(w->square_min, e, w->station_count, lane, seen->min_radius);
-    for (size_t s = 0; s < w->station_count; s++) {
+    get(w->square_max, e, w->probe_count, lane, seen->max_radius);
+    get(w->square_min, e, w->probe_count, lane, seen->min_radius);
+    for (size_t s = 0; s < w->probe_count; s++) {
         seen->max_radius[s] = sqrt(seen->max_radius[s]);
         seen->min_radius[s] = sqrt(seen->min_radius[s]);
     }
-    get(w->sum, e, e->lanes.degrees, lane, seen->sum);
-    get(w->backward, e, w->station_count, lane, seen->backward);
+    get(w->sum, e, 2 * w->probe_count, lane, seen->sum);
+    get(w->backward, e, w->probe_count, lane, seen->backward);
     get(w->contact, e, w->contact_count, lane, seen->contact);
     get(w->begun, e, w->contact_count, lane, seen->contact_begun);
     largest_forces(e, lane, seen->max_radius, seen->contact_force);

@@ -10,11 +10,12 @@
 
 /// What is observed, all [...][stride vectors].
 typedef struct lanes_observe {
-    size_t station_count, contact_count;
-    const size_t *contact_station;              ///< [contact_count]
+    size_t probe_count, contact_count;
+    const whirl_probe *probes;                  ///< [probe_count]
+    const size_t *contact_probe;                ///< [contact_count]
     double *low, *high;                         ///< [2 degrees]
-    double *square_max, *square_min, *backward; ///< [station_count]
-    double *sum;                                ///< [degrees]
+    double *square_max, *square_min, *backward; ///< [probe_count]
+    double *sum;                                ///< [probe_count][2]
     double *gap, *touching, *contact, *begun;   ///< [contact_count]
     /// Of contacts whose force depends on velocities; NULL where the gap alone tells.
     lanes_contacts *normal_force;
@@ -35,7 +36,7 @@ typedef struct lanes_located {
 
 typedef struct rk4_lanes {
     const void *model; ///< whose structure all lanes have
-    lanes_accelerate *accelerate;
+    lanes_flow *flow;
     const struct lanes_pair *pair; ///< the laws of that structure; NULL: another
     size_t stride;                 ///< vectors there are
     size_t vectors;                ///< vectors in use
@@ -47,6 +48,7 @@ typedef struct rk4_lanes {
     const double *forcing; ///< [2 steps + 1][forcing_count]
     double *numbers, *q, *v;
     double *k[4], *stage_q, *stage_v; ///< [degrees] workspace
+    double *now;                      ///< [forcing_count] workspace
     lanes_located located;
     lanes_observe observe;
     int observing;

@@ -6,9 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define VECTOR_ISA 0
 #include "bernstein.h"
 #include "crossing.h"
+#include "lanes.h"
 
 static const double safety = 0.92, least_factor = 1.0 / 3.0, most_factor = 6.0;
 
@@ -82,16 +82,25 @@ static void take_slope(const stepper *c, int i, double h) {
     stepper_slope(c, c->begin + c->formula->c[i] * h, c->stage, c->k[i]);
 }
 
+/// Lets coordinates count as large as the largest of them.
+static void level(double *scale, const size_t *parts, size_t count) {
+    double size = 0.0;
+    for (size_t k = 0; k < count; k++) size = fmax(size, scale[parts[k]]);
+    for (size_t k = 0; k < count; k++) scale[parts[k]] = size;
+}
+
 /// What an error of every coordinate is compared with, between the states a and b. A coordinate that passes zero is not
-/// small for that: those of one probe count as large as the largest of them.
+/// small for that: those of one probe, or of one of a rotor's groups, count together.
 static void set_scales(stepper *c, const double *a, const double *b) {
+    const whirl_lanes *lanes = c->system->lanes;
     for (size_t d = 0; d < c->dimension; d++) c->scale[d] = fmax(fabs(a[d]), fabs(b[d]));
-    for (size_t i = 0; i < c->system->probe_count; i++) {
+    for (size_t i = 0; !lanes && i < c->system->probe_count; i++) {
         const whirl_probe *probe = &c->system->probes[i];
-        const size_t parts[] = {probe->x, probe->y, probe->vx, probe->vy};
-        double size = 0.0;
-        for (int k = 0; k < 4; k++) size = fmax(size, c->scale[parts[k]]);
-        for (int k = 0; k < 4; k++) c->scale[parts[k]] = size;
+        level(c->scale, (const size_t[]){probe->x, probe->y, probe->vx, probe->vy}, 4);
+    }
+    for (size_t g = 0; lanes && g < lanes->group_count; g++) {
+        const size_t x = lanes->groups[g], y = lanes->groups[g + 1] - 1, n = lanes->degrees;
+        level(c->scale, (const size_t[]){x, y, n + x, n + y}, 4);
     }
     for (size_t d = 0; d < c->dimension; d++) c->scale[d] = c->atol + c->rtol * c->scale[d];
 }

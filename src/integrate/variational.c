@@ -3,7 +3,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define VECTOR_ISA 0
 #include "isa.h"
 #include "method.h"
 #include "variational_lanes.h"

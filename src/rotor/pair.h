@@ -2,11 +2,10 @@
 #ifndef ROTOR_PAIR_H
 #define ROTOR_PAIR_H
 
-#include "element.h"
+#include <stddef.h>
 
-/// Of its elements only law and slip speed count.
 struct lanes_pair {
-    element shaft, rub;
+    int shaft_law, rub_law;
 };
 
 #endif

@@ -2,7 +2,7 @@
 /// paper's of 2015 among them. Integrators have loops of their own for it (rk4_pair.inc, dop853_pair.inc), made of
 /// these phases of an acceleration.
 ///
-/// The same kernels in the same order as machine.inc and flow.inc call them from their lists, so the same bits; three
+/// The same kernels in the same order as kernels/machine.c calls them from its lists, so the same bits; three
 /// vectors are under way at a time, so that the divider never waits.
 #ifndef ROTOR_PAIR_KERNEL_H
 #define ROTOR_PAIR_KERNEL_H
@@ -10,11 +10,11 @@
 #include <stdbool.h>
 #include <string.h>
 
-#include "film_kernel.h"
+#include "elements/film_kernel.h"
+#include "elements/rub_kernel.h"
+#include "elements/shaft_kernel.h"
+#include "elements/station_kernel.h"
 #include "pair.h"
-#include "rub_kernel.h"
-#include "shaft_kernel.h"
-#include "station_kernel.h"
 
 enum { PAIR_STATIONS = 2, PAIR_DEGREES = 4, PAIR_JOURNAL = 2 };
 
@@ -62,7 +62,7 @@ VECTOR_INLINE void pair_put(pair_line *line, size_t at, const vec *number, const
 /// Begins an acceleration: leaves the divider with the film's root.
 VECTOR_INLINE void pair_send(pair_line *line, size_t stride, const vec *number, const void *forcing, const vec *sides,
                              const vec *q, const vec *v, vec *a) {
-    const element film = {.station = {1}};
+    const element film = {.port = {2, 3}};
     const size_t at = line->begun++ % FILM_PLACES;
     film_begin(&film, stride, number + PAIR_FILM_NUMBERS * stride, q, v, &line->film, at);
     pair_put(line, at, number, forcing, sides, q, v, a);
@@ -71,7 +71,7 @@ VECTOR_INLINE void pair_send(pair_line *line, size_t stride, const vec *number, 
 /// Stations and shaft, which do not wait for the divider, into `frame`.
 VECTOR_INLINE void pair_frame(const struct lanes_pair *pair, size_t stride, const pair_line *line, size_t at,
                               bool shared, vec *frame) {
-    const element shaft = {.station = {0, 1}, .law = pair->shaft.law};
+    const element shaft = {.port = {0, 1, 2, 3}, .law = pair->shaft_law};
     const vec *number = line->number[at], *q = line->q[at], *v = line->v[at], *own = line->forcing[at];
     const double *all = line->forcing[at];
     const size_t journal = PAIR_JOURNAL * stride;
@@ -90,8 +90,7 @@ VECTOR_INLINE void pair_frame(const struct lanes_pair *pair, size_t stride, cons
 /// Film and rub.
 VECTOR_INLINE void pair_end(const struct lanes_pair *pair, size_t stride, const pair_line *line, size_t at,
                             vec *frame) {
-    const element rub = {
-        .station = {0}, .law = pair->rub.law, .number = {[RUB_SLIP_SPEED] = pair->rub.number[RUB_SLIP_SPEED]}};
+    const element rub = {.port = {0, 1}, .law = pair->rub_law};
     const vec *number = line->number[at];
     const size_t x = PAIR_JOURNAL * stride, y = x + stride;
     const film_state film = film_end(&line->film, at);

@@ -1,4 +1,4 @@
-// The rotor: numbers of all stations and elements in one block, and the system that they make.
+// The rotor: what stations and elements build together, in one block, and the system that it makes.
 #include "whirl/rotor.h"
 
 #include <math.h>
@@ -8,37 +8,8 @@
 
 #include "design.h"
 #include "machine.h"
-
-static void rotor_forcing(const void *model, double t, double *forcing) {
-    machine_forcing[0](model, 1, 1, &t, forcing);
-}
-
-static void rotor_rhs(const void *model, double t, const double *forcing, const double *x, double *dxdt) {
-    const whirl_rotor *rotor = model;
-    const size_t degrees = rotor->lanes.degrees;
-    (void)t;
-    memcpy(dxdt, x + degrees, degrees * sizeof *dxdt);
-    machine_accelerate[0](rotor, 1, 1, rotor->numbers, forcing, x, x + degrees, dxdt + degrees);
-}
-
-static void rotor_switches(const void *model, double t, const double *x, double *values) {
-    const whirl_rotor *rotor = model;
-    (void)t;
-    for (size_t i = 0; i < rotor->element_count; i++) {
-        const element *own = &rotor->elements[i];
-        if (!own->type->switches) continue;
-        own->type->switches(own, x, x + rotor->lanes.degrees, values);
-        values += own->type->switch_count(own);
-    }
-}
-
-static void rotor_contacts(const void *model, const double *x, double *normal_force) {
-    const whirl_rotor *rotor = model;
-    for (size_t i = 0; i < rotor->contact_count; i++) {
-        const element *own = &rotor->elements[rotor->contacts[i]];
-        normal_force[i] = own->type->contact_force(own, x, x + rotor->lanes.degrees);
-    }
-}
+#include "pair_kernel.h"
+#include "registry.h"
 
 // ---------------------------------------------------------------- many rotors side by side
 
@@ -47,25 +18,126 @@ static void lane_numbers(const void *model, double *out) {
     memcpy(out, rotor->numbers, rotor->lanes.number_count * sizeof *out);
 }
 
+static bool elements_alike(const element *x, const element *y) {
+    return x->type == y->type && x->law == y->law && x->station == y->station &&
+           memcmp(x->port, y->port, sizeof x->port) == 0;
+}
+
+static bool terms_alike(const linear_term *x, const linear_term *y) {
+    return x->row == y->row && x->source == y->source && x->column == y->column;
+}
+
 static bool lane_alike(const void *one, const void *other) {
     const whirl_rotor *a = one, *b = other;
-    if (a->station_count != b->station_count || a->element_count != b->element_count) return false;
-    for (size_t i = 0; i < a->element_count; i++) {
-        const element *x = &a->elements[i], *y = &b->elements[i];
-        if (x->type != y->type || x->law != y->law || x->station[0] != y->station[0] || x->station[1] != y->station[1])
-            return false;
-    }
+    if (a->station_count != b->station_count || a->lanes.degrees != b->lanes.degrees ||
+        a->plane_count != b->plane_count || a->element_count != b->element_count || a->term_count != b->term_count)
+        return false;
+    for (size_t i = 0; i < a->station_count; i++)
+        if (a->probes[i].x != b->probes[i].x || a->probes[i].y != b->probes[i].y) return false;
+    for (size_t i = 0; i < a->element_count; i++)
+        if (!elements_alike(&a->elements[i], &b->elements[i])) return false;
+    for (size_t i = 0; i < a->term_count; i++)
+        if (!terms_alike(&a->terms[i], &b->terms[i])) return false;
     return true;
 }
 
-static void lane_contact(const void *model, size_t index, size_t *station, double *gap) {
+static void lane_contact(const void *model, size_t index, size_t *probe, double *gap) {
     const whirl_rotor *rotor = model;
     const element *own = &rotor->elements[rotor->contacts[index]];
-    *station = own->station[0];
+    *probe = own->station;
     *gap = own->type->contact_gap(own);
 }
 
 // ---------------------------------------------------------------- building
+
+/// A design on its way to a rotor.
+typedef struct building {
+    const whirl_design *design;
+    assembly assembly;
+    element *elements; ///< [element_count] those that have kernels
+    double *numbers;   ///< [number_count] theirs
+    size_t element_count, number_count;
+} building;
+
+static whirl_status begin(building *b, const whirl_design *design) {
+    size_t numbers = 1;
+    for (size_t i = 0; i < design->element_count; i++) numbers += design->elements[i].type->number_count;
+    *b = (building){.design = design};
+    const whirl_status status = assembly_begin(&b->assembly, design->speed, design->length, design->station_count);
+    b->elements = calloc(design->element_count + 1, sizeof *b->elements);
+    b->numbers = calloc(numbers, sizeof *b->numbers);
+    if (!b->elements || !b->numbers)
+        return whirl_fail(WHIRL_NO_MEMORY, "no memory for a rotor of %zu elements", design->element_count);
+    return status;
+}
+
+static void end(building *b) {
+    assembly_clear(&b->assembly);
+    free(b->elements);
+    free(b->numbers);
+}
+
+static whirl_status of_element(const element_type *type, whirl_status status) {
+    if (status.code == WHIRL_OK) return status;
+    return whirl_fail(status.code, "%s %.300s", type->group.name, status.message);
+}
+
+/// All inertia; after it coordinates can be numbered.
+static whirl_status add_inertia(building *b) {
+    const whirl_design *design = b->design;
+    whirl_status status = whirl_ok();
+    for (size_t s = 0; s < design->station_count && status.code == WHIRL_OK; s++) {
+        b->assembly.stations[s].name = design->stations[s].name;
+        status = station_inertia(design->stations[s].values, &b->assembly, s);
+    }
+    for (size_t i = 0; i < design->element_count && status.code == WHIRL_OK; i++) {
+        const element_type *type = design->elements[i].type;
+        if (type->inertia) status = of_element(type, type->inertia(design->elements[i].values, &b->assembly));
+    }
+    return status;
+}
+
+/// Builds the elements of one type, in the order of the design.
+static whirl_status add_elements(building *b, const element_type *type) {
+    whirl_status status = whirl_ok();
+    for (size_t i = 0; i < b->design->element_count && status.code == WHIRL_OK; i++) {
+        element *own = &b->elements[b->element_count];
+        if (b->design->elements[i].type != type) continue;
+        *own = (element){.type = type, .number = b->numbers + b->number_count};
+        for (size_t port = 0; port < MAX_PORTS; port++) own->port[port] = NO_COORDINATE;
+        status = of_element(type, type->build(b->design->elements[i].values, &b->assembly, own));
+        if (!type->kernels) continue;
+        b->number_count += type->number_count;
+        b->element_count++;
+    }
+    return status;
+}
+
+/// Stations, then elements; their coordinates in the order [station_count] of the design's stations, NULL: as listed.
+static whirl_status assemble(building *b, const whirl_design *design, const size_t *order) {
+    whirl_status status = begin(b, design);
+    if (status.code == WHIRL_OK) status = add_inertia(b);
+    if (status.code == WHIRL_OK) status = assembly_number(&b->assembly, order);
+    for (size_t s = 0; s < design->station_count && status.code == WHIRL_OK; s++)
+        station_build(design->stations[s].values, &b->assembly, s);
+    for (const element_type *const *type = element_types; *type && status.code == WHIRL_OK; type++)
+        status = add_elements(b, *type);
+    if (status.code == WHIRL_OK && !assembly_finish(&b->assembly))
+        status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a rotor of %zu elements", design->element_count);
+    return status;
+}
+
+/// Whether it is the structure of pair_kernel.h, with the disc's coordinates before or behind the journal's.
+static bool is_pair(const building *b, bool reversed) {
+    const element *e = b->elements;
+    const size_t disc = reversed ? 2 : 0, journal = 2 - disc;
+    return b->assembly.station_count == 2 && b->assembly.degrees == PAIR_DEGREES && b->assembly.plane_count == 2 &&
+           b->assembly.term_count == 0 && b->element_count == PAIR_ELEMENTS && e[PAIR_SHAFT].type == &shaft_element &&
+           e[PAIR_SHAFT].port[2] == 2 && e[PAIR_FILM].type == &film_element && e[PAIR_FILM].port[0] == journal &&
+           e[PAIR_RUB].type == &rub_element && e[PAIR_RUB].port[0] == disc;
+}
+
+// ---------------------------------------------------------------- the finished rotor
 
 static size_t aligned(size_t size) {
     return (size + 15) / 16 * 16;
@@ -78,149 +150,149 @@ static void *cut(char *block, size_t *used, size_t size) {
     return part;
 }
 
+static size_t total_numbers(const building *b) {
+    return b->assembly.plane_count * STATION_NUMBERS + b->assembly.term_count + b->number_count;
+}
+
+static size_t count_contacts(const building *b) {
+    size_t count = 0;
+    for (size_t i = 0; i < b->element_count; i++) count += b->elements[i].type->contact_gap != NULL;
+    return count;
+}
+
 /// Lays the parts of a rotor out in a block and gives the block's size.
-static size_t lay_out(whirl_rotor *rotor, char *block, size_t stations, size_t elements, size_t contacts,
-                      size_t numbers) {
+static size_t lay_out(whirl_rotor *rotor, char *block, const building *b) {
+    const size_t stations = b->assembly.station_count, contacts = count_contacts(b);
     size_t used = aligned(sizeof *rotor);
-    void *const parts[] = {cut(block, &used, elements * sizeof *rotor->elements),
-                           cut(block, &used, numbers * sizeof *rotor->numbers),
+    void *const parts[] = {cut(block, &used, b->element_count * sizeof *rotor->elements),
+                           cut(block, &used, total_numbers(b) * sizeof *rotor->numbers),
+                           cut(block, &used, b->assembly.term_count * sizeof *rotor->terms),
                            cut(block, &used, stations * sizeof *rotor->probes),
-                           cut(block, &used, stations * sizeof *rotor->mass),
+                           cut(block, &used, (b->assembly.degrees + 1) * sizeof *rotor->groups),
                            cut(block, &used, contacts * sizeof *rotor->contacts),
                            cut(block, &used, contacts * sizeof *rotor->contact_text),
                            cut(block, &used, contacts * sizeof *rotor->contact_names)};
     if (!rotor) return used;
     rotor->elements = parts[0];
     rotor->numbers = parts[1];
-    rotor->probes = parts[2];
-    rotor->mass = parts[3];
-    rotor->contacts = parts[4];
-    rotor->contact_text = parts[5];
-    rotor->contact_names = parts[6];
+    rotor->terms = parts[2];
+    rotor->probes = parts[3];
+    rotor->groups = parts[4];
+    rotor->contacts = parts[5];
+    rotor->contact_text = parts[6];
+    rotor->contact_names = parts[7];
     return used;
 }
 
-static whirl_rotor *allocate(const whirl_design *design) {
-    size_t elements = 0, contacts = 0, numbers = design->station_count * STATION_NUMBERS;
-    for (size_t i = 0; i < design->element_count; i++) {
-        const element_type *type = design->elements[i].type;
-        elements += type->kernel != KERNEL_NONE;
-        contacts += type->contact_force != NULL;
-        numbers += type->number_count;
-    }
-    whirl_rotor *rotor = calloc(1, lay_out(NULL, NULL, design->station_count, elements, contacts, numbers));
-    if (!rotor) return NULL;
-    lay_out(rotor, (char *)rotor, design->station_count, elements, contacts, numbers);
-    rotor->lanes.number_count = numbers;
-    return rotor;
-}
-
-static double (*station_numbers(whirl_rotor *rotor))[STATION_NUMBERS] {
-    return (double(*)[STATION_NUMBERS])rotor->numbers;
-}
-
-static void add_stations(const whirl_design *design, whirl_rotor *rotor, const scales *scale) {
-    const size_t n = 2 * design->station_count;
-    for (size_t i = 0; i < design->station_count; i++) rotor->mass[i] = station_mass(design->stations[i].values);
-    for (size_t i = 0; i < design->station_count; i++) {
-        whirl_probe *probe = &rotor->probes[i];
-        *probe = (whirl_probe){.x = 2 * i, .y = 2 * i + 1, .vx = n + 2 * i, .vy = n + 2 * i + 1};
-        strcpy(probe->name, design->stations[i].name);
-        station_lump(design->stations[i].values, scale, i, station_numbers(rotor)[i]);
+/// A station that moves along one axis has one coordinate, which stands for both.
+static void add_probes(whirl_rotor *rotor, const building *b) {
+    const size_t degrees = b->assembly.degrees;
+    for (size_t s = 0; s < b->assembly.station_count; s++) {
+        const size_t *coordinate = b->assembly.stations[s].coordinate;
+        const size_t x = coordinate[coordinate[AXIS_X] == NO_COORDINATE ? AXIS_Y : AXIS_X];
+        const size_t y = coordinate[coordinate[AXIS_Y] == NO_COORDINATE ? AXIS_X : AXIS_Y];
+        rotor->probes[s] = (whirl_probe){.x = x, .y = y, .vx = degrees + x, .vy = degrees + y};
+        strcpy(rotor->probes[s].name, b->assembly.stations[s].name);
     }
 }
 
-static void note_contact(whirl_rotor *rotor, const element *own) {
+/// Coordinates whose sizes are measured together: both displacements of a station, both of its tilts.
+static void add_groups(whirl_rotor *rotor, const assembly *from) {
+    size_t lone = 0;
+    for (size_t s = 0; s < from->station_count; s++) lone += from->stations[s].moves_x != from->stations[s].moves_y;
+    const size_t first = 2 * from->plane_count;
+    for (size_t d = 0; d < from->degrees; d += d >= first && d < first + lone ? 1 : 2)
+        rotor->groups[rotor->lanes.group_count++] = d;
+    rotor->groups[rotor->lanes.group_count] = from->degrees;
+}
+
+static void add_numbers(whirl_rotor *rotor, const building *b) {
+    double *number = rotor->numbers;
+    memcpy(number, b->assembly.numbers, b->assembly.plane_count * sizeof *b->assembly.numbers);
+    number += b->assembly.plane_count * STATION_NUMBERS;
+    for (size_t i = 0; i < b->assembly.term_count; i++)
+        *number++ = rotor->terms[i].number = b->assembly.terms[i].number;
+    memcpy(number, b->numbers, b->number_count * sizeof *number);
+}
+
+static void note_contact(whirl_rotor *rotor, size_t index) {
+    const element *own = &rotor->elements[index];
     const size_t k = rotor->contact_count++;
-    if (own->type->contact_damped(own)) rotor->lanes.damped = true;
     const double gap = own->type->contact_gap(own);
-    whirl_probe *probe = &rotor->probes[own->station[0]];
+    whirl_probe *probe = &rotor->probes[own->station];
+    if (own->type->contact_damped(own)) rotor->lanes.damped = true;
     if (probe->gap == 0.0 || gap < probe->gap) probe->gap = gap;
-    rotor->contacts[k] = rotor->element_count - 1;
+    rotor->contacts[k] = index;
     snprintf(rotor->contact_text[k], sizeof *rotor->contact_text, "%s at %s", own->type->group.name, probe->name);
     rotor->contact_names[k] = rotor->contact_text[k];
 }
 
-/// Adds an element that has a kernel; its numbers follow those before it.
-static void add_element(whirl_rotor *rotor, const element *own, size_t *number) {
-    const element_type *type = own->type;
-    rotor->elements[rotor->element_count++] = *own;
-    memcpy(rotor->numbers + *number, own->number, type->number_count * sizeof *own->number);
-    *number += type->number_count;
-    if (type->switch_count) rotor->system.switch_count += type->switch_count(own);
-    if (type->slides && type->slides(own)) rotor->lanes.slides = true;
-    if (type->contact_force) note_contact(rotor, own);
-    if (type->bearing_clearance) {
-        whirl_probe *probe = &rotor->probes[own->station[0]];
-        const double clearance = type->bearing_clearance(own);
-        if (probe->clearance == 0.0 || clearance < probe->clearance) probe->clearance = clearance;
+static void note_element(whirl_rotor *rotor, size_t index) {
+    const element *own = &rotor->elements[index];
+    if (own->type->switch_count) rotor->lanes.switch_count += own->type->switch_count(own);
+    if (own->type->slides && own->type->slides(own)) rotor->lanes.slides = true;
+    if (own->type->contact_gap) note_contact(rotor, index);
+    if (!own->type->bearing_clearance) return;
+    whirl_probe *probe = &rotor->probes[own->station];
+    const double clearance = own->type->bearing_clearance(own);
+    if (probe->clearance == 0.0 || clearance < probe->clearance) probe->clearance = clearance;
+}
+
+static void add_elements_to(whirl_rotor *rotor, const building *b) {
+    double *own = rotor->numbers + total_numbers(b) - b->number_count;
+    memcpy(rotor->elements, b->elements, b->element_count * sizeof *b->elements);
+    for (size_t i = 0; i < b->element_count; i++) {
+        rotor->elements[i].number = own + (b->elements[i].number - b->numbers);
+        note_element(rotor, i);
     }
 }
 
-/// Builds the elements of one type, in the order of the design.
-static whirl_status add_elements(const whirl_design *design, const element_type *type, const scales *scale,
-                                 whirl_rotor *rotor, size_t *number) {
-    for (size_t i = 0; i < design->element_count; i++) {
-        if (design->elements[i].type != type) continue;
-        element own = {.type = type};
-        const whirl_status status = type->build(design->elements[i].values, scale, &own);
-        if (status.code != WHIRL_OK) return whirl_fail(status.code, "%s %.300s", type->group.name, status.message);
-        if (type->kernel == KERNEL_NONE)
-            type->lump(&own, rotor->station_count, station_numbers(rotor));
-        else
-            add_element(rotor, &own, number);
+static void fill_lanes(whirl_rotor *rotor, const building *b) {
+    static lanes_flow *const flow[VECTOR_ISAS] = EVERY_ISA(, machine_flow);
+    static lanes_switches *const switches[VECTOR_ISAS] = EVERY_ISA(, machine_switches);
+    static lanes_forcing *const forcing[VECTOR_ISAS] = EVERY_ISA(, machine_forcing);
+    static lanes_contacts *const contacts[VECTOR_ISAS] = EVERY_ISA(, machine_contacts);
+    whirl_lanes *lanes = &rotor->lanes;
+    lanes->degrees = b->assembly.degrees;
+    lanes->number_count = total_numbers(b);
+    lanes->numbers = lane_numbers;
+    lanes->alike = lane_alike;
+    lanes->groups = rotor->groups;
+    lanes->contact = lane_contact;
+    lanes->flow = flow;
+    lanes->switches = switches;
+    lanes->forcing = forcing;
+    lanes->contacts = contacts;
+}
+
+static whirl_rotor *finish(const building *b) {
+    whirl_rotor *rotor = calloc(1, lay_out(NULL, NULL, b));
+    if (!rotor) return NULL;
+    lay_out(rotor, (char *)rotor, b);
+    rotor->speed = b->design->speed;
+    rotor->length = b->design->length;
+    rotor->station_count = b->assembly.station_count;
+    rotor->plane_count = b->assembly.plane_count;
+    rotor->term_count = b->assembly.term_count;
+    rotor->element_count = b->element_count;
+    memcpy(rotor->terms, b->assembly.terms ? b->assembly.terms : rotor->terms,
+           rotor->term_count * sizeof *rotor->terms);
+    add_probes(rotor, b);
+    add_groups(rotor, &b->assembly);
+    add_numbers(rotor, b);
+    add_elements_to(rotor, b);
+    fill_lanes(rotor, b);
+    rotor->lanes.contact_count = rotor->contact_count;
+    if (is_pair(b, false)) {
+        rotor->pair = (struct lanes_pair){rotor->elements[PAIR_SHAFT].law, rotor->elements[PAIR_RUB].law};
+        rotor->lanes.pair = &rotor->pair;
     }
-    return whirl_ok();
-}
-
-static bool is_pair(const whirl_rotor *rotor) {
-    const element *e = rotor->elements;
-    return rotor->station_count == 2 && rotor->element_count == PAIR_ELEMENTS &&
-           e[PAIR_SHAFT].type->kernel == KERNEL_SHAFT && e[PAIR_SHAFT].station[0] == 0 &&
-           e[PAIR_SHAFT].station[1] == 1 && e[PAIR_FILM].type->kernel == KERNEL_FILM && e[PAIR_FILM].station[0] == 1 &&
-           e[PAIR_RUB].type->kernel == KERNEL_RUB && e[PAIR_RUB].station[0] == 0;
-}
-
-static void fill_system(whirl_rotor *rotor) {
-    const bool pair = is_pair(rotor);
-    if (pair) rotor->pair = (struct lanes_pair){rotor->elements[PAIR_SHAFT], rotor->elements[PAIR_RUB]};
-    rotor->lanes = (whirl_lanes){.degrees = 2 * rotor->station_count,
-                                 .number_count = rotor->lanes.number_count,
-                                 .numbers = lane_numbers,
-                                 .alike = lane_alike,
-                                 .switch_count = rotor->system.switch_count,
-                                 .contact_count = rotor->contact_count,
-                                 .contact = lane_contact,
-                                 .damped = rotor->lanes.damped,
-                                 .slides = rotor->lanes.slides,
-                                 .accelerate = machine_accelerate,
-                                 .flow = machine_flow,
-                                 .switches = machine_switches,
-                                 .forcing = machine_forcing,
-                                 .contacts = machine_contacts,
-                                 .pair = pair ? &rotor->pair : NULL};
-    rotor->system = (whirl_system){.dimension = 4 * rotor->station_count,
-                                   .period = 6.283185307179586476925,
-                                   .forcing_count = FORCING_COUNT,
-                                   .forcing = rotor_forcing,
-                                   .rhs = rotor_rhs,
-                                   .switch_count = rotor->system.switch_count,
-                                   .switches = rotor_switches,
-                                   .rhs_on_sides = rotor_rhs_on_sides,
-                                   .tangent = rotor_tangent,
-                                   .divergence = rotor_divergence,
-                                   .switch_gradient = rotor_switch_gradient,
-                                   .switch_curvature = rotor_switch_curvature,
-                                   .contact_count = rotor->contact_count,
-                                   .contacts = rotor_contacts,
-                                   .probe_count = rotor->station_count,
-                                   .probes = rotor->probes,
-                                   .model = rotor,
-                                   .lanes = &rotor->lanes};
+    rotor_system_fill(rotor);
+    return rotor;
 }
 
 static whirl_status check(const whirl_rotor *rotor) {
-    if (rotor->contact_count > WHIRL_MAX_CONTACTS || rotor->system.switch_count > WHIRL_MAX_SWITCHES)
+    if (rotor->contact_count > WHIRL_MAX_CONTACTS || rotor->lanes.switch_count > WHIRL_MAX_SWITCHES)
         return whirl_fail(WHIRL_BAD_INPUT, "the rotor has %zu contacts, expected at most %d", rotor->contact_count,
                           WHIRL_MAX_CONTACTS / 2);
     for (size_t i = 0; i < rotor->lanes.number_count; i++)
@@ -232,21 +304,20 @@ static whirl_status check(const whirl_rotor *rotor) {
 }
 
 whirl_status whirl_rotor_new(const whirl_design *design, whirl_rotor **out) {
+    static const size_t journal_first[] = {1, 0};
+    building b;
     *out = NULL;
     if (design->station_count == 0)
         return whirl_fail(WHIRL_BAD_INPUT, "the rotor has no station, expected at least one");
-    whirl_rotor *rotor = allocate(design);
-    if (!rotor) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a rotor of %zu stations", design->station_count);
-    rotor->speed = design->speed;
-    rotor->length = design->length;
-    rotor->station_count = design->station_count;
-    const scales scale = {design->speed, design->length, rotor->mass};
-    add_stations(design, rotor, &scale);
-    size_t number = design->station_count * STATION_NUMBERS;
-    whirl_status status = whirl_ok();
-    for (const element_type *const *type = element_types; *type && status.code == WHIRL_OK; type++)
-        status = add_elements(design, *type, &scale, rotor, &number);
-    fill_system(rotor);
+    whirl_status status = assemble(&b, design, NULL);
+    if (status.code == WHIRL_OK && is_pair(&b, true)) {
+        end(&b);
+        status = assemble(&b, design, journal_first);
+    }
+    whirl_rotor *rotor = status.code == WHIRL_OK ? finish(&b) : NULL;
+    end(&b);
+    if (status.code == WHIRL_OK && !rotor)
+        status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a rotor of %zu stations", design->station_count);
     if (status.code == WHIRL_OK) status = check(rotor);
     if (status.code == WHIRL_OK)
         *out = rotor;

@@ -1,27 +1,51 @@
-// What a rotor's system gives beyond its right-hand side: sides of its switches, its Jacobian, the switches'
-// derivatives. All by the one-lane build of flow.inc.
+// A rotor as a system: by the one-lane build of its kernels.
 #include <string.h>
 
 #include "machine.h"
 
-enum { MAX_DEGREES = 2 * WHIRL_MAX_STATIONS };
+enum { MAX_DEGREES = AXES * WHIRL_MAX_STATIONS };
 
 static lanes_view view_of(const whirl_rotor *rotor, const double *forcing, const double *sides) {
     return (lanes_view){
         .model = rotor, .stride = 1, .vectors = 1, .numbers = rotor->numbers, .forcing = forcing, .sides = sides};
 }
 
-void rotor_rhs_on_sides(const void *model, double t, const double *forcing, const double *x, const double *sides,
-                        double *dxdt) {
+/// The view of one state.
+static lanes_view view_at(const whirl_rotor *rotor, const double *forcing, const double *sides, const double *x) {
+    lanes_view view = view_of(rotor, forcing, sides);
+    view.q = x;
+    view.v = x + rotor->lanes.degrees;
+    return view;
+}
+
+static void forcing_at(const void *model, double t, double *forcing) {
+    machine_forcing_scalar(model, 1, 1, &t, forcing);
+}
+
+static void rhs_on_sides(const void *model, double t, const double *forcing, const double *x, const double *sides,
+                         double *dxdt) {
     const whirl_rotor *rotor = model;
     const size_t degrees = rotor->lanes.degrees;
-    lanes_view view = view_of(rotor, forcing, sides);
+    lanes_view view = view_at(rotor, forcing, sides, x);
     (void)t;
-    view.q = x;
-    view.v = x + degrees;
     view.a = dxdt + degrees;
     memcpy(dxdt, x + degrees, degrees * sizeof *dxdt);
-    machine_flow[0](&view);
+    machine_flow_scalar(&view);
+}
+
+static void rhs(const void *model, double t, const double *forcing, const double *x, double *dxdt) {
+    rhs_on_sides(model, t, forcing, x, NULL, dxdt);
+}
+
+static void switches(const void *model, double t, const double *x, double *values) {
+    const lanes_view view = view_at(model, NULL, NULL, x);
+    (void)t;
+    machine_switches_scalar(&view, values, NULL);
+}
+
+static void contacts(const void *model, const double *x, double *normal_force) {
+    const lanes_view view = view_at(model, NULL, NULL, x);
+    machine_contacts_scalar(&view, normal_force);
 }
 
 /// The state and as many disturbances as there is room for, positions and velocities apart as lanes want them.
@@ -29,8 +53,8 @@ typedef struct group {
     double q[2 * MAX_DEGREES], v[2 * MAX_DEGREES], a[2 * MAX_DEGREES];
 } group;
 
-void rotor_tangent(const void *model, double t, const double *forcing, const double *x, const double *sides,
-                   size_t count, const double *dx, double *ddxdt) {
+static void tangent(const void *model, double t, const double *forcing, const double *x, const double *sides,
+                    size_t count, const double *dx, double *ddxdt) {
     const whirl_rotor *rotor = model;
     const size_t degrees = rotor->lanes.degrees, bytes = degrees * sizeof *x;
     const size_t most = (size_t)2 * MAX_DEGREES / degrees - 1;
@@ -48,7 +72,7 @@ void rotor_tangent(const void *model, double t, const double *forcing, const dou
             memcpy(g.q + (k + 1) * degrees, dx + 2 * (first + k) * degrees, bytes);
             memcpy(g.v + (k + 1) * degrees, dx + (2 * (first + k) + 1) * degrees, bytes);
         }
-        machine_flow[0](&view);
+        machine_flow_scalar(&view);
         for (size_t k = 0; k < view.tangents; k++) {
             memcpy(ddxdt + 2 * (first + k) * degrees, g.v + (k + 1) * degrees, bytes);
             memcpy(ddxdt + (2 * (first + k) + 1) * degrees, g.a + (k + 1) * degrees, bytes);
@@ -56,16 +80,14 @@ void rotor_tangent(const void *model, double t, const double *forcing, const dou
     }
 }
 
-double rotor_divergence(const void *model, double t, const double *forcing, const double *x, const double *sides) {
+static double divergence_at(const void *model, double t, const double *forcing, const double *x, const double *sides) {
     const whirl_rotor *rotor = model;
     double a[MAX_DEGREES], divergence;
-    lanes_view view = view_of(rotor, forcing, sides);
+    lanes_view view = view_at(rotor, forcing, sides, x);
     (void)t;
-    view.q = x;
-    view.v = x + rotor->lanes.degrees;
     view.a = a;
     view.divergence = &divergence;
-    machine_flow[0](&view);
+    machine_flow_scalar(&view);
     return divergence;
 }
 
@@ -79,24 +101,69 @@ static const element *owner_of(const whirl_rotor *rotor, size_t *index) {
     }
 }
 
-void rotor_switch_gradient(const void *model, double t, const double *x, size_t index, double *gradient,
-                           double *by_time) {
-    const whirl_rotor *rotor = model;
-    const size_t degrees = rotor->lanes.degrees;
-    const element *own = owner_of(rotor, &index);
-    const size_t at = 2 * own->station[0];
-    (void)t;
-    memset(gradient, 0, 2 * degrees * sizeof *gradient);
-    *by_time = 0.0;
-    own->type->switch_gradient(own, x, x + degrees, index, gradient + at, gradient + degrees + at);
+/// What the ports of an element see of a state or disturbance; 0 of the ground.
+typedef struct port_state {
+    double q[MAX_PORTS], v[MAX_PORTS];
+} port_state;
+
+static port_state see(const whirl_rotor *rotor, const element *own, const double *x) {
+    port_state seen = {{0}, {0}};
+    for (size_t p = 0; p < MAX_PORTS; p++) {
+        if (own->port[p] == NO_COORDINATE) continue;
+        seen.q[p] = x[own->port[p]];
+        seen.v[p] = x[rotor->lanes.degrees + own->port[p]];
+    }
+    return seen;
 }
 
-void rotor_switch_curvature(const void *model, double t, const double *x, size_t index, const double *u, double *out) {
-    const whirl_rotor *rotor = model;
+/// Writes a derivative by the ports as one by the state.
+static void spread(const whirl_rotor *rotor, const element *own, const port_state *by, double *out) {
     const size_t degrees = rotor->lanes.degrees;
-    const element *own = owner_of(rotor, &index);
-    const size_t at = 2 * own->station[0];
-    (void)t;
     memset(out, 0, 2 * degrees * sizeof *out);
-    own->type->switch_curvature(own, x, x + degrees, index, u + at, u + degrees + at, out + at, out + degrees + at);
+    for (size_t p = 0; p < MAX_PORTS; p++) {
+        if (own->port[p] == NO_COORDINATE) continue;
+        out[own->port[p]] = by->q[p];
+        out[degrees + own->port[p]] = by->v[p];
+    }
+}
+
+static void switch_gradient(const void *model, double t, const double *x, size_t index, double *gradient,
+                            double *by_time) {
+    const element *own = owner_of(model, &index);
+    const port_state at = see(model, own, x);
+    port_state by = {{0}, {0}};
+    (void)t;
+    *by_time = 0.0;
+    own->type->switch_gradient(own, at.q, at.v, index, by.q, by.v);
+    spread(model, own, &by, gradient);
+}
+
+static void switch_curvature(const void *model, double t, const double *x, size_t index, const double *u, double *out) {
+    const element *own = owner_of(model, &index);
+    const port_state at = see(model, own, x), along = see(model, own, u);
+    port_state by = {{0}, {0}};
+    (void)t;
+    own->type->switch_curvature(own, at.q, at.v, index, along.q, along.v, by.q, by.v);
+    spread(model, own, &by, out);
+}
+
+void rotor_system_fill(whirl_rotor *rotor) {
+    rotor->system = (whirl_system){.dimension = 2 * rotor->lanes.degrees,
+                                   .period = 6.283185307179586476925,
+                                   .forcing_count = FORCING_COUNT,
+                                   .forcing = forcing_at,
+                                   .rhs = rhs,
+                                   .switch_count = rotor->lanes.switch_count,
+                                   .switches = switches,
+                                   .rhs_on_sides = rhs_on_sides,
+                                   .tangent = tangent,
+                                   .divergence = divergence_at,
+                                   .switch_gradient = switch_gradient,
+                                   .switch_curvature = switch_curvature,
+                                   .contact_count = rotor->contact_count,
+                                   .contacts = contacts,
+                                   .probe_count = rotor->station_count,
+                                   .probes = rotor->probes,
+                                   .model = rotor,
+                                   .lanes = &rotor->lanes};
 }

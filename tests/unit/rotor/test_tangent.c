@@ -10,7 +10,6 @@
 
 #include <cmocka.h>
 
-#define VECTOR_ISA 0
 #include "isa.h"
 #include "lanes.h"
 #include "vector.h"

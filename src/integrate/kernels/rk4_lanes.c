@@ -1,0 +1,203 @@
+// RK4 in Nystrom's form for x'' = f(t, x, x') over vector lanes, compiled once for every instruction set.
+//
+// The classical method applied to (x, v): the stages of x follow from those of v in closed form, which saves half of
+// the combinations. Stage by stage, quantities outermost, vectors innermost: independent vectors hide each other's
+// latency.
+#include "rk4_lanes.h"
+#include "vector.h"
+
+/// Calls `body` for every vector of every degree of freedom, with its index i: in one run where all vectors are in use.
+#define FOR_ALL(lanes, body)                                                                                           \
+    for (size_t d = 0, full = (lanes)->vectors == (lanes)->stride; d < (full ? 1 : (lanes)->degrees); d++)             \
+        for (size_t i = d * (lanes)->stride, last = i + (full ? (lanes)->degrees : 1) * (lanes)->vectors; i < last;    \
+             i++)                                                                                                      \
+    body
+
+/// What a step works on, out of memory; k are the accelerations.
+typedef struct scheme {
+    vec *q, *v, *k1, *k2, *k3, *k4, *stage_q, *stage_v;
+    vec whole, half, sixth, quarter_square, half_square, sixth_square; ///< of the step's length
+} scheme;
+
+static inline scheme scheme_of(double h) {
+    return (scheme){.whole = v_set(h),
+                    .half = v_set(0.5 * h),
+                    .sixth = v_set(h / 6.0),
+                    .quarter_square = v_set(0.25 * h * h),
+                    .half_square = v_set(0.5 * h * h),
+                    .sixth_square = v_set(h * h / 6.0)};
+}
+
+/// The states at which accelerations 2 to 4 are taken, and that at the step's end.
+static inline void enter_second(const scheme *s, size_t i) {
+    const vec v = s->v[i];
+    s->stage_q[i] = v_fma(s->half, v, s->q[i]);
+    s->stage_v[i] = v_fma(s->half, s->k1[i], v);
+}
+static inline void enter_third(const scheme *s, size_t i) {
+    s->stage_q[i] = v_fma(s->quarter_square, s->k1[i], s->stage_q[i]);
+    s->stage_v[i] = v_fma(s->half, s->k2[i], s->v[i]);
+}
+static inline void enter_fourth(const scheme *s, size_t i) {
+    const vec v = s->v[i];
+    s->stage_q[i] = v_fma(s->half_square, s->k2[i], v_fma(s->whole, v, s->q[i]));
+    s->stage_v[i] = v_fma(s->whole, s->k3[i], v);
+}
+static inline void enter_end(const scheme *s, size_t i) {
+    const vec k1 = s->k1[i], v = s->v[i], inner = v_add(s->k2[i], s->k3[i]);
+    s->q[i] = v_fma(s->sixth_square, v_add(k1, inner), v_fma(s->whole, v, s->q[i]));
+    s->v[i] = v_fma(s->sixth, v_fma(v_set(2.0), inner, v_add(k1, s->k4[i])), v);
+}
+
+/// Accelerations with the values of time that all lanes share.
+static void accelerate(const rk4_lanes *lanes, const double *forcing, const vec *q, const vec *v, vec *a) {
+    vec *now = (vec *)lanes->now;
+    for (size_t i = 0; i < lanes->forcing_count; i++)
+        for (size_t k = 0; k < lanes->vectors; k++) now[i * lanes->stride + k] = v_set(forcing[i]);
+    const lanes_view view = {.model = lanes->model,
+                             .stride = lanes->stride,
+                             .vectors = lanes->vectors,
+                             .numbers = lanes->numbers,
+                             .forcing = now,
+                             .q = q,
+                             .v = v,
+                             .a = a};
+    lanes->flow(&view);
+}
+
+static void take_step(const rk4_lanes *lanes, const double *forcing) {
+    const double *middle = forcing + lanes->forcing_count, *end = middle + lanes->forcing_count;
+    scheme s = scheme_of(lanes->step);
+    s.q = (vec *)lanes->q;
+    s.v = (vec *)lanes->v;
+    s.k1 = (vec *)lanes->k[0];
+    s.k2 = (vec *)lanes->k[1];
+    s.k3 = (vec *)lanes->k[2];
+    s.k4 = (vec *)lanes->k[3];
+    s.stage_q = (vec *)lanes->stage_q;
+    s.stage_v = (vec *)lanes->stage_v;
+    accelerate(lanes, forcing, s.q, s.v, s.k1);
+    FOR_ALL(lanes, enter_second(&s, i);)
+    accelerate(lanes, middle, s.stage_q, s.stage_v, s.k2);
+    FOR_ALL(lanes, enter_third(&s, i);)
+    accelerate(lanes, middle, s.stage_q, s.stage_v, s.k3);
+    FOR_ALL(lanes, enter_fourth(&s, i);)
+    accelerate(lanes, end, s.stage_q, s.stage_v, s.k4);
+    FOR_ALL(lanes, enter_end(&s, i);)
+}
+
+/// Whether velocities are looked at after step n: their bounds, by which distances are scaled, are not wanted to the
+/// last digit, and cost as much as all else that is observed.
+static inline bool looks_at_speeds(const rk4_lanes *lanes, int n) {
+    return n % 4 == 0 || n == lanes->steps;
+}
+
+static inline void widen(vec value, vec *low, vec *high) {
+    *low = v_min(value, *low);
+    *high = v_max(value, *high);
+}
+
+/// What is observed of a probe besides bounds; sum: of x and of y.
+typedef struct probe_observe {
+    vec *most, *least, *back, *sum[2];
+} probe_observe;
+
+static inline void observe_probe(const probe_observe *w, vec x, vec y, vec vx, vec vy) {
+    const vec square = v_fma(x, x, v_mul(y, y)), turning = v_fms(x, vy, v_mul(y, vx));
+    *w->most = v_max(square, *w->most);
+    *w->least = v_min(square, *w->least);
+    *w->sum[0] = v_add(*w->sum[0], x);
+    *w->sum[1] = v_add(*w->sum[1], y);
+    *w->back = v_add(*w->back, v_select(v_less(turning, v_set(0.0)), v_set(1.0), v_set(0.0)));
+}
+
+static void observe_bounds(const rk4_lanes *lanes, const double *of, double *low, double *high) {
+    FOR_ALL(lanes, widen(((const vec *)of)[i], (vec *)low + i, (vec *)high + i);)
+}
+
+static void observe_probes(const rk4_lanes *lanes, bool speeds) {
+    const lanes_observe *w = &lanes->observe;
+    const size_t stride = lanes->stride, speeds_at = lanes->degrees * lanes->lane_count;
+    const vec *q = (const vec *)lanes->q, *v = (const vec *)lanes->v;
+    observe_bounds(lanes, lanes->q, w->low, w->high);
+    if (speeds) observe_bounds(lanes, lanes->v, w->low + speeds_at, w->high + speeds_at);
+    for (size_t p = 0; p < w->probe_count; p++)
+        for (size_t k = 0; k < lanes->vectors; k++) {
+            const size_t x = w->probes[p].x * stride + k, y = w->probes[p].y * stride + k, at = p * stride + k;
+            vec *sum = (vec *)w->sum + 2 * p * stride + k;
+            const probe_observe own = {
+                (vec *)w->square_max + at, (vec *)w->square_min + at, (vec *)w->backward + at, {sum, sum + stride}};
+            observe_probe(&own, q[x], q[y], v[x], v[y]);
+        }
+}
+
+/// Normal forces by the machine itself.
+static void observe_forces(const rk4_lanes *lanes) {
+    const lanes_observe *w = &lanes->observe;
+    const lanes_view view = {.model = lanes->model,
+                             .stride = lanes->stride,
+                             .vectors = lanes->vectors,
+                             .numbers = lanes->numbers,
+                             .q = lanes->q,
+                             .v = lanes->v};
+    w->normal_force(&view, w->force);
+    for (size_t c = 0; c < w->contact_count; c++)
+        for (size_t at = c * lanes->stride, last = at + lanes->vectors; at < last; at++)
+            ((vec *)w->force_max)[at] = v_max(((const vec *)w->force)[at], ((const vec *)w->force_max)[at]);
+}
+
+static vec_mask touches(const rk4_lanes *lanes, size_t c, size_t k) {
+    const lanes_observe *w = &lanes->observe;
+    const whirl_probe *probe = &w->probes[w->contact_probe[c]];
+    const size_t at = c * lanes->stride + k;
+    if (w->normal_force) return v_less(v_set(0.0), ((const vec *)w->force)[at]);
+    const vec x = ((const vec *)lanes->q)[probe->x * lanes->stride + k];
+    const vec y = ((const vec *)lanes->q)[probe->y * lanes->stride + k];
+    const vec gap = ((const vec *)w->gap)[at];
+    return v_less(v_mul(gap, gap), v_fma(x, x, v_mul(y, y)));
+}
+
+/// Instants in contact and how often contact began, by who touches now.
+static inline void count_contact(vec_mask touching, vec *before, vec *contact, vec *begun) {
+    const vec now = v_select(touching, v_set(1.0), v_set(0.0));
+    *contact = v_add(*contact, now);
+    *begun = v_fma(now, v_sub(v_set(1.0), *before), *begun);
+    *before = now;
+}
+
+static void observe_contacts(const rk4_lanes *lanes) {
+    const lanes_observe *w = &lanes->observe;
+    if (w->normal_force) observe_forces(lanes);
+    for (size_t c = 0; c < w->contact_count; c++)
+        for (size_t k = 0; k < lanes->vectors; k++) {
+            const size_t at = c * lanes->stride + k;
+            count_contact(touches(lanes, c, k), (vec *)w->touching + at, (vec *)w->contact + at, (vec *)w->begun + at);
+        }
+}
+
+#include "rk4_located.inc"
+#include "rk4_pair.inc"
+
+void ISA(rk4_lanes)(const rk4_lanes *lanes) {
+    const bool locates = lanes->located.switches != NULL, paired = are_pairs(lanes);
+    pair pairs[MAX_PAIRS];
+    if (paired) fill_pairs(lanes, pairs);
+    if (paired && !locates && !lanes->observe.normal_force) {
+        revolve_pairs(lanes, pairs);
+        return;
+    }
+    if (locates) begin_located(lanes);
+    for (int n = 0; n < lanes->steps; n++) {
+        if (locates) keep_beginning(lanes);
+        if (paired)
+            take_step_of_pairs(lanes, pairs, n);
+        else
+            take_step(lanes, lanes->forcing + (size_t)n * 2 * lanes->forcing_count);
+        if (locates) locate(lanes, n);
+        if (lanes->observing) {
+            observe_probes(lanes, looks_at_speeds(lanes, n + 1));
+            observe_contacts(lanes);
+        }
+        if (lanes->sample_stride > 0 && (size_t)(n + 1) % lanes->sample_stride == 0) lanes->sample(lanes->context);
+    }
+}

@@ -1,0 +1,216 @@
+// Coordinates, inertia and linear terms.
+#include "assembly.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+whirl_status assembly_begin(assembly *to, double speed, double length, size_t station_count) {
+    *to = (assembly){.speed = speed, .length = length, .station_count = station_count};
+    to->stations = calloc(station_count, sizeof *to->stations);
+    to->numbers = calloc(station_count, sizeof *to->numbers);
+    to->inertia = calloc(AXES * station_count, sizeof *to->inertia);
+    to->unit = calloc(AXES * station_count, sizeof *to->unit);
+    if (!to->stations || !to->numbers || !to->inertia || !to->unit)
+        return whirl_fail(WHIRL_NO_MEMORY, "no memory for a rotor of %zu stations", station_count);
+    for (size_t s = 0; s < station_count; s++) to->stations[s].moves_x = to->stations[s].moves_y = true;
+    return whirl_ok();
+}
+
+void assembly_clear(assembly *to) {
+    free(to->stations);
+    free(to->numbers);
+    free(to->inertia);
+    free(to->unit);
+    free(to->terms);
+}
+
+// ---------------------------------------------------------------- coordinates
+
+static bool in_plane(const assembly_station *station) {
+    return station->moves_x && station->moves_y;
+}
+
+static size_t add_coordinate(assembly *to, double inertia, double unit) {
+    to->inertia[to->degrees] = inertia;
+    to->unit[to->degrees] = unit;
+    return to->degrees++;
+}
+
+static void add_displacements(assembly *to, assembly_station *station) {
+    if (station->moves_x) station->coordinate[AXIS_X] = add_coordinate(to, station->mass, to->length);
+    if (station->moves_y) station->coordinate[AXIS_Y] = add_coordinate(to, station->mass, to->length);
+}
+
+static void add_tilts(assembly *to, assembly_station *station) {
+    const double gyration = sqrt(station->diametral / station->mass);
+    for (axis along = AXIS_TILT_X; along <= AXIS_TILT_Y; along++)
+        station->coordinate[along] = add_coordinate(to, station->diametral, to->length / gyration);
+}
+
+static whirl_status check_inertia(const assembly_station *station) {
+    if (!(station->mass > 0.0))
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "station '%s' has no mass, expected its key mass or an element that brings one",
+                          station->name);
+    if (station->polar > 0.0 && !(station->diametral > 0.0))
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "station '%s' has a polar inertia and no diametral one, expected both, or neither",
+                          station->name);
+    return whirl_ok();
+}
+
+whirl_status assembly_number(assembly *to, const size_t *order) {
+    for (size_t i = 0; i < to->station_count; i++) {
+        assembly_station *station = &to->stations[order ? order[i] : i];
+        const whirl_status status = check_inertia(station);
+        if (status.code != WHIRL_OK) return status;
+        for (axis along = AXIS_X; along < AXES; along++) station->coordinate[along] = NO_COORDINATE;
+        if (!in_plane(station)) continue;
+        station->place = to->plane_count++;
+        add_displacements(to, station);
+    }
+    for (size_t s = 0; s < to->station_count; s++)
+        if (!in_plane(&to->stations[s])) add_displacements(to, &to->stations[s]);
+    for (size_t s = 0; s < to->station_count; s++)
+        if (to->stations[s].diametral > 0.0) add_tilts(to, &to->stations[s]);
+    return whirl_ok();
+}
+
+whirl_status assembly_find(const assembly *of, size_t station, axis along, size_t *coordinate) {
+    const assembly_station *found = &of->stations[station];
+    *coordinate = found->coordinate[along];
+    if (*coordinate != NO_COORDINATE) return whirl_ok();
+    if (along == AXIS_TILT_X || along == AXIS_TILT_Y)
+        return whirl_fail(WHIRL_BAD_INPUT, "needs a station that tilts, and '%s' has no diametral inertia",
+                          found->name);
+    return whirl_fail(WHIRL_BAD_INPUT, "needs a station that moves along %s, and '%s' does not",
+                      along == AXIS_X ? "x" : "y", found->name);
+}
+
+whirl_status assembly_find_plane(const assembly *of, size_t station, size_t port[2]) {
+    const whirl_status status = assembly_find(of, station, AXIS_X, &port[0]);
+    return status.code == WHIRL_OK ? assembly_find(of, station, AXIS_Y, &port[1]) : status;
+}
+
+// ---------------------------------------------------------------- terms
+
+double assembly_stiffness_scale(const assembly *of, size_t station) {
+    return of->stations[station].mass * of->speed * of->speed;
+}
+
+double assembly_force_scale(const assembly *of, size_t coordinate) {
+    return of->inertia[coordinate] * of->speed * of->speed * of->unit[coordinate];
+}
+
+static void add_term(assembly *to, linear_term term) {
+    if (to->term_count == to->term_room) {
+        const size_t room = 2 * to->term_room + 64;
+        linear_term *terms = realloc(to->terms, room * sizeof *terms);
+        if (!terms) {
+            to->no_memory = true;
+            return;
+        }
+        to->terms = terms;
+        to->term_room = room;
+    }
+    to->terms[to->term_count++] = term;
+}
+
+void assembly_stiffness(assembly *to, size_t row, size_t by, double stiffness) {
+    if (row == NO_COORDINATE || by == NO_COORDINATE) return;
+    const double scale = assembly_force_scale(to, row) / to->unit[by];
+    add_term(to, (linear_term){row, SOURCE_PLACE, by, -stiffness / scale});
+}
+
+void assembly_damping(assembly *to, size_t row, size_t by, double damping) {
+    if (row == NO_COORDINATE || by == NO_COORDINATE) return;
+    const double scale = assembly_force_scale(to, row) / to->unit[by];
+    add_term(to, (linear_term){row, SOURCE_VELOCITY, by, -damping * to->speed / scale});
+}
+
+void assembly_spring(assembly *to, size_t one, size_t other, double stiffness) {
+    assembly_stiffness(to, one, one, stiffness);
+    assembly_stiffness(to, one, other, -stiffness);
+    assembly_stiffness(to, other, one, -stiffness);
+    assembly_stiffness(to, other, other, stiffness);
+}
+
+void assembly_damper(assembly *to, size_t one, size_t other, double damping) {
+    assembly_damping(to, one, one, damping);
+    assembly_damping(to, one, other, -damping);
+    assembly_damping(to, other, one, -damping);
+    assembly_damping(to, other, other, damping);
+}
+
+void assembly_forcing(assembly *to, size_t row, size_t value, double force) {
+    if (row == NO_COORDINATE) return;
+    add_term(to, (linear_term){row, SOURCE_FORCING, value, force / assembly_force_scale(to, row)});
+}
+
+void assembly_turning(assembly *to, size_t x, size_t y, double force, double angle) {
+    assembly_forcing(to, x, COS_TAU, force * cos(angle));
+    assembly_forcing(to, x, SIN_TAU, -force * sin(angle));
+    assembly_forcing(to, y, COS_TAU, force * sin(angle));
+    assembly_forcing(to, y, SIN_TAU, force * cos(angle));
+}
+
+void assembly_unbalance(assembly *to, size_t station, double moment, double angle) {
+    const assembly_station *at = &to->stations[station];
+    if (!in_plane(at)) {
+        assembly_turning(to, at->coordinate[AXIS_X], at->coordinate[AXIS_Y], moment * to->speed * to->speed, angle);
+        return;
+    }
+    const double acceleration = moment / (at->mass * to->length);
+    to->numbers[at->place][STATION_UNBALANCE_COS] += acceleration * cos(angle);
+    to->numbers[at->place][STATION_UNBALANCE_SIN] += acceleration * sin(angle);
+}
+
+void assembly_pull(assembly *to, double x, double y) {
+    const double scale = to->speed * to->speed * to->length;
+    for (size_t s = 0; s < to->station_count; s++) {
+        const assembly_station *at = &to->stations[s];
+        if (in_plane(at)) {
+            to->numbers[at->place][STATION_PULL_X] += x / scale;
+            to->numbers[at->place][STATION_PULL_Y] += y / scale;
+        } else {
+            if (at->moves_x) add_term(to, (linear_term){at->coordinate[AXIS_X], SOURCE_ONE, 0, x / scale});
+            if (at->moves_y) add_term(to, (linear_term){at->coordinate[AXIS_Y], SOURCE_ONE, 0, y / scale});
+        }
+    }
+}
+
+void assembly_ground_damping(assembly *to, size_t station, double damping) {
+    const assembly_station *at = &to->stations[station];
+    if (in_plane(at)) {
+        to->numbers[at->place][STATION_DAMPING] += damping / (at->mass * to->speed);
+        return;
+    }
+    assembly_damper(to, at->coordinate[AXIS_X], NO_COORDINATE, damping);
+    assembly_damper(to, at->coordinate[AXIS_Y], NO_COORDINATE, damping);
+}
+
+static int compare_terms(const void *one, const void *other) {
+    const linear_term *a = one, *b = other;
+    if (a->row != b->row) return a->row < b->row ? -1 : 1;
+    if (a->source != b->source) return a->source < b->source ? -1 : 1;
+    if (a->column != b->column) return a->column < b->column ? -1 : 1;
+    // By size, so that the sum does not depend on the order in which elements are listed.
+    return a->number < b->number ? -1 : a->number > b->number;
+}
+
+bool assembly_finish(assembly *to) {
+    size_t kept = 0;
+    if (to->no_memory) return false;
+    if (to->term_count > 0) qsort(to->terms, to->term_count, sizeof *to->terms, compare_terms);
+    for (size_t i = 0; i < to->term_count; i++) {
+        const linear_term *term = &to->terms[i];
+        linear_term *last = kept > 0 ? &to->terms[kept - 1] : NULL;
+        if (last && last->row == term->row && last->source == term->source && last->column == term->column)
+            last->number += term->number;
+        else
+            to->terms[kept++] = *term;
+    }
+    to->term_count = kept;
+    return true;
+}

@@ -1,0 +1,103 @@
+/// The coordinates of a rotor, their inertia, and what acts on them linearly: what stations and elements build
+/// together.
+///
+/// Stations that move in x and y have their coordinates first, two and two; tilts and stations that move along one axis
+/// follow. All that is handed in is in SI; the assembly scales: time by 1/omega, displacements by the length scale,
+/// tilts by the length scale over the station's radius of gyration (so that both weigh alike in errors and distances).
+#ifndef ROTOR_ASSEMBLY_H
+#define ROTOR_ASSEMBLY_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "whirl/status.h"
+
+/// No coordinate: what does not move.
+#define NO_COORDINATE ((size_t)-1)
+
+/// The ways a station can move: along x and y, and the slopes dx/dz and dy/dz of its axis, z along the shaft.
+typedef enum axis { AXIS_X, AXIS_Y, AXIS_TILT_X, AXIS_TILT_Y, AXES } axis;
+
+/// What acts on a station that moves in x and y and does not depend on where it is; the numbers of station_kernel.h.
+enum { STATION_DAMPING, STATION_UNBALANCE_COS, STATION_UNBALANCE_SIN, STATION_PULL_X, STATION_PULL_Y, STATION_NUMBERS };
+
+/// The values that depend on time alone, as the kernels index them.
+enum { COS_TAU, SIN_TAU, COS_2TAU, SIN_2TAU, FORCING_COUNT };
+
+/// A term of the acceleration of a coordinate: its number times a coordinate, a velocity, a value of time, or 1.
+typedef enum source { SOURCE_PLACE, SOURCE_VELOCITY, SOURCE_FORCING, SOURCE_ONE } source;
+typedef struct linear_term {
+    size_t row;
+    source source;
+    size_t column; ///< coordinate, or value of time
+    double number;
+} linear_term;
+
+typedef struct assembly_station {
+    const char *name;
+    double mass, diametral, polar; ///< kg, kg m2; a station with a diametral inertia tilts
+    bool moves_x, moves_y;
+    size_t place;            ///< among the stations that move in x and y
+    size_t coordinate[AXES]; ///< NO_COORDINATE where it does not move so
+} assembly_station;
+
+typedef struct assembly {
+    double speed, length;              ///< omega, rad/s; length scale, m
+    size_t station_count, plane_count; ///< stations, and those that move in x and y
+    assembly_station *stations;
+    double (*numbers)[STATION_NUMBERS]; ///< [plane_count]
+    size_t degrees;
+    double *inertia, *unit; ///< [degrees] kg or kg m2; m or rad of one unit
+    size_t term_count, term_room;
+    linear_term *terms;
+    bool no_memory; ///< a term was lost
+} assembly;
+
+/// An assembly of stations that move in x and y and have no mass yet; WHIRL_NO_MEMORY. Freed by assembly_clear.
+whirl_status assembly_begin(assembly *to, double speed, double length, size_t station_count);
+void assembly_clear(assembly *to);
+
+/// Numbers the coordinates, once all inertia is known, in the order [station_count] of the stations, NULL: as they are.
+/// WHIRL_BAD_INPUT for a station without mass.
+whirl_status assembly_number(assembly *to, const size_t *order);
+
+/// The coordinate of a station along an axis, which is to be there: WHIRL_BAD_INPUT with a sentence where it is not.
+whirl_status assembly_find(const assembly *of, size_t station, axis along, size_t *coordinate);
+
+/// Those along x and y, into port[0] and port[1].
+whirl_status assembly_find_plane(const assembly *of, size_t station, size_t port[2]);
+
+/// kg rad^2/s^2 by which a stiffness on a station is scaled.
+double assembly_stiffness_scale(const assembly *of, size_t station);
+
+/// What a force (N or N m) on a coordinate is divided by to become its acceleration.
+double assembly_force_scale(const assembly *of, size_t coordinate);
+
+/// Adds -stiffness times the coordinate `by`, or -damping times its velocity, to the force on `row`; nothing where one
+/// of them is NO_COORDINATE. In N/m, N s/m, or with tilts N, N m, N s, N m s.
+void assembly_stiffness(assembly *to, size_t row, size_t by, double stiffness);
+void assembly_damping(assembly *to, size_t row, size_t by, double damping);
+
+/// The same for a spring or damper between two coordinates, one of them perhaps NO_COORDINATE, the ground.
+void assembly_spring(assembly *to, size_t one, size_t other, double stiffness);
+void assembly_damper(assembly *to, size_t one, size_t other, double damping);
+
+/// Adds a force (N or N m) times a value of time to the coordinate.
+void assembly_forcing(assembly *to, size_t row, size_t value, double force);
+
+/// Adds a force on a pair of coordinates that turns with the shaft, from `angle` (rad) at tau = 0.
+void assembly_turning(assembly *to, size_t x, size_t y, double force, double angle);
+
+/// Adds an unbalance of `moment` (kg m) at `angle` (rad, from the x axis at tau = 0).
+void assembly_unbalance(assembly *to, size_t station, double moment, double angle);
+
+/// Adds a constant acceleration (m/s2) to all stations.
+void assembly_pull(assembly *to, double x, double y);
+
+/// Adds damping (N s/m) between a station and the ground.
+void assembly_ground_damping(assembly *to, size_t station, double damping);
+
+/// Puts the terms in order, row by row, and adds those that belong together. False where one was lost.
+bool assembly_finish(assembly *to);
+
+#endif

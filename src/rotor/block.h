@@ -1,0 +1,24 @@
+/// What the kernels of a call work on: vectors of one instruction set.
+///
+/// Rotors side by side, each lane at its own time and on its own sides of the switches, with disturbances.
+#ifndef ROTOR_BLOCK_H
+#define ROTOR_BLOCK_H
+
+#include "element.h"
+#include "vector.h"
+
+typedef struct block {
+    size_t stride, vectors;
+    size_t disturbances, next; ///< and the vectors from one state or disturbance to the next
+    const vec *forcing, *q, *v;
+    vec *a, *divergence; ///< divergence: NULL where it is not wanted
+    // Of the element at hand.
+    const vec *number;
+    const vec *sides; ///< of its switches; NULL: the state decides
+} block;
+
+static inline int wants_tangent(const block *b) {
+    return b->disturbances > 0 || b->divergence;
+}
+
+#endif

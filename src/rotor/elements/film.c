@@ -1,0 +1,111 @@
+// The film of a short journal bearing: its pass over vectors, its keys and the numbers of its kernel.
+#include "block.h"
+#include "film_tangent.h"
+#include "registry.h"
+#include "whirl/rotor.h"
+
+/// What the film adds to vector k and its disturbances.
+static void finish(const element *own, const block *b, size_t k, const film_state *film) {
+    const vec strength = b->number[FILM_STRENGTH * b->stride + k];
+    tangent_block tangent;
+    film_add(film, strength, &b->a[own->port[0] * b->stride + k], &b->a[own->port[1] * b->stride + k]);
+    if (!wants_tangent(b)) return;
+    film_tangent(film, strength, &tangent);
+    tangent_apply(&tangent, own, b, k);
+}
+
+/// Three vectors are in the film at a time, one in each phase.
+static void flow(const element *own, const block *b) {
+    film_work work;
+    for (size_t k = 0; k < b->vectors + 2; k++) {
+        if (k < b->vectors) film_begin(own, b->stride, b->number + k, b->q + k, b->v + k, &work, k % FILM_PLACES);
+        if (k >= 1 && k <= b->vectors) film_divide(&work, (k - 1) % FILM_PLACES);
+        if (k < 2) continue;
+        const film_state film = film_end(&work, (k - 2) % FILM_PLACES);
+        finish(own, b, k - 2, &film);
+    }
+}
+
+const element_kernels ISA(film_kernels) = {.flow = flow};
+
+#if VECTOR_ISA == VECTOR_SCALAR
+
+enum { AT, COUNT, LAW, CLEARANCE, LOAD, VISCOSITY, RADIUS, LENGTH, KEY_COUNT };
+
+static const whirl_key keys[KEY_COUNT] = {
+    [AT] = {"at", "", "", WHIRL_KEY_STATION, true, "", WHIRL_ANY, NULL, "station of the journal", ""},
+    [COUNT] = {"count",
+               "",
+               "1",
+               WHIRL_KEY_WHOLE,
+               false,
+               "1",
+               {1, 1000, false, false},
+               NULL,
+               "equal bearings that carry this station",
+               ""},
+    [LAW] = {"law", "", "", WHIRL_KEY_CHOICE, false, "capone", WHIRL_ANY, "capone",
+             "capone: short bearing, film over half the circumference", "Capone 1991"},
+    [CLEARANCE] = {"clearance", "c", "m", WHIRL_KEY_NUMBER, true, "", WHIRL_POSITIVE, NULL, "radial clearance", ""},
+    [LOAD] = {"load", "F0", "N", WHIRL_KEY_NUMBER, false, "", WHIRL_NOT_NEGATIVE, NULL,
+              "scale F0 of the film force of one bearing, in place of viscosity, radius and length", "Capone 1991"},
+    [VISCOSITY] = {"viscosity", "mu", "Pa s", WHIRL_KEY_NUMBER, false, "", WHIRL_POSITIVE, NULL,
+                   "dynamic viscosity of the oil", ""},
+    [RADIUS] = {"radius", "R", "m", WHIRL_KEY_NUMBER, false, "", WHIRL_POSITIVE, NULL, "radius of the journal", ""},
+    [LENGTH] = {"length", "L", "m", WHIRL_KEY_NUMBER, false, "", WHIRL_POSITIVE, NULL, "length of the bearing", ""},
+};
+
+static whirl_status load_scale(const key_value *values, double speed, double *load) {
+    const bool design = values[VISCOSITY].given || values[RADIUS].given || values[LENGTH].given;
+    if (values[LOAD].given && design)
+        return whirl_fail(WHIRL_BAD_INPUT, "has both load and viscosity, radius or length, expected one way");
+    *load = values[LOAD].number;
+    if (values[LOAD].given) return whirl_ok();
+    if (!values[VISCOSITY].given || !values[RADIUS].given || !values[LENGTH].given)
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "has no complete film strength, expected load, or viscosity, radius and length");
+    const double length = values[LENGTH].number, clearance = values[CLEARANCE].number;
+    *load = values[VISCOSITY].number * speed * values[RADIUS].number * length * length * length /
+            (4.0 * clearance * clearance);
+    return whirl_ok();
+}
+
+static whirl_status build(const key_value *values, assembly *to, element *out) {
+    double load = 0.0;
+    whirl_status status = load_scale(values, to->speed, &load);
+    out->station = values[AT].station[0];
+    out->law = values[LAW].choice;
+    if (status.code == WHIRL_OK) status = assembly_find_plane(to, out->station, out->port);
+    if (status.code != WHIRL_OK) return status;
+    const double clearance = values[CLEARANCE].number / to->length, square = clearance * clearance;
+    out->number[FILM_CLEARANCE] = clearance;
+    out->number[FILM_CLEARANCE_SQUARE] = square;
+    out->number[FILM_STRENGTH] =
+        FILM_STRENGTH_OF_1 * square * values[COUNT].number * load / assembly_force_scale(to, out->port[0]);
+    return whirl_ok();
+}
+
+static double bearing_clearance(const element *own) {
+    return own->number[FILM_CLEARANCE];
+}
+
+void whirl_film_force(double x, double y, double vx, double vy, double force[2]) {
+    film_work work;
+    force[0] = force[1] = 0.0;
+    film_place(&work, 0, 1.0, x, y, x - 2.0 * vy, y + 2.0 * vx);
+    film_divide(&work, 0);
+    const film_state film = film_end(&work, 0);
+    film_add(&film, FILM_STRENGTH_OF_1, &force[0], &force[1]);
+}
+
+FOR_EVERY_ISA(const element_kernels, film_kernels);
+static const element_kernels *const kernels[VECTOR_ISAS] = EVERY_ISA(&, film_kernels);
+
+const element_type film_element = {
+    .group = {"film", "the oil film of a short journal bearing", "Capone 1991", keys, KEY_COUNT, NULL},
+    .number_count = FILM_NUMBERS,
+    .kernels = kernels,
+    .build = build,
+    .bearing_clearance = bearing_clearance,
+};
+#endif

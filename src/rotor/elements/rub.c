@@ -1,0 +1,113 @@
+// A rub: its passes over vectors, its keys and the numbers of its kernel.
+#include "block.h"
+#include "registry.h"
+#include "rub_switch.h"
+#include "rub_tangent.h"
+
+static void flow(const element *own, const block *b) {
+    for (size_t k = 0; k < b->vectors; k++) {
+        const vec *sides = b->sides ? b->sides + k : NULL, *number = b->number + k, *q = b->q + k, *v = b->v + k;
+        tangent_block tangent;
+        rub_kernel(own, b->stride, number, sides, q, v, b->a + k);
+        if (wants_tangent(b) && rub_tangent(own, b->stride, number, sides, q, v, &tangent))
+            tangent_apply(&tangent, own, b, k);
+    }
+}
+
+static void switches(const element *own, const block *b, void *values, void *rates) {
+    vec *value = values, *rate = rates;
+    for (size_t k = 0; k < b->vectors; k++)
+        rub_switches(own, b->stride, b->number + k, b->q + k, b->v + k, rate ? b->a + k : NULL, value + k,
+                     rate ? rate + k : NULL);
+}
+
+static void contact(const element *own, const block *b, void *force) {
+    vec *out = force;
+    for (size_t k = 0; k < b->vectors; k++) out[k] = rub_normal(own, b->stride, b->number + k, b->q + k, b->v + k);
+}
+
+const element_kernels ISA(rub_kernels) = {.flow = flow, .switches = switches, .contact = contact};
+
+#if VECTOR_ISA == VECTOR_SCALAR
+
+enum { AT, GAP, STIFFNESS, DAMPING, FRICTION, LAW, RADIUS, SLIP_SPEED, KEY_COUNT };
+
+static const whirl_key keys[KEY_COUNT] = {
+    [AT] = {"at", "", "", WHIRL_KEY_STATION, true, "", WHIRL_ANY, NULL, "station that may touch the stator", ""},
+    [GAP] = {"gap", "delta_1", "m", WHIRL_KEY_NUMBER, true, "", WHIRL_POSITIVE, NULL,
+             "radial gap between rotor and stator", ""},
+    [STIFFNESS] = {"stiffness", "k_c", "N/m", WHIRL_KEY_NUMBER, true, "", WHIRL_NOT_NEGATIVE, NULL,
+                   "radial stiffness of the stator", ""},
+    [DAMPING] = {"damping", "c_c", "N s/m", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL,
+                 "viscous damping of the contact along its normal; the stator never pulls", ""},
+    [FRICTION] = {"friction", "f", "1", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL,
+                  "coefficient of Coulomb friction", ""},
+    [LAW] = {"law", "", "", WHIRL_KEY_CHOICE, false, "paper", WHIRL_ANY, "paper|slip",
+             "paper: friction always against the rotation; slip: against the sliding, which backward whirl can reverse",
+             "rub-impact paper 2015, eq. (3); Black 1968"},
+    [RADIUS] = {"radius", "R_d", "m", WHIRL_KEY_NUMBER, false, "", WHIRL_POSITIVE, NULL,
+                "radius of the rotor's surface that rubs; law slip needs it", ""},
+    [SLIP_SPEED] = {"slip_speed", "v_0", "m/s", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL,
+                    "law slip: friction grows as v_t/sqrt(v_t^2 + v_0^2); 0 for a sharp reversal", ""},
+};
+
+static whirl_status build(const key_value *values, assembly *to, element *out) {
+    const bool slip = values[LAW].choice == RUB_LAW_SLIP;
+    if (slip && !values[RADIUS].given)
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "has no radius, expected one: law slip needs the radius of the surface that rubs");
+    if (!slip && (values[RADIUS].given || values[SLIP_SPEED].given))
+        return whirl_fail(WHIRL_BAD_INPUT, "has a %s, which only law slip uses, expected law: slip, or no %s",
+                          values[RADIUS].given ? "radius" : "slip_speed",
+                          values[RADIUS].given ? "radius" : "slip_speed");
+    out->station = values[AT].station[0];
+    const whirl_status status = assembly_find_plane(to, out->station, out->port);
+    if (status.code != WHIRL_OK) return status;
+    // A given damping of 0 counts, so that a sweep may begin there; but not with a stator that does nothing at all.
+    const bool damped = values[DAMPING].given && (values[DAMPING].number > 0.0 || values[STIFFNESS].number > 0.0);
+    const bool sharp = slip && !(values[SLIP_SPEED].number > 0.0);
+    out->law = values[LAW].choice | (damped ? RUB_DAMPED : 0) | (sharp ? RUB_SHARP : 0);
+    out->number[RUB_GAP] = values[GAP].number / to->length;
+    out->number[RUB_STIFFNESS] = values[STIFFNESS].number / assembly_stiffness_scale(to, out->station);
+    out->number[RUB_DAMPING] = values[DAMPING].number / (to->stations[out->station].mass * to->speed);
+    out->number[RUB_FRICTION] = values[FRICTION].number;
+    out->number[RUB_SURFACE] = slip ? values[RADIUS].number / to->length : 0.0;
+    out->number[RUB_SLIP_SPEED] = values[SLIP_SPEED].number / (to->speed * to->length);
+    out->number[RUB_GAP_SQUARE] = out->number[RUB_GAP] * out->number[RUB_GAP];
+    out->number[RUB_NEWTONS] = assembly_stiffness_scale(to, out->station) * to->length;
+    return whirl_ok();
+}
+
+static size_t switch_count(const element *own) {
+    return rub_switch_count(own);
+}
+
+static bool slides(const element *own) {
+    return rub_sharp(own);
+}
+
+static double contact_gap(const element *own) {
+    return own->number[RUB_GAP];
+}
+
+static bool contact_damped(const element *own) {
+    return rub_damped(own);
+}
+
+FOR_EVERY_ISA(const element_kernels, rub_kernels);
+static const element_kernels *const kernels[VECTOR_ISAS] = EVERY_ISA(&, rub_kernels);
+
+const element_type rub_element = {
+    .group = {"rub", "an elastic stator ring with Coulomb friction around a station",
+              "rub-impact paper 2015, eq. (3); Black 1968", keys, KEY_COUNT, NULL},
+    .number_count = RUB_NUMBERS,
+    .kernels = kernels,
+    .build = build,
+    .switch_count = switch_count,
+    .switch_gradient = rub_switch_gradient,
+    .switch_curvature = rub_switch_curvature,
+    .slides = slides,
+    .contact_gap = contact_gap,
+    .contact_damped = contact_damped,
+};
+#endif

@@ -1,0 +1,90 @@
+// First and second derivatives of a rub's switching functions.
+//
+// With the normal n = (x, y)/r, r' = n . v and the turning of n by a displacement u, e(u) = (u - n (n . u))/r:
+//
+//     r - gap                    by place n                        second e(u)
+//     K (r - gap) + D r'         by place K n + D e(v), by velocity D n
+//     R r + x y' - y x'          by place R n + (y', -x'), by velocity (-y, x)
+#include "rub_switch.h"
+
+#if VECTOR_ISA == VECTOR_SCALAR
+#include <math.h>
+
+#include "rub_kernel.h"
+
+/// The normal and the radius; a normal of zero in the middle, where there is none.
+static double normal_at(const double *q, double n[2]) {
+    const double r = fmax(sqrt(q[0] * q[0] + q[1] * q[1]), 0x1p-1022);
+    n[0] = q[0] / r;
+    n[1] = q[1] / r;
+    return r;
+}
+
+static double dot(const double *a, const double *b) {
+    return a[0] * b[0] + a[1] * b[1];
+}
+
+/// How the normal turns when the station moves by u.
+static void turn(const double n[2], double r, const double *u, double e[2]) {
+    const double along = dot(n, u);
+    for (int i = 0; i < 2; i++) e[i] = (u[i] - n[i] * along) / r;
+}
+
+/// Which of the three an index is.
+static bool is_slip(const element *own, size_t index) {
+    return rub_sharp(own) && index == rub_slip_switch(own);
+}
+
+void rub_switch_gradient(const element *own, const double *q, const double *v, size_t index, double *by_q,
+                         double *by_v) {
+    double n[2], e[2];
+    const double r = normal_at(q, n);
+    turn(n, r, v, e);
+    const double surface = own->number[RUB_SURFACE], stiffness = own->number[RUB_STIFFNESS];
+    const double damping = own->number[RUB_DAMPING];
+    by_v[0] = by_v[1] = 0.0;
+    if (index == 0) {
+        by_q[0] = n[0];
+        by_q[1] = n[1];
+    } else if (is_slip(own, index)) {
+        by_q[0] = surface * n[0] + v[1];
+        by_q[1] = surface * n[1] - v[0];
+        by_v[0] = -q[1];
+        by_v[1] = q[0];
+    } else {
+        for (int i = 0; i < 2; i++) {
+            by_q[i] = stiffness * n[i] + damping * e[i];
+            by_v[i] = damping * n[i];
+        }
+    }
+}
+
+void rub_switch_curvature(const element *own, const double *q, const double *v, size_t index, const double *uq,
+                          const double *uv, double *by_q, double *by_v) {
+    double n[2], e[2], swing[2], push[2];
+    const double r = normal_at(q, n);
+    turn(n, r, uq, e);
+    turn(n, r, v, swing);
+    turn(n, r, uv, push);
+    const double surface = own->number[RUB_SURFACE], stiffness = own->number[RUB_STIFFNESS];
+    const double damping = own->number[RUB_DAMPING];
+    by_v[0] = by_v[1] = 0.0;
+    if (index == 0) {
+        by_q[0] = e[0];
+        by_q[1] = e[1];
+    } else if (is_slip(own, index)) {
+        by_q[0] = surface * e[0] + uv[1];
+        by_q[1] = surface * e[1] - uv[0];
+        by_v[0] = -uq[1];
+        by_v[1] = uq[0];
+    } else {
+        // e(v) is (v - n (n . v))/r: n turns, r grows, v changes.
+        const double growth = dot(n, v), turned = dot(e, v), grown = dot(n, uq);
+        for (int i = 0; i < 2; i++) {
+            const double second = push[i] - (e[i] * growth + n[i] * turned + swing[i] * grown) / r;
+            by_q[i] = stiffness * e[i] + damping * second;
+            by_v[i] = damping * e[i];
+        }
+    }
+}
+#endif

@@ -1,0 +1,67 @@
+// A shaft of unequal stiffness: its pass over vectors, its keys and the numbers of its kernel.
+#include "block.h"
+#include "registry.h"
+#include "shaft_kernel.h"
+
+static void flow(const element *own, const block *b) {
+    const vec *cosine = b->forcing + COS_2TAU * b->stride, *sine = b->forcing + SIN_2TAU * b->stride;
+    for (size_t n = 0; n <= b->disturbances; n++)
+        for (size_t k = 0; k < b->vectors; k++)
+            shaft_kernel(own, cosine[k], sine[k], b->stride, b->number + k, b->q + n * b->next + k,
+                         b->a + n * b->next + k);
+}
+
+const element_kernels ISA(shaft_kernels) = {.flow = flow};
+
+#if VECTOR_ISA == VECTOR_SCALAR
+
+enum { BETWEEN, K1, K2, SIGNS, KEY_COUNT };
+
+static const whirl_key keys[KEY_COUNT] = {
+    [BETWEEN] = {"between", "", "", WHIRL_KEY_STATIONS, true, "", WHIRL_ANY, NULL,
+                 "the two stations that it joins; one may be ground", ""},
+    [K1] = {"k1", "k1", "N/m", WHIRL_KEY_NUMBER, true, "", WHIRL_NOT_NEGATIVE, NULL,
+            "stiffness along the first principal axis, which lies along x at t = 0", ""},
+    [K2] = {"k2", "k2", "N/m", WHIRL_KEY_NUMBER, false, "", WHIRL_NOT_NEGATIVE, NULL,
+            "stiffness along the second principal axis; k1 where absent", ""},
+    [SIGNS] = {"signs", "", "", WHIRL_KEY_CHOICE, false, "derived", WHIRL_ANY, "derived|paper",
+               "derived: a shaft that turns; paper: the equations of the 2015 paper as printed",
+               "Friswell et al. 2010, sec. 7.3; rub-impact paper 2015, eq. (2)"},
+};
+
+static whirl_status build(const key_value *values, assembly *to, element *out) {
+    size_t a = values[BETWEEN].station[0], b = values[BETWEEN].station[1];
+    if (a == b) return whirl_fail(WHIRL_BAD_INPUT, "between names one station twice, expected two");
+    if (a == GROUND || (b != GROUND && to->stations[b].place < to->stations[a].place)) {
+        const size_t other = a;
+        a = b;
+        b = other;
+    }
+    out->station = a;
+    out->port[2] = out->port[3] = NO_COORDINATE;
+    whirl_status status = assembly_find_plane(to, a, out->port);
+    if (status.code == WHIRL_OK && b != GROUND) status = assembly_find_plane(to, b, out->port + 2);
+    if (status.code != WHIRL_OK) return status;
+    const double k1 = values[K1].number, k2 = values[K2].given ? values[K2].number : k1;
+    const double mean = 0.5 * (k1 + k2), half = 0.5 * (k1 - k2);
+    const double scale_a = assembly_stiffness_scale(to, a);
+    const double scale_b = b == GROUND ? INFINITY : assembly_stiffness_scale(to, b);
+    out->law = values[SIGNS].choice;
+    out->number[SHAFT_MEAN_A] = mean / scale_a;
+    out->number[SHAFT_HALF_A] = half / scale_a;
+    out->number[SHAFT_MEAN_B] = mean / scale_b;
+    out->number[SHAFT_HALF_B] = half / scale_b;
+    return whirl_ok();
+}
+
+FOR_EVERY_ISA(const element_kernels, shaft_kernels);
+static const element_kernels *const kernels[VECTOR_ISAS] = EVERY_ISA(&, shaft_kernels);
+
+const element_type shaft_element = {
+    .group = {"shaft", "a massless shaft of unequal stiffness between two stations, or from a station to ground",
+              "Friswell et al. 2010, sec. 7.3", keys, KEY_COUNT, NULL},
+    .number_count = SHAFT_NUMBERS,
+    .kernels = kernels,
+    .build = build,
+};
+#endif

@@ -1,0 +1,33 @@
+/// The station pass: damping, unbalance and constant pull; it writes the accelerations that the elements add to.
+///
+///     x'' = (U cos tau - W sin tau) + pull_x - d x',    y'' = (U sin tau + W cos tau) + pull_y - d y'
+#ifndef ROTOR_STATION_KERNEL_H
+#define ROTOR_STATION_KERNEL_H
+
+#include "../element.h"
+#include "vector.h"
+
+/// Damping and pull alone.
+static inline void station_balanced(size_t stride, const vec *number, const vec *v, vec *a) {
+    const vec damping = number[STATION_DAMPING * stride];
+    a[0] = v_fnma(damping, v[0], number[STATION_PULL_X * stride]);
+    a[stride] = v_fnma(damping, v[stride], number[STATION_PULL_Y * stride]);
+}
+
+/// c and s: cos tau, sin tau.
+static inline void station_kernel(vec c, vec s, size_t stride, const vec *number, const vec *v, vec *a) {
+    const vec in_phase = number[STATION_UNBALANCE_COS * stride], ahead = number[STATION_UNBALANCE_SIN * stride];
+    station_balanced(stride, number, v, a);
+    const vec ax = v_fma(in_phase, c, v_fnma(ahead, s, a[0])), ay = v_fma(in_phase, s, v_fma(ahead, c, a[stride]));
+    a[0] = ax;
+    a[stride] = ay;
+}
+
+/// The same for a disturbance: only damping feels it.
+static inline void station_tangent(size_t stride, const vec *number, const vec *v, vec *a) {
+    const vec damping = v_sub(v_set(0.0), number[STATION_DAMPING * stride]);
+    a[0] = v_mul(damping, v[0]);
+    a[stride] = v_mul(damping, v[stride]);
+}
+
+#endif

@@ -1,0 +1,26 @@
+/// The derivative of one station's acceleration by its own place and velocity.
+#ifndef ROTOR_TANGENT_H
+#define ROTOR_TANGENT_H
+
+#include "block.h"
+
+/// Derivatives of x'' and of y'' by x, y, x', y'.
+typedef struct tangent_block {
+    vec x[4], y[4];
+} tangent_block;
+
+/// Applies the derivatives of vector k of the element's station, its first two ports, to all disturbances.
+static inline void tangent_apply(const tangent_block *tangent, const element *own, const block *b, size_t k) {
+    const size_t x = own->port[0] * b->stride + k, y = own->port[1] * b->stride + k;
+    for (size_t n = 1; n <= b->disturbances; n++) {
+        const vec *q = b->q + n * b->next, *v = b->v + n * b->next, disturbance[4] = {q[x], q[y], v[x], v[y]};
+        vec *a = b->a + n * b->next;
+        for (int i = 0; i < 4; i++) {
+            a[x] = v_fma(tangent->x[i], disturbance[i], a[x]);
+            a[y] = v_fma(tangent->y[i], disturbance[i], a[y]);
+        }
+    }
+    if (b->divergence) b->divergence[k] = v_add(b->divergence[k], v_add(tangent->x[2], tangent->y[3]));
+}
+
+#endif

@@ -1,3 +1,0 @@
-#define VECTOR_ISA 0
-#define MACHINE_ACCELERATE machine_accelerate_scalar
-#include "machine.inc"

@@ -1,0 +1,18 @@
+/// The elements, one line each, in the order in which they act (the order fixes the last bits of a sum).
+#ifndef ROTOR_REGISTRY_H
+#define ROTOR_REGISTRY_H
+
+#include "element.h"
+
+#define ELEMENTS(X)                                                                                                    \
+    X(unbalance)                                                                                                       \
+    X(gravity)                                                                                                         \
+    X(shaft)                                                                                                           \
+    X(film)                                                                                                            \
+    X(rub)
+
+#define DECLARE(name) extern const element_type name##_element;
+ELEMENTS(DECLARE)
+#undef DECLARE
+
+#endif
