@@ -12,7 +12,7 @@
 
 #include "follower.h"
 #include "memory_keeper.h"
-#include "whirl/study.h"
+#include "sweep_study.h"
 
 enum { POINTS = 9, WRONG = 4, STEPS = 64, REVOLUTIONS = 80 };
 
@@ -21,26 +21,17 @@ enum { POINTS = 9, WRONG = 4, STEPS = 64, REVOLUTIONS = 80 };
 static const double rates[POINTS] = {20, 60, 100, 140, 200, 240, 280, 320, 420};
 
 static whirl_study study(whirl_carry carry, double budget) {
-    whirl_study s = {.refine = {.revolutions = budget}, .batch_count = 1, .machine = make_follower};
+    whirl_study s = sweep_study("r", rates, POINTS, STEPS);
     whirl_batch *batch = &s.batches[0];
-    *batch = (whirl_batch){
-        .name = "sweep", .parameter = "r", .count = POINTS, .values = rates, .carry = carry, .confirm = true};
-    batch->integrate = whirl_integrate_default();
-    batch->integrate.steps_per_revolution = STEPS;
-    batch->record = whirl_record_default();
+    s.machine = make_follower;
+    s.refine.revolutions = budget;
+    batch->carry = carry;
+    batch->confirm = true;
     batch->record.transient = 60;
     batch->record.record = REVOLUTIONS - batch->record.transient;
-    batch->record.waveform = false;
     assert_true(whirl_analysis_add(&batch->analyses, "poincare"));
     assert_true(whirl_analysis_add(&batch->analyses, "regime"));
     return s;
-}
-
-static whirl_result *run(const whirl_study *s, int threads) {
-    whirl_result *result;
-    const whirl_status status = whirl_study_run(s, &(whirl_run_options){.threads = threads}, &result);
-    if (status.code != WHIRL_OK) fail_msg("%s", status.message);
-    return result;
 }
 
 static double number(const whirl_result *result, size_t point, const char *field) {

@@ -11,7 +11,7 @@
 #include <cmocka.h>
 
 #include "memory_keeper.h"
-#include "whirl/study.h"
+#include "sweep_study.h"
 
 typedef struct lorenz {
     double r, start[3];
@@ -38,24 +38,14 @@ static whirl_status make_lorenz(const void *family, const whirl_batch *batch, do
 }
 
 static whirl_study study(const double *values, size_t count) {
-    whirl_study s = {.batch_count = 1, .machine = make_lorenz};
+    whirl_study s = sweep_study("r", values, count, 128);
     whirl_batch *batch = &s.batches[0];
-    *batch = (whirl_batch){.name = "sweep", .parameter = "r", .count = count, .values = values, .confirm = true};
-    batch->integrate = whirl_integrate_default();
-    batch->integrate.steps_per_revolution = 128;
-    batch->record = whirl_record_default();
+    s.machine = make_lorenz;
+    batch->confirm = true;
     batch->record.transient = 500;
     batch->record.watch = 580;
-    batch->record.waveform = false;
     assert_true(whirl_analysis_add(&batch->analyses, "regime"));
     return s;
-}
-
-static whirl_result *run(const whirl_study *s, int threads) {
-    whirl_result *result;
-    const whirl_status status = whirl_study_run(s, &(whirl_run_options){.threads = threads}, &result);
-    if (status.code != WHIRL_OK) fail_msg("%s", status.message);
-    return result;
 }
 
 /// Few points have no neighbours: every chaotic one is followed, to its end or for a while.

@@ -9,7 +9,7 @@
 
 #include <cmocka.h>
 
-#include "whirl/study.h"
+#include "sweep_study.h"
 
 /// x'' + 0.1 x' + x + alpha x^3 = 0.4 cos(w t), in the time tau = w t.
 typedef struct oscillator {
@@ -55,23 +55,17 @@ enum { POINTS = 57 };
 /// Swept both ways over w = 1.02 ... 1.30, each start carried from the point before.
 static whirl_result *sweep(double alpha) {
     double values[POINTS];
-    whirl_study study = {.batch_count = 1, .machine = machine, .family = &alpha};
+    whirl_study study = sweep_study("w", values, POINTS, 64);
     whirl_batch *batch = &study.batches[0];
-    whirl_result *result;
     for (int i = 0; i < POINTS; i++) values[i] = 1.02 + 0.005 * i;
-    *batch =
-        (whirl_batch){.name = "sweep", .parameter = "w", .count = POINTS, .values = values, .carry = WHIRL_CARRY_BOTH};
-    batch->integrate = whirl_integrate_default();
-    batch->integrate.steps_per_revolution = 64;
-    batch->record = whirl_record_default();
+    study.machine = machine;
+    study.family = &alpha;
+    batch->carry = WHIRL_CARRY_BOTH;
     batch->record.transient = 250;
     batch->record.record = 30;
-    batch->record.waveform = false;
     assert_true(whirl_analysis_add(&batch->analyses, "orbit"));
     assert_true(whirl_analysis_add(&batch->analyses, "regime"));
-    const whirl_run_options options = {.threads = 1};
-    assert_int_equal(whirl_study_run(&study, &options, &result).code, WHIRL_OK);
-    return result;
+    return run(&study, 1);
 }
 
 /// With rising w the large motion is followed to its fold, with falling w the small one. The folds are those of the

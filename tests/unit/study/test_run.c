@@ -11,7 +11,7 @@
 #include <cmocka.h>
 
 #include "memory_keeper.h"
-#include "whirl/study.h"
+#include "sweep_study.h"
 
 /// x' = p + x - x^3: for |p| < 2/(3 sqrt 3) two stable rests, which a carried sweep follows until they vanish.
 typedef struct pitchfork {
@@ -43,26 +43,16 @@ static whirl_status machine(const void *family, const whirl_batch *batch, double
 enum { POINTS = 41 };
 
 static whirl_study study(double values[POINTS], whirl_carry carry) {
-    whirl_study s = {.batch_count = 1, .machine = machine};
+    whirl_study s = sweep_study("p", values, POINTS, 64);
     whirl_batch *batch = &s.batches[0];
     for (int i = 0; i < POINTS; i++) values[i] = -1 + 2.0 * i / (POINTS - 1);
-    *batch = (whirl_batch){.name = "sweep", .parameter = "p", .count = POINTS, .values = values, .carry = carry};
-    batch->integrate = whirl_integrate_default();
-    batch->integrate.steps_per_revolution = 64;
-    batch->record = whirl_record_default();
+    s.machine = machine;
+    batch->carry = carry;
     batch->record.transient = 60;
     batch->record.record = 20;
-    batch->record.waveform = false;
     assert_true(whirl_analysis_add(&batch->analyses, "poincare"));
     assert_true(whirl_analysis_add(&batch->analyses, "lyapunov"));
     return s;
-}
-
-static whirl_result *run(const whirl_study *s, int threads) {
-    whirl_result *result;
-    const whirl_status status = whirl_study_run(s, &(whirl_run_options){.threads = threads}, &result);
-    if (status.code != WHIRL_OK) fail_msg("%s", status.message);
-    return result;
 }
 
 static double rest(const whirl_table *table, size_t point) {
@@ -111,9 +101,8 @@ static void test_threads_change_no_bit(void **state) {
     for (int carry = WHIRL_CARRY_NONE; carry <= WHIRL_CARRY_BOTH; carry++) {
         const whirl_study s = study(values, (whirl_carry)carry);
         whirl_result *one = run(&s, 1), *seven = run(&s, 7);
-        const whirl_table *a = one->tables, *b = seven->tables;
-        assert_int_equal(a->layout.size, b->layout.size);
-        assert_memory_equal(a->blocks, b->blocks, a->count * a->layout.size * sizeof(double));
+        assert_int_equal(one->tables->layout.size, seven->tables->layout.size);
+        expect_same_blocks(one, seven);
         whirl_result_free(one);
         whirl_result_free(seven);
     }
