@@ -36,8 +36,13 @@ void script_label(FILE *script, const char *name, const char *markup) {
     fputc('\n', script);
 }
 
-void script_begin(FILE *script, const figure *what, double width, double height, double font) {
-    char title[2 * sizeof what->title];
+whirl_status script_begin(report_file *file, const drawing *to, const figure *what, double width, double height,
+                          double font) {
+    char name[STEM_SIZE + 4], title[2 * sizeof what->title];
+    snprintf(name, sizeof name, "%s.gp", what->stem);
+    const whirl_status status = report_file_open(file, to->folder, name);
+    if (status.code != WHIRL_OK) return status;
+    FILE *script = file->stream;
     typeset_text(what->title, title, sizeof title);
     fprintf(script, "# %s: ", what->stem);
     gnuplot_comment(script, what->title);
@@ -62,6 +67,7 @@ void script_begin(FILE *script, const figure *what, double width, double height,
           "set style line 9 linecolor rgb '#9A9A9A' linewidth 0.5 dashtype 2\n"
           "unset key\n",
           script);
+    return status;
 }
 
 void script_loop(FILE *script) {

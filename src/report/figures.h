@@ -49,9 +49,11 @@ whirl_status draw_bifurcations(const drawing *to);
 /// Writes data and scripts of the panels of every point of the detail table and every station.
 whirl_status draw_points(const drawing *to);
 
-/// Writes the beginning of a script: what it draws, and the variables and settings that all figures share. Sizes in cm
-/// (a column of a journal is about 8.5 cm wide, two are 17.5 to 18), the font in points.
-void script_begin(FILE *script, const figure *what, double width, double height, double font);
+/// Makes the file of a script, STEM.gp, to be closed by report_file_close, and writes its beginning: what it draws, and
+/// the variables and settings that all figures share. Sizes in cm (a column of a journal is about 8.5 cm wide, two are
+/// 17.5 to 18), the font in points. WHIRL_IO_ERROR with path and reason.
+whirl_status script_begin(report_file *file, const drawing *to, const figure *what, double width, double height,
+                          double font);
 
 /// Writes `name = 'text'`; text in gnuplot's markup.
 void script_label(FILE *script, const char *name, const char *markup);

@@ -45,13 +45,11 @@ static void write_labels(FILE *script, const bifurcation *of) {
 }
 
 static whirl_status write_script(const drawing *to, const bifurcation *of, const figure *what) {
-    char name[STEM_SIZE + 4];
     report_file file;
-    snprintf(name, sizeof name, "%s.gp", what->stem);
-    const whirl_status status = report_file_open(&file, to->folder, name);
+    const double height = (of->rub ? 16.0 : 14.5) + (of->confidence ? 0.8 : 0.0);
+    const whirl_status status = script_begin(&file, to, what, 8.5, height, 6.5);
     if (status.code != WHIRL_OK) return status;
     FILE *script = file.stream;
-    script_begin(script, what, 8.5, (of->rub ? 16.0 : 14.5) + (of->confidence ? 0.8 : 0.0), 6.5);
     write_labels(script, of);
     fprintf(script, "dot_size = %g\n", of->table->count > MANY_POINTS ? 0.06 : 0.1);
     write_colour_function(script);

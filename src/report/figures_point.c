@@ -471,13 +471,10 @@ static void write_labels(FILE *script, const subject *of) {
 }
 
 static whirl_status write_script(const drawing *to, const subject *of, const figure *what) {
-    char name[STEM_SIZE + 4];
     report_file file;
-    snprintf(name, sizeof name, "%s.gp", what->stem);
-    const whirl_status status = report_file_open(&file, to->folder, name);
-    if (status.code != WHIRL_OK) return status;
     const double height = figure_height(of);
-    script_begin(file.stream, what, WIDTH, height, 8.0);
+    const whirl_status status = script_begin(&file, to, what, WIDTH, height, 8.0);
+    if (status.code != WHIRL_OK) return status;
     write_labels(file.stream, of);
     script_loop(file.stream);
     write_panels(file.stream, of, what, height);
