@@ -4,7 +4,7 @@ table and the picture of docs/benchmarks.md.
 
     bench/run.py BUILD [--docs FOLDER] [--rounds N] [--seconds S] [--core N] [--no-study]
 
-Every round runs every program once, in turn, so that a noisy machine is noisy for all; the best round of each counts.
+Every round runs every program once, in turn, so that a noisy computer is noisy for all; the best round of each counts.
 Speeds are by the processor time of the program; of the whole diagram the clock is told, too. A program that is not
 there is left out with a line that says so; one that ends in another state fails the run.
 """
@@ -197,7 +197,7 @@ def measure_studies(options):
 # ---------------------------------------------------------------- what is said of it
 
 
-def machine():
+def computer():
     text = subprocess.run(["lscpu"], capture_output=True, text=True, env=dict(os.environ, LC_ALL="C")).stdout
     field = dict(re.findall(r"^([^:]+):\s+(.*)$", text, re.M))
     lines = [f"{field.get('Model name', 'unknown processor')} (family {field.get('CPU family', '?')}, "
@@ -312,7 +312,7 @@ All ran in one go on one core, in {rounds} alternating rounds of {seconds:g} s, 
 time. Every program proved first that it does the same: x1 after 20 revolutions at r_k = 0.6 agrees to 1e-6 with
 0.3457490150754.
 
-- Processor: {machine}
+- Processor: {computer}
 - Compilers: {compilers}
 - Libraries: {versions}
 - Load average, before and after: {before:.2f}, {after:.2f}
@@ -482,14 +482,14 @@ def arguments():
 def main():
     options = arguments()
     options.build = options.build.resolve()
-    say(f"{machine()}; {'; '.join(compilers(options.build))}")
+    say(f"{computer()}; {'; '.join(compilers(options.build))}")
     if options.adaptive:
         say(measure_adaptive(options))
         return
     before = os.getloadavg()[0]
     best = measure(programs(options.build), options)
     studies = {} if options.no_study else measure_studies(options)
-    page = TEXT.format(rounds=options.rounds, seconds=options.seconds, machine=machine(), versions=versions(),
+    page = TEXT.format(rounds=options.rounds, seconds=options.seconds, computer=computer(), versions=versions(),
                        compilers=", ".join(compilers(options.build)), before=before, after=os.getloadavg()[0],
                        ratios="\n".join(key_ratios(best)), speed="\n".join(speed_table(best)),
                        stations="\n".join(station_table(best)))

@@ -1,6 +1,6 @@
 // The peer "compiler-vectorised loop": as much speed as plain C gives when it is written for the vectoriser. Many
 // machines side by side, one array a quantity; no branch for the contact; no angle but one arctangent; cosines
-// tabulated, since all machines share tau. Compiled for the machine at hand with -ffast-math; PEER_ARCTAN chooses the
+// tabulated, since all machines share tau. Compiled for the processor at hand with -ffast-math; PEER_ARCTAN chooses the
 // arctangent of the C library (its vector version) or the one below.
 #include <math.h>
 

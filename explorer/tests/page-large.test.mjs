@@ -1,5 +1,5 @@
 // Large diagrams: how long they take to appear and to be redrawn. The times are printed; what is asserted leaves room
-// for a machine that does other things.
+// for a computer that does other things.
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';

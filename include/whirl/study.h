@@ -59,7 +59,7 @@ enum {
 /// again from their own start as their verdict advises (whirl_advice_apply, its factor rounded up to a power of two),
 /// the cheapest first, in up to WHIRL_MAX_ROUNDS rounds. All zero: nothing is spent.
 typedef struct whirl_budget {
-    /// Revolutions; those at n times the steps of the study count n times. Then no bit depends on how fast the machine
+    /// Revolutions; those at n times the steps of the study count n times. Then no bit depends on how fast the computer
     /// is.
     double revolutions;
     double seconds; ///< ... or time; points that are not done within it are left as they were

@@ -251,7 +251,7 @@ static inline vec v_seed_half(long long magic, vec a) {
 
 #elif VECTOR_ISA == VECTOR_128
 
-/// Other machines (NEON, WebAssembly) by the compilers' own vectors; as on x86 nothing is fused.
+/// Other processors (NEON, WebAssembly) by the compilers' own vectors; as on x86 nothing is fused.
 enum { VECTOR_LANES = 2 };
 typedef double vec __attribute__((vector_size(16)));
 typedef long long vec_mask __attribute__((vector_size(16)));

@@ -88,7 +88,7 @@ static void put_fields(FILE *out, const whirl_table *table) {
     }
 }
 
-/// A checksum of what the mathematical functions of this machine's C library give: other versions of it round other
+/// A checksum of what the mathematical functions of this computer's C library give: other versions of it round other
 /// last bits.
 static uint32_t functions_sum(void) {
     uint32_t sum = 0;

@@ -22,7 +22,7 @@ sed -e 's/points: 5/points: 2000/' -e 's/, spectrum//' "$good" >plain.yaml
 sed -e 's/start: state/start: carry, direction: both/' -e 's/points: 2000/points: 1000/' plain.yaml >carry.yaml
 declare -A span
 for name in plain carry; do
-    # The shortest of three: what else the machine does must not make the kills come too late.
+    # The shortest of three: what else the computer does must not make the kills come too late.
     for try in 1 2 3; do
         before=$(date +%s%N)
         "$whirl" run $name.yaml -q --force -o whole-$name.h5 || fail "the undisturbed run"

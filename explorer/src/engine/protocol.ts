@@ -340,7 +340,7 @@ export interface Engine {
 export interface EngineParts {
   readonly worker: string;
   readonly core: Uint8Array;
-  /// Left out: as many as the machine has cores.
+  /// Left out: as many as the computer has cores.
   readonly workers?: number;
   /// Told why once no worker can start.
   readonly broken?: (why: string) => void;
