@@ -4,6 +4,7 @@ import { button, el, isTouched, select } from '../dom';
 import type { Diagram } from '../data/diagram';
 import type { PointResult, StationInfo, Verdict } from '../engine/protocol';
 import { regimeClass } from '../data/regimes';
+import type { SideName } from '../model/session';
 import { markField, typedNumber } from '../model/typed';
 import { parameterMeasure, readable, shown, written, type Scales, type Units } from '../model/units';
 import { CentrelinePanel } from './centreline';
@@ -12,8 +13,6 @@ import type { Panel, Subject } from './panel';
 import { PoincarePanel } from './poincare';
 import { FullSpectrumPanel, SpectrumPanel } from './spectrum';
 import { WaveformPanel } from './waveform';
-
-export type SideName = 'a' | 'b';
 
 export interface PaneSubject {
   readonly result: PointResult | undefined;

@@ -1,0 +1,204 @@
+// What the page is at: the machine that is open, what the reader has set, what of it is shown, and what follows from these.
+import { Diagram } from '../data/diagram';
+import type { Run } from '../data/run';
+import type { CaseInfo, Engine, Setting, StationInfo, SweepProgress } from '../engine/protocol';
+import { machinesOf, scalesOf, type Machine } from './machine';
+import { firstValue, plannedRange, sweptParameter } from './original';
+import { assignmentTexts, readAddress, type Address } from './setting';
+import { SideModel } from './side';
+import { howOf, Sights, type Sight } from './sights';
+import { unitsFor, type Scales } from './units';
+
+type Range = readonly [number, number];
+
+export type SideName = 'a' | 'b';
+
+/// What is to be drawn anew: all, a side, or the points that the diagram has gained.
+export type Change = 'all' | SideName | 'grow';
+
+export interface SessionListener {
+  changed(what: Change): void;
+  progress(now: SweepProgress | undefined): void;
+}
+
+/// "dop853 (by auto)", where the case leaves the choice.
+export function methodText(how: { readonly method: string; readonly chosen?: boolean }): string {
+  return how.chosen ? `${how.method} (by auto)` : how.method;
+}
+
+export class Session {
+  readonly machines: Machine[];
+  machine: Machine;
+  address: Address;
+  readonly sides: Readonly<Record<SideName, SideModel>>;
+  active: SideName = 'a';
+  /// By the names of their machines.
+  readonly originals = new Map<string, CaseInfo>();
+  readonly sights: Sights;
+  /// Classes of regimes that are not drawn.
+  hidden: ReadonlySet<number> = new Set();
+  /// The units are still to be those that suit the machine.
+  unitsAwaited = false;
+
+  constructor(
+    runs: readonly Run[],
+    public engine: Engine | undefined,
+    listener: SessionListener,
+  ) {
+    this.machines = machinesOf(runs, engine !== undefined);
+    this.address = readAddress(location.hash, unitsFor(1));
+    this.machine = this.machines.find(({ name }) => name === this.address.run) ?? this.machines[0]!;
+    this.readUnits();
+    const side = (name: SideName) => new SideModel(name, engine, { changed: () => listener.changed(name) });
+    this.sides = { a: side('a'), b: side('b') };
+    this.sights = new Sights(engine, {
+      changed: () => listener.changed('all'),
+      grown: () => listener.changed('grow'),
+      progress: (now) => listener.progress(now),
+    });
+  }
+
+  /// The engine is gone; what it has found stays.
+  lose(): void {
+    this.sights.stop();
+    this.engine = undefined;
+    for (const side of Object.values(this.sides)) side.lose();
+  }
+
+  get sight(): Sight {
+    return this.sights.shown!;
+  }
+
+  /// The range of the first diagram.
+  get whole(): Range {
+    return this.sights.first?.diagram?.span ?? plannedRange(this.original, this.address.parameter);
+  }
+
+  /// The side that the reader works at.
+  get side(): SideModel {
+    return this.sides[this.active];
+  }
+
+  /// The case as it is written, once the engine has read it.
+  get original(): CaseInfo | undefined {
+    return this.originals.get(this.machine.name);
+  }
+
+  get stations(): readonly StationInfo[] {
+    return this.machine.run?.stations ?? this.original?.stations ?? [];
+  }
+
+  get scales(): Scales {
+    const { run } = this.machine;
+    const info = this.sides.a.info ?? this.original;
+    return scalesOf(info?.lengthScale ?? run?.length_scale ?? 1, info?.speed ?? run?.speed ?? 1, this.stations);
+  }
+
+  /// Index of the station that is shown.
+  get station(): number {
+    return Math.max(
+      0,
+      this.stations.findIndex(({ name }) => name === this.address.station),
+    );
+  }
+
+  /// SI unit of the parameter along the diagram.
+  get unit(): string {
+    const { parameter } = this.address;
+    return (
+      this.original?.parameters.find(({ name }) => name === parameter)?.unit ??
+      this.machine.run?.parameters.find(({ name }) => name === parameter)?.unit ??
+      '1'
+    );
+  }
+
+  private get storedDiagram(): Diagram | undefined {
+    const table = this.machine.run?.tables[0];
+    return table?.parameter && table.parameter === this.address.parameter
+      ? Diagram.stored(table, this.machine.run!.length_scale)
+      : undefined;
+  }
+
+  /// Where the cursor begins.
+  get firstValue(): number {
+    return firstValue(this.original, this.address.parameter, this.whole);
+  }
+
+  shownSides(): SideName[] {
+    return this.address.b ? ['a', 'b'] : ['a'];
+  }
+
+  /// What the engine is asked to compute with.
+  settingOf(side: SideModel): Setting {
+    const { method, steps, transient, record } = this.address.computation;
+    const batch = this.original?.batches[0];
+    const integrate = { ...(method ? { method } : {}), ...(steps ? { stepsPerRevolution: steps } : {}) };
+    const length = { ...(transient !== undefined ? { transient } : {}), ...(record !== undefined ? { record } : {}) };
+    const longer = record !== undefined && batch !== undefined && batch.record.watch > 0 ? { watch: 0 } : {};
+    return {
+      text: this.machine.text,
+      name: this.machine.caseName,
+      assignments: assignmentTexts(side.choice.assignments),
+      integrate,
+      record: { ...length, ...longer },
+    };
+  }
+
+  /// Puts the first cursor where it begins, unless it is somewhere.
+  chooseValue(): void {
+    const { a } = this.sides;
+    if (!Number.isFinite(a.choice.value)) a.choice = { ...a.choice, value: this.firstValue };
+  }
+
+  /// The first sight: the stored diagram, or an empty one over the range of the sweep.
+  openParameter(): void {
+    const { run } = this.machine;
+    const swept = sweptParameter(this.original, run?.tables[0]?.parameter);
+    const known =
+      this.original?.parameters.some(({ name }) => name === this.address.parameter) || this.address.parameter === swept;
+    if (!known) this.address.parameter = swept;
+    const diagram = this.storedDiagram;
+    const range = this.address.range ?? diagram?.span ?? plannedRange(this.original, this.address.parameter);
+    this.sights.open({ diagram, range, of: '', text: diagram ? this.storedText(diagram) : '', how: howOf({}) });
+  }
+
+  private storedText(diagram: Diagram): string {
+    const table = this.machine.run!.tables[0]!;
+    const part =
+      table.count < table.points
+        ? `every ${Math.round(table.points / table.count)}th of ${table.points} points`
+        : `${diagram.count} points`;
+    const done = diagram.known < diagram.count ? `, ${diagram.known} of them computed` : '';
+    return (
+      `Stored run: ${part}${done}, ${table.transient} + ${table.record} revolutions by ` +
+      `${methodText(table)} of ${table.steps_per_revolution} steps.`
+    );
+  }
+
+  /// An address that names no units leaves them to the machine.
+  readUnits(): void {
+    this.unitsAwaited = false;
+    if (!location.hash.includes('units=')) this.suitUnits(this.machine.run?.length_scale);
+  }
+
+  /// Units that suit a length scale [m]; of a machine whose scale is not known they are chosen when it is.
+  suitUnits(lengthScale: number | undefined): void {
+    this.unitsAwaited = lengthScale === undefined;
+    if (lengthScale !== undefined) this.address.units = unitsFor(lengthScale, this.address.units);
+  }
+
+  /// As it stands in the address of the page.
+  currentAddress(): Address {
+    const view = this.sights.shown?.range;
+    const { whole } = this;
+    const zoomed = view && (view[0] !== whole[0] || view[1] !== whole[1]);
+    return {
+      ...this.address,
+      run: this.machine.name,
+      a: this.sides.a.choice,
+      b: this.address.b ? this.sides.b.choice : undefined,
+      range: zoomed ? view : undefined,
+      station: this.stations[this.station]?.name ?? '',
+    };
+  }
+}

@@ -1,0 +1,60 @@
+// The motions that the reader watches as they settle, at most one a side.
+import type { Trail } from '../view/orbit';
+import type { Session, SideName } from './session';
+import { Watch } from './watch';
+
+export interface WatchesListener {
+  playing(name: SideName, on: boolean): void;
+  trail(name: SideName, trail: Trail): void;
+  changed(name: SideName): void;
+}
+
+export class Watches {
+  private readonly running: Partial<Record<SideName, Watch>> = {};
+
+  constructor(
+    private readonly session: Session,
+    private readonly listener: WatchesListener,
+  ) {}
+
+  /// Starts or ends watching a side; where it runs, only the speed changes.
+  set(name: SideName, on: boolean, speed: number): void {
+    const running = this.running[name];
+    if (running && on) {
+      running.revolutionsPerSecond = speed;
+      return;
+    }
+    this.end(name);
+    const { engine, original, stations, station } = this.session;
+    if (!on || !engine) return;
+    const side = this.session.sides[name];
+    const { parameter } = this.session.address;
+    const { value } = side.choice;
+    this.listener.playing(name, true);
+    this.running[name] = new Watch(
+      engine,
+      { setting: this.session.settingOf(side), ...(parameter && Number.isFinite(value) ? { parameter, value } : {}) },
+      station,
+      original?.contacts ?? [],
+      stations[station]?.name ?? '',
+      `watch-${name}`,
+      speed,
+      (trail) => this.listener.trail(name, trail),
+      (message) => {
+        side.trouble = message;
+        this.end(name);
+        this.listener.changed(name);
+      },
+    );
+  }
+
+  end(name: SideName): void {
+    this.running[name]?.stop();
+    delete this.running[name];
+    this.listener.playing(name, false);
+  }
+
+  endAll(): void {
+    for (const name of ['a', 'b'] as const) this.end(name);
+  }
+}

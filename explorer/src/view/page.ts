@@ -1,0 +1,192 @@
+// The page: its parts, and what each of them shows of the session.
+import { el } from '../dom';
+import { setDark, theme } from '../figure/figure';
+import { shortName } from '../model/machine';
+import { methodText, type Change, type Session, type SideName } from '../model/session';
+import { assignmentTexts } from '../model/setting';
+import type { SideModel } from '../model/side';
+import { parameterMeasure, readable, shown } from '../model/units';
+import { Help } from './help';
+import { MapCard, type MapCardListener } from './map_card';
+import { Pane, type PaneListener } from './pane';
+import { SettingsCard, type SettingsListener } from './settings_card';
+import { Topbar, type TopbarListener } from './topbar';
+
+export interface PageListener {
+  readonly topbar: TopbarListener;
+  readonly card: MapCardListener;
+  readonly settings: SettingsListener;
+  readonly pane: PaneListener;
+}
+
+export class Page {
+  readonly root = el('div', { class: 'app' });
+  readonly card: MapCard;
+  readonly settings: SettingsCard;
+  readonly panes: Readonly<Record<SideName, Pane>>;
+  private readonly topbar: Topbar;
+  private readonly help = new Help();
+  private readonly footer = el('p');
+  private readonly banner = el('p', { class: 'trouble banner', role: 'alert' });
+
+  constructor(
+    private readonly session: Session,
+    listener: PageListener,
+  ) {
+    this.panes = { a: new Pane('a', listener.pane), b: new Pane('b', listener.pane) };
+    this.topbar = new Topbar(listener.topbar);
+    this.card = new MapCard(listener.card);
+    this.settings = new SettingsCard(listener.settings);
+    this.root.append(
+      this.topbar.root,
+      this.banner,
+      el(
+        'main',
+        {},
+        this.card.root,
+        this.settings.root,
+        el('div', { class: 'panes' }, this.panes.a.root, this.panes.b.root),
+      ),
+      el('footer', {}, this.footer),
+      this.help.root,
+    );
+  }
+
+  /// What is missing, "" when nothing is.
+  sayMissing(missing: string): void {
+    this.banner.textContent = missing;
+    this.footer.textContent = missing
+      ? ''
+      : 'Computed in this page by the C core of whirl; nothing leaves your computer.';
+  }
+
+  setTheme(dark: boolean): void {
+    setDark(dark);
+    document.documentElement.classList.toggle('dark', dark);
+    theme().classes.forEach((colour, kind) => document.documentElement.style.setProperty(`--class-${kind}`, colour));
+    for (const pane of Object.values(this.panes)) pane.redraw();
+    this.card.map.refresh();
+  }
+
+  openHelp(): void {
+    this.help.open(this.session.machine.run?.facts ?? []);
+  }
+
+  show(changes: ReadonlySet<Change>): void {
+    const { sides, address } = this.session;
+    if (changes.has('all')) this.showAll();
+    else if (changes.has('grow')) this.card.grow();
+    for (const name of this.session.shownSides()) if (changes.has('all') || changes.has(name)) this.showPane(name);
+    this.card.map.setCursors(sides.a.choice.value, address.b ? sides.b.choice.value : NaN);
+    this.showSettings();
+  }
+
+  /// What the diagram and the panes are given alike.
+  private common() {
+    const { sight, address, unit, station, stations, scales } = this.session;
+    return {
+      diagram: sight.diagram,
+      parameter: address.parameter,
+      unit,
+      station,
+      stations,
+      units: address.units,
+      scales,
+    };
+  }
+
+  private showAll(): void {
+    const { session } = this;
+    const comparing = session.address.b !== undefined;
+    this.root.classList.toggle('comparing', comparing);
+    this.panes.b.root.hidden = !comparing;
+    for (const name of ['a', 'b'] as const) this.panes[name].active = comparing && name === session.active;
+    this.topbar.show(session.machine, session.machines, session.address.units, session.scales.symbol, comparing);
+    const { sight } = session;
+    const text = [sight.text, sight.note].filter((part) => part).join(' ');
+    const stale = sight.of !== assignmentTexts(session.side.choice.assignments).join('; ');
+    this.card.show({
+      ...this.common(),
+      quantity: session.address.quantity,
+      range: sight.range,
+      hidden: session.hidden,
+      parameters: session.original?.parameters.map(({ name }) => name) ?? [session.address.parameter],
+      depth: session.sights.behind,
+      computes: session.engine !== undefined,
+      status: stale
+        ? `${text} The parameters have been changed since: Recompute shows the diagram of the changed machine.`
+        : text,
+      stale,
+      name: shortName(session.machine),
+    });
+    this.card.progress(session.sights.progress);
+  }
+
+  private showPane(name: SideName): void {
+    const side = this.session.sides[name];
+    const { result } = side;
+    const how = result
+      ? `${side.preview ? 'A quick look: ' : ''}${result.record.transient} + ${result.record.record} revolutions ` +
+        `by ${methodText(result.integrate)} of ${result.integrate.stepsPerRevolution} steps, ` +
+        `${Math.round(result.seconds * 1000)} ms`
+      : this.storedVerdict(side.choice.value);
+    this.panes[name].show({
+      ...this.common(),
+      result,
+      value: side.choice.value,
+      busy: side.busy && !result ? 'computing \u2026' : '',
+      trouble: side.trouble,
+      how,
+      outdated: this.outdatedText(side),
+    });
+    this.panes[name].root.classList.toggle('busy', side.busy);
+  }
+
+  /// What is still shown of a setting that cannot be computed.
+  private outdatedText(side: SideModel): string {
+    const { parameter, units } = this.session.address;
+    if (!side.outdated || !side.result || !side.resultOf) return '';
+    const { factor, unit } = parameterMeasure(this.session.unit, units);
+    const { value, assignments } = side.resultOf;
+    const parts = [
+      ...(parameter && Number.isFinite(value) ? [`${parameter} = ${shown(value * factor, 6)} ${unit}`.trim()] : []),
+      ...assignmentTexts(assignments),
+    ];
+    return `Below: the last setting that could be computed${parts.length ? `, ${parts.join('; ')}` : ''}.`;
+  }
+
+  /// What the diagram knows of the nearest point, where nothing can be computed.
+  private storedVerdict(value: number): string {
+    const { diagram } = this.session.sight;
+    const point = diagram?.nearest(value) ?? -1;
+    if (!diagram || point < 0) return '';
+    const [verdict, reason] = diagram.verdicts[point]!;
+    return (
+      `Nearest stored point, ${this.session.address.parameter} = ${Number(diagram.values[point]!.toPrecision(6))}: ` +
+      `${verdict}; ${readable(reason)}.`
+    );
+  }
+
+  private showSettings(): void {
+    const { session } = this;
+    const { original, side } = session;
+    if (!original) return;
+    const current = side.info ?? original;
+    const swept = session.address.parameter;
+    const { value } = side.choice;
+    const parameters = current.parameters.map((parameter) =>
+      parameter.name === swept && Number.isFinite(value) ? { ...parameter, value } : parameter,
+    );
+    this.settings.show({
+      original,
+      current: { ...current, parameters },
+      assignments: side.choice.assignments,
+      swept,
+      units: session.address.units,
+      side: side.name,
+      comparing: session.address.b !== undefined,
+      computation: session.address.computation,
+      trouble: side.trouble,
+    });
+  }
+}
