@@ -34,7 +34,8 @@ int explorer_assign(whirl_case *object, const char *assignment);
 /// CaseInfo of protocol.ts as JSON.
 const char *explorer_describe(const whirl_case *object);
 
-/// The text of the case with one value written in place, or its key taken out (value NULL); see whirl_case_edit. NULL after a failure.
+/// The text of the case with one value written in place, or its key taken out (value NULL); see whirl_case_edit. NULL
+/// after a failure.
 const char *explorer_edit(const char *source, size_t length, const char *path, const char *value);
 
 // ---------------------------------------------------------------- plans

@@ -195,7 +195,8 @@ async function savedCase(address) {
 const SWEEPS = {
   list: '{parameter: e, values: [0.05, 0.1, 0.2, 0.3], start: state}',
   'list-in-dashes':
-    '\n    parameter: e\n    values:                         # unbalances\n      - 0.05\n      - 0.1\n      - 0.3\n    start: state',
+    '\n    parameter: e\n    values:                         # unbalances\n      - 0.05\n      - 0.1\n      - ' +
+    '0.3\n    start: state',
   step: '{parameter: e, from: 0.3, to: 0.1, step: 0.05, start: state}',
   log: '{parameter: e, from: 0.05, to: 0.4, points: 4, scale: log, start: state}',
 };

@@ -110,8 +110,9 @@ void whirl_case_comment(const whirl_case *object, const char *name, char *commen
 
 /// The text of a case with `value` at the key `path` ("parameters.r_k", "study.sweep.from"), all else as it was; a key
 /// that is missing is added where its mapping stands. A list of values is replaced by another in brackets, "[1 mm, 2
-/// mm]". `value` NULL takes the key and its value out; without the key the text stays as it is. *edited is freed by the caller. WHIRL_BAD_INPUT for a text that is not YAML, or a place that takes no value.
-/// What the new text means is not checked: see whirl_case_parse.
+/// mm]". `value` NULL takes the key and its value out; without the key the text stays as it is. *edited is freed by the
+/// caller. WHIRL_BAD_INPUT for a text that is not YAML, or a place that takes no value. What the new text means is not
+/// checked: see whirl_case_parse.
 whirl_status whirl_case_edit(const char *text, size_t length, const char *path, const char *value, char **edited);
 
 /// The groups of keys of a case file outside rotor elements and stations (case, rotor, study, sweep, integrate, ...);

@@ -1,4 +1,5 @@
-// What the page is at: the machine that is open, what the reader has set, what of it is shown, and what follows from these.
+// What the page is at: the machine that is open, what the reader has set, what of it is shown, and what follows from
+// these.
 import { Diagram } from '../data/diagram';
 import type { Run } from '../data/run';
 import type { CaseInfo, Engine, Setting, StationInfo, SweepProgress } from '../engine/protocol';
