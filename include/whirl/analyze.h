@@ -216,7 +216,8 @@ typedef enum whirl_regime {
     WHIRL_DIVERGING
 } whirl_regime;
 
-enum { WHIRL_MAX_PERIOD = 64 };
+/// The longest period that is told.
+enum { WHIRL_MAX_PERIOD = 128 };
 
 /// How far a verdict can be trusted.
 typedef enum whirl_confidence { WHIRL_LOW = 0, WHIRL_FAIR, WHIRL_HIGH } whirl_confidence;
@@ -238,8 +239,11 @@ typedef struct whirl_advice {
 /// A verdict with the evidence it rests on.
 typedef struct whirl_verdict {
     whirl_regime regime;
-    int period;         ///< k of P-k for a periodic motion, else 0
-    int curves;         ///< closed curves of a quasi-periodic motion's section, else 0
+    int period; ///< k of P-k for a periodic motion, else 0
+    int curves; ///< closed curves of a quasi-periodic motion's section, 0 where that may be a surface, and else
+    /// Of a quasi-periodic motion: 2 for closed curves, 3 where the section is a surface and a second exponent is zero
+    /// as well, 0 where that cannot be told, and else.
+    int frequencies;
     double diverged_at; ///< revolution, else 0
     // trust
     whirl_confidence confidence; ///< after the second tolerance, if there was one; at most fair without it
@@ -254,17 +258,21 @@ typedef struct whirl_verdict {
     // evidence
     whirl_estimate exponent; ///< largest, per revolution
     bool exponents_failed;   ///< all disturbances were followed, and the sum of their growth is wrong: none counts
-    double recurrence; ///< smallest over k <= 64 of the largest return distance |z(n+k) - z(n)|, over the size of the
-                       ///< motion
+    double recurrence;       ///< smallest over k of the largest return distance |z(n+k) - z(n)|, over the size of the
+                             ///< motion
     int recurrence_period;   ///< the k that gives it (the smallest k below the tolerance, where there is one)
+    int longest_period;      ///< that was looked for: 128 where three of them were watched, else fewer
     double recurrence_trend; ///< that distance in the last quarter of the watched revolutions over that in the first: <
                              ///< 1 settles
     double regularity; ///< decimal digits to which weighted Birkhoff averages over two halves agree: high on tori, low
                        ///< in chaos
     double chaos;      ///< K of the 0-1 test, near 1 in chaos, near 0 for regular motion; NaN for P-k
     int neighbours;  ///< of a quasi-periodic motion: median revolutions between visits of neighbours on a curve, else 0
+    int unlocked;    ///< of a quasi-periodic motion: it is locked on no period up to this, else 0
     double rotation; ///< turns round its closed curve from one visit to the next, 0 to 1/2; NaN but for a
                      ///< quasi-periodic motion
+    /// Of an undetermined motion that drifts evenly along a closed curve: revolutions once round it; NaN for others.
+    double round;
     double step_growth; ///< whirl_step_quality.growth; NaN for methods with a tolerance
     double step_error;  ///< whirl_step_quality.error
 } whirl_verdict;

@@ -53,8 +53,8 @@ static bool slows_down(const whirl_verdict *v) {
     return v->exponent.value < -v->exponent.error || v->recurrence_trend < steady_trend;
 }
 
-static whirl_confidence weigh_quasi_periodic(const whirl_verdict *v) {
-    const bool may_lock = v->neighbours <= longest_lock;
+static whirl_confidence weigh_quasi_periodic(const whirl_verdict *v, const evidence *e) {
+    const bool may_lock = v->frequencies < 3 && v->unlocked < longest_lock(&e->points, v->curves);
     if (v->chaos > middle || (may_lock && slows_down(v))) return WHIRL_LOW;
     const bool regular = v->regularity >= regular_digits && v->chaos <= regular_walk && !isnan(v->rotation);
     return regular && !may_lock ? WHIRL_HIGH : WHIRL_FAIR;
@@ -80,7 +80,7 @@ static whirl_confidence weigh(const whirl_verdict *v, const evidence *e) {
     case WHIRL_PERIODIC:
         return weigh_periodic(v, e);
     case WHIRL_QUASI_PERIODIC:
-        return weigh_quasi_periodic(v);
+        return weigh_quasi_periodic(v, e);
     case WHIRL_CHAOTIC:
         return weigh_chaotic(v, e);
     case WHIRL_DIVERGING:
@@ -119,6 +119,11 @@ static bool still_settles(const whirl_verdict *v, const evidence *e) {
     return v->recurrence_trend < 0.9 || v->recurrence <= recurrence_tolerance || !isnan(settling_exponent(e));
 }
 
+/// A torus shows once a drift has been round a few times.
+static double drift_factor(const whirl_verdict *v, const evidence *e) {
+    return isnan(v->round) ? usual_factor : bounded_factor(enough_rounds * v->round / (double)e->points.count);
+}
+
 /// Errors of means shrink with the square root of the revolutions.
 static double exponent_factor(whirl_estimate exponent) {
     const double short_of = clear_sigmas * exponent.error / fabs(exponent.value);
@@ -129,8 +134,9 @@ static whirl_advice advise(const whirl_verdict *v, const evidence *e, const whir
     if (v->agreement == WHIRL_HIGH) return (whirl_advice){WHIRL_NO_REMEDY, 1.0};
     if (v->regime == WHIRL_CHAOTIC) return (whirl_advice){WHIRL_LONGER_WATCH, exponent_factor(v->exponent)};
     if (v->regime == WHIRL_QUASI_PERIODIC) return (whirl_advice){WHIRL_LONGER_WATCH, usual_factor};
-    if (still_settles(v, e)) return (whirl_advice){WHIRL_LONGER_TRANSIENT, settling_factor(v, e, record)};
-    return (whirl_advice){WHIRL_LONGER_WATCH, usual_factor};
+    if (isnan(v->round) && still_settles(v, e))
+        return (whirl_advice){WHIRL_LONGER_TRANSIENT, settling_factor(v, e, record)};
+    return (whirl_advice){WHIRL_LONGER_WATCH, drift_factor(v, e)};
 }
 
 static whirl_confidence lesser(whirl_confidence a, whirl_confidence b) {

@@ -8,12 +8,14 @@ evidence evidence_gather(const whirl_record *record) {
     evidence e = {.points = {record->section_count, record->dimension, record->section},
                   .size = motion_size(record),
                   .rounding = motion_rounding(record),
-                  .exponent = whirl_lyapunov_largest(record)};
+                  .exponent = whirl_lyapunov_largest(record),
+                  .second = {NAN, NAN}};
     e.exponents_failed = balance_growth(record).failed;
     if (record->growth_count > 0 && !e.exponents_failed) {
         const size_t aligning = record->growth_count / 10;
         e.growth = record->growth + aligning;
         e.growth_count = record->growth_count - aligning;
+        e.second = second_exponent(record);
     }
     e.returns = recurrence_find(&e.points, record->record_count, e.size);
     e.averages = regularity_find(&e.points, e.size);

@@ -15,6 +15,7 @@ typedef struct evidence {
     recurrence returns;
     regularity averages;
     whirl_estimate exponent;
+    whirl_estimate second; ///< sharp, of regular motions; NaN where not all disturbances were followed
     bool exponents_failed; ///< then there is no growth that says anything
 } evidence;
 

@@ -117,6 +117,17 @@ growth_balance balance_growth(const whirl_record *record) {
     return balance;
 }
 
+whirl_estimate second_exponent(const whirl_record *record) {
+    const size_t first = first_counted(record), n = record->dimension;
+    whirl_estimate second = {NAN, NAN};
+    double *values = follows_all(record) && n > 1 ? malloc(record->growth_count * sizeof *values) : NULL;
+    if (!values) return second;
+    for (size_t i = first; i < record->growth_count; i++) values[i - first] = record->growths[i * n + 1];
+    second = estimate_regular_mean(values, record->growth_count - first, 1);
+    free(values);
+    return second;
+}
+
 // ---------------------------------------------------------------- the largest one
 
 whirl_estimate whirl_lyapunov_largest(const whirl_record *record) {

@@ -33,6 +33,10 @@ bool follows_all(const whirl_record *record);
 /// [growth_count] is workspace.
 growth_balance gather_exponents(const whirl_record *record, whirl_estimate *exponents, double *values);
 
+/// The sharp mean (estimate_regular_mean) of the growth of the second of all disturbances, after the first tenth of the
+/// revolutions. NaN where not all were followed, or there is no memory.
+whirl_estimate second_exponent(const whirl_record *record);
+
 /// The balance alone. All zero where not all disturbances were followed, or there is no memory.
 growth_balance balance_growth(const whirl_record *record);
 

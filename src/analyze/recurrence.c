@@ -1,5 +1,8 @@
-// Recurrence: after how many revolutions the motion comes back to where it was, and how closely.
+// Recurrence: after how many revolutions the motion comes back to where it was, and how closely. Periods up to 64 are
+// compared by all returns of the window; longer ones, where three of them were watched, only if the last point
+// returned.
 #include <math.h>
+#include <stdbool.h>
 
 #include "section.h"
 
@@ -28,23 +31,67 @@ static double settling_trend(const section *all, size_t k, double size) {
     return (late + rounding) / (early + rounding);
 }
 
-recurrence recurrence_find(const section *all, size_t record_count, double size) {
-    // Short records borrow from the revolutions watched before them, so that every period up to 64 is seen twice.
-    enum { SHORTEST_WINDOW = 2 * WHIRL_MAX_PERIOD, FEWEST_RETURNS = 4 };
-    size_t window = record_count > SHORTEST_WINDOW ? record_count : SHORTEST_WINDOW;
-    if (window > all->count) window = all->count;
-    const size_t first = all->count - window;
-    recurrence found = {.window = window, .distance = NAN, .separation = INFINITY, .trend = NAN};
-    for (size_t k = 1; k <= WHIRL_MAX_PERIOD && k + FEWEST_RETURNS <= window; k++) {
-        const double distance = return_distance(all, first, window, k) / size;
-        if (found.period > 0 && !(distance < found.distance)) continue;
-        found.period = (int)k;
-        found.distance = distance;
+enum { SHORT_PERIOD = 64, FEWEST_RETURNS = 4 };
+
+/// The period up to 64 that returns within the tolerance, or best.
+static void try_short_periods(const section *all, double size, recurrence *found) {
+    for (size_t k = 1; k <= SHORT_PERIOD && k + FEWEST_RETURNS <= found->window; k++) {
+        const double distance = return_distance(all, all->count - found->window, found->window, k) / size;
+        found->longest = (int)k;
+        if (found->period > 0 && !(distance < found->distance)) continue;
+        found->period = (int)k;
+        found->distance = distance;
         if (distance <= recurrence_tolerance) break;
     }
+}
+
+/// A longer period that returns within the tolerance, where none up to 64 does.
+static void try_long_periods(const section *all, double size, recurrence *found) {
+    for (size_t k = SHORT_PERIOD + 1; k <= WHIRL_MAX_PERIOD && 3 * k <= all->count; k++) {
+        const size_t window = 3 * k > found->window ? 3 * k : found->window, last = all->count - 1;
+        found->longest = (int)k;
+        if (section_distance(all, last - k, last) > recurrence_tolerance * size) continue;
+        const double distance = return_distance(all, all->count - window, window, k) / size;
+        if (!(distance <= recurrence_tolerance)) continue;
+        found->window = window;
+        found->period = (int)k;
+        found->distance = distance;
+        return;
+    }
+}
+
+recurrence recurrence_find(const section *all, size_t record_count, double size) {
+    // Short records borrow from the revolutions watched before them, so that every period up to 64 is seen twice.
+    enum { SHORTEST_WINDOW = 2 * SHORT_PERIOD };
+    size_t window = record_count > SHORTEST_WINDOW ? record_count : SHORTEST_WINDOW;
+    if (window > all->count) window = all->count;
+    recurrence found = {.window = window, .distance = NAN, .separation = INFINITY, .trend = NAN};
+    try_short_periods(all, size, &found);
+    if (found.distance > recurrence_tolerance) try_long_periods(all, size, &found);
     if (found.period > 0) {
-        found.separation = divisor_distance(all, first, window, (size_t)found.period) / size;
+        const size_t first = all->count - found.window;
+        found.separation = divisor_distance(all, first, found.window, (size_t)found.period) / size;
         found.trend = settling_trend(all, (size_t)found.period, size);
     }
     return found;
+}
+
+/// Root mean square of |z(n+k) - z(n)| over all points.
+static double mean_return(const section *all, size_t k) {
+    double squares = 0.0;
+    for (size_t n = 0; n + k < all->count; n++) {
+        const double away = section_distance(all, n, n + k);
+        squares += away * away;
+    }
+    return sqrt(squares / (double)(all->count - k));
+}
+
+double drift_round(const section *all, const recurrence *returns, double size) {
+    // A circle is 2 pi/sqrt 2 times as long as half the diagonal of its bounds; k branches divide the way among them.
+    const double way = 4.44, nearest = 0.1, evenness = 0.5, steady = 0.05;
+    if (!(returns->distance > recurrence_tolerance && returns->distance < nearest)) return NAN;
+    if (!(fabs(returns->trend - 1.0) < steady)) return NAN;
+    const double step = mean_return(all, (size_t)returns->period) / size, round = way / step;
+    const bool enough = (double)all->count > enough_rounds * round;
+    return step < evenness * returns->distance || enough ? (double)NAN : round;
 }

@@ -9,7 +9,7 @@
 
 #include "section.h"
 
-enum { FEWEST_POINTS = 24 };
+enum { FEWEST_POINTS = 24, ORDERED_POINTS = 2000 };
 
 static const double two_pi = 6.283185307179586;
 
@@ -21,13 +21,17 @@ typedef struct cloud {
     double *across[2]; ///< [count] along the axes, mean square 1
     double *turns;     ///< [count] from each point to the next, in 0 .. 1
     double *sorted;    ///< [count] work
+    size_t ordered;    ///< last points that are put into order: an error of the number grows with their age
 } cloud;
 
 static cloud *cloud_new(const section *all, size_t curves) {
     const size_t count = all->count / curves, d = all->dimension;
     cloud *c = malloc(sizeof *c + (count * (d + 4) + 2 * d) * sizeof(double));
     if (!c) return NULL;
-    *c = (cloud){.count = count, .dimension = d, .points = (double *)(c + 1)};
+    *c = (cloud){.count = count,
+                 .dimension = d,
+                 .points = (double *)(c + 1),
+                 .ordered = count < ORDERED_POINTS ? count : ORDERED_POINTS};
     c->axes[0] = c->points + count * d;
     c->axes[1] = c->axes[0] + d;
     c->across[0] = c->axes[1] + d;
@@ -122,7 +126,7 @@ static double weighted_mean(const double *values, size_t count) {
 }
 
 static size_t place_of(const cloud *c, size_t i) {
-    return (size_t)fmod(c->sorted[i % c->count], 1e5);
+    return (size_t)fmod(c->sorted[i % c->ordered], 1e5);
 }
 
 static double median_of(double *values, size_t count) {
@@ -135,7 +139,7 @@ static double median_of(double *values, size_t count) {
 static bool is_smooth(cloud *c, double number, double reach) {
     const double least = 0.02, by_bend = 0.6; // of the distance of the neighbours; a curve of some bends has reach/8
     const size_t d = c->dimension;
-    for (size_t i = 0; i < c->count; i++) {
+    for (size_t i = 0; i < c->ordered; i++) {
         const size_t from = place_of(c, i), at = place_of(c, i + 1), to = place_of(c, i + 2);
         const double before = fraction(((double)at - (double)from) * number);
         const double after = fraction(((double)to - (double)at) * number), share = before / (before + after);
@@ -149,7 +153,7 @@ static bool is_smooth(cloud *c, double number, double reach) {
         c->across[0][i] = sqrt(off);
         c->across[1][i] = sqrt(chord);
     }
-    const double off = median_of(c->across[0], c->count), chord = median_of(c->across[1], c->count);
+    const double off = median_of(c->across[0], c->ordered), chord = median_of(c->across[1], c->ordered);
     return off <= fmax(least, by_bend * chord / reach) * chord;
 }
 
@@ -159,15 +163,15 @@ static bool goes_round(cloud *c, double number) {
     const double longest_way = 20.0; // times the greatest distance from the centre, for the whole curve
     const size_t d = c->dimension;
     double way = 0.0, reach = 0.0;
-    for (size_t n = 0; n < c->count; n++) {
+    for (size_t i = 0; i < c->ordered; i++) {
+        const size_t n = c->count - c->ordered + i;
         // The place and the index in one number, to be sorted together.
-        c->sorted[n] = floor(fraction((double)n * number) * 1e9) * 1e5 + (double)n;
+        c->sorted[i] = floor(fraction((double)n * number) * 1e9) * 1e5 + (double)n;
         reach = fmax(reach, sqrt(dot(c->points + n * d, c->points + n * d, d)));
     }
-    qsort(c->sorted, c->count, sizeof *c->sorted, ascending);
-    for (size_t n = 0; n < c->count; n++) {
-        const size_t from = (size_t)fmod(c->sorted[n], 1e5);
-        const size_t to = (size_t)fmod(c->sorted[(n + 1) % c->count], 1e5);
+    qsort(c->sorted, c->ordered, sizeof *c->sorted, ascending);
+    for (size_t n = 0; n < c->ordered; n++) {
+        const size_t from = place_of(c, n), to = place_of(c, n + 1);
         double square = 0.0;
         for (size_t i = 0; i < d; i++) {
             const double step = c->points[to * d + i] - c->points[from * d + i];
@@ -179,8 +183,7 @@ static bool goes_round(cloud *c, double number) {
 }
 
 double rotation_number(const section *all, int curves) {
-    enum { MOST_POINTS = 4000 };
-    const section points = section_tail(all, MOST_POINTS);
+    const section points = section_tail(all, ROTATION_POINTS);
     double number = NAN;
     if (curves < 1 || points.dimension < 2 || points.count / (size_t)curves < FEWEST_POINTS) return NAN;
     cloud *c = cloud_new(&points, (size_t)curves);

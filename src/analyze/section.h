@@ -29,7 +29,9 @@ double motion_rounding(const whirl_record *record);
 /// Returns to earlier points of the section.
 typedef struct recurrence {
     size_t window; ///< last points of the section that were compared
-    int period; ///< the smallest k that returns within the tolerance, else the k that returns best; 0: too few points
+    int longest; ///< period that was looked for: 128, or a third of the points but not less than 64 where these are few
+    /// The smallest k that returns within the tolerance, else the k up to 64 that returns best; 0: too few points.
+    int period;
     double distance;   ///< largest |z(n+k) - z(n)| over the window, over the size of the motion
     double separation; ///< smallest such distance for a proper divisor of k: how far the k points are apart; infinite
                        ///< for k = 1
@@ -40,6 +42,14 @@ typedef struct recurrence {
 static const double recurrence_tolerance = 1e-6;
 
 recurrence recurrence_find(const section *all, size_t record_count, double size);
+
+/// A drift shows its curve, and averages over both halves agree, once it has gone round so often (halves of 5.5 rounds
+/// still differ).
+static const double enough_rounds = 12.0;
+
+/// Revolutions in which a motion goes once round its closed curve, where its nearest returns say that it drifts along
+/// it evenly and has not gone round often enough; else NaN.
+double drift_round(const section *all, const recurrence *returns, double size);
 
 // ---------------------------------------------------------------- birkhoff.c
 
@@ -65,9 +75,6 @@ typedef struct closed_curves {
     int neighbours;
 } closed_curves;
 
-/// Periods up to this must be ruled out before a motion counts as not locked for certain.
-static const int longest_lock = 96;
-
 /// The last 2000 points are looked at. None also when memory is short.
 closed_curves curves_find(const section *all);
 
@@ -90,9 +97,22 @@ correlation correlation_find(const section *all, double least);
 
 // ---------------------------------------------------------------- rotation.c
 
+/// Points that rotation numbers and locks are told from, the last ones: slow rotations must go round several times.
+enum { ROTATION_POINTS = 20000 };
+
 /// Turns round its closed curve from one visit to the next, 0 to 1/2 (the sense is not told), of a section on
-/// `curves` >= 1 closed curves that it visits in turn. The last 4000 points are looked at. NaN where it cannot be told.
+/// `curves` >= 1 closed curves that it visits in turn. NaN where it cannot be told.
 double rotation_number(const section *all, int curves);
+
+// ---------------------------------------------------------------- locks.c
+
+/// Periods up to this must be excluded before a motion on `curves` closed curves (0: not known) counts as not locked
+/// for certain: a third of the points, 96 at least.
+int longest_lock(const section *all, int curves);
+
+/// The section, on `curves`->count >= 1 closed curves that it visits in turn with the rotation number `rotation` (NaN
+/// where it is not told), is locked on no period up to this; longest_lock at most.
+int locks_excluded(const section *all, const closed_curves *curves, double rotation);
 
 // ---------------------------------------------------------------- multiplier.c
 

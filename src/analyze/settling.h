@@ -18,7 +18,7 @@ void settling_free(settling *settling);
 void settling_archive(settling *settling, archive *a);
 
 /// Takes the state x [dimension] at the end of a revolution. True where the motion has returned after k revolutions,
-/// k <= 64, to 1e-11 of its size for three periods and 32 revolutions.
+/// k <= 128, to 1e-11 of its size for three periods and 32 revolutions.
 bool settling_note(settling *settling, const double *x);
 
 #endif

@@ -69,7 +69,7 @@ void steps_weigh(whirl_verdict *verdict, const whirl_step_quality *steps) {
     verdict->step_error = steps->error;
     if (wrong) {
         verdict->regime = WHIRL_UNDETERMINED;
-        verdict->period = verdict->curves = 0;
+        verdict->period = verdict->curves = verdict->frequencies = 0;
         verdict->rotation = (double)NAN;
     }
     if (wrong || steps->error > coarse_error) {

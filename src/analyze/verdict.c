@@ -23,6 +23,9 @@ static const double least_exponent = 2e-3, neutral_error = 1e-2;
 /// A quasi-periodic exponent is zero within its error and this, to which a disturbance of finite size is followed.
 static const double neutral_rounding = 3e-7;
 
+/// K of the 0-1 test of motions that do not walk at random.
+static const double regular_walk = 0.2;
+
 /// A bound orbit may change its size by this factor between the halves of the section, unless it grows or settles.
 static const double steady_factor = 1.6;
 
@@ -61,33 +64,54 @@ static bool grows_to_the_end(const evidence *e) {
     return late.value + late.error > 0.0;
 }
 
+/// Whether a motion may grow away from one that it was close to, by a factor that a start can explain: it walks at
+/// random no more than regular motions do.
+static bool may_be_leaving(const evidence *e) {
+    const double most_folds = 10.0;
+    return e->exponent.value * (double)e->points.count < most_folds &&
+           zero_one_test(&e->points, e->size) <= regular_walk;
+}
+
 /// Chaos: disturbances grow, faster than a slow departure from some other motion would explain over the watched
 /// revolutions, and the motion is steady but not regular.
 static bool is_chaotic(const evidence *e) {
     const double least = fmax(least_exponent, 2.0 / (double)e->points.count);
     return e->growth_count > 0 && e->exponent.value > fmax(least, sigmas * e->exponent.error) &&
            e->returns.distance > recurrence_tolerance && e->averages.digits < irregular_digits &&
-           fabs(log(e->averages.spread)) < log(steady_factor) && grows_to_the_end(e);
+           fabs(log(e->averages.spread)) < log(steady_factor) && grows_to_the_end(e) && !may_be_leaving(e);
+}
+
+/// A sharp exponent of zero.
+static bool is_neutral(whirl_estimate exponent) {
+    return fabs(exponent.value) <= sigmas * exponent.error + neutral_rounding && exponent.error <= neutral_error;
 }
 
 /// Quasi-periodic, up to the curves: disturbances neither grow nor die out, and the motion is regular but never
 /// returns.
 static bool may_be_quasi_periodic(const evidence *e) {
     if (e->growth_count == 0) return false;
-    const whirl_estimate exponent = estimate_regular_mean(e->growth, e->growth_count, 1);
-    return fabs(exponent.value) <= sigmas * exponent.error + neutral_rounding && exponent.error <= neutral_error &&
-           e->averages.digits >= regular_digits && e->returns.distance > recurrence_tolerance;
+    return is_neutral(estimate_regular_mean(e->growth, e->growth_count, 1)) && e->averages.digits >= regular_digits &&
+           e->returns.distance > recurrence_tolerance;
+}
+
+/// Revolutions once round the curve of what drifts along one: disturbances neither grow nor die out for certain.
+static double slow_round(const evidence *e, double chaos) {
+    const bool neutral = fabs(e->exponent.value) <= fmax(sigmas * e->exponent.error, least_exponent);
+    return neutral && chaos <= regular_walk ? drift_round(&e->points, &e->returns, e->size) : (double)NAN;
 }
 
 /// The evidence as part of a verdict that is still open.
 static whirl_verdict open_verdict(const evidence *e) {
+    const double chaos = zero_one_test(&e->points, e->size);
     return (whirl_verdict){.regime = WHIRL_UNDETERMINED,
                            .exponent = e->exponent,
                            .recurrence = e->returns.distance,
                            .recurrence_period = e->returns.period,
+                           .longest_period = e->returns.longest,
                            .recurrence_trend = e->returns.trend,
                            .regularity = e->averages.digits,
-                           .chaos = zero_one_test(&e->points, e->size),
+                           .chaos = chaos,
+                           .round = slow_round(e, chaos),
                            .rotation = NAN};
 }
 
@@ -97,22 +121,35 @@ static whirl_verdict periodic_verdict(const evidence *e, whirl_estimate exponent
                            .exponent = exponent,
                            .recurrence = e->returns.distance,
                            .recurrence_period = e->returns.period,
+                           .longest_period = e->returns.longest,
                            .recurrence_trend = e->returns.trend,
                            .regularity = e->averages.digits,
                            .chaos = NAN,
+                           .round = NAN,
                            .rotation = NAN};
 }
 
-/// Closed curves are looked for; without them it stays open.
+/// Closed curves are looked for; without them it stays open, but for a torus of three frequencies: its section is a
+/// surface, and two exponents are zero. What goes round no smooth curve may be such a torus, unless a second exponent
+/// is clearly not zero: then its curves are not counted.
 static whirl_verdict regular_verdict(const evidence *e) {
     whirl_verdict verdict = open_verdict(e);
     verdict.exponent = estimate_regular_mean(e->growth, e->growth_count, 1);
     const closed_curves found = curves_find(&e->points);
     verdict.curves = found.count;
     verdict.neighbours = found.neighbours;
-    if (verdict.curves == 0) return verdict;
+    if (found.count > 0) {
+        verdict.regime = WHIRL_QUASI_PERIODIC;
+        verdict.rotation = rotation_number(&e->points, found.count);
+        verdict.unlocked = locks_excluded(&e->points, &found, verdict.rotation);
+        verdict.frequencies = 2;
+    }
+    if (!isnan(verdict.rotation) || e->second.value + sigmas * e->second.error < 0.0) return verdict;
+    verdict.curves = 0;
+    verdict.frequencies = 0;
+    if (!is_neutral(e->second)) return verdict;
     verdict.regime = WHIRL_QUASI_PERIODIC;
-    verdict.rotation = rotation_number(&e->points, verdict.curves);
+    verdict.frequencies = 3;
     return verdict;
 }
 
@@ -171,6 +208,7 @@ static whirl_verdict judge_unbounded(const whirl_record *record) {
                            .recurrence_trend = NAN,
                            .regularity = NAN,
                            .chaos = NAN,
+                           .round = NAN,
                            .rotation = NAN};
 }
 

@@ -23,13 +23,26 @@ const char *whirl_confidence_name(whirl_confidence confidence) {
     return (unsigned)confidence < sizeof names / sizeof *names ? names[confidence] : names[WHIRL_LOW];
 }
 
+static const char *plural(int count) {
+    return count == 1 ? "" : "s";
+}
+
+static void quasi_periodic_name(const whirl_verdict *v, char *text, size_t size) {
+    if (v->curves > 0)
+        snprintf(text, size, "quasi-periodic (%d curve%s)", v->curves, plural(v->curves));
+    else if (v->frequencies > 0)
+        snprintf(text, size, "quasi-periodic (%d frequencies)", v->frequencies);
+    else
+        snprintf(text, size, "%s", whirl_regime_name(WHIRL_QUASI_PERIODIC));
+}
+
 void whirl_verdict_name(const whirl_verdict *verdict, char *text, size_t size) {
     switch (verdict->regime) {
     case WHIRL_PERIODIC:
         snprintf(text, size, "P-%d", verdict->period);
         return;
     case WHIRL_QUASI_PERIODIC:
-        snprintf(text, size, "quasi-periodic (%d curve%s)", verdict->curves, verdict->curves == 1 ? "" : "s");
+        quasi_periodic_name(verdict, text, size);
         return;
     case WHIRL_DIVERGING:
         snprintf(text, size, "diverged at revolution %.0f", verdict->diverged_at);
@@ -54,12 +67,16 @@ static void exponent_text(const whirl_verdict *v, char *text, size_t size) {
     }
 }
 
-static const char *plural(int count) {
-    return count == 1 ? "" : "s";
+/// Up to which period no return was found.
+static void unreturned_text(const whirl_verdict *v, char *text, size_t size) {
+    snprintf(text, size, "does not return within %d revolutions%s", v->longest_period,
+             v->longest_period < WHIRL_MAX_PERIOD ? " (longer periods need three of them watched)" : "");
 }
 
 /// Why it is open: where it stands, in the order in which verdicts are tried.
 static void undetermined_reason(const whirl_verdict *v, const char *exponent, char *text, size_t size) {
+    char unreturned[96];
+    unreturned_text(v, unreturned, sizeof unreturned);
     const bool dies_out = v->exponent.value + 6.0 * v->exponent.error < 0.0;
     const bool regular = v->regularity >= 2.5 && v->chaos < 0.5;
     if (steps_reason(v, text, size)) return;
@@ -78,14 +95,19 @@ static void undetermined_reason(const whirl_verdict *v, const char *exponent, ch
                  v->recurrence_trend, v->recurrence, exponent);
     } else if (dies_out) {
         snprintf(text, size,
-                 "disturbances die out (%s), but it does not return within %d revolutions (best return %.1e of its "
-                 "size): it settles slowly or repeats after more",
-                 exponent, WHIRL_MAX_PERIOD, v->recurrence);
+                 "disturbances die out (%s), but it %s; best return %.1e of its size: it settles slowly or repeats "
+                 "after more",
+                 exponent, unreturned, v->recurrence);
+    } else if (!isnan(v->round)) {
+        snprintf(text, size,
+                 "drifts evenly: it nearly returns after %d revolution%s (%.1e of its size), and goes once round its "
+                 "curve in some %.0f revolutions, which must be watched a dozen times (%s)",
+                 v->recurrence_period, plural(v->recurrence_period), v->recurrence, v->round, exponent);
     } else if (regular) {
         snprintf(text, size,
-                 "regular, but its section does not fill a closed curve yet (nearly returns after %d revolution%s, "
-                 "averages of two halves agree to %.1f digits, %s)",
-                 v->recurrence_period, plural(v->recurrence_period), v->regularity, exponent);
+                 "regular, but its section does not fill a closed curve yet, and it %s; averages of two halves agree "
+                 "to %.1f digits, %s",
+                 unreturned, v->regularity, exponent);
     } else {
         snprintf(text, size,
                  "the evidence is not clear: best return %.1e of its size, averages of two halves agree to %.1f "
@@ -95,15 +117,19 @@ static void undetermined_reason(const whirl_verdict *v, const char *exponent, ch
 }
 
 static void quasi_periodic_reason(const whirl_verdict *v, const char *exponent, char *text, size_t size) {
-    char locked[112] = "";
-    if (v->neighbours > 0 && v->neighbours <= longest_lock)
-        snprintf(locked, sizeof locked,
-                 ", whose neighbours are %d revolutions apart: it may still come to rest on that period",
-                 v->neighbours);
+    char what[160];
+    if (v->curves > 0)
+        snprintf(what, sizeof what, "draws %d closed curve%s; locks up to P-%d are excluded, longer ones are not",
+                 v->curves, plural(v->curves), v->unlocked);
+    else if (v->frequencies > 0)
+        snprintf(what, sizeof what, "has two exponents of zero: its section is a surface");
+    else
+        snprintf(what, sizeof what,
+                 "is regular; no smooth curve is seen, so that a torus of three frequencies is not excluded (the "
+                 "analysis exponents tells)");
     snprintf(text, size,
-             "does not return (%.1e of its size at best) but draws %d closed curve%s%s; averages of two halves agree "
-             "to %.1f digits; %s",
-             v->recurrence, v->curves, plural(v->curves), locked, v->regularity, exponent);
+             "does not return (%.1e of its size at best) but %s; averages of two halves agree to %.1f digits; %s",
+             v->recurrence, what, v->regularity, exponent);
 }
 
 static void regime_reason(const whirl_verdict *v, const char *exponent, char *text, size_t size) {

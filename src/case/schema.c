@@ -260,7 +260,7 @@ static const whirl_key claim_keys[] = {
     {"at", "", "", WHIRL_KEY_NUMBER, false, "", WHIRL_ANY, NULL, "value of the parameter, in place of from and to", ""},
     {"says", "", "", WHIRL_KEY_CHOICE, true, "", WHIRL_ANY, "", "the claim in words", ""},
     {"regime", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
-     "P-1 to P-64, periodic, quasi-periodic, chaotic or diverged", ""},
+     "P-1 to P-128, periodic, quasi-periodic, chaotic or diverged", ""},
     {"curves",
      "",
      "1",

@@ -9,6 +9,7 @@
 
 #include <cmocka.h>
 
+#include "support_flow.h"
 #include "support_known.h"
 #include "support_rotor.h"
 
@@ -173,6 +174,35 @@ static bool make_free_rub(size_t index, known_motion *m) {
     return true;
 }
 
+/// A rigid rotor in its film, sigma = .3, s = 3, rho = .31, is chaotic for some 5000 revolutions and then P-96: the
+/// orbit closes after 96 revolutions and no sooner, and its multipliers lie inside the unit circle.
+static void long_period(void **state) {
+    enum { PERIOD = 96, STEPS = 256 };
+    known_motion m = {.transient = 8000, .start = {0.1, -0.2}};
+    char name[WHIRL_NAME_SIZE];
+    double at[4], fixed[4], matrix[16], nearest = INFINITY;
+    (void)state;
+    m.rotor = make_film_rotor(0.3 / 9.0, 1.0 / 9.0, 0.31);
+    whirl_integrator *integrator = make_integrator(whirl_rotor_system(m.rotor), "rk4", STEPS);
+    memcpy(at, m.start, sizeof at);
+    revolve(integrator, at, m.transient);
+    memcpy(fixed, at, sizeof fixed);
+    find_fixed_point(integrator, 4, fixed, PERIOD);
+    memcpy(at, fixed, sizeof at);
+    for (int k = 1; k < PERIOD; k++) {
+        revolve(integrator, at, 1);
+        if (PERIOD % k == 0) nearest = fmin(nearest, hypot(at[0] - fixed[0], at[1] - fixed[1]));
+    }
+    flow_jacobian(integrator, 4, fixed, PERIOD, 1e-7, matrix);
+    assert_true(nearest > 1e-6);
+    assert_true(largest_modulus(4, matrix) < 0.9);
+    const whirl_verdict verdict = judge_known(&m, STEPS);
+    whirl_verdict_name(&verdict, name, sizeof name);
+    assert_string_equal(name, "P-96");
+    whirl_integrator_free(integrator);
+    whirl_rotor_free(m.rotor);
+}
+
 static known_family families[] = {
     {"rigid rotor in its film, case A5", "Routh", 512, make_a5},
     {"unloaded rotor, case A7", "cases.md", 256, make_a7},
@@ -196,10 +226,11 @@ static void in_sum(void **state) {
 }
 
 int main(void) {
-    struct CMUnitTest tests[COUNT_OF(families) + 2];
+    struct CMUnitTest tests[COUNT_OF(families) + 3];
     for (size_t i = 0; i < COUNT_OF(families); i++)
         tests[i] = (struct CMUnitTest){families[i].name, known_family_is_judged, NULL, NULL, &families[i]};
     tests[COUNT_OF(families)] = (struct CMUnitTest)cmocka_unit_test(in_sum);
     tests[COUNT_OF(families) + 1] = (struct CMUnitTest)cmocka_unit_test(too_coarse);
+    tests[COUNT_OF(families) + 2] = (struct CMUnitTest)cmocka_unit_test(long_period);
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

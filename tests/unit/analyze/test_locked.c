@@ -74,38 +74,54 @@ static bool soaks(void) {
     return getenv("WHIRL_SOAK") != NULL;
 }
 
+enum { TONGUES = 12 };
+
 /// Motions locked on P-q, seen on their way from all round the curve, for weak and for strong tongues, in their middle
-/// and at their edges. None may be called quasi-periodic with high confidence, nor chaotic.
-static void locked(void **state) {
-    static const int tongues[][2] = {{2, 5},   {3, 7},   {3, 8},   {4, 9},   {5, 13},  {8, 21},
-                                     {13, 34}, {21, 55}, {27, 64}, {19, 71}, {31, 80}, {34, 89}};
+/// and at their edges. None may be called quasi-periodic with high confidence, nor chaotic, and none of its locks on
+/// P-q counts as excluded.
+static void check_locked(const char *what, const int tongues[TONGUES][2]) {
     static const double strengths[] = {1e-4, 3e-4, 1e-3, 2e-3, 3e-3, 5e-3, 0.01, 0.02, 0.05};
     static const double places[] = {0.0, 0.3, 0.9, -0.5, 0.6, 0.99};
     static const size_t transients[] = {1100, 100, 550, 3000};
     const size_t stride = soaks() ? 1 : 29;
     tally sum = {0};
-    (void)state;
-    for (size_t i = 0; i < 12 * 9 * 6 * 4 * 12; i += stride) {
-        const int *tongue = tongues[i % 12];
-        const double s = strengths[i / 12 % 9], place = places[i / (12 * 9) % 6];
+    for (size_t i = 0; i < TONGUES * 9 * 6 * 4 * 12; i += stride) {
+        const int *tongue = tongues[i % TONGUES];
+        const double s = strengths[i / TONGUES % 9], place = places[i / (TONGUES * 9) % 6];
         map_system system = oscillator(s, place * s, tongue[0], tongue[1]);
-        system.start[0] = ((double)(i / (12 * 9 * 24)) / 12.0 + 0.01) / tongue[1];
-        const whirl_verdict verdict = judge(&system, transients[i / (12 * 9 * 6) % 4], 650, &sum);
+        system.start[0] = ((double)(i / (TONGUES * 9 * 24)) / 12.0 + 0.01) / tongue[1];
+        const whirl_verdict verdict = judge(&system, transients[i / (TONGUES * 9 * 6) % 4], 650, &sum);
         if (verdict.regime == WHIRL_QUASI_PERIODIC && verdict.agreement == WHIRL_HIGH)
             fail_msg("P-%d, s = %g, delta = %g s, psi = %g: quasi-periodic, high", tongue[1], s, place,
                      system.start[0]);
         assert_true(verdict.regime != WHIRL_CHAOTIC);
+        assert_true(verdict.unlocked < tongue[1]);
         assert_true(verdict.regime != WHIRL_PERIODIC || verdict.period == tongue[1]);
     }
-    tell("locked on P-5 to P-89, on their way", &sum);
+    tell(what, &sum);
     assert_true(sum.quasi[WHIRL_FAIR] + sum.quasi[WHIRL_LOW] > 0); // the trap is set
+}
+
+static void locked(void **state) {
+    static const int tongues[TONGUES][2] = {{2, 5},   {3, 7},   {3, 8},   {4, 9},   {5, 13},  {8, 21},
+                                            {13, 34}, {21, 55}, {27, 64}, {19, 71}, {31, 80}, {34, 89}};
+    (void)state;
+    check_locked("locked on P-5 to P-89, on their way", tongues);
+}
+
+/// On periods up to a third of the revolutions watched.
+static void locked_on_long_periods(void **state) {
+    static const int tongues[TONGUES][2] = {{34, 97},  {37, 98},  {37, 101}, {34, 111}, {50, 121}, {55, 144},
+                                            {61, 150}, {64, 167}, {41, 173}, {70, 187}, {80, 207}, {89, 216}};
+    (void)state;
+    check_locked("locked on P-97 to P-216, on their way", tongues);
 }
 
 /// Rotations by any number, and oscillators beyond their tongues, fast and slow ones: most of them show that they are
 /// not locked. The shares are those of the verification manual.
 static void not_locked(void **state) {
     static const size_t watches[] = {650, 1000, 2000};
-    static const double least_rotations[] = {0.55, 0.65, 0.8}, least_oscillators[] = {0.2, 0.4, 0.6};
+    static const double least_rotations[] = {0.7, 0.8, 0.9}, least_oscillators[] = {0.2, 0.4, 0.6};
     const int count = soaks() ? 400 : 60;
     (void)state;
     for (size_t w = 0; w < (soaks() ? 3 : 2); w++) {
@@ -130,6 +146,7 @@ static void not_locked(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(locked), cmocka_unit_test(not_locked)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(locked), cmocka_unit_test(locked_on_long_periods),
+                                       cmocka_unit_test(not_locked)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

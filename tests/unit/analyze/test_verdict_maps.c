@@ -24,7 +24,7 @@ static whirl_verdict judge(const map_system *system, size_t transient) {
 
 static void assert_verdict(const map_system *system, size_t transient, const char *expected, const char *label) {
     const whirl_verdict verdict = judge(system, transient);
-    char name[64], reason[256];
+    char name[64], reason[400];
     whirl_verdict_name(&verdict, name, sizeof name);
     whirl_verdict_reason(&verdict, reason, sizeof reason);
     if (strcmp(name, expected) != 0) fail_msg("%s: %s, expected %s; %s", label, name, expected, reason);
@@ -93,18 +93,56 @@ static void superstable_cycles(void **state) {
         assert_int_equal(for_all_roots(period, critical_point, is_superstable), known[period - 2]);
 }
 
-/// The superstable cycles of the cascade, to the longest period that is told, and one beyond it, which is not.
+/// The superstable cycles of the cascade, to the longest period that is told, and one beyond it, which is not; nor are
+/// long ones where less than three periods are watched, and the reason says so.
 static void long_periods(void **state) {
     (void)state;
-    const double near[] = {3.5546408628, 3.5666673799, 3.5692435316, 3.5697952937};
-    const char *names[] = {"P-8", "P-16", "P-32", "P-64"};
-    for (int i = 0; i < 4; i++) {
-        const double r = bisect(near[i] - 1e-7, near[i] + 1e-7, 8 << i, critical_point);
+    const double near[] = {3.5546408628, 3.5666673799, 3.5692435316, 3.5697952937, 3.5699134654};
+    const char *names[] = {"P-8", "P-16", "P-32", "P-64", "P-128"};
+    for (int i = 0; i < 5; i++) {
+        const double r = bisect(near[i] - 1e-7 / (1 << i), near[i] + 1e-7 / (1 << i), 8 << i, critical_point);
         const map_system system = logistic(r);
-        assert_verdict(&system, 20000, names[i], names[i]);
+        assert_verdict(&system, 50000, names[i], names[i]);
     }
-    const map_system beyond = logistic(3.5699134654);
-    assert_verdict(&beyond, 50000, "undetermined", "P-128");
+    const map_system beyond = logistic(3.5699387742);
+    assert_true(fabs(iterate(3.5699387742, 0.3123, 200256) - iterate(3.5699387742, 0.3123, 200000)) < 1e-12);
+    assert_true(fabs(iterate(3.5699387742, 0.3123, 200128) - iterate(3.5699387742, 0.3123, 200000)) > 1e-7);
+    assert_verdict(&beyond, 100000, "undetermined", "P-256");
+    const map_system unseen = logistic(3.5699134654);
+    const int watched[] = {300, 383, 384}, looked_for[] = {100, 127, 128};
+    for (int i = 0; i < 3; i++) {
+        whirl_record *record = record_map(&unseen, 50000, watched[i], 100);
+        const whirl_verdict verdict = whirl_judge(record);
+        char reason[400], told[64];
+        free(record);
+        assert_int_equal(verdict.longest_period, looked_for[i]);
+        assert_int_equal(verdict.regime, i == 2 ? WHIRL_PERIODIC : WHIRL_UNDETERMINED);
+        whirl_verdict_reason(&verdict, reason, sizeof reason);
+        snprintf(told, sizeof told, "does not return within %d revolutions (longer periods need", looked_for[i]);
+        if (i < 2 && !strstr(reason, told)) fail_msg("%s: no '%s'", reason, told);
+    }
+}
+
+/// A motion that repeats after 96 points by construction: x' = x/2 towards the point of a fixed list whose turn it is.
+static void listed_map(const double *p, size_t step, double *z, double *v) {
+    const double target = fmod(p[1] * (double)(step % (size_t)p[0]) * (double)(step % (size_t)p[0]), 1.0);
+    v[0] *= 0.5;
+    z[0] = target + 0.5 * (z[0] - target);
+}
+
+/// Every period from 65 to 128, of points in no order.
+static void listed_periods(void **state) {
+    (void)state;
+    for (int k = 65; k <= 130; k++) {
+        const map_system system = {.map = listed_map,
+                                   .dimension = 1,
+                                   .section_dimension = 1,
+                                   .parameters = {k, 0.6180339887498949},
+                                   .start = {0.3}};
+        char expected[16];
+        snprintf(expected, sizeof expected, "P-%d", k);
+        assert_verdict(&system, 1000, k <= WHIRL_MAX_PERIOD ? expected : "undetermined", expected);
+    }
 }
 
 static bool is_misiurewicz(double r, int count) {
@@ -217,17 +255,57 @@ static void rotations(void **state) {
         assert_int_equal(verdict.confidence, WHIRL_FAIR);
         assert_true(fabs(verdict.rotation - turns[i]) < 1e-9);
     }
-    // sqrt 17 - 4 = [0; 8, 8, 8, ...] lies so close to 8/65 that 650 iterates do not tell it from a lock on P-65.
+    // sqrt 17 - 4 = [0; 8, 8, 8, ...] lies so close to 8/65 that its neighbours are 65 iterates apart. It goes by 1.2
+    // places between them in 650, evenly: it is not locked.
     const map_system close = {.map = circle_map,
                               .embed = on_circle,
                               .dimension = 1,
                               .section_dimension = 2,
                               .parameters = {0.12310562562, 0.0},
                               .start = {0.1}};
-    const whirl_verdict open = judge(&close, 100);
-    assert_int_equal(open.regime, WHIRL_QUASI_PERIODIC);
-    assert_int_equal(open.neighbours, 65);
-    assert_int_equal(open.agreement, WHIRL_FAIR);
+    const whirl_verdict loose = judge(&close, 100);
+    char reason[400];
+    assert_int_equal(loose.neighbours, 65);
+    assert_int_equal(loose.unlocked, 650 / 3);
+    assert_int_equal(loose.agreement, WHIRL_HIGH);
+    whirl_verdict_reason(&loose, reason, sizeof reason);
+    assert_non_null(strstr(reason, "locks up to P-216 are excluded, longer ones are not"));
+}
+
+/// Slow rotations draw no curve in the revolutions watched. The way round, 1/|k turns - p| iterates, is told to a
+/// third, and the watch that is advised shows the curve.
+static void drifts(void **state) {
+    const double turns[] = {0.4992615, 0.5003, 0.0009, 1.0 / 3.0 + 3e-4, 0.25 - 1.6e-4, 0.0011};
+    const int branches[] = {2, 2, 1, 3, 4, 1};
+    (void)state;
+    for (size_t i = 0; i < COUNT_OF(turns); i++) {
+        const map_system system = {.map = circle_map,
+                                   .embed = on_circle,
+                                   .dimension = 1,
+                                   .section_dimension = 2,
+                                   .parameters = {turns[i], 0.0},
+                                   .start = {0.1}};
+        const double phase = turns[i] * branches[i], round_trip = 1.0 / fabs(phase - round(phase));
+        whirl_record *record = record_map(&system, 100, 650, 650);
+        const whirl_verdict verdict = whirl_judge(record);
+        char reason[400];
+        free(record);
+        assert_int_equal(verdict.regime, WHIRL_UNDETERMINED);
+        assert_int_equal(verdict.recurrence_period, branches[i]);
+        assert_true(fabs(verdict.round / round_trip - 1.0) < 1.0 / 3.0);
+        assert_int_equal(verdict.advice.remedy, WHIRL_LONGER_WATCH);
+        whirl_verdict_reason(&verdict, reason, sizeof reason);
+        assert_non_null(strstr(reason, "drifts evenly"));
+        whirl_verdict later = verdict;
+        size_t watch = 650;
+        for (int times = 0; times < 2 && later.curves == 0; times++) {
+            watch = (size_t)((double)watch * later.advice.factor);
+            whirl_record *longer = record_map(&system, 100, watch, 650);
+            later = whirl_judge(longer);
+            free(longer);
+        }
+        if (later.curves != 1) fail_msg("%g: no curve in %zu; %s", turns[i], watch, reason);
+    }
 }
 
 /// Two rotations at once, the second of a size of its own.
@@ -250,11 +328,31 @@ static void on_thin_torus(const double *z, double *point) {
     embed_two(z, 2e-3, point);
 }
 
-/// Tori of three frequencies draw a surface. It may look like a curve, but is not told as one with confidence.
+/// The record with the growth of all disturbances, of which the first two neither grow nor die out; the others die out,
+/// at `second` from the second on where that is below 0.
+static whirl_verdict judge_with_exponents(whirl_record *record, double second) {
+    const size_t d = record->dimension, count = record->growth_count;
+    double *growths = malloc(count * (d + 1) * sizeof *growths);
+    assert_non_null(growths);
+    for (size_t n = 0; n < count; n++) {
+        growths[n * d] = record->growth[n];
+        for (size_t i = 1; i < d; i++) growths[n * d + i] = i == 1 ? second : -0.5;
+        growths[count * d + n] = growths[n * d] + second - 0.5 * (double)(d - 2);
+    }
+    record->growths = growths;
+    record->volume = growths + count * d;
+    const whirl_verdict verdict = whirl_judge(record);
+    free(growths);
+    return verdict;
+}
+
+/// Tori of three frequencies draw a surface. It may look like a curve, but is not told as one; the exponents tell what
+/// it is.
 static void surfaces(void **state) {
     void (*const embeddings[])(const double *, double *) = {on_wide_torus, on_thin_torus};
     const double turns[][2] = {
         {0.38196601125, 0.41421356237}, {0.2360679775, 0.7320508}, {0.1622776, 0.3819660}, {0.27201964951, 0.0917}};
+    int told = 0;
     (void)state;
     for (size_t i = 0; i < 8; i++) {
         const map_system system = {.map = two_rotations_map,
@@ -263,7 +361,39 @@ static void surfaces(void **state) {
                                    .section_dimension = 4,
                                    .parameters = {turns[i % 4][0], turns[i % 4][1]},
                                    .start = {0.1, 0.2}};
-        assert_true(judge(&system, 100).agreement < WHIRL_HIGH);
+        char name[64];
+        const whirl_verdict alone = judge(&system, 100);
+        assert_true(alone.agreement < WHIRL_HIGH);
+        assert_int_equal(alone.curves, 0);
+        whirl_record *record = record_map(&system, 100, 2000, 100);
+        const whirl_verdict verdict = judge_with_exponents(record, 0.0);
+        free(record);
+        assert_int_equal(verdict.curves, 0);
+        assert_true(verdict.agreement < WHIRL_HIGH);
+        if (verdict.regime != WHIRL_QUASI_PERIODIC) continue;
+        whirl_verdict_name(&verdict, name, sizeof name);
+        assert_string_equal(name, "quasi-periodic (3 frequencies)");
+        told++;
+    }
+    assert_true(told >= 7);
+}
+
+/// Of a curve they say the same as its points; a second exponent below zero lets curves count that are not smooth.
+static void curves_with_exponents(void **state) {
+    const double seconds[] = {0.0, -0.01, -1.0};
+    (void)state;
+    for (size_t i = 0; i < COUNT_OF(seconds); i++) {
+        const map_system system = {.map = circle_map,
+                                   .embed = on_circle,
+                                   .dimension = 1,
+                                   .section_dimension = 2,
+                                   .parameters = {0.38196601125, 0.0},
+                                   .start = {0.1}};
+        whirl_record *record = record_map(&system, 100, 650, 100);
+        const whirl_verdict verdict = judge_with_exponents(record, seconds[i]);
+        free(record);
+        assert_int_equal(verdict.curves, 1);
+        assert_int_equal(verdict.frequencies, 2);
     }
 }
 
@@ -271,12 +401,15 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(superstable_cycles),
         cmocka_unit_test(long_periods),
+        cmocka_unit_test(listed_periods),
         cmocka_unit_test(misiurewicz_points),
         cmocka_unit_test(lozi),
         cmocka_unit_test(cats),
         cmocka_unit_test(neutral_returns),
         cmocka_unit_test(rotations),
+        cmocka_unit_test(drifts),
         cmocka_unit_test(surfaces),
+        cmocka_unit_test(curves_with_exponents),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
