@@ -130,8 +130,8 @@ static whirl_verdict periodic_verdict(const evidence *e, whirl_estimate exponent
 }
 
 /// Closed curves are looked for; without them it stays open, but for a torus of three frequencies: its section is a
-/// surface, and two exponents are zero. What goes round no smooth curve may be such a torus, unless a second exponent
-/// is clearly not zero: then its curves are not counted.
+/// surface, and two exponents are zero. What goes round a single curve that is not smooth may be such a torus, unless a
+/// second exponent is clearly below zero: then it is not counted. Several that are visited in turn are.
 static whirl_verdict regular_verdict(const evidence *e) {
     whirl_verdict verdict = open_verdict(e);
     verdict.exponent = estimate_regular_mean(e->growth, e->growth_count, 1);
@@ -144,12 +144,15 @@ static whirl_verdict regular_verdict(const evidence *e) {
         verdict.unlocked = locks_excluded(&e->points, &found, verdict.rotation);
         verdict.frequencies = 2;
     }
-    if (!isnan(verdict.rotation) || e->second.value + sigmas * e->second.error < 0.0) return verdict;
-    verdict.curves = 0;
-    verdict.frequencies = 0;
-    if (!is_neutral(e->second)) return verdict;
-    verdict.regime = WHIRL_QUASI_PERIODIC;
-    verdict.frequencies = 3;
+    if (!isnan(verdict.rotation) || is_negative(e->second)) return verdict;
+    if (is_neutral(e->second)) {
+        verdict.regime = WHIRL_QUASI_PERIODIC;
+        verdict.curves = 0;
+        verdict.frequencies = 3;
+    } else if (verdict.curves == 1) {
+        verdict.curves = 0;
+        verdict.frequencies = 0;
+    }
     return verdict;
 }
 
