@@ -17,12 +17,13 @@ typedef struct lanes_view {
     const void *forcing; ///< [forcing_count]
     const void *sides;   ///< [switch_count] -1 or +1, as whirl_system.rhs_on_sides takes them; NULL: the state decides
     size_t tangents;     ///< disturbances that follow the state
-    const void *q, *v;   ///< [1 + tangents][degrees] of the state, then of the disturbances
-    void *a;             ///< [1 + tangents][degrees]
+    const void *q, *v;   ///< [1 + tangents][degrees] and [degrees + states] of the state, then of the disturbances
+    void *a;             ///< [1 + tangents][degrees + states]
     void *divergence;    ///< one quantity: trace of the Jacobian; NULL: not wanted
 } lanes_view;
 
-/// Writes the accelerations of the state and those of the disturbances by the Jacobian, and the divergence.
+/// Writes the accelerations of the state and those of the disturbances by the Jacobian, with the slopes of the states
+/// of first order after them, and the divergence.
 typedef void lanes_flow(const lanes_view *view);
 
 /// Writes the switching functions at (q, v) and, unless NULL, their derivatives by time along (v, a): [switch_count].
@@ -36,9 +37,9 @@ typedef void lanes_contacts(const lanes_view *view, void *normal_force);
 
 struct lanes_pair; ///< of rotor/pair.h
 
-/// The state is degrees positions, then their derivatives.
+/// The state is degrees positions, then their derivatives, then what changes by an equation of first order.
 struct whirl_lanes {
-    size_t degrees;
+    size_t degrees, states;
     size_t number_count;                               ///< numbers of one machine
     void (*numbers)(const void *model, double *out);   ///< [number_count]
     bool (*alike)(const void *one, const void *other); ///< same structure

@@ -155,6 +155,12 @@ void assembly_turning(assembly *to, size_t x, size_t y, double force, double ang
     assembly_forcing(to, y, SIN_TAU, force * cos(angle));
 }
 
+void assembly_gyroscopic(assembly *to, size_t station, double polar) {
+    const size_t *at = to->stations[station].coordinate;
+    assembly_damping(to, at[AXIS_TILT_X], at[AXIS_TILT_Y], polar * to->speed);
+    assembly_damping(to, at[AXIS_TILT_Y], at[AXIS_TILT_X], -polar * to->speed);
+}
+
 void assembly_unbalance(assembly *to, size_t station, double moment, double angle) {
     const assembly_station *at = &to->stations[station];
     if (!in_plane(at)) {

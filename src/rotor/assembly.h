@@ -88,6 +88,10 @@ void assembly_forcing(assembly *to, size_t row, size_t value, double force);
 /// Adds a force on a pair of coordinates that turns with the shaft, from `angle` (rad) at tau = 0.
 void assembly_turning(assembly *to, size_t x, size_t y, double force, double angle);
 
+/// Adds the gyroscopic moments of a polar inertia (kg m2) at a station that tilts: I_d phi'' - i I_p omega phi' = M,
+/// phi = tilt_x + i tilt_y.
+void assembly_gyroscopic(assembly *to, size_t station, double polar);
+
 /// Adds an unbalance of `moment` (kg m) at `angle` (rad, from the x axis at tau = 0).
 void assembly_unbalance(assembly *to, size_t station, double moment, double angle);
 

@@ -33,6 +33,7 @@ typedef struct element {
     const struct element_type *type;
     size_t station;         ///< where it sits
     size_t port[MAX_PORTS]; ///< the coordinates that it sees; NO_COORDINATE: the ground's
+    size_t state;           ///< where its own first-order states begin, in the rows of the velocities
     int law;
     double *number; ///< [type->number_count]
 } element;
@@ -54,6 +55,7 @@ typedef struct element_kernels {
 typedef struct element_type {
     whirl_group group;
     size_t number_count;
+    size_t state_count; ///< first-order states of its own
     const element_kernels *const *kernels; ///< by number of vector.h; NULL: it is part of the assembly alone
 
     /// Optional: coordinates and inertia that it adds to stations, before any is built.

@@ -7,6 +7,9 @@
 #define ELEMENTS(X)                                                                                                    \
     X(unbalance)                                                                                                       \
     X(gravity)                                                                                                         \
+    X(disc)                                                                                                            \
+    X(beam)                                                                                                            \
+    X(bearing)                                                                                                         \
     X(shaft)                                                                                                           \
     X(film)                                                                                                            \
     X(rub)

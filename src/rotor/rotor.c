@@ -56,7 +56,7 @@ typedef struct building {
     assembly assembly;
     element *elements; ///< [element_count] those that have kernels
     double *numbers;   ///< [number_count] theirs
-    size_t element_count, number_count;
+    size_t element_count, number_count, state_count;
 } building;
 
 static whirl_status begin(building *b, const whirl_design *design) {
@@ -104,10 +104,12 @@ static whirl_status add_elements(building *b, const element_type *type) {
         element *own = &b->elements[b->element_count];
         if (b->design->elements[i].type != type) continue;
         *own = (element){.type = type, .number = b->numbers + b->number_count};
+        own->state = b->assembly.degrees + b->state_count;
         for (size_t port = 0; port < MAX_PORTS; port++) own->port[port] = NO_COORDINATE;
         status = of_element(type, type->build(b->design->elements[i].values, &b->assembly, own));
         if (!type->kernels) continue;
         b->number_count += type->number_count;
+        b->state_count += type->state_count;
         b->element_count++;
     }
     return status;
@@ -254,6 +256,7 @@ static void fill_lanes(whirl_rotor *rotor, const building *b) {
     static lanes_contacts *const contacts[VECTOR_ISAS] = EVERY_ISA(, machine_contacts);
     whirl_lanes *lanes = &rotor->lanes;
     lanes->degrees = b->assembly.degrees;
+    lanes->states = b->state_count;
     lanes->number_count = total_numbers(b);
     lanes->numbers = lane_numbers;
     lanes->alike = lane_alike;

@@ -3,7 +3,8 @@
 
 #include "machine.h"
 
-enum { MAX_DEGREES = AXES * WHIRL_MAX_STATIONS };
+/// Elements bring at most one state each.
+enum { MAX_DEGREES = AXES * WHIRL_MAX_STATIONS, MAX_ROWS = MAX_DEGREES + WHIRL_MAX_ELEMENTS };
 
 static lanes_view view_of(const whirl_rotor *rotor, const double *forcing, const double *sides) {
     return (lanes_view){
@@ -48,41 +49,47 @@ static void contacts(const void *model, const double *x, double *normal_force) {
     machine_contacts_scalar(&view, normal_force);
 }
 
-/// The state and as many disturbances as there is room for, positions and velocities apart as lanes want them.
+/// The state and as many disturbances as there is room for, positions apart from the rest as lanes want them.
 typedef struct group {
-    double q[2 * MAX_DEGREES], v[2 * MAX_DEGREES], a[2 * MAX_DEGREES];
+    double q[2 * MAX_DEGREES], v[2 * MAX_ROWS], a[2 * MAX_ROWS];
 } group;
+
+/// Copies state or disturbance n of the group from or to x.
+static void put(const whirl_rotor *rotor, group *g, size_t n, const double *x) {
+    const size_t degrees = rotor->lanes.degrees, rows = degrees + rotor->lanes.states;
+    memcpy(g->q + n * degrees, x, degrees * sizeof *x);
+    memcpy(g->v + n * rows, x + degrees, rows * sizeof *x);
+}
+
+static void get(const whirl_rotor *rotor, const group *g, size_t n, double *slope) {
+    const size_t degrees = rotor->lanes.degrees, rows = degrees + rotor->lanes.states;
+    memcpy(slope, g->v + n * rows, degrees * sizeof *slope);
+    memcpy(slope + degrees, g->a + n * rows, rows * sizeof *slope);
+}
 
 static void tangent(const void *model, double t, const double *forcing, const double *x, const double *sides,
                     size_t count, const double *dx, double *ddxdt) {
     const whirl_rotor *rotor = model;
-    const size_t degrees = rotor->lanes.degrees, bytes = degrees * sizeof *x;
-    const size_t most = (size_t)2 * MAX_DEGREES / degrees - 1;
+    const size_t dimension = rotor->system.dimension;
+    const size_t most = (size_t)2 * MAX_DEGREES / rotor->lanes.degrees - 1;
     lanes_view view = view_of(rotor, forcing, sides);
     group g;
     (void)t;
     view.q = g.q;
     view.v = g.v;
     view.a = g.a;
-    memcpy(g.q, x, bytes);
-    memcpy(g.v, x + degrees, bytes);
+    put(rotor, &g, 0, x);
     for (size_t first = 0; first < count; first += most) {
         view.tangents = count - first < most ? count - first : most;
-        for (size_t k = 0; k < view.tangents; k++) {
-            memcpy(g.q + (k + 1) * degrees, dx + 2 * (first + k) * degrees, bytes);
-            memcpy(g.v + (k + 1) * degrees, dx + (2 * (first + k) + 1) * degrees, bytes);
-        }
+        for (size_t k = 0; k < view.tangents; k++) put(rotor, &g, k + 1, dx + (first + k) * dimension);
         machine_flow_scalar(&view);
-        for (size_t k = 0; k < view.tangents; k++) {
-            memcpy(ddxdt + 2 * (first + k) * degrees, g.v + (k + 1) * degrees, bytes);
-            memcpy(ddxdt + (2 * (first + k) + 1) * degrees, g.a + (k + 1) * degrees, bytes);
-        }
+        for (size_t k = 0; k < view.tangents; k++) get(rotor, &g, k + 1, ddxdt + (first + k) * dimension);
     }
 }
 
 static double divergence_at(const void *model, double t, const double *forcing, const double *x, const double *sides) {
     const whirl_rotor *rotor = model;
-    double a[MAX_DEGREES], divergence;
+    double a[MAX_ROWS], divergence;
     lanes_view view = view_at(rotor, forcing, sides, x);
     (void)t;
     view.a = a;
@@ -119,7 +126,7 @@ static port_state see(const whirl_rotor *rotor, const element *own, const double
 /// Writes a derivative by the ports as one by the state.
 static void spread(const whirl_rotor *rotor, const element *own, const port_state *by, double *out) {
     const size_t degrees = rotor->lanes.degrees;
-    memset(out, 0, 2 * degrees * sizeof *out);
+    memset(out, 0, rotor->system.dimension * sizeof *out);
     for (size_t p = 0; p < MAX_PORTS; p++) {
         if (own->port[p] == NO_COORDINATE) continue;
         out[own->port[p]] = by->q[p];
@@ -148,7 +155,7 @@ static void switch_curvature(const void *model, double t, const double *x, size_
 }
 
 void rotor_system_fill(whirl_rotor *rotor) {
-    rotor->system = (whirl_system){.dimension = 2 * rotor->lanes.degrees,
+    rotor->system = (whirl_system){.dimension = 2 * rotor->lanes.degrees + rotor->lanes.states,
                                    .period = 6.283185307179586476925,
                                    .forcing_count = FORCING_COUNT,
                                    .forcing = forcing_at,

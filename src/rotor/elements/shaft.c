@@ -8,7 +8,7 @@ static void flow(const element *own, const block *b) {
     for (size_t n = 0; n <= b->disturbances; n++)
         for (size_t k = 0; k < b->vectors; k++)
             shaft_kernel(own, cosine[k], sine[k], b->stride, b->number + k, b->q + n * b->next + k,
-                         b->a + n * b->next + k);
+                         b->a + n * b->next_v + k);
 }
 
 const element_kernels ISA(shaft_kernels) = {.flow = flow};

@@ -1,31 +1,60 @@
-// A station: a lumped mass with damping to ground, and the eccentricity of its centre of mass.
+// A station: a lumped mass with damping to ground, the eccentricity of its centre of mass, and its inertia where it
+// tilts.
 #include "element.h"
 
 #if VECTOR_ISA == VECTOR_SCALAR
 
-enum { MASS, DAMPING, ECCENTRICITY, ECCENTRICITY_ANGLE, KEY_COUNT };
+enum { MASS, DAMPING, ECCENTRICITY, ECCENTRICITY_ANGLE, DIAMETRAL, POLAR, SKEW, SKEW_ANGLE, MOVES, KEY_COUNT };
 
 static const whirl_key keys[KEY_COUNT] = {
-    [MASS] = {"mass", "m", "kg", WHIRL_KEY_NUMBER, true, "", WHIRL_POSITIVE, NULL, "mass lumped at the station", ""},
+    [MASS] = {"mass", "m", "kg", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL,
+              "mass lumped at the station; required where no disc brings one", ""},
     [DAMPING] = {"damping", "c", "N s/m", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL,
                  "viscous damping between the station and the ground", ""},
     [ECCENTRICITY] = {"eccentricity", "e", "m", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL,
                       "distance of the centre of mass from the shaft's centre (unbalance m e)", ""},
     [ECCENTRICITY_ANGLE] = {"eccentricity_angle", "beta", "rad", WHIRL_KEY_NUMBER, false, "0", WHIRL_ANY, NULL,
                             "where the centre of mass lies at t = 0, from the x axis towards y", ""},
+    [DIAMETRAL] = {"diametral", "I_d", "kg m2", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL,
+                   "moment of inertia about a diameter; a station that has one tilts", "Friswell et al. 2010, sec. 3.5"},
+    [POLAR] = {"polar", "I_p", "kg m2", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL,
+               "moment of inertia about the shaft's axis, which makes gyroscopic moments",
+               "Friswell et al. 2010, sec. 3.5"},
+    [SKEW] = {"skew", "chi", "rad", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL,
+              "angle between the principal axis of inertia and the shaft's", "Friswell et al. 2010, sec. 6.2"},
+    [SKEW_ANGLE] = {"skew_angle", "", "rad", WHIRL_KEY_NUMBER, false, "0", WHIRL_ANY, NULL,
+                    "where the principal axis leans to at t = 0, from the x axis towards y", ""},
+    [MOVES] = {"moves", "", "", WHIRL_KEY_CHOICE, false, "xy", WHIRL_ANY, "xy|x|y",
+               "the axes along which it moves: of a shaft both, of a pedestal perhaps one", ""},
 };
 
 const whirl_group station_group = {
-    "station", "a lumped mass on the shaft, free to move in x and y", "", keys, KEY_COUNT, NULL};
+    "station", "a lumped mass on the shaft that moves along x and y, and tilts where it has a diametral inertia", "",
+    keys, KEY_COUNT, NULL};
 
 whirl_status station_inertia(const key_value *values, assembly *to, size_t station) {
-    to->stations[station].mass += values[MASS].number;
+    enum { ALONG_XY, ALONG_X, ALONG_Y };
+    assembly_station *at = &to->stations[station];
+    at->mass += values[MASS].number;
+    at->diametral += values[DIAMETRAL].number;
+    at->polar += values[POLAR].number;
+    at->moves_x = values[MOVES].choice != ALONG_Y;
+    at->moves_y = values[MOVES].choice != ALONG_X;
     return whirl_ok();
 }
 
+/// A skewed axis of inertia turns with the shaft: I_d phi'' - i I_p omega phi' = ... + (I_d - I_p) omega^2 chi e^(i omega
+/// t).
 void station_build(const key_value *values, assembly *to, size_t station) {
+    const assembly_station *at = &to->stations[station];
+    const double moment = (at->diametral - at->polar) * to->speed * to->speed * values[SKEW].number;
     assembly_ground_damping(to, station, values[DAMPING].number);
     assembly_unbalance(to, station, values[MASS].number * values[ECCENTRICITY].number,
                        values[ECCENTRICITY_ANGLE].number);
+    if (at->coordinate[AXIS_TILT_X] == NO_COORDINATE) return;
+    assembly_gyroscopic(to, station, at->polar);
+    if (values[SKEW].given)
+        assembly_turning(to, at->coordinate[AXIS_TILT_X], at->coordinate[AXIS_TILT_Y], moment,
+                         values[SKEW_ANGLE].number);
 }
 #endif

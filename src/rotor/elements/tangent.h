@@ -13,8 +13,8 @@ typedef struct tangent_block {
 static inline void tangent_apply(const tangent_block *tangent, const element *own, const block *b, size_t k) {
     const size_t x = own->port[0] * b->stride + k, y = own->port[1] * b->stride + k;
     for (size_t n = 1; n <= b->disturbances; n++) {
-        const vec *q = b->q + n * b->next, *v = b->v + n * b->next, disturbance[4] = {q[x], q[y], v[x], v[y]};
-        vec *a = b->a + n * b->next;
+        const vec *q = b->q + n * b->next, *v = b->v + n * b->next_v, disturbance[4] = {q[x], q[y], v[x], v[y]};
+        vec *a = b->a + n * b->next_v;
         for (int i = 0; i < 4; i++) {
             a[x] = v_fma(tangent->x[i], disturbance[i], a[x]);
             a[y] = v_fma(tangent->y[i], disturbance[i], a[y]);

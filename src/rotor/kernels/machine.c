@@ -14,6 +14,7 @@ static block block_of(const lanes_view *view) {
                    .vectors = view->vectors,
                    .disturbances = view->tangents,
                    .next = rotor->lanes.degrees * view->stride,
+                   .next_v = (rotor->lanes.degrees + rotor->lanes.states) * view->stride,
                    .forcing = view->forcing,
                    .q = view->q,
                    .v = view->v,
@@ -32,7 +33,7 @@ static void pass_stations(const block *b, size_t station_count) {
             size_t at = 2 * s * b->stride + k;
             station_kernel(cosine[k], sine[k], b->stride, own, b->v + at, b->a + at);
             for (size_t n = 0; n < b->disturbances; n++) {
-                at += b->next;
+                at += b->next_v;
                 station_tangent(b->stride, own, b->v + at, b->a + at);
             }
             if (b->divergence)
@@ -46,7 +47,7 @@ static const vec *column_of(const linear_term *term, const block *b, size_t n) {
     case SOURCE_PLACE:
         return b->q + n * b->next + term->column * b->stride;
     case SOURCE_VELOCITY:
-        return b->v + n * b->next + term->column * b->stride;
+        return b->v + n * b->next_v + term->column * b->stride;
     case SOURCE_FORCING:
         return n == 0 ? b->forcing + term->column * b->stride : NULL;
     default:
@@ -61,7 +62,7 @@ static void pass_terms(const whirl_rotor *rotor, const block *b) {
         const vec *number = b->number + i * b->stride;
         for (size_t n = 0; n <= b->disturbances; n++) {
             const vec *column = column_of(term, b, n);
-            vec *a = b->a + n * b->next + term->row * b->stride;
+            vec *a = b->a + n * b->next_v + term->row * b->stride;
             if (column)
                 for (size_t k = 0; k < b->vectors; k++) a[k] = v_fma(number[k], column[k], a[k]);
             else if (n == 0)
@@ -78,7 +79,7 @@ static void clear(const whirl_rotor *rotor, const block *b) {
     for (size_t k = 0; b->divergence && k < b->vectors; k++) b->divergence[k] = v_set(0.0);
     for (size_t n = 0; n <= b->disturbances; n++)
         for (size_t d = first; d < rotor->lanes.degrees; d++)
-            for (size_t k = 0; k < b->vectors; k++) b->a[n * b->next + d * b->stride + k] = v_set(0.0);
+            for (size_t k = 0; k < b->vectors; k++) b->a[n * b->next_v + d * b->stride + k] = v_set(0.0);
 }
 
 /// The block of the first element; next_element goes on.

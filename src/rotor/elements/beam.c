@@ -1,0 +1,78 @@
+// A massless beam between two stations that tilt, or from one to a clamp in the ground.
+#include "registry.h"
+
+#if VECTOR_ISA == VECTOR_SCALAR
+#include <math.h>
+
+enum { BETWEEN, LENGTH, DIAMETER, INNER, MODULUS, BENDING, KEY_COUNT };
+
+static const whirl_key keys[KEY_COUNT] = {
+    [BETWEEN] = {"between", "", "", WHIRL_KEY_STATIONS, true, "", WHIRL_ANY, NULL,
+                 "its ends, along the shaft; ground is a clamp", ""},
+    [LENGTH] = {"length", "L", "m", WHIRL_KEY_NUMBER, true, "", WHIRL_POSITIVE, NULL, "length", ""},
+    [DIAMETER] = {"diameter", "d", "m", WHIRL_KEY_NUMBER, false, "", WHIRL_POSITIVE, NULL,
+                  "outer diameter; required without bending", ""},
+    [INNER] = {"inner", "d_i", "m", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL, "diameter of the bore", ""},
+    [MODULUS] = {"modulus", "E", "Pa", WHIRL_KEY_NUMBER, false, "2.11e11", WHIRL_POSITIVE, NULL,
+                 "Young's modulus; steel where absent", ""},
+    [BENDING] = {"bending", "E I", "N m2", WHIRL_KEY_NUMBER, false, "", WHIRL_POSITIVE, NULL,
+                 "bending stiffness, in place of diameter, inner and modulus", ""},
+};
+
+static whirl_status bending_of(const key_value *values, double *bending) {
+    const double outer = values[DIAMETER].number, inner = values[INNER].number;
+    *bending = values[BENDING].number;
+    if (values[BENDING].given != values[DIAMETER].given) {
+        if (values[BENDING].given) return whirl_ok();
+        if (!(inner < outer))
+            return whirl_fail(WHIRL_BAD_INPUT, "has a bore of %g m in a diameter of %g m, expected a smaller one",
+                              inner, outer);
+        *bending = values[MODULUS].number * 3.14159265358979323846 / 64.0 *
+                   (outer * outer * outer * outer - inner * inner * inner * inner);
+        return whirl_ok();
+    }
+    return whirl_fail(WHIRL_BAD_INPUT, "has %s, expected one of diameter and bending",
+                      values[BENDING].given ? "both diameter and bending" : "neither diameter nor bending");
+}
+
+/// The coordinates of an end in a plane: displacement and slope; of the ground none.
+static whirl_status find_end(const assembly *to, size_t station, axis displacement, axis slope, size_t end[2]) {
+    end[0] = end[1] = NO_COORDINATE;
+    if (station == GROUND) return whirl_ok();
+    const whirl_status status = assembly_find(to, station, displacement, &end[0]);
+    return status.code == WHIRL_OK ? assembly_find(to, station, slope, &end[1]) : status;
+}
+
+/// The stiffness matrix of Euler and Bernoulli (Przemieniecki 1968, sec. 5.6) in one plane, where a slope is the
+/// derivative of the displacement along the shaft, from the first end to the second.
+static whirl_status add_plane(const key_value *values, assembly *to, double bending, axis displacement, axis slope) {
+    const double length = values[LENGTH].number, k = bending / (length * length * length);
+    const double matrix[4][4] = {{12.0, 6.0 * length, -12.0, 6.0 * length},
+                                 {6.0 * length, 4.0 * length * length, -6.0 * length, 2.0 * length * length},
+                                 {-12.0, -6.0 * length, 12.0, -6.0 * length},
+                                 {6.0 * length, 2.0 * length * length, -6.0 * length, 4.0 * length * length}};
+    size_t end[4];
+    whirl_status status = find_end(to, values[BETWEEN].station[0], displacement, slope, end);
+    if (status.code == WHIRL_OK) status = find_end(to, values[BETWEEN].station[1], displacement, slope, end + 2);
+    for (int i = 0; i < 4 && status.code == WHIRL_OK; i++)
+        for (int j = 0; j < 4; j++) assembly_stiffness(to, end[i], end[j], k * matrix[i][j]);
+    return status;
+}
+
+static whirl_status build(const key_value *values, assembly *to, element *out) {
+    double bending;
+    whirl_status status = bending_of(values, &bending);
+    (void)out;
+    if (values[BETWEEN].station[0] == values[BETWEEN].station[1])
+        return whirl_fail(WHIRL_BAD_INPUT, "between names one station twice, expected two");
+    if (status.code == WHIRL_OK) status = add_plane(values, to, bending, AXIS_X, AXIS_TILT_X);
+    if (status.code == WHIRL_OK) status = add_plane(values, to, bending, AXIS_Y, AXIS_TILT_Y);
+    return status;
+}
+
+const element_type beam_element = {
+    .group = {"beam", "a massless round shaft that bends, between two stations that tilt, or from one to a clamp",
+              "Friswell et al. 2010, sec. 5.4", keys, KEY_COUNT, NULL},
+    .build = build,
+};
+#endif

@@ -1,0 +1,56 @@
+// A disc by its measures: what its mass and inertia add to a station.
+#include "registry.h"
+
+#if VECTOR_ISA == VECTOR_SCALAR
+#include <math.h>
+
+enum { AT, OUTER, INNER, WIDTH, DENSITY, ECCENTRICITY, ECCENTRICITY_ANGLE, KEY_COUNT };
+
+static const whirl_key keys[KEY_COUNT] = {
+    [AT] = {"at", "", "", WHIRL_KEY_STATION, true, "", WHIRL_ANY, NULL, "station that carries it", ""},
+    [OUTER] = {"outer", "d_o", "m", WHIRL_KEY_NUMBER, true, "", WHIRL_POSITIVE, NULL, "outer diameter", ""},
+    [INNER] = {"inner", "d_i", "m", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL, "diameter of the bore", ""},
+    [WIDTH] = {"width", "h", "m", WHIRL_KEY_NUMBER, true, "", WHIRL_POSITIVE, NULL, "width along the shaft", ""},
+    [DENSITY] = {"density", "rho", "kg/m3", WHIRL_KEY_NUMBER, false, "7850", WHIRL_POSITIVE, NULL,
+                 "density; steel where absent", ""},
+    [ECCENTRICITY] = {"eccentricity", "e", "m", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL,
+                      "distance of the disc's centre of mass from the shaft's centre", ""},
+    [ECCENTRICITY_ANGLE] = {"eccentricity_angle", "beta", "rad", WHIRL_KEY_NUMBER, false, "0", WHIRL_ANY, NULL,
+                            "where the centre of mass lies at t = 0, from the x axis towards y", ""},
+};
+
+static const double pi = 3.14159265358979323846;
+
+static double mass_of(const key_value *values) {
+    const double outer = values[OUTER].number, inner = values[INNER].number;
+    return values[DENSITY].number * values[WIDTH].number * pi / 4.0 * (outer - inner) * (outer + inner);
+}
+
+/// I_p = m (d_o^2 + d_i^2)/8, I_d = I_p/2 + m h^2/12.
+static whirl_status inertia(const key_value *values, assembly *to) {
+    const double outer = values[OUTER].number, inner = values[INNER].number, width = values[WIDTH].number;
+    if (!(inner < outer))
+        return whirl_fail(WHIRL_BAD_INPUT, "has a bore of %g m in an outer diameter of %g m, expected a smaller one",
+                          inner, outer);
+    assembly_station *at = &to->stations[values[AT].station[0]];
+    const double mass = mass_of(values), polar = mass * (outer * outer + inner * inner) / 8.0;
+    at->mass += mass;
+    at->polar += polar;
+    at->diametral += 0.5 * polar + mass * width * width / 12.0;
+    return whirl_ok();
+}
+
+static whirl_status build(const key_value *values, assembly *to, element *out) {
+    (void)out;
+    assembly_unbalance(to, values[AT].station[0], mass_of(values) * values[ECCENTRICITY].number,
+                       values[ECCENTRICITY_ANGLE].number);
+    return whirl_ok();
+}
+
+const element_type disc_element = {
+    .group = {"disc", "a disc by its measures: its mass and inertia are added to a station, which tilts with it",
+              "Friswell et al. 2010, app. 1", keys, KEY_COUNT, NULL},
+    .inertia = inertia,
+    .build = build,
+};
+#endif

@@ -1,0 +1,227 @@
+/// The passes of an element between two places, made from its kernel alone: accelerations, and what its derivative by
+/// duals makes of disturbances.
+///
+/// The including file defines
+///
+///     KERNEL_FILE      the header of the kernel, in quotes
+///     KERNEL_AXES      displacements that it sees: of its place, or of one place from another
+///     KERNEL_STATES    first-order states of its own, 0 where it has none
+///     KERNEL_NUMBERS   its numbers; as many as there are ports follow, by which forces become accelerations
+///     KERNEL_SWITCHES  switching functions, affine in what it sees; 0 where it is smooth
+///
+/// and the kernel's header, included twice, defines
+///
+///     KERNEL(force)(const element *own, const kernel_view *view, const num *d, const num *w, const num *s, num *force,
+///                   num *slope)
+///         the forces along the axes [KERNEL_AXES] at displacements d and velocities w, in any unit, and the slopes of
+///         its own states s;
+///     KERNEL(switches)(const element *own, const kernel_view *view, const num *d, const num *w, num *values)
+///         where KERNEL_SWITCHES is not 0; `force` then looks at view->sides where they are not NULL.
+///
+/// An element has 2 KERNEL_AXES ports: the coordinates of its place, then those of the other place or NO_COORDINATE. The
+/// force acts on the first with its sign and on the other against it.
+#ifndef ROTOR_GENERIC_H
+#define ROTOR_GENERIC_H
+
+#include "block.h"
+
+enum { KERNEL_PORTS = 2 * KERNEL_AXES, DUAL_INPUTS = 2 * KERNEL_AXES + KERNEL_STATES };
+
+/// What a kernel is given besides what it moves with.
+typedef struct kernel_view {
+    size_t stride;
+    const vec *number; ///< number n of the element is number[n * stride]
+    vec phase[FORCING_COUNT];
+    const vec *sides; ///< of switch s: sides[s * stride]; NULL: the state decides
+} kernel_view;
+
+#undef NUMBERS_DUAL
+#include "numbers.h"
+#include KERNEL_FILE
+#define NUMBERS_DUAL
+#include "numbers.h"
+#include KERNEL_FILE
+
+/// What an element sees of a state or a disturbance.
+typedef struct kernel_inputs {
+    vec d[KERNEL_AXES], w[KERNEL_AXES], s[KERNEL_STATES + 1];
+} kernel_inputs;
+
+VECTOR_INLINE vec between(const element *own, const vec *row, size_t stride, size_t axis) {
+    const size_t one = own->port[axis], other = own->port[KERNEL_AXES + axis];
+    const vec here = one == NO_COORDINATE ? v_set(0.0) : row[one * stride];
+    return other == NO_COORDINATE ? here : v_sub(here, row[other * stride]);
+}
+
+/// Of vector k of state or disturbance n.
+VECTOR_INLINE kernel_inputs inputs_of(const element *own, const block *b, size_t n, size_t k) {
+    const vec *q = b->q + n * b->next + k, *v = b->v + n * b->next_v + k;
+    kernel_inputs in;
+    for (size_t a = 0; a < KERNEL_AXES; a++) {
+        in.d[a] = between(own, q, b->stride, a);
+        in.w[a] = between(own, v, b->stride, a);
+    }
+    for (size_t s = 0; s < KERNEL_STATES; s++) in.s[s] = v[(own->state + s) * b->stride];
+    return in;
+}
+
+VECTOR_INLINE kernel_view view_of(const block *b, size_t k) {
+    kernel_view view = {.stride = b->stride, .number = b->number + k, .sides = b->sides ? b->sides + k : NULL};
+    for (size_t i = 0; b->forcing && i < FORCING_COUNT; i++) view.phase[i] = b->forcing[i * b->stride + k];
+    return view;
+}
+
+/// Adds forces to the accelerations, and slopes, of vector k of state or disturbance n.
+VECTOR_INLINE void spread(const element *own, const block *b, size_t n, size_t k, const vec *force, const vec *slope) {
+    vec *a = b->a + n * b->next_v + k;
+    for (size_t axis = 0; axis < KERNEL_AXES; axis++) {
+        const size_t one = own->port[axis], other = own->port[KERNEL_AXES + axis];
+        const vec *scale = b->number + KERNEL_NUMBERS * b->stride + k;
+        if (one != NO_COORDINATE)
+            a[one * b->stride] = v_fma(scale[axis * b->stride], force[axis], a[one * b->stride]);
+        if (other != NO_COORDINATE)
+            a[other * b->stride] = v_fnma(scale[(KERNEL_AXES + axis) * b->stride], force[axis], a[other * b->stride]);
+    }
+    for (size_t s = 0; s < KERNEL_STATES; s++) a[(own->state + s) * b->stride] = slope[s];
+}
+
+VECTOR_INLINE void add_plain(const element *own, const block *b, size_t k) {
+    const kernel_view view = view_of(b, k);
+    const kernel_inputs in = inputs_of(own, b, 0, k);
+    vec force[KERNEL_AXES], slope[KERNEL_STATES + 1];
+    force_plain(own, &view, in.d, in.w, in.s, force, slope);
+    spread(own, b, 0, k, force, slope);
+}
+
+/// What the derivative of `of` makes of a disturbance.
+VECTOR_INLINE vec along(const dual *of, const kernel_inputs *in) {
+    vec sum = v_set(0.0);
+    for (int a = 0; a < KERNEL_AXES; a++) {
+        sum = v_fma(of->by[a], in->d[a], sum);
+        sum = v_fma(of->by[KERNEL_AXES + a], in->w[a], sum);
+    }
+    for (int s = 0; s < KERNEL_STATES; s++) sum = v_fma(of->by[2 * KERNEL_AXES + s], in->s[s], sum);
+    return sum;
+}
+
+/// The trace of the derivative.
+VECTOR_INLINE vec trace_of(const element *own, const block *b, size_t k, const dual *force, const dual *slope) {
+    vec trace = v_set(0.0);
+    for (size_t port = 0; port < KERNEL_PORTS; port++) {
+        const vec scale = b->number[(KERNEL_NUMBERS + port) * b->stride + k];
+        if (own->port[port] != NO_COORDINATE)
+            trace = v_fma(scale, force[port % KERNEL_AXES].by[KERNEL_AXES + port % KERNEL_AXES], trace);
+    }
+    for (int s = 0; s < KERNEL_STATES; s++) trace = v_add(trace, slope[s].by[2 * KERNEL_AXES + s]);
+    return trace;
+}
+
+/// The inputs as duals.
+VECTOR_INLINE void seed(const kernel_inputs *in, dual *d, dual *w, dual *s) {
+    for (int a = 0; a < KERNEL_AXES; a++) {
+        d[a] = dual_input(in->d[a], a);
+        w[a] = dual_input(in->w[a], KERNEL_AXES + a);
+    }
+    for (int i = 0; i < KERNEL_STATES; i++) s[i] = dual_input(in->s[i], 2 * KERNEL_AXES + i);
+}
+
+static void add_dual(const element *own, const block *b, size_t k) {
+    const kernel_view view = view_of(b, k);
+    const kernel_inputs in = inputs_of(own, b, 0, k);
+    dual d[KERNEL_AXES], w[KERNEL_AXES], s[KERNEL_STATES + 1], force[KERNEL_AXES], slope[KERNEL_STATES + 1];
+    vec values[KERNEL_AXES], slopes[KERNEL_STATES + 1];
+    seed(&in, d, w, s);
+    force_dual(own, &view, d, w, s, force, slope);
+    for (int a = 0; a < KERNEL_AXES; a++) values[a] = force[a].value;
+    for (int i = 0; i < KERNEL_STATES; i++) slopes[i] = slope[i].value;
+    spread(own, b, 0, k, values, slopes);
+    for (size_t n = 1; n <= b->disturbances; n++) {
+        const kernel_inputs change = inputs_of(own, b, n, k);
+        for (int a = 0; a < KERNEL_AXES; a++) values[a] = along(&force[a], &change);
+        for (int i = 0; i < KERNEL_STATES; i++) slopes[i] = along(&slope[i], &change);
+        spread(own, b, n, k, values, slopes);
+    }
+    if (b->divergence) b->divergence[k] = v_add(b->divergence[k], trace_of(own, b, k, force, slope));
+}
+
+static void generic_flow(const element *own, const block *b) {
+    for (size_t k = 0; k < b->vectors; k++) {
+        if (wants_tangent(b))
+            add_dual(own, b, k);
+        else
+            add_plain(own, b, k);
+    }
+}
+
+#if KERNEL_SWITCHES > 0
+/// Values, and their derivatives along velocities and accelerations.
+static void generic_switches(const element *own, const block *b, void *values, void *rates) {
+    for (size_t k = 0; k < b->vectors; k++) {
+        const kernel_view view = view_of(b, k);
+        const kernel_inputs in = inputs_of(own, b, 0, k);
+        dual d[KERNEL_AXES], w[KERNEL_AXES], s[KERNEL_STATES + 1], value[KERNEL_SWITCHES];
+        seed(&in, d, w, s);
+        switches_dual(own, &view, d, w, value);
+        for (size_t i = 0; i < KERNEL_SWITCHES; i++) {
+            vec rate = v_set(0.0);
+            for (size_t a = 0; rates && a < KERNEL_AXES; a++) {
+                rate = v_fma(value[i].by[a], in.w[a], rate);
+                rate = v_fma(value[i].by[KERNEL_AXES + a], between(own, b->a + k, b->stride, a), rate);
+            }
+            ((vec *)values)[i * b->stride + k] = value[i].value;
+            if (rates) ((vec *)rates)[i * b->stride + k] = rate;
+        }
+    }
+}
+
+static size_t generic_switch_count(const element *own) {
+    (void)own;
+    return KERNEL_SWITCHES;
+}
+
+#if VECTOR_ISA == VECTOR_SCALAR
+/// The derivatives of a switching function by the ports.
+static void generic_gradient(const element *own, const double *q, const double *v, size_t index, double *by_q,
+                             double *by_v) {
+    const kernel_view view = {.stride = 1, .number = own->number};
+    dual d[KERNEL_AXES], w[KERNEL_AXES], value[KERNEL_SWITCHES];
+    for (int a = 0; a < KERNEL_AXES; a++) {
+        d[a] = dual_input(q[a] - q[KERNEL_AXES + a], a);
+        w[a] = dual_input(v[a] - v[KERNEL_AXES + a], KERNEL_AXES + a);
+    }
+    switches_dual(own, &view, d, w, value);
+    for (int a = 0; a < KERNEL_AXES; a++) {
+        by_q[a] = value[index].by[a];
+        by_v[a] = value[index].by[KERNEL_AXES + a];
+        by_q[KERNEL_AXES + a] = -by_q[a];
+        by_v[KERNEL_AXES + a] = -by_v[a];
+    }
+}
+
+/// They are affine.
+static void generic_curvature(const element *own, const double *q, const double *v, size_t index, const double *uq,
+                              const double *uv, double *by_q, double *by_v) {
+    (void)own, (void)q, (void)v, (void)index, (void)uq, (void)uv;
+    for (int p = 0; p < KERNEL_PORTS; p++) by_q[p] = by_v[p] = 0.0;
+}
+#endif
+
+#define GENERIC_KERNELS                                                                                                \
+    { .flow = generic_flow, .switches = generic_switches }
+#define GENERIC_SWITCHES                                                                                               \
+    .switch_count = generic_switch_count, .switch_gradient = generic_gradient, .switch_curvature = generic_curvature
+#else
+#define GENERIC_KERNELS                                                                                                \
+    { .flow = generic_flow }
+#endif
+
+#if VECTOR_ISA == VECTOR_SCALAR
+/// Fills in the numbers by which a force of `unit` newtons becomes accelerations; with unit 1 of forces in newtons.
+static inline void generic_scale(element *own, const assembly *to, double unit) {
+    for (size_t port = 0; port < KERNEL_PORTS; port++)
+        own->number[KERNEL_NUMBERS + port] =
+            own->port[port] == NO_COORDINATE ? 0.0 : unit / assembly_force_scale(to, own->port[port]);
+}
+#endif
+
+#endif
