@@ -35,7 +35,7 @@ struct whirl_ensemble {
 };
 
 bool whirl_ensemble_takes(const whirl_system *system, const whirl_integrate_options *options) {
-    if (!system->lanes) return false;
+    if (!system->lanes || system->lanes->states > 0) return false;
     const bool fixed = strcmp(options->method, "rk4") == 0, located = !fixed || options->located;
     return (fixed || takes_dop853(options)) && !(located && system->lanes->slides);
 }

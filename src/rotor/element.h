@@ -35,6 +35,7 @@ typedef struct element {
     size_t port[MAX_PORTS]; ///< the coordinates that it sees; NO_COORDINATE: the ground's
     size_t state;           ///< where its own first-order states begin, in the rows of the velocities
     int law;
+    bool lumped;    ///< it is part of the assembly alone
     double *number; ///< [type->number_count]
 } element;
 

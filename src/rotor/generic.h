@@ -47,8 +47,8 @@ typedef struct kernel_inputs {
     vec d[KERNEL_AXES], w[KERNEL_AXES], s[KERNEL_STATES + 1];
 } kernel_inputs;
 
-VECTOR_INLINE vec between(const element *own, const vec *row, size_t stride, size_t axis) {
-    const size_t one = own->port[axis], other = own->port[KERNEL_AXES + axis];
+VECTOR_INLINE vec between(const element *own, const vec *row, size_t stride, size_t a) {
+    const size_t one = own->port[a], other = own->port[KERNEL_AXES + a];
     const vec here = one == NO_COORDINATE ? v_set(0.0) : row[one * stride];
     return other == NO_COORDINATE ? here : v_sub(here, row[other * stride]);
 }
@@ -61,7 +61,7 @@ VECTOR_INLINE kernel_inputs inputs_of(const element *own, const block *b, size_t
         in.d[a] = between(own, q, b->stride, a);
         in.w[a] = between(own, v, b->stride, a);
     }
-    for (size_t s = 0; s < KERNEL_STATES; s++) in.s[s] = v[(own->state + s) * b->stride];
+    for (int s = 0; s < KERNEL_STATES; s++) in.s[s] = v[(own->state + (size_t)s) * b->stride];
     return in;
 }
 
@@ -74,15 +74,15 @@ VECTOR_INLINE kernel_view view_of(const block *b, size_t k) {
 /// Adds forces to the accelerations, and slopes, of vector k of state or disturbance n.
 VECTOR_INLINE void spread(const element *own, const block *b, size_t n, size_t k, const vec *force, const vec *slope) {
     vec *a = b->a + n * b->next_v + k;
-    for (size_t axis = 0; axis < KERNEL_AXES; axis++) {
-        const size_t one = own->port[axis], other = own->port[KERNEL_AXES + axis];
+    for (int i = 0; i < KERNEL_AXES; i++) {
+        const size_t one = own->port[i], other = own->port[KERNEL_AXES + i];
         const vec *scale = b->number + KERNEL_NUMBERS * b->stride + k;
         if (one != NO_COORDINATE)
-            a[one * b->stride] = v_fma(scale[axis * b->stride], force[axis], a[one * b->stride]);
+            a[one * b->stride] = v_fma(scale[(size_t)i * b->stride], force[i], a[one * b->stride]);
         if (other != NO_COORDINATE)
-            a[other * b->stride] = v_fnma(scale[(KERNEL_AXES + axis) * b->stride], force[axis], a[other * b->stride]);
+            a[other * b->stride] = v_fnma(scale[(size_t)(KERNEL_AXES + i) * b->stride], force[i], a[other * b->stride]);
     }
-    for (size_t s = 0; s < KERNEL_STATES; s++) a[(own->state + s) * b->stride] = slope[s];
+    for (int s = 0; s < KERNEL_STATES; s++) a[(own->state + (size_t)s) * b->stride] = slope[s];
 }
 
 VECTOR_INLINE void add_plain(const element *own, const block *b, size_t k) {
@@ -174,12 +174,12 @@ static void generic_switches(const element *own, const block *b, void *values, v
     }
 }
 
+#if VECTOR_ISA == VECTOR_SCALAR
 static size_t generic_switch_count(const element *own) {
     (void)own;
     return KERNEL_SWITCHES;
 }
 
-#if VECTOR_ISA == VECTOR_SCALAR
 /// The derivatives of a switching function by the ports.
 static void generic_gradient(const element *own, const double *q, const double *v, size_t index, double *by_q,
                              double *by_v) {

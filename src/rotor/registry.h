@@ -12,7 +12,8 @@
     X(bearing)                                                                                                         \
     X(shaft)                                                                                                           \
     X(film)                                                                                                            \
-    X(rub)
+    X(rub)                                                                                                             \
+    X(spring)
 
 #define DECLARE(name) extern const element_type name##_element;
 ELEMENTS(DECLARE)

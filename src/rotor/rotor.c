@@ -107,7 +107,7 @@ static whirl_status add_elements(building *b, const element_type *type) {
         own->state = b->assembly.degrees + b->state_count;
         for (size_t port = 0; port < MAX_PORTS; port++) own->port[port] = NO_COORDINATE;
         status = of_element(type, type->build(b->design->elements[i].values, &b->assembly, own));
-        if (!type->kernels) continue;
+        if (!type->kernels || own->lumped) continue;
         b->number_count += type->number_count;
         b->state_count += type->state_count;
         b->element_count++;

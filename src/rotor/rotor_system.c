@@ -71,7 +71,9 @@ static void tangent(const void *model, double t, const double *forcing, const do
                     size_t count, const double *dx, double *ddxdt) {
     const whirl_rotor *rotor = model;
     const size_t dimension = rotor->system.dimension;
-    const size_t most = (size_t)2 * MAX_DEGREES / rotor->lanes.degrees - 1;
+    const size_t degrees = rotor->lanes.degrees, rows = degrees + rotor->lanes.states;
+    const size_t by_q = (size_t)2 * MAX_DEGREES / degrees, by_v = (size_t)2 * MAX_ROWS / rows;
+    const size_t most = (by_q < by_v ? by_q : by_v) - 1;
     lanes_view view = view_of(rotor, forcing, sides);
     group g;
     (void)t;

@@ -1,0 +1,94 @@
+// A spring and damper between two stations, or a station and the ground, with play between them.
+#define KERNEL_FILE "elements/spring_kernel.h"
+#define KERNEL_AXES 2
+#define KERNEL_STATES 0
+#define KERNEL_NUMBERS SPRING_NUMBERS
+#define KERNEL_SWITCHES 4
+
+/// In newtons and length scales.
+enum { SPRING_STIFFNESS, SPRING_DAMPING, SPRING_GAP, SPRING_NUMBERS };
+
+#include "generic.h"
+#include "registry.h"
+
+const element_kernels ISA(spring_kernels) = GENERIC_KERNELS;
+
+#if VECTOR_ISA == VECTOR_SCALAR
+#include <string.h>
+
+enum { BETWEEN, ALONG, STIFFNESS, DAMPING, GAP, KEY_COUNT };
+
+static const whirl_key keys[KEY_COUNT] = {
+    [BETWEEN] = {"between", "", "", WHIRL_KEY_STATIONS, true, "", WHIRL_ANY, NULL,
+                 "the two stations that it joins; one may be ground", ""},
+    [ALONG] = {"along", "", "", WHIRL_KEY_CHOICE, false, "xy", WHIRL_ANY, "xy|x|y|tilts",
+               "the axes along which it acts; tilts: between the slopes of the stations", ""},
+    [STIFFNESS] = {"stiffness", "k", "N/m", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL,
+                   "stiffness; along tilts in N m per radian", ""},
+    [DAMPING] = {"damping", "c", "N s/m", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL,
+                 "damping; along tilts in N m s per radian", ""},
+    [GAP] = {"gap", "g", "m", WHIRL_KEY_NUMBER, false, "", WHIRL_NOT_NEGATIVE, NULL,
+             "play to either side, within which nothing acts; always joined where absent", ""},
+};
+
+enum { ALONG_XY, ALONG_X, ALONG_Y, ALONG_TILTS };
+
+static bool acts(int along, axis direction) {
+    switch (direction) {
+    case AXIS_X:
+        return along == ALONG_XY || along == ALONG_X;
+    case AXIS_Y:
+        return along == ALONG_XY || along == ALONG_Y;
+    default:
+        return along == ALONG_TILTS;
+    }
+}
+
+/// The coordinates [AXES] of an end; NO_COORDINATE where it does not act, or of the ground.
+static whirl_status find_end(const key_value *values, const assembly *to, size_t station, size_t end[AXES]) {
+    whirl_status status = whirl_ok();
+    for (axis direction = AXIS_X; direction < AXES; direction++) {
+        end[direction] = NO_COORDINATE;
+        if (station != GROUND && acts(values[ALONG].choice, direction) && status.code == WHIRL_OK)
+            status = assembly_find(to, station, direction, &end[direction]);
+    }
+    return status;
+}
+
+static whirl_status build(const key_value *values, assembly *to, element *out) {
+    const size_t *station = values[BETWEEN].station;
+    const double stiffness = values[STIFFNESS].number, damping = values[DAMPING].number;
+    size_t one[AXES], other[AXES];
+    if (station[0] == station[1]) return whirl_fail(WHIRL_BAD_INPUT, "between names one station twice, expected two");
+    if (values[GAP].given && values[ALONG].choice == ALONG_TILTS)
+        return whirl_fail(WHIRL_BAD_INPUT, "has a gap along tilts, expected one along x and y");
+    whirl_status status = find_end(values, to, station[0], one);
+    if (status.code == WHIRL_OK) status = find_end(values, to, station[1], other);
+    if (status.code != WHIRL_OK) return status;
+    out->station = station[0] == GROUND ? station[1] : station[0];
+    out->lumped = !values[GAP].given;
+    for (axis direction = AXIS_X; out->lumped && direction < AXES; direction++) {
+        assembly_spring(to, one[direction], other[direction], stiffness);
+        assembly_damper(to, one[direction], other[direction], damping);
+    }
+    memcpy(out->port, one, KERNEL_AXES * sizeof *one);
+    memcpy(out->port + KERNEL_AXES, other, KERNEL_AXES * sizeof *other);
+    out->number[SPRING_STIFFNESS] = stiffness * to->length;
+    out->number[SPRING_DAMPING] = damping * to->length * to->speed;
+    out->number[SPRING_GAP] = values[GAP].number / to->length;
+    generic_scale(out, to, 1.0);
+    return whirl_ok();
+}
+
+FOR_EVERY_ISA(const element_kernels, spring_kernels);
+static const element_kernels *const kernels[VECTOR_ISAS] = EVERY_ISA(&, spring_kernels);
+
+const element_type spring_element = {
+    .group = {"spring", "a spring and damper between two stations or a station and the ground, with or without play",
+              "", keys, KEY_COUNT, NULL},
+    .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
+    .kernels = kernels,
+    .build = build,
+    GENERIC_SWITCHES,
+};
+#endif
