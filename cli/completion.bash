@@ -7,9 +7,9 @@ _whirl_names() {
         /^  [A-Za-z0-9_]/ { if (part == "" || part == now) print $1 }'
 }
 
-# The keys of one name that `whirl describe NAME` shows.
+# The keys of one name that `whirl describe NAME` shows below the head of its table.
 _whirl_keys() {
-    "$1" describe "$2" 2>/dev/null | sed -n 's/^  \([a-z][A-Za-z0-9_]*\) .*/\1/p' | grep -vx name
+    "$1" describe "$2" 2>/dev/null | sed -n '/^  name  /,$ s/^  \([a-z][A-Za-z0-9_]*\) .*/\1/p' | grep -vx name
 }
 
 # The case among the words of the command line, or nothing.

@@ -7,7 +7,7 @@
 enum { MASS, DAMPING, ECCENTRICITY, ECCENTRICITY_ANGLE, DIAMETRAL, POLAR, SKEW, SKEW_ANGLE, MOVES, KEY_COUNT };
 
 static const whirl_key keys[KEY_COUNT] = {
-    [MASS] = {"mass", "m", "kg", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL,
+    [MASS] = {"mass", "m", "kg", WHIRL_KEY_NUMBER, false, "", WHIRL_POSITIVE, NULL,
               "mass lumped at the station; required where no disc brings one", ""},
     [DAMPING] = {"damping", "c", "N s/m", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL,
                  "viscous damping between the station and the ground", ""},

@@ -73,8 +73,8 @@ static void wrong_claims_are_told(void **state) {
     (void)state;
     expect_item_problem("at: 1, regime: P-0", "c:5:46: items[1].regime: is P-0, did you mean P-1?");
     expect_item_problem(
-        "at: 1, regime: P-65",
-        "c:5:46: items[1].regime: is P-65, expected one of P-1, periodic, quasi-periodic, chaotic, diverged");
+        "at: 1, regime: P-129",
+        "c:5:46: items[1].regime: is P-129, expected one of P-1, periodic, quasi-periodic, chaotic, diverged");
     expect_item_problem("at: 1, regime: chaotik", "c:5:46: items[1].regime: is chaotik, did you mean chaotic?");
     expect_item_problem("at: 1, to: 2", "c:5:5: items[1]: expected either at, or from and to");
     expect_item_problem("from: 1", "c:5:5: items[1]: expected either at, or from and to");

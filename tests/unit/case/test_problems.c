@@ -200,7 +200,7 @@ static void names(void **state) {
     expect_problem("damping:", "dampnig:",
                    "t:11:24: rotor.stations.disc.dampnig: station has no key dampnig, did you mean damping?");
     expect_problem("mass: 4 kg, ", "",
-                   "t:11:5: rotor.stations.disc.mass: is missing, expected mass lumped at the station (kg)");
+                   "t:7:1: rotor: station 'disc' has no mass, expected its key mass or an element that brings one");
     expect_problem(
         "- shaft:", "- shatf:", "t:14:7: rotor.elements[1].shatf: no element is called shatf, did you mean shaft?");
     expect_problem("at: disc", "at: dusc",

@@ -43,9 +43,43 @@ static void test_stations(void **state) {
     refused(whirl_design_station(design, "b", (whirl_setting[]){{"mass", INFINITY, NULL}}, 1), "mass");
     refused(whirl_design_station(design, "b", (whirl_setting[]){{"mas", 2, NULL}}, 1), "did you mean 'mass'");
     refused(whirl_design_station(design, "b", (whirl_setting[]){{"mass", 2, NULL}, {"mass", 3, NULL}}, 2), "twice");
-    refused(whirl_design_station(design, "b", NULL, 0), "no mass");
     refused(whirl_design_station(design, "b", (whirl_setting[]){{"mass", 0, "two"}}, 1), "number");
     whirl_design_free(design);
+}
+
+/// Mass may come from an element, so it is missed when the rotor is built.
+static void test_inertia(void **state) {
+    const whirl_setting tilts_alone[] = {{"polar", 1, NULL}, {"mass", 1, NULL}},
+                        along_y[] = {{"mass", 1, NULL}, {"moves", 0, "y"}};
+    const whirl_setting wheel[] = {{"at", 0, "b"}, {"outer", 0.2, NULL}, {"width", 0.02, NULL}};
+    const whirl_setting rub[] = {{"at", 0, "b"}, {"gap", 1e-3, NULL}, {"stiffness", 1e6, NULL}};
+    const whirl_setting beam[] = {{"between", 0, "disc, ground"}, {"length", 1, NULL}, {"bending", 1, NULL}};
+    const struct {
+        const whirl_setting *station;
+        size_t count;
+        const char *element;
+        const whirl_setting *settings;
+        const char *words; ///< NULL: it is sound
+    } cases[] = {{NULL, 0, NULL, NULL, "station 'b' has no mass"},
+                 {NULL, 0, "disc", wheel, NULL},
+                 {tilts_alone, 2, NULL, NULL, "no diametral one"},
+                 {along_y, 2, "rub", rub, "moves along x, and 'b' does not"},
+                 {along_y, 2, "beam", beam, "'disc' has no diametral inertia"}};
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        whirl_design *design = design_with_disc();
+        whirl_rotor *rotor;
+        assert_int_equal(whirl_design_station(design, "b", cases[i].station, cases[i].count).code, WHIRL_OK);
+        if (cases[i].element)
+            assert_int_equal(whirl_design_element(design, cases[i].element, cases[i].settings, 3).code, WHIRL_OK);
+        const whirl_status status = whirl_rotor_new(design, &rotor);
+        if (cases[i].words)
+            refused(status, cases[i].words);
+        else
+            assert_int_equal(status.code, WHIRL_OK);
+        whirl_rotor_free(rotor);
+        whirl_design_free(design);
+    }
 }
 
 static void test_elements(void **state) {
@@ -132,6 +166,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_frame),
         cmocka_unit_test(test_stations),
+        cmocka_unit_test(test_inertia),
         cmocka_unit_test(test_elements),
         cmocka_unit_test(test_contradictions),
         cmocka_unit_test(test_nothing_is_no_rotor),
