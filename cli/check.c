@@ -38,7 +38,7 @@ static whirl_status look_at_steps(const whirl_machine *machine, const whirl_batc
     double *x = malloc(bytes);
     if (!x) return whirl_fail(WHIRL_NO_MEMORY, "%s", whirl_code_text(WHIRL_NO_MEMORY));
     memcpy(x, machine->start, bytes);
-    snprintf(stable.method, sizeof stable.method, "cvode-bdf");
+    snprintf(stable.method, sizeof stable.method, "rodas5p");
     stable.rtol = 1e-6;
     stable.atol = 1e-9;
     whirl_status status = whirl_integrator_new(machine->system, &stable, &integrator);

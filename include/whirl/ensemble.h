@@ -1,5 +1,5 @@
 /// Ensembles: many machines of one structure, carried over revolutions side by side in vector lanes: by rk4 step by
-/// step together, by dop853 each at its own time.
+/// step together, by dop853 and rodas5p each at its own time.
 ///
 /// Every lane is computed as if it were alone: its neighbours, its place, the number of lanes and the width of the
 /// vectors change no bit of it, on processors that fuse multiply-adds (and on those that do not, among themselves).
@@ -20,8 +20,8 @@ extern "C" {
 /// An ensemble with its workspace; not to be shared between threads.
 typedef struct whirl_ensemble whirl_ensemble;
 
-/// Whether machines of this system can run in lanes with these options: rotors, with method rk4, or dop853 where no
-/// contact can slide along a sharp reversal of its friction.
+/// Whether machines of this system can run in lanes with these options: rotors, with method dop853 or rodas5p, or rk4
+/// unless contacts are located that can slide along a sharp reversal of their friction.
 bool whirl_ensemble_takes(const whirl_system *system, const whirl_integrate_options *options);
 
 /// Room for at least `lanes` machines of the structure of `system`, which must outlive the ensemble (0: as many as are

@@ -110,8 +110,9 @@ void whirl_integrator_free(whirl_integrator *integrator);
 /// What a revolution costs, in right-hand sides.
 typedef struct whirl_method_cost {
     double dop853; ///< by its steps where they are bounded by stability; 0 where they are not
-    /// By cvode-bdf; NaN where dop853 is bounded by its tolerance alone, infinite where there is no cvode-bdf
-    double bdf;
+    /// By rodas5p, whose Jacobian and equations count as well; NaN where dop853 is bounded by its tolerance alone,
+    /// infinite where the motion could not go on.
+    double rodas5p;
 } whirl_method_cost;
 
 /// Counts what a machine costs, after a probe of a few revolutions from `start` [dimension]: a pure function of its

@@ -135,11 +135,10 @@ typedef struct whirl_run_options {
     size_t memory;
 } whirl_run_options;
 
-/// Puts a method in the place of "auto" in every batch that asks for it: dop853, or cvode-bdf where whirl_method_probe,
-/// at the first, the middle and the last value of the parameter, counts fewer right-hand sides in all, those of dop853
-/// in lanes as a quarter. All points of a batch go by one method. With all exponents that is dop853, which takes their
-/// disturbances along. The choice is a pure function of the study. Runs, outlines and verifications do it by
-/// themselves. Errors as those of the machines.
+/// Puts a method in the place of "auto" in every batch that asks for it: dop853, or rodas5p where whirl_method_probe,
+/// at the first, the middle and the last value of the parameter, counts less work in all. All points of a batch go by
+/// one method. The choice is a pure function of the study. Runs, outlines and verifications do it by themselves. Errors
+/// as those of the machines.
 whirl_status whirl_study_choose_methods(whirl_study *study);
 
 /// Revolutions of all points without refinement, as a budget counts them: at n times the steps of the study n times.

@@ -46,8 +46,9 @@ static whirl_status check_growth(const whirl_system *system, const char *name, c
         return whirl_fail(WHIRL_BAD_INPUT, "the system gives no Jacobian, expected one to follow all disturbances");
     for (size_t i = 0; (method = whirl_method_at(i)); i++)
         if (strcmp(method->name, name) == 0 && !method->follows)
-            return whirl_fail(WHIRL_BAD_INPUT,
-                              "method %s takes no disturbances along, expected rk4 or dop853 for all exponents", name);
+            return whirl_fail(
+                WHIRL_BAD_INPUT,
+                "method %s takes no disturbances along, expected rk4, dop853 or rodas5p for all exponents", name);
     return whirl_ok();
 }
 

@@ -207,7 +207,7 @@ void whirl_verdict_advice(const whirl_verdict *verdict, char *text, size_t size)
         snprintf(text, size, "integrate with errors of a step %.3g times smaller", factor);
         return;
     case WHIRL_MORE_STEPS:
-        snprintf(text, size, "take at least %.3g times as many steps, or a method with a tolerance (dop853, cvode-bdf)",
+        snprintf(text, size, "take at least %.3g times as many steps, or a method with a tolerance (dop853, rodas5p)",
                  factor);
         return;
     case WHIRL_NO_REMEDY:

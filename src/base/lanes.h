@@ -23,7 +23,8 @@ typedef struct lanes_view {
 } lanes_view;
 
 /// Writes the accelerations of the state and those of the disturbances by the Jacobian, with the slopes of the states
-/// of first order after them, and the divergence.
+/// of first order after them, and the divergence. Accelerations are sums of terms in proportion to the forcing and of
+/// others that do not depend on it.
 typedef void lanes_flow(const lanes_view *view);
 
 /// Writes the switching functions at (q, v) and, unless NULL, their derivatives by time along (v, a): [switch_count].

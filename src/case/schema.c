@@ -97,7 +97,7 @@ const char *schema_scaled_unit(const whirl_key *key) {
 
 static const whirl_key integrate_keys[] = {
     {"method", "", "", WHIRL_KEY_CHOICE, false, "auto", WHIRL_ANY, "",
-     "a method of integration; auto: dop853, or cvode-bdf where the machine is stiff", ""},
+     "a method of integration; auto: dop853, or rodas5p where the machine is stiff", ""},
     {"contacts", "", "", WHIRL_KEY_CHOICE, false, "unlocated", WHIRL_ANY, "unlocated|located",
      "of method rk4: unlocated: steps go over contacts; located: steps are split where contact begins and ends; other "
      "methods always "

@@ -1,5 +1,4 @@
-// SUNDIALS CVODE (Hindmarsh et al. 2005; CVODES: Serban, Hindmarsh 2005) with root finding: the independent reference,
-// and what method auto takes for machines that are stiff.
+// SUNDIALS CVODE (Hindmarsh et al. 2005; CVODES: Serban, Hindmarsh 2005) with root finding: the independent reference.
 //
 // Every revolution starts afresh at t = 0, and the integration starts afresh at every zero of a switching function, so
 // that no step straddles a contact. Where the system tells its laws on given sides of its switches these are held in
@@ -38,14 +37,12 @@ typedef struct cvode {
     N_Vector disturbance[1];            ///< [0] NULL until one was followed
     SUNNonlinearSolver for_disturbance; ///< of Adams
     whirl_disturbances *set;            ///< of the present revolution, or NULL
-    size_t slopes;                      ///< taken so far
 } cvode;
 
 static int right_hand_side(realtype t, N_Vector x, N_Vector slope, void *data) {
     cvode *work = data;
     const whirl_system *system = work->system;
     double forcing[WHIRL_MAX_FORCING], *out = NV_DATA_S(slope);
-    work->slopes++;
     if (work->sides) {
         stepper_slope(work->sides, t, NV_DATA_S(x), out);
     } else {
@@ -294,10 +291,6 @@ static whirl_motion revolve(whirl_integrator *integrator, double *x, whirl_distu
     return motion;
 }
 
-static size_t slopes(const whirl_integrator *integrator) {
-    return ((const cvode *)integrator->workspace)->slopes;
-}
-
 const method cvode_adams_method = {
     .about = {"cvode-adams", "SUNDIALS CVODE, Adams-Moulton of order 1 to 12, contacts located", true, false, true},
     .start = start_adams,
@@ -313,5 +306,4 @@ const method cvode_bdf_method = {
     .revolve = revolve,
     .disturbance_rows = 1,
     .end = end,
-    .slopes = slopes,
 };

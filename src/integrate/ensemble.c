@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "dop853_lanes.h"
+#include "adaptive_lanes.h"
 #include "isa.h"
 #include "method.h"
 #include "rk4_lanes.h"
@@ -25,9 +25,9 @@ struct whirl_ensemble {
     size_t row_count; ///< of the block
     double limit;
     rk4_lanes lanes;
-    dop853_lanes *adaptive; ///< NULL for rk4
-    double *ended;          ///< [lane] whirl_motion, of adaptive methods
-    const double *shown;    ///< [dimension] states that coordinates are asked of: a sample's; NULL: the present ones
+    adaptive_lanes *adaptive; ///< NULL for rk4
+    double *ended;            ///< [lane] whirl_motion, of adaptive methods
+    const double *shown;      ///< [dimension] states that coordinates are asked of: a sample's; NULL: the present ones
     const whirl_system **machines; ///< [lane_count] who is where; NULL: nobody
     size_t *contact_probe;
     double *state;           ///< [dimension] of a lane that is asked for its contacts
@@ -36,8 +36,8 @@ struct whirl_ensemble {
 
 bool whirl_ensemble_takes(const whirl_system *system, const whirl_integrate_options *options) {
     if (!system->lanes || system->lanes->states > 0) return false;
-    const bool fixed = strcmp(options->method, "rk4") == 0, located = !fixed || options->located;
-    return (fixed || takes_dop853(options)) && !(located && system->lanes->slides);
+    if (adaptive_in_lanes(options)) return true;
+    return strcmp(options->method, "rk4") == 0 && !(options->located && system->lanes->slides);
 }
 
 /// Rows of the block, and where each array begins.
@@ -130,8 +130,9 @@ static void fill_lanes(whirl_ensemble *e, const whirl_integrate_options *options
 static bool attach_location(whirl_ensemble *e, const whirl_integrate_options *options) {
     const whirl_system *system = e->system;
     lanes_located *located = &e->lanes.located;
-    if (takes_dop853(options)) {
-        e->adaptive = dop853_lanes_new(system, options, e->isa);
+    const lanes_method *adaptive = adaptive_in_lanes(options);
+    if (adaptive) {
+        e->adaptive = adaptive_lanes_new(adaptive, system, options, e->isa);
         return e->adaptive != NULL;
     }
     if (!options->located || system->lanes->switch_count == 0) return true;
@@ -166,7 +167,7 @@ whirl_status whirl_ensemble_new(const whirl_system *system, const whirl_integrat
     *out = NULL;
     if (!whirl_ensemble_takes(system, options))
         return whirl_fail(WHIRL_BAD_INPUT,
-                          "method %s of this system does not run in lanes, expected a rotor and rk4 or dop853",
+                          "method %s of this system does not run in lanes, expected a rotor and rk4, dop853 or rodas5p",
                           options->method);
     whirl_status status = check_options(system, options);
     if (status.code != WHIRL_OK) return status;
@@ -200,7 +201,7 @@ whirl_status whirl_ensemble_new(const whirl_system *system, const whirl_integrat
 
 void whirl_ensemble_free(whirl_ensemble *e) {
     if (!e) return;
-    dop853_lanes_free(e->adaptive);
+    adaptive_lanes_free(e->adaptive);
     free(e->lanes.located.stepper);
     free(e->block);
     free(e->forcing);
@@ -287,7 +288,7 @@ void whirl_ensemble_move(whirl_ensemble *e, size_t from, size_t to) {
 
 /// What goes with a lane into its slot: the machine and its state; of a motion that is observed what was seen of it,
 /// too.
-static void fill_exchange(const whirl_ensemble *e, dop853_lanes *lanes) {
+static void fill_exchange(const whirl_ensemble *e, adaptive_lanes *lanes) {
     const lanes_observe *own = &lanes->observe, *theirs = &e->lanes.observe;
     const size_t degrees = lanes->degrees, probes = own->probe_count, contacts = own->contact_count;
     const lane_rows rows[] = {
@@ -315,9 +316,9 @@ static void fill_exchange(const whirl_ensemble *e, dop853_lanes *lanes) {
 /// A revolution in which every lane goes its own way; samples are handed out when all are through.
 static void revolve_adaptive(whirl_ensemble *e, size_t count, const whirl_ensemble_observe *observe) {
     const size_t wanted = observe && observe->stride > 0 ? (size_t)e->adaptive->instants / observe->stride : 0;
-    const size_t samples = dop853_lanes_make_room(e->adaptive, wanted, e->lane_count) ? wanted : 0;
+    const size_t samples = adaptive_lanes_make_room(e->adaptive, wanted, e->lane_count) ? wanted : 0;
     const size_t size = 2 * e->lanes.degrees * e->lane_count;
-    dop853_lanes lanes = *e->adaptive;
+    adaptive_lanes lanes = *e->adaptive;
     lanes.lane_count = e->lane_count;
     lanes.machines = e->machines;
     lanes.observe.contact_probe = e->contact_probe;
@@ -328,7 +329,7 @@ static void revolve_adaptive(whirl_ensemble *e, size_t count, const whirl_ensemb
     fill_exchange(e, &lanes);
     for (size_t i = 0; i < samples * size; i++) lanes.samples[i] = NAN; // of lanes that end on the way
     for (size_t lane = 0; samples < wanted && lane < count; lane++) e->ended[lane] = WHIRL_STUCK; // for want of memory
-    dop853_lanes_revolves[e->isa->number](&lanes);
+    lanes.method->revolves[e->isa->number](&lanes);
     for (size_t i = 0; i < samples; i++) {
         e->shown = lanes.samples + i * size;
         observe->sample(observe->context);

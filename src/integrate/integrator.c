@@ -6,8 +6,8 @@
 #include "method.h"
 #include "whirl/descriptor.h"
 
-static const method *const methods[] = {&auto_method,        &rk4_method,       &dop853_method,
-                                        &cvode_adams_method, &cvode_bdf_method, NULL};
+static const method *const methods[] = {
+    &auto_method, &rk4_method, &dop853_method, &rodas5p_method, &cvode_adams_method, &cvode_bdf_method, NULL};
 enum { METHOD_COUNT = sizeof methods / sizeof *methods - 1, MAX_STEPS = 1 << 24 };
 
 whirl_integrate_options whirl_integrate_default(void) {
@@ -45,9 +45,9 @@ bool whirl_method_is_adaptive(const char *name) {
     return whirl_method_find(name, &found).code == WHIRL_OK && found->adaptive;
 }
 
-bool takes_dop853(const whirl_integrate_options *options) {
-    return strcmp(options->method, dop853_method.about.name) == 0 ||
-           strcmp(options->method, auto_method.about.name) == 0;
+const struct lanes_method *adaptive_in_lanes(const whirl_integrate_options *options) {
+    const method *found;
+    return method_find(options->method, &found).code == WHIRL_OK ? found->lanes : NULL;
 }
 
 static bool positive(double value) {
@@ -103,7 +103,7 @@ whirl_status whirl_integrator_follow(whirl_integrator *integrator, size_t most) 
     if (!integrator->system->tangent)
         return whirl_fail(WHIRL_BAD_INPUT, "the system gives no Jacobian, expected one to follow disturbances");
     if (!own->about.follows && !(own->about.follows_one && most <= 1))
-        return whirl_fail(WHIRL_BAD_INPUT, "method %s takes %s, expected rk4 or dop853", own->about.name,
+        return whirl_fail(WHIRL_BAD_INPUT, "method %s takes %s, expected rk4, dop853 or rodas5p", own->about.name,
                           own->about.follows_one ? "no more than one disturbance along" : "no disturbances along");
     if (most > n)
         return whirl_fail(WHIRL_BAD_INPUT, "%zu disturbances are to be followed, expected at most the dimension, %zu",

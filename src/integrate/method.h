@@ -26,20 +26,23 @@ typedef struct method {
                             whirl_observe_fn observe, void *observer);
     size_t disturbance_rows;
     void (*end)(whirl_integrator *integrator);
-    const struct method *located; ///< the same with located contacts, where that is a choice
+    const struct method *located;     ///< the same with located contacts, where that is a choice
+    const struct lanes_method *lanes; ///< the adaptive method in lanes, or NULL
     /// Of fixed steps: |R(z)| at z = real + i imaginary, by which a step multiplies the mode exp(z t / h). Else NULL.
     double (*amplification)(double real, double imaginary);
-    size_t (*slopes)(const whirl_integrator *integrator); ///< right-hand sides taken so far, or NULL
+    double (*work)(const whirl_integrator *integrator); ///< done so far, in right-hand sides, or NULL
 } method;
 
-extern const method auto_method, rk4_method, rk4_located_method, dop853_method, cvode_adams_method, cvode_bdf_method;
+extern const method auto_method, rk4_method, rk4_located_method, dop853_method, rodas5p_method, cvode_adams_method,
+    cvode_bdf_method;
+extern const struct lanes_method dop853_in_lanes, rodas5p_in_lanes;
 
 /// |R(z)| of the explicit methods, by their formulas.
 double rk4_amplification(double real, double imaginary);
 double dop853_amplification(double real, double imaginary);
 
-/// Whether machines go by dop853: asked for by its name, or by "auto" as it stands.
-bool takes_dop853(const whirl_integrate_options *options);
+/// The adaptive method in lanes that the options ask for; NULL where they ask for another.
+const struct lanes_method *adaptive_in_lanes(const whirl_integrate_options *options);
 
 /// The method of that name. WHIRL_BAD_INPUT that names the nearest one when there is none.
 whirl_status method_find(const char *name, const method **found);

@@ -143,7 +143,7 @@ void stepper_guarded(const stepper *c, double t, const double *x, double *values
     size_t at = 0;
     for (size_t i = 0; i < c->system->switch_count; i++)
         if (c->sliding[i]) {
-            values[i] = share[at] * (1.0 - share[at]);
+            values[i] = share[at] * (1.0 - share[at]) / (1.0 + share[at] * share[at]); // smooth where 1/share is, too
             at++;
         }
 }

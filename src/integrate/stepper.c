@@ -12,12 +12,28 @@
 
 static const double safety = 0.92, least_factor = 1.0 / 3.0, most_factor = 6.0;
 
-const formula dop853_formula = {DOP853_STAGES, dop853_c, dop853_a, true};
-
 static const double rk4_c[] = {0.0, 0.5, 0.5, 1.0, 1.0};
 static const double rk4_a[][DOP853_SLOPES - 1] = {
     {0}, {0.5}, {0.0, 0.5}, {0.0, 0.0, 1.0}, {1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0}};
-const formula rk4_formula = {4, rk4_c, rk4_a, false};
+
+static double explicit_step(stepper *c, double h), longer(double error, double before), shorter(double error);
+static void take_cubic(stepper *c), interpolate(stepper *c);
+
+const formula dop853_formula = {.stages = DOP853_STAGES,
+                                .c = dop853_c,
+                                .a = dop853_a,
+                                .adaptive = true,
+                                .try_step = explicit_step,
+                                .interpolate = interpolate,
+                                .try_varied = stepper_try_varied,
+                                .longer = longer,
+                                .shorter = shorter};
+const formula rk4_formula = {.stages = 4,
+                             .c = rk4_c,
+                             .a = rk4_a,
+                             .try_step = explicit_step,
+                             .interpolate = take_cubic,
+                             .try_varied = stepper_try_varied};
 
 /// |R(z)| of a formula, stage by stage on x' = z x from x = 1.
 static double amplification(const formula *own, double real, double imaginary) {
@@ -45,7 +61,8 @@ double dop853_amplification(double real, double imaginary) {
 stepper *stepper_new(const formula *own, size_t dimension, size_t switch_count,
                      const whirl_integrate_options *options) {
     const size_t rows = 5 + DOP853_SLOPES + DENSE + MAX_SLIDING + 3;
-    stepper *c = calloc(1, sizeof *c + (rows * dimension + switch_count) * sizeof(double));
+    const size_t own_room = own->room ? own->room(dimension) : 0;
+    stepper *c = calloc(1, sizeof *c + (rows * dimension + switch_count + own_room) * sizeof(double));
     if (!c) return NULL;
     double *row = (double *)(c + 1);
     double **const parts[] = {&c->x, &c->start, &c->end, &c->stage, &c->scale};
@@ -59,6 +76,7 @@ stepper *stepper_new(const formula *own, size_t dimension, size_t switch_count,
     for (int i = 0; i < DENSE; i++, row += dimension) c->dense[i] = row;
     c->work = row;
     c->sides = row + (MAX_SLIDING + 3) * dimension;
+    c->own = c->sides + switch_count;
     return c;
 }
 
@@ -91,7 +109,7 @@ static void level(double *scale, const size_t *parts, size_t count) {
 
 /// What an error of every coordinate is compared with, between the states a and b. A coordinate that passes zero is not
 /// small for that: those of one probe, or of one of a rotor's groups, count together.
-static void set_scales(stepper *c, const double *a, const double *b) {
+void stepper_set_scales(stepper *c, const double *a, const double *b) {
     const whirl_lanes *lanes = c->system->lanes;
     for (size_t d = 0; d < c->dimension; d++) c->scale[d] = fmax(fabs(a[d]), fabs(b[d]));
     for (size_t i = 0; !lanes && i < c->system->probe_count; i++) {
@@ -119,17 +137,22 @@ static double estimated_error(const stepper *c, double h) {
     return mixed > 0.0 ? h * square5 / sqrt(mixed * (double)c->dimension) : mixed;
 }
 
-/// Tries a step of length h from `start`, whose first slope is known: end, slope at the end and error.
-static double try_step(stepper *c, double h) {
+static double explicit_step(stepper *c, double h) {
     const int stages = c->formula->stages;
     for (int i = 1; i <= stages; i++) take_slope(c, i, h); // the last one at the step's end
     memcpy(c->end, c->stage, c->dimension * sizeof *c->end);
-    c->length = h;
     for (size_t d = 0; d < c->dimension; d++)
         if (!isfinite(c->k[stages][d])) return NAN;
     if (!c->formula->adaptive) return 0.0;
-    set_scales(c, c->start, c->end);
+    stepper_set_scales(c, c->start, c->end);
     return estimated_error(c, h);
+}
+
+/// Tries a step of length h from `start`, whose first slope is known: end, slope at the end and error.
+static double try_step(stepper *c, double h) {
+    c->length = h;
+    c->tried++;
+    return c->formula->try_step(c, h);
 }
 
 /// The same for the disturbances that go along: they are as sure as the state. Where they have no error that is a
@@ -137,7 +160,7 @@ static double try_step(stepper *c, double h) {
 static double try_all(stepper *c, double h) {
     const double error = try_step(c, h);
     if (!(error <= 1.0)) return error;
-    const double varied = stepper_try_varied(c);
+    const double varied = c->formula->try_varied(c);
     return isfinite(varied) ? fmax(error, varied) : error;
 }
 
@@ -157,7 +180,6 @@ static void take_cubic(stepper *c) {
 /// II.6).
 static void interpolate(stepper *c) {
     take_cubic(c);
-    if (!c->formula->adaptive) return;
     for (int i = DOP853_STAGES + 1; i < DOP853_SLOPES; i++) take_slope(c, i, c->length);
     for (int i = 0; i < DOP853_DENSE; i++) {
         sum_slopes(c, dop853_d[i], DOP853_SLOPES, c->dense[3 + i]);
@@ -173,13 +195,15 @@ void stepper_between(const stepper *c, double theta, double *x) {
     }
 }
 
-/// By what the length changes after a step of that error: proportional and integral control (Gustafsson 1991),
-/// err^(-3/32) times the error before to the power 1/16, which settles at 0.92^32 = 0.07 of the tolerance; roots alone,
-/// so that it is the same everywhere.
-static double length_factor(double error, double before) {
+/// Proportional and integral control (Gustafsson 1991), err^(-3/32) times the error before to the power 1/16, which
+/// settles at 0.92^32 = 0.07 of the tolerance; roots alone, so that it is the same everywhere.
+static double longer(double error, double before) {
     const double sixteenth = sqrt(sqrt(sqrt(sqrt(fmax(error, 1e-8)))));
-    const double factor = safety * sqrt(sqrt(sqrt(sqrt(before)))) / (sixteenth * sqrt(sixteenth));
-    return fmin(most_factor, fmax(least_factor, factor));
+    return safety * sqrt(sqrt(sqrt(sqrt(before)))) / (sixteenth * sqrt(sixteenth));
+}
+
+static double shorter(double error) {
+    return safety / sqrt(sqrt(sqrt(error)));
 }
 
 // ---------------------------------------------------------------- the first step
@@ -196,7 +220,7 @@ static double norm(const stepper *c, const double *v, const double *other) {
 /// A length for the first step (Hairer, Norsett, Wanner 1993, II.4), from the size of the state, of its slope and of
 /// the slope's change.
 static double first_length(stepper *c) {
-    set_scales(c, c->x, c->x);
+    stepper_set_scales(c, c->x, c->x);
     const double size = norm(c, c->x, NULL), slope = norm(c, c->k[0], NULL), period = c->system->period;
     double h = size < 1e-5 || slope < 1e-5 ? 1e-6 * period : 0.01 * size / slope;
     h = fmin(h, period);
@@ -236,21 +260,25 @@ static void observe(void *context, double theta, double *values) {
 }
 
 /// Takes the step anew so that it ends where function `which` is zero: at theta of its length by the interpolant, then
-/// nearer by what is left.
+/// nearer by what is left. Shares bend, most of all near the end of a contact: their slope is the last two steps'.
 static void land(stepper *c, double theta, size_t which) {
-    enum { TRIES = 4 };
+    const int tries = c->sliding[which] ? 12 : 4;
     const double whole = c->length, nudge = 1e-4;
     double after[WHIRL_MAX_SWITCHES], before[WHIRL_MAX_SWITCHES];
     observe(c, theta + nudge, after);
     observe(c, theta - nudge, before);
-    const double rate = (after[which] - before[which]) / (2.0 * nudge * whole);
-    double h = theta * whole;
-    for (int i = 0; i < TRIES; i++) {
+    double rate = (after[which] - before[which]) / (2.0 * nudge * whole);
+    double h = theta * whole, last_h = h, last = 0.0;
+    for (int i = 0; i < tries; i++) {
         try_step(c, h);
         stepper_guarded(c, c->begin + h, c->end, after);
+        const double secant = (after[which] - last) / (h - last_h);
+        if (c->sliding[which] && i > 0 && secant < 0.0) rate = secant;
         if (fabs(after[which]) <= stepper_reach(c, which, c->begin + h, c->end) || !(rate < 0.0)) break;
         const double nearer = h - after[which] / rate;
-        if (!(nearer > 0.0 && nearer <= whole) || i == TRIES - 1) break;
+        if (!(nearer > 0.0 && nearer <= whole) || i == tries - 1) break;
+        last_h = h;
+        last = after[which];
         h = nearer;
     }
 }
@@ -273,15 +301,44 @@ static bool is_clear(stepper *c) {
     return true;
 }
 
+/// The beginning of a step, up to a share of it.
+typedef struct beginning {
+    stepper *c;
+    double share;
+} beginning;
+
+static void observe_beginning(void *context, double theta, double *values) {
+    const beginning *part = context;
+    observe(part->c, part->share * theta, values);
+}
+
+/// Near the end of a contact the share of a friction that is slid along runs off between the places at which a whole
+/// step is looked at: looks at what comes before a zero once more, until nothing nearer is found.
+static void look_closer(stepper *c, double *theta, size_t *which) {
+    enum { LOOKS = 8 };
+    const double same = 1.0 - 1e-9;
+    double nearer;
+    size_t other;
+    for (int i = 0; i < LOOKS; i++) {
+        beginning part = {c, *theta};
+        const crossing_search search = {observe_beginning, &part, c->system->switch_count, c->held};
+        if (!crossing_first(&search, &nearer, &other) || !(nearer < same)) return;
+        *theta *= nearer;
+        *which = other;
+    }
+}
+
 /// Where the step just tried must end; at its beginning where theta is 0.
 static bool meets_switch(stepper *c, double *theta, size_t *which) {
     if (c->system->switch_count == 0 || is_clear(c)) {
-        if (c->observed) interpolate(c);
+        if (c->observed) c->formula->interpolate(c);
         return false;
     }
     const crossing_search search = {observe, c, c->system->switch_count, c->held};
-    interpolate(c);
-    return crossing_first(&search, theta, which);
+    c->formula->interpolate(c);
+    if (!crossing_first(&search, theta, which)) return false;
+    if (c->sliding_count > 0 && *theta > 0.0) look_closer(c, theta, which);
+    return true;
 }
 
 /// Lets the motion go on at the end of the step.
@@ -315,7 +372,7 @@ static whirl_motion accept(stepper *c, double until) {
         const double error = try_all(c, h);
         if (error <= 1.0) {
             if (!c->formula->adaptive) return WHIRL_BOUNDED;
-            const double factor = length_factor(error, c->error);
+            const double factor = fmin(most_factor, fmax(least_factor, c->formula->longer(error, c->error)));
             // A step cut short by `until` or by a rejection says little of how long the next may be.
             c->h = fmax(h < c->h && !rejected ? c->h : 0.0, h * (rejected ? fmin(factor, 1.0) : factor));
             c->error = fmax(error, 1e-4);
@@ -323,7 +380,7 @@ static whirl_motion accept(stepper *c, double until) {
         }
         if (!c->formula->adaptive) return WHIRL_DIVERGED;
         const bool finite = isfinite(error);
-        c->h = h * (finite ? fmax(least_factor, safety / sqrt(sqrt(sqrt(error)))) : 0.1);
+        c->h = h * (finite ? fmax(least_factor, c->formula->shorter(error)) : 0.1);
         rejected = true;
         if (c->h < 16.0 * DBL_EPSILON * c->system->period) return finite ? WHIRL_STUCK : WHIRL_DIVERGED;
     }
@@ -353,8 +410,8 @@ whirl_motion stepper_step(stepper *c, double until) {
         if (++c->switchings > MAX_SWITCHINGS) return WHIRL_STUCK;
         if (theta > 0.0) {
             land(c, theta, which);
-            if (c->observed) interpolate(c);
-            stepper_try_varied(c);
+            if (c->observed) c->formula->interpolate(c);
+            c->formula->try_varied(c);
             stepper_vary(c);
             go_on(c, c->begin + c->length);
         }

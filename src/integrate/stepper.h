@@ -10,6 +10,7 @@
 
 #include "dop853_tableau.h"
 #include "method.h"
+#include "rodas5p_tableau.h"
 
 enum { MAX_SLIDING = 8, MAX_SWITCHINGS = 10000, DENSE = 3 + DOP853_DENSE };
 
@@ -22,14 +23,25 @@ typedef struct stepper_variation {
     double *spare;                            ///< [SPARE_ROWS][dimension]
 } stepper_variation;
 
-/// An explicit Runge-Kutta formula: row `stages` of a gives the result, at whose end one more slope is taken.
+struct stepper;
+
+/// A formula of a step: explicit Runge-Kutta, whose row `stages` of a gives the result, or another with functions of
+/// its own.
 typedef struct formula {
-    int stages;
+    int stages; ///< number of the slope at the step's end among the stepper's k
     const double *c, (*a)[DOP853_SLOPES - 1];
     bool adaptive; ///< estimates its error, chooses its steps, and has an interpolant of its own
+    /// Tries a step of that length from `start`, whose slope is k[0]: writes end and the slope there; gives the norm of
+    /// the estimated error over the tolerance, not a number where the step leaves the equations' domain.
+    double (*try_step)(struct stepper *c, double h);
+    void (*interpolate)(struct stepper *c);  ///< writes the polynomials of the step tried
+    double (*try_varied)(struct stepper *c); ///< stepper_try_varied
+    /// By what the length changes after a step of that error and the one before, and after one that was rejected.
+    double (*longer)(double error, double before), (*shorter)(double error);
+    size_t (*room)(size_t dimension); ///< numbers of the workspace `own`, or NULL
 } formula;
 
-extern const formula dop853_formula, rk4_formula;
+extern const formula dop853_formula, rodas5p_formula, rk4_formula;
 
 typedef struct stepper {
     const formula *formula;
@@ -52,8 +64,10 @@ typedef struct stepper {
     double *end;                             ///< [dimension] workspace: the state at its end
     double *k[DOP853_SLOPES], *dense[DENSE]; ///< [dimension] slopes and polynomials
     double error;                            ///< of the last accepted step, in tolerances
+    size_t tried;                            ///< steps, since the stepper was made
     double *stage, *scale;                   ///< [dimension] workspace
     double *work;                            ///< [MAX_SLIDING + 3][dimension] workspace of the sides
+    double *own;                             ///< workspace of the formula
     stepper_variation variation;
 } stepper;
 
@@ -101,8 +115,18 @@ void stepper_vary_begin(stepper *c);
 void stepper_apply_jacobian(const stepper *c, double t, const double *x, const double *vectors, double *out);
 
 /// Tries the step of the state for the disturbances; gives the norm of their estimated error over the tolerance, 0
-/// where there are none or the formula estimates no error.
+/// where there are none or the formula estimates no error. This is the explicit formulas' one.
 double stepper_try_varied(stepper *c);
+
+/// The norm of the error of disturbance `which` over the step that was tried, [dimension], over the tolerance of its
+/// length. Equations of disturbances are linear: they know no absolute tolerance.
+double stepper_varied_error(const stepper *c, size_t which, const double *error);
+
+/// The divergence at (t, x) on the present sides; not a number along switches.
+double stepper_divergence(const stepper *c, double t, const double *x);
+
+/// What an error of every coordinate is compared with, between the states a and b, in c->scale.
+void stepper_set_scales(stepper *c, const double *a, const double *b);
 
 /// Lets the disturbances go on at the end of the step that was tried, before the motion does.
 void stepper_vary(stepper *c);

@@ -1,8 +1,8 @@
-// The methods that carry one machine with located switches: the method of Dormand and Prince of orders 8(5,3), and RK4
-// on a fixed grid, whose steps are split where they meet a switch.
+// The methods that carry one machine with located switches: the method of Dormand and Prince of orders 8(5,3), Rodas5P,
+// and RK4 on a fixed grid, whose steps are split where they meet a switch.
 //
-// Every revolution of dop853 begins with a length of step that depends on its first state alone, so that nothing is
-// remembered from one call to the next.
+// Every revolution of an adaptive method begins with a length of step that depends on its first state alone, so that
+// nothing is remembered from one call to the next.
 #include <stdlib.h>
 #include <string.h>
 
@@ -18,6 +18,9 @@ static whirl_status start(whirl_integrator *integrator, const formula *own) {
 
 static whirl_status start_dop853(whirl_integrator *integrator) {
     return start(integrator, &dop853_formula);
+}
+static whirl_status start_rodas5p(whirl_integrator *integrator) {
+    return start(integrator, &rodas5p_formula);
 }
 static whirl_status start_rk4(whirl_integrator *integrator) {
     return start(integrator, &rk4_formula);
@@ -86,12 +89,19 @@ static void end(whirl_integrator *integrator) {
     free(integrator->workspace);
 }
 
+/// A step takes ten right-hand sides, a Jacobian of as many as there are coordinates, and its equations (measured).
+static double rodas5p_work(const whirl_integrator *integrator) {
+    const double n = (double)integrator->system->dimension;
+    return (double)((const stepper *)integrator->workspace)->tried * (10.0 + n + 0.01 * n * n);
+}
+
 const method auto_method = {
-    .about = {"auto", "what suits the machine: dop853, or cvode-bdf where its steps would crawl", true, true, false},
+    .about = {"auto", "what suits the machine: dop853, or rodas5p where its steps would crawl", true, true, false},
     .start = start_dop853,
     .revolve = revolve_freely,
     .disturbance_rows = DISTURBANCE_ROWS,
     .end = end,
+    .lanes = &dop853_in_lanes,
 };
 
 const method dop853_method = {
@@ -100,6 +110,18 @@ const method dop853_method = {
     .revolve = revolve_freely,
     .disturbance_rows = DISTURBANCE_ROWS,
     .end = end,
+    .lanes = &dop853_in_lanes,
+};
+
+const method rodas5p_method = {
+    .about = {"rodas5p", "Rosenbrock-Wanner of order 5(4) for stiff machines, steps by the tolerance, contacts located",
+              true, true, false},
+    .start = start_rodas5p,
+    .revolve = revolve_freely,
+    .disturbance_rows = DISTURBANCE_ROWS,
+    .end = end,
+    .lanes = &rodas5p_in_lanes,
+    .work = rodas5p_work,
 };
 
 const method rk4_located_method = {

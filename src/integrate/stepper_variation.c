@@ -106,7 +106,7 @@ void stepper_apply_jacobian(const stepper *c, double t, const double *x, const d
     system->tangent(system->model, t, forcing, x, sides, c->variation.set->count, vectors, out);
 }
 
-static double divergence(const stepper *c, double t, const double *x) {
+double stepper_divergence(const stepper *c, double t, const double *x) {
     const whirl_system *system = c->system;
     double forcing[WHIRL_MAX_FORCING];
     if (c->sliding_count > 0) return NAN;
@@ -130,6 +130,12 @@ static void add_slopes(const double *a, double *const *k, int i, size_t size, do
 static double length_of(const stepper *c, const double *vectors, size_t which) {
     const double *u = vectors + which * c->dimension;
     return sqrt(dot(c->dimension, u, u));
+}
+
+double stepper_varied_error(const stepper *c, size_t which, const double *error) {
+    const stepper_variation *v = &c->variation;
+    const double size = fmax(length_of(c, v->set->vectors, which), length_of(c, v->end, which));
+    return sqrt(dot(c->dimension, error, error)) / (c->rtol * size);
 }
 
 /// The error of disturbance `which` over the step, as stepper.c has it of the state, over the tolerance of its length.
@@ -166,7 +172,7 @@ double stepper_try_varied(stepper *c) {
         add_slopes(f->a[i], c->k, i, n, h, c->start, c->stage);
         add_slopes(f->a[i], v->k, i, size, h, set->vectors, v->stage);
         stepper_apply_jacobian(c, t, c->stage, v->stage, v->k[i]);
-        v->volume += h * f->a[f->stages][i] * divergence(c, t, c->stage);
+        v->volume += h * f->a[f->stages][i] * stepper_divergence(c, t, c->stage);
     }
     add_slopes(f->a[f->stages], v->k, f->stages, size, h, set->vectors, v->end);
     for (size_t k = 0; f->adaptive && k < set->count; k++) error = fmax(error, estimated_error(c, k));

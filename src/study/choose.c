@@ -3,12 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "whirl/ensemble.h"
 #include "whirl/study.h"
-
-/// Work of a right-hand side in lanes over that of one alone; work of cvode-bdf beside its right-hand sides, linear
-/// algebra above all, over theirs.
-static const double lane_share = 0.25, overhead = 2.0;
 
 /// Adds what the machine of one value costs.
 static whirl_status probe(const whirl_study *study, const whirl_batch *batch, double value, whirl_method_cost *sum) {
@@ -18,9 +13,8 @@ static whirl_status probe(const whirl_study *study, const whirl_batch *batch, do
     if (status.code != WHIRL_OK) return status;
     status = whirl_method_probe(machine.system, &batch->integrate, machine.start, &cost);
     if (status.code == WHIRL_OK && cost.dop853 > 0.0) {
-        const bool lanes = batch->count > 1 && whirl_ensemble_takes(machine.system, &batch->integrate);
-        sum->dop853 += cost.dop853 * (lanes ? lane_share : 1.0);
-        sum->bdf += cost.bdf * (1.0 + overhead);
+        sum->dop853 += cost.dop853;
+        sum->rodas5p += cost.rodas5p;
     }
     if (machine.release) machine.release(machine.owner);
     return status;
@@ -34,8 +28,8 @@ static whirl_status choose(const whirl_study *study, whirl_batch *batch) {
         if (i == 0 || at[i] != at[i - 1])
             status = probe(study, batch, batch->values ? batch->values[at[i]] : (double)NAN, &sum);
     if (status.code != WHIRL_OK) return status;
-    const bool stiff = sum.bdf < sum.dop853 && batch->record.growth != WHIRL_GROWTH_ALL;
-    snprintf(batch->integrate.method, sizeof batch->integrate.method, "%s", stiff ? "cvode-bdf" : "dop853");
+    snprintf(batch->integrate.method, sizeof batch->integrate.method, "%s",
+             sum.rodas5p < sum.dop853 ? "rodas5p" : "dop853");
     batch->integrate.chosen = true;
     return status;
 }

@@ -10,6 +10,7 @@ methods=(
     "$rk4"
     "$rk4, contacts: located"
     "${rk4/rk4/dop853}"
+    "${rk4/rk4/rodas5p}"
     "${rk4/rk4/cvode-adams}"
     "${rk4/rk4/cvode-bdf}"
 )

@@ -454,11 +454,11 @@ static void d3_mathieu(void **unused) {
 /// Neither the disc nor its twin moves then, and no error of the state shortens a step.
 static void d1_disc_at_rest(void **unused) {
     (void)unused;
-    static const char *const methods[] = {"rk4", "dop853", "cvode-adams", "cvode-bdf"};
+    static const char *const methods[] = {"rk4", "dop853", "rodas5p", "cvode-adams", "cvode-bdf"};
     const shaft_case p = {.speed = 1.0, .damping = 3.0, .k1 = 1.0, .k2 = 1.0, .gravity = 1.0};
     const double start[4] = {0.3, 0.0, 0.0, 0.0};
     whirl_rotor *rotor = make_shaft_rotor(&p);
-    for (size_t i = 0; i < 4; i++) {
+    for (size_t i = 0; i < sizeof methods / sizeof *methods; i++) {
         whirl_integrate_options integrate = whirl_integrate_default();
         whirl_record_options options = whirl_record_default();
         whirl_record *record;

@@ -1,5 +1,5 @@
 // The pair of order 8(5,3): its numbers, its interpolant, and motions that switch, slide and graze, against closed
-// forms; those that slide also by CVODE, whose sides are held in the same way.
+// forms, by Rodas5P as well; those that slide also by CVODE, whose sides are held in the same way.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -37,9 +37,9 @@ static whirl_motion carry_by(const char *by, const whirl_system *system, double 
     return motion;
 }
 
-static whirl_motion carry(const whirl_system *system, double rtol, double atol, int revolutions, double *x) {
-    return carry_by("dop853", system, rtol, atol, revolutions, x);
-}
+/// Methods whose steps a stepper takes.
+static const char *const stepped[] = {"dop853", "rodas5p"};
+enum { STEPPED = sizeof stepped / sizeof *stepped };
 
 // ---------------------------------------------------------------- the numbers
 
@@ -216,11 +216,12 @@ static void test_contacts_are_located(void **state) {
     (void)state;
     whirl_system system = {
         .dimension = 2, .period = spring_period(), .rhs = spring, .switch_count = 1, .switches = spring_switch};
-    for (int sided = 0; sided < 2; sided++)
+    for (int way = 0; way < 2 * STEPPED; way++)
         for (int i = 0; i < 3; i++) {
             double x[2] = {-1.0, 0.0};
-            system.rhs_on_sides = sided ? spring_on_sides : NULL;
-            assert_int_equal(carry(&system, tolerances[i], 1e-2 * tolerances[i], 10, x), WHIRL_BOUNDED);
+            const char *by = stepped[way / 2];
+            system.rhs_on_sides = way % 2 ? spring_on_sides : NULL;
+            assert_int_equal(carry_by(by, &system, tolerances[i], 1e-2 * tolerances[i], 10, x), WHIRL_BOUNDED);
             expect_near(x[0], -1.0, 30.0 * tolerances[i]);
             expect_near(x[1], 0.0, 30.0 * tolerances[i]);
         }
@@ -252,9 +253,10 @@ static void test_grazes_are_found(void **state) {
                                  .switches = stone_switch,
                                  .rhs_on_sides = stone_on_sides};
     for (double depth = 1e-2; depth > 1e-12; depth *= 0.1)
-        for (int below = 0; below < 2; below++) {
+        for (int way = 0; way < 2 * STEPPED; way++) {
+            const bool below = way % 2 == 1;
             double x[3] = {0.5 + (below ? -depth : depth), -1.0, 0.0};
-            assert_int_equal(carry(&system, 1e-6, 1e-9, 1, x), WHIRL_BOUNDED);
+            assert_int_equal(carry_by(stepped[way / 2], &system, 1e-6, 1e-9, 1, x), WHIRL_BOUNDED);
             // A step's rounding in x shifts the ends of the dip by its size over their speed.
             expect_near(x[2], below ? 2.0 * sqrt(2.0 * depth) : 0.0, below ? 1e-14 / sqrt(depth) : 0.0);
         }
@@ -306,7 +308,8 @@ static whirl_system block_system(const block *model, double period) {
 static const struct sliding_method {
     const char *name;
     double errors;
-} sliding_methods[] = {{"dop853", 10.0}, {"cvode-adams", 1000.0}, {"cvode-bdf", 1000.0}};
+} sliding_methods[] = {{"dop853", 10.0}, {"rodas5p", 10.0}, {"cvode-adams", 1000.0}, {"cvode-bdf", 1000.0}};
+enum { SLIDING_METHODS = sizeof sliding_methods / sizeof *sliding_methods };
 
 static void bring_to_rest(const struct sliding_method *own) {
     // Every half swing takes 2 friction off the amplitude: 1, -0.7, 0.4, -0.1, where friction holds the block.
@@ -326,7 +329,7 @@ static void bring_to_rest(const struct sliding_method *own) {
 
 static void test_friction_brings_to_rest(void **state) {
     (void)state;
-    for (int i = 0; i < 3; i++) bring_to_rest(&sliding_methods[i]);
+    for (int i = 0; i < SLIDING_METHODS; i++) bring_to_rest(&sliding_methods[i]);
 }
 
 static void slide_until_let_go(const struct sliding_method *own) {
@@ -345,16 +348,18 @@ static void slide_until_let_go(const struct sliding_method *own) {
 
 static void test_sliding_ends_where_friction_no_longer_holds(void **state) {
     (void)state;
-    for (int i = 0; i < 3; i++) slide_until_let_go(&sliding_methods[i]);
+    for (int i = 0; i < SLIDING_METHODS; i++) slide_until_let_go(&sliding_methods[i]);
 }
 
 static void test_endless_switching_ends(void **state) {
     (void)state;
     const block model = {0.0, 0.15, 0.0};
     whirl_system system = block_system(&model, 5.0 * pi);
-    double x[2] = {1.0, 0.0};
     system.rhs_on_sides = NULL; // no way to know that it slides
-    assert_int_equal(carry(&system, 1e-6, 1e-9, 1, x), WHIRL_STUCK);
+    for (int m = 0; m < STEPPED; m++) {
+        double x[2] = {1.0, 0.0};
+        assert_int_equal(carry_by(stepped[m], &system, 1e-6, 1e-9, 1, x), WHIRL_STUCK);
+    }
 }
 
 // ---------------------------------------------------------------- the ends of motions
@@ -367,19 +372,20 @@ static void wall_rhs(const void *model, double t, const double *forcing, const d
 static void test_a_motion_ends_at_the_edge_of_its_equations(void **state) {
     (void)state;
     whirl_system system = {.dimension = 1, .period = 0.6, .rhs = wall_rhs};
-    double x = 0.0, beyond = 2.0;
-    assert_int_equal(carry(&system, 1e-9, 1e-12, 1, &x), WHIRL_BOUNDED);
-    expect_near(x, 1.0 - pow(1.0 - 1.5 * 0.6, 2.0 / 3.0), 1e-8);
-    assert_true(carry(&system, 1e-9, 1e-12, 1, &x) != WHIRL_BOUNDED);
-    assert_int_equal(carry(&system, 1e-9, 1e-12, 1, &beyond), WHIRL_DIVERGED);
+    for (int m = 0; m < STEPPED; m++) {
+        double x = 0.0, beyond = 2.0;
+        assert_int_equal(carry_by(stepped[m], &system, 1e-9, 1e-12, 1, &x), WHIRL_BOUNDED);
+        expect_near(x, 1.0 - pow(1.0 - 1.5 * 0.6, 2.0 / 3.0), 1e-8);
+        assert_true(carry_by(stepped[m], &system, 1e-9, 1e-12, 1, &x) != WHIRL_BOUNDED);
+        assert_int_equal(carry_by(stepped[m], &system, 1e-9, 1e-12, 1, &beyond), WHIRL_DIVERGED);
+    }
 }
 
-static void test_nothing_is_remembered(void **state) {
-    (void)state;
+static void expect_nothing_remembered(const char *by) {
     const block model = {0.05, 0.02, 0.3};
     const whirl_system system = block_system(&model, 2.0);
-    whirl_integrator *one = integrator_by("dop853", &system, 1e-9, 1e-12);
-    whirl_integrator *other = integrator_by("dop853", &system, 1e-9, 1e-12);
+    whirl_integrator *one = integrator_by(by, &system, 1e-9, 1e-12);
+    whirl_integrator *other = integrator_by(by, &system, 1e-9, 1e-12);
     double x[2] = {1.0, 0.0}, y[2], elsewhere[2] = {0.3, -2.0};
     for (int i = 0; i < 20; i++) {
         memcpy(y, x, sizeof x);
@@ -391,6 +397,11 @@ static void test_nothing_is_remembered(void **state) {
     }
     whirl_integrator_free(one);
     whirl_integrator_free(other);
+}
+
+static void test_nothing_is_remembered(void **state) {
+    (void)state;
+    for (int m = 0; m < STEPPED; m++) expect_nothing_remembered(stepped[m]);
 }
 
 int main(void) {

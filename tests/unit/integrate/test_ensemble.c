@@ -91,8 +91,9 @@ typedef struct way {
     double damping; ///< of the contact: then normal forces are asked of the machine itself
 } way;
 
-static const way ways[] = {{"rk4", false, 0.0}, {"rk4", false, 0.3},    {"rk4", true, 0.0},
-                           {"rk4", true, 0.3},  {"dop853", false, 0.0}, {"dop853", false, 0.3}};
+static const way ways[] = {{"rk4", false, 0.0},     {"rk4", false, 0.3},    {"rk4", true, 0.0},
+                           {"rk4", true, 0.3},      {"dop853", false, 0.0}, {"dop853", false, 0.3},
+                           {"rodas5p", false, 0.0}, {"rodas5p", false, 0.3}};
 static const char *const sets[] = {"scalar", "simd128", "fma", "avx2", "avx512"};
 enum { WAYS = sizeof ways / sizeof *ways, SETS = sizeof sets / sizeof *sets };
 

@@ -123,9 +123,9 @@ static void see(void *observer, double t, const double *x) {
 }
 
 static void test_observers_see_equal_parts(void **state) {
-    const char *const methods[] = {"rk4", "dop853", "cvode-adams", "cvode-bdf"};
+    const char *const methods[] = {"rk4", "dop853", "rodas5p", "cvode-adams", "cvode-bdf"};
     (void)state;
-    for (int m = 0; m < 4; m++) {
+    for (int m = 0; m < 5; m++) {
         whirl_integrate_options options = whirl_integrate_default();
         whirl_integrator *integrator;
         seen s = {0};
@@ -150,9 +150,9 @@ static void runaway(const void *model, double t, const double *forcing, const do
 
 static void test_divergence_is_a_result(void **state) {
     const whirl_system system = {.dimension = 1, .period = 1, .rhs = runaway};
-    const char *const methods[] = {"rk4", "dop853", "cvode-adams", "cvode-bdf"};
+    const char *const methods[] = {"rk4", "dop853", "rodas5p", "cvode-adams", "cvode-bdf"};
     (void)state;
-    for (int m = 0; m < 4; m++) {
+    for (int m = 0; m < 5; m++) {
         whirl_integrate_options options = whirl_integrate_default();
         whirl_integrator *integrator;
         double x[1] = {0.4};
@@ -171,9 +171,9 @@ static void test_divergence_is_a_result(void **state) {
 }
 
 static void test_calls_may_alternate(void **state) {
-    const char *const methods[] = {"rk4", "dop853", "cvode-adams"};
+    const char *const methods[] = {"rk4", "dop853", "rodas5p", "cvode-adams"};
     (void)state;
-    for (int m = 0; m < 3; m++) {
+    for (int m = 0; m < 4; m++) {
         whirl_integrate_options options = whirl_integrate_default();
         whirl_integrator *integrator;
         strcpy(options.method, methods[m]);

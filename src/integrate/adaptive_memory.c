@@ -1,30 +1,16 @@
-// The workspace of the method of Dormand and Prince over lanes.
+// The workspace of adaptive methods over lanes.
 #include <stdlib.h>
 #include <string.h>
 
-#include "dop853_lanes.h"
-
-#include "vector.h"
-
-dop853_lanes_revolve *const dop853_lanes_revolves[VECTOR_ISAS] = {
-    [VECTOR_SCALAR] = dop853_lanes_scalar, [VECTOR_128] = dop853_lanes_128,
-#if defined(__x86_64__)
-    [VECTOR_FMA] = dop853_lanes_fma,       [VECTOR_AVX2] = dop853_lanes_avx2, [VECTOR_AVX512] = dop853_lanes_avx512,
-#endif
-};
+#include "adaptive_lanes.h"
 
 typedef struct part {
     double **array;
     size_t rows;
 } part;
 
-/// Vectors of a group: enough to hide each other's latency, few enough for the first cache.
-static size_t fast_group(size_t degrees) {
-    return degrees <= 8 ? 4 : degrees <= 20 ? 2 : 1;
-}
-
 /// Rows of the block, and where each array begins.
-static size_t lay_out(dop853_lanes *lanes, double *block) {
+static size_t lay_out(adaptive_lanes *lanes, double *block) {
     const size_t degrees = lanes->degrees, probes = lanes->observe.probe_count, switches = lanes->switch_count;
     const size_t contacts = lanes->observe.contact_count;
     size_t row = 0;
@@ -47,6 +33,8 @@ static size_t lay_out(dop853_lanes *lanes, double *block) {
         {&lanes->rejected, 1},
         {&lanes->sides, switches},
         {&lanes->held, switches},
+        {&lanes->sliding, switches},
+        {&lanes->alone, 1},
         {&lanes->switchings, 1},
         {&lanes->landing, 1},
         {&lanes->whole, 1},
@@ -62,7 +50,6 @@ static size_t lay_out(dop853_lanes *lanes, double *block) {
         {&lanes->end_value, switches},
         {&lanes->end_rate, switches},
         {&lanes->time, 1},
-        {&lanes->base, 2},
         {&lanes->begin, 1},
         {&lanes->taken, 1},
         {&lanes->instant, 1},
@@ -81,55 +68,58 @@ static size_t lay_out(dop853_lanes *lanes, double *block) {
         {&lanes->observe.force, lanes->observe.normal_force ? contacts : 0},
         {&lanes->observe.force_max, lanes->observe.normal_force ? contacts : 0},
     };
-    for (size_t i = 0; i < DOP853_SLOPES; i++, row += degrees) lanes->k[i] = block ? block + row * lanes->slots : NULL;
+    row += lanes->method->lay_out(lanes, block);
     for (size_t i = 0; i < sizeof parts / sizeof *parts; i++, row += parts[i - 1].rows)
-        *parts[i].array = block ? block + row * lanes->slots : NULL;
-    for (size_t i = 0; i <= DENSE; i++, row += 2 * degrees) lanes->dense[i] = block ? block + row * lanes->slots : NULL;
+        *parts[i].array = lanes_row(lanes, block, row);
+    for (int i = 0; i <= lanes->method->dense; i++, row += 2 * degrees) lanes->dense[i] = lanes_row(lanes, block, row);
     return row;
 }
 
-dop853_lanes *dop853_lanes_new(const whirl_system *system, const whirl_integrate_options *options, const isa *set) {
+adaptive_lanes *adaptive_lanes_new(const lanes_method *own, const whirl_system *system,
+                                   const whirl_integrate_options *options, const isa *set) {
     const whirl_lanes *form = system->lanes;
-    dop853_lanes *lanes = calloc(1, sizeof *lanes);
+    adaptive_lanes *lanes = calloc(1, sizeof *lanes);
     if (!lanes) return NULL;
-    *lanes = (dop853_lanes){.model = system->model,
-                            .flow = form->flow[set->number],
-                            .switches = form->switches[set->number],
-                            .forcing_at = form->forcing[set->number],
-                            .stride = fast_group(form->degrees),
-                            .degrees = form->degrees,
-                            .number_count = form->number_count,
-                            .forcing_count = system->forcing_count,
-                            .switch_count = form->switch_count,
-                            .period = system->period,
-                            .rtol = options->rtol,
-                            .atol = options->atol,
-                            .limit = options->limit,
-                            .instants = options->steps_per_revolution,
-                            .group_count = form->group_count,
-                            .groups = form->groups,
-                            .observe = {.probe_count = system->probe_count,
-                                        .probes = system->probes,
-                                        .contact_count = form->contact_count}};
+    *lanes = (adaptive_lanes){.method = own,
+                              .model = system->model,
+                              .flow = form->flow[set->number],
+                              .switches = form->switches[set->number],
+                              .forcing_at = form->forcing[set->number],
+                              .stride = own->group(form->degrees),
+                              .degrees = form->degrees,
+                              .number_count = form->number_count,
+                              .forcing_count = system->forcing_count,
+                              .switch_count = form->switch_count,
+                              .slides = form->slides,
+                              .period = system->period,
+                              .rtol = options->rtol,
+                              .atol = options->atol,
+                              .limit = options->limit,
+                              .instants = options->steps_per_revolution,
+                              .group_count = form->group_count,
+                              .groups = form->groups,
+                              .observe = {.probe_count = system->probe_count,
+                                          .probes = system->probes,
+                                          .contact_count = form->contact_count}};
     if (form->damped) lanes->observe.normal_force = form->contacts[set->number];
     lanes->slots = lanes->stride * set->lanes;
-    lanes->pair = form->pair;
-    dop853_sums_fill(&lanes->sums, lanes->degrees * lanes->stride);
+    lanes->pair = lanes->stride == PAIR_STRIDE ? form->pair : NULL;
     const size_t bytes = (lay_out(lanes, NULL) * lanes->slots * sizeof(double) + 63) / 64 * 64;
     lanes->block = aligned_alloc(64, bytes);
     lanes->queue = calloc(1, sizeof *lanes->queue);
-    lanes->stepper = stepper_new(&dop853_formula, system->dimension, system->switch_count, options);
+    lanes->stepper = stepper_new(own->formula, system->dimension, system->switch_count, options);
     if (!lanes->block || !lanes->queue || !lanes->stepper) {
-        dop853_lanes_free(lanes);
+        adaptive_lanes_free(lanes);
         return NULL;
     }
     memset(lanes->block, 0, bytes);
     lay_out(lanes, lanes->block);
+    own->prepare(lanes);
     for (size_t i = 0; i < MAX_SLOTS; i++) lanes->queue->slot_lane[i] = NO_LANE;
     return lanes;
 }
 
-bool dop853_lanes_make_room(dop853_lanes *lanes, size_t samples, size_t lane_count) {
+bool adaptive_lanes_make_room(adaptive_lanes *lanes, size_t samples, size_t lane_count) {
     if (samples <= lanes->sample_room) return true;
     free(lanes->samples);
     lanes->samples = malloc(samples * 2 * lanes->degrees * lane_count * sizeof(double));
@@ -137,7 +127,7 @@ bool dop853_lanes_make_room(dop853_lanes *lanes, size_t samples, size_t lane_cou
     return lanes->samples != NULL;
 }
 
-void dop853_lanes_free(dop853_lanes *lanes) {
+void adaptive_lanes_free(adaptive_lanes *lanes) {
     if (!lanes) return;
     free(lanes->block);
     free(lanes->queue);

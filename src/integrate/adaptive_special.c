@@ -3,30 +3,30 @@
 // Where a switching function falls through zero without doubt, the step is tried anew so that it ends there, together
 // with the other lanes' next steps: first by the cubic through both ends, then by the function's own value and
 // derivative. Where doubt is possible (grazes, two switches at once) the lane's step is taken by a stepper, which looks
-// with care.
+// with care; it takes all steps of a motion that slides along a switch.
 #include <math.h>
 #include <string.h>
 
-#include "dop853_lanes.h"
+#include "adaptive_lanes.h"
 
 enum { MAX_TRIES = 6 };
 
-static double *at(const dop853_lanes *lanes, double *rows, size_t row, size_t slot) {
+static double *at(const adaptive_lanes *lanes, double *rows, size_t row, size_t slot) {
     return &rows[row * lanes->slots + slot];
 }
 
-static void copy(const dop853_lanes *lanes, double *to, const double *from, size_t rows, size_t slot) {
+static void copy(const adaptive_lanes *lanes, double *to, const double *from, size_t rows, size_t slot) {
     for (size_t i = 0; i < rows; i++) to[i * lanes->slots + slot] = from[i * lanes->slots + slot];
 }
 
-static void end(const dop853_lanes *lanes, size_t slot, whirl_motion motion) {
+static void end(const adaptive_lanes *lanes, size_t slot, whirl_motion motion) {
     lanes->ended[slot] = motion;
     lanes->running[slot] = 0.0;
 }
 
 // ---------------------------------------------------------------- by the stepper
 
-static void give_state(const dop853_lanes *lanes, size_t slot) {
+static void give_state(const adaptive_lanes *lanes, size_t slot) {
     stepper *c = lanes->stepper;
     const size_t n = lanes->degrees;
     for (size_t d = 0; d < n; d++) {
@@ -36,48 +36,61 @@ static void give_state(const dop853_lanes *lanes, size_t slot) {
     stepper_place(c, lanes->machines[lanes->queue->slot_lane[slot]], lanes->t[slot]);
 }
 
-static void give_sides(const dop853_lanes *lanes, size_t slot) {
-    for (size_t s = 0; s < lanes->switch_count; s++) {
-        lanes->stepper->sides[s] = *at(lanes, lanes->sides, s, slot);
-        lanes->stepper->held[s] = (int)*at(lanes, lanes->held, s, slot);
+static void take_state(const adaptive_lanes *lanes, size_t slot) {
+    const stepper *c = lanes->stepper;
+    const size_t n = lanes->degrees;
+    for (size_t d = 0; d < n; d++) {
+        *at(lanes, lanes->q, d, slot) = c->x[d];
+        *at(lanes, lanes->v, d, slot) = c->x[n + d];
     }
 }
 
-static void take_sides(const dop853_lanes *lanes, size_t slot) {
+static void give_sides(const adaptive_lanes *lanes, size_t slot) {
+    stepper *c = lanes->stepper;
+    c->sliding_count = 0;
     for (size_t s = 0; s < lanes->switch_count; s++) {
-        *at(lanes, lanes->sides, s, slot) = lanes->stepper->sides[s];
-        *at(lanes, lanes->held, s, slot) = lanes->stepper->held[s];
+        c->sides[s] = *at(lanes, lanes->sides, s, slot);
+        c->held[s] = (int)*at(lanes, lanes->held, s, slot);
+        c->sliding[s] = *at(lanes, lanes->sliding, s, slot) > 0.5;
+        c->sliding_count += c->sliding[s];
     }
 }
 
-void dop853_find_sides(const dop853_lanes *lanes, size_t slot) {
+static void take_sides(const adaptive_lanes *lanes, size_t slot) {
+    const stepper *c = lanes->stepper;
+    for (size_t s = 0; s < lanes->switch_count; s++) {
+        *at(lanes, lanes->sides, s, slot) = c->sides[s];
+        *at(lanes, lanes->held, s, slot) = c->held[s];
+        *at(lanes, lanes->sliding, s, slot) = c->sliding[s];
+    }
+    lanes->alone[slot] = c->sliding_count > 0;
+}
+
+void adaptive_find_sides(const adaptive_lanes *lanes, size_t slot) {
     give_state(lanes, slot);
     stepper_find_sides(lanes->stepper);
+    take_state(lanes, slot); // on the switches that it slides along
     take_sides(lanes, slot);
 }
 
-static void take_polynomials(const dop853_lanes *lanes, size_t slot) {
+static void take_polynomials(const adaptive_lanes *lanes, size_t slot) {
     const stepper *c = lanes->stepper;
     for (size_t i = 0; i < 2 * lanes->degrees; i++) {
         *at(lanes, lanes->dense[0], i, slot) = c->start[i];
-        for (int p = 0; p < DENSE; p++) *at(lanes, lanes->dense[1 + p], i, slot) = c->dense[p][i];
+        for (int p = 0; p < lanes->method->dense; p++) *at(lanes, lanes->dense[1 + p], i, slot) = c->dense[p][i];
     }
 }
 
 /// Takes the step with care.
-static void step_alone(const dop853_lanes *lanes, size_t slot) {
+static void step_alone(const adaptive_lanes *lanes, size_t slot) {
     stepper *c = lanes->stepper;
-    const size_t n = lanes->degrees;
     give_state(lanes, slot);
     give_sides(lanes, slot);
     c->h = lanes->length[slot];
     c->switchings = (int)lanes->switchings[slot];
     c->observed = lanes->observing;
     const whirl_motion motion = stepper_step(c, lanes->period);
-    for (size_t d = 0; d < n; d++) {
-        *at(lanes, lanes->q, d, slot) = c->x[d];
-        *at(lanes, lanes->v, d, slot) = c->x[n + d];
-    }
+    take_state(lanes, slot);
     take_sides(lanes, slot);
     lanes->t[slot] = c->t;
     lanes->h[slot] = c->h;
@@ -104,7 +117,7 @@ typedef struct cubic {
     int degree;
 } cubic;
 
-static cubic cubic_of(const dop853_lanes *lanes, size_t s, size_t slot) {
+static cubic cubic_of(const adaptive_lanes *lanes, size_t s, size_t slot) {
     const double side = *at(lanes, lanes->sides, s, slot), third = side * lanes->length[slot] / 3.0;
     const double rise = third * *at(lanes, lanes->rate, s, slot), b0 = side * *at(lanes, lanes->value, s, slot);
     const double b3 = side * *at(lanes, lanes->end_value, s, slot);
@@ -148,7 +161,7 @@ static double zero_of(const cubic *c) {
 /// Where the switches let the step tried be taken, or where the first of them is passed.
 typedef enum passage { PASSAGE_CLEAR, PASSAGE_FALLS, PASSAGE_DOUBTFUL } passage;
 
-static passage find_passage(const dop853_lanes *lanes, size_t slot, size_t except, size_t *which, double *theta) {
+static passage find_passage(const adaptive_lanes *lanes, size_t slot, size_t except, size_t *which, double *theta) {
     passage found = PASSAGE_CLEAR;
     *theta = 2.0;
     for (size_t s = 0; s < lanes->switch_count; s++) {
@@ -165,21 +178,33 @@ static passage find_passage(const dop853_lanes *lanes, size_t slot, size_t excep
     return found;
 }
 
+/// Beyond switch `which`, which the state is on, or along it.
+static void choose_side(const adaptive_lanes *lanes, size_t slot, size_t which) {
+    give_state(lanes, slot);
+    give_sides(lanes, slot);
+    stepper_cross(lanes->stepper, which);
+    take_state(lanes, slot);
+    take_sides(lanes, slot);
+}
+
 /// Goes on at the end of the step tried, on the other side of switch `which`.
-static void cross(const dop853_lanes *lanes, size_t slot, size_t which) {
+static void cross(const adaptive_lanes *lanes, size_t slot, size_t which) {
     copy(lanes, lanes->q, lanes->end_q, lanes->degrees, slot);
     copy(lanes, lanes->v, lanes->end_v, lanes->degrees, slot);
-    for (size_t s = 0; s < lanes->switch_count; s++) *at(lanes, lanes->held, s, slot) = s == which;
-    *at(lanes, lanes->sides, which, slot) *= -1.0;
+    for (size_t s = 0; s < lanes->switch_count; s++) *at(lanes, lanes->held, s, slot) = s == which && !lanes->slides;
     lanes->taken[slot] = lanes->length[slot];
     lanes->t[slot] = fmin(lanes->t[slot] + lanes->length[slot], lanes->period);
+    if (lanes->slides)
+        choose_side(lanes, slot, which);
+    else
+        *at(lanes, lanes->sides, which, slot) *= -1.0;
     lanes->landing[slot] = 0.0;
     lanes->fresh[slot] = 1.0;
     if (++lanes->switchings[slot] > MAX_SWITCHINGS) end(lanes, slot, WHIRL_STUCK);
     if (!(lanes->t[slot] < lanes->period)) lanes->running[slot] = 0.0;
 }
 
-static void begin_landing(const dop853_lanes *lanes, size_t slot) {
+static void begin_landing(const adaptive_lanes *lanes, size_t slot) {
     size_t which = 0;
     double theta;
     if (find_passage(lanes, slot, lanes->switch_count, &which, &theta) != PASSAGE_FALLS) {
@@ -193,7 +218,7 @@ static void begin_landing(const dop853_lanes *lanes, size_t slot) {
 }
 
 /// A step that was tried to end at a switch: near enough, or nearer by Newton's method.
-static void go_on_landing(const dop853_lanes *lanes, size_t slot) {
+static void go_on_landing(const adaptive_lanes *lanes, size_t slot) {
     const size_t which = (size_t)lanes->landing[slot] - 1;
     const double value = *at(lanes, lanes->end_value, which, slot), rate = *at(lanes, lanes->end_rate, which, slot);
     const double off = -value / rate, length = lanes->length[slot], reach = 1e-3 * lanes->rtol + 0x1p-50;
@@ -211,10 +236,12 @@ static void go_on_landing(const dop853_lanes *lanes, size_t slot) {
     }
 }
 
-void dop853_special(const dop853_lanes *lanes, size_t slot) {
+void adaptive_special(const adaptive_lanes *lanes, size_t slot) {
     const bool accepted = lanes->error[slot] < 1.0;
     const bool landing = lanes->landing[slot] > 0.5;
-    if (landing)
+    if (lanes->alone[slot] > 0.5)
+        step_alone(lanes, slot);
+    else if (landing)
         go_on_landing(lanes, slot);
     else if (!accepted || lanes->attempts[slot] > MAX_ATTEMPTS)
         end(lanes, slot, accepted || isfinite(lanes->error[slot]) ? WHIRL_STUCK : WHIRL_DIVERGED);

@@ -1,8 +1,8 @@
 // Lanes and slots: who is carried, and who waits.
-#include "dop853_lanes.h"
+#include "adaptive_lanes.h"
 
 /// Puts a lane into a slot, or back.
-static void exchange(const dop853_lanes *lanes, size_t slot, size_t lane, bool back) {
+static void exchange(const adaptive_lanes *lanes, size_t slot, size_t lane, bool back) {
     for (size_t i = 0; i < lanes->exchanged_count; i++) {
         const lane_rows *rows = &lanes->exchanged[i];
         if (back && rows->constant) continue;
@@ -16,7 +16,7 @@ static void exchange(const dop853_lanes *lanes, size_t slot, size_t lane, bool b
     }
 }
 
-static void leave(const dop853_lanes *lanes, size_t slot) {
+static void leave(const adaptive_lanes *lanes, size_t slot) {
     size_t *lane = &lanes->queue->slot_lane[slot];
     if (*lane == NO_LANE) return;
     exchange(lanes, slot, *lane, true);
@@ -24,7 +24,7 @@ static void leave(const dop853_lanes *lanes, size_t slot) {
 }
 
 /// Gives a free slot to the next lane with a machine that has not ended.
-static bool enter(const dop853_lanes *lanes, size_t slot) {
+static bool enter(const adaptive_lanes *lanes, size_t slot) {
     lane_queue *queue = lanes->queue;
     while (queue->next < queue->count) {
         const size_t lane = queue->next++;
@@ -38,7 +38,7 @@ static bool enter(const dop853_lanes *lanes, size_t slot) {
     return false;
 }
 
-bool dop853_fill(const dop853_lanes *lanes) {
+bool adaptive_fill(const adaptive_lanes *lanes) {
     bool any = false;
     for (size_t slot = 0; slot < lanes->slots; slot++) {
         if (lanes->running[slot] > 0.5) continue;

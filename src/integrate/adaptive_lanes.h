@@ -1,0 +1,173 @@
+/// Adaptive methods over vector lanes, each lane at its own time, with its own step and on its own sides of the
+/// switches: what a kernel works on.
+///
+/// Few vectors of slots, which stay in the first cache, serve the many lanes of an ensemble: a lane takes a slot for a
+/// revolution, and slots that have become free are given to the next lanes. A step is tried for all slots together;
+/// each takes or rejects its own. Slots near a switch are few: they are looked at one by one (adaptive_special.c), by
+/// functions that are compiled once, so that widths cannot differ.
+///
+/// A method is its step: a kernel kernels/<method>_lanes.c, which includes kernels/adaptive_lanes.inc for what all
+/// kernels share and kernels/adaptive_revolve.inc for the way through a revolution, and a table of what it needs
+/// (lanes_method).
+#ifndef INTEGRATE_ADAPTIVE_LANES_H
+#define INTEGRATE_ADAPTIVE_LANES_H
+
+#include "dop853_sums.h"
+#include "isa.h"
+#include "lanes.h"
+#include "rk4_lanes.h"
+#include "rodas5p_tableau.h"
+#include "stepper.h"
+#include "vector.h"
+
+enum {
+    MAX_ATTEMPTS = 1000000, ///< steps tried in a revolution
+    MAX_GROUP = 4,          ///< vectors
+    PAIR_STRIDE = 4,        ///< vectors of a group of pairs
+    MAX_SLOTS = 64,
+    MAX_LANE_ROWS = 16
+};
+#define NO_LANE ((size_t)-1)
+
+/// Rows of an ensemble and the slots' own.
+typedef struct lane_rows {
+    double *own, *theirs;
+    size_t rows;
+    bool constant; ///< need not go back
+} lane_rows;
+
+/// The lanes that wait for a slot.
+typedef struct lane_queue {
+    size_t next, count;
+    size_t slot_lane[MAX_SLOTS]; ///< who is in a slot; NO_LANE
+} lane_queue;
+
+/// What the steps of dop853 work on.
+typedef struct dop853_work {
+    dop853_sums sums;
+    double *k[DOP853_SLOPES]; ///< [degrees] slopes: rows that follow one another
+    double *base;             ///< cos and sin of t
+} dop853_work;
+
+/// What the steps of rodas5p work on (kernels/rodas5p_lanes.c).
+typedef struct rodas5p_work {
+    double *u_q[RODAS5P_STAGES], *u_v[RODAS5P_STAGES]; ///< [degrees] increments of the stages
+    double *unit_q, *unit_v;                           ///< [1 + 2 degrees][degrees] the state, then unit disturbances
+    double *by;       ///< [1 + 2 degrees][degrees] slope, Jacobian by positions and by velocities, columns in a line
+    double *matrix;   ///< [degrees][degrees] columns, decomposed
+    double *pivot;    ///< [degrees] reciprocals
+    double *doubtful; ///< 1 where a pivot says nothing good
+    double *shift;    ///< 1/(gamma h)
+    double *rate;     ///< [degrees] derivative of the slope by time alone
+    double *right_q;  ///< [degrees] workspace
+    double *between_q, *between_v; ///< [degrees] error of the interpolant in the middle
+    double *ahead;                 ///< [forcing_count] workspace
+} rodas5p_work;
+
+/// Arrays are [...][stride vectors] of slots.
+typedef struct adaptive_lanes {
+    const struct lanes_method *method;
+    const void *model;             ///< whose structure all lanes have
+    const struct lanes_pair *pair; ///< the laws of the structure of pair_kernel.h; NULL: another, or another group
+    lanes_flow *flow;
+    lanes_switches *switches;
+    lanes_forcing *forcing_at;
+    size_t stride, slots; ///< vectors, and slots in them
+    size_t degrees, number_count, forcing_count, switch_count;
+    size_t group_count;
+    const size_t *groups; ///< coordinates whose sizes are measured together
+    bool slides;          ///< motions can slide along a switch
+    double period, rtol, atol, limit;
+    // One machine a lane.
+    double *numbers, *q, *v;
+    double *ended; ///< whirl_motion; lanes that have ended are not carried on
+    // Of the revolution.
+    double *starting;               ///< 1 where it begins
+    double *attempts;               ///< steps tried
+    double *t, *h;                  ///< time, and length of step to try next
+    double *running;                ///< 1 until its revolution is over
+    double *before;                 ///< (error of the step before)^(1/16)
+    double *rejected;               ///< 1 after a step that was rejected
+    double *sides, *held, *sliding; ///< [switch_count] as a stepper has them
+    double *alone;                  ///< 1 while the motion slides along a switch: its steps are taken by the stepper
+    double *switchings;
+    double *landing;       ///< 1 + the switch that the step is to end at, 0: none
+    double *whole, *tries; ///< the step within which it is, and steps taken to find it
+    double *value, *rate;  ///< [switch_count] switching functions and their derivatives at t
+    double *slope;         ///< [degrees] accelerations at t
+    // Of the step.
+    double *length, *lengths;     ///< tried; [degrees] the same for every degree
+    double *error;                ///< square of the error, in tolerances
+    double *size;                 ///< largest coordinate
+    double *special;              ///< 1 where the step needs to be looked at
+    double *fresh;                ///< 1 where slope and switches at t must be taken anew
+    double *stage_q, *stage_v;    ///< [degrees]
+    double *end_q, *end_v;        ///< [degrees] the state at its end
+    double *end_slope;            ///< [degrees] accelerations there
+    double *later;                ///< [degrees] workspace of beginnings
+    double *end_value, *end_rate; ///< [switch_count]
+    double *time, *forcing;       ///< workspace; [forcing_count]
+    dop853_work dop853;
+    rodas5p_work rodas5p;
+    // What is observed: the step taken, as polynomials.
+    bool observing;
+    double *begin, *taken;          ///< its beginning and length; 0: none was taken
+    double *dense[1 + DENSE];       ///< [2 degrees] its first state, then the method's polynomials: rows in a line
+    double *instant, *seen, *theta; ///< number of the next instant, 1 where it lies in the step, and its place there
+    int instants;                   ///< of a revolution
+    lanes_observe observe;
+    size_t sample_stride; ///< instants from one sample to the next, 0: no samples
+    double *samples;      ///< [sample_room][2 degrees][lane_count]
+    size_t sample_room;
+    // The ensemble that is served.
+    size_t lane_count;
+    const whirl_system *const *machines; ///< [lane_count] NULL: nobody is there
+    lane_rows exchanged[MAX_LANE_ROWS];  ///< what goes with a lane into its slot and back
+    size_t exchanged_count;
+    lane_queue *queue;
+    stepper *stepper; ///< for slots that are looked at one by one
+    double *block;    ///< all arrays
+} adaptive_lanes;
+
+typedef void adaptive_lanes_revolve(const adaptive_lanes *lanes);
+
+/// An adaptive method in lanes.
+typedef struct lanes_method {
+    const formula *formula; ///< for steps that are taken with care
+    /// One for every instruction set of vector.h; NULL where it is not built.
+    adaptive_lanes_revolve *const *revolves;
+    int dense;                       ///< polynomials of the interpolant
+    size_t (*group)(size_t degrees); ///< vectors: enough to hide each other's latency, few enough for the first cache
+    /// Sets where its own arrays are in a block of rows from `block` on, and those of the step that it has a place for;
+    /// gives how many rows that are. NULL: measures.
+    size_t (*lay_out)(adaptive_lanes *lanes, double *block);
+    void (*prepare)(adaptive_lanes *lanes); ///< writes what is constant into its arrays
+} lanes_method;
+
+FOR_EVERY_ISA(adaptive_lanes_revolve, dop853_lanes);
+FOR_EVERY_ISA(adaptive_lanes_revolve, rodas5p_lanes);
+
+/// A row of the block; of one that is measured NULL.
+static inline double *lanes_row(const adaptive_lanes *lanes, double *block, size_t row) {
+    return block ? block + row * lanes->slots : NULL;
+}
+
+/// A workspace for systems of that structure with that instruction set; the ensemble is set for every revolution. NULL
+/// where there is no memory.
+adaptive_lanes *adaptive_lanes_new(const lanes_method *own, const whirl_system *system,
+                                   const whirl_integrate_options *options, const isa *set);
+
+/// Room for the samples of a revolution; false where there is no memory.
+bool adaptive_lanes_make_room(adaptive_lanes *lanes, size_t samples, size_t lane_count);
+void adaptive_lanes_free(adaptive_lanes *lanes);
+
+/// Takes lanes that are through out of their slots and fills free ones. True where revolutions begin.
+bool adaptive_fill(const adaptive_lanes *lanes);
+
+/// Looks at the step of a slot near a switch, or at its end.
+void adaptive_special(const adaptive_lanes *lanes, size_t slot);
+
+/// The sides of a slot whose revolution begins on or near a switch.
+void adaptive_find_sides(const adaptive_lanes *lanes, size_t slot);
+
+#endif

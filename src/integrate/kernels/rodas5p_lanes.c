@@ -1,0 +1,290 @@
+// Rodas5P for x'' = f(t, x, x') over vector lanes, compiled once for every instruction set.
+//
+// With s = 1/(gamma h) a stage is
+//
+//     s u_q - u_v = r_q,      s u_v - A u_q - B u_v = r_v
+//
+// where A and B are the Jacobian of the accelerations by positions and velocities; u_q = (u_v + r_q)/s leaves
+//
+//     (s^2 - s B - A) u_v = s r_v + A r_q,
+//
+// equations for one number a degree. Their matrix is decomposed without a change of rows, all lanes alike: s^2 on its
+// diagonal outgrows all else as steps become short, and where a pivot falls far below it the step is taken for too
+// long.
+#include "adaptive_lanes.inc"
+
+#include "method.h"
+
+enum { METHOD_DENSE = RODAS5P_DENSE };
+
+/// For some vectors k, and for all degrees as well, with the index i of their vector.
+#define FOR_SOME(of) for (size_t k = (of).first; k < (of).first + (of).count; k++)
+#define FOR_DEGREES_OF_SOME(of)                                                                                        \
+    for (size_t d = 0; d < lanes->degrees; d++)                                                                        \
+        for (size_t k = (of).first, i = d * lanes->stride + k; k < (of).first + (of).count; k++, i++)
+
+/// Column d of the Jacobian by positions, and by velocities.
+static inline const vec *by_position(const adaptive_lanes *lanes, size_t d) {
+    return VECTORS(rodas5p.by) + (1 + d) * lanes->degrees * lanes->stride;
+}
+static inline const vec *by_velocity(const adaptive_lanes *lanes, size_t d) {
+    return by_position(lanes, d + lanes->degrees);
+}
+
+// ---------------------------------------------------------------- derivatives
+
+/// The slope at t and the Jacobian.
+static void take_jacobian(const adaptive_lanes *lanes, vectors of) {
+    const size_t all = lanes->degrees * lanes->stride;
+    memcpy(lanes->rodas5p.unit_q, lanes->q, all * sizeof(vec));
+    memcpy(lanes->rodas5p.unit_v, lanes->v, all * sizeof(vec));
+    take_forcing(lanes, of, 0.0, lanes->length);
+    lanes_view view = view_of(lanes, of, lanes->rodas5p.unit_q, lanes->rodas5p.unit_v, lanes->rodas5p.by);
+    view.tangents = 2 * lanes->degrees;
+    lanes->flow(&view);
+}
+
+/// Adds the forcing at t + offset, times a weight, to what is summed of it.
+static void add_forcing(const adaptive_lanes *lanes, vectors of, double offset, double weight) {
+    vec *sum = VECTORS(rodas5p.ahead);
+    FOR_SOME(of) VECTORS(time)[k] = v_add(VECTORS(t)[k], v_set(offset));
+    lanes->forcing_at(lanes->model, lanes->stride, of.count, VECTORS(time) + of.first, VECTORS(forcing) + of.first);
+    for (size_t n = 0; n < lanes->forcing_count; n++) FOR_SOME(of) {
+            const size_t i = n * lanes->stride + k;
+            sum[i] = v_fma(v_set(weight), VECTORS(forcing)[i], sum[i]);
+        }
+}
+
+/// The derivative of the slope by time alone. It depends on time through the forcing, and on that in proportion: so it
+/// is the slope by the forcing and its derivative, less the slope. The derivative is the difference of order 4 (of a
+/// harmonic of order 4 to 1e-12, rounding 1e-12).
+static void take_rate(const adaptive_lanes *lanes, vectors of) {
+    const double apart = 0x1p-11, share = 1.0 / (12.0 * 0x1p-11);
+    const size_t forcings = lanes->forcing_count * lanes->stride;
+    vec *ahead = VECTORS(rodas5p.ahead);
+    for (size_t i = 0; i < forcings; i++) ahead[i] = v_set(0.0);
+    add_forcing(lanes, of, apart, 8.0 * share);
+    add_forcing(lanes, of, -apart, -8.0 * share);
+    add_forcing(lanes, of, 2.0 * apart, -share);
+    add_forcing(lanes, of, -2.0 * apart, share);
+    add_forcing(lanes, of, 0.0, 1.0);
+    lanes_view view = view_of(lanes, of, lanes->q, lanes->v, lanes->rodas5p.rate);
+    view.forcing = ahead + of.first;
+    lanes->flow(&view);
+    FOR_DEGREES_OF_SOME(of) VECTORS(rodas5p.rate)[i] = v_sub(VECTORS(rodas5p.rate)[i], VECTORS(rodas5p.by)[i]);
+}
+
+// ---------------------------------------------------------------- equations of a stage
+
+/// Decomposes the matrix of vector k, column by column; the parts below the diagonal and above it stay in its place.
+static void decompose(const adaptive_lanes *lanes, size_t k) {
+    const size_t n = lanes->degrees, stride = lanes->stride;
+    const vec s = VECTORS(rodas5p.shift)[k], square = v_mul(s, s), least = v_mul(v_set(0x1p-8), square);
+    vec *matrix = VECTORS(rodas5p.matrix) + k, *pivot = VECTORS(rodas5p.pivot) + k;
+    vec_mask sound = v_less(v_set(0.0), least);
+    vec doubt = v_select(sound, v_set(0.0), v_set(1.0));
+    for (size_t j = 0; j < n; j++) {
+        const vec *position = by_position(lanes, j) + k, *velocity = by_velocity(lanes, j) + k;
+        vec *column = matrix + j * n * stride;
+        for (size_t i = 0; i < n; i++)
+            column[i * stride] = v_fnma(s, velocity[i * stride], v_sub(v_set(0.0), position[i * stride]));
+        column[j * stride] = v_add(column[j * stride], square);
+        for (size_t m = 0; m < j; m++) {
+            const vec *lower = matrix + m * n * stride, factor = column[m * stride];
+            for (size_t i = m + 1; i < n; i++)
+                column[i * stride] = v_fnma(factor, lower[i * stride], column[i * stride]);
+        }
+        doubt = v_select(v_less(least, column[j * stride]), doubt, v_set(1.0));
+        pivot[j * stride] = v_div(v_set(1.0), column[j * stride]);
+        for (size_t i = j + 1; i < n; i++) column[i * stride] = v_mul(column[i * stride], pivot[j * stride]);
+    }
+    VECTORS(rodas5p.doubtful)[k] = doubt;
+}
+
+/// Solves in place of x.
+static void solve(const adaptive_lanes *lanes, size_t k, vec *x) {
+    const size_t n = lanes->degrees, stride = lanes->stride;
+    const vec *matrix = VECTORS(rodas5p.matrix) + k, *pivot = VECTORS(rodas5p.pivot) + k;
+    for (size_t j = 0; j < n; j++) {
+        const vec *column = matrix + j * n * stride, factor = x[j * stride];
+        for (size_t i = j + 1; i < n; i++) x[i * stride] = v_fnma(factor, column[i * stride], x[i * stride]);
+    }
+    for (size_t j = n; j-- > 0;) {
+        const vec *column = matrix + j * n * stride, factor = v_mul(x[j * stride], pivot[j * stride]);
+        x[j * stride] = factor;
+        for (size_t i = 0; i < j; i++) x[i * stride] = v_fnma(factor, column[i * stride], x[i * stride]);
+    }
+}
+
+/// Where the slope of stage `number` is taken. The last states follow one another, each by the increment before it.
+static void take_stage(const adaptive_lanes *lanes, vectors of, int number) {
+    const rodas5p_work *own = &lanes->rodas5p;
+    const bool follows = number > RODAS5P_LAST_SUM;
+    FOR_DEGREES_OF_SOME(of) {
+        vec q = follows ? VECTORS(stage_q)[i] : VECTORS(q)[i], v = follows ? VECTORS(stage_v)[i] : VECTORS(v)[i];
+        for (int j = follows ? number - 1 : 0; j < number; j++) {
+            const vec a = v_set(rodas5p_a[number][j]);
+            q = v_fma(a, ((const vec *)own->u_q[j])[i], q);
+            v = v_fma(a, ((const vec *)own->u_v[j])[i], v);
+        }
+        VECTORS(stage_q)[i] = q;
+        VECTORS(stage_v)[i] = v;
+    }
+}
+
+/// What the increments before it add to the equations of stage `number`, in right_q and u_v; the slopes of positions
+/// are the velocities of the stage.
+static void take_right_side(const adaptive_lanes *lanes, vectors of, int number) {
+    const rodas5p_work *own = &lanes->rodas5p;
+    FOR_DEGREES_OF_SOME(of) {
+        const vec per_h = v_mul(VECTORS(rodas5p.shift)[k], v_set(rodas5p_gamma));
+        vec right_q = v_set(0.0), right_v = v_set(0.0);
+        for (int j = 0; j < number; j++) {
+            const vec g = v_set(rodas5p_g[number][j]);
+            right_q = v_fma(g, ((const vec *)own->u_q[j])[i], right_q);
+            right_v = v_fma(g, ((const vec *)own->u_v[j])[i], right_v);
+        }
+        VECTORS(rodas5p.right_q)[i] = v_fma(per_h, right_q, VECTORS(stage_v)[i]);
+        ((vec *)own->u_v[number])[i] = v_mul(per_h, right_v);
+    }
+}
+
+/// Solves the equations of a stage of vector k: its right sides are in right_q and u_v.
+static void solve_stage(const adaptive_lanes *lanes, size_t k, vec *u_q, vec *u_v) {
+    const size_t n = lanes->degrees, stride = lanes->stride;
+    const vec s = VECTORS(rodas5p.shift)[k], gamma_h = v_mul(v_set(rodas5p_gamma), VECTORS(length)[k]);
+    const vec *right_q = VECTORS(rodas5p.right_q) + k;
+    for (size_t i = 0; i < n * stride; i += stride) u_v[i] = v_mul(s, u_v[i]);
+    for (size_t d = 0; d < n; d++) {
+        const vec *column = by_position(lanes, d) + k, factor = right_q[d * stride];
+        for (size_t i = 0; i < n * stride; i += stride) u_v[i] = v_fma(factor, column[i], u_v[i]);
+    }
+    solve(lanes, k, u_v);
+    for (size_t i = 0; i < n * stride; i += stride) u_q[i] = v_mul(gamma_h, v_add(u_v[i], right_q[i]));
+}
+
+/// The increment of stage `number` of vector k, whose slope is a.
+static void take_increment(const adaptive_lanes *lanes, int number, size_t k, const vec *a) {
+    const size_t n = lanes->degrees, stride = lanes->stride;
+    const vec by_time = v_mul(v_set(rodas5p_d[number]), VECTORS(length)[k]), *rate = VECTORS(rodas5p.rate) + k;
+    vec *u_q = (vec *)lanes->rodas5p.u_q[number] + k, *u_v = (vec *)lanes->rodas5p.u_v[number] + k;
+    for (size_t i = 0; i < n * stride; i += stride) u_v[i] = v_fma(by_time, rate[i], v_add(u_v[i], a[k + i]));
+    solve_stage(lanes, k, u_q, u_v);
+}
+
+// ---------------------------------------------------------------- the step
+
+/// The three sums of the interpolant for degree and vector i of increments u.
+VECTOR_INLINE void sum_polynomials(double *const *u, size_t i, vec e[RODAS5P_DENSE - 1]) {
+    for (int p = 0; p < RODAS5P_DENSE - 1; p++) e[p] = v_set(0.0);
+    for (int n = 0; n < RODAS5P_STAGES; n++)
+        for (int p = 0; p < RODAS5P_DENSE - 1; p++) e[p] = v_fma(v_set(rodas5p_h[p][n]), ((const vec *)u[n])[i], e[p]);
+}
+
+/// The place in the middle of the step by the interpolant; gives its speed there in steps.
+VECTOR_INLINE vec take_middle(double *const *u, const vec *begin, const vec *end, size_t i, vec *place) {
+    vec e[RODAS5P_DENSE - 1];
+    const vec half = v_set(0.5), quarter = v_set(0.25), way = v_sub(end[i], begin[i]);
+    sum_polynomials(u, i, e);
+    place[i] = v_fma(quarter, v_fma(quarter, e[2], v_fma(half, e[1], e[0])), v_fma(half, way, begin[i]));
+    return v_fma(quarter, v_add(e[1], e[2]), way);
+}
+
+/// The error of the interpolant in the middle of the step, as rodas5p.c has it, in between_q and between_v.
+static void take_error_between(const adaptive_lanes *lanes, vectors of) {
+    const rodas5p_work *own = &lanes->rodas5p;
+    vec *right_q = VECTORS(rodas5p.right_q), *right_v = VECTORS(rodas5p.between_v);
+    const vec *q = VECTORS(q), *v = VECTORS(v), *end_q = VECTORS(end_q), *end_v = VECTORS(end_v);
+    FOR_DEGREES_OF_SOME(of) {
+        const vec per_h = v_mul(VECTORS(rodas5p.shift)[k], v_set(rodas5p_gamma));
+        right_v[i] = v_mul(per_h, take_middle(own->u_v, v, end_v, i, VECTORS(stage_v)));
+        right_q[i] = v_fms(per_h, take_middle(own->u_q, q, end_q, i, VECTORS(stage_q)), VECTORS(stage_v)[i]);
+    }
+    take_forcing(lanes, of, 0.5, lanes->length);
+    take_slope(lanes, of, lanes->stage_q, lanes->stage_v, own->rate);
+    FOR_DEGREES_OF_SOME(of) right_v[i] = v_sub(right_v[i], VECTORS(rodas5p.rate)[i]);
+    FOR_SOME(of) solve_stage(lanes, k, VECTORS(rodas5p.between_q) + k, right_v + k);
+}
+
+/// The larger square of the errors of vector k over the tolerance of all coordinates; not a number where the end is
+/// none, and large where the equations of the stages could not be trusted.
+static void take_error(const adaptive_lanes *lanes, size_t k) {
+    const vec *q = VECTORS(q), *v = VECTORS(v), *end_q = VECTORS(end_q), *end_v = VECTORS(end_v);
+    const vec *u_q = VECTORS(rodas5p.u_q[RODAS5P_STAGES - 1]), *u_v = VECTORS(rodas5p.u_v[RODAS5P_STAGES - 1]);
+    const vec *m_q = VECTORS(rodas5p.between_q), *m_v = VECTORS(rodas5p.between_v);
+    const vec *last = VECTORS(end_slope), one = v_set(1.0);
+    vec end = v_set(0.0), middle = v_set(0.0), most = v_set(0.0), nothing = v_set(0.0);
+    for (size_t g = 0; g < lanes->group_count; g++) {
+        const size_t from = lanes->groups[g], to = lanes->groups[g + 1], stride = lanes->stride;
+        const vec size = group_size(q, v, end_q, end_v, stride, k, from, to);
+        const vec per = v_div(one, v_fma(v_set(lanes->rtol), size, v_set(lanes->atol)));
+        vec own = v_set(0.0), between = v_set(0.0);
+        for (size_t d = from, i = d * stride + k; d < to; d++, i += stride) {
+            own = v_add(own, square_of(one, u_q[i], u_v[i]));
+            between = v_add(between, square_of(one, m_q[i], m_v[i]));
+            nothing = v_add(nothing, v_sub(last[i], last[i]));
+        }
+        end = v_fma(v_mul(per, per), own, end);
+        middle = v_fma(v_mul(per, per), between, middle);
+        most = v_max(most, size);
+    }
+    const vec error = v_div(v_max(end, middle), v_set(2.0 * (double)lanes->degrees));
+    const vec trusted = v_select(is_set(VECTORS(rodas5p.doubtful)[k]), v_max(error, v_set(1e8)), error);
+    VECTORS(error)[k] = v_add(v_add(trusted, nothing), v_add(v_sub(end, end), v_sub(middle, middle)));
+    VECTORS(size)[k] = most;
+}
+
+/// Tries the step: the state at its end, the slope there, the error.
+static void try_step(const adaptive_lanes *lanes) {
+    const vec *last_q = VECTORS(rodas5p.u_q[RODAS5P_STAGES - 1]), *last_v = VECTORS(rodas5p.u_v[RODAS5P_STAGES - 1]);
+    const vectors of = running(lanes);
+    FOR_SOME(of) VECTORS(rodas5p.shift)[k] = v_div(v_set(1.0 / rodas5p_gamma), VECTORS(length)[k]);
+    take_jacobian(lanes, of);
+    take_rate(lanes, of);
+    FOR_SOME(of) decompose(lanes, k);
+    for (int number = 0; number < RODAS5P_STAGES; number++) {
+        double *slope = number == 0 ? lanes->rodas5p.by : lanes->end_slope;
+        take_stage(lanes, of, number);
+        take_right_side(lanes, of, number);
+        if (number > 0) {
+            if (rodas5p_c[number] != rodas5p_c[number - 1]) take_forcing(lanes, of, rodas5p_c[number], lanes->length);
+            take_slope(lanes, of, lanes->stage_q, lanes->stage_v, slope);
+        }
+        FOR_SOME(of) take_increment(lanes, number, k, (const vec *)slope);
+    }
+    FOR_DEGREES_OF_SOME(of) {
+        VECTORS(end_q)[i] = v_add(VECTORS(stage_q)[i], last_q[i]);
+        VECTORS(end_v)[i] = v_add(VECTORS(stage_v)[i], last_v[i]);
+    }
+    take_slope(lanes, of, lanes->end_q, lanes->end_v, lanes->end_slope);
+    take_error_between(lanes, of);
+    FOR_SOME(of) take_error(lanes, k);
+}
+
+/// The interpolant of the step tried, as stepper.c has it: theta and 1 - theta in turn.
+static void take_polynomials(const adaptive_lanes *lanes) {
+    const size_t after = lanes->degrees * lanes->stride;
+    for (size_t part = 0; part < 2; part++) {
+        const vec *begin = part == 0 ? VECTORS(q) : VECTORS(v), *end = part == 0 ? VECTORS(end_q) : VECTORS(end_v);
+        for (size_t i = 0, j = part * after; i < after; i++, j++) {
+            vec e[RODAS5P_DENSE - 1];
+            sum_polynomials(part == 0 ? lanes->rodas5p.u_q : lanes->rodas5p.u_v, i, e);
+            VECTORS(dense[0])[j] = begin[i];
+            VECTORS(dense[1])[j] = v_sub(end[i], begin[i]);
+            VECTORS(dense[2])[j] = e[0];
+            VECTORS(dense[3])[j] = v_add(e[1], e[2]);
+            VECTORS(dense[4])[j] = v_sub(v_set(0.0), e[2]);
+        }
+    }
+}
+
+/// For errors of order 5.
+static inline error_powers powers_of(vec square) {
+    vec p = v_max(v_min(square, v_set(1e16)), v_set(1e-16));
+    for (int i = 0; i < 5; i++) p = rough_inverse_root(p); // err^-1, err^1/2, err^-1/4, err^1/8, err^-1/16
+    const vec root = rough_inverse_root(p);
+    return (error_powers){v_mul(p, p), v_mul(v_mul(p, p), p), v_mul(root, root)};
+}
+
+#define METHOD_REVOLVE ISA(rodas5p_lanes)
+#include "adaptive_revolve.inc"
