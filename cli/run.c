@@ -221,7 +221,17 @@ static bool would_cover(const char *path, const whirl_result *result) {
     return complete;
 }
 
-/// Saves and shows a result, which may be partial. The journal goes only when a complete result is safe.
+/// The journal goes only when a complete result is safe.
+static void end_journal(const run_arguments *arguments, whirl_journal *journal, bool safe) {
+    if (!safe) {
+        leave_journal(arguments->output, journal);
+    } else if (journal) {
+        const whirl_status status = whirl_journal_remove(journal);
+        if (status.code != WHIRL_OK) complain("%s", status.message); // the result is safe all the same
+    }
+}
+
+/// Saves and shows a result, which may be partial. Large tables lie in the journal: it is open until all is told.
 static int deliver(const run_arguments *arguments, const whirl_result *result, whirl_journal *journal) {
     size_t done, total;
     if (would_cover(arguments->output, result)) {
@@ -230,14 +240,11 @@ static int deliver(const run_arguments *arguments, const whirl_result *result, w
         return EXIT_FAILED;
     }
     const int saved = arguments->output ? save(arguments, result) : EXIT_DONE;
-    if (saved != EXIT_DONE || whirl_result_partial(result, &done, &total)) {
-        if (saved == EXIT_DONE && arguments->output) complain("'%s' is partial and says so", arguments->output);
-        leave_journal(arguments->output, journal);
-    } else if (journal) {
-        const whirl_status status = whirl_journal_remove(journal);
-        if (status.code != WHIRL_OK) complain("%s", status.message); // the result is safe all the same
-    }
-    return saved == EXIT_DONE ? show(arguments, result) : saved;
+    const bool partial = whirl_result_partial(result, &done, &total);
+    const int told = saved == EXIT_DONE ? show(arguments, result) : saved;
+    if (saved == EXIT_DONE && partial && arguments->output) complain("'%s' is partial and says so", arguments->output);
+    end_journal(arguments, journal, saved == EXIT_DONE && !partial);
+    return told;
 }
 
 /// Computes, or takes what a journal has, and delivers.
