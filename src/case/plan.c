@@ -161,9 +161,11 @@ static bool formula_value(case_reader *reader, valuation *v, const file_node *wh
 
 /// Steps from one end to the other, with what rounding may have taken off the last.
 static bool count_steps(case_reader *reader, const setting *given, double from, double to, double step, size_t *count) {
+    char shown[SHOWN_SIZE];
     const double steps = floor(fabs(to - from) / fabs(step) + 1e-6);
     if (!(step > 0.0) || !isfinite(step))
-        problem_at(reader->problems, given->place, "is %.10g in SI, expected a distance above 0", step);
+        problem_at(reader->problems, given->place, "is %s, expected a distance above 0",
+                   node_shown(given->place, shown));
     else if (!(steps < SCHEMA_MAX_POINTS))
         problem_at(reader->problems, given->place, "gives %.10g values, expected at most %d", steps + 1.0,
                    SCHEMA_MAX_POINTS);
@@ -174,6 +176,7 @@ static bool count_steps(case_reader *reader, const setting *given, double from, 
 
 /// Values of a sweep with two ends; NULL after a problem.
 static double *range_values(case_reader *reader, valuation *v, const plan_parts *parts, size_t *count) {
+    char shown[SHOWN_SIZE], end[SHOWN_SIZE];
     double from, to, distance = 0.0;
     const setting_list *sweep = &parts->sweep;
     const setting *step = settings_find(sweep, "step");
@@ -184,7 +187,8 @@ static double *range_values(case_reader *reader, valuation *v, const plan_parts 
     if (!good) return NULL;
     if (ratios && !(to / from > 0.0 && isfinite(to / from))) {
         problem_at(reader->problems, place_of(sweep, "scale"),
-                   "is log from %.10g to %.10g, expected two ends above 0 or two below", from, to);
+                   "is log from %s to %s, expected two ends above 0 or two below",
+                   node_shown(place_of(sweep, "from"), shown), node_shown(place_of(sweep, "to"), end));
         return NULL;
     }
     *count = step ? 0 : (size_t)settings_number(v, sweep, "points");
@@ -213,12 +217,12 @@ static double *list_values(case_reader *reader, valuation *v, const formula_list
 
 /// Neighbours in a sweep are neighbours in the result: diagrams, regimes and carried states follow the values.
 static bool check_order(case_reader *reader, const formula_list *list, const double *values) {
+    char shown[SHOWN_SIZE], before[SHOWN_SIZE];
     for (size_t i = 1; i < list->count; i++) {
         const bool rises = values[1] > values[0];
         if (rises ? values[i] > values[i - 1] : values[i] < values[i - 1]) continue;
-        problem_at(reader->problems, list->places[i],
-                   "is %.10g in SI after %.10g, expected values that rise or fall throughout", values[i],
-                   values[i - 1]);
+        problem_at(reader->problems, list->places[i], "is %s after %s, expected values that rise or fall throughout",
+                   node_shown(list->places[i], shown), node_shown(list->places[i - 1], before));
         return false;
     }
     return true;
@@ -321,10 +325,8 @@ void plan_check_start(case_reader *reader, const study_plan *plan, size_t batch,
         const double radius =
             hypot(state_number(machine, v, &start->state, "x"), state_number(machine, v, &start->state, "y"));
         if (clearance <= 0 || radius < clearance || !reader_reports(reader, "start", start->state.place->key)) continue;
-        problem_at_key(
-            reader->problems, start->state.place,
-            "starts %.4g length scales from the centre of its bearing, expected less than the clearance, %.4g "
-            "length scales",
-            radius, clearance);
+        problem_at_key(reader->problems, start->state.place,
+                       "starts %.4g clearances from the centre of its bearing, expected less than 1",
+                       radius / clearance);
     }
 }

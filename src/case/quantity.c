@@ -77,6 +77,17 @@ static ut_unit *parse_unit(const char *text) {
     return unit;
 }
 
+/// "m2.kg.s-3"; other bases stand beside these.
+static void powers_of(const char *product, double powers[UNIT_BASES]) {
+    static const char *const bases[UNIT_BASES] = {"m", "kg", "s"};
+    for (const char *at = product; *at; at += strcspn(at, "."), at += *at == '.') {
+        const size_t name = strspn(at, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ");
+        for (size_t i = 0; i < UNIT_BASES; i++)
+            if (strlen(bases[i]) == name && strncmp(at, bases[i], name) == 0)
+                powers[i] = at[name] == '.' || at[name] == '\0' ? 1.0 : strtod(at + name, NULL);
+    }
+}
+
 static bool has_radian(const ut_unit *unit) {
     char text[256];
     const int length = ut_format(unit, text, sizeof text, UT_ASCII | UT_DEFINITION);
@@ -303,4 +314,18 @@ bool quantity_fits(const char *unit_text, const char *expected, char why[WHY_SIZ
     if (!exhausted(before)) return fits;
     snprintf(why, WHY_SIZE, "%s", problem_no_memory);
     return false;
+}
+
+bool quantity_unit_powers(const char *unit_text, double powers[UNIT_BASES]) {
+    char text[256];
+    for (size_t i = 0; i < UNIT_BASES; i++) powers[i] = 0.0;
+    if (!unit_text[0] || strcmp(unit_text, "1") == 0) return true;
+    pthread_mutex_lock(&units_lock);
+    ut_unit *unit = units_ready() ? ut_parse(units, unit_text, UT_ASCII) : NULL;
+    const int length = unit ? ut_format(unit, text, sizeof text, UT_ASCII | UT_DEFINITION) : -1;
+    ut_free(unit);
+    pthread_mutex_unlock(&units_lock);
+    if (length < 0 || (size_t)length >= sizeof text) return false;
+    powers_of(text, powers);
+    return true;
 }

@@ -21,6 +21,10 @@ bool quantity_read(const char *text, const char *expected, quantity *result, cha
 /// Whether a value in SI unit `unit` can stand where `expected` is; if not, `why` says so, after "is in s-1, ".
 bool quantity_fits(const char *unit, const char *expected, char why[WHY_SIZE]);
 
+/// The powers of m, kg and s in an SI unit ("N/m": 0, 1, -2). false where it is no unit; all 0 for "1" and "".
+enum { UNIT_BASES = 3 };
+bool quantity_unit_powers(const char *unit, double powers[UNIT_BASES]);
+
 /// Reads a plain number that ends at *end. No hexadecimal, no nan, no inf, no locale.
 /// false where there is none; overflow gives an infinite value.
 bool quantity_number(const char *text, double *value, const char **end);

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "dimension.h"
 #include "problem.h"
 #include "schema.h"
 
@@ -120,13 +121,27 @@ static bool read_stations(case_reader *reader, const file_node *where, setting *
     return word != NULL;
 }
 
+/// An expression has the unit of its value: "= c/2" is a length, "= gap/c" a plain number.
+static bool read_dimension(case_reader *reader, const file_node *where, const char *unit, setting *result) {
+    char shown[SHOWN_SIZE];
+    const char *const expression = result->value.expression;
+    if (!expression || result->scaled || reader->problems->count > 0) return true;
+    const value_dimension dimension = expression_dimension(reader->parameters, expression, unit);
+    result->scaled = dimension == DIMENSION_OF_UNIT;
+    if (dimension == DIMENSION_OTHER)
+        problem_at(reader->problems, where, "= %s is neither in %s nor a plain number", text_shown(expression, shown),
+                   unit);
+    return dimension != DIMENSION_OTHER;
+}
+
 /// A number of the state may be a plain one, in scales, or have a unit.
 static bool read_number(case_reader *reader, const file_node *where, const whirl_key *key, setting *result) {
     const char *const unit = schema_scaled_unit(key);
     whirl_key given = *key;
     result->scaled = unit[0] && where->kind == NODE_TEXT && formula_has_unit(reader, where->text);
     if (result->scaled) given.unit = unit;
-    return formula_read(reader, where, &given, &result->value);
+    if (!formula_read(reader, where, &given, &result->value)) return false;
+    return !unit[0] || read_dimension(reader, where, unit, result);
 }
 
 static bool read_value(case_reader *reader, const file_node *where, const whirl_key *key, setting *result) {

@@ -392,12 +392,20 @@ static void starts_may_have_units(void **state) {
     start_of(object, 0, start);
     for (int i = 0; i < 8; i++) assert_true(fabs(start[i] - expected[i]) < 1e-15);
     whirl_case_free(object);
-    // A parameter with a unit is one, too; an expression is in length scales.
+    // A parameter with a unit is one, too, and so are expressions of such parameters.
     char *text = edited(good_case, "c: 0.2 mm", "c: 0.2 mm\n  drop: -25 um");
     char *more = edited(text, "disc: {y: -0.5}", "disc: {x: = 2*0.25, y: = drop}");
     object = parse_good(more);
     start_of(object, 0, start);
     assert_true(start[0] == 0.5 && fabs(start[1] + 0.125) < 1e-15);
+    whirl_case_free(object);
+    free(more);
+    more = edited(text, "disc: {y: -0.5}", "disc: {x: = 3*drop/2, y: = drop/c, vx: = omega*c/4, vy: = 2*0.25}");
+    object = parse_good(more);
+    start_of(object, 0, start);
+    const double measured[4] = {-0.1875, -0.125, 0.25, 0.5};
+    for (int i = 0; i < 2; i++) assert_true(fabs(start[i] - measured[i]) < 1e-15);
+    for (int i = 2; i < 4; i++) assert_true(fabs(start[2 + i] - measured[i]) < 1e-15);
     whirl_case_free(object);
     free(text);
     free(more);
