@@ -102,4 +102,44 @@ static inline void v_sincos(vec t, vec *sine, vec *cosine) {
     *cosine = v_select(second, v_sub(zero, falling), v_select(ahead, v_sub(zero, falling), falling));
 }
 
+/// ln a for normal a > 0 up to 2^1023; not a number for others. With a = m 2^k, m from 1/sqrt 2 to sqrt 2, f = m - 1
+/// and s = f/(2 + f), ln m = 2 artanh s = f - s (f - s^2 P(s^2)), where P is the minimax polynomial of what follows 2s.
+/// Its relative error is 2^-59.4; ln 2 is split so that k times its first part is exact.
+static inline vec v_log(vec a) {
+    const vec k = v_exponent(v_mul(a, v_set(0x1.6a09e667f3bcdp+0)));
+    const vec f = v_sub(v_mul(a, v_power_of_2(v_sub(v_set(0.0), k))), v_set(1.0)), s = v_div(f, v_add(v_set(2.0), f));
+    const vec z = v_mul(s, s), z2 = v_mul(z, z), z4 = v_mul(z2, z2);
+    const vec P01 = v_fma(z, v_set(0x1.999999997fdc8p-2), v_set(0x1.5555555555592p-1));
+    const vec P23 = v_fma(z, v_set(0x1.c71c5208b23f2p-3), v_set(0x1.24924941f13a4p-2));
+    const vec P45 = v_fma(z, v_set(0x1.39a1b28db63d7p-3), v_set(0x1.74663f2479389p-3));
+    const vec P46 = v_fma(z2, v_set(0x1.2f05c8419c795p-3), P45), P = v_fma(z4, P46, v_fma(z2, P23, P01));
+    const vec rest = v_fnma(k, v_set(0x1.ef35793c76730p-45), v_mul(s, v_fnma(z, P, f)));
+    const vec log = v_add(v_mul(k, v_set(0x1.62e42fefa3800p-1)), v_sub(f, rest));
+    return v_select(v_less(v_set(0.0), a), log, v_set(NAN));
+}
+
+/// e^a: 0 below -708, infinite above 709. With a = k ln 2 + r, |r| up to (ln 2)/2, e^r = 1 + r + r^2 Q(r), where Q is a
+/// minimax polynomial with a relative error of 2^-57.9 of the whole.
+static inline vec v_exp(vec a) {
+    const vec k = v_round(v_mul(a, v_set(0x1.71547652b82fep+0)));
+    const vec near = v_fnma(k, v_set(0x1.62e42fefa3800p-1), a), drop = v_mul(k, v_set(0x1.ef35793c76730p-45));
+    const vec r = v_sub(near, drop), low = v_sub(v_sub(near, r), drop); // what r loses by rounding
+    const vec r2 = v_mul(r, r), r4 = v_mul(r2, r2);
+    const vec Q01 = v_fma(r, v_set(0x1.55555555554fap-3), v_set(0x1.000000000000ap-1));
+    const vec Q23 = v_fma(r, v_set(0x1.1111111127bddp-7), v_set(0x1.5555555550884p-5));
+    const vec Q45 = v_fma(r, v_set(0x1.a01a012a57aa9p-13), v_set(0x1.6c16c18428ac9p-10));
+    const vec Q67 = v_fma(r, v_set(0x1.71df25571222ep-19), v_set(0x1.a0199a0fa45cap-16));
+    const vec Q89 = v_fma(r, v_set(0x1.ad7f61af5197bp-26), v_set(0x1.28ad7029b0c8dp-22));
+    const vec Q49 = v_fma(r4, Q89, v_fma(r2, Q67, Q45)), Q = v_fma(r4, Q49, v_fma(r2, Q23, Q01));
+    const vec power = v_mul(v_add(v_set(1.0), v_add(r, v_fma(r2, Q, low))), v_power_of_2(k));
+    const vec some = v_select(v_less(a, v_set(-708.0)), v_set(0.0), power);
+    return v_select(v_less(v_set(709.0), a), v_set(INFINITY), some);
+}
+
+/// a^b for normal a > 0 up to 2^1023; not a number for others. The rounding of b ln a makes for its error of
+/// up to 2 (1 + |b ln a|) units in the last place.
+static inline vec v_pow(vec a, vec b) {
+    return v_exp(v_mul(b, v_log(a)));
+}
+
 #endif

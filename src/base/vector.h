@@ -124,6 +124,18 @@ static inline vec v_seed_half(long long magic, vec a) {
         _mm512_sub_epi64(_mm512_set1_epi64(magic), _mm512_srli_epi64(_mm512_castpd_si512(a), 1)));
 }
 
+/// The whole number k of a = m 2^k, 1 <= m < 2, for normal a > 0: the bits of the exponent, put into those of 2^52.
+static inline vec v_exponent(vec a) {
+    const __m512i bits = _mm512_srli_epi64(_mm512_castpd_si512(a), 52);
+    const __m512i magic = _mm512_castpd_si512(_mm512_set1_pd(0x1p52));
+    return _mm512_sub_pd(_mm512_castsi512_pd(_mm512_or_si512(bits, magic)), _mm512_set1_pd(0x1p52 + 1023.0));
+}
+/// 2^k for a whole number k from -1022 to 1023.
+static inline vec v_power_of_2(vec k) {
+    const __m512i bits = _mm512_castpd_si512(_mm512_add_pd(k, _mm512_set1_pd(0x1p52 + 1023.0)));
+    return _mm512_castsi512_pd(_mm512_slli_epi64(bits, 52));
+}
+
 #elif VECTOR_ISA == VECTOR_AVX2
 
 #include <immintrin.h>
@@ -185,6 +197,16 @@ static inline vec v_seed(long long magic, vec a) {
 static inline vec v_seed_half(long long magic, vec a) {
     return _mm256_castsi256_pd(
         _mm256_sub_epi64(_mm256_set1_epi64x(magic), _mm256_srli_epi64(_mm256_castpd_si256(a), 1)));
+}
+
+static inline vec v_exponent(vec a) {
+    const __m256i bits = _mm256_srli_epi64(_mm256_castpd_si256(a), 52);
+    const __m256d whole = _mm256_or_pd(_mm256_castsi256_pd(bits), _mm256_set1_pd(0x1p52));
+    return _mm256_sub_pd(whole, _mm256_set1_pd(0x1p52 + 1023.0));
+}
+static inline vec v_power_of_2(vec k) {
+    const __m256i bits = _mm256_castpd_si256(_mm256_add_pd(k, _mm256_set1_pd(0x1p52 + 1023.0)));
+    return _mm256_castsi256_pd(_mm256_slli_epi64(bits, 52));
 }
 
 #elif VECTOR_ISA == VECTOR_128 && defined(__SSE2__)
@@ -249,6 +271,16 @@ static inline vec v_seed_half(long long magic, vec a) {
     return _mm_castsi128_pd(_mm_sub_epi64(_mm_set1_epi64x(magic), _mm_srli_epi64(_mm_castpd_si128(a), 1)));
 }
 
+static inline vec v_exponent(vec a) {
+    const __m128i bits = _mm_srli_epi64(_mm_castpd_si128(a), 52);
+    const __m128d whole = _mm_or_pd(_mm_castsi128_pd(bits), _mm_set1_pd(0x1p52));
+    return _mm_sub_pd(whole, _mm_set1_pd(0x1p52 + 1023.0));
+}
+static inline vec v_power_of_2(vec k) {
+    const __m128i bits = _mm_castpd_si128(_mm_add_pd(k, _mm_set1_pd(0x1p52 + 1023.0)));
+    return _mm_castsi128_pd(_mm_slli_epi64(bits, 52));
+}
+
 #elif VECTOR_ISA == VECTOR_128
 
 /// Other processors (NEON, WebAssembly) by the compilers' own vectors; as on x86 nothing is fused.
@@ -309,6 +341,14 @@ static inline vec v_seed(long long magic, vec a) {
 }
 static inline vec v_seed_half(long long magic, vec a) {
     return (vec)((vec_mask){magic, magic} - (((vec_mask)a >> 1) & (vec_mask){LLONG_MAX, LLONG_MAX}));
+}
+
+static inline vec v_exponent(vec a) {
+    const vec whole = (vec)((((vec_mask)a >> 52) & (vec_mask){0xfff, 0xfff}) | (vec_mask)v_set(0x1p52));
+    return whole - v_set(0x1p52 + 1023.0);
+}
+static inline vec v_power_of_2(vec k) {
+    return (vec)((vec_mask)(k + v_set(0x1p52 + 1023.0)) << 52);
 }
 
 #else
@@ -379,6 +419,22 @@ static inline vec v_seed_half(long long magic, vec a) {
     bits = (unsigned long long)magic - (bits >> 1);
     memcpy(&a, &bits, sizeof bits);
     return a;
+}
+
+static inline vec v_exponent(vec a) {
+    unsigned long long bits;
+    memcpy(&bits, &a, sizeof bits);
+    bits = bits >> 52 | 0x4330000000000000; // those of 2^52
+    memcpy(&a, &bits, sizeof bits);
+    return a - (0x1p52 + 1023.0);
+}
+static inline vec v_power_of_2(vec k) {
+    unsigned long long bits;
+    k += 0x1p52 + 1023.0;
+    memcpy(&bits, &k, sizeof bits);
+    bits <<= 52;
+    memcpy(&k, &bits, sizeof bits);
+    return k;
 }
 
 #endif

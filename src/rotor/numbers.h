@@ -69,6 +69,13 @@ VECTOR_INLINE dual dual_sqrt(dual a) {
     FOR_INPUTS out.by[i] = v_mul(over, a.by[i]);
     return out;
 }
+/// Of a number above 0, to a power that depends on no input.
+VECTOR_INLINE dual dual_pow(dual a, vec power) {
+    dual out = {.value = v_pow(a.value, power)};
+    const vec slope = v_mul(power, v_div(out.value, a.value));
+    FOR_INPUTS out.by[i] = v_mul(slope, a.by[i]);
+    return out;
+}
 VECTOR_INLINE dual dual_select(vec_mask mask, dual yes, dual no) {
     dual out = {.value = v_select(mask, yes.value, no.value)};
     FOR_INPUTS out.by[i] = v_select(mask, yes.by[i], no.by[i]);
@@ -115,6 +122,7 @@ VECTOR_INLINE vec plain_scale(vec factor, vec a) {
 #undef n_fma
 #undef n_div
 #undef n_sqrt
+#undef n_pow
 #undef n_select
 #undef n_less
 #undef n_sincos
@@ -131,6 +139,7 @@ VECTOR_INLINE vec plain_scale(vec factor, vec a) {
 #define n_fma dual_fma
 #define n_div dual_div
 #define n_sqrt dual_sqrt
+#define n_pow dual_pow
 #define n_select dual_select
 #define n_less dual_less
 #define n_sincos dual_sincos
@@ -147,6 +156,7 @@ VECTOR_INLINE vec plain_scale(vec factor, vec a) {
 #define n_fma v_fma
 #define n_div v_div
 #define n_sqrt v_sqrt
+#define n_pow v_pow
 #define n_select v_select
 #define n_less v_less
 #define n_sincos v_sincos

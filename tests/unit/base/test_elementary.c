@@ -109,9 +109,58 @@ static void test_sine_and_cosine(void **state) {
     assert_true(isnan(s) && isnan(c));
 }
 
+static void test_logarithm(void **state) {
+    double worst = 0.0;
+    uint64_t seed = 31;
+    (void)state;
+    for (int i = 0; i < 4000000; i++) {
+        // All sizes, every other time close to 1, down to 2^-52 from it.
+        const double apart = exp2(-52.0 * uniform(&seed)),
+                     a = i % 2 ? exp2(2040.0 * (uniform(&seed) - 0.5)) : 1.0 + (i % 4 ? 0.5 * apart : apart);
+        if (a != 1.0) worst = fmax(worst, error_in_ulps(v_log(a), logl((long double)a)));
+    }
+    printf("largest error: ln %.3f units in the last place\n", worst);
+    assert_true(worst < 1.5);
+    assert_true(v_log(1.0) == 0.0);
+    assert_true(isnan(v_log(0.0)) && isnan(v_log(-1.0)) && isnan(v_log(NAN)));
+}
+
+static void test_exponential(void **state) {
+    double worst = 0.0;
+    uint64_t seed = 37;
+    (void)state;
+    for (int i = 0; i < 4000000; i++) {
+        const double a = (i % 2 ? 1416.0 : 2.0) * (uniform(&seed) - 0.5);
+        worst = fmax(worst, error_in_ulps(v_exp(a), expl((long double)a)));
+    }
+    printf("largest error: exp %.3f units in the last place\n", worst);
+    assert_true(worst < 1.0);
+    assert_true(v_exp(0.0) == 1.0 && v_exp(-800.0) == 0.0 && isinf(v_exp(800.0)) && isnan(v_exp(NAN)));
+}
+
+static void test_power(void **state) {
+    double worst = 0.0;
+    uint64_t seed = 41;
+    (void)state;
+    for (int i = 0; i < 4000000; i++) {
+        const double a = exp2((i % 2 ? 2.0 : 100.0) * (uniform(&seed) - 0.5)), b = 10.0 * (uniform(&seed) - 0.5);
+        const double size = 1.0 + fabs(b * log(a));
+        worst = fmax(worst, error_in_ulps(v_pow(a, b), powl((long double)a, (long double)b)) / size);
+    }
+    printf("largest error: a^b %.3f (1 + |b ln a|) units in the last place\n", worst);
+    assert_true(worst < 2.0);
+    assert_true(v_pow(0.3, 0.0) == 1.0 && v_pow(1.0, 0.7) == 1.0);
+    assert_true(isnan(v_pow(0.0, 2.0)) && isnan(v_pow(-1.0, 0.0)) && isnan(v_pow(NAN, 0.0)));
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_sine_and_cosine), cmocka_unit_test(test_sine_and_cosine_of_small_angles),
-        cmocka_unit_test(test_whole_range), cmocka_unit_test(test_special_values), cmocka_unit_test(test_root)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_logarithm),
+                                       cmocka_unit_test(test_exponential),
+                                       cmocka_unit_test(test_power),
+                                       cmocka_unit_test(test_sine_and_cosine),
+                                       cmocka_unit_test(test_sine_and_cosine_of_small_angles),
+                                       cmocka_unit_test(test_whole_range),
+                                       cmocka_unit_test(test_special_values),
+                                       cmocka_unit_test(test_root)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
