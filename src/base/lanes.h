@@ -24,7 +24,7 @@ typedef struct lanes_view {
 
 /// Writes the accelerations of the state and those of the disturbances by the Jacobian, with the slopes of the states
 /// of first order after them, and the divergence. Accelerations are sums of terms in proportion to the forcing and of
-/// others that do not depend on it.
+/// others that do not depend on it, unless the system is `modulated`.
 typedef void lanes_flow(const lanes_view *view);
 
 /// Writes the switching functions at (q, v) and, unless NULL, their derivatives by time along (v, a): [switch_count].
@@ -50,9 +50,10 @@ struct whirl_lanes {
     /// groups[g + 1], [group_count + 1].
     size_t group_count;
     const size_t *groups;
-    bool slides; ///< motions can slide along a switch
-    bool damped; ///< normal forces depend on velocities too: contact is where `contacts` says, not where the gap is
-                 ///< closed
+    bool modulated; ///< accelerations depend on the forcing in other ways than in proportion
+    bool slides;    ///< motions can slide along a switch
+    bool damped;    ///< normal forces depend on velocities too: contact is where `contacts` says, not where the gap is
+                    ///< closed
     /// One for every instruction set of vector.h; NULL where it is not built.
     lanes_flow *const *flow;
     lanes_switches *const *switches;

@@ -76,6 +76,7 @@ typedef struct adaptive_lanes {
     size_t degrees, number_count, forcing_count, switch_count;
     size_t group_count;
     const size_t *groups; ///< coordinates whose sizes are measured together
+    bool modulated;       ///< accelerations depend on the forcing in other ways than in proportion
     bool slides;          ///< motions can slide along a switch
     double period, rtol, atol, limit;
     // One machine a lane.

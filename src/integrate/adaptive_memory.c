@@ -90,6 +90,7 @@ adaptive_lanes *adaptive_lanes_new(const lanes_method *own, const whirl_system *
                               .number_count = form->number_count,
                               .forcing_count = system->forcing_count,
                               .switch_count = form->switch_count,
+                              .modulated = form->modulated,
                               .slides = form->slides,
                               .period = system->period,
                               .rtol = options->rtol,

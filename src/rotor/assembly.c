@@ -37,9 +37,14 @@ static size_t add_coordinate(assembly *to, double inertia, double unit) {
     return to->degrees++;
 }
 
+static double inertia_of(const assembly_station *station) {
+    return station->mass + station->fluid;
+}
+
 static void add_displacements(assembly *to, assembly_station *station) {
-    if (station->moves_x) station->coordinate[AXIS_X] = add_coordinate(to, station->mass, to->length);
-    if (station->moves_y) station->coordinate[AXIS_Y] = add_coordinate(to, station->mass, to->length);
+    const double inertia = inertia_of(station);
+    if (station->moves_x) station->coordinate[AXIS_X] = add_coordinate(to, inertia, to->length);
+    if (station->moves_y) station->coordinate[AXIS_Y] = add_coordinate(to, inertia, to->length);
 }
 
 static void add_tilts(assembly *to, assembly_station *station) {
@@ -95,8 +100,12 @@ whirl_status assembly_find_plane(const assembly *of, size_t station, size_t port
 
 // ---------------------------------------------------------------- terms
 
+double assembly_inertia(const assembly *of, size_t station) {
+    return inertia_of(&of->stations[station]);
+}
+
 double assembly_stiffness_scale(const assembly *of, size_t station) {
-    return of->stations[station].mass * of->speed * of->speed;
+    return assembly_inertia(of, station) * of->speed * of->speed;
 }
 
 double assembly_force_scale(const assembly *of, size_t coordinate) {
@@ -167,7 +176,7 @@ void assembly_unbalance(assembly *to, size_t station, double moment, double angl
         assembly_turning(to, at->coordinate[AXIS_X], at->coordinate[AXIS_Y], moment * to->speed * to->speed, angle);
         return;
     }
-    const double acceleration = moment / (at->mass * to->length);
+    const double acceleration = moment / (inertia_of(at) * to->length);
     to->numbers[at->place][STATION_UNBALANCE_COS] += acceleration * cos(angle);
     to->numbers[at->place][STATION_UNBALANCE_SIN] += acceleration * sin(angle);
 }
@@ -176,12 +185,13 @@ void assembly_pull(assembly *to, double x, double y) {
     const double scale = to->speed * to->speed * to->length;
     for (size_t s = 0; s < to->station_count; s++) {
         const assembly_station *at = &to->stations[s];
+        const double part = at->mass / inertia_of(at), pull_x = x / scale * part, pull_y = y / scale * part;
         if (in_plane(at)) {
-            to->numbers[at->place][STATION_PULL_X] += x / scale;
-            to->numbers[at->place][STATION_PULL_Y] += y / scale;
+            to->numbers[at->place][STATION_PULL_X] += pull_x;
+            to->numbers[at->place][STATION_PULL_Y] += pull_y;
         } else {
-            if (at->moves_x) add_term(to, (linear_term){at->coordinate[AXIS_X], SOURCE_ONE, 0, x / scale});
-            if (at->moves_y) add_term(to, (linear_term){at->coordinate[AXIS_Y], SOURCE_ONE, 0, y / scale});
+            if (at->moves_x) add_term(to, (linear_term){at->coordinate[AXIS_X], SOURCE_ONE, 0, pull_x});
+            if (at->moves_y) add_term(to, (linear_term){at->coordinate[AXIS_Y], SOURCE_ONE, 0, pull_y});
         }
     }
 }
@@ -189,7 +199,7 @@ void assembly_pull(assembly *to, double x, double y) {
 void assembly_ground_damping(assembly *to, size_t station, double damping) {
     const assembly_station *at = &to->stations[station];
     if (in_plane(at)) {
-        to->numbers[at->place][STATION_DAMPING] += damping / (at->mass * to->speed);
+        to->numbers[at->place][STATION_DAMPING] += damping / (inertia_of(at) * to->speed);
         return;
     }
     assembly_damper(to, at->coordinate[AXIS_X], NO_COORDINATE, damping);

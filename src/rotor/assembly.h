@@ -36,6 +36,7 @@ typedef struct linear_term {
 typedef struct assembly_station {
     const char *name;
     double mass, diametral, polar; ///< kg, kg m2; a station with a diametral inertia tilts
+    double fluid;                  ///< kg of fluid that is moved along; inertia without weight or unbalance
     bool moves_x, moves_y;
     size_t place;            ///< among the stations that move in x and y
     size_t coordinate[AXES]; ///< NO_COORDINATE where it does not move so
@@ -67,6 +68,9 @@ whirl_status assembly_find(const assembly *of, size_t station, axis along, size_
 /// Those along x and y, into port[0] and port[1].
 whirl_status assembly_find_plane(const assembly *of, size_t station, size_t port[2]);
 
+/// kg that a force on a station accelerates along x and y: its own mass and that of the fluid.
+double assembly_inertia(const assembly *of, size_t station);
+
 /// kg rad^2/s^2 by which a stiffness on a station is scaled.
 double assembly_stiffness_scale(const assembly *of, size_t station);
 
@@ -95,7 +99,7 @@ void assembly_gyroscopic(assembly *to, size_t station, double polar);
 /// Adds an unbalance of `moment` (kg m) at `angle` (rad, from the x axis at tau = 0).
 void assembly_unbalance(assembly *to, size_t station, double moment, double angle);
 
-/// Adds a constant acceleration (m/s2) to all stations.
+/// Adds a pull (m/s2) on the own masses of all stations.
 void assembly_pull(assembly *to, double x, double y);
 
 /// Adds damping (N s/m) between a station and the ground.

@@ -56,7 +56,8 @@ typedef struct element_kernels {
 typedef struct element_type {
     whirl_group group;
     size_t number_count;
-    size_t state_count; ///< first-order states of its own
+    size_t state_count;                    ///< first-order states of its own
+    bool modulated;                        ///< its forces depend on the values of time in other ways than in proportion
     const element_kernels *const *kernels; ///< by number of vector.h; NULL: it is part of the assembly alone
 
     /// Optional: coordinates and inertia that it adds to stations, before any is built.
@@ -81,7 +82,7 @@ typedef struct element_type {
     double (*contact_gap)(const element *own);
     bool (*contact_damped)(const element *own); ///< whether the force depends on the velocity
 
-    /// For bearings: the clearance in length scales around its station.
+    /// For bearings: the clearance in length scales around its station; 0 where the housing moves.
     double (*bearing_clearance)(const element *own);
 } element_type;
 

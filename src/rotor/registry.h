@@ -13,7 +13,9 @@
     X(shaft)                                                                                                           \
     X(film)                                                                                                            \
     X(rub)                                                                                                             \
-    X(spring)
+    X(spring)                                                                                                          \
+    X(crack)                                                                                                           \
+    X(seal)
 
 #define DECLARE(name) extern const element_type name##_element;
 ELEMENTS(DECLARE)

@@ -232,12 +232,13 @@ static void note_contact(whirl_rotor *rotor, size_t index) {
 static void note_element(whirl_rotor *rotor, size_t index) {
     const element *own = &rotor->elements[index];
     if (own->type->switch_count) rotor->lanes.switch_count += own->type->switch_count(own);
+    if (own->type->modulated) rotor->lanes.modulated = true;
     if (own->type->slides && own->type->slides(own)) rotor->lanes.slides = true;
     if (own->type->contact_gap) note_contact(rotor, index);
     if (!own->type->bearing_clearance) return;
     whirl_probe *probe = &rotor->probes[own->station];
     const double clearance = own->type->bearing_clearance(own);
-    if (probe->clearance == 0.0 || clearance < probe->clearance) probe->clearance = clearance;
+    if (clearance > 0.0 && (probe->clearance == 0.0 || clearance < probe->clearance)) probe->clearance = clearance;
 }
 
 static void add_elements_to(whirl_rotor *rotor, const building *b) {

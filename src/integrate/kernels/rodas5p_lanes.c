@@ -44,29 +44,56 @@ static void take_jacobian(const adaptive_lanes *lanes, vectors of) {
     lanes->flow(&view);
 }
 
+/// Where a derivative by time looks, and with what weights: the difference of order 4 (of a harmonic of order 4 to
+/// 1e-12, rounding 1e-12).
+static const struct {
+    double offset, weight;
+} beside[] = {{0x1p-11, 0x1p11 * 8.0 / 12.0},
+              {-0x1p-11, -0x1p11 * 8.0 / 12.0},
+              {0x1p-10, -0x1p11 / 12.0},
+              {-0x1p-10, 0x1p11 / 12.0}};
+enum { BESIDE = sizeof beside / sizeof *beside };
+
+/// The forcing at t + offset.
+static void take_forcing_beside(const adaptive_lanes *lanes, vectors of, double offset) {
+    FOR_SOME(of) VECTORS(time)[k] = v_add(VECTORS(t)[k], v_set(offset));
+    lanes->forcing_at(lanes->model, lanes->stride, of.count, VECTORS(time) + of.first, VECTORS(forcing) + of.first);
+}
+
 /// Adds the forcing at t + offset, times a weight, to what is summed of it.
 static void add_forcing(const adaptive_lanes *lanes, vectors of, double offset, double weight) {
     vec *sum = VECTORS(rodas5p.ahead);
-    FOR_SOME(of) VECTORS(time)[k] = v_add(VECTORS(t)[k], v_set(offset));
-    lanes->forcing_at(lanes->model, lanes->stride, of.count, VECTORS(time) + of.first, VECTORS(forcing) + of.first);
+    take_forcing_beside(lanes, of, offset);
     for (size_t n = 0; n < lanes->forcing_count; n++) FOR_SOME(of) {
             const size_t i = n * lanes->stride + k;
             sum[i] = v_fma(v_set(weight), VECTORS(forcing)[i], sum[i]);
         }
 }
 
-/// The derivative of the slope by time alone. It depends on time through the forcing, and on that in proportion: so it
-/// is the slope by the forcing and its derivative, less the slope. The derivative is the difference of order 4 (of a
-/// harmonic of order 4 to 1e-12, rounding 1e-12).
+/// The slope's difference.
+static void take_rate_of_slopes(const adaptive_lanes *lanes, vectors of) {
+    vec *rate = VECTORS(rodas5p.rate), *slope = VECTORS(rodas5p.between_v);
+    FOR_DEGREES_OF_SOME(of) rate[i] = v_set(0.0);
+    for (int n = 0; n < BESIDE; n++) {
+        take_forcing_beside(lanes, of, beside[n].offset);
+        const lanes_view view = view_of(lanes, of, lanes->q, lanes->v, lanes->rodas5p.between_v);
+        lanes->flow(&view);
+        FOR_DEGREES_OF_SOME(of) rate[i] = v_fma(v_set(beside[n].weight), slope[i], rate[i]);
+    }
+    take_forcing_beside(lanes, of, 0.0);
+}
+
+/// The derivative of the slope by time alone. Mostly it depends on time through the forcing, and on that in proportion:
+/// so it is the slope by the forcing and its derivative, less the slope.
 static void take_rate(const adaptive_lanes *lanes, vectors of) {
-    const double apart = 0x1p-11, share = 1.0 / (12.0 * 0x1p-11);
     const size_t forcings = lanes->forcing_count * lanes->stride;
     vec *ahead = VECTORS(rodas5p.ahead);
+    if (lanes->modulated) {
+        take_rate_of_slopes(lanes, of);
+        return;
+    }
     for (size_t i = 0; i < forcings; i++) ahead[i] = v_set(0.0);
-    add_forcing(lanes, of, apart, 8.0 * share);
-    add_forcing(lanes, of, -apart, -8.0 * share);
-    add_forcing(lanes, of, 2.0 * apart, -share);
-    add_forcing(lanes, of, -2.0 * apart, share);
+    for (int n = 0; n < BESIDE; n++) add_forcing(lanes, of, beside[n].offset, beside[n].weight);
     add_forcing(lanes, of, 0.0, 1.0);
     lanes_view view = view_of(lanes, of, lanes->q, lanes->v, lanes->rodas5p.rate);
     view.forcing = ahead + of.first;

@@ -69,7 +69,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     out->law = values[LAW].choice | (damped ? RUB_DAMPED : 0) | (sharp ? RUB_SHARP : 0);
     out->number[RUB_GAP] = values[GAP].number / to->length;
     out->number[RUB_STIFFNESS] = values[STIFFNESS].number / assembly_stiffness_scale(to, out->station);
-    out->number[RUB_DAMPING] = values[DAMPING].number / (to->stations[out->station].mass * to->speed);
+    out->number[RUB_DAMPING] = values[DAMPING].number / (assembly_inertia(to, out->station) * to->speed);
     out->number[RUB_FRICTION] = values[FRICTION].number;
     out->number[RUB_SURFACE] = slip ? values[RADIUS].number / to->length : 0.0;
     out->number[RUB_SLIP_SPEED] = values[SLIP_SPEED].number / (to->speed * to->length);

@@ -119,6 +119,15 @@ static void test_contradictions(void **state) {
         {"film", {{"at", 0, "disc"}, {"clearance", 1e-4, NULL}}, 2, "load, or viscosity"},
         {"film", {{"at", 0, "disc"}, {"clearance", 1e-4, NULL}, {"load", 1, NULL}, {"radius", 1, NULL}}, 4, "both"},
         {"rub", {{"at", 0, "disc"}, {"gap", 1, NULL}, {"stiffness", 1, NULL}, {"law", 0, "slip"}}, 4, "radius"},
+        {"crack", {{"between", 0, "disc,disc"}, {"stiffness", 1, NULL}, {"loss", 0.1, NULL}}, 3, "twice"},
+        {"crack",
+         {{"between", 0, "disc,ground"}, {"stiffness", 1, NULL}, {"loss", 0.1, NULL}, {"terms", 3, NULL}},
+         4,
+         "law square"},
+        {"seal",
+         {{"at", 0, "disc"}, {"clearance", 1, NULL}, {"ratio", 0.5, NULL}, {"from", 0, "disc"}},
+         4,
+         "between a station and itself"},
     };
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
@@ -127,6 +136,27 @@ static void test_contradictions(void **state) {
         assert_int_equal(whirl_design_element(design, cases[i].kind, cases[i].settings, cases[i].count).code, WHIRL_OK);
         refused(whirl_rotor_new(design, &rotor), cases[i].words);
         assert_null(rotor);
+        whirl_design_free(design);
+    }
+}
+
+/// Its inertia would couple both stations; without one the housing may move.
+static void test_fluid_in_a_moving_housing(void **state) {
+    const whirl_setting seal[] = {{"at", 0, "disc"},    {"from", 0, "housing"}, {"clearance", 1e-3, NULL},
+                                  {"ratio", 0.5, NULL}, {"damping", 1, NULL},   {"mass", 0.1, NULL}};
+    (void)state;
+    for (int with_mass = 0; with_mass < 2; with_mass++) {
+        whirl_design *design = design_with_disc();
+        whirl_rotor *rotor;
+        const whirl_setting housing = {"mass", 1, NULL};
+        assert_int_equal(whirl_design_station(design, "housing", &housing, 1).code, WHIRL_OK);
+        assert_int_equal(whirl_design_element(design, "seal", seal, with_mass ? 6 : 5).code, WHIRL_OK);
+        const whirl_status status = whirl_rotor_new(design, &rotor);
+        if (with_mass)
+            refused(status, "fluid mass in a housing that moves");
+        else
+            assert_int_equal(status.code, WHIRL_OK);
+        whirl_rotor_free(rotor);
         whirl_design_free(design);
     }
 }
@@ -169,6 +199,7 @@ int main(void) {
         cmocka_unit_test(test_inertia),
         cmocka_unit_test(test_elements),
         cmocka_unit_test(test_contradictions),
+        cmocka_unit_test(test_fluid_in_a_moving_housing),
         cmocka_unit_test(test_nothing_is_no_rotor),
         cmocka_unit_test(test_descriptors_are_sound),
     };

@@ -25,7 +25,7 @@ typedef struct ring {
     double gap, stiffness, damping, friction, radius, slip_speed; ///< damping < 0, radius 0: not given
 } ring;
 
-static const double disc_mass = 2.0;
+static const double disc_mass = 2.0, seal_mass = 0.15, disc_inertia = 2.15;
 static const ring rings[] = {{0, 0.5, 40.0, 3.0, 0.3, 1.5, 0.0},
                              {1, 0.6, 25.0, -1.0, 0.2, 0.0, 0.0},
                              {2, 0.4, 30.0, 2.0, 0.25, 0.8, 0.3},
@@ -62,6 +62,15 @@ static void add_ring(whirl_design *design, const ring *r) {
     check(whirl_design_element(design, "rub", settings, count));
 }
 
+static void add_cracks(whirl_design *design) {
+    const whirl_setting gentle[] = {word("between", "right, disc"), value("stiffness", 3.0), value("loss", 0.4),
+                                    value("loss_across", 0.1),      value("angle", 0.7),     value("opens", -0.4)};
+    const whirl_setting square[] = {word("between", "left, ground"), value("stiffness", 2.0), value("loss", 0.3),
+                                    word("law", "square"), value("terms", 5)};
+    check(whirl_design_element(design, "crack", gentle, 6));
+    check(whirl_design_element(design, "crack", square, 5));
+}
+
 static whirl_rotor *make_rotor(void) {
     whirl_design *design;
     whirl_rotor *rotor;
@@ -80,6 +89,11 @@ static whirl_rotor *make_rotor(void) {
     check(whirl_design_element(
         design, "film", (whirl_setting[]){word("at", "right"), value("clearance", 0.8), value("load", 0.05)}, 3));
     for (int i = 0; i < RINGS; i++) add_ring(design, &rings[i]);
+    add_cracks(design);
+    const whirl_setting seal[] = {word("at", "disc"),    value("clearance", 1.1),  value("stiffness", 0.7),
+                                  value("damping", 0.4), value("mass", seal_mass), value("ratio", 0.48),
+                                  value("growth", 1.7),  value("slowing", 0.6)};
+    check(whirl_design_element(design, "seal", seal, 8));
     check(whirl_design_element(design, "gravity", (whirl_setting[]){value("acceleration", 0.1)}, 1));
     check(whirl_rotor_new(design, &rotor));
     whirl_design_free(design);
@@ -106,10 +120,34 @@ static void film(const number z[4], number f[2]) {
     f[1] = K * (3.0L * y * V + ca * G - 2.0L * sa * S);
 }
 
+/// A shaft of stiffness k with a crack at `angle` under a load along `load`; terms of the square wave, 0: cosine.
+static void crack(double k, double loss, double across, double angle, double load, int terms, double t,
+                  const number d[2], number f[2]) {
+    const long double c = cosl(t + angle), s = sinl(t + angle), phi = t + angle - load;
+    long double open = 0.5L * (1.0L + cosl(phi));
+    if (terms > 0) open = 0.5L;
+    for (int i = 0; i < terms; i++)
+        open += (i % 2 ? -2.0L : 2.0L) / acosl(-1.0L) * cosl((2 * i + 1) * phi) / (2 * i + 1);
+    const number along = k * (1.0L - loss * open) * (c * d[0] + s * d[1]);
+    const number aside = k * (1.0L - across * open) * (c * d[1] - s * d[0]);
+    f[0] = -(c * along - s * aside);
+    f[1] = -(s * along + c * aside);
+}
+
+/// The seal at the disc without the inertia of its fluid.
+static void seal(const number *z, number f[2]) {
+    const number x = z[0], y = z[1], vx = z[DEGREES], vy = z[DEGREES + 1], e = csqrtl(x * x + y * y) / 1.1L;
+    const number turn = 0.48L * cpowl(1.0L - e, 0.6L), grown = cpowl(1.0L - e * e, -1.7L);
+    const number K = 0.7L * grown, D = 0.4L * grown, m = seal_mass;
+    // (d/dt - i turn)^2 z and (d/dt - i turn) z, but for the inertia.
+    f[0] = -(m * (2.0L * turn * vy - turn * turn * x) + D * (vx + turn * y) + K * x);
+    f[1] = -(m * (-2.0L * turn * vx - turn * turn * y) + D * (vy - turn * x) + K * y);
+}
+
 /// Switching functions of a ring; returns how many.
 static int ring_switches(const ring *r, const number *z, number *values) {
     const number *q = z + 2 * r->station, *v = z + DEGREES + 2 * r->station;
-    const long double mass = r->station == 0 ? disc_mass : 1.0L;
+    const long double mass = r->station == 0 ? disc_inertia : 1.0L;
     const number radius = csqrtl(q[0] * q[0] + q[1] * q[1]);
     int count = 0;
     values[count++] = radius - r->gap;
@@ -148,22 +186,30 @@ static void add(number *a, int station, const number f[2], long double factor) {
 static void add_shafts(double t, const number *z, number *a) {
     number f[2];
     shaft(1.0, 2.5, 1.0, t, (number[]){z[0] - z[2], z[1] - z[3]}, f);
-    add(a, 0, f, 1.0L / disc_mass);
+    add(a, 0, f, 1.0L / disc_inertia);
     add(a, 1, f, -1.0L);
     shaft(2.0, 2.5, -1.0, t, (number[]){z[0] - z[4], z[1] - z[5]}, f);
-    add(a, 0, f, 1.0L / disc_mass);
+    add(a, 0, f, 1.0L / disc_inertia);
     add(a, 2, f, -1.0L);
     shaft(3.0, 2.5, -1.0, t, z + 2, f);
+    add(a, 1, f, 1.0L);
+    const double down = -1.57079632679489661923;
+    crack(3.0, 0.4, 0.1, 0.7, -0.4, 0, t, (number[]){z[0] - z[4], z[1] - z[5]}, f);
+    add(a, 0, f, 1.0L / disc_inertia);
+    add(a, 2, f, -1.0L);
+    crack(2.0, 0.3, 0.0, 0.0, down, 5, t, z + 2, f);
     add(a, 1, f, 1.0L);
 }
 
 static void equations(double t, const number *z, const double *sides, number *dz) {
-    static const long double damping[STATIONS] = {0.15L, 0.0L, 0.1L};
+    static const long double damping[STATIONS] = {0.3L / 2.15L, 0.0L, 0.1L};
     number f[2], *a = dz + DEGREES;
     for (int i = 0; i < DEGREES; i++) {
         dz[i] = z[DEGREES + i];
-        a[i] = -damping[i / 2] * z[DEGREES + i] - (i % 2 ? 0.1L : 0.0L);
+        a[i] = -damping[i / 2] * z[DEGREES + i] - (i % 2 ? 0.1L : 0.0L) * (i < 2 ? disc_mass / disc_inertia : 1.0L);
     }
+    seal(z, f);
+    add(a, 0, f, 1.0L / disc_inertia);
     a[2] += 0.1L * cosl(t);
     a[3] += 0.1L * sinl(t);
     add_shafts(t, z, a);
@@ -173,7 +219,7 @@ static void equations(double t, const number *z, const double *sides, number *dz
     add(a, 2, f, 0.05L);
     for (int i = 0; i < RINGS; i++) {
         sides += ring_force(&rings[i], z, sides, f);
-        add(a, rings[i].station, f, rings[i].station == 0 ? 1.0L / disc_mass : 1.0L);
+        add(a, rings[i].station, f, rings[i].station == 0 ? 1.0L / disc_inertia : 1.0L);
     }
 }
 
@@ -546,7 +592,7 @@ static void test_a_damped_contact_never_pulls(void **state) {
         sides_of(system, z, sides);
         sides[0] = -1.0;
         system->rhs_on_sides(system->model, 0.0, forcing, z, sides, dz[1]);
-        assert_true(fabs(dz[0][DEGREES] - dz[1][DEGREES] + forces[i] / disc_mass) < 1e-12);
+        assert_true(fabs(dz[0][DEGREES] - dz[1][DEGREES] + forces[i] / disc_inertia) < 1e-12);
     }
     whirl_rotor_free(rotor);
 }

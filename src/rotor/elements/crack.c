@@ -1,0 +1,100 @@
+// A cracked shaft that breathes by its weight: its keys and the numbers of its kernel.
+#define KERNEL_FILE "elements/crack_kernel.h"
+#define KERNEL_AXES 2
+#define KERNEL_STATES 0
+#define KERNEL_NUMBERS CRACK_NUMBERS
+#define KERNEL_SWITCHES 0
+
+/// k, k (d1 + d2)/2 and k (d1 - d2)/2 in newtons per length scale; at tau = 0 cos and sin of twice the angle of the
+/// first axis, and of its angle from the load.
+enum {
+    CRACK_STIFFNESS,
+    CRACK_MEAN_LOSS,
+    CRACK_HALF_LOSS,
+    CRACK_AXIS_COS,
+    CRACK_AXIS_SIN,
+    CRACK_LOAD_COS,
+    CRACK_LOAD_SIN,
+    CRACK_NUMBERS
+};
+
+#include "generic.h"
+#include "registry.h"
+
+const element_kernels ISA(crack_kernels) = GENERIC_KERNELS;
+
+#if VECTOR_ISA == VECTOR_SCALAR
+
+enum { BETWEEN, STIFFNESS, LOSS, LOSS_ACROSS, ANGLE, OPENS, LAW, TERMS, KEY_COUNT };
+enum { LAW_COSINE, LAW_SQUARE };
+
+#define PART                                                                                                           \
+    { 0.0, 1.0, false, false }
+
+static const whirl_key keys[KEY_COUNT] = {
+    [BETWEEN] = {"between", "", "", WHIRL_KEY_STATIONS, true, "", WHIRL_ANY, NULL,
+                 "the two stations that it joins; one may be ground", ""},
+    [STIFFNESS] = {"stiffness", "k", "N/m", WHIRL_KEY_NUMBER, true, "", WHIRL_NOT_NEGATIVE, NULL,
+                   "stiffness while the crack is closed", ""},
+    [LOSS] = {"loss", "d1", "1", WHIRL_KEY_NUMBER, true, "", PART, NULL,
+              "part of the stiffness along the crack's direction that is lost while it is open", "Gasch 1993"},
+    [LOSS_ACROSS] = {"loss_across", "d2", "1", WHIRL_KEY_NUMBER, false, "0", PART, NULL,
+                     "part of the stiffness across it that is lost", "Gasch 1993"},
+    [ANGLE] = {"angle", "beta", "rad", WHIRL_KEY_NUMBER, false, "0", WHIRL_ANY, NULL,
+               "where the crack lies at t = 0, from the x axis towards y", ""},
+    [OPENS] = {"opens", "", "rad", WHIRL_KEY_NUMBER, false, "-1.5707963267948966", WHIRL_ANY, NULL,
+               "where the static load points, so that a crack that lies there is open; down, against y, where absent",
+               ""},
+    [LAW] = {"law", "", "", WHIRL_KEY_CHOICE, false, "cosine", WHIRL_ANY, "cosine|square",
+             "cosine: opens and closes gently; square: switches, as the first terms of its Fourier series",
+             "Mayes & Davies 1984; Gasch 1993"},
+    [TERMS] = {"terms",
+               "n",
+               "1",
+               WHIRL_KEY_WHOLE,
+               false,
+               "18",
+               {1, 100, false, false},
+               NULL,
+               "terms of the square wave, of the orders 1, 3, ... 2n - 1",
+               ""},
+};
+
+static whirl_status build(const key_value *values, assembly *to, element *out) {
+    const size_t *station = values[BETWEEN].station;
+    const double stiffness = values[STIFFNESS].number * to->length;
+    const double loss = values[LOSS].number, across = values[LOSS_ACROSS].number;
+    const double angle = values[ANGLE].number;
+    const bool square = values[LAW].choice == LAW_SQUARE;
+    whirl_status status = whirl_ok();
+    if (station[0] == station[1]) return whirl_fail(WHIRL_BAD_INPUT, "between names one station twice, expected two");
+    if (values[TERMS].given && !square)
+        return whirl_fail(WHIRL_BAD_INPUT, "has terms, which only law square uses, expected law: square, or no terms");
+    for (int i = 0; i < 2 && status.code == WHIRL_OK; i++)
+        if (station[i] != GROUND) status = assembly_find_plane(to, station[i], out->port + 2 * i);
+    if (status.code != WHIRL_OK) return status;
+    out->station = station[0] == GROUND ? station[1] : station[0];
+    out->law = square ? (int)values[TERMS].number : 0;
+    out->number[CRACK_STIFFNESS] = stiffness;
+    out->number[CRACK_MEAN_LOSS] = stiffness * 0.5 * (loss + across);
+    out->number[CRACK_HALF_LOSS] = stiffness * 0.5 * (loss - across);
+    out->number[CRACK_AXIS_COS] = cos(2.0 * angle);
+    out->number[CRACK_AXIS_SIN] = sin(2.0 * angle);
+    out->number[CRACK_LOAD_COS] = cos(angle - values[OPENS].number);
+    out->number[CRACK_LOAD_SIN] = sin(angle - values[OPENS].number);
+    generic_scale(out, to, 1.0);
+    return whirl_ok();
+}
+
+FOR_EVERY_ISA(const element_kernels, crack_kernels);
+static const element_kernels *const kernels[VECTOR_ISAS] = EVERY_ISA(&, crack_kernels);
+
+const element_type crack_element = {
+    .group = {"crack", "a massless shaft with a crack that opens and closes as its weight turns past it",
+              "Mayes & Davies 1984; Gasch 1993", keys, KEY_COUNT, NULL},
+    .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
+    .modulated = true,
+    .kernels = kernels,
+    .build = build,
+};
+#endif

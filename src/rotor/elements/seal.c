@@ -1,0 +1,95 @@
+// An annular seal with a turning fluid: its keys and the numbers of its kernel.
+#define KERNEL_FILE "elements/seal_kernel.h"
+#define KERNEL_AXES 2
+#define KERNEL_STATES 0
+#define KERNEL_NUMBERS SEAL_NUMBERS
+#define KERNEL_SWITCHES 0
+
+/// K_0, D_0 omega, m_f omega^2 in newtons per length scale; 1/c^2 in length scales; lambda_0, n and b.
+enum {
+    SEAL_STIFFNESS,
+    SEAL_DAMPING,
+    SEAL_MASS,
+    SEAL_OVER_CLEARANCE_SQUARE,
+    SEAL_RATIO,
+    SEAL_GROWTH,
+    SEAL_SLOWING,
+    SEAL_NUMBERS
+};
+
+#include "generic.h"
+#include "registry.h"
+
+const element_kernels ISA(seal_kernels) = GENERIC_KERNELS;
+
+#if VECTOR_ISA == VECTOR_SCALAR
+
+enum { AT, FROM, CLEARANCE, STIFFNESS, DAMPING, MASS, RATIO, GROWTH, SLOWING, KEY_COUNT };
+
+static const whirl_key keys[KEY_COUNT] = {
+    [AT] = {"at", "", "", WHIRL_KEY_STATION, true, "", WHIRL_ANY, NULL, "station in the seal", ""},
+    [FROM] = {"from", "", "", WHIRL_KEY_STATION, false, "", WHIRL_ANY, NULL,
+              "station of its housing, of a seal without fluid mass; the ground where absent", ""},
+    [CLEARANCE] = {"clearance", "c", "m", WHIRL_KEY_NUMBER, true, "", WHIRL_POSITIVE, NULL, "radial clearance", ""},
+    [STIFFNESS] = {"stiffness", "K_0", "N/m", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL,
+                   "stiffness in the middle", ""},
+    [DAMPING] = {"damping", "D_0", "N s/m", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL,
+                 "damping in the middle, of the motion against the turning fluid", ""},
+    [MASS] = {"mass", "m_f", "kg", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL,
+              "mass of the fluid that moves with the station", ""},
+    [RATIO] = {"ratio", "lambda_0", "1", WHIRL_KEY_NUMBER, true, "", WHIRL_NOT_NEGATIVE, NULL,
+               "mean speed of the turning fluid over that of the shaft, in the middle; below 0.5 as a rule",
+               "Muszynska 1988"},
+    [GROWTH] = {"growth", "n", "1", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL,
+                "power by which stiffness and damping grow with the eccentricity ratio e, as (1 - e^2)^-n",
+                "Muszynska 1988"},
+    [SLOWING] = {"slowing", "b", "1", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL,
+                 "power by which the fluid slows down with it, as (1 - e)^b", "Muszynska 1988"},
+};
+
+static whirl_status inertia(const key_value *values, assembly *to) {
+    to->stations[values[AT].station[0]].fluid += values[MASS].number;
+    return whirl_ok();
+}
+
+static whirl_status build(const key_value *values, assembly *to, element *out) {
+    const double clearance = values[CLEARANCE].number / to->length;
+    out->station = values[AT].station[0];
+    if (values[FROM].given && values[FROM].station[0] == out->station)
+        return whirl_fail(WHIRL_BAD_INPUT, "stands between a station and itself, expected another station");
+    if (values[FROM].given && values[MASS].number > 0.0)
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "has a fluid mass in a housing that moves, whose inertia would couple both stations, "
+                          "expected no mass, or no from");
+    whirl_status status = assembly_find_plane(to, out->station, out->port);
+    if (status.code == WHIRL_OK && values[FROM].given)
+        status = assembly_find_plane(to, values[FROM].station[0], out->port + KERNEL_AXES);
+    if (status.code != WHIRL_OK) return status;
+    out->number[SEAL_STIFFNESS] = values[STIFFNESS].number * to->length;
+    out->number[SEAL_DAMPING] = values[DAMPING].number * to->speed * to->length;
+    out->number[SEAL_MASS] = values[MASS].number * to->speed * to->speed * to->length;
+    out->number[SEAL_OVER_CLEARANCE_SQUARE] = 1.0 / (clearance * clearance);
+    out->number[SEAL_RATIO] = values[RATIO].number;
+    out->number[SEAL_GROWTH] = values[GROWTH].number;
+    out->number[SEAL_SLOWING] = values[SLOWING].number;
+    generic_scale(out, to, 1.0);
+    return whirl_ok();
+}
+
+static double bearing_clearance(const element *own) {
+    return own->port[KERNEL_AXES] == NO_COORDINATE ? 1.0 / sqrt(own->number[SEAL_OVER_CLEARANCE_SQUARE]) : 0.0;
+}
+
+FOR_EVERY_ISA(const element_kernels, seal_kernels);
+static const element_kernels *const kernels[VECTOR_ISAS] = EVERY_ISA(&, seal_kernels);
+
+const element_type seal_element = {
+    .group = {"seal", "an annular seal or lightly loaded bearing whose fluid turns with the shaft",
+              "Muszynska 1988; Bently & Muszynska 1988", keys, KEY_COUNT, NULL},
+    .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
+    .kernels = kernels,
+    .inertia = inertia,
+    .build = build,
+    .bearing_clearance = bearing_clearance,
+};
+#endif

@@ -1,0 +1,27 @@
+// An annular seal whose fluid turns at lambda of the shaft's speed (Muszynska 1988): on a place at d with the velocity
+// w, d and w as complex numbers, the force is
+//
+//     -(K d + D (w - i lambda d) - m_f (2 i lambda w + lambda^2 d)),
+//
+// K = K_0 (1 - e^2)^-n, D = D_0 (1 - e^2)^-n, lambda = lambda_0 (1 - e)^b, e = |d|/c. m_f w' is the station's, by its
+// inertia. At the wall and beyond powers are not a number, and the motion counts as diverged.
+
+static inline void KERNEL(force)(const element *own, const kernel_view *view, const num *d, const num *w, const num *s,
+                                 num *force, num *slope) {
+    const vec *number = view->number;
+    const size_t stride = view->stride;
+    const vec one = v_set(1.0), over_square = number[SEAL_OVER_CLEARANCE_SQUARE * stride];
+    const num square = n_scale(over_square, n_fma(d[0], d[0], n_mul(d[1], d[1])));
+    const num gap = n_sub(n_of(one), n_sqrt(square)), room = n_sub(n_of(one), square);
+    const num turn = n_scale(number[SEAL_RATIO * stride], n_pow(gap, number[SEAL_SLOWING * stride]));
+    const num growth = n_pow(room, v_sub(v_set(0.0), number[SEAL_GROWTH * stride]));
+    const num stiffness = n_scale(number[SEAL_STIFFNESS * stride], growth);
+    const num damping = n_scale(number[SEAL_DAMPING * stride], growth);
+    const num spin = n_scale(number[SEAL_MASS * stride], turn);
+    const num along = n_sub(stiffness, n_mul(spin, turn)), across = n_mul(damping, turn), coriolis = n_add(spin, spin);
+    (void)own, (void)s, (void)slope;
+    force[0] = n_add(n_fma(along, d[0], n_mul(across, d[1])), n_fma(damping, w[0], n_mul(coriolis, w[1])));
+    force[1] =
+        n_add(n_sub(n_mul(along, d[1]), n_mul(across, d[0])), n_sub(n_mul(damping, w[1]), n_mul(coriolis, w[0])));
+    for (int a = 0; a < KERNEL_AXES; a++) force[a] = n_sub(n_set(0.0), force[a]);
+}

@@ -1,0 +1,184 @@
+// A disc of mass M on a shaft of stiffness Ks with a seal: its threshold and its circles against closed forms in
+// complex numbers, its weight and unbalance without the mass of the fluid.
+#include <complex.h>
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "support_check.h"
+#include "support_flow.h"
+#include "whirl/rotor.h"
+
+enum { N = 4 };
+
+static const double pi = 3.14159265358979323846;
+static const double M = 1.0, Ks = 1.0, Ds = 0.02, K0 = 0.2, D0 = 0.3, fluid = 0.02, ratio = 0.48, growth = 2.0,
+                    slowing = 0.5, clearance = 0.5;
+
+/// Weight along -y; eccentricity of the disc's centre of mass.
+static whirl_rotor *make_sealed(double speed, bool nonlinear, double gravity, double eccentricity) {
+    const whirl_setting disc[] = {{"mass", M, NULL}, {"damping", Ds, NULL}, {"eccentricity", eccentricity, NULL}};
+    const whirl_setting shaft[] = {{"between", 0.0, "disc, ground"}, {"k1", Ks, NULL}};
+    const whirl_setting seal[] = {{"at", 0.0, "disc"},      {"clearance", clearance, NULL}, {"stiffness", K0, NULL},
+                                  {"damping", D0, NULL},    {"mass", fluid, NULL},          {"ratio", ratio, NULL},
+                                  {"growth", growth, NULL}, {"slowing", slowing, NULL}};
+    const whirl_setting weight = {"acceleration", gravity, NULL};
+    whirl_design *design;
+    whirl_rotor *rotor;
+    require_ok(whirl_design_new(speed, 1.0, &design));
+    require_ok(whirl_design_station(design, "disc", disc, 3));
+    require_ok(whirl_design_element(design, "shaft", shaft, 2));
+    require_ok(whirl_design_element(design, "seal", seal, nonlinear ? 8 : 6));
+    require_ok(whirl_design_element(design, "gravity", &weight, 1));
+    require_ok(whirl_rotor_new(design, &rotor));
+    whirl_design_free(design);
+    return rotor;
+}
+
+/// The coefficients at an eccentricity ratio e.
+typedef struct seal_at {
+    double K, D, turn;
+} seal_at;
+
+static seal_at seal_law(double e, bool nonlinear) {
+    const double grown = nonlinear ? pow(1.0 - e * e, -growth) : 1.0;
+    return (seal_at){K0 * grown, D0 * grown, ratio * (nonlinear ? pow(1.0 - e, slowing) : 1.0)};
+}
+
+/// What a circle of ratio e at the whirl speed W asks for, over its radius: zero where it whirls by itself.
+static double complex stiffness_of_circle(double e, double W, double speed, bool nonlinear) {
+    const seal_at s = seal_law(e, nonlinear);
+    const double against = W - s.turn * speed; // the fluid turns at s.turn speed
+    return Ks + s.K - M * W * W - fluid * against * against + I * (Ds * W + s.D * against);
+}
+
+// ---------------------------------------------------------------- the threshold
+
+/// The largest exponent per radian of the balanced rotor at rest, and the speed of whirl that goes with it.
+static double growth_at_rest(double speed, double *whirl) {
+    const double rest[N] = {0.0};
+    double matrix[N * N], order;
+    whirl_rotor *rotor = make_sealed(speed, true, 0.0, 0.0);
+    exact_jacobian(whirl_rotor_system(rotor), 0.0, rest, matrix);
+    const double real_part = largest_real_part(N, matrix, &order);
+    *whirl = order * speed;
+    whirl_rotor_free(rotor);
+    return real_part;
+}
+
+static void threshold(void **unused) {
+    double low = 1.0, high = 4.0, whirl;
+    (void)unused;
+    for (int i = 0; i < 60; i++) {
+        const double middle = 0.5 * (low + high);
+        *(growth_at_rest(middle, &whirl) < 0.0 ? &low : &high) = middle;
+    }
+    check_digits("Seal", "threshold speed", "2.434214292903", high);
+    check_digits("Seal", "whirl there", "1.095396431806", whirl);
+    check_within("Seal", "whirl over speed", ratio * D0 / (D0 + Ds), whirl / high, 1e-12);
+}
+
+// ---------------------------------------------------------------- circles
+
+/// Ratio and whirl speed of the circle above the threshold: W from the imaginary part, e from the real one.
+static double circle_at(double speed, double *whirl) {
+    double low = 0.0, high = 0.999;
+    for (int i = 0; i < 100; i++) {
+        const double middle = 0.5 * (low + high);
+        const seal_at s = seal_law(middle, true);
+        *whirl = s.turn * speed * s.D / (s.D + Ds);
+        *(creal(stiffness_of_circle(middle, *whirl, speed, true)) < 0.0 ? &low : &high) = middle;
+    }
+    return low;
+}
+
+static void circles(void **unused) {
+    (void)unused;
+    const double speeds[] = {2.6, 3.5, 6.0};
+    for (int i = 0; i < 3; i++) {
+        const double speed = speeds[i];
+        double whirl;
+        const double e = circle_at(speed, &whirl), turns = 2.0 * pi * whirl / speed;
+        whirl_rotor *rotor = make_sealed(speed, true, 0.0, 0.0);
+        whirl_integrator *integrator = make_integrator(whirl_rotor_system(rotor), "dop853", 64);
+        double x[N] = {e * clearance, 0.0, 0.0, e * clearance * whirl / speed};
+        revolve(integrator, x, 10);
+        const double complex end = e * clearance * cexp(10.0 * I * turns);
+        check_within("Seal", words("whirl at speed %g, e = %.6f: distance after 10 revolutions", speed, e), 0.0,
+                     cabs(x[0] + I * x[1] - end), 1e-11);
+        // From close to the middle.
+        double y[N] = {0.02, 0.01, 0.0, 0.0};
+        revolve(integrator, y, 4000);
+        check_within("Seal", words("whirl at speed %g: eccentricity ratio reached from the middle", speed), e,
+                     hypot(y[0], y[1]) / clearance, 1e-10);
+        whirl_integrator_free(integrator);
+        whirl_rotor_free(rotor);
+    }
+}
+
+// ---------------------------------------------------------------- the fluid has inertia alone
+
+/// The weight M g that holds the disc at a ratio e, by the circle of no speed.
+static void weight(void **unused) {
+    (void)unused;
+    const double speed = 1.7, ratios[] = {0.1, 0.5, 0.9};
+    double worst = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const double r = ratios[i] * clearance;
+        const double complex stiffness = stiffness_of_circle(ratios[i], 0.0, speed, true);
+        const double force = cabs(stiffness) * r;
+        const double complex z = -I * force / stiffness; // |z| = r
+        const double x[N] = {creal(z), cimag(z), 0.0, 0.0};
+        double slope[N];
+        whirl_rotor *rotor = make_sealed(speed, true, force / M, 0.0);
+        evaluate_rhs(whirl_rotor_system(rotor), 0.0, x, slope);
+        worst = fmax(worst, hypot(slope[2], slope[3]) * speed * speed * (M + fluid) / force);
+        whirl_rotor_free(rotor);
+    }
+    check_within("Seal", "force left over at rest under weight, over the weight", 0.0, worst, 1e-14);
+}
+
+/// M eps w^2 over the stiffness of the circle at w, of a seal whose law is linear.
+static void unbalance(void **unused) {
+    (void)unused;
+    const double speed = 1.3, eccentricity = 0.01;
+    const double complex z = M * eccentricity * speed * speed / stiffness_of_circle(0.0, speed, speed, false);
+    double x[N] = {creal(z), cimag(z), -cimag(z), creal(z)};
+    whirl_rotor *rotor = make_sealed(speed, false, 0.0, eccentricity);
+    whirl_integrator *integrator = make_integrator(whirl_rotor_system(rotor), "dop853", 64);
+    revolve(integrator, x, 10);
+    check_within("Seal", "unbalance response: relative distance after 10 revolutions", 0.0,
+                 cabs(x[0] + I * x[1] - z) / cabs(z), 1e-12);
+    whirl_integrator_free(integrator);
+    whirl_rotor_free(rotor);
+}
+
+/// No number at the wall and beyond, also where the law is linear.
+static void the_wall(void **unused) {
+    (void)unused;
+    bool nowhere = true, inside = true;
+    for (int nonlinear = 0; nonlinear < 2; nonlinear++) {
+        whirl_rotor *rotor = make_sealed(1.0, nonlinear, 0.0, 0.0);
+        const double at[] = {clearance, 1.2 * clearance, 1e6}, within = 0.999999 * clearance;
+        double slope[N];
+        for (int i = 0; i < 3; i++) {
+            evaluate_rhs(whirl_rotor_system(rotor), 0.0, (double[N]){0.0, at[i], 0.0, 0.0}, slope);
+            nowhere = nowhere && isnan(slope[2]) && isnan(slope[3]);
+        }
+        evaluate_rhs(whirl_rotor_system(rotor), 0.0, (double[N]){0.0, within, 0.0, 0.0}, slope);
+        inside = inside && isfinite(slope[2]) && isfinite(slope[3]);
+        whirl_rotor_free(rotor);
+    }
+    check_holds("Seal", "no force at the wall and beyond, one before it", nowhere && inside);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(threshold), cmocka_unit_test(circles), cmocka_unit_test(weight),
+                                       cmocka_unit_test(unbalance), cmocka_unit_test(the_wall)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
