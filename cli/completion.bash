@@ -12,6 +12,12 @@ _whirl_keys() {
     "$1" describe "$2" 2>/dev/null | sed -n '/^  name  /,$ s/^  \([a-z][A-Za-z0-9_]*\) .*/\1/p' | grep -vx name
 }
 
+# The words that a key takes, as `whirl describe NAME` shows them: one|other.
+_whirl_choices() { # WHIRL NAME.KEY
+    "$1" describe "${2%.*}" 2>/dev/null |
+        awk -v key="${2##*.}" '/^  [a-z]/ && $1 == key && $NF ~ /^[a-z]+([|][a-z]+)+$/ { gsub(/[|]/, " ", $NF); print $NF }'
+}
+
 # The case among the words of the command line, or nothing.
 _whirl_case() {
     local word
@@ -81,11 +87,13 @@ _whirl() {
     local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} command= whirl=${COMP_WORDS[0]}
     [ "$COMP_CWORD" -gt 1 ] && command=${COMP_WORDS[1]}
     # bash splits --option=value and NAME=VALUE at the '='
+    local split='' of_key=''
     if [ "$word" = = ]; then
-        word=
+        word='' split=yes
     elif [ "$before" = = ]; then
-        before=${COMP_WORDS[COMP_CWORD - 2]}
+        before=${COMP_WORDS[COMP_CWORD - 2]} split=yes
     fi
+    [[ $split && $before != -* ]] && of_key=yes
     case $before in
     -o | --output)
         case $command in
@@ -102,8 +110,10 @@ _whirl() {
     --set) _whirl_words "$word" "$(_whirl_settings "$whirl" "$(_whirl_case)")"; return ;;
     --method | integrate.method) _whirl_words "$word" "$(_whirl_names "$whirl" 'methods of integration')"; return ;;
     --threads) _whirl_words "$word" "$(seq "$(nproc 2>/dev/null || echo 1)")"; return ;;
+    *.*) [ "$of_key" ] && { _whirl_words "$word" "$(_whirl_choices "$whirl" "$before")"; return; } ;;
     --points | --revolutions | --refine | --units) return ;;
     esac
+    [ "$of_key" ] && return # a number
     if [[ $word == -* ]]; then
         _whirl_words "$word" "$(_whirl_options "$command")"
         return

@@ -86,6 +86,15 @@ static void print_confidence(const whirl_verdict *verdict) {
     putchar('\n');
 }
 
+static void print_verdict(const char *table, const whirl_verdict *verdict) {
+    char text[WHIRL_MESSAGE_SIZE];
+    whirl_verdict_name(verdict, text, sizeof text);
+    printf("%s: %s\n", table, text);
+    whirl_verdict_reason(verdict, text, sizeof text);
+    if (text[0]) printf("  %s\n", text);
+    print_confidence(verdict);
+}
+
 /// "exponents failed: their sum is -4.186, the equations give -1.257; take a smaller tolerance or more steps".
 static void print_failed_exponents(const whirl_table *table, size_t point) {
     if (!(number(table, point, "exponents/failed", 0) > 0.5)) return;
@@ -99,12 +108,10 @@ static void print_point(const whirl_result *result, const whirl_table *table) {
         return;
     }
     const whirl_verdict verdict = whirl_table_verdict(table, 0);
-    char text[WHIRL_MESSAGE_SIZE];
-    whirl_verdict_name(&verdict, text, sizeof text);
-    printf("%s: %s\n", table->name, text);
-    whirl_verdict_reason(&verdict, text, sizeof text);
-    if (text[0]) printf("  %s\n", text);
-    print_confidence(&verdict);
+    if (has_verdicts(table))
+        print_verdict(table->name, &verdict);
+    else
+        printf("%s: no verdict, as the analyses have no regime\n", table->name);
     if (verdict.regime == WHIRL_DIVERGING) return;
     print_failed_exponents(table, 0);
     print_rubs(result, table, 0);
@@ -119,8 +126,8 @@ static void print_list(const whirl_result *result, const whirl_table *table) {
     for (size_t point = 0; point < table->count; point++) {
         if (!whirl_table_done(table, point)) continue;
         const whirl_verdict verdict = whirl_table_verdict(table, point);
-        char name[VERDICT_SIZE];
-        whirl_verdict_name(&verdict, name, sizeof name);
+        char name[VERDICT_SIZE] = "";
+        if (has_verdicts(table)) whirl_verdict_name(&verdict, name, sizeof name);
         printf("  %10.6g %s%s%-26s", table->values[point] / unit.size, unit.name, *unit.name ? "  " : " ", name);
         printf(" %-5s", has_verdicts(table) ? whirl_confidence_name(verdict.confidence) : "");
         if (isfinite(verdict.exponent.value))
@@ -198,12 +205,12 @@ static void print_counts(const whirl_result *result, const whirl_table *table) {
     for (size_t point = 0; point < table->count; point++) {
         if (!whirl_table_done(table, point)) continue;
         const whirl_verdict verdict = whirl_table_verdict(table, point);
-        count_verdict(&tally, &verdict);
+        if (has_verdicts(table)) count_verdict(&tally, &verdict);
         rubbing += rubs(result, table, point);
         failed += verdict.exponents_failed;
         sure[verdict.confidence]++;
     }
-    const bool listed = print_windows(result, table);
+    const bool listed = !has_verdicts(table) || print_windows(result, table);
     for (size_t i = 0; i < tally.count && !listed; i++) printf("  %6zu  %s\n", tally.of[i], tally.names[i]);
     if (result->contact_count > 0) printf("  %6zu  with rub\n", rubbing);
     if (failed > 0) printf("  %6zu  with failed exponents: take a smaller tolerance, or more steps\n", failed);

@@ -17,7 +17,8 @@ static whirl_status describe_parameters(const case_content *content, whirl_resul
             const parameter *from = &parameters->items[i];
             whirl_parameter *to = &result->parameters[i];
             snprintf(to->name, sizeof to->name, "%s", from->name);
-            snprintf(to->unit, sizeof to->unit, "%s", from->unit[0] ? from->unit : "SI");
+            const char *const unit = parameter_expected_unit(from);
+            snprintf(to->unit, sizeof to->unit, "%s", unit[0] ? unit : "SI");
             snprintf(to->text, sizeof to->text, "%s", from->text);
             whirl_make_plain(to->text);
             to->value = v.values[i];
