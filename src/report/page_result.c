@@ -122,7 +122,7 @@ void page_computed(const page *to, size_t index) {
         const size_t used = strlen(text);
         const whirl_probe *station = &result->stations[s];
         snprintf(text + used, sizeof text - used, "%s%s%s", s ? ", " : "", station->name,
-                 station->clearance > 0.0 ? " (journal bearing)" : "");
+                 station->clearance > 0.0 ? " (bearing or seal)" : "");
         if (station->gap > 0.0) append_gap(units, station, text, sizeof text);
     }
     write_row(to->stream, "Stations", text);
