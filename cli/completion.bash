@@ -15,7 +15,7 @@ _whirl_keys() {
 # The words that a key takes, as `whirl describe NAME` shows them: one|other.
 _whirl_choices() { # WHIRL NAME.KEY
     "$1" describe "${2%.*}" 2>/dev/null |
-        awk -v key="${2##*.}" '/^  [a-z]/ && $1 == key && $NF ~ /^[a-z]+([|][a-z]+)+$/ { gsub(/[|]/, " ", $NF); print $NF }'
+        awk -v key="${2##*.}" '$1 == key && /^  [a-z].*[|]/ { gsub(/[|]/, " ", $NF); print $NF }'
 }
 
 # The case among the words of the command line, or nothing.
