@@ -52,6 +52,7 @@ struct whirl_lanes {
     const size_t *groups;
     bool modulated; ///< accelerations depend on the forcing in other ways than in proportion
     bool slides;    ///< motions can slide along a switch
+    bool jumps;     ///< accelerations may jump at a switch
     bool damped;    ///< normal forces depend on velocities too: contact is where `contacts` says, not where the gap is
                     ///< closed
     /// One for every instruction set of vector.h; NULL where it is not built.

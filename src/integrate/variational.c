@@ -28,8 +28,8 @@ struct whirl_variational {
 enum { MOST_DISTURBANCES = 256 };
 
 bool whirl_variational_takes(const whirl_system *system, const whirl_integrate_options *options) {
-    return system->lanes && system->lanes->states == 0 && strcmp(options->method, "rk4") == 0 && !options->located && !system->lanes->damped &&
-           !system->lanes->slides && system->dimension <= MOST_DISTURBANCES;
+    return system->lanes && system->lanes->states == 0 && strcmp(options->method, "rk4") == 0 && !options->located &&
+           !system->lanes->jumps && !system->lanes->slides && system->dimension <= MOST_DISTURBANCES;
 }
 
 /// Rows of the block, and where each array begins.

@@ -78,6 +78,9 @@ typedef struct element_type {
     /// With switches: whether motions can slide along one (friction that jumps where the slip reverses).
     bool (*slides)(const element *own);
 
+    /// With switches, optional: whether its force may jump at one.
+    bool (*jumps)(const element *own);
+
     /// For unilateral contacts: the gap in length scales around its station.
     double (*contact_gap)(const element *own);
     bool (*contact_damped)(const element *own); ///< whether the force depends on the velocity

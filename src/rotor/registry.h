@@ -15,7 +15,8 @@
     X(rub)                                                                                                             \
     X(spring)                                                                                                          \
     X(crack)                                                                                                           \
-    X(seal)
+    X(seal)                                                                                                            \
+    X(looseness)
 
 #define DECLARE(name) extern const element_type name##_element;
 ELEMENTS(DECLARE)

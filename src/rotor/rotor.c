@@ -222,7 +222,7 @@ static void note_contact(whirl_rotor *rotor, size_t index) {
     const size_t k = rotor->contact_count++;
     const double gap = own->type->contact_gap(own);
     whirl_probe *probe = &rotor->probes[own->station];
-    if (own->type->contact_damped(own)) rotor->lanes.damped = true;
+    if (own->type->contact_damped(own)) rotor->lanes.damped = rotor->lanes.jumps = true;
     if (probe->gap == 0.0 || gap < probe->gap) probe->gap = gap;
     rotor->contacts[k] = index;
     snprintf(rotor->contact_text[k], sizeof *rotor->contact_text, "%s at %s", own->type->group.name, probe->name);
@@ -234,6 +234,7 @@ static void note_element(whirl_rotor *rotor, size_t index) {
     if (own->type->switch_count) rotor->lanes.switch_count += own->type->switch_count(own);
     if (own->type->modulated) rotor->lanes.modulated = true;
     if (own->type->slides && own->type->slides(own)) rotor->lanes.slides = true;
+    if (own->type->jumps && own->type->jumps(own)) rotor->lanes.jumps = true;
     if (own->type->contact_gap) note_contact(rotor, index);
     if (!own->type->bearing_clearance) return;
     whirl_probe *probe = &rotor->probes[own->station];

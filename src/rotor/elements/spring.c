@@ -73,11 +73,17 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     }
     memcpy(out->port, one, KERNEL_AXES * sizeof *one);
     memcpy(out->port + KERNEL_AXES, other, KERNEL_AXES * sizeof *other);
+    out->law = values[DAMPING].given;
     out->number[SPRING_STIFFNESS] = stiffness * to->length;
     out->number[SPRING_DAMPING] = damping * to->length * to->speed;
     out->number[SPRING_GAP] = values[GAP].number / to->length;
     generic_scale(out, to, 1.0);
     return whirl_ok();
+}
+
+/// Where damping is given the force jumps as the play ends.
+static bool jumps(const element *own) {
+    return own->law != 0;
 }
 
 FOR_EVERY_ISA(const element_kernels, spring_kernels);
@@ -89,6 +95,7 @@ const element_type spring_element = {
     .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
     .kernels = kernels,
     .build = build,
+    .jumps = jumps,
     GENERIC_SWITCHES,
 };
 #endif

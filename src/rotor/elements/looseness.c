@@ -1,0 +1,111 @@
+// A seat that can lift (a loose pedestal): a spring and damper along one axis with two or three slopes.
+#define KERNEL_FILE "elements/looseness_kernel.h"
+#define KERNEL_AXES 1
+#define KERNEL_STATES 0
+#define KERNEL_NUMBERS LOOSENESS_NUMBERS
+#define KERNEL_SWITCHES 2
+
+enum { SEATED, LOOSE, HELD, PIECES };
+
+/// In newtons and length scales.
+enum {
+    LOOSENESS_STIFFNESS,
+    LOOSENESS_DAMPING = LOOSENESS_STIFFNESS + PIECES,
+    LOOSENESS_GAP = LOOSENESS_DAMPING + PIECES,
+    LOOSENESS_NUMBERS
+};
+
+#include "generic.h"
+#include "registry.h"
+
+const element_kernels ISA(looseness_kernels) = GENERIC_KERNELS;
+
+#if VECTOR_ISA == VECTOR_SCALAR
+
+enum {
+    BETWEEN,
+    ALONG,
+    STIFFNESS,
+    DAMPING,
+    LOOSE_STIFFNESS,
+    LOOSE_DAMPING,
+    GAP,
+    HELD_STIFFNESS,
+    HELD_DAMPING,
+    KEY_COUNT
+};
+
+#define STIFFNESS_KEY(name, symbol, required, fallback, meaning)                                                       \
+    { name, symbol, "N/m", WHIRL_KEY_NUMBER, required, fallback, WHIRL_NOT_NEGATIVE, NULL, meaning, "" }
+#define DAMPING_KEY(name, symbol, fallback, meaning)                                                                   \
+    { name, symbol, "N s/m", WHIRL_KEY_NUMBER, false, fallback, WHIRL_NOT_NEGATIVE, NULL, meaning, "" }
+
+static const whirl_key keys[KEY_COUNT] = {
+    [BETWEEN] = {"between", "", "", WHIRL_KEY_STATIONS, true, "", WHIRL_ANY, NULL,
+                 "what can lift, then what it sits on; one may be ground", ""},
+    [ALONG] = {"along", "", "", WHIRL_KEY_CHOICE, false, "y", WHIRL_ANY, "x|y",
+               "the axis along which it lifts: the first station goes up it, away from the second", ""},
+    [STIFFNESS] = STIFFNESS_KEY("stiffness", "k_1", true, "", "stiffness of the seat, below the position of rest"),
+    [DAMPING] = DAMPING_KEY("damping", "c_1", "0", "damping there"),
+    [LOOSE_STIFFNESS] =
+        STIFFNESS_KEY("loose_stiffness", "k_2", false, "0", "stiffness once lifted; 0: it sits without being held"),
+    [LOOSE_DAMPING] = DAMPING_KEY("loose_damping", "c_2", "0", "damping once lifted"),
+    [GAP] = {"gap", "delta", "m", WHIRL_KEY_NUMBER, false, "", WHIRL_POSITIVE, NULL,
+             "lift at which it is held from above; never where absent", ""},
+    [HELD_STIFFNESS] = STIFFNESS_KEY("held_stiffness", "k_3", false, "", "stiffness beyond the gap; k_1 where absent"),
+    [HELD_DAMPING] = DAMPING_KEY("held_damping", "c_3", "", "damping beyond the gap; c_1 where absent"),
+};
+
+/// Length scales that no motion comes to: the gap of what is never held.
+static const double NEVER = 0x1p300;
+
+static whirl_status find_ports(const key_value *values, const assembly *to, element *out) {
+    const axis along = values[ALONG].choice == 0 ? AXIS_X : AXIS_Y;
+    whirl_status status = whirl_ok();
+    for (int end = 0; end < 2; end++) {
+        const size_t station = values[BETWEEN].station[end];
+        if (station != GROUND && status.code == WHIRL_OK) status = assembly_find(to, station, along, &out->port[end]);
+    }
+    return status;
+}
+
+static whirl_status build(const key_value *values, assembly *to, element *out) {
+    const size_t *station = values[BETWEEN].station;
+    const key_value *stiffness[PIECES] = {&values[STIFFNESS], &values[LOOSE_STIFFNESS], &values[HELD_STIFFNESS]};
+    const key_value *damping[PIECES] = {&values[DAMPING], &values[LOOSE_DAMPING], &values[HELD_DAMPING]};
+    if (station[0] == station[1]) return whirl_fail(WHIRL_BAD_INPUT, "between names one station twice, expected two");
+    if (!values[GAP].given && (values[HELD_STIFFNESS].given || values[HELD_DAMPING].given))
+        return whirl_fail(WHIRL_BAD_INPUT, "has held_stiffness or held_damping without gap, expected the gap as well");
+    if (!values[HELD_STIFFNESS].given) stiffness[HELD] = stiffness[SEATED];
+    if (!values[HELD_DAMPING].given) damping[HELD] = damping[SEATED];
+    const whirl_status status = find_ports(values, to, out);
+    if (status.code != WHIRL_OK) return status;
+    out->station = station[0] == GROUND ? station[1] : station[0];
+    for (int piece = 0; piece < PIECES; piece++) {
+        out->number[LOOSENESS_STIFFNESS + piece] = stiffness[piece]->number * to->length;
+        out->number[LOOSENESS_DAMPING + piece] = damping[piece]->number * to->length * to->speed;
+    }
+    out->number[LOOSENESS_GAP] = values[GAP].given ? values[GAP].number / to->length : NEVER;
+    // Dampings that are given may differ.
+    out->law = values[DAMPING].given || values[LOOSE_DAMPING].given || values[HELD_DAMPING].given;
+    generic_scale(out, to, 1.0);
+    return whirl_ok();
+}
+
+static bool jumps(const element *own) {
+    return own->law != 0;
+}
+
+FOR_EVERY_ISA(const element_kernels, looseness_kernels);
+static const element_kernels *const kernels[VECTOR_ISAS] = EVERY_ISA(&, looseness_kernels);
+
+const element_type looseness_element = {
+    .group = {"looseness", "a seat that can lift: along one axis a spring and damper with two or three slopes",
+              "Chu, Tang 2001; Ma et al. 2011", keys, KEY_COUNT, NULL},
+    .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
+    .kernels = kernels,
+    .build = build,
+    .jumps = jumps,
+    GENERIC_SWITCHES,
+};
+#endif
