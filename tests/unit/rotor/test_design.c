@@ -128,6 +128,11 @@ static void test_contradictions(void **state) {
          {{"at", 0, "disc"}, {"clearance", 1, NULL}, {"ratio", 0.5, NULL}, {"from", 0, "disc"}},
          4,
          "between a station and itself"},
+        {"looseness",
+         {{"between", 0, "disc, ground"}, {"stiffness", 1, NULL}, {"held_damping", 1, NULL}},
+         3,
+         "expected the gap"},
+        {"looseness", {{"between", 0, "disc, disc"}, {"stiffness", 1, NULL}}, 2, "twice"},
     };
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
