@@ -16,7 +16,7 @@ if(CMAKE_SCRIPT_MODE_FILE)
   endif()
   # Of all that is compiled into the library, and of the options that its kernels have of their own.
   file(GLOB_RECURSE files RELATIVE ${SOURCE} ${SOURCE}/src/*.c ${SOURCE}/src/*.h ${SOURCE}/src/*.inc ${SOURCE}/include/*.h)
-  list(APPEND files cmake/layers.cmake)
+  list(APPEND files cmake/layers.cmake cmake/whirlKernels.cmake)
   list(SORT files)
   set(sums "")
   foreach(file ${files})

@@ -8,6 +8,9 @@ install(TARGETS whirl_shared EXPORT whirlTargets LIBRARY DESTINATION ${CMAKE_INS
 install(TARGETS whirl_static ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY include/whirl ${PROJECT_BINARY_DIR}/include/whirl DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
         FILES_MATCHING PATTERN "*.h")
+# What an element of one's own is written with: these headers and whirl_element() of whirlKernels.cmake.
+install(FILES src/base/vector.h src/base/elementary.h src/rotor/assembly.h src/rotor/block.h src/rotor/element.h
+              src/rotor/generic.h src/rotor/numbers.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/whirl/element)
 install(FILES docs/whirl.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES cli/completion.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME whirl)
 # The explorer's template, where `make explorer` has built it.
@@ -40,4 +43,4 @@ configure_package_config_file(cmake/whirlConfig.cmake.in whirlConfig.cmake INSTA
                               PATH_VARS CMAKE_INSTALL_LIBDIR CMAKE_INSTALL_INCLUDEDIR)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/whirlConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/whirlConfig.cmake ${PROJECT_BINARY_DIR}/whirlConfigVersion.cmake
-        DESTINATION ${package})
+              cmake/whirlKernels.cmake DESTINATION ${package})

@@ -1,29 +1,10 @@
 # A layer: all of src/<name>/*.c as an object library that sees the public headers and its own folder only.
 #   whirl_layer(<name> NEEDS <layers below> LIBRARIES <imported targets>)
-# What lies in its folders kernels and elements is compiled once for every instruction set, with VECTOR_ISA its number
-# (src/base/vector.h); the processor is asked when the program runs.
+# What lies in its folders kernels and elements is compiled once for every instruction set (whirlKernels.cmake); the
+# processor is asked when the program runs.
 set_property(GLOBAL PROPERTY WHIRL_LAYERS "")
 
-# Name, number, options. Kernels of 512 bits are scheduled for the first processors that have them at full speed: worth
-# 3 percent.
-set(WHIRL_ISAS "scalar 0" "128 1")
-if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
-  list(APPEND WHIRL_ISAS "fma 2 -mfma" "avx2 3 -mavx2 -mfma" "avx512 4 -mavx512f -mfma -mtune=icelake-server")
-endif()
-
-# Writes for every instruction set a file that includes `source`, and adds them to the list `result`.
-function(whirl_kernel source layer result)
-  get_filename_component(stem ${source} NAME_WE)
-  foreach(isa ${WHIRL_ISAS})
-    separate_arguments(isa)
-    list(POP_FRONT isa suffix number)
-    set(file ${PROJECT_BINARY_DIR}/kernels/${layer}/${stem}_${suffix}.c)
-    file(CONFIGURE OUTPUT ${file} CONTENT "#define VECTOR_ISA ${number}\n#include \"${source}\"\n")
-    set_source_files_properties(${file} PROPERTIES COMPILE_OPTIONS "${isa}")
-    list(APPEND ${result} ${file})
-  endforeach()
-  set(${result} ${${result}} PARENT_SCOPE)
-endfunction()
+include(cmake/whirlKernels.cmake)
 
 function(whirl_layer name)
   cmake_parse_arguments(LAYER "" "" "NEEDS;LIBRARIES" ${ARGN})
@@ -31,7 +12,7 @@ function(whirl_layer name)
   file(GLOB sources CONFIGURE_DEPENDS ${folder}/*.c)
   file(GLOB kernels CONFIGURE_DEPENDS ${folder}/kernels/*.c ${folder}/elements/*.c)
   foreach(kernel ${kernels})
-    whirl_kernel(${kernel} ${name} sources)
+    whirl_kernel(${kernel} ${PROJECT_BINARY_DIR}/kernels/${name} sources)
   endforeach()
   add_library(whirl_${name} OBJECT ${sources})
   target_include_directories(whirl_${name} PUBLIC ${PROJECT_SOURCE_DIR}/include ${PROJECT_BINARY_DIR}/include

@@ -84,7 +84,10 @@ if [ -n "$library" ] && [ -e "$library" ]; then
     foreign=$(grep -v '^whirl_' <<<"$exported")
     [ -z "$foreign" ] || fail "libwhirl.so exports: $foreign"
     # Each function of the headers is there, and nothing that no header declares.
-    declared=$(sed -E 's,//.*,,' include/whirl/*.h | grep -v typedef | grep -oE '\bwhirl_[a-z0-9_]+\(' | tr -d '(' | sort -u)
+    declared=$({
+        sed -E 's,//.*,,' include/whirl/*.h | grep -v typedef | grep -oE '\bwhirl_[a-z0-9_]+\(' | tr -d '('
+        sed -nE 's/^#define assembly_[a-z_]+ (whirl_assembly_[a-z_]+)$/\1/p' src/rotor/assembly.h
+    } | sort -u)
     missing=$(comm -23 <(echo "$declared") <(sort -u <<<"$exported"))
     extra=$(comm -13 <(echo "$declared") <(sort -u <<<"$exported"))
     [ -z "$missing" ] || fail "declared and not in libwhirl.so: $missing"

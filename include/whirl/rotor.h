@@ -46,7 +46,16 @@ whirl_status whirl_design_new(double speed, double length_scale, whirl_design **
 /// WHIRL_BAD_INPUT with a sentence for an unknown, missing, repeated or out-of-range key.
 whirl_status whirl_design_station(whirl_design *design, const char *name, const whirl_setting *settings, size_t count);
 
-/// Adds an element of a kind of whirl_element_groups(); its stations must be there already. Errors as above.
+/// A kind of element of one's own, written with the headers of whirl/element (docs/elements.md).
+typedef struct whirl_element_type whirl_element_type;
+
+/// Makes a kind of element known to this design; such elements act after the library's, in the order in which kinds are
+/// added. `type` is borrowed and must outlive the design and its rotors. WHIRL_BAD_INPUT where there is one of that
+/// name.
+whirl_status whirl_design_add_type(whirl_design *design, const whirl_element_type *type);
+
+/// Adds an element of a kind of whirl_element_groups() or of whirl_design_add_type(); its stations must be there
+/// already. Errors as above.
 whirl_status whirl_design_element(whirl_design *design, const char *kind, const whirl_setting *settings, size_t count);
 
 void whirl_design_free(whirl_design *design);

@@ -12,6 +12,23 @@
 
 #include "whirl/status.h"
 
+// Elements outside the library find these by names of the library.
+#define assembly_find whirl_assembly_find
+#define assembly_find_plane whirl_assembly_find_plane
+#define assembly_inertia whirl_assembly_inertia
+#define assembly_stiffness_scale whirl_assembly_stiffness_scale
+#define assembly_force_scale whirl_assembly_force_scale
+#define assembly_stiffness whirl_assembly_stiffness
+#define assembly_damping whirl_assembly_damping
+#define assembly_spring whirl_assembly_spring
+#define assembly_damper whirl_assembly_damper
+#define assembly_forcing whirl_assembly_forcing
+#define assembly_turning whirl_assembly_turning
+#define assembly_gyroscopic whirl_assembly_gyroscopic
+#define assembly_unbalance whirl_assembly_unbalance
+#define assembly_pull whirl_assembly_pull
+#define assembly_ground_damping whirl_assembly_ground_damping
+
 /// No coordinate: what does not move.
 #define NO_COORDINATE ((size_t)-1)
 

@@ -16,6 +16,8 @@ whirl_status whirl_design_new(double speed, double length_scale, whirl_design **
     if (!*design) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a design");
     (*design)->speed = speed;
     (*design)->length = length_scale;
+    for (const element_type *const *type = element_types; *type; type++)
+        (*design)->types[(*design)->type_count++] = *type;
     return whirl_ok();
 }
 
@@ -169,24 +171,32 @@ whirl_status whirl_design_station(whirl_design *design, const char *name, const 
     return whirl_ok();
 }
 
-static const element_type *find_type(const char *kind) {
-    for (const element_type *const *type = element_types; *type; type++)
-        if (strcmp((*type)->group.name, kind) == 0) return *type;
+static const element_type *find_type(const whirl_design *design, const char *kind) {
+    for (size_t i = 0; i < design->type_count; i++)
+        if (strcmp(design->types[i]->group.name, kind) == 0) return design->types[i];
     return NULL;
 }
 
-static whirl_status unknown_element(const char *kind) {
-    const char *names[32];
-    size_t count = 0;
-    for (const element_type *const *type = element_types; *type; type++) names[count++] = (*type)->group.name;
-    const char *near = whirl_nearest_name(kind, names, count);
+static whirl_status unknown_element(const whirl_design *design, const char *kind) {
+    const char *names[MAX_TYPES];
+    for (size_t i = 0; i < design->type_count; i++) names[i] = design->types[i]->group.name;
+    const char *near = whirl_nearest_name(kind, names, design->type_count);
     if (near) return whirl_fail(WHIRL_BAD_INPUT, "no element is called '%.40s', did you mean '%s'?", kind, near);
     return whirl_fail(WHIRL_BAD_INPUT, "no element is called '%.40s'", kind);
 }
 
+whirl_status whirl_design_add_type(whirl_design *design, const whirl_element_type *type) {
+    if (find_type(design, type->group.name))
+        return whirl_fail(WHIRL_BAD_INPUT, "there is an element '%.40s' already", type->group.name);
+    if (design->type_count == MAX_TYPES)
+        return whirl_fail(WHIRL_BAD_INPUT, "there are more than %d kinds of elements", MAX_TYPES);
+    design->types[design->type_count++] = type;
+    return whirl_ok();
+}
+
 whirl_status whirl_design_element(whirl_design *design, const char *kind, const whirl_setting *settings, size_t count) {
-    const element_type *type = find_type(kind);
-    if (!type) return unknown_element(kind);
+    const element_type *type = find_type(design, kind);
+    if (!type) return unknown_element(design, kind);
     if (design->element_count == WHIRL_MAX_ELEMENTS)
         return whirl_fail(WHIRL_BAD_INPUT, "there are more than %d elements", WHIRL_MAX_ELEMENTS);
     key_value *values = calloc(type->group.key_count, sizeof *values);

@@ -15,11 +15,15 @@ typedef struct design_element {
     key_value *values; ///< [type->group.key_count]
 } design_element;
 
+enum { MAX_TYPES = 64 };
+
 struct whirl_design {
     double speed, length;
     size_t station_count, element_count;
     design_station stations[WHIRL_MAX_STATIONS];
     design_element elements[WHIRL_MAX_ELEMENTS];
+    size_t type_count;
+    const element_type *types[MAX_TYPES]; ///< the library's, then those that were added; in the order they act in
 };
 
 #endif

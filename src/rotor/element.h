@@ -30,7 +30,7 @@ enum { MAX_PORTS = 8 };
 /// An element as its kernels see it. The structure (ports, law) is shared by all machines of a block, the numbers are
 /// not.
 typedef struct element {
-    const struct element_type *type;
+    const struct whirl_element_type *type;
     size_t station;         ///< where it sits
     size_t port[MAX_PORTS]; ///< the coordinates that it sees; NO_COORDINATE: the ground's
     size_t state;           ///< where its own first-order states begin, in the rows of the velocities
@@ -53,7 +53,7 @@ typedef struct element_kernels {
     void (*contact)(const element *own, const struct block *b, void *force);
 } element_kernels;
 
-typedef struct element_type {
+typedef struct whirl_element_type {
     whirl_group group;
     size_t number_count;
     size_t state_count;                    ///< first-order states of its own
@@ -89,7 +89,7 @@ typedef struct element_type {
     double (*bearing_clearance)(const element *own);
 } element_type;
 
-/// All elements in the order in which they act (the order fixes the last bits of a sum); ended by NULL.
+/// The library's elements in the order in which they act (the order fixes the last bits of a sum); ended by NULL.
 extern const element_type *const element_types[];
 
 /// The station's own keys, its inertia, and what it adds to the assembly.

@@ -18,8 +18,8 @@
 ///     KERNEL(switches)(const element *own, const kernel_view *view, const num *d, const num *w, num *values)
 ///         where KERNEL_SWITCHES is not 0; `force` then looks at view->sides where they are not NULL.
 ///
-/// An element has 2 KERNEL_AXES ports: the coordinates of its place, then those of the other place or NO_COORDINATE. The
-/// force acts on the first with its sign and on the other against it.
+/// An element has 2 KERNEL_AXES ports: the coordinates of its place, then those of the other place or NO_COORDINATE.
+/// The force acts on the first with its sign and on the other against it.
 #ifndef ROTOR_GENERIC_H
 #define ROTOR_GENERIC_H
 

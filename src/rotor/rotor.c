@@ -122,8 +122,8 @@ static whirl_status assemble(building *b, const whirl_design *design, const size
     if (status.code == WHIRL_OK) status = assembly_number(&b->assembly, order);
     for (size_t s = 0; s < design->station_count && status.code == WHIRL_OK; s++)
         station_build(design->stations[s].values, &b->assembly, s);
-    for (const element_type *const *type = element_types; *type && status.code == WHIRL_OK; type++)
-        status = add_elements(b, *type);
+    for (size_t i = 0; i < design->type_count && status.code == WHIRL_OK; i++)
+        status = add_elements(b, design->types[i]);
     if (status.code == WHIRL_OK && !assembly_finish(&b->assembly))
         status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a rotor of %zu elements", design->element_count);
     return status;

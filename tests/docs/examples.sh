@@ -1,7 +1,8 @@
 #!/bin/bash
-# Runs what the documents show:  examples.sh ROOT BUILD
+# Runs what the documents show:  examples.sh ROOT BUILD DOCUMENT...
 #
-# Of the user guide, in the order in which they stand and in one fresh folder, with an installed whirl on the PATH:
+# Of the user guide (user-guide) and of how to write an element (elements), in the order in which they stand and in one
+# fresh folder, with an installed whirl on the PATH:
 #   ```yaml, c, cmake  with "tested: FILE" in the first line are written to FILE; a case must pass `whirl check`,
 #                      unless ", not good" follows
 #   ```sh              with "# tested" in the first line are run; the exit status is 0, or the one said there:
@@ -10,8 +11,8 @@
 #   ```text            is what the block before prints: each of its lines must begin a line there, numbers within a
 #                      tolerance (compare.py); "# tested, numbers vary" before it leaves these out
 #   ```json            is what the last point.json holds
-# Of README.md: every command that starts with build/whirl, and every case.
-# Links of all documents to files of the repository must lead somewhere.
+# Of README.md (readme): every command that starts with build/whirl, and every case.
+# Links of all documents to files of the repository (links) must lead somewhere.
 set -u
 script=$(realpath "$0")
 root=$(realpath "$1")
@@ -68,17 +69,17 @@ write_block() { # FILE FIRST-LINE
     local target=${name%%[, ]*}
     cp "$1" "$target"
     case $target:$2 in
-    *", not good"* | *.c:* | *.txt:*) return ;;
+    *", not good"* | *.c:* | *.h:* | *.txt:*) return ;;
     esac
     grep -q '^whirl:' "$target" && run_block "$1" 0 whirl check "$target"
 }
 
-guide() {
-    mkdir "$folder/guide" "$folder/work"
-    extract "$root/docs/user-guide.md" "$folder/guide"
-    cd "$folder/work" || exit 1
+page() { # NAME
+    mkdir "$folder/$1" "$folder/$1-work"
+    extract "$root/docs/$1.md" "$folder/$1"
+    cd "$folder/$1-work" || exit 1
     local block first before=
-    for block in "$folder"/guide/*; do
+    for block in "$folder/$1"/*; do
         first=$(head -n 1 "$block")
         case ${block##*.}:$first in
         text:*) [ -n "$before" ] && compare "$block" "$folder/output" "$(head -n 1 "$before")" ;;
@@ -129,9 +130,13 @@ links() {
     done
 }
 
-guide
-readme
-links
-[ "$ran" -ge 15 ] || fail "only $ran blocks were run"
+for document in "${@:3}"; do
+    before=$ran
+    case $document in
+    readme | links) "$document" ;;
+    *) page "$document" ;;
+    esac
+    [ "$document" = links ] || [ "$ran" -gt "$before" ] || fail "$document has nothing that was run"
+done
 echo "$ran blocks were run, $failures failures"
 [ "$failures" -eq 0 ]

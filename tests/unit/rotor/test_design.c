@@ -9,6 +9,7 @@
 
 #include <cmocka.h>
 
+#include "element.h"
 #include "whirl/rotor.h"
 
 static void refused(whirl_status status, const char *words) {
@@ -21,6 +22,11 @@ static whirl_design *design_with_disc(void) {
     assert_int_equal(whirl_design_new(100, 1e-3, &design).code, WHIRL_OK);
     assert_int_equal(whirl_design_station(design, "disc", (whirl_setting[]){{"mass", 2, NULL}}, 1).code, WHIRL_OK);
     return design;
+}
+
+static whirl_status build_nothing(const key_value *values, assembly *to, element *out) {
+    (void)values, (void)to, (void)out;
+    return whirl_ok();
 }
 
 static void test_frame(void **state) {
@@ -105,6 +111,31 @@ static void test_elements(void **state) {
                                  (whirl_setting[]){{"at", 0, "ground"}, {"gap", 1, NULL}, {"stiffness", 1, NULL}}, 3),
             "ground");
     whirl_design_free(design);
+}
+
+/// A kind of element that is no mass, no force: a design is told of it, others are not.
+static void test_own_types(void **state) {
+    static const whirl_key keys[] = {
+        {"at", "", "", WHIRL_KEY_STATION, true, "", WHIRL_ANY, NULL, "where it is of no use", ""}};
+    static const element_type idler = {.group = {"idler", "an element that does nothing", "", keys, 1, NULL},
+                                       .build = build_nothing};
+    static const element_type impostor = {.group = {"shaft", "not the shaft that is known", "", keys, 1, NULL},
+                                          .build = build_nothing};
+    whirl_design *design = design_with_disc(), *other = design_with_disc();
+    const whirl_setting at[] = {{"at", 0, "disc"}};
+    whirl_rotor *rotor;
+    (void)state;
+    assert_int_equal(whirl_design_add_type(design, &idler).code, WHIRL_OK);
+    refused(whirl_design_add_type(design, &idler), "already");
+    refused(whirl_design_add_type(design, &impostor), "'shaft' already");
+    assert_int_equal(whirl_design_element(design, "idler", at, 1).code, WHIRL_OK);
+    refused(whirl_design_element(design, "idlr", at, 1), "did you mean 'idler'");
+    refused(whirl_design_element(design, "idler", NULL, 0), "no at");
+    refused(whirl_design_element(other, "idler", at, 1), "no element");
+    assert_int_equal(whirl_rotor_new(design, &rotor).code, WHIRL_OK);
+    whirl_rotor_free(rotor);
+    whirl_design_free(design);
+    whirl_design_free(other);
 }
 
 /// Keys that contradict each other are found when the rotor is built.
@@ -205,6 +236,7 @@ int main(void) {
         cmocka_unit_test(test_elements),
         cmocka_unit_test(test_contradictions),
         cmocka_unit_test(test_fluid_in_a_moving_housing),
+        cmocka_unit_test(test_own_types),
         cmocka_unit_test(test_nothing_is_no_rotor),
         cmocka_unit_test(test_descriptors_are_sound),
     };
