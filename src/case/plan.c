@@ -307,7 +307,8 @@ whirl_status plan_start_state(const study_plan *plan, size_t batch, valuation *v
         const whirl_probe *probe = &system->probes[start->station];
         const size_t index[] = {probe->x, probe->y, probe->vx, probe->vy};
         for (size_t k = 0; k < 4; k++) {
-            state[index[k]] = state_number(machine, v, &start->state, state_keys[k]);
+            // A station that moves along one axis has one coordinate for both.
+            state[index[k]] += state_number(machine, v, &start->state, state_keys[k]);
             if (isfinite(state[index[k]])) continue;
             return whirl_fail(WHIRL_BAD_INPUT, "the initial %s of station %.63s has no finite value", state_keys[k],
                               plan->starts[i].state.place->key);
@@ -316,11 +317,23 @@ whirl_status plan_start_state(const study_plan *plan, size_t batch, valuation *v
     return whirl_ok();
 }
 
+/// Refuses places and velocities along an axis that the station does not move along.
+static void check_axes(case_reader *reader, const machine_parts *machine, const plan_start *start) {
+    const setting *moves = settings_find(&machine->stations[start->station], "moves");
+    for (size_t k = 0; moves && moves->word && k < sizeof state_keys / sizeof *state_keys; k++) {
+        const char *key = state_keys[k], *axis = key + strlen(key) - 1;
+        const setting *given = settings_find(&start->state, key);
+        if (given && !strstr(moves->word, axis) && reader_reports(reader, key, start->state.place->key))
+            problem_at_key(reader->problems, given->place, "moves along %s alone, expected no %s", moves->word, key);
+    }
+}
+
 void plan_check_start(case_reader *reader, const study_plan *plan, size_t batch, valuation *v,
                       const machine_parts *machine, const whirl_rotor *rotor) {
     const whirl_system *const system = whirl_rotor_system(rotor);
     for (size_t i = 0; i < plan->start_count && !plan->rest[batch]; i++) {
         const plan_start *start = &plan->starts[i];
+        check_axes(reader, machine, start);
         const double clearance = system->probes[start->station].clearance;
         const double radius =
             hypot(state_number(machine, v, &start->state, "x"), state_number(machine, v, &start->state, "y"));

@@ -16,7 +16,8 @@
     X(spring)                                                                                                          \
     X(crack)                                                                                                           \
     X(seal)                                                                                                            \
-    X(looseness)
+    X(looseness)                                                                                                       \
+    X(mount)
 
 #define DECLARE(name) extern const element_type name##_element;
 ELEMENTS(DECLARE)

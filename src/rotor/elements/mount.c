@@ -1,0 +1,62 @@
+// An elastomer mount between two stations, or a station and the ground: its damping fades with the frequency.
+#define KERNEL_FILE "elements/mount_kernel.h"
+#define KERNEL_AXES 2
+#define KERNEL_STATES 2
+#define KERNEL_NUMBERS MOUNT_NUMBERS
+#define KERNEL_SWITCHES 0
+
+/// k and k_m in newtons a length scale; k_m/(c omega).
+enum { MOUNT_STIFFNESS, MOUNT_BRANCH, MOUNT_RATE, MOUNT_NUMBERS };
+
+#include "generic.h"
+#include "registry.h"
+
+const element_kernels ISA(mount_kernels) = GENERIC_KERNELS;
+
+#if VECTOR_ISA == VECTOR_SCALAR
+
+enum { BETWEEN, STIFFNESS, BRANCH, DAMPING, KEY_COUNT };
+
+static const whirl_key keys[KEY_COUNT] = {
+    [BETWEEN] = {"between", "", "", WHIRL_KEY_STATIONS, true, "", WHIRL_ANY, NULL,
+                 "the two stations that it joins; one may be ground", ""},
+    [STIFFNESS] = {"stiffness", "k", "N/m", WHIRL_KEY_NUMBER, true, "", WHIRL_NOT_NEGATIVE, NULL,
+                   "stiffness at rest", ""},
+    [BRANCH] = {"branch", "k_m", "N/m", WHIRL_KEY_NUMBER, true, "", WHIRL_POSITIVE, NULL,
+                "stiffness of the spring in series with the damper: what is added at high frequencies", "Zener 1948"},
+    [DAMPING] = {"damping", "c", "N s/m", WHIRL_KEY_NUMBER, true, "", WHIRL_POSITIVE, NULL,
+                 "damping of the damper in series", "Zener 1948"},
+};
+
+/// The coordinates of an end; of the ground none.
+static whirl_status find_end(const assembly *to, size_t station, size_t port[KERNEL_AXES]) {
+    port[0] = port[1] = NO_COORDINATE;
+    return station == GROUND ? whirl_ok() : assembly_find_plane(to, station, port);
+}
+
+static whirl_status build(const key_value *values, assembly *to, element *out) {
+    const size_t *station = values[BETWEEN].station;
+    if (station[0] == station[1]) return whirl_fail(WHIRL_BAD_INPUT, "between names one station twice, expected two");
+    whirl_status status = find_end(to, station[0], out->port);
+    if (status.code == WHIRL_OK) status = find_end(to, station[1], out->port + KERNEL_AXES);
+    if (status.code != WHIRL_OK) return status;
+    out->station = station[0] == GROUND ? station[1] : station[0];
+    out->number[MOUNT_STIFFNESS] = values[STIFFNESS].number * to->length;
+    out->number[MOUNT_BRANCH] = values[BRANCH].number * to->length;
+    out->number[MOUNT_RATE] = values[BRANCH].number / (values[DAMPING].number * to->speed);
+    generic_scale(out, to, 1.0);
+    return whirl_ok();
+}
+
+FOR_EVERY_ISA(const element_kernels, mount_kernels);
+static const element_kernels *const kernels[VECTOR_ISAS] = EVERY_ISA(&, mount_kernels);
+
+const element_type mount_element = {
+    .group = {"mount", "an elastomer between two stations or a station and the ground, a standard linear solid",
+              "Zener 1948; Brinson, Brinson 2008, sec. 5.4", keys, KEY_COUNT, NULL},
+    .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
+    .state_count = KERNEL_STATES,
+    .kernels = kernels,
+    .build = build,
+};
+#endif
