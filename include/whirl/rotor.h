@@ -62,6 +62,16 @@ void whirl_design_free(whirl_design *design);
 
 typedef struct whirl_rotor whirl_rotor;
 
+/// Index of an element in the order in which a design was given them; none.
+#define WHIRL_NO_ELEMENT ((size_t)-1)
+
+/// Is told of a problem, and of the element that it is with or WHIRL_NO_ELEMENT.
+typedef void whirl_rotor_tell(void *context, size_t element, const whirl_status *status);
+
+/// Tells all that keeps the design from being a rotor (keys that contradict each other, a station without mass, ...) and
+/// gives how much it was. WHIRL_NO_MEMORY.
+whirl_status whirl_rotor_check(const whirl_design *design, whirl_rotor_tell *tell, void *context, size_t *problems);
+
 /// Builds the rotor. The design is not kept. WHIRL_BAD_INPUT for a design that is no machine (no station, ...).
 whirl_status whirl_rotor_new(const whirl_design *design, whirl_rotor **rotor);
 void whirl_rotor_free(whirl_rotor *rotor);

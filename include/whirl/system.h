@@ -49,6 +49,11 @@ typedef struct whirl_system {
     /// The right-hand side. t runs from 0 to period in every revolution; `forcing` holds the values at t.
     void (*rhs)(const void *model, double t, const double *forcing, const double *x, double *dxdt);
 
+    /// Optional: [dimension] the period of coordinates that are angles which turn on and on (the phase of a cage, of a
+    /// second shaft), 0 of all others; borrowed. They are brought back between 0 and their period at the end of every
+    /// revolution, and analyses do not look at them: a motion whose other coordinates return is periodic.
+    const double *turns;
+
     /// Optional: switching functions, smooth in (t, x), whose zeros are where rhs is not smooth (contact,
     /// release, slip reversal). Writes `switch_count` values. Integrators with root finding stop there.
     size_t switch_count;

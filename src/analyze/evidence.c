@@ -10,6 +10,7 @@ evidence evidence_gather(const whirl_record *record) {
                   .rounding = motion_rounding(record),
                   .exponent = whirl_lyapunov_largest(record),
                   .second = {NAN, NAN}};
+    for (size_t i = 0; record->turns && i < record->dimension; i++) e.forced = e.forced || record->turns[i] > 0.0;
     e.exponents_failed = balance_growth(record).failed;
     if (record->growth_count > 0 && !e.exponents_failed) {
         const size_t aligning = record->growth_count / 10;

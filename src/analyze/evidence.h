@@ -16,6 +16,7 @@ typedef struct evidence {
     regularity averages;
     whirl_estimate exponent;
     whirl_estimate second; ///< sharp, of regular motions; NaN where not all disturbances were followed
+    bool forced;           ///< by a phase that fits no revolution: then a stable motion does not return
     bool exponents_failed; ///< then there is no growth that says anything
 } evidence;
 

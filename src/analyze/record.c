@@ -37,12 +37,21 @@ static size_t count_followed(const whirl_system *system, const whirl_integrate_o
     return whirl_method_find(integrate->method, &own).code == WHIRL_OK && own->follows_one ? 1 : 0;
 }
 
-/// Disturbances as they are at first: along the axes, a single one across them all.
+/// Disturbances as they are at first: along the axes, a single one across them all. What turns on and on comes last: made
+/// orthogonal in turn, the others never know of it, and their growth is that of the rest alone.
 static void place_disturbances(const recording *r) {
     const size_t n = r->record->dimension;
+    const double *turns = r->record->turns;
+    size_t count = 0;
     memset(r->disturbances, 0, r->followed * n * sizeof *r->disturbances);
-    for (size_t i = 0; i < n; i++) r->disturbances[r->followed == n ? i * n + i : i] = 1.0;
-    for (size_t i = 0; r->followed == 1 && i < n; i++) r->disturbances[i] /= sqrt((double)n);
+    for (int turning = 0; turning < 2; turning++)
+        for (size_t i = 0; i < n; i++) {
+            if ((turns && turns[i] > 0.0) != turning) continue;
+            if (r->followed == n)
+                r->disturbances[count++ * n + i] = 1.0;
+            else if (!turning)
+                r->disturbances[i] = 1.0 / sqrt((double)n);
+        }
 }
 
 /// One revolution of the motion with its disturbances.
@@ -82,8 +91,7 @@ static void revolve(recording *r) {
         const bool bounded = whirl_integrator_revolve(r->integrator, r->twin.x, NULL, NULL) == WHIRL_BOUNDED;
         record->growth[record->growth_count++] = twin_growth(&r->twin, r->x, bounded);
     }
-    if (watched)
-        memcpy(record->section + record->section_count++ * record->dimension, r->x, record->dimension * sizeof *r->x);
+    if (watched) record_keep_section(record, r->x);
 }
 
 /// Revolves once; true when the motion is over.
@@ -94,6 +102,7 @@ static bool carry_on(recording *r) {
     if (r->settling && settling_note(r->settling, r->x)) r->revolution = record_skip(r->options, r->revolution);
     if (r->revolution < r->options->transient + r->options->record) return false;
     observer_close(&r->observer);
+    record_close_turns(r->record);
     memcpy(r->record->end, r->x, r->record->dimension * sizeof *r->x);
     return true;
 }
@@ -133,7 +142,7 @@ static whirl_status recording_new(const whirl_task *task, const whirl_integrate_
         return status;
     }
     memcpy(r->x, task->start, system->dimension * sizeof *r->x);
-    r->twin = twin_of(integrate, n, options->growth == WHIRL_GROWTH_LARGEST && !along ? r->x + n : NULL);
+    r->twin = twin_of(integrate, n, system->turns, options->growth == WHIRL_GROWTH_LARGEST && !along ? r->x + n : NULL);
     observer_open(&r->observer, system, integrate, r->record);
     *out = r;
     return whirl_ok();

@@ -134,6 +134,7 @@ whirl_record *record_new(const whirl_system *system, const whirl_integrate_optio
     record->probe_count = system->probe_count;
     record->contact_count = system->contact_count;
     record->probes = system->probes;
+    record->turns = system->turns;
     record->period = system->period;
     record->steps = (whirl_step_quality){(double)NAN, (double)NAN, 1.0};
     record->record_count = (size_t)options->record;
@@ -183,4 +184,14 @@ void record_archive(whirl_record *r, const whirl_integrate_options *integrate, c
 
 void whirl_record_free(whirl_record *record) {
     free(record);
+}
+
+void record_keep_section(whirl_record *record, const double *x) {
+    double *kept = record->section + record->section_count++ * record->dimension;
+    for (size_t i = 0; i < record->dimension; i++) kept[i] = record->turns && record->turns[i] > 0.0 ? 0.0 : x[i];
+}
+
+void record_close_turns(whirl_record *record) {
+    for (size_t i = 0; record->turns && i < record->dimension; i++)
+        if (record->turns[i] > 0.0) record->low[i] = record->high[i] = 0.0;
 }

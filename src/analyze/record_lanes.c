@@ -133,7 +133,7 @@ static motion *motion_new(const lanes_recorder *r, const whirl_task *task) {
     *m = (motion){.task = *task, .lane = NO_LANE, .twin_lane = NO_LANE, .x = (double *)(m + 1)};
     m->disturbances = m->x + 2 * r->dimension;
     for (size_t i = 0; r->variational && i < r->dimension; i++) m->disturbances[i * r->dimension + i] = 1.0;
-    m->twin = twin_of(r->integrate, r->dimension, m->x + r->dimension);
+    m->twin = twin_of(r->integrate, r->dimension, task->system->turns, m->x + r->dimension);
     m->record = record_new(task->system, r->integrate, r->options);
     memcpy(m->x, task->start, r->dimension * sizeof *m->x);
     if (follows(r, m)) twin_begin(&m->twin, m->x);
@@ -356,7 +356,7 @@ static void note(lanes_recorder *r, motion *m) {
     }
     if (m->revolution > r->first_watched) {
         if (m->twin_lane != NO_LANE) follow_twin(r, m);
-        memcpy(record->section + record->section_count++ * record->dimension, m->x, record->dimension * sizeof *m->x);
+        record_keep_section(record, m->x);
     }
     if (m->settling && settling_note(m->settling, m->x)) m->revolution = record_skip(r->options, m->revolution);
 }

@@ -18,14 +18,18 @@ static double norm(const double *x, size_t count) {
 }
 
 static void twin_place(trajectory_twin *twin, const double *x) {
-    for (size_t i = 0; i < twin->dimension; i++) twin->x[i] = x[i] + twin->distance / sqrt((double)twin->dimension);
+    for (size_t i = 0; i < twin->dimension; i++) {
+        const bool turning = twin->turns && twin->turns[i] > 0.0;
+        twin->x[i] = turning ? x[i] : x[i] + twin->distance / sqrt((double)twin->dimension);
+    }
 }
 
-trajectory_twin twin_of(const whirl_integrate_options *integrate, size_t dimension, double *x) {
+trajectory_twin twin_of(const whirl_integrate_options *integrate, size_t dimension, const double *turns, double *x) {
     const whirl_method *method;
     const bool known = whirl_method_find(integrate->method, &method).code == WHIRL_OK;
     const bool apart = known && method->adaptive && !method->follows;
     return (trajectory_twin){.dimension = dimension,
+                             .turns = turns,
                              .share = apart ? fmin(fmax(share_in_tolerances * integrate->rtol, least_share), most_share)
                                             : least_share,
                              .least = apart ? share_in_tolerances * integrate->atol : 0.0,

@@ -86,11 +86,12 @@ static bool is_neutral(whirl_estimate exponent) {
     return fabs(exponent.value) <= sigmas * exponent.error + neutral_rounding && exponent.error <= neutral_error;
 }
 
-/// Quasi-periodic, up to the curves: disturbances neither grow nor die out, and the motion is regular but never
-/// returns.
+/// Quasi-periodic, up to the curves: the motion is regular but never returns, and disturbances neither grow nor die out;
+/// where a phase forces it that fits no revolution they may die out.
 static bool may_be_quasi_periodic(const evidence *e) {
     if (e->growth_count == 0) return false;
-    return is_neutral(estimate_regular_mean(e->growth, e->growth_count, 1)) && e->averages.digits >= regular_digits &&
+    const whirl_estimate exponent = estimate_regular_mean(e->growth, e->growth_count, 1);
+    return (is_neutral(exponent) || (e->forced && is_negative(exponent))) && e->averages.digits >= regular_digits &&
            e->returns.distance > recurrence_tolerance;
 }
 

@@ -218,21 +218,22 @@ static whirl_status add_element(const machine_parts *machine, size_t index, valu
     return status;
 }
 
-/// All stations with the elements from `first` to before `last`.
-static whirl_status build(const machine_parts *machine, valuation *v, size_t first, size_t last, whirl_rotor **rotor) {
-    whirl_design *design;
-    *rotor = NULL;
-    whirl_status status = new_design(machine, v, &design);
+static whirl_status make_design(const machine_parts *machine, valuation *v, whirl_design **design) {
+    whirl_status status = new_design(machine, v, design);
     for (size_t i = 0; i < machine->station_count && status.code == WHIRL_OK; i++)
-        status = add_station(machine, i, v, design);
-    for (size_t i = first; i < last && status.code == WHIRL_OK; i++) status = add_element(machine, i, v, design);
-    if (status.code == WHIRL_OK) status = whirl_rotor_new(design, rotor);
-    whirl_design_free(design);
+        status = add_station(machine, i, v, *design);
+    for (size_t i = 0; i < machine->element_count && status.code == WHIRL_OK; i++)
+        status = add_element(machine, i, v, *design);
     return status;
 }
 
 whirl_status machine_build(const machine_parts *machine, valuation *v, whirl_rotor **rotor) {
-    return build(machine, v, 0, machine->element_count, rotor);
+    whirl_design *design;
+    *rotor = NULL;
+    whirl_status status = make_design(machine, v, &design);
+    if (status.code == WHIRL_OK) status = whirl_rotor_new(design, rotor);
+    whirl_design_free(design);
+    return status;
 }
 
 // ---------------------------------------------------------------- checking
@@ -250,26 +251,36 @@ static bool check_values(case_reader *reader, valuation *v, const machine_parts 
     return good;
 }
 
-/// What is left are settings that contradict each other: every element is tried alone, so that each problem has its
-/// line.
-static bool check_one_by_one(case_reader *reader, valuation *v, const machine_parts *machine) {
-    whirl_rotor *rotor;
-    whirl_status status = build(machine, v, 0, 0, &rotor);
-    whirl_rotor_free(rotor);
-    if (!tell(reader, machine->rotor.place, &status)) return false;
-    bool good = true;
-    for (size_t i = 0; i < machine->element_count; i++) {
-        status = build(machine, v, i, i + 1, &rotor);
-        whirl_rotor_free(rotor);
-        good = tell(reader, machine->elements[i].place, &status) && good;
-    }
-    return good;
+/// Whom problems of a design are told to.
+typedef struct teller {
+    case_reader *reader;
+    const machine_parts *machine;
+} teller;
+
+static void tell_of_element(void *context, size_t element, const whirl_status *status) {
+    const teller *to = context;
+    const bool known = element < to->machine->element_count;
+    tell(to->reader, known ? to->machine->elements[element].place : to->machine->rotor.place, status);
 }
 
-/// A rotor with the element alone, its stations of 1 kg. Expressions, whose values may not be known, count as 1: what
-/// contradicts each other are keys that are there and keys that are not.
+/// What is left are settings that contradict each other: each problem has its line.
+static void check_together(case_reader *reader, valuation *v, const machine_parts *machine) {
+    whirl_design *design;
+    whirl_rotor *rotor = NULL;
+    size_t problems = 0;
+    teller to = {reader, machine};
+    whirl_status status = make_design(machine, v, &design);
+    if (status.code == WHIRL_OK) status = whirl_rotor_check(design, tell_of_element, &to, &problems);
+    if (status.code == WHIRL_OK && problems == 0) status = whirl_rotor_new(design, &rotor);
+    tell(reader, machine->elements_place, &status);
+    whirl_rotor_free(rotor);
+    whirl_design_free(design);
+}
+
+/// A rotor with the element alone, its stations of 1 kg and 1 kg m2. Expressions, whose values may not be known, count
+/// as 1: what contradicts each other are keys that are there and keys that are not.
 static whirl_status build_alone(const machine_parts *machine, const setting_list *element) {
-    const whirl_setting unit_mass = {.key = "mass", .number = 1.0};
+    const whirl_setting unit[] = {{.key = "mass", .number = 1.0}, {.key = "diametral", .number = 1.0}};
     whirl_setting values[SETTINGS_MAX];
     whirl_design *design;
     whirl_rotor *rotor = NULL;
@@ -281,7 +292,7 @@ static whirl_status build_alone(const machine_parts *machine, const setting_list
     }
     for (size_t i = 0; i < machine->station_count && status.code == WHIRL_OK; i++)
         if (is_usable(machine->station_names[i]))
-            status = whirl_design_station(design, machine->station_names[i], &unit_mass, 1);
+            status = whirl_design_station(design, machine->station_names[i], unit, 2);
     if (status.code == WHIRL_OK) status = whirl_design_element(design, element->name, values, element->count);
     if (status.code == WHIRL_OK) status = whirl_rotor_new(design, &rotor);
     whirl_rotor_free(rotor);
@@ -304,9 +315,5 @@ void machine_check(case_reader *reader, valuation *v, const machine_parts *machi
         machine_check_alone(reader, machine);
         return;
     }
-    whirl_rotor *rotor;
-    const whirl_status status = machine_build(machine, v, &rotor);
-    whirl_rotor_free(rotor);
-    if (status.code == WHIRL_OK) return;
-    if (check_one_by_one(reader, v, machine)) tell(reader, machine->elements_place, &status);
+    check_together(reader, v, machine);
 }

@@ -92,9 +92,16 @@ whirl_status whirl_integrator_new(const whirl_system *system, const whirl_integr
     return whirl_ok();
 }
 
+/// Brings angles back into their first turn.
+static whirl_motion wrap(const whirl_system *system, double *x, whirl_motion motion) {
+    for (size_t i = 0; system->turns && i < system->dimension; i++)
+        if (system->turns[i] > 0.0) x[i] -= system->turns[i] * floor(x[i] / system->turns[i]);
+    return motion;
+}
+
 whirl_motion whirl_integrator_revolve(whirl_integrator *integrator, double *x, whirl_observe_fn observe,
                                       void *observer) {
-    return integrator->method->revolve(integrator, x, NULL, observe, observer);
+    return wrap(integrator->system, x, integrator->method->revolve(integrator, x, NULL, observe, observer));
 }
 
 whirl_status whirl_integrator_follow(whirl_integrator *integrator, size_t most) {
@@ -120,7 +127,7 @@ whirl_motion whirl_integrator_carry(whirl_integrator *integrator, double *x, whi
     if (disturbances->count > integrator->most_disturbances) return WHIRL_STUCK;
     disturbances->volume = 0.0;
     for (size_t i = 0; disturbances->growth && i < disturbances->count; i++) disturbances->growth[i] = 0.0;
-    return integrator->method->revolve(integrator, x, disturbances, observe, observer);
+    return wrap(integrator->system, x, integrator->method->revolve(integrator, x, disturbances, observe, observer));
 }
 
 void whirl_integrator_free(whirl_integrator *integrator) {

@@ -31,7 +31,7 @@ enum { KERNEL_PORTS = 2 * KERNEL_AXES, DUAL_INPUTS = 2 * KERNEL_AXES + KERNEL_ST
 typedef struct kernel_view {
     size_t stride;
     const vec *number; ///< number n of the element is number[n * stride]
-    vec phase[FORCING_COUNT];
+    vec phase[MOST_FORCING];
     const vec *sides; ///< of switch s: sides[s * stride]; NULL: the state decides
 } kernel_view;
 
@@ -67,7 +67,7 @@ VECTOR_INLINE kernel_inputs inputs_of(const element *own, const block *b, size_t
 
 VECTOR_INLINE kernel_view view_of(const block *b, size_t k) {
     kernel_view view = {.stride = b->stride, .number = b->number + k, .sides = b->sides ? b->sides + k : NULL};
-    for (size_t i = 0; b->forcing && i < FORCING_COUNT; i++) view.phase[i] = b->forcing[i * b->stride + k];
+    for (size_t i = 0; b->forcing && i < b->forcing_count; i++) view.phase[i] = b->forcing[i * b->stride + k];
     return view;
 }
 

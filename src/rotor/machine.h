@@ -19,6 +19,9 @@ struct whirl_rotor {
     double *numbers;   ///< [plane_count][STATION_NUMBERS], those of the terms, then those of the elements
     whirl_probe *probes;
     size_t *groups;   ///< [lanes.group_count + 1]
+    double *turns;    ///< [dimension] as whirl_system has them
+    bool turning;     ///< some of them are not 0
+    bool timed;       ///< an element asks for tau
     size_t *contacts; ///< [contact_count] indices of elements
     char (*contact_text)[WHIRL_NAME_SIZE + 16];
     const char **contact_names;

@@ -17,7 +17,8 @@
     X(crack)                                                                                                           \
     X(seal)                                                                                                            \
     X(looseness)                                                                                                       \
-    X(mount)
+    X(mount)                                                                                                           \
+    X(ball_bearing)
 
 #define DECLARE(name) extern const element_type name##_element;
 ELEMENTS(DECLARE)

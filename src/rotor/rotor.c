@@ -57,12 +57,15 @@ typedef struct building {
     element *elements; ///< [element_count] those that have kernels
     double *numbers;   ///< [number_count] theirs
     size_t element_count, number_count, state_count;
+    whirl_rotor_tell *tell; ///< NULL: the first problem ends the building
+    void *context;
+    size_t problems;
 } building;
 
 static whirl_status begin(building *b, const whirl_design *design) {
     size_t numbers = 1;
     for (size_t i = 0; i < design->element_count; i++) numbers += design->elements[i].type->number_count;
-    *b = (building){.design = design};
+    b->design = design;
     const whirl_status status = assembly_begin(&b->assembly, design->speed, design->length, design->station_count);
     b->elements = calloc(design->element_count + 1, sizeof *b->elements);
     b->numbers = calloc(numbers, sizeof *b->numbers);
@@ -77,9 +80,16 @@ static void end(building *b) {
     free(b->numbers);
 }
 
-static whirl_status of_element(const element_type *type, whirl_status status) {
+/// What goes on with element `index` (WHIRL_NO_ELEMENT: with no single one) after `status`: where problems are told one
+/// by one, as if it had been good.
+static whirl_status with_element(building *b, size_t index, whirl_status status) {
     if (status.code == WHIRL_OK) return status;
-    return whirl_fail(status.code, "%s %.300s", type->group.name, status.message);
+    if (index != WHIRL_NO_ELEMENT)
+        status = whirl_fail(status.code, "%s %.300s", b->design->elements[index].type->group.name, status.message);
+    if (!b->tell || status.code == WHIRL_NO_MEMORY) return status;
+    b->tell(b->context, index, &status);
+    b->problems++;
+    return whirl_ok();
 }
 
 /// All inertia; after it coordinates can be numbered.
@@ -88,11 +98,11 @@ static whirl_status add_inertia(building *b) {
     whirl_status status = whirl_ok();
     for (size_t s = 0; s < design->station_count && status.code == WHIRL_OK; s++) {
         b->assembly.stations[s].name = design->stations[s].name;
-        status = station_inertia(design->stations[s].values, &b->assembly, s);
+        status = with_element(b, WHIRL_NO_ELEMENT, station_inertia(design->stations[s].values, &b->assembly, s));
     }
     for (size_t i = 0; i < design->element_count && status.code == WHIRL_OK; i++) {
         const element_type *type = design->elements[i].type;
-        if (type->inertia) status = of_element(type, type->inertia(design->elements[i].values, &b->assembly));
+        if (type->inertia) status = with_element(b, i, type->inertia(design->elements[i].values, &b->assembly));
     }
     return status;
 }
@@ -106,10 +116,10 @@ static whirl_status add_elements(building *b, const element_type *type) {
         *own = (element){.type = type, .number = b->numbers + b->number_count};
         own->state = b->assembly.degrees + b->state_count;
         for (size_t port = 0; port < MAX_PORTS; port++) own->port[port] = NO_COORDINATE;
-        status = of_element(type, type->build(b->design->elements[i].values, &b->assembly, own));
+        status = with_element(b, i, type->build(b->design->elements[i].values, &b->assembly, own));
         if (!type->kernels || own->lumped) continue;
         b->number_count += type->number_count;
-        b->state_count += type->state_count;
+        b->state_count += own->type->state_count;
         b->element_count++;
     }
     return status;
@@ -119,6 +129,7 @@ static whirl_status add_elements(building *b, const element_type *type) {
 static whirl_status assemble(building *b, const whirl_design *design, const size_t *order) {
     whirl_status status = begin(b, design);
     if (status.code == WHIRL_OK) status = add_inertia(b);
+    if (b->problems > 0) return status; // without its inertia the rest would be told of for nothing
     if (status.code == WHIRL_OK) status = assembly_number(&b->assembly, order);
     for (size_t s = 0; s < design->station_count && status.code == WHIRL_OK; s++)
         station_build(design->stations[s].values, &b->assembly, s);
@@ -171,6 +182,7 @@ static size_t lay_out(whirl_rotor *rotor, char *block, const building *b) {
                            cut(block, &used, b->assembly.term_count * sizeof *rotor->terms),
                            cut(block, &used, stations * sizeof *rotor->probes),
                            cut(block, &used, (b->assembly.degrees + 1) * sizeof *rotor->groups),
+                           cut(block, &used, (2 * b->assembly.degrees + b->state_count) * sizeof *rotor->turns),
                            cut(block, &used, contacts * sizeof *rotor->contacts),
                            cut(block, &used, contacts * sizeof *rotor->contact_text),
                            cut(block, &used, contacts * sizeof *rotor->contact_names)};
@@ -180,9 +192,10 @@ static size_t lay_out(whirl_rotor *rotor, char *block, const building *b) {
     rotor->terms = parts[2];
     rotor->probes = parts[3];
     rotor->groups = parts[4];
-    rotor->contacts = parts[5];
-    rotor->contact_text = parts[6];
-    rotor->contact_names = parts[7];
+    rotor->turns = parts[5];
+    rotor->contacts = parts[6];
+    rotor->contact_text = parts[7];
+    rotor->contact_names = parts[8];
     return used;
 }
 
@@ -229,8 +242,13 @@ static void note_contact(whirl_rotor *rotor, size_t index) {
     rotor->contact_names[k] = rotor->contact_text[k];
 }
 
-static void note_element(whirl_rotor *rotor, size_t index) {
+static void note_element(whirl_rotor *rotor, size_t index, size_t degrees) {
     const element *own = &rotor->elements[index];
+    for (size_t s = 0; own->type->turns && s < own->type->state_count; s++) {
+        rotor->turns[degrees + own->state + s] = 6.283185307179586476925;
+        rotor->turning = true;
+    }
+    if (own->type->timed) rotor->timed = true;
     if (own->type->switch_count) rotor->lanes.switch_count += own->type->switch_count(own);
     if (own->type->modulated) rotor->lanes.modulated = true;
     if (own->type->slides && own->type->slides(own)) rotor->lanes.slides = true;
@@ -247,7 +265,7 @@ static void add_elements_to(whirl_rotor *rotor, const building *b) {
     memcpy(rotor->elements, b->elements, b->element_count * sizeof *b->elements);
     for (size_t i = 0; i < b->element_count; i++) {
         rotor->elements[i].number = own + (b->elements[i].number - b->numbers);
-        note_element(rotor, i);
+        note_element(rotor, i, b->assembly.degrees);
     }
 }
 
@@ -308,15 +326,25 @@ static whirl_status check(const whirl_rotor *rotor) {
     return whirl_ok();
 }
 
+whirl_status whirl_rotor_check(const whirl_design *design, whirl_rotor_tell *tell, void *context, size_t *problems) {
+    building b = {.tell = tell, .context = context};
+    const whirl_status status = assemble(&b, design, NULL);
+    end(&b);
+    if (status.code == WHIRL_BAD_INPUT) tell(context, WHIRL_NO_ELEMENT, &status);
+    *problems = b.problems + (status.code == WHIRL_BAD_INPUT);
+    return status.code == WHIRL_NO_MEMORY ? status : whirl_ok();
+}
+
 whirl_status whirl_rotor_new(const whirl_design *design, whirl_rotor **out) {
     static const size_t journal_first[] = {1, 0};
-    building b;
+    building b = {0};
     *out = NULL;
     if (design->station_count == 0)
         return whirl_fail(WHIRL_BAD_INPUT, "the rotor has no station, expected at least one");
     whirl_status status = assemble(&b, design, NULL);
     if (status.code == WHIRL_OK && is_pair(&b, true)) {
         end(&b);
+        b = (building){0};
         status = assemble(&b, design, journal_first);
     }
     whirl_rotor *rotor = status.code == WHIRL_OK ? finish(&b) : NULL;

@@ -159,7 +159,8 @@ static void switch_curvature(const void *model, double t, const double *x, size_
 void rotor_system_fill(whirl_rotor *rotor) {
     rotor->system = (whirl_system){.dimension = 2 * rotor->lanes.degrees + rotor->lanes.states,
                                    .period = 6.283185307179586476925,
-                                   .forcing_count = FORCING_COUNT,
+                                   .forcing_count = rotor->timed ? MOST_FORCING : FORCING_COUNT,
+                                   .turns = rotor->turning ? rotor->turns : NULL,
                                    .forcing = forcing_at,
                                    .rhs = rhs,
                                    .switch_count = rotor->lanes.switch_count,

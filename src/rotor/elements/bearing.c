@@ -44,8 +44,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     size_t one[2], other[2] = {NO_COORDINATE, NO_COORDINATE};
     (void)out;
     whirl_status status = assembly_find_plane(to, values[AT].station[0], one);
-    if (status.code == WHIRL_OK && values[FROM].given)
-        status = assembly_find_plane(to, values[FROM].station[0], other);
+    if (status.code == WHIRL_OK && values[FROM].given) status = assembly_find_plane(to, values[FROM].station[0], other);
     if (status.code != WHIRL_OK) return status;
     if (values[FROM].given && values[FROM].station[0] == values[AT].station[0])
         return whirl_fail(WHIRL_BAD_INPUT, "stands between a station and itself, expected another station");

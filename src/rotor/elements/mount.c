@@ -20,8 +20,8 @@ enum { BETWEEN, STIFFNESS, BRANCH, DAMPING, KEY_COUNT };
 static const whirl_key keys[KEY_COUNT] = {
     [BETWEEN] = {"between", "", "", WHIRL_KEY_STATIONS, true, "", WHIRL_ANY, NULL,
                  "the two stations that it joins; one may be ground", ""},
-    [STIFFNESS] = {"stiffness", "k", "N/m", WHIRL_KEY_NUMBER, true, "", WHIRL_NOT_NEGATIVE, NULL,
-                   "stiffness at rest", ""},
+    [STIFFNESS] = {"stiffness", "k", "N/m", WHIRL_KEY_NUMBER, true, "", WHIRL_NOT_NEGATIVE, NULL, "stiffness at rest",
+                   ""},
     [BRANCH] = {"branch", "k_m", "N/m", WHIRL_KEY_NUMBER, true, "", WHIRL_POSITIVE, NULL,
                 "stiffness of the spring in series with the damper: what is added at high frequencies", "Zener 1948"},
     [DAMPING] = {"damping", "c", "N s/m", WHIRL_KEY_NUMBER, true, "", WHIRL_POSITIVE, NULL,

@@ -16,7 +16,8 @@ static const whirl_key keys[KEY_COUNT] = {
     [ECCENTRICITY_ANGLE] = {"eccentricity_angle", "beta", "rad", WHIRL_KEY_NUMBER, false, "0", WHIRL_ANY, NULL,
                             "where the centre of mass lies at t = 0, from the x axis towards y", ""},
     [DIAMETRAL] = {"diametral", "I_d", "kg m2", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL,
-                   "moment of inertia about a diameter; a station that has one tilts", "Friswell et al. 2010, sec. 3.5"},
+                   "moment of inertia about a diameter; a station that has one tilts",
+                   "Friswell et al. 2010, sec. 3.5"},
     [POLAR] = {"polar", "I_p", "kg m2", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL,
                "moment of inertia about the shaft's axis, which makes gyroscopic moments",
                "Friswell et al. 2010, sec. 3.5"},
@@ -29,8 +30,9 @@ static const whirl_key keys[KEY_COUNT] = {
 };
 
 const whirl_group station_group = {
-    "station", "a lumped mass on the shaft that moves along x and y, and tilts where it has a diametral inertia", "",
-    keys, KEY_COUNT, NULL};
+    "station", "a lumped mass on the shaft that moves along x and y, and tilts where it has a diametral inertia",
+    "",        keys,
+    KEY_COUNT, NULL};
 
 whirl_status station_inertia(const key_value *values, assembly *to, size_t station) {
     enum { ALONG_XY, ALONG_X, ALONG_Y };
@@ -43,8 +45,8 @@ whirl_status station_inertia(const key_value *values, assembly *to, size_t stati
     return whirl_ok();
 }
 
-/// A skewed axis of inertia turns with the shaft: I_d phi'' - i I_p omega phi' = ... + (I_d - I_p) omega^2 chi e^(i omega
-/// t).
+/// A skewed axis of inertia turns with the shaft: I_d phi'' - i I_p omega phi' = ... + (I_d - I_p) omega^2 chi e^(i
+/// omega t).
 void station_build(const key_value *values, assembly *to, size_t station) {
     const assembly_station *at = &to->stations[station];
     const double moment = (at->diametral - at->polar) * to->speed * to->speed * values[SKEW].number;

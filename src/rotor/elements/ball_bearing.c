@@ -1,0 +1,115 @@
+// A ball bearing, whose stiffness varies as its balls pass: its keys and numbers, and the kernels of one whose balls
+// pass a whole number of times in a revolution.
+#define KERNEL_FILE "elements/ball_bearing_kernel.h"
+#define KERNEL_AXES 2
+#define KERNEL_STATES 0
+#define KERNEL_NUMBERS BALL_NUMBERS
+#define KERNEL_SWITCHES 0
+
+#include "ball_bearing.h"
+#include "generic.h"
+#include "registry.h"
+
+const element_kernels ISA(ball_bearing_kernels) = GENERIC_KERNELS;
+
+#if VECTOR_ISA == VECTOR_SCALAR
+#include <math.h>
+
+enum { AT, FROM, BALLS, STIFFNESS, CLEARANCE, INNER, OUTER, CAGE, ANGLE, DAMPING, KEY_COUNT };
+
+static const whirl_key keys[KEY_COUNT] = {
+    [AT] = {"at", "", "", WHIRL_KEY_STATION, true, "", WHIRL_ANY, NULL, "station that it carries", ""},
+    [FROM] = {"from", "", "", WHIRL_KEY_STATION, false, "", WHIRL_ANY, NULL,
+              "station of its housing; the ground where absent", ""},
+    [BALLS] = {"balls", "N_b", "1", WHIRL_KEY_WHOLE, true, "", {3, 64, false, false}, NULL, "number of balls", ""},
+    [STIFFNESS] = {"stiffness", "C_b", "1", WHIRL_KEY_NUMBER, true, "", WHIRL_POSITIVE, NULL,
+                   "Hertz stiffness of a ball between both races in N/m^1.5: force over approach to the power 3/2",
+                   "Harris 2001, ch. 6"},
+    [CLEARANCE] = {"clearance", "g_0", "m", WHIRL_KEY_NUMBER, false, "0", WHIRL_ANY, NULL,
+                   "radial play of a ball, half the bearing's internal clearance; below zero for a preload", ""},
+    [INNER] = {"inner", "r_i", "m", WHIRL_KEY_NUMBER, false, "", WHIRL_POSITIVE, NULL, "radius of the inner race", ""},
+    [OUTER] = {"outer", "r_o", "m", WHIRL_KEY_NUMBER, false, "", WHIRL_POSITIVE, NULL, "radius of the outer race", ""},
+    [CAGE] = {"cage",
+              "",
+              "1",
+              WHIRL_KEY_NUMBER,
+              false,
+              "",
+              {0, 1, true, true},
+              NULL,
+              "speed of the cage over the shaft's, in place of the radii: r_i/(r_i + r_o)",
+              "Harris 2001, ch. 8"},
+    [ANGLE] = {"angle", "theta_0", "rad", WHIRL_KEY_NUMBER, false, "0", WHIRL_ANY, NULL,
+               "where a ball stands at t = 0, from the x axis towards y", ""},
+    [DAMPING] = {"damping", "c", "N s/m", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL,
+                 "viscous damping between the races", ""},
+};
+
+static whirl_status cage_ratio(const key_value *values, double *ratio) {
+    const bool radii = values[INNER].given && values[OUTER].given;
+    *ratio = values[CAGE].number;
+    if (values[CAGE].given && (values[INNER].given || values[OUTER].given))
+        return whirl_fail(WHIRL_BAD_INPUT, "has both cage and inner or outer, expected one way");
+    if (values[CAGE].given) return whirl_ok();
+    if (!radii) return whirl_fail(WHIRL_BAD_INPUT, "has no speed of its cage, expected cage, or inner and outer");
+    if (!(values[INNER].number < values[OUTER].number))
+        return whirl_fail(WHIRL_BAD_INPUT, "has an inner race of %g m in an outer one of %g m, expected a smaller one",
+                          values[INNER].number, values[OUTER].number);
+    *ratio = values[INNER].number / (values[INNER].number + values[OUTER].number);
+    return whirl_ok();
+}
+
+/// Whether the balls pass a whole number of times in a revolution, to rounding.
+static bool fits(double balls, double ratio) {
+    const double passes = balls * ratio;
+    return fabs(passes - rint(passes)) < 1e-13 * balls;
+}
+
+FOR_EVERY_ISA(const element_kernels, ball_bearing_kernels);
+FOR_EVERY_ISA(const element_kernels, ball_bearing_free_kernels);
+static const element_kernels *const kernels[VECTOR_ISAS] = EVERY_ISA(&, ball_bearing_kernels);
+static const element_kernels *const free_kernels[VECTOR_ISAS] = EVERY_ISA(&, ball_bearing_free_kernels);
+
+static const element_type free_type = {
+    .group = {"ball_bearing", "", "", keys, KEY_COUNT, NULL},
+    .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
+    .state_count = 1,
+    .turns = true,
+    .kernels = free_kernels,
+};
+
+static whirl_status build(const key_value *values, assembly *to, element *out) {
+    const double balls = values[BALLS].number, length = to->length, apart = 6.283185307179586476925 / balls;
+    double ratio;
+    whirl_status status = cage_ratio(values, &ratio);
+    out->station = values[AT].station[0];
+    if (status.code == WHIRL_OK) status = assembly_find_plane(to, out->station, out->port);
+    if (status.code == WHIRL_OK && values[FROM].given)
+        status = assembly_find_plane(to, values[FROM].station[0], out->port + KERNEL_AXES);
+    if (status.code != WHIRL_OK) return status;
+    if (values[FROM].given && values[FROM].station[0] == out->station)
+        return whirl_fail(WHIRL_BAD_INPUT, "stands between a station and itself, expected another station");
+    if (!fits(balls, ratio)) out->type = &free_type;
+    out->law = (int)balls;
+    out->number[BALL_STIFFNESS] = values[STIFFNESS].number * length * sqrt(length);
+    out->number[BALL_GAP] = values[CLEARANCE].number / length;
+    out->number[BALL_RATIO] = ratio;
+    out->number[BALL_START] = values[ANGLE].number;
+    out->number[BALL_APART_COS] = cos(apart);
+    out->number[BALL_APART_SIN] = sin(apart);
+    generic_scale(out, to, 1.0);
+    for (int a = 0; a < KERNEL_AXES; a++)
+        assembly_damper(to, out->port[a], out->port[KERNEL_AXES + a], values[DAMPING].number);
+    return whirl_ok();
+}
+
+const element_type ball_bearing_element = {
+    .group = {"ball_bearing",
+              "a ball bearing with Hertz contacts, clearance, and a stiffness that varies as balls pass",
+              "Sunnersjo 1978; Fukata et al. 1985", keys, KEY_COUNT, NULL},
+    .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
+    .timed = true,
+    .kernels = kernels,
+    .build = build,
+};
+#endif
