@@ -242,7 +242,8 @@ typedef struct whirl_verdict {
     whirl_regime regime;
     int period; ///< k of P-k for a periodic motion, else 0
     int curves; ///< closed curves of a quasi-periodic motion's section, 0 where that may be a surface, and else
-    /// Of a quasi-periodic motion: 2 for closed curves, 3 where the section is a surface and a second exponent is zero
+    /// Of a quasi-periodic motion: 2 for closed curves, and without curves where a phase forces it that fits no
+    /// revolution; 3 where the section is a surface and a second exponent is zero
     /// as well, 0 where that cannot be told, and else.
     int frequencies;
     double diverged_at; ///< revolution, else 0

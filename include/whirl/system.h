@@ -7,6 +7,7 @@
 #ifndef WHIRL_SYSTEM_H
 #define WHIRL_SYSTEM_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #ifdef __cplusplus
@@ -53,6 +54,10 @@ typedef struct whirl_system {
     /// second shaft), 0 of all others; borrowed. They are brought back between 0 and their period at the end of every
     /// revolution, and analyses do not look at them: a motion whose other coordinates return is periodic.
     const double *turns;
+
+    /// The right-hand side has kinks that no switch tells of (Hertz contacts): adaptive steps of two motions side by
+    /// side err differently there, so that disturbances are followed by the Jacobian, and machines go alone.
+    bool kinked;
 
     /// Optional: switching functions, smooth in (t, x), whose zeros are where rhs is not smooth (contact,
     /// release, slip reversal). Writes `switch_count` values. Integrators with root finding stop there.

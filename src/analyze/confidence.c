@@ -54,6 +54,8 @@ static bool slows_down(const whirl_verdict *v) {
 }
 
 static whirl_confidence weigh_quasi_periodic(const whirl_verdict *v, const evidence *e) {
+    const bool forced = v->curves == 0 && v->frequencies == 2;
+    if (forced) return v->chaos > middle ? WHIRL_LOW : WHIRL_FAIR;
     const bool may_lock = v->frequencies < 3 && v->unlocked < longest_lock(&e->points, v->curves);
     if (v->chaos > middle || (may_lock && slows_down(v))) return WHIRL_LOW;
     const bool regular = v->regularity >= regular_digits && v->chaos <= regular_walk && !isnan(v->rotation);

@@ -28,17 +28,18 @@ typedef struct recording {
 } recording;
 
 /// How many disturbances go along: a second trajectory shows the largest growth, but by methods whose steps change
-/// abruptly.
+/// abruptly, or of systems with kinks.
 static size_t count_followed(const whirl_system *system, const whirl_integrate_options *integrate,
                              const whirl_record_options *options) {
     const whirl_method *own;
     if (options->growth == WHIRL_GROWTH_ALL) return system->dimension;
     if (options->growth == WHIRL_GROWTH_NONE || !system->tangent) return 0;
-    return whirl_method_find(integrate->method, &own).code == WHIRL_OK && own->follows_one ? 1 : 0;
+    if (whirl_method_find(integrate->method, &own).code != WHIRL_OK) return 0;
+    return own->follows_one || (system->kinked && own->follows) ? 1 : 0;
 }
 
-/// Disturbances as they are at first: along the axes, a single one across them all. What turns on and on comes last: made
-/// orthogonal in turn, the others never know of it, and their growth is that of the rest alone.
+/// Disturbances as they are at first: along the axes, a single one across them all. What turns on and on comes last:
+/// made orthogonal in turn, the others never know of it, and their growth is that of the rest alone.
 static void place_disturbances(const recording *r) {
     const size_t n = r->record->dimension;
     const double *turns = r->record->turns;
@@ -91,7 +92,8 @@ static void revolve(recording *r) {
         const bool bounded = whirl_integrator_revolve(r->integrator, r->twin.x, NULL, NULL) == WHIRL_BOUNDED;
         record->growth[record->growth_count++] = twin_growth(&r->twin, r->x, bounded);
     }
-    if (watched) record_keep_section(record, r->x);
+    if (watched)
+        memcpy(record->section + record->section_count++ * record->dimension, r->x, record->dimension * sizeof *r->x);
 }
 
 /// Revolves once; true when the motion is over.
@@ -102,7 +104,6 @@ static bool carry_on(recording *r) {
     if (r->settling && settling_note(r->settling, r->x)) r->revolution = record_skip(r->options, r->revolution);
     if (r->revolution < r->options->transient + r->options->record) return false;
     observer_close(&r->observer);
-    record_close_turns(r->record);
     memcpy(r->record->end, r->x, r->record->dimension * sizeof *r->x);
     return true;
 }
@@ -248,6 +249,7 @@ static whirl_status revolve_alone(whirl_recorder *recorder, size_t *turned) {
     }
     const whirl_status looked = steps_look(r->task.system, recorder->integrate, r->record);
     if (looked.code != WHIRL_OK) return looked;
+    record_close_turns(r->record);
     const whirl_task task = r->task;
     whirl_record *record = r->record;
     r->record = NULL;

@@ -186,12 +186,10 @@ void whirl_record_free(whirl_record *record) {
     free(record);
 }
 
-void record_keep_section(whirl_record *record, const double *x) {
-    double *kept = record->section + record->section_count++ * record->dimension;
-    for (size_t i = 0; i < record->dimension; i++) kept[i] = record->turns && record->turns[i] > 0.0 ? 0.0 : x[i];
-}
-
 void record_close_turns(whirl_record *record) {
-    for (size_t i = 0; record->turns && i < record->dimension; i++)
-        if (record->turns[i] > 0.0) record->low[i] = record->high[i] = 0.0;
+    for (size_t i = 0; record->turns && i < record->dimension; i++) {
+        if (!(record->turns[i] > 0.0)) continue;
+        record->low[i] = record->high[i] = 0.0;
+        for (size_t n = 0; n < record->section_count; n++) record->section[n * record->dimension + i] = 0.0;
+    }
 }

@@ -13,10 +13,7 @@ int record_skip(const whirl_record_options *options, int revolution);
 whirl_record *record_new(const whirl_system *system, const whirl_integrate_options *integrate,
                          const whirl_record_options *options);
 
-/// Adds the state x [dimension] to the section.
-void record_keep_section(whirl_record *record, const double *x);
-
-/// Coordinates that turn on and on have no size.
+/// Coordinates that turn on and on have no size and no place in the section, once the record is complete.
 void record_close_turns(whirl_record *record);
 
 /// Goes over the options and sizes that a record's meaning depends on, and over what it has gathered so far.

@@ -356,7 +356,7 @@ static void note(lanes_recorder *r, motion *m) {
     }
     if (m->revolution > r->first_watched) {
         if (m->twin_lane != NO_LANE) follow_twin(r, m);
-        record_keep_section(record, m->x);
+        memcpy(record->section + record->section_count++ * record->dimension, m->x, record->dimension * sizeof *m->x);
     }
     if (m->settling && settling_note(m->settling, m->x)) m->revolution = record_skip(r->options, m->revolution);
 }
@@ -390,6 +390,7 @@ static whirl_status hand_over(lanes_recorder *r) {
         }
         if (m->record->motion == WHIRL_BOUNDED) close_record(r, m);
         status = steps_look(m->task.system, r->integrate, m->record);
+        record_close_turns(m->record);
         leave_lanes(r, m);
         if (status.code == WHIRL_OK) {
             status = r->source->done(r->source->context, &m->task, m->record);

@@ -44,7 +44,8 @@ static const field_plan fields[FIELD_COUNT] = {
     [PERIOD] = {"period", "revolution", "k of P-k, else 0", WHIRL_PER_POINT, 1, NULL},
     [CURVES] = {"curves", "1", "closed curves of a quasi-periodic motion's section, else 0", WHIRL_PER_POINT, 1, NULL},
     [FREQUENCIES] = {"frequencies", "1",
-                     "of a quasi-periodic motion with that of the shaft: 2 for closed curves, 3 for a surface and two "
+                     "of a quasi-periodic motion with that of the shaft: 2 for closed curves or forced by a phase, 3 "
+                     "for a surface and two "
                      "exponents of zero, 0 where that is not told",
                      WHIRL_PER_POINT, 1, NULL},
     [DIVERGED_AT] = {"diverged_at", "revolution", "revolution in which the motion left its bounds, else 0",

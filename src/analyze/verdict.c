@@ -86,8 +86,8 @@ static bool is_neutral(whirl_estimate exponent) {
     return fabs(exponent.value) <= sigmas * exponent.error + neutral_rounding && exponent.error <= neutral_error;
 }
 
-/// Quasi-periodic, up to the curves: the motion is regular but never returns, and disturbances neither grow nor die out;
-/// where a phase forces it that fits no revolution they may die out.
+/// Quasi-periodic, up to the curves: the motion is regular but never returns, and disturbances neither grow nor die
+/// out; where a phase forces it that fits no revolution they may die out.
 static bool may_be_quasi_periodic(const evidence *e) {
     if (e->growth_count == 0) return false;
     const whirl_estimate exponent = estimate_regular_mean(e->growth, e->growth_count, 1);
@@ -130,12 +130,18 @@ static whirl_verdict periodic_verdict(const evidence *e, whirl_estimate exponent
                            .rotation = NAN};
 }
 
-/// Closed curves are looked for; without them it stays open, but for a torus of three frequencies: its section is a
-/// surface, and two exponents are zero. What goes round a single curve that is not smooth may be such a torus, unless a
-/// second exponent is clearly below zero: then it is not counted. Several that are visited in turn are.
+/// What a phase forces that fits no revolution, and disturbances die out, is a torus of at least that phase and the
+/// shaft's. Else closed curves are looked for; without them it stays open, but for a torus of three frequencies: its
+/// section is a surface, and two exponents are zero. What goes round a single curve that is not smooth may be such a
+/// torus, unless a second exponent is clearly below zero: then it is not counted. Several that are visited in turn are.
 static whirl_verdict regular_verdict(const evidence *e) {
     whirl_verdict verdict = open_verdict(e);
     verdict.exponent = estimate_regular_mean(e->growth, e->growth_count, 1);
+    if (e->forced && is_negative(verdict.exponent)) {
+        verdict.regime = WHIRL_QUASI_PERIODIC;
+        verdict.frequencies = 2;
+        return verdict;
+    }
     const closed_curves found = curves_find(&e->points);
     verdict.curves = found.count;
     verdict.neighbours = found.neighbours;

@@ -30,6 +30,8 @@ static const char *plural(int count) {
 static void quasi_periodic_name(const whirl_verdict *v, char *text, size_t size) {
     if (v->curves > 0)
         snprintf(text, size, "quasi-periodic (%d curve%s)", v->curves, plural(v->curves));
+    else if (v->frequencies == 2)
+        snprintf(text, size, "quasi-periodic (forced)");
     else if (v->frequencies > 0)
         snprintf(text, size, "quasi-periodic (%d frequencies)", v->frequencies);
     else
@@ -121,6 +123,8 @@ static void quasi_periodic_reason(const whirl_verdict *v, const char *exponent, 
     if (v->curves > 0)
         snprintf(what, sizeof what, "draws %d closed curve%s; locks up to P-%d are excluded, longer ones are not",
                  v->curves, plural(v->curves), v->unlocked);
+    else if (v->frequencies == 2)
+        snprintf(what, sizeof what, "is regular: a phase that fits no revolution forces it, and disturbances die out");
     else if (v->frequencies > 0)
         snprintf(what, sizeof what, "has two exponents of zero: its section is a surface");
     else

@@ -36,7 +36,7 @@ struct whirl_ensemble {
 
 bool whirl_ensemble_takes(const whirl_system *system, const whirl_integrate_options *options) {
     if (!system->lanes || system->lanes->states > 0) return false;
-    if (adaptive_in_lanes(options)) return true;
+    if (adaptive_in_lanes(options)) return !system->kinked;
     return strcmp(options->method, "rk4") == 0 && !(options->located && system->lanes->slides);
 }
 

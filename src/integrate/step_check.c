@@ -51,6 +51,7 @@ static void compare_ends(const whirl_system *system, const double *x, const doub
     double square = 0.0, reach = 0.0;
     if (motion == WHIRL_STUCK) return;
     for (size_t i = 0; i < system->dimension; i++) {
+        if (system->turns && system->turns[i] > 0.0) continue;
         reach = fmax(reach, fabs(x[i]));
         if (end) square += (x[i] - end[i]) * (x[i] - end[i]);
     }

@@ -249,6 +249,7 @@ static void note_element(whirl_rotor *rotor, size_t index, size_t degrees) {
         rotor->turning = true;
     }
     if (own->type->timed) rotor->timed = true;
+    if (own->type->kinked) rotor->kinked = true;
     if (own->type->switch_count) rotor->lanes.switch_count += own->type->switch_count(own);
     if (own->type->modulated) rotor->lanes.modulated = true;
     if (own->type->slides && own->type->slides(own)) rotor->lanes.slides = true;

@@ -75,6 +75,7 @@ static const element_type free_type = {
     .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
     .state_count = 1,
     .turns = true,
+    .kinked = true,
     .kernels = free_kernels,
 };
 
@@ -109,6 +110,7 @@ const element_type ball_bearing_element = {
               "Sunnersjo 1978; Fukata et al. 1985", keys, KEY_COUNT, NULL},
     .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
     .timed = true,
+    .kinked = true,
     .kernels = kernels,
     .build = build,
 };
