@@ -110,6 +110,7 @@ const element_type ball_bearing_element = {
               "Sunnersjo 1978; Fukata et al. 1985", keys, KEY_COUNT, NULL},
     .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
     .timed = true,
+    .modulated = true,
     .kinked = true,
     .kernels = kernels,
     .build = build,
