@@ -35,8 +35,8 @@ struct whirl_ensemble {
 };
 
 bool whirl_ensemble_takes(const whirl_system *system, const whirl_integrate_options *options) {
-    if (!system->lanes || system->lanes->states > 0) return false;
-    if (adaptive_in_lanes(options)) return !system->kinked;
+    if (!system->lanes) return false;
+    if (adaptive_in_lanes(options)) return !system->kinked && system->lanes->states == 0;
     return strcmp(options->method, "rk4") == 0 && !(options->located && system->lanes->slides);
 }
 
@@ -44,7 +44,7 @@ bool whirl_ensemble_takes(const whirl_system *system, const whirl_integrate_opti
 static size_t lay_out(whirl_ensemble *e, double *block) {
     const size_t degrees = e->lanes.degrees, probes = e->system->probe_count, contacts = e->contact_count;
     const size_t forces = e->lanes.observe.normal_force ? contacts : 0;
-    const size_t fixed = e->adaptive ? 0 : degrees, located = e->lanes.located.switches ? degrees : 0;
+    const size_t rates = e->lanes.rates, fixed = e->adaptive ? 0 : 1, located = e->lanes.located.switches ? 1 : 0;
     const size_t switches = e->lanes.located.switch_count;
     size_t row = 0;
     const struct {
@@ -53,23 +53,23 @@ static size_t lay_out(whirl_ensemble *e, double *block) {
     } parts[] = {
         {&e->lanes.numbers, e->system->lanes->number_count},
         {&e->lanes.q, degrees},
-        {&e->lanes.v, degrees},
+        {&e->lanes.v, rates},
         {&e->ended, 1},
-        {&e->lanes.k[0], fixed},
-        {&e->lanes.k[1], fixed},
-        {&e->lanes.k[2], fixed},
-        {&e->lanes.k[3], fixed},
-        {&e->lanes.stage_q, fixed},
-        {&e->lanes.stage_v, fixed},
+        {&e->lanes.k[0], fixed * rates},
+        {&e->lanes.k[1], fixed * rates},
+        {&e->lanes.k[2], fixed * rates},
+        {&e->lanes.k[3], fixed * rates},
+        {&e->lanes.stage_q, fixed * degrees},
+        {&e->lanes.stage_v, fixed * rates},
         {&e->lanes.now, e->adaptive ? 0 : e->system->forcing_count},
-        {&e->lanes.located.begin_q, located},
-        {&e->lanes.located.begin_v, located},
+        {&e->lanes.located.begin_q, located * degrees},
+        {&e->lanes.located.begin_v, located * rates},
         {&e->lanes.located.value[0], switches},
         {&e->lanes.located.value[1], switches},
         {&e->lanes.located.rate[0], switches},
         {&e->lanes.located.rate[1], switches},
-        {&e->lanes.observe.low, 2 * degrees},
-        {&e->lanes.observe.high, 2 * degrees},
+        {&e->lanes.observe.low, degrees + rates},
+        {&e->lanes.observe.high, degrees + rates},
         {&e->lanes.observe.square_max, probes},
         {&e->lanes.observe.square_min, probes},
         {&e->lanes.observe.backward, probes},
@@ -117,6 +117,7 @@ static void fill_lanes(whirl_ensemble *e, const whirl_integrate_options *options
     lanes->flow = system->lanes->flow[e->isa->number];
     lanes->pair = system->lanes->pair;
     lanes->degrees = system->lanes->degrees;
+    lanes->rates = lanes->degrees + system->lanes->states;
     lanes->forcing_count = system->forcing_count;
     lanes->steps = options->steps_per_revolution;
     lanes->step = system->period / options->steps_per_revolution;
@@ -240,10 +241,8 @@ whirl_status whirl_ensemble_load(whirl_ensemble *e, size_t lane, const whirl_sys
 
 void whirl_ensemble_place(whirl_ensemble *e, size_t lane, const double *x) {
     const size_t degrees = e->lanes.degrees;
-    for (size_t d = 0; d < degrees; d++) {
-        e->lanes.q[d * e->lane_count + lane] = x[d];
-        e->lanes.v[d * e->lane_count + lane] = x[degrees + d];
-    }
+    for (size_t d = 0; d < degrees; d++) e->lanes.q[d * e->lane_count + lane] = x[d];
+    for (size_t d = 0; d < e->lanes.rates; d++) e->lanes.v[d * e->lane_count + lane] = x[degrees + d];
 }
 
 const double *whirl_ensemble_coordinate(const whirl_ensemble *e, size_t index) {
@@ -253,11 +252,11 @@ const double *whirl_ensemble_coordinate(const whirl_ensemble *e, size_t index) {
 }
 
 void whirl_ensemble_state(const whirl_ensemble *e, size_t lane, double *x) {
-    for (size_t i = 0; i < 2 * e->lanes.degrees; i++) x[i] = whirl_ensemble_coordinate(e, i)[lane];
+    for (size_t i = 0; i < e->system->dimension; i++) x[i] = whirl_ensemble_coordinate(e, i)[lane];
 }
 
 whirl_motion whirl_ensemble_motion(const whirl_ensemble *e, size_t lane) {
-    for (size_t i = 0; i < 2 * e->lanes.degrees; i++)
+    for (size_t i = 0; i < e->system->dimension; i++)
         if (!(fabs(whirl_ensemble_coordinate(e, i)[lane]) <= e->limit)) return WHIRL_DIVERGED; // NaN too
     return (whirl_motion)e->ended[lane];
 }
@@ -337,6 +336,17 @@ static void revolve_adaptive(whirl_ensemble *e, size_t count, const whirl_ensemb
     e->shown = NULL;
 }
 
+/// Brings angles back into their first turn.
+static void wrap(whirl_ensemble *e, size_t count) {
+    const double *turns = e->system->turns;
+    const size_t degrees = e->lanes.degrees;
+    for (size_t i = degrees; turns && i < e->system->dimension; i++)
+        for (size_t lane = 0; turns[i] > 0.0 && lane < count; lane++) {
+            double *at = &e->lanes.v[(i - degrees) * e->lane_count + lane];
+            *at -= turns[i] * floor(*at / turns[i]);
+        }
+}
+
 void whirl_ensemble_revolve(whirl_ensemble *e, size_t count, const whirl_ensemble_observe *observe) {
     if (e->adaptive) {
         revolve_adaptive(e, count, observe);
@@ -352,6 +362,7 @@ void whirl_ensemble_revolve(whirl_ensemble *e, size_t count, const whirl_ensembl
         lanes.context = observe->context;
     }
     rk4_lanes_revolves[e->isa->number](&lanes);
+    wrap(e, count);
 }
 
 // ---------------------------------------------------------------- what is observed
@@ -396,9 +407,8 @@ static void largest_forces(const whirl_ensemble *e, size_t lane, const double *m
 
 void whirl_ensemble_forget(whirl_ensemble *e, size_t lane) {
     const lanes_observe *w = &e->lanes.observe;
-    const size_t degrees = e->lanes.degrees;
-    set(w->low, e, 2 * degrees, lane, INFINITY);
-    set(w->high, e, 2 * degrees, lane, -INFINITY);
+    set(w->low, e, e->system->dimension, lane, INFINITY);
+    set(w->high, e, e->system->dimension, lane, -INFINITY);
     set(w->square_max, e, w->probe_count, lane, 0.0);
     set(w->square_min, e, w->probe_count, lane, INFINITY);
     set(w->backward, e, w->probe_count, lane, 0.0);
@@ -411,8 +421,8 @@ void whirl_ensemble_forget(whirl_ensemble *e, size_t lane) {
 
 void whirl_ensemble_read(const whirl_ensemble *e, size_t lane, const whirl_ensemble_seen *seen) {
     const lanes_observe *w = &e->lanes.observe;
-    get(w->low, e, 2 * e->lanes.degrees, lane, seen->low);
-    get(w->high, e, 2 * e->lanes.degrees, lane, seen->high);
+    get(w->low, e, e->system->dimension, lane, seen->low);
+    get(w->high, e, e->system->dimension, lane, seen->high);
     get(w->square_max, e, w->probe_count, lane, seen->max_radius);
     get(w->square_min, e, w->probe_count, lane, seen->min_radius);
     for (size_t s = 0; s < w->probe_count; s++) {

@@ -13,7 +13,7 @@ typedef struct lanes_observe {
     size_t probe_count, contact_count;
     const whirl_probe *probes;                  ///< [probe_count]
     const size_t *contact_probe;                ///< [contact_count]
-    double *low, *high;                         ///< [2 degrees]
+    double *low, *high;                         ///< [degrees + rates]
     double *square_max, *square_min, *backward; ///< [probe_count]
     double *sum;                                ///< [probe_count][2]
     double *gap, *touching, *contact, *begun;   ///< [contact_count]
@@ -27,7 +27,7 @@ typedef struct lanes_located {
     lanes_switches *switches; ///< NULL: steps walk over contacts
     size_t switch_count;
     bool needs_slopes;             ///< their derivatives by time depend on accelerations
-    double *begin_q, *begin_v;     ///< [degrees] the states at the step's beginning
+    double *begin_q, *begin_v;     ///< [degrees], [rates] the states at the step's beginning
     double *value[2], *rate[2];    ///< [switch_count] at its beginning and end
     struct stepper *stepper;       ///< takes these steps
     const whirl_system **machines; ///< [lane] NULL: nobody is there
@@ -43,11 +43,12 @@ typedef struct rk4_lanes {
     size_t lane_count;             ///< lanes there are
     size_t used; ///< lanes in use, the first; those beside them in the last vector are computed and not looked at
     size_t degrees, forcing_count;
+    size_t rates; ///< velocities, and states of first order after them
     int steps;
     double step;
     const double *forcing; ///< [2 steps + 1][forcing_count]
     double *numbers, *q, *v;
-    double *k[4], *stage_q, *stage_v; ///< [degrees] workspace
+    double *k[4], *stage_q, *stage_v; ///< [rates], [degrees], [rates] workspace
     double *now;                      ///< [forcing_count] workspace
     lanes_located located;
     lanes_observe observe;

@@ -5,6 +5,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include <cmocka.h>
@@ -75,8 +76,49 @@ static void the_mount_s_eigenvalues(void **unused) {
     whirl_rotor_free(rotor);
 }
 
+/// States of their own go in lanes: there and alone the same, whatever the width and the place.
+static void mounts_in_lanes(void **unused) {
+    (void)unused;
+    enum { LANES = 9, DIMENSION = 6 };
+    static const char *const sets[] = {"fma", "avx2", "avx512"};
+    whirl_rotor *rotor = make_mounted();
+    const whirl_system *system = whirl_rotor_system(rotor);
+    whirl_integrate_options options = whirl_integrate_default();
+    double alone[DIMENSION] = {0}, first[DIMENSION], lane[DIMENSION], numbers[512];
+    whirl_integrator *integrator = make_integrator(system, "rk4", options.steps_per_revolution);
+    bool found = false;
+    revolve(integrator, alone, 7);
+    for (size_t s = 0; s < sizeof sets / sizeof *sets; s++) {
+        whirl_ensemble *ensemble;
+        setenv("WHIRL_ISA", sets[s], 1);
+        const whirl_status status = whirl_ensemble_new(system, &options, LANES, &ensemble);
+        unsetenv("WHIRL_ISA");
+        if (status.code != WHIRL_OK) continue; // this processor has it not
+        for (size_t l = 0; l < LANES; l++) require_ok(whirl_ensemble_load(ensemble, l, system, (double[DIMENSION]){0}));
+        for (int i = 0; i < 3; i++) whirl_ensemble_revolve(ensemble, LANES, NULL);
+        // Saved and taken up in another lane.
+        assert_true(whirl_ensemble_numbers(ensemble) <= sizeof numbers / sizeof *numbers);
+        whirl_ensemble_save(ensemble, 2, numbers);
+        whirl_ensemble_load(ensemble, 5, system, (double[DIMENSION]){0});
+        whirl_ensemble_restore(ensemble, 5, numbers);
+        for (int i = 3; i < 7; i++) whirl_ensemble_revolve(ensemble, LANES, NULL);
+        for (size_t l = 0; l < LANES; l++) {
+            whirl_ensemble_state(ensemble, l, lane);
+            if (!found) memcpy(first, lane, sizeof first);
+            found = true;
+            assert_memory_equal(lane, first, sizeof first);
+        }
+        whirl_ensemble_free(ensemble);
+    }
+    double worst = 0.0;
+    for (int i = 0; i < DIMENSION && found; i++) worst = fmax(worst, fabs(alone[i] - first[i]));
+    check_within("Mount", "in lanes and alone after seven revolutions, in length scales", 0.0, worst, 1e-14);
+    whirl_integrator_free(integrator);
+    whirl_rotor_free(rotor);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(the_mount_s_response),
-                                       cmocka_unit_test(the_mount_s_eigenvalues)};
+                                       cmocka_unit_test(the_mount_s_eigenvalues), cmocka_unit_test(mounts_in_lanes)};
     return cmocka_run_group_tests_name("mounts", tests, NULL, NULL);
 }

@@ -13,6 +13,11 @@
              i++)                                                                                                      \
     body
 
+/// The same for states of first order, which follow the velocities.
+#define FOR_STATES(lanes, body)                                                                                        \
+    for (size_t d = (lanes)->degrees; d < (lanes)->rates; d++)                                                         \
+        for (size_t i = d * (lanes)->stride, last = i + (lanes)->vectors; i < last; i++) body
+
 /// What a step works on, out of memory; k are the accelerations.
 typedef struct scheme {
     vec *q, *v, *k1, *k2, *k3, *k4, *stage_q, *stage_v;
@@ -49,6 +54,15 @@ static inline void enter_end(const scheme *s, size_t i) {
     s->v[i] = v_fma(s->sixth, v_fma(v_set(2.0), inner, v_add(k1, s->k4[i])), v);
 }
 
+/// States of first order at stage: `way` along the slope before; and at the step's end.
+static inline void enter_stage_state(const scheme *s, vec way, const vec *slope, size_t i) {
+    s->stage_v[i] = v_fma(way, slope[i], s->v[i]);
+}
+static inline void enter_end_state(const scheme *s, size_t i) {
+    const vec inner = v_add(s->k2[i], s->k3[i]), outer = v_add(s->k1[i], s->k4[i]);
+    s->v[i] = v_fma(s->sixth, v_fma(v_set(2.0), inner, outer), s->v[i]);
+}
+
 /// Accelerations with the values of time that all lanes share.
 static void accelerate(const rk4_lanes *lanes, const double *forcing, const vec *q, const vec *v, vec *a) {
     vec *now = (vec *)lanes->now;
@@ -78,12 +92,16 @@ static void take_step(const rk4_lanes *lanes, const double *forcing) {
     s.stage_v = (vec *)lanes->stage_v;
     accelerate(lanes, forcing, s.q, s.v, s.k1);
     FOR_ALL(lanes, enter_second(&s, i);)
+    FOR_STATES(lanes, enter_stage_state(&s, s.half, s.k1, i);)
     accelerate(lanes, middle, s.stage_q, s.stage_v, s.k2);
     FOR_ALL(lanes, enter_third(&s, i);)
+    FOR_STATES(lanes, enter_stage_state(&s, s.half, s.k2, i);)
     accelerate(lanes, middle, s.stage_q, s.stage_v, s.k3);
     FOR_ALL(lanes, enter_fourth(&s, i);)
+    FOR_STATES(lanes, enter_stage_state(&s, s.whole, s.k3, i);)
     accelerate(lanes, end, s.stage_q, s.stage_v, s.k4);
     FOR_ALL(lanes, enter_end(&s, i);)
+    FOR_STATES(lanes, enter_end_state(&s, i);)
 }
 
 /// Whether velocities are looked at after step n: their bounds, by which distances are scaled, are not wanted to the
@@ -121,6 +139,7 @@ static void observe_probes(const rk4_lanes *lanes, bool speeds) {
     const vec *q = (const vec *)lanes->q, *v = (const vec *)lanes->v;
     observe_bounds(lanes, lanes->q, w->low, w->high);
     if (speeds) observe_bounds(lanes, lanes->v, w->low + speeds_at, w->high + speeds_at);
+    if (speeds) FOR_STATES(lanes, widen(v[i], (vec *)(w->low + speeds_at) + i, (vec *)(w->high + speeds_at) + i);)
     for (size_t p = 0; p < w->probe_count; p++)
         for (size_t k = 0; k < lanes->vectors; k++) {
             const size_t x = w->probes[p].x * stride + k, y = w->probes[p].y * stride + k, at = p * stride + k;
