@@ -48,17 +48,21 @@ error_t parse_case_argument(case_arguments *arguments, int key, char *argument, 
     }
 }
 
-int load_case(const case_arguments *arguments, whirl_case **object) {
-    whirl_problems problems = {0};
-    if (is_result_for_case(arguments->path)) return EXIT_BAD_INPUT;
-    whirl_status status = whirl_case_load(arguments->path, &problems, object);
-    if (status.code != WHIRL_OK) return complain_of_problems(&problems, &status);
+int apply_settings(const case_arguments *arguments, whirl_case *object) {
     for (size_t i = 0; i < arguments->override_count; i++) {
-        status = whirl_case_set(*object, arguments->overrides[i]);
+        const whirl_status status = whirl_case_set(object, arguments->overrides[i]);
         if (status.code == WHIRL_OK) continue;
         complain("--set %s: %s", arguments->overrides[i], status.message);
         if (status.code == WHIRL_NO_MEMORY) guard_note_exhausted();
         return status.code == WHIRL_NO_MEMORY ? EXIT_FAILED : EXIT_BAD_INPUT;
     }
     return EXIT_DONE;
+}
+
+int load_case(const case_arguments *arguments, whirl_case **object) {
+    whirl_problems problems = {0};
+    if (is_result_for_case(arguments->path)) return EXIT_BAD_INPUT;
+    const whirl_status status = whirl_case_load(arguments->path, &problems, object);
+    if (status.code != WHIRL_OK) return complain_of_problems(&problems, &status);
+    return apply_settings(arguments, *object);
 }

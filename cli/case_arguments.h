@@ -16,11 +16,23 @@ typedef struct case_arguments {
 /// Keys of the options --set and --threads; a command's own begin at KEY_OWN.
 enum { KEY_SET = 256, KEY_THREADS, KEY_OWN };
 
+/// The row of --set in a command's table of options.
+#define SET_OPTION                                                                                                     \
+    {                                                                                                                  \
+        .name = "set", .key = KEY_SET, .arg = "NAME=VALUE",                                                            \
+        .doc =                                                                                                         \
+            "Give a parameter of the case another value, as in --set r_k=0.45 or --set 'omega=6000 rpm', or a key of " \
+            "it, as in --set disc.mass=41; may be repeated"                                                            \
+    }
+
 /// The part of an argp parser that takes these arguments, the case among them, without which it complains in the end.
 error_t parse_case_argument(case_arguments *arguments, int key, char *argument, struct argp_state *state);
 
 /// A whole number from 1 to `most`; complains of anything else that stands after `option`.
 int take_whole(const char *option, const char *text, int most, const struct argp_state *state);
+
+/// Gives a case the values of --set, after complaining of the first that it does not take; gives the exit status.
+int apply_settings(const case_arguments *arguments, whirl_case *object);
 
 /// Reads the case with its settings; gives the exit status.
 int load_case(const case_arguments *arguments, whirl_case **object);

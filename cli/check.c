@@ -8,17 +8,26 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "case_arguments.h"
 #include "files.h"
 #include "summary.h"
 
+typedef struct check_arguments {
+    case_arguments given; ///< its settings; the cases are argv from `first` on
+    int first;
+} check_arguments;
+
+static const struct argp_option options[] = {SET_OPTION, {0}};
+
 static error_t parse(int key, char *argument, struct argp_state *state) {
-    (void)argument;
-    int *first = state->input;
+    check_arguments *arguments = state->input;
     switch (key) {
+    case KEY_SET:
+        return parse_case_argument(&arguments->given, key, argument, state);
     case ARGP_KEY_ARG:
         return ARGP_ERR_UNKNOWN; // all of them at once, below
     case ARGP_KEY_ARGS:
-        *first = state->next;
+        arguments->first = state->next;
         return 0;
     case ARGP_KEY_NO_ARGS:
         require_option(state, NULL, "CASE.yaml");
@@ -119,7 +128,7 @@ static whirl_status load_input(const char *name, whirl_problems *problems, whirl
     return status;
 }
 
-static int check_file(const char *argument) {
+static int check_file(const case_arguments *given, const char *argument) {
     const bool input = strcmp(argument, "-") == 0;
     const char *const path = input ? "standard input" : argument;
     whirl_problems problems = {0};
@@ -127,8 +136,10 @@ static int check_file(const char *argument) {
     if (!input && is_result_for_case(path)) return EXIT_BAD_INPUT;
     whirl_status status = input ? load_input(path, &problems, &object) : whirl_case_load(path, &problems, &object);
     if (status.code != WHIRL_OK) return complain_of_problems(&problems, &status);
-    status = describe_case(path, object);
+    const int set = apply_settings(given, object);
+    if (set == EXIT_DONE) status = describe_case(path, object);
     whirl_case_free(object);
+    if (set != EXIT_DONE) return set;
     if (status.code == WHIRL_OK) return EXIT_DONE;
     complain("%s: %s", path, status.message);
     if (status.code == WHIRL_NO_MEMORY) guard_note_exhausted();
@@ -137,6 +148,7 @@ static int check_file(const char *argument) {
 
 static int run(int argc, char **argv) {
     static const struct argp argp = {
+        .options = options,
         .parser = parse,
         .args_doc = "CASE.yaml...",
         .doc = "Reads case files and says all that is wrong with them: file, line, column, key, what was found and "
@@ -144,12 +156,12 @@ static int run(int argc, char **argv) {
                "expected. For a good one: its stations and how much there is to compute. "
                "- stands for standard input.",
     };
-    int first = argc;
-    const int read = read_arguments(&argp, argc, argv, 0, &first);
+    check_arguments arguments = {.first = argc};
+    const int read = read_arguments(&argp, argc, argv, 0, &arguments);
     if (read != EXIT_DONE) return read;
     int outcome = EXIT_DONE;
-    for (int i = first; i < argc && outcome != EXIT_FAILED; i++) {
-        const int checked = check_file(argv[i]);
+    for (int i = arguments.first; i < argc && outcome != EXIT_FAILED; i++) {
+        const int checked = check_file(&arguments.given, argv[i]);
         if (checked != EXIT_DONE) outcome = checked;
     }
     return outcome == EXIT_DONE ? finish_output() : outcome;

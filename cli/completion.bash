@@ -78,7 +78,8 @@ _whirl_options() {
     report) echo '-o --output= --claims= --gnuplot= --explorer= --units= --quiet --help' ;;
     show) echo '--json --help' ;;
     export) echo '--csv= --help' ;;
-    check | describe | help) echo '--help' ;;
+    check) echo '--set= --help' ;;
+    describe | help) echo '--help' ;;
     *) echo '--help --version' ;;
     esac
 }

@@ -38,11 +38,7 @@ static const struct argp_option options[] = {
      .key = 'o',
      .arg = "RESULT.h5",
      .doc = "Write the result here (default: the case's name with .h5, in the current folder)"},
-    {.name = "set",
-     .key = KEY_SET,
-     .arg = "NAME=VALUE",
-     .doc = "Give a parameter of the case another value, as in --set r_k=0.45 or --set 'omega=6000 rpm', or a key of "
-            "it, as in --set disc.mass=41; may be repeated"},
+    SET_OPTION,
     {.name = "threads",
      .key = KEY_THREADS,
      .arg = "N",
