@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "html.h"
+#include "machine_speed.h"
 #include "page.h"
 #include "quantities.h"
 #include "regimes.h"
@@ -135,7 +136,8 @@ typedef struct point_page {
     const whirl_result *result;
     const whirl_table *table;
     const shown_units *units;
-    double unit; ///< of the parameter, in SI
+    double unit;               ///< of the parameter, in SI
+    const whirl_case *machine; ///< which tells the speed at a point; NULL where orders are shown, or it is not known
 } point_page;
 
 static void write_value(const point_page *to, size_t point, size_t rows) {
@@ -262,14 +264,25 @@ static bool has_gap(const whirl_result *result) {
     return found;
 }
 
-/// The largest lines: orders with their amplitudes.
+/// A line's place: its frequency, or its order, with an X where the others are frequencies.
+static void write_place(const point_page *to, double order, double frequency) {
+    if (isfinite(frequency))
+        html_printf(to->stream, "%.4g", order * frequency);
+    else
+        html_printf(to->stream, to->units->frequency > 0.0 ? "%.4gX" : "%.4g", order);
+}
+
+/// The largest lines: orders or frequencies with their amplitudes.
 static void write_lines(const point_page *to, size_t point, size_t station) {
     const numbers lines = point_lines(to->table, point, station);
     fputs("<td class=\"wide\">", to->stream);
     const double amplitude = units_length(to->units, to->table, point) * to->units->amplitude;
+    const double speed = to->units->frequency > 0.0 ? machine_speed(to->machine, to->result, to->table, point) : 0.0;
     for (size_t i = 0; i < lines.rows && i < SHOWN_LINES; i++) {
         const double *line = &lines.at[5 * i];
-        html_printf(to->stream, "%s%.4g:\u00a0%.3g", i ? ", " : "", line[0], amplitude * fmax(line[1], line[2]));
+        if (i) fputs(", ", to->stream);
+        write_place(to, line[0], units_order(to->units, speed));
+        html_printf(to->stream, ":\u00a0%.3g", amplitude * fmax(line[1], line[2]));
     }
     if (!lines.at) fputs("&ndash;", to->stream);
     fputs("</td>", to->stream);
@@ -305,7 +318,8 @@ static void write_sizes(const point_page *to) {
     fputs("</th>", to->stream);
     if (has_bearing(to->result)) fputs("<th class=\"number\">Largest<br>eccentricity</th>", to->stream);
     if (has_gap(to->result)) fputs("<th class=\"number\">Largest<br>radius / gap</th>", to->stream);
-    fputs("<th class=\"number\">Time against<br>the rotation</th><th>Largest lines: order, ", to->stream);
+    fputs("<th class=\"number\">Time against<br>the rotation</th><th>Largest lines: ", to->stream);
+    html_printf(to->stream, to->units->frequency > 0.0 ? "frequency (%s), " : "order%s, ", to->units->frequency_name);
     html_text(to->stream, amplitude);
     fputs("</th></tr></thead>\n<tbody>\n", to->stream);
     for (size_t i = 0; i < to->table->count; i++)
@@ -366,9 +380,12 @@ void page_points(const page *to, size_t index) {
     const whirl_table *table = detail_table(result);
     if (!table || table->count == 0 || result->station_count == 0) return;
     const shown_units *units = &to->units[index];
-    const point_page points = {to->stream, result, table, units, units_parameter(units, table->parameter).size};
+    whirl_case *const machine = units->frequency > 0.0 ? machine_of(result) : NULL;
+    const point_page points = {to->stream, result, table, units, units_parameter(units, table->parameter).size,
+                               machine};
     fprintf(to->stream, "<h3 id=\"points-%zu\">Points in detail</h3>\n", index + 1);
     write_verdicts(&points);
     write_sizes(&points);
     write_running_speed(&points);
+    whirl_case_free(machine);
 }
