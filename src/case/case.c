@@ -345,6 +345,8 @@ static whirl_status set_name(whirl_case *object, const char *assignment, bool sw
     if (strncmp(name, "parameters.", 11) == 0 && parameters_find(parameters, name + 11) < parameters->count)
         return set_parameter(object, name + 11, text, swept_too);
     if (strchr(name, '.')) return set_key(object, name, text);
+    if (whirl_group_key(&schema_rotor, name))
+        return whirl_fail(WHIRL_BAD_INPUT, "no parameter is called %s, did you mean rotor.%s?", name, name);
     describe_names(name, parameters->names, parameters->count, advice);
     return whirl_fail(WHIRL_BAD_INPUT, "no parameter is called %s, %s", name, advice);
 }

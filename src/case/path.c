@@ -70,14 +70,45 @@ static size_t collect_names(const case_content *content, const char *names[MOST_
     return count;
 }
 
+/// The first element that has such a key, or the first of all.
+static const setting_list *element_with(const machine_parts *machine, const char *key) {
+    for (size_t i = 0; i < machine->element_count; i++)
+        if (whirl_group_key(machine->elements[i].group, key)) return &machine->elements[i];
+    return &machine->elements[0];
+}
+
+/// "elements.0.gap": elements are numbered among their kind, not as the file lists them.
+static whirl_status refuse_number(const machine_parts *machine, const char *rest) {
+    const char *const dot = strrchr(rest, '.'), *const key = dot ? dot + 1 : rest;
+    const setting_list *const element = element_with(machine, key);
+    const bool known = whirl_group_key(element->group, key) != NULL;
+    return whirl_fail(WHIRL_BAD_INPUT, "elements are set by their kind, expected a name as in %s.%s", element->name,
+                      known ? key : element->group->keys[0].name);
+}
+
+/// Says how a name must begin: where elements are named as the file lists them, or a key of the rotor stands alone.
+static whirl_status refuse_name(const case_content *content, const char *head, const char *rest) {
+    const machine_parts *const machine = &content->machine;
+    const char *names[MOST_NAMES];
+    char advice[WHY_SIZE];
+    const element_name element = split_element(head);
+    if (strcmp(element.kind, "elements") == 0 && machine->element_count > 0) return refuse_number(machine, rest);
+    if (whirl_group_key(&schema_rotor, element.kind))
+        return whirl_fail(WHIRL_BAD_INPUT, "%.60s is a key of the rotor, did you mean rotor.%.60s.%.60s?", head, head,
+                          rest);
+    describe_names(element.kind, names, collect_names(content, names), advice);
+    if (strchr(rest, '.')) return whirl_fail(WHIRL_BAD_INPUT, "the case has no %.60s, %s", head, advice);
+    return whirl_fail(WHIRL_BAD_INPUT, "the case has no %.60s whose %.60s could be set, %s", head, rest, advice);
+}
+
 static bool is_root(const char *head) {
     return whirl_group_key(&schema_case, head) != NULL;
 }
 
 whirl_status path_of_name(const case_content *content, const char *name, char path[PATH_SIZE]) {
     const machine_parts *const machine = &content->machine;
-    const char *names[MOST_NAMES], *const dot = strchr(name, '.');
-    char head[WHIRL_NAME_SIZE], advice[WHY_SIZE];
+    const char *const dot = strchr(name, '.');
+    char head[WHIRL_NAME_SIZE];
     if (!dot || dot == name || (size_t)(dot - name) >= sizeof head || strlen(name) >= PATH_SIZE - 32 || !dot[1])
         return whirl_fail(WHIRL_BAD_INPUT, "%.60s is no key, expected a name as in disc.mass", name);
     memcpy(head, name, (size_t)(dot - name));
@@ -91,9 +122,7 @@ whirl_status path_of_name(const case_content *content, const char *name, char pa
         return element_path(machine, head, dot + 1, path);
     else if (whirl_group_key(&schema_study, head))
         snprintf(path, PATH_SIZE, "study.%s", name);
-    else {
-        describe_names(element.kind, names, collect_names(content, names), advice);
-        return whirl_fail(WHIRL_BAD_INPUT, "the case has no %.60s whose %.60s could be set, %s", head, dot + 1, advice);
-    }
+    else
+        return refuse_name(content, head, dot + 1);
     return whirl_ok();
 }
