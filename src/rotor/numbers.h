@@ -94,6 +94,17 @@ VECTOR_INLINE void dual_sincos(dual a, dual *sine, dual *cosine) {
         cosine->by[i] = v_mul(v_sub(v_set(0.0), s), a.by[i]);
     }
 }
+/// The angle of (x, y) for x > 0, atan(y/x).
+VECTOR_INLINE vec plain_angle(vec x, vec y) {
+    const vec over = v_div(v_set(1.0), v_fma(x, x, v_mul(y, y)));
+    return v_half_angle(v_fms(x, v_mul(x, over), v_set(0.5)), v_mul(x, v_mul(y, over)));
+}
+VECTOR_INLINE dual dual_angle(dual x, dual y) {
+    const vec over = v_div(v_set(1.0), v_fma(x.value, x.value, v_mul(y.value, y.value)));
+    dual out = {.value = plain_angle(x.value, y.value)};
+    FOR_INPUTS out.by[i] = v_mul(over, v_fms(x.value, y.by[i], v_mul(y.value, x.by[i])));
+    return out;
+}
 VECTOR_INLINE vec dual_value(dual a) {
     return a.value;
 }
@@ -126,6 +137,7 @@ VECTOR_INLINE vec plain_scale(vec factor, vec a) {
 #undef n_select
 #undef n_less
 #undef n_sincos
+#undef n_angle
 #undef n_value
 #ifdef NUMBERS_DUAL
 #define num dual
@@ -143,6 +155,7 @@ VECTOR_INLINE vec plain_scale(vec factor, vec a) {
 #define n_select dual_select
 #define n_less dual_less
 #define n_sincos dual_sincos
+#define n_angle dual_angle
 #define n_value dual_value
 #else
 #define num vec
@@ -160,5 +173,6 @@ VECTOR_INLINE vec plain_scale(vec factor, vec a) {
 #define n_select v_select
 #define n_less v_less
 #define n_sincos v_sincos
+#define n_angle plain_angle
 #define n_value plain_value
 #endif

@@ -18,7 +18,8 @@
     X(seal)                                                                                                            \
     X(looseness)                                                                                                       \
     X(mount)                                                                                                           \
-    X(ball_bearing)
+    X(ball_bearing)                                                                                                    \
+    X(squeeze)
 
 #define DECLARE(name) extern const element_type name##_element;
 ELEMENTS(DECLARE)

@@ -1,0 +1,89 @@
+// A squeeze film damper, short or long, with half the film or all of it.
+#define KERNEL_FILE "elements/squeeze_kernel.h"
+#define KERNEL_AXES 2
+#define KERNEL_STATES 0
+#define KERNEL_NUMBERS SQUEEZE_NUMBERS
+#define KERNEL_SWITCHES 0
+
+/// One over the clearance in length scales; the scale of the force in newtons.
+enum { SQUEEZE_OVER_CLEARANCE, SQUEEZE_STRENGTH, SQUEEZE_NUMBERS };
+
+/// What a law is made of; without them the short damper with half a film.
+enum { SQUEEZE_LONG = 1, SQUEEZE_FULL = 2 };
+
+#include "generic.h"
+#include "registry.h"
+
+const element_kernels ISA(squeeze_kernels) = GENERIC_KERNELS;
+
+#if VECTOR_ISA == VECTOR_SCALAR
+
+enum { AT, FROM, COUNT, LAW, FILM, CLEARANCE, VISCOSITY, RADIUS, LENGTH, KEY_COUNT };
+
+static const whirl_key keys[KEY_COUNT] = {
+    [AT] = {"at", "", "", WHIRL_KEY_STATION, true, "", WHIRL_ANY, NULL, "station that it damps", ""},
+    [FROM] = {"from", "", "", WHIRL_KEY_STATION, false, "", WHIRL_ANY, NULL,
+              "station of its housing; the ground where absent", ""},
+    [COUNT] = {"count",
+               "",
+               "1",
+               WHIRL_KEY_WHOLE,
+               false,
+               "1",
+               {1, 1000, false, false},
+               NULL,
+               "equal dampers, or lands of one, at this station",
+               ""},
+    [LAW] = {"law", "", "", WHIRL_KEY_CHOICE, false, "short", WHIRL_ANY, "short|long",
+             "short: open ends, oil flows along the axis; long: sealed ends, oil flows around",
+             "Vance, Zeidan, Murphy 2010"},
+    [FILM] = {"film", "", "", WHIRL_KEY_CHOICE, false, "half", WHIRL_ANY, "half|full",
+              "half: no pressure below that around it (pi film); full: negative pressures, too (2 pi film)",
+              "Vance, Zeidan, Murphy 2010"},
+    [CLEARANCE] = {"clearance", "c", "m", WHIRL_KEY_NUMBER, true, "", WHIRL_POSITIVE, NULL, "radial clearance", ""},
+    [VISCOSITY] = {"viscosity", "mu", "Pa s", WHIRL_KEY_NUMBER, true, "", WHIRL_POSITIVE, NULL,
+                   "dynamic viscosity of the oil", ""},
+    [RADIUS] = {"radius", "R", "m", WHIRL_KEY_NUMBER, true, "", WHIRL_POSITIVE, NULL, "radius of the damper", ""},
+    [LENGTH] = {"length", "L", "m", WHIRL_KEY_NUMBER, true, "", WHIRL_POSITIVE, NULL, "length of the film", ""},
+};
+
+/// mu omega R L^3/c^2 or 12 mu omega L R^3/c^2, in N.
+static double strength(const key_value *values, double speed) {
+    const double radius = values[RADIUS].number, length = values[LENGTH].number, clearance = values[CLEARANCE].number;
+    const double shape = values[LAW].choice ? 12.0 * radius * radius : length * length;
+    return values[COUNT].number * values[VISCOSITY].number * speed * radius * length * shape / (clearance * clearance);
+}
+
+static whirl_status build(const key_value *values, assembly *to, element *out) {
+    out->station = values[AT].station[0];
+    out->law = (values[LAW].choice ? SQUEEZE_LONG : 0) | (values[FILM].choice ? SQUEEZE_FULL : 0);
+    out->port[KERNEL_AXES] = out->port[KERNEL_AXES + 1] = NO_COORDINATE;
+    if (values[FROM].given && values[FROM].station[0] == out->station)
+        return whirl_fail(WHIRL_BAD_INPUT, "stands between a station and itself, expected another station");
+    whirl_status status = assembly_find_plane(to, out->station, out->port);
+    if (status.code == WHIRL_OK && values[FROM].given)
+        status = assembly_find_plane(to, values[FROM].station[0], out->port + KERNEL_AXES);
+    if (status.code != WHIRL_OK) return status;
+    out->number[SQUEEZE_OVER_CLEARANCE] = to->length / values[CLEARANCE].number;
+    out->number[SQUEEZE_STRENGTH] = strength(values, to->speed);
+    generic_scale(out, to, 1.0);
+    return whirl_ok();
+}
+
+/// Around a place that does not move.
+static double bearing_clearance(const element *own) {
+    return own->port[KERNEL_AXES] == NO_COORDINATE ? 1.0 / own->number[SQUEEZE_OVER_CLEARANCE] : 0.0;
+}
+
+FOR_EVERY_ISA(const element_kernels, squeeze_kernels);
+static const element_kernels *const kernels[VECTOR_ISAS] = EVERY_ISA(&, squeeze_kernels);
+
+const element_type squeeze_element = {
+    .group = {"squeeze", "a squeeze film damper between a station and its housing", "Vance, Zeidan, Murphy 2010", keys,
+              KEY_COUNT, NULL},
+    .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
+    .kernels = kernels,
+    .build = build,
+    .bearing_clearance = bearing_clearance,
+};
+#endif
