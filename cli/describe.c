@@ -105,6 +105,7 @@ static void allowed_text(const whirl_key *key, char *text, size_t size) {
         return;
     case WHIRL_KEY_WHOLE:
     case WHIRL_KEY_NUMBER:
+    case WHIRL_KEY_NUMBERS:
         range_text(&key->range, text, size);
         return;
     }

@@ -17,8 +17,11 @@ typedef enum whirl_key_kind {
     WHIRL_KEY_WHOLE,      ///< a whole number
     WHIRL_KEY_CHOICE,     ///< one of the words in `choices`
     WHIRL_KEY_STATION,    ///< the name of a station
-    WHIRL_KEY_STATIONS    ///< two stations, "a, b"; one of them may be "ground" where the meaning says so
+    WHIRL_KEY_STATIONS,   ///< two stations, "a, b"; one of them may be "ground" where the meaning says so
+    WHIRL_KEY_NUMBERS     ///< a number as above, or a list of at most WHIRL_MAX_LIST
 } whirl_key_kind;
+
+enum { WHIRL_MAX_LIST = 32 };
 
 /// A range: bounds are in the unit of the key; -INFINITY and INFINITY where there is none.
 typedef struct whirl_range {

@@ -300,11 +300,18 @@ static whirl_status build_alone(const machine_parts *machine, const setting_list
     return status;
 }
 
+/// A table may be of the speed, which is not known here.
+static bool has_list(const setting_list *element) {
+    for (size_t i = 0; i < element->count; i++)
+        if (element->items[i].key->kind == WHIRL_KEY_NUMBERS && element->items[i].word) return true;
+    return false;
+}
+
 void machine_check_alone(case_reader *reader, const machine_parts *machine) {
     bool usable = false;
     for (size_t i = 0; i < machine->station_count; i++) usable = usable || is_usable(machine->station_names[i]);
     for (size_t i = 0; usable && i < machine->element_count; i++) {
-        if (!machine->elements[i].sound) continue;
+        if (!machine->elements[i].sound || has_list(&machine->elements[i])) continue;
         const whirl_status status = build_alone(machine, &machine->elements[i]);
         tell(reader, machine->elements[i].place, &status);
     }

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "dimension.h"
+#include "number.h"
 #include "problem.h"
 #include "schema.h"
 
@@ -144,6 +145,31 @@ static bool read_number(case_reader *reader, const file_node *where, const whirl
     return !unit[0] || read_dimension(reader, where, unit, result);
 }
 
+/// [12 MN/m, 14 MN/m] becomes "12000000, 14000000". Expressions stand in single numbers alone.
+static bool read_list(case_reader *reader, const file_node *where, const whirl_key *key, setting *result) {
+    char shown[SHOWN_SIZE];
+    if (where->count == 0 || where->count > WHIRL_MAX_LIST) {
+        problem_at(reader->problems, where, "has %zu numbers, expected 1 to %d", where->count, WHIRL_MAX_LIST);
+        return false;
+    }
+    char *text = arena_take(reader->arena, where->count * (NUMBER_SIZE + 2));
+    reader->no_memory = reader->no_memory || !text;
+    result->word = text;
+    for (const file_node *item = where->first; item && text; item = item->next) {
+        number_formula value;
+        if (!formula_read(reader, item, key, &value)) return false;
+        if (value.expression) {
+            problem_at(reader->problems, item, "is %s, expected a number, no expression, in a list",
+                       node_shown(item, shown));
+            return false;
+        }
+        if (item != where->first) text += strlen(strcpy(text, ", "));
+        number_text(value.number, text);
+        text += strlen(text);
+    }
+    return text != NULL;
+}
+
 static bool read_value(case_reader *reader, const file_node *where, const whirl_key *key, setting *result) {
     switch (key->kind) {
     case WHIRL_KEY_NUMBER:
@@ -155,6 +181,9 @@ static bool read_value(case_reader *reader, const file_node *where, const whirl_
         return read_station(reader, where, result);
     case WHIRL_KEY_STATIONS:
         return read_stations(reader, where, result);
+    case WHIRL_KEY_NUMBERS:
+        return where->kind == NODE_LIST ? read_list(reader, where, key, result)
+                                        : read_number(reader, where, key, result);
     }
     return false;
 }

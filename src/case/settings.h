@@ -14,7 +14,7 @@ typedef struct setting {
     bool good;            ///< no problem was found; what follows counts only then
     number_formula value; ///< of numbers
     bool scaled;          ///< the value has the unit that schema_scaled_unit names: it is to be divided by its scale
-    const char *word;     ///< of choices, texts and stations ("a, b"); NULL for numbers and for parts of the file
+    const char *word;     ///< of choices, texts, stations and lists ("a, b"); NULL for numbers and parts of the file
 } setting;
 
 typedef struct setting_list {

@@ -77,11 +77,29 @@ static whirl_status read_stations(const whirl_design *design, const char *text, 
     return whirl_ok();
 }
 
+/// "1e7, 1.2e7"
+static whirl_status read_list(const whirl_key *key, const char *text, key_value *value) {
+    for (;;) {
+        char *end;
+        const double number = strtod(text, &end);
+        if (end == text) return whirl_fail(WHIRL_BAD_INPUT, "is no list of numbers, expected 'one, other, ...'");
+        const whirl_status status = whirl_key_check_number(key, number);
+        if (status.code != WHIRL_OK) return status;
+        if (value->count == WHIRL_MAX_LIST)
+            return whirl_fail(WHIRL_BAD_INPUT, "has more than %d numbers", WHIRL_MAX_LIST);
+        value->list[value->count++] = number;
+        end += strspn(end, " \t");
+        if (*end == '\0') return whirl_ok();
+        if (*end != ',') return whirl_fail(WHIRL_BAD_INPUT, "is no list of numbers, expected 'one, other, ...'");
+        text = end + 1;
+    }
+}
+
 static whirl_status read_value(const whirl_design *design, const whirl_key *key, const whirl_setting *setting,
                                key_value *value) {
     const bool is_word =
         key->kind == WHIRL_KEY_CHOICE || key->kind == WHIRL_KEY_STATION || key->kind == WHIRL_KEY_STATIONS;
-    if (is_word != (setting->text != NULL))
+    if (key->kind != WHIRL_KEY_NUMBERS && is_word != (setting->text != NULL))
         return whirl_fail(WHIRL_BAD_INPUT, "expected a %s", is_word ? "word" : "number");
     value->given = true;
     switch (key->kind) {
@@ -98,6 +116,9 @@ static whirl_status read_value(const whirl_design *design, const whirl_key *key,
         return read_station(design, setting->text, strlen(setting->text), false, &value->station[0]);
     case WHIRL_KEY_STATIONS:
         return read_stations(design, setting->text, value->station);
+    case WHIRL_KEY_NUMBERS:
+        value->number = setting->number;
+        return setting->text ? read_list(key, setting->text, value) : whirl_key_check_number(key, setting->number);
     }
     return whirl_ok();
 }

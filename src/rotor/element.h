@@ -23,6 +23,8 @@ typedef struct key_value {
     double number;
     int choice;
     size_t station[2];
+    size_t count;                ///< of a list of numbers; 0: `number` is all there is
+    double list[WHIRL_MAX_LIST]; ///< [count]
 } key_value;
 
 enum { MAX_PORTS = 8 };

@@ -1,19 +1,24 @@
-// A linear bearing or seal: eight coefficients between a station and the ground, or another station.
+// A linear bearing or seal: eight coefficients between a station and the ground, or another station; constant, or of
+// the speed by a table.
 #include "registry.h"
+#include "table.h"
 
 #if VECTOR_ISA == VECTOR_SCALAR
 
-enum { AT, FROM, KXX, KXY, KYX, KYY, CXX, CXY, CYX, CYY, KEY_COUNT };
+enum { AT, FROM, SPEEDS, KXX, KXY, KYX, KYY, CXX, CXY, CYX, CYY, KEY_COUNT };
 
 #define STIFFNESS(name, symbol, fallback, text)                                                                        \
-    { name, symbol, "N/m", WHIRL_KEY_NUMBER, false, fallback, WHIRL_ANY, NULL, text, "" }
+    { name, symbol, "N/m", WHIRL_KEY_NUMBERS, false, fallback, WHIRL_ANY, NULL, text, "" }
 #define DAMPING(name, symbol, fallback, text)                                                                          \
-    { name, symbol, "N s/m", WHIRL_KEY_NUMBER, false, fallback, WHIRL_ANY, NULL, text, "" }
+    { name, symbol, "N s/m", WHIRL_KEY_NUMBERS, false, fallback, WHIRL_ANY, NULL, text, "" }
 
 static const whirl_key keys[KEY_COUNT] = {
     [AT] = {"at", "", "", WHIRL_KEY_STATION, true, "", WHIRL_ANY, NULL, "station that it carries", ""},
     [FROM] = {"from", "", "", WHIRL_KEY_STATION, false, "", WHIRL_ANY, NULL,
               "station of its housing; the ground where absent", ""},
+    [SPEEDS] = {"speeds", "", "rad/s", WHIRL_KEY_NUMBERS, false, "", WHIRL_POSITIVE, NULL,
+                "speeds, rising, at which coefficients are given as lists; between them monotone cubics",
+                "Fritsch, Butland 1984"},
     [KXX] = STIFFNESS("kxx", "k_xx", "0", "stiffness along x"),
     [KXY] = STIFFNESS("kxy", "k_xy", "0", "force along -x by a displacement along y"),
     [KYX] = STIFFNESS("kyx", "k_yx", "0", "force along -y by a displacement along x"),
@@ -36,14 +41,48 @@ static void add_block(assembly *to, void (*add)(assembly *, size_t, size_t, doub
         }
 }
 
+/// Two speeds or more that rise, and the rotor's between them.
+static whirl_status check_speeds(const key_value *speeds, double speed) {
+    if (!speeds->given) return whirl_ok();
+    if (speeds->count < 2) return whirl_fail(WHIRL_BAD_INPUT, "has one speed, expected a list of two or more");
+    for (size_t i = 1; i < speeds->count; i++)
+        if (!(speeds->list[i - 1] < speeds->list[i]))
+            return whirl_fail(WHIRL_BAD_INPUT, "has speeds that do not rise: %g rad/s after %g rad/s", speeds->list[i],
+                              speeds->list[i - 1]);
+    const double low = speeds->list[0], high = speeds->list[speeds->count - 1], rpm = 60.0 / 6.28318530717958647692;
+    if (speed < low || speed > high)
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "is known from %g to %g rad/s (%g to %g rpm), and the rotor turns at %g rad/s (%g rpm)", low,
+                          high, low * rpm, high * rpm, speed, speed * rpm);
+    return whirl_ok();
+}
+
+/// The coefficient at the rotor's speed: out of its list, or the same at all.
+static whirl_status find_at_speed(const key_value *values, int key, double speed, double *out) {
+    const key_value *value = &values[key], *speeds = &values[SPEEDS];
+    *out = value->number;
+    if (value->count == 0) return whirl_ok();
+    if (!speeds->given)
+        return whirl_fail(WHIRL_BAD_INPUT, "has a list of %s without speeds, expected the speeds as well",
+                          keys[key].name);
+    if (value->count != speeds->count)
+        return whirl_fail(WHIRL_BAD_INPUT, "has %zu %s at %zu speeds, expected as many", value->count, keys[key].name,
+                          speeds->count);
+    *out = table_value(speeds->count, speeds->list, value->list, speed);
+    return whirl_ok();
+}
+
 static whirl_status build(const key_value *values, assembly *to, element *out) {
-    const double kxx = values[KXX].number, kyy = values[KYY].given ? values[KYY].number : kxx;
-    const double cxx = values[CXX].number, cyy = values[CYY].given ? values[CYY].number : cxx;
-    const double stiffness[2][2] = {{kxx, values[KXY].number}, {values[KYX].number, kyy}};
-    const double damping[2][2] = {{cxx, values[CXY].number}, {values[CYX].number, cyy}};
+    double at[KEY_COUNT];
+    whirl_status status = check_speeds(&values[SPEEDS], to->speed);
+    for (int key = KXX; key < KEY_COUNT && status.code == WHIRL_OK; key++)
+        status = find_at_speed(values, key, to->speed, &at[key]);
+    if (status.code != WHIRL_OK) return status;
+    const double stiffness[2][2] = {{at[KXX], at[KXY]}, {at[KYX], at[values[KYY].given ? KYY : KXX]}};
+    const double damping[2][2] = {{at[CXX], at[CXY]}, {at[CYX], at[values[CYY].given ? CYY : CXX]}};
     size_t one[2], other[2] = {NO_COORDINATE, NO_COORDINATE};
     (void)out;
-    whirl_status status = assembly_find_plane(to, values[AT].station[0], one);
+    status = assembly_find_plane(to, values[AT].station[0], one);
     if (status.code == WHIRL_OK && values[FROM].given) status = assembly_find_plane(to, values[FROM].station[0], other);
     if (status.code != WHIRL_OK) return status;
     if (values[FROM].given && values[FROM].station[0] == values[AT].station[0])

@@ -219,6 +219,18 @@ static void names(void **state) {
                    "t:14:24: rotor.elements[1].shaft.between: is jornal, which is no station, did you mean journal?");
     expect_problem("[disc, journal]", "[disc]",
                    "t:14:15: rotor.elements[1].shaft.between: is a list, expected two stations: [one, other]");
+    expect_problem("- gravity: 9.81 m/s2", "- bearing: {at: disc, speeds: [5 rpm, 9 kg], kxx: [1 N/m, 2 N/m]}",
+                   "t:17:43: rotor.elements[4].bearing.speeds[2]: is in kg, expected a unit of rad/s");
+    expect_problem("- gravity: 9.81 m/s2", "- bearing: {at: disc, speeds: [5, 900], kxx: [1 N/m, = kappa]}",
+                   "t:17:58: rotor.elements[4].bearing.kxx[2]: is = kappa, expected a number, no expression, in a "
+                   "list");
+    expect_problem("- gravity: 9.81 m/s2", "- bearing: {at: disc, speeds: [5, 90], kxx: [1 N/m, 2 N/m]}",
+                   "t:17:7: rotor.elements[4].bearing: bearing is known from 5 to 90 rad/s (47.7465 to 859.437 rpm), "
+                   "and the rotor turns at 100 rad/s (954.93 rpm)");
+    expect_problem("- gravity: 9.81 m/s2", "- bearing: {at: disc, kxx: []}",
+                   "t:17:27: rotor.elements[4].bearing.kxx: has 0 numbers, expected 1 to 32");
+    expect_problem("load: 200 N", "load: [200 N]",
+                   "t:15:43: rotor.elements[2].film.load: is a list, expected a number");
     expect_problem("parameter: kappa", "parameter: kapa",
                    "t:19:22: study.sweep.parameter: is kapa, which is no parameter, did you mean kappa?");
     expect_problem(

@@ -540,6 +540,28 @@ static void a_case_runs(void **state) {
     whirl_case_free(object);
 }
 
+/// A table of coefficients is the bearing that has its numbers, in the units that they are written in.
+static void lists_are_in_si(void **state) {
+    static const char *const lines[] = {
+        "- bearing: {at: disc, speeds: [600 rpm, 100 rad/s, 2000 rpm], kxx: [1 kN/m, 3 kN/m, 9 MN/m], cxx: 7 N s/m}",
+        "- bearing: {at: disc, kxx: 3 kN/m, kyy: 3000, cxx: 7 N s/m}"};
+    double slopes[2][8];
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        static const double start[8] = {1.0, 2.0, 0.1, 0.2, 3.0, 4.0, 0.3, 0.4};
+        double forcing[WHIRL_MAX_FORCING];
+        whirl_case *object = parse_edited("- gravity: 9.81 m/s2", lines[i]);
+        whirl_rotor *rotor;
+        assert_int_equal(whirl_case_rotor(object, NULL, 0.0, &rotor).code, WHIRL_OK);
+        const whirl_system *system = whirl_rotor_system(rotor);
+        system->forcing(system->model, 0.5, forcing);
+        system->rhs(system->model, 0.5, forcing, start, slopes[i]);
+        whirl_rotor_free(rotor);
+        whirl_case_free(object);
+    }
+    for (int i = 0; i < 8; i++) assert_true(fabs(slopes[0][i] - slopes[1][i]) <= 1e-13 * fabs(slopes[1][i]));
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(quantities_are_in_si),
@@ -563,6 +585,7 @@ int main(void) {
         cmocka_unit_test(elements_have_short_forms),
         cmocka_unit_test(results_know_their_case),
         cmocka_unit_test(a_case_runs),
+        cmocka_unit_test(lists_are_in_si),
     };
     return cmocka_run_group_tests_name("values", tests, NULL, NULL);
 }
