@@ -89,6 +89,16 @@ static whirl_status warn_of_steps(const char *path, const whirl_study *study, co
     return status;
 }
 
+/// Says where the steps of a sweep do not meet its end.
+static whirl_status tell_end(const whirl_case *object, const whirl_batch *batch) {
+    whirl_result *const told = calloc(1, sizeof *told);
+    if (!told) return whirl_fail(WHIRL_NO_MEMORY, "%s", whirl_code_text(WHIRL_NO_MEMORY));
+    const whirl_status status = whirl_case_describe_result(object, told);
+    if (status.code == WHIRL_OK && batch->values) summarize_end(told, batch->parameter, batch->values[0]);
+    whirl_result_free(told);
+    return status;
+}
+
 /// A case that reads well must also give a rotor and a study.
 static whirl_status describe_case(const char *path, const whirl_case *object) {
     whirl_rotor *rotor = NULL;
@@ -108,6 +118,7 @@ static whirl_status describe_case(const char *path, const whirl_case *object) {
         for (size_t i = 0; i < system->probe_count; i++) printf("%s %s", i ? "," : "", system->probes[i].name);
         putchar('\n');
         summarize_study(&study);
+        status = tell_end(object, &study.batches[0]);
         for (size_t i = 0; i < study.batch_count && status.code == WHIRL_OK; i++)
             status = warn_of_steps(path, &study, &study.batches[i]);
     }

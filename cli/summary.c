@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum { LONGEST_LIST = 12, MAX_VERDICTS = WHIRL_MAX_PERIOD + 8, VERDICT_SIZE = 96 };
@@ -242,6 +243,19 @@ static void print_jumps(const whirl_result *result, const whirl_table *table) {
            table->values[first.to] / unit.size, *unit.name ? " " : "", unit.name);
 }
 
+void summarize_end(const whirl_result *result, const char *parameter, double first) {
+    const char *const said = whirl_result_fact(result, "sweep ends at"), *const missed = strstr(said, "short of ");
+    if (!missed) return;
+    const whirl_unit unit = whirl_result_unit(result, parameter);
+    const char *const gap = *unit.name ? " " : "";
+    const double last = strtod(said, NULL), end = strtod(missed + strlen("short of "), NULL);
+    if (last == first)
+        printf("  the step is larger than the range: %.6g%s%s is the only value\n", last / unit.size, gap, unit.name);
+    else
+        printf("  the steps end at %.6g%s%s, short of %.6g%s%s\n", last / unit.size, gap, unit.name, end / unit.size,
+               gap, unit.name);
+}
+
 void summarize_result(const whirl_result *result) {
     size_t done, total;
     puts(result->title[0] ? result->title : result->case_name);
@@ -261,6 +275,8 @@ void summarize_result(const whirl_result *result) {
             continue;
         }
         printf("%s of %s: %zu point%s\n", table->name, table->parameter, planned, plural((double)planned));
+        if (strcmp(table->name, "sweep") == 0 && table->count > 0)
+            summarize_end(result, table->parameter, table->values[0]);
         if (planned <= LONGEST_LIST)
             print_list(result, table);
         else

@@ -8,6 +8,9 @@
 /// What was found, on standard output: every point of a short table, counts of verdicts of a long one.
 void summarize_result(const whirl_result *result);
 
+/// One line where the steps of the sweep do not meet its end (the fact "sweep ends at"); `first` is its first value.
+void summarize_end(const whirl_result *result, const char *parameter, double first);
+
 /// One line a batch: points, revolutions, steps.
 void summarize_study(const whirl_study *study);
 

@@ -125,13 +125,17 @@ typedef struct whirl_unit {
     double size;
 } whirl_unit;
 
-/// The unit in which the case (or --set) wrote a parameter: "rpm" of 2 pi/60 rad/s where it says "6000 rpm". The SI
-/// unit where it wrote none, for expressions and for zeros; that of plain numbers for names that are no parameters.
+/// The unit in which the case (or --set) wrote a parameter: "rpm" of 2 pi/60 rad/s where it says "6000 rpm"; first the
+/// one in which a sweep writes its values. An expression has the unit of the first parameter in it that is of its kind.
+/// The SI unit where none is written, and for zeros; that of plain numbers for names that are no parameters.
 whirl_unit whirl_result_unit(const whirl_result *result, const char *parameter);
 
 /// The unit in which lengths of the result are best told: that in which the case wrote the parameter which is the
 /// length scale, else m, mm or um by the length scale's size.
 whirl_unit whirl_result_length_unit(const whirl_result *result);
+
+/// The value of a fact, "" where there is none of that name. Borrowed.
+const char *whirl_result_fact(const whirl_result *result, const char *name);
 
 /// Appends a fact; a name that is there already gets the new value.
 whirl_status whirl_result_add_fact(whirl_result *result, const char *name, const char *value);

@@ -51,6 +51,28 @@ static whirl_status describe_rotor(const whirl_case *object, whirl_result *resul
     return done ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for the stations of a result");
 }
 
+/// What the result cannot know of the sweep from its values: "unit of gap" is "mm = 0.001 m", and that it "ends at"
+/// "0.0018 m, short of 0.002 m".
+static whirl_status describe_sweep(const case_content *content, whirl_result *result) {
+    const study_plan *const plan = &content->plan;
+    const whirl_batch *const sweep = &plan->batches[0];
+    const size_t index = parameters_find(&content->parameters, sweep->parameter);
+    if (index == content->parameters.count) return whirl_ok();
+    const char *const known = parameter_expected_unit(&content->parameters.items[index]);
+    const char *const unit = strcmp(known, "1") == 0 ? "" : known, *const gap = *unit ? " " : "";
+    char name[2 * WHIRL_NAME_SIZE], text[4 * WHIRL_NAME_SIZE];
+    whirl_status status = whirl_ok();
+    if (plan->unit.size > 0.0) {
+        snprintf(name, sizeof name, "unit of %s", sweep->parameter);
+        snprintf(text, sizeof text, "%s = %.17g%s%s", plan->unit.name, plan->unit.size, gap, unit);
+        status = whirl_result_add_fact(result, name, text);
+    }
+    if (isnan(plan->end) || status.code != WHIRL_OK) return status;
+    snprintf(text, sizeof text, "%.17g%s%s, short of %.17g%s%s", sweep->values[sweep->count - 1], gap, unit, plan->end,
+             gap, unit);
+    return whirl_result_add_fact(result, "sweep ends at", text);
+}
+
 /// Whether an expression depends on a parameter, itself or by others that it names.
 typedef struct dependence {
     const parameter_table *parameters;
@@ -136,6 +158,7 @@ whirl_status whirl_case_describe_result(const whirl_case *object, whirl_result *
     if (status.code == WHIRL_OK) status = describe_rotor(object, result);
     for (size_t i = 0; i < result->table_count && status.code == WHIRL_OK; i++)
         status = describe_scales(&object->content, result, &result->tables[i]);
+    if (status.code == WHIRL_OK) status = describe_sweep(&object->content, result);
     if (status.code == WHIRL_OK && *object->content.units)
         status = whirl_result_add_fact(result, "units", object->content.units);
     return status;

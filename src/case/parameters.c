@@ -154,6 +154,17 @@ static double size_of_unit(const char *text, const char *expected, char unit[WHI
     return read && none.value == 0.0 && one.value > 0.0 ? one.value : 0.0;
 }
 
+whirl_unit formula_unit(const parameter_table *parameters, const char *text, const char *expected) {
+    whirl_unit unit = {.name = "", .size = 0.0};
+    for (size_t depth = 0; expression_of(text) && depth <= parameters->count; depth++) {
+        const parameter *item = sole_name(parameters, expression_of(text));
+        if (!item) return unit;
+        text = item->text;
+    }
+    unit.size = size_of_unit(text, expected, unit.name);
+    return unit;
+}
+
 static whirl_status check_as_written(const whirl_key *key, double value, const char *text) {
     char unit[WHIRL_NAME_SIZE];
     const whirl_status status = whirl_key_check_number(key, value);

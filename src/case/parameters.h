@@ -10,6 +10,7 @@
 #include "tree.h"
 #include "whirl/case.h"
 #include "whirl/descriptor.h"
+#include "whirl/result.h"
 
 /// Evaluating expressions is the longest part of reading a case, hence the second bound.
 enum { PARAMETERS_MAX = 256, EXPRESSIONS_MAX_BYTES = 1 << 16 };
@@ -88,6 +89,11 @@ const char *parameter_expected_unit(const parameter *item);
 
 /// The unit of an expression that is no more than the name of a parameter, else "" (and "1" for a plain parameter).
 const char *expression_unit(const parameter_table *parameters, const char *expression);
+
+/// The unit in which a number is written, beside it or beside the parameter that is all of its expression, and its size
+/// in SI; `expected` as in quantity_read. Size 0 where there is none, or where it counts from elsewhere, as degrees
+/// Celsius do.
+whirl_unit formula_unit(const parameter_table *parameters, const char *text, const char *expected);
 
 /// Refuses plain numbers for angles beyond a full turn either way: they are radians, and degrees were meant.
 /// On false `why` says so: "is 270 rad without a unit, ...".

@@ -228,6 +228,14 @@ static bool check_order(case_reader *reader, const formula_list *list, const dou
     return true;
 }
 
+/// The end of a sweep by steps that they do not meet, NaN where they do.
+static double missed_end(valuation *v, const plan_parts *parts, double last) {
+    double to;
+    if (!settings_find(&parts->sweep, "step") || valuation_number(v, &parts->to, &to).code != WHIRL_OK || last == to)
+        return NAN;
+    return to;
+}
+
 static void make_sweep(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result) {
     const setting_list *sweep = &parts->sweep;
     size_t count = parts->values.count;
@@ -236,6 +244,7 @@ static void make_sweep(case_reader *reader, valuation *v, const plan_parts *part
     result->rest[result->batch_count] = strcmp(settings_word(sweep, "start"), "rest") == 0;
     result->first_place = parts->values.count > 0 ? parts->values.places[0] : place_of(sweep, "from");
     result->last_place = parts->values.count > 0 ? parts->values.places[count - 1] : place_of(sweep, "to");
+    result->end = missed_end(v, parts, values[count - 1]);
     whirl_batch *batch = add_batch(result, "sweep", sweep->place);
     snprintf(batch->parameter, sizeof batch->parameter, "%.63s", parts->swept->name);
     batch->count = count;
@@ -266,6 +275,8 @@ void plan_make(case_reader *reader, valuation *v, const plan_parts *parts, study
     const whirl_integrate_options integrate = integrate_options(v, parts);
     const whirl_record_options record = record_options(v, parts, integrate.steps_per_revolution);
     check_record(reader, parts, &record, integrate.steps_per_revolution);
+    result->unit = parts->written;
+    result->end = NAN;
     if (parts->swept)
         make_sweep(reader, v, parts, result);
     else

@@ -17,6 +17,8 @@ typedef struct study_plan {
     bool rest[WHIRL_MAX_BATCHES];           ///< the batch starts from zero instead of the initial state
     const file_node *values_place[WHIRL_MAX_BATCHES];
     const file_node *first_place, *last_place; ///< of the ends of the sweep
+    whirl_unit unit; ///< in which the sweep writes its values, where the parameter has another one; size 0: none
+    double end;      ///< that the steps of the sweep do not meet, NaN where they do
     size_t start_count;
     plan_start *starts;
 } study_plan;
@@ -36,6 +38,7 @@ typedef struct plan_parts {
     formula_list at;               ///< of the detail
     const parameter *swept;
     const char *swept_unit; ///< of its values, "" where neither the case nor a value read so far tells
+    whirl_unit written;     ///< in which its values are written, size 0 where they are plain
     whirl_analysis_set analyses;
     const file_node *waveform_place; ///< of the analysis `waveform`, or NULL
 } plan_parts;

@@ -102,6 +102,20 @@ static void check_list_keys(case_reader *reader, const setting_list *sweep) {
     }
 }
 
+/// The unit of the first of these values that has one, unless the parameter itself is written in it.
+static void note_unit(case_reader *reader, plan_parts *parts, const setting *const *given, size_t count) {
+    const char *const expected = parts->swept_unit;
+    const char *const text = parts->swept->value.expression ? "" : parts->swept->text;
+    const whirl_unit own = formula_unit(reader->parameters, text, expected);
+    for (size_t i = 0; i < count && parts->written.size == 0.0; i++) {
+        const file_node *const at = !given[i] || given[i]->place->kind == NODE_LIST
+                                        ? given[i] ? given[i]->place->first : NULL
+                                        : given[i]->place;
+        if (at && at->kind == NODE_TEXT) parts->written = formula_unit(reader->parameters, at->text, expected);
+    }
+    if (strcmp(parts->written.name, own.name) == 0) parts->written = (whirl_unit){.size = 0.0};
+}
+
 static void read_sweep(case_reader *reader, plan_parts *parts) {
     setting_list *sweep = &parts->sweep;
     read_part(reader, &parts->study, "sweep", &schema_sweep, sweep);
@@ -118,6 +132,7 @@ static void read_sweep(case_reader *reader, plan_parts *parts) {
     if (parts->swept && to) read_swept_value(reader, to->place, parts, &parts->to);
     if (parts->swept && step) read_swept_value(reader, step->place, parts, &parts->step);
     if (parts->swept && values) read_values(reader, values->place, SCHEMA_MAX_POINTS, parts, &parts->values);
+    if (parts->swept) note_unit(reader, parts, (const setting *[]){from, to, step, values}, 4);
     if (direction && strcmp(settings_word(sweep, "start"), "carry") != 0)
         problem_at_key(reader->problems, direction->place, "has a meaning only with start: carry");
 }

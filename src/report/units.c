@@ -4,12 +4,6 @@
 #include <stdio.h>
 #include <string.h>
 
-static const char *fact(const whirl_result *result, const char *name) {
-    for (size_t i = 0; i < result->fact_count; i++)
-        if (strcmp(result->facts[i].name, name) == 0) return result->facts[i].value;
-    return "";
-}
-
 static bool near(double a, double b) {
     return fabs(a - b) <= 1e-12 * fabs(b);
 }
@@ -73,7 +67,7 @@ static void choose_length(shown_units *units, const unit_word *word) {
 shown_units units_shown(const whirl_result *result, const unit_choice *asked) {
     unit_choice choice;
     // A file may say anything; what is no choice chooses nothing.
-    if (unit_choice_read(fact(result, "units"), &choice).code != WHIRL_OK) choice = (unit_choice){0};
+    if (unit_choice_read(whirl_result_fact(result, "units"), &choice).code != WHIRL_OK) choice = (unit_choice){0};
     for (int kind = 0; kind < UNIT_KINDS; kind++)
         if (asked && asked->of[kind]) choice.of[kind] = asked->of[kind];
     const unit_word *amplitude = choice.of[UNIT_AMPLITUDE], *frequency = choice.of[UNIT_FREQUENCY];

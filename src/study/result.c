@@ -84,6 +84,12 @@ static void copy_text(char *target, size_t size, const char *source) {
     whirl_make_plain(target);
 }
 
+const char *whirl_result_fact(const whirl_result *result, const char *name) {
+    for (size_t i = 0; i < result->fact_count; ++i)
+        if (strncmp(result->facts[i].name, name, sizeof result->facts[i].name - 1) == 0) return result->facts[i].value;
+    return "";
+}
+
 whirl_status whirl_result_add_fact(whirl_result *result, const char *name, const char *value) {
     for (size_t i = 0; i < result->fact_count; ++i)
         if (strncmp(result->facts[i].name, name, sizeof result->facts[i].name - 1) == 0) {

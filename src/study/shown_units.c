@@ -1,4 +1,5 @@
 // Units for people: a case that says 6000 rpm and 0.2 mm is answered in rpm and mm, whatever a result holds in SI.
+#include <ctype.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -31,10 +32,50 @@ static bool unit_as_written(const whirl_parameter *parameter, whirl_unit *unit) 
     return true;
 }
 
+/// The unit in which a sweep writes the parameter, from the fact "unit of gap": "mm = 0.001 m".
+static bool unit_of_sweep(const whirl_result *result, const char *name, whirl_unit *unit) {
+    char fact[WHIRL_NAME_SIZE + 8];
+    snprintf(fact, sizeof fact, "unit of %s", name);
+    const char *const said = whirl_result_fact(result, fact), *const equals = strstr(said, " = ");
+    const double size = equals ? strtod(equals + 3, NULL) : 0.0;
+    if (!(size > 0.0) || !isfinite(size) || (size_t)(equals - said) >= sizeof unit->name) return false;
+    memcpy(unit->name, said, (size_t)(equals - said));
+    unit->name[equals - said] = '\0';
+    unit->size = size;
+    return true;
+}
+
+static bool find_unit(const whirl_result *result, const whirl_parameter *parameter, int depth, whirl_unit *unit);
+
+/// The unit of the first parameter of the same kind in an expression, "= 1.5*c".
+static bool unit_of_names(const whirl_result *result, const whirl_parameter *parameter, int depth, whirl_unit *unit) {
+    const char *at = parameter->text + strspn(parameter->text, " \t");
+    if (*at != '=') return false;
+    while (*at) {
+        char name[WHIRL_NAME_SIZE];
+        size_t length = 0;
+        while (isalnum((unsigned char)at[length]) || at[length] == '_') length++;
+        snprintf(name, sizeof name, "%.*s", (int)length, at);
+        const whirl_parameter *const other = length > 0 && length < sizeof name ? find_parameter(result, name) : NULL;
+        if (other && strcmp(other->unit, parameter->unit) == 0 && find_unit(result, other, depth - 1, unit))
+            return true;
+        at += length > 0 ? length : 1;
+    }
+    return false;
+}
+
+/// False where no unit is written. Expressions are followed `depth` deep: a file may hold circles.
+static bool find_unit(const whirl_result *result, const whirl_parameter *parameter, int depth, whirl_unit *unit) {
+    return unit_of_sweep(result, parameter->name, unit) || unit_as_written(parameter, unit) ||
+           (depth > 0 && unit_of_names(result, parameter, depth, unit));
+}
+
+enum { DEPTH = 4 };
+
 whirl_unit whirl_result_unit(const whirl_result *result, const char *name) {
     const whirl_parameter *parameter = find_parameter(result, name);
     whirl_unit unit = {.name = "", .size = 1.0};
-    if (!parameter || strcmp(parameter->unit, "1") == 0 || unit_as_written(parameter, &unit)) return unit;
+    if (!parameter || strcmp(parameter->unit, "1") == 0 || find_unit(result, parameter, DEPTH, &unit)) return unit;
     snprintf(unit.name, sizeof unit.name, "%s", parameter->unit);
     return unit;
 }
@@ -46,7 +87,7 @@ whirl_unit whirl_result_length_unit(const whirl_result *result) {
         const whirl_parameter *candidate = &result->parameters[i];
         if (strcmp(candidate->unit, "m") != 0 || fabs(candidate->value - scale) > 1e-12 * scale) continue;
         whirl_unit unit;
-        if (unit_as_written(candidate, &unit)) return unit;
+        if (find_unit(result, candidate, DEPTH, &unit)) return unit;
     }
     size_t i = 0;
     while (i < 2 && scale < 0.0999 * units[i].size) i++;

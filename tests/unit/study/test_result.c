@@ -55,15 +55,22 @@ static void parameters_are_shown_in_the_units_of_the_case(void **state) {
                                     {"c", "m", " 8mil ", 8 * 25.4e-6},
                                     {"speed", "rad/s", "= 2*omega", 1200.0},
                                     {"zero", "m", "0 mm", 0.0},
+                                    {"gap", "m", "= 1.5*c", 12 * 25.4e-6},
+                                    {"wide", "m", "= 2*gap + rho*c", 24 * 25.4e-6},
+                                    {"round", "m", "= other", 1.0},
+                                    {"other", "m", "= round", 1.0},
                                     {"rho", "1", "0.08", 0.08},
                                     {"bare", "kg", "12", 12.0}};
-    const whirl_result result = {.length_scale = 8 * 25.4e-6, .parameter_count = 6, .parameters = parameters};
+    const whirl_result result = {.length_scale = 8 * 25.4e-6, .parameter_count = 10, .parameters = parameters};
     static const struct {
         const char *name, *unit;
         double size;
     } expected[] = {{"omega", "rpm", 0.10471975511965977},
                     {"c", "mil", 25.4e-6},
-                    {"speed", "rad/s", 1.0},
+                    {"speed", "rpm", 0.10471975511965977},
+                    {"gap", "mil", 25.4e-6},
+                    {"wide", "mil", 25.4e-6},
+                    {"round", "m", 1.0},
                     {"zero", "m", 1.0},
                     {"rho", "", 1.0},
                     {"bare", "kg", 1.0},
