@@ -229,12 +229,13 @@ typedef enum whirl_remedy {
     WHIRL_LONGER_TRANSIENT, ///< the motion has not settled: a run of `factor` times as many revolutions
     WHIRL_LONGER_WATCH,     ///< more points of the section would tell: `factor` times as many revolutions watched
     WHIRL_TIGHTER,          ///< the tolerance decides: errors of a step smaller by `factor`
-    WHIRL_MORE_STEPS        ///< fixed steps are too long: `factor` times as many, or a method with a tolerance
+    WHIRL_MORE_STEPS,       ///< fixed steps are too long: `factor` times as many, or a method with a tolerance
+    WHIRL_OTHER_START       ///< the motion stays on an unstable one: another start, beside it (no option of a run does)
 } whirl_remedy;
 
 typedef struct whirl_advice {
     whirl_remedy remedy;
-    double factor; ///< above 1 where there is a remedy, else 1
+    double factor; ///< above 1 where there is a remedy but another start, else 1
 } whirl_advice;
 
 /// A verdict with the evidence it rests on.
@@ -295,8 +296,8 @@ void whirl_verdict_follow(whirl_verdict *verdict, const whirl_verdict *copy, dou
 /// its fourth root (rounded up; 16 gives twice the steps). Tolerances are not taken below 1e-14.
 whirl_integrate_options whirl_integrate_tighter(const whirl_integrate_options *options, double factor);
 
-/// Changes options as the advice says. The record keeps its length and the samples of its waveform, so that the layout
-/// of a point's block stays.
+/// Changes options as the advice says (not at all where it is another start). The record keeps its length and the
+/// samples of its waveform, so that the layout of a point's block stays.
 void whirl_advice_apply(whirl_advice advice, whirl_integrate_options *integrate, whirl_record_options *record);
 
 /// "periodic", "quasi-periodic", "chaotic", "diverged", "undetermined". Static text.

@@ -132,10 +132,16 @@ static double exponent_factor(whirl_estimate exponent) {
     return short_of > 1.0 ? bounded_factor(short_of * short_of) : usual_factor;
 }
 
+/// Whether the motion stays, to rounding, on one that disturbances leave, as a balanced rotor does that starts at rest.
+static bool stays_on_unstable(const whirl_verdict *v, const evidence *e) {
+    return v->recurrence <= e->rounding && v->exponent.value > 0.0 && is_clear(v->exponent);
+}
+
 static whirl_advice advise(const whirl_verdict *v, const evidence *e, const whirl_record *record) {
     if (v->agreement == WHIRL_HIGH) return (whirl_advice){WHIRL_NO_REMEDY, 1.0};
     if (v->regime == WHIRL_CHAOTIC) return (whirl_advice){WHIRL_LONGER_WATCH, exponent_factor(v->exponent)};
     if (v->regime == WHIRL_QUASI_PERIODIC) return (whirl_advice){WHIRL_LONGER_WATCH, usual_factor};
+    if (stays_on_unstable(v, e)) return (whirl_advice){WHIRL_OTHER_START, 1.0};
     if (isnan(v->round) && still_settles(v, e))
         return (whirl_advice){WHIRL_LONGER_TRANSIENT, settling_factor(v, e, record)};
     return (whirl_advice){WHIRL_LONGER_WATCH, drift_factor(v, e)};
@@ -267,6 +273,7 @@ void whirl_advice_apply(whirl_advice advice, whirl_integrate_options *integrate,
         record->samples_per_revolution = whirl_record_samples(record, integrate->steps_per_revolution);
         integrate->steps_per_revolution = times(integrate->steps_per_revolution, advice.factor);
         break;
+    case WHIRL_OTHER_START:
     case WHIRL_NO_REMEDY:
         break;
     }

@@ -56,7 +56,8 @@ static const field_plan fields[FIELD_COUNT] = {
                    WHIRL_PER_POINT, 1, NULL},
     [ADVICE] =
         {"advice", "1",
-         "what would settle it: 0 nothing, 1 a longer run, 2 a longer watch, 3 a tighter tolerance, 4 more steps",
+         "what would settle it: 0 nothing, 1 a longer run, 2 a longer watch, 3 a tighter tolerance, 4 more steps, "
+         "5 another start",
          WHIRL_PER_POINT, 1, NULL},
     [ADVICE_FACTOR] = {"advice_factor", "1", "times as long or as many, or errors of a step smaller by it",
                        WHIRL_PER_POINT, 1, NULL},
@@ -180,7 +181,7 @@ whirl_verdict whirl_block_verdict(const whirl_layout *layout, const double *bloc
         .diverged_at = isnan(diverged_at) ? 0.0 : diverged_at,
         .confidence = (whirl_confidence)whole(stored(layout, block, "regime/confidence"), WHIRL_HIGH),
         .agreement = (whirl_confidence)whole(stored(layout, block, "regime/agreement"), WHIRL_HIGH),
-        .advice = {(whirl_remedy)whole(stored(layout, block, "regime/advice"), WHIRL_MORE_STEPS),
+        .advice = {(whirl_remedy)whole(stored(layout, block, "regime/advice"), WHIRL_OTHER_START),
                    factor >= 1.0 ? factor : 1.0},
         .confirmed = !isnan(stored(layout, block, "regime/other_code")),
         .other_regime = (whirl_regime)whole(stored(layout, block, "regime/other_code"), WHIRL_DIVERGING),

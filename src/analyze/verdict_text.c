@@ -86,6 +86,8 @@ static void undetermined_reason(const whirl_verdict *v, const char *exponent, ch
         snprintf(text, size, "the solver could not go on in revolution %.0f", v->diverged_at);
     } else if (isnan(v->recurrence)) {
         snprintf(text, size, "too few revolutions were watched to tell");
+    } else if (v->advice.remedy == WHIRL_OTHER_START) {
+        snprintf(text, size, "stays where it started, on an unstable motion that nothing pushes it off (%s)", exponent);
     } else if (v->recurrence <= recurrence_tolerance) {
         snprintf(text, size,
                  "returns after %d revolution%s to %.1e of its size, but it is not certain that it has settled (%s)",
@@ -213,6 +215,9 @@ void whirl_verdict_advice(const whirl_verdict *verdict, char *text, size_t size)
     case WHIRL_MORE_STEPS:
         snprintf(text, size, "take at least %.3g times as many steps, or a method with a tolerance (dop853, rodas5p)",
                  factor);
+        return;
+    case WHIRL_OTHER_START:
+        snprintf(text, size, "start beside this motion (initial)");
         return;
     case WHIRL_NO_REMEDY:
         break;

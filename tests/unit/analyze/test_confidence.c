@@ -109,6 +109,8 @@ static void advice_is_followed(void **state) {
     whirl_record_options record = whirl_record_default(); // 1100 + 100, 650 watched
     whirl_integrate_options integrate = given;
     whirl_advice_apply((whirl_advice){WHIRL_NO_REMEDY, 1.0}, &integrate, &record);
+    whirl_advice_apply((whirl_advice){WHIRL_OTHER_START, 1.0}, &integrate, &record); // no option does
+    assert_memory_equal(&integrate, &given, sizeof given);
     assert_int_equal(record.transient, 1100);
     assert_int_equal(record.watch, 0);
 

@@ -175,6 +175,40 @@ static void spirals(void **state) {
     }
 }
 
+/// A motion that starts exactly on an unstable one stays there however long it runs: the advice is another start. The
+/// spiral's point at rest has the exponent ln 1.01, that of the logistic map for r = 4 at 3/4 (exact in binary) ln 2.
+static void starts_on_unstable(void **state) {
+    (void)state;
+    map_system rest = {.map = spiral_map, .dimension = 2, .section_dimension = 2, .parameters = {1.01, 0.31}};
+    map_system fixed = logistic(4.0);
+    fixed.start[0] = 0.75;
+    const map_system *const systems[] = {&rest, &fixed};
+    const double exponents[] = {log(1.01), log(2.0)};
+    for (size_t i = 0; i < 2; i++) {
+        char text[512];
+        whirl_record *record = record_map(systems[i], 1100, 650, 100);
+        const whirl_verdict verdict = whirl_judge(record);
+        assert_int_equal(verdict.regime, WHIRL_UNDETERMINED);
+        assert_int_equal(verdict.advice.remedy, WHIRL_OTHER_START);
+        assert_true(fabs(verdict.exponent.value - exponents[i]) <= 1e-12);
+        whirl_verdict_reason(&verdict, text, sizeof text);
+        assert_non_null(
+            strstr(text, "stays where it started, on an unstable motion that nothing pushes it off (largest exponent"));
+        whirl_verdict_advice(&verdict, text, sizeof text);
+        assert_string_equal(text, "start beside this motion (initial)");
+        free(record);
+    }
+    rest.start[0] = 1e-9; // beside it, and on its way
+    whirl_record *record = record_map(&rest, 100, 650, 100);
+    assert_int_not_equal(whirl_judge(record).advice.remedy, WHIRL_OTHER_START);
+    free(record);
+    rest.start[0] = 0.0;
+    rest.parameters[0] = 0.99; // stable: it is at rest
+    record = record_map(&rest, 100, 650, 100);
+    assert_int_equal(whirl_judge(record).regime, WHIRL_PERIODIC);
+    free(record);
+}
+
 /// Without a disturbance that was followed only returns to rounding count.
 static void blind(void **state) {
     (void)state;
@@ -237,7 +271,7 @@ int main(void) {
         cmocka_unit_test(quasi_periodic), cmocka_unit_test(several_curves),
         cmocka_unit_test(spirals),        cmocka_unit_test(blind),
         cmocka_unit_test(diverged),       cmocka_unit_test(diverged_at_once_or_apart),
-        cmocka_unit_test(too_short),
+        cmocka_unit_test(too_short),      cmocka_unit_test(starts_on_unstable),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
