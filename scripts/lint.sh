@@ -11,4 +11,5 @@ for source in "$@"; do
 done
 printf '%s\n' "${units[@]}" | xargs -P "$(nproc)" -n 4 clang-tidy -p "$build" --quiet --warnings-as-errors='*'
 cppcheck --quiet --std=c11 --language=c --enable=warning,performance,portability --inline-suppr --error-exitcode=1 --suppress=unmatchedSuppression \
-    --suppressions-list=scripts/cppcheck-suppressions.txt -I include -I "$build/include" -j "$(nproc)" cli src examples
+    --suppressions-list=scripts/cppcheck-suppressions.txt "-DISA(name)=name" "-DEVERY_ISA(address, name)={0}" \
+    -I include -I "$build/include" -j "$(nproc)" cli src examples

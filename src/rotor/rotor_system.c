@@ -54,11 +54,11 @@ typedef struct group {
     double q[2 * MAX_DEGREES], v[2 * MAX_ROWS], a[2 * MAX_ROWS];
 } group;
 
-/// Copies state or disturbance n of the group from or to x.
-static void put(const whirl_rotor *rotor, group *g, size_t n, const double *x) {
+/// Copies state or disturbance x to place n of the group's positions and of the rest.
+static void put(const whirl_rotor *rotor, double *q, double *v, size_t n, const double *x) {
     const size_t degrees = rotor->lanes.degrees, rows = degrees + rotor->lanes.states;
-    memcpy(g->q + n * degrees, x, degrees * sizeof *x);
-    memcpy(g->v + n * rows, x + degrees, rows * sizeof *x);
+    memcpy(q + n * degrees, x, degrees * sizeof *x);
+    memcpy(v + n * rows, x + degrees, rows * sizeof *x);
 }
 
 static void get(const whirl_rotor *rotor, const group *g, size_t n, double *slope) {
@@ -80,10 +80,10 @@ static void tangent(const void *model, double t, const double *forcing, const do
     view.q = g.q;
     view.v = g.v;
     view.a = g.a;
-    put(rotor, &g, 0, x);
+    put(rotor, g.q, g.v, 0, x);
     for (size_t first = 0; first < count; first += most) {
         view.tangents = count - first < most ? count - first : most;
-        for (size_t k = 0; k < view.tangents; k++) put(rotor, &g, k + 1, dx + (first + k) * dimension);
+        for (size_t k = 0; k < view.tangents; k++) put(rotor, g.q, g.v, k + 1, dx + (first + k) * dimension);
         machine_flow_scalar(&view);
         for (size_t k = 0; k < view.tangents; k++) get(rotor, &g, k + 1, ddxdt + (first + k) * dimension);
     }
