@@ -29,8 +29,8 @@ const whirl_group *const *whirl_element_groups(void);
 const whirl_group *whirl_element_group(const char *name);
 
 /// One key of a station or an element with its value. `number` is in the key's SI unit; `text` is for words:
-/// a choice, a station, two stations "disc, journal", or a list of numbers "1e7, 1.2e7" in the key's SI unit. Where text is
-/// not NULL it counts. Borrowed.
+/// a choice, a station, two stations "disc, journal", or a list of numbers "1e7, 1.2e7" in the key's SI unit. Where
+/// text is not NULL it counts. Borrowed.
 typedef struct whirl_setting {
     const char *key;
     double number;
@@ -69,8 +69,8 @@ typedef struct whirl_rotor whirl_rotor;
 /// Is told of a problem, and of the element that it is with or WHIRL_NO_ELEMENT.
 typedef void whirl_rotor_tell(void *context, size_t element, const whirl_status *status);
 
-/// Tells all that keeps the design from being a rotor (keys that contradict each other, a station without mass, ...) and
-/// gives how much it was. WHIRL_NO_MEMORY.
+/// Tells all that keeps the design from being a rotor (keys that contradict each other, a station without mass, ...)
+/// and gives how much it was. WHIRL_NO_MEMORY.
 whirl_status whirl_rotor_check(const whirl_design *design, whirl_rotor_tell *tell, void *context, size_t *problems);
 
 /// Builds the rotor. The design is not kept. WHIRL_BAD_INPUT for a design that is no machine (no station, ...).

@@ -58,11 +58,11 @@ typedef struct element_kernels {
 typedef struct whirl_element_type {
     whirl_group group;
     size_t number_count;
-    size_t state_count; ///< first-order states of its own
-    bool modulated;     ///< its forces depend on the values of time in other ways than in proportion
-    bool turns;         ///< its states are angles: 2 pi is 0
-    bool kinked;        ///< its force has kinks that no switch tells of
-    bool timed;         ///< its kernel asks for tau
+    size_t state_count;                    ///< first-order states of its own
+    bool modulated;                        ///< its forces depend on the values of time in other ways than in proportion
+    bool turns;                            ///< its states are angles: 2 pi is 0
+    bool kinked;                           ///< its force has kinks that no switch tells of
+    bool timed;                            ///< its kernel asks for tau
     const element_kernels *const *kernels; ///< by number of vector.h; NULL: it is part of the assembly alone
 
     /// Optional: coordinates and inertia that it adds to stations, before any is built.
