@@ -193,9 +193,9 @@ static void compare(uint64_t *seed, int count, tally *sum) {
         sum->touched += r->begun > 0;
         sum->faint += r->nearest < faint;
         sum->miscounted += r->nearest >= faint && r->begun != (int)begun;
-        whirl_rotor_free(rotors[i]);
     }
-    whirl_ensemble_free(lanes);
+    whirl_ensemble_free(lanes); // before its rotors, which it looks at
+    for (int i = 0; i < count; i++) whirl_rotor_free(rotors[i]);
 }
 
 static void no_graze_is_missed(void **unused) {
