@@ -74,9 +74,10 @@ void guard_note_exhausted(void) {
     exhausted = true;
 }
 
+// What failed may have been a library for want of memory, whose own leave-taking then fails as well.
 _Noreturn void guard_leave(int status) {
     guard_rest();
-    if (!exhausted) exit(status);
+    if (!exhausted && status != EXIT_FAILED) exit(status);
     fflush(stdout);
     _exit(status);
 }
