@@ -2,7 +2,7 @@
 // functions, normal forces, values of time. Compiled once for every instruction set.
 //
 // Stations first, then the linear terms, then the elements in the registry's order; vectors innermost.
-#include "machine.h"
+#include "../machine.h"
 
 #include "block.h"
 #include "elements/station_kernel.h"
