@@ -85,7 +85,11 @@ async function measure(name, options) {
     const slid = [];
     for (let i = 0; i < TRIES; i++) {
       slid.push(await page.evaluate(slide, label, 0.3 + 0.02 * i));
-      await new Promise((done) => setTimeout(done, 700));
+      // The hand rests, and the whole motion takes the quick look's place.
+      await page.$eval(`input[aria-label="${label}"]`, (slider) =>
+        slider.dispatchEvent(new Event('change', { bubbles: true })),
+      );
+      await settled(page);
     }
     console.log(`${name}: pictures after the ${label} moved: ${summary(slid)}`);
   }

@@ -4,7 +4,7 @@ import { LivePoint, type Wish } from './live';
 import type { Side } from './setting';
 
 /// While the cursor moves, motions are this long at most.
-const PREVIEW = { transient: 100, record: 50, stepsPerRevolution: 0 } as const;
+const PREVIEW = { transient: 60, record: 40, stepsPerRevolution: 0 } as const;
 
 export interface SideListener {
   changed(): void;
