@@ -133,6 +133,7 @@ format: dependencies-lint ## the sources, by clang-format and prettier
 
 lint: dependencies-build-test-lint ## formats, long lines, clang-tidy and cppcheck, without changing anything
 	cmake --preset release -DWHIRL_TESTS=ON
+	cmake --build $(BUILD) --target build_revision
 	scripts/node-packages.sh
 	$(PRETTIER) --check $(SCRIPTS)
 	scripts/long-lines.sh

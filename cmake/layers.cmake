@@ -35,6 +35,12 @@ function(whirl_layer name)
   list(REMOVE_DUPLICATES libraries)
   set_target_properties(whirl_${name} PROPERTIES WHIRL_CLOSURE "${closure}" WHIRL_LINKS "${libraries}")
   set_property(GLOBAL APPEND PROPERTY WHIRL_LAYERS ${name})
+  # The kernels as they stand, never built: compile_commands.json tells clang-tidy and editors how to read them.
+  if(kernels)
+    add_library(whirl_${name}_kernels OBJECT EXCLUDE_FROM_ALL ${kernels})
+    get_target_property(includes whirl_${name} INCLUDE_DIRECTORIES)
+    target_include_directories(whirl_${name}_kernels PRIVATE ${includes})
+  endif()
 endfunction()
 
 # Links a program with a layer and all below it.

@@ -31,9 +31,11 @@ static const file_node *find_node(const file_node *at, const char *path) {
 
 // ---------------------------------------------------------------- one change
 
-/// `text` with `count` bytes from `at` on replaced by before + value + after. Freed by the caller; NULL without memory.
+/// `text` with `count` bytes from `at` on replaced by before + value + after. Freed by the caller; NULL without memory
+/// or where the text ends before.
 static char *splice(const char *text, size_t length, size_t at, size_t count, const char *before, const char *value,
                     const char *after) {
+    if (at > length || count > length - at) return NULL;
     const size_t size = length - count + strlen(before) + strlen(value) + strlen(after) + 1;
     char *result = malloc(size);
     if (result)

@@ -8,7 +8,7 @@ static inline void KERNEL(switches)(const element *own, const kernel_view *view,
                                     num *values) {
     const num gap = n_of(view->number[SPRING_GAP * view->stride]);
     (void)own, (void)w;
-    for (int a = 0; a < KERNEL_AXES; a++) {
+    for (size_t a = 0; a < KERNEL_AXES; a++) {
         values[2 * a] = n_sub(d[a], gap);
         values[2 * a + 1] = n_sub(n_sub(n_set(0.0), d[a]), gap);
     }
