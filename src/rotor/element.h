@@ -14,6 +14,10 @@
 #include "whirl/descriptor.h"
 #include "whirl/status.h"
 
+// Elements outside the library find these by names of the library.
+#define element_between whirl_element_between
+#define element_in_housing whirl_element_in_housing
+
 /// Station index of the ground.
 #define GROUND ((size_t)-1)
 
@@ -93,6 +97,15 @@ typedef struct whirl_element_type {
     /// For bearings: the clearance in length scales around its station; 0 where the housing moves.
     double (*bearing_clearance)(const element *own);
 } element_type;
+
+/// The ports of an element between the two stations of its key `between`, one of them perhaps the ground: the first
+/// one's coordinates along `axes` [count], then the other's (AXES: none), with NO_COORDINATE for the ground's; and the
+/// station where it sits. WHIRL_BAD_INPUT where both are one, or a station does not move so.
+whirl_status element_between(const key_value *between, const assembly *to, const axis *axes, size_t count,
+                             element *out);
+
+/// The same in x and y of an element at a station, in a housing that is the station of `from`, or else the ground.
+whirl_status element_in_housing(const key_value *at, const key_value *from, const assembly *to, element *out);
 
 /// The library's elements in the order in which they act (the order fixes the last bits of a sum); ended by NULL.
 extern const element_type *const element_types[];

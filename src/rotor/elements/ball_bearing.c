@@ -83,13 +83,8 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     const double balls = values[BALLS].number, length = to->length, apart = 6.283185307179586476925 / balls;
     double ratio;
     whirl_status status = cage_ratio(values, &ratio);
-    out->station = values[AT].station[0];
-    if (status.code == WHIRL_OK) status = assembly_find_plane(to, out->station, out->port);
-    if (status.code == WHIRL_OK && values[FROM].given)
-        status = assembly_find_plane(to, values[FROM].station[0], out->port + KERNEL_AXES);
+    if (status.code == WHIRL_OK) status = element_in_housing(&values[AT], &values[FROM], to, out);
     if (status.code != WHIRL_OK) return status;
-    if (values[FROM].given && values[FROM].station[0] == out->station)
-        return whirl_fail(WHIRL_BAD_INPUT, "stands between a station and itself, expected another station");
     if (!fits(balls, ratio)) out->type = &free_type;
     out->law = (int)balls;
     out->number[BALL_STIFFNESS] = values[STIFFNESS].number * length * sqrt(length);

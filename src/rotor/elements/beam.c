@@ -35,38 +35,26 @@ static whirl_status bending_of(const key_value *values, double *bending) {
                       values[BENDING].given ? "both diameter and bending" : "neither diameter nor bending");
 }
 
-/// The coordinates of an end in a plane: displacement and slope; of the ground none.
-static whirl_status find_end(const assembly *to, size_t station, axis displacement, axis slope, size_t end[2]) {
-    end[0] = end[1] = NO_COORDINATE;
-    if (station == GROUND) return whirl_ok();
-    const whirl_status status = assembly_find(to, station, displacement, &end[0]);
-    return status.code == WHIRL_OK ? assembly_find(to, station, slope, &end[1]) : status;
-}
-
 /// The stiffness matrix of Euler and Bernoulli (Przemieniecki 1968, sec. 5.6) in one plane, where a slope is the
-/// derivative of the displacement along the shaft, from the first end to the second.
-static whirl_status add_plane(const key_value *values, assembly *to, double bending, axis displacement, axis slope) {
-    const double length = values[LENGTH].number, k = bending / (length * length * length);
+/// derivative of the displacement along the shaft, from the first end to the second; both of an end, then of the other.
+static void add_plane(assembly *to, const size_t end[4], double bending, double length) {
+    const double k = bending / (length * length * length);
     const double matrix[4][4] = {{12.0, 6.0 * length, -12.0, 6.0 * length},
                                  {6.0 * length, 4.0 * length * length, -6.0 * length, 2.0 * length * length},
                                  {-12.0, -6.0 * length, 12.0, -6.0 * length},
                                  {6.0 * length, 2.0 * length * length, -6.0 * length, 4.0 * length * length}};
-    size_t end[4];
-    whirl_status status = find_end(to, values[BETWEEN].station[0], displacement, slope, end);
-    if (status.code == WHIRL_OK) status = find_end(to, values[BETWEEN].station[1], displacement, slope, end + 2);
-    for (int i = 0; i < 4 && status.code == WHIRL_OK; i++)
+    for (int i = 0; i < 4; i++)
         for (int j = 0; j < 4; j++) assembly_stiffness(to, end[i], end[j], k * matrix[i][j]);
-    return status;
 }
 
 static whirl_status build(const key_value *values, assembly *to, element *out) {
+    static const axis plane[2][2] = {{AXIS_X, AXIS_TILT_X}, {AXIS_Y, AXIS_TILT_Y}};
     double bending;
     whirl_status status = bending_of(values, &bending);
-    (void)out;
-    if (values[BETWEEN].station[0] == values[BETWEEN].station[1])
-        return whirl_fail(WHIRL_BAD_INPUT, "between names one station twice, expected two");
-    if (status.code == WHIRL_OK) status = add_plane(values, to, bending, AXIS_X, AXIS_TILT_X);
-    if (status.code == WHIRL_OK) status = add_plane(values, to, bending, AXIS_Y, AXIS_TILT_Y);
+    for (int i = 0; i < 2 && status.code == WHIRL_OK; i++) {
+        status = element_between(&values[BETWEEN], to, plane[i], 2, out);
+        if (status.code == WHIRL_OK) add_plane(to, out->port, bending, values[LENGTH].number);
+    }
     return status;
 }
 

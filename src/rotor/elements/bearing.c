@@ -29,9 +29,10 @@ static const whirl_key keys[KEY_COUNT] = {
     [CYY] = DAMPING("cyy", "c_yy", "", "damping along y; cxx where absent"),
 };
 
-/// The block of one kind, by `add`, between the places one and other.
-static void add_block(assembly *to, void (*add)(assembly *, size_t, size_t, double), const size_t one[2],
-                      const size_t other[2], const double matrix[2][2]) {
+/// The block of one kind, by `add`, between two places.
+static void add_block(assembly *to, void (*add)(assembly *, size_t, size_t, double), const size_t port[4],
+                      const double matrix[2][2]) {
+    const size_t *one = port, *other = port + 2;
     for (int i = 0; i < 2; i++)
         for (int j = 0; j < 2; j++) {
             add(to, one[i], one[j], matrix[i][j]);
@@ -80,15 +81,10 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     if (status.code != WHIRL_OK) return status;
     const double stiffness[2][2] = {{at[KXX], at[KXY]}, {at[KYX], at[values[KYY].given ? KYY : KXX]}};
     const double damping[2][2] = {{at[CXX], at[CXY]}, {at[CYX], at[values[CYY].given ? CYY : CXX]}};
-    size_t one[2], other[2] = {NO_COORDINATE, NO_COORDINATE};
-    (void)out;
-    status = assembly_find_plane(to, values[AT].station[0], one);
-    if (status.code == WHIRL_OK && values[FROM].given) status = assembly_find_plane(to, values[FROM].station[0], other);
+    status = element_in_housing(&values[AT], &values[FROM], to, out);
     if (status.code != WHIRL_OK) return status;
-    if (values[FROM].given && values[FROM].station[0] == values[AT].station[0])
-        return whirl_fail(WHIRL_BAD_INPUT, "stands between a station and itself, expected another station");
-    add_block(to, assembly_stiffness, one, other, stiffness);
-    add_block(to, assembly_damping, one, other, damping);
+    add_block(to, assembly_stiffness, out->port, stiffness);
+    add_block(to, assembly_damping, out->port, damping);
     return whirl_ok();
 }
 

@@ -61,19 +61,15 @@ static const whirl_key keys[KEY_COUNT] = {
 };
 
 static whirl_status build(const key_value *values, assembly *to, element *out) {
-    const size_t *station = values[BETWEEN].station;
+    static const axis axes[KERNEL_AXES] = {AXIS_X, AXIS_Y};
     const double stiffness = values[STIFFNESS].number * to->length;
     const double loss = values[LOSS].number, across = values[LOSS_ACROSS].number;
     const double angle = values[ANGLE].number;
     const bool square = values[LAW].choice == LAW_SQUARE;
-    whirl_status status = whirl_ok();
-    if (station[0] == station[1]) return whirl_fail(WHIRL_BAD_INPUT, "between names one station twice, expected two");
     if (values[TERMS].given && !square)
         return whirl_fail(WHIRL_BAD_INPUT, "has terms, which only law square uses, expected law: square, or no terms");
-    for (int i = 0; i < 2 && status.code == WHIRL_OK; i++)
-        if (station[i] != GROUND) status = assembly_find_plane(to, station[i], out->port + 2 * i);
+    const whirl_status status = element_between(&values[BETWEEN], to, axes, KERNEL_AXES, out);
     if (status.code != WHIRL_OK) return status;
-    out->station = station[0] == GROUND ? station[1] : station[0];
     out->law = square ? (int)values[TERMS].number : 0;
     out->number[CRACK_STIFFNESS] = stiffness;
     out->number[CRACK_MEAN_LOSS] = stiffness * 0.5 * (loss + across);

@@ -59,28 +59,16 @@ static const whirl_key keys[KEY_COUNT] = {
 /// Length scales that no motion comes to: the gap of what is never held.
 static const double NEVER = 0x1p300;
 
-static whirl_status find_ports(const key_value *values, const assembly *to, element *out) {
-    const axis along = values[ALONG].choice == 0 ? AXIS_X : AXIS_Y;
-    whirl_status status = whirl_ok();
-    for (int end = 0; end < 2; end++) {
-        const size_t station = values[BETWEEN].station[end];
-        if (station != GROUND && status.code == WHIRL_OK) status = assembly_find(to, station, along, &out->port[end]);
-    }
-    return status;
-}
-
 static whirl_status build(const key_value *values, assembly *to, element *out) {
-    const size_t *station = values[BETWEEN].station;
+    const axis along = values[ALONG].choice == 0 ? AXIS_X : AXIS_Y;
     const key_value *stiffness[PIECES] = {&values[STIFFNESS], &values[LOOSE_STIFFNESS], &values[HELD_STIFFNESS]};
     const key_value *damping[PIECES] = {&values[DAMPING], &values[LOOSE_DAMPING], &values[HELD_DAMPING]};
-    if (station[0] == station[1]) return whirl_fail(WHIRL_BAD_INPUT, "between names one station twice, expected two");
     if (!values[GAP].given && (values[HELD_STIFFNESS].given || values[HELD_DAMPING].given))
         return whirl_fail(WHIRL_BAD_INPUT, "has held_stiffness or held_damping without gap, expected the gap as well");
     if (!values[HELD_STIFFNESS].given) stiffness[HELD] = stiffness[SEATED];
     if (!values[HELD_DAMPING].given) damping[HELD] = damping[SEATED];
-    const whirl_status status = find_ports(values, to, out);
+    const whirl_status status = element_between(&values[BETWEEN], to, &along, 1, out);
     if (status.code != WHIRL_OK) return status;
-    out->station = station[0] == GROUND ? station[1] : station[0];
     for (int piece = 0; piece < PIECES; piece++) {
         out->number[LOOSENESS_STIFFNESS + piece] = stiffness[piece]->number * to->length;
         out->number[LOOSENESS_DAMPING + piece] = damping[piece]->number * to->length * to->speed;

@@ -28,19 +28,10 @@ static const whirl_key keys[KEY_COUNT] = {
                  "damping of the damper in series", "Zener 1948"},
 };
 
-/// The coordinates of an end; of the ground none.
-static whirl_status find_end(const assembly *to, size_t station, size_t port[KERNEL_AXES]) {
-    port[0] = port[1] = NO_COORDINATE;
-    return station == GROUND ? whirl_ok() : assembly_find_plane(to, station, port);
-}
-
 static whirl_status build(const key_value *values, assembly *to, element *out) {
-    const size_t *station = values[BETWEEN].station;
-    if (station[0] == station[1]) return whirl_fail(WHIRL_BAD_INPUT, "between names one station twice, expected two");
-    whirl_status status = find_end(to, station[0], out->port);
-    if (status.code == WHIRL_OK) status = find_end(to, station[1], out->port + KERNEL_AXES);
+    static const axis axes[KERNEL_AXES] = {AXIS_X, AXIS_Y};
+    const whirl_status status = element_between(&values[BETWEEN], to, axes, KERNEL_AXES, out);
     if (status.code != WHIRL_OK) return status;
-    out->station = station[0] == GROUND ? station[1] : station[0];
     out->number[MOUNT_STIFFNESS] = values[STIFFNESS].number * to->length;
     out->number[MOUNT_BRANCH] = values[BRANCH].number * to->length;
     out->number[MOUNT_RATE] = values[BRANCH].number / (values[DAMPING].number * to->speed);

@@ -54,16 +54,11 @@ static whirl_status inertia(const key_value *values, assembly *to) {
 
 static whirl_status build(const key_value *values, assembly *to, element *out) {
     const double clearance = values[CLEARANCE].number / to->length;
-    out->station = values[AT].station[0];
-    if (values[FROM].given && values[FROM].station[0] == out->station)
-        return whirl_fail(WHIRL_BAD_INPUT, "stands between a station and itself, expected another station");
     if (values[FROM].given && values[MASS].number > 0.0)
         return whirl_fail(WHIRL_BAD_INPUT,
                           "has a fluid mass in a housing that moves, whose inertia would couple both stations, "
                           "expected no mass, or no from");
-    whirl_status status = assembly_find_plane(to, out->station, out->port);
-    if (status.code == WHIRL_OK && values[FROM].given)
-        status = assembly_find_plane(to, values[FROM].station[0], out->port + KERNEL_AXES);
+    const whirl_status status = element_in_housing(&values[AT], &values[FROM], to, out);
     if (status.code != WHIRL_OK) return status;
     out->number[SEAL_STIFFNESS] = values[STIFFNESS].number * to->length;
     out->number[SEAL_DAMPING] = values[DAMPING].number * to->speed * to->length;

@@ -30,22 +30,21 @@ static const whirl_key keys[KEY_COUNT] = {
 };
 
 static whirl_status build(const key_value *values, assembly *to, element *out) {
-    size_t a = values[BETWEEN].station[0], b = values[BETWEEN].station[1];
-    if (a == b) return whirl_fail(WHIRL_BAD_INPUT, "between names one station twice, expected two");
-    if (a == GROUND || (b != GROUND && to->stations[b].place < to->stations[a].place)) {
-        const size_t other = a;
-        a = b;
-        b = other;
+    static const axis axes[] = {AXIS_X, AXIS_Y};
+    key_value between = values[BETWEEN];
+    size_t *station = between.station;
+    // The ground is the other end, else the station that comes first: how it is listed changes no bit.
+    if (station[0] == GROUND ||
+        (station[1] != GROUND && to->stations[station[1]].place < to->stations[station[0]].place)) {
+        station[0] = values[BETWEEN].station[1];
+        station[1] = values[BETWEEN].station[0];
     }
-    out->station = a;
-    out->port[2] = out->port[3] = NO_COORDINATE;
-    whirl_status status = assembly_find_plane(to, a, out->port);
-    if (status.code == WHIRL_OK && b != GROUND) status = assembly_find_plane(to, b, out->port + 2);
+    const whirl_status status = element_between(&between, to, axes, 2, out);
     if (status.code != WHIRL_OK) return status;
     const double k1 = values[K1].number, k2 = values[K2].given ? values[K2].number : k1;
     const double mean = 0.5 * (k1 + k2), half = 0.5 * (k1 - k2);
-    const double scale_a = assembly_stiffness_scale(to, a);
-    const double scale_b = b == GROUND ? INFINITY : assembly_stiffness_scale(to, b);
+    const double scale_a = assembly_stiffness_scale(to, station[0]);
+    const double scale_b = station[1] == GROUND ? INFINITY : assembly_stiffness_scale(to, station[1]);
     out->law = values[SIGNS].choice;
     out->number[SHAFT_MEAN_A] = mean / scale_a;
     out->number[SHAFT_HALF_A] = half / scale_a;

@@ -14,7 +14,6 @@ enum { SPRING_STIFFNESS, SPRING_DAMPING, SPRING_GAP, SPRING_NUMBERS };
 const element_kernels ISA(spring_kernels) = GENERIC_KERNELS;
 
 #if VECTOR_ISA == VECTOR_SCALAR
-#include <string.h>
 
 enum { BETWEEN, ALONG, STIFFNESS, DAMPING, GAP, KEY_COUNT };
 
@@ -31,48 +30,24 @@ static const whirl_key keys[KEY_COUNT] = {
              "play to either side, within which nothing acts; always joined where absent", ""},
 };
 
-enum { ALONG_XY, ALONG_X, ALONG_Y, ALONG_TILTS };
+enum { ALONG_XY, ALONG_X, ALONG_Y, ALONG_TILTS, ALONGS };
 
-static bool acts(int along, axis direction) {
-    switch (direction) {
-    case AXIS_X:
-        return along == ALONG_XY || along == ALONG_X;
-    case AXIS_Y:
-        return along == ALONG_XY || along == ALONG_Y;
-    default:
-        return along == ALONG_TILTS;
-    }
-}
-
-/// The coordinates [AXES] of an end; NO_COORDINATE where it does not act, or of the ground.
-static whirl_status find_end(const key_value *values, const assembly *to, size_t station, size_t end[AXES]) {
-    whirl_status status = whirl_ok();
-    for (axis direction = AXIS_X; direction < AXES; direction++) {
-        end[direction] = NO_COORDINATE;
-        if (station != GROUND && acts(values[ALONG].choice, direction) && status.code == WHIRL_OK)
-            status = assembly_find(to, station, direction, &end[direction]);
-    }
-    return status;
-}
+static const axis axes[ALONGS][KERNEL_AXES] = {[ALONG_XY] = {AXIS_X, AXIS_Y},
+                                               [ALONG_X] = {AXIS_X, AXES},
+                                               [ALONG_Y] = {AXES, AXIS_Y},
+                                               [ALONG_TILTS] = {AXIS_TILT_X, AXIS_TILT_Y}};
 
 static whirl_status build(const key_value *values, assembly *to, element *out) {
-    const size_t *station = values[BETWEEN].station;
     const double stiffness = values[STIFFNESS].number, damping = values[DAMPING].number;
-    size_t one[AXES], other[AXES];
-    if (station[0] == station[1]) return whirl_fail(WHIRL_BAD_INPUT, "between names one station twice, expected two");
     if (values[GAP].given && values[ALONG].choice == ALONG_TILTS)
         return whirl_fail(WHIRL_BAD_INPUT, "has a gap along tilts, expected one along x and y");
-    whirl_status status = find_end(values, to, station[0], one);
-    if (status.code == WHIRL_OK) status = find_end(values, to, station[1], other);
+    const whirl_status status = element_between(&values[BETWEEN], to, axes[values[ALONG].choice], KERNEL_AXES, out);
     if (status.code != WHIRL_OK) return status;
-    out->station = station[0] == GROUND ? station[1] : station[0];
     out->lumped = !values[GAP].given;
-    for (axis direction = AXIS_X; out->lumped && direction < AXES; direction++) {
-        assembly_spring(to, one[direction], other[direction], stiffness);
-        assembly_damper(to, one[direction], other[direction], damping);
+    for (size_t a = 0; out->lumped && a < KERNEL_AXES; a++) {
+        assembly_spring(to, out->port[a], out->port[KERNEL_AXES + a], stiffness);
+        assembly_damper(to, out->port[a], out->port[KERNEL_AXES + a], damping);
     }
-    memcpy(out->port, one, KERNEL_AXES * sizeof *one);
-    memcpy(out->port + KERNEL_AXES, other, KERNEL_AXES * sizeof *other);
     out->law = values[DAMPING].given;
     out->number[SPRING_STIFFNESS] = stiffness * to->length;
     out->number[SPRING_DAMPING] = damping * to->length * to->speed;

@@ -55,14 +55,8 @@ static double strength(const key_value *values, double speed) {
 }
 
 static whirl_status build(const key_value *values, assembly *to, element *out) {
-    out->station = values[AT].station[0];
     out->law = (values[LAW].choice ? SQUEEZE_LONG : 0) | (values[FILM].choice ? SQUEEZE_FULL : 0);
-    out->port[KERNEL_AXES] = out->port[KERNEL_AXES + 1] = NO_COORDINATE;
-    if (values[FROM].given && values[FROM].station[0] == out->station)
-        return whirl_fail(WHIRL_BAD_INPUT, "stands between a station and itself, expected another station");
-    whirl_status status = assembly_find_plane(to, out->station, out->port);
-    if (status.code == WHIRL_OK && values[FROM].given)
-        status = assembly_find_plane(to, values[FROM].station[0], out->port + KERNEL_AXES);
+    const whirl_status status = element_in_housing(&values[AT], &values[FROM], to, out);
     if (status.code != WHIRL_OK) return status;
     out->number[SQUEEZE_OVER_CLEARANCE] = to->length / values[CLEARANCE].number;
     out->number[SQUEEZE_STRENGTH] = strength(values, to->speed);

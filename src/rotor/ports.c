@@ -1,0 +1,32 @@
+// Where an element acts: the coordinates of its stations.
+#include "element.h"
+
+/// The coordinates of a place along some axes; of the ground, and along AXES, none.
+static whirl_status find_place(const assembly *to, size_t station, const axis *axes, size_t count, size_t *port) {
+    for (size_t a = 0; a < count; a++) {
+        port[a] = NO_COORDINATE;
+        if (station == GROUND || axes[a] == AXES) continue;
+        const whirl_status status = assembly_find(to, station, axes[a], &port[a]);
+        if (status.code != WHIRL_OK) return status;
+    }
+    return whirl_ok();
+}
+
+whirl_status element_between(const key_value *between, const assembly *to, const axis *axes, size_t count,
+                             element *out) {
+    const size_t one = between->station[0], other = between->station[1];
+    if (one == other) return whirl_fail(WHIRL_BAD_INPUT, "between names one station twice, expected two");
+    out->station = one == GROUND ? other : one;
+    const whirl_status status = find_place(to, one, axes, count, out->port);
+    return status.code == WHIRL_OK ? find_place(to, other, axes, count, out->port + count) : status;
+}
+
+whirl_status element_in_housing(const key_value *at, const key_value *from, const assembly *to, element *out) {
+    static const axis plane[] = {AXIS_X, AXIS_Y};
+    const size_t housing = from->given ? from->station[0] : GROUND;
+    out->station = at->station[0];
+    if (housing == out->station)
+        return whirl_fail(WHIRL_BAD_INPUT, "stands between a station and itself, expected another station");
+    const whirl_status status = find_place(to, out->station, plane, 2, out->port);
+    return status.code == WHIRL_OK ? find_place(to, housing, plane, 2, out->port + 2) : status;
+}
