@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "lyapunov.h"
+#include "turns.h"
 
 evidence evidence_gather(const whirl_record *record) {
     evidence e = {.points = {record->section_count, record->dimension, record->section},
@@ -10,7 +11,7 @@ evidence evidence_gather(const whirl_record *record) {
                   .rounding = motion_rounding(record),
                   .exponent = whirl_lyapunov_largest(record),
                   .second = {NAN, NAN}};
-    for (size_t i = 0; record->turns && i < record->dimension; i++) e.forced = e.forced || record->turns[i] > 0.0;
+    for (size_t i = 0; i < record->dimension; i++) e.forced = e.forced || turns_on(record->turns, i);
     e.exponents_failed = balance_growth(record).failed;
     if (record->growth_count > 0 && !e.exponents_failed) {
         const size_t aligning = record->growth_count / 10;

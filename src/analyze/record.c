@@ -8,6 +8,7 @@
 #include "record_lanes.h"
 #include "settling.h"
 #include "steps.h"
+#include "turns.h"
 #include "twin.h"
 #include "whirl/ensemble.h"
 
@@ -47,7 +48,7 @@ static void place_disturbances(const recording *r) {
     memset(r->disturbances, 0, r->followed * n * sizeof *r->disturbances);
     for (int turning = 0; turning < 2; turning++)
         for (size_t i = 0; i < n; i++) {
-            if ((turns && turns[i] > 0.0) != turning) continue;
+            if (turns_on(turns, i) != turning) continue;
             if (r->followed == n)
                 r->disturbances[count++ * n + i] = 1.0;
             else if (!turning)

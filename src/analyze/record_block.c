@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "turns.h"
+
 whirl_record_options whirl_record_default(void) {
     return (whirl_record_options){.transient = 1100,
                                   .record = 100,
@@ -187,8 +189,8 @@ void whirl_record_free(whirl_record *record) {
 }
 
 void record_close_turns(whirl_record *record) {
-    for (size_t i = 0; record->turns && i < record->dimension; i++) {
-        if (!(record->turns[i] > 0.0)) continue;
+    for (size_t i = 0; i < record->dimension; i++) {
+        if (!turns_on(record->turns, i)) continue;
         record->low[i] = record->high[i] = 0.0;
         for (size_t n = 0; n < record->section_count; n++) record->section[n * record->dimension + i] = 0.0;
     }

@@ -4,6 +4,8 @@
 #include <float.h>
 #include <math.h>
 
+#include "turns.h"
+
 /// Size of the disturbance relative to the state: far above rounding, far below anything that matters. Also in
 /// tolerances.
 static const double least_share = 1e-8, most_share = 1e-4, share_in_tolerances = 1e4;
@@ -19,8 +21,7 @@ static double norm(const double *x, size_t count) {
 
 static void twin_place(trajectory_twin *twin, const double *x) {
     for (size_t i = 0; i < twin->dimension; i++) {
-        const bool turning = twin->turns && twin->turns[i] > 0.0;
-        twin->x[i] = turning ? x[i] : x[i] + twin->distance / sqrt((double)twin->dimension);
+        twin->x[i] = turns_on(twin->turns, i) ? x[i] : x[i] + twin->distance / sqrt((double)twin->dimension);
     }
 }
 

@@ -9,6 +9,7 @@
 #include "isa.h"
 #include "method.h"
 #include "rk4_lanes.h"
+#include "turns.h"
 #include "vector.h"
 
 rk4_lanes_revolve *const rk4_lanes_revolves[VECTOR_ISAS] = {
@@ -340,10 +341,10 @@ static void revolve_adaptive(whirl_ensemble *e, size_t count, const whirl_ensemb
 static void wrap(whirl_ensemble *e, size_t count) {
     const double *turns = e->system->turns;
     const size_t degrees = e->lanes.degrees;
-    for (size_t i = degrees; turns && i < e->system->dimension; i++)
-        for (size_t lane = 0; turns[i] > 0.0 && lane < count; lane++) {
+    for (size_t i = degrees; i < e->system->dimension; i++)
+        for (size_t lane = 0; turns_on(turns, i) && lane < count; lane++) {
             double *at = &e->lanes.v[(i - degrees) * e->lane_count + lane];
-            *at -= turns[i] * floor(*at / turns[i]);
+            *at = in_first_turn(*at, turns[i]);
         }
 }
 

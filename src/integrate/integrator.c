@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "method.h"
+#include "turns.h"
 #include "whirl/descriptor.h"
 
 static const method *const methods[] = {
@@ -94,8 +95,8 @@ whirl_status whirl_integrator_new(const whirl_system *system, const whirl_integr
 
 /// Brings angles back into their first turn.
 static whirl_motion wrap(const whirl_system *system, double *x, whirl_motion motion) {
-    for (size_t i = 0; system->turns && i < system->dimension; i++)
-        if (system->turns[i] > 0.0) x[i] -= system->turns[i] * floor(x[i] / system->turns[i]);
+    for (size_t i = 0; i < system->dimension; i++)
+        if (turns_on(system->turns, i)) x[i] = in_first_turn(x[i], system->turns[i]);
     return motion;
 }
 

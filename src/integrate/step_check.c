@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "stiffest.h"
+#include "turns.h"
 
 enum { PHASES = 16 };
 
@@ -51,7 +52,7 @@ static void compare_ends(const whirl_system *system, const double *x, const doub
     double square = 0.0, reach = 0.0;
     if (motion == WHIRL_STUCK) return;
     for (size_t i = 0; i < system->dimension; i++) {
-        if (system->turns && system->turns[i] > 0.0) continue;
+        if (turns_on(system->turns, i)) continue;
         reach = fmax(reach, fabs(x[i]));
         if (end) square += (x[i] - end[i]) * (x[i] - end[i]);
     }

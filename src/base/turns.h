@@ -1,0 +1,19 @@
+/// Parts of a state that are angles: whirl_system.turns says what one turn of each is, 0 of what is no angle.
+#ifndef BASE_TURNS_H
+#define BASE_TURNS_H
+
+#include <math.h>
+#include <stdbool.h>
+#include <stddef.h>
+
+/// Whether part i of a state is an angle; `turns` may be NULL, where none is.
+static inline bool turns_on(const double *turns, size_t i) {
+    return turns && turns[i] > 0.0;
+}
+
+/// An angle brought back into its first turn.
+static inline double in_first_turn(double angle, double turn) {
+    return angle - turn * floor(angle / turn);
+}
+
+#endif
