@@ -270,8 +270,13 @@ static void check_together(case_reader *reader, valuation *v, const machine_part
     size_t problems = 0;
     teller to = {reader, machine};
     whirl_status status = make_design(machine, v, &design);
-    if (status.code == WHIRL_OK) status = whirl_rotor_check(design, tell_of_element, &to, &problems);
-    if (status.code == WHIRL_OK && problems == 0) status = whirl_rotor_new(design, &rotor);
+    if (status.code == WHIRL_OK) {
+        status = whirl_rotor_new(design, &rotor);
+        if (status.code == WHIRL_BAD_INPUT) {
+            const whirl_status checked = whirl_rotor_check(design, tell_of_element, &to, &problems);
+            if (checked.code != WHIRL_OK || problems > 0) status = checked;
+        }
+    }
     tell(reader, machine->elements_place, &status);
     whirl_rotor_free(rotor);
     whirl_design_free(design);
