@@ -52,7 +52,7 @@ typedef struct whirl_element_type whirl_element_type;
 
 /// Makes a kind of element known to this design; such elements act after the library's, in the order in which kinds are
 /// added. `type` is borrowed and must outlive the design and its rotors. WHIRL_BAD_INPUT where there is one of that
-/// name.
+/// name, or it has more than 64 keys.
 whirl_status whirl_design_add_type(whirl_design *design, const whirl_element_type *type);
 
 /// Adds an element of a kind of whirl_element_groups() or of whirl_design_add_type(); its stations must be there

@@ -132,7 +132,7 @@ static void set_fallback(const whirl_key *key, key_value *value) {
 }
 
 static whirl_status unknown_key(const whirl_group *group, const char *name) {
-    const char *names[32];
+    const char *names[MAX_KEYS];
     for (size_t i = 0; i < group->key_count; i++) names[i] = group->keys[i].name;
     const char *near = whirl_nearest_name(name, names, group->key_count);
     if (near) return whirl_fail(WHIRL_BAD_INPUT, "%s has no key '%.40s', did you mean '%s'?", group->name, name, near);
@@ -211,6 +211,9 @@ whirl_status whirl_design_add_type(whirl_design *design, const whirl_element_typ
         return whirl_fail(WHIRL_BAD_INPUT, "there is an element '%.40s' already", type->group.name);
     if (design->type_count == MAX_TYPES)
         return whirl_fail(WHIRL_BAD_INPUT, "there are more than %d kinds of elements", MAX_TYPES);
+    if (type->group.key_count > MAX_KEYS)
+        return whirl_fail(WHIRL_BAD_INPUT, "element '%.40s' has %zu keys, expected at most %d", type->group.name,
+                          type->group.key_count, MAX_KEYS);
     design->types[design->type_count++] = type;
     return whirl_ok();
 }

@@ -31,7 +31,8 @@ typedef struct key_value {
     double list[WHIRL_MAX_LIST]; ///< [count]
 } key_value;
 
-enum { MAX_PORTS = 8 };
+/// The most that one element has: coordinates that it sees, keys.
+enum { MAX_PORTS = 8, MAX_KEYS = 64 };
 
 /// An element as its kernels see it. The structure (ports, law) is shared by all machines of a block, the numbers are
 /// not.

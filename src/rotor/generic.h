@@ -26,6 +26,7 @@
 #include "block.h"
 
 enum { KERNEL_PORTS = 2 * KERNEL_AXES, DUAL_INPUTS = 2 * KERNEL_AXES + KERNEL_STATES };
+_Static_assert(2 * KERNEL_AXES <= (int)MAX_PORTS, "an element sees at most MAX_PORTS coordinates");
 
 /// What a kernel is given besides what it moves with.
 typedef struct kernel_view {

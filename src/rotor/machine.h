@@ -28,6 +28,9 @@ struct whirl_rotor {
     const char **contact_names;
 };
 
+/// The most first-order states that the elements of a rotor have together.
+enum { MAX_OWN_STATES = 2 * WHIRL_MAX_ELEMENTS };
+
 /// The elements of the structure of pair_kernel.h: a shaft from station 0 to station 1, a film there, a rub at station
 /// 0.
 enum { PAIR_SHAFT, PAIR_FILM, PAIR_RUB, PAIR_ELEMENTS };

@@ -319,6 +319,9 @@ static whirl_status check(const whirl_rotor *rotor) {
     if (rotor->contact_count > WHIRL_MAX_CONTACTS || rotor->lanes.switch_count > WHIRL_MAX_SWITCHES)
         return whirl_fail(WHIRL_BAD_INPUT, "the rotor has %zu contacts, expected at most %d", rotor->contact_count,
                           WHIRL_MAX_CONTACTS / 2);
+    if (rotor->lanes.states > MAX_OWN_STATES)
+        return whirl_fail(WHIRL_BAD_INPUT, "the rotor's elements have %zu states of their own, expected at most %d",
+                          rotor->lanes.states, MAX_OWN_STATES);
     for (size_t i = 0; i < rotor->lanes.number_count; i++)
         if (!isfinite(rotor->numbers[i]))
             return whirl_fail(WHIRL_BAD_INPUT,

@@ -3,8 +3,7 @@
 
 #include "machine.h"
 
-/// Elements bring at most two states each.
-enum { MAX_DEGREES = AXES * WHIRL_MAX_STATIONS, MAX_ROWS = MAX_DEGREES + 2 * WHIRL_MAX_ELEMENTS };
+enum { MAX_DEGREES = AXES * WHIRL_MAX_STATIONS, MAX_ROWS = MAX_DEGREES + MAX_OWN_STATES };
 
 static lanes_view view_of(const whirl_rotor *rotor, const double *forcing, const double *sides) {
     return (lanes_view){

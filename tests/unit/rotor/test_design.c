@@ -138,6 +138,30 @@ static void test_own_types(void **state) {
     whirl_design_free(other);
 }
 
+/// Kinds with more keys or states than there is room for are refused.
+static void test_own_types_too_large(void **state) {
+    static const whirl_key keys[65] = {
+        {"at", "", "", WHIRL_KEY_STATION, true, "", WHIRL_ANY, NULL, "where it is of no use", ""}};
+    static const element_kernels idle = {NULL};
+    static const element_kernels *const kernels[VECTOR_ISAS] = {&idle, &idle, &idle, &idle, &idle};
+    static const element_type wordy = {.group = {"wordy", "an element of 65 keys", "", keys, 65, NULL},
+                                       .build = build_nothing};
+    static const element_type memory = {.group = {"memory", "an element of 2000 states", "", keys, 1, NULL},
+                                        .state_count = 2000,
+                                        .kernels = kernels,
+                                        .build = build_nothing};
+    whirl_design *design = design_with_disc();
+    const whirl_setting at[] = {{"at", 0, "disc"}};
+    whirl_rotor *rotor;
+    (void)state;
+    refused(whirl_design_add_type(design, &wordy), "65 keys, expected at most 64");
+    assert_int_equal(whirl_design_add_type(design, &memory).code, WHIRL_OK);
+    assert_int_equal(whirl_design_element(design, "memory", at, 1).code, WHIRL_OK);
+    assert_int_equal(whirl_design_element(design, "memory", at, 1).code, WHIRL_OK);
+    refused(whirl_rotor_new(design, &rotor), "4000 states of their own, expected at most 2048");
+    whirl_design_free(design);
+}
+
 /// Keys that contradict each other are found when the rotor is built.
 static void test_contradictions(void **state) {
     const struct {
@@ -237,6 +261,7 @@ int main(void) {
         cmocka_unit_test(test_contradictions),
         cmocka_unit_test(test_fluid_in_a_moving_housing),
         cmocka_unit_test(test_own_types),
+        cmocka_unit_test(test_own_types_too_large),
         cmocka_unit_test(test_nothing_is_no_rotor),
         cmocka_unit_test(test_descriptors_are_sound),
     };
