@@ -13,6 +13,7 @@
 typedef struct bifurcation {
     const whirl_result *result;
     const whirl_table *table;
+    const whirl_case *machine; ///< that they are of (machine_at.h), or NULL
     size_t station;
     const char *data; ///< file of the section
     span parameter, x, y, exponent, radius;
@@ -20,12 +21,12 @@ typedef struct bifurcation {
     const shown_units *units;
     double length, value; ///< what displacements and values of the parameter are multiplied by to be shown
     double share;         ///< largest share of the time in contact, with a margin
-    double gap;           ///< radius at which the station touches a stator, 0 where none is near
-    double clearance;     ///< of the bearing, 0 where there is none
+    double gap;           ///< radius at which the station touches a stator, 0 where none is near or it changes
+    double clearance;     ///< of the bearing, 0 where there is none or it changes
     bool ratios;          ///< the points have equal ratios: the axis is logarithmic
 } bifurcation;
 
-/// Fills in ranges and flags from result, table, station, units, length and value.
+/// Fills in ranges and flags from result, table, machine, station, units, length and value.
 void bifurcation_survey(bifurcation *of);
 
 /// What of the axis belongs to a point, in SI: up to half-way to its neighbours in its branch.

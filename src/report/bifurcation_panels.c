@@ -124,7 +124,7 @@ static void write_range(FILE *script, span range, int tics) {
 
 /// The label of a vertical axis, a gnuplot expression; all stand in one line, whatever the width of the tics.
 static void write_axis_label(FILE *script, const char *expression) {
-    fprintf(script, "set label 2 %s at screen 0.042, graph 0.5 center rotate\n", expression);
+    fprintf(script, "set label 2 %s at screen 0.029, graph 0.5 center rotate\n", expression);
 }
 
 /// Regimes that have few dots, or dots in doubt, which shall be seen.

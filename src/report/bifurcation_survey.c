@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "bifurcation.h"
+#include "machine_at.h"
 #include "quantities.h"
 
 static int by_value(const void *left, const void *right) {
@@ -81,6 +82,18 @@ void bifurcation_edges(const bifurcation *of, size_t i, double *low, double *hig
     *high = fmax(middle(of, at, before), middle(of, at, after));
 }
 
+/// What is around the station at all points alike (looked at in some of them), 0 where it changes.
+static machine_walls lasting_walls(const bifurcation *of) {
+    const size_t count = of->table->count, step = 1 + count / 32;
+    machine_walls walls = machine_walls_at(of->machine, of->result, of->table, count - 1, of->station);
+    for (size_t i = 0; i < count; i += step) {
+        const machine_walls here = machine_walls_at(of->machine, of->result, of->table, i, of->station);
+        if (fabs(here.gap - walls.gap) > 1e-9 * walls.gap) walls.gap = 0.0;
+        if (fabs(here.clearance - walls.clearance) > 1e-9 * walls.clearance) walls.clearance = 0.0;
+    }
+    return walls;
+}
+
 void bifurcation_survey(bifurcation *of) {
     const whirl_table *table = of->table;
     span parameter = span_empty(), x = span_empty(), y = span_empty(), radius = span_empty();
@@ -111,10 +124,9 @@ void bifurcation_survey(bifurcation *of) {
     of->parameter = of->ratios ? parameter : span_with_margin(parameter, 0.012, 0.0);
     of->x = span_with_margin(x, 0.04, 1e-6 * of->length);
     of->y = span_with_margin(y, 0.04, 1e-6 * of->length);
-    // Where every point has a length of its own, these circles have one, too, that the result does not tell.
-    const bool fixed = units_one_length(of->units, table);
-    of->gap = fixed ? of->length * of->result->stations[of->station].gap : 0.0;
-    of->clearance = fixed ? of->length * of->result->stations[of->station].clearance : 0.0;
+    const machine_walls walls = units_one_length(of->units, table) ? lasting_walls(of) : (machine_walls){0.0, 0.0};
+    of->gap = of->length * walls.gap;
+    of->clearance = of->length * walls.clearance;
     if (of->gap > 2.0 * radius.high) of->gap = 0.0; // so far off that the radius would be a line at the bottom
     if (of->gap > 0.0) span_widen(&radius, of->gap);
     of->radius = span_with_margin(radius, 0.08, 1e-6 * of->length);

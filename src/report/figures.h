@@ -38,7 +38,7 @@ typedef struct drawing {
     const whirl_result *result;
     size_t index;              ///< of the result
     const shown_units *units;  ///< of its numbers
-    const whirl_case *machine; ///< that it is of (machine_speed.h), or NULL
+    const whirl_case *machine; ///< that it is of (machine_at.h), or NULL
     const char *folder;        ///< where its files go
     figure_list *list;
 } drawing;

@@ -98,6 +98,7 @@ whirl_status draw_bifurcations(const drawing *to) {
     for (size_t s = 0; s < to->result->station_count && status.code == WHIRL_OK; s++) {
         bifurcation of = {.result = to->result,
                           .table = table,
+                          .machine = to->machine,
                           .station = s,
                           .units = to->units,
                           .length = to->units->length,

@@ -7,7 +7,7 @@
 
 #include "figures.h"
 #include "gnuplot.h"
-#include "machine_speed.h"
+#include "machine_at.h"
 #include "quantities.h"
 #include "typeset.h"
 
@@ -26,9 +26,10 @@ typedef struct subject {
     const whirl_table *table;
     size_t point, station;
     numbers waveform, section, spectrum, lines;
-    size_t turn; ///< samples of the waveform a revolution
-    span x, y;   ///< of the orbit, or of the section where there is no waveform; as shown
-    double size; ///< of the motion: the larger side of its box; as shown
+    machine_walls walls; ///< around the station
+    size_t turn;         ///< samples of the waveform a revolution
+    span x, y;           ///< of the orbit, or of the section where there is no waveform; as shown
+    double size;         ///< of the motion: the larger side of its box; as shown
     const shown_units *units;
     /// What numbers of the result are multiplied by to be shown: displacements, amplitudes, orders (NaN: they stay
     /// orders).
@@ -45,6 +46,7 @@ static subject subject_of(const drawing *to, const whirl_table *table, size_t po
     of.length = units_length(units, table, point);
     of.amplitude = of.length * units->amplitude;
     of.order = units_order(units, machine_speed(to->machine, to->result, table, point));
+    of.walls = machine_walls_at(to->machine, to->result, table, point, station);
     of.waveform = point_waveform(table, point, station);
     of.section = point_section(table, point, station);
     of.spectrum = point_spectrum(table, point, station);
@@ -192,8 +194,7 @@ static void write_circle(FILE *script, const window *in, double radius, const ch
 /// The window holds the orbit and, where the orbit comes near a circle, the nearest part of that too.
 static window orbit_window(const subject *of) {
     span x = of->x, y = of->y;
-    const whirl_probe *station = &of->result->stations[of->station];
-    const double circles[] = {of->length * station->clearance, of->length * station->gap};
+    const double circles[] = {of->length * of->walls.clearance, of->length * of->walls.gap};
     size_t far = 0;
     double most = 0.0;
     for (size_t k = 0; k < of->waveform.rows; k++) {
@@ -213,22 +214,20 @@ static window orbit_window(const subject *of) {
 
 /// Which circles the orbit's window shows: bit 0 the bearing, bit 1 the stator.
 static unsigned shown_circles(const subject *of) {
-    const whirl_probe *station = &of->result->stations[of->station];
     const window in = orbit_window(of);
-    return (unsigned)circle_shows(&in, of->length * station->clearance) |
-           (unsigned)circle_shows(&in, of->length * station->gap) << 1;
+    return (unsigned)circle_shows(&in, of->length * of->walls.clearance) |
+           (unsigned)circle_shows(&in, of->length * of->walls.gap) << 1;
 }
 
 static void write_orbit_panel(FILE *script, const subject *of, const figure *what) {
-    const whirl_probe *station = &of->result->stations[of->station];
     const window in = orbit_window(of);
     const unsigned circles = shown_circles(of);
     write_window(script, &in);
     fputs("plot ", script);
     if (circles & 1u)
-        write_circle(script, &in, of->length * station->clearance, "linewidth 1.2 linecolor rgb '#9A9A9A'");
+        write_circle(script, &in, of->length * of->walls.clearance, "linewidth 1.2 linecolor rgb '#9A9A9A'");
     if (circles & 2u)
-        write_circle(script, &in, of->length * station->gap, "linewidth 0.7 linecolor rgb '#707070' dashtype 2");
+        write_circle(script, &in, of->length * of->walls.gap, "linewidth 0.7 linecolor rgb '#707070' dashtype 2");
     fprintf(
         script,
         "'%s' index 0 using (length*$2):(length*$3) with lines linestyle 1 linewidth 0.5, \\\n"

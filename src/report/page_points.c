@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "html.h"
-#include "machine_speed.h"
+#include "machine_at.h"
 #include "page.h"
 #include "quantities.h"
 #include "regimes.h"
@@ -297,12 +297,13 @@ static void write_station_name(const point_page *to, size_t point, size_t statio
 }
 
 static void write_size(const point_page *to, size_t point, size_t s) {
-    const double clearance = to->result->stations[s].clearance, gap = to->result->stations[s].gap;
+    const machine_walls walls = machine_walls_at(to->machine, to->result, to->table, point, s);
     const double radius = max_radius(to->table, point, s), none = (double)NAN;
     write_station_name(to, point, s);
     write_number(to->stream, to->units->ratio ? "%.4f" : "%.4g", units_length(to->units, to->table, point) * radius);
-    if (has_bearing(to->result)) write_number(to->stream, "%.4f", clearance > 0.0 ? radius / clearance : none);
-    if (has_gap(to->result)) write_number(to->stream, "%.4f", gap > 0.0 ? radius / gap : none);
+    if (has_bearing(to->result))
+        write_number(to->stream, "%.4f", walls.clearance > 0.0 ? radius / walls.clearance : none);
+    if (has_gap(to->result)) write_number(to->stream, "%.4f", walls.gap > 0.0 ? radius / walls.gap : none);
     write_number(to->stream, "%.3g %%", 100.0 * backward_share(to->table, point, s));
     write_lines(to, point, s);
     fputs("</tr>\n", to->stream);
@@ -380,7 +381,7 @@ void page_points(const page *to, size_t index) {
     const whirl_table *table = detail_table(result);
     if (!table || table->count == 0 || result->station_count == 0) return;
     const shown_units *units = &to->units[index];
-    whirl_case *const machine = units->frequency > 0.0 ? machine_of(result) : NULL;
+    whirl_case *const machine = machine_of(result);
     const point_page points = {to->stream, result, table, units, units_parameter(units, table->parameter).size,
                                machine};
     fprintf(to->stream, "<h3 id=\"points-%zu\">Points in detail</h3>\n", index + 1);

@@ -6,7 +6,7 @@
 #include "explorer.h"
 #include "figures.h"
 #include "gnuplot.h"
-#include "machine_speed.h"
+#include "machine_at.h"
 #include "page.h"
 #include "whirl/report.h"
 
@@ -42,8 +42,7 @@ static void name_folders(report *made, const char *const *names, size_t count) {
 }
 
 static whirl_status draw_result(report *made, const whirl_result *result, size_t index) {
-    // Only frequencies in Hz ask for the speed at a point.
-    whirl_case *machine = made->units[index].frequency > 0.0 ? machine_of(result) : NULL;
+    whirl_case *machine = machine_of(result);
     const drawing to = {.result = result,
                         .index = index,
                         .units = &made->units[index],

@@ -7,7 +7,7 @@
 
 #include <cmocka.h>
 
-#include "machine_speed.h"
+#include "machine_at.h"
 #include "sample.h"
 #include "typeset.h"
 #include "units.h"
@@ -112,6 +112,35 @@ static void points_have_scales(void **state) {
     whirl_result_free(result);
 }
 
+/// Gap and clearance of a point follow the parameter, in the length scale of that point.
+static void walls(void **state) {
+    (void)state;
+    static const char text[] =
+        "whirl: 1\nparameters: {g: 1 mm}\n"
+        "rotor:\n  speed: 100 rad/s\n  length_scale: = 2*g\n"
+        "  stations: {disc: {mass: 1 kg}, journal: {mass: 1 kg}}\n"
+        "  elements: [shaft: {between: [disc, ground], k1: 1 N/m},\n"
+        "    film: {at: journal, clearance: 3 mm, viscosity: 0.02 Pa s, length: 12 mm, radius: 25 mm},\n"
+        "    rub: {at: disc, gap: = 3*g, stiffness: 1 N/m}]\n"
+        "study: {sweep: {parameter: g, from: 1 mm, to: 2 mm, points: 4}}\n";
+    whirl_result *result = sample_result();
+    free(result->case_text);
+    result->case_text = strdup(text);
+    result->parameters[0] = (whirl_parameter){"g", "m", "1 mm", 1e-3};
+    result->parameter_count = 1;
+    whirl_table *sweep = &result->tables[0];
+    snprintf(sweep->parameter, sizeof sweep->parameter, "g");
+    sweep->values[3] = 2e-3;
+    whirl_case *machine = machine_of(result);
+    assert_non_null(machine);
+    assert_true(fabs(machine_walls_at(machine, result, sweep, 3, 0).gap - 1.5) < 1e-14);
+    assert_true(machine_walls_at(machine, result, sweep, 3, 0).clearance == 0.0);
+    assert_true(fabs(machine_walls_at(machine, result, sweep, 3, 1).clearance - 0.75) < 1e-14);
+    whirl_case_free(machine);
+    assert_true(machine_walls_at(NULL, result, sweep, 3, 0).gap == result->stations[0].gap);
+    whirl_result_free(result);
+}
+
 /// The speed follows the parameter through the case's own expressions, with what --set changed.
 static void speeds(void **state) {
     (void)state;
@@ -164,9 +193,13 @@ static void symbols_are_in_italics(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(lengths),    cmocka_unit_test(who_asks),
-        cmocka_unit_test(parameters), cmocka_unit_test(points_have_scales),
-        cmocka_unit_test(speeds),     cmocka_unit_test(symbols_are_in_italics),
+        cmocka_unit_test(lengths),
+        cmocka_unit_test(who_asks),
+        cmocka_unit_test(parameters),
+        cmocka_unit_test(points_have_scales),
+        cmocka_unit_test(walls),
+        cmocka_unit_test(speeds),
+        cmocka_unit_test(symbols_are_in_italics),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,4 @@
-#include "machine_speed.h"
+#include "machine_at.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -28,4 +28,16 @@ double machine_speed(const whirl_case *machine, const whirl_result *result, cons
     if (!machine || whirl_case_speed(machine, table->parameter, table->values[point], &speed).code != WHIRL_OK)
         return (double)NAN;
     return speed;
+}
+
+machine_walls machine_walls_at(const whirl_case *machine, const whirl_result *result, const whirl_table *table,
+                               size_t point, size_t station) {
+    const whirl_probe *probe = &result->stations[station];
+    whirl_rotor *rotor = NULL;
+    if (machine && *table->parameter &&
+        whirl_case_rotor(machine, table->parameter, table->values[point], &rotor).code == WHIRL_OK)
+        probe = &whirl_rotor_system(rotor)->probes[station];
+    const machine_walls walls = {probe->clearance, probe->gap};
+    whirl_rotor_free(rotor);
+    return walls;
 }
