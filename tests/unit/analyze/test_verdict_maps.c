@@ -35,6 +35,16 @@ static map_system logistic(double r) {
         .map = logistic_map, .dimension = 1, .section_dimension = 1, .parameters = {r}, .start = {0.3123}};
 }
 
+/// A circle that turns by a share of itself, as a section sees it.
+static map_system rotation(double turn) {
+    return (map_system){.map = circle_map,
+                        .embed = on_circle,
+                        .dimension = 1,
+                        .section_dimension = 2,
+                        .parameters = {turn, 0.0},
+                        .start = {0.1}};
+}
+
 static double iterate(double r, double x, int count) {
     for (int i = 0; i < count; i++) x = r * x * (1.0 - x);
     return x;
@@ -227,12 +237,7 @@ static void neutral_returns(void **state) {
     (void)state;
     const double turns[] = {0.5, 1.0 / 3.0, 0.4, 0.4 + 1e-9, 0.25 + 1e-7, 0.4 + 1e-5};
     for (size_t i = 0; i < COUNT_OF(turns); i++) {
-        const map_system system = {.map = circle_map,
-                                   .embed = on_circle,
-                                   .dimension = 1,
-                                   .section_dimension = 2,
-                                   .parameters = {turns[i], 0.0},
-                                   .start = {0.1}};
+        const map_system system = rotation(turns[i]);
         assert_verdict(&system, 100, "undetermined", "rational rotation");
     }
 }
@@ -243,12 +248,7 @@ static void rotations(void **state) {
     const double turns[] = {0.38196601125, 0.41421356237, 0.27201964951, 0.2360679775,  0.44948974278,
                             0.30277563773, 0.16227766017, 0.26794919243, 0.35889894354, 0.47213595500};
     for (size_t i = 0; i < COUNT_OF(turns); i++) {
-        const map_system system = {.map = circle_map,
-                                   .embed = on_circle,
-                                   .dimension = 1,
-                                   .section_dimension = 2,
-                                   .parameters = {turns[i], 0.0},
-                                   .start = {0.1}};
+        const map_system system = rotation(turns[i]);
         assert_verdict(&system, 100, "quasi-periodic (1 curve)", "rotation");
         const whirl_verdict verdict = judge(&system, 100);
         assert_int_equal(verdict.agreement, WHIRL_HIGH);
@@ -257,12 +257,7 @@ static void rotations(void **state) {
     }
     // sqrt 17 - 4 = [0; 8, 8, 8, ...] lies so close to 8/65 that its neighbours are 65 iterates apart. It goes by 1.2
     // places between them in 650, evenly: it is not locked.
-    const map_system close = {.map = circle_map,
-                              .embed = on_circle,
-                              .dimension = 1,
-                              .section_dimension = 2,
-                              .parameters = {0.12310562562, 0.0},
-                              .start = {0.1}};
+    const map_system close = rotation(0.12310562562);
     const whirl_verdict loose = judge(&close, 100);
     char reason[400];
     assert_int_equal(loose.neighbours, 65);
@@ -279,12 +274,7 @@ static void drifts(void **state) {
     const int branches[] = {2, 2, 1, 3, 4, 1};
     (void)state;
     for (size_t i = 0; i < COUNT_OF(turns); i++) {
-        const map_system system = {.map = circle_map,
-                                   .embed = on_circle,
-                                   .dimension = 1,
-                                   .section_dimension = 2,
-                                   .parameters = {turns[i], 0.0},
-                                   .start = {0.1}};
+        const map_system system = rotation(turns[i]);
         const double phase = turns[i] * branches[i], round_trip = 1.0 / fabs(phase - round(phase));
         whirl_record *record = record_map(&system, 100, 650, 650);
         const whirl_verdict verdict = whirl_judge(record);
@@ -383,12 +373,7 @@ static void curves_with_exponents(void **state) {
     const double seconds[] = {0.0, -0.01, -1.0};
     (void)state;
     for (size_t i = 0; i < COUNT_OF(seconds); i++) {
-        const map_system system = {.map = circle_map,
-                                   .embed = on_circle,
-                                   .dimension = 1,
-                                   .section_dimension = 2,
-                                   .parameters = {0.38196601125, 0.0},
-                                   .start = {0.1}};
+        const map_system system = rotation(0.38196601125);
         whirl_record *record = record_map(&system, 100, 650, 100);
         const whirl_verdict verdict = judge_with_exponents(record, seconds[i]);
         free(record);
