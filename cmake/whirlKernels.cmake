@@ -4,7 +4,7 @@
 # Name, number, options. Kernels of 512 bits are scheduled for the first processors that have them at full speed: worth
 # 3 percent.
 set(WHIRL_ISAS "scalar 0" "128 1")
-if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND NOT WHIRL_PORTABLE)
   list(APPEND WHIRL_ISAS "fma 2 -mfma" "avx2 3 -mavx2 -mfma" "avx512 4 -mavx512f -mfma -mtune=icelake-server")
 endif()
 

@@ -86,7 +86,7 @@ if [ -n "$library" ] && [ -e "$library" ]; then
     # Each function of the headers is there, and nothing that no header declares.
     declared=$({
         sed -E 's,//.*,,' include/whirl/*.h | grep -v typedef | grep -oE '\bwhirl_[a-z0-9_]+\(' | tr -d '('
-        sed -nE 's/^#define assembly_[a-z_]+ (whirl_assembly_[a-z_]+)$/\1/p' src/rotor/assembly.h
+        sed -nE 's/^#define [a-z_]+ (whirl_[a-z_]+)$/\1/p' src/rotor/assembly.h src/rotor/element.h
     } | sort -u)
     missing=$(comm -23 <(echo "$declared") <(sort -u <<<"$exported"))
     extra=$(comm -13 <(echo "$declared") <(sort -u <<<"$exported"))

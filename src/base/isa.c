@@ -15,7 +15,7 @@ static const isa known[VECTOR_ISAS] = {
 
 /// What the processor and the system under it can do; the compiler asks cpuid for us.
 static bool present(int number) {
-#if defined(__x86_64__)
+#if VECTOR_X86
     switch (number) {
     case VECTOR_SCALAR:
     case VECTOR_128:

@@ -30,8 +30,15 @@
 #define ISA_NAME(name, set) ISA_JOIN(name, set)
 #define ISA(name) ISA_NAME(name, ISA_SUFFIX)
 
+/// Whether the build has the instruction sets of x86 beyond 128 bits.
+#if defined(__x86_64__) && !defined(WHIRL_PORTABLE)
+#define VECTOR_X86 1
+#else
+#define VECTOR_X86 0
+#endif
+
 /// Declares all of them; the table of them by number, NULL where this build has none.
-#if defined(__x86_64__)
+#if VECTOR_X86
 #define FOR_EVERY_ISA(type, name) extern type name##_scalar, name##_128, name##_fma, name##_avx2, name##_avx512
 #define EVERY_ISA(address, name)                                                                                       \
     {                                                                                                                  \

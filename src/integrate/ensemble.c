@@ -12,12 +12,7 @@
 #include "turns.h"
 #include "vector.h"
 
-rk4_lanes_revolve *const rk4_lanes_revolves[VECTOR_ISAS] = {
-    [VECTOR_SCALAR] = rk4_lanes_scalar, [VECTOR_128] = rk4_lanes_128,
-#if defined(__x86_64__)
-    [VECTOR_FMA] = rk4_lanes_fma,       [VECTOR_AVX2] = rk4_lanes_avx2, [VECTOR_AVX512] = rk4_lanes_avx512,
-#endif
-};
+rk4_lanes_revolve *const rk4_lanes_revolves[VECTOR_ISAS] = EVERY_ISA(, rk4_lanes);
 
 struct whirl_ensemble {
     const whirl_system *system; ///< of the first machine: the structure

@@ -9,13 +9,7 @@
 #include "vector.h"
 #include "whirl/ensemble.h"
 
-variational_lanes_revolve *const variational_lanes_revolves[VECTOR_ISAS] = {
-    [VECTOR_SCALAR] = variational_lanes_scalar, [VECTOR_128] = variational_lanes_128,
-#if defined(__x86_64__)
-    [VECTOR_FMA] = variational_lanes_fma,       [VECTOR_AVX2] = variational_lanes_avx2,
-    [VECTOR_AVX512] = variational_lanes_avx512,
-#endif
-};
+variational_lanes_revolve *const variational_lanes_revolves[VECTOR_ISAS] = EVERY_ISA(, variational_lanes);
 
 struct whirl_variational {
     const whirl_system *system; ///< of the first machine: the structure
