@@ -56,7 +56,7 @@ typedef struct whirl_system {
     const double *turns;
 
     /// The right-hand side has kinks that no switch tells of (Hertz contacts): adaptive steps of two motions side by
-    /// side err differently there, so that disturbances are followed by the Jacobian, and machines go alone.
+    /// side err differently there, so that disturbances are followed by the Jacobian, and such motions go alone.
     bool kinked;
 
     /// Optional: switching functions, smooth in (t, x), whose zeros are where rhs is not smooth (contact,

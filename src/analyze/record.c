@@ -8,7 +8,6 @@
 #include "record_lanes.h"
 #include "settling.h"
 #include "steps.h"
-#include "turns.h"
 #include "twin.h"
 #include "whirl/ensemble.h"
 
@@ -39,28 +38,11 @@ static size_t count_followed(const whirl_system *system, const whirl_integrate_o
     return own->follows_one || (system->kinked && own->follows) ? 1 : 0;
 }
 
-/// Disturbances as they are at first: along the axes, a single one across them all. What turns on and on comes last:
-/// made orthogonal in turn, the others never know of it, and their growth is that of the rest alone.
-static void place_disturbances(const recording *r) {
-    const size_t n = r->record->dimension;
-    const double *turns = r->record->turns;
-    size_t count = 0;
-    memset(r->disturbances, 0, r->followed * n * sizeof *r->disturbances);
-    for (int turning = 0; turning < 2; turning++)
-        for (size_t i = 0; i < n; i++) {
-            if (turns_on(turns, i) != turning) continue;
-            if (r->followed == n)
-                r->disturbances[count++ * n + i] = 1.0;
-            else if (!turning)
-                r->disturbances[i] = 1.0 / sqrt((double)n);
-        }
-}
-
 /// One revolution of the motion with its disturbances.
 static whirl_motion carry_disturbances(recording *r, whirl_observe_fn observe) {
     whirl_record *record = r->record;
     const size_t count = record->growth_count;
-    if (count == 0) place_disturbances(r);
+    if (count == 0) record_place_disturbances(record, r->followed, r->disturbances);
     whirl_disturbances set = {.count = r->followed, .vectors = r->disturbances, .growth = &record->growth[count]};
     if (record->growths) set.growth = record->growths + count * record->dimension;
     const whirl_motion motion = whirl_integrator_carry(r->integrator, r->x, &set, observe, &r->observer);
@@ -174,6 +156,14 @@ struct whirl_recorder {
     recording *alone;      ///< the one under way, or NULL
 };
 
+/// Whether motions and what is followed of them have lanes: there a twin shows the largest growth.
+static bool go_in_lanes(const whirl_system *system, const whirl_integrate_options *integrate,
+                        const whirl_record_options *options) {
+    if (!whirl_ensemble_takes(system, integrate)) return false;
+    if (options->growth == WHIRL_GROWTH_ALL) return whirl_variational_takes(system, integrate);
+    return options->growth == WHIRL_GROWTH_NONE || !system->kinked || !whirl_method_is_adaptive(integrate->method);
+}
+
 whirl_status whirl_recorder_new(const whirl_system *system, const whirl_integrate_options *integrate,
                                 const whirl_record_options *options, const whirl_task_source *source, size_t lanes,
                                 whirl_recorder **out) {
@@ -183,8 +173,7 @@ whirl_status whirl_recorder_new(const whirl_system *system, const whirl_integrat
     whirl_recorder *made = calloc(1, sizeof *made);
     if (!made) return whirl_fail(WHIRL_NO_MEMORY, "no memory to record motions");
     *made = (whirl_recorder){.integrate = integrate, .options = options, .source = source};
-    const bool alone = options->growth == WHIRL_GROWTH_ALL && !whirl_variational_takes(system, integrate);
-    if (whirl_ensemble_takes(system, integrate) && !alone)
+    if (go_in_lanes(system, integrate, options))
         status = lanes_recorder_new(system, integrate, options, source, lanes, &made->lanes);
     if (status.code == WHIRL_OK)
         *out = made;

@@ -195,3 +195,18 @@ void record_close_turns(whirl_record *record) {
         for (size_t n = 0; n < record->section_count; n++) record->section[n * record->dimension + i] = 0.0;
     }
 }
+
+void record_place_disturbances(const whirl_record *record, size_t count, double *disturbances) {
+    const size_t n = record->dimension;
+    const double *turns = record->turns;
+    size_t placed = 0;
+    memset(disturbances, 0, count * n * sizeof *disturbances);
+    for (int turning = 0; turning < 2; turning++)
+        for (size_t i = 0; i < n; i++) {
+            if (turns_on(turns, i) != turning) continue;
+            if (count == n)
+                disturbances[placed++ * n + i] = 1.0;
+            else if (!turning)
+                disturbances[i] = 1.0 / sqrt((double)n);
+        }
+}

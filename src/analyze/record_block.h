@@ -20,4 +20,8 @@ void record_close_turns(whirl_record *record);
 void record_archive(whirl_record *record, const whirl_integrate_options *integrate, const whirl_record_options *options,
                     archive *a);
 
+/// Disturbances [count][dimension] as they are at first: along the axes, a single one across them all. What turns on
+/// and on comes last: made orthogonal in turn, the others never know of it, and their growth is that of the rest alone.
+void record_place_disturbances(const whirl_record *record, size_t count, double *disturbances);
+
 #endif

@@ -132,9 +132,9 @@ static motion *motion_new(const lanes_recorder *r, const whirl_task *task) {
     if (!m) return NULL;
     *m = (motion){.task = *task, .lane = NO_LANE, .twin_lane = NO_LANE, .x = (double *)(m + 1)};
     m->disturbances = m->x + 2 * r->dimension;
-    for (size_t i = 0; r->variational && i < r->dimension; i++) m->disturbances[i * r->dimension + i] = 1.0;
     m->twin = twin_of(r->integrate, r->dimension, task->system->turns, m->x + r->dimension);
     m->record = record_new(task->system, r->integrate, r->options);
+    if (m->record && r->variational) record_place_disturbances(m->record, r->dimension, m->disturbances);
     memcpy(m->x, task->start, r->dimension * sizeof *m->x);
     if (follows(r, m)) twin_begin(&m->twin, m->x);
     if (r->options->settle) m->settling = settling_new(r->dimension);

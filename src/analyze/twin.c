@@ -19,10 +19,10 @@ static double norm(const double *x, size_t count) {
     return sqrt(sum);
 }
 
+/// Angles are not disturbed, whatever turn they are in.
 static void twin_place(trajectory_twin *twin, const double *x) {
-    for (size_t i = 0; i < twin->dimension; i++) {
+    for (size_t i = 0; i < twin->dimension; i++)
         twin->x[i] = turns_on(twin->turns, i) ? x[i] : x[i] + twin->distance / sqrt((double)twin->dimension);
-    }
 }
 
 trajectory_twin twin_of(const whirl_integrate_options *integrate, size_t dimension, const double *turns, double *x) {
@@ -49,7 +49,7 @@ void twin_begin(trajectory_twin *twin, const double *x) {
 double twin_growth(trajectory_twin *twin, const double *x, bool bounded) {
     double distance = 0.0;
     for (size_t i = 0; i < twin->dimension; i++) {
-        const double d = twin->x[i] - x[i];
+        const double d = turns_on(twin->turns, i) ? 0.0 : twin->x[i] - x[i];
         distance += d * d;
     }
     distance = sqrt(distance);
@@ -61,6 +61,7 @@ double twin_growth(trajectory_twin *twin, const double *x, bool bounded) {
         return lost && bounded ? log(DBL_EPSILON / twin->share) : -log(twin->share);
     }
     const double factor = twin->distance / distance;
-    for (size_t i = 0; i < twin->dimension; i++) twin->x[i] = x[i] + factor * (twin->x[i] - x[i]);
+    for (size_t i = 0; i < twin->dimension; i++)
+        twin->x[i] = turns_on(twin->turns, i) ? x[i] : x[i] + factor * (twin->x[i] - x[i]);
     return log(distance / before);
 }

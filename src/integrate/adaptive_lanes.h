@@ -45,22 +45,22 @@ typedef struct lane_queue {
 /// What the steps of dop853 work on.
 typedef struct dop853_work {
     dop853_sums sums;
-    double *k[DOP853_SLOPES]; ///< [degrees] slopes: rows that follow one another
+    double *k[DOP853_SLOPES]; ///< [rates] slopes: rows that follow one another
     double *base;             ///< cos and sin of t
 } dop853_work;
 
 /// What the steps of rodas5p work on (kernels/rodas5p_lanes.c).
 typedef struct rodas5p_work {
-    double *u_q[RODAS5P_STAGES], *u_v[RODAS5P_STAGES]; ///< [degrees] increments of the stages
-    double *unit_q, *unit_v;                           ///< [1 + 2 degrees][degrees] the state, then unit disturbances
-    double *by;       ///< [1 + 2 degrees][degrees] slope, Jacobian by positions and by velocities, columns in a line
-    double *matrix;   ///< [degrees][degrees] columns, decomposed
-    double *pivot;    ///< [degrees] reciprocals
-    double *doubtful; ///< 1 where a pivot says nothing good
-    double *shift;    ///< 1/(gamma h)
-    double *rate;     ///< [degrees] derivative of the slope by time alone
-    double *right_q;  ///< [degrees] workspace
-    double *between_q, *between_v; ///< [degrees] error of the interpolant in the middle
+    double *u_q[RODAS5P_STAGES], *u_v[RODAS5P_STAGES]; ///< [degrees], [rates] increments of the stages
+    double *unit_q, *unit_v; ///< [1 + dimension][degrees], [rates] the state, then unit disturbances
+    double *by;              ///< [1 + dimension][rates] slope, Jacobian by positions and by rates, columns in a line
+    double *matrix;          ///< [rates][rates] columns, decomposed
+    double *pivot;           ///< [rates] reciprocals
+    double *doubtful;        ///< 1 where a pivot says nothing good
+    double *shift;           ///< 1/(gamma h)
+    double *rate;            ///< [rates] derivative of the slope by time alone
+    double *right_q;         ///< [degrees] workspace
+    double *between_q, *between_v; ///< [degrees], [rates] error of the interpolant in the middle
     double *ahead;                 ///< [forcing_count] workspace
 } rodas5p_work;
 
@@ -73,7 +73,10 @@ typedef struct adaptive_lanes {
     lanes_switches *switches;
     lanes_forcing *forcing_at;
     size_t stride, slots; ///< vectors, and slots in them
-    size_t degrees, number_count, forcing_count, switch_count;
+    size_t degrees;
+    size_t rates;     ///< velocities, and states of first order after them: the rows of every v and slope
+    size_t dimension; ///< degrees + rates; rates follow their positions in memory
+    size_t number_count, forcing_count, switch_count;
     size_t group_count;
     const size_t *groups; ///< coordinates whose sizes are measured together
     bool modulated;       ///< accelerations depend on the forcing in other ways than in proportion
@@ -95,17 +98,17 @@ typedef struct adaptive_lanes {
     double *landing;       ///< 1 + the switch that the step is to end at, 0: none
     double *whole, *tries; ///< the step within which it is, and steps taken to find it
     double *value, *rate;  ///< [switch_count] switching functions and their derivatives at t
-    double *slope;         ///< [degrees] accelerations at t
+    double *slope;         ///< [rates] slopes of v at t
     // Of the step.
     double *length, *lengths;     ///< tried; [degrees] the same for every degree
     double *error;                ///< square of the error, in tolerances
     double *size;                 ///< largest coordinate
     double *special;              ///< 1 where the step needs to be looked at
     double *fresh;                ///< 1 where slope and switches at t must be taken anew
-    double *stage_q, *stage_v;    ///< [degrees]
-    double *end_q, *end_v;        ///< [degrees] the state at its end
-    double *end_slope;            ///< [degrees] accelerations there
-    double *later;                ///< [degrees] workspace of beginnings
+    double *stage_q, *stage_v;    ///< [degrees], [rates]
+    double *end_q, *end_v;        ///< [degrees], [rates] the state at its end
+    double *end_slope;            ///< [rates] slopes there
+    double *later;                ///< [rates] workspace of beginnings
     double *end_value, *end_rate; ///< [switch_count]
     double *time, *forcing;       ///< workspace; [forcing_count]
     dop853_work dop853;
@@ -113,12 +116,12 @@ typedef struct adaptive_lanes {
     // What is observed: the step taken, as polynomials.
     bool observing;
     double *begin, *taken;          ///< its beginning and length; 0: none was taken
-    double *dense[1 + DENSE];       ///< [2 degrees] its first state, then the method's polynomials: rows in a line
+    double *dense[1 + DENSE];       ///< [dimension] its first state, then the method's polynomials: rows in a line
     double *instant, *seen, *theta; ///< number of the next instant, 1 where it lies in the step, and its place there
     int instants;                   ///< of a revolution
     lanes_observe observe;
     size_t sample_stride; ///< instants from one sample to the next, 0: no samples
-    double *samples;      ///< [sample_room][2 degrees][lane_count]
+    double *samples;      ///< [sample_room][dimension][lane_count]
     size_t sample_room;
     // The ensemble that is served.
     size_t lane_count;
@@ -137,8 +140,8 @@ typedef struct lanes_method {
     const formula *formula; ///< for steps that are taken with care
     /// One for every instruction set of vector.h; NULL where it is not built.
     adaptive_lanes_revolve *const *revolves;
-    int dense;                       ///< polynomials of the interpolant
-    size_t (*group)(size_t degrees); ///< vectors: enough to hide each other's latency, few enough for the first cache
+    int dense;                     ///< polynomials of the interpolant
+    size_t (*group)(size_t rates); ///< vectors: enough to hide each other's latency, few enough for the first cache
     /// Sets where its own arrays are in a block of rows from `block` on, and those of the step that it has a place for;
     /// gives how many rows that are. NULL: measures.
     size_t (*lay_out)(adaptive_lanes *lanes, double *block);

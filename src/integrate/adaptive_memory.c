@@ -11,16 +11,17 @@ typedef struct part {
 
 /// Rows of the block, and where each array begins.
 static size_t lay_out(adaptive_lanes *lanes, double *block) {
-    const size_t degrees = lanes->degrees, probes = lanes->observe.probe_count, switches = lanes->switch_count;
+    const size_t degrees = lanes->degrees, rates = lanes->rates, probes = lanes->observe.probe_count,
+                 switches = lanes->switch_count;
     const size_t contacts = lanes->observe.contact_count;
     size_t row = 0;
     const part parts[] = {
         {&lanes->q, degrees},
-        {&lanes->v, degrees},
+        {&lanes->v, rates},
         {&lanes->stage_q, degrees},
-        {&lanes->stage_v, degrees},
+        {&lanes->stage_v, rates},
         {&lanes->end_q, degrees},
-        {&lanes->end_v, degrees},
+        {&lanes->end_v, rates},
         {&lanes->numbers, lanes->number_count},
         {&lanes->forcing, lanes->forcing_count},
         {&lanes->ended, 1},
@@ -55,8 +56,8 @@ static size_t lay_out(adaptive_lanes *lanes, double *block) {
         {&lanes->instant, 1},
         {&lanes->seen, 1},
         {&lanes->theta, 1},
-        {&lanes->observe.low, 2 * degrees},
-        {&lanes->observe.high, 2 * degrees},
+        {&lanes->observe.low, lanes->dimension},
+        {&lanes->observe.high, lanes->dimension},
         {&lanes->observe.square_max, probes},
         {&lanes->observe.square_min, probes},
         {&lanes->observe.backward, probes},
@@ -71,7 +72,8 @@ static size_t lay_out(adaptive_lanes *lanes, double *block) {
     row += lanes->method->lay_out(lanes, block);
     for (size_t i = 0; i < sizeof parts / sizeof *parts; i++, row += parts[i - 1].rows)
         *parts[i].array = lanes_row(lanes, block, row);
-    for (int i = 0; i <= lanes->method->dense; i++, row += 2 * degrees) lanes->dense[i] = lanes_row(lanes, block, row);
+    for (int i = 0; i <= lanes->method->dense; i++, row += lanes->dimension)
+        lanes->dense[i] = lanes_row(lanes, block, row);
     return row;
 }
 
@@ -85,8 +87,10 @@ adaptive_lanes *adaptive_lanes_new(const lanes_method *own, const whirl_system *
                               .flow = form->flow[set->number],
                               .switches = form->switches[set->number],
                               .forcing_at = form->forcing[set->number],
-                              .stride = own->group(form->degrees),
+                              .stride = own->group(form->degrees + form->states),
                               .degrees = form->degrees,
+                              .rates = form->degrees + form->states,
+                              .dimension = system->dimension,
                               .number_count = form->number_count,
                               .forcing_count = system->forcing_count,
                               .switch_count = form->switch_count,
@@ -123,7 +127,7 @@ adaptive_lanes *adaptive_lanes_new(const lanes_method *own, const whirl_system *
 bool adaptive_lanes_make_room(adaptive_lanes *lanes, size_t samples, size_t lane_count) {
     if (samples <= lanes->sample_room) return true;
     free(lanes->samples);
-    lanes->samples = malloc(samples * 2 * lanes->degrees * lane_count * sizeof(double));
+    lanes->samples = malloc(samples * lanes->dimension * lane_count * sizeof(double));
     lanes->sample_room = lanes->samples ? samples : 0;
     return lanes->samples != NULL;
 }

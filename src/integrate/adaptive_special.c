@@ -29,20 +29,16 @@ static void end(const adaptive_lanes *lanes, size_t slot, whirl_motion motion) {
 static void give_state(const adaptive_lanes *lanes, size_t slot) {
     stepper *c = lanes->stepper;
     const size_t n = lanes->degrees;
-    for (size_t d = 0; d < n; d++) {
-        c->x[d] = *at(lanes, lanes->q, d, slot);
-        c->x[n + d] = *at(lanes, lanes->v, d, slot);
-    }
+    for (size_t d = 0; d < n; d++) c->x[d] = *at(lanes, lanes->q, d, slot);
+    for (size_t d = 0; d < lanes->rates; d++) c->x[n + d] = *at(lanes, lanes->v, d, slot);
     stepper_place(c, lanes->machines[lanes->queue->slot_lane[slot]], lanes->t[slot]);
 }
 
 static void take_state(const adaptive_lanes *lanes, size_t slot) {
     const stepper *c = lanes->stepper;
     const size_t n = lanes->degrees;
-    for (size_t d = 0; d < n; d++) {
-        *at(lanes, lanes->q, d, slot) = c->x[d];
-        *at(lanes, lanes->v, d, slot) = c->x[n + d];
-    }
+    for (size_t d = 0; d < n; d++) *at(lanes, lanes->q, d, slot) = c->x[d];
+    for (size_t d = 0; d < lanes->rates; d++) *at(lanes, lanes->v, d, slot) = c->x[n + d];
 }
 
 static void give_sides(const adaptive_lanes *lanes, size_t slot) {
@@ -75,7 +71,7 @@ void adaptive_find_sides(const adaptive_lanes *lanes, size_t slot) {
 
 static void take_polynomials(const adaptive_lanes *lanes, size_t slot) {
     const stepper *c = lanes->stepper;
-    for (size_t i = 0; i < 2 * lanes->degrees; i++) {
+    for (size_t i = 0; i < lanes->dimension; i++) {
         *at(lanes, lanes->dense[0], i, slot) = c->start[i];
         for (int p = 0; p < lanes->method->dense; p++) *at(lanes, lanes->dense[1 + p], i, slot) = c->dense[p][i];
     }
@@ -190,7 +186,7 @@ static void choose_side(const adaptive_lanes *lanes, size_t slot, size_t which) 
 /// Goes on at the end of the step tried, on the other side of switch `which`.
 static void cross(const adaptive_lanes *lanes, size_t slot, size_t which) {
     copy(lanes, lanes->q, lanes->end_q, lanes->degrees, slot);
-    copy(lanes, lanes->v, lanes->end_v, lanes->degrees, slot);
+    copy(lanes, lanes->v, lanes->end_v, lanes->rates, slot);
     for (size_t s = 0; s < lanes->switch_count; s++) *at(lanes, lanes->held, s, slot) = s == which && !lanes->slides;
     lanes->taken[slot] = lanes->length[slot];
     lanes->t[slot] = fmin(lanes->t[slot] + lanes->length[slot], lanes->period);

@@ -32,7 +32,7 @@ struct whirl_ensemble {
 
 bool whirl_ensemble_takes(const whirl_system *system, const whirl_integrate_options *options) {
     if (!system->lanes) return false;
-    if (adaptive_in_lanes(options)) return !system->kinked && system->lanes->states == 0;
+    if (adaptive_in_lanes(options)) return true;
     return strcmp(options->method, "rk4") == 0 && !(options->located && system->lanes->slides);
 }
 
@@ -147,7 +147,7 @@ static size_t fast_vectors(const whirl_system *system, const isa *set) {
     static const size_t choices[] = {8, 6, 4, 2, 1};
     const size_t first_cache = 40960, degrees = system->lanes->degrees;
     const size_t observed = system->lanes->pair ? 7 * degrees + 4 * system->lanes->contact_count : 0;
-    const size_t bytes = (system->lanes->number_count + 8 * degrees + observed) * set->lanes * sizeof(double);
+    const size_t bytes = (system->lanes->number_count + 4 * system->dimension + observed) * set->lanes * sizeof(double);
     size_t i = 0;
     while (choices[i] > 1 && choices[i] * bytes > first_cache) i++;
     return choices[i];
@@ -285,14 +285,14 @@ void whirl_ensemble_move(whirl_ensemble *e, size_t from, size_t to) {
 /// too.
 static void fill_exchange(const whirl_ensemble *e, adaptive_lanes *lanes) {
     const lanes_observe *own = &lanes->observe, *theirs = &e->lanes.observe;
-    const size_t degrees = lanes->degrees, probes = own->probe_count, contacts = own->contact_count;
+    const size_t dimension = lanes->dimension, probes = own->probe_count, contacts = own->contact_count;
     const lane_rows rows[] = {
         {lanes->numbers, e->lanes.numbers, lanes->number_count, true},
-        {lanes->q, e->lanes.q, degrees, false},
-        {lanes->v, e->lanes.v, degrees, false},
+        {lanes->q, e->lanes.q, lanes->degrees, false},
+        {lanes->v, e->lanes.v, lanes->rates, false},
         {lanes->ended, e->ended, 1, false},
-        {own->low, theirs->low, 2 * degrees, false},
-        {own->high, theirs->high, 2 * degrees, false},
+        {own->low, theirs->low, dimension, false},
+        {own->high, theirs->high, dimension, false},
         {own->square_max, theirs->square_max, probes, false},
         {own->square_min, theirs->square_min, probes, false},
         {own->backward, theirs->backward, probes, false},
@@ -312,7 +312,7 @@ static void fill_exchange(const whirl_ensemble *e, adaptive_lanes *lanes) {
 static void revolve_adaptive(whirl_ensemble *e, size_t count, const whirl_ensemble_observe *observe) {
     const size_t wanted = observe && observe->stride > 0 ? (size_t)e->adaptive->instants / observe->stride : 0;
     const size_t samples = adaptive_lanes_make_room(e->adaptive, wanted, e->lane_count) ? wanted : 0;
-    const size_t size = 2 * e->lanes.degrees * e->lane_count;
+    const size_t size = e->system->dimension * e->lane_count;
     adaptive_lanes lanes = *e->adaptive;
     lanes.lane_count = e->lane_count;
     lanes.machines = e->machines;
@@ -343,11 +343,7 @@ static void wrap(whirl_ensemble *e, size_t count) {
         }
 }
 
-void whirl_ensemble_revolve(whirl_ensemble *e, size_t count, const whirl_ensemble_observe *observe) {
-    if (e->adaptive) {
-        revolve_adaptive(e, count, observe);
-        return;
-    }
+static void revolve_rk4(const whirl_ensemble *e, size_t count, const whirl_ensemble_observe *observe) {
     rk4_lanes lanes = e->lanes;
     lanes.used = count;
     lanes.vectors = (count + e->isa->lanes - 1) / e->isa->lanes;
@@ -358,6 +354,13 @@ void whirl_ensemble_revolve(whirl_ensemble *e, size_t count, const whirl_ensembl
         lanes.context = observe->context;
     }
     rk4_lanes_revolves[e->isa->number](&lanes);
+}
+
+void whirl_ensemble_revolve(whirl_ensemble *e, size_t count, const whirl_ensemble_observe *observe) {
+    if (e->adaptive)
+        revolve_adaptive(e, count, observe);
+    else
+        revolve_rk4(e, count, observe);
     wrap(e, count);
 }
 

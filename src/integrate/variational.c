@@ -22,26 +22,26 @@ struct whirl_variational {
 enum { MOST_DISTURBANCES = 256 };
 
 bool whirl_variational_takes(const whirl_system *system, const whirl_integrate_options *options) {
-    return system->lanes && system->lanes->states == 0 && strcmp(options->method, "rk4") == 0 && !options->located &&
-           !system->lanes->jumps && !system->lanes->slides && system->dimension <= MOST_DISTURBANCES;
+    return system->lanes && strcmp(options->method, "rk4") == 0 && !options->located && !system->lanes->jumps &&
+           !system->lanes->slides && system->dimension <= MOST_DISTURBANCES;
 }
 
 /// Rows of the block, and where each array begins.
 static size_t lay_out(whirl_variational *f, double *block) {
     variational_lanes *l = &f->lanes;
-    const size_t set = (1 + l->disturbances) * l->degrees;
+    const size_t sets = 1 + l->disturbances, places = sets * l->degrees, rates = sets * l->rates;
     size_t row = 0;
     const struct {
         double **array;
         size_t rows;
-    } parts[] = {{&l->q, set},
-                 {&l->v, set},
-                 {&l->stage_q, set},
-                 {&l->stage_v, set},
-                 {&l->k[0], set},
-                 {&l->k[1], set},
-                 {&l->k[2], set},
-                 {&l->k[3], set},
+    } parts[] = {{&l->q, places},
+                 {&l->v, rates},
+                 {&l->stage_q, places},
+                 {&l->stage_v, rates},
+                 {&l->k[0], rates},
+                 {&l->k[1], rates},
+                 {&l->k[2], rates},
+                 {&l->k[3], rates},
                  {&l->numbers, f->system->lanes->number_count},
                  {&l->now, l->forcing_count},
                  {&l->divergence[0], 1},
@@ -102,6 +102,7 @@ whirl_status whirl_variational_new(const whirl_system *system, const whirl_integ
                                        .stride = vectors,
                                        .lane_count = vectors * f->isa->lanes,
                                        .degrees = system->lanes->degrees,
+                                       .rates = system->lanes->degrees + system->lanes->states,
                                        .disturbances = system->dimension,
                                        .forcing_count = system->forcing_count,
                                        .steps = options->steps_per_revolution,
@@ -130,11 +131,9 @@ size_t whirl_variational_lanes(const whirl_variational *f) {
 
 /// Puts a state (which = 0) or a disturbance [dimension] into a lane.
 static void place(whirl_variational *f, size_t lane, size_t which, const double *x) {
-    const size_t degrees = f->lanes.degrees;
-    for (size_t d = 0; d < degrees; d++) {
-        f->lanes.q[(which * degrees + d) * f->lanes.lane_count + lane] = x[d];
-        f->lanes.v[(which * degrees + d) * f->lanes.lane_count + lane] = x[degrees + d];
-    }
+    const size_t degrees = f->lanes.degrees, rates = f->lanes.rates, count = f->lanes.lane_count;
+    for (size_t d = 0; d < degrees; d++) f->lanes.q[(which * degrees + d) * count + lane] = x[d];
+    for (size_t d = 0; d < rates; d++) f->lanes.v[(which * rates + d) * count + lane] = x[degrees + d];
 }
 
 whirl_status whirl_variational_load(whirl_variational *f, size_t lane, const whirl_system *system, const double *x,
@@ -160,14 +159,11 @@ void whirl_variational_revolve(whirl_variational *f) {
 }
 
 void whirl_variational_read(const whirl_variational *f, size_t lane, double *vectors, double *growth, double *volume) {
-    const size_t degrees = f->lanes.degrees;
+    const size_t degrees = f->lanes.degrees, rates = f->lanes.rates, count = f->lanes.lane_count;
     for (size_t k = 0; k < f->lanes.disturbances; k++) {
-        for (size_t d = 0; d < degrees; d++) {
-            const size_t at = ((k + 1) * degrees + d) * f->lanes.lane_count + lane;
-            vectors[2 * k * degrees + d] = f->lanes.q[at];
-            vectors[(2 * k + 1) * degrees + d] = f->lanes.v[at];
-        }
-        growth[k] = f->lanes.growth[k * f->lanes.lane_count + lane];
+        for (size_t d = 0; d < degrees; d++) *vectors++ = f->lanes.q[((k + 1) * degrees + d) * count + lane];
+        for (size_t d = 0; d < rates; d++) *vectors++ = f->lanes.v[((k + 1) * rates + d) * count + lane];
+        growth[k] = f->lanes.growth[k * count + lane];
     }
     *volume = f->lanes.volume[lane];
 }

@@ -148,8 +148,75 @@ static void the_derivative(void **unused) {
     whirl_rotor_free(rotor);
 }
 
+/// Three revolutions in lanes, each with a cage of its own speed, and by the integrator.
+static void cages_in_lanes(void **unused) {
+    (void)unused;
+    static const char *const methods[] = {"rk4", "dop853", "rodas5p"};
+    enum { LANES = 5 };
+    for (size_t m = 0; m < sizeof methods / sizeof *methods; m++) {
+        whirl_integrate_options options = whirl_integrate_default();
+        whirl_rotor *rotors[LANES];
+        whirl_ensemble *lanes;
+        double worst = 0.0;
+        strcpy(options.method, methods[m]);
+        options.steps_per_revolution = 2048;
+        options.rtol = 1e-15; // as the integrator's
+        options.atol = 1e-16;
+        for (int l = 0; l < LANES; l++) rotors[l] = make_bearing(600.0, 0.38 + 0.01 * l, 0.2);
+        require_ok(whirl_ensemble_new(whirl_rotor_system(rotors[0]), &options, LANES, &lanes));
+        for (size_t l = 0; l < LANES; l++)
+            require_ok(whirl_ensemble_load(lanes, l, whirl_rotor_system(rotors[l]), (double[5]){7.0, 0.5}));
+        for (int i = 0; i < 3; i++) whirl_ensemble_revolve(lanes, LANES, NULL);
+        for (size_t l = 0; l < LANES; l++) {
+            const whirl_system *system = whirl_rotor_system(rotors[l]);
+            whirl_integrator *integrator = make_integrator(system, methods[m], options.steps_per_revolution);
+            double x[5] = {7.0, 0.5}, y[5];
+            revolve(integrator, x, 3);
+            whirl_ensemble_state(lanes, l, y);
+            assert_true(y[4] >= 0.0 && y[4] < system->turns[4]);
+            for (int k = 0; k < 5; k++) worst = fmax(worst, fabs(x[k] - y[k]));
+            whirl_integrator_free(integrator);
+        }
+        check_within("Ball bearing", words("cages in lanes by %s and by the integrator, um", methods[m]), 0.0, worst,
+                     1e-9);
+        whirl_ensemble_free(lanes);
+        for (int l = 0; l < LANES; l++) whirl_rotor_free(rotors[l]);
+    }
+}
+
+/// All disturbances of a machine whose cage turns on and on: in lanes, and by the integrator that locates contacts, of
+/// which there are none here. The phase comes last and keeps its size.
+static void disturbances_beside_a_cage(void **unused) {
+    (void)unused;
+    whirl_rotor *rotor = make_bearing(600.0, 0.38, 0.2);
+    const whirl_system *system = whirl_rotor_system(rotor);
+    whirl_integrate_options integrate = whirl_integrate_default();
+    whirl_record_options options = whirl_record_default();
+    whirl_record *record[2];
+    double worst = 0.0;
+    options.transient = 2;
+    options.record = options.watch = 8;
+    options.growth = WHIRL_GROWTH_ALL;
+    for (int i = 0; i < 2; i++) {
+        integrate.located = i == 1;
+        assert_int_equal(whirl_variational_takes(system, &integrate), i == 0);
+        require_ok(whirl_record_motion(system, &integrate, &options, (double[5]){7.0, 0.5}, NULL, &record[i]));
+    }
+    for (size_t n = 0; n < 5 * record[0]->growth_count; n++) {
+        worst = fmax(worst, fabs(record[0]->growths[n] - record[1]->growths[n]));
+        if (n % 5 == 4) assert_true(fabs(record[0]->growths[n]) < 1e-12);
+    }
+    for (size_t n = 0; n < record[0]->growth_count; n++)
+        worst = fmax(worst, fabs(record[0]->volume[n] - record[1]->volume[n]));
+    check_within("Ball bearing", "growth of all disturbances in lanes and by the integrator", 0.0, worst, 1e-9);
+    whirl_record_free(record[0]);
+    whirl_record_free(record[1]);
+    whirl_rotor_free(rotor);
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(at_rest), cmocka_unit_test(varying_compliance),
-                                       cmocka_unit_test(cage_as_a_state), cmocka_unit_test(the_derivative)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(at_rest),         cmocka_unit_test(varying_compliance),
+                                       cmocka_unit_test(cage_as_a_state), cmocka_unit_test(the_derivative),
+                                       cmocka_unit_test(cages_in_lanes),  cmocka_unit_test(disturbances_beside_a_cage)};
     return cmocka_run_group_tests_name("ball bearing", tests, NULL, NULL);
 }

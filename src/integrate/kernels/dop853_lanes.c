@@ -33,6 +33,14 @@ VECTOR_INLINE void take_stage(const adaptive_lanes *lanes, int number, size_t fi
     }
 }
 
+/// One of the sums of slopes, for vector i of the rates.
+static inline vec sum_of(const adaptive_lanes *lanes, const slope_sums *sums, size_t which, size_t i) {
+    vec sum = v_set(0.0);
+    for (size_t j = 0; j < sums->count; j++)
+        sum = v_fma(v_set(sums->weight[j][which]), VECTORS(dop853.k[0])[sums->place[j] + i], sum);
+    return sum;
+}
+
 static void take_slopes_by_stages(const adaptive_lanes *lanes, int from, int to) {
     const size_t all = lanes->degrees * lanes->stride, even = all - all % SUMMED_TOGETHER;
     for (int number = from; number < to; number++) {
@@ -43,6 +51,10 @@ static void take_slopes_by_stages(const adaptive_lanes *lanes, int from, int to)
         for (size_t i = 0; i < even; i += SUMMED_TOGETHER)
             take_stage(lanes, number, i, 1, SUMMED_TOGETHER, (vec *)q, (vec *)v);
         if (even < all) take_stage(lanes, number, even, 1, 1, (vec *)q, (vec *)v);
+        FOR_STATES {
+            const vec way = sum_of(lanes, &lanes->dop853.sums.stage[number], VELOCITY, i);
+            ((vec *)v)[i] = v_fma(VECTORS(length)[k], way, VECTORS(v)[i]);
+        }
         take_slope(lanes, all_of(lanes), q, v, lanes->dop853.k[number]);
     }
 }
@@ -81,8 +93,8 @@ VECTOR_INLINE void sum_errors(const adaptive_lanes *lanes, size_t first, size_t 
 
 /// The square of the error of vector k over the tolerance of all coordinates, as stepper.c has it; not a number where
 /// the end is none. Its coordinates' errors are in q5 ... v3.
-VECTOR_INLINE void take_error(const adaptive_lanes *lanes, size_t group_count, const size_t *groups, size_t stride,
-                              size_t k, const vec *q5, const vec *v5, const vec *q3, const vec *v3) {
+VECTOR_INLINE void take_error(const adaptive_lanes *lanes, size_t group_count, const size_t *groups, size_t states,
+                              size_t stride, size_t k, const vec *q5, const vec *v5, const vec *q3, const vec *v3) {
     const size_t degrees = groups[group_count];
     const vec *q = VECTORS(q), *v = VECTORS(v), *end_q = VECTORS(end_q), *end_v = VECTORS(end_v);
     const vec *last = VECTORS(end_slope), h = VECTORS(length)[k];
@@ -101,8 +113,17 @@ VECTOR_INLINE void take_error(const adaptive_lanes *lanes, size_t group_count, c
         square3 = v_fma(v_mul(per, per), own3, square3);
         most = v_max(most, size);
     }
+    for (size_t i = degrees * stride + k; i < (degrees + states) * stride; i += stride) {
+        const slope_sums *sums = &lanes->dop853.sums.error;
+        const vec size = state_size(v, end_v, i), per = v_div(v_set(1.0), v_fma(rtol, size, atol));
+        const vec own5 = v_mul(per, sum_of(lanes, sums, 1, i)), own3 = v_mul(per, sum_of(lanes, sums, 3, i));
+        square5 = v_fma(own5, own5, square5);
+        square3 = v_fma(own3, own3, square3);
+        nothing = v_add(nothing, v_sub(last[i], last[i]));
+        most = v_max(most, size);
+    }
     const vec mixed = v_fma(v_set(0.01), square3, square5);
-    const vec some = v_max(v_mul(v_set(2.0 * (double)degrees), mixed), v_set(0x1p-960));
+    const vec some = v_max(v_mul(v_set((double)(2 * degrees + states)), mixed), v_set(0x1p-960));
     const vec error = v_div(v_mul(v_mul(h, h), v_mul(square5, square5)), some);
     VECTORS(error)[k] = v_add(error, v_add(nothing, v_sub(mixed, mixed)));
     VECTORS(size)[k] = most;
@@ -117,14 +138,15 @@ static void take_errors(const adaptive_lanes *lanes) {
     if (lanes->pair) {
         for (size_t k = 0; k < PAIR_STRIDE; k++) {
             sum_errors(lanes, k, PAIR_STRIDE, PAIR_DEGREES, q5, v5, q3, v3);
-            take_error(lanes, PAIR_STATIONS, pair_groups, PAIR_STRIDE, k, q5, v5, q3, v3);
+            take_error(lanes, PAIR_STATIONS, pair_groups, 0, PAIR_STRIDE, k, q5, v5, q3, v3);
         }
         return;
     }
     const size_t all = degrees * stride, even = all - all % SUMMED_TOGETHER;
     for (size_t i = 0; i < even; i += SUMMED_TOGETHER) sum_errors(lanes, i, 1, SUMMED_TOGETHER, q5, v5, q3, v3);
     if (even < all) sum_errors(lanes, even, 1, 1, q5, v5, q3, v3);
-    FOR_VECTORS take_error(lanes, lanes->group_count, lanes->groups, stride, k, q5, v5, q3, v3);
+    FOR_VECTORS
+    take_error(lanes, lanes->group_count, lanes->groups, lanes->rates - degrees, stride, k, q5, v5, q3, v3);
 }
 
 /// Tries the step: the state at its end, the slope there, the error.
@@ -137,39 +159,38 @@ static void try_step(const adaptive_lanes *lanes) {
 
 enum { METHOD_DENSE = DENSE };
 
+/// The cubic of row and vector j of the state, by what it and its slope are at both ends of a step of length h.
+VECTOR_INLINE void take_cubic(const adaptive_lanes *lanes, size_t j, vec h, vec begin, vec end, vec first, vec last) {
+    const vec way = v_sub(end, begin);
+    VECTORS(dense[0])[j] = begin;
+    VECTORS(dense[1])[j] = way;
+    VECTORS(dense[2])[j] = v_fms(h, first, way);
+    VECTORS(dense[3])[j] = v_fnma(h, v_add(first, last), v_mul(v_set(2.0), way));
+}
+
 /// The interpolant of the step tried, as stepper.c has it.
 static void take_polynomials(const adaptive_lanes *lanes) {
     const size_t after = lanes->degrees * lanes->stride;
-    const vec *first = VECTORS(slope), *last = VECTORS(end_slope), two = v_set(2.0);
+    const vec *q = VECTORS(q), *v = VECTORS(v), *end_q = VECTORS(end_q), *end_v = VECTORS(end_v);
+    const vec *first = VECTORS(slope), *last = VECTORS(end_slope), *h = VECTORS(length);
     take_slopes(lanes, DOP853_STAGES + 1, DOP853_SLOPES);
-    FOR_DEGREES {
-        const vec h = VECTORS(length)[k], q = VECTORS(q)[i], v = VECTORS(v)[i];
-        const vec end_v = VECTORS(end_v)[i], way_q = v_sub(VECTORS(end_q)[i], q), way_v = v_sub(end_v, v);
-        const size_t j = i + after;
-        VECTORS(dense[0])[i] = q;
-        VECTORS(dense[0])[j] = v;
-        VECTORS(dense[1])[i] = way_q;
-        VECTORS(dense[1])[j] = way_v;
-        VECTORS(dense[2])[i] = v_fms(h, v, way_q);
-        VECTORS(dense[2])[j] = v_fms(h, first[i], way_v);
-        VECTORS(dense[3])[i] = v_fnma(h, v_add(v, end_v), v_mul(two, way_q));
-        VECTORS(dense[3])[j] = v_fnma(h, v_add(first[i], last[i]), v_mul(two, way_v));
-    }
+    FOR_DEGREES take_cubic(lanes, i, h[k], q[i], end_q[i], v[i], end_v[i]);
+    FOR_ROWS(0, lanes->rates) take_cubic(lanes, after + i, h[k], v[i], end_v[i], first[i], last[i]);
     for (size_t p = 0; p < DOP853_DENSE; p++) {
         const slope_sums *sums = &lanes->dop853.sums.dense[p];
         const vec *slopes = VECTORS(dop853.k[0]), drift = v_set(lanes->dop853.sums.dense_drift[p]);
         vec *out_q = VECTORS(dense[4 + p]), *out_v = out_q + after;
         FOR_DEGREES {
-            const vec h = VECTORS(length)[k];
             vec position = v_set(0.0), velocity = v_set(0.0);
             for (size_t j = 0; j < sums->count; j++) {
                 const vec slope = slopes[sums->place[j] + i];
                 position = v_fma(v_set(sums->weight[j][POSITION]), slope, position);
                 velocity = v_fma(v_set(sums->weight[j][VELOCITY]), slope, velocity);
             }
-            out_q[i] = v_mul(h, v_fma(h, position, v_mul(drift, VECTORS(v)[i])));
-            out_v[i] = v_mul(h, velocity);
+            out_q[i] = v_mul(h[k], v_fma(h[k], position, v_mul(drift, v[i])));
+            out_v[i] = v_mul(h[k], velocity);
         }
+        FOR_STATES out_v[i] = v_mul(h[k], sum_of(lanes, sums, VELOCITY, i));
     }
 }
 

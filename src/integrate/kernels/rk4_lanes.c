@@ -1,10 +1,8 @@
 // RK4 in Nystrom's form for x'' = f(t, x, x') over vector lanes, compiled once for every instruction set.
 //
-// The classical method applied to (x, v): the stages of x follow from those of v in closed form, which saves half of
-// the combinations. Stage by stage, quantities outermost, vectors innermost: independent vectors hide each other's
-// latency.
+// Stage by stage, quantities outermost, vectors innermost: independent vectors hide each other's latency.
 #include "rk4_lanes.h"
-#include "vector.h"
+#include "rk4_scheme.h"
 
 /// Calls `body` for every vector of every degree of freedom, with its index i: in one run where all vectors are in use.
 #define FOR_ALL(lanes, body)                                                                                           \
@@ -17,51 +15,6 @@
 #define FOR_STATES(lanes, body)                                                                                        \
     for (size_t d = (lanes)->degrees; d < (lanes)->rates; d++)                                                         \
         for (size_t i = d * (lanes)->stride, last = i + (lanes)->vectors; i < last; i++) body
-
-/// What a step works on, out of memory; k are the accelerations.
-typedef struct scheme {
-    vec *q, *v, *k1, *k2, *k3, *k4, *stage_q, *stage_v;
-    vec whole, half, sixth, quarter_square, half_square, sixth_square; ///< of the step's length
-} scheme;
-
-static inline scheme scheme_of(double h) {
-    return (scheme){.whole = v_set(h),
-                    .half = v_set(0.5 * h),
-                    .sixth = v_set(h / 6.0),
-                    .quarter_square = v_set(0.25 * h * h),
-                    .half_square = v_set(0.5 * h * h),
-                    .sixth_square = v_set(h * h / 6.0)};
-}
-
-/// The states at which accelerations 2 to 4 are taken, and that at the step's end.
-static inline void enter_second(const scheme *s, size_t i) {
-    const vec v = s->v[i];
-    s->stage_q[i] = v_fma(s->half, v, s->q[i]);
-    s->stage_v[i] = v_fma(s->half, s->k1[i], v);
-}
-static inline void enter_third(const scheme *s, size_t i) {
-    s->stage_q[i] = v_fma(s->quarter_square, s->k1[i], s->stage_q[i]);
-    s->stage_v[i] = v_fma(s->half, s->k2[i], s->v[i]);
-}
-static inline void enter_fourth(const scheme *s, size_t i) {
-    const vec v = s->v[i];
-    s->stage_q[i] = v_fma(s->half_square, s->k2[i], v_fma(s->whole, v, s->q[i]));
-    s->stage_v[i] = v_fma(s->whole, s->k3[i], v);
-}
-static inline void enter_end(const scheme *s, size_t i) {
-    const vec k1 = s->k1[i], v = s->v[i], inner = v_add(s->k2[i], s->k3[i]);
-    s->q[i] = v_fma(s->sixth_square, v_add(k1, inner), v_fma(s->whole, v, s->q[i]));
-    s->v[i] = v_fma(s->sixth, v_fma(v_set(2.0), inner, v_add(k1, s->k4[i])), v);
-}
-
-/// States of first order at stage: `way` along the slope before; and at the step's end.
-static inline void enter_stage_state(const scheme *s, vec way, const vec *slope, size_t i) {
-    s->stage_v[i] = v_fma(way, slope[i], s->v[i]);
-}
-static inline void enter_end_state(const scheme *s, size_t i) {
-    const vec inner = v_add(s->k2[i], s->k3[i]), outer = v_add(s->k1[i], s->k4[i]);
-    s->v[i] = v_fma(s->sixth, v_fma(v_set(2.0), inner, outer), s->v[i]);
-}
 
 /// Accelerations with the values of time that all lanes share.
 static void accelerate(const rk4_lanes *lanes, const double *forcing, const vec *q, const vec *v, vec *a) {
@@ -92,13 +45,13 @@ static void take_step(const rk4_lanes *lanes, const double *forcing) {
     s.stage_v = (vec *)lanes->stage_v;
     accelerate(lanes, forcing, s.q, s.v, s.k1);
     FOR_ALL(lanes, enter_second(&s, i);)
-    FOR_STATES(lanes, enter_stage_state(&s, s.half, s.k1, i);)
+    FOR_STATES(lanes, enter_second_state(&s, i);)
     accelerate(lanes, middle, s.stage_q, s.stage_v, s.k2);
     FOR_ALL(lanes, enter_third(&s, i);)
-    FOR_STATES(lanes, enter_stage_state(&s, s.half, s.k2, i);)
+    FOR_STATES(lanes, enter_third_state(&s, i);)
     accelerate(lanes, middle, s.stage_q, s.stage_v, s.k3);
     FOR_ALL(lanes, enter_fourth(&s, i);)
-    FOR_STATES(lanes, enter_stage_state(&s, s.whole, s.k3, i);)
+    FOR_STATES(lanes, enter_fourth_state(&s, i);)
     accelerate(lanes, end, s.stage_q, s.stage_v, s.k4);
     FOR_ALL(lanes, enter_end(&s, i);)
     FOR_STATES(lanes, enter_end_state(&s, i);)

@@ -8,26 +8,29 @@
 //
 //     (s^2 - s B - A) u_v = s r_v + A r_q,
 //
-// equations for one number a degree. Their matrix is decomposed without a change of rows, all lanes alike: s^2 on its
-// diagonal outgrows all else as steps become short, and where a pivot falls far below it the step is taken for too
-// long.
+// equations for one number a degree. States of first order are velocities without positions: they have columns of B
+// alone, and the matrix has a row for each of the rates, velocities and states. It is decomposed without a change of
+// rows, all lanes alike: s^2 on its diagonal outgrows all else as steps become short, and where a pivot falls far below
+// it the step is taken for too long.
 #include "adaptive_lanes.inc"
 
 #include "method.h"
 
 enum { METHOD_DENSE = RODAS5P_DENSE };
 
-/// For some vectors k, and for all degrees as well, with the index i of their vector.
+/// For some vectors k, and for all degrees or rates as well, with the index i of their vector.
 #define FOR_SOME(of) for (size_t k = (of).first; k < (of).first + (of).count; k++)
-#define FOR_DEGREES_OF_SOME(of)                                                                                        \
-    for (size_t d = 0; d < lanes->degrees; d++)                                                                        \
+#define FOR_ROWS_OF_SOME(of, rows)                                                                                     \
+    for (size_t d = 0; d < (rows); d++)                                                                                \
         for (size_t k = (of).first, i = d * lanes->stride + k; k < (of).first + (of).count; k++, i++)
+#define FOR_DEGREES_OF_SOME(of) FOR_ROWS_OF_SOME(of, lanes->degrees)
+#define FOR_RATES_OF_SOME(of) FOR_ROWS_OF_SOME(of, lanes->rates)
 
-/// Column d of the Jacobian by positions, and by velocities.
+/// Column d of the Jacobian by positions, and by rates.
 static inline const vec *by_position(const adaptive_lanes *lanes, size_t d) {
-    return VECTORS(rodas5p.by) + (1 + d) * lanes->degrees * lanes->stride;
+    return VECTORS(rodas5p.by) + (1 + d) * lanes->rates * lanes->stride;
 }
-static inline const vec *by_velocity(const adaptive_lanes *lanes, size_t d) {
+static inline const vec *by_rate(const adaptive_lanes *lanes, size_t d) {
     return by_position(lanes, d + lanes->degrees);
 }
 
@@ -35,12 +38,11 @@ static inline const vec *by_velocity(const adaptive_lanes *lanes, size_t d) {
 
 /// The slope at t and the Jacobian.
 static void take_jacobian(const adaptive_lanes *lanes, vectors of) {
-    const size_t all = lanes->degrees * lanes->stride;
-    memcpy(lanes->rodas5p.unit_q, lanes->q, all * sizeof(vec));
-    memcpy(lanes->rodas5p.unit_v, lanes->v, all * sizeof(vec));
+    memcpy(lanes->rodas5p.unit_q, lanes->q, lanes->degrees * lanes->stride * sizeof(vec));
+    memcpy(lanes->rodas5p.unit_v, lanes->v, lanes->rates * lanes->stride * sizeof(vec));
     take_forcing(lanes, of, 0.0, lanes->length);
     lanes_view view = view_of(lanes, of, lanes->rodas5p.unit_q, lanes->rodas5p.unit_v, lanes->rodas5p.by);
-    view.tangents = 2 * lanes->degrees;
+    view.tangents = lanes->dimension;
     lanes->flow(&view);
 }
 
@@ -73,12 +75,12 @@ static void add_forcing(const adaptive_lanes *lanes, vectors of, double offset, 
 /// The slope's difference.
 static void take_rate_of_slopes(const adaptive_lanes *lanes, vectors of) {
     vec *rate = VECTORS(rodas5p.rate), *slope = VECTORS(rodas5p.between_v);
-    FOR_DEGREES_OF_SOME(of) rate[i] = v_set(0.0);
+    FOR_RATES_OF_SOME(of) rate[i] = v_set(0.0);
     for (int n = 0; n < BESIDE; n++) {
         take_forcing_beside(lanes, of, beside[n].offset);
         const lanes_view view = view_of(lanes, of, lanes->q, lanes->v, lanes->rodas5p.between_v);
         lanes->flow(&view);
-        FOR_DEGREES_OF_SOME(of) rate[i] = v_fma(v_set(beside[n].weight), slope[i], rate[i]);
+        FOR_RATES_OF_SOME(of) rate[i] = v_fma(v_set(beside[n].weight), slope[i], rate[i]);
     }
     take_forcing_beside(lanes, of, 0.0);
 }
@@ -98,24 +100,31 @@ static void take_rate(const adaptive_lanes *lanes, vectors of) {
     lanes_view view = view_of(lanes, of, lanes->q, lanes->v, lanes->rodas5p.rate);
     view.forcing = ahead + of.first;
     lanes->flow(&view);
-    FOR_DEGREES_OF_SOME(of) VECTORS(rodas5p.rate)[i] = v_sub(VECTORS(rodas5p.rate)[i], VECTORS(rodas5p.by)[i]);
+    FOR_RATES_OF_SOME(of) VECTORS(rodas5p.rate)[i] = v_sub(VECTORS(rodas5p.rate)[i], VECTORS(rodas5p.by)[i]);
 }
 
 // ---------------------------------------------------------------- equations of a stage
 
+/// Column j of the matrix of vector k.
+static void fill_column(const adaptive_lanes *lanes, size_t j, size_t k, vec *column) {
+    const size_t n = lanes->rates, stride = lanes->stride;
+    const vec s = VECTORS(rodas5p.shift)[k], nothing = v_set(0.0), *rate = by_rate(lanes, j) + k;
+    const vec *position = j < lanes->degrees ? by_position(lanes, j) + k : NULL;
+    for (size_t i = 0; i < n * stride; i += stride)
+        column[i] = v_fnma(s, rate[i], position ? v_sub(nothing, position[i]) : nothing);
+    column[j * stride] = v_add(column[j * stride], v_mul(s, s));
+}
+
 /// Decomposes the matrix of vector k, column by column; the parts below the diagonal and above it stay in its place.
 static void decompose(const adaptive_lanes *lanes, size_t k) {
-    const size_t n = lanes->degrees, stride = lanes->stride;
+    const size_t n = lanes->rates, stride = lanes->stride;
     const vec s = VECTORS(rodas5p.shift)[k], square = v_mul(s, s), least = v_mul(v_set(0x1p-8), square);
     vec *matrix = VECTORS(rodas5p.matrix) + k, *pivot = VECTORS(rodas5p.pivot) + k;
     vec_mask sound = v_less(v_set(0.0), least);
     vec doubt = v_select(sound, v_set(0.0), v_set(1.0));
     for (size_t j = 0; j < n; j++) {
-        const vec *position = by_position(lanes, j) + k, *velocity = by_velocity(lanes, j) + k;
         vec *column = matrix + j * n * stride;
-        for (size_t i = 0; i < n; i++)
-            column[i * stride] = v_fnma(s, velocity[i * stride], v_sub(v_set(0.0), position[i * stride]));
-        column[j * stride] = v_add(column[j * stride], square);
+        fill_column(lanes, j, k, column);
         for (size_t m = 0; m < j; m++) {
             const vec *lower = matrix + m * n * stride, factor = column[m * stride];
             for (size_t i = m + 1; i < n; i++)
@@ -130,7 +139,7 @@ static void decompose(const adaptive_lanes *lanes, size_t k) {
 
 /// Solves in place of x.
 static void solve(const adaptive_lanes *lanes, size_t k, vec *x) {
-    const size_t n = lanes->degrees, stride = lanes->stride;
+    const size_t n = lanes->rates, stride = lanes->stride;
     const vec *matrix = VECTORS(rodas5p.matrix) + k, *pivot = VECTORS(rodas5p.pivot) + k;
     for (size_t j = 0; j < n; j++) {
         const vec *column = matrix + j * n * stride, factor = x[j * stride];
@@ -143,56 +152,61 @@ static void solve(const adaptive_lanes *lanes, size_t k, vec *x) {
     }
 }
 
+/// x plus the increments u before stage `number`, by their weights, for vector i of a row.
+VECTOR_INLINE vec add_increments(int first, int number, double *const *u, size_t i, vec x) {
+    for (int j = first; j < number; j++) x = v_fma(v_set(rodas5p_a[number][j]), ((const vec *)u[j])[i], x);
+    return x;
+}
+
 /// Where the slope of stage `number` is taken. The last states follow one another, each by the increment before it.
 static void take_stage(const adaptive_lanes *lanes, vectors of, int number) {
     const rodas5p_work *own = &lanes->rodas5p;
     const bool follows = number > RODAS5P_LAST_SUM;
-    FOR_DEGREES_OF_SOME(of) {
-        vec q = follows ? VECTORS(stage_q)[i] : VECTORS(q)[i], v = follows ? VECTORS(stage_v)[i] : VECTORS(v)[i];
-        for (int j = follows ? number - 1 : 0; j < number; j++) {
-            const vec a = v_set(rodas5p_a[number][j]);
-            q = v_fma(a, ((const vec *)own->u_q[j])[i], q);
-            v = v_fma(a, ((const vec *)own->u_v[j])[i], v);
-        }
-        VECTORS(stage_q)[i] = q;
-        VECTORS(stage_v)[i] = v;
-    }
+    const int first = follows ? number - 1 : 0;
+    const vec *q = follows ? VECTORS(stage_q) : VECTORS(q), *v = follows ? VECTORS(stage_v) : VECTORS(v);
+    FOR_DEGREES_OF_SOME(of) VECTORS(stage_q)[i] = add_increments(first, number, own->u_q, i, q[i]);
+    FOR_RATES_OF_SOME(of) VECTORS(stage_v)[i] = add_increments(first, number, own->u_v, i, v[i]);
+}
+
+/// The sum of the increments u before stage `number`, by the weights of its equations.
+VECTOR_INLINE vec sum_increments(int number, double *const *u, size_t i) {
+    vec sum = v_set(0.0);
+    for (int j = 0; j < number; j++) sum = v_fma(v_set(rodas5p_g[number][j]), ((const vec *)u[j])[i], sum);
+    return sum;
+}
+
+/// 1/h.
+static inline vec per_length(const adaptive_lanes *lanes, size_t k) {
+    return v_mul(VECTORS(rodas5p.shift)[k], v_set(rodas5p_gamma));
 }
 
 /// What the increments before it add to the equations of stage `number`, in right_q and u_v; the slopes of positions
 /// are the velocities of the stage.
 static void take_right_side(const adaptive_lanes *lanes, vectors of, int number) {
     const rodas5p_work *own = &lanes->rodas5p;
-    FOR_DEGREES_OF_SOME(of) {
-        const vec per_h = v_mul(VECTORS(rodas5p.shift)[k], v_set(rodas5p_gamma));
-        vec right_q = v_set(0.0), right_v = v_set(0.0);
-        for (int j = 0; j < number; j++) {
-            const vec g = v_set(rodas5p_g[number][j]);
-            right_q = v_fma(g, ((const vec *)own->u_q[j])[i], right_q);
-            right_v = v_fma(g, ((const vec *)own->u_v[j])[i], right_v);
-        }
-        VECTORS(rodas5p.right_q)[i] = v_fma(per_h, right_q, VECTORS(stage_v)[i]);
-        ((vec *)own->u_v[number])[i] = v_mul(per_h, right_v);
-    }
+    vec *right_q = VECTORS(rodas5p.right_q), *right_v = (vec *)own->u_v[number];
+    FOR_DEGREES_OF_SOME(of)
+    right_q[i] = v_fma(per_length(lanes, k), sum_increments(number, own->u_q, i), VECTORS(stage_v)[i]);
+    FOR_RATES_OF_SOME(of) right_v[i] = v_mul(per_length(lanes, k), sum_increments(number, own->u_v, i));
 }
 
 /// Solves the equations of a stage of vector k: its right sides are in right_q and u_v.
 static void solve_stage(const adaptive_lanes *lanes, size_t k, vec *u_q, vec *u_v) {
-    const size_t n = lanes->degrees, stride = lanes->stride;
+    const size_t stride = lanes->stride, last = lanes->rates * stride;
     const vec s = VECTORS(rodas5p.shift)[k], gamma_h = v_mul(v_set(rodas5p_gamma), VECTORS(length)[k]);
     const vec *right_q = VECTORS(rodas5p.right_q) + k;
-    for (size_t i = 0; i < n * stride; i += stride) u_v[i] = v_mul(s, u_v[i]);
-    for (size_t d = 0; d < n; d++) {
+    for (size_t i = 0; i < last; i += stride) u_v[i] = v_mul(s, u_v[i]);
+    for (size_t d = 0; d < lanes->degrees; d++) {
         const vec *column = by_position(lanes, d) + k, factor = right_q[d * stride];
-        for (size_t i = 0; i < n * stride; i += stride) u_v[i] = v_fma(factor, column[i], u_v[i]);
+        for (size_t i = 0; i < last; i += stride) u_v[i] = v_fma(factor, column[i], u_v[i]);
     }
     solve(lanes, k, u_v);
-    for (size_t i = 0; i < n * stride; i += stride) u_q[i] = v_mul(gamma_h, v_add(u_v[i], right_q[i]));
+    for (size_t i = 0; i < lanes->degrees * stride; i += stride) u_q[i] = v_mul(gamma_h, v_add(u_v[i], right_q[i]));
 }
 
 /// The increment of stage `number` of vector k, whose slope is a.
 static void take_increment(const adaptive_lanes *lanes, int number, size_t k, const vec *a) {
-    const size_t n = lanes->degrees, stride = lanes->stride;
+    const size_t n = lanes->rates, stride = lanes->stride;
     const vec by_time = v_mul(v_set(rodas5p_d[number]), VECTORS(length)[k]), *rate = VECTORS(rodas5p.rate) + k;
     vec *u_q = (vec *)lanes->rodas5p.u_q[number] + k, *u_v = (vec *)lanes->rodas5p.u_v[number] + k;
     for (size_t i = 0; i < n * stride; i += stride) u_v[i] = v_fma(by_time, rate[i], v_add(u_v[i], a[k + i]));
@@ -201,7 +215,7 @@ static void take_increment(const adaptive_lanes *lanes, int number, size_t k, co
 
 // ---------------------------------------------------------------- the step
 
-/// The three sums of the interpolant for degree and vector i of increments u.
+/// The three sums of the interpolant for row and vector i of increments u.
 VECTOR_INLINE void sum_polynomials(double *const *u, size_t i, vec e[RODAS5P_DENSE - 1]) {
     for (int p = 0; p < RODAS5P_DENSE - 1; p++) e[p] = v_set(0.0);
     for (int n = 0; n < RODAS5P_STAGES; n++)
@@ -222,14 +236,15 @@ static void take_error_between(const adaptive_lanes *lanes, vectors of) {
     const rodas5p_work *own = &lanes->rodas5p;
     vec *right_q = VECTORS(rodas5p.right_q), *right_v = VECTORS(rodas5p.between_v);
     const vec *q = VECTORS(q), *v = VECTORS(v), *end_q = VECTORS(end_q), *end_v = VECTORS(end_v);
+    FOR_RATES_OF_SOME(of)
+    right_v[i] = v_mul(per_length(lanes, k), take_middle(own->u_v, v, end_v, i, VECTORS(stage_v)));
     FOR_DEGREES_OF_SOME(of) {
-        const vec per_h = v_mul(VECTORS(rodas5p.shift)[k], v_set(rodas5p_gamma));
-        right_v[i] = v_mul(per_h, take_middle(own->u_v, v, end_v, i, VECTORS(stage_v)));
-        right_q[i] = v_fms(per_h, take_middle(own->u_q, q, end_q, i, VECTORS(stage_q)), VECTORS(stage_v)[i]);
+        const vec speed = take_middle(own->u_q, q, end_q, i, VECTORS(stage_q));
+        right_q[i] = v_fms(per_length(lanes, k), speed, VECTORS(stage_v)[i]);
     }
     take_forcing(lanes, of, 0.5, lanes->length);
     take_slope(lanes, of, lanes->stage_q, lanes->stage_v, own->rate);
-    FOR_DEGREES_OF_SOME(of) right_v[i] = v_sub(right_v[i], VECTORS(rodas5p.rate)[i]);
+    FOR_RATES_OF_SOME(of) right_v[i] = v_sub(right_v[i], VECTORS(rodas5p.rate)[i]);
     FOR_SOME(of) solve_stage(lanes, k, VECTORS(rodas5p.between_q) + k, right_v + k);
 }
 
@@ -255,7 +270,15 @@ static void take_error(const adaptive_lanes *lanes, size_t k) {
         middle = v_fma(v_mul(per, per), between, middle);
         most = v_max(most, size);
     }
-    const vec error = v_div(v_max(end, middle), v_set(2.0 * (double)lanes->degrees));
+    FOR_STATES_OF(k) {
+        const vec size = state_size(v, end_v, i);
+        const vec per = v_div(one, v_fma(v_set(lanes->rtol), size, v_set(lanes->atol)));
+        end = v_fma(v_mul(per, u_v[i]), v_mul(per, u_v[i]), end);
+        middle = v_fma(v_mul(per, m_v[i]), v_mul(per, m_v[i]), middle);
+        nothing = v_add(nothing, v_sub(last[i], last[i]));
+        most = v_max(most, size);
+    }
+    const vec error = v_div(v_max(end, middle), v_set((double)lanes->dimension));
     const vec trusted = v_select(is_set(VECTORS(rodas5p.doubtful)[k]), v_max(error, v_set(1e8)), error);
     VECTORS(error)[k] = v_add(v_add(trusted, nothing), v_add(v_sub(end, end), v_sub(middle, middle)));
     VECTORS(size)[k] = most;
@@ -279,30 +302,32 @@ static void try_step(const adaptive_lanes *lanes) {
         }
         FOR_SOME(of) take_increment(lanes, number, k, (const vec *)slope);
     }
-    FOR_DEGREES_OF_SOME(of) {
-        VECTORS(end_q)[i] = v_add(VECTORS(stage_q)[i], last_q[i]);
-        VECTORS(end_v)[i] = v_add(VECTORS(stage_v)[i], last_v[i]);
-    }
+    FOR_DEGREES_OF_SOME(of) VECTORS(end_q)[i] = v_add(VECTORS(stage_q)[i], last_q[i]);
+    FOR_RATES_OF_SOME(of) VECTORS(end_v)[i] = v_add(VECTORS(stage_v)[i], last_v[i]);
     take_slope(lanes, of, lanes->end_q, lanes->end_v, lanes->end_slope);
     take_error_between(lanes, of);
     FOR_SOME(of) take_error(lanes, k);
 }
 
+/// The interpolant of rows that begin and end so, by their increments u; its own rows are those from `first` on.
+static void take_polynomials_of(const adaptive_lanes *lanes, size_t first, size_t rows, double *const *u,
+                                const vec *begin, const vec *end) {
+    for (size_t i = 0, j = first * lanes->stride; i < rows * lanes->stride; i++, j++) {
+        vec e[RODAS5P_DENSE - 1];
+        sum_polynomials(u, i, e);
+        VECTORS(dense[0])[j] = begin[i];
+        VECTORS(dense[1])[j] = v_sub(end[i], begin[i]);
+        VECTORS(dense[2])[j] = e[0];
+        VECTORS(dense[3])[j] = v_add(e[1], e[2]);
+        VECTORS(dense[4])[j] = v_sub(v_set(0.0), e[2]);
+    }
+}
+
 /// The interpolant of the step tried, as stepper.c has it: theta and 1 - theta in turn.
 static void take_polynomials(const adaptive_lanes *lanes) {
-    const size_t after = lanes->degrees * lanes->stride;
-    for (size_t part = 0; part < 2; part++) {
-        const vec *begin = part == 0 ? VECTORS(q) : VECTORS(v), *end = part == 0 ? VECTORS(end_q) : VECTORS(end_v);
-        for (size_t i = 0, j = part * after; i < after; i++, j++) {
-            vec e[RODAS5P_DENSE - 1];
-            sum_polynomials(part == 0 ? lanes->rodas5p.u_q : lanes->rodas5p.u_v, i, e);
-            VECTORS(dense[0])[j] = begin[i];
-            VECTORS(dense[1])[j] = v_sub(end[i], begin[i]);
-            VECTORS(dense[2])[j] = e[0];
-            VECTORS(dense[3])[j] = v_add(e[1], e[2]);
-            VECTORS(dense[4])[j] = v_sub(v_set(0.0), e[2]);
-        }
-    }
+    const size_t n = lanes->degrees;
+    take_polynomials_of(lanes, 0, n, lanes->rodas5p.u_q, VECTORS(q), VECTORS(end_q));
+    take_polynomials_of(lanes, n, lanes->rates, lanes->rodas5p.u_v, VECTORS(v), VECTORS(end_v));
 }
 
 /// For errors of order 5.

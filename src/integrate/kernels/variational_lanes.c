@@ -1,14 +1,9 @@
 // RK4 in Nystrom's form for x'' = f(t, x, x') and its variational equations over vector lanes, compiled once for every
 // instruction set: the steps of rk4_lanes.c and their exact derivative.
 #include "variational_lanes.h"
-#include "vector.h"
+#include "rk4_scheme.h"
 
 enum { NOTE = 8 }; ///< orthonormalisations whose lengths are multiplied before a logarithm is taken
-
-/// Numbers of vectors in an array of the state and all disturbances.
-static size_t size_of(const variational_lanes *lanes) {
-    return (1 + lanes->disturbances) * lanes->degrees * lanes->stride;
-}
 
 static void take_slope(const variational_lanes *lanes, const double *forcing, const vec *q, const vec *v, int stage) {
     vec *now = (vec *)lanes->now;
@@ -35,75 +30,91 @@ static void add_divergence(const variational_lanes *lanes) {
         volume[k] = v_fma(sixth, v_fma(two, v_add(d[1][k], d[2][k]), v_add(d[0][k], d[3][k])), volume[k]);
 }
 
+/// Lets the scheme's stage or end enter for the state and all disturbances, which lie in a line where there are no
+/// states of first order.
+#define ENTER(stage)                                                                                                   \
+    for (size_t n = 0; n < (even ? 1 : sets); n++) {                                                                   \
+        const scheme s = scheme_of_set(&all, n * places, n * rates);                                                   \
+        for (size_t i = 0; i < (even ? sets : 1) * places; i++) stage(&s, i);                                          \
+        for (size_t i = places; i < rates; i++) stage##_state(&s, i);                                                  \
+    }
+
+/// The scheme with the arrays of one of them, so many vectors of positions and of rates behind the state's.
+static inline scheme scheme_of_set(const scheme *all, size_t places, size_t rates) {
+    scheme s = *all;
+    s.q += places;
+    s.stage_q += places;
+    vec **const behind[] = {&s.v, &s.k1, &s.k2, &s.k3, &s.k4, &s.stage_v};
+    for (size_t i = 0; i < sizeof behind / sizeof *behind; i++) *behind[i] += rates;
+    return s;
+}
+
 static void take_step(const variational_lanes *lanes, const double *forcing) {
     const double *middle = forcing + lanes->forcing_count, *end = middle + lanes->forcing_count;
-    const size_t size = size_of(lanes);
-    vec *restrict q = (vec *)lanes->q, *restrict v = (vec *)lanes->v;
-    vec *restrict k1 = (vec *)lanes->k[0], *restrict k2 = (vec *)lanes->k[1];
-    vec *restrict k3 = (vec *)lanes->k[2], *restrict k4 = (vec *)lanes->k[3];
-    vec *restrict sq = (vec *)lanes->stage_q, *restrict sv = (vec *)lanes->stage_v;
-    const double h = lanes->step;
-    const vec whole = v_set(h), half = v_set(0.5 * h), quarter_square = v_set(0.25 * h * h);
-    const vec half_square = v_set(0.5 * h * h), sixth_square = v_set(h * h / 6.0), sixth = v_set(h / 6.0);
-    take_slope(lanes, forcing, q, v, 0);
-    for (size_t i = 0; i < size; i++) {
-        sq[i] = v_fma(half, v[i], q[i]);
-        sv[i] = v_fma(half, k1[i], v[i]);
-    }
-    take_slope(lanes, middle, sq, sv, 1);
-    for (size_t i = 0; i < size; i++) {
-        sq[i] = v_fma(quarter_square, k1[i], sq[i]);
-        sv[i] = v_fma(half, k2[i], v[i]);
-    }
-    take_slope(lanes, middle, sq, sv, 2);
-    for (size_t i = 0; i < size; i++) {
-        q[i] = v_fma(whole, v[i], q[i]);
-        sq[i] = v_fma(half_square, k2[i], q[i]);
-        sv[i] = v_fma(whole, k3[i], v[i]);
-    }
-    take_slope(lanes, end, sq, sv, 3);
-    for (size_t i = 0; i < size; i++) {
-        const vec inner = v_add(k2[i], k3[i]);
-        q[i] = v_fma(sixth_square, v_add(k1[i], inner), q[i]);
-        v[i] = v_fma(sixth, v_fma(v_set(2.0), inner, v_add(k1[i], k4[i])), v[i]);
-    }
+    const size_t places = lanes->degrees * lanes->stride, rates = lanes->rates * lanes->stride;
+    const size_t sets = 1 + lanes->disturbances;
+    const bool even = places == rates;
+    scheme all = scheme_of(lanes->step);
+    all.q = (vec *)lanes->q;
+    all.v = (vec *)lanes->v;
+    all.k1 = (vec *)lanes->k[0];
+    all.k2 = (vec *)lanes->k[1];
+    all.k3 = (vec *)lanes->k[2];
+    all.k4 = (vec *)lanes->k[3];
+    all.stage_q = (vec *)lanes->stage_q;
+    all.stage_v = (vec *)lanes->stage_v;
+    take_slope(lanes, forcing, all.q, all.v, 0);
+    ENTER(enter_second)
+    take_slope(lanes, middle, all.stage_q, all.stage_v, 1);
+    ENTER(enter_third)
+    take_slope(lanes, middle, all.stage_q, all.stage_v, 2);
+    ENTER(enter_fourth)
+    take_slope(lanes, end, all.stage_q, all.stage_v, 3);
+    ENTER(enter_end)
     add_divergence(lanes);
 }
 
 // ---------------------------------------------------------------- orthonormal disturbances, as orthonormal.c makes
 // them
 
-/// Adds up the products of parts a and b, [degrees], of vector k.
-static vec add_products(const variational_lanes *lanes, const vec *a, const vec *b, vec sum) {
-    for (size_t d = 0; d < lanes->degrees; d++) sum = v_fma(a[d * lanes->stride], b[d * lanes->stride], sum);
+/// Disturbances of vector k.
+typedef struct disturbance {
+    vec *q, *v;
+} disturbance;
+
+static inline disturbance disturbance_of(const variational_lanes *lanes, size_t n, size_t k) {
+    return (disturbance){(vec *)lanes->q + n * lanes->degrees * lanes->stride + k,
+                         (vec *)lanes->v + n * lanes->rates * lanes->stride + k};
+}
+
+static vec product_of(const variational_lanes *lanes, disturbance a, disturbance b) {
+    vec sum = v_set(0.0);
+    for (size_t i = 0; i < lanes->degrees * lanes->stride; i += lanes->stride) sum = v_fma(a.q[i], b.q[i], sum);
+    for (size_t i = 0; i < lanes->rates * lanes->stride; i += lanes->stride) sum = v_fma(a.v[i], b.v[i], sum);
     return sum;
 }
 
-static void take_off(const variational_lanes *lanes, vec *a, const vec *b, vec along) {
-    for (size_t d = 0; d < lanes->degrees; d++)
-        a[d * lanes->stride] = v_fnma(along, b[d * lanes->stride], a[d * lanes->stride]);
+static void take_off(const variational_lanes *lanes, disturbance a, disturbance b, vec along) {
+    for (size_t i = 0; i < lanes->degrees * lanes->stride; i += lanes->stride) a.q[i] = v_fnma(along, b.q[i], a.q[i]);
+    for (size_t i = 0; i < lanes->rates * lanes->stride; i += lanes->stride) a.v[i] = v_fnma(along, b.v[i], a.v[i]);
 }
 
-static void scale_by(const variational_lanes *lanes, vec *a, vec factor) {
-    for (size_t d = 0; d < lanes->degrees; d++) a[d * lanes->stride] = v_mul(a[d * lanes->stride], factor);
+static void scale_by(const variational_lanes *lanes, disturbance a, vec factor) {
+    for (size_t i = 0; i < lanes->degrees * lanes->stride; i += lanes->stride) a.q[i] = v_mul(a.q[i], factor);
+    for (size_t i = 0; i < lanes->rates * lanes->stride; i += lanes->stride) a.v[i] = v_mul(a.v[i], factor);
 }
 
 static void make_orthonormal_lane(const variational_lanes *lanes, size_t k) {
-    const size_t next = lanes->degrees * lanes->stride;
-    vec *q = (vec *)lanes->q + k, *v = (vec *)lanes->v + k, *lengths = (vec *)lanes->lengths + k;
+    vec *lengths = (vec *)lanes->lengths + k;
     for (size_t n = 1; n <= lanes->disturbances; n++) {
-        vec *own_q = q + n * next, *own_v = v + n * next;
+        const disturbance own = disturbance_of(lanes, n, k);
         for (int turn = 0; turn < 2; turn++)
             for (size_t m = 1; m < n; m++) {
-                vec along = add_products(lanes, own_q, q + m * next, v_set(0.0));
-                along = add_products(lanes, own_v, v + m * next, along);
-                take_off(lanes, own_q, q + m * next, along);
-                take_off(lanes, own_v, v + m * next, along);
+                const disturbance before = disturbance_of(lanes, m, k);
+                take_off(lanes, own, before, product_of(lanes, own, before));
             }
-        const vec square = add_products(lanes, own_v, own_v, add_products(lanes, own_q, own_q, v_set(0.0)));
-        const vec length = v_max(v_sqrt(square), v_set(0x1p-500)), factor = v_div(v_set(1.0), length);
-        scale_by(lanes, own_q, factor);
-        scale_by(lanes, own_v, factor);
+        const vec length = v_max(v_sqrt(product_of(lanes, own, own)), v_set(0x1p-500));
+        scale_by(lanes, own, v_div(v_set(1.0), length));
         lengths[(n - 1) * lanes->stride] = v_mul(lengths[(n - 1) * lanes->stride], length);
     }
 }
