@@ -162,15 +162,15 @@ static void print_keys(const whirl_group *group, int width) {
     key_cells cells = {"name", "symbol", "unit", "default", "range"};
     int columns[CELLS] = {0};
     const key_cells headings = {"name", "symbol", "unit", "default", "range"};
-    for (size_t k = 0; k <= group->key_count; k++) {
+    const whirl_key *key = NULL;
+    for (size_t k = 0; k == 0 || key; k++) {
         for (int i = 0; i < CELLS; i++)
             if (text_columns(cells[i]) + 2 > columns[i]) columns[i] = text_columns(cells[i]) + 2;
-        if (k < group->key_count) fill_cells(&group->keys[k], cells);
+        if ((key = whirl_group_at(group, k)) != NULL) fill_cells(key, cells);
     }
     memcpy(cells, headings, sizeof headings);
     print_cells(cells, columns, width);
-    for (size_t k = 0; k < group->key_count; k++) {
-        const whirl_key *const key = &group->keys[k];
+    for (size_t k = 0; (key = whirl_group_at(group, k)) != NULL; k++) {
         char text[2 * WHIRL_MESSAGE_SIZE];
         fill_cells(key, cells);
         print_cells(cells, columns, width);
@@ -193,7 +193,7 @@ static void print_subject(const subject *one, int width) {
     if (*one->source) print_sentence("Source", one->source, width);
     if (one->kind == SUBJECT_METHOD) puts("Written as `integrate: {method: ...}`.");
     if (one->kind == SUBJECT_ANALYSIS) puts("Written in the list `analyze: [...]`.");
-    if (!one->group || one->group->key_count == 0) return;
+    if (!one->group || !whirl_group_at(one->group, 0)) return;
     putchar('\n');
     print_keys(one->group, width);
     if (one->group->shorthand) printf("\n`%s: VALUE` alone sets %s.\n", one->group->name, one->group->shorthand);

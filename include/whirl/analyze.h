@@ -48,8 +48,11 @@ typedef struct whirl_record_options {
     whirl_growth growth; ///< costs one trajectory while watched, or as many as there are coordinates
 } whirl_record_options;
 
-/// transient 1100, record 100, watch 0, waveform_revolutions 0, samples_per_revolution 64, highest_order 5,
-/// settle false, spectra false, waveform true, growth WHIRL_GROWTH_LARGEST.
+/// Its members, as cases say them (parts "integrate" and "keep", and "detail" for what details say anew) and results
+/// have them; static, ended by one without a part.
+const whirl_member *whirl_record_members(void);
+
+/// The defaults of whirl_record_members, but settle false.
 whirl_record_options whirl_record_default(void);
 
 /// Revolutions watched, with the default resolved.
@@ -59,8 +62,11 @@ int whirl_record_watch(const whirl_record_options *options);
 /// options->samples_per_revolution.
 int whirl_record_samples(const whirl_record_options *options, int steps_per_revolution);
 
-/// WHIRL_BAD_INPUT with a sentence where options contradict each other, or where all disturbances are to be followed
-/// and the system gives no Jacobian or the method takes none along.
+/// WHIRL_BAD_INPUT with a sentence where options mean nothing or contradict each other.
+whirl_status whirl_record_options_check(const whirl_record_options *options);
+
+/// The same, and where all disturbances are to be followed and the system gives no Jacobian or the method takes none
+/// along.
 whirl_status whirl_record_check(const whirl_system *system, const whirl_integrate_options *integrate,
                                 const whirl_record_options *options);
 

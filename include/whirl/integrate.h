@@ -5,6 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "whirl/descriptor.h"
 #include "whirl/status.h"
 #include "whirl/system.h"
 
@@ -30,7 +31,10 @@ typedef struct whirl_integrate_options {
     double limit; ///< a state with a coordinate beyond +-limit counts as diverged, in the state's units
 } whirl_integrate_options;
 
-/// rk4, 1024 steps a revolution (the 2015 paper's), rtol 1e-9, atol 1e-12, limit 1e6.
+/// Its members, as cases say them (part "integrate") and results have them; static, ended by one without a part.
+const whirl_member *whirl_integrate_members(void);
+
+/// The defaults of whirl_integrate_members, but the method rk4 with the 1024 steps of the 2015 paper.
 whirl_integrate_options whirl_integrate_default(void);
 
 /// A method as it describes itself.

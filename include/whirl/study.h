@@ -49,6 +49,9 @@ typedef struct whirl_batch {
     whirl_analysis_set analyses;
 } whirl_batch;
 
+/// Its members that are said of a study (part "study"); static, ended by one without a part.
+const whirl_member *whirl_batch_members(void);
+
 enum { WHIRL_MAX_BATCHES = 4 };
 
 enum {

@@ -10,12 +10,13 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "whirl/descriptor.h"
+
 #ifdef __cplusplus
 extern "C" {
 #endif
 
 enum {
-    WHIRL_NAME_SIZE = 64,    ///< bytes of a name of a station, parameter, ... with its end
     WHIRL_MAX_FORCING = 16,  ///< most values that depend on time alone
     WHIRL_MAX_SWITCHES = 64, ///< most switching functions
     WHIRL_MAX_CONTACTS = 64, ///< most unilateral contacts
@@ -34,6 +35,10 @@ typedef struct whirl_probe {
     /// Radius at which the station touches a stator, in the state's units of length; 0 where there is none.
     double gap;
 } whirl_probe;
+
+/// Its numbers, where the indices of coordinates are those that an initial state may be said of (part "initial");
+/// static, ended by one without a part.
+const whirl_member *whirl_probe_members(void);
 
 /// The form of a system that runs in vector lanes; private to the library.
 typedef struct whirl_lanes whirl_lanes;

@@ -5,26 +5,6 @@
 
 #include "analysis.h"
 
-static whirl_status check_options(const whirl_record_options *options, int steps_per_revolution) {
-    if (options->record < 1) {
-        return whirl_fail(WHIRL_BAD_INPUT, "%d revolutions are to be recorded, expected 1 or more", options->record);
-    }
-    if (options->waveform_revolutions < 0 || options->waveform_revolutions > options->record) {
-        return whirl_fail(WHIRL_BAD_INPUT,
-                          "the waveform of %d revolutions is to be kept, expected 0 to %d, the recorded ones",
-                          options->waveform_revolutions, options->record);
-    }
-    if (steps_per_revolution < 1 || options->samples_per_revolution < 1) {
-        return whirl_fail(WHIRL_BAD_INPUT, "a revolution has %d steps and %d samples, expected 1 or more",
-                          steps_per_revolution, options->samples_per_revolution);
-    }
-    if (!(options->highest_order > 0.0) || !isfinite(options->highest_order)) {
-        return whirl_fail(WHIRL_BAD_INPUT, "the highest order of spectra is %g, expected a number above 0",
-                          options->highest_order);
-    }
-    return whirl_ok();
-}
-
 static whirl_status check_needs(const char *name, const analysis_plan *plan, const whirl_record_options *options) {
     if (plan->needs_waveform && !options->waveform) {
         return whirl_fail(WHIRL_BAD_INPUT, "the analysis '%s' needs waveforms, but none are recorded", name);
@@ -83,7 +63,10 @@ static whirl_status add_field(whirl_layout *layout, const char *analysis, const 
 whirl_status whirl_layout_new(const whirl_system *system, const whirl_integrate_options *integrate,
                               const whirl_record_options *options, whirl_analysis_set set, whirl_layout *layout) {
     *layout = (whirl_layout){0};
-    whirl_status status = check_options(options, integrate->steps_per_revolution);
+    whirl_status status = whirl_record_options_check(options);
+    if (status.code == WHIRL_OK && integrate->steps_per_revolution < 1)
+        status = whirl_fail(WHIRL_BAD_INPUT, "a revolution has %d steps, expected 1 or more",
+                            integrate->steps_per_revolution);
     if (status.code != WHIRL_OK) return status;
     const block_shape shape = {
         .dimension = system->dimension,

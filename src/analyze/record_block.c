@@ -1,76 +1,11 @@
-// The memory of a record, and the options that size it.
+// The memory of a record.
 #include "record_block.h"
 
-#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "turns.h"
-
-whirl_record_options whirl_record_default(void) {
-    return (whirl_record_options){.transient = 1100,
-                                  .record = 100,
-                                  .samples_per_revolution = 64,
-                                  .highest_order = 5.0,
-                                  .waveform = true,
-                                  .growth = WHIRL_GROWTH_LARGEST};
-}
-
-int whirl_record_watch(const whirl_record_options *options) {
-    enum { ENOUGH = 1000 }; // so that long transients cost no memory
-    if (options->watch > 0) return options->watch;
-    const int most = options->record > ENOUGH ? options->record : ENOUGH;
-    const int before = options->transient / 2 < most ? options->transient / 2 : most;
-    return options->record <= INT_MAX - before ? options->record + before : options->record;
-}
-
-int whirl_record_samples(const whirl_record_options *options, int steps_per_revolution) {
-    const int steps = steps_per_revolution;
-    const int least = options->samples_per_revolution < steps ? options->samples_per_revolution : steps;
-    if (steps % least == 0) return least;
-    // Divisors come in pairs.
-    int found = steps;
-    for (int small = 1; small <= steps / small; small++) {
-        const int large = steps / small;
-        if (steps % small != 0) continue;
-        if (large >= least && large < found) found = large;
-        if (small >= least && small < found) found = small;
-    }
-    return found;
-}
-
-/// Whether all disturbances can be followed, where they are to be.
-static whirl_status check_growth(const whirl_system *system, const char *name, const whirl_record_options *options) {
-    const whirl_method *method;
-    if (options->growth != WHIRL_GROWTH_ALL) return whirl_ok();
-    if (!system->tangent)
-        return whirl_fail(WHIRL_BAD_INPUT, "the system gives no Jacobian, expected one to follow all disturbances");
-    for (size_t i = 0; (method = whirl_method_at(i)); i++)
-        if (strcmp(method->name, name) == 0 && !method->follows)
-            return whirl_fail(
-                WHIRL_BAD_INPUT,
-                "method %s takes no disturbances along, expected rk4, dop853 or rodas5p for all exponents", name);
-    return whirl_ok();
-}
-
-whirl_status whirl_record_check(const whirl_system *system, const whirl_integrate_options *integrate,
-                                const whirl_record_options *options) {
-    if (options->transient < 0 || options->record < 1 || options->transient > INT_MAX - options->record)
-        return whirl_fail(WHIRL_BAD_INPUT, "transient is %d and record %d revolutions, expected at least 0 and 1",
-                          options->transient, options->record);
-    const int watch = whirl_record_watch(options);
-    if (watch < options->record || watch > options->transient + options->record)
-        return whirl_fail(WHIRL_BAD_INPUT, "watch is %d revolutions, expected record (%d) to transient + record (%d)",
-                          watch, options->record, options->transient + options->record);
-    if (options->waveform_revolutions < 0 || options->waveform_revolutions > options->record)
-        return whirl_fail(WHIRL_BAD_INPUT, "waveform is %d revolutions, expected 0 to record (%d)",
-                          options->waveform_revolutions, options->record);
-    if (options->samples_per_revolution < 1)
-        return whirl_fail(WHIRL_BAD_INPUT, "samples_per_revolution is %d, expected at least 1",
-                          options->samples_per_revolution);
-    return check_growth(system, integrate->method, options);
-}
 
 int record_skip(const whirl_record_options *options, int revolution) {
     enum { STILL_WATCHED = 64 };
@@ -145,27 +80,20 @@ whirl_record *record_new(const whirl_system *system, const whirl_integrate_optio
     return record;
 }
 
-static void options_archive(const whirl_integrate_options *integrate, const whirl_record_options *options, archive *a) {
-    const double numbers[] = {integrate->steps_per_revolution,
-                              integrate->rtol,
-                              integrate->atol,
-                              integrate->limit,
-                              integrate->located,
-                              options->transient,
-                              options->record,
-                              whirl_record_watch(options),
-                              options->samples_per_revolution,
-                              options->settle,
-                              options->waveform,
-                              options->growth};
-    for (const char *letter = integrate->method; *letter; letter++) archive_same(a, *letter);
-    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) archive_same(a, numbers[i]);
+/// A state goes on with the very options that it was saved with.
+static void options_archive(const whirl_member *member, const void *options, archive *a) {
+    for (; member->part; member++) {
+        const char *letter = (const char *)options + member->offset;
+        if (member->type != WHIRL_MEMBER_WORD) archive_same(a, whirl_member_number(member, options));
+        for (; member->type == WHIRL_MEMBER_WORD && *letter; letter++) archive_same(a, *letter);
+    }
 }
 
 void record_archive(whirl_record *r, const whirl_integrate_options *integrate, const whirl_record_options *options,
                     archive *a) {
     const size_t samples = r->record_count * r->samples_per_revolution;
-    options_archive(integrate, options, a);
+    options_archive(whirl_integrate_members(), integrate, a);
+    options_archive(whirl_record_members(), options, a);
     archive_same(a, (double)r->dimension);
     archive_same(a, (double)r->probe_count);
     archive_same(a, (double)r->contact_count);

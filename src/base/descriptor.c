@@ -6,12 +6,6 @@
 
 enum { LONGEST_WORD = 63 };
 
-const whirl_key *whirl_group_key(const whirl_group *group, const char *name) {
-    for (size_t k = 0; k < group->key_count; k++)
-        if (strcmp(group->keys[k].name, name) == 0) return &group->keys[k];
-    return NULL;
-}
-
 /// " kg", or nothing for plain numbers and words.
 static void unit_suffix(const char *unit, char *text, size_t size) {
     const bool plain = unit[0] == '\0' || strcmp(unit, "1") == 0;

@@ -65,8 +65,9 @@ static size_t collect_names(const case_content *content, const char *names[MOST_
     for (size_t i = 0; i < machine->station_count; i++) names[count++] = machine->station_names[i];
     for (const whirl_group *const *group = whirl_element_groups(); *group && count < MOST_NAMES; group++)
         if (count_kind(machine, (*group)->name) > 0) names[count++] = (*group)->name;
-    for (size_t k = 0; k < schema_study.key_count && count < MOST_NAMES; k++)
-        names[count++] = schema_study.keys[k].name;
+    const whirl_key *key;
+    for (size_t k = 0; count < MOST_NAMES && (key = whirl_group_at(&schema_study, k)) != NULL; k++)
+        names[count++] = key->name;
     return count;
 }
 

@@ -16,43 +16,24 @@ static bool has_analysis(whirl_analysis_set set, const char *name) {
 }
 
 static whirl_integrate_options integrate_options(valuation *v, const plan_parts *parts) {
-    const setting_list *given = &parts->integrate;
-    const setting *method = settings_find(given, "method");
     whirl_integrate_options options = whirl_integrate_default();
-    snprintf(options.method, sizeof options.method, "%.63s", method ? method->place->text : "auto");
-    options.steps_per_revolution = (int)settings_number(v, given, "steps_per_revolution");
-    options.rtol = settings_number(v, given, "rtol");
-    options.atol = settings_number(v, given, "atol");
-    options.limit = settings_number(v, given, "limit");
-    options.located = strcmp(settings_word(given, "contacts"), "located") == 0;
+    settings_take(v, &parts->integrate, whirl_integrate_members(), &options);
     return options;
 }
 
 static whirl_record_options record_options(valuation *v, const plan_parts *parts, int steps) {
     whirl_record_options options = whirl_record_default();
-    options.transient = (int)settings_number(v, &parts->integrate, "transient");
-    options.record = (int)settings_number(v, &parts->integrate, "record");
-    options.watch = (int)settings_number(v, &parts->integrate, "watch");
-    options.settle = settings_yes(&parts->integrate, "settle");
-    options.waveform_revolutions = (int)settings_number(v, &parts->keep, "waveform");
-    options.samples_per_revolution = (int)settings_number(v, &parts->keep, "samples");
+    settings_take(v, &parts->integrate, whirl_record_members(), &options);
+    settings_take(v, &parts->keep, whirl_record_members(), &options);
     if (!settings_find(&parts->keep, "samples") && options.samples_per_revolution > steps)
         options.samples_per_revolution = steps;
-    options.highest_order = settings_number(v, &parts->keep, "highest_order");
     return options;
-}
-
-/// The value of a whole number of `detail`, or what holds for the rest of the study.
-static int detail_number(valuation *v, const plan_parts *parts, const char *key, int otherwise) {
-    return settings_find(&parts->detail, key) ? (int)settings_number(v, &parts->detail, key) : otherwise;
 }
 
 static whirl_record_options detail_options(valuation *v, const plan_parts *parts, const whirl_record_options *rest) {
     whirl_record_options options = *rest;
-    options.transient = detail_number(v, parts, "transient", rest->transient);
-    options.record = detail_number(v, parts, "record", rest->record);
+    settings_take(v, &parts->detail, whirl_record_members(), &options);
     if (options.transient != rest->transient || options.record != rest->record) options.watch = 0;
-    options.waveform_revolutions = (int)settings_number(v, &parts->detail, "waveform");
     if (!settings_find(&parts->detail, "waveform") && options.waveform_revolutions > options.record)
         options.waveform_revolutions = options.record;
     return options;
@@ -286,7 +267,7 @@ void plan_make(case_reader *reader, valuation *v, const plan_parts *parts, study
         whirl_batch *batch = &result->batches[i];
         const bool detail = strcmp(batch->name, "detail") == 0;
         batch->integrate = integrate;
-        batch->confirm = settings_yes(&parts->study, "confirm");
+        settings_take(v, &parts->study, whirl_batch_members(), batch);
         batch->record = detail ? detail_options(v, parts, &record) : record;
         if (detail) check_detail(reader, parts, &batch->record);
         choose_analyses(batch, parts->analyses, strcmp(batch->name, "sweep") != 0);
@@ -294,8 +275,6 @@ void plan_make(case_reader *reader, valuation *v, const plan_parts *parts, study
 }
 
 // ---------------------------------------------------------------- initial state
-
-static const char *const state_keys[] = {"x", "y", "vx", "vy"};
 
 /// What a number with a unit is divided by: the length scale, or a length scale per radian.
 static double state_scale(const machine_parts *machine, valuation *v, const char *key) {
@@ -309,20 +288,27 @@ static double state_number(const machine_parts *machine, valuation *v, const set
     return given && given->scaled ? number / state_scale(machine, v, key) : number;
 }
 
+/// The coordinates of a station that a state may be said of, by index from 0; NULL past the last.
+static const whirl_member *coordinate_at(size_t index) {
+    for (const whirl_member *member = whirl_probe_members(); member->part; member++)
+        if (strcmp(member->part, schema_initial.name) == 0 && index-- == 0) return member;
+    return NULL;
+}
+
 whirl_status plan_start_state(const study_plan *plan, size_t batch, valuation *v, const machine_parts *machine,
                               const whirl_system *system, double *state) {
+    const whirl_member *coordinate;
     memset(state, 0, system->dimension * sizeof *state);
     if (plan->rest[batch]) return whirl_ok();
     for (size_t i = 0; i < plan->start_count; i++) {
         const plan_start *start = &plan->starts[i];
-        const whirl_probe *probe = &system->probes[start->station];
-        const size_t index[] = {probe->x, probe->y, probe->vx, probe->vy};
-        for (size_t k = 0; k < 4; k++) {
+        for (size_t k = 0; (coordinate = coordinate_at(k)) != NULL; k++) {
+            double *at = &state[(size_t)whirl_member_number(coordinate, &system->probes[start->station])];
             // A station that moves along one axis has one coordinate for both.
-            state[index[k]] += state_number(machine, v, &start->state, state_keys[k]);
-            if (isfinite(state[index[k]])) continue;
-            return whirl_fail(WHIRL_BAD_INPUT, "the initial %s of station %.63s has no finite value", state_keys[k],
-                              plan->starts[i].state.place->key);
+            *at += state_number(machine, v, &start->state, coordinate->key.name);
+            if (isfinite(*at)) continue;
+            return whirl_fail(WHIRL_BAD_INPUT, "the initial %s of station %.63s has no finite value",
+                              coordinate->key.name, start->state.place->key);
         }
     }
     return whirl_ok();
@@ -331,8 +317,9 @@ whirl_status plan_start_state(const study_plan *plan, size_t batch, valuation *v
 /// Refuses places and velocities along an axis that the station does not move along.
 static void check_axes(case_reader *reader, const machine_parts *machine, const plan_start *start) {
     const setting *moves = settings_find(&machine->stations[start->station], "moves");
-    for (size_t k = 0; moves && moves->word && k < sizeof state_keys / sizeof *state_keys; k++) {
-        const char *key = state_keys[k], *axis = key + strlen(key) - 1;
+    const whirl_member *coordinate;
+    for (size_t k = 0; moves && moves->word && (coordinate = coordinate_at(k)) != NULL; k++) {
+        const char *key = coordinate->key.name, *axis = key + strlen(key) - 1;
         const setting *given = settings_find(&start->state, key);
         if (given && !strstr(moves->word, axis) && reader_reports(reader, key, start->state.place->key))
             problem_at_key(reader->problems, given->place, "moves along %s alone, expected no %s", moves->word, key);

@@ -9,6 +9,7 @@
 
 #include "whirl/case.h"
 #include "whirl/claims.h"
+#include "whirl/study.h"
 
 #define COUNT(keys) (sizeof(keys) / sizeof *(keys))
 
@@ -36,10 +37,6 @@ static const whirl_key study_keys[] = {
     {"initial", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
      "names of stations with the state they start from; zero where absent", ""},
     {"integrate", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "", "how and how long: see integrate", ""},
-    {"confirm", "", "", WHIRL_KEY_CHOICE, false, "no", WHIRL_ANY, "yes|no|true|false",
-     "yes: every point is computed once more with errors of a step 16 times smaller (rk4: twice the steps), and its "
-     "verdict is trusted where both agree",
-     ""},
     {"keep", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "", "how much of waveforms and spectra: see keep", ""},
     {"analyze", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
      "a list of analyses; all but waveform, exponents and evidence where absent", ""},
@@ -78,161 +75,36 @@ static const whirl_key sweep_keys[] = {
      "with start: carry, along rising or falling values, or both, which shows hysteresis", ""},
 };
 
-static const whirl_key initial_keys[] = {
-    {"x", "x", "1", WHIRL_KEY_NUMBER, false, "0", WHIRL_ANY, NULL,
-     "displacement in length scales, or with a unit of length", ""},
-    {"y", "y", "1", WHIRL_KEY_NUMBER, false, "0", WHIRL_ANY, NULL,
-     "displacement in length scales, or with a unit of length", ""},
-    {"vx", "x'", "1", WHIRL_KEY_NUMBER, false, "0", WHIRL_ANY, NULL,
-     "velocity in length scales per radian of rotation, or with a unit of m/s", ""},
-    {"vy", "y'", "1", WHIRL_KEY_NUMBER, false, "0", WHIRL_ANY, NULL,
-     "velocity in length scales per radian of rotation, or with a unit of m/s", ""},
-};
-
-const char *schema_scaled_unit(const whirl_key *key) {
-    for (size_t k = 0; k < COUNT(initial_keys); k++)
-        if (key == &initial_keys[k]) return key->name[0] == 'v' ? "m/s" : "m";
-    return "";
-}
-
-static const whirl_key integrate_keys[] = {
-    {"method", "", "", WHIRL_KEY_CHOICE, false, "auto", WHIRL_ANY, "",
-     "a method of integration; auto: dop853, or rodas5p where the machine is stiff", ""},
-    {"contacts", "", "", WHIRL_KEY_CHOICE, false, "unlocated", WHIRL_ANY, "unlocated|located",
-     "of method rk4: unlocated: steps go over contacts; located: steps are split where contact begins and ends; other "
-     "methods always "
-     "locate them",
-     ""},
-    {"steps_per_revolution",
-     "",
-     "1",
-     WHIRL_KEY_WHOLE,
-     false,
-     "1024",
-     {1, WHIRL_MAX_STEPS, false, false},
-     NULL,
-     "instants at which the motion is seen; of rk4 also its steps",
-     ""},
-    {"rtol",
-     "",
-     "1",
-     WHIRL_KEY_NUMBER,
-     false,
-     "1e-9",
-     {0, 1, true, false},
-     NULL,
-     "relative tolerance of adaptive methods",
-     ""},
-    {"atol", "", "1", WHIRL_KEY_NUMBER, false, "1e-12", WHIRL_POSITIVE, NULL,
-     "absolute tolerance of adaptive methods, in length scales", ""},
-    {"limit", "", "1", WHIRL_KEY_NUMBER, false, "1e6", WHIRL_POSITIVE, NULL,
-     "a motion counts as diverged beyond this displacement or velocity, in length scales", ""},
-    {"transient",
-     "",
-     "1",
-     WHIRL_KEY_WHOLE,
-     false,
-     "1100",
-     {0, WHIRL_MAX_TRANSIENT, false, false},
-     NULL,
-     "revolutions before the record",
-     ""},
-    {"record",
-     "",
-     "1",
-     WHIRL_KEY_WHOLE,
-     false,
-     "100",
-     {1, WHIRL_MAX_RECORD, false, false},
-     NULL,
-     "revolutions recorded",
-     ""},
-    {"watch",
-     "",
-     "1",
-     WHIRL_KEY_WHOLE,
-     false,
-     "0",
-     {0, WHIRL_MAX_TRANSIENT + WHIRL_MAX_RECORD, false, false},
-     NULL,
-     "last revolutions over which the section and the growth of a disturbance are followed, at least those recorded; "
-     "0: the record and half the transient, of that at most the larger of 1000 and record",
-     ""},
-    {"settle", "", "", WHIRL_KEY_CHOICE, false, "yes", WHIRL_ANY, "yes|no|true|false",
-     "yes: the transient ends early where the motion has settled on a periodic orbit to 1e-11", ""},
-};
-
-static const whirl_key keep_keys[] = {
-    {"waveform",
-     "",
-     "1",
-     WHIRL_KEY_WHOLE,
-     false,
-     "0",
-     {0, WHIRL_MAX_RECORD, false, false},
-     NULL,
-     "last revolutions whose waveform is kept",
-     ""},
-    {"samples",
-     "",
-     "1",
-     WHIRL_KEY_WHOLE,
-     false,
-     "64",
-     {1, WHIRL_MAX_STEPS, false, false},
-     NULL,
-     "samples of a waveform a revolution, at least; not more than steps_per_revolution",
-     ""},
-    {"highest_order", "", "1", WHIRL_KEY_NUMBER, false, "5", WHIRL_POSITIVE, NULL,
-     "spectra are kept up to this order of the speed", ""},
-};
-
 static const whirl_key detail_keys[] = {
     {"at", "", "", WHIRL_KEY_NUMBER, true, "", WHIRL_ANY, NULL, "a list of values of the swept parameter", ""},
-    {"transient",
-     "",
-     "1",
-     WHIRL_KEY_WHOLE,
-     false,
-     "",
-     {0, WHIRL_MAX_TRANSIENT, false, false},
-     NULL,
-     "revolutions before the record; as in integrate where absent",
-     ""},
-    {"record",
-     "",
-     "1",
-     WHIRL_KEY_WHOLE,
-     false,
-     "",
-     {1, WHIRL_MAX_RECORD, false, false},
-     NULL,
-     "revolutions recorded; as in integrate where absent",
-     ""},
-    {"waveform",
-     "",
-     "1",
-     WHIRL_KEY_WHOLE,
-     false,
-     "20",
-     {0, WHIRL_MAX_RECORD, false, false},
-     NULL,
-     "last revolutions whose waveform is kept; not more than record",
-     ""},
 };
 
-#define GROUP(name, meaning, keys)                                                                                     \
-    { name, meaning, "", keys, COUNT(keys), NULL }
+// Parts whose keys are members of the structs that they fill.
+typedef const whirl_member *(*table)(void);
+static const table of_batch[] = {whirl_batch_members, NULL};
+static const table of_options[] = {whirl_integrate_members, whirl_record_members, NULL};
+static const table of_probe[] = {whirl_probe_members, NULL};
 
-const whirl_group schema_case = GROUP("case", "a case file", case_keys);
-const whirl_group schema_rotor = GROUP("rotor", "the machine", rotor_keys);
-const whirl_group schema_study = GROUP("study", "what is computed", study_keys);
-const whirl_group schema_response = {"response", "one point: no keys", "", NULL, 0, NULL};
-const whirl_group schema_sweep = GROUP("sweep", "points along one parameter", sweep_keys);
-const whirl_group schema_initial = GROUP("initial", "the state that a station starts from", initial_keys);
-const whirl_group schema_integrate = GROUP("integrate", "how the motion is integrated, and how long", integrate_keys);
-const whirl_group schema_keep = GROUP("keep", "how much of waveforms and spectra is kept", keep_keys);
-const whirl_group schema_detail = GROUP("detail", "values that are computed at length", detail_keys);
+#define GROUP(name, meaning, keys, tables)                                                                             \
+    { name, meaning, "", keys, COUNT(keys), NULL, tables }
+#define PART(name, meaning, tables)                                                                                    \
+    { name, meaning, "", NULL, 0, NULL, tables }
+
+const whirl_group schema_case = GROUP("case", "a case file", case_keys, NULL);
+const whirl_group schema_rotor = GROUP("rotor", "the machine", rotor_keys, NULL);
+const whirl_group schema_study = GROUP("study", "what is computed", study_keys, of_batch);
+const whirl_group schema_response = PART("response", "one point: no keys", NULL);
+const whirl_group schema_sweep = GROUP("sweep", "points along one parameter", sweep_keys, NULL);
+const whirl_group schema_initial = PART("initial", "the state that a station starts from", of_probe);
+const whirl_group schema_integrate = PART("integrate", "how the motion is integrated, and how long", of_options);
+const whirl_group schema_keep = PART("keep", "how much of waveforms and spectra is kept", of_options);
+const whirl_group schema_detail = GROUP("detail", "values that are computed at length", detail_keys, of_options);
+
+const char *schema_scaled_unit(const whirl_key *key) {
+    for (const whirl_member *member = whirl_probe_members(); member->part; member++)
+        if (key == &member->key) return key->name[0] == 'v' ? "m/s" : "m";
+    return "";
+}
 
 const whirl_group *const *whirl_case_groups(void) {
     static const whirl_group *const groups[] = {
@@ -282,8 +154,8 @@ static const whirl_key claim_keys[] = {
 };
 
 const whirl_group schema_claims =
-    GROUP("claims", "a claims file: what a paper or a measurement says of a rotor", claims_keys);
-const whirl_group schema_claim = GROUP("claim", "one claim of the list `items` of a claims file", claim_keys);
+    GROUP("claims", "a claims file: what a paper or a measurement says of a rotor", claims_keys, NULL);
+const whirl_group schema_claim = GROUP("claim", "one claim of the list `items` of a claims file", claim_keys, NULL);
 
 const whirl_group *const *whirl_claims_groups(void) {
     static const whirl_group *const groups[] = {&schema_claims, &schema_claim, NULL};

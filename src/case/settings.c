@@ -31,7 +31,8 @@ void describe_names(const char *word, const char *const *names, size_t count, ch
 
 static size_t key_names(const whirl_group *group, const char *names[SETTINGS_MAX]) {
     size_t count = 0;
-    for (; count < group->key_count && count < SETTINGS_MAX; count++) names[count] = group->keys[count].name;
+    for (const whirl_key *key; count < SETTINGS_MAX && (key = whirl_group_at(group, count)); count++)
+        names[count] = key->name;
     return count;
 }
 
@@ -60,8 +61,8 @@ bool settings_misspelt(const setting_list *settings, const char *key) {
 }
 
 static void report_missing(case_reader *reader, const file_node *mapping, const whirl_group *group) {
-    for (size_t k = 0; k < group->key_count; k++) {
-        const whirl_key *key = &group->keys[k];
+    const whirl_key *key;
+    for (size_t k = 0; (key = whirl_group_at(group, k)) != NULL; k++) {
         if (!key->required || (mapping->first && (node_member(mapping, key->name) || is_misspelt(mapping, group, key))))
             continue;
         const bool unit = key->unit[0] && strcmp(key->unit, "1") != 0;
@@ -86,10 +87,7 @@ static size_t split_choices(char *choices, const char *names[SETTINGS_MAX]) {
 static bool read_choice(case_reader *reader, const file_node *where, const whirl_key *key, setting *result) {
     char shown[SHOWN_SIZE], choices[WHY_SIZE], advice[WHY_SIZE];
     const char *names[SETTINGS_MAX];
-    if (where->kind == NODE_TEXT && whirl_key_choice(key, where->text) >= 0) {
-        result->word = where->text;
-        return true;
-    }
+    if (result->word && whirl_key_choice(key, result->word) >= 0) return true;
     snprintf(choices, sizeof choices, "%s", key->choices);
     describe_names(where->kind == NODE_TEXT ? where->text : "", names, split_choices(choices, names), advice);
     problem_at(reader->problems, where, "is %s, %s", node_shown(where, shown), advice);
@@ -176,6 +174,7 @@ static bool read_value(case_reader *reader, const file_node *where, const whirl_
     case WHIRL_KEY_WHOLE:
         return key->unit[0] == '\0' || read_number(reader, where, key, result);
     case WHIRL_KEY_CHOICE:
+        result->word = where->kind == NODE_TEXT ? where->text : NULL;
         return key->choices[0] == '\0' || read_choice(reader, where, key, result);
     case WHIRL_KEY_STATION:
         return read_station(reader, where, result);
@@ -208,7 +207,8 @@ static void read_members(case_reader *reader, const file_node *where, const whir
 void settings_read(case_reader *reader, const file_node *where, const whirl_group *group, setting_list *result) {
     char shown[SHOWN_SIZE];
     *result = (setting_list){.name = group->name, .group = group, .place = where};
-    result->items = arena_take(reader->arena, (group->key_count + 1) * sizeof *result->items);
+    const char *names[SETTINGS_MAX];
+    result->items = arena_take(reader->arena, (key_names(group, names) + 1) * sizeof *result->items);
     if (!result->items) {
         reader->no_memory = true;
     } else if (where->kind == NODE_MAPPING || node_is_null(where)) {
@@ -275,6 +275,19 @@ const char *settings_word(const setting_list *settings, const char *key) {
 bool settings_yes(const setting_list *settings, const char *key) {
     const char *word = settings_word(settings, key);
     return strcmp(word, "yes") == 0 || strcmp(word, "true") == 0;
+}
+
+void settings_take(valuation *v, const setting_list *settings, const whirl_member *table, void *object) {
+    for (; table->part; table++) {
+        const whirl_key *key = &table->key;
+        const bool said = settings_find(settings, key->name) || *key->fallback;
+        if (strcmp(table->part, settings->group->name) != 0 || !said)
+            continue;
+        else if (key->kind == WHIRL_KEY_CHOICE)
+            whirl_member_say(table, object, settings_word(settings, key->name));
+        else
+            whirl_member_set(table, object, settings_number(v, settings, key->name));
+    }
 }
 
 void settings_text(case_reader *reader, const setting_list *settings, const char *key, char *text, size_t size) {

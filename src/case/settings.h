@@ -48,6 +48,9 @@ const char *settings_word(const setting_list *settings, const char *key);
 /// Whether the word of a choice (or its default) is yes or true.
 bool settings_yes(const setting_list *settings, const char *key);
 
+/// Sets the members of a struct whose part this is to what was given, or their defaults. Only after settings_check.
+void settings_take(valuation *v, const setting_list *settings, const whirl_member *table, void *object);
+
 /// A text of at most `size` - 1 bytes without line breaks; a problem and "" otherwise.
 void settings_text(case_reader *reader, const setting_list *settings, const char *key, char *text, size_t size);
 

@@ -9,12 +9,7 @@
 
 static const method *const methods[] = {
     &auto_method, &rk4_method, &dop853_method, &rodas5p_method, &cvode_adams_method, &cvode_bdf_method, NULL};
-enum { METHOD_COUNT = sizeof methods / sizeof *methods - 1, MAX_STEPS = 1 << 24 };
-
-whirl_integrate_options whirl_integrate_default(void) {
-    return (whirl_integrate_options){
-        .method = "rk4", .steps_per_revolution = 1024, .rtol = 1e-9, .atol = 1e-12, .limit = 1e6};
-}
+enum { METHOD_COUNT = sizeof methods / sizeof *methods - 1 };
 
 const whirl_method *whirl_method_at(size_t index) {
     return index < METHOD_COUNT ? &methods[index]->about : NULL;
@@ -64,13 +59,7 @@ whirl_status check_options(const whirl_system *system, const whirl_integrate_opt
         system->contact_count > WHIRL_MAX_CONTACTS || system->probe_count > WHIRL_MAX_PROBES)
         return whirl_fail(WHIRL_BAD_INPUT,
                           "the system has more forcing values, switches, contacts or probes than whirl takes");
-    if (options->steps_per_revolution < 1 || options->steps_per_revolution > MAX_STEPS)
-        return whirl_fail(WHIRL_BAD_INPUT, "steps_per_revolution is %d, expected 1 to %d",
-                          options->steps_per_revolution, MAX_STEPS);
-    if (!positive(options->rtol) || !positive(options->atol) || !positive(options->limit))
-        return whirl_fail(WHIRL_BAD_INPUT, "rtol, atol and limit are %g, %g and %g, expected numbers above 0",
-                          options->rtol, options->atol, options->limit);
-    return whirl_ok();
+    return whirl_members_check(whirl_integrate_members(), options);
 }
 
 whirl_status whirl_integrator_new(const whirl_system *system, const whirl_integrate_options *options,

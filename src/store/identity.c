@@ -61,23 +61,13 @@ static void put_points(FILE *out, const whirl_table *table) {
     fputc('\n', out);
 }
 
-static void put_integration(FILE *out, const whirl_table *table) {
-    const whirl_integrate_options *how = &table->integrate;
-    char rtol[NUMBER_SIZE], atol[NUMBER_SIZE], limit[NUMBER_SIZE];
-    fprintf(out, "integration of the %s\t%s%s, %d steps a revolution, tolerances %s and %s, limit %s\n", table->name,
-            how->method, how->located ? " with located contacts" : "", how->steps_per_revolution,
-            exact(how->rtol, rtol), exact(how->atol, atol), exact(how->limit, limit));
-}
-
-static void put_record(FILE *out, const whirl_table *table) {
-    const whirl_record_options *record = &table->record;
-    char order[NUMBER_SIZE];
-    fprintf(out,
-            "record of the %s\ttransient %d, record %d, watch %d, settle %d, waveform %d of %d samples, orders to %s, "
-            "spectra %d, waveforms %d, growth %d, analyses %x\n",
-            table->name, record->transient, record->record, record->watch, record->settle, record->waveform_revolutions,
-            record->samples_per_revolution, exact(record->highest_order, order), record->spectra, record->waveform,
-            record->growth, table->analyses);
+static void put_options(FILE *out, const char *table, const whirl_member *member, const void *options) {
+    char text[WHIRL_NAME_SIZE];
+    for (; member->part; ++member) {
+        if (!member->name) continue;
+        whirl_member_text(member, options, text, sizeof text);
+        fprintf(out, "%s of the %s\t%s\n", member->name, table, text);
+    }
 }
 
 static void put_fields(FILE *out, const whirl_table *table) {
@@ -125,10 +115,12 @@ whirl_status identity_text(const whirl_result *outline, bool build, char **text,
     for (size_t i = 0; i < outline->station_count; ++i)
         fprintf(out, "station %zu\t%s\n", i + 1, outline->stations[i].name);
     for (size_t i = 0; i < outline->table_count; ++i) {
-        put_points(out, &outline->tables[i]);
-        put_integration(out, &outline->tables[i]);
-        put_record(out, &outline->tables[i]);
-        put_fields(out, &outline->tables[i]);
+        const whirl_table *table = &outline->tables[i];
+        put_points(out, table);
+        put_options(out, table->name, whirl_integrate_members(), &table->integrate);
+        put_options(out, table->name, whirl_record_members(), &table->record);
+        fprintf(out, "analyses of the %s\t%x\n", table->name, table->analyses);
+        put_fields(out, table);
     }
     if (build) status = put_build(out);
     const bool well = !ferror(out);

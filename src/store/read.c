@@ -57,41 +57,36 @@ static void get_parameters(whirl_status *status, hid_t file, whirl_result *resul
     free(values);
 }
 
-/// State indices of all stations; a rotor has four coordinates a station, other systems may have more.
-static void get_indices(whirl_status *status, hid_t group, const char *name, size_t *first, size_t stride,
-                        size_t count) {
-    int64_t values[WHIRL_MAX_PROBES];
-    get_wholes(status, group, name, values, count);
+/// Numbers of all stations. Coordinates are indices of the state; a rotor has four a station, other systems may have
+/// more.
+static void get_station_numbers(whirl_status *status, hid_t group, const whirl_member *member, whirl_probe *stations,
+                                size_t count) {
+    double numbers[WHIRL_MAX_PROBES];
+    int64_t wholes[WHIRL_MAX_PROBES];
+    const bool index = member->type == WHIRL_MEMBER_INDEX;
+    if (index)
+        get_wholes(status, group, member->name, wholes, count);
+    else
+        get_numbers(status, group, member->name, numbers, count);
     for (size_t i = 0; status->code == WHIRL_OK && i < count; ++i) {
-        if (values[i] < 0 || values[i] > INT_MAX)
-            *status =
-                whirl_fail(WHIRL_BAD_INPUT, "/stations/%s holds %lld, expected an index", name, (long long)values[i]);
+        if (index && (wholes[i] < 0 || wholes[i] > INT_MAX))
+            *status = whirl_fail(WHIRL_BAD_INPUT, "/stations/%s holds %lld, expected an index", member->name,
+                                 (long long)wholes[i]);
         else
-            memcpy((char *)first + i * stride, &(size_t){(size_t)values[i]}, sizeof *first);
+            whirl_member_set(member, &stations[i], index ? (double)wholes[i] : numbers[i]);
     }
 }
 
 static void get_stations(whirl_status *status, hid_t file, whirl_result *result) {
-    double clearance[WHIRL_MAX_PROBES], gap[WHIRL_MAX_PROBES];
     const hid_t group = get_group(status, file, "stations");
     const size_t count = get_length(status, group, "clearance", WHIRL_MAX_PROBES);
     whirl_probe *stations = take(status, count, sizeof *stations);
     result->stations = stations;
-    get_numbers(status, group, "clearance", clearance, count);
-    get_numbers(status, group, "gap", gap, count);
-    if (status->code == WHIRL_OK) {
-        const size_t stride = sizeof *stations;
-        get_texts(status, group, "name", stations->name, sizeof stations->name, stride, count);
-        get_indices(status, group, "x", &stations->x, stride, count);
-        get_indices(status, group, "y", &stations->y, stride, count);
-        get_indices(status, group, "vx", &stations->vx, stride, count);
-        get_indices(status, group, "vy", &stations->vy, stride, count);
-        for (size_t i = 0; i < count; ++i) {
-            stations[i].clearance = clearance[i];
-            stations[i].gap = gap[i];
-        }
-        result->station_count = count;
-    }
+    if (status->code == WHIRL_OK)
+        get_texts(status, group, "name", stations->name, sizeof stations->name, sizeof *stations, count);
+    for (const whirl_member *member = whirl_probe_members(); status->code == WHIRL_OK && member->part; ++member)
+        get_station_numbers(status, group, member, stations, count);
+    if (status->code == WHIRL_OK) result->station_count = count;
     close_group(group);
 }
 
@@ -120,28 +115,20 @@ static void get_provenance(whirl_status *status, hid_t file, whirl_result *resul
 
 // ---------------------------------------------------------------- tables
 
-static void get_integrate(whirl_status *status, hid_t group, whirl_integrate_options *options) {
-    get_text_attribute(status, group, "method", options->method, sizeof options->method);
-    options->chosen = get_whole_attribute(status, group, "method_chosen", 0, 1) != 0;
-    options->steps_per_revolution = (int)get_whole_attribute(status, group, "steps_per_revolution", 1, WHIRL_MAX_STEPS);
-    get_number_attribute(status, group, "rtol", &options->rtol);
-    get_number_attribute(status, group, "atol", &options->atol);
-    get_number_attribute(status, group, "limit", &options->limit);
-    options->located = get_whole_attribute(status, group, "located", 0, 1) != 0;
-}
-
-static void get_record(whirl_status *status, hid_t group, whirl_record_options *options) {
-    options->transient = (int)get_whole_attribute(status, group, "transient", 0, WHIRL_MAX_TRANSIENT);
-    options->record = (int)get_whole_attribute(status, group, "record", 1, WHIRL_MAX_RECORD);
-    options->watch = (int)get_whole_attribute(status, group, "watch", 0, WHIRL_MAX_TRANSIENT + WHIRL_MAX_RECORD);
-    options->settle = get_whole_attribute(status, group, "settle", 0, 1) != 0;
-    options->waveform_revolutions = (int)get_whole_attribute(status, group, "waveform_revolutions", 0, options->record);
-    options->samples_per_revolution =
-        (int)get_whole_attribute(status, group, "samples_per_revolution", 1, WHIRL_MAX_STEPS);
-    get_number_attribute(status, group, "highest_order", &options->highest_order);
-    options->spectra = get_whole_attribute(status, group, "spectra", 0, 1) != 0;
-    options->waveform = get_whole_attribute(status, group, "waveform", 0, 1) != 0;
-    options->growth = (whirl_growth)get_whole_attribute(status, group, "growth", 0, WHIRL_GROWTH_ALL);
+static void get_options(whirl_status *status, hid_t group, const whirl_member *member, void *options) {
+    double number = 0.0;
+    for (; status->code == WHIRL_OK && member->part; ++member) {
+        const bool flag = member->type == WHIRL_MEMBER_FLAG;
+        const double low = flag ? 0 : member->key.range.low, high = flag ? 1 : member->key.range.high;
+        if (!member->name) continue;
+        if (member->type == WHIRL_MEMBER_WORD)
+            get_text_attribute(status, group, member->name, (char *)options + member->offset, WHIRL_NAME_SIZE);
+        else if (member->type == WHIRL_MEMBER_NUMBER)
+            get_number_attribute(status, group, member->name, &number);
+        else
+            number = (double)get_whole_attribute(status, group, member->name, (int64_t)low, (int64_t)high);
+        if (status->code == WHIRL_OK) whirl_member_set(member, options, number);
+    }
 }
 
 /// Analyses of a later version are none of ours; their fields are read all the same.
@@ -313,8 +300,9 @@ static void get_table(whirl_status *status, hid_t file, const whirl_result *resu
     whirl_layout *layout = &table->layout;
     get_text_attribute(status, group, "parameter", table->parameter, sizeof table->parameter);
     get_analyses(status, group, &table->analyses);
-    get_integrate(status, group, &table->integrate);
-    get_record(status, group, &table->record);
+    get_options(status, group, whirl_integrate_members(), &table->integrate);
+    get_options(status, group, whirl_record_members(), &table->record);
+    if (status->code == WHIRL_OK) *status = whirl_record_options_check(&table->record);
     get_field_names(status, group, table->name, layout);
     table->count = get_length(status, group, "values", how->limit / sizeof(double));
     field_words *words = take_values(status, table);

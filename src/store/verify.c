@@ -48,12 +48,11 @@ static bool same_facts(const whirl_result *a, const whirl_result *b) {
 }
 
 static bool same_stations(const whirl_result *a, const whirl_result *b) {
-    for (size_t i = 0; i < a->station_count; ++i) {
-        const whirl_probe *p = &a->stations[i], *q = &b->stations[i];
-        if (p->x != q->x || p->y != q->y || p->vx != q->vx || p->vy != q->vy ||
-            !same_number(p->clearance, q->clearance) || !same_number(p->gap, q->gap))
-            return false;
-    }
+    for (const whirl_member *member = whirl_probe_members(); member->part; ++member)
+        for (size_t i = 0; i < a->station_count; ++i)
+            if (!same_number(whirl_member_number(member, &a->stations[i]),
+                             whirl_member_number(member, &b->stations[i])))
+                return false;
     return true;
 }
 

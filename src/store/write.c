@@ -59,23 +59,18 @@ static void put_stations(whirl_status *status, hid_t file, const whirl_result *r
         *status = whirl_fail(WHIRL_BAD_INPUT, "there are %zu stations, expected at most %d", count, WHIRL_MAX_PROBES);
         return;
     }
-    const whirl_probe *stations = result->stations;
-    double clearance[WHIRL_MAX_PROBES], gap[WHIRL_MAX_PROBES];
-    int64_t x[WHIRL_MAX_PROBES], y[WHIRL_MAX_PROBES], vx[WHIRL_MAX_PROBES], vy[WHIRL_MAX_PROBES];
-    for (size_t i = 0; i < count; ++i) {
-        clearance[i] = stations[i].clearance;
-        gap[i] = stations[i].gap;
-        x[i] = (int64_t)stations[i].x, y[i] = (int64_t)stations[i].y;
-        vx[i] = (int64_t)stations[i].vx, vy[i] = (int64_t)stations[i].vy;
-    }
     const hid_t group = put_group(status, file, "stations");
-    put_texts(status, group, "name", texts_of(count ? stations->name : "", sizeof *stations, count));
-    put_numbers(status, group, "clearance", clearance, count);
-    put_numbers(status, group, "gap", gap, count);
-    put_wholes(status, group, "x", x, count);
-    put_wholes(status, group, "y", y, count);
-    put_wholes(status, group, "vx", vx, count);
-    put_wholes(status, group, "vy", vy, count);
+    put_texts(status, group, "name", texts_of(count ? result->stations->name : "", sizeof *result->stations, count));
+    for (const whirl_member *member = whirl_probe_members(); member->part; ++member) {
+        double numbers[WHIRL_MAX_PROBES];
+        int64_t wholes[WHIRL_MAX_PROBES];
+        for (size_t i = 0; i < count; ++i) numbers[i] = whirl_member_number(member, &result->stations[i]);
+        for (size_t i = 0; i < count; ++i) wholes[i] = (int64_t)numbers[i];
+        if (member->type == WHIRL_MEMBER_NUMBER)
+            put_numbers(status, group, member->name, numbers, count);
+        else
+            put_wholes(status, group, member->name, wholes, count);
+    }
     close_group(group);
 }
 
@@ -95,27 +90,16 @@ static void put_provenance(whirl_status *status, hid_t file, const whirl_result 
 
 // ---------------------------------------------------------------- tables
 
-static void put_integrate(whirl_status *status, hid_t group, const whirl_integrate_options *options) {
-    put_text_attribute(status, group, "method", options->method);
-    put_whole_attribute(status, group, "method_chosen", options->chosen);
-    put_whole_attribute(status, group, "steps_per_revolution", options->steps_per_revolution);
-    put_number_attribute(status, group, "rtol", options->rtol);
-    put_number_attribute(status, group, "atol", options->atol);
-    put_number_attribute(status, group, "limit", options->limit);
-    put_whole_attribute(status, group, "located", options->located);
-}
-
-static void put_record(whirl_status *status, hid_t group, const whirl_record_options *options) {
-    put_whole_attribute(status, group, "transient", options->transient);
-    put_whole_attribute(status, group, "record", options->record);
-    put_whole_attribute(status, group, "watch", options->watch);
-    put_whole_attribute(status, group, "settle", options->settle);
-    put_whole_attribute(status, group, "waveform_revolutions", options->waveform_revolutions);
-    put_whole_attribute(status, group, "samples_per_revolution", options->samples_per_revolution);
-    put_number_attribute(status, group, "highest_order", options->highest_order);
-    put_whole_attribute(status, group, "spectra", options->spectra);
-    put_whole_attribute(status, group, "waveform", options->waveform);
-    put_whole_attribute(status, group, "growth", options->growth);
+static void put_options(whirl_status *status, hid_t group, const whirl_member *member, const void *options) {
+    for (; member->part; ++member)
+        if (!member->name)
+            continue;
+        else if (member->type == WHIRL_MEMBER_WORD)
+            put_text_attribute(status, group, member->name, (const char *)options + member->offset);
+        else if (member->type == WHIRL_MEMBER_NUMBER)
+            put_number_attribute(status, group, member->name, whirl_member_number(member, options));
+        else
+            put_whole_attribute(status, group, member->name, (int64_t)whirl_member_number(member, options));
 }
 
 /// Bits have a meaning in one version only; names last.
@@ -301,8 +285,8 @@ static void put_table(whirl_status *status, hid_t file, const whirl_result *resu
     put_analyses(status, group, table->analyses);
     put_texts_attribute(status, group, "fields",
                         texts_of(layout->fields[0].name, sizeof *layout->fields, layout->field_count));
-    put_integrate(status, group, &table->integrate);
-    put_record(status, group, &table->record);
+    put_options(status, group, whirl_integrate_members(), &table->integrate);
+    put_options(status, group, whirl_record_members(), &table->record);
     if (status->code == WHIRL_OK) put_points(status, group, result, table);
     close_group(group);
 }

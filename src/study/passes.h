@@ -90,20 +90,24 @@ void tables_blank(whirl_result *result);
 
 // ---------------------------------------------------------------- refine_fields.c
 
-/// The fields "refine/...", in this order.
-enum {
-    REFINE_ROUNDS,
-    REFINE_SPENT,
-    REFINE_TRANSIENT,
-    REFINE_WATCH,
-    REFINE_STEPS,
-    REFINE_RTOL,
-    REFINE_ATOL,
-    REFINE_FIELDS
-};
+/// The fields "refine/...", in this order; the last of them on there is one for every option of refine_option.
+enum { REFINE_ROUNDS, REFINE_SPENT, REFINE_OPTIONS };
 
-/// The numbers [REFINE_FIELDS] in a block, NULL where the layout has none.
+/// An option that an advice may change, the offset of its struct in a pass, and the unit of its field.
+typedef struct refined_option {
+    const whirl_member *member;
+    size_t offset;
+    const char *unit;
+} refined_option;
+
+/// Gives them by index from 0; false past the last.
+bool refine_option(size_t index, refined_option *option);
+
+/// The numbers in a block, NULL where the layout has none.
 double *refine_noted(const whirl_layout *layout, double *block);
+
+/// Sets a pass's options to those that were noted.
+void refine_recall(const double *numbers, pass *pass);
 
 /// Adds the fields "refine/..." to the layout of a table. WHIRL_BAD_INPUT when it has too many.
 whirl_status refine_add_fields(whirl_layout *layout);

@@ -31,12 +31,7 @@ static pass last_pass(const study_run *run, size_t batch, size_t slot, int round
     const whirl_batch *own = &run->study->batches[batch];
     const double *numbers = refine_noted(&run->result->tables[batch].layout, block_of(run, batch, slot));
     pass p = {.batch = batch, .round = round, .integrate = own->integrate, .record = own->record};
-    if (numbers[REFINE_ROUNDS] == 0.0) return p;
-    p.integrate.steps_per_revolution = (int)numbers[REFINE_STEPS];
-    p.integrate.rtol = numbers[REFINE_RTOL];
-    p.integrate.atol = numbers[REFINE_ATOL];
-    p.record.transient = (int)numbers[REFINE_TRANSIENT];
-    p.record.watch = (int)numbers[REFINE_WATCH];
+    if (numbers[REFINE_ROUNDS] > 0.0) refine_recall(numbers, &p);
     return p;
 }
 
@@ -46,14 +41,13 @@ static int sign(double difference) {
 
 /// An order of passes by their batch and by the options that refinement changes: -1, 0 where these are the same, 1.
 static int compare_options(const pass *a, const pass *b) {
-    const double differences[] = {(double)a->batch - (double)b->batch,
-                                  (double)a->record.transient - b->record.transient,
-                                  (double)a->record.watch - b->record.watch,
-                                  (double)a->integrate.steps_per_revolution - b->integrate.steps_per_revolution,
-                                  a->integrate.rtol - b->integrate.rtol,
-                                  a->integrate.atol - b->integrate.atol};
-    for (size_t i = 0; i < sizeof differences / sizeof *differences; i++)
-        if (differences[i] != 0.0) return sign(differences[i]);
+    refined_option option;
+    if (a->batch != b->batch) return a->batch < b->batch ? -1 : 1;
+    for (size_t i = 0; refine_option(i, &option); i++) {
+        const double own = whirl_member_number(option.member, (const char *)a + option.offset);
+        const double other = whirl_member_number(option.member, (const char *)b + option.offset);
+        if (own != other) return sign(own - other);
+    }
     return 0;
 }
 

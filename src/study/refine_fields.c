@@ -1,58 +1,72 @@
-// What refinement notes of a point in its block.
+// What refinement notes of a point in its block: rounds, what was spent, and the options that an advice may change.
 #include <stdio.h>
 
 #include "passes.h"
 
-static const struct {
-    const char *name, *unit, *meaning;
-} fields[REFINE_FIELDS] = {
-    [REFINE_ROUNDS] = {"refine/rounds", "1", "rounds of refinement, 0 for a point that was not in doubt or too dear"},
-    [REFINE_SPENT] = {"refine/revolutions", "revolution",
-                      "spent on refining, second tolerance included; those at n times the study's steps count n times"},
-    [REFINE_TRANSIENT] = {"refine/transient", "revolution", "transient of the motion that the numbers are of"},
-    [REFINE_WATCH] = {"refine/watch", "revolution", "watched revolutions of that motion"},
-    [REFINE_STEPS] = {"refine/steps_per_revolution", "1", "its steps a revolution"},
-    [REFINE_RTOL] = {"refine/rtol", "1", "its relative tolerance, of adaptive methods"},
-    [REFINE_ATOL] = {"refine/atol", "1", "its absolute tolerance, of adaptive methods"},
-};
+bool refine_option(size_t index, refined_option *option) {
+    const refined_option all[] = {{whirl_record_members(), offsetof(pass, record), "revolution"},
+                                  {whirl_integrate_members(), offsetof(pass, integrate), "1"}};
+    for (size_t t = 0; t < sizeof all / sizeof *all; t++)
+        for (const whirl_member *member = all[t].member; member->part; member++) {
+            if (!member->refined || index-- > 0) continue;
+            *option = (refined_option){member, all[t].offset, all[t].unit};
+            return true;
+        }
+    return false;
+}
+
+static void add_field(whirl_layout *layout, const char *name, const char *unit, const char *meaning) {
+    whirl_field *field = &layout->fields[layout->field_count++];
+    *field = (whirl_field){.unit = unit,
+                           .meaning = meaning,
+                           .extent = WHIRL_PER_POINT,
+                           .rows = 1,
+                           .columns = 1,
+                           .repeat = 1,
+                           .offset = layout->size++};
+    snprintf(field->name, sizeof field->name, "refine/%s", name);
+}
 
 whirl_status refine_add_fields(whirl_layout *layout) {
-    if (layout->field_count + REFINE_FIELDS > WHIRL_MAX_FIELDS)
+    refined_option option;
+    size_t count = 0;
+    while (refine_option(count, &option)) count++;
+    if (layout->field_count + REFINE_OPTIONS + count > WHIRL_MAX_FIELDS)
         return whirl_fail(WHIRL_BAD_INPUT, "the chosen analyses and refinement have more than %d fields",
                           WHIRL_MAX_FIELDS);
-    for (int i = 0; i < REFINE_FIELDS; i++) {
-        whirl_field *field = &layout->fields[layout->field_count++];
-        *field = (whirl_field){.unit = fields[i].unit,
-                               .meaning = fields[i].meaning,
-                               .extent = WHIRL_PER_POINT,
-                               .rows = 1,
-                               .columns = 1,
-                               .repeat = 1,
-                               .offset = layout->size++};
-        snprintf(field->name, sizeof field->name, "%s", fields[i].name);
-    }
+    add_field(layout, "rounds", "1", "rounds of refinement, 0 for a point that was not in doubt or too dear");
+    add_field(layout, "revolutions", "revolution",
+              "spent on refining, second tolerance included; those at n times the study's steps count n times");
+    for (size_t i = 0; refine_option(i, &option); i++)
+        add_field(layout, option.member->name, option.unit, option.member->key.meaning);
     return whirl_ok();
 }
 
 double *refine_noted(const whirl_layout *layout, double *block) {
-    const whirl_field *first = whirl_layout_field(layout, fields[REFINE_ROUNDS].name);
+    const whirl_field *first = whirl_layout_field(layout, "refine/rounds");
     return first ? block + first->offset : NULL;
 }
 
 void refine_note(const whirl_layout *layout, double *block, const pass *p, double spent) {
     double *numbers = refine_noted(layout, block);
+    refined_option option;
+    pass done = *p;
     if (!numbers) return;
+    done.record.watch = whirl_record_watch(&p->record);
     numbers[REFINE_ROUNDS] = p->round;
     numbers[REFINE_SPENT] = spent;
-    numbers[REFINE_TRANSIENT] = p->record.transient;
-    numbers[REFINE_WATCH] = whirl_record_watch(&p->record);
-    numbers[REFINE_STEPS] = p->integrate.steps_per_revolution;
-    numbers[REFINE_RTOL] = p->integrate.rtol;
-    numbers[REFINE_ATOL] = p->integrate.atol;
+    for (size_t i = 0; refine_option(i, &option); i++)
+        numbers[REFINE_OPTIONS + i] = whirl_member_number(option.member, (const char *)&done + option.offset);
+}
+
+void refine_recall(const double *numbers, pass *p) {
+    refined_option option;
+    for (size_t i = 0; refine_option(i, &option); i++)
+        whirl_member_set(option.member, (char *)p + option.offset, numbers[REFINE_OPTIONS + i]);
 }
 
 double refine_spent(const whirl_layout *layout, const double *block) {
-    const whirl_field *field = whirl_layout_field(layout, fields[REFINE_SPENT].name);
+    const whirl_field *field = whirl_layout_field(layout, "refine/revolutions");
     return field ? block[field->offset] : 0.0;
 }
 

@@ -71,7 +71,7 @@ static const element_kernels *const kernels[VECTOR_ISAS] = EVERY_ISA(&, ball_bea
 static const element_kernels *const free_kernels[VECTOR_ISAS] = EVERY_ISA(&, ball_bearing_free_kernels);
 
 static const element_type free_type = {
-    .group = {"ball_bearing", "", "", keys, KEY_COUNT, NULL},
+    .group = {"ball_bearing", "", "", keys, KEY_COUNT, NULL, NULL},
     .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
     .state_count = 1,
     .turns = true,
@@ -102,7 +102,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
 const element_type ball_bearing_element = {
     .group = {"ball_bearing",
               "a ball bearing with Hertz contacts, clearance, and a stiffness that varies as balls pass",
-              "Sunnersjo 1978; Fukata et al. 1985", keys, KEY_COUNT, NULL},
+              "Sunnersjo 1978; Fukata et al. 1985", keys, KEY_COUNT, NULL, NULL},
     .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
     .timed = true,
     .modulated = true,

@@ -60,7 +60,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
 
 const element_type beam_element = {
     .group = {"beam", "a massless round shaft that bends, between two stations that tilt, or from one to a clamp",
-              "Friswell et al. 2010, sec. 5.4", keys, KEY_COUNT, NULL},
+              "Friswell et al. 2010, sec. 5.4", keys, KEY_COUNT, NULL, NULL},
     .build = build,
 };
 #endif

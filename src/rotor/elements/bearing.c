@@ -90,7 +90,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
 
 const element_type bearing_element = {
     .group = {"bearing", "a linear bearing or seal by its eight coefficients", "Lund 1964; ISO 7902", keys, KEY_COUNT,
-              NULL},
+              NULL, NULL},
     .build = build,
 };
 #endif

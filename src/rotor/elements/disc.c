@@ -49,7 +49,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
 
 const element_type disc_element = {
     .group = {"disc", "a disc by its measures: its mass and inertia are added to a station, which tilts with it",
-              "Friswell et al. 2010, app. 1", keys, KEY_COUNT, NULL},
+              "Friswell et al. 2010, app. 1", keys, KEY_COUNT, NULL, NULL},
     .inertia = inertia,
     .build = build,
 };

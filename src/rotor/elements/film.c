@@ -102,7 +102,7 @@ FOR_EVERY_ISA(const element_kernels, film_kernels);
 static const element_kernels *const kernels[VECTOR_ISAS] = EVERY_ISA(&, film_kernels);
 
 const element_type film_element = {
-    .group = {"film", "the oil film of a short journal bearing", "Capone 1991", keys, KEY_COUNT, NULL},
+    .group = {"film", "the oil film of a short journal bearing", "Capone 1991", keys, KEY_COUNT, NULL, NULL},
     .number_count = FILM_NUMBERS,
     .kernels = kernels,
     .build = build,

@@ -25,7 +25,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
 }
 
 const element_type gravity_element = {
-    .group = {"gravity", "weight of all stations", "", keys, KEY_COUNT, "acceleration"},
+    .group = {"gravity", "weight of all stations", "", keys, KEY_COUNT, "acceleration", NULL},
     .build = build,
 };
 #endif

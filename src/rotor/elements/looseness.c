@@ -89,7 +89,7 @@ static const element_kernels *const kernels[VECTOR_ISAS] = EVERY_ISA(&, loosenes
 
 const element_type looseness_element = {
     .group = {"looseness", "a seat that can lift: along one axis a spring and damper with two or three slopes",
-              "Chu, Tang 2001; Ma et al. 2011", keys, KEY_COUNT, NULL},
+              "Chu, Tang 2001; Ma et al. 2011", keys, KEY_COUNT, NULL, NULL},
     .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
     .kernels = kernels,
     .build = build,

@@ -44,7 +44,7 @@ static const element_kernels *const kernels[VECTOR_ISAS] = EVERY_ISA(&, mount_ke
 
 const element_type mount_element = {
     .group = {"mount", "an elastomer between two stations or a station and the ground, a standard linear solid",
-              "Zener 1948; Brinson, Brinson 2008, sec. 5.4", keys, KEY_COUNT, NULL},
+              "Zener 1948; Brinson, Brinson 2008, sec. 5.4", keys, KEY_COUNT, NULL, NULL},
     .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
     .state_count = KERNEL_STATES,
     .kernels = kernels,

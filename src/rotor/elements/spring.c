@@ -66,7 +66,7 @@ static const element_kernels *const kernels[VECTOR_ISAS] = EVERY_ISA(&, spring_k
 
 const element_type spring_element = {
     .group = {"spring", "a spring and damper between two stations or a station and the ground, with or without play",
-              "", keys, KEY_COUNT, NULL},
+              "", keys, KEY_COUNT, NULL, NULL},
     .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
     .kernels = kernels,
     .build = build,

@@ -74,7 +74,7 @@ static const element_kernels *const kernels[VECTOR_ISAS] = EVERY_ISA(&, squeeze_
 
 const element_type squeeze_element = {
     .group = {"squeeze", "a squeeze film damper between a station and its housing", "Vance, Zeidan, Murphy 2010", keys,
-              KEY_COUNT, NULL},
+              KEY_COUNT, NULL, NULL},
     .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
     .kernels = kernels,
     .build = build,

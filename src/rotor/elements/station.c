@@ -32,7 +32,8 @@ static const whirl_key keys[KEY_COUNT] = {
 const whirl_group station_group = {
     "station", "a lumped mass on the shaft that moves along x and y, and tilts where it has a diametral inertia",
     "",        keys,
-    KEY_COUNT, NULL};
+    KEY_COUNT, NULL,
+    NULL};
 
 whirl_status station_inertia(const key_value *values, assembly *to, size_t station) {
     enum { ALONG_XY, ALONG_X, ALONG_Y };

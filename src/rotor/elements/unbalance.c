@@ -20,7 +20,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
 }
 
 const element_type unbalance_element = {
-    .group = {"unbalance", "an unbalance beyond a station's own eccentricity", "", keys, KEY_COUNT, NULL},
+    .group = {"unbalance", "an unbalance beyond a station's own eccentricity", "", keys, KEY_COUNT, NULL, NULL},
     .build = build,
 };
 #endif

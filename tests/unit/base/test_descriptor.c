@@ -18,7 +18,7 @@ static const whirl_key keys[] = {
     {"depth", "", "m", WHIRL_KEY_NUMBER, false, "0", {-INFINITY, 0, false, false}, NULL, "", ""},
     {"angle", "", "rad", WHIRL_KEY_NUMBER, false, "0", WHIRL_ANY, NULL, "", ""},
 };
-static const whirl_group group = {"thing", "", "", keys, sizeof keys / sizeof *keys, NULL};
+static const whirl_group group = {"thing", "", "", keys, sizeof keys / sizeof *keys, NULL, NULL};
 
 static void keys_are_found_by_name(void **state) {
     (void)state;

@@ -117,9 +117,9 @@ static void test_elements(void **state) {
 static void test_own_types(void **state) {
     static const whirl_key keys[] = {
         {"at", "", "", WHIRL_KEY_STATION, true, "", WHIRL_ANY, NULL, "where it is of no use", ""}};
-    static const element_type idler = {.group = {"idler", "an element that does nothing", "", keys, 1, NULL},
+    static const element_type idler = {.group = {"idler", "an element that does nothing", "", keys, 1, NULL, NULL},
                                        .build = build_nothing};
-    static const element_type impostor = {.group = {"shaft", "not the shaft that is known", "", keys, 1, NULL},
+    static const element_type impostor = {.group = {"shaft", "not the shaft that is known", "", keys, 1, NULL, NULL},
                                           .build = build_nothing};
     whirl_design *design = design_with_disc(), *other = design_with_disc();
     const whirl_setting at[] = {{"at", 0, "disc"}};

@@ -10,17 +10,14 @@ static inline bool same_bits(const double *a, const double *b, size_t count) {
     return count == 0 || memcmp(a, b, count * sizeof *a) == 0;
 }
 
-static inline bool same_integrate(const whirl_integrate_options *a, const whirl_integrate_options *b) {
-    return strcmp(a->method, b->method) == 0 && a->steps_per_revolution == b->steps_per_revolution &&
-           same_bits(&a->rtol, &b->rtol, 1) && same_bits(&a->atol, &b->atol, 1) && same_bits(&a->limit, &b->limit, 1);
-}
-
-static inline bool same_record(const whirl_record_options *a, const whirl_record_options *b) {
-    return a->transient == b->transient && a->record == b->record && a->watch == b->watch &&
-           a->waveform_revolutions == b->waveform_revolutions &&
-           a->samples_per_revolution == b->samples_per_revolution &&
-           same_bits(&a->highest_order, &b->highest_order, 1) && a->spectra == b->spectra &&
-           a->waveform == b->waveform && a->growth == b->growth;
+static inline bool same_members(const whirl_member *member, const void *a, const void *b) {
+    char one[WHIRL_NAME_SIZE], other[WHIRL_NAME_SIZE];
+    for (; member->part; ++member) {
+        whirl_member_text(member, a, one, sizeof one);
+        whirl_member_text(member, b, other, sizeof other);
+        if (strcmp(one, other) != 0) return false;
+    }
+    return true;
 }
 
 static inline bool same_layout(const whirl_layout *a, const whirl_layout *b) {
@@ -44,8 +41,9 @@ static inline bool same_slots(const whirl_table *a, const whirl_table *b) {
 
 static inline bool same_table(const whirl_table *a, const whirl_table *b) {
     return strcmp(a->name, b->name) == 0 && strcmp(a->parameter, b->parameter) == 0 && a->count == b->count &&
-           same_slots(a, b) && a->analyses == b->analyses && same_integrate(&a->integrate, &b->integrate) &&
-           same_record(&a->record, &b->record) && same_layout(&a->layout, &b->layout) &&
+           same_slots(a, b) && a->analyses == b->analyses &&
+           same_members(whirl_integrate_members(), &a->integrate, &b->integrate) &&
+           same_members(whirl_record_members(), &a->record, &b->record) && same_layout(&a->layout, &b->layout) &&
            same_bits(a->values, b->values, a->count) && !a->length_scales == !b->length_scales &&
            (!a->length_scales || same_bits(a->length_scales, b->length_scales, a->count)) &&
            memcmp(a->branch, b->branch, a->count * sizeof *a->branch) == 0 &&

@@ -256,10 +256,10 @@ static void differences_are_named(void **state) {
     refuse(f, "points of the sweep was");
     study->tables[0].values[1] = nextafter(study->tables[0].values[1], 0.0);
     study->tables[0].integrate.steps_per_revolution = 512;
-    refuse(f, "integration of the sweep was 'rk4, 1024 steps");
+    refuse(f, "steps_per_revolution of the sweep was '1024' and is '512'");
     study->tables[0].integrate.steps_per_revolution = 1024;
     study->tables[1].record.transient = 8;
-    refuse(f, "record of the detail was 'transient 7");
+    refuse(f, "transient of the detail was '7' and is '8'");
     study->tables[1].record.transient = 7;
     setenv("WHIRL_ISA", "scalar", 1);
     whirl_journal *journal;

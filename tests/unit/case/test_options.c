@@ -1,0 +1,81 @@
+// Every option that a case may say arrives in its study, wherever its table is and whatever it is called.
+#include "case_support.h"
+
+#include "whirl/study.h"
+
+/// A word or number for the key that is not its default.
+static const char *other_value(const whirl_key *key, char text[WHIRL_NAME_SIZE]) {
+    if (strcmp(key->name, "method") == 0) return "rodas5p";
+    if (key->kind == WHIRL_KEY_CHOICE && strcmp(key->choices, "unlocated|located") == 0) return "located";
+    if (key->kind == WHIRL_KEY_CHOICE) return strcmp(key->fallback, "yes") == 0 ? "no" : "yes";
+    const double value = strtod(key->fallback, NULL);
+    snprintf(text, WHIRL_NAME_SIZE, "%.10g", value > 0.0 ? value / 2.0 : 100.0);
+    return text;
+}
+
+/// The study of a small case with one key of one part said.
+static void with_key(const char *part, const char *key, const char *value, whirl_case **object, whirl_study *study) {
+    char text[1024], line[256];
+    const bool of_study = strcmp(part, "study") == 0;
+    snprintf(line, sizeof line, of_study ? "  %s%s: %s" : "  %s: {%s: %s}", of_study ? "" : part, key, value);
+    snprintf(text, sizeof text,
+             "whirl: 1\nparameters: {w: 100 rad/s}\nrotor:\n  speed: = w\n  length_scale: 1 mm\n"
+             "  stations: {disc: {mass: 1 kg}}\n  elements: [spring: {between: [disc, ground], stiffness: 1 kN/m}]\n"
+             "study:\n  sweep: {parameter: w, from: 100 rad/s, to: 200 rad/s, points: 3}\n%s\n",
+             line);
+    const whirl_status status = whirl_case_parse(text, strlen(text), "t", NULL, object);
+    if (status.code != WHIRL_OK) fail_msg("%s: %s", line, status.message);
+    assert_int_equal(whirl_case_study(*object, study).code, WHIRL_OK);
+}
+
+static void follow(const whirl_member *member, size_t offset) {
+    for (; member->part; member++) {
+        char buffer[WHIRL_NAME_SIZE], expected[WHIRL_NAME_SIZE], found[WHIRL_NAME_SIZE];
+        whirl_study study;
+        whirl_case *object;
+        if (!member->name || !*member->part) continue;
+        const char *value = other_value(&member->key, buffer);
+        with_key(member->part, member->key.name, value, &object, &study);
+        whirl_batch *batch = &study.batches[0];
+        whirl_member_text(member, (char *)batch + offset, found, sizeof found);
+        whirl_batch wanted = {.count = 1};
+        if (member->key.kind == WHIRL_KEY_CHOICE)
+            whirl_member_say(member, (char *)&wanted + offset, value);
+        else
+            whirl_member_set(member, (char *)&wanted + offset, strtod(value, NULL));
+        whirl_member_text(member, (char *)&wanted + offset, expected, sizeof expected);
+        assert_string_equal(found, expected);
+        whirl_case_free(object);
+    }
+}
+
+static void every_option_arrives(void **state) {
+    (void)state;
+    follow(whirl_integrate_members(), offsetof(whirl_batch, integrate));
+    follow(whirl_record_members(), offsetof(whirl_batch, record));
+    follow(whirl_batch_members(), 0);
+}
+
+/// Whether a group of case files has the key.
+static bool is_described(const whirl_member *member) {
+    for (const whirl_group *const *group = whirl_case_groups(); *group; group++)
+        if (strcmp((*group)->name, member->part) == 0) return whirl_group_key(*group, member->key.name) == &member->key;
+    return false;
+}
+
+static void every_option_is_described(void **state) {
+    const whirl_member *const tables[] = {whirl_integrate_members(), whirl_record_members(), whirl_batch_members(),
+                                          whirl_probe_members()};
+    (void)state;
+    for (size_t t = 0; t < sizeof tables / sizeof *tables; t++)
+        for (const whirl_member *member = tables[t]; member->part; member++)
+            if (*member->part && !is_described(member)) fail_msg("%s of %s", member->key.name, member->part);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_option_arrives),
+        cmocka_unit_test(every_option_is_described),
+    };
+    return cmocka_run_group_tests_name("options", tests, NULL, NULL);
+}
