@@ -5,18 +5,6 @@
 
 #include "passes.h"
 
-const whirl_member *whirl_batch_members(void) {
-    static const whirl_member members[] = {
-        {"confirm", .type = WHIRL_MEMBER_FLAG, .offset = offsetof(whirl_batch, confirm), .part = "study",
-         .key = {"confirm", "", "", WHIRL_KEY_CHOICE, false, "no", WHIRL_ANY, "yes|no|true|false",
-                 "yes: every point is computed once more with errors of a step 16 times smaller (rk4: twice the "
-                 "steps), and its verdict is trusted where both agree",
-                 ""}},
-        {.part = NULL},
-    };
-    return members;
-}
-
 static bool has_regime(const whirl_batch *batch) {
     whirl_analysis_set regime = 0;
     whirl_analysis_add(&regime, "regime");
