@@ -10,6 +10,7 @@
 
 #include "case_arguments.h"
 #include "files.h"
+#include "phases.h"
 #include "summary.h"
 
 typedef struct check_arguments {
@@ -119,6 +120,7 @@ static whirl_status describe_case(const char *path, const whirl_case *object) {
         putchar('\n');
         summarize_study(&study);
         status = tell_end(object, &study.batches[0]);
+        if (status.code == WHIRL_OK) status = tell_phases(&study, &study.batches[0]);
         for (size_t i = 0; i < study.batch_count && status.code == WHIRL_OK; i++)
             status = warn_of_steps(path, &study, &study.batches[i]);
     }

@@ -84,6 +84,7 @@ typedef struct whirl_record {
     size_t dimension, probe_count, contact_count;
     const whirl_probe *probes; ///< of the system; borrowed
     const double *turns;       ///< of the system; borrowed. Sections hold 0 for what turns
+    size_t repeats;            ///< of the system
     double period;
     whirl_motion motion;
     double revolutions; ///< that were integrated: fewer than asked for where the motion settled or diverged

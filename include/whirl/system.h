@@ -20,7 +20,8 @@ enum {
     WHIRL_MAX_FORCING = 16,  ///< most values that depend on time alone
     WHIRL_MAX_SWITCHES = 64, ///< most switching functions
     WHIRL_MAX_CONTACTS = 64, ///< most unilateral contacts
-    WHIRL_MAX_PROBES = 256   ///< most probes
+    WHIRL_MAX_PROBES = 256,  ///< most probes
+    WHIRL_MAX_REPEATS = 128  ///< longest period of forces, in revolutions, that rotors look for
 };
 
 /// A pair of displacement coordinates that is observed together, as a pair of proximity probes sees a shaft.
@@ -59,6 +60,10 @@ typedef struct whirl_system {
     /// second shaft), 0 of all others; borrowed. They are brought back between 0 and their period at the end of every
     /// revolution, and analyses do not look at them: a motion whose other coordinates return is periodic.
     const double *turns;
+
+    /// With turning coordinates: revolutions after which all of them have come back, so that what they force may
+    /// return; 0: there is no such number, and what they force never does.
+    size_t repeats;
 
     /// The right-hand side has kinks that no switch tells of (Hertz contacts): adaptive steps of two motions side by
     /// side err differently there, so that disturbances are followed by the Jacobian, and such motions go alone.

@@ -11,7 +11,8 @@ evidence evidence_gather(const whirl_record *record) {
                   .rounding = motion_rounding(record),
                   .exponent = whirl_lyapunov_largest(record),
                   .second = {NAN, NAN}};
-    for (size_t i = 0; i < record->dimension; i++) e.forced = e.forced || turns_on(record->turns, i);
+    for (size_t i = 0; record->repeats == 0 && i < record->dimension; i++)
+        e.forced = e.forced || turns_on(record->turns, i);
     e.exponents_failed = balance_growth(record).failed;
     if (record->growth_count > 0 && !e.exponents_failed) {
         const size_t aligning = record->growth_count / 10;

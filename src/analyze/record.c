@@ -117,7 +117,7 @@ static whirl_status recording_new(const whirl_task *task, const whirl_integrate_
         if (along) r->disturbances = calloc(r->followed * n, sizeof *r->disturbances);
         r->x = calloc(2 * n, sizeof *r->x);
         r->record = record_new(system, integrate, options);
-        if (options->settle) r->settling = settling_new(system->dimension);
+        if (options->settle) r->settling = settling_new(system->dimension, system->turns);
         if (!r->x || !r->record || (options->settle && !r->settling) || (along && !r->disturbances))
             status = whirl_fail(WHIRL_NO_MEMORY, "no memory to record %d revolutions", options->record);
     }

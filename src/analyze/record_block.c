@@ -72,6 +72,7 @@ whirl_record *record_new(const whirl_system *system, const whirl_integrate_optio
     record->contact_count = system->contact_count;
     record->probes = system->probes;
     record->turns = system->turns;
+    record->repeats = system->repeats;
     record->period = system->period;
     record->steps = (whirl_step_quality){(double)NAN, (double)NAN, 1.0};
     record->record_count = (size_t)options->record;

@@ -137,7 +137,7 @@ static motion *motion_new(const lanes_recorder *r, const whirl_task *task) {
     if (m->record && r->variational) record_place_disturbances(m->record, r->dimension, m->disturbances);
     memcpy(m->x, task->start, r->dimension * sizeof *m->x);
     if (follows(r, m)) twin_begin(&m->twin, m->x);
-    if (r->options->settle) m->settling = settling_new(r->dimension);
+    if (r->options->settle) m->settling = settling_new(r->dimension, task->system->turns);
     if (m->record && (m->settling || !r->options->settle)) return m;
     motion_free(m);
     return NULL;

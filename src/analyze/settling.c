@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "turns.h"
 #include "whirl/analyze.h"
 
 enum { KEPT = WHIRL_MAX_PERIOD + 1, CALM = 32 };
@@ -12,13 +13,16 @@ static const double tolerance = 1e-11;
 
 struct settling {
     size_t dimension, count; ///< states taken
+    const double *turns;     ///< as whirl_system has them; what turns has no part in returns
     size_t returns[KEPT];    ///< [k] revolutions in a row that returned after k
     double states[];         ///< [KEPT][dimension], in turn
 };
 
-settling *settling_new(size_t dimension) {
+settling *settling_new(size_t dimension, const double *turns) {
     settling *s = calloc(1, sizeof *s + KEPT * dimension * sizeof(double));
-    if (s) s->dimension = dimension;
+    if (!s) return NULL;
+    s->dimension = dimension;
+    s->turns = turns;
     return s;
 }
 
@@ -32,19 +36,20 @@ void settling_archive(settling *s, archive *a) {
     archive_part(a, s->states, KEPT * s->dimension * sizeof *s->states);
 }
 
-static bool close_to(const double *a, const double *b, size_t dimension, double square) {
+static bool close_to(const settling *s, const double *a, const double *b, double square) {
     double sum = 0.0;
-    for (size_t i = 0; i < dimension && sum <= square; i++) sum += (a[i] - b[i]) * (a[i] - b[i]);
+    for (size_t i = 0; i < s->dimension && sum <= square; i++)
+        if (!turns_on(s->turns, i)) sum += (a[i] - b[i]) * (a[i] - b[i]);
     return sum <= square;
 }
 
 bool settling_note(settling *s, const double *x) {
     double size = 0.0;
     bool settled = false;
-    for (size_t i = 0; i < s->dimension; i++) size += x[i] * x[i];
+    for (size_t i = 0; i < s->dimension; i++) size += turns_on(s->turns, i) ? 0.0 : x[i] * x[i];
     for (size_t k = 1; k < KEPT && k <= s->count; k++) {
         const double *before = s->states + (s->count - k) % KEPT * s->dimension;
-        const bool returned = close_to(x, before, s->dimension, tolerance * tolerance * size);
+        const bool returned = close_to(s, x, before, tolerance * tolerance * size);
         s->returns[k] = returned ? s->returns[k] + 1 : 0;
         settled = settled || s->returns[k] >= 3 * k + CALM;
     }

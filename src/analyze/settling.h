@@ -10,8 +10,9 @@
 /// The last states of a section, and for every k how many revolutions in a row have returned after k.
 typedef struct settling settling;
 
-/// NULL without memory. Freed by settling_free.
-settling *settling_new(size_t dimension);
+/// `turns` as whirl_system has them, borrowed: what turns has no part in returns. NULL without memory. Freed by
+/// settling_free.
+settling *settling_new(size_t dimension, const double *turns);
 void settling_free(settling *settling);
 
 /// Goes over its state.

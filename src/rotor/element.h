@@ -65,7 +65,7 @@ typedef struct whirl_element_type {
     size_t number_count;
     size_t state_count;                    ///< first-order states of its own
     bool modulated;                        ///< its forces depend on the values of time in other ways than in proportion
-    bool turns;                            ///< its states are angles: 2 pi is 0
+    size_t turning;                        ///< of these, from the first on, are angles: 2 pi is 0
     bool kinked;                           ///< its force has kinks that no switch tells of
     bool timed;                            ///< its kernel asks for tau
     const element_kernels *const *kernels; ///< by number of vector.h; NULL: it is part of the assembly alone
@@ -84,6 +84,10 @@ typedef struct whirl_element_type {
                             double *by_v);
     void (*switch_curvature)(const element *own, const double *q, const double *v, size_t index, const double *uq,
                              const double *uv, double *by_q, double *by_v);
+
+    /// With states that turn at a constant rate: how often what follows from them comes round in a revolution. NULL:
+    /// they never fit revolutions.
+    double (*rounds)(const element *own);
 
     /// With switches: whether motions can slide along one (friction that jumps where the slip reverses).
     bool (*slides)(const element *own);

@@ -21,6 +21,7 @@ struct whirl_rotor {
     size_t *groups;   ///< [lanes.group_count + 1]
     double *turns;    ///< [dimension] as whirl_system has them
     bool turning;     ///< some of them are not 0
+    size_t repeats;   ///< as whirl_system has them
     bool timed;       ///< an element asks for tau
     bool kinked;      ///< as whirl_system has it
     size_t *contacts; ///< [contact_count] indices of elements

@@ -6,6 +6,7 @@
 
 #define ELEMENTS(X)                                                                                                    \
     X(unbalance)                                                                                                       \
+    X(force)                                                                                                           \
     X(gravity)                                                                                                         \
     X(disc)                                                                                                            \
     X(beam)                                                                                                            \

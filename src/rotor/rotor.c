@@ -10,6 +10,7 @@
 #include "machine.h"
 #include "pair_kernel.h"
 #include "registry.h"
+#include "repeats.h"
 
 // ---------------------------------------------------------------- many rotors side by side
 
@@ -242,12 +243,17 @@ static void note_contact(whirl_rotor *rotor, size_t index) {
     rotor->contact_names[k] = rotor->contact_text[k];
 }
 
+/// Revolutions after which the phases have come back, this one of them, too.
+static void note_phase(whirl_rotor *rotor, const element *own) {
+    const size_t repeats = own->type->rounds ? repeats_of(own->type->rounds(own)) : 0;
+    rotor->repeats = rotor->turning ? repeats_of_both(rotor->repeats, repeats) : repeats;
+    rotor->turning = true;
+}
+
 static void note_element(whirl_rotor *rotor, size_t index, size_t degrees) {
     const element *own = &rotor->elements[index];
-    for (size_t s = 0; own->type->turns && s < own->type->state_count; s++) {
-        rotor->turns[degrees + own->state + s] = 6.283185307179586476925;
-        rotor->turning = true;
-    }
+    for (size_t s = 0; s < own->type->turning; s++) rotor->turns[degrees + own->state + s] = 6.283185307179586476925;
+    if (own->type->turning > 0) note_phase(rotor, own);
     if (own->type->timed) rotor->timed = true;
     if (own->type->kinked) rotor->kinked = true;
     if (own->type->switch_count) rotor->lanes.switch_count += own->type->switch_count(own);

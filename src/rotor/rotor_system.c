@@ -161,6 +161,7 @@ void rotor_system_fill(whirl_rotor *rotor) {
                                    .forcing_count = rotor->timed ? MOST_FORCING : FORCING_COUNT,
                                    .kinked = rotor->kinked,
                                    .turns = rotor->turning ? rotor->turns : NULL,
+                                   .repeats = rotor->repeats,
                                    .forcing = forcing_at,
                                    .rhs = rhs,
                                    .switch_count = rotor->lanes.switch_count,

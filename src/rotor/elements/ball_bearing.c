@@ -65,6 +65,11 @@ static bool fits(double balls, double ratio) {
     return fabs(passes - rint(passes)) < 1e-13 * balls;
 }
 
+/// Of balls in a revolution.
+static double passes_of(const element *own) {
+    return own->law * own->number[BALL_RATIO];
+}
+
 FOR_EVERY_ISA(const element_kernels, ball_bearing_kernels);
 FOR_EVERY_ISA(const element_kernels, ball_bearing_free_kernels);
 static const element_kernels *const kernels[VECTOR_ISAS] = EVERY_ISA(&, ball_bearing_kernels);
@@ -74,7 +79,8 @@ static const element_type free_type = {
     .group = {"ball_bearing", "", "", keys, KEY_COUNT, NULL, NULL},
     .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
     .state_count = 1,
-    .turns = true,
+    .turning = 1,
+    .rounds = passes_of,
     .kinked = true,
     .kernels = free_kernels,
 };

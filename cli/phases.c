@@ -1,0 +1,64 @@
+#include "phases.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdio.h>
+
+/// What was seen of the machines of a batch.
+typedef struct phases {
+    size_t turning;     ///< machines with forces that do not turn with the shaft
+    size_t fitting;     ///< of these, those whose forces repeat
+    size_t least, most; ///< after so many revolutions
+} phases;
+
+static void note(phases *seen, const whirl_system *system) {
+    const size_t repeats = system->repeats;
+    if (!system->turns) return;
+    seen->turning++;
+    if (repeats == 0) return;
+    seen->least = seen->fitting == 0 || repeats < seen->least ? repeats : seen->least;
+    seen->most = repeats > seen->most ? repeats : seen->most;
+    seen->fitting++;
+}
+
+static const char *plural(size_t count) {
+    return count == 1 ? "" : "s";
+}
+
+/// Of forces that do not repeat, at all machines or at some.
+static void print_never(const char *who) {
+    printf(
+        "%s fit no period up to %d revolutions: stable motions that follow them are called quasi-periodic (forced)\n",
+        who, WHIRL_MAX_REPEATS);
+}
+
+static void print(const phases *seen, size_t looked_at) {
+    const bool always = seen->fitting == looked_at;
+    printf("  sections: once a revolution of the shaft\n");
+    if (always && seen->least == seen->most)
+        printf("  forces repeat after %zu revolution%s: motions that follow them are P-%zu\n", seen->most,
+               plural(seen->most), seen->most);
+    else if (seen->fitting > 0)
+        printf("  forces repeat after %zu to %zu revolutions at %zu of %zu values\n", seen->least, seen->most,
+               seen->fitting, looked_at);
+    if (seen->fitting == 0)
+        print_never("  forces");
+    else if (seen->fitting < seen->turning)
+        print_never("  forces at the others");
+}
+
+whirl_status tell_phases(const whirl_study *study, const whirl_batch *batch) {
+    const size_t most = 1000, count = batch->values && batch->count < most ? batch->count : batch->values ? most : 1;
+    phases seen = {0};
+    for (size_t i = 0; i < count; i++) {
+        whirl_machine machine;
+        const size_t at = batch->count * i / count;
+        const whirl_status status =
+            study->machine(study->family, batch, batch->values ? batch->values[at] : (double)NAN, &machine);
+        if (status.code != WHIRL_OK) return status;
+        note(&seen, machine.system);
+        if (machine.release) machine.release(machine.owner);
+    }
+    if (seen.turning > 0) print(&seen, count);
+    return whirl_ok();
+}

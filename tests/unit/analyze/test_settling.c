@@ -1,0 +1,37 @@
+// When a motion counts as settled, with a phase among its coordinates.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "settling.h"
+
+/// Revolutions until 1e-6 (1 + 2^-n), beside a phase that turns by `rate`, counts as settled; 1000 where it never does.
+static int revolutions(double rate) {
+    const double turns[2] = {0.0, 6.283185307179586476925};
+    settling *s = settling_new(2, turns);
+    int n = 0;
+    assert_non_null(s);
+    for (; n < 1000; n++) {
+        const double x[2] = {1e-6 * (1.0 + exp2(-n)), fmod(rate * n, turns[1])};
+        if (settling_note(s, x)) break;
+    }
+    settling_free(s);
+    return n;
+}
+
+/// The first that returns to 1e-11 of its size comes from 2^-n < 1e-11, n = 37; it is the first of 35 in a row.
+static void phases_have_no_part(void **unused) {
+    (void)unused;
+    const int expected = 37 + 34;
+    assert_int_equal(revolutions(0.0), expected);
+    assert_int_equal(revolutions(1.7), expected);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(phases_have_no_part)};
+    return cmocka_run_group_tests_name("settling", tests, NULL, NULL);
+}

@@ -1,0 +1,297 @@
+// Forces that turn at ratios of the speed, at frequencies of their own and while the speed runs up, against closed
+// forms: a disc on a spring and a damper to the ground is linear.
+#include <complex.h>
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "support_check.h"
+#include "support_flow.h"
+#include "support_record.h"
+#include "whirl/whirl.h"
+
+#define COUNT_OF(array) (sizeof(array) / sizeof *(array))
+
+static const double two_pi = 6.283185307179586476925;
+static const double speed = 300.0, scale = 1e-4, mass = 2.0, damping = 120.0, stiffness = 2.2e5;
+
+static whirl_design *begin_disc(void) {
+    const whirl_setting disc[] = {{"mass", mass, NULL}};
+    const whirl_setting spring[] = {
+        {"between", 0, "disc, ground"}, {"stiffness", stiffness, NULL}, {"damping", damping, NULL}};
+    whirl_design *design;
+    require_ok(whirl_design_new(speed, scale, &design));
+    require_ok(whirl_design_station(design, "disc", disc, 1));
+    require_ok(whirl_design_element(design, "spring", spring, 3));
+    return design;
+}
+
+static whirl_rotor *finish(whirl_design *design) {
+    whirl_rotor *rotor;
+    require_ok(whirl_rotor_new(design, &rotor));
+    whirl_design_free(design);
+    return rotor;
+}
+
+/// A force of 20 N with one key for its rate.
+static void add_force(whirl_design *design, const char *law, const char *key, double value) {
+    const whirl_setting force[] = {{"at", 0, "disc"},    {"amplitude", 20.0, NULL}, {"law", 0, law},
+                                   {"angle", 0.7, NULL}, {"phase", 0.4, NULL},      {key, value, NULL}};
+    require_ok(whirl_design_element(design, "force", force, key ? 6 : 5));
+}
+
+static void add_unbalance(whirl_design *design, const char *key, double value) {
+    const whirl_setting unbalance[] = {
+        {"at", 0, "disc"}, {"moment", 1e-4, NULL}, {"angle", 0.3, NULL}, {key, value, NULL}};
+    require_ok(whirl_design_element(design, "unbalance", unbalance, key ? 4 : 3));
+}
+
+// ---------------------------------------------------------------- linear response
+
+/// z = x + i y at t of a force F e^(i nu t), in length scales.
+static double complex response(double complex force, double nu, double t) {
+    return force * cexp(I * nu * t) / (stiffness - mass * nu * nu + I * damping * nu) / scale;
+}
+
+/// Of all forces of the test below.
+static double complex all_responses(double t) {
+    static const double ratio = 1.5, turning = 0.6180339887498949, hertz = 31.0, second = -1.25;
+    const double nu[] = {ratio * speed, turning * speed, two_pi * hertz, second * speed};
+    const double complex axis = 10.0 * cexp(0.7 * I); // half of 20 N either way
+    return response(axis * cexp(0.4 * I), nu[0], t) + response(axis * cexp(-0.4 * I), -nu[0], t) +
+           response(20.0 * cexp(1.1 * I), nu[1], t) + response(20.0 * cexp(0.3 * I), -nu[2], t) +
+           response(1e-4 * nu[3] * nu[3] * cexp(0.3 * I), nu[3], t) + response(20.0 * cexp(1.1 * I), speed, t) +
+           response(1e-4 * speed * speed * cexp(0.3 * I), speed, t);
+}
+
+static void linear_response(void **unused) {
+    (void)unused;
+    static const char *const methods[] = {"rk4", "dop853", "rodas5p"};
+    enum { SETTLED = 120, SEEN = 20 };
+    whirl_design *design = begin_disc();
+    add_force(design, "axis", "ratio", 1.5);
+    add_force(design, "forward", "ratio", 0.6180339887498949);
+    add_force(design, "backward", "frequency", 31.0);
+    add_force(design, "forward", NULL, 0.0);
+    add_unbalance(design, "speed", -1.25 * speed);
+    add_unbalance(design, NULL, 0.0);
+    whirl_rotor *rotor = finish(design);
+    const whirl_system *system = whirl_rotor_system(rotor);
+    assert_int_equal(system->dimension, 8);
+    for (size_t m = 0; m < COUNT_OF(methods); m++) {
+        whirl_integrator *integrator = make_integrator(system, methods[m], 2048);
+        double x[8] = {0}, worst = 0.0, size = 0.0;
+        revolve(integrator, x, SETTLED);
+        for (int i = 1; i <= SEEN; i++) {
+            revolve(integrator, x, 1);
+            const double complex expected = all_responses((SETTLED + i) * two_pi / speed);
+            worst = fmax(worst, cabs(x[0] + I * x[1] - expected));
+            size = fmax(size, cabs(expected));
+        }
+        check_within("Phases", words("six forces and unbalances by %s, part of the response", methods[m]), 0.0,
+                     worst / size, 1e-9);
+        whirl_integrator_free(integrator);
+    }
+    whirl_rotor_free(rotor);
+}
+
+/// A moment that turns backward on a disc that tilts: I_d phi'' + (c - i I_p omega) phi' + k phi = M e^(-i nu t).
+static void tilting_response(void **unused) {
+    (void)unused;
+    const double diametral = 0.02, polar = 0.03, turn = 2000.0, damper = 3.0, ratio = 0.7;
+    const whirl_setting disc[] = {{"mass", mass, NULL}, {"diametral", diametral, NULL}, {"polar", polar, NULL}};
+    const whirl_setting spring[] = {
+        {"between", 0, "disc, ground"}, {"along", 0, "tilts"}, {"stiffness", turn, NULL}, {"damping", damper, NULL}};
+    const whirl_setting moment[] = {
+        {"at", 0, "disc"}, {"moment", 4.0, NULL}, {"law", 0, "backward"}, {"angle", 0.2, NULL}, {"ratio", ratio, NULL}};
+    whirl_design *design = begin_disc();
+    whirl_design_free(design);
+    require_ok(whirl_design_new(speed, scale, &design));
+    require_ok(whirl_design_station(design, "disc", disc, 3));
+    require_ok(whirl_design_element(design, "spring", spring, 4));
+    require_ok(whirl_design_element(design, "force", moment, 5));
+    whirl_rotor *rotor = finish(design);
+    const double nu = -ratio * speed, unit = scale / sqrt(diametral / mass);
+    const double complex amplitude =
+        4.0 * cexp(0.2 * I) / (turn - diametral * nu * nu + I * nu * (damper - I * polar * speed)) / unit;
+    whirl_integrator *integrator = make_integrator(whirl_rotor_system(rotor), "dop853", 64);
+    double x[9] = {0};
+    revolve(integrator, x, 200);
+    const double complex expected = amplitude * cexp(I * nu * 200.0 * two_pi / speed);
+    check_within("Phases", "a moment that turns backward, part of the response", 0.0,
+                 cabs(x[2] + I * x[3] - expected) / cabs(expected), 1e-9);
+    whirl_integrator_free(integrator);
+    whirl_rotor_free(rotor);
+}
+
+/// A pedestal that moves along y feels the part of a force along y.
+static void along_one_axis(void **unused) {
+    (void)unused;
+    const whirl_setting pedestal[] = {{"mass", mass, NULL}, {"moves", 0, "y"}};
+    const whirl_setting spring[] = {{"between", 0, "pedestal, ground"},
+                                    {"along", 0, "y"},
+                                    {"stiffness", stiffness, NULL},
+                                    {"damping", damping, NULL}};
+    const whirl_setting force[] = {
+        {"at", 0, "pedestal"}, {"amplitude", 20.0, NULL}, {"angle", 0.7, NULL}, {"frequency", 40.0, NULL}};
+    whirl_design *design;
+    require_ok(whirl_design_new(speed, scale, &design));
+    require_ok(whirl_design_station(design, "pedestal", pedestal, 2));
+    require_ok(whirl_design_element(design, "spring", spring, 4));
+    require_ok(whirl_design_element(design, "force", force, 4));
+    whirl_rotor *rotor = finish(design);
+    whirl_integrator *integrator = make_integrator(whirl_rotor_system(rotor), "dop853", 64);
+    double x[3] = {0};
+    revolve(integrator, x, 140);
+    const double complex expected = response(20.0 * sin(0.7), two_pi * 40.0, 140.0 * two_pi / speed);
+    check_within("Phases", "a force on a station that moves along y, part of the response", 0.0,
+                 fabs(x[0] - creal(expected)) / cabs(expected), 1e-9);
+    whirl_integrator_free(integrator);
+    whirl_rotor_free(rotor);
+}
+
+/// The Jacobian's column of the phase: the derivative of F (cos(theta + delta)) by theta.
+static void the_derivative(void **unused) {
+    (void)unused;
+    const double state[5] = {0.3, -0.2, 0.1, 0.5, 2.1};
+    whirl_design *design = begin_disc();
+    add_force(design, "axis", "ratio", 2.3);
+    whirl_rotor *rotor = finish(design);
+    double matrix[25], worst = 0.0;
+    const double size = 20.0 / (mass * speed * speed * scale), slope = -size * sin(2.1 + 0.4);
+    exact_jacobian(whirl_rotor_system(rotor), 0.4, state, matrix);
+    for (int a = 0; a < 2; a++)
+        worst = fmax(worst, fabs(matrix[5 * (2 + a) + 4] - slope * (a == 0 ? cos(0.7) : sin(0.7))));
+    for (int i = 0; i < 5; i++) worst = fmax(worst, fabs(matrix[20 + i])); // the phase turns whatever happens
+    check_within("Phases", "derivative by the phase, part of the force", 0.0, worst / size, 1e-14);
+    whirl_rotor_free(rotor);
+}
+
+// ---------------------------------------------------------------- what repeats, and what verdicts say
+
+typedef struct repeating {
+    double ratios[2]; ///< 0: none
+    size_t repeats;
+    const char *regime;
+} repeating;
+
+/// Regimes of a stable linear rotor under its unbalance and forces at ratios of the speed. The last ratio is the
+/// golden one, the nearest to fit no revolution.
+static const repeating rows[] = {{{2.0, 0.0}, 1, "P-1"},
+                                 {{1.5, 0.0}, 2, "P-2"},
+                                 {{5.0 / 3.0, 0.0}, 3, "P-3"},
+                                 {{0.5, 4.0 / 3.0}, 6, "P-6"},
+                                 {{11.0 / 17.0, 0.0}, 17, "P-17"},
+                                 {{29.0 / 61.0, 0.0}, 61, "P-61"},
+                                 {{0.6180339887498949, 0.0}, 0, "quasi-periodic (forced)"},
+                                 {{1.5, 0.6180339887498949}, 0, "quasi-periodic (forced)"}};
+
+static void regimes(void **unused) {
+    (void)unused;
+    for (size_t i = 0; i < COUNT_OF(rows); i++) {
+        whirl_design *design = begin_disc();
+        add_unbalance(design, NULL, 0.0);
+        for (int k = 0; k < 2 && rows[i].ratios[k] > 0.0; k++) add_force(design, "axis", "ratio", rows[i].ratios[k]);
+        whirl_rotor *rotor = finish(design);
+        const whirl_system *system = whirl_rotor_system(rotor);
+        const double start[6] = {0};
+        assert_int_equal(system->repeats, rows[i].repeats);
+        whirl_record *record = record_motion(system, start, 256, 150, 300);
+        check_regime("Phases", words("forces at %g and %g of the speed", rows[i].ratios[0], rows[i].ratios[1]),
+                     rows[i].regime, record);
+        // Disturbances die out with the damping, c/(2 m), whatever forces there are.
+        const whirl_estimate exponent = whirl_lyapunov_largest(record);
+        check_within("Phases", words("largest exponent, row %zu", i + 1), -damping / (2.0 * mass) * two_pi / speed,
+                     exponent.value, 1e-3);
+        whirl_record_free(record);
+        whirl_rotor_free(rotor);
+    }
+}
+
+/// A rotor that rubs in chaos stays in chaos beside a small force that fits no revolution; where it runs in permanent
+/// contact that force makes a torus. Without the force: chaos and P-1 (cases/jeffcott-rub.yaml).
+static void chaos_beside_a_phase(void **unused) {
+    (void)unused;
+    static const double speeds[] = {3.3, 1.5};
+    static const char *const expected[] = {"chaotic", "quasi-periodic (forced)"};
+    for (int i = 0; i < 2; i++) {
+        const whirl_setting disc[] = {{"mass", 1.0, NULL}, {"damping", 0.2, NULL}, {"eccentricity", 0.9, NULL}};
+        const whirl_setting shaft[] = {{"between", 0, "disc, ground"}, {"k1", 1.0, NULL}};
+        const whirl_setting rub[] = {
+            {"at", 0, "disc"}, {"gap", 1.0, NULL}, {"stiffness", 10.0, NULL}, {"friction", 0.05, NULL}};
+        const whirl_setting gravity[] = {{"acceleration", 0.5, NULL}};
+        const whirl_setting force[] = {
+            {"at", 0, "disc"}, {"amplitude", 0.02, NULL}, {"ratio", 0.6180339887498949, NULL}};
+        whirl_design *design;
+        require_ok(whirl_design_new(speeds[i], 1.0, &design));
+        require_ok(whirl_design_station(design, "disc", disc, 3));
+        require_ok(whirl_design_element(design, "shaft", shaft, 2));
+        require_ok(whirl_design_element(design, "rub", rub, 4));
+        require_ok(whirl_design_element(design, "gravity", gravity, 1));
+        require_ok(whirl_design_element(design, "force", force, 3));
+        whirl_rotor *rotor = finish(design);
+        const double start[5] = {0.1, -0.2};
+        whirl_record *record = record_motion(whirl_rotor_system(rotor), start, 1024, 500, 2000);
+        check_regime("Phases", words("a rotor that rubs at %g, beside a force", speeds[i]), expected[i], record);
+        whirl_record_free(record);
+        whirl_rotor_free(rotor);
+    }
+}
+
+// ---------------------------------------------------------------- lanes
+
+/// Machines whose forces have frequencies of their own go side by side, alone and there with the same bits.
+static void in_lanes(void **unused) {
+    (void)unused;
+    enum { LANES = 9, DIMENSION = 5 };
+    static const char *const sets[] = {"fma", "avx2", "avx512"};
+    whirl_rotor *rotors[LANES];
+    whirl_integrate_options options = whirl_integrate_default();
+    double reached[LANES][DIMENSION] = {{0}};
+    for (size_t l = 0; l < LANES; l++) {
+        whirl_design *design = begin_disc();
+        add_force(design, "forward", "frequency", 20.0 + 5.0 * (double)l);
+        rotors[l] = finish(design);
+        whirl_integrator *integrator;
+        require_ok(whirl_integrator_new(whirl_rotor_system(rotors[l]), &options, &integrator));
+        revolve(integrator, reached[l], 7);
+        whirl_integrator_free(integrator);
+    }
+    bool found = false;
+    double first[LANES][DIMENSION], lane[DIMENSION], worst = 0.0;
+    for (size_t s = 0; s < COUNT_OF(sets); s++) {
+        whirl_ensemble *ensemble;
+        setenv("WHIRL_ISA", sets[s], 1);
+        const whirl_status status = whirl_ensemble_new(whirl_rotor_system(rotors[0]), &options, LANES, &ensemble);
+        unsetenv("WHIRL_ISA");
+        if (status.code != WHIRL_OK) continue; // this processor has it not
+        for (size_t l = 0; l < LANES; l++)
+            require_ok(whirl_ensemble_load(ensemble, l, whirl_rotor_system(rotors[l]), (double[DIMENSION]){0}));
+        for (int i = 0; i < 7; i++) whirl_ensemble_revolve(ensemble, LANES, NULL);
+        for (size_t l = 0; l < LANES; l++) {
+            whirl_ensemble_state(ensemble, l, lane);
+            if (!found) memcpy(first[l], lane, sizeof lane);
+            assert_memory_equal(lane, first[l], sizeof lane);
+            for (int i = 0; i < DIMENSION; i++) worst = fmax(worst, fabs(lane[i] - reached[l][i]));
+        }
+        found = true;
+        whirl_ensemble_free(ensemble);
+    }
+    check_within("Phases", "in lanes and alone after seven revolutions, in length scales", 0.0, worst, 1e-13);
+    for (size_t l = 0; l < LANES; l++) whirl_rotor_free(rotors[l]);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(linear_response), cmocka_unit_test(tilting_response),
+                                       cmocka_unit_test(along_one_axis),  cmocka_unit_test(the_derivative),
+                                       cmocka_unit_test(regimes),         cmocka_unit_test(chaos_beside_a_phase),
+                                       cmocka_unit_test(in_lanes)};
+    return cmocka_run_group_tests_name("phases", tests, NULL, NULL);
+}
