@@ -54,7 +54,6 @@ static size_t lay_out(whirl_ensemble *e, double *block) {
         {&e->lanes.k[0], fixed * rates},
         {&e->lanes.k[1], fixed * rates},
         {&e->lanes.k[2], fixed * rates},
-        {&e->lanes.k[3], fixed * rates},
         {&e->lanes.stage_q, fixed * degrees},
         {&e->lanes.stage_v, fixed * rates},
         {&e->lanes.now, e->adaptive ? 0 : e->system->forcing_count},
@@ -147,7 +146,8 @@ static size_t fast_vectors(const whirl_system *system, const isa *set) {
     static const size_t choices[] = {8, 6, 4, 2, 1};
     const size_t first_cache = 40960, degrees = system->lanes->degrees;
     const size_t observed = system->lanes->pair ? 7 * degrees + 4 * system->lanes->contact_count : 0;
-    const size_t bytes = (system->lanes->number_count + 4 * system->dimension + observed) * set->lanes * sizeof(double);
+    const size_t steps = 5 * system->dimension - 3 * degrees; // the state, a stage's, three slopes
+    const size_t bytes = (system->lanes->number_count + steps + observed) * set->lanes * sizeof(double);
     size_t i = 0;
     while (choices[i] > 1 && choices[i] * bytes > first_cache) i++;
     return choices[i];

@@ -48,7 +48,7 @@ typedef struct rk4_lanes {
     double step;
     const double *forcing; ///< [2 steps + 1][forcing_count]
     double *numbers, *q, *v;
-    double *k[4], *stage_q, *stage_v; ///< [rates], [degrees], [rates] workspace
+    double *k[3], *stage_q, *stage_v; ///< [rates], [degrees], [rates] workspace
     double *now;                      ///< [forcing_count] workspace
     lanes_located located;
     lanes_observe observe;

@@ -41,7 +41,6 @@ static size_t lay_out(whirl_variational *f, double *block) {
                  {&l->k[0], rates},
                  {&l->k[1], rates},
                  {&l->k[2], rates},
-                 {&l->k[3], rates},
                  {&l->numbers, f->system->lanes->number_count},
                  {&l->now, l->forcing_count},
                  {&l->divergence[0], 1},

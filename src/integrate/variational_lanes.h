@@ -17,7 +17,7 @@ typedef struct variational_lanes {
     double step;
     const double *forcing; ///< [2 steps + 1][forcing_count]
     double *numbers;
-    double *q, *v, *k[4], *stage_q, *stage_v; ///< rows are degrees of q, rates of all else
+    double *q, *v, *k[3], *stage_q, *stage_v; ///< rows are degrees of q, rates of all else
     double *now;                              ///< [forcing_count] of all lanes
     double *divergence[4];                    ///< [1] at the stages
     double *volume;                           ///< [1] its integral

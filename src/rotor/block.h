@@ -14,10 +14,17 @@ typedef struct block {
     size_t forcing_count;
     const vec *forcing, *q, *v;
     vec *a, *divergence; ///< divergence: NULL where it is not wanted
-    // Of the element at hand.
-    const vec *number;
-    const vec *sides; ///< of its switches; NULL: the state decides
+    const vec *numbers;  ///< of the machine
+    const vec *sides;    ///< of its switches; NULL: the state decides
 } block;
+
+/// Those of an element, of the first vector.
+static inline const vec *numbers_of(const block *b, const element *own) {
+    return b->numbers + own->first_number * b->stride;
+}
+static inline const vec *sides_of(const block *b, const element *own) {
+    return b->sides ? b->sides + own->first_switch * b->stride : NULL;
+}
 
 static inline int wants_tangent(const block *b) {
     return b->disturbances > 0 || b->divergence;

@@ -38,20 +38,24 @@ enum { MAX_PORTS = 8, MAX_KEYS = 64 };
 /// not.
 typedef struct element {
     const struct whirl_element_type *type;
-    size_t station;         ///< where it sits
+    size_t run;          ///< how many of its type follow one another from here, itself the first
+    size_t first_number; ///< where its numbers begin, in those of the machine
+    int law;
+    bool lumped;            ///< it is part of the assembly alone
     size_t port[MAX_PORTS]; ///< the coordinates that it sees; NO_COORDINATE: the ground's
     size_t state;           ///< where its own first-order states begin, in the rows of the velocities
-    int law;
-    bool lumped;    ///< it is part of the assembly alone
-    double *number; ///< [type->number_count]
+    size_t first_switch;    ///< where its switches begin, in those of the machine
+    size_t station;         ///< where it sits
+    double *number;         ///< [type->number_count]
 } element;
 
 struct block;
 
 /// What an element does in lanes; one for every instruction set. NULL for what it has not.
 typedef struct element_kernels {
-    /// Adds its accelerations, those of the disturbances by its derivative, and the trace of that to the divergence.
-    void (*flow)(const element *own, const struct block *b);
+    /// Adds the accelerations of `count` elements of one type, one after the other, those of the disturbances by their
+    /// derivatives, and the trace of these to the divergence.
+    void (*flow)(const element *first, size_t count, const struct block *b);
 
     /// Writes its switching functions and, unless NULL, their derivatives by time: rows of the block's stride.
     void (*switches)(const element *own, const struct block *b, void *values, void *rates);

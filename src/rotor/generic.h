@@ -66,8 +66,9 @@ VECTOR_INLINE kernel_inputs inputs_of(const element *own, const block *b, size_t
     return in;
 }
 
-VECTOR_INLINE kernel_view view_of(const block *b, size_t k) {
-    kernel_view view = {.stride = b->stride, .number = b->number + k, .sides = b->sides ? b->sides + k : NULL};
+VECTOR_INLINE kernel_view view_of(const element *own, const block *b, size_t k) {
+    const vec *sides = sides_of(b, own);
+    kernel_view view = {.stride = b->stride, .number = numbers_of(b, own) + k, .sides = sides ? sides + k : NULL};
     for (size_t i = 0; b->forcing && i < b->forcing_count; i++) view.phase[i] = b->forcing[i * b->stride + k];
     return view;
 }
@@ -77,7 +78,7 @@ VECTOR_INLINE void spread(const element *own, const block *b, size_t n, size_t k
     vec *a = b->a + n * b->next_v + k;
     for (int i = 0; i < KERNEL_AXES; i++) {
         const size_t one = own->port[i], other = own->port[KERNEL_AXES + i];
-        const vec *scale = b->number + KERNEL_NUMBERS * b->stride + k;
+        const vec *scale = numbers_of(b, own) + KERNEL_NUMBERS * b->stride + k;
         if (one != NO_COORDINATE)
             a[one * b->stride] = v_fma(scale[(size_t)i * b->stride], force[i], a[one * b->stride]);
         if (other != NO_COORDINATE)
@@ -87,7 +88,7 @@ VECTOR_INLINE void spread(const element *own, const block *b, size_t n, size_t k
 }
 
 VECTOR_INLINE void add_plain(const element *own, const block *b, size_t k) {
-    const kernel_view view = view_of(b, k);
+    const kernel_view view = view_of(own, b, k);
     const kernel_inputs in = inputs_of(own, b, 0, k);
     vec force[KERNEL_AXES], slope[KERNEL_STATES + 1];
     force_plain(own, &view, in.d, in.w, in.s, force, slope);
@@ -109,7 +110,7 @@ VECTOR_INLINE vec along(const dual *of, const kernel_inputs *in) {
 VECTOR_INLINE vec trace_of(const element *own, const block *b, size_t k, const dual *force, const dual *slope) {
     vec trace = v_set(0.0);
     for (size_t port = 0; port < KERNEL_PORTS; port++) {
-        const vec scale = b->number[(KERNEL_NUMBERS + port) * b->stride + k];
+        const vec scale = numbers_of(b, own)[(KERNEL_NUMBERS + port) * b->stride + k];
         if (own->port[port] != NO_COORDINATE)
             trace = v_fma(scale, force[port % KERNEL_AXES].by[KERNEL_AXES + port % KERNEL_AXES], trace);
     }
@@ -127,7 +128,7 @@ VECTOR_INLINE void seed(const kernel_inputs *in, dual *d, dual *w, dual *s) {
 }
 
 static void add_dual(const element *own, const block *b, size_t k) {
-    const kernel_view view = view_of(b, k);
+    const kernel_view view = view_of(own, b, k);
     const kernel_inputs in = inputs_of(own, b, 0, k);
     dual d[KERNEL_AXES], w[KERNEL_AXES], s[KERNEL_STATES + 1], force[KERNEL_AXES], slope[KERNEL_STATES + 1];
     vec values[KERNEL_AXES], slopes[KERNEL_STATES + 1];
@@ -145,20 +146,21 @@ static void add_dual(const element *own, const block *b, size_t k) {
     if (b->divergence) b->divergence[k] = v_add(b->divergence[k], trace_of(own, b, k, force, slope));
 }
 
-static void generic_flow(const element *own, const block *b) {
-    for (size_t k = 0; k < b->vectors; k++) {
-        if (wants_tangent(b))
-            add_dual(own, b, k);
-        else
-            add_plain(own, b, k);
-    }
+static void generic_flow(const element *first, size_t count, const block *b) {
+    for (const element *own = first; own < first + count; own++)
+        for (size_t k = 0; k < b->vectors; k++) {
+            if (wants_tangent(b))
+                add_dual(own, b, k);
+            else
+                add_plain(own, b, k);
+        }
 }
 
 #if KERNEL_SWITCHES > 0
 /// Values, and their derivatives along velocities and accelerations.
 static void generic_switches(const element *own, const block *b, void *values, void *rates) {
     for (size_t k = 0; k < b->vectors; k++) {
-        const kernel_view view = view_of(b, k);
+        const kernel_view view = view_of(own, b, k);
         const kernel_inputs in = inputs_of(own, b, 0, k);
         dual d[KERNEL_AXES], w[KERNEL_AXES], s[KERNEL_STATES + 1], value[KERNEL_SWITCHES];
         seed(&in, d, w, s);

@@ -251,11 +251,12 @@ static void note_phase(whirl_rotor *rotor, const element *own) {
 }
 
 static void note_element(whirl_rotor *rotor, size_t index, size_t degrees) {
-    const element *own = &rotor->elements[index];
+    element *own = &rotor->elements[index];
     for (size_t s = 0; s < own->type->turning; s++) rotor->turns[degrees + own->state + s] = 6.283185307179586476925;
     if (own->type->turning > 0) note_phase(rotor, own);
     if (own->type->timed) rotor->timed = true;
     if (own->type->kinked) rotor->kinked = true;
+    own->first_switch = rotor->lanes.switch_count;
     if (own->type->switch_count) rotor->lanes.switch_count += own->type->switch_count(own);
     if (own->type->modulated) rotor->lanes.modulated = true;
     if (own->type->slides && own->type->slides(own)) rotor->lanes.slides = true;
@@ -272,7 +273,12 @@ static void add_elements_to(whirl_rotor *rotor, const building *b) {
     memcpy(rotor->elements, b->elements, b->element_count * sizeof *b->elements);
     for (size_t i = 0; i < b->element_count; i++) {
         rotor->elements[i].number = own + (b->elements[i].number - b->numbers);
+        rotor->elements[i].first_number = (size_t)(rotor->elements[i].number - rotor->numbers);
         note_element(rotor, i, b->assembly.degrees);
+    }
+    for (size_t i = b->element_count; i-- > 0;) {
+        const bool last = i + 1 == b->element_count || rotor->elements[i + 1].type != rotor->elements[i].type;
+        rotor->elements[i].run = last ? 1 : rotor->elements[i + 1].run + 1;
     }
 }
 

@@ -40,7 +40,6 @@ static void take_step(const rk4_lanes *lanes, const double *forcing) {
     s.k1 = (vec *)lanes->k[0];
     s.k2 = (vec *)lanes->k[1];
     s.k3 = (vec *)lanes->k[2];
-    s.k4 = (vec *)lanes->k[3];
     s.stage_q = (vec *)lanes->stage_q;
     s.stage_v = (vec *)lanes->stage_v;
     accelerate(lanes, forcing, s.q, s.v, s.k1);
@@ -52,7 +51,7 @@ static void take_step(const rk4_lanes *lanes, const double *forcing) {
     accelerate(lanes, middle, s.stage_q, s.stage_v, s.k3);
     FOR_ALL(lanes, enter_fourth(&s, i);)
     FOR_STATES(lanes, enter_fourth_state(&s, i);)
-    accelerate(lanes, end, s.stage_q, s.stage_v, s.k4);
+    accelerate(lanes, end, s.stage_q, s.stage_v, s.k3);
     FOR_ALL(lanes, enter_end(&s, i);)
     FOR_STATES(lanes, enter_end_state(&s, i);)
 }

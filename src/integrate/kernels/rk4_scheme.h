@@ -5,9 +5,10 @@
 
 #include "vector.h"
 
-/// What a step works on, out of memory; k are the slopes of v.
+/// What a step works on, out of memory; k are the slopes of v. Before the fourth slope is taken, the sum of the second
+/// and third goes where the second is, and the fourth comes to where the third was.
 typedef struct scheme {
-    vec *q, *v, *k1, *k2, *k3, *k4, *stage_q, *stage_v;
+    vec *q, *v, *k1, *k2, *k3, *stage_q, *stage_v;
     vec whole, half, sixth, quarter_square, half_square, sixth_square; ///< of the step's length
 } scheme;
 
@@ -31,14 +32,15 @@ static inline void enter_third(const scheme *s, size_t i) {
     s->stage_v[i] = v_fma(s->half, s->k2[i], s->v[i]);
 }
 static inline void enter_fourth(const scheme *s, size_t i) {
-    const vec v = s->v[i];
-    s->stage_q[i] = v_fma(s->half_square, s->k2[i], v_fma(s->whole, v, s->q[i]));
-    s->stage_v[i] = v_fma(s->whole, s->k3[i], v);
+    const vec v = s->v[i], k2 = s->k2[i], k3 = s->k3[i];
+    s->stage_q[i] = v_fma(s->half_square, k2, v_fma(s->whole, v, s->q[i]));
+    s->stage_v[i] = v_fma(s->whole, k3, v);
+    s->k2[i] = v_add(k2, k3);
 }
 static inline void enter_end(const scheme *s, size_t i) {
-    const vec k1 = s->k1[i], v = s->v[i], inner = v_add(s->k2[i], s->k3[i]);
+    const vec k1 = s->k1[i], v = s->v[i], inner = s->k2[i];
     s->q[i] = v_fma(s->sixth_square, v_add(k1, inner), v_fma(s->whole, v, s->q[i]));
-    s->v[i] = v_fma(s->sixth, v_fma(v_set(2.0), inner, v_add(k1, s->k4[i])), v);
+    s->v[i] = v_fma(s->sixth, v_fma(v_set(2.0), inner, v_add(k1, s->k3[i])), v);
 }
 
 /// The same for states of first order.
@@ -49,11 +51,12 @@ static inline void enter_third_state(const scheme *s, size_t i) {
     s->stage_v[i] = v_fma(s->half, s->k2[i], s->v[i]);
 }
 static inline void enter_fourth_state(const scheme *s, size_t i) {
-    s->stage_v[i] = v_fma(s->whole, s->k3[i], s->v[i]);
+    const vec k3 = s->k3[i];
+    s->stage_v[i] = v_fma(s->whole, k3, s->v[i]);
+    s->k2[i] = v_add(s->k2[i], k3);
 }
 static inline void enter_end_state(const scheme *s, size_t i) {
-    const vec inner = v_add(s->k2[i], s->k3[i]), outer = v_add(s->k1[i], s->k4[i]);
-    s->v[i] = v_fma(s->sixth, v_fma(v_set(2.0), inner, outer), s->v[i]);
+    s->v[i] = v_fma(s->sixth, v_fma(v_set(2.0), s->k2[i], v_add(s->k1[i], s->k3[i])), s->v[i]);
 }
 
 #endif

@@ -5,7 +5,8 @@
 
 enum { NOTE = 8 }; ///< orthonormalisations whose lengths are multiplied before a logarithm is taken
 
-static void take_slope(const variational_lanes *lanes, const double *forcing, const vec *q, const vec *v, int stage) {
+static void take_slope(const variational_lanes *lanes, const double *forcing, const vec *q, const vec *v, int stage,
+                       vec *slope) {
     vec *now = (vec *)lanes->now;
     for (size_t i = 0; i < lanes->forcing_count; i++)
         for (size_t k = 0; k < lanes->stride; k++) now[i * lanes->stride + k] = v_set(forcing[i]);
@@ -17,7 +18,7 @@ static void take_slope(const variational_lanes *lanes, const double *forcing, co
                              .tangents = lanes->disturbances,
                              .q = q,
                              .v = v,
-                             .a = lanes->k[stage],
+                             .a = slope,
                              .divergence = lanes->divergence[stage]};
     lanes->flow(&view);
 }
@@ -44,7 +45,7 @@ static inline scheme scheme_of_set(const scheme *all, size_t places, size_t rate
     scheme s = *all;
     s.q += places;
     s.stage_q += places;
-    vec **const behind[] = {&s.v, &s.k1, &s.k2, &s.k3, &s.k4, &s.stage_v};
+    vec **const behind[] = {&s.v, &s.k1, &s.k2, &s.k3, &s.stage_v};
     for (size_t i = 0; i < sizeof behind / sizeof *behind; i++) *behind[i] += rates;
     return s;
 }
@@ -60,16 +61,15 @@ static void take_step(const variational_lanes *lanes, const double *forcing) {
     all.k1 = (vec *)lanes->k[0];
     all.k2 = (vec *)lanes->k[1];
     all.k3 = (vec *)lanes->k[2];
-    all.k4 = (vec *)lanes->k[3];
     all.stage_q = (vec *)lanes->stage_q;
     all.stage_v = (vec *)lanes->stage_v;
-    take_slope(lanes, forcing, all.q, all.v, 0);
+    take_slope(lanes, forcing, all.q, all.v, 0, all.k1);
     ENTER(enter_second)
-    take_slope(lanes, middle, all.stage_q, all.stage_v, 1);
+    take_slope(lanes, middle, all.stage_q, all.stage_v, 1, all.k2);
     ENTER(enter_third)
-    take_slope(lanes, middle, all.stage_q, all.stage_v, 2);
+    take_slope(lanes, middle, all.stage_q, all.stage_v, 2, all.k3);
     ENTER(enter_fourth)
-    take_slope(lanes, end, all.stage_q, all.stage_v, 3);
+    take_slope(lanes, end, all.stage_q, all.stage_v, 3, all.k3);
     ENTER(enter_end)
     add_divergence(lanes);
 }

@@ -4,9 +4,9 @@
 #include "registry.h"
 #include "whirl/rotor.h"
 
-/// What the film adds to vector k and its disturbances.
+/// What a film adds to vector k and its disturbances.
 static void finish(const element *own, const block *b, size_t k, const film_state *film) {
-    const vec strength = b->number[FILM_STRENGTH * b->stride + k];
+    const vec strength = numbers_of(b, own)[FILM_STRENGTH * b->stride + k];
     tangent_block tangent;
     film_add(film, strength, &b->a[own->port[0] * b->stride + k], &b->a[own->port[1] * b->stride + k]);
     if (!wants_tangent(b)) return;
@@ -14,15 +14,21 @@ static void finish(const element *own, const block *b, size_t k, const film_stat
     tangent_apply(&tangent, own, b, k);
 }
 
-/// Three vectors are in the film at a time, one in each phase.
-static void flow(const element *own, const block *b) {
+/// Three vectors are in films at a time, one in each phase: the vectors of one film after those of the other.
+static void flow(const element *first, size_t count, const block *b) {
+    const element *begun = first, *ended = first;
+    const size_t all = count * b->vectors;
     film_work work;
-    for (size_t k = 0; k < b->vectors + 2; k++) {
-        if (k < b->vectors) film_begin(own, b->stride, b->number + k, b->q + k, b->v + k, &work, k % FILM_PLACES);
-        if (k >= 1 && k <= b->vectors) film_divide(&work, (k - 1) % FILM_PLACES);
-        if (k < 2) continue;
-        const film_state film = film_end(&work, (k - 2) % FILM_PLACES);
-        finish(own, b, k - 2, &film);
+    for (size_t i = 0, k = 0, last = 0; i < all + 2; i++) {
+        if (i < all) {
+            film_begin(begun, b->stride, numbers_of(b, begun) + k, b->q + k, b->v + k, &work, i % FILM_PLACES);
+            if (++k == b->vectors) begun++, k = 0;
+        }
+        if (i >= 1 && i <= all) film_divide(&work, (i - 1) % FILM_PLACES);
+        if (i < 2) continue;
+        const film_state film = film_end(&work, (i - 2) % FILM_PLACES);
+        finish(ended, b, last, &film);
+        if (++last == b->vectors) ended++, last = 0;
     }
 }
 

@@ -4,26 +4,32 @@
 #include "rub_switch.h"
 #include "rub_tangent.h"
 
-static void flow(const element *own, const block *b) {
-    for (size_t k = 0; k < b->vectors; k++) {
-        const vec *sides = b->sides ? b->sides + k : NULL, *number = b->number + k, *q = b->q + k, *v = b->v + k;
-        tangent_block tangent;
-        rub_kernel(own, b->stride, number, sides, q, v, b->a + k);
-        if (wants_tangent(b) && rub_tangent(own, b->stride, number, sides, q, v, &tangent))
-            tangent_apply(&tangent, own, b, k);
-    }
+/// What a rub adds to vector k and its disturbances.
+static void add(const element *own, const block *b, size_t k) {
+    const vec *sides = sides_of(b, own), *number = numbers_of(b, own) + k, *q = b->q + k, *v = b->v + k;
+    tangent_block tangent;
+    if (sides) sides += k;
+    rub_kernel(own, b->stride, number, sides, q, v, b->a + k);
+    if (wants_tangent(b) && rub_tangent(own, b->stride, number, sides, q, v, &tangent))
+        tangent_apply(&tangent, own, b, k);
+}
+
+static void flow(const element *first, size_t count, const block *b) {
+    for (const element *own = first; own < first + count; own++)
+        for (size_t k = 0; k < b->vectors; k++) add(own, b, k);
 }
 
 static void switches(const element *own, const block *b, void *values, void *rates) {
     vec *value = values, *rate = rates;
     for (size_t k = 0; k < b->vectors; k++)
-        rub_switches(own, b->stride, b->number + k, b->q + k, b->v + k, rate ? b->a + k : NULL, value + k,
+        rub_switches(own, b->stride, numbers_of(b, own) + k, b->q + k, b->v + k, rate ? b->a + k : NULL, value + k,
                      rate ? rate + k : NULL);
 }
 
 static void contact(const element *own, const block *b, void *force) {
     vec *out = force;
-    for (size_t k = 0; k < b->vectors; k++) out[k] = rub_normal(own, b->stride, b->number + k, b->q + k, b->v + k);
+    for (size_t k = 0; k < b->vectors; k++)
+        out[k] = rub_normal(own, b->stride, numbers_of(b, own) + k, b->q + k, b->v + k);
 }
 
 const element_kernels ISA(rub_kernels) = {.flow = flow, .switches = switches, .contact = contact};

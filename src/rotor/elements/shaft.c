@@ -3,12 +3,19 @@
 #include "registry.h"
 #include "shaft_kernel.h"
 
-static void flow(const element *own, const block *b) {
-    const vec *cosine = b->forcing + COS_2TAU * b->stride, *sine = b->forcing + SIN_2TAU * b->stride;
-    for (size_t n = 0; n <= b->disturbances; n++)
-        for (size_t k = 0; k < b->vectors; k++)
-            shaft_kernel(own, cosine[k], sine[k], b->stride, b->number + k, b->q + n * b->next + k,
-                         b->a + n * b->next_v + k);
+/// Of a state or a disturbance.
+static void add(const element *first, size_t count, const block *b, const vec *q, vec *a) {
+    const size_t stride = b->stride, vectors = b->vectors;
+    const vec *cosine = b->forcing + COS_2TAU * stride, *sine = b->forcing + SIN_2TAU * stride, *numbers = b->numbers;
+    for (size_t i = 0; i < count; i++) {
+        const element own = first[i];
+        const vec *number = numbers + own.first_number * stride;
+        for (size_t k = 0; k < vectors; k++) shaft_kernel(&own, cosine[k], sine[k], stride, number + k, q + k, a + k);
+    }
+}
+
+static void flow(const element *first, size_t count, const block *b) {
+    for (size_t n = 0; n <= b->disturbances; n++) add(first, count, b, b->q + n * b->next, b->a + n * b->next_v);
 }
 
 const element_kernels ISA(shaft_kernels) = {.flow = flow};

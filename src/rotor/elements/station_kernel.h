@@ -17,10 +17,11 @@ static inline void station_balanced(size_t stride, const vec *number, const vec 
 /// c and s: cos tau, sin tau.
 static inline void station_kernel(vec c, vec s, size_t stride, const vec *number, const vec *v, vec *a) {
     const vec in_phase = number[STATION_UNBALANCE_COS * stride], ahead = number[STATION_UNBALANCE_SIN * stride];
-    station_balanced(stride, number, v, a);
-    const vec ax = v_fma(in_phase, c, v_fnma(ahead, s, a[0])), ay = v_fma(in_phase, s, v_fma(ahead, c, a[stride]));
-    a[0] = ax;
-    a[stride] = ay;
+    const vec damping = number[STATION_DAMPING * stride];
+    const vec ax = v_fnma(damping, v[0], number[STATION_PULL_X * stride]);
+    const vec ay = v_fnma(damping, v[stride], number[STATION_PULL_Y * stride]);
+    a[0] = v_fma(in_phase, c, v_fnma(ahead, s, ax));
+    a[stride] = v_fma(in_phase, s, v_fma(ahead, c, ay));
 }
 
 /// The same for a disturbance: only damping feels it.

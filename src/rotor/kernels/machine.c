@@ -21,18 +21,28 @@ static block block_of(const lanes_view *view) {
                    .v = view->v,
                    .a = view->a,
                    .divergence = view->divergence,
-                   .number = view->numbers,
+                   .numbers = view->numbers,
                    .sides = view->sides};
 }
 
 /// The stations that move in x and y, which come first.
 static void pass_stations(const block *b, size_t station_count) {
-    const vec *cosine = b->forcing + COS_TAU * b->stride, *sine = b->forcing + SIN_TAU * b->stride;
+    const block at = *b; // of one's own, so that what is written cannot be a part of it
+    const vec *cosine = at.forcing + COS_TAU * at.stride, *sine = at.forcing + SIN_TAU * at.stride;
+    for (size_t s = 0; s < station_count; s++) {
+        const vec *number = at.numbers + s * STATION_NUMBERS * at.stride;
+        const size_t row = 2 * s * at.stride;
+        for (size_t k = 0; k < at.vectors; k++)
+            station_kernel(cosine[k], sine[k], at.stride, number + k, at.v + row + k, at.a + row + k);
+    }
+}
+
+/// What they make of disturbances.
+static void pass_station_tangents(const block *b, size_t station_count) {
     for (size_t s = 0; s < station_count; s++)
         for (size_t k = 0; k < b->vectors; k++) {
-            const vec *own = b->number + s * STATION_NUMBERS * b->stride + k;
+            const vec *own = b->numbers + s * STATION_NUMBERS * b->stride + k;
             size_t at = 2 * s * b->stride + k;
-            station_kernel(cosine[k], sine[k], b->stride, own, b->v + at, b->a + at);
             for (size_t n = 0; n < b->disturbances; n++) {
                 at += b->next_v;
                 station_tangent(b->stride, own, b->v + at, b->a + at);
@@ -60,7 +70,7 @@ static const vec *column_of(const linear_term *term, const block *b, size_t n) {
 static void pass_terms(const whirl_rotor *rotor, const block *b) {
     for (size_t i = 0; i < rotor->term_count; i++) {
         const linear_term *term = &rotor->terms[i];
-        const vec *number = b->number + i * b->stride;
+        const vec *number = b->numbers + (rotor->plane_count * STATION_NUMBERS + i) * b->stride;
         for (size_t n = 0; n <= b->disturbances; n++) {
             const vec *column = column_of(term, b, n);
             vec *a = b->a + n * b->next_v + term->row * b->stride;
@@ -83,68 +93,41 @@ static void clear(const whirl_rotor *rotor, const block *b) {
             for (size_t k = 0; k < b->vectors; k++) b->a[n * b->next_v + d * b->stride + k] = v_set(0.0);
 }
 
-/// The block of the first element; next_element goes on.
-static block first_element(const whirl_rotor *rotor, const lanes_view *view) {
-    block b = block_of(view);
-    b.number += (rotor->plane_count * STATION_NUMBERS + rotor->term_count) * b.stride;
-    return b;
-}
-
-static size_t switches_of(const element *own) {
-    return own->type->switch_count ? own->type->switch_count(own) : 0;
-}
-
-static void next_element(const element *own, block *b) {
-    b->number += own->type->number_count * b->stride;
-    if (b->sides) b->sides += switches_of(own) * b->stride;
-}
-
 static const element_kernels *kernels_of(const element *own) {
     return own->type->kernels[VECTOR_ISA];
 }
 
 void ISA(machine_flow)(const lanes_view *view) {
     const whirl_rotor *rotor = view->model;
-    block b = block_of(view);
+    const block b = block_of(view);
     if (rotor->lanes.pair && b.stride == 1 && !wants_tangent(&b)) {
-        pair_alone(rotor->lanes.pair, 1, b.number, b.forcing, false, b.sides, b.q, b.v, b.a);
+        pair_alone(rotor->lanes.pair, 1, b.numbers, b.forcing, false, b.sides, b.q, b.v, b.a);
         return;
     }
     clear(rotor, &b);
     pass_stations(&b, rotor->plane_count);
-    b.number += rotor->plane_count * STATION_NUMBERS * b.stride;
+    if (wants_tangent(&b)) pass_station_tangents(&b, rotor->plane_count);
     pass_terms(rotor, &b);
-    b = first_element(rotor, view);
-    for (const element *own = rotor->elements; own < rotor->elements + rotor->element_count; own++) {
-        kernels_of(own)->flow(own, &b);
-        next_element(own, &b);
-    }
+    for (const element *own = rotor->elements; own < rotor->elements + rotor->element_count; own += own->run)
+        kernels_of(own)->flow(own, own->run, &b);
 }
 
 void ISA(machine_switches)(const lanes_view *view, void *values, void *rates) {
     const whirl_rotor *rotor = view->model;
-    block b = first_element(rotor, view);
-    vec *value = values, *rate = rates;
+    const block b = block_of(view);
     for (const element *own = rotor->elements; own < rotor->elements + rotor->element_count; own++) {
-        if (kernels_of(own)->switches) {
-            kernels_of(own)->switches(own, &b, value, rate);
-            value += switches_of(own) * b.stride;
-            if (rate) rate += switches_of(own) * b.stride;
-        }
-        next_element(own, &b);
+        const size_t row = own->first_switch * b.stride;
+        if (kernels_of(own)->switches)
+            kernels_of(own)->switches(own, &b, (vec *)values + row, rates ? (vec *)rates + row : NULL);
     }
 }
 
 void ISA(machine_contacts)(const lanes_view *view, void *normal_force) {
     const whirl_rotor *rotor = view->model;
-    block b = first_element(rotor, view);
-    vec *out = normal_force;
-    for (const element *own = rotor->elements; own < rotor->elements + rotor->element_count; own++) {
-        if (kernels_of(own)->contact) {
-            kernels_of(own)->contact(own, &b, out);
-            out += b.stride;
-        }
-        next_element(own, &b);
+    const block b = block_of(view);
+    for (size_t c = 0; c < rotor->contact_count; c++) {
+        const element *own = &rotor->elements[rotor->contacts[c]];
+        kernels_of(own)->contact(own, &b, (vec *)normal_force + c * b.stride);
     }
 }
 
