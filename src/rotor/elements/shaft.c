@@ -3,14 +3,29 @@
 #include "registry.h"
 #include "shaft_kernel.h"
 
+/// All vectors of one shaft.
+VECTOR_INLINE void add_shaft(int law, int grounded, const block *b, const vec *number, shaft_end here,
+                             shaft_end there) {
+    const size_t stride = b->stride, vectors = b->vectors;
+    const vec *cosine = b->forcing + COS_2TAU * stride, *sine = b->forcing + SIN_2TAU * stride;
+    for (size_t k = 0; k < vectors; k++) shaft_add(law, grounded, cosine[k], sine[k], stride, k, number, &here, &there);
+}
+
 /// Of a state or a disturbance.
 static void add(const element *first, size_t count, const block *b, const vec *q, vec *a) {
-    const size_t stride = b->stride, vectors = b->vectors;
-    const vec *cosine = b->forcing + COS_2TAU * stride, *sine = b->forcing + SIN_2TAU * stride, *numbers = b->numbers;
-    for (size_t i = 0; i < count; i++) {
-        const element own = first[i];
-        const vec *number = numbers + own.first_number * stride;
-        for (size_t k = 0; k < vectors; k++) shaft_kernel(&own, cosine[k], sine[k], stride, number + k, q + k, a + k);
+    const block at = *b;
+    for (const element *own = first; own < first + count; own++) {
+        const int grounded = own->port[2] == NO_COORDINATE;
+        const size_t x = own->port[0] * at.stride, other = grounded ? x : own->port[2] * at.stride;
+        const shaft_end here = {q + x, a + x}, there = {q + other, a + other};
+        const vec *number = numbers_of(&at, own);
+        // Each of these loops has no choice in it.
+        if (grounded)
+            add_shaft(own->law, true, &at, number, here, there);
+        else if (own->law == SHAFT_SIGNS_PAPER)
+            add_shaft(SHAFT_SIGNS_PAPER, false, &at, number, here, there);
+        else
+            add_shaft(SHAFT_SIGNS_DERIVED, false, &at, number, here, there);
     }
 }
 

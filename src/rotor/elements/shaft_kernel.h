@@ -19,30 +19,38 @@
 enum { SHAFT_MEAN_A, SHAFT_HALF_A, SHAFT_MEAN_B, SHAFT_HALF_B, SHAFT_NUMBERS };
 enum { SHAFT_SIGNS_DERIVED, SHAFT_SIGNS_PAPER };
 
-/// c and s: cos 2tau, sin 2tau. Linear, so that it takes disturbances too.
-static inline void shaft_kernel(const element *shaft, vec c, vec s, size_t stride, const vec *number, const vec *q,
-                                vec *a) {
-    const size_t x = shaft->port[0] * stride, y = shaft->port[1] * stride;
-    const size_t other_x = shaft->port[2] * stride, other_y = shaft->port[3] * stride;
-    const int grounded = shaft->port[2] == NO_COORDINATE;
-    const vec dx = grounded ? q[x] : v_sub(q[x], q[other_x]);
-    const vec dy = grounded ? q[y] : v_sub(q[y], q[other_y]);
+/// One end: the rows of its displacements and accelerations along x; those along y follow a stride later.
+typedef struct shaft_end {
+    const vec *q;
+    vec *a;
+} shaft_end;
+
+/// Vector k; c and s: cos 2tau, sin 2tau. Linear, so that it takes disturbances too.
+VECTOR_INLINE void shaft_add(int law, int grounded, vec c, vec s, size_t stride, size_t k, const vec *number,
+                             const shaft_end *here, const shaft_end *there) {
+    const size_t y = stride + k;
+    const vec dx = grounded ? here->q[k] : v_sub(here->q[k], there->q[k]);
+    const vec dy = grounded ? here->q[y] : v_sub(here->q[y], there->q[y]);
     // The force over its scale is -(mean (dx, dy) + half (turn_x, turn_y)).
     const vec turn_x = v_fma(c, dx, v_mul(s, dy));
     const vec across = v_mul(s, dx);
-    const vec turn_y = shaft->law == SHAFT_SIGNS_PAPER ? v_fma(c, dy, across) : v_fnma(c, dy, across);
-    const vec mean = number[SHAFT_MEAN_A * stride], half = number[SHAFT_HALF_A * stride];
-    const vec ax = v_fnma(mean, dx, v_fnma(half, turn_x, a[x]));
-    const vec ay = v_fnma(mean, dy, v_fnma(half, turn_y, a[y]));
-    if (!grounded) {
-        const vec mean_b = number[SHAFT_MEAN_B * stride], half_b = number[SHAFT_HALF_B * stride];
-        const vec bx = v_fma(mean_b, dx, v_fma(half_b, turn_x, a[other_x]));
-        const vec by = v_fma(mean_b, dy, v_fma(half_b, turn_y, a[other_y]));
-        a[other_x] = bx;
-        a[other_y] = by;
-    }
-    a[x] = ax;
-    a[y] = ay;
+    const vec turn_y = law == SHAFT_SIGNS_PAPER ? v_fma(c, dy, across) : v_fnma(c, dy, across);
+    const vec mean = number[SHAFT_MEAN_A * stride + k], half = number[SHAFT_HALF_A * stride + k];
+    here->a[k] = v_fnma(mean, dx, v_fnma(half, turn_x, here->a[k]));
+    here->a[y] = v_fnma(mean, dy, v_fnma(half, turn_y, here->a[y]));
+    if (grounded) return;
+    const vec mean_b = number[SHAFT_MEAN_B * stride + k], half_b = number[SHAFT_HALF_B * stride + k];
+    there->a[k] = v_fma(mean_b, dx, v_fma(half_b, turn_x, there->a[k]));
+    there->a[y] = v_fma(mean_b, dy, v_fma(half_b, turn_y, there->a[y]));
+}
+
+/// The first vector.
+VECTOR_INLINE void shaft_kernel(const element *shaft, vec c, vec s, size_t stride, const vec *number, const vec *q,
+                                vec *a) {
+    const int grounded = shaft->port[2] == NO_COORDINATE;
+    const size_t x = shaft->port[0] * stride, other = grounded ? x : shaft->port[2] * stride;
+    shaft_add(shaft->law, grounded, c, s, stride, 0, number, &(shaft_end){q + x, a + x},
+              &(shaft_end){q + other, a + other});
 }
 
 #endif
