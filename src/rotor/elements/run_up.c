@@ -1,0 +1,62 @@
+// An unbalance while the speed runs up or down evenly, for designs of the library. Speed and angle are states; the
+// rotor's own speed is but the unit of time.
+#define KERNEL_FILE "elements/run_up_kernel.h"
+#define KERNEL_AXES 2
+#define KERNEL_STATES 2
+#define KERNEL_NUMBERS RUN_UP_NUMBERS
+#define KERNEL_SWITCHES 0
+
+/// U omega^2 in newtons; the speed at t = 0 over the rotor's; the acceleration over its square; the angle at t = 0.
+enum { RUN_UP_SIZE, RUN_UP_SPEED, RUN_UP_ACCELERATION, RUN_UP_ANGLE, RUN_UP_NUMBERS };
+
+#include "generic.h"
+#include "registry.h"
+
+const element_kernels ISA(run_up_kernels) = GENERIC_KERNELS;
+
+#if VECTOR_ISA == VECTOR_SCALAR
+#include "whirl/rotor.h"
+
+enum { AT, MOMENT, ANGLE, SPEED, ACCELERATION, KEY_COUNT };
+
+static const whirl_key keys[KEY_COUNT] = {
+    [AT] = {"at", "", "", WHIRL_KEY_STATION, true, "", WHIRL_ANY, NULL, "station that carries it", ""},
+    [MOMENT] = {"moment", "U", "kg m", WHIRL_KEY_NUMBER, true, "", WHIRL_NOT_NEGATIVE, NULL,
+                "unbalance: mass times distance from the shaft's centre", "ISO 21940-1"},
+    [ANGLE] = {"angle", "beta", "rad", WHIRL_KEY_NUMBER, false, "0", WHIRL_ANY, NULL,
+               "where it lies at t = 0, from the x axis towards y", ""},
+    [SPEED] = {"speed", "", "rad/s", WHIRL_KEY_NUMBER, false, "0", WHIRL_ANY, NULL, "at t = 0", ""},
+    [ACCELERATION] = {"acceleration", "alpha", "rad/s2", WHIRL_KEY_NUMBER, true, "", WHIRL_ANY, NULL,
+                      "of the rotation; against the speed for a run-down", "Lewis 1932"},
+};
+
+static whirl_status build(const key_value *values, assembly *to, element *out) {
+    const assembly_station *at = &to->stations[values[AT].station[0]];
+    out->station = values[AT].station[0];
+    out->port[0] = at->coordinate[AXIS_X];
+    out->port[1] = at->coordinate[AXIS_Y];
+    out->number[RUN_UP_SIZE] = values[MOMENT].number * to->speed * to->speed;
+    out->number[RUN_UP_SPEED] = values[SPEED].number / to->speed;
+    out->number[RUN_UP_ACCELERATION] = values[ACCELERATION].number / (to->speed * to->speed);
+    out->number[RUN_UP_ANGLE] = values[ANGLE].number;
+    generic_scale(out, to, 1.0);
+    return whirl_ok();
+}
+
+FOR_EVERY_ISA(const element_kernels, run_up_kernels);
+static const element_kernels *const kernels[VECTOR_ISAS] = EVERY_ISA(&, run_up_kernels);
+
+static const element_type run_up_element = {
+    .group = {"run_up", "an unbalance while the speed runs up or down evenly", "Lewis 1932", keys, KEY_COUNT, NULL,
+              NULL},
+    .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
+    .state_count = KERNEL_STATES,
+    .turning = 1,
+    .kernels = kernels,
+    .build = build,
+};
+
+const whirl_element_type *whirl_run_up_type(void) {
+    return &run_up_element;
+}
+#endif
