@@ -23,6 +23,7 @@ void assembly_clear(assembly *to) {
     free(to->inertia);
     free(to->unit);
     free(to->terms);
+    free(to->masses);
 }
 
 // ---------------------------------------------------------------- coordinates
@@ -112,17 +113,21 @@ double assembly_force_scale(const assembly *of, size_t coordinate) {
     return of->inertia[coordinate] * of->speed * of->speed * of->unit[coordinate];
 }
 
+/// The list [count] of items of `size` bytes with room for one more; NULL without memory, which is noted.
+static void *room_for_one(assembly *to, void *list, size_t count, size_t *room, size_t size) {
+    if (count < *room) return list;
+    void *longer = realloc(list, (2 * count + 64) * size);
+    if (longer)
+        *room = 2 * count + 64;
+    else
+        to->no_memory = true;
+    return longer;
+}
+
 static void add_term(assembly *to, linear_term term) {
-    if (to->term_count == to->term_room) {
-        const size_t room = 2 * to->term_room + 64;
-        linear_term *terms = realloc(to->terms, room * sizeof *terms);
-        if (!terms) {
-            to->no_memory = true;
-            return;
-        }
-        to->terms = terms;
-        to->term_room = room;
-    }
+    linear_term *terms = room_for_one(to, to->terms, to->term_count, &to->term_room, sizeof term);
+    if (!terms) return;
+    to->terms = terms;
     to->terms[to->term_count++] = term;
 }
 
@@ -150,6 +155,20 @@ void assembly_damper(assembly *to, size_t one, size_t other, double damping) {
     assembly_damping(to, one, other, -damping);
     assembly_damping(to, other, one, -damping);
     assembly_damping(to, other, other, damping);
+}
+
+void assembly_inertance(assembly *to, size_t row, size_t by, double mass) {
+    if (row == NO_COORDINATE || by == NO_COORDINATE || mass == 0.0) return;
+    mass_term *masses = room_for_one(to, to->masses, to->mass_count, &to->mass_room, sizeof *masses);
+    if (!masses) return;
+    to->masses = masses;
+    to->masses[to->mass_count++] = (mass_term){row, by, mass};
+}
+
+void assembly_inerter(assembly *to, size_t one, size_t other, double mass) {
+    assembly_inertance(to, one, one, mass);
+    assembly_inertance(to, one, other, -mass);
+    assembly_inertance(to, other, other, mass);
 }
 
 void assembly_forcing(assembly *to, size_t row, size_t value, double force) {

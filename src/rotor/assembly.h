@@ -22,6 +22,8 @@
 #define assembly_damping whirl_assembly_damping
 #define assembly_spring whirl_assembly_spring
 #define assembly_damper whirl_assembly_damper
+#define assembly_inertance whirl_assembly_inertance
+#define assembly_inerter whirl_assembly_inerter
 #define assembly_forcing whirl_assembly_forcing
 #define assembly_turning whirl_assembly_turning
 #define assembly_gyroscopic whirl_assembly_gyroscopic
@@ -50,6 +52,12 @@ typedef struct linear_term {
     double number;
 } linear_term;
 
+/// What the acceleration of one coordinate takes of the force on another, beside their own inertia: kg, kg m or kg m2.
+typedef struct mass_term {
+    size_t row, by;
+    double mass;
+} mass_term;
+
 typedef struct assembly_station {
     const char *name;
     double mass, diametral, polar; ///< kg, kg m2; a station with a diametral inertia tilts
@@ -68,6 +76,8 @@ typedef struct assembly {
     double *inertia, *unit; ///< [degrees] kg or kg m2; m or rad of one unit
     size_t term_count, term_room;
     linear_term *terms;
+    size_t mass_count, mass_room;
+    mass_term *masses;
     bool no_memory; ///< a term was lost
 } assembly;
 
@@ -102,6 +112,14 @@ void assembly_damping(assembly *to, size_t row, size_t by, double damping);
 /// The same for a spring or damper between two coordinates, one of them perhaps NO_COORDINATE, the ground.
 void assembly_spring(assembly *to, size_t one, size_t other, double stiffness);
 void assembly_damper(assembly *to, size_t one, size_t other, double damping);
+
+/// Adds -mass times the acceleration of the coordinate `by` to the force on `row`, and, where these are two, the other
+/// way round: an entry of the mass matrix. In kg, or with tilts kg m, kg m2. Nothing where one is NO_COORDINATE.
+void assembly_inertance(assembly *to, size_t row, size_t by, double mass);
+
+/// The same for a mass that resists the acceleration of one coordinate from another (an inerter: Smith 2002), one of
+/// them perhaps NO_COORDINATE, the ground.
+void assembly_inerter(assembly *to, size_t one, size_t other, double mass);
 
 /// Adds a force (N or N m) times a value of time to the coordinate.
 void assembly_forcing(assembly *to, size_t row, size_t value, double force);

@@ -4,6 +4,7 @@
 #ifndef ROTOR_BLOCK_H
 #define ROTOR_BLOCK_H
 
+#include "coupling.h"
 #include "element.h"
 #include "vector.h"
 
@@ -13,9 +14,10 @@ typedef struct block {
     size_t next, next_v; ///< vectors from the positions of one state or disturbance to the next, and of the rest
     size_t forcing_count;
     const vec *forcing, *q, *v;
-    vec *a, *divergence; ///< divergence: NULL where it is not wanted
-    const vec *numbers;  ///< of the machine
-    const vec *sides;    ///< of its switches; NULL: the state decides
+    vec *a, *divergence;     ///< divergence: NULL where it is not wanted
+    const vec *numbers;      ///< of the machine
+    const vec *sides;        ///< of its switches; NULL: the state decides
+    const coupling *coupled; ///< by masses; NULL where none are
 } block;
 
 /// Those of an element, of the first vector.
@@ -28,6 +30,13 @@ static inline const vec *sides_of(const block *b, const element *own) {
 
 static inline int wants_tangent(const block *b) {
     return b->disturbances > 0 || b->divergence;
+}
+
+/// What a derivative, of the acceleration that forces give the coordinate `row` alone by the velocity of `by`, is of
+/// the trace.
+static inline vec of_trace(const block *b, size_t row, size_t by, vec derivative) {
+    if (b->coupled) return v_mul(v_set(coupling_share(b->coupled, by, row)), derivative);
+    return row == by ? derivative : v_set(0.0);
 }
 
 #endif

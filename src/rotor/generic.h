@@ -111,8 +111,14 @@ VECTOR_INLINE vec trace_of(const element *own, const block *b, size_t k, const d
     vec trace = v_set(0.0);
     for (size_t port = 0; port < KERNEL_PORTS; port++) {
         const vec scale = numbers_of(b, own)[(KERNEL_NUMBERS + port) * b->stride + k];
-        if (own->port[port] != NO_COORDINATE)
-            trace = v_fma(scale, force[port % KERNEL_AXES].by[KERNEL_AXES + port % KERNEL_AXES], trace);
+        const size_t first = b->coupled ? 0 : port, last = b->coupled ? KERNEL_PORTS - 1 : port;
+        for (size_t by = first; by <= last; by++) {
+            if (own->port[port] == NO_COORDINATE || own->port[by] == NO_COORDINATE) continue;
+            const vec derivative = force[port % KERNEL_AXES].by[KERNEL_AXES + by % KERNEL_AXES];
+            const vec part = of_trace(b, own->port[port], own->port[by], scale);
+            const bool same_place = port / KERNEL_AXES == by / KERNEL_AXES;
+            trace = same_place ? v_fma(part, derivative, trace) : v_fnma(part, derivative, trace);
+        }
     }
     for (int s = 0; s < KERNEL_STATES; s++) trace = v_add(trace, slope[s].by[2 * KERNEL_AXES + s]);
     return trace;

@@ -2,6 +2,7 @@
 #ifndef ROTOR_MACHINE_H
 #define ROTOR_MACHINE_H
 
+#include "coupling.h"
 #include "element.h"
 #include "lanes.h"
 #include "pair.h"
@@ -15,6 +16,7 @@ struct whirl_rotor {
     size_t station_count, plane_count; ///< stations, and those that move in x and y
     size_t term_count, element_count, contact_count;
     linear_term *terms;
+    coupling coupled;  ///< by masses; the same in all machines of a block
     element *elements; ///< [element_count] those that have kernels, in the registry's order
     double *numbers;   ///< [plane_count][STATION_NUMBERS], those of the terms, then those of the elements
     whirl_probe *probes;

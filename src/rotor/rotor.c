@@ -28,6 +28,12 @@ static bool terms_alike(const linear_term *x, const linear_term *y) {
     return x->row == y->row && x->source == y->source && x->column == y->column;
 }
 
+static bool couplings_alike(const coupling *x, const coupling *y) {
+    const size_t n = x->count;
+    return y->count == n && memcmp(x->row, y->row, n * sizeof *x->row) == 0 &&
+           memcmp(x->share, y->share, n * n * sizeof *x->share) == 0;
+}
+
 static bool lane_alike(const void *one, const void *other) {
     const whirl_rotor *a = one, *b = other;
     if (a->station_count != b->station_count || a->lanes.degrees != b->lanes.degrees ||
@@ -39,7 +45,7 @@ static bool lane_alike(const void *one, const void *other) {
         if (!elements_alike(&a->elements[i], &b->elements[i])) return false;
     for (size_t i = 0; i < a->term_count; i++)
         if (!terms_alike(&a->terms[i], &b->terms[i])) return false;
-    return true;
+    return couplings_alike(&a->coupled, &b->coupled);
 }
 
 static void lane_contact(const void *model, size_t index, size_t *probe, double *gap) {
@@ -146,9 +152,9 @@ static bool is_pair(const building *b, bool reversed) {
     const element *e = b->elements;
     const size_t disc = reversed ? 2 : 0, journal = 2 - disc;
     return b->assembly.station_count == 2 && b->assembly.degrees == PAIR_DEGREES && b->assembly.plane_count == 2 &&
-           b->assembly.term_count == 0 && b->element_count == PAIR_ELEMENTS && e[PAIR_SHAFT].type == &shaft_element &&
-           e[PAIR_SHAFT].port[2] == 2 && e[PAIR_FILM].type == &film_element && e[PAIR_FILM].port[0] == journal &&
-           e[PAIR_RUB].type == &rub_element && e[PAIR_RUB].port[0] == disc;
+           b->assembly.term_count == 0 && b->assembly.mass_count == 0 && b->element_count == PAIR_ELEMENTS &&
+           e[PAIR_SHAFT].type == &shaft_element && e[PAIR_SHAFT].port[2] == 2 && e[PAIR_FILM].type == &film_element &&
+           e[PAIR_FILM].port[0] == journal && e[PAIR_RUB].type == &rub_element && e[PAIR_RUB].port[0] == disc;
 }
 
 // ---------------------------------------------------------------- the finished rotor
@@ -177,6 +183,7 @@ static size_t count_contacts(const building *b) {
 /// Lays the parts of a rotor out in a block and gives the block's size.
 static size_t lay_out(whirl_rotor *rotor, char *block, const building *b) {
     const size_t stations = b->assembly.station_count, contacts = count_contacts(b);
+    const size_t coupled = coupling_count(&b->assembly);
     size_t used = aligned(sizeof *rotor);
     void *const parts[] = {cut(block, &used, b->element_count * sizeof *rotor->elements),
                            cut(block, &used, total_numbers(b) * sizeof *rotor->numbers),
@@ -186,7 +193,10 @@ static size_t lay_out(whirl_rotor *rotor, char *block, const building *b) {
                            cut(block, &used, (2 * b->assembly.degrees + b->state_count) * sizeof *rotor->turns),
                            cut(block, &used, contacts * sizeof *rotor->contacts),
                            cut(block, &used, contacts * sizeof *rotor->contact_text),
-                           cut(block, &used, contacts * sizeof *rotor->contact_names)};
+                           cut(block, &used, contacts * sizeof *rotor->contact_names),
+                           cut(block, &used, coupled * sizeof *rotor->coupled.row),
+                           cut(block, &used, (coupled ? b->assembly.degrees : 0) * sizeof *rotor->coupled.place),
+                           cut(block, &used, coupled * coupled * sizeof *rotor->coupled.share)};
     if (!rotor) return used;
     rotor->elements = parts[0];
     rotor->numbers = parts[1];
@@ -197,6 +207,9 @@ static size_t lay_out(whirl_rotor *rotor, char *block, const building *b) {
     rotor->contacts = parts[6];
     rotor->contact_text = parts[7];
     rotor->contact_names = parts[8];
+    rotor->coupled.row = parts[9];
+    rotor->coupled.place = parts[10];
+    rotor->coupled.share = parts[11];
     return used;
 }
 
@@ -364,9 +377,10 @@ whirl_status whirl_rotor_new(const whirl_design *design, whirl_rotor **out) {
         status = assemble(&b, design, journal_first);
     }
     whirl_rotor *rotor = status.code == WHIRL_OK ? finish(&b) : NULL;
-    end(&b);
     if (status.code == WHIRL_OK && !rotor)
         status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a rotor of %zu stations", design->station_count);
+    if (status.code == WHIRL_OK) status = coupling_fill(&rotor->coupled, &b.assembly);
+    end(&b);
     if (status.code == WHIRL_OK) status = check(rotor);
     if (status.code == WHIRL_OK)
         *out = rotor;

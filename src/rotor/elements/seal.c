@@ -29,7 +29,7 @@ enum { AT, FROM, CLEARANCE, STIFFNESS, DAMPING, MASS, RATIO, GROWTH, SLOWING, KE
 static const whirl_key keys[KEY_COUNT] = {
     [AT] = {"at", "", "", WHIRL_KEY_STATION, true, "", WHIRL_ANY, NULL, "station in the seal", ""},
     [FROM] = {"from", "", "", WHIRL_KEY_STATION, false, "", WHIRL_ANY, NULL,
-              "station of its housing, of a seal without fluid mass; the ground where absent", ""},
+              "station of its housing; the ground where absent", ""},
     [CLEARANCE] = {"clearance", "c", "m", WHIRL_KEY_NUMBER, true, "", WHIRL_POSITIVE, NULL, "radial clearance", ""},
     [STIFFNESS] = {"stiffness", "K_0", "N/m", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL,
                    "stiffness in the middle", ""},
@@ -48,18 +48,16 @@ static const whirl_key keys[KEY_COUNT] = {
 };
 
 static whirl_status inertia(const key_value *values, assembly *to) {
-    to->stations[values[AT].station[0]].fluid += values[MASS].number;
+    if (!values[FROM].given) to->stations[values[AT].station[0]].fluid += values[MASS].number;
     return whirl_ok();
 }
 
 static whirl_status build(const key_value *values, assembly *to, element *out) {
     const double clearance = values[CLEARANCE].number / to->length;
-    if (values[FROM].given && values[MASS].number > 0.0)
-        return whirl_fail(WHIRL_BAD_INPUT,
-                          "has a fluid mass in a housing that moves, whose inertia would couple both stations, "
-                          "expected no mass, or no from");
     const whirl_status status = element_in_housing(&values[AT], &values[FROM], to, out);
     if (status.code != WHIRL_OK) return status;
+    for (size_t a = 0; a < KERNEL_AXES && values[FROM].given; a++)
+        assembly_inerter(to, out->port[a], out->port[KERNEL_AXES + a], values[MASS].number);
     out->number[SEAL_STIFFNESS] = values[STIFFNESS].number * to->length;
     out->number[SEAL_DAMPING] = values[DAMPING].number * to->speed * to->length;
     out->number[SEAL_MASS] = values[MASS].number * to->speed * to->speed * to->length;

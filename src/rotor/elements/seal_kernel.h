@@ -4,7 +4,8 @@
 //     -(K d + D (w - i lambda d) - m_f (2 i lambda w + lambda^2 d)),
 //
 // K = K_0 (1 - e^2)^-n, D = D_0 (1 - e^2)^-n, lambda = lambda_0 (1 - e)^b, e = |d|/c. m_f w' is the station's, by its
-// inertia. At the wall and beyond powers are not a number, and the motion counts as diverged.
+// inertia, or in a housing that moves an inerter between both. At the wall and beyond powers are not a number, and the
+// motion counts as diverged.
 
 static inline void KERNEL(force)(const element *own, const kernel_view *view, const num *d, const num *w, const num *s,
                                  num *force, num *slope) {

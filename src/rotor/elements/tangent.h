@@ -20,7 +20,13 @@ static inline void tangent_apply(const tangent_block *tangent, const element *ow
             a[y] = v_fma(tangent->y[i], disturbance[i], a[y]);
         }
     }
-    if (b->divergence) b->divergence[k] = v_add(b->divergence[k], v_add(tangent->x[2], tangent->y[3]));
+    if (!b->divergence) return;
+    vec trace = v_add(of_trace(b, own->port[0], own->port[0], tangent->x[2]),
+                      of_trace(b, own->port[1], own->port[1], tangent->y[3]));
+    if (b->coupled)
+        trace = v_add(trace, v_add(of_trace(b, own->port[0], own->port[1], tangent->x[3]),
+                                   of_trace(b, own->port[1], own->port[0], tangent->y[2])));
+    b->divergence[k] = v_add(b->divergence[k], trace);
 }
 
 #endif

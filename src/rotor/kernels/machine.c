@@ -22,7 +22,8 @@ static block block_of(const lanes_view *view) {
                    .a = view->a,
                    .divergence = view->divergence,
                    .numbers = view->numbers,
-                   .sides = view->sides};
+                   .sides = view->sides,
+                   .coupled = rotor->coupled.count > 0 ? &rotor->coupled : NULL};
 }
 
 /// The stations that move in x and y, which come first.
@@ -47,8 +48,9 @@ static void pass_station_tangents(const block *b, size_t station_count) {
                 at += b->next_v;
                 station_tangent(b->stride, own, b->v + at, b->a + at);
             }
-            if (b->divergence)
-                b->divergence[k] = v_fnma(v_set(2.0), own[STATION_DAMPING * b->stride], b->divergence[k]);
+            const vec part =
+                v_add(of_trace(b, 2 * s, 2 * s, v_set(1.0)), of_trace(b, 2 * s + 1, 2 * s + 1, v_set(1.0)));
+            if (b->divergence) b->divergence[k] = v_fnma(part, own[STATION_DAMPING * b->stride], b->divergence[k]);
         }
 }
 
@@ -79,8 +81,9 @@ static void pass_terms(const whirl_rotor *rotor, const block *b) {
             else if (n == 0)
                 for (size_t k = 0; k < b->vectors; k++) a[k] = v_add(number[k], a[k]);
         }
-        if (b->divergence && term->source == SOURCE_VELOCITY && term->column == term->row)
-            for (size_t k = 0; k < b->vectors; k++) b->divergence[k] = v_add(b->divergence[k], number[k]);
+        if (b->divergence && term->source == SOURCE_VELOCITY)
+            for (size_t k = 0; k < b->vectors; k++)
+                b->divergence[k] = v_add(b->divergence[k], of_trace(b, term->row, term->column, number[k]));
     }
 }
 
@@ -91,6 +94,24 @@ static void clear(const whirl_rotor *rotor, const block *b) {
     for (size_t n = 0; n <= b->disturbances; n++)
         for (size_t d = first; d < rotor->lanes.degrees; d++)
             for (size_t k = 0; k < b->vectors; k++) b->a[n * b->next_v + d * b->stride + k] = v_set(0.0);
+}
+
+/// Where masses couple, what was gathered is the force on each coordinate by its own inertia: accelerations a = C g.
+static void couple(const block *b) {
+    const coupling *by = b->coupled;
+    vec g[AXES * WHIRL_MAX_STATIONS];
+    const size_t count = by->count;
+    for (size_t n = 0; n <= b->disturbances; n++)
+        for (size_t k = 0; k < b->vectors; k++) {
+            vec *a = b->a + n * b->next_v + k;
+            for (size_t j = 0; j < count; j++) g[j] = a[by->row[j] * b->stride];
+            for (size_t i = 0; i < count; i++) {
+                const double *share = by->share + i * count;
+                vec sum = v_mul(v_set(share[0]), g[0]);
+                for (size_t j = 1; j < count; j++) sum = v_fma(v_set(share[j]), g[j], sum);
+                a[by->row[i] * b->stride] = sum;
+            }
+        }
 }
 
 static const element_kernels *kernels_of(const element *own) {
@@ -110,6 +131,7 @@ void ISA(machine_flow)(const lanes_view *view) {
     pass_terms(rotor, &b);
     for (const element *own = rotor->elements; own < rotor->elements + rotor->element_count; own += own->run)
         kernels_of(own)->flow(own, own->run, &b);
+    if (b.coupled) couple(&b);
 }
 
 void ISA(machine_switches)(const lanes_view *view, void *values, void *rates) {

@@ -200,27 +200,6 @@ static void test_contradictions(void **state) {
     }
 }
 
-/// Its inertia would couple both stations; without one the housing may move.
-static void test_fluid_in_a_moving_housing(void **state) {
-    const whirl_setting seal[] = {{"at", 0, "disc"},    {"from", 0, "housing"}, {"clearance", 1e-3, NULL},
-                                  {"ratio", 0.5, NULL}, {"damping", 1, NULL},   {"mass", 0.1, NULL}};
-    (void)state;
-    for (int with_mass = 0; with_mass < 2; with_mass++) {
-        whirl_design *design = design_with_disc();
-        whirl_rotor *rotor;
-        const whirl_setting housing = {"mass", 1, NULL};
-        assert_int_equal(whirl_design_station(design, "housing", &housing, 1).code, WHIRL_OK);
-        assert_int_equal(whirl_design_element(design, "seal", seal, with_mass ? 6 : 5).code, WHIRL_OK);
-        const whirl_status status = whirl_rotor_new(design, &rotor);
-        if (with_mass)
-            refused(status, "fluid mass in a housing that moves");
-        else
-            assert_int_equal(status.code, WHIRL_OK);
-        whirl_rotor_free(rotor);
-        whirl_design_free(design);
-    }
-}
-
 static void test_nothing_is_no_rotor(void **state) {
     whirl_design *design;
     whirl_rotor *rotor;
@@ -259,7 +238,6 @@ int main(void) {
         cmocka_unit_test(test_inertia),
         cmocka_unit_test(test_elements),
         cmocka_unit_test(test_contradictions),
-        cmocka_unit_test(test_fluid_in_a_moving_housing),
         cmocka_unit_test(test_own_types),
         cmocka_unit_test(test_own_types_too_large),
         cmocka_unit_test(test_nothing_is_no_rotor),
