@@ -41,8 +41,18 @@ for folder in src/*/; do
     done < <(grep -roE '#include "[^/"]+"' "$folder" | sed -E 's,#include "([^"]*)",\1,')
     while IFS=: read -r file header; do
         [ -e "$folder$(basename "$(dirname "$file")")/$header" ] && [[ $header != ../../* ]] && continue
-        [ "$layer $header" = "integrate ../../rotor/pair_kernel.h" ] || fail "$file includes $header of another layer"
+        [ "$layer $header" = "integrate ../../rotor/instances.h" ] || fail "$file includes $header of another layer"
     done < <(grep -roE '#include "\.\./[^"]+"' "$folder" | sed -E 's,#include "([^"]*)",\1,')
+done
+
+# ---- integrators know no structure by its name
+
+structures=$(grep -oE '\bX\([a-z_]+, ' src/rotor/instances.h | sed -E 's/X\((.*), /\1/')
+[ -n "$structures" ] || fail "src/rotor/instances.h lists no structure: mend this test"
+for name in $structures; do
+    while read -r line; do
+        [ -n "$line" ] && fail "src/integrate knows the structure $name: $line"
+    done < <(grep -rnwE "${name}_[a-z_]+|${name^^}_[A-Z_]+" src/integrate)
 done
 
 # ---- outside libraries, each in one layer

@@ -36,7 +36,12 @@ typedef void lanes_forcing(const void *model, size_t stride, size_t vectors, con
 /// Writes the normal forces [contact_count] at (q, v), 0 while open, in the model's unit of force.
 typedef void lanes_contacts(const lanes_view *view, void *normal_force);
 
-struct lanes_pair; ///< of rotor/pair.h
+enum { INSTANCE_LAWS = 2 };
+
+/// A structure that integrators have loops of their own for, by its number in rotor/instances.h, and its laws.
+typedef struct lanes_instance {
+    int structure, law[INSTANCE_LAWS];
+} lanes_instance;
 
 /// The state is degrees positions, then their derivatives, then what changes by an equation of first order.
 struct whirl_lanes {
@@ -60,7 +65,7 @@ struct whirl_lanes {
     lanes_switches *const *switches;
     lanes_forcing *const *forcing;
     lanes_contacts *const *contacts;
-    const struct lanes_pair *pair; ///< the structure for which integrators have loops of their own; NULL: another
+    const lanes_instance *instance; ///< the structure for which integrators have loops of their own; NULL: another
 };
 
 #endif

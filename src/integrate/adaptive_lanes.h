@@ -23,7 +23,7 @@
 enum {
     MAX_ATTEMPTS = 1000000, ///< steps tried in a revolution
     MAX_GROUP = 4,          ///< vectors
-    PAIR_STRIDE = 4,        ///< vectors of a group of pairs
+    INSTANCE_STRIDE = 4,    ///< vectors of a group of a structure with loops of its own
     MAX_SLOTS = 64,
     MAX_LANE_ROWS = 16
 };
@@ -67,8 +67,8 @@ typedef struct rodas5p_work {
 /// Arrays are [...][stride vectors] of slots.
 typedef struct adaptive_lanes {
     const struct lanes_method *method;
-    const void *model;             ///< whose structure all lanes have
-    const struct lanes_pair *pair; ///< the laws of the structure of pair_kernel.h; NULL: another, or another group
+    const void *model;              ///< whose structure all lanes have
+    const lanes_instance *instance; ///< that structure has loops of its own for such groups; NULL: not
     lanes_flow *flow;
     lanes_switches *switches;
     lanes_forcing *forcing_at;

@@ -108,7 +108,7 @@ adaptive_lanes *adaptive_lanes_new(const lanes_method *own, const whirl_system *
                                           .contact_count = form->contact_count}};
     if (form->damped) lanes->observe.normal_force = form->contacts[set->number];
     lanes->slots = lanes->stride * set->lanes;
-    lanes->pair = lanes->stride == PAIR_STRIDE ? form->pair : NULL;
+    lanes->instance = lanes->stride == INSTANCE_STRIDE ? form->instance : NULL;
     const size_t bytes = (lay_out(lanes, NULL) * lanes->slots * sizeof(double) + 63) / 64 * 64;
     lanes->block = aligned_alloc(64, bytes);
     lanes->queue = calloc(1, sizeof *lanes->queue);

@@ -110,7 +110,7 @@ static void fill_lanes(whirl_ensemble *e, const whirl_integrate_options *options
     rk4_lanes *lanes = &e->lanes;
     lanes->model = system->model;
     lanes->flow = system->lanes->flow[e->isa->number];
-    lanes->pair = system->lanes->pair;
+    lanes->instance = system->lanes->instance;
     lanes->degrees = system->lanes->degrees;
     lanes->rates = lanes->degrees + system->lanes->states;
     lanes->forcing_count = system->forcing_count;
@@ -140,12 +140,12 @@ static bool attach_location(whirl_ensemble *e, const whirl_integrate_options *op
 }
 
 /// Vectors that hide each other's latency, at most 8, and whose numbers, stages and, where they are at hand all the
-/// time (rk4_pair.inc), what is observed of them still fit into the first cache: 6 of 512 bits for a pair, 2 for ten
-/// stations, 1 for fifty (measured; of 256 bits 8, 4 and 1).
+/// time (rk4_instance.inc), what is observed of them still fit into the first cache: 6 of 512 bits for the disc and
+/// journal, 2 for ten stations, 1 for fifty (measured; of 256 bits 8, 4 and 1).
 static size_t fast_vectors(const whirl_system *system, const isa *set) {
     static const size_t choices[] = {8, 6, 4, 2, 1};
     const size_t first_cache = 40960, degrees = system->lanes->degrees;
-    const size_t observed = system->lanes->pair ? 7 * degrees + 4 * system->lanes->contact_count : 0;
+    const size_t observed = system->lanes->instance ? 7 * degrees + 4 * system->lanes->contact_count : 0;
     const size_t steps = 5 * system->dimension - 3 * degrees; // the state, a stage's, three slopes
     const size_t bytes = (system->lanes->number_count + steps + observed) * set->lanes * sizeof(double);
     size_t i = 0;

@@ -37,10 +37,10 @@ typedef struct lanes_located {
 typedef struct rk4_lanes {
     const void *model; ///< whose structure all lanes have
     lanes_flow *flow;
-    const struct lanes_pair *pair; ///< the laws of that structure; NULL: another
-    size_t stride;                 ///< vectors there are
-    size_t vectors;                ///< vectors in use
-    size_t lane_count;             ///< lanes there are
+    const lanes_instance *instance; ///< that structure has loops of its own; NULL: not
+    size_t stride;                  ///< vectors there are
+    size_t vectors;                 ///< vectors in use
+    size_t lane_count;              ///< lanes there are
     size_t used; ///< lanes in use, the first; those beside them in the last vector are computed and not looked at
     size_t degrees, forcing_count;
     size_t rates; ///< velocities, and states of first order after them

@@ -5,14 +5,13 @@
 #include "coupling.h"
 #include "element.h"
 #include "lanes.h"
-#include "pair.h"
 #include "whirl/rotor.h"
 
 struct whirl_rotor {
     double speed, length;
     whirl_system system;
     whirl_lanes lanes;
-    struct lanes_pair pair;            ///< where it is one
+    lanes_instance instance;           ///< where it is one
     size_t station_count, plane_count; ///< stations, and those that move in x and y
     size_t term_count, element_count, contact_count;
     linear_term *terms;
@@ -34,9 +33,13 @@ struct whirl_rotor {
 /// The most first-order states that the elements of a rotor have together.
 enum { MAX_OWN_STATES = 2 * WHIRL_MAX_ELEMENTS };
 
-/// The elements of the structure of pair_kernel.h: a shaft from station 0 to station 1, a film there, a rub at station
-/// 0.
-enum { PAIR_SHAFT, PAIR_FILM, PAIR_RUB, PAIR_ELEMENTS };
+enum { INSTANCE_STATIONS = 2 }; ///< most of one
+
+/// Of every structure of instances.h: whether a machine is it when its stations' coordinates come in the order told,
+/// and its laws [INSTANCE_LAWS].
+typedef bool instance_find(const assembly *of, const element *elements, size_t count, size_t order[INSTANCE_STATIONS],
+                           int *laws);
+instance_find pair_find;
 
 /// What rotors give to lanes.h: one function of each kind for every instruction set of vector.h (kernels/machine.c).
 FOR_EVERY_ISA(lanes_flow, machine_flow);

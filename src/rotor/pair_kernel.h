@@ -1,6 +1,6 @@
 /// A disc on a shaft to a journal in a film, with a rub at the disc: the rotor of most studies of oil film and rub, the
-/// paper's of 2015 among them. Integrators have loops of their own for it (rk4_pair.inc, dop853_pair.inc), made of
-/// these phases of an acceleration.
+/// paper's of 2015 among them. Integrators have loops of their own for it (instances.h), made of these phases of an
+/// acceleration.
 ///
 /// The same kernels in the same order as kernels/machine.c calls them from its lists, so the same bits; three
 /// vectors are under way at a time, so that the divider never waits.
@@ -14,9 +14,14 @@
 #include "elements/rub_kernel.h"
 #include "elements/shaft_kernel.h"
 #include "elements/station_kernel.h"
-#include "pair.h"
+#include "lanes.h"
 
-enum { PAIR_STATIONS = 2, PAIR_DEGREES = 4, PAIR_JOURNAL = 2 };
+/// Coordinates: of the disc, which has the one contact, then of the journal.
+enum { PAIR_STATIONS = 2, PAIR_DEGREES = 4, PAIR_CONTACT = 0, PAIR_JOURNAL = 2 };
+enum { PAIR_SHAFT_LAW, PAIR_RUB_LAW };
+
+/// Coordinates whose sizes are measured together, as whirl_lanes has them.
+static const size_t pair_groups[] = {0, PAIR_JOURNAL, PAIR_DEGREES};
 
 /// Where the numbers of the parts begin.
 enum {
@@ -69,9 +74,9 @@ VECTOR_INLINE void pair_send(pair_line *line, size_t stride, const vec *number, 
 }
 
 /// Stations and shaft, which do not wait for the divider, into `frame`.
-VECTOR_INLINE void pair_frame(const struct lanes_pair *pair, size_t stride, const pair_line *line, size_t at,
-                              bool shared, vec *frame) {
-    const element shaft = {.port = {0, 1, 2, 3}, .law = pair->shaft_law};
+VECTOR_INLINE void pair_frame(const lanes_instance *pair, size_t stride, const pair_line *line, size_t at, bool shared,
+                              vec *frame) {
+    const element shaft = {.port = {0, 1, 2, 3}, .law = pair->law[PAIR_SHAFT_LAW]};
     const vec *number = line->number[at], *q = line->q[at], *v = line->v[at], *own = line->forcing[at];
     const double *all = line->forcing[at];
     const size_t journal = PAIR_JOURNAL * stride;
@@ -88,9 +93,8 @@ VECTOR_INLINE void pair_frame(const struct lanes_pair *pair, size_t stride, cons
 }
 
 /// Film and rub.
-VECTOR_INLINE void pair_end(const struct lanes_pair *pair, size_t stride, const pair_line *line, size_t at,
-                            vec *frame) {
-    const element rub = {.port = {0, 1}, .law = pair->rub_law};
+VECTOR_INLINE void pair_end(const lanes_instance *pair, size_t stride, const pair_line *line, size_t at, vec *frame) {
+    const element rub = {.port = {0, 1}, .law = pair->law[PAIR_RUB_LAW]};
     const vec *number = line->number[at];
     const size_t x = PAIR_JOURNAL * stride, y = x + stride;
     const film_state film = film_end(&line->film, at);
@@ -101,7 +105,7 @@ VECTOR_INLINE void pair_end(const struct lanes_pair *pair, size_t stride, const 
 }
 
 /// Finishes the acceleration begun PAIR_UNDER_WAY - 1 before the last one.
-VECTOR_INLINE void pair_receive(const struct lanes_pair *pair, size_t stride, pair_line *line, bool shared) {
+VECTOR_INLINE void pair_receive(const lanes_instance *pair, size_t stride, pair_line *line, bool shared) {
     const size_t divided = (line->begun - 2) % FILM_PLACES, ended = (line->begun - 3) % FILM_PLACES;
     vec frame[PAIR_DEGREES * PAIR_MOST_STRIDE];
     pair_frame(pair, stride, line, ended, shared, frame);
@@ -110,7 +114,7 @@ VECTOR_INLINE void pair_receive(const struct lanes_pair *pair, size_t stride, pa
 }
 
 /// An acceleration all by itself; arguments as pair_send.
-VECTOR_INLINE void pair_alone(const struct lanes_pair *pair, size_t stride, const vec *number, const void *forcing,
+VECTOR_INLINE void pair_alone(const lanes_instance *pair, size_t stride, const vec *number, const void *forcing,
                               bool shared, const vec *sides, const vec *q, const vec *v, vec *a) {
     pair_line line;
     vec frame[PAIR_DEGREES * PAIR_MOST_STRIDE];
@@ -123,7 +127,7 @@ VECTOR_INLINE void pair_alone(const struct lanes_pair *pair, size_t stride, cons
 }
 
 /// Nothing is begun, one more is finished.
-VECTOR_INLINE void pair_drain(const struct lanes_pair *pair, size_t stride, pair_line *line, bool shared) {
+VECTOR_INLINE void pair_drain(const lanes_instance *pair, size_t stride, pair_line *line, bool shared) {
     line->begun++;
     pair_receive(pair, stride, line, shared);
 }

@@ -7,8 +7,8 @@
 #include <string.h>
 
 #include "design.h"
+#include "instances.h"
 #include "machine.h"
-#include "pair_kernel.h"
 #include "registry.h"
 #include "repeats.h"
 
@@ -147,14 +147,23 @@ static whirl_status assemble(building *b, const whirl_design *design, const size
     return status;
 }
 
-/// Whether it is the structure of pair_kernel.h, with the disc's coordinates before or behind the journal's.
-static bool is_pair(const building *b, bool reversed) {
-    const element *e = b->elements;
-    const size_t disc = reversed ? 2 : 0, journal = 2 - disc;
-    return b->assembly.station_count == 2 && b->assembly.degrees == PAIR_DEGREES && b->assembly.plane_count == 2 &&
-           b->assembly.term_count == 0 && b->assembly.mass_count == 0 && b->element_count == PAIR_ELEMENTS &&
-           e[PAIR_SHAFT].type == &shaft_element && e[PAIR_SHAFT].port[2] == 2 && e[PAIR_FILM].type == &film_element &&
-           e[PAIR_FILM].port[0] == journal && e[PAIR_RUB].type == &rub_element && e[PAIR_RUB].port[0] == disc;
+/// Finds the structure among those that integrators have loops of their own for: the machine is it when its stations'
+/// coordinates come in this order.
+static bool find_instance(const building *b, size_t order[INSTANCE_STATIONS], lanes_instance *out) {
+#define FIND(name, NAME)                                                                                               \
+    if (name##_find(&b->assembly, b->elements, b->element_count, order, out->law)) {                                   \
+        out->structure = INSTANCE_##NAME;                                                                              \
+        return true;                                                                                                   \
+    }
+    INSTANCES(FIND)
+#undef FIND
+    return false;
+}
+
+static bool in_order(const building *b, const size_t *order) {
+    for (size_t s = 0; s < b->assembly.station_count; s++)
+        if (order[s] != s) return false;
+    return true;
 }
 
 // ---------------------------------------------------------------- the finished rotor
@@ -332,10 +341,8 @@ static whirl_rotor *finish(const building *b) {
     add_elements_to(rotor, b);
     fill_lanes(rotor, b);
     rotor->lanes.contact_count = rotor->contact_count;
-    if (is_pair(b, false)) {
-        rotor->pair = (struct lanes_pair){rotor->elements[PAIR_SHAFT].law, rotor->elements[PAIR_RUB].law};
-        rotor->lanes.pair = &rotor->pair;
-    }
+    size_t order[INSTANCE_STATIONS];
+    if (find_instance(b, order, &rotor->instance)) rotor->lanes.instance = &rotor->instance;
     rotor_system_fill(rotor);
     return rotor;
 }
@@ -365,16 +372,17 @@ whirl_status whirl_rotor_check(const whirl_design *design, whirl_rotor_tell *tel
 }
 
 whirl_status whirl_rotor_new(const whirl_design *design, whirl_rotor **out) {
-    static const size_t journal_first[] = {1, 0};
+    size_t order[INSTANCE_STATIONS];
+    lanes_instance found;
     building b = {0};
     *out = NULL;
     if (design->station_count == 0)
         return whirl_fail(WHIRL_BAD_INPUT, "the rotor has no station, expected at least one");
     whirl_status status = assemble(&b, design, NULL);
-    if (status.code == WHIRL_OK && is_pair(&b, true)) {
+    if (status.code == WHIRL_OK && find_instance(&b, order, &found) && !in_order(&b, order)) {
         end(&b);
         b = (building){0};
-        status = assemble(&b, design, journal_first);
+        status = assemble(&b, design, order);
     }
     whirl_rotor *rotor = status.code == WHIRL_OK ? finish(&b) : NULL;
     if (status.code == WHIRL_OK && !rotor)

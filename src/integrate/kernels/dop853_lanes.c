@@ -3,8 +3,8 @@
 // Slopes are innermost.
 #include "adaptive_lanes.inc"
 
-/// Vectors in the sums of slopes at a time: those of a pair, or two.
-enum { SUMMED_TOGETHER = 2 };
+/// Vectors in the sums of slopes at a time: two, or all of a structure with loops of its own.
+enum { SUMMED_TOGETHER = 2, MOST_TOGETHER = 4 };
 
 /// `count` vectors from the first, `step` apart, of the state at which slope `number` is taken. The last slope counts
 /// for velocities alone.
@@ -14,7 +14,7 @@ VECTOR_INLINE void take_stage(const adaptive_lanes *lanes, int number, size_t fi
     const vec *q = VECTORS(q), *v = VECTORS(v), *h = VECTORS(lengths), c = v_set(dop853_c[number]);
     const vec *slopes = VECTORS(dop853.k[0]);
     const size_t last = sums->count - 1;
-    vec position[PAIR_DEGREES], velocity[PAIR_DEGREES];
+    vec position[MOST_TOGETHER], velocity[MOST_TOGETHER];
     for (size_t r = 0; r < count; r++) position[r] = velocity[r] = v_set(0.0);
     for (size_t j = 0; j < last; j++) {
         const vec *slope = slopes + sums->place[j] + first;
@@ -59,12 +59,6 @@ static void take_slopes_by_stages(const adaptive_lanes *lanes, int from, int to)
     }
 }
 
-#include "dop853_pair.inc"
-
-/// Slopes from <= number < to; the last stage's before the result's.
-static void take_slopes(const adaptive_lanes *lanes, int from, int to) {
-    if (!take_slopes_of_pairs(lanes, from, to)) take_slopes_by_stages(lanes, from, to);
-}
 // ---------------------------------------------------------------- error
 
 /// Errors of `count` vectors from the first, `step` apart, by the four sums.
@@ -72,7 +66,7 @@ VECTOR_INLINE void sum_errors(const adaptive_lanes *lanes, size_t first, size_t 
                               vec *q3, vec *v3) {
     const slope_sums *sums = &lanes->dop853.sums.error;
     const vec *slopes = VECTORS(dop853.k[0]);
-    vec total[MAX_SUMS][PAIR_DEGREES];
+    vec total[MAX_SUMS][MOST_TOGETHER];
     for (size_t s = 0; s < MAX_SUMS; s++)
         for (size_t r = 0; r < count; r++) total[s][r] = v_set(0.0);
     for (size_t j = 0; j < sums->count; j++) {
@@ -129,24 +123,70 @@ VECTOR_INLINE void take_error(const adaptive_lanes *lanes, size_t group_count, c
     VECTORS(size)[k] = most;
 }
 
-static const size_t pair_groups[] = {0, 2, 4};
-
-static void take_errors(const adaptive_lanes *lanes) {
+static void take_errors_by_stages(const adaptive_lanes *lanes, vec *q5, vec *v5, vec *q3, vec *v3) {
     const size_t degrees = lanes->degrees, stride = lanes->stride;
-    vec *q5 = VECTORS(stage_q), *v5 = VECTORS(stage_v);
-    vec *q3 = VECTORS(dop853.k[DOP853_STAGES + 1]), *v3 = VECTORS(dop853.k[DOP853_STAGES + 2]);
-    if (lanes->pair) {
-        for (size_t k = 0; k < PAIR_STRIDE; k++) {
-            sum_errors(lanes, k, PAIR_STRIDE, PAIR_DEGREES, q5, v5, q3, v3);
-            take_error(lanes, PAIR_STATIONS, pair_groups, 0, PAIR_STRIDE, k, q5, v5, q3, v3);
-        }
-        return;
-    }
     const size_t all = degrees * stride, even = all - all % SUMMED_TOGETHER;
     for (size_t i = 0; i < even; i += SUMMED_TOGETHER) sum_errors(lanes, i, 1, SUMMED_TOGETHER, q5, v5, q3, v3);
     if (even < all) sum_errors(lanes, even, 1, 1, q5, v5, q3, v3);
     FOR_VECTORS
     take_error(lanes, lanes->group_count, lanes->groups, lanes->rates - degrees, stride, k, q5, v5, q3, v3);
+}
+
+// ---------------------------------------------------------------- structures with loops of their own
+
+/// cos and sin of t.
+static void take_base(const adaptive_lanes *lanes) {
+    vec *base = VECTORS(dop853.base);
+    FOR_VECTORS v_sincos(VECTORS(t)[k], &base[INSTANCE_STRIDE + k], &base[k]);
+}
+
+/// The forcing at t + c h of vector k, for h up to an eighth of a revolution.
+VECTOR_INLINE void add_angle(const adaptive_lanes *lanes, double c, size_t k) {
+    const vec *base = VECTORS(dop853.base), cosine = base[k], sine = base[INSTANCE_STRIDE + k];
+    const size_t apart = INSTANCE_STRIDE;
+    vec *forcing = VECTORS(forcing) + k, s, co;
+    v_sincos_small(v_mul(v_set(c), VECTORS(length)[k]), &s, &co);
+    const vec x = v_fms(cosine, co, v_mul(sine, s)), y = v_fma(sine, co, v_mul(cosine, s));
+    forcing[COS_TAU * apart] = x;
+    forcing[SIN_TAU * apart] = y;
+    forcing[COS_2TAU * apart] = v_mul(v_sub(x, y), v_add(x, y));
+    forcing[SIN_2TAU * apart] = v_mul(v_add(x, x), y);
+}
+
+/// Where slope `number` is taken: for the result, and for the others.
+static inline vec *place_of(const adaptive_lanes *lanes, int number) {
+    return number == DOP853_STAGES ? VECTORS(end_q) : VECTORS(stage_q);
+}
+static inline vec *speed_of(const adaptive_lanes *lanes, int number) {
+    return number == DOP853_STAGES ? VECTORS(end_v) : VECTORS(stage_v);
+}
+
+#define INSTANCE_FILE "kernels/dop853_instance.inc"
+#include "../../rotor/instances.h"
+
+/// Slopes from <= number < to; the last stage's before the result's.
+static void take_slopes(const adaptive_lanes *lanes, int from, int to) {
+#define TAKE(name, NAME)                                                                                               \
+    if (IS_INSTANCE(NAME, lanes->instance)) {                                                                          \
+        name##_take_slopes(lanes, from, to);                                                                           \
+        return;                                                                                                        \
+    }
+    INSTANCES(TAKE)
+#undef TAKE
+    take_slopes_by_stages(lanes, from, to);
+}
+
+static void take_errors(const adaptive_lanes *lanes) {
+    vec *q5 = VECTORS(stage_q), *v5 = VECTORS(stage_v);
+    vec *q3 = VECTORS(dop853.k[DOP853_STAGES + 1]), *v3 = VECTORS(dop853.k[DOP853_STAGES + 2]);
+#define TAKE(name, NAME)                                                                                               \
+    if (IS_INSTANCE(NAME, lanes->instance)) {                                                                          \
+        name##_take_errors(lanes, q5, v5, q3, v3);                                                                     \
+        return;                                                                                                        \
+    }
+    INSTANCES(TAKE)
+#undef TAKE
+    take_errors_by_stages(lanes, q5, v5, q3, v3);
 }
 
 /// Tries the step: the state at its end, the slope there, the error.

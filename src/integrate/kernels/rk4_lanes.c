@@ -147,28 +147,49 @@ static void observe_contacts(const rk4_lanes *lanes) {
 }
 
 #include "rk4_located.inc"
-#include "rk4_pair.inc"
+
+static bool locates(const rk4_lanes *lanes) {
+    return lanes->located.switches != NULL;
+}
+
+static void begin_step(const rk4_lanes *lanes) {
+    if (locates(lanes)) keep_beginning(lanes);
+}
+
+/// All that is done at the end of step n.
+static void end_step(const rk4_lanes *lanes, int n) {
+    if (locates(lanes)) locate(lanes, n);
+    if (lanes->observing) {
+        observe_probes(lanes, looks_at_speeds(lanes, n + 1));
+        observe_contacts(lanes);
+    }
+    if (lanes->sample_stride > 0 && (size_t)(n + 1) % lanes->sample_stride == 0) lanes->sample(lanes->context);
+}
+
+/// Copies rows of the ensemble to a vector's own, or back.
+static void move_rows(const rk4_lanes *lanes, double *ensemble, size_t k, vec *own, size_t rows, bool back) {
+    vec *there = (vec *)ensemble + k;
+    for (size_t i = 0; i < rows; i++) {
+        if (back)
+            there[i * lanes->stride] = own[i];
+        else
+            own[i] = there[i * lanes->stride];
+    }
+}
+
+enum { MOST_AT_ONCE = 8 }; ///< vectors of structures with loops of their own
+#define INSTANCE_FILE "kernels/rk4_instance.inc"
+#include "../../rotor/instances.h"
 
 void ISA(rk4_lanes)(const rk4_lanes *lanes) {
-    const bool locates = lanes->located.switches != NULL, paired = are_pairs(lanes);
-    pair pairs[MAX_PAIRS];
-    if (paired) fill_pairs(lanes, pairs);
-    if (paired && !locates && !lanes->observe.normal_force) {
-        revolve_pairs(lanes, pairs);
-        return;
-    }
-    if (locates) begin_located(lanes);
+    if (locates(lanes)) begin_located(lanes);
+#define REVOLVE(name, NAME)                                                                                            \
+    if (name##_revolve(lanes)) return;
+    INSTANCES(REVOLVE)
+#undef REVOLVE
     for (int n = 0; n < lanes->steps; n++) {
-        if (locates) keep_beginning(lanes);
-        if (paired)
-            take_step_of_pairs(lanes, pairs, n);
-        else
-            take_step(lanes, lanes->forcing + (size_t)n * 2 * lanes->forcing_count);
-        if (locates) locate(lanes, n);
-        if (lanes->observing) {
-            observe_probes(lanes, looks_at_speeds(lanes, n + 1));
-            observe_contacts(lanes);
-        }
-        if (lanes->sample_stride > 0 && (size_t)(n + 1) % lanes->sample_stride == 0) lanes->sample(lanes->context);
+        begin_step(lanes);
+        take_step(lanes, lanes->forcing + (size_t)n * 2 * lanes->forcing_count);
+        end_step(lanes, n);
     }
 }

@@ -6,7 +6,7 @@
 
 #include "block.h"
 #include "elements/station_kernel.h"
-#include "pair_kernel.h"
+#include "instances.h"
 
 static block block_of(const lanes_view *view) {
     const whirl_rotor *rotor = view->model;
@@ -118,13 +118,22 @@ static const element_kernels *kernels_of(const element *own) {
     return own->type->kernels[VECTOR_ISA];
 }
 
+/// One vector of a structure with loops of its own; false: it is none.
+static bool flow_of_instance(const lanes_instance *instance, const block *b) {
+#define FLOW(name, NAME)                                                                                               \
+    if (IS_INSTANCE(NAME, instance)) {                                                                                 \
+        name##_alone(instance, 1, b->numbers, b->forcing, false, b->sides, b->q, b->v, b->a);                          \
+        return true;                                                                                                   \
+    }
+    INSTANCES(FLOW)
+#undef FLOW
+    return false;
+}
+
 void ISA(machine_flow)(const lanes_view *view) {
     const whirl_rotor *rotor = view->model;
     const block b = block_of(view);
-    if (rotor->lanes.pair && b.stride == 1 && !wants_tangent(&b)) {
-        pair_alone(rotor->lanes.pair, 1, b.numbers, b.forcing, false, b.sides, b.q, b.v, b.a);
-        return;
-    }
+    if (b.stride == 1 && !wants_tangent(&b) && flow_of_instance(rotor->lanes.instance, &b)) return;
     clear(rotor, &b);
     pass_stations(&b, rotor->plane_count);
     if (wants_tangent(&b)) pass_station_tangents(&b, rotor->plane_count);

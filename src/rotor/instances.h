@@ -1,0 +1,34 @@
+/// The structures that integrators have loops of their own for: the most frequent rotors.
+///
+/// A structure <name> is src/rotor/<name>_kernel.h, the phases of its acceleration, and <name>.c, which knows it when
+/// it is built. It has one line and one block here. Integrators write their loops once
+/// (integrate/kernels/*_instance.inc), with INSTANCE(word) for <name>_word and INSTANCE_SIZE(WORD) for <NAME>_WORD:
+/// where INSTANCE_FILE is defined, this header includes that file for every structure.
+#ifndef ROTOR_INSTANCES_H
+#define ROTOR_INSTANCES_H
+
+#include "lanes.h"
+
+#define INSTANCES(X) X(pair, PAIR)
+
+#define INSTANCE_NUMBER(name, NAME) INSTANCE_##NAME,
+enum { INSTANCES(INSTANCE_NUMBER) INSTANCE_COUNT };
+#undef INSTANCE_NUMBER
+
+/// Whether it is the structure NAME; NULL: it is none of them.
+#define IS_INSTANCE(NAME, instance) ((instance) && (instance)->structure == INSTANCE_##NAME)
+
+#endif
+
+#include "pair_kernel.h"
+#ifdef INSTANCE_FILE
+#define INSTANCE(word) pair_##word
+#define INSTANCE_SIZE(WORD) PAIR_##WORD
+#define INSTANCE_STRUCTURE INSTANCE_PAIR
+#include INSTANCE_FILE
+#undef INSTANCE
+#undef INSTANCE_SIZE
+#undef INSTANCE_STRUCTURE
+#endif
+
+#undef INSTANCE_FILE

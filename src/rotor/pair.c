@@ -1,0 +1,26 @@
+// The structure of pair_kernel.h, as it is built.
+#include "machine.h"
+#include "pair_kernel.h"
+#include "registry.h"
+
+/// Its elements: a shaft, a film at its one end, a rub at the other.
+enum { SHAFT, FILM, RUB, ELEMENTS_OF_PAIR };
+
+/// With the disc's coordinates before or behind the journal's.
+static bool is_pair(const assembly *of, const element *e, size_t count, bool reversed) {
+    const size_t disc = reversed ? 2 : 0, journal = 2 - disc;
+    return of->station_count == PAIR_STATIONS && of->degrees == PAIR_DEGREES && of->plane_count == PAIR_STATIONS &&
+           of->term_count == 0 && of->mass_count == 0 && count == ELEMENTS_OF_PAIR && e[SHAFT].type == &shaft_element &&
+           e[SHAFT].port[2] == 2 && e[FILM].type == &film_element && e[FILM].port[0] == journal &&
+           e[RUB].type == &rub_element && e[RUB].port[0] == disc;
+}
+
+bool pair_find(const assembly *of, const element *elements, size_t count, size_t order[INSTANCE_STATIONS], int *laws) {
+    const bool reversed = is_pair(of, elements, count, true);
+    if (!reversed && !is_pair(of, elements, count, false)) return false;
+    order[0] = reversed;
+    order[1] = !reversed;
+    laws[PAIR_SHAFT_LAW] = elements[SHAFT].law;
+    laws[PAIR_RUB_LAW] = elements[RUB].law;
+    return true;
+}
