@@ -55,11 +55,11 @@ typedef struct whirl_element_type whirl_element_type;
 /// name, or it has more than 64 keys.
 whirl_status whirl_design_add_type(whirl_design *design, const whirl_element_type *type);
 
-/// "run_up" for whirl_design_add_type: an unbalance while the speed runs up or down evenly. Its keys: at, moment (kg m),
-/// angle (rad), speed (rad/s at t = 0, default 0), acceleration (rad/s^2). Its angle and what its speed has gained are
-/// states, two numbers at the end of the rotor's, 0 at t = 0; the design's speed is but the unit of time, and that at
-/// which what else turns goes on turning. A motion that never comes back: follow it by an integrator; verdicts are not
-/// for it. Static. Lewis 1932.
+/// "run_up" for whirl_design_add_type: an unbalance while the speed runs up or down evenly. Its keys: at, moment (kg
+/// m), angle (rad), speed (rad/s at t = 0, default 0), acceleration (rad/s^2). Its angle and what its speed has gained
+/// are states, two numbers at the end of the rotor's, 0 at t = 0; the design's speed is but the unit of time, and that
+/// at which what else turns goes on turning. A motion that never comes back: follow it by an integrator; verdicts are
+/// not for it. Static. Lewis 1932.
 const whirl_element_type *whirl_run_up_type(void);
 
 /// Adds an element of a kind of whirl_element_groups() or of whirl_design_add_type(); its stations must be there
