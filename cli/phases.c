@@ -34,12 +34,14 @@ static void print_never(const char *who) {
 
 static void print(const phases *seen, size_t looked_at) {
     const bool always = seen->fitting == looked_at;
+    char least[32] = "";
+    if (seen->least < seen->most) snprintf(least, sizeof least, "%zu to ", seen->least);
     printf("  sections: once a revolution of the shaft\n");
     if (always && seen->least == seen->most)
         printf("  forces repeat after %zu revolution%s: motions that follow them are P-%zu\n", seen->most,
                plural(seen->most), seen->most);
     else if (seen->fitting > 0)
-        printf("  forces repeat after %zu to %zu revolutions at %zu of %zu values\n", seen->least, seen->most,
+        printf("  forces repeat after %s%zu revolution%s at %zu of %zu values\n", least, seen->most, plural(seen->most),
                seen->fitting, looked_at);
     if (seen->fitting == 0)
         print_never("  forces");

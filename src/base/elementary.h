@@ -83,8 +83,9 @@ static inline void v_sincos_small(vec r, vec *sine, vec *cosine) {
     *cosine = v_fma(v_mul(z, z), c, v_fnma(v_set(0.5), z, v_set(1.0)));
 }
 
-/// sin and cos of 0 <= t <= 8 pi. The quarter turns are taken off in three parts, whose products with up to 16 are
-/// exact for the first two. The error is below 1 unit in the last place (measured: tests/unit/base/test_elementary.c).
+/// sin and cos of |t| up to 10000. The quarter turns are taken off in three parts; their products with the first two
+/// are exact. The error is below 1 unit in the last place for 0 <= t <= 8 pi, beyond it below 1 in that of 1 (measured:
+/// tests/unit/base/test_elementary.c).
 static inline void v_sincos(vec t, vec *sine, vec *cosine) {
     const vec zero = v_set(0.0), quarters = v_round(v_mul(t, v_set(0x1.45f306dc9c883p-1)));
     const vec near = v_fnma(quarters, v_set(0x1.921fb54400000p+0), t);

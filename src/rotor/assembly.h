@@ -40,8 +40,8 @@ typedef enum axis { AXIS_X, AXIS_Y, AXIS_TILT_X, AXIS_TILT_Y, AXES } axis;
 /// What acts on a station that moves in x and y and does not depend on where it is; the numbers of station_kernel.h.
 enum { STATION_DAMPING, STATION_UNBALANCE_COS, STATION_UNBALANCE_SIN, STATION_PULL_X, STATION_PULL_Y, STATION_NUMBERS };
 
-/// The values that depend on time alone, as the kernels index them; tau itself only where an element asks for it.
-enum { COS_TAU, SIN_TAU, COS_2TAU, SIN_2TAU, FORCING_COUNT, TAU = FORCING_COUNT, MOST_FORCING };
+/// The values that depend on time alone, as the kernels index them.
+enum { COS_TAU, SIN_TAU, COS_2TAU, SIN_2TAU, FORCING_COUNT };
 
 /// A term of the acceleration of a coordinate: its number times a coordinate, a velocity, a value of time, or 1.
 typedef enum source { SOURCE_PLACE, SOURCE_VELOCITY, SOURCE_FORCING, SOURCE_ONE } source;

@@ -12,7 +12,6 @@ typedef struct block {
     size_t stride, vectors;
     size_t disturbances;
     size_t next, next_v; ///< vectors from the positions of one state or disturbance to the next, and of the rest
-    size_t forcing_count;
     const vec *forcing, *q, *v;
     vec *a, *divergence;     ///< divergence: NULL where it is not wanted
     const vec *numbers;      ///< of the machine

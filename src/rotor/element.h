@@ -71,7 +71,6 @@ typedef struct whirl_element_type {
     bool modulated;                        ///< its forces depend on the values of time in other ways than in proportion
     size_t turning;                        ///< of these, from the first on, are angles: 2 pi is 0
     bool kinked;                           ///< its force has kinks that no switch tells of
-    bool timed;                            ///< its kernel asks for tau
     const element_kernels *const *kernels; ///< by number of vector.h; NULL: it is part of the assembly alone
 
     /// Optional: coordinates and inertia that it adds to stations, before any is built.

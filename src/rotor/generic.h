@@ -32,7 +32,7 @@ _Static_assert(2 * KERNEL_AXES <= (int)MAX_PORTS, "an element sees at most MAX_P
 typedef struct kernel_view {
     size_t stride;
     const vec *number; ///< number n of the element is number[n * stride]
-    vec phase[MOST_FORCING];
+    vec phase[FORCING_COUNT];
     const vec *sides; ///< of switch s: sides[s * stride]; NULL: the state decides
 } kernel_view;
 
@@ -69,7 +69,7 @@ VECTOR_INLINE kernel_inputs inputs_of(const element *own, const block *b, size_t
 VECTOR_INLINE kernel_view view_of(const element *own, const block *b, size_t k) {
     const vec *sides = sides_of(b, own);
     kernel_view view = {.stride = b->stride, .number = numbers_of(b, own) + k, .sides = sides ? sides + k : NULL};
-    for (size_t i = 0; b->forcing && i < b->forcing_count; i++) view.phase[i] = b->forcing[i * b->stride + k];
+    for (size_t i = 0; b->forcing && i < FORCING_COUNT; i++) view.phase[i] = b->forcing[i * b->stride + k];
     return view;
 }
 

@@ -23,7 +23,6 @@ struct whirl_rotor {
     double *turns;    ///< [dimension] as whirl_system has them
     bool turning;     ///< some of them are not 0
     size_t repeats;   ///< as whirl_system has them
-    bool timed;       ///< an element asks for tau
     bool kinked;      ///< as whirl_system has it
     size_t *contacts; ///< [contact_count] indices of elements
     char (*contact_text)[WHIRL_NAME_SIZE + 16];

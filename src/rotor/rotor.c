@@ -276,7 +276,6 @@ static void note_element(whirl_rotor *rotor, size_t index, size_t degrees) {
     element *own = &rotor->elements[index];
     for (size_t s = 0; s < own->type->turning; s++) rotor->turns[degrees + own->state + s] = 6.283185307179586476925;
     if (own->type->turning > 0) note_phase(rotor, own);
-    if (own->type->timed) rotor->timed = true;
     if (own->type->kinked) rotor->kinked = true;
     own->first_switch = rotor->lanes.switch_count;
     if (own->type->switch_count) rotor->lanes.switch_count += own->type->switch_count(own);

@@ -1,12 +1,14 @@
-// A ball bearing, whose stiffness varies as its balls pass: its keys and numbers, and the kernels of one whose balls
-// pass a whole number of times in a revolution.
+// A ball bearing, whose stiffness varies as its balls pass: its keys and the numbers of its kernel.
 #define KERNEL_FILE "elements/ball_bearing_kernel.h"
 #define KERNEL_AXES 2
-#define KERNEL_STATES 0
+#define KERNEL_STATES 1
 #define KERNEL_NUMBERS BALL_NUMBERS
 #define KERNEL_SWITCHES 0
 
-#include "ball_bearing.h"
+/// C in newtons by length scales to the power 3/2; g_0 in length scales; the cage's speed over the shaft's; theta_0;
+/// the cosine and sine of the angle between balls. Its law is the number of balls.
+enum { BALL_STIFFNESS, BALL_GAP, BALL_RATIO, BALL_START, BALL_APART_COS, BALL_APART_SIN, BALL_NUMBERS };
+
 #include "generic.h"
 #include "registry.h"
 
@@ -59,31 +61,13 @@ static whirl_status cage_ratio(const key_value *values, double *ratio) {
     return whirl_ok();
 }
 
-/// Whether the balls pass a whole number of times in a revolution, to rounding.
-static bool fits(double balls, double ratio) {
-    const double passes = balls * ratio;
-    return fabs(passes - rint(passes)) < 1e-13 * balls;
-}
-
 /// Of balls in a revolution.
 static double passes_of(const element *own) {
     return own->law * own->number[BALL_RATIO];
 }
 
 FOR_EVERY_ISA(const element_kernels, ball_bearing_kernels);
-FOR_EVERY_ISA(const element_kernels, ball_bearing_free_kernels);
 static const element_kernels *const kernels[VECTOR_ISAS] = EVERY_ISA(&, ball_bearing_kernels);
-static const element_kernels *const free_kernels[VECTOR_ISAS] = EVERY_ISA(&, ball_bearing_free_kernels);
-
-static const element_type free_type = {
-    .group = {"ball_bearing", "", "", keys, KEY_COUNT, NULL, NULL},
-    .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
-    .state_count = 1,
-    .turning = 1,
-    .rounds = passes_of,
-    .kinked = true,
-    .kernels = free_kernels,
-};
 
 static whirl_status build(const key_value *values, assembly *to, element *out) {
     const double balls = values[BALLS].number, length = to->length, apart = 6.283185307179586476925 / balls;
@@ -91,7 +75,6 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     whirl_status status = cage_ratio(values, &ratio);
     if (status.code == WHIRL_OK) status = element_in_housing(&values[AT], &values[FROM], to, out);
     if (status.code != WHIRL_OK) return status;
-    if (!fits(balls, ratio)) out->type = &free_type;
     out->law = (int)balls;
     out->number[BALL_STIFFNESS] = values[STIFFNESS].number * length * sqrt(length);
     out->number[BALL_GAP] = values[CLEARANCE].number / length;
@@ -110,8 +93,9 @@ const element_type ball_bearing_element = {
               "a ball bearing with Hertz contacts, clearance, and a stiffness that varies as balls pass",
               "Sunnersjo 1978; Fukata et al. 1985", keys, KEY_COUNT, NULL, NULL},
     .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
-    .timed = true,
-    .modulated = true,
+    .state_count = KERNEL_STATES,
+    .turning = 1,
+    .rounds = passes_of,
     .kinked = true,
     .kernels = kernels,
     .build = build,

@@ -13,15 +13,10 @@ static inline void KERNEL(force)(const element *own, const kernel_view *view, co
     const vec ratio = number[BALL_RATIO * stride], start = number[BALL_START * stride];
     const vec c = number[BALL_APART_COS * stride], sine = number[BALL_APART_SIN * stride];
     const num gap = n_of(number[BALL_GAP * stride]), zero = n_set(0.0);
-#if KERNEL_STATES > 0
     const num angle = n_add(s[0], n_of(start));
-    slope[0] = n_of(ratio);
-#else
-    const num angle = n_of(v_fma(ratio, view->phase[TAU], start));
-    (void)s, (void)slope;
-#endif
     num x, y, sum_x = zero, sum_y = zero;
     (void)w;
+    slope[0] = n_of(ratio);
     n_sincos(angle, &y, &x);
     for (int j = 0; j < own->law; j++) {
         const num pressed = n_sub(n_fma(d[0], x, n_mul(d[1], y)), gap);

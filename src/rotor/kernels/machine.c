@@ -15,7 +15,6 @@ static block block_of(const lanes_view *view) {
                    .disturbances = view->tangents,
                    .next = rotor->lanes.degrees * view->stride,
                    .next_v = (rotor->lanes.degrees + rotor->lanes.states) * view->stride,
-                   .forcing_count = rotor->system.forcing_count,
                    .forcing = view->forcing,
                    .q = view->q,
                    .v = view->v,
@@ -163,9 +162,9 @@ void ISA(machine_contacts)(const lanes_view *view, void *normal_force) {
 }
 
 void ISA(machine_forcing)(const void *model, size_t stride, size_t vectors, const void *t, void *forcing) {
-    const whirl_rotor *rotor = model;
     const vec *time = t;
     vec *out = forcing;
+    (void)model;
     for (size_t k = 0; k < vectors; k++) {
         vec s, c;
         v_sincos(time[k], &s, &c);
@@ -173,6 +172,5 @@ void ISA(machine_forcing)(const void *model, size_t stride, size_t vectors, cons
         out[SIN_TAU * stride + k] = s;
         out[COS_2TAU * stride + k] = v_mul(v_sub(c, s), v_add(c, s));
         out[SIN_2TAU * stride + k] = v_mul(v_mul(v_set(2.0), c), s);
-        if (rotor->system.forcing_count > TAU) out[TAU * stride + k] = time[k];
     }
 }

@@ -109,6 +109,20 @@ static void test_sine_and_cosine(void **state) {
     assert_true(isnan(s) && isnan(c));
 }
 
+/// Angles of phases that turn many times in a revolution, either way: absolute errors count.
+static void test_sine_and_cosine_of_large_angles(void **state) {
+    double worst = 0.0, s, c;
+    uint64_t seed = 29;
+    (void)state;
+    for (int i = 0; i < 2000000; i++) {
+        const double t = (i % 2 ? 20000.0 : 100.0) * (uniform(&seed) - 0.5);
+        v_sincos(t, &s, &c);
+        worst = fmax(worst, fmax((double)fabsl(s - sinl(t)), (double)fabsl(c - cosl(t))));
+    }
+    printf("largest error: large angles %.3f 2^-52\n", worst / DBL_EPSILON);
+    assert_true(worst < 0.5 * DBL_EPSILON);
+}
+
 static void test_logarithm(void **state) {
     double worst = 0.0;
     uint64_t seed = 31;
@@ -158,6 +172,7 @@ int main(void) {
                                        cmocka_unit_test(test_exponential),
                                        cmocka_unit_test(test_power),
                                        cmocka_unit_test(test_sine_and_cosine),
+                                       cmocka_unit_test(test_sine_and_cosine_of_large_angles),
                                        cmocka_unit_test(test_sine_and_cosine_of_small_angles),
                                        cmocka_unit_test(test_whole_range),
                                        cmocka_unit_test(test_special_values),
