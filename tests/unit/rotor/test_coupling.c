@@ -84,7 +84,7 @@ static void accelerations_are_those_of_the_mass_matrix(void **state) {
     uint64_t seed = 7;
     (void)state;
     for (int trial = 0; trial < 50; trial++) {
-        double x[8], slope[8], forcing[MOST_FORCING];
+        double x[8], slope[8], forcing[FORCING_COUNT];
         double complex z[2], v[2], a[2];
         for (int i = 0; i < 8; i++) x[i] = uniform(&seed);
         for (int s = 0; s < 2; s++) {
@@ -109,7 +109,7 @@ static void the_trace_is_that_of_the_jacobian(void **state) {
         whirl_rotor *rotor = rotor_of(with_film);
         const whirl_system *system = whirl_rotor_system(rotor);
         const double x[8] = {0.4, -0.7, 0.2, 0.1, 0.3, 0.2, -0.1, 0.05};
-        double forcing[MOST_FORCING], columns[64], image[64], trace = 0.0;
+        double forcing[FORCING_COUNT], columns[64], image[64], trace = 0.0;
         memset(columns, 0, sizeof columns);
         for (int i = 0; i < 8; i++) columns[8 * i + i] = 1.0;
         system->forcing(system->model, 0.9, forcing);
