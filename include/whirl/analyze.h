@@ -390,6 +390,8 @@ typedef struct whirl_analysis {
     const char *name;    ///< as written in a case file: "poincare", "spectrum", ...
     const char *meaning; ///< one line
     const char *source;
+    bool usual; ///< computed where a case does not say which
+    bool kept;  ///< of waveforms that are kept: computed exactly where some are (whirl_analysis_fit)
 } whirl_analysis;
 
 /// All analyses; static, ended by an entry whose name is NULL.
@@ -401,6 +403,15 @@ typedef unsigned whirl_analysis_set;
 /// Adds the analysis of that name; false when there is none.
 bool whirl_analysis_add(whirl_analysis_set *set, const char *name);
 
+/// Those that are computed where a case does not say which.
+whirl_analysis_set whirl_analysis_usual(void);
+
+/// Name of the analysis whose fields hold the verdict.
+const char *whirl_analysis_of_verdicts(void);
+
+/// The choice with all analyses of kept waveforms where some are kept, and without them where none are.
+whirl_analysis_set whirl_analysis_fit(whirl_analysis_set set, const whirl_record_options *options);
+
 /// Makes options record what the chosen analyses are made of: the waveform, the growth of disturbances. What is
 /// recorded already stays.
 void whirl_analysis_needs(whirl_analysis_set set, whirl_record_options *options);
@@ -408,6 +419,13 @@ void whirl_analysis_needs(whirl_analysis_set set, whirl_record_options *options)
 /// The layout of a point's block for a system, options and choice. WHIRL_BAD_INPUT for contradicting options.
 whirl_status whirl_layout_new(const whirl_system *system, const whirl_integrate_options *integrate,
                               const whirl_record_options *options, whirl_analysis_set set, whirl_layout *layout);
+
+/// All fields that there are, as for a machine of one station and one contact, with more than one row where there can
+/// be more.
+whirl_status whirl_layout_known(whirl_layout *layout);
+
+/// Whether blocks hold a verdict.
+bool whirl_layout_has_verdict(const whirl_layout *layout);
 
 /// The field of that name, or NULL.
 const whirl_field *whirl_layout_field(const whirl_layout *layout, const char *name);

@@ -87,6 +87,17 @@ whirl_status whirl_layout_new(const whirl_system *system, const whirl_integrate_
     return status;
 }
 
+whirl_status whirl_layout_known(whirl_layout *layout) {
+    const whirl_probe probe = {.x = 0};
+    const whirl_system system = {.dimension = 2, .probe_count = 1, .contact_count = 1, .probes = &probe};
+    const whirl_integrate_options integrate = whirl_integrate_default();
+    whirl_record_options options = whirl_record_default();
+    options.spectra = true;
+    options.growth = WHIRL_GROWTH_ALL;
+    options.waveform_revolutions = options.record;
+    return whirl_layout_new(&system, &integrate, &options, ~0u, layout);
+}
+
 static block_view view_of(const whirl_layout *layout, size_t analysis, double *block) {
     const analysis_plan *plan = analysis_plans[analysis];
     block_view view = {.block = block};

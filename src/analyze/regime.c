@@ -170,6 +170,14 @@ static int whole(double value, int most) {
     return value >= 0.0 && value <= (double)most ? (int)value : 0;
 }
 
+const char *whirl_analysis_of_verdicts(void) {
+    return "regime";
+}
+
+bool whirl_layout_has_verdict(const whirl_layout *layout) {
+    return whirl_layout_field(layout, "regime/code") != NULL;
+}
+
 whirl_verdict whirl_block_verdict(const whirl_layout *layout, const double *block) {
     const double factor = stored(layout, block, "regime/advice_factor");
     const double diverged_at = stored(layout, block, "regime/diverged_at");

@@ -10,11 +10,6 @@
 #include "schema.h"
 #include "whirl/analyze.h"
 
-static bool has_analysis(whirl_analysis_set set, const char *name) {
-    whirl_analysis_set one = 0;
-    return whirl_analysis_add(&one, name) && (set & one) != 0;
-}
-
 static whirl_integrate_options integrate_options(valuation *v, const plan_parts *parts) {
     whirl_integrate_options options = whirl_integrate_default();
     settings_take(v, &parts->integrate, whirl_integrate_members(), &options);
@@ -39,12 +34,9 @@ static whirl_record_options detail_options(valuation *v, const plan_parts *parts
     return options;
 }
 
-/// What the chosen analyses need recorded. Waveforms are an analysis of their own exactly where some are kept.
+/// What the chosen analyses need recorded.
 static void choose_analyses(whirl_batch *batch, whirl_analysis_set chosen, bool spectra) {
-    whirl_analysis_set waveform = 0;
-    whirl_analysis_add(&waveform, "waveform");
-    const bool kept = batch->record.waveform_revolutions > 0;
-    batch->analyses = kept ? chosen | waveform : chosen & ~waveform;
+    batch->analyses = whirl_analysis_fit(chosen, &batch->record);
     batch->record.spectra = spectra;
     batch->record.waveform = false;
     batch->record.growth = WHIRL_GROWTH_NONE;
@@ -77,13 +69,23 @@ static void check_record(case_reader *reader, const plan_parts *parts, const whi
         problem_at(reader->problems, place_of(&parts->keep, "highest_order"),
                    "is %.10g, expected at most %.10g, half the samples a revolution (keep.samples)",
                    options->highest_order, highest);
-    if (settings_yes(&parts->study, "confirm") && !has_analysis(parts->analyses, "regime"))
+}
+
+static void check_analyses(case_reader *reader, const plan_parts *parts, const whirl_record_options *options) {
+    const setting *chosen = settings_find(&parts->study, "analyze");
+    const char *const needed = whirl_analysis_of_verdicts();
+    whirl_analysis_set verdicts = 0;
+    whirl_analysis_add(&verdicts, needed);
+    if (settings_yes(&parts->study, "confirm") && !(parts->analyses & verdicts))
         problem_at(reader->problems, place_of(&parts->study, "confirm"),
-                   "is yes, but analyze lacks regime, whose verdicts would be confirmed");
-    const bool kept = options->waveform_revolutions > 0 || settings_find(&parts->study, "detail");
-    if (parts->waveform_place && !kept)
-        problem_at(reader->problems, parts->waveform_place,
-                   "is waveform, but no waveform is kept, expected keep: {waveform: ...}");
+                   "is yes, but analyze lacks %s, whose verdicts would be confirmed", needed);
+    if (!chosen || settings_find(&parts->study, "detail")) return;
+    for (const file_node *item = chosen->place->first; item; item = item->next) {
+        whirl_analysis_set one = 0;
+        if (whirl_analysis_add(&one, item->text) && !(one & whirl_analysis_fit(one, options)))
+            problem_at(reader->problems, item, "is %s, but no waveform is kept, expected keep: {waveform: ...}",
+                       item->text);
+    }
 }
 
 static void check_detail(case_reader *reader, const plan_parts *parts, const whirl_record_options *options) {
@@ -256,6 +258,7 @@ void plan_make(case_reader *reader, valuation *v, const plan_parts *parts, study
     const whirl_integrate_options integrate = integrate_options(v, parts);
     const whirl_record_options record = record_options(v, parts, integrate.steps_per_revolution);
     check_record(reader, parts, &record, integrate.steps_per_revolution);
+    check_analyses(reader, parts, &record);
     result->unit = parts->written;
     result->end = NAN;
     if (parts->swept)

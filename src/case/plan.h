@@ -40,7 +40,6 @@ typedef struct plan_parts {
     const char *swept_unit; ///< of its values, "" where neither the case nor a value read so far tells
     whirl_unit written;     ///< in which its values are written, size 0 where they are plain
     whirl_analysis_set analyses;
-    const file_node *waveform_place; ///< of the analysis `waveform`, or NULL
 } plan_parts;
 
 void plan_read_parts(case_reader *reader, const file_node *where, const machine_parts *machine, plan_parts *parts,

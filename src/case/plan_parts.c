@@ -211,10 +211,7 @@ static void read_analyses(case_reader *reader, plan_parts *parts) {
     char shown[SHOWN_SIZE];
     const setting *given = settings_find(&parts->study, "analyze");
     if (!given) {
-        for (const whirl_analysis *a = whirl_analyses(); a->name; a++)
-            if (strcmp(a->name, "waveform") != 0 && strcmp(a->name, "exponents") != 0 &&
-                strcmp(a->name, "evidence") != 0)
-                whirl_analysis_add(&parts->analyses, a->name);
+        parts->analyses = whirl_analysis_usual();
         return;
     }
     const file_node *where = given->place;
@@ -226,8 +223,6 @@ static void read_analyses(case_reader *reader, plan_parts *parts) {
     for (const file_node *item = where->first; item; item = item->next) {
         if (item->kind != NODE_TEXT || !whirl_analysis_add(&parts->analyses, item->text))
             report_unknown_analysis(reader, item);
-        else if (strcmp(item->text, "waveform") == 0)
-            parts->waveform_place = item;
     }
 }
 

@@ -320,26 +320,11 @@ static void get_table(whirl_status *status, hid_t file, const whirl_result *resu
     close_group(group);
 }
 
-/// Every field that this version has, to compare shapes with.
-static whirl_status known_fields(const whirl_result *result, whirl_layout *known) {
-    const whirl_system system = {.dimension = 4, .probe_count = 1, .contact_count = 1, .probes = result->stations};
-    const whirl_integrate_options integrate = whirl_integrate_default();
-    whirl_record_options options = whirl_record_default();
-    // More than one row for all that can have more.
-    options.spectra = true;
-    options.growth = WHIRL_GROWTH_ALL;
-    options.waveform_revolutions = options.record;
-    whirl_analysis_set all = 0;
-    for (const whirl_analysis *analysis = whirl_analyses(); analysis->name; ++analysis)
-        whirl_analysis_add(&all, analysis->name);
-    return whirl_layout_new(&system, &integrate, &options, all, known);
-}
-
 static void get_tables(whirl_status *status, hid_t file, reading *how, whirl_result *result) {
     char names[FORMAT_MAX_TABLES][WHIRL_NAME_SIZE];
     const size_t count = get_texts_attribute(status, file, "tables", names[0], WHIRL_NAME_SIZE, FORMAT_MAX_TABLES);
     result->tables = take(status, count, sizeof *result->tables);
-    if (status->code == WHIRL_OK) *status = known_fields(result, &how->known);
+    if (status->code == WHIRL_OK) *status = whirl_layout_known(&how->known);
     for (size_t i = 0; status->code == WHIRL_OK && i < count; ++i) {
         if (!format_is_name(names[i], 0) || format_reserved(names[i]) || whirl_result_table(result, names[i])) {
             *status = whirl_fail(WHIRL_BAD_INPUT, "'%s' cannot name a table", names[i]);

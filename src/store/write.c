@@ -206,13 +206,6 @@ static void put_verdicts(whirl_status *status, hid_t group, const whirl_table *w
     close_group(verdicts);
 }
 
-/// Is there a verdict in the blocks?
-static bool has_verdict(const whirl_layout *layout) {
-    for (size_t i = 0; i < layout->field_count; ++i)
-        if (strncmp(layout->fields[i].name, "regime/", 7) == 0) return true;
-    return false;
-}
-
 /// Reading lays fields out one after the other, so that is how they must lie.
 static whirl_status check_layout(const whirl_table *table) {
     const whirl_layout *layout = &table->layout;
@@ -273,7 +266,7 @@ static void put_points(whirl_status *status, hid_t group, const whirl_result *re
     put_places(status, group, &own.table);
     if (status->code == WHIRL_OK) put_length_scales(status, group, result, &own.table);
     if (status->code == WHIRL_OK) put_fields(status, group, result, whole, &own);
-    if (has_verdict(&whole->layout)) put_verdicts(status, group, whole, &own);
+    if (whirl_layout_has_verdict(&whole->layout)) put_verdicts(status, group, whole, &own);
     finished_free(&own);
 }
 

@@ -5,11 +5,15 @@
 
 const whirl_member *whirl_batch_members(void) {
     static const whirl_member members[] = {
-        {"confirm", .type = WHIRL_MEMBER_FLAG, .offset = offsetof(whirl_batch, confirm), .part = "study",
-         .key = {"confirm", "", "", WHIRL_KEY_CHOICE, false, "no", WHIRL_ANY, "yes|no|true|false",
-                 "yes: every point is computed once more with errors of a step 16 times smaller (rk4: twice the "
-                 "steps), and its verdict is trusted where both agree",
-                 ""}},
+        {"confirm",
+         WHIRL_MEMBER_FLAG,
+         offsetof(whirl_batch, confirm),
+         "study",
+         {"confirm", "", "", WHIRL_KEY_CHOICE, false, "no", WHIRL_ANY, "yes|no|true|false",
+          "yes: every point is computed once more with errors of a step 16 times smaller (rk4: twice the steps), and "
+          "its verdict is trusted where both agree",
+          ""},
+         false},
         {.part = NULL},
     };
     return members;

@@ -7,7 +7,7 @@
 
 static bool has_regime(const whirl_batch *batch) {
     whirl_analysis_set regime = 0;
-    whirl_analysis_add(&regime, "regime");
+    whirl_analysis_add(&regime, whirl_analysis_of_verdicts());
     return (batch->analyses & regime) != 0;
 }
 
