@@ -53,6 +53,8 @@ typedef struct whirl_key {
     { 0.0, INFINITY, true, false }
 #define WHIRL_NOT_NEGATIVE                                                                                             \
     { 0.0, INFINITY, false, false }
+#define WHIRL_FROM_TO(low, high)                                                                                       \
+    { low, high, false, false }
 
 /// What lies at the place of a member.
 typedef enum whirl_member_type {
@@ -107,8 +109,8 @@ void whirl_member_set(const whirl_member *member, void *object, double value);
 /// Sets a word (cut to WHIRL_NAME_SIZE - 1 bytes) or a flag by what a case says of it.
 void whirl_member_say(const whirl_member *member, void *object, const char *word);
 
-/// The text of any member: a word, or a number with the fewest digits that give it back. Writes at most `size` bytes.
-void whirl_member_text(const whirl_member *member, const void *object, char *text, size_t size);
+/// The text of any member: a word, true or false, or a number with the fewest digits that give it back.
+void whirl_member_text(const whirl_member *member, const void *object, char text[WHIRL_NAME_SIZE]);
 
 /// Sets all members that have a name and a default to it.
 void whirl_members_default(const whirl_member *table, void *object);

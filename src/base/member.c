@@ -32,63 +32,44 @@ const whirl_member *whirl_member_find(const whirl_member *table, const char *nam
 double whirl_member_number(const whirl_member *member, const void *object) {
     const void *at = (const char *)object + member->offset;
     int whole;
-    switch (member->type) {
-    case WHIRL_MEMBER_NUMBER:
-        return *(const double *)at;
-    case WHIRL_MEMBER_FLAG:
-        return *(const bool *)at;
-    case WHIRL_MEMBER_INDEX:
-        return (double)*(const size_t *)at;
-    case WHIRL_MEMBER_WHOLE:
-        memcpy(&whole, at, sizeof whole); // enumerations have a type of their own
-        return whole;
-    case WHIRL_MEMBER_WORD:
-        break;
-    }
-    return (double)NAN;
+    if (member->type == WHIRL_MEMBER_WORD) return (double)NAN;
+    if (member->type == WHIRL_MEMBER_NUMBER) return *(const double *)at;
+    if (member->type == WHIRL_MEMBER_FLAG) return *(const bool *)at;
+    if (member->type == WHIRL_MEMBER_INDEX) return (double)*(const size_t *)at;
+    memcpy(&whole, at, sizeof whole); // enumerations have a type of their own
+    return whole;
 }
 
 void whirl_member_set(const whirl_member *member, void *object, double value) {
     void *at = (char *)object + member->offset;
-    switch (member->type) {
-    case WHIRL_MEMBER_NUMBER:
+    if (member->type == WHIRL_MEMBER_NUMBER)
         *(double *)at = value;
-        return;
-    case WHIRL_MEMBER_FLAG:
+    else if (member->type == WHIRL_MEMBER_FLAG)
         *(bool *)at = value != 0.0;
-        return;
-    case WHIRL_MEMBER_INDEX:
+    else if (member->type == WHIRL_MEMBER_INDEX)
         *(size_t *)at = (size_t)value;
-        return;
-    case WHIRL_MEMBER_WHOLE:
+    else if (member->type == WHIRL_MEMBER_WHOLE)
         memcpy(at, &(int){(int)value}, sizeof(int));
-        return;
-    case WHIRL_MEMBER_WORD:
-        return;
-    }
 }
 
 void whirl_member_say(const whirl_member *member, void *object, const char *word) {
-    if (member->type == WHIRL_MEMBER_WORD) {
-        snprintf((char *)object + member->offset, WHIRL_NAME_SIZE, "%s", word);
-        return;
-    }
     const bool named = member->name && strcmp(word, member->name) == 0;
-    whirl_member_set(member, object, named || strcmp(word, "yes") == 0 || strcmp(word, "true") == 0);
+    if (member->type == WHIRL_MEMBER_WORD)
+        snprintf((char *)object + member->offset, WHIRL_NAME_SIZE, "%s", word);
+    else
+        whirl_member_set(member, object, named || strcmp(word, "yes") == 0 || strcmp(word, "true") == 0);
 }
 
-void whirl_member_text(const whirl_member *member, const void *object, char *text, size_t size) {
-    char number[NUMBER_SIZE];
-    if (member->type == WHIRL_MEMBER_WORD) {
-        snprintf(text, size, "%s", (const char *)object + member->offset);
-        return;
-    }
+void whirl_member_text(const whirl_member *member, const void *object, char text[WHIRL_NAME_SIZE]) {
     const double value = whirl_member_number(member, object);
-    if (isfinite(value))
-        number_text(value, number);
+    if (member->type == WHIRL_MEMBER_WORD)
+        snprintf(text, WHIRL_NAME_SIZE, "%s", (const char *)object + member->offset);
+    else if (member->type == WHIRL_MEMBER_FLAG)
+        snprintf(text, WHIRL_NAME_SIZE, "%s", value != 0.0 ? "true" : "false");
+    else if (isfinite(value))
+        number_text(value, text);
     else
-        snprintf(number, sizeof number, "%g", value);
-    snprintf(text, size, "%s", number);
+        snprintf(text, WHIRL_NAME_SIZE, "%g", value);
 }
 
 void whirl_members_default(const whirl_member *table, void *object) {

@@ -4,47 +4,31 @@
 
 #include "whirl/integrate.h"
 
-#define AT(TYPE, field) .type = WHIRL_MEMBER_##TYPE, .offset = offsetof(whirl_integrate_options, field)
+#define MEMBER(TYPE, name, field, part, refined, ...)                                                                  \
+    { name, WHIRL_MEMBER_##TYPE, offsetof(whirl_integrate_options, field), part, {__VA_ARGS__}, refined }
+#define WORD(TYPE, name, field, part, key, fallback, choices, meaning)                                                 \
+    MEMBER(TYPE, name, field, part, false, key, "", "", WHIRL_KEY_CHOICE, false, fallback, WHIRL_ANY, choices,         \
+           meaning, "")
+#define NUMBER(field, fallback, range, refined, meaning)                                                               \
+    MEMBER(NUMBER, #field, field, "integrate", refined, #field, "", "1", WHIRL_KEY_NUMBER, false, fallback, range,     \
+           NULL, meaning, "")
+#define TO_ONE                                                                                                         \
+    { 0.0, 1.0, true, false }
 
 static const whirl_member members[] = {
-    {"method", AT(WORD, method), .part = "integrate",
-     .key = {"method", "", "", WHIRL_KEY_CHOICE, false, "auto", WHIRL_ANY, "",
-             "a method of integration; auto: dop853, or rodas5p where the machine is stiff", ""}},
-    {"method_chosen", AT(FLAG, chosen), .part = "",
-     .key = {"chosen", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "", "whether auto chose the method", ""}},
-    {"located", AT(FLAG, located), .part = "integrate",
-     .key = {"contacts", "", "", WHIRL_KEY_CHOICE, false, "unlocated", WHIRL_ANY, "unlocated|located",
-             "of method rk4: unlocated: steps go over contacts; located: steps are split where contact begins and "
-             "ends; other methods always locate them",
-             ""}},
-    {"steps_per_revolution", AT(WHOLE, steps_per_revolution), .part = "integrate", .refined = true,
-     .key = {"steps_per_revolution",
-             "",
-             "1",
-             WHIRL_KEY_WHOLE,
-             false,
-             "1024",
-             {1, WHIRL_MAX_STEPS, false, false},
-             NULL,
-             "instants at which the motion is seen; of rk4 also its steps",
-             ""}},
-    {"rtol", AT(NUMBER, rtol), .part = "integrate", .refined = true,
-     .key = {"rtol",
-             "",
-             "1",
-             WHIRL_KEY_NUMBER,
-             false,
-             "1e-9",
-             {0, 1, true, false},
-             NULL,
-             "relative tolerance of adaptive methods",
-             ""}},
-    {"atol", AT(NUMBER, atol), .part = "integrate", .refined = true,
-     .key = {"atol", "", "1", WHIRL_KEY_NUMBER, false, "1e-12", WHIRL_POSITIVE, NULL,
-             "absolute tolerance of adaptive methods, in length scales", ""}},
-    {"limit", AT(NUMBER, limit), .part = "integrate",
-     .key = {"limit", "", "1", WHIRL_KEY_NUMBER, false, "1e6", WHIRL_POSITIVE, NULL,
-             "a motion counts as diverged beyond this displacement or velocity, in length scales", ""}},
+    WORD(WORD, "method", method, "integrate", "method", "auto", "",
+         "a method of integration; auto: dop853, or rodas5p where the machine is stiff"),
+    WORD(FLAG, "method_chosen", chosen, "", "chosen", "", "", "whether auto chose the method"),
+    WORD(FLAG, "located", located, "integrate", "contacts", "unlocated", "unlocated|located",
+         "of method rk4: unlocated: steps go over contacts; located: steps are split where contact begins and ends; "
+         "other methods always locate them"),
+    MEMBER(WHOLE, "steps_per_revolution", steps_per_revolution, "integrate", true, "steps_per_revolution", "", "1",
+           WHIRL_KEY_WHOLE, false, "1024", WHIRL_FROM_TO(1, WHIRL_MAX_STEPS), NULL,
+           "instants at which the motion is seen; of rk4 also its steps", ""),
+    NUMBER(rtol, "1e-9", TO_ONE, true, "relative tolerance of adaptive methods"),
+    NUMBER(atol, "1e-12", WHIRL_POSITIVE, true, "absolute tolerance of adaptive methods, in length scales"),
+    NUMBER(limit, "1e6", WHIRL_POSITIVE, false,
+           "a motion counts as diverged beyond this displacement or velocity, in length scales"),
     {.part = NULL},
 };
 

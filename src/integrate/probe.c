@@ -3,19 +3,14 @@
 
 #include "whirl/system.h"
 
+#define MEMBER(TYPE, field, symbol, part, fallback, range, meaning)                                                    \
+    {                                                                                                                  \
+#field, WHIRL_MEMBER_##TYPE, offsetof(whirl_probe, field), part,                                               \
+            {#field, symbol, "1", WHIRL_KEY_NUMBER, false, fallback, range, NULL, meaning, "" }, false                 \
+    }
 /// Where a case says a state, its keys are those of the coordinates.
-#define COORDINATE(field, symbol, meaning)                                                                             \
-    {                                                                                                                  \
-#field, .type = WHIRL_MEMBER_INDEX, .offset = offsetof(whirl_probe, field), .part = "initial",                 \
-                .key = {                                                                                               \
-                    #field, symbol, "1", WHIRL_KEY_NUMBER, false, "0", WHIRL_ANY, NULL, meaning, "" }                  \
-    }
-#define LENGTH(field, meaning)                                                                                         \
-    {                                                                                                                  \
-#field, .type = WHIRL_MEMBER_NUMBER, .offset = offsetof(whirl_probe, field), .part = "",                       \
-                .key = {                                                                                               \
-                    #field, "", "1", WHIRL_KEY_NUMBER, false, "", WHIRL_NOT_NEGATIVE, NULL, meaning, "" }              \
-    }
+#define COORDINATE(field, symbol, meaning) MEMBER(INDEX, field, symbol, "initial", "0", WHIRL_ANY, meaning)
+#define LENGTH(field, meaning) MEMBER(NUMBER, field, "", "", "", WHIRL_NOT_NEGATIVE, meaning)
 #define PLACE "displacement in length scales, or with a unit of length"
 #define RATE "velocity in length scales per radian of rotation, or with a unit of m/s"
 

@@ -40,6 +40,19 @@ void document_append(bool *well, json_t *array, json_t *value) {
     if (json_array_append_new(array, value) != 0) *well = false;
 }
 
+static json_t *member_value(const whirl_member *member, const void *from) {
+    const double number = whirl_member_number(member, from);
+    return member->type == WHIRL_MEMBER_WORD     ? document_text((const char *)from + member->offset)
+           : member->type == WHIRL_MEMBER_FLAG   ? json_boolean(number != 0.0)
+           : member->type == WHIRL_MEMBER_NUMBER ? document_number(number)
+                                                 : json_integer((json_int_t)number);
+}
+
+void document_put_members(bool *well, json_t *object, const whirl_member *member, const void *from) {
+    for (; member->part; ++member)
+        if (member->name) document_put(well, object, member->name, member_value(member, from));
+}
+
 /// A real number stays one: 2.0, not 2.
 static bool write_real(double value, FILE *stream) {
     char text[NUMBER_SIZE];

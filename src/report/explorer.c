@@ -87,8 +87,7 @@ static void write_stations(FILE *stream, const whirl_result *result) {
         const whirl_probe *station = &result->stations[i];
         if (i > 0) fputc(',', stream);
         text_member(stream, '{', "name", station->name);
-        number_member(stream, ',', "clearance", station->clearance);
-        number_member(stream, ',', "gap", station->gap);
+        script_members(stream, whirl_probe_members(), station);
         fputc('}', stream);
     }
     fputc(']', stream);
@@ -157,7 +156,7 @@ static void write_values(FILE *stream, const selection *chosen) {
 
 static void write_verdicts(FILE *stream, const selection *chosen) {
     const whirl_table *table = chosen->table;
-    if (!whirl_layout_field(&table->layout, "regime/code")) return;
+    if (!whirl_layout_has_verdict(&table->layout)) return;
     member(stream, ',', "verdicts");
     for (size_t p = 0; p < table->count; p += chosen->stride) {
         const whirl_verdict verdict = whirl_table_verdict(table, p);
@@ -231,10 +230,8 @@ static void write_table(FILE *stream, const whirl_table *table, bool sections) {
     text_member(stream, '{', "name", table->name);
     text_member(stream, ',', "parameter", table->parameter);
     fprintf(stream, ",\"points\":%zu,\"count\":%zu", table->count, chosen.count);
-    text_member(stream, ',', "method", table->integrate.method);
-    fprintf(stream, ",\"chosen\":%s", table->integrate.chosen ? "true" : "false");
-    fprintf(stream, ",\"steps_per_revolution\":%d,\"transient\":%d,\"record\":%d",
-            table->integrate.steps_per_revolution, table->record.transient, table->record.record);
+    script_members(stream, whirl_integrate_members(), &table->integrate);
+    script_members(stream, whirl_record_members(), &table->record);
     write_values(stream, &chosen);
     write_verdicts(stream, &chosen);
     write_fields(stream, &chosen);

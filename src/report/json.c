@@ -61,7 +61,7 @@ static void put_refinement(bool *well, json_t *object, const whirl_table *table,
 }
 
 static void put_verdict(bool *well, json_t *object, const whirl_table *table, size_t point) {
-    if (!whirl_layout_field(&table->layout, "regime/code")) return;
+    if (!whirl_layout_has_verdict(&table->layout)) return;
     const whirl_verdict verdict = whirl_table_verdict(table, point);
     char name[WHIRL_NAME_SIZE], reason[WHIRL_MESSAGE_SIZE];
     whirl_verdict_name(&verdict, name, sizeof name);
@@ -310,15 +310,14 @@ static const char *version_of(const whirl_result *result) {
     return WHIRL_VERSION;
 }
 
-// How the points of every table were integrated, by the tables' names.
+// How the points of every table were computed, by the tables' names.
 static bool dump_methods(const whirl_result *result, FILE *stream) {
     json_t *methods = json_object();
     bool well = true;
     for (size_t i = 0; i < result->table_count; ++i) {
-        const whirl_integrate_options *how = &result->tables[i].integrate;
         json_t *object = json_object();
-        document_put(&well, object, "method", document_text(how->method));
-        document_put(&well, object, "chosen_by_auto", json_boolean(how->chosen));
+        document_put_members(&well, object, whirl_integrate_members(), &result->tables[i].integrate);
+        document_put_members(&well, object, whirl_record_members(), &result->tables[i].record);
         document_put(&well, methods, result->tables[i].name, object);
     }
     return dump_member(",\n", "integrated", methods, stream) && well;

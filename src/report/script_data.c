@@ -32,6 +32,19 @@ void script_number(FILE *stream, double value) {
     fputs(text, stream);
 }
 
+void script_members(FILE *stream, const whirl_member *member, const void *from) {
+    char text[WHIRL_NAME_SIZE];
+    for (; member->part; member++) {
+        if (!member->name) continue;
+        fprintf(stream, ",\"%s\":", member->name);
+        whirl_member_text(member, from, text);
+        if (member->type == WHIRL_MEMBER_WORD)
+            script_text(stream, text);
+        else
+            fputs(isfinite(whirl_member_number(member, from)) ? text : "null", stream);
+    }
+}
+
 static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
 void base64_byte(base64 *to, uint8_t byte) {

@@ -6,12 +6,17 @@
 #include <stdint.h>
 #include <stdio.h>
 
+#include "whirl/descriptor.h"
+
 /// Writes a JSON string, quotes included. '<', '>' and '&' are escaped, so that no text is ever markup; bytes that are
 /// not UTF-8 become U+FFFD.
 void script_text(FILE *stream, const char *text);
 
 /// Writes a number with the digits that give the same double back, null for NaN and infinities.
 void script_number(FILE *stream, double value);
+
+/// Writes ',"NAME":VALUE' for every member of a struct that has a name.
+void script_members(FILE *stream, const whirl_member *member, const void *from);
 
 /// A stream of bytes written as base64 (RFC 4648); starts as {stream}.
 typedef struct base64 {

@@ -228,6 +228,28 @@ static void write_parameters(FILE *stream, const whirl_result *result, const whi
     }
 }
 
+static void put_options(line *row, const char *table, const whirl_member *member, const void *options) {
+    char value[WHIRL_NAME_SIZE];
+    for (; member->part; ++member) {
+        if (!member->name) continue;
+        whirl_member_text(member, options, value);
+        put_cell(row, table), put_cell(row, member->name), put_cell(row, value), put_cell(row, member->key.meaning);
+        end_line(row);
+    }
+}
+
+static void write_options(FILE *stream, const whirl_result *result, const whirl_table *unused,
+                          const whirl_field *field) {
+    (void)unused, (void)field;
+    line row = {stream, false};
+    put_cell(&row, "table"), put_cell(&row, "option"), put_cell(&row, "value"), put_cell(&row, "meaning");
+    end_line(&row);
+    for (const whirl_table *table = result->tables; table < result->tables + result->table_count; ++table) {
+        put_options(&row, table->name, whirl_integrate_members(), &table->integrate);
+        put_options(&row, table->name, whirl_record_members(), &table->record);
+    }
+}
+
 typedef void (*write_fn)(FILE *stream, const whirl_result *result, const whirl_table *table, const whirl_field *field);
 
 /// One file DIR/name.csv, whole or not at all.
@@ -260,6 +282,7 @@ static whirl_status export_table(const char *folder, const whirl_result *result,
 whirl_status whirl_result_export_csv(const whirl_result *result, const char *path) {
     whirl_status status = atomic_folder(path);
     if (status.code == WHIRL_OK) status = export_file(path, "parameters", write_parameters, result, NULL, NULL);
+    if (status.code == WHIRL_OK) status = export_file(path, "options", write_options, result, NULL, NULL);
     for (size_t i = 0; i < result->table_count && status.code == WHIRL_OK; ++i) {
         const char *name = result->tables[i].name;
         if (!format_is_name(name, 0) || format_reserved(name))

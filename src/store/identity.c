@@ -65,7 +65,7 @@ static void put_options(FILE *out, const char *table, const whirl_member *member
     char text[WHIRL_NAME_SIZE];
     for (; member->part; ++member) {
         if (!member->name) continue;
-        whirl_member_text(member, options, text, sizeof text);
+        whirl_member_text(member, options, text);
         fprintf(out, "%s of the %s\t%s\n", member->name, table, text);
     }
 }

@@ -37,13 +37,13 @@ static void follow(const whirl_member *member, size_t offset) {
         const char *value = other_value(&member->key, buffer);
         with_key(member->part, member->key.name, value, &object, &study);
         whirl_batch *batch = &study.batches[0];
-        whirl_member_text(member, (char *)batch + offset, found, sizeof found);
+        whirl_member_text(member, (char *)batch + offset, found);
         whirl_batch wanted = {.count = 1};
         if (member->key.kind == WHIRL_KEY_CHOICE)
             whirl_member_say(member, (char *)&wanted + offset, value);
         else
             whirl_member_set(member, (char *)&wanted + offset, strtod(value, NULL));
-        whirl_member_text(member, (char *)&wanted + offset, expected, sizeof expected);
+        whirl_member_text(member, (char *)&wanted + offset, expected);
         assert_string_equal(found, expected);
         whirl_case_free(object);
     }

@@ -13,8 +13,8 @@ static inline bool same_bits(const double *a, const double *b, size_t count) {
 static inline bool same_members(const whirl_member *member, const void *a, const void *b) {
     char one[WHIRL_NAME_SIZE], other[WHIRL_NAME_SIZE];
     for (; member->part; ++member) {
-        whirl_member_text(member, a, one, sizeof one);
-        whirl_member_text(member, b, other, sizeof other);
+        whirl_member_text(member, a, one);
+        whirl_member_text(member, b, other);
         if (strcmp(one, other) != 0) return false;
     }
     return true;

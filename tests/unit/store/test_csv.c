@@ -30,8 +30,9 @@ static int setup(void **state) {
     return 0;
 }
 
-static const char *const files[] = {"parameters",        "sweep",  "sweep-poincare-section", "sweep-spectrum-lines",
-                                    "detail-made-array", "detail", "detail-made-column",     "detail-made-nothing"};
+static const char *const files[] = {"parameters",           "options",           "sweep",  "sweep-poincare-section",
+                                    "sweep-spectrum-lines", "detail-made-array", "detail", "detail-made-column",
+                                    "detail-made-nothing"};
 
 static void path_of(const fixture *f, const char *name, char path[200]) {
     snprintf(path, 200, "%s/%s.csv", f->folder, name);
@@ -224,12 +225,41 @@ static void says_where_no_folder_can_be(void **state) {
     assert_non_null(strstr(status.message, "there is a file of that name"));
 }
 
+/// A line for every option of every table, with the value that the run had.
+static void options_have_a_line_each(void **state) {
+    fixture *f = *state;
+    cells record;
+    size_t count = 0, expected = 0;
+    for (const whirl_member *m = whirl_integrate_members(); m->part; ++m) expected += m->name != NULL;
+    for (const whirl_member *m = whirl_record_members(); m->part; ++m) expected += m->name != NULL;
+    assert_int_equal(whirl_result_export_csv(f->made, f->folder).code, WHIRL_OK);
+    FILE *stream = open_export(f, "options", &record);
+    assert_string_equal(record.text[1], "option");
+    for (; read_record(stream, &record); ++count) {
+        const whirl_table *table = whirl_result_table(f->made, record.text[0]);
+        const whirl_member *integrate = whirl_member_find(whirl_integrate_members(), record.text[1]);
+        const whirl_member *found = integrate ? integrate : whirl_member_find(whirl_record_members(), record.text[1]);
+        const void *options = integrate ? (const void *)&table->integrate : (const void *)&table->record;
+        assert_int_equal(record.count, 4);
+        assert_non_null(found);
+        const double number = whirl_member_number(found, options);
+        if (found->type == WHIRL_MEMBER_WORD)
+            assert_string_equal(record.text[2], (const char *)options + found->offset);
+        else if (found->type == WHIRL_MEMBER_FLAG)
+            assert_string_equal(record.text[2], number != 0.0 ? "true" : "false");
+        else
+            assert_true(strtod(record.text[2], NULL) == number);
+    }
+    fclose(stream);
+    assert_int_equal(count, expected * f->made->table_count);
+}
+
 int main(void) {
 #define IN_FOLDER(test) cmocka_unit_test_setup_teardown(test, setup, teardown)
     const struct CMUnitTest tests[] = {
         IN_FOLDER(points_have_a_line_each),      IN_FOLDER(numbers_stand_under_their_headings),
         IN_FOLDER(rows_have_files_of_their_own), IN_FOLDER(texts_are_quoted),
-        IN_FOLDER(says_where_no_folder_can_be),
+        IN_FOLDER(options_have_a_line_each),     IN_FOLDER(says_where_no_folder_can_be),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
