@@ -64,6 +64,20 @@ EXPORTED int explorer_assign(whirl_case *object, const char *assignment) {
 
 // ---------------------------------------------------------------- describing
 
+/// Every member that has a name, as results have it.
+static void add_members(text *t, const whirl_member *member, const void *from) {
+    char word[WHIRL_NAME_SIZE];
+    for (; member->part; member++) {
+        if (!member->name) continue;
+        json_name(t, member->name);
+        whirl_member_text(member, from, word);
+        if (member->type == WHIRL_MEMBER_WORD)
+            json_text(t, word);
+        else
+            text_add(t, "%s", isfinite(whirl_member_number(member, from)) ? word : "null");
+    }
+}
+
 void add_stations(text *t, const whirl_probe *stations, size_t count) {
     json_name(t, "stations");
     text_add(t, "[");
@@ -72,10 +86,7 @@ void add_stations(text *t, const whirl_probe *stations, size_t count) {
         text_add(t, "{");
         json_name(t, "name");
         json_text(t, stations[i].name);
-        json_name(t, "clearance");
-        json_number(t, stations[i].clearance);
-        json_name(t, "gap");
-        json_number(t, stations[i].gap);
+        add_members(t, whirl_probe_members(), &stations[i]);
         text_add(t, "}");
     }
     text_add(t, "]");
@@ -155,19 +166,11 @@ static void add_methods(text *t) {
 }
 
 void add_options(text *t, const whirl_batch *batch) {
-    const whirl_integrate_options *i = &batch->integrate;
-    const whirl_record_options *r = &batch->record;
-    json_name(t, "integrate");
+    json_name(t, "options");
     text_add(t, "{");
-    json_name(t, "method");
-    json_text(t, i->method);
-    text_add(t, ",\"chosen\":%s", i->chosen ? "true" : "false");
-    text_add(t, ",\"stepsPerRevolution\":%d,\"rtol\":%.17g,\"atol\":%.17g,\"located\":%s,\"limit\":%.17g}",
-             i->steps_per_revolution, i->rtol, i->atol, i->located ? "true" : "false", i->limit);
-    json_name(t, "record");
-    text_add(t, "{\"transient\":%d,\"record\":%d,\"watch\":%d,\"waveform\":%d,\"samplesPerRevolution\":%d",
-             r->transient, r->record, r->watch, r->waveform_revolutions, r->samples_per_revolution);
-    text_add(t, ",\"highestOrder\":%.17g,\"settle\":%s}", r->highest_order, r->settle ? "true" : "false");
+    add_members(t, whirl_integrate_members(), &batch->integrate);
+    add_members(t, whirl_record_members(), &batch->record);
+    text_add(t, "}");
 }
 
 static const char *carry_name(whirl_carry carry) {

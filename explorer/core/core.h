@@ -61,7 +61,7 @@ typedef struct plan {
 plan *explorer_plan_new(const whirl_case *object, const char *batch, const char *parameter);
 void explorer_plan_free(plan *p);
 
-/// Changes an option by its name in protocol.ts ("stepsPerRevolution", "transient", ...).
+/// Changes an option by its name in results ("steps_per_revolution", "transient", ...).
 int explorer_plan_number(plan *p, const char *option, double value);
 int explorer_plan_method(plan *p, const char *method);
 

@@ -3,9 +3,6 @@
 #include "looks.h"
 #include "pieces.h"
 
-#include <limits.h>
-#include <math.h>
-#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -51,48 +48,17 @@ EXPORTED void explorer_plan_free(plan *p) {
 
 // ---------------------------------------------------------------- options
 
-typedef enum option_kind { OPTION_WHOLE, OPTION_NUMBER, OPTION_FLAG } option_kind;
-
-typedef struct plan_option {
-    const char *name; ///< as in protocol.ts
-    option_kind kind;
-    size_t offset; ///< in whirl_batch
-} plan_option;
-
-static const plan_option options[] = {
-    {"stepsPerRevolution", OPTION_WHOLE, offsetof(whirl_batch, integrate.steps_per_revolution)},
-    {"rtol", OPTION_NUMBER, offsetof(whirl_batch, integrate.rtol)},
-    {"atol", OPTION_NUMBER, offsetof(whirl_batch, integrate.atol)},
-    {"located", OPTION_FLAG, offsetof(whirl_batch, integrate.located)},
-    {"limit", OPTION_NUMBER, offsetof(whirl_batch, integrate.limit)},
-    {"transient", OPTION_WHOLE, offsetof(whirl_batch, record.transient)},
-    {"record", OPTION_WHOLE, offsetof(whirl_batch, record.record)},
-    {"watch", OPTION_WHOLE, offsetof(whirl_batch, record.watch)},
-    {"waveform", OPTION_WHOLE, offsetof(whirl_batch, record.waveform_revolutions)},
-    {"samplesPerRevolution", OPTION_WHOLE, offsetof(whirl_batch, record.samples_per_revolution)},
-    {"highestOrder", OPTION_NUMBER, offsetof(whirl_batch, record.highest_order)},
-    {"settle", OPTION_FLAG, offsetof(whirl_batch, record.settle)},
-};
-
-static whirl_status set_option(plan *p, const plan_option *option, double value) {
-    char *at = (char *)&p->batch + option->offset;
-    const bool whole = value == floor(value) && fabs(value) <= INT_MAX;
-    if (!isfinite(value) || (option->kind != OPTION_NUMBER && !whole))
-        return whirl_fail(WHIRL_BAD_INPUT, "%s is %g, expected a %s number", option->name, value,
-                          option->kind == OPTION_NUMBER ? "finite" : "whole");
-    if (option->kind == OPTION_WHOLE)
-        *(int *)(void *)at = (int)value;
-    else if (option->kind == OPTION_NUMBER)
-        *(double *)(void *)at = value;
-    else
-        *(bool *)(void *)at = value != 0.0;
-    return whirl_ok();
-}
-
 EXPORTED int explorer_plan_number(plan *p, const char *name, double value) {
+    const whirl_member *member = whirl_member_find(whirl_integrate_members(), name);
+    void *options = &p->batch.integrate;
+    if (!member) {
+        member = whirl_member_find(whirl_record_members(), name);
+        options = &p->batch.record;
+    }
     whirl_status status = whirl_fail(WHIRL_BAD_INPUT, "no option is called %.40s", name);
-    for (size_t i = 0; i < sizeof options / sizeof *options; i++)
-        if (strcmp(options[i].name, name) == 0) status = set_option(p, &options[i], value);
+    if (member) status = whirl_key_check_number(&member->key, value);
+    if (member && status.code != WHIRL_OK) status = whirl_fail(status.code, "%s %s", name, status.message);
+    if (status.code == WHIRL_OK) whirl_member_set(member, options, value);
     return explorer_good(&status);
 }
 

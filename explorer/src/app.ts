@@ -5,7 +5,6 @@ import { isTyping, releaseFields } from './dom';
 import type { Engine } from './engine/protocol';
 import type { Range } from './figure/chart';
 import { History } from './model/history';
-import { valueOf } from './model/original';
 import type { Plan } from './model/recompute';
 import { Session, type Change, type SideName } from './model/session';
 import { assignmentTexts, readAddress, writeAddress, type Address, type Computation } from './model/setting';
@@ -120,7 +119,7 @@ export class App {
 
   private settingsListener(): SettingsListener {
     return {
-      assigned: (name, text, settled) => this.assign(name, text, settled),
+      assigned: (name, text, settled, value) => this.assign(name, text, settled, value),
       refused: (sentence) => this.session.side.refuse(sentence),
       computation: (changed) => this.setComputation(changed),
       resetAll: () => this.resetParameters(),
@@ -134,6 +133,7 @@ export class App {
     const { session } = this;
     return {
       value: (name, value) => this.cursor(name, value, true),
+      spoken: (name, text) => void this.speak(name, text),
       refused: (name, sentence) => session.sides[name].refuse(sentence),
       activated: (name) => {
         if (session.active === name || (name === 'b' && !session.address.b)) return;
@@ -252,20 +252,30 @@ export class App {
     this.later(name);
   }
 
-  private assign(name: string, text: string | undefined, settled: boolean): void {
+  private assign(name: string, text: string | undefined, settled: boolean, value: number | undefined): void {
     const { session } = this;
     const side = session.side;
     if (name === session.address.parameter) {
-      const value = text === undefined ? session.firstValue : valueOf(session.original, name, text);
-      if (Number.isFinite(value)) this.cursor(session.active, value, settled);
+      if (text !== undefined && value === undefined) void this.speak(session.active, text);
+      else this.cursor(session.active, value ?? session.firstValue, settled);
       return;
     }
     const assignments = new Map(side.choice.assignments);
+    if (value === undefined) releaseFields();
     if (text === undefined) assignments.delete(name);
     else assignments.set(name, text);
     side.choice = { ...side.choice, assignments };
     this.watches.end(session.active);
     void this.refreshSide(side, settled);
+  }
+
+  /// The value along the diagram, in a unit that only the engine knows.
+  private async speak(name: SideName, text: string): Promise<void> {
+    const value = await this.session.spokenValue(name, text);
+    // What was typed is shown in the page's own unit.
+    if (typeof value === 'number') releaseFields();
+    if (typeof value === 'number') this.cursor(name, value, true);
+    else if (value) this.session.sides[name].refuse(value);
   }
 
   private setComputation(computation: Computation): void {

@@ -271,6 +271,62 @@ test('an error speaks the unit that was typed, and what is left of the last good
   await close();
 });
 
+test('a value may be typed with a unit that is not the one shown', async () => {
+  const { page, complaints, close } = await open(`${bearing}#par=omega&at=650&range=600,700&units=um,rpm,order,0-p`);
+  await settled(page);
+  const shows = (field, text) =>
+    page.waitForFunction(([at, value]) => document.querySelector(at).value === value, [field, text]);
+  await type(page, '#value-a', '640 rad/s');
+  await shows('#value-a', '6111.55'); // 640 rad/s times 60/(2 pi)
+  await page.waitForFunction(() => /[#&]at=640(&|$)/.test(location.hash));
+  await type(page, '#parameter-omega', '0.66 rad/ms');
+  await shows('#value-a', '6302.54');
+  await type(page, '#parameter-c', '180 um');
+  await shows('#parameter-c', '0.18');
+  await settled(page);
+  assert.equal(await page.textContent('.pane-a .trouble'), '');
+  await type(page, '#value-a', '3 kg');
+  assert.match(await troubled(page), /omega: is 3 kg, expected a number in rad\/s/);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+/// A disc on a bearing whose coefficients are tables over the speed.
+const TABLES = `whirl: 1
+title: Tables over the speed
+parameters: {w: 5000 rpm, m: 20 kg}
+rotor:
+  speed: = w
+  length_scale: 0.1 mm
+  stations: {disc: {mass: = m, eccentricity: 10 um}}
+  elements:
+    - bearing: {at: disc, speeds: [3000 rpm, 6000 rpm, 9000 rpm], kxx: [4 MN/m, 6 MN/m, 9 MN/m], cxx: [20 kN.s/m, 16 kN.s/m, 12 kN.s/m]}
+study:
+  sweep:     {parameter: w, from: 3000 rpm, to: 9000 rpm, points: 7}
+  integrate: {method: rk4, steps_per_revolution: 256, transient: 100, record: 20}
+  analyze:   [poincare, regime, lyapunov, spectrum, orbit]
+`;
+
+test('tables over the speed are computed with, and stay as they are in a saved case', async () => {
+  const address = makePage('tables', TABLES);
+  const { page, complaints, close } = await open(
+    `${address}#par=w&at=${200 * Math.PI}&q=radius&units=um,rpm,order,0-p`,
+  );
+  assert.match(await settled(page), /P-1/);
+  // 6000 rpm stands in the tables: amplitude e m w^2 / |k - m w^2 + i c w| in um.
+  const [w, m, k, c] = [200 * Math.PI, 20, 6e6, 16e3];
+  const expected = (10 * m * w * w) / Math.hypot(k - m * w * w, c * w);
+  const rows = (await csv(page, '.panel-orbit')).trim().split('\r\n').slice(1);
+  const radii = rows.map((row) => Math.hypot(...row.split(',').slice(-2).map(Number)));
+  assert.ok(radii.length > 100 && radii.every((radius) => Math.abs(radius / expected - 1) < 1e-4), `${radii[0]}`);
+  assert.deepEqual(complaints, []);
+  await close();
+  const text = await savedCase(`${address}#at=${200 * Math.PI}`);
+  assert.match(text, /kxx: \[4 MN\/m, 6 MN\/m, 9 MN\/m\]/);
+  writeFileSync(join(folder, 'saved-tables.yaml'), text);
+  command('check', 'saved-tables.yaml');
+});
+
 test('a comma is refused with a sentence, and nothing is guessed', async () => {
   const { page, complaints, close } = await open(`${rub}#at=3.8`);
   await settled(page);

@@ -1,4 +1,5 @@
 // The runs that `whirl report` put into the page (src/report/explorer.c writes them).
+import type { StationInfo } from '../engine/protocol';
 
 export interface StoredField {
   readonly name: string;
@@ -19,7 +20,7 @@ export interface StoredTable {
   readonly count: number;
   readonly method: string;
   /// Whether `method: auto` took it.
-  readonly chosen: boolean;
+  readonly method_chosen: boolean;
   readonly steps_per_revolution: number;
   readonly transient: number;
   readonly record: number;
@@ -41,12 +42,6 @@ export interface StoredParameter {
   readonly value: number | null;
 }
 
-export interface StoredStation {
-  readonly name: string;
-  readonly clearance: number;
-  readonly gap: number;
-}
-
 export interface Run {
   readonly name: string;
   readonly title: string;
@@ -56,7 +51,7 @@ export interface Run {
   readonly length_scale: number;
   readonly force_scale: number;
   readonly parameters: readonly StoredParameter[];
-  readonly stations: readonly StoredStation[];
+  readonly stations: readonly StationInfo[];
   readonly contacts: readonly string[];
   readonly facts: readonly { readonly name: string; readonly value: string }[];
   readonly tables: readonly StoredTable[];

@@ -1,6 +1,6 @@
 // The C core behind types: handles, texts and numbers. See explorer/core/core.h, whose functions these are.
 import createCore, { type CoreModule } from 'whirl-core-glue';
-import type { CaseInfo, IntegrateOptions, Layout, Look, RecordOptions, StationInfo, Verdict } from './protocol';
+import type { CaseInfo, Layout, Look, Options, StationInfo, Verdict } from './protocol';
 import type { Refusal } from './wire';
 
 /// What the core refused, with its own words.
@@ -12,8 +12,7 @@ export class Refused extends Error {
 
 export interface PlanLayout {
   readonly layout: Layout;
-  readonly integrate: IntegrateOptions;
-  readonly record: RecordOptions;
+  readonly options: Options;
   /// Of a point that runs to its end.
   readonly revolutions: number;
   /// Samples of a kept waveform a revolution.

@@ -10,8 +10,7 @@ export interface Setting {
   /// Stands for the file in messages.
   readonly name?: string;
   readonly assignments?: readonly string[];
-  readonly integrate?: Partial<IntegrateOptions>;
-  readonly record?: Partial<RecordOptions>;
+  readonly options?: Partial<Options>;
   /// Asks for a first look only.
   readonly look?: Look;
 }
@@ -71,33 +70,27 @@ export interface StationInfo {
   readonly clearance: number;
   /// Radius at which the station touches a stator, 0 where there is none.
   readonly gap: number;
+  /// Indices of its coordinates in a state.
+  readonly x: number;
+  readonly y: number;
 }
 
-export interface IntegrateOptions {
+/// How points are computed, by the names that results have: all that is in the tables of src/integrate/options.c and
+/// src/analyze/options.c. The page itself speaks of these.
+export interface Options {
   /// A name of CaseInfo.methods.
   readonly method: string;
   /// Of an answer: `method: auto` took it.
-  readonly chosen?: boolean;
-  readonly stepsPerRevolution: number;
-  readonly rtol: number;
-  readonly atol: number;
-  /// rk4: steps are split where contact begins and ends; other methods always do.
-  readonly located: boolean;
-  readonly limit: number;
-}
-
-export interface RecordOptions {
+  readonly method_chosen: boolean;
+  readonly steps_per_revolution: number;
   /// Revolutions that pass before anything is recorded.
   readonly transient: number;
   readonly record: number;
   /// Revolutions before the end over which the motion is watched; 0: chosen by the engine.
   readonly watch: number;
   /// Last revolutions whose waveform is kept; 0: none. A point without a wish keeps at most 20.
-  readonly waveform: number;
-  readonly samplesPerRevolution: number;
-  readonly highestOrder: number;
-  /// End the transient early where the motion has settled on a periodic orbit.
-  readonly settle: boolean;
+  readonly waveform_revolutions: number;
+  readonly [name: string]: string | number | boolean;
 }
 
 export type Carry = 'none' | 'forward' | 'reverse' | 'both';
@@ -109,8 +102,7 @@ export interface BatchInfo {
   readonly parameter: string;
   readonly values: readonly number[];
   readonly carry: Carry;
-  readonly integrate: IntegrateOptions;
-  readonly record: RecordOptions;
+  readonly options: Options;
 }
 
 export interface MethodInfo {
@@ -207,8 +199,7 @@ export interface PointResult {
   readonly samplesPerRevolution: number;
   /// The state at the end: x, y of every station, then their velocities; NaN after a divergence.
   readonly end: Float64Array;
-  readonly integrate: IntegrateOptions;
-  readonly record: RecordOptions;
+  readonly options: Options;
   /// Wall-clock seconds in the worker.
   readonly seconds: number;
 }
@@ -274,7 +265,7 @@ export interface TransientRequest {
 export interface TransientResult {
   /// The state after the last revolution: hand it to the next request.
   readonly state: Float64Array;
-  /// State [dimension] at every sample, oldest first: x1, y1, x2, y2, ..., then their velocities. Samples lie at equal
+  /// State [dimension] at every sample, oldest first, where StationInfo says whose coordinates lie. Samples lie at equal
   /// distances; the last of every revolution is at its mark.
   readonly samples: Float64Array;
   /// [samples][contacts] normal forces, 0 while open.

@@ -1,15 +1,6 @@
 // What a worker does for a task, in pieces: a generator yields whenever something else may go first.
 import type { Core } from './core';
-import type {
-  Edit,
-  IntegrateOptions,
-  PointRequest,
-  PointResult,
-  RecordOptions,
-  Setting,
-  TransientRequest,
-  TransientResult,
-} from './protocol';
+import type { Edit, Options, PointRequest, PointResult, Setting, TransientRequest, TransientResult } from './protocol';
 import type { Answer, FromWorker, PartRequest, Task } from './wire';
 
 /// Revolutions of the waveform of a point that asks for no number of them.
@@ -87,11 +78,9 @@ export class Tasks {
     const plan = this.core.planNew(object, batch ?? '', parameter);
     this.inUse.set(object, (this.inUse.get(object) ?? 0) + 1);
     try {
-      const options: {
-        -readonly [K in keyof (IntegrateOptions & RecordOptions)]?: (IntegrateOptions & RecordOptions)[K];
-      } = { ...setting.integrate, ...setting.record };
+      const options: Record<string, Options[string] | undefined> = { ...setting.options };
       // How long a motion is watched was said for another length of it.
-      if (options.transient !== undefined || options.record !== undefined) options.watch ??= 0;
+      if (options['transient'] !== undefined || options['record'] !== undefined) options['watch'] ??= 0;
       for (const [option, value] of Object.entries(options))
         if (value !== undefined) this.core.planOption(plan, option, value);
       if (setting.look) this.core.planLook(plan, setting.look);
@@ -130,7 +119,7 @@ export class Tasks {
     // A value that is not given is the case's own: then nothing varies.
     const parameter = request.value === undefined ? '' : request.parameter;
     return yield* this.withPlan(request.setting, request.batch, parameter, function* (plan) {
-      core.planEverything(plan, request.setting.record?.waveform ?? USUAL_WAVEFORM);
+      core.planEverything(plan, request.setting.options?.waveform_revolutions ?? USUAL_WAVEFORM);
       const planned = core.planLayout(plan, value);
       const size = planned.layout.size;
       const dimension = core.dimension(plan);
@@ -152,8 +141,7 @@ export class Tasks {
           ...core.machine(plan, value),
           samplesPerRevolution: planned.waveformSamples,
           end: core.read(end, dimension),
-          integrate: planned.integrate,
-          record: planned.record,
+          options: planned.options,
           seconds: (performance.now() - began) / 1000,
         } satisfies PointResult;
       } finally {

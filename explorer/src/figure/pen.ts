@@ -1,16 +1,21 @@
 // What figures draw with: the part of a canvas context that they use, so that the same drawing also makes an SVG.
 
+/// How a pen draws: what `save` keeps.
+const STYLE = [
+  'fillStyle',
+  'strokeStyle',
+  'lineWidth',
+  'globalAlpha',
+  'font',
+  'textAlign',
+  'textBaseline',
+  'lineJoin',
+  'lineCap',
+] as const;
+
 export type Pen = Pick<
   CanvasRenderingContext2D,
-  | 'fillStyle'
-  | 'strokeStyle'
-  | 'lineWidth'
-  | 'globalAlpha'
-  | 'font'
-  | 'textAlign'
-  | 'textBaseline'
-  | 'lineJoin'
-  | 'lineCap'
+  | (typeof STYLE)[number]
   | 'beginPath'
   | 'moveTo'
   | 'lineTo'
@@ -44,21 +49,6 @@ export function textWidth(text: string, face: string): number {
   return ruler.measureText(text).width;
 }
 
-interface State {
-  fillStyle: string | CanvasGradient | CanvasPattern;
-  strokeStyle: string | CanvasGradient | CanvasPattern;
-  lineWidth: number;
-  globalAlpha: number;
-  font: string;
-  textAlign: CanvasTextAlign;
-  textBaseline: CanvasTextBaseline;
-  lineJoin: CanvasLineJoin;
-  lineCap: CanvasLineCap;
-  dash: readonly number[];
-  /// Groups that were opened since the state was saved.
-  groups: number;
-}
-
 const BASELINE: Record<string, string> = { middle: '0.35em', top: '0.8em', bottom: '-0.2em' };
 const ANCHOR: Record<string, string> = { center: 'middle', right: 'end', end: 'end' };
 
@@ -82,8 +72,9 @@ export class SvgPen implements Pen {
   lineJoin: CanvasLineJoin = 'miter';
   lineCap: CanvasLineCap = 'butt';
   private dash: readonly number[] = [];
+  /// That were opened since the state was saved.
   private groups = 0;
-  private readonly stack: State[] = [];
+  private readonly stack: Record<string, unknown>[] = [];
   private readonly parts: string[] = [];
   private path: string[] = [];
   private clips = 0;
@@ -167,32 +158,8 @@ export class SvgPen implements Pen {
   }
 
   save(): void {
-    const {
-      fillStyle,
-      strokeStyle,
-      lineWidth,
-      globalAlpha,
-      font: face,
-      textAlign,
-      textBaseline,
-      lineJoin,
-      lineCap,
-      dash,
-      groups,
-    } = this;
-    this.stack.push({
-      fillStyle,
-      strokeStyle,
-      lineWidth,
-      globalAlpha,
-      font: face,
-      textAlign,
-      textBaseline,
-      lineJoin,
-      lineCap,
-      dash,
-      groups,
-    });
+    const style = STYLE.map((name) => [name, this[name]]);
+    this.stack.push({ ...Object.fromEntries(style), dash: this.dash, groups: this.groups });
     this.groups = 0;
   }
 

@@ -1,6 +1,6 @@
 // What the reader takes away of a setting: a case file, a command line.
 import type { CaseInfo, Edit } from '../engine/protocol';
-import type { Address, Side } from './setting';
+import { computationOptions, type Address, type Side } from './setting';
 
 type Range = readonly [number, number];
 
@@ -41,10 +41,8 @@ export function caseEdits(original: CaseInfo, address: Address, side: Side, view
       put('study.detail.at', `[${inUnit(Number.isFinite(side.value) ? side.value : (view[0] + view[1]) / 2, unit)}]`);
     else if (detail && Number.isFinite(side.value)) put('study.detail.at[1]', inUnit(side.value, unit));
   } else if (parameter && Number.isFinite(side.value)) put(`parameters.${parameter}`, inUnit(side.value, unit));
-  if (computation.method) put('study.integrate.method', computation.method);
-  if (computation.steps) put('study.integrate.steps_per_revolution', String(computation.steps));
-  if (computation.transient !== undefined) put('study.integrate.transient', String(computation.transient));
-  if (computation.record !== undefined) put('study.integrate.record', String(computation.record));
+  for (const [option, value] of Object.entries(computationOptions(computation)))
+    put(`study.integrate.${option}`, String(value));
   return edits;
 }
 

@@ -19,15 +19,6 @@ export function firstValue(original: CaseInfo | undefined, parameter: string, [l
   return detail ?? (mine.length === 0 ? own : undefined) ?? (low + high) / 2;
 }
 
-/// A text of the parameter's own slider, in SI: its unit's size follows from the case.
-export function valueOf(original: CaseInfo | undefined, name: string, text: string): number {
-  const [, figures = '', unit = ''] = /^(\S+)\s*(.*)$/.exec(text) ?? [];
-  const parameter = original?.parameters.find((each) => each.name === name);
-  if (unit === 'rpm') return (Number(figures) * Math.PI) / 30;
-  const [, number, written] = /^\s*([-+0-9.eE]+)\s+(\S.*?)\s*$/.exec(parameter?.written ?? '') ?? [];
-  return unit && unit === written && parameter ? (Number(figures) * parameter.value) / Number(number) : Number(figures);
-}
-
 /// The parameter that a diagram runs along where none is asked for.
 export function sweptParameter(original: CaseInfo | undefined, stored: string | undefined): string {
   const swept = stored || original?.batches.find(({ parameter }) => parameter)?.parameter;

@@ -5,8 +5,8 @@ import type { Run } from '../data/run';
 import type { CaseInfo, Engine, Setting, StationInfo, SweepProgress } from '../engine/protocol';
 import { machinesOf, scalesOf, type Machine } from './machine';
 import { firstValue, plannedRange, sweptParameter } from './original';
-import { assignmentTexts, readAddress, type Address } from './setting';
-import { SideModel } from './side';
+import { assignmentTexts, computationOptions, readAddress, type Address } from './setting';
+import { SideModel, troubleOf } from './side';
 import { howOf, Sights, type Sight } from './sights';
 import { unitsFor, type Scales } from './units';
 
@@ -23,8 +23,8 @@ export interface SessionListener {
 }
 
 /// "dop853 (by auto)", where the case leaves the choice.
-export function methodText(how: { readonly method: string; readonly chosen?: boolean }): string {
-  return how.chosen ? `${how.method} (by auto)` : how.method;
+export function methodText(how: { readonly method: string; readonly method_chosen?: boolean }): string {
+  return how.method_chosen ? `${how.method} (by auto)` : how.method;
 }
 
 export class Session {
@@ -131,18 +131,23 @@ export class Session {
 
   /// What the engine is asked to compute with.
   settingOf(side: SideModel): Setting {
-    const { method, steps, transient, record } = this.address.computation;
-    const batch = this.original?.batches[0];
-    const integrate = { ...(method ? { method } : {}), ...(steps ? { stepsPerRevolution: steps } : {}) };
-    const length = { ...(transient !== undefined ? { transient } : {}), ...(record !== undefined ? { record } : {}) };
-    const longer = record !== undefined && batch !== undefined && batch.record.watch > 0 ? { watch: 0 } : {};
     return {
       text: this.machine.text,
       name: this.machine.caseName,
       assignments: assignmentTexts(side.choice.assignments),
-      integrate,
-      record: { ...length, ...longer },
+      options: computationOptions(this.address.computation),
     };
+  }
+
+  /// A text of the parameter along the diagram in SI, as the engine reads it; the sentence that refuses it, or
+  /// undefined where something else was asked meanwhile.
+  async spokenValue(name: SideName, text: string): Promise<number | string | undefined> {
+    const { parameter } = this.address;
+    const setting = this.settingOf(this.sides[name]);
+    const assignments = [...(setting.assignments ?? []), `${parameter}=${text}`];
+    const told = await this.engine?.describe({ ...setting, assignments }, { lane: `speak-${name}`, priority: 0 });
+    if (!told?.ok) return told && told.why !== 'stale' ? troubleOf(told) : undefined;
+    return told.value.parameters.find((each) => each.name === parameter)?.value;
   }
 
   /// Puts the first cursor where it begins, unless it is somewhere.

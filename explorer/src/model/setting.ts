@@ -12,12 +12,23 @@ export interface Side {
   readonly value: number;
 }
 
-/// Changes of how motions are integrated; undefined: as the case says.
-export interface Computation {
-  readonly method?: string;
-  readonly steps?: number;
-  readonly transient?: number;
-  readonly record?: number;
+/// The whole numbers of how motions are computed that the reader may change: the name in an address, the option, what
+/// stands beside its field, and what it may be.
+export const LENGTHS_OF_RUNS = [
+  { key: 'steps', option: 'steps_per_revolution', label: 'Steps a revolution', low: 8, high: 65536 },
+  { key: 'transient', option: 'transient', label: 'Transient, revolutions', low: 0, high: 1_000_000 },
+  { key: 'record', option: 'record', label: 'Recorded, revolutions', low: 1, high: 1_000_000 },
+] as const;
+export type LengthKey = (typeof LENGTHS_OF_RUNS)[number]['key'];
+
+/// Changes of how motions are computed; absent: as the case says.
+export type Computation = { readonly method?: string } & { readonly [K in LengthKey]?: number };
+
+/// As options of the engine and keys of `study.integrate`.
+export function computationOptions({ method, ...lengths }: Computation): Record<string, string | number> {
+  const options: Record<string, string | number> = method ? { method } : {};
+  for (const { key, option } of LENGTHS_OF_RUNS) if (lengths[key] !== undefined) options[option] = lengths[key];
+  return options;
 }
 
 export interface Address {
@@ -65,13 +76,12 @@ function readSide(all: URLSearchParams, value: string, set: string): Side {
 
 function readComputation(all: URLSearchParams): Computation {
   const method = all.get('method');
-  const parts = {
-    method: method && /^[a-z0-9-]{1,32}$/.test(method) ? method : undefined,
-    steps: whole(all.get('steps'), 8, 65536),
-    transient: whole(all.get('transient'), 0, 1_000_000),
-    record: whole(all.get('record'), 1, 1_000_000),
-  };
-  return Object.fromEntries(Object.entries(parts).filter(([, part]) => part !== undefined));
+  const parts: [string, string | number | undefined][] = LENGTHS_OF_RUNS.map(({ key, low, high }) => [
+    key,
+    whole(all.get(key), low, high),
+  ]);
+  if (method && /^[a-z0-9-]{1,32}$/.test(method)) parts.push(['method', method]);
+  return Object.fromEntries(parts.filter(([, part]) => part !== undefined));
 }
 
 /// `fallback` says which units hold where the address names none.
@@ -119,7 +129,8 @@ export function writeAddress(address: Address): string {
   if (address.range) put('range', address.range.map((value) => Number(value.toPrecision(9))).join(','));
   const { length, speed, frequency, amplitude } = address.units;
   put('units', [length, speed, frequency, amplitude].join(','));
-  for (const key of ['method', 'steps', 'transient', 'record'] as const) put(key, address.computation[key]);
+  put('method', address.computation.method);
+  for (const { key } of LENGTHS_OF_RUNS) put(key, address.computation[key]);
   return `#${all.toString()}`;
 }
 

@@ -69,9 +69,9 @@ export class SideModel {
     this.trouble = '';
     const { value } = this.choice;
     const batch = this.info?.batches[0];
-    const whole = setting.record ?? {};
-    const transient = whole.transient ?? batch?.record.transient ?? PREVIEW.transient;
-    const record = whole.record ?? batch?.record.record ?? PREVIEW.record;
+    const whole = { ...batch?.options, ...setting.options };
+    const transient = whole.transient ?? PREVIEW.transient;
+    const record = whole.record ?? PREVIEW.record;
     const shortened = !settled && (PREVIEW.transient < transient || PREVIEW.record < record);
     const request = {
       setting: shortened ? { ...setting, look: PREVIEW } : setting,

@@ -20,8 +20,8 @@ export interface Sight {
 }
 
 /// What a diagram's points share: those of another setting do not go with them.
-export function howOf({ assignments, integrate, record }: Partial<Setting>): string {
-  return JSON.stringify([assignments ?? [], integrate ?? {}, record ?? {}]);
+export function howOf({ assignments, options }: Partial<Setting>): string {
+  return JSON.stringify([assignments ?? [], options ?? {}]);
 }
 
 /// How well a diagram is computed.

@@ -18,6 +18,20 @@ export function typedNumber(text: string): number | string {
     : `${plain} is not a number`;
 }
 
+/// A number with the unit that stands behind it, "" where none does.
+export interface Quantity {
+  readonly value: number;
+  readonly unit: string;
+}
+
+/// The same for "6000 rpm", "0.2 mm" or a plain number; what the unit means is the engine's to say.
+export function typedQuantity(text: string): Quantity | string {
+  const [, figures = text, unit = ''] =
+    /^\s*([-+\u2212]?[\d.,]+(?:e[-+]?\d+)?)\s*([^\d\s.,+-][^\r\n]*?)?\s*$/i.exec(text) ?? [];
+  const value = typedNumber(figures);
+  return typeof value === 'string' ? value : { value, unit };
+}
+
 /// The same for a whole number from `low` to `high`.
 export function typedWhole(text: string, low: number, high: number): number | string {
   const value = typedNumber(text);

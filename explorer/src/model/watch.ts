@@ -1,5 +1,5 @@
 // Watching a motion settle: revolutions are computed ahead and shown at the speed that was chosen.
-import type { Engine, TransientRequest, TransientResult } from '../engine/protocol';
+import type { Engine, StationInfo, TransientRequest, TransientResult } from '../engine/protocol';
 import type { Trail } from '../view/orbit';
 
 const SAMPLES = 64;
@@ -35,9 +35,8 @@ export class Watch {
   constructor(
     private readonly engine: Engine,
     private readonly request: Omit<TransientRequest, 'state' | 'revolutions' | 'samplesPerRevolution'>,
-    private readonly station: number,
+    private readonly station: StationInfo,
     private readonly contactNames: readonly string[],
-    private readonly stationName: string,
     private readonly lane: string,
     revolutionsPerSecond: number,
     private readonly show: (trail: Trail) => void,
@@ -88,16 +87,14 @@ export class Watch {
 
   private take(result: TransientResult): void {
     const { samples, forces, dimension, contacts } = result;
-    const mine = this.contactNames.map((name) => name.endsWith(` ${this.stationName}`));
-    const half = dimension / 2;
-    const x = Math.min(2 * this.station, half - 1);
+    const mine = this.contactNames.map((name) => name.endsWith(` ${this.station.name}`));
     for (let i = 0; i < samples.length / dimension; i++) {
       let touching = false;
       for (let contact = 0; contact < contacts; contact++)
         touching ||= mine[contact] === true && forces[i * contacts + contact]! > 0;
       this.samples.push({
-        x: samples[i * dimension + x]!,
-        y: samples[i * dimension + Math.min(x + 1, half - 1)]!,
+        x: samples[i * dimension + this.station.x]!,
+        y: samples[i * dimension + this.station.y]!,
         touching,
       });
     }

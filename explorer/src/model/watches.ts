@@ -26,7 +26,8 @@ export class Watches {
     }
     this.end(name);
     const { engine, original, stations, station } = this.session;
-    if (!on || !engine) return;
+    const info = stations[station];
+    if (!on || !engine || !info) return;
     const side = this.session.sides[name];
     const { parameter } = this.session.address;
     const { value } = side.choice;
@@ -34,9 +35,8 @@ export class Watches {
     this.running[name] = new Watch(
       engine,
       { setting: this.session.settingOf(side), ...(parameter && Number.isFinite(value) ? { parameter, value } : {}) },
-      station,
+      info,
       original?.contacts ?? [],
-      stations[station]?.name ?? '',
       `watch-${name}`,
       speed,
       (trail) => this.listener.trail(name, trail),

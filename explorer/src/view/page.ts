@@ -126,8 +126,8 @@ export class Page {
     const side = this.session.sides[name];
     const { result } = side;
     const how = result
-      ? `${side.preview ? 'A quick look: ' : ''}${result.record.transient} + ${result.record.record} revolutions ` +
-        `by ${methodText(result.integrate)} of ${result.integrate.stepsPerRevolution} steps, ` +
+      ? `${side.preview ? 'A quick look: ' : ''}${result.options.transient} + ${result.options.record} revolutions ` +
+        `by ${methodText(result.options)} of ${result.options.steps_per_revolution} steps, ` +
         `${Math.round(result.seconds * 1000)} ms`
       : this.storedVerdict(side.choice.value);
     this.panes[name].show({

@@ -5,7 +5,7 @@ import type { Diagram } from '../data/diagram';
 import type { PointResult, StationInfo, Verdict } from '../engine/protocol';
 import { regimeClass } from '../data/regimes';
 import type { SideName } from '../model/session';
-import { markField, typedNumber } from '../model/typed';
+import { markField, typedQuantity } from '../model/typed';
 import { parameterMeasure, readable, shown, written, type Scales, type Units } from '../model/units';
 import { CentrelinePanel } from './centreline';
 import { OrbitPanel, type Trail } from './orbit';
@@ -36,6 +36,8 @@ export interface PaneSubject {
 
 export interface PaneListener {
   value(side: SideName, value: number): void;
+  /// The same in a unit that only the engine knows: "50 Hz".
+  spoken(side: SideName, text: string): void;
   /// A text that is no value was typed.
   refused(side: SideName, sentence: string): void;
   activated(side: SideName): void;
@@ -109,10 +111,12 @@ export class Pane {
     this.field.id = `value-${side}`;
     this.name.htmlFor = this.field.id;
     this.field.addEventListener('change', () => {
-      const value = typedNumber(this.field.value);
-      markField(this.field, typeof value === 'string');
-      if (typeof value === 'string') this.listener.refused(this.side, `${this.name.textContent}: ${value}`);
-      else this.listener.value(this.side, value / this.factor);
+      const typed = typedQuantity(this.field.value);
+      markField(this.field, typeof typed === 'string');
+      if (typeof typed === 'string') this.listener.refused(this.side, `${this.name.textContent}: ${typed}`);
+      else if (typed.unit === '' || typed.unit === this.unit.textContent)
+        this.listener.value(this.side, typed.value / this.factor);
+      else this.listener.spoken(this.side, `${written(typed.value, 12)} ${typed.unit}`);
     });
     const close = button('\u00d7', 'Close setting B', () => listener.close(side), { class: 'icon close' });
     this.root = el(

@@ -2,7 +2,7 @@
 // say.
 import { button, el, isTouched } from '../dom';
 import type { CaseInfo, ParameterInfo } from '../engine/protocol';
-import { markField, typedNumber } from '../model/typed';
+import { markField, typedQuantity } from '../model/typed';
 import { labelled, parameterMeasure, shown, written, type Units } from '../model/units';
 import type { Assignments } from '../model/setting';
 
@@ -21,7 +21,8 @@ export interface ParametersSubject {
 
 export interface ParametersListener {
   /// A parameter's new value, as `whirl run --set` takes it; undefined: as in the case. `settled` when the hand let go.
-  assigned(name: string, text: string | undefined, settled: boolean): void;
+  /// `value` is the same in SI, undefined where a unit was typed that only the engine knows.
+  assigned(name: string, text: string | undefined, settled: boolean, value: number | undefined): void;
   /// A text that is no value was typed.
   refused(sentence: string): void;
 }
@@ -114,7 +115,7 @@ class Row {
       `Reset ${name} to the case`,
       () => {
         this.refused = false;
-        listener.assigned(name, undefined, true);
+        listener.assigned(name, undefined, true, undefined);
       },
       { class: 'icon' },
     );
@@ -156,18 +157,21 @@ class Row {
     const text = written(value * this.notation.factor, 5);
     this.refused = false;
     this.field.value = text;
-    this.assign(text, settled);
+    this.assign(Number(text), settled);
   }
 
   private typed(): void {
-    const value = typedNumber(this.field.value);
-    this.refused = typeof value === 'string';
-    if (typeof value === 'string') this.listener.refused(`${this.name}: ${value}`);
-    else this.assign(written(value, 12), true);
+    const typed = typedQuantity(this.field.value);
+    this.refused = typeof typed === 'string';
+    if (typeof typed === 'string') this.listener.refused(`${this.name}: ${typed}`);
+    else if (typed.unit === '' || typed.unit === this.notation.unit) this.assign(typed.value, true);
+    else this.listener.assigned(this.name, `${written(typed.value, 12)} ${typed.unit}`, true, undefined);
   }
 
-  private assign(text: string, settled: boolean): void {
-    this.listener.assigned(this.name, this.notation.unit ? `${text} ${this.notation.unit}` : text, settled);
+  private assign(number: number, settled: boolean): void {
+    const { unit, factor } = this.notation;
+    const text = written(number, 12);
+    this.listener.assigned(this.name, unit ? `${text} ${unit}` : text, settled, number / factor);
   }
 }
 

@@ -1,7 +1,7 @@
 // The card of the setting: parameters, how motions are computed, and what can be taken away.
 import { button, el, isTouched, select, setChoices } from '../dom';
 import type { CaseInfo } from '../engine/protocol';
-import type { Computation } from '../model/setting';
+import { LENGTHS_OF_RUNS, type Computation, type LengthKey } from '../model/setting';
 import { markField, typedWhole } from '../model/typed';
 import { ParametersView, type ParametersListener, type ParametersSubject } from './parameters';
 
@@ -19,14 +19,12 @@ export interface SettingsSubject extends ParametersSubject {
   readonly computation: Computation;
 }
 
-type WholeKey = 'steps' | 'transient' | 'record';
-
 export class SettingsCard {
   readonly root: HTMLElement;
   private readonly title = el('h2');
   private readonly parameters: ParametersView;
   private readonly method: HTMLSelectElement;
-  private readonly fields: Readonly<Record<WholeKey, HTMLInputElement>>;
+  private readonly fields: ReadonlyMap<LengthKey, HTMLInputElement>;
   private readonly trouble = el('p', { class: 'trouble', role: 'alert' });
   private readonly notice = el('p', { class: 'notice', role: 'status' });
   private computation: Computation = {};
@@ -34,11 +32,7 @@ export class SettingsCard {
   constructor(private readonly listener: SettingsListener) {
     this.parameters = new ParametersView(listener);
     this.method = select('Method of integration', [], '', (value) => this.change('method', value));
-    this.fields = {
-      steps: this.wholeField('steps', 8, 65536),
-      transient: this.wholeField('transient', 0, 100000),
-      record: this.wholeField('record', 1, 100000),
-    };
+    this.fields = new Map(LENGTHS_OF_RUNS.map(({ key, low, high }) => [key, this.wholeField(key, low, high)]));
     this.root = el(
       'section',
       { class: 'card settings-card', 'aria-label': 'Parameters' },
@@ -62,9 +56,7 @@ export class SettingsCard {
           'div',
           { class: 'fields' },
           this.labelled('Method', this.method),
-          this.labelled('Steps a revolution', this.fields.steps),
-          this.labelled('Transient, revolutions', this.fields.transient),
-          this.labelled('Recorded, revolutions', this.fields.record),
+          ...LENGTHS_OF_RUNS.map(({ key, label }) => this.labelled(label, this.fields.get(key)!)),
         ),
       ),
       el(
@@ -97,22 +89,17 @@ export class SettingsCard {
     setChoices(
       this.method,
       info.methods.map(({ name }) => ({ value: name, text: name })),
-      computation.method ?? batch?.integrate.method ?? '',
+      computation.method ?? batch?.options.method ?? '',
     );
-    const values: Record<WholeKey, number | undefined> = {
-      steps: computation.steps ?? batch?.integrate.stepsPerRevolution,
-      transient: computation.transient ?? batch?.record.transient,
-      record: computation.record ?? batch?.record.record,
-    };
-    for (const key of Object.keys(values) as WholeKey[]) {
-      const field = this.fields[key];
+    for (const { key, option } of LENGTHS_OF_RUNS) {
+      const field = this.fields.get(key)!;
       const refused = field.hasAttribute('aria-invalid') && trouble !== '';
       markField(field, refused);
-      if (!isTouched(field) && !refused) field.value = String(values[key] ?? '');
+      if (!isTouched(field) && !refused) field.value = String(computation[key] ?? batch?.options[option] ?? '');
     }
   }
 
-  private wholeField(key: WholeKey, low: number, high: number): HTMLInputElement {
+  private wholeField(key: LengthKey, low: number, high: number): HTMLInputElement {
     const field = el('input', { type: 'text', inputmode: 'numeric', autocomplete: 'off' });
     field.addEventListener('change', () => {
       const value = typedWhole(field.value, low, high);

@@ -111,8 +111,8 @@ test('how long the page waits', async (t) => {
       if (!outcome.ok) throw new Error(JSON.stringify(outcome));
       return performance.now() - began;
     };
-    const point = { text, integrate: { stepsPerRevolution: 1024 }, record: { transient: 200, record: 100 } };
-    const diagram = { text, integrate: { stepsPerRevolution: 256 }, record: { transient: 100, record: 50 } };
+    const point = { text, options: { steps_per_revolution: 1024, transient: 200, record: 100 } };
+    const diagram = { text, options: { steps_per_revolution: 256, transient: 100, record: 50 } };
     const values = Float64Array.from({ length: 256 }, (_, i) => 1 - (0.9 * i) / 255);
     const points = [];
     for (let i = 0; i < 7; i++)

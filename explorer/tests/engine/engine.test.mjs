@@ -63,7 +63,7 @@ for (const { name, parameter, values } of POINTS) {
       for (const [i, value] of values.entries()) {
         const result = await good(engine.point({ setting: { text }, parameter, value, batch: 'detail' }));
         assert.equal(sectionDifference(result, fieldNumbers, told.detail[i]), 0, `${parameter} = ${value}`);
-        assert.equal(result.integrate.located, integrate.contacts === 'located');
+        assert.equal(result.options.located, integrate.contacts === 'located');
       }
     });
 
@@ -206,7 +206,7 @@ test('a setting becomes a case that means the same', async () => {
 });
 
 test('a later request makes an earlier one of its lane stale, at once', async () => {
-  const setting = { text: caseText('paper'), record: { transient: 1000000 } };
+  const setting = { text: caseText('paper'), options: { transient: 1000000 } };
   const values = Float64Array.from({ length: 500 }, (_, i) => 0.1 + i / 1000);
   const sweep = engine.sweep({ setting, parameter: 'r_k', values }, {}, { lane: 'diagram' });
   const point = engine.point({ setting, value: 0.5 }, { lane: 'point' });
@@ -227,20 +227,23 @@ test('what cannot be computed is refused with a sentence', async () => {
   const setting = { text: caseText('paper') };
   const cases = [
     [
-      { setting: { ...setting, integrate: { method: 'rk5' } }, value: 0.5 },
+      { setting: { ...setting, options: { method: 'rk5' } }, value: 0.5 },
       /no method is called 'rk5', did you mean 'rk4'\?/,
     ],
-    [{ setting: { ...setting, integrate: { method: 'cvode-bdf' } }, value: 0.5 }, /SUNDIALS/],
-    [{ setting: { ...setting, integrate: { stepsPerRevolution: 0 } }, value: 0.5 }, /0 steps/],
-    [{ setting: { ...setting, record: { record: 2.5 } }, value: 0.5 }, /record is 2.5, expected a whole number/],
-    [{ setting: { ...setting, record: { record: -1 } }, value: 0.5 }, /expected/],
+    [{ setting: { ...setting, options: { method: 'cvode-bdf' } }, value: 0.5 }, /SUNDIALS/],
+    [
+      { setting: { ...setting, options: { steps_per_revolution: 0 } }, value: 0.5 },
+      /steps_per_revolution is 0, expected a whole/,
+    ],
+    [{ setting: { ...setting, options: { record: 2.5 } }, value: 0.5 }, /record is 2.5, expected a whole number/],
+    [{ setting: { ...setting, options: { record: -1 } }, value: 0.5 }, /expected/],
     [{ setting, parameter: 'nobody', value: 0.5 }, /no parameter is called nobody/],
     [{ setting, parameter: 'c', value: -1 }, /at c = -1/],
     [{ setting, batch: 'nothing', value: 0.5 }, /no batch/],
   ];
   for (const [request, sentence] of cases) {
     const outcome = await engine.point(request);
-    assert.equal(outcome.why, 'bad', JSON.stringify(request.setting.integrate ?? request.setting.record));
+    assert.equal(outcome.why, 'bad', JSON.stringify(request.setting.options));
     assert.match(outcome.message, sentence);
   }
   const empty = await engine.sweep({ setting, parameter: 'r_k', values: new Float64Array(0) });
@@ -264,7 +267,7 @@ test('a first look has no verdict where a longer run may have another', async ()
   for (let i = 0; i < 16; i++) {
     const point = { parameter: 'r_k', value: 0.316 + (0.068 * i) / 15 };
     const hasty = await good(
-      engine.point({ setting: { ...setting, integrate: { stepsPerRevolution: 256 }, record: short }, ...point }),
+      engine.point({ setting: { ...setting, options: { steps_per_revolution: 256, ...short } }, ...point }),
     );
     const looked = await good(engine.point({ setting: { ...setting, look }, ...point }));
     chaotic += hasty.verdict.regime === 'chaotic' ? 1 : 0;
