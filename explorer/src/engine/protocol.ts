@@ -265,7 +265,7 @@ export interface TransientRequest {
 export interface TransientResult {
   /// The state after the last revolution: hand it to the next request.
   readonly state: Float64Array;
-  /// State [dimension] at every sample, oldest first, where StationInfo says whose coordinates lie. Samples lie at equal
+  /// State [dimension] at every sample, oldest first; StationInfo says where its coordinates are. Samples lie at equal
   /// distances; the last of every revolution is at its mark.
   readonly samples: Float64Array;
   /// [samples][contacts] normal forces, 0 while open.
