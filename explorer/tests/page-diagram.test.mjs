@@ -181,7 +181,7 @@ test('a dragged cursor gives no verdict before it rests', async () => {
   await page.mouse.move(at(3.4), box.y + 80, { steps: 3 });
   await page.waitForFunction(() => /quick look/.test(document.querySelector('.pane-a .how').textContent));
   assert.equal(await page.textContent('.pane-a .verdict'), 'undetermined');
-  assert.match(await page.textContent('.pane-a .reason'), /first look of 100 \+ 50 revolutions.*takes the 600 \+ 100/);
+  assert.match(await page.textContent('.pane-a .reason'), /first look of 60 \+ 40 revolutions.*takes the 600 \+ 100/);
   await page.mouse.up();
   assert.equal(await settled(page), verdict);
   assert.deepEqual(complaints, []);
