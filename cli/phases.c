@@ -49,6 +49,14 @@ static void print(const phases *seen, size_t looked_at) {
         print_never("  forces at the others");
 }
 
+/// Of periods that are too long for the revolutions that are watched.
+static void print_watch(const phases *seen, int watched) {
+    const size_t always = 64, three = 3 * seen->most;
+    if (seen->most > always && (size_t)watched < three)
+        printf("  a period of %zu revolutions is told where %zu are watched, and %d are (study.integrate.watch)\n",
+               seen->most, three, watched);
+}
+
 whirl_status tell_phases(const whirl_study *study, const whirl_batch *batch) {
     const size_t most = 1000, count = batch->values && batch->count < most ? batch->count : batch->values ? most : 1;
     phases seen = {0};
@@ -61,6 +69,8 @@ whirl_status tell_phases(const whirl_study *study, const whirl_batch *batch) {
         note(&seen, machine.system);
         if (machine.release) machine.release(machine.owner);
     }
-    if (seen.turning > 0) print(&seen, count);
+    if (seen.turning == 0) return whirl_ok();
+    print(&seen, count);
+    print_watch(&seen, whirl_record_watch(&batch->record));
     return whirl_ok();
 }
