@@ -17,11 +17,11 @@ extern "C" {
 #endif
 
 enum {
-    WHIRL_MAX_FORCING = 16,  ///< most values that depend on time alone
-    WHIRL_MAX_SWITCHES = 64, ///< most switching functions
-    WHIRL_MAX_CONTACTS = 64, ///< most unilateral contacts
-    WHIRL_MAX_PROBES = 256,  ///< most probes
-    WHIRL_MAX_REPEATS = 128  ///< longest period of forces, in revolutions, that rotors look for
+    WHIRL_MAX_FORCING = 256,   ///< most values that depend on time alone
+    WHIRL_MAX_SWITCHES = 4096, ///< most switching functions
+    WHIRL_MAX_CONTACTS = 1024, ///< most unilateral contacts
+    WHIRL_MAX_PROBES = 256,    ///< most probes
+    WHIRL_MAX_REPEATS = 128    ///< longest period of forces, in revolutions, that rotors look for
 };
 
 /// A pair of displacement coordinates that is observed together, as a pair of proximity probes sees a shaft.

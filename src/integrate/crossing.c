@@ -9,6 +9,7 @@
 #include "whirl/system.h"
 
 enum { DEGREE = 8, CHECKS = 2, SAMPLES = DEGREE + 1 + CHECKS, MAX_DEPTH = 14, MAX_REFINEMENTS = 80 };
+_Static_assert(SAMPLES + 1 == CROSSING_ROWS, "a row for every sample and one for what is refined");
 
 /// (1 - cos(j pi/8))/2, then two points between them, at which the polynomial is held against the function.
 static const double places[SAMPLES] = {0.0,
@@ -67,7 +68,7 @@ static double value_at(size_t degree, const double *c, double theta) {
 
 /// The function itself, without the zero that it is held at.
 static double evaluate(const suspect *s, double theta) {
-    double values[WHIRL_MAX_SWITCHES];
+    double *values = s->search->work + SAMPLES * s->search->count;
     s->search->values(s->search->context, theta, values);
     double value = values[s->index];
     if (s->search->held[s->index] == 0) return value;
@@ -146,12 +147,12 @@ static void divide(size_t degree, double *c) {
     for (size_t i = 0; i < degree; i++) c[i] = c[i + 1] * (double)degree / (double)(i + 1);
 }
 
-static bool search_one(const crossing_search *search, size_t index, double (*samples)[WHIRL_MAX_SWITCHES],
-                       double *theta) {
-    suspect s = {search, index, DEGREE, samples[0][index], 0.0};
+static bool search_one(const crossing_search *search, size_t index, double *theta) {
+    const double *samples = search->work + index;
+    suspect s = {search, index, DEGREE, samples[0], 0.0};
     double values[SAMPLES], c[DEGREE + 1], size = 0.0;
     for (int j = 0; j < SAMPLES; j++) {
-        values[j] = samples[j][index] - (search->held[index] > 0 ? s.begin : 0.0);
+        values[j] = samples[(size_t)j * search->count] - (search->held[index] > 0 ? s.begin : 0.0);
         size = fabs(values[j]) > size ? fabs(values[j]) : size;
     }
     interpolate(values, c);
@@ -169,12 +170,11 @@ static bool search_one(const crossing_search *search, size_t index, double (*sam
 }
 
 bool crossing_first(const crossing_search *search, double *theta, size_t *which) {
-    double samples[SAMPLES][WHIRL_MAX_SWITCHES];
     bool found = false;
-    for (int j = 0; j < SAMPLES; j++) search->values(search->context, places[j], samples[j]);
+    for (size_t j = 0; j < SAMPLES; j++) search->values(search->context, places[j], search->work + j * search->count);
     for (size_t i = 0; i < search->count; i++) {
         double at;
-        if (!search_one(search, i, samples, &at) || (found && at >= *theta)) continue;
+        if (!search_one(search, i, &at) || (found && at >= *theta)) continue;
         found = true;
         *theta = at;
         *which = i;

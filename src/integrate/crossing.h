@@ -15,7 +15,10 @@ typedef struct crossing_search {
     /// [count] 0; 1 for a function that begins at zero, 2 where its derivative begins at zero, too: the zero at theta =
     /// 0 is not one that is looked for.
     const int *held;
+    double *work; ///< [CROSSING_ROWS][count]
 } crossing_search;
+
+enum { CROSSING_ROWS = 12 };
 
 /// The first zero: true with its place and the function's index. Two zeros in one step, where a function only dips
 /// below zero, are seen: every function is replaced by a polynomial, whose Bernstein coefficients bound it.

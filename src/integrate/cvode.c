@@ -37,6 +37,7 @@ typedef struct cvode {
     N_Vector disturbance[1];            ///< [0] NULL until one was followed
     SUNNonlinearSolver for_disturbance; ///< of Adams
     whirl_disturbances *set;            ///< of the present revolution, or NULL
+    int *roots;                         ///< [switch_count] what CVODE is told and says of its roots
 } cvode;
 
 static int right_hand_side(realtype t, N_Vector x, N_Vector slope, void *data) {
@@ -79,6 +80,7 @@ static void end(whirl_integrator *integrator) {
     if (work->state) N_VDestroy(work->state);
     if (work->context) SUNContext_Free(&work->context);
     free(work->sides);
+    free(work->roots);
     free(work);
 }
 
@@ -95,15 +97,15 @@ static int attach_solvers(cvode *work, int kind) {
 }
 
 static int look_for_switches(cvode *work) {
-    int fall[WHIRL_MAX_SWITCHES];
     const int count = (int)work->system->switch_count;
-    int code = CVodeRootInit(work->memory, count, switching);
+    work->roots = calloc(work->system->switch_count, sizeof *work->roots);
+    int code = work->roots ? CVodeRootInit(work->memory, count, switching) : CV_MEM_FAIL;
     if (code == CV_SUCCESS) code = CVodeSetNoInactiveRootWarn(work->memory);
     // CVODE sees a zero by the signs at the ends of a step: two in one step, a short touch, would escape long ones.
     if (code == CV_SUCCESS) code = CVodeSetMaxStep(work->memory, work->system->period / SHORTEST_TOUCH);
     // What is observed on held sides is positive until a switch is met.
-    for (int i = 0; i < count; i++) fall[i] = -1;
-    if (code == CV_SUCCESS && work->sides) code = CVodeSetRootDirection(work->memory, fall);
+    for (int i = 0; work->roots && i < count; i++) work->roots[i] = -1;
+    if (code == CV_SUCCESS && work->sides) code = CVodeSetRootDirection(work->memory, work->roots);
     return code;
 }
 
@@ -228,7 +230,7 @@ static int restart(cvode *work, double t) {
 
 /// Goes beyond the switches that CVODE has found at t, or along them.
 static void cross(const cvode *work, double t) {
-    int found[WHIRL_MAX_SWITCHES];
+    int *found = work->roots;
     stepper *c = work->sides;
     const size_t bytes = c->dimension * sizeof *c->x;
     if (CVodeGetRootInfo(work->memory, found) != CV_SUCCESS) return;

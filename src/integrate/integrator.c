@@ -55,10 +55,17 @@ whirl_status check_options(const whirl_system *system, const whirl_integrate_opt
         return whirl_fail(WHIRL_BAD_INPUT, "the system has no equations, expected a dimension and a right-hand side");
     if (!positive(system->period))
         return whirl_fail(WHIRL_BAD_INPUT, "the system's period is %g, expected a number above 0", system->period);
-    if (system->forcing_count > WHIRL_MAX_FORCING || system->switch_count > WHIRL_MAX_SWITCHES ||
-        system->contact_count > WHIRL_MAX_CONTACTS || system->probe_count > WHIRL_MAX_PROBES)
-        return whirl_fail(WHIRL_BAD_INPUT,
-                          "the system has more forcing values, switches, contacts or probes than whirl takes");
+    const struct {
+        const char *what;
+        size_t count, most;
+    } counts[] = {{"values that depend on time alone", system->forcing_count, WHIRL_MAX_FORCING},
+                  {"switching functions", system->switch_count, WHIRL_MAX_SWITCHES},
+                  {"contacts", system->contact_count, WHIRL_MAX_CONTACTS},
+                  {"probes", system->probe_count, WHIRL_MAX_PROBES}};
+    for (size_t i = 0; i < sizeof counts / sizeof *counts; i++)
+        if (counts[i].count > counts[i].most)
+            return whirl_fail(WHIRL_BAD_INPUT, "the system has %zu %s, expected at most %zu", counts[i].count,
+                              counts[i].what, counts[i].most);
     return whirl_members_check(whirl_integrate_members(), options);
 }
 
@@ -105,7 +112,9 @@ whirl_status whirl_integrator_follow(whirl_integrator *integrator, size_t most) 
     if (most > n)
         return whirl_fail(WHIRL_BAD_INPUT, "%zu disturbances are to be followed, expected at most the dimension, %zu",
                           most, n);
-    double *slopes = realloc(integrator->slopes, (own->disturbance_rows * most + SPARE_ROWS) * n * sizeof *slopes);
+    const size_t room =
+        (own->disturbance_rows * most + SPARE_ROWS) * n + UNLOCATED_ROWS * integrator->system->switch_count;
+    double *slopes = realloc(integrator->slopes, room * sizeof *slopes);
     if (!slopes) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu disturbances", most);
     integrator->slopes = slopes;
     integrator->most_disturbances = most;

@@ -4,7 +4,7 @@
 
 #include "whirl/integrate.h"
 
-enum { SPARE_ROWS = 6 };
+enum { SPARE_ROWS = 6, UNLOCATED_ROWS = 4 };
 
 struct whirl_integrator {
     const whirl_system *system;
@@ -12,8 +12,8 @@ struct whirl_integrator {
     const struct method *method;
     void *workspace; ///< of the method
     size_t most_disturbances;
-    /// [method->disturbance_rows][most_disturbances][dimension], then [SPARE_ROWS][dimension]: workspace for
-    /// disturbances
+    /// [method->disturbance_rows][most_disturbances][dimension], then [SPARE_ROWS][dimension], then
+    /// [UNLOCATED_ROWS][switch_count]: workspace for disturbances
     double *slopes;
 };
 

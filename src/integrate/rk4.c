@@ -109,6 +109,7 @@ static whirl_motion revolve(whirl_integrator *integrator, double *x, whirl_distu
     const double *forcing = work->forcing;
     variation v = begin_variation(integrator, disturbances);
     unlocated_step step = {.system = system, .length = work->step, .slope = work->k[0], .rows = v.spare};
+    if (disturbances) step.before = v.spare + SPARE_ROWS * system->dimension;
     for (int i = 0; i < steps; i++) {
         if (disturbances) unlocated_begin(&step, i * work->step, x);
         take_step(system, work, i * work->step, forcing, x, &v);

@@ -8,7 +8,7 @@
 // ---------------------------------------------------------------- switching functions and their derivatives
 
 static double value_of(const stepper *c, size_t which, double t, const double *x) {
-    double values[WHIRL_MAX_SWITCHES];
+    double *values = stepper_row(c, ROW_VALUE);
     c->system->switches(c->system->model, t, x, values);
     return values[which];
 }
@@ -98,7 +98,7 @@ void stepper_slope_along(const stepper *c, double t, const double *x, double *dx
     const size_t n = c->dimension;
     size_t list[MAX_SLIDING];
     const size_t count = stepper_list_sliding(c, list);
-    double sides[WHIRL_MAX_SWITCHES], matrix[MAX_SLIDING][MAX_SLIDING], *added = c->work + n;
+    double matrix[MAX_SLIDING][MAX_SLIDING], *added = c->work + n, *sides = stepper_row(c, ROW_SIDES);
     memcpy(sides, c->sides, c->system->switch_count * sizeof *sides);
     for (size_t i = 0; i < count; i++) sides[list[i]] = -1.0;
     slope_on(c, t, x, sides, dxdt);
@@ -226,9 +226,9 @@ void stepper_cross(stepper *c, size_t which) {
 
 void stepper_find_sides(stepper *c) {
     const whirl_system *system = c->system;
-    double values[WHIRL_MAX_SWITCHES];
-    memset(c->held, 0, sizeof c->held);
-    memset(c->sliding, 0, sizeof c->sliding);
+    double *values = stepper_row(c, ROW_FOUND);
+    memset(c->held, 0, system->switch_count * sizeof *c->held);
+    memset(c->sliding, 0, system->switch_count * sizeof *c->sliding);
     c->sliding_count = 0;
     if (system->switch_count == 0) return;
     system->switches(system->model, c->t, c->x, values);

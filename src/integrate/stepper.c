@@ -62,7 +62,8 @@ stepper *stepper_new(const formula *own, size_t dimension, size_t switch_count,
                      const whirl_integrate_options *options) {
     const size_t rows = 5 + DOP853_SLOPES + DENSE + MAX_SLIDING + 3;
     const size_t own_room = own->room ? own->room(dimension) : 0;
-    stepper *c = calloc(1, sizeof *c + (rows * dimension + switch_count + own_room) * sizeof(double));
+    const size_t numbers = rows * dimension + (1 + SWITCH_ROWS) * switch_count + own_room;
+    stepper *c = calloc(1, sizeof *c + numbers * sizeof(double) + switch_count * (sizeof(int) + sizeof(bool)));
     if (!c) return NULL;
     double *row = (double *)(c + 1);
     double **const parts[] = {&c->x, &c->start, &c->end, &c->stage, &c->scale};
@@ -76,7 +77,10 @@ stepper *stepper_new(const formula *own, size_t dimension, size_t switch_count,
     for (int i = 0; i < DENSE; i++, row += dimension) c->dense[i] = row;
     c->work = row;
     c->sides = row + (MAX_SLIDING + 3) * dimension;
-    c->own = c->sides + switch_count;
+    c->at_switches = c->sides + switch_count;
+    c->own = c->at_switches + SWITCH_ROWS * switch_count;
+    c->held = (int *)(c->own + own_room);
+    c->sliding = (bool *)(c->held + switch_count);
     return c;
 }
 
@@ -264,7 +268,7 @@ static void observe(void *context, double theta, double *values) {
 static void land(stepper *c, double theta, size_t which) {
     const int tries = c->sliding[which] ? 12 : 4;
     const double whole = c->length, nudge = 1e-4;
-    double after[WHIRL_MAX_SWITCHES], before[WHIRL_MAX_SWITCHES];
+    double *after = stepper_row(c, ROW_TO), *before = stepper_row(c, ROW_FROM);
     observe(c, theta + nudge, after);
     observe(c, theta - nudge, before);
     double rate = (after[which] - before[which]) / (2.0 * nudge * whole);
@@ -286,7 +290,7 @@ static void land(stepper *c, double theta, size_t which) {
 /// Whether all switching functions keep their signs by far, by their values and derivatives at both ends of the step.
 static bool is_clear(stepper *c) {
     const double end = c->begin + c->length, *last = c->k[c->formula->stages];
-    double from[WHIRL_MAX_SWITCHES], to[WHIRL_MAX_SWITCHES];
+    double *from = stepper_row(c, ROW_FROM), *to = stepper_row(c, ROW_TO);
     if (!c->system->switch_gradient || c->sliding_count > 0) return false;
     stepper_guarded(c, c->begin, c->start, from);
     stepper_guarded(c, end, c->end, to);
@@ -321,7 +325,8 @@ static void look_closer(stepper *c, double *theta, size_t *which) {
     size_t other;
     for (int i = 0; i < LOOKS; i++) {
         beginning part = {c, *theta};
-        const crossing_search search = {observe_beginning, &part, c->system->switch_count, c->held};
+        const crossing_search search = {observe_beginning, &part, c->system->switch_count, c->held,
+                                        stepper_row(c, ROW_SEARCH)};
         if (!crossing_first(&search, &nearer, &other) || !(nearer < same)) return;
         *theta *= nearer;
         *which = other;
@@ -334,7 +339,7 @@ static bool meets_switch(stepper *c, double *theta, size_t *which) {
         if (c->observed) c->formula->interpolate(c);
         return false;
     }
-    const crossing_search search = {observe, c, c->system->switch_count, c->held};
+    const crossing_search search = {observe, c, c->system->switch_count, c->held, stepper_row(c, ROW_SEARCH)};
     c->formula->interpolate(c);
     if (!crossing_first(&search, theta, which)) return false;
     if (c->sliding_count > 0 && *theta > 0.0) look_closer(c, theta, which);
@@ -345,7 +350,7 @@ static bool meets_switch(stepper *c, double *theta, size_t *which) {
 static void go_on(stepper *c, double t) {
     c->t = t;
     memcpy(c->x, c->end, c->dimension * sizeof *c->x);
-    memset(c->held, 0, sizeof c->held);
+    memset(c->held, 0, c->system->switch_count * sizeof *c->held);
     if (c->sliding_count > 0) stepper_project(c, c->x);
 }
 

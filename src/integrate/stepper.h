@@ -8,6 +8,7 @@
 #ifndef INTEGRATE_STEPPER_H
 #define INTEGRATE_STEPPER_H
 
+#include "crossing.h"
 #include "dop853_tableau.h"
 #include "method.h"
 #include "rodas5p_tableau.h"
@@ -22,6 +23,10 @@ typedef struct stepper_variation {
     double volume;                            ///< its part of the set's
     double *spare;                            ///< [SPARE_ROWS][dimension]
 } stepper_variation;
+
+/// Rows of a stepper's workspace, so that what calls one another does not share one: values, sides.
+enum { ROW_VALUE, ROW_FOUND, ROW_FROM, ROW_TO, ROW_SIDES, ROW_SIDES_OF_MEAN, ROW_SEARCH };
+enum { SWITCH_ROWS = ROW_SEARCH + CROSSING_ROWS };
 
 struct stepper;
 
@@ -48,12 +53,13 @@ typedef struct stepper {
     const whirl_system *system;
     size_t dimension;
     double rtol, atol, limit;
-    double t;                     ///< where the motion is
-    double h;                     ///< length of step to try next
-    double *x;                    ///< [dimension]
-    double *sides;                ///< [switch_count] -1 or +1
-    int held[WHIRL_MAX_SWITCHES]; ///< as crossing_search has it, for the step that begins at x
-    bool sliding[WHIRL_MAX_SWITCHES];
+    double t;            ///< where the motion is
+    double h;            ///< length of step to try next
+    double *x;           ///< [dimension]
+    double *sides;       ///< [switch_count] -1 or +1
+    int *held;           ///< [switch_count] as crossing_search has it, for the step that begins at x
+    bool *sliding;       ///< [switch_count]
+    double *at_switches; ///< [SWITCH_ROWS][switch_count] workspace
     size_t sliding_count;
     int switchings; ///< since the beginning of the revolution
     bool crossed;   ///< the last step ended at a switch
@@ -70,6 +76,11 @@ typedef struct stepper {
     double *own;                             ///< workspace of the formula
     stepper_variation variation;
 } stepper;
+
+/// A row of its workspace.
+static inline double *stepper_row(const stepper *c, int row) {
+    return c->at_switches + (size_t)row * c->system->switch_count;
+}
 
 /// A stepper for systems of that dimension and number of switches, with no motion yet; NULL where there is no memory.
 /// Freed by free().

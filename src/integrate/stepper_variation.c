@@ -26,7 +26,8 @@ static void mean_jacobian(const stepper *c, double t, const double *x, const siz
                           const double *vectors, double *out) {
     const whirl_system *system = c->system;
     const size_t size = c->variation.set->count * c->dimension;
-    double forcing[WHIRL_MAX_FORCING], sides[WHIRL_MAX_SWITCHES], lower = 1.0, *upper = c->variation.upper;
+    double forcing[WHIRL_MAX_FORCING], lower = 1.0, *upper = c->variation.upper;
+    double *sides = stepper_row(c, ROW_SIDES_OF_MEAN);
     if (system->forcing_count > 0) system->forcing(system->model, t, forcing);
     memcpy(sides, c->sides, system->switch_count * sizeof *sides);
     for (size_t j = 0; j < c->sliding_count; j++) {

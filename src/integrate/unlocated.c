@@ -11,6 +11,13 @@ static bool sees(const whirl_system *system) {
     return system->switch_count > 0 && system->switch_gradient && system->rhs_on_sides;
 }
 
+/// Rows of what there is of every switch: at the beginning and end of the step, at a change; sides.
+enum { OF_BEGINNING, OF_END, OF_CHANGE, SIDES };
+
+static double *of_switches(const unlocated_step *step, int which) {
+    return step->before + (size_t)which * step->system->switch_count;
+}
+
 static double *row(const unlocated_step *step, int which) {
     return step->rows + (size_t)which * step->system->dimension;
 }
@@ -59,7 +66,7 @@ static double find_change(const unlocated_step *step, const double *end, size_t 
 
 static void saltate_at(const unlocated_step *step, const double *end, size_t which, whirl_disturbances *disturbances) {
     const whirl_system *system = step->system;
-    double values[WHIRL_MAX_SWITCHES], sides[WHIRL_MAX_SWITCHES], by_time;
+    double *values = of_switches(step, OF_CHANGE), *sides = of_switches(step, SIDES), by_time;
     const double t = find_change(step, end, which, values), *x = row(step, BETWEEN);
     signs(system, values, sides);
     sides[which] = step->before[which] > 0.0 ? 1.0 : -1.0;
@@ -73,7 +80,7 @@ static void saltate_at(const unlocated_step *step, const double *end, size_t whi
 
 void unlocated_saltate(unlocated_step *step, const double *x, whirl_disturbances *disturbances) {
     const whirl_system *system = step->system;
-    double after[WHIRL_MAX_SWITCHES], sides[WHIRL_MAX_SWITCHES];
+    double *after = of_switches(step, OF_END), *sides = of_switches(step, SIDES);
     bool changed = false;
     if (!sees(system)) return;
     system->switches(system->model, step->t + step->length, x, after);

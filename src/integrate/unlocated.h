@@ -15,9 +15,9 @@ typedef struct unlocated_step {
     double length;
     const double *slope; ///< [dimension] at the step's beginning, once it is taken
     double *rows;        ///< [SPARE_ROWS][dimension] workspace
+    double *before;      ///< [UNLOCATED_ROWS][switch_count] the switches at the beginning, and workspace
     double t;
     bool known; ///< the sides at the beginning are those at the end of the step before
-    double before[WHIRL_MAX_SWITCHES];
 } unlocated_step;
 
 /// Notes the state x at t, where a step begins.

@@ -347,9 +347,11 @@ static whirl_rotor *finish(const building *b) {
 }
 
 static whirl_status check(const whirl_rotor *rotor) {
-    if (rotor->contact_count > WHIRL_MAX_CONTACTS || rotor->lanes.switch_count > WHIRL_MAX_SWITCHES)
-        return whirl_fail(WHIRL_BAD_INPUT, "the rotor has %zu contacts, expected at most %d", rotor->contact_count,
-                          WHIRL_MAX_CONTACTS / 2);
+    // Contacts are at most as many as elements.
+    _Static_assert((int)WHIRL_MAX_ELEMENTS <= (int)WHIRL_MAX_CONTACTS, "a contact for every element");
+    if (rotor->lanes.switch_count > WHIRL_MAX_SWITCHES)
+        return whirl_fail(WHIRL_BAD_INPUT, "the rotor has %zu switches, expected at most %d", rotor->lanes.switch_count,
+                          WHIRL_MAX_SWITCHES);
     if (rotor->lanes.states > MAX_OWN_STATES)
         return whirl_fail(WHIRL_BAD_INPUT, "the rotor's elements have %zu states of their own, expected at most %d",
                           rotor->lanes.states, MAX_OWN_STATES);

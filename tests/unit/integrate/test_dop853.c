@@ -149,10 +149,11 @@ static void parabola(void *context, double theta, double *values) {
 static void test_dips_are_found(void **state) {
     (void)state;
     const int held[2] = {0, 0};
+    double work[CROSSING_ROWS];
     for (double depth = 1e-2; depth > 1e-13; depth *= 0.1)
         for (double at = 0.2; at < 0.9; at += 0.0717) {
             polynomial dip = {at, depth};
-            const crossing_search search = {parabola, &dip, 1, held};
+            const crossing_search search = {parabola, &dip, 1, held, work};
             double theta = NAN;
             size_t which = 7;
             assert_true(crossing_first(&search, &theta, &which));
@@ -172,9 +173,10 @@ static void sine(void *context, double theta, double *values) {
 static void test_the_zero_at_the_beginning_is_not_counted(void **state) {
     (void)state;
     const int held[1] = {1};
+    double work[CROSSING_ROWS];
     double theta = NAN, frequency = 3.0;
     size_t which;
-    const crossing_search search = {sine, &frequency, 1, held};
+    const crossing_search search = {sine, &frequency, 1, held, work};
     assert_false(crossing_first(&search, &theta, &which));
     frequency = 4.0;
     assert_true(crossing_first(&search, &theta, &which));

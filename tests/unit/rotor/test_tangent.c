@@ -17,7 +17,7 @@
 
 typedef long double complex number;
 
-enum { STATIONS = 3, DEGREES = 2 * STATIONS, DIMENSION = 2 * DEGREES, TRIALS = 400 };
+enum { STATIONS = 3, DEGREES = 2 * STATIONS, DIMENSION = 2 * DEGREES, TRIALS = 400, SWITCHES = 64, CONTACTS = 64 };
 
 /// A rub in the test's own words; masses, speed and length scale are 1, but for the disc's mass.
 typedef struct ring {
@@ -297,7 +297,7 @@ static int near_enough(double ours, double theirs, double scale, double rounding
 static void compare_jacobians(int at_random) {
     whirl_rotor *rotor = make_rotor();
     const whirl_system *system = whirl_rotor_system(rotor);
-    double unit[DIMENSION * DIMENSION], ours[DIMENSION * DIMENSION], theirs[DIMENSION], sides[WHIRL_MAX_SWITCHES];
+    double unit[DIMENSION * DIMENSION], ours[DIMENSION * DIMENSION], theirs[DIMENSION], sides[SWITCHES];
     uint64_t seed = 5;
     identity(unit);
     assert_int_equal(system->switch_count, 8);
@@ -362,7 +362,7 @@ static void test_sides_hold_the_laws(void **state) {
     uint64_t seed = 6;
     (void)state;
     for (int trial = 0; trial < TRIALS; trial++) {
-        double z[DIMENSION], forcing[WHIRL_MAX_FORCING], sides[WHIRL_MAX_SWITCHES], ours[DIMENSION], free[DIMENSION];
+        double z[DIMENSION], forcing[WHIRL_MAX_FORCING], sides[SWITCHES], ours[DIMENSION], free[DIMENSION];
         number w[DIMENSION], dw[DIMENSION];
         const double t = uniform(&seed, 0.0, 6.28);
         draw_state(&seed, z);
@@ -387,9 +387,9 @@ static void test_switches_and_their_gradients(void **state) {
     uint64_t seed = 7;
     (void)state;
     for (int trial = 0; trial < TRIALS; trial++) {
-        double z[DIMENSION], values[WHIRL_MAX_SWITCHES], gradient[DIMENSION], by_time;
+        double z[DIMENSION], values[SWITCHES], gradient[DIMENSION], by_time;
         const long double step = 1e-24L;
-        number w[DIMENSION], reference[WHIRL_MAX_SWITCHES];
+        number w[DIMENSION], reference[SWITCHES];
         draw_state(&seed, z);
         to_complex(z, w);
         system->switches(system->model, 0.0, z, values);
@@ -413,7 +413,7 @@ static void test_switches_and_their_gradients(void **state) {
 /// Derivative by coordinate i of switch k at z + shift u, by a complex step.
 static long double slope_at(const double *z, const double *u, long double shift, size_t k, int i) {
     const long double step = 1e-24L;
-    number w[DIMENSION], values[WHIRL_MAX_SWITCHES];
+    number w[DIMENSION], values[SWITCHES];
     for (int j = 0; j < DIMENSION; j++) w[j] = z[j] + shift * u[j];
     w[i] += step * I;
     equations_switches(w, values);
@@ -453,10 +453,10 @@ enum { VECTORS = 5, MOST = VECTORS * 8, TANGENTS = 3, ROWS = (1 + TANGENTS) * DE
 /// Arrays of lanes, aligned for the widest vectors.
 typedef struct block {
     _Alignas(64) double numbers[NUMBERS * MOST], forcing[WHIRL_MAX_FORCING * MOST];
-    _Alignas(64) double sides[WHIRL_MAX_SWITCHES * MOST], t[MOST];
+    _Alignas(64) double sides[SWITCHES * MOST], t[MOST];
     _Alignas(64) double q[ROWS * MOST], v[ROWS * MOST], a[ROWS * MOST], divergence[MOST];
-    _Alignas(64) double values[WHIRL_MAX_SWITCHES * MOST], rates[WHIRL_MAX_SWITCHES * MOST];
-    _Alignas(64) double normal[WHIRL_MAX_CONTACTS * MOST];
+    _Alignas(64) double values[SWITCHES * MOST], rates[SWITCHES * MOST];
+    _Alignas(64) double normal[CONTACTS * MOST];
 } block;
 
 /// Draws all lanes of a block, the same ones for every width.
@@ -512,8 +512,8 @@ static void gather(const double *q, const double *v, size_t lanes, int k, size_t
 
 /// One lane of a block against the functions of the system.
 static void compare_lane(const whirl_system *system, const block *b, size_t lanes, size_t lane, int sided) {
-    double x[DIMENSION], slope[DIMENSION], forcing[WHIRL_MAX_FORCING], sides[WHIRL_MAX_SWITCHES];
-    double dx[TANGENTS * DIMENSION], ddx[TANGENTS * DIMENSION], got[DIMENSION], normal[WHIRL_MAX_CONTACTS];
+    double x[DIMENSION], slope[DIMENSION], forcing[WHIRL_MAX_FORCING], sides[SWITCHES];
+    double dx[TANGENTS * DIMENSION], ddx[TANGENTS * DIMENSION], got[DIMENSION], normal[CONTACTS];
     gather(b->q, b->v, lanes, 0, lane, x);
     const double rounding = film_rounding(x, 3.5);
     for (size_t i = 0; i < system->switch_count; i++) sides[i] = b->sides[i * lanes + lane];
@@ -536,7 +536,7 @@ static void compare_lane(const whirl_system *system, const block *b, size_t lane
     }
     const double trace = system->divergence(system->model, b->t[lane], forcing, x, sided ? sides : NULL);
     assert_true(near_enough(b->divergence[lane], trace, fmax(steep, fabs(trace)), rounding));
-    double values[WHIRL_MAX_SWITCHES];
+    double values[SWITCHES];
     system->switches(system->model, b->t[lane], x, values);
     for (size_t k = 0; k < system->switch_count; k++) {
         double gradient[DIMENSION], rate;
@@ -577,7 +577,7 @@ static void test_lanes_of_every_instruction_set(void **state) {
 static void test_a_damped_contact_never_pulls(void **state) {
     whirl_rotor *rotor = make_rotor();
     const whirl_system *system = whirl_rotor_system(rotor);
-    double z[DIMENSION] = {0.6, 0.0, 0.1, 0.0, 0.1, 0.0}, normal[WHIRL_MAX_CONTACTS], dz[2][DIMENSION];
+    double z[DIMENSION] = {0.6, 0.0, 0.1, 0.0, 0.1, 0.0}, normal[CONTACTS], dz[2][DIMENSION];
     double forcing[WHIRL_MAX_FORCING];
     (void)state;
     // 40 (0.6 - 0.5) + 3 x': 7 N inwards at 1, none on the way out faster than 4/3.
@@ -588,7 +588,7 @@ static void test_a_damped_contact_never_pulls(void **state) {
         assert_true(fabs(normal[0] - forces[i]) < 1e-12);
         system->forcing(system->model, 0.0, forcing);
         system->rhs(system->model, 0.0, forcing, z, dz[0]);
-        double sides[WHIRL_MAX_SWITCHES];
+        double sides[SWITCHES];
         sides_of(system, z, sides);
         sides[0] = -1.0;
         system->rhs_on_sides(system->model, 0.0, forcing, z, sides, dz[1]);
