@@ -172,9 +172,10 @@ typedef struct whirl_task_source {
     const whirl_motion_saver *saver; ///< or NULL; called with `context`
 } whirl_task_source;
 
-/// Records all motions that the source gives, one after the other or, where they can (whirl_ensemble_takes), many side
-/// by side. Each record is what whirl_record_motion gives, to the bit. All systems have the structure of `system`.
-/// Errors as whirl_record_motion; the first one, or the first of `done`, ends the work.
+/// Records all motions that the source gives, in the lanes of an ensemble: many side by side where they can
+/// (whirl_ensemble_takes), else one after the other. Each record is what whirl_record_motion gives, to the bit. All
+/// systems have the structure of `system`. Errors as whirl_record_motion; the first one, or the first of `done`, ends
+/// the work.
 whirl_status whirl_record_motions(const whirl_system *system, const whirl_integrate_options *integrate,
                                   const whirl_record_options *options, const whirl_task_source *source,
                                   const whirl_monitor *monitor);

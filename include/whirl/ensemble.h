@@ -1,5 +1,5 @@
 /// Ensembles: many machines of one structure, carried over revolutions side by side in vector lanes: by rk4 step by
-/// step together, by dop853 and rodas5p each at its own time.
+/// step together, by dop853 and rodas5p each at its own time; or of any system and method, one after the other.
 ///
 /// Every lane is computed as if it were alone: its neighbours, its place, the number of lanes and the width of the
 /// vectors change no bit of it, on processors that fuse multiply-adds (and on those that do not, among themselves).
@@ -31,6 +31,18 @@ bool whirl_ensemble_takes(const whirl_system *system, const whirl_integrate_opti
 whirl_status whirl_ensemble_new(const whirl_system *system, const whirl_integrate_options *options, size_t lanes,
                                 whirl_ensemble **ensemble);
 void whirl_ensemble_free(whirl_ensemble *ensemble);
+
+/// Room for `lanes` (at least 1) machines of any method and of any system with as many coordinates, probes and contacts
+/// as this one, which must outlive the ensemble: integrators
+/// carry them one after the other, and `followed` disturbances of each (0 to the dimension) along with it. A machine
+/// has to outlive its stay in a lane. Errors as whirl_integrator_new, but that of an unknown method is told by
+/// whirl_ensemble_load; those of whirl_integrator_follow are told by whirl_ensemble_load.
+whirl_status whirl_ensemble_alone(const whirl_system *system, const whirl_integrate_options *options, size_t lanes,
+                                  size_t followed, whirl_ensemble **ensemble);
+
+/// Lets disturbances go along with a lane of such an ensemble in the next revolution, as whirl_integrator_carry has
+/// them. They belong to the caller.
+void whirl_ensemble_carry(whirl_ensemble *ensemble, size_t lane, whirl_disturbances *disturbances);
 
 /// Lanes that there are: those asked for, rounded up to whole vectors.
 size_t whirl_ensemble_lanes(const whirl_ensemble *ensemble);

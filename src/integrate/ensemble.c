@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "adaptive_lanes.h"
+#include "ensemble_alone.h"
 #include "isa.h"
 #include "method.h"
 #include "rk4_lanes.h"
@@ -22,13 +23,19 @@ struct whirl_ensemble {
     double limit;
     rk4_lanes lanes;
     adaptive_lanes *adaptive; ///< NULL for rk4
-    double *ended;            ///< [lane] whirl_motion, of adaptive methods
+    alone_lanes *alone;       ///< lanes that integrators carry; NULL: kernels do
+    double *ended;            ///< [lane] whirl_motion
     const double *shown;      ///< [dimension] states that coordinates are asked of: a sample's; NULL: the present ones
     const whirl_system **machines; ///< [lane_count] who is where; NULL: nobody
     size_t *contact_probe;
-    double *state;           ///< [dimension] of a lane that is asked for its contacts
+    double *state;           ///< [dimension] workspace
     double *forcing, *block; ///< block: all arrays of lanes, aligned to 64 bytes
 };
+
+/// Whether normal forces tell of contacts, and not the gap alone.
+static bool by_force(const whirl_ensemble *e) {
+    return e->alone || e->lanes.observe.normal_force;
+}
 
 bool whirl_ensemble_takes(const whirl_system *system, const whirl_integrate_options *options) {
     if (!system->lanes) return false;
@@ -39,15 +46,16 @@ bool whirl_ensemble_takes(const whirl_system *system, const whirl_integrate_opti
 /// Rows of the block, and where each array begins.
 static size_t lay_out(whirl_ensemble *e, double *block) {
     const size_t degrees = e->lanes.degrees, probes = e->system->probe_count, contacts = e->contact_count;
-    const size_t forces = e->lanes.observe.normal_force ? contacts : 0;
-    const size_t rates = e->lanes.rates, fixed = e->adaptive ? 0 : 1, located = e->lanes.located.switches ? 1 : 0;
+    const size_t forces = by_force(e) ? contacts : 0;
+    const size_t rates = e->lanes.rates, fixed = e->adaptive || e->alone ? 0 : 1,
+                 located = e->lanes.located.switches ? 1 : 0;
     const size_t switches = e->lanes.located.switch_count;
     size_t row = 0;
     const struct {
         double **array;
         size_t rows;
     } parts[] = {
-        {&e->lanes.numbers, e->system->lanes->number_count},
+        {&e->lanes.numbers, e->alone ? 0 : e->system->lanes->number_count},
         {&e->lanes.q, degrees},
         {&e->lanes.v, rates},
         {&e->ended, 1},
@@ -56,7 +64,7 @@ static size_t lay_out(whirl_ensemble *e, double *block) {
         {&e->lanes.k[2], fixed * rates},
         {&e->lanes.stage_q, fixed * degrees},
         {&e->lanes.stage_v, fixed * rates},
-        {&e->lanes.now, e->adaptive ? 0 : e->system->forcing_count},
+        {&e->lanes.now, fixed * e->system->forcing_count},
         {&e->lanes.located.begin_q, located * degrees},
         {&e->lanes.located.begin_v, located * rates},
         {&e->lanes.located.value[0], switches},
@@ -84,7 +92,7 @@ static size_t lay_out(whirl_ensemble *e, double *block) {
 }
 
 static bool allocate(whirl_ensemble *e) {
-    const size_t table = e->adaptive ? 0 : (2 * (size_t)e->lanes.steps + 1) * e->lanes.forcing_count;
+    const size_t table = e->adaptive || e->alone ? 0 : (2 * (size_t)e->lanes.steps + 1) * e->lanes.forcing_count;
     const size_t bytes = lay_out(e, NULL) * e->lane_count * sizeof(double);
     e->block = aligned_alloc(64, (bytes + 63) / 64 * 64);
     e->forcing = malloc((table + 1) * sizeof *e->forcing);
@@ -99,10 +107,21 @@ static bool allocate(whirl_ensemble *e) {
 
 static void tabulate(whirl_ensemble *e) {
     const whirl_system *system = e->system;
-    if (e->adaptive) return;
+    if (e->adaptive || e->alone) return;
     for (int i = 0; i <= 2 * e->lanes.steps && system->forcing_count > 0; i++)
         system->forcing(system->model, system->period * ((double)i / (2.0 * e->lanes.steps)),
                         e->forcing + (size_t)i * system->forcing_count);
+}
+
+/// What all lanes have, whoever carries them: all coordinates count as rates where integrators do.
+static void fill_shape(whirl_ensemble *e) {
+    const whirl_system *system = e->system;
+    rk4_lanes *lanes = &e->lanes;
+    lanes->degrees = e->alone ? 0 : system->lanes->degrees;
+    lanes->rates = system->dimension - lanes->degrees;
+    lanes->observe.probe_count = system->probe_count;
+    lanes->observe.probes = system->probes;
+    lanes->observe.contact_count = e->contact_count = system->contact_count;
 }
 
 static void fill_lanes(whirl_ensemble *e, const whirl_integrate_options *options) {
@@ -111,14 +130,9 @@ static void fill_lanes(whirl_ensemble *e, const whirl_integrate_options *options
     lanes->model = system->model;
     lanes->flow = system->lanes->flow[e->isa->number];
     lanes->instance = system->lanes->instance;
-    lanes->degrees = system->lanes->degrees;
-    lanes->rates = lanes->degrees + system->lanes->states;
     lanes->forcing_count = system->forcing_count;
     lanes->steps = options->steps_per_revolution;
     lanes->step = system->period / options->steps_per_revolution;
-    lanes->observe.probe_count = system->probe_count;
-    lanes->observe.probes = system->probes;
-    lanes->observe.contact_count = e->contact_count = system->lanes->contact_count;
     if (system->lanes->damped) lanes->observe.normal_force = system->lanes->contacts[e->isa->number];
 }
 
@@ -159,6 +173,29 @@ static size_t fast_lanes(const whirl_ensemble *e) {
     return e->adaptive ? e->adaptive->slots * ROUNDS : fast_vectors(e->system, e->isa) * e->isa->lanes;
 }
 
+/// The last of an ensemble whose engine is there.
+static whirl_status finish(whirl_ensemble *e, size_t lanes, whirl_ensemble **out) {
+    e->lanes.stride = (lanes + e->isa->lanes - 1) / e->isa->lanes;
+    e->lanes.lane_count = e->lane_count = e->lanes.stride * e->isa->lanes;
+    if (!allocate(e)) return whirl_fail(WHIRL_NO_MEMORY, "no memory for an ensemble of %zu lanes", e->lane_count);
+    tabulate(e);
+    e->lanes.forcing = e->forcing;
+    e->lanes.observe.contact_probe = e->contact_probe;
+    e->lanes.located.machines = e->machines;
+    e->lanes.located.ended = e->ended;
+    *out = e;
+    return whirl_ok();
+}
+
+/// An ensemble without an engine and lanes; NULL without memory.
+static whirl_ensemble *begin(const whirl_system *system, const whirl_integrate_options *options) {
+    whirl_ensemble *e = calloc(1, sizeof *e);
+    if (!e) return NULL;
+    e->system = system;
+    e->limit = options->limit;
+    return e;
+}
+
 whirl_status whirl_ensemble_new(const whirl_system *system, const whirl_integrate_options *options, size_t lanes,
                                 whirl_ensemble **out) {
     *out = NULL;
@@ -168,37 +205,51 @@ whirl_status whirl_ensemble_new(const whirl_system *system, const whirl_integrat
                           options->method);
     whirl_status status = check_options(system, options);
     if (status.code != WHIRL_OK) return status;
-    whirl_ensemble *e = calloc(1, sizeof *e);
+    whirl_ensemble *e = begin(system, options);
     if (!e) return whirl_fail(WHIRL_NO_MEMORY, "no memory for an ensemble");
     status = isa_choose(&e->isa);
     if (status.code == WHIRL_OK) {
-        e->system = system;
-        e->limit = options->limit;
+        fill_shape(e);
         fill_lanes(e, options);
-        const bool attached = attach_location(e, options);
-        if (lanes == 0 && attached) lanes = fast_lanes(e);
-        e->lanes.stride = (lanes + e->isa->lanes - 1) / e->isa->lanes;
-        e->lane_count = e->lanes.stride * e->isa->lanes;
-        if (!attached || !allocate(e))
-            status = whirl_fail(WHIRL_NO_MEMORY, "no memory for an ensemble of %zu lanes", e->lane_count);
+        if (attach_location(e, options))
+            status = finish(e, lanes > 0 ? lanes : fast_lanes(e), out);
+        else
+            status = whirl_fail(WHIRL_NO_MEMORY, "no memory for an ensemble");
     }
+    if (status.code != WHIRL_OK) whirl_ensemble_free(e);
+    return status;
+}
+
+whirl_status whirl_ensemble_alone(const whirl_system *system, const whirl_integrate_options *options, size_t lanes,
+                                  size_t followed, whirl_ensemble **out) {
+    *out = NULL;
+    whirl_status status = check_options(system, options);
+    if (status.code != WHIRL_OK) return status;
+    whirl_ensemble *e = begin(system, options);
+    if (!e) return whirl_fail(WHIRL_NO_MEMORY, "no memory for an ensemble");
+    e->isa = isa_at(VECTOR_SCALAR);
+    e->alone = alone_lanes_new(options, followed, system->dimension, lanes);
+    if (!e->alone) {
+        whirl_ensemble_free(e);
+        return whirl_fail(WHIRL_NO_MEMORY, "no memory for an ensemble");
+    }
+    fill_shape(e);
+    status = finish(e, lanes, out);
     if (status.code != WHIRL_OK) {
         whirl_ensemble_free(e);
         return status;
     }
-    tabulate(e);
-    e->lanes.forcing = e->forcing;
-    e->lanes.observe.contact_probe = e->contact_probe;
-    e->lanes.located.machines = e->machines;
-    e->lanes.located.ended = e->ended;
-    e->lanes.lane_count = e->lane_count;
-    *out = e;
-    return whirl_ok();
+    e->alone->x = e->lanes.v;
+    e->alone->ended = e->ended;
+    e->alone->machines = e->machines;
+    e->alone->watched = &e->lanes.observe;
+    return status;
 }
 
 void whirl_ensemble_free(whirl_ensemble *e) {
     if (!e) return;
     adaptive_lanes_free(e->adaptive);
+    alone_lanes_free(e->alone);
     free(e->lanes.located.stepper);
     free(e->block);
     free(e->forcing);
@@ -215,12 +266,17 @@ const char *whirl_ensemble_isa(const whirl_ensemble *e) {
     return e->isa->name;
 }
 
-whirl_status whirl_ensemble_load(whirl_ensemble *e, size_t lane, const whirl_system *system, const double *x) {
+static bool is_of_structure(const whirl_ensemble *e, const whirl_system *system) {
+    const whirl_system *own = e->system;
+    if (e->alone)
+        return system->dimension == own->dimension && system->probe_count == own->probe_count &&
+               system->contact_count == own->contact_count;
+    return system->lanes && system->lanes->alike == own->lanes->alike && own->lanes->alike(own->model, system->model);
+}
+
+/// The numbers of a machine of the ensemble's structure.
+static whirl_status load_numbers(whirl_ensemble *e, size_t lane, const whirl_system *system) {
     const whirl_lanes *form = e->system->lanes;
-    if (!system->lanes || system->lanes->alike != form->alike || !form->alike(e->system->model, system->model))
-        return whirl_fail(
-            WHIRL_BAD_INPUT,
-            "the machine has another structure than the ensemble, expected the same stations and elements");
     double *numbers = malloc(form->number_count * sizeof *numbers);
     if (!numbers) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine");
     form->numbers(system->model, numbers);
@@ -228,6 +284,16 @@ whirl_status whirl_ensemble_load(whirl_ensemble *e, size_t lane, const whirl_sys
     free(numbers);
     for (size_t c = 0; c < e->contact_count; c++)
         form->contact(system->model, c, &e->contact_probe[c], &e->lanes.observe.gap[c * e->lane_count + lane]);
+    return whirl_ok();
+}
+
+whirl_status whirl_ensemble_load(whirl_ensemble *e, size_t lane, const whirl_system *system, const double *x) {
+    if (!is_of_structure(e, system))
+        return whirl_fail(
+            WHIRL_BAD_INPUT,
+            "the machine has another structure than the ensemble, expected the same stations and elements");
+    const whirl_status status = e->alone ? alone_lanes_load(e->alone, lane, system) : load_numbers(e, lane, system);
+    if (status.code != WHIRL_OK) return status;
     e->machines[lane] = system;
     e->ended[lane] = WHIRL_BOUNDED;
     whirl_ensemble_place(e, lane, x);
@@ -251,7 +317,12 @@ void whirl_ensemble_state(const whirl_ensemble *e, size_t lane, double *x) {
     for (size_t i = 0; i < e->system->dimension; i++) x[i] = whirl_ensemble_coordinate(e, i)[lane];
 }
 
+void whirl_ensemble_carry(whirl_ensemble *e, size_t lane, whirl_disturbances *set) {
+    e->alone->beside[lane] = set;
+}
+
 whirl_motion whirl_ensemble_motion(const whirl_ensemble *e, size_t lane) {
+    if (e->alone) return (whirl_motion)e->ended[lane];
     for (size_t i = 0; i < e->system->dimension; i++)
         if (!(fabs(whirl_ensemble_coordinate(e, i)[lane]) <= e->limit)) return WHIRL_DIVERGED; // NaN too
     return (whirl_motion)e->ended[lane];
@@ -271,13 +342,16 @@ void whirl_ensemble_restore(whirl_ensemble *e, size_t lane, const double *number
 
 void whirl_ensemble_unload(whirl_ensemble *e, size_t lane) {
     e->machines[lane] = NULL;
+    if (e->alone) alone_lanes_load(e->alone, lane, NULL);
 }
 
 void whirl_ensemble_move(whirl_ensemble *e, size_t from, size_t to) {
     if (from == to) return;
     for (size_t row = 0; row < e->row_count; row++)
         e->block[row * e->lane_count + to] = e->block[row * e->lane_count + from];
+    whirl_ensemble_unload(e, to);
     e->machines[to] = e->machines[from];
+    if (e->alone) alone_lanes_move(e->alone, from, to);
     whirl_ensemble_unload(e, from);
 }
 
@@ -308,6 +382,20 @@ static void fill_exchange(const whirl_ensemble *e, adaptive_lanes *lanes) {
     memcpy(lanes->exchanged, rows, sizeof rows);
 }
 
+/// Gives samples [samples][dimension][lane_count] of a revolution to who watches it.
+static void hand_out(whirl_ensemble *e, const double *samples, size_t count, const whirl_ensemble_observe *observe) {
+    for (size_t i = 0; i < count; i++) {
+        e->shown = samples + i * e->system->dimension * e->lane_count;
+        observe->sample(observe->context);
+    }
+    e->shown = NULL;
+}
+
+static void revolve_alone(whirl_ensemble *e, size_t count, const whirl_ensemble_observe *observe) {
+    const size_t samples = alone_lanes_revolve(e->alone, count, observe);
+    hand_out(e, e->alone->samples, samples, observe);
+}
+
 /// A revolution in which every lane goes its own way; samples are handed out when all are through.
 static void revolve_adaptive(whirl_ensemble *e, size_t count, const whirl_ensemble_observe *observe) {
     const size_t wanted = observe && observe->stride > 0 ? (size_t)e->adaptive->instants / observe->stride : 0;
@@ -325,11 +413,7 @@ static void revolve_adaptive(whirl_ensemble *e, size_t count, const whirl_ensemb
     for (size_t i = 0; i < samples * size; i++) lanes.samples[i] = NAN; // of lanes that end on the way
     for (size_t lane = 0; samples < wanted && lane < count; lane++) e->ended[lane] = WHIRL_STUCK; // for want of memory
     lanes.method->revolves[e->isa->number](&lanes);
-    for (size_t i = 0; i < samples; i++) {
-        e->shown = lanes.samples + i * size;
-        observe->sample(observe->context);
-    }
-    e->shown = NULL;
+    hand_out(e, lanes.samples, samples, observe);
 }
 
 /// Brings angles back into their first turn.
@@ -357,7 +441,9 @@ static void revolve_rk4(const whirl_ensemble *e, size_t count, const whirl_ensem
 }
 
 void whirl_ensemble_revolve(whirl_ensemble *e, size_t count, const whirl_ensemble_observe *observe) {
-    if (e->adaptive)
+    if (e->alone)
+        revolve_alone(e, count, observe);
+    else if (e->adaptive)
         revolve_adaptive(e, count, observe);
     else
         revolve_rk4(e, count, observe);
@@ -374,28 +460,33 @@ static void get(const double *array, const whirl_ensemble *e, size_t rows, size_
     for (size_t i = 0; i < rows; i++) out[i] = array[i * e->lane_count + lane];
 }
 
+/// Whether the gap of contact c is closed.
+static bool is_closed(const whirl_ensemble *e, size_t c, size_t lane) {
+    const whirl_probe *probe = &e->lanes.observe.probes[e->contact_probe[c]];
+    const double x = whirl_ensemble_coordinate(e, probe->x)[lane], y = whirl_ensemble_coordinate(e, probe->y)[lane];
+    const double gap = e->lanes.observe.gap[c * e->lane_count + lane];
+    return x * x + y * y > gap * gap;
+}
+
 /// Notes which contacts are closed now.
 static void note_contacts(const whirl_ensemble *e, size_t lane) {
     const lanes_observe *w = &e->lanes.observe;
+    const bool forces = by_force(e) && w->contact_count > 0;
     double force[WHIRL_MAX_CONTACTS];
-    if (w->normal_force) {
+    if (forces) {
         whirl_ensemble_state(e, lane, e->state);
         e->machines[lane]->contacts(e->machines[lane]->model, e->state, force);
     }
     for (size_t c = 0; c < w->contact_count; c++) {
-        const whirl_probe *probe = &w->probes[e->contact_probe[c]];
-        const double x = whirl_ensemble_coordinate(e, probe->x)[lane];
-        const double y = whirl_ensemble_coordinate(e, probe->y)[lane];
-        const double gap = w->gap[c * e->lane_count + lane];
-        const bool closed = w->normal_force ? force[c] > 0.0 : x * x + y * y > gap * gap;
-        w->touching[c * e->lane_count + lane] = closed ? 1.0 : 0.0;
+        const size_t at = c * e->lane_count + lane;
+        w->touching[at] = (forces ? force[c] > 0.0 : is_closed(e, c, lane)) ? 1.0 : 0.0;
     }
 }
 
 /// A force that grows with the displacement alone is largest at the largest radius.
 static void largest_forces(const whirl_ensemble *e, size_t lane, const double *max_radius, double *force) {
     const lanes_observe *w = &e->lanes.observe;
-    if (w->normal_force) {
+    if (by_force(e)) {
         get(w->force_max, e, w->contact_count, lane, force);
         return;
     }
@@ -414,7 +505,7 @@ void whirl_ensemble_forget(whirl_ensemble *e, size_t lane) {
     set(w->sum, e, 2 * w->probe_count, lane, 0.0);
     set(w->contact, e, w->contact_count, lane, 0.0);
     set(w->begun, e, w->contact_count, lane, 0.0);
-    if (w->normal_force) set(w->force_max, e, w->contact_count, lane, 0.0);
+    if (by_force(e)) set(w->force_max, e, w->contact_count, lane, 0.0);
     note_contacts(e, lane);
 }
 

@@ -211,11 +211,158 @@ static void test_the_rotor_rubs(void **state) {
     machine_free(own);
 }
 
+// ---------------------------------------------------------------- lanes that integrators carry
+
+/// What an integrator shows, gathered by hand.
+typedef struct gathered {
+    const whirl_system *system;
+    double low[DIMENSION], high[DIMENSION], sum, samples[4];
+    double instants, closed, begun, force;
+    bool touching;
+} gathered;
+
+static void gather(void *context, double t, const double *x) {
+    gathered *g = context;
+    double force;
+    (void)t;
+    for (int i = 0; i < DIMENSION; i++) {
+        g->low[i] = fmin(g->low[i], x[i]);
+        g->high[i] = fmax(g->high[i], x[i]);
+    }
+    g->system->contacts(g->system->model, x, &force);
+    g->sum += x[0];
+    if ((int)++g->instants % 16 == 0) g->samples[((int)g->instants / 16 - 1) % 4] = x[1];
+    if (force > 0.0) {
+        g->closed++;
+        if (!g->touching) g->begun++;
+    }
+    g->force = fmax(g->force, force);
+    g->touching = force > 0.0;
+}
+
+/// Samples of coordinate 1 of both lanes.
+typedef struct sampled {
+    const whirl_ensemble *ensemble;
+    size_t count;
+    double of[4][2];
+} sampled;
+
+static void sample_both(void *context) {
+    sampled *s = context;
+    memcpy(s->of[s->count++], whirl_ensemble_coordinate(s->ensemble, 1), sizeof *s->of);
+}
+
+static void expect_gathered(const whirl_ensemble *lanes, size_t lane, const gathered *g) {
+    double low[DIMENSION], high[DIMENSION], radius[2], sum[2], backward, closed, begun, force;
+    const whirl_ensemble_seen seen = {low, high, &radius[0], &radius[1], sum, &backward, &closed, &begun, &force};
+    whirl_ensemble_read(lanes, lane, &seen);
+    assert_memory_equal(low, g->low, sizeof low);
+    assert_memory_equal(high, g->high, sizeof high);
+    assert_true(sum[0] == g->sum && closed == g->closed && begun == g->begun && force == g->force);
+    assert_true(g->begun >= 1.0);
+}
+
+/// A motion after three revolutions, with what was seen of it and, where one is followed, its disturbance.
+typedef struct carried {
+    double x[DIMENSION], vector[DIMENSION], growth;
+    gathered seen;
+} carried;
+
+static void carry_by_integrator(const whirl_system *system, const whirl_integrate_options *options, size_t followed,
+                                carried *out) {
+    whirl_integrator *integrator;
+    double force;
+    *out = (carried){.vector = {1.0}, .seen = {.system = system}};
+    for (int i = 0; i < DIMENSION; i++) out->seen.low[i] = INFINITY, out->seen.high[i] = -INFINITY;
+    memcpy(out->x, start, sizeof out->x);
+    system->contacts(system->model, start, &force);
+    out->seen.touching = force > 0.0;
+    must(whirl_integrator_new(system, options, &integrator));
+    if (followed > 0) must(whirl_integrator_follow(integrator, followed));
+    for (int i = 0; i < 3; i++) {
+        whirl_disturbances set = {.count = 1, .vectors = out->vector, .growth = &out->growth};
+        if (followed > 0)
+            whirl_integrator_carry(integrator, out->x, &set, gather, &out->seen);
+        else
+            whirl_integrator_revolve(integrator, out->x, gather, &out->seen);
+    }
+    whirl_integrator_free(integrator);
+}
+
+static void carry_in_lanes(whirl_ensemble *lanes, size_t followed, sampled *samples, carried out[2]) {
+    const whirl_ensemble_observe watch = {true, 16, sample_both, samples};
+    for (int i = 0; i < 3; i++) {
+        whirl_disturbances beside[2];
+        for (size_t l = 0; l < 2 && followed > 0; l++) {
+            beside[l] = (whirl_disturbances){.count = 1, .vectors = out[l].vector, .growth = &out[l].growth};
+            whirl_ensemble_carry(lanes, l, &beside[l]);
+        }
+        samples->count = 0;
+        whirl_ensemble_revolve(lanes, 2, &watch);
+        assert_int_equal(samples->count, 4);
+    }
+    for (size_t l = 0; l < 2; l++) whirl_ensemble_state(lanes, l, out[l].x);
+}
+
+/// Three revolutions of two machines: the states and all that is seen of them are the integrator's own, to the bit.
+static void expect_lanes_of_integrators(const char *method, size_t followed) {
+    machine *own[2] = {machine_new(eccentricity_of(0), 0.0), machine_new(eccentricity_of(1), 0.1)};
+    whirl_integrate_options options = whirl_integrate_default();
+    carried alone[2], found[2] = {{.vector = {1.0}}, {.vector = {1.0}}};
+    whirl_ensemble *lanes;
+    strcpy(options.method, method);
+    options.steps_per_revolution = 64;
+    must(whirl_ensemble_alone(&own[0]->system, &options, 2, followed, &lanes));
+    assert_int_equal(whirl_ensemble_lanes(lanes), 2);
+    for (size_t l = 0; l < 2; l++) must(whirl_ensemble_load(lanes, l, &own[l]->system, start));
+    sampled samples = {.ensemble = lanes};
+    carry_in_lanes(lanes, followed, &samples, found);
+    for (size_t l = 0; l < 2; l++) {
+        carry_by_integrator(&own[l]->system, &options, followed, &alone[l]);
+        assert_memory_equal(found[l].x, alone[l].x, sizeof alone[l].x);
+        assert_memory_equal(found[l].vector, alone[l].vector, sizeof alone[l].vector);
+        assert_true(found[l].growth == alone[l].growth);
+        expect_gathered(lanes, l, &alone[l].seen);
+        for (int n = 0; n < 4; n++) assert_true(samples.of[n][l] == alone[l].seen.samples[n]);
+    }
+    // The second one moves into the place of the first with all that was seen of it, and goes on there.
+    whirl_ensemble_move(lanes, 1, 0);
+    expect_gathered(lanes, 0, &alone[1].seen);
+    whirl_ensemble_revolve(lanes, 2, NULL);
+    assert_int_equal(whirl_ensemble_motion(lanes, 0), WHIRL_BOUNDED);
+    whirl_ensemble_free(lanes);
+    for (int l = 0; l < 2; l++) machine_free(own[l]);
+}
+
+static void test_lanes_of_integrators(void **state) {
+    (void)state;
+    expect_lanes_of_integrators("rk4", 0);
+    expect_lanes_of_integrators("dop853", 1);
+    expect_lanes_of_integrators("rodas5p", 0);
+    expect_lanes_of_integrators("cvode-adams", 1);
+}
+
+/// A machine with other coordinates or contacts has no place there.
+static void test_lanes_of_integrators_have_one_shape(void **state) {
+    (void)state;
+    machine *own = machine_new(eccentricity_of(0), 0.0);
+    const whirl_integrate_options options = whirl_integrate_default();
+    whirl_system other = own->system;
+    whirl_ensemble *lanes;
+    other.contact_count = 0;
+    must(whirl_ensemble_alone(&own->system, &options, 1, 0, &lanes));
+    assert_int_equal(whirl_ensemble_load(lanes, 0, &other, start).code, WHIRL_BAD_INPUT);
+    whirl_ensemble_free(lanes);
+    machine_free(own);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_the_rotor_rubs),
         cmocka_unit_test(test_machines_that_left_are_not_asked),
         cmocka_unit_test(test_a_machine_that_moves_nowhere_stays),
+        cmocka_unit_test(test_lanes_of_integrators),
+        cmocka_unit_test(test_lanes_of_integrators_have_one_shape),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,10 +1,9 @@
-// Recording many motions side by side in the lanes of an ensemble.
+// Recording many motions in the lanes of an ensemble: side by side, or one after the other where integrators carry
+// them.
 //
 // A motion takes one lane, and a second one for its twin while a disturbance is followed. Lanes in use are kept
 // together at the front. A motion that needs a second lane when none is free waits outside, with its state, and goes
 // before new ones. None of this changes a bit of any motion.
-#include "record_lanes.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -24,13 +23,14 @@ typedef struct motion {
     int revolution; ///< done so far
     size_t lane, twin_lane;
     trajectory_twin twin;
-    settling *settling;   ///< NULL when every transient runs to its end
-    double *x;            ///< [2 dimension] its state, and its twin's
-    double *disturbances; ///< [dimension][dimension] where all are followed
-    double *saved;        ///< [2][numbers of a lane] to be restored into its lane, and its twin's; NULL: nothing
+    settling *settling;     ///< NULL when every transient runs to its end
+    double *x;              ///< [2 dimension] its state, and its twin's
+    double *disturbances;   ///< [disturbed][dimension]
+    whirl_disturbances set; ///< the same while an integrator carries them, else none
+    double *saved;          ///< [2][numbers of a lane] to be restored into its lane, and its twin's; NULL: nothing
 } motion;
 
-struct lanes_recorder {
+struct whirl_recorder {
     const whirl_integrate_options *integrate;
     const whirl_record_options *options;
     const whirl_task_source *source;
@@ -38,11 +38,13 @@ struct lanes_recorder {
     whirl_variational *variational; ///< of all disturbances, or NULL
     motion **followed;              ///< [lanes of the variational ensemble] workspace
     size_t dimension, lane_count;
+    size_t beside;           ///< disturbances of a motion that its integrator carries beside it by the Jacobian
+    size_t disturbed;        ///< these, or those of the variational ensemble
     int first_watched, last; ///< revolutions
     size_t used;             ///< lanes
     motion **owner;          ///< [lane_count] the motion of every lane in use
-    size_t count;            ///< motions under way
-    motion **motions;        ///< [lane_count], those that wait included
+    size_t count, most;      ///< motions under way
+    motion **motions;        ///< [most], those that wait included
     bool exhausted;          ///< the source had none when it was last asked
     whirl_ensemble_observe watch;
     const whirl_probe *probes;
@@ -50,11 +52,16 @@ struct lanes_recorder {
     double *samples; ///< [of a revolution][probes][2][lane_count]
 };
 
-static bool follows(const lanes_recorder *r, const motion *m) {
-    return r->options->growth == WHIRL_GROWTH_LARGEST && m->revolution >= r->first_watched;
+/// Whether motions have a twin while they are watched.
+static bool has_twins(const whirl_recorder *r) {
+    return r->options->growth == WHIRL_GROWTH_LARGEST && r->beside == 0;
 }
 
-static bool records(const lanes_recorder *r, const motion *m) {
+static bool follows(const whirl_recorder *r, const motion *m) {
+    return has_twins(r) && m->revolution >= r->first_watched;
+}
+
+static bool records(const whirl_recorder *r, const motion *m) {
     return m->revolution >= r->options->transient;
 }
 
@@ -64,13 +71,13 @@ static bool waits(const motion *m) {
 
 // ---------------------------------------------------------------- lanes
 
-static size_t take_lane(lanes_recorder *r, motion *m) {
+static size_t take_lane(whirl_recorder *r, motion *m) {
     r->owner[r->used] = m;
     return r->used++;
 }
 
 /// Frees a lane; the last one in use moves there.
-static void free_lane(lanes_recorder *r, size_t lane) {
+static void free_lane(whirl_recorder *r, size_t lane) {
     const size_t last = --r->used;
     if (lane == last) {
         whirl_ensemble_unload(r->ensemble, lane);
@@ -85,7 +92,7 @@ static void free_lane(lanes_recorder *r, size_t lane) {
         moved->twin_lane = lane;
 }
 
-static void leave_lanes(lanes_recorder *r, motion *m) {
+static void leave_lanes(whirl_recorder *r, motion *m) {
     if (m->twin_lane != NO_LANE) {
         const size_t lane = m->twin_lane;
         m->twin_lane = NO_LANE;
@@ -99,7 +106,7 @@ static void leave_lanes(lanes_recorder *r, motion *m) {
 }
 
 /// Puts a motion into a lane, and its twin into another while a disturbance is followed.
-static whirl_status enter_lanes(lanes_recorder *r, motion *m) {
+static whirl_status enter_lanes(whirl_recorder *r, motion *m) {
     m->lane = take_lane(r, m);
     whirl_status status = whirl_ensemble_load(r->ensemble, m->lane, m->task.system, m->x);
     if (status.code == WHIRL_OK && follows(r, m)) {
@@ -112,7 +119,7 @@ static whirl_status enter_lanes(lanes_recorder *r, motion *m) {
     return status;
 }
 
-static size_t lanes_needed(const lanes_recorder *r, const motion *m) {
+static size_t lanes_needed(const whirl_recorder *r, const motion *m) {
     return follows(r, m) ? 2 : 1;
 }
 
@@ -126,15 +133,15 @@ static void motion_free(motion *m) {
     free(m);
 }
 
-static motion *motion_new(const lanes_recorder *r, const whirl_task *task) {
-    const size_t rows = r->variational ? 2 + r->dimension : 2;
+static motion *motion_new(const whirl_recorder *r, const whirl_task *task) {
+    const size_t rows = 2 + r->disturbed;
     motion *m = calloc(1, sizeof *m + rows * r->dimension * sizeof(double));
     if (!m) return NULL;
     *m = (motion){.task = *task, .lane = NO_LANE, .twin_lane = NO_LANE, .x = (double *)(m + 1)};
     m->disturbances = m->x + 2 * r->dimension;
     m->twin = twin_of(r->integrate, r->dimension, task->system->turns, m->x + r->dimension);
     m->record = record_new(task->system, r->integrate, r->options);
-    if (m->record && r->variational) record_place_disturbances(m->record, r->dimension, m->disturbances);
+    if (m->record && r->disturbed > 0) record_place_disturbances(m->record, r->disturbed, m->disturbances);
     memcpy(m->x, task->start, r->dimension * sizeof *m->x);
     if (follows(r, m)) twin_begin(&m->twin, m->x);
     if (r->options->settle) m->settling = settling_new(r->dimension, task->system->turns);
@@ -147,11 +154,11 @@ static motion *motion_new(const lanes_recorder *r, const whirl_task *task) {
 
 /// All that a motion is between two revolutions. What a lane has beside it, watched numbers, goes along where it is in
 /// one. A twin needs no more than its state.
-static void motion_archive(const lanes_recorder *r, motion *m, archive *a) {
+static void motion_archive(const whirl_recorder *r, motion *m, archive *a) {
     record_archive(m->record, r->integrate, r->options, a);
     archive_part(a, &m->revolution, sizeof m->revolution);
     archive_part(a, &m->twin.distance, sizeof m->twin.distance);
-    archive_part(a, m->x, (r->variational ? 2 + r->dimension : 2) * r->dimension * sizeof *m->x); // disturbances follow
+    archive_part(a, m->x, (2 + r->disturbed) * r->dimension * sizeof *m->x); // disturbances follow
     if (m->settling) settling_archive(m->settling, a);
     const size_t numbers = whirl_ensemble_numbers(r->ensemble);
     size_t in_lane = m->saved != NULL;
@@ -162,7 +169,7 @@ static void motion_archive(const lanes_recorder *r, motion *m, archive *a) {
 }
 
 /// A motion as it was saved; where that does not fit, or nothing was, as it begins.
-static motion *motion_taken_up(const lanes_recorder *r, const whirl_task *task) {
+static motion *motion_taken_up(const whirl_recorder *r, const whirl_task *task) {
     const whirl_motion_saver *saver = r->source->saver;
     motion *m = motion_new(r, task);
     size_t size = 0;
@@ -181,7 +188,7 @@ static motion *motion_taken_up(const lanes_recorder *r, const whirl_task *task) 
 }
 
 /// The state of one motion; false without memory.
-static bool save_motion(const lanes_recorder *r, motion *m, whirl_motion_state *state) {
+static bool save_motion(const whirl_recorder *r, motion *m, whirl_motion_state *state) {
     if (!waits(m)) {
         m->saved = malloc(whirl_ensemble_numbers(r->ensemble) * sizeof *m->saved);
         if (!m->saved) return false;
@@ -199,7 +206,7 @@ static bool save_motion(const lanes_recorder *r, motion *m, whirl_motion_state *
     return a.bytes != NULL;
 }
 
-static void save_motions(const lanes_recorder *r) {
+static void save_motions(const whirl_recorder *r) {
     const whirl_task_source *source = r->source;
     if (!source->saver || r->count == 0 || !source->saver->wanted(source->context)) return;
     whirl_motion_state *states = calloc(r->count, sizeof *states);
@@ -212,7 +219,7 @@ static void save_motions(const lanes_recorder *r) {
 
 // ---------------------------------------------------------------- motions begin
 
-static whirl_status admit_new(lanes_recorder *r) {
+static whirl_status admit_new(whirl_recorder *r) {
     whirl_task task;
     if (!r->source->next(r->source->context, &task)) {
         r->exhausted = true;
@@ -228,7 +235,7 @@ static whirl_status admit_new(lanes_recorder *r) {
 }
 
 /// Fills free lanes: first with motions that wait, then with new ones.
-static whirl_status fill(lanes_recorder *r) {
+static whirl_status fill(whirl_recorder *r) {
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < r->count && status.code == WHIRL_OK; i++) {
         motion *m = r->motions[i];
@@ -236,18 +243,36 @@ static whirl_status fill(lanes_recorder *r) {
         if (r->used + lanes_needed(r, m) > r->lane_count) return status;
         status = enter_lanes(r, m);
     }
-    const size_t first = r->options->growth == WHIRL_GROWTH_LARGEST && r->first_watched == 0 ? 2 : 1;
+    const size_t first = has_twins(r) && r->first_watched == 0 ? 2 : 1;
     r->exhausted = false;
-    while (status.code == WHIRL_OK && !r->exhausted && r->count < r->lane_count && r->used + first <= r->lane_count)
+    while (status.code == WHIRL_OK && !r->exhausted && r->count < r->most && r->used + first <= r->lane_count)
         status = admit_new(r);
     return status;
 }
 
 // ---------------------------------------------------------------- a revolution
 
-/// Before the revolution in which a motion begins to be watched or recorded.
-static whirl_status prepare(lanes_recorder *r, motion *m) {
+/// Lets the disturbances of a motion go along beside it.
+static void carry_beside(const whirl_recorder *r, motion *m) {
+    whirl_record *record = m->record;
+    const size_t count = record->growth_count;
+    double *growth = record->growths ? record->growths + count * record->dimension : &record->growth[count];
+    m->set = (whirl_disturbances){.count = r->beside, .vectors = m->disturbances, .growth = growth};
+    whirl_ensemble_carry(r->ensemble, m->lane, &m->set);
+}
+
+static void note_beside(motion *m) {
+    whirl_record *record = m->record;
+    if (m->set.count == 0) return;
+    if (record->growths) record->volume[record->growth_count] = m->set.volume;
+    record->growth[record->growth_count++] = m->set.growth[0];
+    m->set.count = 0;
+}
+
+/// Before a revolution, in which a motion may begin to be watched or recorded.
+static whirl_status prepare(whirl_recorder *r, motion *m) {
     if (m->revolution == r->options->transient) whirl_ensemble_forget(r->ensemble, m->lane);
+    if (r->beside > 0 && m->revolution >= r->first_watched) carry_beside(r, m);
     if (!follows(r, m) || m->twin_lane != NO_LANE) return whirl_ok();
     twin_begin(&m->twin, m->x);
     if (r->used < r->lane_count) {
@@ -258,7 +283,7 @@ static whirl_status prepare(lanes_recorder *r, motion *m) {
     return whirl_ok();
 }
 
-static whirl_status prepare_all(lanes_recorder *r) {
+static whirl_status prepare_all(whirl_recorder *r) {
     whirl_status status = whirl_ok();
     bool recording = false;
     for (size_t i = 0; i < r->count && status.code == WHIRL_OK; i++) {
@@ -272,7 +297,7 @@ static whirl_status prepare_all(lanes_recorder *r) {
 
 /// One sample of the waveforms, of all lanes: rows of the ensemble as they are, told apart after the revolution.
 static void sample(void *context) {
-    lanes_recorder *r = context;
+    whirl_recorder *r = context;
     double *to = r->samples + r->sample_count++ * 2 * r->probe_count * r->lane_count;
     for (size_t k = 0; k < r->probe_count; k++, to += 2 * r->lane_count) {
         memcpy(to, whirl_ensemble_coordinate(r->ensemble, r->probes[k].x), r->used * sizeof *to);
@@ -281,13 +306,13 @@ static void sample(void *context) {
 }
 
 /// Where the waveforms of lane's motion go on; NULL where nothing is recorded there.
-static double *waveform_of(const lanes_recorder *r, size_t lane) {
+static double *waveform_of(const whirl_recorder *r, size_t lane) {
     const motion *m = lane < r->used ? r->owner[lane] : NULL;
     return m && m->lane == lane && records(r, m) ? m->record->waveform + m->record->sample_count : NULL;
 }
 
 /// The samples of a revolution go to the records, those of a few neighbouring lanes at a time, which lie side by side.
-static void keep_samples(const lanes_recorder *r) {
+static void keep_samples(const whirl_recorder *r) {
     enum { NEIGHBOURS = 8 };
     const size_t rows = 2 * r->probe_count;
     const size_t capacity = (size_t)r->options->record * r->sample_count; // as many samples in every revolution
@@ -303,7 +328,7 @@ static void keep_samples(const lanes_recorder *r) {
     }
 }
 
-static void follow_twin(lanes_recorder *r, motion *m) {
+static void follow_twin(whirl_recorder *r, motion *m) {
     whirl_ensemble_state(r->ensemble, m->twin_lane, m->twin.x);
     const bool bounded = whirl_ensemble_motion(r->ensemble, m->twin_lane) == WHIRL_BOUNDED;
     m->record->growth[m->record->growth_count++] = twin_growth(&m->twin, m->x, bounded);
@@ -311,7 +336,7 @@ static void follow_twin(lanes_recorder *r, motion *m) {
 }
 
 /// Carries the disturbances of `count` motions whose x is still the state at the revolution's beginning.
-static void carry_followed(lanes_recorder *r, size_t count) {
+static void carry_followed(whirl_recorder *r, size_t count) {
     if (count == 0) return;
     whirl_variational_revolve(r->variational);
     for (size_t i = 0; i < count; i++) {
@@ -324,7 +349,7 @@ static void carry_followed(lanes_recorder *r, size_t count) {
 }
 
 /// Carries the disturbances of all motions that are watched.
-static whirl_status follow_all(lanes_recorder *r) {
+static whirl_status follow_all(whirl_recorder *r) {
     size_t count = 0;
     for (size_t i = 0; r->variational && i < r->count; i++) {
         motion *m = r->motions[i];
@@ -342,11 +367,12 @@ static whirl_status follow_all(lanes_recorder *r) {
 }
 
 /// After a revolution of a motion.
-static void note(lanes_recorder *r, motion *m) {
+static void note(whirl_recorder *r, motion *m) {
     whirl_record *record = m->record;
     memcpy(record->end, m->x, record->dimension * sizeof *m->x);
     whirl_ensemble_state(r->ensemble, m->lane, m->x);
     record->motion = whirl_ensemble_motion(r->ensemble, m->lane);
+    note_beside(m);
     if (records(r, m)) record->sample_count += r->sample_count;
     m->revolution++;
     record->revolutions += 1.0;
@@ -361,7 +387,7 @@ static void note(lanes_recorder *r, motion *m) {
     if (m->settling && settling_note(m->settling, m->x)) m->revolution = record_skip(r->options, m->revolution);
 }
 
-static void close_record(const lanes_recorder *r, const motion *m) {
+static void close_record(const whirl_recorder *r, const motion *m) {
     whirl_record *record = m->record;
     const whirl_ensemble_seen seen = {record->low,           record->high,           record->max_radius,
                                       record->min_radius,    record->mean,           record->backward,
@@ -378,7 +404,7 @@ static void close_record(const lanes_recorder *r, const motion *m) {
 }
 
 /// Hands finished motions to the source.
-static whirl_status hand_over(lanes_recorder *r) {
+static whirl_status hand_over(whirl_recorder *r) {
     size_t kept = 0;
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < r->count; i++) {
@@ -404,7 +430,7 @@ static whirl_status hand_over(lanes_recorder *r) {
     return status;
 }
 
-whirl_status lanes_recorder_revolve(lanes_recorder *r, size_t *turned) {
+whirl_status whirl_recorder_revolve(whirl_recorder *r, size_t *turned) {
     *turned = 0;
     whirl_status status = fill(r);
     if (status.code == WHIRL_OK) status = prepare_all(r);
@@ -424,15 +450,45 @@ whirl_status lanes_recorder_revolve(lanes_recorder *r, size_t *turned) {
     return status;
 }
 
-static whirl_status start(lanes_recorder *r, const whirl_system *system, size_t lanes) {
-    whirl_status status = whirl_ensemble_new(system, r->integrate, lanes, &r->ensemble);
-    if (status.code == WHIRL_OK && r->options->growth == WHIRL_GROWTH_ALL)
-        status = whirl_variational_new(system, r->integrate, &r->variational);
+/// How many disturbances go along with a motion that an integrator carries: a second trajectory shows the largest
+/// growth, but by methods whose steps change abruptly, or of systems with kinks.
+static size_t count_beside(const whirl_system *system, const whirl_integrate_options *integrate,
+                           const whirl_record_options *options) {
+    const whirl_method *own;
+    if (options->growth == WHIRL_GROWTH_ALL) return system->dimension;
+    if (options->growth == WHIRL_GROWTH_NONE || !system->tangent) return 0;
+    if (whirl_method_find(integrate->method, &own).code != WHIRL_OK) return 0;
+    return own->follows_one || (system->kinked && own->follows) ? 1 : 0;
+}
+
+/// Whether motions and what is followed of them go side by side: there a twin shows the largest growth.
+static bool go_side_by_side(const whirl_system *system, const whirl_integrate_options *integrate,
+                            const whirl_record_options *options) {
+    if (!whirl_ensemble_takes(system, integrate)) return false;
+    if (options->growth == WHIRL_GROWTH_ALL) return whirl_variational_takes(system, integrate);
+    return options->growth == WHIRL_GROWTH_NONE || !system->kinked || !whirl_method_is_adaptive(integrate->method);
+}
+
+static whirl_status start_ensemble(whirl_recorder *r, const whirl_system *system, size_t lanes) {
+    if (!go_side_by_side(system, r->integrate, r->options)) {
+        r->beside = r->disturbed = count_beside(system, r->integrate, r->options);
+        r->most = 1; // one after the other
+        return whirl_ensemble_alone(system, r->integrate, has_twins(r) ? 2 : 1, r->beside, &r->ensemble);
+    }
+    const whirl_status status = whirl_ensemble_new(system, r->integrate, lanes, &r->ensemble);
+    if (status.code != WHIRL_OK || r->options->growth != WHIRL_GROWTH_ALL) return status;
+    r->disturbed = system->dimension;
+    return whirl_variational_new(system, r->integrate, &r->variational);
+}
+
+static whirl_status start(whirl_recorder *r, const whirl_system *system, size_t lanes) {
+    const whirl_status status = start_ensemble(r, system, lanes);
     if (status.code != WHIRL_OK) return status;
     if (r->variational) r->followed = calloc(whirl_variational_lanes(r->variational), sizeof(motion *));
     r->lane_count = whirl_ensemble_lanes(r->ensemble);
     r->owner = calloc(r->lane_count, sizeof(motion *));
-    r->motions = calloc(r->lane_count, sizeof(motion *));
+    if (r->most == 0) r->most = r->lane_count;
+    r->motions = calloc(r->most, sizeof(motion *));
     r->probes = system->probes;
     r->probe_count = system->probe_count;
     r->watch = (whirl_ensemble_observe){.sample = sample, .context = r};
@@ -446,7 +502,7 @@ static whirl_status start(lanes_recorder *r, const whirl_system *system, size_t 
     return whirl_ok();
 }
 
-void lanes_recorder_free(lanes_recorder *r) {
+void whirl_recorder_free(whirl_recorder *r) {
     if (!r) return;
     for (size_t i = 0; i < r->count; i++) {
         r->source->abandon(r->source->context, &r->motions[i]->task);
@@ -461,11 +517,13 @@ void lanes_recorder_free(lanes_recorder *r) {
     free(r);
 }
 
-whirl_status lanes_recorder_new(const whirl_system *system, const whirl_integrate_options *integrate,
+whirl_status whirl_recorder_new(const whirl_system *system, const whirl_integrate_options *integrate,
                                 const whirl_record_options *options, const whirl_task_source *source, size_t lanes,
-                                lanes_recorder **out) {
-    lanes_recorder *r = calloc(1, sizeof *r);
+                                whirl_recorder **out) {
     *out = NULL;
+    whirl_status status = whirl_record_check(system, integrate, options);
+    if (status.code != WHIRL_OK) return status;
+    whirl_recorder *r = calloc(1, sizeof *r);
     if (!r) return whirl_fail(WHIRL_NO_MEMORY, "no memory to record motions");
     r->integrate = integrate;
     r->options = options;
@@ -473,10 +531,10 @@ whirl_status lanes_recorder_new(const whirl_system *system, const whirl_integrat
     r->dimension = system->dimension;
     r->last = options->transient + options->record;
     r->first_watched = r->last - whirl_record_watch(options);
-    const whirl_status status = start(r, system, lanes);
+    status = start(r, system, lanes);
     if (status.code == WHIRL_OK)
         *out = r;
     else
-        lanes_recorder_free(r);
+        whirl_recorder_free(r);
     return status;
 }

@@ -1,0 +1,153 @@
+#include "ensemble_alone.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+alone_lanes *alone_lanes_new(const whirl_integrate_options *options, size_t followed, size_t dimension,
+                             size_t lane_count) {
+    alone_lanes *alone = calloc(1, sizeof *alone);
+    if (!alone) return NULL;
+    *alone = (alone_lanes){.options = *options,
+                           .followed = followed,
+                           .dimension = dimension,
+                           .lane_count = lane_count,
+                           .state = calloc(dimension, sizeof *alone->state),
+                           .integrator = calloc(lane_count, sizeof *alone->integrator),
+                           .beside = calloc(lane_count, sizeof *alone->beside)};
+    if (alone->state && alone->integrator && alone->beside) return alone;
+    alone_lanes_free(alone);
+    return NULL;
+}
+
+void alone_lanes_free(alone_lanes *alone) {
+    if (!alone) return;
+    for (size_t lane = 0; alone->integrator && lane < alone->lane_count; lane++)
+        whirl_integrator_free(alone->integrator[lane]);
+    free(alone->integrator);
+    free(alone->beside);
+    free(alone->state);
+    free(alone->samples);
+    free(alone);
+}
+
+whirl_status alone_lanes_load(const alone_lanes *alone, size_t lane, const whirl_system *system) {
+    whirl_integrator **own = &alone->integrator[lane];
+    whirl_integrator_free(*own);
+    *own = NULL;
+    alone->beside[lane] = NULL;
+    if (!system) return whirl_ok();
+    const whirl_status status = whirl_integrator_new(system, &alone->options, own);
+    if (status.code != WHIRL_OK || alone->followed == 0) return status;
+    return whirl_integrator_follow(*own, alone->followed);
+}
+
+void alone_lanes_move(const alone_lanes *alone, size_t from, size_t to) {
+    alone->integrator[to] = alone->integrator[from];
+    alone->beside[to] = alone->beside[from];
+    alone->integrator[from] = NULL;
+}
+
+// ---------------------------------------------------------------- what is observed
+
+/// A lane that is watched in a revolution.
+typedef struct watched_lane {
+    const alone_lanes *lanes;
+    size_t lane, instant;
+    const whirl_ensemble_observe *observe;
+    size_t samples; ///< for which there is room
+} watched_lane;
+
+/// The lane's number in a row of an array.
+static double *number_in(const watched_lane *w, double *array, size_t row) {
+    return &array[row * w->lanes->lane_count + w->lane];
+}
+
+static void raise_to(double *most, double value) {
+    if (value > *most) *most = value;
+}
+static void lower_to(double *least, double value) {
+    if (value < *least) *least = value;
+}
+
+static void observe_probe(const watched_lane *w, size_t p, const double *x) {
+    const lanes_observe *o = w->lanes->watched;
+    const whirl_probe *probe = &o->probes[p];
+    const double px = x[probe->x], py = x[probe->y], square = px * px + py * py;
+    raise_to(number_in(w, o->square_max, p), square);
+    lower_to(number_in(w, o->square_min, p), square);
+    *number_in(w, o->sum, 2 * p) += px;
+    *number_in(w, o->sum, 2 * p + 1) += py;
+    if (px * x[probe->vy] - py * x[probe->vx] < 0.0) *number_in(w, o->backward, p) += 1.0;
+}
+
+static void observe_contacts(const watched_lane *w, const double *x) {
+    const lanes_observe *o = w->lanes->watched;
+    const whirl_system *system = w->lanes->machines[w->lane];
+    double force[WHIRL_MAX_CONTACTS];
+    if (o->contact_count > 0) system->contacts(system->model, x, force);
+    for (size_t c = 0; c < o->contact_count; c++) {
+        double *before = number_in(w, o->touching, c);
+        const double now = force[c] > 0.0 ? 1.0 : 0.0;
+        *number_in(w, o->contact, c) += now;
+        *number_in(w, o->begun, c) += now * (1.0 - *before);
+        raise_to(number_in(w, o->force_max, c), force[c]);
+        *before = now;
+    }
+}
+
+static void observe(void *context, double t, const double *x) {
+    watched_lane *w = context;
+    const lanes_observe *o = w->lanes->watched;
+    const size_t dimension = w->lanes->dimension, stride = w->observe->stride;
+    (void)t;
+    w->instant++;
+    for (size_t i = 0; w->observe->extremes && i < dimension; i++) {
+        lower_to(number_in(w, o->low, i), x[i]);
+        raise_to(number_in(w, o->high, i), x[i]);
+    }
+    for (size_t p = 0; w->observe->extremes && p < o->probe_count; p++) observe_probe(w, p, x);
+    if (w->observe->extremes) observe_contacts(w, x);
+    if (stride == 0 || w->instant % stride != 0 || w->instant / stride > w->samples) return;
+    for (size_t i = 0; i < dimension; i++)
+        *number_in(w, w->lanes->samples, (w->instant / stride - 1) * dimension + i) = x[i];
+}
+
+// ---------------------------------------------------------------- revolutions
+
+/// Room for the samples of a revolution, not a number where lanes end on the way; how many there is room for.
+static size_t make_room(alone_lanes *alone, size_t samples) {
+    const size_t numbers = alone->dimension * alone->lane_count;
+    if (samples > alone->sample_room) {
+        free(alone->samples);
+        alone->samples = malloc(samples * numbers * sizeof(double));
+        alone->sample_room = alone->samples ? samples : 0;
+    }
+    const size_t room = alone->sample_room < samples ? 0 : samples;
+    for (size_t i = 0; i < room * numbers; i++) alone->samples[i] = (double)NAN;
+    return room;
+}
+
+static void revolve_lane(const alone_lanes *alone, watched_lane *w) {
+    whirl_integrator *own = alone->integrator[w->lane];
+    whirl_disturbances *beside = alone->beside[w->lane];
+    const whirl_observe_fn watch = w->observe ? observe : NULL;
+    double *x = alone->state;
+    for (size_t i = 0; i < alone->dimension; i++) x[i] = *number_in(w, alone->x, i);
+    alone->ended[w->lane] =
+        beside ? whirl_integrator_carry(own, x, beside, watch, w) : whirl_integrator_revolve(own, x, watch, w);
+    for (size_t i = 0; i < alone->dimension; i++) *number_in(w, alone->x, i) = x[i];
+    alone->beside[w->lane] = NULL;
+}
+
+size_t alone_lanes_revolve(alone_lanes *alone, size_t count, const whirl_ensemble_observe *observe) {
+    const size_t steps = (size_t)alone->options.steps_per_revolution;
+    const size_t wanted = observe && observe->stride > 0 ? steps / observe->stride : 0;
+    const size_t samples = make_room(alone, wanted);
+    for (size_t lane = 0; lane < count; lane++) {
+        watched_lane w = {.lanes = alone, .lane = lane, .observe = observe, .samples = samples};
+        if (!alone->machines[lane] || alone->ended[lane] != WHIRL_BOUNDED) continue;
+        revolve_lane(alone, &w);
+        if (samples < wanted) alone->ended[lane] = WHIRL_STUCK; // for want of memory
+    }
+    return samples;
+}

@@ -1,0 +1,37 @@
+/// Lanes of an ensemble that integrators carry, one after the other: any system and method.
+#ifndef INTEGRATE_ENSEMBLE_ALONE_H
+#define INTEGRATE_ENSEMBLE_ALONE_H
+
+#include "rk4_lanes.h"
+#include "whirl/ensemble.h"
+
+typedef struct alone_lanes {
+    whirl_integrate_options options;
+    size_t followed; ///< disturbances for which there is room
+    size_t dimension, lane_count;
+    whirl_integrator **integrator; ///< [lane_count] NULL: nobody is there
+    whirl_disturbances **beside;   ///< [lane_count] that go along in the next revolution; NULL: none
+    double *state;                 ///< [dimension] workspace
+    double *samples;               ///< [sample_room][dimension][lane_count]
+    size_t sample_room;
+    // The ensemble that is served.
+    double *x, *ended;             ///< [dimension][lane_count]; [lane_count] whirl_motion
+    const whirl_system **machines; ///< [lane_count]
+    const lanes_observe *watched;
+} alone_lanes;
+
+/// NULL where there is no memory.
+alone_lanes *alone_lanes_new(const whirl_integrate_options *options, size_t followed, size_t dimension,
+                             size_t lane_count);
+void alone_lanes_free(alone_lanes *alone);
+
+/// An integrator for the machine of a lane; none for NULL. Errors as whirl_integrator_new.
+whirl_status alone_lanes_load(const alone_lanes *alone, size_t lane, const whirl_system *system);
+
+/// Moves the integrator of a lane to another one that has none.
+void alone_lanes_move(const alone_lanes *alone, size_t from, size_t to);
+
+/// A revolution of the lanes 0 to count - 1; gives how many samples of it there are.
+size_t alone_lanes_revolve(alone_lanes *alone, size_t count, const whirl_ensemble_observe *observe);
+
+#endif
