@@ -3,14 +3,15 @@
 
 #include "whirl/system.h"
 
-#define MEMBER(TYPE, field, symbol, part, fallback, range, meaning)                                                    \
+// The range comes last: some tools expand it to its parts before they count arguments.
+#define MEMBER(TYPE, field, symbol, part, fallback, meaning, ...)                                                      \
     {                                                                                                                  \
 #field, WHIRL_MEMBER_##TYPE, offsetof(whirl_probe, field), part,                                               \
-            {#field, symbol, "1", WHIRL_KEY_NUMBER, false, fallback, range, NULL, meaning, "" }, false                 \
+            {#field, symbol, "1", WHIRL_KEY_NUMBER, false, fallback, __VA_ARGS__, NULL, meaning, "" }, false           \
     }
 /// Where a case says a state, its keys are those of the coordinates.
-#define COORDINATE(field, symbol, meaning) MEMBER(INDEX, field, symbol, "initial", "0", WHIRL_ANY, meaning)
-#define LENGTH(field, meaning) MEMBER(NUMBER, field, "", "", "", WHIRL_NOT_NEGATIVE, meaning)
+#define COORDINATE(field, symbol, meaning) MEMBER(INDEX, field, symbol, "initial", "0", meaning, WHIRL_ANY)
+#define LENGTH(field, meaning) MEMBER(NUMBER, field, "", "", "", meaning, WHIRL_NOT_NEGATIVE)
 #define PLACE "displacement in length scales, or with a unit of length"
 #define RATE "velocity in length scales per radian of rotation, or with a unit of m/s"
 
