@@ -33,10 +33,10 @@ whirl_status whirl_ensemble_new(const whirl_system *system, const whirl_integrat
 void whirl_ensemble_free(whirl_ensemble *ensemble);
 
 /// Room for `lanes` (at least 1) machines of any method and of any system with as many coordinates, probes and contacts
-/// as this one, which must outlive the ensemble: integrators
-/// carry them one after the other, and `followed` disturbances of each (0 to the dimension) along with it. A machine
-/// has to outlive its stay in a lane. Errors as whirl_integrator_new, but that of an unknown method is told by
-/// whirl_ensemble_load; those of whirl_integrator_follow are told by whirl_ensemble_load.
+/// as this one, which must outlive the ensemble: integrators carry them one after the other, and `followed`
+/// disturbances of each (0 to the dimension) along with it. A machine has to outlive its stay in a lane. Errors as
+/// whirl_integrator_new; that of an unknown method and those of whirl_integrator_follow are told by
+/// whirl_ensemble_load.
 whirl_status whirl_ensemble_alone(const whirl_system *system, const whirl_integrate_options *options, size_t lanes,
                                   size_t followed, whirl_ensemble **ensemble);
 
