@@ -55,6 +55,8 @@ typedef struct whirl_key {
     { 0.0, INFINITY, false, false }
 #define WHIRL_FROM_TO(low, high)                                                                                       \
     { low, high, false, false }
+#define WHIRL_ABOVE_TO(low, high)                                                                                      \
+    { low, high, true, false }
 
 /// What lies at the place of a member.
 typedef enum whirl_member_type {

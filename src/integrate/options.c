@@ -12,8 +12,6 @@
 #define NUMBER(field, fallback, range, refined, meaning)                                                               \
     MEMBER(NUMBER, #field, field, "integrate", refined, #field, "", "1", WHIRL_KEY_NUMBER, false, fallback, range,     \
            NULL, meaning, "")
-#define TO_ONE                                                                                                         \
-    { 0.0, 1.0, true, false }
 
 static const whirl_member members[] = {
     WORD(WORD, "method", method, "integrate", "method", "auto", "",
@@ -25,7 +23,7 @@ static const whirl_member members[] = {
     MEMBER(WHOLE, "steps_per_revolution", steps_per_revolution, "integrate", true, "steps_per_revolution", "", "1",
            WHIRL_KEY_WHOLE, false, "1024", WHIRL_FROM_TO(1, WHIRL_MAX_STEPS), NULL,
            "instants at which the motion is seen; of rk4 also its steps", ""),
-    NUMBER(rtol, "1e-9", TO_ONE, true, "relative tolerance of adaptive methods"),
+    NUMBER(rtol, "1e-9", WHIRL_ABOVE_TO(0, 1), true, "relative tolerance of adaptive methods"),
     NUMBER(atol, "1e-12", WHIRL_POSITIVE, true, "absolute tolerance of adaptive methods, in length scales"),
     NUMBER(limit, "1e6", WHIRL_POSITIVE, false,
            "a motion counts as diverged beyond this displacement or velocity, in length scales"),

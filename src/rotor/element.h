@@ -15,6 +15,7 @@
 #include "whirl/status.h"
 
 // Elements outside the library find these by names of the library.
+#define element_on whirl_element_on
 #define element_between whirl_element_between
 #define element_in_housing whirl_element_in_housing
 
@@ -105,6 +106,10 @@ typedef struct whirl_element_type {
     /// For bearings: the clearance in length scales around its station; 0 where the housing moves.
     double (*bearing_clearance)(const element *own);
 } element_type;
+
+/// The ports of an element at the station of its key `at`: its coordinates along x and y (`first` is AXIS_X) or both
+/// tilts (AXIS_TILT_X), NO_COORDINATE where it does not move so.
+void element_on(const key_value *at, const assembly *to, axis first, element *out);
 
 /// The ports of an element between the two stations of its key `between`, one of them perhaps the ground: the first
 /// one's coordinates along `axes` [count], then the other's (AXES: none), with NO_COORDINATE for the ground's; and the

@@ -12,6 +12,13 @@ static whirl_status find_place(const assembly *to, size_t station, const axis *a
     return whirl_ok();
 }
 
+void element_on(const key_value *at, const assembly *to, axis first, element *out) {
+    const size_t *coordinate = to->stations[at->station[0]].coordinate;
+    out->station = at->station[0];
+    out->port[0] = coordinate[first];
+    out->port[1] = coordinate[first + 1];
+}
+
 whirl_status element_between(const key_value *between, const assembly *to, const axis *axes, size_t count,
                              element *out) {
     const size_t one = between->station[0], other = between->station[1];

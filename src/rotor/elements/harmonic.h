@@ -24,8 +24,20 @@ extern const element_kernels *const harmonic_kernels[VECTOR_ISAS];
 /// Turns of the phase in a revolution.
 double harmonic_rounds(const element *own);
 
-/// Makes the element a force of `size` newtons on the ports out->port[0] and [1] that turns from `angle` on, `rate`
-/// times as fast as the shaft.
-void harmonic_turning(element *out, const assembly *to, double size, double angle, double rate);
+/// Makes the element a force of `size` newtons on the ports out->port[0] and [1], with a phase that starts at `phase`
+/// and turns `rate` times as fast as the shaft: along the direction `angle` (side 0), or turning from there with the
+/// shaft (1) or against it (-1).
+void harmonic_force(element *out, const assembly *to, double size, double side, double angle, double phase,
+                    double rate);
+
+/// The keys `at`, `moment` and `angle` of an unbalance, which its enum begins with.
+// clang-format off
+#define UNBALANCE_KEYS                                                                                                 \
+    {"at", "", "", WHIRL_KEY_STATION, true, "", WHIRL_ANY, NULL, "station that carries it", ""},                       \
+    {"moment", "U", "kg m", WHIRL_KEY_NUMBER, true, "", WHIRL_NOT_NEGATIVE, NULL,                                      \
+     "unbalance: mass times distance from the shaft's centre", "ISO 21940-1"},                                         \
+    {"angle", "beta", "rad", WHIRL_KEY_NUMBER, false, "0", WHIRL_ANY, NULL,                                            \
+     "where it lies at t = 0, from the x axis towards y", ""}
+// clang-format on
 
 #endif

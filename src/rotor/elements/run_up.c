@@ -10,6 +10,7 @@
 enum { RUN_UP_SIZE, RUN_UP_SPEED, RUN_UP_ACCELERATION, RUN_UP_ANGLE, RUN_UP_NUMBERS };
 
 #include "generic.h"
+#include "harmonic.h"
 #include "registry.h"
 
 const element_kernels ISA(run_up_kernels) = GENERIC_KERNELS;
@@ -20,21 +21,14 @@ const element_kernels ISA(run_up_kernels) = GENERIC_KERNELS;
 enum { AT, MOMENT, ANGLE, SPEED, ACCELERATION, KEY_COUNT };
 
 static const whirl_key keys[KEY_COUNT] = {
-    [AT] = {"at", "", "", WHIRL_KEY_STATION, true, "", WHIRL_ANY, NULL, "station that carries it", ""},
-    [MOMENT] = {"moment", "U", "kg m", WHIRL_KEY_NUMBER, true, "", WHIRL_NOT_NEGATIVE, NULL,
-                "unbalance: mass times distance from the shaft's centre", "ISO 21940-1"},
-    [ANGLE] = {"angle", "beta", "rad", WHIRL_KEY_NUMBER, false, "0", WHIRL_ANY, NULL,
-               "where it lies at t = 0, from the x axis towards y", ""},
+    UNBALANCE_KEYS,
     [SPEED] = {"speed", "", "rad/s", WHIRL_KEY_NUMBER, false, "0", WHIRL_ANY, NULL, "at t = 0", ""},
     [ACCELERATION] = {"acceleration", "alpha", "rad/s2", WHIRL_KEY_NUMBER, true, "", WHIRL_ANY, NULL,
                       "of the rotation; against the speed for a run-down", "Lewis 1932"},
 };
 
 static whirl_status build(const key_value *values, assembly *to, element *out) {
-    const assembly_station *at = &to->stations[values[AT].station[0]];
-    out->station = values[AT].station[0];
-    out->port[0] = at->coordinate[AXIS_X];
-    out->port[1] = at->coordinate[AXIS_Y];
+    element_on(&values[AT], to, AXIS_X, out);
     out->number[RUN_UP_SIZE] = values[MOMENT].number * to->speed * to->speed;
     out->number[RUN_UP_SPEED] = values[SPEED].number / to->speed;
     out->number[RUN_UP_ACCELERATION] = values[ACCELERATION].number / (to->speed * to->speed);
