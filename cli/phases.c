@@ -6,15 +6,12 @@
 
 /// What was seen of the machines of a batch.
 typedef struct phases {
-    size_t turning;     ///< machines with forces that do not turn with the shaft
-    size_t fitting;     ///< of these, those whose forces repeat
+    size_t fitting;     ///< those whose forces repeat
     size_t least, most; ///< after so many revolutions
 } phases;
 
 static void note(phases *seen, const whirl_system *system) {
     const size_t repeats = system->repeats;
-    if (!system->turns) return;
-    seen->turning++;
     if (repeats == 0) return;
     seen->least = seen->fitting == 0 || repeats < seen->least ? repeats : seen->least;
     seen->most = repeats > seen->most ? repeats : seen->most;
@@ -45,7 +42,7 @@ static void print(const phases *seen, size_t looked_at) {
                seen->fitting, looked_at);
     if (seen->fitting == 0)
         print_never("  forces");
-    else if (seen->fitting < seen->turning)
+    else if (seen->fitting < looked_at)
         print_never("  forces at the others");
 }
 
@@ -66,10 +63,11 @@ whirl_status tell_phases(const whirl_study *study, const whirl_batch *batch) {
         const whirl_status status =
             study->machine(study->family, batch, batch->values ? batch->values[at] : (double)NAN, &machine);
         if (status.code != WHIRL_OK) return status;
+        const bool turning = machine.system->turns != NULL;
         note(&seen, machine.system);
         if (machine.release) machine.release(machine.owner);
+        if (!turning) return whirl_ok(); // machines of a batch differ in numbers, not in structure
     }
-    if (seen.turning == 0) return whirl_ok();
     print(&seen, count);
     print_watch(&seen, whirl_record_watch(&batch->record));
     return whirl_ok();
