@@ -47,9 +47,10 @@ static void pass_station_tangents(const block *b, size_t station_count) {
                 at += b->next_v;
                 station_tangent(b->stride, own, b->v + at, b->a + at);
             }
+            if (!b->divergence) continue;
             const vec part =
                 v_add(of_trace(b, 2 * s, 2 * s, v_set(1.0)), of_trace(b, 2 * s + 1, 2 * s + 1, v_set(1.0)));
-            if (b->divergence) b->divergence[k] = v_fnma(part, own[STATION_DAMPING * b->stride], b->divergence[k]);
+            b->divergence[k] = v_fnma(part, own[STATION_DAMPING * b->stride], b->divergence[k]);
         }
 }
 
