@@ -9,13 +9,14 @@ install(TARGETS whirl_static ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY include/whirl ${PROJECT_BINARY_DIR}/include/whirl DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
         FILES_MATCHING PATTERN "*.h")
 # What an element of one's own is written with: these headers and whirl_element() of whirlKernels.cmake.
-install(FILES src/base/vector.h src/base/elementary.h src/rotor/assembly.h src/rotor/block.h src/rotor/coupling.h src/rotor/element.h
-              src/rotor/generic.h src/rotor/numbers.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/whirl/element)
+install(FILES src/base/vector.h src/base/elementary.h src/rotor/assembly.h src/rotor/block.h src/rotor/coupling.h
+              src/rotor/element.h src/rotor/generic.h src/rotor/numbers.h
+        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/whirl/element)
 install(FILES docs/whirl.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES cli/completion.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME whirl)
 # The explorer's template, where `make explorer` has built it.
-install(FILES ${PROJECT_BINARY_DIR}/explorer/template.html DESTINATION ${CMAKE_INSTALL_DATADIR}/whirl RENAME explorer.html
-        OPTIONAL)
+install(FILES ${PROJECT_BINARY_DIR}/explorer/template.html DESTINATION ${CMAKE_INSTALL_DATADIR}/whirl
+        RENAME explorer.html OPTIONAL)
 install(DIRECTORY cases DESTINATION ${CMAKE_INSTALL_DATADIR}/whirl FILES_MATCHING PATTERN "*.yaml")
 
 # The static library leaves its own libraries to the program that links it: those that have a pkg-config file by that

@@ -1,3 +1,4 @@
+// Masses that couple coordinates: the mass matrix of those that are coupled, and its inverse.
 #include "coupling.h"
 
 #include <math.h>
