@@ -2,16 +2,15 @@
 #include <limits.h>
 #include <math.h>
 
+#include "members.h"
 #include "whirl/analyze.h"
 
-#define MEMBER(TYPE, name, field, part, refined, ...)                                                                  \
-    { name, WHIRL_MEMBER_##TYPE, offsetof(whirl_record_options, field), part, {__VA_ARGS__}, refined }
 #define WHOLE(name, field, part, key, fallback, low, high, refined, meaning)                                           \
-    MEMBER(WHOLE, name, field, part, refined, key, "", "1", WHIRL_KEY_WHOLE, false, fallback,                          \
+    MEMBER(whirl_record_options, WHOLE, name, field, part, refined, key, "", "1", WHIRL_KEY_WHOLE, false, fallback,    \
            WHIRL_FROM_TO(low, high), NULL, meaning, "")
 #define FLAG(field, part, fallback, meaning)                                                                           \
-    MEMBER(FLAG, #field, field, part, false, #field, "", "", WHIRL_KEY_CHOICE, false, fallback, WHIRL_ANY,             \
-           "yes|no|true|false", meaning, "")
+    MEMBER(whirl_record_options, FLAG, #field, field, part, false, #field, "", "", WHIRL_KEY_CHOICE, false, fallback,  \
+           WHIRL_ANY, "yes|no|true|false", meaning, "")
 
 static const whirl_member members[] = {
     WHOLE("transient", transient, "integrate", "transient", "1100", 0, WHIRL_MAX_TRANSIENT, true,
@@ -26,8 +25,8 @@ static const whirl_member members[] = {
           "last revolutions whose waveform is kept"),
     WHOLE("samples_per_revolution", samples_per_revolution, "keep", "samples", "64", 1, WHIRL_MAX_STEPS, false,
           "samples of a waveform a revolution, at least; not more than steps_per_revolution"),
-    MEMBER(NUMBER, "highest_order", highest_order, "keep", false, "highest_order", "", "1", WHIRL_KEY_NUMBER, false,
-           "5", WHIRL_POSITIVE, NULL, "spectra are kept up to this order of the speed", ""),
+    MEMBER(whirl_record_options, NUMBER, "highest_order", highest_order, "keep", false, "highest_order", "", "1",
+           WHIRL_KEY_NUMBER, false, "5", WHIRL_POSITIVE, NULL, "spectra are kept up to this order of the speed", ""),
     FLAG(spectra, "", "no", "whole spectra are kept"),
     FLAG(waveform, "", "yes", "waveforms are recorded"),
     WHOLE("growth", growth, "", "growth", "1", 0, WHIRL_GROWTH_ALL, false,

@@ -2,16 +2,15 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "members.h"
 #include "whirl/integrate.h"
 
-#define MEMBER(TYPE, name, field, part, refined, ...)                                                                  \
-    { name, WHIRL_MEMBER_##TYPE, offsetof(whirl_integrate_options, field), part, {__VA_ARGS__}, refined }
 #define WORD(TYPE, name, field, part, key, fallback, choices, meaning)                                                 \
-    MEMBER(TYPE, name, field, part, false, key, "", "", WHIRL_KEY_CHOICE, false, fallback, WHIRL_ANY, choices,         \
-           meaning, "")
+    MEMBER(whirl_integrate_options, TYPE, name, field, part, false, key, "", "", WHIRL_KEY_CHOICE, false, fallback,    \
+           WHIRL_ANY, choices, meaning, "")
 #define NUMBER(field, fallback, range, refined, meaning)                                                               \
-    MEMBER(NUMBER, #field, field, "integrate", refined, #field, "", "1", WHIRL_KEY_NUMBER, false, fallback, range,     \
-           NULL, meaning, "")
+    MEMBER(whirl_integrate_options, NUMBER, #field, field, "integrate", refined, #field, "", "1", WHIRL_KEY_NUMBER,    \
+           false, fallback, range, NULL, meaning, "")
 
 static const whirl_member members[] = {
     WORD(WORD, "method", method, "integrate", "method", "auto", "",
@@ -20,8 +19,8 @@ static const whirl_member members[] = {
     WORD(FLAG, "located", located, "integrate", "contacts", "unlocated", "unlocated|located",
          "of method rk4: unlocated: steps go over contacts; located: steps are split where contact begins and ends; "
          "other methods always locate them"),
-    MEMBER(WHOLE, "steps_per_revolution", steps_per_revolution, "integrate", true, "steps_per_revolution", "", "1",
-           WHIRL_KEY_WHOLE, false, "1024", WHIRL_FROM_TO(1, WHIRL_MAX_STEPS), NULL,
+    MEMBER(whirl_integrate_options, WHOLE, "steps_per_revolution", steps_per_revolution, "integrate", true,
+           "steps_per_revolution", "", "1", WHIRL_KEY_WHOLE, false, "1024", WHIRL_FROM_TO(1, WHIRL_MAX_STEPS), NULL,
            "instants at which the motion is seen; of rk4 also its steps", ""),
     NUMBER(rtol, "1e-9", WHIRL_ABOVE_TO(0, 1), true, "relative tolerance of adaptive methods"),
     NUMBER(atol, "1e-12", WHIRL_POSITIVE, true, "absolute tolerance of adaptive methods, in length scales"),

@@ -1,17 +1,16 @@
 // The numbers of a probe as they describe themselves.
 #include <math.h>
 
+#include "members.h"
 #include "whirl/system.h"
 
 // The range comes last: some tools expand it to its parts before they count arguments.
-#define MEMBER(TYPE, field, symbol, part, fallback, meaning, ...)                                                      \
-    {                                                                                                                  \
-#field, WHIRL_MEMBER_##TYPE, offsetof(whirl_probe, field), part,                                               \
-            {#field, symbol, "1", WHIRL_KEY_NUMBER, false, fallback, __VA_ARGS__, NULL, meaning, "" }, false           \
-    }
+#define PROBE(TYPE, field, symbol, part, fallback, meaning, ...)                                                       \
+    MEMBER(whirl_probe, TYPE, #field, field, part, false, #field, symbol, "1", WHIRL_KEY_NUMBER, false, fallback,      \
+           __VA_ARGS__, NULL, meaning, "")
 /// Where a case says a state, its keys are those of the coordinates.
-#define COORDINATE(field, symbol, meaning) MEMBER(INDEX, field, symbol, "initial", "0", meaning, WHIRL_ANY)
-#define LENGTH(field, meaning) MEMBER(NUMBER, field, "", "", "", meaning, WHIRL_NOT_NEGATIVE)
+#define COORDINATE(field, symbol, meaning) PROBE(INDEX, field, symbol, "initial", "0", meaning, WHIRL_ANY)
+#define LENGTH(field, meaning) PROBE(NUMBER, field, "", "", "", meaning, WHIRL_NOT_NEGATIVE)
 #define PLACE "displacement in length scales, or with a unit of length"
 #define RATE "velocity in length scales per radian of rotation, or with a unit of m/s"
 

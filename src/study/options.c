@@ -1,19 +1,16 @@
 // The options of a study as they describe themselves.
 #include <math.h>
 
+#include "members.h"
 #include "whirl/study.h"
 
 const whirl_member *whirl_batch_members(void) {
     static const whirl_member members[] = {
-        {"confirm",
-         WHIRL_MEMBER_FLAG,
-         offsetof(whirl_batch, confirm),
-         "study",
-         {"confirm", "", "", WHIRL_KEY_CHOICE, false, "no", WHIRL_ANY, "yes|no|true|false",
-          "yes: every point is computed once more with errors of a step 16 times smaller (rk4: twice the steps), and "
-          "its verdict is trusted where both agree",
-          ""},
-         false},
+        MEMBER(whirl_batch, FLAG, "confirm", confirm, "study", false, "confirm", "", "", WHIRL_KEY_CHOICE, false, "no",
+               WHIRL_ANY, "yes|no|true|false",
+               "yes: every point is computed once more with errors of a step 16 times smaller (rk4: twice the steps), "
+               "and its verdict is trusted where both agree",
+               ""),
         {.part = NULL},
     };
     return members;
