@@ -14,7 +14,7 @@ fail() {
 
 # ---- which public headers a layer may use: its own and those below it
 
-base="status.h descriptor.h version.h" # everyone's
+base="status.h descriptor.h version.h watched.h" # everyone's
 declare -A below=(
     [base]=""
     [rotor]="system.h ensemble.h rotor.h"

@@ -13,6 +13,7 @@
 #include "whirl/integrate.h"
 #include "whirl/status.h"
 #include "whirl/system.h"
+#include "whirl/watched.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -105,14 +106,9 @@ typedef struct whirl_record {
 
     double *low,
         *high; ///< [dimension] bounds of every coordinate over the record; in lanes as whirl_ensemble_seen has them
-    double *max_radius; ///< [probe_count] largest sqrt(x^2 + y^2) over the record
-    double *min_radius; ///< [probe_count] smallest
-    double *mean;       ///< [probe_count][2] mean position over the record
-    /// [probe_count] share of the time that x vy - y vx < 0: whirl against the rotation, about (0, 0)
-    double *backward;
-    double *contact_share;  ///< [contact_count] share of the time in contact
-    double *contact_number; ///< [contact_count] times that contact began
-    double *contact_force;  ///< [contact_count] largest normal force, in the model's unit
+    /// What was watched over the record: radii sqrt(x^2 + y^2); `backward`, the share of the time that x vy - y vx < 0
+    /// (whirl against the rotation, about (0, 0)); normal forces in the model's unit.
+    WHIRL_WATCHED_ARRAYS
 
     double *end; ///< [dimension] the last state; after a divergence that at the beginning of the revolution in which it
                  ///< left
@@ -362,8 +358,6 @@ whirl_status whirl_spectrum_new(const whirl_record *record, size_t probe, double
 void whirl_spectrum_free(whirl_spectrum *spectrum);
 
 // ---------------------------------------------------------------- analyses by name, and their fields
-
-typedef enum whirl_extent { WHIRL_PER_POINT = 0, WHIRL_PER_STATION, WHIRL_PER_CONTACT } whirl_extent;
 
 /// One named group of numbers in the block of a point: for every point, station (probe) or contact
 /// an array [rows][columns] (1 x 1: a number), row-major. Missing values are NaN.

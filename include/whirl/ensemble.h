@@ -12,6 +12,7 @@
 #include "whirl/integrate.h"
 #include "whirl/status.h"
 #include "whirl/system.h"
+#include "whirl/watched.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -92,14 +93,11 @@ const double *whirl_ensemble_coordinate(const whirl_ensemble *ensemble, size_t i
 /// Forgets what was observed of a lane; contacts that are closed now do not count as begun.
 void whirl_ensemble_forget(whirl_ensemble *ensemble, size_t lane);
 
-/// What was observed of a lane since it was last forgotten. The arrays belong to the caller.
+/// What was observed of a lane since it was last forgotten, means as sums over the instants. The arrays belong to the
+/// caller.
 typedef struct whirl_ensemble_seen {
     double *low, *high; ///< [dimension] bounds of every coordinate; rk4: of velocities at every fourth step
-    double *max_radius, *min_radius; ///< [stations]
-    double *sum;                     ///< [stations][2] of the positions over the instants
-    double *backward;                ///< [stations] instants of backward whirl
-    double *contact, *contact_begun; ///< [contacts] instants in contact, and how often contact began
-    double *contact_force;           ///< [contacts] largest normal force, in the model's unit
+    WHIRL_WATCHED_ARRAYS
 } whirl_ensemble_seen;
 void whirl_ensemble_read(const whirl_ensemble *ensemble, size_t lane, const whirl_ensemble_seen *seen);
 

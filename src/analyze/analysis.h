@@ -3,6 +3,7 @@
 #define ANALYZE_ANALYSIS_H
 
 #include <stddef.h>
+#include <string.h>
 
 #include "whirl/analyze.h"
 
@@ -34,6 +35,13 @@ typedef struct block_view {
 /// The numbers [rows][columns] of a field for a station or contact (0 for fields of the point);
 /// NULL when the field was left out.
 double *view_numbers(const block_view *view, size_t field, size_t which);
+
+/// Fields of what is watched (whirl/watched.h): their numbers, their plans, and how they are filled from a record.
+#define WATCHED_INDEX(array, ...) WATCHED_##array,
+#define WATCHED_PLAN(array, extent, columns, fold, square, name, unit, meaning)                                        \
+    [WATCHED_##array] = {name, unit, meaning, extent, columns, NULL},
+#define WATCHED_FILL(array, extent, columns, ...)                                                                      \
+    memcpy(view_numbers(view, WATCHED_##array, which), record->array + (columns)*which, (columns) * sizeof(double));
 
 /// An analysis. `compute` is called for bounded motions only, on fields full of NaN.
 typedef struct analysis_plan {

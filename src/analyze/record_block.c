@@ -50,20 +50,24 @@ static void lay_out(whirl_record *record, double *block, const sizes *size) {
     record->low = cut(&block, size->dimension);
     record->high = cut(&block, size->dimension);
     record->end = cut(&block, size->dimension);
-    record->max_radius = cut(&block, size->probes);
-    record->min_radius = cut(&block, size->probes);
-    record->mean = cut(&block, 2 * size->probes);
-    record->backward = cut(&block, size->probes);
-    record->contact_share = cut(&block, size->contacts);
-    record->contact_number = cut(&block, size->contacts);
-    record->contact_force = cut(&block, size->contacts);
+#define CUT(array, extent, columns, ...)                                                                               \
+    record->array = cut(&block, WHIRL_WATCHED_SIZE(extent, columns, size->probes, size->contacts));
+    WHIRL_WATCHED(CUT)
+#undef CUT
+}
+
+/// Numbers of what is observed of every instant.
+static size_t observed(size_t dimension, size_t probes, size_t contacts) {
+#define COUNT(array, extent, columns, ...) +WHIRL_WATCHED_SIZE(extent, columns, probes, contacts)
+    return 3 * dimension WHIRL_WATCHED(COUNT);
+#undef COUNT
 }
 
 whirl_record *record_new(const whirl_system *system, const whirl_integrate_options *integrate,
                          const whirl_record_options *options) {
     const sizes size = measure(system, integrate, options);
     const size_t numbers = size.section + size.growth + size.growths * (size.dimension + 1) + size.waveform +
-                           3 * size.dimension + 5 * size.probes + 3 * size.contacts;
+                           observed(size.dimension, size.probes, size.contacts);
     whirl_record *record = calloc(1, sizeof *record + numbers * sizeof(double));
     if (!record) return NULL;
     lay_out(record, (double *)(record + 1), &size);
@@ -109,8 +113,7 @@ void record_archive(whirl_record *r, const whirl_integrate_options *integrate, c
     for (size_t i = 0; i < 2 * r->probe_count; i++)
         archive_part(a, r->waveform + i * samples, r->sample_count * sizeof *r->waveform);
     // What is observed of every instant stands behind the waveform, to the end.
-    const size_t observed = 3 * r->dimension + 5 * r->probe_count + 3 * r->contact_count;
-    archive_part(a, r->low, observed * sizeof *r->low);
+    archive_part(a, r->low, observed(r->dimension, r->probe_count, r->contact_count) * sizeof *r->low);
 }
 
 void whirl_record_free(whirl_record *record) {

@@ -389,17 +389,17 @@ static void note(whirl_recorder *r, motion *m) {
 
 static void close_record(const whirl_recorder *r, const motion *m) {
     whirl_record *record = m->record;
-    const whirl_ensemble_seen seen = {record->low,           record->high,           record->max_radius,
-                                      record->min_radius,    record->mean,           record->backward,
-                                      record->contact_share, record->contact_number, record->contact_force};
+#define SEEN(array, ...) .array = record->array,
+    const whirl_ensemble_seen seen = {.low = record->low, .high = record->high, WHIRL_WATCHED(SEEN)};
+#undef SEEN
     const double share = 1.0 / ((double)r->options->record * r->integrate->steps_per_revolution);
     whirl_ensemble_read(r->ensemble, m->lane, &seen);
-    for (size_t i = 0; i < record->probe_count; i++) {
-        record->mean[2 * i] *= share;
-        record->mean[2 * i + 1] *= share;
-        record->backward[i] *= share;
-    }
-    for (size_t i = 0; i < record->contact_count; i++) record->contact_share[i] *= share;
+#define SCALE(array, extent, columns, fold, ...)                                                                       \
+    for (size_t i = 0, all = WHIRL_WATCHED_SIZE(extent, columns, record->probe_count, record->contact_count);          \
+         (fold) == WHIRL_MEAN && i < all; i++)                                                                         \
+        record->array[i] *= share;
+    WHIRL_WATCHED(SCALE)
+#undef SCALE
     memcpy(record->end, m->x, record->dimension * sizeof *m->x);
 }
 

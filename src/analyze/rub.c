@@ -1,23 +1,21 @@
 // Rub: what the unilateral contacts did over the record.
 #include "analysis.h"
 
-enum { CONTACT, SHARE, NUMBER, MAX_FORCE, FIELD_COUNT };
+enum { WHIRL_WATCHED_OF_CONTACTS(WATCHED_INDEX) CONTACT, FIELD_COUNT };
 
 static const field_plan fields[FIELD_COUNT] = {
     [CONTACT] = {"contact", "1", "1 where anything touched, else 0", WHIRL_PER_POINT, 1, NULL},
-    [SHARE] = {"share", "1", "share of the time in contact", WHIRL_PER_CONTACT, 1, NULL},
-    [NUMBER] = {"number", "1", "times that contact began", WHIRL_PER_CONTACT, 1, NULL},
-    [MAX_FORCE] = {"max_force", "force", "largest normal force", WHIRL_PER_CONTACT, 1, NULL},
+    // clang-format off
+    WHIRL_WATCHED_OF_CONTACTS(WATCHED_PLAN)
+    // clang-format on
 };
 
 static whirl_status compute(const whirl_record *record, const whirl_record_options *options, const block_view *view) {
     (void)options;
     bool touched = false;
-    for (size_t c = 0; c < record->contact_count; c++) {
-        touched = touched || record->contact_force[c] > 0.0;
-        *view_numbers(view, SHARE, c) = record->contact_share[c];
-        *view_numbers(view, NUMBER, c) = record->contact_number[c];
-        *view_numbers(view, MAX_FORCE, c) = record->contact_force[c];
+    for (size_t which = 0; which < record->contact_count; which++) {
+        touched = touched || record->contact_force[which] > 0.0;
+        WHIRL_WATCHED_OF_CONTACTS(WATCHED_FILL)
     }
     *view_numbers(view, CONTACT, 0) = touched ? 1.0 : 0.0;
     return whirl_ok();

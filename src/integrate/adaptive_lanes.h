@@ -20,13 +20,15 @@
 #include "stepper.h"
 #include "vector.h"
 
+#define LANE_ROWS(...) +1
 enum {
     MAX_ATTEMPTS = 1000000, ///< steps tried in a revolution
     MAX_GROUP = 4,          ///< vectors
     INSTANCE_STRIDE = 4,    ///< vectors of a group of a structure with loops of its own
     MAX_SLOTS = 64,
-    MAX_LANE_ROWS = 16
+    MAX_LANE_ROWS = 8 WHIRL_WATCHED(LANE_ROWS)
 };
+#undef LANE_ROWS
 #define NO_LANE ((size_t)-1)
 
 /// Rows of an ensemble and the slots' own.

@@ -15,6 +15,8 @@ static size_t lay_out(adaptive_lanes *lanes, double *block) {
                  switches = lanes->switch_count;
     const size_t contacts = lanes->observe.contact_count;
     size_t row = 0;
+#define PART(array, extent, columns, ...)                                                                              \
+    {&lanes->observe.array, WHIRL_WATCHED_SIZE(extent, columns, probes, contacts)},
     const part parts[] = {
         {&lanes->q, degrees},
         {&lanes->v, rates},
@@ -58,17 +60,14 @@ static size_t lay_out(adaptive_lanes *lanes, double *block) {
         {&lanes->theta, 1},
         {&lanes->observe.low, lanes->dimension},
         {&lanes->observe.high, lanes->dimension},
-        {&lanes->observe.square_max, probes},
-        {&lanes->observe.square_min, probes},
-        {&lanes->observe.backward, probes},
-        {&lanes->observe.sum, 2 * probes},
         {&lanes->observe.gap, contacts},
         {&lanes->observe.touching, contacts},
-        {&lanes->observe.contact, contacts},
-        {&lanes->observe.begun, contacts},
         {&lanes->observe.force, lanes->observe.normal_force ? contacts : 0},
-        {&lanes->observe.force_max, lanes->observe.normal_force ? contacts : 0},
+        // clang-format off
+        WHIRL_WATCHED(PART)
+        // clang-format on
     };
+#undef PART
     row += lanes->method->lay_out(lanes, block);
     for (size_t i = 0; i < sizeof parts / sizeof *parts; i++, row += parts[i - 1].rows)
         *parts[i].array = lanes_row(lanes, block, row);

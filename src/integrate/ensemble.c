@@ -51,6 +51,8 @@ static size_t lay_out(whirl_ensemble *e, double *block) {
                  located = e->lanes.located.switches ? 1 : 0;
     const size_t switches = e->lanes.located.switch_count;
     size_t row = 0;
+#define PART(array, extent, columns, ...)                                                                              \
+    {&e->lanes.observe.array, WHIRL_WATCHED_SIZE(extent, columns, probes, contacts)},
     const struct {
         double **array;
         size_t rows;
@@ -73,17 +75,14 @@ static size_t lay_out(whirl_ensemble *e, double *block) {
         {&e->lanes.located.rate[1], switches},
         {&e->lanes.observe.low, degrees + rates},
         {&e->lanes.observe.high, degrees + rates},
-        {&e->lanes.observe.square_max, probes},
-        {&e->lanes.observe.square_min, probes},
-        {&e->lanes.observe.backward, probes},
-        {&e->lanes.observe.sum, 2 * probes},
         {&e->lanes.observe.gap, contacts},
         {&e->lanes.observe.touching, contacts},
-        {&e->lanes.observe.contact, contacts},
-        {&e->lanes.observe.begun, contacts},
         {&e->lanes.observe.force, forces},
-        {&e->lanes.observe.force_max, forces},
+        // clang-format off
+        WHIRL_WATCHED(PART)
+        // clang-format on
     };
+#undef PART
     for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {
         *parts[i].array = block ? block + row * e->lane_count : NULL;
         row += parts[i].rows;
@@ -360,6 +359,8 @@ void whirl_ensemble_move(whirl_ensemble *e, size_t from, size_t to) {
 static void fill_exchange(const whirl_ensemble *e, adaptive_lanes *lanes) {
     const lanes_observe *own = &lanes->observe, *theirs = &e->lanes.observe;
     const size_t dimension = lanes->dimension, probes = own->probe_count, contacts = own->contact_count;
+#define PART(array, extent, columns, ...)                                                                              \
+    {own->array, theirs->array, WHIRL_WATCHED_SIZE(extent, columns, probes, contacts), false},
     const lane_rows rows[] = {
         {lanes->numbers, e->lanes.numbers, lanes->number_count, true},
         {lanes->q, e->lanes.q, lanes->degrees, false},
@@ -367,16 +368,13 @@ static void fill_exchange(const whirl_ensemble *e, adaptive_lanes *lanes) {
         {lanes->ended, e->ended, 1, false},
         {own->low, theirs->low, dimension, false},
         {own->high, theirs->high, dimension, false},
-        {own->square_max, theirs->square_max, probes, false},
-        {own->square_min, theirs->square_min, probes, false},
-        {own->backward, theirs->backward, probes, false},
-        {own->sum, theirs->sum, 2 * probes, false},
         {own->gap, theirs->gap, contacts, true},
         {own->touching, theirs->touching, contacts, false},
-        {own->contact, theirs->contact, contacts, false},
-        {own->begun, theirs->begun, contacts, false},
-        {own->force_max, theirs->force_max, own->normal_force ? contacts : 0, false},
+        // clang-format off
+        WHIRL_WATCHED(PART)
+        // clang-format on
     };
+#undef PART
     enum { ALWAYS = 4, ALL = sizeof rows / sizeof *rows };
     lanes->exchanged_count = lanes->observing ? ALL : ALWAYS;
     memcpy(lanes->exchanged, rows, sizeof rows);
@@ -456,8 +454,16 @@ static void set(double *array, const whirl_ensemble *e, size_t rows, size_t lane
     for (size_t i = 0; i < rows; i++) array[i * e->lane_count + lane] = value;
 }
 
-static void get(const double *array, const whirl_ensemble *e, size_t rows, size_t lane, double *out) {
-    for (size_t i = 0; i < rows; i++) out[i] = array[i * e->lane_count + lane];
+/// What a fold begins with.
+static void begin_fold(double *array, const whirl_ensemble *e, size_t rows, size_t lane, whirl_fold fold) {
+    set(array, e, rows, lane, fold == WHIRL_LARGEST ? -INFINITY : fold == WHIRL_SMALLEST ? INFINITY : 0.0);
+}
+
+static void get(const double *array, const whirl_ensemble *e, size_t rows, size_t lane, bool square, double *out) {
+    for (size_t i = 0; i < rows; i++) {
+        const double value = array[i * e->lane_count + lane];
+        out[i] = square ? sqrt(value) : value;
+    }
 }
 
 /// Whether the gap of contact c is closed.
@@ -486,10 +492,6 @@ static void note_contacts(const whirl_ensemble *e, size_t lane) {
 /// A force that grows with the displacement alone is largest at the largest radius.
 static void largest_forces(const whirl_ensemble *e, size_t lane, const double *max_radius, double *force) {
     const lanes_observe *w = &e->lanes.observe;
-    if (by_force(e)) {
-        get(w->force_max, e, w->contact_count, lane, force);
-        return;
-    }
     memset(e->state, 0, e->system->dimension * sizeof *e->state);
     for (size_t p = 0; p < w->probe_count; p++) e->state[w->probes[p].x] = max_radius[p];
     if (w->contact_count > 0) e->machines[lane]->contacts(e->machines[lane]->model, e->state, force);
@@ -497,31 +499,22 @@ static void largest_forces(const whirl_ensemble *e, size_t lane, const double *m
 
 void whirl_ensemble_forget(whirl_ensemble *e, size_t lane) {
     const lanes_observe *w = &e->lanes.observe;
-    set(w->low, e, e->system->dimension, lane, INFINITY);
-    set(w->high, e, e->system->dimension, lane, -INFINITY);
-    set(w->square_max, e, w->probe_count, lane, 0.0);
-    set(w->square_min, e, w->probe_count, lane, INFINITY);
-    set(w->backward, e, w->probe_count, lane, 0.0);
-    set(w->sum, e, 2 * w->probe_count, lane, 0.0);
-    set(w->contact, e, w->contact_count, lane, 0.0);
-    set(w->begun, e, w->contact_count, lane, 0.0);
-    if (by_force(e)) set(w->force_max, e, w->contact_count, lane, 0.0);
+    begin_fold(w->low, e, e->system->dimension, lane, WHIRL_SMALLEST);
+    begin_fold(w->high, e, e->system->dimension, lane, WHIRL_LARGEST);
+#define BEGIN(array, extent, columns, fold, ...)                                                                       \
+    begin_fold(w->array, e, WHIRL_WATCHED_SIZE(extent, columns, w->probe_count, w->contact_count), lane, fold);
+    WHIRL_WATCHED(BEGIN)
+#undef BEGIN
     note_contacts(e, lane);
 }
 
 void whirl_ensemble_read(const whirl_ensemble *e, size_t lane, const whirl_ensemble_seen *seen) {
     const lanes_observe *w = &e->lanes.observe;
-    get(w->low, e, e->system->dimension, lane, seen->low);
-    get(w->high, e, e->system->dimension, lane, seen->high);
-    get(w->square_max, e, w->probe_count, lane, seen->max_radius);
-    get(w->square_min, e, w->probe_count, lane, seen->min_radius);
-    for (size_t s = 0; s < w->probe_count; s++) {
-        seen->max_radius[s] = sqrt(seen->max_radius[s]);
-        seen->min_radius[s] = sqrt(seen->min_radius[s]);
-    }
-    get(w->sum, e, 2 * w->probe_count, lane, seen->sum);
-    get(w->backward, e, w->probe_count, lane, seen->backward);
-    get(w->contact, e, w->contact_count, lane, seen->contact);
-    get(w->begun, e, w->contact_count, lane, seen->contact_begun);
-    largest_forces(e, lane, seen->max_radius, seen->contact_force);
+    get(w->low, e, e->system->dimension, lane, false, seen->low);
+    get(w->high, e, e->system->dimension, lane, false, seen->high);
+#define GET(array, extent, columns, fold, square, ...)                                                                 \
+    get(w->array, e, WHIRL_WATCHED_SIZE(extent, columns, w->probe_count, w->contact_count), lane, square, seen->array);
+    WHIRL_WATCHED(GET)
+#undef GET
+    if (!by_force(e)) largest_forces(e, lane, seen->max_radius, seen->contact_force);
 }

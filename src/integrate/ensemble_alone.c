@@ -3,6 +3,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "kernels/watched_kernel.h"
+
 alone_lanes *alone_lanes_new(const whirl_integrate_options *options, size_t followed, size_t dimension,
                              size_t lane_count) {
     alone_lanes *alone = calloc(1, sizeof *alone);
@@ -62,22 +64,18 @@ static double *number_in(const watched_lane *w, double *array, size_t row) {
     return &array[row * w->lanes->lane_count + w->lane];
 }
 
-static void raise_to(double *most, double value) {
-    if (value > *most) *most = value;
-}
-static void lower_to(double *least, double value) {
-    if (value < *least) *least = value;
+static void take(double *so_far, whirl_fold fold, double value) {
+    *so_far = watched_with(fold, value, *so_far);
 }
 
 static void observe_probe(const watched_lane *w, size_t p, const double *x) {
     const lanes_observe *o = w->lanes->watched;
     const whirl_probe *probe = &o->probes[p];
-    const double px = x[probe->x], py = x[probe->y], square = px * px + py * py;
-    raise_to(number_in(w, o->square_max, p), square);
-    lower_to(number_in(w, o->square_min, p), square);
-    *number_in(w, o->sum, 2 * p) += px;
-    *number_in(w, o->sum, 2 * p + 1) += py;
-    if (px * x[probe->vy] - py * x[probe->vx] < 0.0) *number_in(w, o->backward, p) += 1.0;
+    const watched_instant now = watched_at(x[probe->x], x[probe->y], x[probe->vx], x[probe->vy]);
+#define WATCH(array, extent, columns, fold, ...)                                                                       \
+    for (size_t c = 0; c < (columns); c++) take(number_in(w, o->array, (columns)*p + c), fold, now.array[c]);
+    WHIRL_WATCHED_OF_STATIONS(WATCH)
+#undef WATCH
 }
 
 static void observe_contacts(const watched_lane *w, const double *x) {
@@ -86,12 +84,9 @@ static void observe_contacts(const watched_lane *w, const double *x) {
     double force[WHIRL_MAX_CONTACTS];
     if (o->contact_count > 0) system->contacts(system->model, x, force);
     for (size_t c = 0; c < o->contact_count; c++) {
-        double *before = number_in(w, o->touching, c);
-        const double now = force[c] > 0.0 ? 1.0 : 0.0;
-        *number_in(w, o->contact, c) += now;
-        *number_in(w, o->begun, c) += now * (1.0 - *before);
-        raise_to(number_in(w, o->force_max, c), force[c]);
-        *before = now;
+        watch_contact(force[c] > 0.0 ? 1.0 : 0.0, 1.0, 1.0, number_in(w, o->touching, c),
+                      number_in(w, o->contact_share, c), number_in(w, o->contact_number, c));
+        take(number_in(w, o->contact_force, c), WHIRL_LARGEST, force[c]);
     }
 }
 
@@ -102,8 +97,8 @@ static void observe(void *context, double t, const double *x) {
     (void)t;
     w->instant++;
     for (size_t i = 0; w->observe->extremes && i < dimension; i++) {
-        lower_to(number_in(w, o->low, i), x[i]);
-        raise_to(number_in(w, o->high, i), x[i]);
+        take(number_in(w, o->low, i), WHIRL_SMALLEST, x[i]);
+        take(number_in(w, o->high, i), WHIRL_LARGEST, x[i]);
     }
     for (size_t p = 0; w->observe->extremes && p < o->probe_count; p++) observe_probe(w, p, x);
     if (w->observe->extremes) observe_contacts(w, x);

@@ -7,19 +7,19 @@
 
 #include "lanes.h"
 #include "whirl/system.h"
+#include "whirl/watched.h"
 
 /// What is observed, all [...][stride vectors].
 typedef struct lanes_observe {
     size_t probe_count, contact_count;
-    const whirl_probe *probes;                  ///< [probe_count]
-    const size_t *contact_probe;                ///< [contact_count]
-    double *low, *high;                         ///< [degrees + rates]
-    double *square_max, *square_min, *backward; ///< [probe_count]
-    double *sum;                                ///< [probe_count][2]
-    double *gap, *touching, *contact, *begun;   ///< [contact_count]
+    const whirl_probe *probes;   ///< [probe_count]
+    const size_t *contact_probe; ///< [contact_count]
+    double *low, *high;          ///< [degrees + rates]
+    WHIRL_WATCHED_ARRAYS
+    double *gap, *touching; ///< [contact_count]
     /// Of contacts whose force depends on velocities; NULL where the gap alone tells.
     lanes_contacts *normal_force;
-    double *force, *force_max; ///< [contact_count]
+    double *force; ///< [contact_count]
 } lanes_observe;
 
 /// What it takes to locate contacts: steps of lanes that pass or come near a switch are taken anew, one lane at a time.

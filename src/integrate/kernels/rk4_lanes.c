@@ -3,6 +3,7 @@
 // Stage by stage, quantities outermost, vectors innermost: independent vectors hide each other's latency.
 #include "rk4_lanes.h"
 #include "rk4_scheme.h"
+#include "watched_kernel.h"
 
 /// Calls `body` for every vector of every degree of freedom, with its index i: in one run where all vectors are in use.
 #define FOR_ALL(lanes, body)                                                                                           \
@@ -67,20 +68,6 @@ static inline void widen(vec value, vec *low, vec *high) {
     *high = v_max(value, *high);
 }
 
-/// What is observed of a probe besides bounds; sum: of x and of y.
-typedef struct probe_observe {
-    vec *most, *least, *back, *sum[2];
-} probe_observe;
-
-static inline void observe_probe(const probe_observe *w, vec x, vec y, vec vx, vec vy) {
-    const vec square = v_fma(x, x, v_mul(y, y)), turning = v_fms(x, vy, v_mul(y, vx));
-    *w->most = v_max(square, *w->most);
-    *w->least = v_min(square, *w->least);
-    *w->sum[0] = v_add(*w->sum[0], x);
-    *w->sum[1] = v_add(*w->sum[1], y);
-    *w->back = v_add(*w->back, v_select(v_less(turning, v_set(0.0)), v_set(1.0), v_set(0.0)));
-}
-
 static void observe_bounds(const rk4_lanes *lanes, const double *of, double *low, double *high) {
     FOR_ALL(lanes, widen(((const vec *)of)[i], (vec *)low + i, (vec *)high + i);)
 }
@@ -94,11 +81,13 @@ static void observe_probes(const rk4_lanes *lanes, bool speeds) {
     if (speeds) FOR_STATES(lanes, widen(v[i], (vec *)(w->low + speeds_at) + i, (vec *)(w->high + speeds_at) + i);)
     for (size_t p = 0; p < w->probe_count; p++)
         for (size_t k = 0; k < lanes->vectors; k++) {
-            const size_t x = w->probes[p].x * stride + k, y = w->probes[p].y * stride + k, at = p * stride + k;
-            vec *sum = (vec *)w->sum + 2 * p * stride + k;
-            const probe_observe own = {
-                (vec *)w->square_max + at, (vec *)w->square_min + at, (vec *)w->backward + at, {sum, sum + stride}};
-            observe_probe(&own, q[x], q[y], v[x], v[y]);
+            const size_t x = w->probes[p].x * stride + k, y = w->probes[p].y * stride + k;
+            const watched_instant now = watched_at(q[x], q[y], v[x], v[y]);
+#define WATCH(array, extent, columns, fold, ...)                                                                       \
+    for (size_t c = 0, at = (columns)*p * stride + k; c < (columns); c++, at += stride)                                \
+        ((vec *)w->array)[at] = watched_with(fold, now.array[c], ((vec *)w->array)[at]);
+            WHIRL_WATCHED_OF_STATIONS(WATCH)
+#undef WATCH
         }
 }
 
@@ -114,7 +103,7 @@ static void observe_forces(const rk4_lanes *lanes) {
     w->normal_force(&view, w->force);
     for (size_t c = 0; c < w->contact_count; c++)
         for (size_t at = c * lanes->stride, last = at + lanes->vectors; at < last; at++)
-            ((vec *)w->force_max)[at] = v_max(((const vec *)w->force)[at], ((const vec *)w->force_max)[at]);
+            ((vec *)w->contact_force)[at] = v_max(((const vec *)w->force)[at], ((const vec *)w->contact_force)[at]);
 }
 
 static vec_mask touches(const rk4_lanes *lanes, size_t c, size_t k) {
@@ -128,12 +117,10 @@ static vec_mask touches(const rk4_lanes *lanes, size_t c, size_t k) {
     return v_less(v_mul(gap, gap), v_fma(x, x, v_mul(y, y)));
 }
 
-/// Instants in contact and how often contact began, by who touches now.
-static inline void count_contact(vec_mask touching, vec *before, vec *contact, vec *begun) {
-    const vec now = v_select(touching, v_set(1.0), v_set(0.0));
-    *contact = v_add(*contact, now);
-    *begun = v_fma(now, v_sub(v_set(1.0), *before), *begun);
-    *before = now;
+/// A step later.
+static inline void count_contact(vec_mask touching, vec *before, vec *share, vec *number) {
+    const vec one = v_set(1.0);
+    watch_contact(v_select(touching, one, v_set(0.0)), one, one, before, share, number);
 }
 
 static void observe_contacts(const rk4_lanes *lanes) {
@@ -142,7 +129,8 @@ static void observe_contacts(const rk4_lanes *lanes) {
     for (size_t c = 0; c < w->contact_count; c++)
         for (size_t k = 0; k < lanes->vectors; k++) {
             const size_t at = c * lanes->stride + k;
-            count_contact(touches(lanes, c, k), (vec *)w->touching + at, (vec *)w->contact + at, (vec *)w->begun + at);
+            count_contact(touches(lanes, c, k), (vec *)w->touching + at, (vec *)w->contact_share + at,
+                          (vec *)w->contact_number + at);
         }
 }
 

@@ -1,0 +1,43 @@
+/// What is watched of a motion at every instant that is seen: each quantity stands once, in these lists. Lanes,
+/// records, the fields of the analyses `orbit` and `rub` and all that walks these (results, CSV, JSON, reports, the
+/// explorer) follow from them; src/integrate/kernels/watched_kernel.h has the values of an instant.
+#ifndef WHIRL_WATCHED_H
+#define WHIRL_WATCHED_H
+
+/// What there is one of.
+typedef enum whirl_extent { WHIRL_PER_POINT = 0, WHIRL_PER_STATION, WHIRL_PER_CONTACT } whirl_extent;
+
+/// What is made of the values of all instants.
+typedef enum whirl_fold {
+    WHIRL_LARGEST = 0,
+    WHIRL_SMALLEST,
+    WHIRL_MEAN, ///< until a record is closed their sum
+    WHIRL_SUM
+} whirl_fold;
+
+/// X(array, extent, columns, fold, square, name, unit, meaning): an array [stations or contacts][columns] and its
+/// field, with name, unit and meaning as whirl_field has them; square: instants give squares, whose root is taken in
+/// the end.
+#define WHIRL_WATCHED_OF_STATIONS(X)                                                                                   \
+    X(max_radius, WHIRL_PER_STATION, 1, WHIRL_LARGEST, true, "max_radius", "length",                                   \
+      "largest distance from the centre")                                                                              \
+    X(min_radius, WHIRL_PER_STATION, 1, WHIRL_SMALLEST, true, "min_radius", "length",                                  \
+      "smallest distance from the centre")                                                                             \
+    X(mean, WHIRL_PER_STATION, 2, WHIRL_MEAN, false, "mean", "length", "x, y")                                         \
+    X(backward, WHIRL_PER_STATION, 1, WHIRL_MEAN, false, "backward", "1",                                              \
+      "share of the time of whirl against the rotation")
+#define WHIRL_WATCHED_OF_CONTACTS(X)                                                                                   \
+    X(contact_share, WHIRL_PER_CONTACT, 1, WHIRL_MEAN, false, "share", "1", "share of the time in contact")            \
+    X(contact_number, WHIRL_PER_CONTACT, 1, WHIRL_SUM, false, "number", "1", "times that contact began")               \
+    X(contact_force, WHIRL_PER_CONTACT, 1, WHIRL_LARGEST, false, "max_force", "force", "largest normal force")
+#define WHIRL_WATCHED(X) WHIRL_WATCHED_OF_STATIONS(X) WHIRL_WATCHED_OF_CONTACTS(X)
+
+/// Their arrays as members of a struct.
+#define WHIRL_WATCHED_ARRAY(array, ...) double *array;
+#define WHIRL_WATCHED_ARRAYS WHIRL_WATCHED(WHIRL_WATCHED_ARRAY)
+
+/// Numbers of one of them.
+#define WHIRL_WATCHED_SIZE(extent, columns, stations, contacts)                                                        \
+    ((columns) * ((extent) == WHIRL_PER_STATION ? (stations) : (contacts)))
+
+#endif

@@ -1,0 +1,37 @@
+/// What an instant adds to all that is watched (whirl/watched.h), written once over the vector type.
+#ifndef INTEGRATE_WATCHED_KERNEL_H
+#define INTEGRATE_WATCHED_KERNEL_H
+
+#include "vector.h"
+#include "whirl/watched.h"
+
+/// The values of an instant of a station.
+#define WATCHED_VALUES(array, extent, columns, ...) vec array[columns];
+typedef struct watched_instant {
+    WHIRL_WATCHED_OF_STATIONS(WATCHED_VALUES)
+} watched_instant;
+#undef WATCHED_VALUES
+
+VECTOR_INLINE watched_instant watched_at(vec x, vec y, vec vx, vec vy) {
+    const vec square = v_fma(x, x, v_mul(y, y)), turning = v_fms(x, vy, v_mul(y, vx));
+    return (watched_instant){.max_radius = {square},
+                             .min_radius = {square},
+                             .mean = {x, y},
+                             .backward = {v_select(v_less(turning, v_set(0.0)), v_set(1.0), v_set(0.0))}};
+}
+
+/// What was so far, with the value of one instant more.
+VECTOR_INLINE vec watched_with(whirl_fold fold, vec value, vec so_far) {
+    return fold == WHIRL_LARGEST    ? v_max(value, so_far)
+           : fold == WHIRL_SMALLEST ? v_min(value, so_far)
+                                    : v_add(so_far, value);
+}
+
+/// A contact that touches `now` (1 or 0) for `part` of the time, counted in instants of 1/per.
+VECTOR_INLINE void watch_contact(vec now, vec part, vec per, vec *before, vec *share, vec *number) {
+    *share = v_fma(v_mul(now, part), per, *share);
+    *number = v_fma(now, v_sub(v_set(1.0), *before), *number);
+    *before = now;
+}
+
+#endif
