@@ -14,12 +14,13 @@ typedef struct lanes_view {
     const void *model;
     size_t stride, vectors;
     const void *numbers;
-    const void *forcing; ///< [forcing_count]
-    const void *sides;   ///< [switch_count] -1 or +1, as whirl_system.rhs_on_sides takes them; NULL: the state decides
-    size_t tangents;     ///< disturbances that follow the state
-    const void *q, *v;   ///< [1 + tangents][degrees] and [degrees + states] of the state, then of the disturbances
-    void *a;             ///< [1 + tangents][degrees + states]
-    void *divergence;    ///< one quantity: trace of the Jacobian; NULL: not wanted
+    const size_t *places; ///< [part_count] where those of each part begin; NULL: each has its own
+    const void *forcing;  ///< [forcing_count]
+    const void *sides;    ///< [switch_count] -1 or +1, as whirl_system.rhs_on_sides takes them; NULL: the state decides
+    size_t tangents;      ///< disturbances that follow the state
+    const void *q, *v;    ///< [1 + tangents][degrees] and [degrees + states] of the state, then of the disturbances
+    void *a;              ///< [1 + tangents][degrees + states]
+    void *divergence;     ///< one quantity: trace of the Jacobian; NULL: not wanted
 } lanes_view;
 
 /// Writes the accelerations of the state and those of the disturbances by the Jacobian, with the slopes of the states
@@ -49,6 +50,12 @@ struct whirl_lanes {
     size_t number_count;                               ///< numbers of one machine
     void (*numbers)(const void *model, double *out);   ///< [number_count]
     bool (*alike)(const void *one, const void *other); ///< same structure
+    /// Parts whose numbers are equal in all machines of a block have one place for them, so that caches hold more: at
+    /// first all of a kind that of the first, [part_count]. `part` gives those their own that differ in a machine, and
+    /// says how many numbers have a place now.
+    size_t part_count;
+    const size_t *places;
+    size_t (*part)(const void *model, size_t *places);
     size_t switch_count, contact_count;
     void (*contact)(const void *model, size_t index, size_t *probe, double *gap);
     /// Coordinates whose sizes are measured together, one after the other: group g holds groups[g] to before

@@ -126,7 +126,10 @@ static void fill_shape(whirl_ensemble *e) {
 static void fill_lanes(whirl_ensemble *e, const whirl_integrate_options *options) {
     const whirl_system *system = e->system;
     rk4_lanes *lanes = &e->lanes;
+    const size_t places = system->lanes->part_count;
     lanes->model = system->model;
+    lanes->places = calloc(places + 1, sizeof *lanes->places);
+    if (lanes->places) memcpy(lanes->places, system->lanes->places, places * sizeof *lanes->places);
     lanes->flow = system->lanes->flow[e->isa->number];
     lanes->instance = system->lanes->instance;
     lanes->forcing_count = system->forcing_count;
@@ -154,13 +157,15 @@ static bool attach_location(whirl_ensemble *e, const whirl_integrate_options *op
 
 /// Vectors that hide each other's latency, at most 8, and whose numbers, stages and, where they are at hand all the
 /// time (rk4_instance.inc), what is observed of them still fit into the first cache: 6 of 512 bits for the disc and
-/// journal, 2 for ten stations, 1 for fifty (measured; of 256 bits 8, 4 and 1).
-static size_t fast_vectors(const whirl_system *system, const isa *set) {
+/// journal, 4 for ten equal stations, 1 for fifty (measured; of 256 bits 8, 8 and 1).
+static size_t fast_vectors(const whirl_ensemble *e) {
     static const size_t choices[] = {8, 6, 4, 2, 1};
-    const size_t first_cache = 40960, degrees = system->lanes->degrees;
+    const whirl_system *system = e->system;
+    const size_t first_cache = 43008, degrees = system->lanes->degrees;
     const size_t observed = system->lanes->instance ? 7 * degrees + 4 * system->lanes->contact_count : 0;
     const size_t steps = 5 * system->dimension - 3 * degrees; // the state, a stage's, three slopes
-    const size_t bytes = (system->lanes->number_count + steps + observed) * set->lanes * sizeof(double);
+    const size_t numbers = system->lanes->part(system->model, e->lanes.places);
+    const size_t bytes = (numbers + steps + observed) * e->isa->lanes * sizeof(double);
     size_t i = 0;
     while (choices[i] > 1 && choices[i] * bytes > first_cache) i++;
     return choices[i];
@@ -169,7 +174,7 @@ static size_t fast_vectors(const whirl_system *system, const isa *set) {
 /// Lanes that go their own way: several for a slot, so that few slots are idle while the last of them finish.
 static size_t fast_lanes(const whirl_ensemble *e) {
     enum { ROUNDS = 8 };
-    return e->adaptive ? e->adaptive->slots * ROUNDS : fast_vectors(e->system, e->isa) * e->isa->lanes;
+    return e->adaptive ? e->adaptive->slots * ROUNDS : fast_vectors(e) * e->isa->lanes;
 }
 
 /// The last of an ensemble whose engine is there.
@@ -210,7 +215,7 @@ whirl_status whirl_ensemble_new(const whirl_system *system, const whirl_integrat
     if (status.code == WHIRL_OK) {
         fill_shape(e);
         fill_lanes(e, options);
-        if (attach_location(e, options))
+        if (e->lanes.places && attach_location(e, options))
             status = finish(e, lanes > 0 ? lanes : fast_lanes(e), out);
         else
             status = whirl_fail(WHIRL_NO_MEMORY, "no memory for an ensemble");
@@ -252,6 +257,7 @@ void whirl_ensemble_free(whirl_ensemble *e) {
     free(e->lanes.located.stepper);
     free(e->block);
     free(e->forcing);
+    free(e->lanes.places);
     free(e->state);
     free(e->machines);
     free(e->contact_probe);
@@ -281,6 +287,7 @@ static whirl_status load_numbers(whirl_ensemble *e, size_t lane, const whirl_sys
     form->numbers(system->model, numbers);
     for (size_t i = 0; i < form->number_count; i++) e->lanes.numbers[i * e->lane_count + lane] = numbers[i];
     free(numbers);
+    form->part(system->model, e->lanes.places);
     for (size_t c = 0; c < e->contact_count; c++)
         form->contact(system->model, c, &e->contact_probe[c], &e->lanes.observe.gap[c * e->lane_count + lane]);
     return whirl_ok();

@@ -47,6 +47,7 @@ typedef struct rk4_lanes {
     int steps;
     double step;
     const double *forcing; ///< [2 steps + 1][forcing_count]
+    size_t *places;        ///< of numbers, as a view has them
     double *numbers, *q, *v;
     double *k[3], *stage_q, *stage_v; ///< [rates], [degrees], [rates] workspace
     double *now;                      ///< [forcing_count] workspace

@@ -15,16 +15,25 @@ typedef struct block {
     const vec *forcing, *q, *v;
     vec *a, *divergence;     ///< divergence: NULL where it is not wanted
     const vec *numbers;      ///< of the machine
+    const size_t *places;    ///< of those of its parts; NULL: each has its own
     const vec *sides;        ///< of its switches; NULL: the state decides
     const coupling *coupled; ///< by masses; NULL where none are
 } block;
 
 /// Those of an element, of the first vector.
 static inline const vec *numbers_of(const block *b, const element *own) {
-    return b->numbers + own->first_number * b->stride;
+    return b->numbers + (b->places ? b->places[own->part] : own->first_number) * b->stride;
 }
 static inline const vec *sides_of(const block *b, const element *own) {
     return b->sides ? b->sides + own->first_switch * b->stride : NULL;
+}
+
+/// A block of one vector, as large machines have it, where compilers see that it is one: no loop is left, and no
+/// distance to compute.
+static inline block single(const block *b) {
+    block one = *b;
+    one.stride = one.vectors = 1;
+    return one;
 }
 
 static inline int wants_tangent(const block *b) {

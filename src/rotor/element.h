@@ -41,6 +41,7 @@ typedef struct element {
     const struct whirl_element_type *type;
     size_t run;          ///< how many of its type follow one another from here, itself the first
     size_t first_number; ///< where its numbers begin, in those of the machine
+    size_t part;         ///< its number among the machine's parts: stations, then elements
     int law;
     bool lumped;            ///< it is part of the assembly alone
     size_t port[MAX_PORTS]; ///< the coordinates that it sees; NO_COORDINATE: the ground's

@@ -18,6 +18,7 @@ struct whirl_rotor {
     coupling coupled;  ///< by masses; the same in all machines of a block
     element *elements; ///< [element_count] those that have kernels, in the registry's order
     double *numbers;   ///< [plane_count][STATION_NUMBERS], those of the terms, then those of the elements
+    size_t *places;    ///< [plane_count + element_count] as whirl_lanes has them
     whirl_probe *probes;
     size_t *groups;   ///< [lanes.group_count + 1]
     double *turns;    ///< [dimension] as whirl_system has them

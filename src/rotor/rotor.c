@@ -48,6 +48,24 @@ static bool lane_alike(const void *one, const void *other) {
     return couplings_alike(&a->coupled, &b->coupled);
 }
 
+/// Gives a part its own place for `count` numbers that begin at `own` where they differ from those that it shares; says
+/// how many it has then.
+static size_t part_from(const double *number, size_t own, size_t count, size_t *place) {
+    if (memcmp(number + own, number + *place, count * sizeof *number) != 0) *place = own;
+    return *place == own ? count : 0;
+}
+
+static size_t lane_part(const void *model, size_t *places) {
+    const whirl_rotor *rotor = model;
+    const element *own = rotor->elements, *last = own + rotor->element_count;
+    size_t count = rotor->term_count;
+    for (size_t s = 0; s < rotor->plane_count; s++)
+        count += part_from(rotor->numbers, s * STATION_NUMBERS, STATION_NUMBERS, &places[s]);
+    for (; own < last; own++)
+        count += part_from(rotor->numbers, own->first_number, own->type->number_count, &places[own->part]);
+    return count;
+}
+
 static void lane_contact(const void *model, size_t index, size_t *probe, double *gap) {
     const whirl_rotor *rotor = model;
     const element *own = &rotor->elements[rotor->contacts[index]];
@@ -197,6 +215,7 @@ static size_t lay_out(whirl_rotor *rotor, char *block, const building *b) {
     void *const parts[] = {cut(block, &used, b->element_count * sizeof *rotor->elements),
                            cut(block, &used, total_numbers(b) * sizeof *rotor->numbers),
                            cut(block, &used, b->assembly.term_count * sizeof *rotor->terms),
+                           cut(block, &used, (stations + b->element_count) * sizeof *rotor->places),
                            cut(block, &used, stations * sizeof *rotor->probes),
                            cut(block, &used, (b->assembly.degrees + 1) * sizeof *rotor->groups),
                            cut(block, &used, (2 * b->assembly.degrees + b->state_count) * sizeof *rotor->turns),
@@ -210,15 +229,16 @@ static size_t lay_out(whirl_rotor *rotor, char *block, const building *b) {
     rotor->elements = parts[0];
     rotor->numbers = parts[1];
     rotor->terms = parts[2];
-    rotor->probes = parts[3];
-    rotor->groups = parts[4];
-    rotor->turns = parts[5];
-    rotor->contacts = parts[6];
-    rotor->contact_text = parts[7];
-    rotor->contact_names = parts[8];
-    rotor->coupled.row = parts[9];
-    rotor->coupled.place = parts[10];
-    rotor->coupled.share = parts[11];
+    rotor->places = parts[3];
+    rotor->probes = parts[4];
+    rotor->groups = parts[5];
+    rotor->turns = parts[6];
+    rotor->contacts = parts[7];
+    rotor->contact_text = parts[8];
+    rotor->contact_names = parts[9];
+    rotor->coupled.row = parts[10];
+    rotor->coupled.place = parts[11];
+    rotor->coupled.share = parts[12];
     return used;
 }
 
@@ -295,6 +315,10 @@ static void add_elements_to(whirl_rotor *rotor, const building *b) {
     for (size_t i = 0; i < b->element_count; i++) {
         rotor->elements[i].number = own + (b->elements[i].number - b->numbers);
         rotor->elements[i].first_number = (size_t)(rotor->elements[i].number - rotor->numbers);
+        rotor->elements[i].part = rotor->plane_count + i;
+        rotor->places[rotor->elements[i].part] = rotor->elements[i].first_number;
+        if (i > 0 && rotor->elements[i].type == rotor->elements[i - 1].type)
+            rotor->places[rotor->elements[i].part] = rotor->places[rotor->elements[i - 1].part];
         note_element(rotor, i, b->assembly.degrees);
     }
     for (size_t i = b->element_count; i-- > 0;) {
@@ -314,6 +338,9 @@ static void fill_lanes(whirl_rotor *rotor, const building *b) {
     lanes->number_count = total_numbers(b);
     lanes->numbers = lane_numbers;
     lanes->alike = lane_alike;
+    lanes->part_count = rotor->plane_count + rotor->element_count;
+    lanes->places = rotor->places;
+    lanes->part = lane_part;
     lanes->groups = rotor->groups;
     lanes->contact = lane_contact;
     lanes->flow = flow;

@@ -458,6 +458,65 @@ static void test_other_structures_are_refused(void **state) {
     whirl_rotor_free(ten);
 }
 
+enum { CHANGED_MASS = 1, CHANGED_SHAFT = 2, CHANGED_FILM = 4, CHANGED_ALL = 7 };
+
+/// Three equal stations, shafts and films, but for what is changed of the last.
+static whirl_rotor *rotor_of_equals(int changed) {
+    static const char *const names[] = {"a", "b", "c"}, *const pairs[] = {"a, ground", "a, b", "b, c"};
+    whirl_design *design;
+    whirl_rotor *rotor;
+    must(whirl_design_new(1, 1, &design));
+    for (int i = 0; i < 3; i++) {
+        const int other = i == 2 ? changed : 0;
+        const whirl_setting station[] = {
+            {"mass", other & CHANGED_MASS ? 1.5 : 1, 0}, {"damping", 0.1, 0}, {"eccentricity", 0.05, 0}};
+        const whirl_setting shaft[] = {{"between", 0, pairs[i]}, {"k1", other & CHANGED_SHAFT ? 30 : 20, 0}};
+        const whirl_setting film[] = {
+            {"at", 0, names[i]}, {"clearance", 2, 0}, {"load", other & CHANGED_FILM ? 0.4 : 0.3, 0}};
+        must(whirl_design_station(design, names[i], station, 3));
+        must(whirl_design_element(design, "shaft", shaft, 2));
+        must(whirl_design_element(design, "film", film, 3));
+    }
+    must(whirl_rotor_new(design, &rotor));
+    whirl_design_free(design);
+    return rotor;
+}
+
+/// Machines whose equal parts share their numbers, until one comes that has others, and the same machines in lanes
+/// where nothing was ever shared.
+static void test_parts_that_share_numbers(void **state) {
+    static const int changes[] = {CHANGED_MASS, CHANGED_SHAFT, CHANGED_FILM, CHANGED_ALL};
+    const whirl_integrate_options options = whirl_integrate_default();
+    const double start[12] = {0.1, 0, 0, 0.1, 0.05};
+    whirl_rotor *equals = rotor_of_equals(0), *different = rotor_of_equals(CHANGED_ALL);
+    (void)state;
+    unsetenv("WHIRL_ISA");
+    for (int i = 0; i < 4; i++) {
+        whirl_ensemble *sharing, *apart;
+        whirl_rotor *other = rotor_of_equals(changes[i]);
+        must(whirl_ensemble_new(whirl_rotor_system(equals), &options, 2, &sharing));
+        must(whirl_ensemble_new(whirl_rotor_system(different), &options, 2, &apart));
+        must(whirl_ensemble_load(sharing, 0, whirl_rotor_system(equals), start));
+        whirl_ensemble_revolve(sharing, 1, NULL);
+        whirl_ensemble_place(sharing, 0, start);
+        must(whirl_ensemble_load(sharing, 1, whirl_rotor_system(other), start));
+        must(whirl_ensemble_load(apart, 0, whirl_rotor_system(different), start));
+        must(whirl_ensemble_load(apart, 0, whirl_rotor_system(equals), start));
+        must(whirl_ensemble_load(apart, 1, whirl_rotor_system(other), start));
+        whirl_ensemble_revolve(sharing, 2, NULL);
+        whirl_ensemble_revolve(apart, 2, NULL);
+        for (size_t d = 0; d < 12; d++)
+            for (size_t lane = 0; lane < 2; lane++)
+                assert_true(whirl_ensemble_coordinate(sharing, d)[lane] == whirl_ensemble_coordinate(apart, d)[lane]);
+        assert_true(whirl_ensemble_coordinate(apart, 4)[0] != whirl_ensemble_coordinate(apart, 4)[1]);
+        whirl_ensemble_free(sharing);
+        whirl_ensemble_free(apart);
+        whirl_rotor_free(other);
+    }
+    whirl_rotor_free(equals);
+    whirl_rotor_free(different);
+}
+
 /// A disc that meets its stator once a revolution, or on and on.
 static whirl_rotor *rub_rotor(double speed, double damping) {
     whirl_design *design;
@@ -567,6 +626,7 @@ int main(void) {
         cmocka_unit_test(test_sliding_in_lanes_and_alone),
         cmocka_unit_test(test_own_loops_against_the_list),
         cmocka_unit_test(test_order_of_stations),
+        cmocka_unit_test(test_parts_that_share_numbers),
         cmocka_unit_test(test_disturbances_in_lanes_and_alone),
         cmocka_unit_test(test_other_structures_are_refused),
     };

@@ -26,6 +26,7 @@ static void accelerate(const rk4_lanes *lanes, const double *forcing, const vec 
                              .stride = lanes->stride,
                              .vectors = lanes->vectors,
                              .numbers = lanes->numbers,
+                             .places = lanes->places,
                              .forcing = now,
                              .q = q,
                              .v = v,

@@ -12,8 +12,7 @@ VECTOR_INLINE void add_shaft(int law, int grounded, const block *b, const vec *n
 }
 
 /// Of a state or a disturbance.
-static void add(const element *first, size_t count, const block *b, const vec *q, vec *a) {
-    const block at = *b;
+VECTOR_INLINE void add_shafts(const element *first, size_t count, block at, const vec *q, vec *a) {
     for (const element *own = first; own < first + count; own++) {
         const int grounded = own->port[2] == NO_COORDINATE;
         const size_t x = own->port[0] * at.stride, other = grounded ? x : own->port[2] * at.stride;
@@ -27,6 +26,13 @@ static void add(const element *first, size_t count, const block *b, const vec *q
         else
             add_shaft(SHAFT_SIGNS_DERIVED, false, &at, number, here, there);
     }
+}
+
+static void add(const element *first, size_t count, const block *b, const vec *q, vec *a) {
+    if (b->stride > 1)
+        add_shafts(first, count, *b, q, a);
+    else
+        add_shafts(first, count, single(b), q, a);
 }
 
 static void flow(const element *first, size_t count, const block *b) {

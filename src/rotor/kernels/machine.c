@@ -21,27 +21,39 @@ static block block_of(const lanes_view *view) {
                    .a = view->a,
                    .divergence = view->divergence,
                    .numbers = view->numbers,
+                   .places = view->places,
                    .sides = view->sides,
                    .coupled = rotor->coupled.count > 0 ? &rotor->coupled : NULL};
 }
 
-/// The stations that move in x and y, which come first.
-static void pass_stations(const block *b, size_t station_count) {
-    const block at = *b; // of one's own, so that what is written cannot be a part of it
+static const vec *station_numbers(const block *b, size_t station) {
+    return b->numbers + (b->places ? b->places[station] : station * STATION_NUMBERS) * b->stride;
+}
+
+/// The stations that move in x and y, which come first; a block of one's own, so that what is written cannot be a part
+/// of it.
+VECTOR_INLINE void add_stations(block at, size_t station_count) {
     const vec *cosine = at.forcing + COS_TAU * at.stride, *sine = at.forcing + SIN_TAU * at.stride;
     for (size_t s = 0; s < station_count; s++) {
-        const vec *number = at.numbers + s * STATION_NUMBERS * at.stride;
+        const vec *number = station_numbers(&at, s);
         const size_t row = 2 * s * at.stride;
         for (size_t k = 0; k < at.vectors; k++)
             station_kernel(cosine[k], sine[k], at.stride, number + k, at.v + row + k, at.a + row + k);
     }
 }
 
+static void pass_stations(const block *b, size_t station_count) {
+    if (b->stride > 1)
+        add_stations(*b, station_count);
+    else
+        add_stations(single(b), station_count);
+}
+
 /// What they make of disturbances.
 static void pass_station_tangents(const block *b, size_t station_count) {
     for (size_t s = 0; s < station_count; s++)
         for (size_t k = 0; k < b->vectors; k++) {
-            const vec *own = b->numbers + s * STATION_NUMBERS * b->stride + k;
+            const vec *own = station_numbers(b, s) + k;
             size_t at = 2 * s * b->stride + k;
             for (size_t n = 0; n < b->disturbances; n++) {
                 at += b->next_v;
