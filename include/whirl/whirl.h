@@ -19,5 +19,6 @@
 #include "whirl/system.h"
 #include "whirl/verify.h"
 #include "whirl/version.h"
+#include "whirl/watched.h"
 
 #endif

@@ -117,15 +117,31 @@ static void put_exponents(bool *well, json_t *object, const whirl_table *table, 
     document_put(well, object, "exponents", exponents);
 }
 
-static json_t *contact_statistics(bool *well, const whirl_result *result, const whirl_table *table, size_t point,
-                                  size_t contact) {
-    const double *share = whirl_table_field(table, point, "rub/share", contact);
-    const double *times = whirl_table_field(table, point, "rub/number", contact);
-    const double *force = whirl_table_field(table, point, "rub/max_force", contact);
+// Every single number, or row of them, that an analysis ("orbit/") gives of a station or contact: orbit/max_radius,
+// orbit/mean, ...; forces in newtons.
+static json_t *numbers_of(const char *analysis, whirl_extent extent, double newtons, bool *well,
+                          const whirl_table *table, size_t point, size_t which) {
+    const size_t length = strlen(analysis);
     json_t *object = json_object();
+    for (size_t i = 0; i < table->layout.field_count; ++i) {
+        const whirl_field *field = &table->layout.fields[i];
+        if (field->extent != extent || field->rows != 1 || strncmp(field->name, analysis, length) != 0) continue;
+        const double *values = whirl_table_field(table, point, field->name, which);
+        const double factor = strcmp(field->unit, "force") == 0 ? newtons : 1.0;
+        if (!values || field->columns == 0) continue;
+        document_put(well, object, field->name + length,
+                     field->columns == 1 ? document_number(factor * *values)
+                                         : numbers_array(well, values, field->columns));
+    }
+    return object;
+}
+
+// "fraction" is another name of "share".
+static json_t *contact_numbers(bool *well, const whirl_result *result, const whirl_table *table, size_t point,
+                               size_t contact) {
+    json_t *object = numbers_of("rub/", WHIRL_PER_CONTACT, result->force_scale, well, table, point, contact);
+    const double *share = whirl_table_field(table, point, "rub/share", contact);
     if (share) document_put(well, object, "fraction", document_number(*share));
-    if (times) document_put(well, object, "number", document_number(*times));
-    if (force) document_put(well, object, "max_force", document_number(*force * result->force_scale));
     return object;
 }
 
@@ -141,34 +157,17 @@ static void put_rub(bool *well, json_t *object, const whirl_result *result, cons
     document_put(well, rub, "fraction",
                  document_number(result->contact_count ? rub_share(table, point, result->contact_count) : none));
     for (size_t i = 0; i < result->contact_count; ++i)
-        document_put(well, contacts, result->contacts[i], contact_statistics(well, result, table, point, i));
+        document_put(well, contacts, result->contacts[i], contact_numbers(well, result, table, point, i));
     document_put(well, rub, "contacts", contacts);
     document_put(well, object, "rub", rub);
 }
 
-// Every single number, or row of them, that an analysis ("orbit/") gives of a station: orbit/max_radius, orbit/mean,
-// ...
-static json_t *numbers_of(const char *analysis, bool *well, const whirl_table *table, size_t point, size_t station) {
-    const size_t length = strlen(analysis);
-    json_t *object = json_object();
-    for (size_t i = 0; i < table->layout.field_count; ++i) {
-        const whirl_field *field = &table->layout.fields[i];
-        if (field->extent != WHIRL_PER_STATION || field->rows != 1 || strncmp(field->name, analysis, length) != 0)
-            continue;
-        const double *values = whirl_table_field(table, point, field->name, station);
-        if (!values || field->columns == 0) continue;
-        document_put(well, object, field->name + length,
-                     field->columns == 1 ? document_number(*values) : numbers_array(well, values, field->columns));
-    }
-    return object;
-}
-
 static json_t *station_orbit(bool *well, const whirl_table *table, size_t point, size_t station) {
-    return numbers_of("orbit/", well, table, point, station);
+    return numbers_of("orbit/", WHIRL_PER_STATION, 1.0, well, table, point, station);
 }
 
 static json_t *station_winding(bool *well, const whirl_table *table, size_t point, size_t station) {
-    return numbers_of("winding/", well, table, point, station);
+    return numbers_of("winding/", WHIRL_PER_STATION, 1.0, well, table, point, station);
 }
 
 // Points of the section, [x, y].

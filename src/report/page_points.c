@@ -376,6 +376,76 @@ static void write_running_speed(const point_page *to) {
         to->stream);
 }
 
+// ---------------------------------------------------------------- all that was watched
+
+/// A row of numbers of every station or contact over the record, by the analyses of all that is watched.
+static bool is_watched(const whirl_field *field, whirl_extent extent) {
+    return field->extent == extent && field->rows == 1 &&
+           (strncmp(field->name, "orbit/", 6) == 0 || strncmp(field->name, "rub/", 4) == 0);
+}
+
+/// "max radius / c", "mean x (um)", "max force (N)", with the meaning behind it.
+static void write_watched_head(const point_page *to, const whirl_field *field, size_t column) {
+    char name[WHIRL_NAME_SIZE + 64], label[sizeof name + UNIT_LABEL_SIZE];
+    const char *part = field->meaning;
+    for (size_t c = 0; c < column; c++) part += strspn(part + strcspn(part, ","), ", ") + strcspn(part, ",");
+    snprintf(name, sizeof name, "%s%s%.*s", strchr(field->name, '/') + 1, field->columns > 1 ? " " : "",
+             field->columns > 1 ? (int)strcspn(part, ",") : 0, part);
+    for (char *at = name; (at = strchr(at, '_')) != NULL;) *at = ' ';
+    snprintf(label, sizeof label, strcmp(field->unit, "force") == 0 ? "%s (N)" : "%s", name);
+    if (strcmp(field->unit, "length") == 0) units_length_label(to->units, name, label, sizeof label);
+    fputs("<th class=\"number\" title=\"", to->stream);
+    html_text(to->stream, field->meaning);
+    fputs("\">", to->stream);
+    html_text(to->stream, label);
+    fputs("</th>", to->stream);
+}
+
+/// What a number of the field is multiplied by to be shown.
+static double watched_factor(const point_page *to, const whirl_field *field, size_t point) {
+    if (strcmp(field->unit, "length") == 0) return units_length(to->units, to->table, point);
+    return strcmp(field->unit, "force") == 0 ? to->result->force_scale : 1.0;
+}
+
+static void write_watched_of(const point_page *to, size_t point, size_t which, whirl_extent extent) {
+    const bool station = extent == WHIRL_PER_STATION;
+    const size_t count = station ? to->result->station_count : to->result->contact_count;
+    fputs(which + 1 < count ? "<tr class=\"open\">" : "<tr>", to->stream);
+    if (which == 0) write_value(to, point, count);
+    fputs("<td>", to->stream);
+    html_text(to->stream, station ? to->result->stations[which].name : to->result->contacts[which]);
+    fputs("</td>", to->stream);
+    for (size_t f = 0; f < to->table->layout.field_count; f++) {
+        const whirl_field *field = &to->table->layout.fields[f];
+        const double *values = whirl_table_field(to->table, point, field->name, which);
+        for (size_t c = 0; is_watched(field, extent) && values && c < field->columns; c++)
+            write_number(to->stream, "%.4g", watched_factor(to, field, point) * values[c]);
+    }
+    fputs("</tr>\n", to->stream);
+}
+
+/// A table of all stations, or of all contacts, where anything was watched of them.
+static void write_watched(const point_page *to, whirl_extent extent, const char *label, const char *head) {
+    const whirl_layout *layout = &to->table->layout;
+    size_t fields = 0, repeat = 0;
+    for (size_t f = 0; f < layout->field_count; f++) {
+        if (!is_watched(&layout->fields[f], extent)) continue;
+        repeat = layout->fields[f].repeat;
+        fields++;
+    }
+    if (fields == 0) return;
+    begin_table(to, label);
+    fprintf(to->stream, "<th>%s</th>", head);
+    for (size_t f = 0; f < layout->field_count; f++)
+        for (size_t c = 0; is_watched(&layout->fields[f], extent) && c < layout->fields[f].columns; c++)
+            write_watched_head(to, &layout->fields[f], c);
+    fputs("</tr></thead>\n<tbody>\n", to->stream);
+    for (size_t i = 0; i < to->table->count; i++)
+        for (size_t which = 0; which < repeat && whirl_table_done(to->table, i); which++)
+            write_watched_of(to, i, which, extent);
+    end_table(to);
+}
+
 void page_points(const page *to, size_t index) {
     const whirl_result *result = to->results[index];
     const whirl_table *table = detail_table(result);
@@ -387,6 +457,10 @@ void page_points(const page *to, size_t index) {
     fprintf(to->stream, "<h3 id=\"points-%zu\">Points in detail</h3>\n", index + 1);
     write_verdicts(&points);
     write_sizes(&points);
+    fputs("<details><summary>All that was watched over the record</summary>\n", to->stream);
+    write_watched(&points, WHIRL_PER_STATION, "What was watched of the stations", "Station");
+    write_watched(&points, WHIRL_PER_CONTACT, "What was watched of the contacts", "Contact");
+    fputs("</details>\n", to->stream);
     write_running_speed(&points);
     whirl_case_free(machine);
 }

@@ -118,13 +118,10 @@ static void expect_same_records(const whirl_record *a, const whirl_record *b) {
     expect_same(a->low, b->low, a->dimension);
     expect_same(a->high, b->high, a->dimension);
     expect_same(a->end, b->end, a->dimension);
-    expect_same(a->max_radius, b->max_radius, a->probe_count);
-    expect_same(a->min_radius, b->min_radius, a->probe_count);
-    expect_same(a->mean, b->mean, 2 * a->probe_count);
-    expect_same(a->backward, b->backward, a->probe_count);
-    expect_same(a->contact_share, b->contact_share, a->contact_count);
-    expect_same(a->contact_number, b->contact_number, a->contact_count);
-    expect_same(a->contact_force, b->contact_force, a->contact_count);
+#define SAME(array, extent, columns, ...)                                                                              \
+    expect_same(a->array, b->array, WHIRL_WATCHED_SIZE(extent, columns, a->probe_count, a->contact_count));
+    WHIRL_WATCHED(SAME)
+#undef SAME
 }
 
 static whirl_record_options options_of(whirl_growth growth, bool settle) {
