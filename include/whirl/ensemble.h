@@ -94,7 +94,7 @@ const double *whirl_ensemble_coordinate(const whirl_ensemble *ensemble, size_t i
 void whirl_ensemble_forget(whirl_ensemble *ensemble, size_t lane);
 
 /// What was observed of a lane since it was last forgotten, means as sums over the instants. The arrays belong to the
-/// caller.
+/// caller; NULL: not wanted.
 typedef struct whirl_ensemble_seen {
     double *low, *high; ///< [dimension] bounds of every coordinate; rk4: of velocities at every fourth step
     WHIRL_WATCHED_ARRAYS

@@ -467,7 +467,7 @@ static void begin_fold(double *array, const whirl_ensemble *e, size_t rows, size
 }
 
 static void get(const double *array, const whirl_ensemble *e, size_t rows, size_t lane, bool square, double *out) {
-    for (size_t i = 0; i < rows; i++) {
+    for (size_t i = 0; out && i < rows; i++) {
         const double value = array[i * e->lane_count + lane];
         out[i] = square ? sqrt(value) : value;
     }
@@ -497,10 +497,11 @@ static void note_contacts(const whirl_ensemble *e, size_t lane) {
 }
 
 /// A force that grows with the displacement alone is largest at the largest radius.
-static void largest_forces(const whirl_ensemble *e, size_t lane, const double *max_radius, double *force) {
+static void largest_forces(const whirl_ensemble *e, size_t lane, double *force) {
     const lanes_observe *w = &e->lanes.observe;
     memset(e->state, 0, e->system->dimension * sizeof *e->state);
-    for (size_t p = 0; p < w->probe_count; p++) e->state[w->probes[p].x] = max_radius[p];
+    for (size_t p = 0; p < w->probe_count; p++)
+        get(w->max_radius + p * e->lane_count, e, 1, lane, true, &e->state[w->probes[p].x]);
     if (w->contact_count > 0) e->machines[lane]->contacts(e->machines[lane]->model, e->state, force);
 }
 
@@ -523,5 +524,5 @@ void whirl_ensemble_read(const whirl_ensemble *e, size_t lane, const whirl_ensem
     get(w->array, e, WHIRL_WATCHED_SIZE(extent, columns, w->probe_count, w->contact_count), lane, square, seen->array);
     WHIRL_WATCHED(GET)
 #undef GET
-    if (!by_force(e)) largest_forces(e, lane, seen->max_radius, seen->contact_force);
+    if (seen->contact_force && !by_force(e)) largest_forces(e, lane, seen->contact_force);
 }

@@ -47,7 +47,7 @@ static whirl_analysis_set all_analyses(void) {
 typedef struct written_record {
     whirl_record record;
     double section[REVOLUTIONS][8], growth[REVOLUTIONS], waveform[2][2][REVOLUTIONS * 16];
-    double bounds[2][8], radii[2][2], mean[4], backward[2], contact[3];
+    double bounds[2][8], radii[2][2], mean[4], backward[2], contact[3], spare[4];
 } written_record;
 
 static written_record *write_record(void) {
@@ -86,14 +86,17 @@ static written_record *write_record(void) {
                                .samples_per_revolution = 16,
                                .waveform = w->waveform[0][0],
                                .low = w->bounds[0],
-                               .high = w->bounds[1],
-                               .max_radius = w->radii[0],
-                               .min_radius = w->radii[1],
-                               .mean = w->mean,
-                               .backward = w->backward,
-                               .contact_share = &w->contact[0],
-                               .contact_number = &w->contact[1],
-                               .contact_force = &w->contact[2]};
+                               .high = w->bounds[1]};
+#define SPARE(array, ...) w->record.array = w->spare;
+    WHIRL_WATCHED(SPARE)
+#undef SPARE
+    w->record.max_radius = w->radii[0];
+    w->record.min_radius = w->radii[1];
+    w->record.mean = w->mean;
+    w->record.backward = w->backward;
+    w->record.contact_share = &w->contact[0];
+    w->record.contact_number = &w->contact[1];
+    w->record.contact_force = &w->contact[2];
     return w;
 }
 

@@ -201,8 +201,8 @@ static void test_the_rotor_rubs(void **state) {
     (void)state;
     machine *own = machine_new(eccentricity_of(0), 0.0);
     whirl_ensemble *lanes = ensemble_by(&ways[2], "scalar", &own->system);
-    double low[DIMENSION], high[DIMENSION], radius[2], sum[2], backward, share, begun, force;
-    const whirl_ensemble_seen seen = {low, high, &radius[0], &radius[1], sum, &backward, &share, &begun, &force};
+    double begun;
+    const whirl_ensemble_seen seen = {.contact_number = &begun};
     must(whirl_ensemble_load(lanes, 0, &own->system, start));
     revolve(lanes, 1, TOGETHER + ALONE);
     whirl_ensemble_read(lanes, 0, &seen);
@@ -253,8 +253,13 @@ static void sample_both(void *context) {
 }
 
 static void expect_gathered(const whirl_ensemble *lanes, size_t lane, const gathered *g) {
-    double low[DIMENSION], high[DIMENSION], radius[2], sum[2], backward, closed, begun, force;
-    const whirl_ensemble_seen seen = {low, high, &radius[0], &radius[1], sum, &backward, &closed, &begun, &force};
+    double low[DIMENSION], high[DIMENSION], sum[2], closed, begun, force;
+    const whirl_ensemble_seen seen = {.low = low,
+                                      .high = high,
+                                      .mean = sum,
+                                      .contact_share = &closed,
+                                      .contact_number = &begun,
+                                      .contact_force = &force};
     whirl_ensemble_read(lanes, lane, &seen);
     assert_memory_equal(low, g->low, sizeof low);
     assert_memory_equal(high, g->high, sizeof high);
