@@ -19,7 +19,7 @@ declare -A packages=(
             python3-h5py"
     # dpkg-dev unpacks the sources of libyaml, muParser, UDUNITS and expat, which emscripten compiles.
     [explorer]="emscripten nodejs npm dpkg-dev"
-    [browser]="chromium firefox-esr"
+    [browser]="chromium-headless-shell firefox-esr"
     [lint]="clang-format clang-tidy cppcheck nodejs npm"
     # The programs that are measured beside whirl; none of them is needed for whirl itself.
     [bench]="libgsl-dev libboost-dev octave python3 python3-numba"

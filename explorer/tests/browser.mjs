@@ -10,7 +10,7 @@ import { chromium } from 'playwright-core';
 
 export const whirl = process.env.WHIRL;
 export const template = process.env.TEMPLATE;
-const program = process.env.CHROMIUM ?? '/usr/bin/chromium';
+const program = process.env.CHROMIUM ?? '/usr/bin/chromium-headless-shell';
 
 export const CASE = readFileSync(new URL('./rub.yaml', import.meta.url), 'utf8');
 

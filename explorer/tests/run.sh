@@ -14,10 +14,7 @@ skip() {
 [ -f "$TEMPLATE" ] || skip "$TEMPLATE is not built (make explorer)"
 command -v node >/dev/null || skip "node is missing (scripts/install-dependencies.sh explorer)"
 [ -d node_modules/playwright-core ] || skip "playwright-core is missing (make explorer)"
-for browser in "${CHROMIUM:-}" chromium chromium-browser google-chrome; do
-    [ -n "$browser" ] && CHROMIUM=$(command -v "$browser") && break
-done
-[ -n "${CHROMIUM:-}" ] || skip "Chromium is missing (scripts/install-dependencies.sh browser)"
+CHROMIUM=$(tests/chromium.sh) || skip "Chromium is missing (scripts/install-dependencies.sh browser)"
 export CHROMIUM
 # The tests in Firefox say themselves that they are left out.
 for browser in "${FIREFOX:-}" firefox-esr firefox; do

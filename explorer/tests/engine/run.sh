@@ -15,10 +15,7 @@ command -v node >/dev/null || skip "node is missing (scripts/install-dependencie
 [ "$kind" = colours ] && exec node --test tests/colours.test.mjs
 [ -f "$WHIRL_BUILD/explorer/worker.js" ] && [ -d node_modules/esbuild ] || skip "it is not built (make explorer)"
 if [ "$kind" = chromium ]; then
-    for browser in "${CHROMIUM:-}" chromium chromium-browser google-chrome; do
-        [ -n "$browser" ] && CHROMIUM=$(command -v "$browser") && break
-    done
-    [ -n "${CHROMIUM:-}" ] || skip "Chromium is missing (scripts/install-dependencies.sh browser)"
+    CHROMIUM=$(tests/chromium.sh) || skip "Chromium is missing (scripts/install-dependencies.sh browser)"
     export CHROMIUM
     exec node --test tests/engine/chromium.test.mjs
 fi
