@@ -124,8 +124,8 @@ test('points that follow one another end with the verdicts of the case, there an
   const carried = makePage(
     'carried',
     LONG.replace('points: 64, start: state', 'points: 64, start: carry, direction: both').replace(
-      'transient: 600',
-      'transient: 450',
+      'transient: 600, record: 100',
+      'transient: 150, record: 60',
     ),
   );
   const { page, complaints, close } = await open(carried);

@@ -7,6 +7,7 @@
 //
 // Some printed amplitudes of lines that fall between bins are low by 6 percent (and one, .011, is rounded the wrong
 // way). For these the printed number is only logged; `sharp` is the other program's Fourier sum at the line itself.
+// WHIRL_SOAK: twice the steps, too, at this length (test_readings.c confirms the same points in shorter records).
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -144,9 +145,14 @@ static const known_point known[POINTS] = {
      .high_order = 0.44},
 };
 
+static bool soaking(void) {
+    return getenv("WHIRL_SOAK") != NULL;
+}
+
 static void vary_ratio(whirl_batch *batch, const void *context) {
     (void)context;
     strcpy(batch->parameter, "r_k");
+    batch->confirm = soaking();
     assert_true(whirl_analysis_add(&batch->analyses, "winding"));
 }
 
@@ -224,9 +230,10 @@ static void check_evidence(const whirl_table *table, size_t point, const whirl_v
     whirl_verdict_name(verdict, name, sizeof name);
     printf("evidence | r_k = %.2f, verdict and confidence | %s | %s, %s | - | -\n", k->r_k, k->regime, name,
            whirl_confidence_name(verdict->confidence));
-    check_holds("evidence", words("r_k = %.2f, twice the steps give the same verdict", k->r_k),
-                verdict->confirmed && verdict->other_regime == verdict->regime &&
-                    verdict->other_period == verdict->period);
+    if (soaking())
+        check_holds("evidence", words("r_k = %.2f, twice the steps give the same verdict", k->r_k),
+                    verdict->confirmed && verdict->other_regime == verdict->regime &&
+                        verdict->other_period == verdict->period);
     put_evidence(k->r_k, "distance of returns over the size of the motion", verdict->recurrence);
     put_evidence(k->r_k, "digits to which averages of two halves agree", verdict->regularity);
     put_evidence(k->r_k, "K of the 0-1 test", verdict->chaos);

@@ -23,8 +23,8 @@ static const double ratios[POINTS] = {1.0, 0.6, 0.48, 0.46, 0.45, 0.44, 0.4, 0.3
 static void lengthen(whirl_batch *batch, const void *method) {
     assert_string_equal("r_k", batch->parameter);
     const bool is_long = getenv("WHIRL_SOAK") != NULL;
-    batch->record.transient = is_long ? 3000 : 1500;
-    batch->record.record = is_long ? 2000 : 600;
+    batch->record.transient = is_long ? 3000 : 800;
+    batch->record.record = is_long ? 2000 : 400;
     snprintf(batch->integrate.method, sizeof batch->integrate.method, "%s", (const char *)method);
 }
 
@@ -53,6 +53,7 @@ static bool is_sure(const whirl_verdict *verdict) {
 static void compare(const char *reading, const char *file) {
     whirl_result *fixed = run_case_at(file, 2, ratios, POINTS, lengthen, "rk4");
     whirl_result *adaptive = run_case_at(file, 2, ratios, POINTS, lengthen, "dop853");
+    int sure = 0;
     for (size_t i = 0; i < POINTS; i++) {
         const whirl_verdict one = whirl_table_verdict(&fixed->tables[0], i);
         const whirl_verdict other = whirl_table_verdict(&adaptive->tables[0], i);
@@ -60,10 +61,12 @@ static void compare(const char *reading, const char *file) {
         put_verdict(words("%s, by RK4", who), &one);
         put_verdict(words("%s, by dop853", who), &other);
         if (one.regime != WHIRL_DIVERGING) put_numbers(who, &fixed->tables[0], i, &one);
-        if (is_sure(&one) && is_sure(&other))
-            check_holds("readings", words("%s: both methods find the same", who),
-                        one.regime == other.regime && one.period == other.period);
+        if (!is_sure(&one) || !is_sure(&other)) continue;
+        sure++;
+        check_holds("readings", words("%s: both methods find the same", who),
+                    one.regime == other.regime && one.period == other.period);
     }
+    assert_true(sure > POINTS / 2);
     whirl_result_free(fixed);
     whirl_result_free(adaptive);
 }
