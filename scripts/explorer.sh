@@ -27,6 +27,12 @@ done
 [ "$(node -p 'process.versions.node.split(".")[0] >= 18')" = true ] || missing "node is older than 18"
 [ -f /usr/include/udunits2.h ] && [ -d /usr/share/xml/udunits ] || missing "libudunits2-dev is missing"
 
+# ---- node's packages: they are waited for where they are needed
+
+trap 'jobs -p | xargs -r kill 2>/dev/null' EXIT
+scripts/node-packages.sh >"$out/npm.log" 2>&1 &
+packages=$!
+
 # ---- sources, by apt-get with a list of its own: the system's stay as they are
 
 fetch() { # PACKAGE DIRECTORY
@@ -57,9 +63,10 @@ fetch muparser muparser
 
 # ---- the core, then the program around it
 
-make --no-print-directory -j "${JOBS:-$(nproc)}" -C explorer/core OUT="$out"
-
-scripts/node-packages.sh >"$out/npm.log" 2>&1 || missing "npm cannot fetch the packages, see $out/npm.log"
+make --no-print-directory -j "${JOBS:-$(nproc)}" -C explorer/core OUT="$out" &
+core=$!
+wait $packages || missing "npm cannot fetch the packages, see $out/npm.log"
 explorer/node_modules/.bin/tsc --noEmit -p explorer
+wait $core
 node explorer/engine.mjs "$out"
 node explorer/build.mjs --worker "$out/worker.js" --core "$out/whirl.wasm" "$out/template.html"
