@@ -120,7 +120,7 @@ static whirl_status describe_case(const char *path, const whirl_case *object) {
         putchar('\n');
         summarize_study(&study);
         status = tell_end(object, &study.batches[0]);
-        if (status.code == WHIRL_OK) status = tell_phases(&study, &study.batches[0]);
+        if (status.code == WHIRL_OK) status = tell_phases(&study, &study.batches[0], rotor);
         for (size_t i = 0; i < study.batch_count && status.code == WHIRL_OK; i++)
             status = warn_of_steps(path, &study, &study.batches[i]);
     }

@@ -33,7 +33,6 @@ static void print(const phases *seen, size_t looked_at) {
     const bool always = seen->fitting == looked_at;
     char least[32] = "";
     if (seen->least < seen->most) snprintf(least, sizeof least, "%zu to ", seen->least);
-    printf("  sections: once a revolution of the shaft\n");
     if (always && seen->least == seen->most)
         printf("  forces repeat after %zu revolution%s: motions that follow them are P-%zu\n", seen->most,
                plural(seen->most), seen->most);
@@ -54,7 +53,12 @@ static void print_watch(const phases *seen, int watched) {
                seen->most, three, watched);
 }
 
-whirl_status tell_phases(const whirl_study *study, const whirl_batch *batch) {
+void tell_keyphasor(const char *keyphasor, double rate) {
+    printf("  sections: once a turn of the %s (%.6g Hz), which counts as a revolution here\n", keyphasor,
+           rate / 6.283185307179586);
+}
+
+whirl_status tell_phases(const whirl_study *study, const whirl_batch *batch, const whirl_rotor *rotor) {
     const size_t most = 1000, count = batch->values && batch->count < most ? batch->count : batch->values ? most : 1;
     phases seen = {0};
     for (size_t i = 0; i < count; i++) {
@@ -68,6 +72,10 @@ whirl_status tell_phases(const whirl_study *study, const whirl_batch *batch) {
         if (machine.release) machine.release(machine.owner);
         if (!turning) return whirl_ok(); // machines of a batch differ in numbers, not in structure
     }
+    if (*whirl_rotor_keyphasor(rotor))
+        tell_keyphasor(whirl_rotor_keyphasor(rotor), whirl_rotor_clock(rotor));
+    else
+        printf("  sections: once a revolution of the shaft\n");
     print(&seen, count);
     print_watch(&seen, whirl_record_watch(&batch->record));
     return whirl_ok();

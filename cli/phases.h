@@ -2,11 +2,15 @@
 #ifndef CLI_PHASES_H
 #define CLI_PHASES_H
 
+#include "whirl/rotor.h"
 #include "whirl/study.h"
 
-/// One line on standard output where forces of the batch's machines have phases of their own: after how many
-/// revolutions they repeat, or that they fit none, and what the verdicts will be called. Errors as those of the
-/// machines.
-whirl_status tell_phases(const whirl_study *study, const whirl_batch *batch);
+/// Lines on standard output where forces of the batch's machines have phases of their own: by which phase sections are
+/// taken (that of the shaft, or of the keyphasor of `rotor`), after how many revolutions forces repeat, or that they
+/// fit none, and what the verdicts will be called. Errors as those of the machines.
+whirl_status tell_phases(const whirl_study *study, const whirl_batch *batch, const whirl_rotor *rotor);
+
+/// "sections: once a turn of the force at disc (31 Hz), which counts as a revolution here"; rate in rad/s.
+void tell_keyphasor(const char *keyphasor, double rate);
 
 #endif

@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "phases.h"
+
 enum { LONGEST_LIST = 12, MAX_VERDICTS = WHIRL_MAX_PERIOD + 8, VERDICT_SIZE = 96 };
 
 static const char *plural(double count) {
@@ -259,6 +261,8 @@ void summarize_end(const whirl_result *result, const char *parameter, double fir
 void summarize_result(const whirl_result *result) {
     size_t done, total;
     puts(result->title[0] ? result->title : result->case_name);
+    const char *const keyphasor = whirl_result_keyphasor(result);
+    if (*keyphasor) tell_keyphasor(keyphasor, whirl_result_clock(result));
     if (whirl_result_partial(result, &done, &total)) {
         if (done < total)
             printf("partial: stopped after %zu of %zu point%s\n", done, total, plural((double)total));

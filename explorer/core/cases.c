@@ -92,11 +92,13 @@ void add_stations(text *t, const whirl_probe *stations, size_t count) {
     text_add(t, "]");
 }
 
-void add_scales(text *t, double length_scale, double speed) {
+void add_scales(text *t, double length_scale, double clock, const char *keyphasor) {
     json_name(t, "lengthScale");
     json_number(t, length_scale);
     json_name(t, "speed");
-    json_number(t, speed);
+    json_number(t, clock);
+    json_name(t, "keyphasor");
+    json_text(t, keyphasor);
 }
 
 /// Uses of the parameter that is being described.
@@ -227,7 +229,7 @@ static void add_case(text *t, const whirl_case *object, const whirl_result *desc
         json_text(t, described->contacts[i]);
     }
     text_add(t, "]");
-    add_scales(t, described->length_scale, described->speed);
+    add_scales(t, described->length_scale, whirl_result_clock(described), whirl_result_keyphasor(described));
     json_name(t, "batches");
     text_add(t, "[");
     whirl_case_study(object, &study);

@@ -6,7 +6,7 @@
 #include "whirl/study.h"
 
 void add_stations(text *t, const whirl_probe *stations, size_t count);
-void add_scales(text *t, double length_scale, double speed);
+void add_scales(text *t, double length_scale, double clock, const char *keyphasor);
 void add_options(text *t, const whirl_batch *batch);
 
 #endif

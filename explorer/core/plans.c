@@ -161,7 +161,7 @@ EXPORTED const char *explorer_machine(const plan *p, double value) {
     const whirl_system *system = whirl_rotor_system(rotor);
     text_clear(&answer);
     text_add(&answer, "{");
-    add_scales(&answer, whirl_rotor_length_scale(rotor), whirl_rotor_speed(rotor));
+    add_scales(&answer, whirl_rotor_length_scale(rotor), whirl_rotor_clock(rotor), whirl_rotor_keyphasor(rotor));
     add_stations(&answer, system->probes, system->probe_count);
     text_add(&answer, "}");
     whirl_rotor_free(rotor);

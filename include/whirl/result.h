@@ -57,7 +57,7 @@ typedef struct whirl_result {
     char title[256];
     char *case_text; ///< the case file, byte for byte; "" when there was none
     char case_name[256];
-    double speed;        ///< rad/s
+    double speed;        ///< of the shaft, rad/s; revolutions and orders are those of whirl_result_clock
     double length_scale; ///< m per unit of length, of the case as it stands; see whirl_result_length_scale
     double force_scale;  ///< N per unit of force; 1 for rotors
     size_t parameter_count;
@@ -88,6 +88,13 @@ const double *whirl_table_field(const whirl_table *table, size_t point, const ch
 
 /// The length scale of a point, m per unit of length: of all its lengths. That of the result for a table NULL.
 double whirl_result_length_scale(const whirl_result *result, const whirl_table *table, size_t point);
+
+/// rad/s of the phase by which sections are taken: a revolution is a turn of it, and orders are multiples of its rate.
+/// The speed of the shaft, or what the fact "keyphasor rate" says, of the case as it stands.
+double whirl_result_clock(const whirl_result *result);
+
+/// The element whose phase that is ("force at disc"), "" for the shaft; borrowed.
+const char *whirl_result_keyphasor(const whirl_result *result);
 
 /// Which point of the study a point is: its own index, but in a result that was read and is partial.
 size_t whirl_table_slot(const whirl_table *table, size_t point);

@@ -2,8 +2,10 @@
 ///
 /// A *design* lists stations and elements with their parameters in SI; a *rotor* is built from it once and is
 /// immutable. It gives the equations of motion, scaled: time tau = omega t (one revolution is 2 pi), lengths in
-/// `length_scale`. The state holds x and y of every station in the order of the design, then their derivatives
-/// by tau: x1, y1, x2, y2, ..., x1', y1', x2', y2', ... The shaft turns counter-clockwise (x towards y).
+/// `length_scale`. Where an element is the keyphasor, omega is the rate of its phase, by which sections are taken and
+/// revolutions counted, and no longer the speed of the shaft, whose angle is then the last number of the state. The
+/// state holds x and y of every station in the order of the design, then their derivatives by tau: x1, y1, x2, y2, ...,
+/// x1', y1', x2', y2', ... The shaft turns counter-clockwise (x towards y).
 #ifndef WHIRL_ROTOR_H
 #define WHIRL_ROTOR_H
 
@@ -87,7 +89,14 @@ void whirl_rotor_free(whirl_rotor *rotor);
 /// The rotor as a system of first order; borrowed, lives as long as the rotor. One probe a station.
 const whirl_system *whirl_rotor_system(const whirl_rotor *rotor);
 
-double whirl_rotor_speed(const whirl_rotor *rotor);        ///< rad/s
+double whirl_rotor_speed(const whirl_rotor *rotor); ///< rad/s
+/// rad/s of the phase that sections are taken by, once a turn: 2 pi of tau, a revolution. The speed but for a
+/// keyphasor.
+double whirl_rotor_clock(const whirl_rotor *rotor);
+
+/// The element whose phase that is ("force at disc"), "" for the shaft; borrowed.
+const char *whirl_rotor_keyphasor(const whirl_rotor *rotor);
+
 double whirl_rotor_length_scale(const whirl_rotor *rotor); ///< m
 
 /// Names of the contacts ("rub at disc"), as many as the system's contact_count; borrowed.

@@ -47,8 +47,15 @@ static whirl_status describe_rotor(const whirl_case *object, whirl_result *resul
         for (size_t i = 0; i < system->contact_count; i++)
             snprintf(result->contacts[i], sizeof result->contacts[i], "%s", whirl_rotor_contact_names(rotor)[i]);
     }
+    whirl_status known = done ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for the stations of a result");
+    if (known.code == WHIRL_OK && (*whirl_rotor_keyphasor(rotor) || *whirl_result_keyphasor(result))) {
+        char rate[WHIRL_NAME_SIZE];
+        snprintf(rate, sizeof rate, "%.17g rad/s", whirl_rotor_clock(rotor));
+        known = whirl_result_add_fact(result, "keyphasor", whirl_rotor_keyphasor(rotor));
+        if (known.code == WHIRL_OK) known = whirl_result_add_fact(result, "keyphasor rate", rate);
+    }
     whirl_rotor_free(rotor);
-    return done ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for the stations of a result");
+    return known;
 }
 
 /// What the result cannot know of the sweep from its values: "unit of gap" is "mm = 0.001 m", and that it "ends at"

@@ -28,7 +28,7 @@ static whirl_status make_start(const case_content *content, const whirl_batch *b
     const whirl_system *system = whirl_rotor_system(m->rotor);
     m->start = calloc(system->dimension, sizeof *m->start);
     if (!m->start) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine");
-    return plan_start_state(&content->plan, batch_index(&content->plan, batch), v, &content->machine, system, m->start);
+    return plan_start_state(&content->plan, batch_index(&content->plan, batch), v, m->rotor, m->start);
 }
 
 static whirl_status make_member(const case_content *content, const whirl_batch *batch, double value, member *m) {

@@ -280,15 +280,15 @@ void plan_make(case_reader *reader, valuation *v, const plan_parts *parts, study
 // ---------------------------------------------------------------- initial state
 
 /// What a number with a unit is divided by: the length scale, or a length scale per radian.
-static double state_scale(const machine_parts *machine, valuation *v, const char *key) {
-    const double length = settings_number(v, &machine->rotor, "length_scale");
-    return key[0] == 'v' ? length * settings_number(v, &machine->rotor, "speed") : length;
+static double state_scale(const whirl_rotor *rotor, const char *key) {
+    const double length = whirl_rotor_length_scale(rotor);
+    return key[0] == 'v' ? length * whirl_rotor_clock(rotor) : length;
 }
 
-static double state_number(const machine_parts *machine, valuation *v, const setting_list *state, const char *key) {
+static double state_number(const whirl_rotor *rotor, valuation *v, const setting_list *state, const char *key) {
     const setting *given = settings_find(state, key);
     const double number = settings_number(v, state, key);
-    return given && given->scaled ? number / state_scale(machine, v, key) : number;
+    return given && given->scaled ? number / state_scale(rotor, key) : number;
 }
 
 /// The coordinates of a station that a state may be said of, by index from 0; NULL past the last.
@@ -298,8 +298,9 @@ static const whirl_member *coordinate_at(size_t index) {
     return NULL;
 }
 
-whirl_status plan_start_state(const study_plan *plan, size_t batch, valuation *v, const machine_parts *machine,
-                              const whirl_system *system, double *state) {
+whirl_status plan_start_state(const study_plan *plan, size_t batch, valuation *v, const whirl_rotor *rotor,
+                              double *state) {
+    const whirl_system *system = whirl_rotor_system(rotor);
     const whirl_member *coordinate;
     memset(state, 0, system->dimension * sizeof *state);
     if (plan->rest[batch]) return whirl_ok();
@@ -308,7 +309,7 @@ whirl_status plan_start_state(const study_plan *plan, size_t batch, valuation *v
         for (size_t k = 0; (coordinate = coordinate_at(k)) != NULL; k++) {
             double *at = &state[(size_t)whirl_member_number(coordinate, &system->probes[start->station])];
             // A station that moves along one axis has one coordinate for both.
-            *at += state_number(machine, v, &start->state, coordinate->key.name);
+            *at += state_number(rotor, v, &start->state, coordinate->key.name);
             if (isfinite(*at)) continue;
             return whirl_fail(WHIRL_BAD_INPUT, "the initial %s of station %.63s has no finite value",
                               coordinate->key.name, start->state.place->key);
@@ -337,7 +338,7 @@ void plan_check_start(case_reader *reader, const study_plan *plan, size_t batch,
         check_axes(reader, machine, start);
         const double clearance = system->probes[start->station].clearance;
         const double radius =
-            hypot(state_number(machine, v, &start->state, "x"), state_number(machine, v, &start->state, "y"));
+            hypot(state_number(rotor, v, &start->state, "x"), state_number(rotor, v, &start->state, "y"));
         if (clearance <= 0 || radius < clearance || !reader_reports(reader, "start", start->state.place->key)) continue;
         problem_at_key(reader->problems, start->state.place,
                        "starts %.4g clearances from the centre of its bearing, expected less than 1",

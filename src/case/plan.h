@@ -49,8 +49,8 @@ void plan_read_parts(case_reader *reader, const file_node *where, const machine_
 void plan_make(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result);
 
 /// The state [dimension] that the points of a batch start from, in the scales of the machine.
-whirl_status plan_start_state(const study_plan *plan, size_t batch, valuation *v, const machine_parts *machine,
-                              const whirl_system *system, double *state);
+whirl_status plan_start_state(const study_plan *plan, size_t batch, valuation *v, const whirl_rotor *rotor,
+                              double *state);
 
 /// Refuses an initial state that lies outside a bearing of the machine `rotor`: there is no oil film.
 void plan_check_start(case_reader *reader, const study_plan *plan, size_t batch, valuation *v,

@@ -243,7 +243,7 @@ static void write_run(FILE *stream, const whirl_result *result, const char *name
     text_member(stream, ',', "title", result->title);
     text_member(stream, ',', "case_name", result->case_name);
     text_member(stream, ',', "case_text", result->case_text);
-    number_member(stream, ',', "speed", result->speed);
+    number_member(stream, ',', "speed", whirl_result_clock(result));
     number_member(stream, ',', "length_scale", result->length_scale);
     number_member(stream, ',', "force_scale", result->force_scale);
     write_parameters(stream, result);

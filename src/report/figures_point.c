@@ -45,7 +45,7 @@ static subject subject_of(const drawing *to, const whirl_table *table, size_t po
     subject of = {.result = to->result, .table = table, .point = point, .station = station, .units = units};
     of.length = units_length(units, table, point);
     of.amplitude = of.length * units->amplitude;
-    of.order = units_order(units, machine_speed(to->machine, to->result, table, point));
+    of.order = units_order(units, machine_clock(to->machine, to->result, table, point));
     of.walls = machine_walls_at(to->machine, to->result, table, point, station);
     of.waveform = point_waveform(table, point, station);
     of.section = point_section(table, point, station);
@@ -462,8 +462,11 @@ static void write_labels(FILE *script, const subject *of) {
     fprintf(script, units.ratio ? "xy_label = x_label.', '.y_label\n" : "xy_label = '{/:Italic x}, '.y_label\n");
     units_amplitude_label(&units, "amplitude", text, sizeof text);
     script_label(script, "amplitude_label", text);
-    snprintf(text, sizeof text, isnan(of->order) ? "order of the running speed" : "frequency (%s)",
-             of->units->frequency_name);
+    const char *keyphasor = whirl_result_keyphasor(of->result);
+    if (isnan(of->order))
+        snprintf(text, sizeof text, "order of the %s", *keyphasor ? keyphasor : "running speed");
+    else
+        snprintf(text, sizeof text, "frequency (%s)", of->units->frequency_name);
     script_label(script, "frequency_label", text);
     fprintf(script, "# Of one unit of the data files:\nlength = %.15g\namplitude = %.15g\norder = %.15g\n", of->length,
             of->amplitude, order_size(of));

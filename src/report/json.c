@@ -322,6 +322,13 @@ static bool dump_methods(const whirl_result *result, FILE *stream) {
     return dump_member(",\n", "integrated", methods, stream) && well;
 }
 
+/// Where sections are not those of the shaft.
+static bool dump_keyphasor(const whirl_result *result, FILE *stream) {
+    const char *keyphasor = whirl_result_keyphasor(result);
+    return !*keyphasor || (dump_member(",\n", "keyphasor", document_text(keyphasor), stream) &&
+                           dump_member(",\n", "keyphasor_rate", document_number(whirl_result_clock(result)), stream));
+}
+
 static bool dump_head(const whirl_result *result, FILE *stream) {
     const whirl_table *first = result->table_count ? &result->tables[0] : NULL;
     size_t done, total;
@@ -329,7 +336,7 @@ static bool dump_head(const whirl_result *result, FILE *stream) {
     return dump_member("{", "whirl", document_text(version_of(result)), stream) &&
            dump_member(",\n", "title", document_text(result->title), stream) &&
            dump_member(",\n", "case", document_text(result->case_name), stream) &&
-           dump_member(",\n", "speed", document_number(result->speed), stream) &&
+           dump_member(",\n", "speed", document_number(result->speed), stream) && dump_keyphasor(result, stream) &&
            dump_member(",\n", "length_scale", document_number(result->length_scale), stream) &&
            dump_member(",\n", "force_scale", document_number(result->force_scale), stream) &&
            dump_member(",\n", "partial", json_boolean(partial), stream) &&
@@ -339,9 +346,9 @@ static bool dump_head(const whirl_result *result, FILE *stream) {
 
 // Names of tables become keys beside these.
 static whirl_status check_names(const whirl_result *result) {
-    static const char *const taken[] = {"whirl",       "title",      "case",  "speed",  "length_scale",
-                                        "force_scale", "partial",    "table", "points", "parameters",
-                                        "jumps",       "integrated", ""};
+    static const char *const taken[] = {"whirl",       "title",      "case",      "speed",          "length_scale",
+                                        "force_scale", "partial",    "table",     "points",         "parameters",
+                                        "jumps",       "integrated", "keyphasor", "keyphasor_rate", ""};
     for (size_t t = 0; t < result->table_count; ++t)
         for (size_t i = 0; i < sizeof taken / sizeof *taken; ++i)
             if (strcmp(result->tables[t].name, taken[i]) == 0 || strpbrk(result->tables[t].name, "\"\\\n"))

@@ -22,12 +22,14 @@ whirl_case *machine_of(const whirl_result *result) {
     return machine;
 }
 
-double machine_speed(const whirl_case *machine, const whirl_result *result, const whirl_table *table, size_t point) {
-    double speed;
-    if (!*table->parameter) return result->speed;
-    if (!machine || whirl_case_speed(machine, table->parameter, table->values[point], &speed).code != WHIRL_OK)
+double machine_clock(const whirl_case *machine, const whirl_result *result, const whirl_table *table, size_t point) {
+    whirl_rotor *rotor;
+    if (!*table->parameter) return whirl_result_clock(result);
+    if (!machine || whirl_case_rotor(machine, table->parameter, table->values[point], &rotor).code != WHIRL_OK)
         return (double)NAN;
-    return speed;
+    const double clock = whirl_rotor_clock(rotor);
+    whirl_rotor_free(rotor);
+    return clock;
 }
 
 machine_walls machine_walls_at(const whirl_case *machine, const whirl_result *result, const whirl_table *table,

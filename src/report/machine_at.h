@@ -10,7 +10,7 @@
 whirl_case *machine_of(const whirl_result *result);
 
 /// rad/s; NaN where it cannot be told.
-double machine_speed(const whirl_case *machine, const whirl_result *result, const whirl_table *table, size_t point);
+double machine_clock(const whirl_case *machine, const whirl_result *result, const whirl_table *table, size_t point);
 
 /// What is around a station, in length scales of the point; 0: nothing.
 typedef struct machine_walls {

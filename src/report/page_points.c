@@ -277,11 +277,11 @@ static void write_lines(const point_page *to, size_t point, size_t station) {
     const numbers lines = point_lines(to->table, point, station);
     fputs("<td class=\"wide\">", to->stream);
     const double amplitude = units_length(to->units, to->table, point) * to->units->amplitude;
-    const double speed = to->units->frequency > 0.0 ? machine_speed(to->machine, to->result, to->table, point) : 0.0;
+    const double clock = to->units->frequency > 0.0 ? machine_clock(to->machine, to->result, to->table, point) : 0.0;
     for (size_t i = 0; i < lines.rows && i < SHOWN_LINES; i++) {
         const double *line = &lines.at[5 * i];
         if (i) fputs(", ", to->stream);
-        write_place(to, line[0], units_order(to->units, speed));
+        write_place(to, line[0], units_order(to->units, clock));
         html_printf(to->stream, ":\u00a0%.3g", amplitude * fmax(line[1], line[2]));
     }
     if (!lines.at) fputs("&ndash;", to->stream);
@@ -355,12 +355,15 @@ static void write_running_speed(const point_page *to) {
     char amplitude[UNIT_LABEL_SIZE];
     if (!whirl_layout_field(&to->table->layout, "spectrum/synchronous")) return;
     units_amplitude_label(to->units, "Amplitudes", amplitude, sizeof amplitude);
-    fputs("<h4>At the running speed (1X)</h4>\n<p>", to->stream);
+    const char *keyphasor = whirl_result_keyphasor(to->result);
+    fputs(*keyphasor ? "<h4>At the frequency of the " : "<h4>At the running speed", to->stream);
+    html_text(to->stream, keyphasor);
+    fputs(" (1X)</h4>\n<p>", to->stream);
     html_text(to->stream, amplitude);
     fputs(" and phase lags of x, of y, and of the circular motions with and against the rotation that make up the "
           "orbit at 1X.</p>\n",
           to->stream);
-    begin_table(to, "Amplitudes and phases at the running speed");
+    begin_table(to, *keyphasor ? "Amplitudes and phases at 1X" : "Amplitudes and phases at the running speed");
     fputs("<th>Station</th>", to->stream);
     for (int i = 0; i < SYNCHRONOUS_PARTS; i++)
         fprintf(to->stream, "<th class=\"number\">%s</th><th class=\"number\">lag</th>", parts[i]);
@@ -369,11 +372,12 @@ static void write_running_speed(const point_page *to) {
         for (size_t s = 0; s < to->result->station_count && whirl_table_done(to->table, i); s++)
             write_synchronous(to, i, s);
     end_table(to);
-    fputs(
-        "<p class=\"soft small\">Lags are in degrees behind a mark on the shaft that stands on the x axis at the start "
-        "of every revolution, where an unbalance without an angle of its own lies: x&nbsp;= "
-        "a&nbsp;cos(\u03c4&nbsp;\u2212&nbsp;lag).</p>\n",
-        to->stream);
+    fputs(*keyphasor
+              ? "<p class=\"soft small\">Lags are in degrees behind its phase, which begins with every revolution: "
+              : "<p class=\"soft small\">Lags are in degrees behind a mark on the shaft that stands on the x axis "
+                "at the start of every revolution, where an unbalance without an angle of its own lies: ",
+          to->stream);
+    fputs("x&nbsp;= a&nbsp;cos(\u03c4&nbsp;\u2212&nbsp;lag).</p>\n", to->stream);
 }
 
 // ---------------------------------------------------------------- all that was watched

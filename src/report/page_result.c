@@ -114,6 +114,10 @@ void page_computed(const page *to, size_t index) {
     snprintf(text, sizeof text, "%.6g rad/s (%.6g revolutions a minute)", result->speed,
              result->speed * 60.0 / 6.283185307179586);
     write_row(to->stream, "Speed of rotation", text);
+    const double clock = whirl_result_clock(result), two_pi = 6.283185307179586;
+    snprintf(text, sizeof text, "once a turn of the %.80s (%.6g Hz), in which revolutions and orders are counted",
+             whirl_result_keyphasor(result), clock / two_pi);
+    if (*whirl_result_keyphasor(result)) write_row(to->stream, "Sections", text);
     const whirl_unit length = whirl_result_length_unit(result);
     snprintf(text, sizeof text, "%.6g %s", result->length_scale / length.size, length.name);
     write_row(to->stream, "Length scale", text);

@@ -6,7 +6,7 @@
 #include <string.h>
 
 whirl_status assembly_begin(assembly *to, double speed, double length, size_t station_count) {
-    *to = (assembly){.speed = speed, .length = length, .station_count = station_count};
+    *to = (assembly){.speed = speed, .clock = speed, .turn = 1.0, .length = length, .station_count = station_count};
     to->stations = calloc(station_count, sizeof *to->stations);
     to->numbers = calloc(station_count, sizeof *to->numbers);
     to->inertia = calloc(AXES * station_count, sizeof *to->inertia);
@@ -106,11 +106,11 @@ double assembly_inertia(const assembly *of, size_t station) {
 }
 
 double assembly_stiffness_scale(const assembly *of, size_t station) {
-    return assembly_inertia(of, station) * of->speed * of->speed;
+    return assembly_inertia(of, station) * of->clock * of->clock;
 }
 
 double assembly_force_scale(const assembly *of, size_t coordinate) {
-    return of->inertia[coordinate] * of->speed * of->speed * of->unit[coordinate];
+    return of->inertia[coordinate] * of->clock * of->clock * of->unit[coordinate];
 }
 
 /// The list [count] of items of `size` bytes with room for one more; NULL without memory, which is noted.
@@ -140,7 +140,7 @@ void assembly_stiffness(assembly *to, size_t row, size_t by, double stiffness) {
 void assembly_damping(assembly *to, size_t row, size_t by, double damping) {
     if (row == NO_COORDINATE || by == NO_COORDINATE) return;
     const double scale = assembly_force_scale(to, row) / to->unit[by];
-    add_term(to, (linear_term){row, SOURCE_VELOCITY, by, -damping * to->speed / scale});
+    add_term(to, (linear_term){row, SOURCE_VELOCITY, by, -damping * to->clock / scale});
 }
 
 void assembly_spring(assembly *to, size_t one, size_t other, double stiffness) {
@@ -195,13 +195,13 @@ void assembly_unbalance(assembly *to, size_t station, double moment, double angl
         assembly_turning(to, at->coordinate[AXIS_X], at->coordinate[AXIS_Y], moment * to->speed * to->speed, angle);
         return;
     }
-    const double acceleration = moment / (inertia_of(at) * to->length);
+    const double acceleration = moment * to->turn * to->turn / (inertia_of(at) * to->length);
     to->numbers[at->place][STATION_UNBALANCE_COS] += acceleration * cos(angle);
     to->numbers[at->place][STATION_UNBALANCE_SIN] += acceleration * sin(angle);
 }
 
 void assembly_pull(assembly *to, double x, double y) {
-    const double scale = to->speed * to->speed * to->length;
+    const double scale = to->clock * to->clock * to->length;
     for (size_t s = 0; s < to->station_count; s++) {
         const assembly_station *at = &to->stations[s];
         const double part = at->mass / inertia_of(at), pull_x = x / scale * part, pull_y = y / scale * part;
@@ -218,7 +218,7 @@ void assembly_pull(assembly *to, double x, double y) {
 void assembly_ground_damping(assembly *to, size_t station, double damping) {
     const assembly_station *at = &to->stations[station];
     if (in_plane(at)) {
-        to->numbers[at->place][STATION_DAMPING] += damping / (inertia_of(at) * to->speed);
+        to->numbers[at->place][STATION_DAMPING] += damping / (inertia_of(at) * to->clock);
         return;
     }
     assembly_damper(to, at->coordinate[AXIS_X], NO_COORDINATE, damping);

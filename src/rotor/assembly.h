@@ -2,7 +2,7 @@
 /// together.
 ///
 /// Stations that move in x and y have their coordinates first, two and two; tilts and stations that move along one axis
-/// follow. All that is handed in is in SI; the assembly scales: time by 1/omega, displacements by the length scale,
+/// follow. All that is handed in is in SI; the assembly scales: time by 1/clock, displacements by the length scale,
 /// tilts by the length scale over the station's radius of gyration (so that both weigh alike in errors and distances).
 #ifndef ROTOR_ASSEMBLY_H
 #define ROTOR_ASSEMBLY_H
@@ -68,7 +68,8 @@ typedef struct assembly_station {
 } assembly_station;
 
 typedef struct assembly {
-    double speed, length;              ///< omega, rad/s; length scale, m
+    double speed, length;              ///< of the shaft, rad/s; length scale, m
+    double clock, turn;                ///< rad/s of the phase that sections are taken by: tau = clock t; speed/clock
     size_t station_count, plane_count; ///< stations, and those that move in x and y
     assembly_station *stations;
     double (*numbers)[STATION_NUMBERS]; ///< [plane_count]

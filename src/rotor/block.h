@@ -11,12 +11,15 @@
 typedef struct block {
     size_t stride, vectors;
     size_t disturbances;
-    size_t next, next_v; ///< vectors from the positions of one state or disturbance to the next, and of the rest
+    size_t next, next_v;   ///< vectors from the positions of one state or disturbance to the next, and of the rest
+    size_t forcing_stride; ///< vectors from one value of time to the next
     const vec *forcing, *q, *v;
-    vec *a, *divergence;     ///< divergence: NULL where it is not wanted
-    const vec *numbers;      ///< of the machine
-    const size_t *places;    ///< of those of its parts; NULL: each has its own
-    const vec *sides;        ///< of its switches; NULL: the state decides
+    const vec *turned;    ///< derivatives of the values of time by the shaft's phase, where that is a state; else NULL
+    size_t phase;         ///< that state's row among the rates
+    vec *a, *divergence;  ///< divergence: NULL where it is not wanted
+    const vec *numbers;   ///< of the machine
+    const size_t *places; ///< of those of its parts; NULL: each has its own
+    const vec *sides;     ///< of its switches; NULL: the state decides
     const coupling *coupled; ///< by masses; NULL where none are
 } block;
 
@@ -34,6 +37,11 @@ static inline block single(const block *b) {
     block one = *b;
     one.stride = one.vectors = 1;
     return one;
+}
+
+/// What disturbance n is to the shaft's phase, of vector k.
+static inline vec phase_of(const block *b, size_t n, size_t k) {
+    return b->turned ? b->v[n * b->next_v + b->phase * b->stride + k] : v_set(0.0);
 }
 
 static inline int wants_tangent(const block *b) {

@@ -1,6 +1,6 @@
 /// What an element is made of: its keys, the numbers that follow from them, and its kernels.
 ///
-/// All is scaled: time by 1/omega, lengths by the rotor's length scale, forces on a coordinate by its inertia, so that
+/// All is scaled: time by 1/clock, lengths by the rotor's length scale, forces on a coordinate by its inertia, so that
 /// an element adds to accelerations. The physics itself is in elements/<element>_kernel.h, written once over the vector
 /// type; elements/<element>.c is compiled once for every instruction set and tells all else in the first of them.
 #ifndef ROTOR_ELEMENT_H
@@ -89,6 +89,9 @@ typedef struct whirl_element_type {
                             double *by_v);
     void (*switch_curvature)(const element *own, const double *q, const double *v, size_t index, const double *uq,
                              const double *uv, double *by_q, double *by_v);
+
+    /// Optional: rad/s of its phase where sections are to be taken by it, else 0; its first key is its station.
+    double (*keyphasor)(const key_value *values, double speed);
 
     /// With states that turn at a constant rate: how often what follows from them comes round in a revolution. NULL:
     /// they never fit revolutions.

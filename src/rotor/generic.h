@@ -8,6 +8,7 @@
 ///     KERNEL_STATES    first-order states of its own, 0 where it has none
 ///     KERNEL_NUMBERS   its numbers; as many as there are ports follow, by which forces become accelerations
 ///     KERNEL_SWITCHES  switching functions, affine in what it sees; 0 where it is smooth
+///     KERNEL_PHASED    1 where it looks at values of time, n_phase(view, COS_TAU), ...; may be left out where not
 ///
 /// and the kernel's header, included twice, defines
 ///
@@ -25,27 +26,42 @@
 
 #include "block.h"
 
-enum { KERNEL_PORTS = 2 * KERNEL_AXES, DUAL_INPUTS = 2 * KERNEL_AXES + KERNEL_STATES };
+#ifndef KERNEL_PHASED
+#define KERNEL_PHASED 0
+#endif
+
+enum { KERNEL_PORTS = 2 * KERNEL_AXES, KERNEL_OWN_INPUTS = 2 * KERNEL_AXES + KERNEL_STATES };
+enum { DUAL_INPUTS = KERNEL_OWN_INPUTS + KERNEL_PHASED };
 _Static_assert(2 * KERNEL_AXES <= (int)MAX_PORTS, "an element sees at most MAX_PORTS coordinates");
 
 /// What a kernel is given besides what it moves with.
 typedef struct kernel_view {
     size_t stride;
-    const vec *number; ///< number n of the element is number[n * stride]
-    vec phase[FORCING_COUNT];
-    const vec *sides; ///< of switch s: sides[s * stride]; NULL: the state decides
+    const vec *number;                               ///< number n of the element is number[n * stride]
+    vec phase[FORCING_COUNT], turned[FORCING_COUNT]; ///< values of time, and their derivatives by the shaft's phase
+    const vec *sides;                                ///< of switch s: sides[s * stride]; NULL: the state decides
 } kernel_view;
 
 #undef NUMBERS_DUAL
 #include "numbers.h"
+#define n_phase(view, value) (view)->phase[value]
 #include KERNEL_FILE
+#undef n_phase
 #define NUMBERS_DUAL
 #include "numbers.h"
+#define n_phase phase_dual
+#if KERNEL_PHASED
+static inline dual phase_dual(const kernel_view *view, int value) {
+    dual out = dual_of(view->phase[value]);
+    out.by[DUAL_INPUTS - 1] = view->turned[value];
+    return out;
+}
+#endif
 #include KERNEL_FILE
 
 /// What an element sees of a state or a disturbance.
 typedef struct kernel_inputs {
-    vec d[KERNEL_AXES], w[KERNEL_AXES], s[KERNEL_STATES + 1];
+    vec d[KERNEL_AXES], w[KERNEL_AXES], s[KERNEL_STATES + 1], phase;
 } kernel_inputs;
 
 VECTOR_INLINE vec between(const element *own, const vec *row, size_t stride, size_t a) {
@@ -63,13 +79,17 @@ VECTOR_INLINE kernel_inputs inputs_of(const element *own, const block *b, size_t
         in.w[a] = between(own, v, b->stride, a);
     }
     for (int s = 0; s < KERNEL_STATES; s++) in.s[s] = v[(own->state + (size_t)s) * b->stride];
+    in.phase = phase_of(b, n, k);
     return in;
 }
 
 VECTOR_INLINE kernel_view view_of(const element *own, const block *b, size_t k) {
     const vec *sides = sides_of(b, own);
     kernel_view view = {.stride = b->stride, .number = numbers_of(b, own) + k, .sides = sides ? sides + k : NULL};
-    for (size_t i = 0; b->forcing && i < FORCING_COUNT; i++) view.phase[i] = b->forcing[i * b->stride + k];
+    for (size_t i = 0; b->forcing && i < FORCING_COUNT; i++) {
+        view.phase[i] = b->forcing[i * b->forcing_stride + k];
+        view.turned[i] = KERNEL_PHASED && b->turned ? b->turned[i * b->forcing_stride + k] : v_set(0.0);
+    }
     return view;
 }
 
@@ -103,7 +123,7 @@ VECTOR_INLINE vec along(const dual *of, const kernel_inputs *in) {
         sum = v_fma(of->by[KERNEL_AXES + a], in->w[a], sum);
     }
     for (int s = 0; s < KERNEL_STATES; s++) sum = v_fma(of->by[2 * KERNEL_AXES + s], in->s[s], sum);
-    return sum;
+    return KERNEL_PHASED ? v_fma(of->by[DUAL_INPUTS - 1], in->phase, sum) : sum;
 }
 
 /// The trace of the derivative.

@@ -8,7 +8,10 @@
 #include "whirl/rotor.h"
 
 struct whirl_rotor {
-    double speed, length;
+    double speed, clock, length;
+    char keyphasor[WHIRL_NAME_SIZE + 16]; ///< what sections are taken by; "": the shaft
+    size_t
+        phase; ///< row of the shaft's phase among the rates where it is a state, whose slope is the last number; or 0
     whirl_system system;
     whirl_lanes lanes;
     lanes_instance instance;           ///< where it is one
@@ -49,5 +52,8 @@ FOR_EVERY_ISA(lanes_contacts, machine_contacts);
 
 /// What rotors give to whirl/system.h (rotor_system.c): fills in the functions of the rotor's system.
 void rotor_system_fill(whirl_rotor *rotor);
+
+/// Whether anything depends on the shaft's phase, which is the last state: by its derivative at some place.
+bool rotor_feels_phase(const whirl_rotor *rotor);
 
 #endif

@@ -69,7 +69,7 @@ VECTOR_INLINE void pair_send(pair_line *line, size_t stride, const vec *number, 
                              const vec *q, const vec *v, vec *a) {
     const element film = {.port = {2, 3}};
     const size_t at = line->begun++ % FILM_PLACES;
-    film_begin(&film, stride, number + PAIR_FILM_NUMBERS * stride, q, v, &line->film, at);
+    film_begin(&film, stride, number + PAIR_FILM_NUMBERS * stride, v_set(2.0), q, v, &line->film, at);
     pair_put(line, at, number, forcing, sides, q, v, a);
 }
 

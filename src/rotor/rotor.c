@@ -37,7 +37,8 @@ static bool couplings_alike(const coupling *x, const coupling *y) {
 static bool lane_alike(const void *one, const void *other) {
     const whirl_rotor *a = one, *b = other;
     if (a->station_count != b->station_count || a->lanes.degrees != b->lanes.degrees ||
-        a->plane_count != b->plane_count || a->element_count != b->element_count || a->term_count != b->term_count)
+        a->plane_count != b->plane_count || a->element_count != b->element_count || a->term_count != b->term_count ||
+        a->phase != b->phase)
         return false;
     for (size_t i = 0; i < a->station_count; i++)
         if (a->probes[i].x != b->probes[i].x || a->probes[i].y != b->probes[i].y) return false;
@@ -85,6 +86,7 @@ typedef struct building {
     whirl_rotor_tell *tell; ///< NULL: the first problem ends the building
     void *context;
     size_t problems;
+    const design_element *keyphasor; ///< by which sections are taken; NULL: by the shaft
 } building;
 
 static whirl_status begin(building *b, const whirl_design *design) {
@@ -115,6 +117,23 @@ static whirl_status with_element(building *b, size_t index, whirl_status status)
     b->tell(b->context, index, &status);
     b->problems++;
     return whirl_ok();
+}
+
+/// The unit of time: the phase by which sections are taken.
+static whirl_status find_clock(building *b) {
+    const whirl_design *design = b->design;
+    whirl_status status = whirl_ok();
+    for (size_t i = 0; i < design->element_count && status.code == WHIRL_OK; i++) {
+        const design_element *found = &design->elements[i];
+        const double rate = found->type->keyphasor ? found->type->keyphasor(found->values, design->speed) : 0.0;
+        if (rate == 0.0) continue;
+        if (b->keyphasor)
+            status = with_element(b, i, whirl_fail(WHIRL_BAD_INPUT, "is a second keyphasor, expected one"));
+        b->keyphasor = found;
+        b->assembly.clock = rate;
+        b->assembly.turn = design->speed / rate;
+    }
+    return status;
 }
 
 /// All inertia; after it coordinates can be numbered.
@@ -153,6 +172,7 @@ static whirl_status add_elements(building *b, const element_type *type) {
 /// Stations, then elements; their coordinates in the order [station_count] of the design's stations, NULL: as listed.
 static whirl_status assemble(building *b, const whirl_design *design, const size_t *order) {
     whirl_status status = begin(b, design);
+    if (status.code == WHIRL_OK) status = find_clock(b);
     if (status.code == WHIRL_OK) status = add_inertia(b);
     if (b->problems > 0) return status; // without its inertia the rest would be told of for nothing
     if (status.code == WHIRL_OK) status = assembly_number(&b->assembly, order);
@@ -160,6 +180,7 @@ static whirl_status assemble(building *b, const whirl_design *design, const size
         station_build(design->stations[s].values, &b->assembly, s);
     for (size_t i = 0; i < design->type_count && status.code == WHIRL_OK; i++)
         status = add_elements(b, design->types[i]);
+    if (b->keyphasor) b->state_count++; // the shaft's phase
     if (status.code == WHIRL_OK && !assembly_finish(&b->assembly))
         status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a rotor of %zu elements", design->element_count);
     return status;
@@ -168,6 +189,7 @@ static whirl_status assemble(building *b, const whirl_design *design, const size
 /// Finds the structure among those that integrators have loops of their own for: the machine is it when its stations'
 /// coordinates come in this order.
 static bool find_instance(const building *b, size_t order[INSTANCE_STATIONS], lanes_instance *out) {
+    if (b->keyphasor) return false;
 #define FIND(name, NAME)                                                                                               \
     if (name##_find(&b->assembly, b->elements, b->element_count, order, out->law)) {                                   \
         out->structure = INSTANCE_##NAME;                                                                              \
@@ -198,7 +220,8 @@ static void *cut(char *block, size_t *used, size_t size) {
 }
 
 static size_t total_numbers(const building *b) {
-    return b->assembly.plane_count * STATION_NUMBERS + b->assembly.term_count + b->number_count;
+    return b->assembly.plane_count * STATION_NUMBERS + b->assembly.term_count + b->number_count +
+           (b->keyphasor ? 1 : 0);
 }
 
 static size_t count_contacts(const building *b) {
@@ -271,6 +294,7 @@ static void add_numbers(whirl_rotor *rotor, const building *b) {
     for (size_t i = 0; i < b->assembly.term_count; i++)
         *number++ = rotor->terms[i].number = b->assembly.terms[i].number;
     memcpy(number, b->numbers, b->number_count * sizeof *number);
+    if (b->keyphasor) number[b->number_count] = b->assembly.turn;
 }
 
 static void note_contact(whirl_rotor *rotor, size_t index) {
@@ -285,9 +309,9 @@ static void note_contact(whirl_rotor *rotor, size_t index) {
     rotor->contact_names[k] = rotor->contact_text[k];
 }
 
-/// Revolutions after which the phases have come back, this one of them, too.
-static void note_phase(whirl_rotor *rotor, const element *own) {
-    const size_t repeats = own->type->rounds ? repeats_of(own->type->rounds(own)) : 0;
+/// Revolutions after which the phases have come back, one of so many rounds in a revolution (NaN: never) of them, too.
+static void note_phase(whirl_rotor *rotor, double rounds) {
+    const size_t repeats = repeats_of(rounds);
     rotor->repeats = rotor->turning ? repeats_of_both(rotor->repeats, repeats) : repeats;
     rotor->turning = true;
 }
@@ -295,7 +319,7 @@ static void note_phase(whirl_rotor *rotor, const element *own) {
 static void note_element(whirl_rotor *rotor, size_t index, size_t degrees) {
     element *own = &rotor->elements[index];
     for (size_t s = 0; s < own->type->turning; s++) rotor->turns[degrees + own->state + s] = 6.283185307179586476925;
-    if (own->type->turning > 0) note_phase(rotor, own);
+    if (own->type->turning > 0) note_phase(rotor, own->type->rounds ? own->type->rounds(own) : (double)NAN);
     if (own->type->kinked) rotor->kinked = true;
     own->first_switch = rotor->lanes.switch_count;
     if (own->type->switch_count) rotor->lanes.switch_count += own->type->switch_count(own);
@@ -310,7 +334,7 @@ static void note_element(whirl_rotor *rotor, size_t index, size_t degrees) {
 }
 
 static void add_elements_to(whirl_rotor *rotor, const building *b) {
-    double *own = rotor->numbers + total_numbers(b) - b->number_count;
+    double *own = rotor->numbers + b->assembly.plane_count * STATION_NUMBERS + b->assembly.term_count;
     memcpy(rotor->elements, b->elements, b->element_count * sizeof *b->elements);
     for (size_t i = 0; i < b->element_count; i++) {
         rotor->elements[i].number = own + (b->elements[i].number - b->numbers);
@@ -349,11 +373,25 @@ static void fill_lanes(whirl_rotor *rotor, const building *b) {
     lanes->contacts = contacts;
 }
 
+/// The shaft's phase as a state, the last one. Where nothing feels it, it keeps no motion from returning.
+static void add_phase(whirl_rotor *rotor, const building *b) {
+    const size_t last = 2 * rotor->lanes.degrees + rotor->lanes.states - 1;
+    rotor->phase = last - rotor->lanes.degrees;
+    rotor->turns[last] = 6.283185307179586476925;
+    snprintf(rotor->keyphasor, sizeof rotor->keyphasor, "%s at %s", b->keyphasor->type->group.name,
+             b->design->stations[b->keyphasor->values[0].station[0]].name);
+    if (!rotor->turning) rotor->repeats = 1;
+    rotor->turning = true;
+    rotor_system_fill(rotor);
+    if (rotor_feels_phase(rotor)) note_phase(rotor, b->assembly.turn);
+}
+
 static whirl_rotor *finish(const building *b) {
     whirl_rotor *rotor = calloc(1, lay_out(NULL, NULL, b));
     if (!rotor) return NULL;
     lay_out(rotor, (char *)rotor, b);
     rotor->speed = b->design->speed;
+    rotor->clock = b->assembly.clock;
     rotor->length = b->design->length;
     rotor->station_count = b->assembly.station_count;
     rotor->plane_count = b->assembly.plane_count;
@@ -369,6 +407,7 @@ static whirl_rotor *finish(const building *b) {
     rotor->lanes.contact_count = rotor->contact_count;
     size_t order[INSTANCE_STATIONS];
     if (find_instance(b, order, &rotor->instance)) rotor->lanes.instance = &rotor->instance;
+    if (b->keyphasor) add_phase(rotor, b);
     rotor_system_fill(rotor);
     return rotor;
 }
@@ -437,6 +476,12 @@ double whirl_rotor_speed(const whirl_rotor *rotor) {
 }
 double whirl_rotor_length_scale(const whirl_rotor *rotor) {
     return rotor->length;
+}
+double whirl_rotor_clock(const whirl_rotor *rotor) {
+    return rotor->clock;
+}
+const char *whirl_rotor_keyphasor(const whirl_rotor *rotor) {
+    return rotor->keyphasor;
 }
 const char *const *whirl_rotor_contact_names(const whirl_rotor *rotor) {
     return rotor->contact_names;

@@ -62,6 +62,8 @@ static void unit_text(const whirl_result *result, const whirl_table *table, cons
         snprintf(text, size, "[%s]", length.name);
     else if (strcmp(unit, "force") == 0 && result->force_scale != 1.0)
         snprintf(text, size, "[%.10g N]", result->force_scale);
+    else if (*whirl_result_keyphasor(result) && (strstr(unit, "order") || strstr(unit, "revolution")))
+        snprintf(text, size, "[%s of %.60s]", unit, whirl_result_keyphasor(result));
     else
         snprintf(text, size, "[%s]", strcmp(unit, "force") == 0 ? "N" : unit);
 }

@@ -122,9 +122,9 @@ static si_unit si_of(const char *unit, const whirl_result *result, const whirl_t
     const double two_pi = 2.0 * acos(-1.0);
     if (strcmp(unit, "length") == 0) return (si_unit){table->length_scales ? (double)NAN : result->length_scale, "m"};
     if (strcmp(unit, "force") == 0) return (si_unit){result->force_scale, "N"};
-    if (strcmp(unit, "revolution") == 0) return (si_unit){two_pi / result->speed, "s"};
-    if (strcmp(unit, "1/revolution") == 0) return (si_unit){result->speed / two_pi, "1/s"};
-    if (strcmp(unit, "order") == 0) return (si_unit){result->speed / two_pi, "Hz"};
+    if (strcmp(unit, "revolution") == 0) return (si_unit){two_pi / whirl_result_clock(result), "s"};
+    if (strcmp(unit, "1/revolution") == 0) return (si_unit){whirl_result_clock(result) / two_pi, "1/s"};
+    if (strcmp(unit, "order") == 0) return (si_unit){whirl_result_clock(result) / two_pi, "Hz"};
     return (si_unit){1.0, unit};
 }
 

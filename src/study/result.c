@@ -3,6 +3,7 @@
 
 #include "kept.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -42,6 +43,15 @@ const double *whirl_table_field(const whirl_table *table, size_t point, const ch
     const whirl_field *found = whirl_layout_field(&table->layout, field);
     const double *block = found && which < found->repeat ? whirl_table_block(table, point) : NULL;
     return block ? block + found->offset + which * found->rows * found->columns : NULL;
+}
+
+double whirl_result_clock(const whirl_result *result) {
+    const double rate = strtod(whirl_result_fact(result, "keyphasor rate"), NULL);
+    return rate > 0.0 && isfinite(rate) ? rate : result->speed;
+}
+
+const char *whirl_result_keyphasor(const whirl_result *result) {
+    return whirl_result_fact(result, "keyphasor");
 }
 
 double whirl_result_length_scale(const whirl_result *result, const whirl_table *table, size_t point) {

@@ -22,6 +22,7 @@ export interface PlanLayout {
 export interface Machine {
   readonly lengthScale: number;
   readonly speed: number;
+  readonly keyphasor: string;
   readonly stations: readonly StationInfo[];
 }
 

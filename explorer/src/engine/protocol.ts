@@ -120,7 +120,7 @@ export interface CaseInfo {
   readonly contacts: readonly string[];
   /// m
   readonly lengthScale: number;
-  /// rad/s
+  /// rad/s, of what revolutions are counted by
   readonly speed: number;
   readonly batches: readonly BatchInfo[];
   readonly methods: readonly MethodInfo[];
@@ -191,9 +191,11 @@ export interface PointResult {
   readonly verdict: Verdict;
   readonly layout: Layout;
   readonly block: Float64Array;
-  /// m and rad/s, of the machine at this value.
+  /// m and rad/s, of the machine at this value; the rate of what revolutions are counted by.
   readonly lengthScale: number;
   readonly speed: number;
+  /// The element whose phase that is, "" for the shaft.
+  readonly keyphasor: string;
   readonly stations: readonly StationInfo[];
   /// Samples of the waveform a revolution; the last one is at the once-per-revolution mark.
   readonly samplesPerRevolution: number;

@@ -48,10 +48,11 @@ export interface PaneListener {
 
 const SPEEDS = [0.25, 1, 4, 16, 64].map((speed) => ({ value: String(speed), text: `${speed} rev/s` }));
 
-/// "6207 rpm, 1X is 103.5 Hz".
-function speedText(speed: number, units: Units): string {
+/// "6207 rpm, 1X is 103.5 Hz", and "force at disc: 1860 rpm, 1X is 31 Hz" where sections are not the shaft's.
+function speedText({ speed, keyphasor }: PointResult, units: Units): string {
   const measure = parameterMeasure('rad/s', units);
-  return `${shown(speed * measure.factor)} ${measure.unit}, 1X is ${shown(speed / (2 * Math.PI))} Hz`;
+  const of = keyphasor && `${keyphasor}: `;
+  return `${of}${shown(speed * measure.factor)} ${measure.unit}, 1X is ${shown(speed / (2 * Math.PI))} Hz`;
 }
 
 const REGIME_CODES: Record<string, number> = {
@@ -163,7 +164,7 @@ export class Pane {
       this.field.value = Number.isFinite(subject.value) ? written(subject.value * measure.factor, 6) : '';
     this.showVerdict(subject.result?.verdict, subject.busy);
     this.how.textContent = subject.busy || subject.how;
-    this.turning.textContent = subject.result ? speedText(subject.result.speed, subject.units) : '';
+    this.turning.textContent = subject.result ? speedText(subject.result, subject.units) : '';
     this.trouble.textContent = subject.trouble;
     this.outdated.textContent = subject.outdated;
     this.root.classList.toggle('outdated', subject.outdated !== '');

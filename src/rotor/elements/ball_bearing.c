@@ -5,7 +5,7 @@
 #define KERNEL_NUMBERS BALL_NUMBERS
 #define KERNEL_SWITCHES 0
 
-/// C in newtons by length scales to the power 3/2; g_0 in length scales; the cage's speed over the shaft's; theta_0;
+/// C in newtons by length scales to the power 3/2; g_0 in length scales; the cage's speed by tau; theta_0;
 /// the cosine and sine of the angle between balls. Its law is the number of balls.
 enum { BALL_STIFFNESS, BALL_GAP, BALL_RATIO, BALL_START, BALL_APART_COS, BALL_APART_SIN, BALL_NUMBERS };
 
@@ -78,7 +78,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     out->law = (int)balls;
     out->number[BALL_STIFFNESS] = values[STIFFNESS].number * length * sqrt(length);
     out->number[BALL_GAP] = values[CLEARANCE].number / length;
-    out->number[BALL_RATIO] = ratio;
+    out->number[BALL_RATIO] = ratio * to->turn;
     out->number[BALL_START] = values[ANGLE].number;
     out->number[BALL_APART_COS] = cos(apart);
     out->number[BALL_APART_SIN] = sin(apart);

@@ -4,6 +4,7 @@
 #define KERNEL_STATES 0
 #define KERNEL_NUMBERS CRACK_NUMBERS
 #define KERNEL_SWITCHES 0
+#define KERNEL_PHASED 1
 
 /// k, k (d1 + d2)/2 and k (d1 - d2)/2 in newtons per length scale; at tau = 0 cos and sin of twice the angle of the
 /// first axis, and of its angle from the load.

@@ -9,17 +9,17 @@
 //     -(M + H [cos 2theta   sin 2theta; sin 2theta   -cos 2theta]) d.
 
 /// How far the crack is open; own->law: terms of the square wave, or 0.
-static inline vec KERNEL(crack_opening)(const element *own, const kernel_view *view) {
-    const vec half = v_set(0.5);
-    const vec cosine = view->number[CRACK_LOAD_COS * view->stride], sine = view->number[CRACK_LOAD_SIN * view->stride];
-    const vec first = v_fnma(sine, view->phase[SIN_TAU], v_mul(cosine, view->phase[COS_TAU]));
-    if (own->law == 0) return v_fma(half, first, half);
+static inline num KERNEL(crack_opening)(const element *own, const kernel_view *view) {
+    const num half = n_set(0.5), cosine = n_of(view->number[CRACK_LOAD_COS * view->stride]);
+    const num minus_sine = n_of(v_sub(v_set(0.0), view->number[CRACK_LOAD_SIN * view->stride]));
+    const num first = n_fma(minus_sine, n_phase(view, SIN_TAU), n_mul(cosine, n_phase(view, COS_TAU)));
+    if (own->law == 0) return n_fma(half, first, half);
     // cos((n + 2) phi) = 2 cos 2phi cos(n phi) - cos((n - 2) phi)
-    const vec twice = v_fms(v_mul(v_set(4.0), first), first, v_set(2.0));
-    vec open = half, wave = first, before = first;
+    const num twice = n_fma(n_mul(n_set(4.0), first), first, n_set(-2.0));
+    num open = half, wave = first, before = first;
     for (int i = 0; i < own->law; i++) {
-        const vec next = v_fms(twice, wave, before);
-        open = v_fma(v_set((i % 2 ? -2.0 : 2.0) / (3.14159265358979323846 * (2 * i + 1))), wave, open);
+        const num next = n_fma(twice, wave, n_sub(n_set(0.0), before));
+        open = n_fma(n_set((i % 2 ? -2.0 : 2.0) / (3.14159265358979323846 * (2 * i + 1))), wave, open);
         before = wave;
         wave = next;
     }
@@ -28,14 +28,15 @@ static inline vec KERNEL(crack_opening)(const element *own, const kernel_view *v
 
 static inline void KERNEL(force)(const element *own, const kernel_view *view, const num *d, const num *w, const num *s,
                                  num *force, num *slope) {
-    const vec cosine = view->number[CRACK_AXIS_COS * view->stride], sine = view->number[CRACK_AXIS_SIN * view->stride];
-    const vec c = v_fnma(sine, view->phase[SIN_2TAU], v_mul(cosine, view->phase[COS_2TAU]));
-    const vec across = v_fma(sine, view->phase[COS_2TAU], v_mul(cosine, view->phase[SIN_2TAU]));
-    const vec open = KERNEL(crack_opening)(own, view);
-    const vec mean =
-        v_fms(open, view->number[CRACK_MEAN_LOSS * view->stride], view->number[CRACK_STIFFNESS * view->stride]);
-    const vec half = v_mul(open, view->number[CRACK_HALF_LOSS * view->stride]), turn = v_mul(half, across);
+    const vec *number = view->number;
+    const size_t stride = view->stride;
+    const num cosine = n_of(number[CRACK_AXIS_COS * stride]), sine = n_of(number[CRACK_AXIS_SIN * stride]);
+    const num c2 = n_phase(view, COS_2TAU), s2 = n_phase(view, SIN_2TAU), open = KERNEL(crack_opening)(own, view);
+    const num c = n_fma(n_sub(n_set(0.0), sine), s2, n_mul(cosine, c2)), across = n_fma(sine, c2, n_mul(cosine, s2));
+    const num minus_stiffness = n_of(v_sub(v_set(0.0), number[CRACK_STIFFNESS * stride]));
+    const num mean = n_fma(open, n_of(number[CRACK_MEAN_LOSS * stride]), minus_stiffness);
+    const num half = n_scale(number[CRACK_HALF_LOSS * stride], open), turn = n_mul(half, across);
     (void)w, (void)s, (void)slope;
-    force[0] = n_add(n_scale(v_fma(half, c, mean), d[0]), n_scale(turn, d[1]));
-    force[1] = n_add(n_scale(v_fnma(half, c, mean), d[1]), n_scale(turn, d[0]));
+    force[0] = n_add(n_mul(n_fma(half, c, mean), d[0]), n_mul(turn, d[1]));
+    force[1] = n_add(n_mul(n_fma(n_sub(n_set(0.0), half), c, mean), d[1]), n_mul(turn, d[0]));
 }

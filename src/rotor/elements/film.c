@@ -6,11 +6,11 @@
 
 /// What a film adds to vector k and its disturbances.
 static void finish(const element *own, const block *b, size_t k, const film_state *film) {
-    const vec strength = numbers_of(b, own)[FILM_STRENGTH * b->stride + k];
+    const vec *number = numbers_of(b, own) + k, strength = number[FILM_STRENGTH * b->stride];
     tangent_block tangent;
     film_add(film, strength, &b->a[own->port[0] * b->stride + k], &b->a[own->port[1] * b->stride + k]);
     if (!wants_tangent(b)) return;
-    film_tangent(film, strength, &tangent);
+    film_tangent(film, strength, number[FILM_TWICE * b->stride], &tangent);
     tangent_apply(&tangent, own, b, k);
 }
 
@@ -21,7 +21,9 @@ static void flow(const element *first, size_t count, const block *b) {
     film_work work;
     for (size_t i = 0, k = 0, last = 0; i < all + 2; i++) {
         if (i < all) {
-            film_begin(begun, b->stride, numbers_of(b, begun) + k, b->q + k, b->v + k, &work, i % FILM_PLACES);
+            const vec *number = numbers_of(b, begun) + k;
+            film_begin(begun, b->stride, number, number[FILM_TWICE * b->stride], b->q + k, b->v + k, &work,
+                       i % FILM_PLACES);
             if (++k == b->vectors) begun++, k = 0;
         }
         if (i >= 1 && i <= all) film_divide(&work, (i - 1) % FILM_PLACES);
@@ -88,6 +90,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     out->number[FILM_CLEARANCE_SQUARE] = square;
     out->number[FILM_STRENGTH] =
         FILM_STRENGTH_OF_1 * square * values[COUNT].number * load / assembly_force_scale(to, out->port[0]);
+    out->number[FILM_TWICE] = 2.0 / to->turn;
     return whirl_ok();
 }
 

@@ -24,8 +24,9 @@
 /// 2/3^(3/2): the force's factor 2/q^(3/2) is this times sqrt(3/q)^3.
 #define FILM_STRENGTH_OF_1 0.384900179459750509673
 
-/// c and c^2; FILM_STRENGTH_OF_1 c^2 times the count times F0/(m omega^2 length scale). All in length scales.
-enum { FILM_CLEARANCE, FILM_CLEARANCE_SQUARE, FILM_STRENGTH, FILM_NUMBERS };
+/// c and c^2; FILM_STRENGTH_OF_1 c^2 times the count times F0/(m omega^2 length scale). All in length scales. 2 over
+/// the shaft's speed by tau, which makes velocities by its angle of those by tau: 2 where sections are the shaft's.
+enum { FILM_CLEARANCE, FILM_CLEARANCE_SQUARE, FILM_STRENGTH, FILM_TWICE, FILM_NUMBERS };
 
 /// Vectors that may be under way in a film at the same time.
 enum { FILM_PLACES = 4 };
@@ -57,10 +58,11 @@ static inline void film_place(film_work *w, size_t at, vec clearance_square, vec
     w->at[at].W = v_sqrt(WW);
 }
 
-static inline void film_begin(const element *film, size_t stride, const vec *number, const vec *q, const vec *v,
-                              film_work *w, size_t at) {
+/// two: FILM_TWICE.
+static inline void film_begin(const element *film, size_t stride, const vec *number, vec two, const vec *q,
+                              const vec *v, film_work *w, size_t at) {
     const size_t i = film->port[0] * stride, j = film->port[1] * stride;
-    const vec two = v_set(2.0), x = q[i], y = q[j];
+    const vec x = q[i], y = q[j];
     film_place(w, at, number[FILM_CLEARANCE_SQUARE * stride], x, y, v_fnma(two, v[j], x), v_fma(two, v[i], y));
 }
 

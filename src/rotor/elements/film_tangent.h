@@ -68,7 +68,7 @@ static inline void film_slope_angle(const film_slopes *s, vec *X, vec *Y) {
 
 /// The derivatives of `strength`/FILM_STRENGTH_OF_1 times the force by x, y, x', y'. At rest in the centre, where the
 /// force has a corner, those by the velocities are zero.
-static inline void film_tangent(const film_state *f, vec strength, tangent_block *tangent) {
+static inline void film_tangent(const film_state *f, vec strength, vec twice, tangent_block *tangent) {
     const film_slopes s = film_slope(f);
     const vec zero = v_set(0.0), two = v_set(2.0), C = v_mul(f->W, film_over_root(f));
     const vec over_C = v_select(v_less(zero, C), v_div(v_set(1.0), v_max(C, v_set(0x1p-1022))), zero);
@@ -87,8 +87,8 @@ static inline void film_tangent(const film_state *f, vec strength, tangent_block
         const vec by_A = v_fnma(d, across, v_mul(c, along)), by_B = v_fma(c, across, v_mul(d, along));
         rows[i][0] = v_mul(factor, v_add(by_A, v_fma(steep_x, force[i], by_x[i])));
         rows[i][1] = v_mul(factor, v_add(by_B, v_fma(steep_y, force[i], by_y[i])));
-        rows[i][2] = v_mul(factor, v_mul(two, by_B));
-        rows[i][3] = v_mul(factor, v_mul(v_set(-2.0), by_A));
+        rows[i][2] = v_mul(factor, v_mul(twice, by_B));
+        rows[i][3] = v_mul(factor, v_mul(v_sub(zero, twice), by_A));
     }
 }
 

@@ -15,7 +15,7 @@ const element_kernels ISA(force_kernels) = GENERIC_KERNELS;
 #if VECTOR_ISA == VECTOR_SCALAR
 #include <math.h>
 
-enum { AT, AMPLITUDE, MOMENT, LAW, ANGLE, PHASE, RATIO, FREQUENCY, KEY_COUNT };
+enum { AT, AMPLITUDE, MOMENT, LAW, ANGLE, PHASE, RATIO, FREQUENCY, KEYPHASOR, KEY_COUNT };
 
 /// To which side each law turns.
 static const double sides[] = {0.0, 1.0, -1.0};
@@ -36,6 +36,7 @@ static const whirl_key keys[KEY_COUNT] = {
                "its frequency over the speed of the shaft", ""},
     [FREQUENCY] = {"frequency", "f", "Hz", WHIRL_KEY_NUMBER, false, "", WHIRL_POSITIVE, NULL,
                    "frequency that does not depend on the speed, in place of ratio", ""},
+    [KEYPHASOR] = HARMONIC_KEYPHASOR,
 };
 
 FOR_EVERY_ISA(const element_kernels, force_kernels);
@@ -83,13 +84,18 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
         return whirl_fail(WHIRL_BAD_INPUT, "is %g times as fast as the shaft, expected at most %g times", rate,
                           HARMONIC_FASTEST);
     harmonic_force(out, to, values[MOMENT].given ? values[MOMENT].number : values[AMPLITUDE].number,
-                   sides[values[LAW].choice], values[ANGLE].number, values[PHASE].number, rate);
+                   sides[values[LAW].choice], values[ANGLE].number, values[PHASE].number, rate * to->turn);
     out->lumped = !values[RATIO].given && !values[FREQUENCY].given;
     for (size_t a = 0; a < 2 && out->lumped; a++) {
         assembly_forcing(to, out->port[a], COS_TAU, out->number[2 * a]);
         assembly_forcing(to, out->port[a], SIN_TAU, out->number[2 * a + 1]);
     }
     return whirl_ok();
+}
+
+static double keyphasor(const key_value *values, double speed) {
+    if (!values[KEYPHASOR].choice) return 0.0;
+    return values[FREQUENCY].given ? values[FREQUENCY].number * 6.283185307179586476925 : values[RATIO].number * speed;
 }
 
 const element_type force_element = {
@@ -101,5 +107,6 @@ const element_type force_element = {
     .rounds = harmonic_rounds,
     .kernels = harmonic_kernels,
     .build = build,
+    .keyphasor = keyphasor,
 };
 #endif

@@ -21,11 +21,21 @@ enum {
 
 extern const element_kernels *const harmonic_kernels[VECTOR_ISAS];
 
+/// The key that names the phase by which sections are taken.
+#define HARMONIC_KEYPHASOR                                                                                             \
+    {                                                                                                                  \
+        "keyphasor", "", "", WHIRL_KEY_CHOICE, false, "no", WHIRL_ANY, "no|yes",                                       \
+            "yes: sections are taken once a turn of this phase, in which revolutions and orders are counted, and not " \
+            "once a "                                                                                                  \
+            "turn of the shaft",                                                                                       \
+            ""                                                                                                         \
+    }
+
 /// Turns of the phase in a revolution.
 double harmonic_rounds(const element *own);
 
 /// Makes the element a force of `size` newtons on the ports out->port[0] and [1], with a phase that starts at `phase`
-/// and turns `rate` times as fast as the shaft: along the direction `angle` (side 0), or turning from there with the
+/// and turns by `rate` a radian of tau: along the direction `angle` (side 0), or turning from there with the
 /// shaft (1) or against it (-1).
 void harmonic_force(element *out, const assembly *to, double size, double side, double angle, double phase,
                     double rate);

@@ -71,7 +71,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     if (status.code != WHIRL_OK) return status;
     for (int piece = 0; piece < PIECES; piece++) {
         out->number[LOOSENESS_STIFFNESS + piece] = stiffness[piece]->number * to->length;
-        out->number[LOOSENESS_DAMPING + piece] = damping[piece]->number * to->length * to->speed;
+        out->number[LOOSENESS_DAMPING + piece] = damping[piece]->number * to->length * to->clock;
     }
     out->number[LOOSENESS_GAP] = values[GAP].given ? values[GAP].number / to->length : NEVER;
     // Dampings that are given may differ.

@@ -34,7 +34,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     if (status.code != WHIRL_OK) return status;
     out->number[MOUNT_STIFFNESS] = values[STIFFNESS].number * to->length;
     out->number[MOUNT_BRANCH] = values[BRANCH].number * to->length;
-    out->number[MOUNT_RATE] = values[BRANCH].number / (values[DAMPING].number * to->speed);
+    out->number[MOUNT_RATE] = values[BRANCH].number / (values[DAMPING].number * to->clock);
     generic_scale(out, to, 1.0);
     return whirl_ok();
 }

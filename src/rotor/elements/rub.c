@@ -75,10 +75,10 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     out->law = values[LAW].choice | (damped ? RUB_DAMPED : 0) | (sharp ? RUB_SHARP : 0);
     out->number[RUB_GAP] = values[GAP].number / to->length;
     out->number[RUB_STIFFNESS] = values[STIFFNESS].number / assembly_stiffness_scale(to, out->station);
-    out->number[RUB_DAMPING] = values[DAMPING].number / (assembly_inertia(to, out->station) * to->speed);
+    out->number[RUB_DAMPING] = values[DAMPING].number / (assembly_inertia(to, out->station) * to->clock);
     out->number[RUB_FRICTION] = values[FRICTION].number;
-    out->number[RUB_SURFACE] = slip ? values[RADIUS].number / to->length : 0.0;
-    out->number[RUB_SLIP_SPEED] = values[SLIP_SPEED].number / (to->speed * to->length);
+    out->number[RUB_SURFACE] = slip ? values[RADIUS].number / to->length * to->turn : 0.0;
+    out->number[RUB_SLIP_SPEED] = values[SLIP_SPEED].number / (to->clock * to->length);
     out->number[RUB_GAP_SQUARE] = out->number[RUB_GAP] * out->number[RUB_GAP];
     out->number[RUB_NEWTONS] = assembly_stiffness_scale(to, out->station) * to->length;
     return whirl_ok();

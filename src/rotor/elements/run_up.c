@@ -29,9 +29,9 @@ static const whirl_key keys[KEY_COUNT] = {
 
 static whirl_status build(const key_value *values, assembly *to, element *out) {
     element_on(&values[AT], to, AXIS_X, out);
-    out->number[RUN_UP_SIZE] = values[MOMENT].number * to->speed * to->speed;
-    out->number[RUN_UP_SPEED] = values[SPEED].number / to->speed;
-    out->number[RUN_UP_ACCELERATION] = values[ACCELERATION].number / (to->speed * to->speed);
+    out->number[RUN_UP_SIZE] = values[MOMENT].number * to->clock * to->clock;
+    out->number[RUN_UP_SPEED] = values[SPEED].number / to->clock;
+    out->number[RUN_UP_ACCELERATION] = values[ACCELERATION].number / (to->clock * to->clock);
     out->number[RUN_UP_ANGLE] = values[ANGLE].number;
     generic_scale(out, to, 1.0);
     return whirl_ok();

@@ -5,7 +5,7 @@
 #define KERNEL_NUMBERS SEAL_NUMBERS
 #define KERNEL_SWITCHES 0
 
-/// K_0, D_0 omega, m_f omega^2 in newtons per length scale; 1/c^2 in length scales; lambda_0, n and b.
+/// K_0, D_0, m_f in newtons per length scale and radian; 1/c^2 in length scales; lambda_0 by tau, n and b.
 enum {
     SEAL_STIFFNESS,
     SEAL_DAMPING,
@@ -59,10 +59,10 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     for (size_t a = 0; a < KERNEL_AXES && values[FROM].given; a++)
         assembly_inerter(to, out->port[a], out->port[KERNEL_AXES + a], values[MASS].number);
     out->number[SEAL_STIFFNESS] = values[STIFFNESS].number * to->length;
-    out->number[SEAL_DAMPING] = values[DAMPING].number * to->speed * to->length;
-    out->number[SEAL_MASS] = values[MASS].number * to->speed * to->speed * to->length;
+    out->number[SEAL_DAMPING] = values[DAMPING].number * to->clock * to->length;
+    out->number[SEAL_MASS] = values[MASS].number * to->clock * to->clock * to->length;
     out->number[SEAL_OVER_CLEARANCE_SQUARE] = 1.0 / (clearance * clearance);
-    out->number[SEAL_RATIO] = values[RATIO].number;
+    out->number[SEAL_RATIO] = values[RATIO].number * to->turn;
     out->number[SEAL_GROWTH] = values[GROWTH].number;
     out->number[SEAL_SLOWING] = values[SLOWING].number;
     generic_scale(out, to, 1.0);

@@ -7,8 +7,9 @@
 VECTOR_INLINE void add_shaft(int law, int grounded, const block *b, const vec *number, shaft_end here,
                              shaft_end there) {
     const size_t stride = b->stride, vectors = b->vectors;
-    const vec *cosine = b->forcing + COS_2TAU * stride, *sine = b->forcing + SIN_2TAU * stride;
-    for (size_t k = 0; k < vectors; k++) shaft_add(law, grounded, cosine[k], sine[k], stride, k, number, &here, &there);
+    const vec *cosine = b->forcing + COS_2TAU * b->forcing_stride, *sine = b->forcing + SIN_2TAU * b->forcing_stride;
+    for (size_t k = 0; k < vectors; k++)
+        shaft_add(law, grounded, false, cosine[k], sine[k], stride, k, number, &here, &there);
 }
 
 /// Of a state or a disturbance.
@@ -35,8 +36,24 @@ static void add(const element *first, size_t count, const block *b, const vec *q
         add_shafts(first, count, single(b), q, a);
 }
 
+/// What disturbance n of the shaft's phase adds.
+static void add_turned(const element *own, const block *b, size_t n) {
+    const int grounded = own->port[2] == NO_COORDINATE;
+    const size_t x = own->port[0] * b->stride, other = grounded ? x : own->port[2] * b->stride;
+    vec *a = b->a + n * b->next_v;
+    for (size_t k = 0; k < b->vectors; k++) {
+        const vec change = phase_of(b, n, k);
+        shaft_add(own->law, grounded, true, v_mul(b->turned[COS_2TAU * b->forcing_stride + k], change),
+                  v_mul(b->turned[SIN_2TAU * b->forcing_stride + k], change), b->stride, k, numbers_of(b, own),
+                  &(shaft_end){b->q + x, a + x}, &(shaft_end){b->q + other, a + other});
+    }
+}
+
 static void flow(const element *first, size_t count, const block *b) {
-    for (size_t n = 0; n <= b->disturbances; n++) add(first, count, b, b->q + n * b->next, b->a + n * b->next_v);
+    for (size_t n = 0; n <= b->disturbances; n++) {
+        add(first, count, b, b->q + n * b->next, b->a + n * b->next_v);
+        for (size_t i = 0; b->turned && n > 0 && i < count; i++) add_turned(first + i, b, n);
+    }
 }
 
 const element_kernels ISA(shaft_kernels) = {.flow = flow};

@@ -25,9 +25,10 @@ typedef struct shaft_end {
     vec *a;
 } shaft_end;
 
-/// Vector k; c and s: cos 2tau, sin 2tau. Linear, so that it takes disturbances too.
-VECTOR_INLINE void shaft_add(int law, int grounded, vec c, vec s, size_t stride, size_t k, const vec *number,
-                             const shaft_end *here, const shaft_end *there) {
+/// Vector k; c and s: cos 2tau, sin 2tau. Linear, so that it takes disturbances too. turned: c and s are what these
+/// change by, and the mean stiffness stays.
+VECTOR_INLINE void shaft_add(int law, int grounded, int turned, vec c, vec s, size_t stride, size_t k,
+                             const vec *number, const shaft_end *here, const shaft_end *there) {
     const size_t y = stride + k;
     const vec dx = grounded ? here->q[k] : v_sub(here->q[k], there->q[k]);
     const vec dy = grounded ? here->q[y] : v_sub(here->q[y], there->q[y]);
@@ -35,11 +36,12 @@ VECTOR_INLINE void shaft_add(int law, int grounded, vec c, vec s, size_t stride,
     const vec turn_x = v_fma(c, dx, v_mul(s, dy));
     const vec across = v_mul(s, dx);
     const vec turn_y = law == SHAFT_SIGNS_PAPER ? v_fma(c, dy, across) : v_fnma(c, dy, across);
-    const vec mean = number[SHAFT_MEAN_A * stride + k], half = number[SHAFT_HALF_A * stride + k];
+    const vec mean = turned ? v_set(0.0) : number[SHAFT_MEAN_A * stride + k], half = number[SHAFT_HALF_A * stride + k];
     here->a[k] = v_fnma(mean, dx, v_fnma(half, turn_x, here->a[k]));
     here->a[y] = v_fnma(mean, dy, v_fnma(half, turn_y, here->a[y]));
     if (grounded) return;
-    const vec mean_b = number[SHAFT_MEAN_B * stride + k], half_b = number[SHAFT_HALF_B * stride + k];
+    const vec mean_b = turned ? v_set(0.0) : number[SHAFT_MEAN_B * stride + k];
+    const vec half_b = number[SHAFT_HALF_B * stride + k];
     there->a[k] = v_fma(mean_b, dx, v_fma(half_b, turn_x, there->a[k]));
     there->a[y] = v_fma(mean_b, dy, v_fma(half_b, turn_y, there->a[y]));
 }
@@ -49,7 +51,7 @@ VECTOR_INLINE void shaft_kernel(const element *shaft, vec c, vec s, size_t strid
                                 vec *a) {
     const int grounded = shaft->port[2] == NO_COORDINATE;
     const size_t x = shaft->port[0] * stride, other = grounded ? x : shaft->port[2] * stride;
-    shaft_add(shaft->law, grounded, c, s, stride, 0, number, &(shaft_end){q + x, a + x},
+    shaft_add(shaft->law, grounded, false, c, s, stride, 0, number, &(shaft_end){q + x, a + x},
               &(shaft_end){q + other, a + other});
 }
 

@@ -50,7 +50,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     }
     out->law = values[DAMPING].given;
     out->number[SPRING_STIFFNESS] = stiffness * to->length;
-    out->number[SPRING_DAMPING] = damping * to->length * to->speed;
+    out->number[SPRING_DAMPING] = damping * to->length * to->clock;
     out->number[SPRING_GAP] = values[GAP].number / to->length;
     generic_scale(out, to, 1.0);
     return whirl_ok();

@@ -59,7 +59,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     const whirl_status status = element_in_housing(&values[AT], &values[FROM], to, out);
     if (status.code != WHIRL_OK) return status;
     out->number[SQUEEZE_OVER_CLEARANCE] = to->length / values[CLEARANCE].number;
-    out->number[SQUEEZE_STRENGTH] = strength(values, to->speed);
+    out->number[SQUEEZE_STRENGTH] = strength(values, to->clock);
     generic_scale(out, to, 1.0);
     return whirl_ok();
 }

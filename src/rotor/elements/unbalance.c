@@ -5,7 +5,7 @@
 #if VECTOR_ISA == VECTOR_SCALAR
 #include <math.h>
 
-enum { AT, MOMENT, ANGLE, RATIO, SPEED, KEY_COUNT };
+enum { AT, MOMENT, ANGLE, RATIO, SPEED, KEYPHASOR, KEY_COUNT };
 
 static const whirl_key keys[KEY_COUNT] = {
     UNBALANCE_KEYS,
@@ -14,6 +14,7 @@ static const whirl_key keys[KEY_COUNT] = {
                ""},
     [SPEED] = {"speed", "", "rad/s", WHIRL_KEY_NUMBER, false, "", WHIRL_ANY, NULL,
                "that speed where it does not depend on the rotor's, in place of ratio", ""},
+    [KEYPHASOR] = HARMONIC_KEYPHASOR,
 };
 
 static whirl_status build(const key_value *values, assembly *to, element *out) {
@@ -30,9 +31,16 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     if (!(fabs(ratio) <= HARMONIC_FASTEST))
         return whirl_fail(WHIRL_BAD_INPUT, "is %g times as fast as the rotor, expected at most %g times", fabs(ratio),
                           HARMONIC_FASTEST);
+    if (values[KEYPHASOR].choice && ratio == 0.0)
+        return whirl_fail(WHIRL_BAD_INPUT, "does not turn, expected a speed above 0 of what sections are taken by");
     element_on(&values[AT], to, AXIS_X, out);
-    harmonic_force(out, to, moment * speed * speed, 1.0, angle, 0.0, ratio);
+    harmonic_force(out, to, moment * speed * speed, 1.0, angle, 0.0, ratio * to->turn);
     return whirl_ok();
+}
+
+static double keyphasor(const key_value *values, double speed) {
+    if (!values[KEYPHASOR].choice) return 0.0;
+    return fabs(values[SPEED].given ? values[SPEED].number : values[RATIO].number * speed);
 }
 
 const element_type unbalance_element = {
@@ -44,5 +52,6 @@ const element_type unbalance_element = {
     .rounds = harmonic_rounds,
     .kernels = harmonic_kernels,
     .build = build,
+    .keyphasor = keyphasor,
 };
 #endif

@@ -15,6 +15,7 @@ static block block_of(const lanes_view *view) {
                    .disturbances = view->tangents,
                    .next = rotor->lanes.degrees * view->stride,
                    .next_v = (rotor->lanes.degrees + rotor->lanes.states) * view->stride,
+                   .forcing_stride = view->stride,
                    .forcing = view->forcing,
                    .q = view->q,
                    .v = view->v,
@@ -33,7 +34,7 @@ static const vec *station_numbers(const block *b, size_t station) {
 /// The stations that move in x and y, which come first; a block of one's own, so that what is written cannot be a part
 /// of it.
 VECTOR_INLINE void add_stations(block at, size_t station_count) {
-    const vec *cosine = at.forcing + COS_TAU * at.stride, *sine = at.forcing + SIN_TAU * at.stride;
+    const vec *cosine = at.forcing + COS_TAU * at.forcing_stride, *sine = at.forcing + SIN_TAU * at.forcing_stride;
     for (size_t s = 0; s < station_count; s++) {
         const vec *number = station_numbers(&at, s);
         const size_t row = 2 * s * at.stride;
@@ -74,7 +75,7 @@ static const vec *column_of(const linear_term *term, const block *b, size_t n) {
     case SOURCE_VELOCITY:
         return b->v + n * b->next_v + term->column * b->stride;
     case SOURCE_FORCING:
-        return n == 0 ? b->forcing + term->column * b->stride : NULL;
+        return n == 0 ? b->forcing + term->column * b->forcing_stride : NULL;
     default:
         return NULL;
     }
@@ -96,6 +97,21 @@ static void pass_terms(const whirl_rotor *rotor, const block *b) {
         if (b->divergence && term->source == SOURCE_VELOCITY)
             for (size_t k = 0; k < b->vectors; k++)
                 b->divergence[k] = v_add(b->divergence[k], of_trace(b, term->row, term->column, number[k]));
+    }
+}
+
+/// What the values of time make of disturbance n of the shaft's phase, in vector k.
+static void add_turned(const whirl_rotor *rotor, const block *b, size_t n, size_t k) {
+    const vec *turned = b->turned + k, change = phase_of(b, n, k);
+    const vec *number = b->numbers + rotor->plane_count * STATION_NUMBERS * b->stride + k;
+    const size_t row = b->forcing_stride;
+    vec *a = b->a + n * b->next_v + k;
+    for (size_t s = 0; s < rotor->plane_count; s++)
+        station_turned(v_mul(turned[COS_TAU * row], change), v_mul(turned[SIN_TAU * row], change), b->stride,
+                       station_numbers(b, s) + k, a + 2 * s * b->stride);
+    for (const linear_term *term = rotor->terms; term < rotor->terms + rotor->term_count; term++, number += b->stride) {
+        vec *at = a + term->row * b->stride;
+        if (term->source == SOURCE_FORCING) *at = v_fma(*number, v_mul(turned[term->column * row], change), *at);
     }
 }
 
@@ -142,17 +158,47 @@ static bool flow_of_instance(const lanes_instance *instance, const block *b) {
     return false;
 }
 
+static void pass_all(const whirl_rotor *rotor, const block *b) {
+    clear(rotor, b);
+    pass_stations(b, rotor->plane_count);
+    if (wants_tangent(b)) pass_station_tangents(b, rotor->plane_count);
+    pass_terms(rotor, b);
+    for (size_t n = 1; b->turned && n <= b->disturbances; n++)
+        for (size_t k = 0; k < b->vectors; k++) add_turned(rotor, b, n, k);
+    for (const element *own = rotor->elements; own < rotor->elements + rotor->element_count; own += own->run)
+        kernels_of(own)->flow(own, own->run, b);
+    if (b->coupled) couple(b);
+}
+
+/// A few vectors from vector k on, where the values of time are those of the shaft's phase, which is a state.
+static void pass_by_phase(const whirl_rotor *rotor, const block *all, size_t k) {
+    enum { MOST = 8 };
+    vec values[FORCING_COUNT][MOST], turned[FORCING_COUNT][MOST];
+    const vec *number = all->numbers + (rotor->lanes.number_count - 1) * all->stride + k, nothing = v_set(0.0);
+    block b = *all;
+    b.vectors = all->vectors - k < MOST ? all->vectors - k : MOST;
+    b.q += k, b.v += k, b.a += k, b.numbers += k;
+    b.sides = b.sides ? b.sides + k : NULL;
+    b.divergence = b.divergence ? b.divergence + k : NULL;
+    b.forcing = values[0], b.turned = turned[0], b.forcing_stride = MOST, b.phase = rotor->phase;
+    ISA(machine_forcing)(rotor, MOST, b.vectors, b.v + b.phase * b.stride, values);
+    for (size_t i = 0; i < b.vectors; i++) {
+        turned[COS_TAU][i] = v_sub(nothing, values[SIN_TAU][i]);
+        turned[SIN_TAU][i] = values[COS_TAU][i];
+        turned[COS_2TAU][i] = v_mul(v_set(-2.0), values[SIN_2TAU][i]);
+        turned[SIN_2TAU][i] = v_mul(v_set(2.0), values[COS_2TAU][i]);
+        for (size_t n = 0; n <= b.disturbances; n++)
+            b.a[n * b.next_v + b.phase * b.stride + i] = n == 0 ? number[i] : nothing;
+    }
+    pass_all(rotor, &b);
+}
+
 void ISA(machine_flow)(const lanes_view *view) {
     const whirl_rotor *rotor = view->model;
     const block b = block_of(view);
     if (b.stride == 1 && !wants_tangent(&b) && flow_of_instance(rotor->lanes.instance, &b)) return;
-    clear(rotor, &b);
-    pass_stations(&b, rotor->plane_count);
-    if (wants_tangent(&b)) pass_station_tangents(&b, rotor->plane_count);
-    pass_terms(rotor, &b);
-    for (const element *own = rotor->elements; own < rotor->elements + rotor->element_count; own += own->run)
-        kernels_of(own)->flow(own, own->run, &b);
-    if (b.coupled) couple(&b);
+    if (!rotor->phase) pass_all(rotor, &b);
+    for (size_t k = 0; rotor->phase && k < b.vectors; k += 8) pass_by_phase(rotor, &b, k);
 }
 
 void ISA(machine_switches)(const lanes_view *view, void *values, void *rates) {

@@ -159,13 +159,13 @@ static void speeds(void **state) {
     sweep->values[3] = 1.5;
     whirl_case *machine = machine_of(result);
     assert_non_null(machine);
-    assert_true(fabs(machine_speed(machine, result, sweep, 3) - 450.0) < 1e-12);
+    assert_true(fabs(machine_clock(machine, result, sweep, 3) - 450.0) < 1e-12);
     whirl_case_free(machine);
     strcpy(result->case_text, "whirl: 1\n"); // no case
     assert_null(machine_of(result));
-    assert_true(isnan(machine_speed(NULL, result, sweep, 3)));
+    assert_true(isnan(machine_clock(NULL, result, sweep, 3)));
     *sweep->parameter = '\0';
-    assert_true(machine_speed(NULL, result, sweep, 3) == 650.0);
+    assert_true(machine_clock(NULL, result, sweep, 3) == 650.0);
     whirl_result_free(result);
 }
 
