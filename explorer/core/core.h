@@ -65,6 +65,10 @@ void explorer_plan_free(plan *p);
 int explorer_plan_number(plan *p, const char *option, double value);
 int explorer_plan_method(plan *p, const char *method);
 
+/// Where the plan's method is "auto", settles it: by `known`, or where that is "" as the command does for the batch
+/// (explorer_plan_layout does, too). The method of the plan.
+const char *explorer_plan_choose(plan *p, const char *known);
+
 /// Makes a first look of the plan: no more than `transient` + `record` revolutions (0: as they are) and, by methods of
 /// fixed step, `steps` of them (0: as they are). To be called after all other options. Where anything is left out,
 /// points have no verdict unless a longer run must give the same.

@@ -15,11 +15,24 @@ static const whirl_batch *find_batch(const whirl_study *study, const char *name)
     return NULL;
 }
 
-/// The explorer has no CVODE: what "auto" takes here is dop853.
-static void choose_method(plan *p) {
+/// What "auto" takes by the values of the batch, as in the command; dop853 where these give no machine.
+static void choose_method(const plan *p, const whirl_batch *from, whirl_integrate_options *how) {
+    whirl_study one = {.batch_count = 1, .batches = {*from}, .machine = p->study.machine, .family = p->study.family};
+    whirl_integrate_options *taken = &one.batches[0].integrate;
+    snprintf(taken->method, sizeof taken->method, "auto");
+    const bool well = whirl_study_choose_methods(&one).code == WHIRL_OK;
+    snprintf(how->method, sizeof how->method, "%s", well ? taken->method : "dop853");
+}
+
+EXPORTED const char *explorer_plan_choose(plan *p, const char *known) {
     whirl_integrate_options *how = &p->batch.integrate;
-    how->chosen = strcmp(how->method, "auto") == 0;
-    if (how->chosen) snprintf(how->method, sizeof how->method, "%s", "dop853");
+    if (strcmp(how->method, "auto") != 0) return how->method;
+    how->chosen = true;
+    if (*known)
+        snprintf(how->method, sizeof how->method, "%s", known);
+    else
+        choose_method(p, find_batch(&p->study, p->batch.name), how);
+    return how->method;
 }
 
 EXPORTED plan *explorer_plan_new(const whirl_case *object, const char *batch, const char *parameter) {
@@ -38,7 +51,6 @@ EXPORTED plan *explorer_plan_new(const whirl_case *object, const char *batch, co
     p->batch.count = 1;
     p->batch.carry = WHIRL_CARRY_NONE;
     if (parameter) snprintf(p->batch.parameter, sizeof p->batch.parameter, "%s", parameter);
-    choose_method(p);
     return p;
 }
 
@@ -64,7 +76,7 @@ EXPORTED int explorer_plan_number(plan *p, const char *name, double value) {
 
 EXPORTED int explorer_plan_method(plan *p, const char *method) {
     snprintf(p->batch.integrate.method, sizeof p->batch.integrate.method, "%s", method);
-    choose_method(p);
+    p->batch.integrate.chosen = false;
     return 1;
 }
 
@@ -127,6 +139,7 @@ static whirl_status make_machine(const plan *p, double value, whirl_machine *mac
 
 EXPORTED const char *explorer_plan_layout(plan *p, double value) {
     whirl_machine machine;
+    explorer_plan_choose(p, "");
     whirl_status status = make_machine(p, value, &machine);
     if (status.code == WHIRL_OK) {
         p->dimension = machine.system->dimension;

@@ -138,6 +138,11 @@ export class Core {
     );
   }
 
+  /// What `auto` takes: `known`, or what the core chooses; the method of the plan.
+  planChoose(plan: number, known: string): string {
+    return this.withTexts([known], (at) => this.text(this.module._explorer_plan_choose(plan, at!)));
+  }
+
   planLook(plan: number, look: Look): void {
     this.module._explorer_plan_look(plan, look.transient, look.record, look.stepsPerRevolution);
   }

@@ -17,6 +17,7 @@ declare module 'whirl-core-glue' {
     _explorer_plan_free(plan: number): void;
     _explorer_plan_number(plan: number, option: number, value: number): number;
     _explorer_plan_method(plan: number, method: number): number;
+    _explorer_plan_choose(plan: number, known: number): number;
     _explorer_plan_look(plan: number, transient: number, record: number, steps: number): void;
     _explorer_plan_diagram(plan: number): void;
     _explorer_plan_spectra(plan: number): void;

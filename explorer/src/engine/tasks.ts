@@ -6,6 +6,7 @@ import type { Answer, FromWorker, PartRequest, Task } from './wire';
 /// Revolutions of the waveform of a point that asks for no number of them.
 const USUAL_WAVEFORM = 20;
 const MOST_CASES = 4;
+const MOST_CHOICES = 32;
 /// Milliseconds between two reports of a diagram's points: about two frames.
 const REPORT_EVERY = 30;
 
@@ -18,6 +19,9 @@ export class Tasks {
   private readonly cases = new Map<string, number>();
   /// Cases that jobs under way rest on, with their number.
   private readonly inUse = new Map<number, number>();
+  /// What `auto` took by setting and batch, the last ones, and by the text alone: choosing costs some revolutions, for
+  /// which parts of a diagram and first looks do not wait again.
+  private readonly methods = new Map<string, string>();
 
   constructor(
     private readonly core: Core,
@@ -83,6 +87,7 @@ export class Tasks {
       if (options['transient'] !== undefined || options['record'] !== undefined) options['watch'] ??= 0;
       for (const [option, value] of Object.entries(options))
         if (value !== undefined) this.core.planOption(plan, option, value);
+      this.choose(plan, setting, batch);
       if (setting.look) this.core.planLook(plan, setting.look);
       return yield* use(plan);
     } finally {
@@ -91,6 +96,15 @@ export class Tasks {
       if (left > 0) this.inUse.set(object, left);
       else this.inUse.delete(object);
     }
+  }
+
+  private choose(plan: number, { text, assignments, options, look }: Setting, batch: string | undefined): void {
+    const any = JSON.stringify([text, batch, options?.method]);
+    const own = JSON.stringify([any, assignments]);
+    const method = this.core.planChoose(plan, this.methods.get(own) ?? (look && this.methods.get(any)) ?? '');
+    if (!look) this.methods.set(own, method);
+    this.methods.set(any, method);
+    for (const old of this.methods.keys()) if (this.methods.size > MOST_CHOICES) this.methods.delete(old);
   }
 
   private *describe(setting: Setting): Steps {
