@@ -203,6 +203,8 @@ static void write_numbers(FILE *stream, const selection *chosen, const whirl_fie
 }
 
 static void write_fields(FILE *stream, const selection *chosen) {
+    static const char *const extents[] = {
+        [WHIRL_PER_POINT] = "point", [WHIRL_PER_STATION] = "station", [WHIRL_PER_CONTACT] = "contact"};
     const whirl_layout *layout = &chosen->table->layout;
     member(stream, ',', "fields");
     fputc('[', stream);
@@ -216,6 +218,7 @@ static void write_fields(FILE *stream, const selection *chosen) {
         text_member(stream, '{', "name", field->name);
         text_member(stream, ',', "unit", field->unit);
         text_member(stream, ',', "meaning", field->meaning);
+        text_member(stream, ',', "extent", extents[field->extent]);
         fprintf(stream, ",\"repeat\":%zu,\"rows\":%zu,\"columns\":%zu", field->repeat, part.rows, part.columns);
         member(stream, ',', "data");
         fputc('"', stream);

@@ -1,5 +1,5 @@
 // A diagram: points along one parameter with what is known of each, from a stored run or from the engine.
-import type { Layout, SweepPoints, Verdict } from '../engine/protocol';
+import type { Field, Layout, SweepPoints, Verdict } from '../engine/protocol';
 import { regimeClass, UNDETERMINED } from './regimes';
 import { float32Of, float64Of, type StoredTable } from './run';
 
@@ -8,6 +8,9 @@ export interface Column {
   readonly rows: number;
   readonly data: Float32Array;
 }
+
+/// What is told of a field.
+export type FieldInfo = Omit<Field, 'offset'>;
 
 const SECTION = 'poincare/section';
 
@@ -24,6 +27,8 @@ export class Diagram {
   readonly lengthScales: Float64Array;
   /// Name and reason of the verdicts; empty texts where none is known.
   readonly verdicts: (readonly [string, string])[];
+  /// By their names.
+  readonly fields = new Map<string, FieldInfo>();
   private readonly columns = new Map<string, Column>();
   private layout: Layout | undefined;
 
@@ -59,6 +64,7 @@ export class Diagram {
     if (table.length_scales) made.lengthScales.set(float64Of(table.length_scales));
     else made.lengthScales.fill(lengthScale);
     for (const field of table.fields) {
+      made.fields.set(field.name, field);
       const all = float32Of(field.data);
       const size = table.count * field.rows;
       for (let which = 0, at = 0; which < field.repeat; which++)
@@ -96,6 +102,7 @@ export class Diagram {
       for (const key of ['classes', 'done', 'provisional', 'lengthScales'] as const) made[key][i] = this[key][point]!;
       made.verdicts[i] = this.verdicts[point]!;
     });
+    for (const [name, field] of this.fields) made.fields.set(name, field);
     for (const [key, { rows, data }] of this.columns) {
       const wide = new Float32Array(count * rows).fill(NaN);
       old.forEach((point, i) => wide.set(data.subarray(point * rows, (point + 1) * rows), i * rows));
@@ -108,6 +115,7 @@ export class Diagram {
   expect(layout: Layout): void {
     this.layout = layout;
     for (const field of layout.fields) {
+      this.fields.set(field.name, field);
       const columns = field.rows === 1 ? field.columns : field.name === SECTION ? 2 : 0;
       for (let which = 0; which < field.repeat; which++)
         for (let column = 0; column < columns; column++) this.widen(columnKey(field.name, which, column), field.rows);
@@ -164,11 +172,16 @@ export class Diagram {
 
   /// Largest share of the time in contact, over all contacts.
   contact(point: number): number {
-    let share = 0;
+    return this.largest(point, 'rub/share', 0);
+  }
+
+  /// A number of what there is several of, of the one that has most of it; 0 where none has any.
+  largest(point: number, field: string, column: number): number {
+    let most = 0;
     for (let which = 0; ; which++) {
-      const column = this.column('rub/share', which);
-      if (!column) return share;
-      share = Math.max(share, column.data[point] || 0);
+      const found = this.column(field, which, column);
+      if (!found) return most;
+      most = Math.max(most, found.data[point] || 0);
     }
   }
 

@@ -1,7 +1,7 @@
 // What a diagram can show over the parameter.
 import type { StationInfo } from '../engine/protocol';
 import { amplitudeMeasure, lengthMeasure, type Units } from '../model/units';
-import type { Column, Diagram } from './diagram';
+import type { Column, Diagram, FieldInfo } from './diagram';
 
 export interface Quantity {
   /// As it stands in the address of the page.
@@ -9,6 +9,8 @@ export interface Quantity {
   readonly text: string;
   /// One of these stations; or of the whole machine.
   readonly perStation: boolean;
+  /// The field that it is of, where the list below has a better name for it.
+  readonly field?: string;
   /// Found in spectra, which diagrams are computed without unless it is shown.
   readonly spectra?: boolean;
 }
@@ -16,16 +18,46 @@ export interface Quantity {
 export const QUANTITIES: readonly Quantity[] = [
   { id: 'x', text: 'x once per revolution', perStation: true },
   { id: 'y', text: 'y once per revolution', perStation: true },
-  { id: 'radius', text: 'Largest radius', perStation: true },
-  { id: 'eccentricity', text: 'Eccentricity ratio', perStation: true },
-  { id: 'contact', text: 'Contact share', perStation: false },
+  { id: 'radius', text: 'Largest radius', perStation: true, field: 'orbit/max_radius' },
+  { id: 'eccentricity', text: 'Eccentricity ratio', perStation: true, field: 'orbit/eccentricity' },
+  { id: 'contact', text: 'Contact share', perStation: false, field: 'rub/share' },
   { id: 'exponent', text: 'Largest exponent', perStation: false },
-  { id: 'backward', text: 'Backward whirl share', perStation: true },
+  { id: 'backward', text: 'Backward whirl share', perStation: true, field: 'orbit/backward' },
   { id: '1x', text: '1X amplitude of x', perStation: true, spectra: true },
   { id: '1y', text: '1X amplitude of y', perStation: true, spectra: true },
   { id: '1xlag', text: '1X phase lag of x', perStation: true, spectra: true },
   { id: '1ylag', text: '1X phase lag of y', perStation: true, spectra: true },
 ];
+
+/// A column of a field that no quantity of the list stands for: "orbit/min_radius", "orbit/mean:1".
+export const OF_A_FIELD = /^[a-z_]{1,40}\/[a-z_0-9]{1,40}(:\d)?$/;
+
+/// "mean x", "min radius".
+function wordsOf({ name, meaning, columns }: FieldInfo, column: number): string {
+  const words = name.replace(/.*\//, '').replaceAll('_', ' ');
+  return columns > 1 ? `${words} ${meaning.split(', ')[column] ?? column}` : words;
+}
+
+function quantitiesOfField(field: FieldInfo): Quantity[] {
+  return Array.from({ length: field.columns }, (_, column) => {
+    const words = wordsOf(field, column);
+    return {
+      id: field.columns > 1 ? `${field.name}:${column}` : field.name,
+      text: `${words.charAt(0).toUpperCase()}${words.slice(1)} (${field.name.replace(/\/.*/, '')})`,
+      perStation: field.extent === 'station',
+    };
+  });
+}
+
+/// The list, and all else that a diagram has of stations and contacts, a number each.
+export function quantitiesOf(diagram: Diagram | undefined): readonly Quantity[] {
+  const listed = new Set(QUANTITIES.map(({ field }) => field));
+  const others = Array.from(diagram?.fields.values() ?? []).filter(
+    ({ name, extent, rows }) =>
+      rows === 1 && extent !== 'point' && !name.startsWith('spectrum/') && !listed.has(name) && OF_A_FIELD.test(name),
+  );
+  return [...QUANTITIES, ...others.flatMap(quantitiesOfField)];
+}
 
 export function needsSpectra(id: string): boolean {
   return QUANTITIES.find((quantity) => quantity.id === id)?.spectra ?? false;
@@ -49,6 +81,14 @@ function shownLengths(
   if (Number.isFinite(common)) return { column, factor: factor * common };
   const data = column.data.map((value, i) => value * diagram.lengthScales[Math.floor(i / column.rows)]!);
   return { column: { rows: column.rows, data }, factor };
+}
+
+function largestOfContacts(diagram: Diagram, field: string, column: number, label: string): ShownQuantity | undefined {
+  if (!diagram.column(field, 0, column)) return undefined;
+  const data = Float32Array.from(diagram.values, (_, point) =>
+    diagram.done[point] ? diagram.largest(point, field, column) : NaN,
+  );
+  return { column: { rows: 1, data }, factor: 1, label };
 }
 
 /// The numbers of a quantity, how they are scaled and what stands at the axis; undefined where the diagram has none.
@@ -77,6 +117,17 @@ export function quantityOf(
     const found = diagram.column(field, station, column);
     return found && { ...shownLengths(diagram, found, units), label };
   };
+  const quantityOfField = (): ShownQuantity | undefined => {
+    const [field = '', number = '0'] = id.split(':');
+    const info = diagram.fields.get(field);
+    const column = Number(number);
+    if (!info || info.rows !== 1 || column >= info.columns) return undefined;
+    const text = info.columns > 1 ? wordsOf(info, column) : info.meaning.replace(/ \(.*/, '');
+    const label = info.unit === 'force' ? `${text} (N)` : text;
+    if (info.extent === 'contact') return largestOfContacts(diagram, field, column, label);
+    if (info.unit === 'length') return length(field, column, `${text} of ${name} (${unit})`);
+    return made(field, station, column, 1, `${label} of ${name}`);
+  };
   switch (id) {
     case 'x':
     case 'y':
@@ -86,16 +137,7 @@ export function quantityOf(
     case 'eccentricity':
       return made('orbit/eccentricity', station, 0, 1, `eccentricity ratio of ${name}`);
     case 'contact':
-      return (
-        diagram.column('rub/share') && {
-          column: {
-            rows: 1,
-            data: Float32Array.from(diagram.values, (_, point) => (diagram.done[point] ? diagram.contact(point) : NaN)),
-          },
-          factor: 1,
-          label: 'share of the time in contact',
-        }
-      );
+      return largestOfContacts(diagram, 'rub/share', 0, 'share of the time in contact');
     case 'exponent':
       return (
         made('lyapunov/largest', 0, 0, 1, 'exponent per revolution') ??
@@ -128,6 +170,6 @@ export function quantityOf(
         `1X phase lag of ${id.charAt(1)} of ${name} (degrees)`,
       );
     default:
-      return undefined;
+      return quantityOfField();
   }
 }

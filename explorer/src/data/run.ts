@@ -1,13 +1,7 @@
 // The runs that `whirl report` put into the page (src/report/explorer.c writes them).
-import type { StationInfo } from '../engine/protocol';
+import type { Field, StationInfo } from '../engine/protocol';
 
-export interface StoredField {
-  readonly name: string;
-  readonly unit: string;
-  readonly meaning: string;
-  readonly repeat: number;
-  readonly rows: number;
-  readonly columns: number;
+export interface StoredField extends Omit<Field, 'offset'> {
   /// float32, little-endian, base64: [repeat][columns][points][rows].
   readonly data: string;
 }

@@ -1,6 +1,6 @@
 // What the reader has set, as it stands in the address of the page. What an address holds is checked: it may come by
 // mail.
-import { QUANTITIES } from '../data/quantities';
+import { OF_A_FIELD, QUANTITIES } from '../data/quantities';
 import type { Units } from './units';
 
 /// A parameter's new value as `whirl run --set` takes it: "0.45", "6000 rpm".
@@ -94,11 +94,13 @@ export function readAddress(hash: string, fallback: Units): Address {
     parameter: NAME.test(all.get('par') ?? '') ? all.get('par')! : '',
     a: readSide(all, 'at', 'set'),
     b: all.has('b') ? readSide(all, 'b', 'bset') : undefined,
-    quantity: oneOf(
-      all.get('q'),
-      QUANTITIES.map(({ id }) => id),
-      'x',
-    ),
+    quantity: OF_A_FIELD.test(all.get('q') ?? '')
+      ? all.get('q')!
+      : oneOf(
+          all.get('q'),
+          QUANTITIES.map(({ id }) => id),
+          'x',
+        ),
     station: (all.get('st') ?? '').slice(0, MOST_TEXT),
     range: Number.isFinite(low) && Number.isFinite(high) && low! < high! ? [low!, high!] : undefined,
     units: {

@@ -1,5 +1,5 @@
 // The card of the diagram: what it shows, how it is touched, and computing it anew.
-import { QUANTITIES } from '../data/quantities';
+import { QUANTITIES, quantitiesOf } from '../data/quantities';
 import { CLASS_NAMES } from '../data/regimes';
 import { button, el, Segments, select, setChoices, type Choice } from '../dom';
 import type { SweepProgress } from '../engine/protocol';
@@ -149,14 +149,15 @@ export class MapCard {
       String(subject.station),
     );
     this.station.hidden =
-      !(QUANTITIES.find(({ id }) => id === subject.quantity)?.perStation ?? true) || subject.stations.length < 2;
+      !(quantitiesOf(subject.diagram).find(({ id }) => id === subject.quantity)?.perStation ?? true) ||
+      subject.stations.length < 2;
     setChoices(
       this.parameter,
       subject.parameters.map((name) => ({ value: name, text: name })),
       subject.parameter,
     );
     this.parameter.disabled = subject.parameters.length < 2;
-    this.quantity.value = subject.quantity;
+    this.showQuantities();
     this.back.disabled = subject.depth === 0;
     this.computing.hidden = !subject.computes;
     this.status.textContent = subject.status;
@@ -167,6 +168,7 @@ export class MapCard {
 
   /// After points have come in.
   grow(): void {
+    this.showQuantities();
     this.map.refresh();
     this.showLegend();
   }
@@ -175,6 +177,15 @@ export class MapCard {
   progress(now: SweepProgress | undefined): void {
     this.bar.hidden = this.cancel.hidden = now === undefined;
     if (now) this.bar.value = now.revolutionsTotal > 0 ? now.revolutionsDone / now.revolutionsTotal : 0;
+  }
+
+  /// What the diagram has to show, which is known once its first points are.
+  private showQuantities(): void {
+    const choices = quantitiesOf(this.subject?.diagram).map(({ id, text }) => ({ value: id, text }));
+    const now = this.subject?.quantity ?? 'x';
+    const same = choices.every(({ value }, i) => value === this.quantity.options[i]?.value);
+    if (same && choices.length === this.quantity.options.length) this.quantity.value = now;
+    else setChoices(this.quantity, choices, now);
   }
 
   private showLegend(): void {

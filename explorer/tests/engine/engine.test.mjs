@@ -127,6 +127,70 @@ test('points of a sweep are those of the command', async () => {
     );
 });
 
+// A seat that is damped a hundred thousand times as fast as it turns, and one that is not.
+for (const [damping, method] of [
+  ['1e7 N.s/m', 'rodas5p'],
+  ['100 N.s/m', 'dop853'],
+])
+  test(`method auto takes ${method}, as the command does`, async () => {
+    const text = `whirl: 1
+rotor:
+  speed: 100 rad/s
+  length_scale: 1 mm
+  stations:
+    disc: {mass: 10 kg, damping: 100 N.s/m, eccentricity: 0.1 mm}
+    seat: {mass: 1 kg, damping: ${damping}}
+  elements:
+    - shaft: {between: [disc, seat], k1: 0.2 MN/m}
+    - spring: {between: [seat, ground], stiffness: 0.5 MN/m}
+study:
+  response: {}
+  integrate: {transient: 0, record: 20}
+`;
+    const told = run(text, 'simd128');
+    assert.equal(told.integrated.response.method, method);
+    const whole = await good(engine.point({ setting: { text }, parameter: '' }));
+    const look = { transient: 0, record: 10, stepsPerRevolution: 64 };
+    const looked = await good(engine.point({ setting: { text, look }, parameter: '' }));
+    for (const { options } of [whole, looked])
+      assert.deepEqual([options.method, options.method_chosen], [method, true]);
+    assert.ok(sectionDifference(whole, fieldNumbers, told.points[0]) < 1e-12);
+  });
+
+// All that is watched of stations and contacts can be shown over the parameter.
+test('a diagram has a quantity for every number of its stations and contacts', async () => {
+  const { Diagram } = await load('../data/diagram');
+  const { quantitiesOf, quantityOf } = await load('../data/quantities');
+  const text = withStudy('paper', 'r_k', [0.6, 0.45], SHORT);
+  const values = Float64Array.of(0.6, 0.45);
+  const diagram = Diagram.awaited('r_k', values, new Int8Array(2));
+  const { layout } = await good(
+    engine.sweep(
+      { setting: { text }, parameter: 'r_k', values },
+      { layout: (given) => diagram.expect(given), points: (points) => diagram.take(points, (slot) => slot) },
+    ),
+  );
+  const units = { length: 'scale', speed: 'rad/s', frequency: 'order', amplitude: '0-p' };
+  const listed = quantitiesOf(diagram);
+  assert.equal(new Set(listed.map(({ id }) => id)).size, listed.length);
+  const watched = layout.fields.filter(({ name }) => /^(orbit|rub)\//.test(name) && name !== 'rub/contact');
+  assert.ok(watched.length >= 10);
+  for (const { name, columns, extent } of watched) {
+    const found = listed.filter(({ id, field }) => id.split(':')[0] === name || field === name);
+    assert.equal(found.length, columns, name);
+    found.forEach(({ id, perStation }, column) => {
+      assert.equal(perStation, extent === 'station');
+      // The second station is the journal: the disc has no eccentricity ratio.
+      const shown = quantityOf(diagram, id, 1, [{ name: 'disc' }, { name: 'journal' }], units, 'c');
+      for (const point of [0, 1]) {
+        const number = diagram.number(point, name, extent === 'station' ? 1 : 0, column);
+        assert.ok(Number.isFinite(number), `${name} of point ${point}`);
+        assert.equal(shown.column.data[point] * shown.factor, number, shown.label);
+      }
+    });
+  }
+});
+
 test('a carried sweep follows the attractor there and back, as the command does', async () => {
   const values = [0.1, 0.15, 0.2, 0.25, 0.3];
   const text = withStudy('rigid-rotor', 'rho', values, { ...LONG, start: 'carry, direction: both' });
