@@ -14,6 +14,7 @@
 #include "whirl/report.h"
 #include "whirl/result.h"
 #include "whirl/rotor.h"
+#include "whirl/sensitivity.h"
 #include "whirl/status.h"
 #include "whirl/study.h"
 #include "whirl/system.h"
