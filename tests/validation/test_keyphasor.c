@@ -44,7 +44,7 @@ static whirl_rotor *finish(whirl_design *design) {
 
 // ---------------------------------------------------------------- the same machine
 
-enum { DEGREES = 9, OWN = 5, DIMENSION = 2 * DEGREES + OWN };
+enum { DEGREES = 9, STATES = 2 * DEGREES, OWN = 5, DIMENSION = STATES + OWN };
 enum { FIRST_KINKED = 10, LAST_KINKED = 13 }; ///< of the elements below
 
 /// All that depends on the speed of the shaft, on its phase or on velocities, and a force of `hertz` by which sections
@@ -157,12 +157,12 @@ static void same_forces(void **unused) {
         double x[DIMENSION], y[DIMENSION + 1], dx[DIMENSION], dy[DIMENSION + 1], size = 0.0;
         const double phase = uniform(&seed, 0.0, two_pi);
         draw_state(&seed, x);
-        for (size_t i = 0; i < DIMENSION; i++) y[i] = i < DEGREES || i >= 2 * DEGREES ? x[i] : x[i] * speed / clock;
+        for (size_t i = 0; i < DIMENSION; i++) y[i] = i < DEGREES || i >= STATES ? x[i] : x[i] * speed / clock;
         y[DIMENSION] = phase;
         evaluate_rhs(one, phase, x, dx);
         evaluate_rhs(other, uniform(&seed, 0.0, two_pi), y, dy);
         for (size_t i = 0; i < DIMENSION; i++) {
-            const double ratio = i < DEGREES || i >= 2 * DEGREES ? clock / speed : clock / speed * clock / speed;
+            const double ratio = i < DEGREES || i >= STATES ? clock / speed : clock / speed * clock / speed;
             size = fmax(size, fabs(dx[i]));
             worst = fmax(worst, fabs(dy[i] * ratio - dx[i]) / size);
         }
@@ -176,7 +176,7 @@ static void same_forces(void **unused) {
 /// The Jacobian, with its column of the shaft's phase, against differences of the right-hand side.
 static void the_jacobian(void **unused) {
     (void)unused;
-    enum { N = DIMENSION }; // without the phase of the cage
+    enum { N = DIMENSION, ALL = N * N }; // without the phase of the cage
     whirl_rotor *rotor = make_all(310.0, 77.7, true, true);
     const whirl_system *system = whirl_rotor_system(rotor);
     assert_int_equal(system->dimension, N);
@@ -188,11 +188,11 @@ static void the_jacobian(void **unused) {
         x[N - 1] = uniform(&seed, 0.0, two_pi);
         exact_jacobian(system, 0.0, x, exact);
         rhs_jacobian(system, 0.0, x, 1e-3, differences);
-        for (size_t i = 0; i < (size_t)N * N; i++) size = fmax(size, fabs(exact[i]));
-        for (size_t i = 0; i < (size_t)N * N; i++) worst = fmax(worst, fabs(exact[i] - differences[i]) / size);
-        for (size_t i = 0; i < N; i++) by_phase = fmax(by_phase, fabs(exact[i * N + N - 1]));
+        for (size_t i = 0; i < ALL; i++) size = fmax(size, fabs(exact[i]));
+        for (size_t i = 0; i < ALL; i++) worst = fmax(worst, fabs(exact[i] - differences[i]) / size);
+        for (size_t i = 0; i < N; i++) by_phase = fmax(by_phase, fabs(exact[N * i + N - 1]));
         for (size_t i = 0; i < N; i++)
-            column = fmax(column, fabs(exact[i * N + N - 1] - differences[i * N + N - 1]) / by_phase);
+            column = fmax(column, fabs(exact[N * i + N - 1] - differences[N * i + N - 1]) / by_phase);
         least = fmin(least, by_phase / size);
     }
     check_within("Keyphasor", "Jacobian against differences, part of its largest entry", 0.0, worst, 1e-10);
