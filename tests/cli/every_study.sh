@@ -24,7 +24,7 @@ studies=(
     "$response\n$all"
     "$sweep, start: rest}\n$detail"
     "$sweep, start: state}\n$all"
-    "$sweep, start: carry, direction: both}\n$all\n$detail"
+    "${sweep/11/5}, start: carry, direction: both}\n$all\n$detail"
 )
 threads=(2 3 4 5 7 8 12 16)
 
