@@ -9,13 +9,7 @@
 
 static json_t *run_object(bool *well, const whirl_integrate_options *options, const whirl_verify_run *run) {
     json_t *object = json_object();
-    document_put(well, object, "method", document_text(options->method));
-    if (whirl_method_is_adaptive(options->method)) {
-        document_put(well, object, "rtol", document_number(options->rtol));
-        document_put(well, object, "atol", document_number(options->atol));
-    } else {
-        document_put(well, object, "steps_per_revolution", json_integer(options->steps_per_revolution));
-    }
+    document_put_members(well, object, whirl_integrate_members(), options);
     document_put(well, object, "difference", document_number(run->difference));
     document_put(well, object, "section", document_number(run->section));
     document_put(well, object, "regime", document_text(whirl_regime_name(run->verdict.regime)));
