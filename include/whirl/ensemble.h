@@ -41,8 +41,16 @@ void whirl_ensemble_free(whirl_ensemble *ensemble);
 whirl_status whirl_ensemble_alone(const whirl_system *system, const whirl_integrate_options *options, size_t lanes,
                                   size_t followed, whirl_ensemble **ensemble);
 
-/// Lets disturbances go along with a lane of such an ensemble in the next revolution, as whirl_integrator_carry has
-/// them. They belong to the caller.
+/// Whether all disturbances of machines of this system can go along in lanes with these options: rotors of up to 256
+/// coordinates whose forces do not jump, by rk4 that walks over contacts. All others go alone.
+bool whirl_ensemble_follows(const whirl_system *system, const whirl_integrate_options *options);
+
+/// As whirl_ensemble_new, with room for as many machines as are fast, and for all disturbances of each.
+whirl_status whirl_ensemble_variational(const whirl_system *system, const whirl_integrate_options *options,
+                                        whirl_ensemble **ensemble);
+
+/// Lets disturbances go along with a lane of one of the last two in the next revolution, as whirl_integrator_carry has
+/// them; of whirl_ensemble_variational, all of them, with growth. They belong to the caller.
 void whirl_ensemble_carry(whirl_ensemble *ensemble, size_t lane, whirl_disturbances *disturbances);
 
 /// Lanes that there are: those asked for, rounded up to whole vectors.
@@ -100,34 +108,6 @@ typedef struct whirl_ensemble_seen {
     WHIRL_WATCHED_ARRAYS
 } whirl_ensemble_seen;
 void whirl_ensemble_read(const whirl_ensemble *ensemble, size_t lane, const whirl_ensemble_seen *seen);
-
-// ---------------------------------------------------------------- disturbances
-
-/// All disturbances of many machines side by side, for all Lyapunov exponents; not to be shared between threads.
-typedef struct whirl_variational whirl_variational;
-
-/// Whether disturbances of machines of this system can go in lanes with these options: rotors of up to 64 stations
-/// whose forces do not jump, with method rk4. All others go alone (whirl_integrator_carry).
-bool whirl_variational_takes(const whirl_system *system, const whirl_integrate_options *options);
-
-/// Errors as whirl_ensemble_new. Freed by whirl_variational_free.
-whirl_status whirl_variational_new(const whirl_system *system, const whirl_integrate_options *options,
-                                   whirl_variational **variational);
-void whirl_variational_free(whirl_variational *variational);
-size_t whirl_variational_lanes(const whirl_variational *variational);
-
-/// Puts a machine of the variational ensemble's structure into a lane: its state x [dimension] at the beginning of a
-/// revolution, and orthonormal disturbances [dimension][dimension]. WHIRL_NO_MEMORY.
-whirl_status whirl_variational_load(whirl_variational *variational, size_t lane, const whirl_system *system,
-                                    const double *x, const double *vectors);
-
-/// Carries all lanes over one period.
-void whirl_variational_revolve(whirl_variational *variational);
-
-/// The disturbances of a lane, orthonormal again, their growth [dimension] and its sum by the divergence, as
-/// whirl_disturbances has them.
-void whirl_variational_read(const whirl_variational *variational, size_t lane, double *vectors, double *growth,
-                            double *volume);
 
 #ifdef __cplusplus
 }

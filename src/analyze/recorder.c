@@ -35,11 +35,9 @@ struct whirl_recorder {
     const whirl_record_options *options;
     const whirl_task_source *source;
     whirl_ensemble *ensemble;
-    whirl_variational *variational; ///< of all disturbances, or NULL
-    motion **followed;              ///< [lanes of the variational ensemble] workspace
+    whirl_ensemble *variational; ///< that carries all disturbances, beside the other one; or NULL
     size_t dimension, lane_count;
-    size_t beside;           ///< disturbances of a motion that its integrator carries beside it by the Jacobian
-    size_t disturbed;        ///< these, or those of the variational ensemble
+    size_t beside; ///< disturbances of a motion that are carried by the Jacobian
     int first_watched, last; ///< revolutions
     size_t used;             ///< lanes
     motion **owner;          ///< [lane_count] the motion of every lane in use
@@ -134,14 +132,14 @@ static void motion_free(motion *m) {
 }
 
 static motion *motion_new(const whirl_recorder *r, const whirl_task *task) {
-    const size_t rows = 2 + r->disturbed;
+    const size_t rows = 2 + r->beside;
     motion *m = calloc(1, sizeof *m + rows * r->dimension * sizeof(double));
     if (!m) return NULL;
     *m = (motion){.task = *task, .lane = NO_LANE, .twin_lane = NO_LANE, .x = (double *)(m + 1)};
     m->disturbances = m->x + 2 * r->dimension;
     m->twin = twin_of(r->integrate, r->dimension, task->system->turns, m->x + r->dimension);
     m->record = record_new(task->system, r->integrate, r->options);
-    if (m->record && r->disturbed > 0) record_place_disturbances(m->record, r->disturbed, m->disturbances);
+    if (m->record && r->beside > 0) record_place_disturbances(m->record, r->beside, m->disturbances);
     memcpy(m->x, task->start, r->dimension * sizeof *m->x);
     if (follows(r, m)) twin_begin(&m->twin, m->x);
     if (r->options->settle) m->settling = settling_new(r->dimension, task->system->turns);
@@ -158,7 +156,7 @@ static void motion_archive(const whirl_recorder *r, motion *m, archive *a) {
     record_archive(m->record, r->integrate, r->options, a);
     archive_part(a, &m->revolution, sizeof m->revolution);
     archive_part(a, &m->twin.distance, sizeof m->twin.distance);
-    archive_part(a, m->x, (2 + r->disturbed) * r->dimension * sizeof *m->x); // disturbances follow
+    archive_part(a, m->x, (2 + r->beside) * r->dimension * sizeof *m->x); // disturbances follow
     if (m->settling) settling_archive(m->settling, a);
     const size_t numbers = whirl_ensemble_numbers(r->ensemble);
     size_t in_lane = m->saved != NULL;
@@ -252,13 +250,13 @@ static whirl_status fill(whirl_recorder *r) {
 
 // ---------------------------------------------------------------- a revolution
 
-/// Lets the disturbances of a motion go along beside it.
-static void carry_beside(const whirl_recorder *r, motion *m) {
+/// Lets the disturbances of a motion go along with a lane of an ensemble.
+static void carry_beside(const whirl_recorder *r, motion *m, whirl_ensemble *ensemble, size_t lane) {
     whirl_record *record = m->record;
     const size_t count = record->growth_count;
     double *growth = record->growths ? record->growths + count * record->dimension : &record->growth[count];
     m->set = (whirl_disturbances){.count = r->beside, .vectors = m->disturbances, .growth = growth};
-    whirl_ensemble_carry(r->ensemble, m->lane, &m->set);
+    whirl_ensemble_carry(ensemble, lane, &m->set);
 }
 
 static void note_beside(motion *m) {
@@ -272,7 +270,8 @@ static void note_beside(motion *m) {
 /// Before a revolution, in which a motion may begin to be watched or recorded.
 static whirl_status prepare(whirl_recorder *r, motion *m) {
     if (m->revolution == r->options->transient) whirl_ensemble_forget(r->ensemble, m->lane);
-    if (r->beside > 0 && m->revolution >= r->first_watched) carry_beside(r, m);
+    if (r->beside > 0 && !r->variational && m->revolution >= r->first_watched)
+        carry_beside(r, m, r->ensemble, m->lane);
     if (!follows(r, m) || m->twin_lane != NO_LANE) return whirl_ok();
     twin_begin(&m->twin, m->x);
     if (r->used < r->lane_count) {
@@ -335,34 +334,20 @@ static void follow_twin(whirl_recorder *r, motion *m) {
     whirl_ensemble_place(r->ensemble, m->twin_lane, m->twin.x);
 }
 
-/// Carries the disturbances of `count` motions whose x is still the state at the revolution's beginning.
-static void carry_followed(whirl_recorder *r, size_t count) {
-    if (count == 0) return;
-    whirl_variational_revolve(r->variational);
-    for (size_t i = 0; i < count; i++) {
-        motion *m = r->followed[i];
-        whirl_record *record = m->record;
-        double *growth = record->growths + record->growth_count * record->dimension;
-        whirl_variational_read(r->variational, i, m->disturbances, growth, &record->volume[record->growth_count]);
-        record->growth[record->growth_count++] = growth[0];
-    }
-}
-
-/// Carries the disturbances of all motions that are watched.
+/// Carries the disturbances of all motions that are watched, where they have an ensemble of their own.
 static whirl_status follow_all(whirl_recorder *r) {
     size_t count = 0;
     for (size_t i = 0; r->variational && i < r->count; i++) {
         motion *m = r->motions[i];
         if (waits(m) || m->revolution < r->first_watched) continue;
-        const whirl_status status =
-            whirl_variational_load(r->variational, count, m->task.system, m->x, m->disturbances);
+        const whirl_status status = whirl_ensemble_load(r->variational, count, m->task.system, m->x);
         if (status.code != WHIRL_OK) return status;
-        r->followed[count++] = m;
-        if (count < whirl_variational_lanes(r->variational)) continue;
-        carry_followed(r, count);
+        carry_beside(r, m, r->variational, count++);
+        if (count < whirl_ensemble_lanes(r->variational)) continue;
+        whirl_ensemble_revolve(r->variational, count, NULL);
         count = 0;
     }
-    carry_followed(r, count);
+    if (count > 0) whirl_ensemble_revolve(r->variational, count, NULL);
     return whirl_ok();
 }
 
@@ -465,26 +450,25 @@ static size_t count_beside(const whirl_system *system, const whirl_integrate_opt
 static bool go_side_by_side(const whirl_system *system, const whirl_integrate_options *integrate,
                             const whirl_record_options *options) {
     if (!whirl_ensemble_takes(system, integrate)) return false;
-    if (options->growth == WHIRL_GROWTH_ALL) return whirl_variational_takes(system, integrate);
+    if (options->growth == WHIRL_GROWTH_ALL) return whirl_ensemble_follows(system, integrate);
     return options->growth == WHIRL_GROWTH_NONE || !system->kinked || !whirl_method_is_adaptive(integrate->method);
 }
 
 static whirl_status start_ensemble(whirl_recorder *r, const whirl_system *system, size_t lanes) {
     if (!go_side_by_side(system, r->integrate, r->options)) {
-        r->beside = r->disturbed = count_beside(system, r->integrate, r->options);
+        r->beside = count_beside(system, r->integrate, r->options);
         r->most = 1; // one after the other
         return whirl_ensemble_alone(system, r->integrate, has_twins(r) ? 2 : 1, r->beside, &r->ensemble);
     }
     const whirl_status status = whirl_ensemble_new(system, r->integrate, lanes, &r->ensemble);
     if (status.code != WHIRL_OK || r->options->growth != WHIRL_GROWTH_ALL) return status;
-    r->disturbed = system->dimension;
-    return whirl_variational_new(system, r->integrate, &r->variational);
+    r->beside = system->dimension;
+    return whirl_ensemble_variational(system, r->integrate, &r->variational);
 }
 
 static whirl_status start(whirl_recorder *r, const whirl_system *system, size_t lanes) {
     const whirl_status status = start_ensemble(r, system, lanes);
     if (status.code != WHIRL_OK) return status;
-    if (r->variational) r->followed = calloc(whirl_variational_lanes(r->variational), sizeof(motion *));
     r->lane_count = whirl_ensemble_lanes(r->ensemble);
     r->owner = calloc(r->lane_count, sizeof(motion *));
     if (r->most == 0) r->most = r->lane_count;
@@ -497,7 +481,7 @@ static whirl_status start(whirl_recorder *r, const whirl_system *system, size_t 
                                    whirl_record_samples(r->options, r->integrate->steps_per_revolution));
     const size_t samples = r->watch.stride > 0 ? (size_t)r->integrate->steps_per_revolution / r->watch.stride : 0;
     r->samples = calloc(samples * 2 * r->probe_count * r->lane_count + 1, sizeof *r->samples);
-    if (!r->owner || !r->motions || !r->samples || (r->variational && !r->followed))
+    if (!r->owner || !r->motions || !r->samples )
         return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu lanes", r->lane_count);
     return whirl_ok();
 }
@@ -512,8 +496,7 @@ void whirl_recorder_free(whirl_recorder *r) {
     free(r->owner);
     free(r->samples);
     whirl_ensemble_free(r->ensemble);
-    whirl_variational_free(r->variational);
-    free(r->followed);
+    whirl_ensemble_free(r->variational);
     free(r);
 }
 

@@ -81,6 +81,7 @@ typedef struct adaptive_lanes {
     size_t number_count, forcing_count, switch_count;
     size_t group_count;
     const size_t *groups; ///< coordinates whose sizes are measured together
+    const size_t *mates;  ///< of one slot, [rates]: the next state whose size is measured with that one's; NULL: none
     bool modulated;       ///< accelerations depend on the forcing in other ways than in proportion
     bool slides;          ///< motions can slide along a switch
     double period, rtol, atol, limit;
@@ -131,17 +132,34 @@ typedef struct adaptive_lanes {
     lane_rows exchanged[MAX_LANE_ROWS];  ///< what goes with a lane into its slot and back
     size_t exchanged_count;
     lane_queue *queue;
-    stepper *stepper; ///< for slots that are looked at one by one
+    stepper *stepper; ///< for slots that are looked at one by one; the ensemble's
     double *block;    ///< all arrays
 } adaptive_lanes;
 
 typedef void adaptive_lanes_revolve(const adaptive_lanes *lanes);
 
+/// What a stepper asks of a method's kernel, for a workspace of one slot.
+typedef struct one_slot {
+    void (*begin)(const adaptive_lanes *slot);            ///< the length of the first step, by the slope
+    void (*try_step)(const adaptive_lanes *slot);         ///< from (t, v): end, slope there and error
+    void (*take_polynomials)(const adaptive_lanes *slot); ///< the interpolant of the step tried
+    /// The state, in stage_v, at which slope `number` of the step tried was taken; of rodas5p one after the other.
+    void (*take_stage)(const adaptive_lanes *slot, int number);
+    void (*solve)(const adaptive_lanes *slot, double *x); ///< (1/(gamma h) - J)^-1 x in place; NULL: explicit
+    /// Whether the step is taken; else it is special, or to be tried with the length h.
+    bool (*judge)(const adaptive_lanes *slot);
+} one_slot;
+
+extern const one_slot dop853_slot, rodas5p_slot;
+
 /// An adaptive method in lanes.
 typedef struct lanes_method {
-    const formula *formula; ///< for steps that are taken with care
     /// One for every instruction set of vector.h; NULL where it is not built.
     adaptive_lanes_revolve *const *revolves;
+    const one_slot *one;
+    /// Tries the step of a stepper's state for the disturbances that go along; gives the norm of their estimated error
+    /// over the tolerance.
+    double (*try_varied)(stepper *c);
     int dense;                     ///< polynomials of the interpolant
     size_t (*group)(size_t rates); ///< vectors: enough to hide each other's latency, few enough for the first cache
     /// Sets where its own arrays are in a block of rows from `block` on, and those of the step that it has a place for;
@@ -157,6 +175,9 @@ FOR_EVERY_ISA(adaptive_lanes_revolve, rodas5p_lanes);
 static inline double *lanes_row(const adaptive_lanes *lanes, double *block, size_t row) {
     return block ? block + row * lanes->slots : NULL;
 }
+
+/// A workspace of that shape, whose arrays are to be made; NULL where there is no memory.
+adaptive_lanes *adaptive_lanes_make(const adaptive_lanes *shape);
 
 /// A workspace for systems of that structure with that instruction set; the ensemble is set for every revolution. NULL
 /// where there is no memory.

@@ -76,51 +76,55 @@ static size_t lay_out(adaptive_lanes *lanes, double *block) {
     return row;
 }
 
-adaptive_lanes *adaptive_lanes_new(const lanes_method *own, const whirl_system *system,
-                                   const whirl_integrate_options *options, const isa *set) {
-    const whirl_lanes *form = system->lanes;
-    adaptive_lanes *lanes = calloc(1, sizeof *lanes);
+adaptive_lanes *adaptive_lanes_make(const adaptive_lanes *shape) {
+    adaptive_lanes *lanes = malloc(sizeof *lanes);
     if (!lanes) return NULL;
-    *lanes = (adaptive_lanes){.method = own,
-                              .model = system->model,
-                              .flow = form->flow[set->number],
-                              .switches = form->switches[set->number],
-                              .forcing_at = form->forcing[set->number],
-                              .stride = own->group(form->degrees + form->states),
-                              .degrees = form->degrees,
-                              .rates = form->degrees + form->states,
-                              .dimension = system->dimension,
-                              .number_count = form->number_count,
-                              .forcing_count = system->forcing_count,
-                              .switch_count = form->switch_count,
-                              .modulated = form->modulated,
-                              .slides = form->slides,
-                              .period = system->period,
-                              .rtol = options->rtol,
-                              .atol = options->atol,
-                              .limit = options->limit,
-                              .instants = options->steps_per_revolution,
-                              .group_count = form->group_count,
-                              .groups = form->groups,
-                              .observe = {.probe_count = system->probe_count,
-                                          .probes = system->probes,
-                                          .contact_count = form->contact_count}};
-    if (form->damped) lanes->observe.normal_force = form->contacts[set->number];
-    lanes->slots = lanes->stride * set->lanes;
-    lanes->instance = lanes->stride == INSTANCE_STRIDE ? form->instance : NULL;
+    *lanes = *shape;
     const size_t bytes = (lay_out(lanes, NULL) * lanes->slots * sizeof(double) + 63) / 64 * 64;
     lanes->block = aligned_alloc(64, bytes);
     lanes->queue = calloc(1, sizeof *lanes->queue);
-    lanes->stepper = stepper_new(own->formula, system->dimension, system->switch_count, options);
-    if (!lanes->block || !lanes->queue || !lanes->stepper) {
+    if (!lanes->block || !lanes->queue) {
         adaptive_lanes_free(lanes);
         return NULL;
     }
     memset(lanes->block, 0, bytes);
     lay_out(lanes, lanes->block);
-    own->prepare(lanes);
+    lanes->method->prepare(lanes);
     for (size_t i = 0; i < MAX_SLOTS; i++) lanes->queue->slot_lane[i] = NO_LANE;
     return lanes;
+}
+
+adaptive_lanes *adaptive_lanes_new(const lanes_method *own, const whirl_system *system,
+                                   const whirl_integrate_options *options, const isa *set) {
+    const whirl_lanes *form = system->lanes;
+    adaptive_lanes shape = {.method = own,
+                            .model = system->model,
+                            .flow = form->flow[set->number],
+                            .switches = form->switches[set->number],
+                            .forcing_at = form->forcing[set->number],
+                            .stride = own->group(form->degrees + form->states),
+                            .degrees = form->degrees,
+                            .rates = form->degrees + form->states,
+                            .dimension = system->dimension,
+                            .number_count = form->number_count,
+                            .forcing_count = system->forcing_count,
+                            .switch_count = form->switch_count,
+                            .modulated = form->modulated,
+                            .slides = form->slides,
+                            .period = system->period,
+                            .rtol = options->rtol,
+                            .atol = options->atol,
+                            .limit = options->limit,
+                            .instants = options->steps_per_revolution,
+                            .group_count = form->group_count,
+                            .groups = form->groups,
+                            .observe = {.probe_count = system->probe_count,
+                                        .probes = system->probes,
+                                        .contact_count = form->contact_count}};
+    if (form->damped) shape.observe.normal_force = form->contacts[set->number];
+    shape.slots = shape.stride * set->lanes;
+    shape.instance = shape.stride == INSTANCE_STRIDE ? form->instance : NULL;
+    return adaptive_lanes_make(&shape);
 }
 
 bool adaptive_lanes_make_room(adaptive_lanes *lanes, size_t samples, size_t lane_count) {
@@ -135,7 +139,6 @@ void adaptive_lanes_free(adaptive_lanes *lanes) {
     if (!lanes) return;
     free(lanes->block);
     free(lanes->queue);
-    free(lanes->stepper);
     free(lanes->samples);
     free(lanes);
 }

@@ -82,14 +82,14 @@ static void step_alone(const adaptive_lanes *lanes, size_t slot) {
     stepper *c = lanes->stepper;
     give_state(lanes, slot);
     give_sides(lanes, slot);
-    c->h = lanes->length[slot];
+    *c->slot->h = lanes->length[slot];
     c->switchings = (int)lanes->switchings[slot];
     c->observed = lanes->observing;
     const whirl_motion motion = stepper_step(c, lanes->period);
     take_state(lanes, slot);
     take_sides(lanes, slot);
     lanes->t[slot] = c->t;
-    lanes->h[slot] = c->h;
+    lanes->h[slot] = *c->slot->h;
     lanes->switchings[slot] = c->switchings;
     lanes->landing[slot] = 0.0;
     lanes->fresh[slot] = 1.0;

@@ -79,7 +79,7 @@ static void end(whirl_integrator *integrator) {
     if (work->matrix) SUNMatDestroy(work->matrix);
     if (work->state) N_VDestroy(work->state);
     if (work->context) SUNContext_Free(&work->context);
-    free(work->sides);
+    stepper_free(work->sides);
     free(work->roots);
     free(work);
 }
@@ -124,7 +124,7 @@ static int configure(cvode *work, const whirl_integrator *integrator, int kind) 
 static bool prepare_sides(cvode *work, const whirl_integrate_options *options) {
     const whirl_system *system = work->system;
     if (system->switch_count == 0 || !system->rhs_on_sides) return true;
-    work->sides = stepper_new(&dop853_formula, system->dimension, system->switch_count, options);
+    work->sides = stepper_new(NULL, system, options);
     return work->sides != NULL;
 }
 
@@ -180,7 +180,7 @@ static int vary(int count, realtype t, N_Vector x, N_Vector slope, N_Vector *dis
     const double *vector = NV_DATA_S(disturbance[0]);
     (void)count, (void)slope, (void)spare, (void)other;
     if (work->sides) {
-        stepper_apply_jacobian(work->sides, t, NV_DATA_S(x), vector, out);
+        stepper_apply_jacobian(work->sides, t, NV_DATA_S(x), 1, vector, out);
     } else {
         if (system->forcing_count > 0) system->forcing(system->model, t, forcing);
         system->tangent(system->model, t, forcing, NV_DATA_S(x), NULL, 1, vector, out);
@@ -297,7 +297,7 @@ const method cvode_adams_method = {
     .about = {"cvode-adams", "SUNDIALS CVODE, Adams-Moulton of order 1 to 12, contacts located", true, false, true},
     .start = start_adams,
     .revolve = revolve,
-    .disturbance_rows = 1,
+    .rows = 1,
     .end = end,
 };
 
@@ -306,6 +306,6 @@ const method cvode_bdf_method = {
               true, false, true},
     .start = start_bdf,
     .revolve = revolve,
-    .disturbance_rows = 1,
+    .rows = 1,
     .end = end,
 };

@@ -15,6 +15,8 @@
 
 rk4_lanes_revolve *const rk4_lanes_revolves[VECTOR_ISAS] = EVERY_ISA(, rk4_lanes);
 
+enum { ORTHONORMAL = 64 }; ///< times in a revolution that disturbances are made orthonormal
+
 struct whirl_ensemble {
     const whirl_system *system; ///< of the first machine: the structure
     const isa *isa;
@@ -23,10 +25,12 @@ struct whirl_ensemble {
     double limit;
     rk4_lanes lanes;
     adaptive_lanes *adaptive; ///< NULL for rk4
+    stepper *stepper;         ///< for steps near switches; NULL: not needed
     alone_lanes *alone;       ///< lanes that integrators carry; NULL: kernels do
     double *ended;            ///< [lane] whirl_motion
     const double *shown;      ///< [dimension] states that coordinates are asked of: a sample's; NULL: the present ones
     const whirl_system **machines; ///< [lane_count] who is where; NULL: nobody
+    whirl_disturbances **beside;   ///< [lane_count] that go along in the next revolution; NULL: none
     size_t *contact_probe;
     double *state;           ///< [dimension] workspace
     double *forcing, *block; ///< block: all arrays of lanes, aligned to 64 bytes
@@ -43,13 +47,22 @@ bool whirl_ensemble_takes(const whirl_system *system, const whirl_integrate_opti
     return strcmp(options->method, "rk4") == 0 && !(options->located && system->lanes->slides);
 }
 
+/// Beyond this their memory is out of all proportion: it grows with the square of the dimension, and with the lanes.
+enum { MOST_DISTURBANCES = 256 };
+
+bool whirl_ensemble_follows(const whirl_system *system, const whirl_integrate_options *options) {
+    return whirl_ensemble_takes(system, options) && !adaptive_in_lanes(options) && !options->located &&
+           !system->lanes->jumps && !system->lanes->slides && system->dimension <= MOST_DISTURBANCES;
+}
+
 /// Rows of the block, and where each array begins.
 static size_t lay_out(whirl_ensemble *e, double *block) {
     const size_t degrees = e->lanes.degrees, probes = e->system->probe_count, contacts = e->contact_count;
     const size_t forces = by_force(e) ? contacts : 0;
     const size_t rates = e->lanes.rates, fixed = e->adaptive || e->alone ? 0 : 1,
                  located = e->lanes.located.switches ? 1 : 0;
-    const size_t switches = e->lanes.located.switch_count;
+    const size_t switches = e->lanes.located.switch_count, followed = e->lanes.disturbances;
+    const size_t sets = 1 + followed, some = followed > 0 ? 1 : 0;
     size_t row = 0;
 #define PART(array, extent, columns, ...)                                                                              \
     {&e->lanes.observe.array, WHIRL_WATCHED_SIZE(extent, columns, probes, contacts)},
@@ -58,14 +71,21 @@ static size_t lay_out(whirl_ensemble *e, double *block) {
         size_t rows;
     } parts[] = {
         {&e->lanes.numbers, e->alone ? 0 : e->system->lanes->number_count},
-        {&e->lanes.q, degrees},
-        {&e->lanes.v, rates},
+        {&e->lanes.q, sets * degrees},
+        {&e->lanes.v, sets * rates},
         {&e->ended, 1},
-        {&e->lanes.k[0], fixed * rates},
-        {&e->lanes.k[1], fixed * rates},
-        {&e->lanes.k[2], fixed * rates},
-        {&e->lanes.stage_q, fixed * degrees},
-        {&e->lanes.stage_v, fixed * rates},
+        {&e->lanes.k[0], fixed * sets * rates},
+        {&e->lanes.k[1], fixed * sets * rates},
+        {&e->lanes.k[2], fixed * sets * rates},
+        {&e->lanes.stage_q, fixed * sets * degrees},
+        {&e->lanes.stage_v, fixed * sets * rates},
+        {&e->lanes.divergence[0], some},
+        {&e->lanes.divergence[1], some},
+        {&e->lanes.divergence[2], some},
+        {&e->lanes.divergence[3], some},
+        {&e->lanes.volume, some},
+        {&e->lanes.lengths, followed},
+        {&e->lanes.growth, followed},
         {&e->lanes.now, fixed * e->system->forcing_count},
         {&e->lanes.located.begin_q, located * degrees},
         {&e->lanes.located.begin_v, located * rates},
@@ -96,9 +116,10 @@ static bool allocate(whirl_ensemble *e) {
     e->block = aligned_alloc(64, (bytes + 63) / 64 * 64);
     e->forcing = malloc((table + 1) * sizeof *e->forcing);
     e->machines = calloc(e->lane_count, sizeof *e->machines);
+    e->beside = calloc(e->lane_count, sizeof *e->beside);
     e->contact_probe = calloc(e->contact_count + 1, sizeof *e->contact_probe);
     e->state = calloc(e->system->dimension, sizeof *e->state);
-    if (!e->state || !e->block || !e->forcing || !e->machines || !e->contact_probe) return false;
+    if (!e->state || !e->block || !e->forcing || !e->machines || !e->beside || !e->contact_probe) return false;
     memset(e->block, 0, bytes);
     e->row_count = lay_out(e, e->block);
     return true;
@@ -123,6 +144,14 @@ static void fill_shape(whirl_ensemble *e) {
     lanes->observe.contact_count = e->contact_count = system->contact_count;
 }
 
+/// The logarithms of all products of lengths, which begin afresh.
+static void note_lengths(const rk4_lanes *lanes) {
+    for (size_t i = 0; i < lanes->disturbances * lanes->lane_count; i++) {
+        lanes->growth[i] += log(lanes->lengths[i]);
+        lanes->lengths[i] = 1.0;
+    }
+}
+
 static void fill_lanes(whirl_ensemble *e, const whirl_integrate_options *options) {
     const whirl_system *system = e->system;
     rk4_lanes *lanes = &e->lanes;
@@ -135,6 +164,8 @@ static void fill_lanes(whirl_ensemble *e, const whirl_integrate_options *options
     lanes->forcing_count = system->forcing_count;
     lanes->steps = options->steps_per_revolution;
     lanes->step = system->period / options->steps_per_revolution;
+    lanes->often = (options->steps_per_revolution + ORTHONORMAL - 1) / ORTHONORMAL;
+    lanes->note = note_lengths;
     if (system->lanes->damped) lanes->observe.normal_force = system->lanes->contacts[e->isa->number];
 }
 
@@ -145,14 +176,17 @@ static bool attach_location(whirl_ensemble *e, const whirl_integrate_options *op
     const lanes_method *adaptive = adaptive_in_lanes(options);
     if (adaptive) {
         e->adaptive = adaptive_lanes_new(adaptive, system, options, e->isa);
-        return e->adaptive != NULL;
+        e->stepper = stepper_new(adaptive, system, options);
+        if (e->adaptive) e->adaptive->stepper = e->stepper;
+        return e->adaptive && e->stepper;
     }
     if (!options->located || system->lanes->switch_count == 0) return true;
+    e->stepper = stepper_new(NULL, system, options);
     *located = (lanes_located){.switches = system->lanes->switches[e->isa->number],
                                .switch_count = system->lanes->switch_count,
                                .needs_slopes = system->lanes->damped,
-                               .stepper = stepper_new(&rk4_formula, system->dimension, system->switch_count, options)};
-    return located->stepper != NULL;
+                               .stepper = e->stepper};
+    return e->stepper != NULL;
 }
 
 /// Vectors that hide each other's latency, at most 8, and whose numbers, stages and, where they are at hand all the
@@ -165,7 +199,8 @@ static size_t fast_vectors(const whirl_ensemble *e) {
     const size_t observed = system->lanes->instance ? 7 * degrees + 4 * system->lanes->contact_count : 0;
     const size_t steps = 5 * system->dimension - 3 * degrees; // the state, a stage's, three slopes
     const size_t numbers = system->lanes->part(system->model, e->lanes.places);
-    const size_t bytes = (numbers + steps + observed) * e->isa->lanes * sizeof(double);
+    const size_t rows = numbers + (1 + e->lanes.disturbances) * steps + observed;
+    const size_t bytes = rows * e->isa->lanes * sizeof(double);
     size_t i = 0;
     while (choices[i] > 1 && choices[i] * bytes > first_cache) i++;
     return choices[i];
@@ -200,13 +235,9 @@ static whirl_ensemble *begin(const whirl_system *system, const whirl_integrate_o
     return e;
 }
 
-whirl_status whirl_ensemble_new(const whirl_system *system, const whirl_integrate_options *options, size_t lanes,
-                                whirl_ensemble **out) {
-    *out = NULL;
-    if (!whirl_ensemble_takes(system, options))
-        return whirl_fail(WHIRL_BAD_INPUT,
-                          "method %s of this system does not run in lanes, expected a rotor and rk4, dop853 or rodas5p",
-                          options->method);
+/// Lanes of kernels, with disturbances.
+static whirl_status make(const whirl_system *system, const whirl_integrate_options *options, size_t lanes,
+                         size_t disturbances, whirl_ensemble **out) {
     whirl_status status = check_options(system, options);
     if (status.code != WHIRL_OK) return status;
     whirl_ensemble *e = begin(system, options);
@@ -215,6 +246,7 @@ whirl_status whirl_ensemble_new(const whirl_system *system, const whirl_integrat
     if (status.code == WHIRL_OK) {
         fill_shape(e);
         fill_lanes(e, options);
+        e->lanes.disturbances = disturbances;
         if (e->lanes.places && attach_location(e, options))
             status = finish(e, lanes > 0 ? lanes : fast_lanes(e), out);
         else
@@ -222,6 +254,23 @@ whirl_status whirl_ensemble_new(const whirl_system *system, const whirl_integrat
     }
     if (status.code != WHIRL_OK) whirl_ensemble_free(e);
     return status;
+}
+
+whirl_status whirl_ensemble_new(const whirl_system *system, const whirl_integrate_options *options, size_t lanes,
+                                whirl_ensemble **out) {
+    *out = NULL;
+    if (whirl_ensemble_takes(system, options)) return make(system, options, lanes, 0, out);
+    return whirl_fail(WHIRL_BAD_INPUT,
+                      "method %s of this system does not run in lanes, expected a rotor and rk4, dop853 or rodas5p",
+                      options->method);
+}
+
+whirl_status whirl_ensemble_variational(const whirl_system *system, const whirl_integrate_options *options,
+                                        whirl_ensemble **out) {
+    *out = NULL;
+    if (whirl_ensemble_follows(system, options)) return make(system, options, 0, system->dimension, out);
+    return whirl_fail(WHIRL_BAD_INPUT, "disturbances of this system do not go in lanes, expected a rotor without "
+                                       "jumps of its forces, and rk4 that walks over contacts");
 }
 
 whirl_status whirl_ensemble_alone(const whirl_system *system, const whirl_integrate_options *options, size_t lanes,
@@ -246,6 +295,7 @@ whirl_status whirl_ensemble_alone(const whirl_system *system, const whirl_integr
     e->alone->x = e->lanes.v;
     e->alone->ended = e->ended;
     e->alone->machines = e->machines;
+    e->alone->beside = e->beside;
     e->alone->watched = &e->lanes.observe;
     return status;
 }
@@ -254,12 +304,13 @@ void whirl_ensemble_free(whirl_ensemble *e) {
     if (!e) return;
     adaptive_lanes_free(e->adaptive);
     alone_lanes_free(e->alone);
-    free(e->lanes.located.stepper);
+    stepper_free(e->stepper);
     free(e->block);
     free(e->forcing);
     free(e->lanes.places);
     free(e->state);
     free(e->machines);
+    free(e->beside);
     free(e->contact_probe);
     free(e);
 }
@@ -307,10 +358,15 @@ whirl_status whirl_ensemble_load(whirl_ensemble *e, size_t lane, const whirl_sys
     return whirl_ok();
 }
 
+/// Puts the state (set 0) or a disturbance x [dimension] into a lane.
+static void place(whirl_ensemble *e, size_t lane, size_t set, const double *x) {
+    const size_t degrees = e->lanes.degrees, rates = e->lanes.rates;
+    for (size_t d = 0; d < degrees; d++) e->lanes.q[(set * degrees + d) * e->lane_count + lane] = x[d];
+    for (size_t d = 0; d < rates; d++) e->lanes.v[(set * rates + d) * e->lane_count + lane] = x[degrees + d];
+}
+
 void whirl_ensemble_place(whirl_ensemble *e, size_t lane, const double *x) {
-    const size_t degrees = e->lanes.degrees;
-    for (size_t d = 0; d < degrees; d++) e->lanes.q[d * e->lane_count + lane] = x[d];
-    for (size_t d = 0; d < e->lanes.rates; d++) e->lanes.v[d * e->lane_count + lane] = x[degrees + d];
+    place(e, lane, 0, x);
 }
 
 const double *whirl_ensemble_coordinate(const whirl_ensemble *e, size_t index) {
@@ -324,7 +380,7 @@ void whirl_ensemble_state(const whirl_ensemble *e, size_t lane, double *x) {
 }
 
 void whirl_ensemble_carry(whirl_ensemble *e, size_t lane, whirl_disturbances *set) {
-    e->alone->beside[lane] = set;
+    e->beside[lane] = set;
 }
 
 whirl_motion whirl_ensemble_motion(const whirl_ensemble *e, size_t lane) {
@@ -348,6 +404,7 @@ void whirl_ensemble_restore(whirl_ensemble *e, size_t lane, const double *number
 
 void whirl_ensemble_unload(whirl_ensemble *e, size_t lane) {
     e->machines[lane] = NULL;
+    e->beside[lane] = NULL;
     if (e->alone) alone_lanes_load(e->alone, lane, NULL);
 }
 
@@ -357,6 +414,7 @@ void whirl_ensemble_move(whirl_ensemble *e, size_t from, size_t to) {
         e->block[row * e->lane_count + to] = e->block[row * e->lane_count + from];
     whirl_ensemble_unload(e, to);
     e->machines[to] = e->machines[from];
+    e->beside[to] = e->beside[from];
     if (e->alone) alone_lanes_move(e->alone, from, to);
     whirl_ensemble_unload(e, from);
 }
@@ -432,8 +490,45 @@ static void wrap(whirl_ensemble *e, size_t count) {
         }
 }
 
-static void revolve_rk4(const whirl_ensemble *e, size_t count, const whirl_ensemble_observe *observe) {
+/// Puts the disturbances that go along into their lanes; whether there are any.
+static bool begin_disturbances(whirl_ensemble *e, size_t count) {
+    const rk4_lanes *lanes = &e->lanes;
+    bool any = false;
+    for (size_t lane = 0; lane < count; lane++) {
+        const whirl_disturbances *set = e->beside[lane];
+        if (!set) continue;
+        any = true;
+        lanes->volume[lane] = 0.0;
+        for (size_t k = 0; k < lanes->disturbances; k++) {
+            place(e, lane, k + 1, set->vectors + k * e->system->dimension);
+            lanes->lengths[k * e->lane_count + lane] = 1.0;
+            lanes->growth[k * e->lane_count + lane] = 0.0;
+        }
+    }
+    return any;
+}
+
+/// And takes them out.
+static void end_disturbances(whirl_ensemble *e, size_t count) {
+    const rk4_lanes *lanes = &e->lanes;
+    const size_t degrees = lanes->degrees, rates = lanes->rates;
+    for (size_t lane = 0; lane < count; lane++) {
+        whirl_disturbances *set = e->beside[lane];
+        if (!set) continue;
+        double *out = set->vectors;
+        for (size_t k = 1; k <= lanes->disturbances; k++) {
+            for (size_t d = 0; d < degrees; d++) *out++ = lanes->q[(k * degrees + d) * e->lane_count + lane];
+            for (size_t d = 0; d < rates; d++) *out++ = lanes->v[(k * rates + d) * e->lane_count + lane];
+            set->growth[k - 1] = lanes->growth[(k - 1) * e->lane_count + lane];
+        }
+        set->volume = lanes->volume[lane];
+        e->beside[lane] = NULL;
+    }
+}
+
+static void revolve_rk4(whirl_ensemble *e, size_t count, const whirl_ensemble_observe *observe) {
     rk4_lanes lanes = e->lanes;
+    if (!begin_disturbances(e, count)) lanes.disturbances = 0;
     lanes.used = count;
     lanes.vectors = (count + e->isa->lanes - 1) / e->isa->lanes;
     if (observe) {
@@ -443,6 +538,7 @@ static void revolve_rk4(const whirl_ensemble *e, size_t count, const whirl_ensem
         lanes.context = observe->context;
     }
     rk4_lanes_revolves[e->isa->number](&lanes);
+    if (lanes.disturbances > 0) end_disturbances(e, count);
 }
 
 void whirl_ensemble_revolve(whirl_ensemble *e, size_t count, const whirl_ensemble_observe *observe) {

@@ -14,9 +14,8 @@ alone_lanes *alone_lanes_new(const whirl_integrate_options *options, size_t foll
                            .dimension = dimension,
                            .lane_count = lane_count,
                            .state = calloc(dimension, sizeof *alone->state),
-                           .integrator = calloc(lane_count, sizeof *alone->integrator),
-                           .beside = calloc(lane_count, sizeof *alone->beside)};
-    if (alone->state && alone->integrator && alone->beside) return alone;
+                           .integrator = calloc(lane_count, sizeof *alone->integrator)};
+    if (alone->state && alone->integrator) return alone;
     alone_lanes_free(alone);
     return NULL;
 }
@@ -26,7 +25,6 @@ void alone_lanes_free(alone_lanes *alone) {
     for (size_t lane = 0; alone->integrator && lane < alone->lane_count; lane++)
         whirl_integrator_free(alone->integrator[lane]);
     free(alone->integrator);
-    free(alone->beside);
     free(alone->state);
     free(alone->samples);
     free(alone);
@@ -36,7 +34,6 @@ whirl_status alone_lanes_load(const alone_lanes *alone, size_t lane, const whirl
     whirl_integrator **own = &alone->integrator[lane];
     whirl_integrator_free(*own);
     *own = NULL;
-    alone->beside[lane] = NULL;
     if (!system) return whirl_ok();
     const whirl_status status = whirl_integrator_new(system, &alone->options, own);
     if (status.code != WHIRL_OK || alone->followed == 0) return status;
@@ -45,7 +42,6 @@ whirl_status alone_lanes_load(const alone_lanes *alone, size_t lane, const whirl
 
 void alone_lanes_move(const alone_lanes *alone, size_t from, size_t to) {
     alone->integrator[to] = alone->integrator[from];
-    alone->beside[to] = alone->beside[from];
     alone->integrator[from] = NULL;
 }
 

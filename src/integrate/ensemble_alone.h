@@ -10,13 +10,13 @@ typedef struct alone_lanes {
     size_t followed; ///< disturbances for which there is room
     size_t dimension, lane_count;
     whirl_integrator **integrator; ///< [lane_count] NULL: nobody is there
-    whirl_disturbances **beside;   ///< [lane_count] that go along in the next revolution; NULL: none
     double *state;                 ///< [dimension] workspace
     double *samples;               ///< [sample_room][dimension][lane_count]
     size_t sample_room;
     // The ensemble that is served.
     double *x, *ended;             ///< [dimension][lane_count]; [lane_count] whirl_motion
     const whirl_system **machines; ///< [lane_count]
+    whirl_disturbances **beside;   ///< [lane_count] that go along in the next revolution; NULL: none
     const lanes_observe *watched;
 } alone_lanes;
 

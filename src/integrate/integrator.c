@@ -69,6 +69,16 @@ whirl_status check_options(const whirl_system *system, const whirl_integrate_opt
     return whirl_members_check(whirl_integrate_members(), options);
 }
 
+/// Makes room for so many disturbances.
+static whirl_status make_room(whirl_integrator *integrator, size_t most) {
+    const size_t rows = integrator->method->rows * (1 + most) + SPARE_ROWS;
+    double *slopes = realloc(integrator->slopes, rows * integrator->system->dimension * sizeof *slopes);
+    if (!slopes) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu disturbances", most);
+    integrator->slopes = slopes;
+    integrator->most_disturbances = most;
+    return whirl_ok();
+}
+
 whirl_status whirl_integrator_new(const whirl_system *system, const whirl_integrate_options *options,
                                   whirl_integrator **out) {
     const method *chosen = NULL;
@@ -80,8 +90,10 @@ whirl_status whirl_integrator_new(const whirl_system *system, const whirl_integr
     if (!integrator) return whirl_fail(WHIRL_NO_MEMORY, "no memory for an integrator");
     if (options->located && chosen->located) chosen = chosen->located;
     *integrator = (whirl_integrator){.system = system, .options = *options, .method = chosen};
-    status = chosen->start(integrator);
+    status = make_room(integrator, 0);
+    if (status.code == WHIRL_OK) status = chosen->start(integrator);
     if (status.code != WHIRL_OK) {
+        free(integrator->slopes);
         free(integrator);
         return status;
     }
@@ -112,13 +124,7 @@ whirl_status whirl_integrator_follow(whirl_integrator *integrator, size_t most) 
     if (most > n)
         return whirl_fail(WHIRL_BAD_INPUT, "%zu disturbances are to be followed, expected at most the dimension, %zu",
                           most, n);
-    const size_t room =
-        (own->disturbance_rows * most + SPARE_ROWS) * n + UNLOCATED_ROWS * integrator->system->switch_count;
-    double *slopes = realloc(integrator->slopes, room * sizeof *slopes);
-    if (!slopes) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu disturbances", most);
-    integrator->slopes = slopes;
-    integrator->most_disturbances = most;
-    return whirl_ok();
+    return make_room(integrator, most);
 }
 
 whirl_motion whirl_integrator_carry(whirl_integrator *integrator, double *x, whirl_disturbances *disturbances,

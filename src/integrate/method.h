@@ -4,7 +4,7 @@
 
 #include "whirl/integrate.h"
 
-enum { SPARE_ROWS = 6, UNLOCATED_ROWS = 4 };
+enum { SPARE_ROWS = 4 };
 
 struct whirl_integrator {
     const whirl_system *system;
@@ -12,8 +12,8 @@ struct whirl_integrator {
     const struct method *method;
     void *workspace; ///< of the method
     size_t most_disturbances;
-    /// [method->disturbance_rows][most_disturbances][dimension], then [SPARE_ROWS][dimension], then
-    /// [UNLOCATED_ROWS][switch_count]: workspace for disturbances
+    /// [method->rows][1 + most_disturbances][dimension], then [SPARE_ROWS][dimension]: workspace for the state and its
+    /// disturbances
     double *slopes;
 };
 
@@ -24,7 +24,7 @@ typedef struct method {
     /// `disturbances` is NULL where there are none.
     whirl_motion (*revolve)(whirl_integrator *integrator, double *x, whirl_disturbances *disturbances,
                             whirl_observe_fn observe, void *observer);
-    size_t disturbance_rows;
+    size_t rows; ///< of the workspace `slopes`
     void (*end)(whirl_integrator *integrator);
     const struct method *located;     ///< the same with located contacts, where that is a choice
     const struct lanes_method *lanes; ///< the adaptive method in lanes, or NULL

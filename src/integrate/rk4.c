@@ -1,129 +1,123 @@
-// The classical Runge-Kutta method of order 4 (Kutta 1901) with fixed steps.
+// The classical Runge-Kutta method of order 4 (Kutta 1901) with fixed steps, for one system of any kind: one lane of
+// the kernel that carries rotors.
 //
-// The forcing at the steps' ends and middles is tabulated once: every revolution sees exactly the same forcing, and no
+// The values of time at the steps' ends and middles are tabulated once: every revolution sees exactly the same, and no
 // sine is computed while the machine runs.
 #include <stdlib.h>
+#include <string.h>
 
 #include "method.h"
 #include "orthonormal.h"
-#include "unlocated.h"
+#include "stepper.h"
+
+/// The flow of a system, by its own values of time and t after them.
+static void flow(const lanes_view *view) {
+    const whirl_system *system = view->model;
+    const double *forcing = view->forcing, t = forcing[system->forcing_count], *x = view->v;
+    const size_t n = system->dimension;
+    system->rhs(system->model, t, forcing, x, view->a);
+    if (view->tangents == 0) return;
+    system->tangent(system->model, t, forcing, x, NULL, view->tangents, x + n, (double *)view->a + n);
+    if (view->divergence) *(double *)view->divergence = divergence_at(system, t, forcing, x, NULL);
+}
 
 typedef struct rk4 {
-    double step;
-    size_t forcing_count;
-    double *forcing; ///< [2 steps + 1][forcing_count] at 0, step/2, step, ...
-    double *k[4];    ///< [dimension] slopes
-    double *stage;   ///< [dimension]
+    rk4_one one;
+    stepper *beside;  ///< that knows what disturbances feel at switches
+    double numbers[]; ///< the table of values of time, and those of now
 } rk4;
 
 static whirl_status start(whirl_integrator *integrator) {
     const whirl_system *system = integrator->system;
-    const size_t steps = (size_t)integrator->options.steps_per_revolution;
-    const size_t n = system->dimension, table = (2 * steps + 1) * system->forcing_count;
-    rk4 *work = malloc(sizeof *work + (table + 5 * n) * sizeof(double));
-    if (!work) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu steps a revolution", steps);
-    double *numbers = (double *)(work + 1);
-    *work = (rk4){.step = system->period / (double)steps, .forcing_count = system->forcing_count, .forcing = numbers};
-    for (int i = 0; i < 4; i++) work->k[i] = numbers + table + (size_t)i * n;
-    work->stage = numbers + table + 4 * n;
-    if (system->forcing_count > 0)
-        for (size_t i = 0; i <= 2 * steps; i++)
-            system->forcing(system->model, system->period * ((double)i / (double)(2 * steps)),
-                            work->forcing + i * system->forcing_count);
+    const int steps = integrator->options.steps_per_revolution;
+    const size_t count = system->forcing_count + 1, instants = 2 * (size_t)steps + 1;
+    rk4 *work = calloc(1, sizeof *work + (instants + 1) * count * sizeof(double));
+    if (!work) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %d steps a revolution", steps);
+    work->one = rk4_one_of(flow, system, system->dimension);
+    work->beside = stepper_new(NULL, system, &integrator->options);
+    if (!work->beside) {
+        free(work);
+        return whirl_fail(WHIRL_NO_MEMORY, "no memory for %d steps a revolution", steps);
+    }
+    rk4_lanes *lanes = &work->one.lanes;
+    lanes->forcing_count = count;
+    lanes->steps = steps;
+    lanes->step = system->period / steps;
+    lanes->forcing = work->numbers;
+    lanes->now = work->numbers + instants * count;
+    for (size_t i = 0; i < instants; i++) {
+        double *now = work->numbers + i * count, t = system->period * ((double)i / (2.0 * steps));
+        if (system->forcing_count > 0) system->forcing(system->model, t, now);
+        now[system->forcing_count] = t;
+    }
     integrator->workspace = work;
     return whirl_ok();
 }
 
-/// Disturbances on their way through the stages of a step.
-typedef struct variation {
-    const whirl_system *system;
-    whirl_disturbances *set;
-    double *k[4], *stage; ///< [count][dimension]
-    double *spare;        ///< [SPARE_ROWS][dimension]
-    double divergence[4];
-} variation;
+/// A revolution under way.
+typedef struct revolution {
+    const whirl_integrator *integrator;
+    const rk4 *work;
+    const rk4_lanes *lanes;
+    whirl_disturbances *set; ///< in the lane; NULL: none
+    int done;                ///< steps
+    whirl_observe_fn observe;
+    void *observer;
+} revolution;
 
-static variation begin_variation(const whirl_integrator *integrator, whirl_disturbances *set) {
-    variation v = {.system = integrator->system, .set = set};
-    const size_t row = integrator->most_disturbances * integrator->system->dimension;
-    for (size_t i = 0; set && i < 4; i++) v.k[i] = integrator->slopes + i * row;
-    if (set) {
-        v.stage = integrator->slopes + 4 * row;
-        v.spare = v.stage + row;
-    }
-    return v;
+/// What a step has not done to disturbances; fast decays must not drown in rounding.
+static void mend_disturbances(revolution *r, const double *x) {
+    enum { ORTHONORMAL = 64 }; // times in a revolution
+    const int steps = r->lanes->steps, often = (steps + ORTHONORMAL - 1) / ORTHONORMAL;
+    unlocated_saltate(r->work->beside, r->done * r->lanes->step, r->lanes->k[0], x, r->set);
+    if (r->set->growth && (r->done % often == 0 || r->done == steps))
+        make_orthonormal(r->lanes->rates, r->set->count, r->set->vectors, r->set->growth);
+    unlocated_begin(r->work->beside, x);
 }
 
-/// Stage i at (t, x), which lies `way` after the step's beginning along the slope before.
-static void vary_stage(variation *v, int i, double way, double t, const double *forcing, const double *x) {
-    if (!v->set) return;
-    const size_t size = v->set->count * v->system->dimension;
-    const double *from = v->set->vectors;
-    if (i > 0) {
-        for (size_t d = 0; d < size; d++) v->stage[d] = from[d] + way * v->k[i - 1][d];
-        from = v->stage;
-    }
-    v->system->tangent(v->system->model, t, forcing, x, NULL, v->set->count, from, v->k[i]);
-    v->divergence[i] = divergence_at(v->system, t, forcing, x, NULL);
-}
-
-static void end_variation(const variation *v, double h) {
-    if (!v->set) return;
-    const size_t size = v->set->count * v->system->dimension;
-    const double *divergence = v->divergence, sixth = h / 6.0;
-    for (size_t d = 0; d < size; d++)
-        v->set->vectors[d] += sixth * (v->k[0][d] + 2.0 * (v->k[1][d] + v->k[2][d]) + v->k[3][d]);
-    v->set->volume += sixth * (divergence[0] + 2.0 * (divergence[1] + divergence[2]) + divergence[3]);
-}
-
-/// One step from t; `forcing` points to the table's entries at t, t + step/2, t + step.
-static void take_step(const whirl_system *system, const rk4 *work, double t, const double *forcing, double *restrict x,
-                      variation *v) {
-    const size_t n = system->dimension;
-    const double h = work->step, half = 0.5 * h;
-    const double *middle = forcing + work->forcing_count, *end = middle + work->forcing_count;
-    double *restrict k1 = work->k[0], *restrict k2 = work->k[1], *restrict k3 = work->k[2], *restrict k4 = work->k[3];
-    double *restrict stage = work->stage;
-    system->rhs(system->model, t, forcing, x, k1);
-    vary_stage(v, 0, 0.0, t, forcing, x);
-    for (size_t i = 0; i < n; i++) stage[i] = x[i] + half * k1[i];
-    system->rhs(system->model, t + half, middle, stage, k2);
-    vary_stage(v, 1, half, t + half, middle, stage);
-    for (size_t i = 0; i < n; i++) stage[i] = x[i] + half * k2[i];
-    system->rhs(system->model, t + half, middle, stage, k3);
-    vary_stage(v, 2, half, t + half, middle, stage);
-    for (size_t i = 0; i < n; i++) stage[i] = x[i] + h * k3[i];
-    system->rhs(system->model, t + h, end, stage, k4);
-    vary_stage(v, 3, h, t + h, end, stage);
-    const double sixth = h / 6.0;
-    for (size_t i = 0; i < n; i++) x[i] += sixth * (k1[i] + 2.0 * (k2[i] + k3[i]) + k4[i]);
-    end_variation(v, h);
+static void after_step(void *context) {
+    revolution *r = context;
+    r->done++;
+    if (r->set) mend_disturbances(r, r->lanes->v);
+    if (r->observe)
+        r->observe(r->observer, r->integrator->system->period * ((double)r->done / r->lanes->steps), r->lanes->v);
 }
 
 static whirl_motion revolve(whirl_integrator *integrator, double *x, whirl_disturbances *disturbances,
                             whirl_observe_fn observe, void *observer) {
-    enum { ORTHONORMAL = 64 }; // times in a revolution, so that fast decays do not drown in rounding
+    rk4 *work = integrator->workspace;
+    rk4_one *one = &work->one;
+    rk4_lanes *lanes = &one->lanes;
     const whirl_system *system = integrator->system;
-    const rk4 *work = integrator->workspace;
-    const int steps = integrator->options.steps_per_revolution, often = (steps + ORTHONORMAL - 1) / ORTHONORMAL;
-    const double *forcing = work->forcing;
-    variation v = begin_variation(integrator, disturbances);
-    unlocated_step step = {.system = system, .length = work->step, .slope = work->k[0], .rows = v.spare};
-    if (disturbances) step.before = v.spare + SPARE_ROWS * system->dimension;
-    for (int i = 0; i < steps; i++) {
-        if (disturbances) unlocated_begin(&step, i * work->step, x);
-        take_step(system, work, i * work->step, forcing, x, &v);
-        if (disturbances) unlocated_saltate(&step, x, disturbances);
-        if (disturbances && disturbances->growth && ((i + 1) % often == 0 || i + 1 == steps))
-            make_orthonormal(system->dimension, disturbances->count, disturbances->vectors, disturbances->growth);
-        forcing += 2 * work->forcing_count;
-        if (observe) observe(observer, system->period * ((double)(i + 1) / steps), x);
+    const size_t n = system->dimension, row = (1 + integrator->most_disturbances) * n;
+    whirl_disturbances own = disturbances ? *disturbances : (whirl_disturbances){.count = 0};
+    const size_t size = own.count * n * sizeof *x;
+    revolution r = {.integrator = integrator, .work = work, .lanes = lanes, .observe = observe, .observer = observer};
+    rk4_one_place(one, integrator->slopes, row);
+    memcpy(lanes->v, x, n * sizeof *x);
+    if (disturbances) {
+        own.vectors = memcpy(lanes->v + n, disturbances->vectors, size);
+        r.set = &own;
+        stepper_place(work->beside, system, 0.0);
+        unlocated_begin(work->beside, x);
+    }
+    lanes->disturbances = own.count;
+    lanes->sample_stride = observe || disturbances ? 1 : 0;
+    lanes->sample = after_step;
+    lanes->context = &r;
+    rk4_lanes_scalar(lanes);
+    memcpy(x, lanes->v, n * sizeof *x);
+    if (disturbances) {
+        memcpy(disturbances->vectors, own.vectors, size);
+        disturbances->volume = own.volume + one->volume;
     }
     return state_motion(integrator, x);
 }
 
 static void end(whirl_integrator *integrator) {
-    free(integrator->workspace);
+    rk4 *work = integrator->workspace;
+    stepper_free(work->beside);
+    free(work);
 }
 
 const method rk4_method = {
@@ -131,7 +125,7 @@ const method rk4_method = {
               true, false},
     .start = start,
     .revolve = revolve,
-    .disturbance_rows = 5,
+    .rows = RK4_ROWS,
     .end = end,
     .located = &rk4_located_method,
     .amplification = rk4_amplification,

@@ -1,4 +1,4 @@
-/// RK4 over vector lanes: the block of memory that a kernel works on.
+/// RK4 over vector lanes, with disturbances: the block of memory that a kernel works on.
 #ifndef INTEGRATE_RK4_LANES_H
 #define INTEGRATE_RK4_LANES_H
 
@@ -46,11 +46,18 @@ typedef struct rk4_lanes {
     size_t rates; ///< velocities, and states of first order after them
     int steps;
     double step;
-    const double *forcing; ///< [2 steps + 1][forcing_count]
-    size_t *places;        ///< of numbers, as a view has them
-    double *numbers, *q, *v;
+    const double *forcing;            ///< [2 steps + 1][forcing_count]
+    size_t disturbances;              ///< that go along: all states, slopes and stages are [1 + disturbances][...]
+    size_t *places;                   ///< of numbers, as a view has them
+    double *numbers, *q, *v;          ///< [degrees], [rates]
     double *k[3], *stage_q, *stage_v; ///< [rates], [degrees], [rates] workspace
     double *now;                      ///< [forcing_count] workspace
+    double *divergence[4], *volume;   ///< [1] at the stages of a step, and its integral
+    /// [disturbances] products of what was left of them since the last call of `note`, which takes their logarithms;
+    /// NULL: they are not made orthonormal.
+    double *lengths, *growth;
+    int often; ///< after so many steps
+    void (*note)(const struct rk4_lanes *lanes);
     lanes_located located;
     lanes_observe observe;
     int observing;
@@ -61,6 +68,19 @@ typedef struct rk4_lanes {
 
 /// Takes step n of a lane in use anew from its beginning, split at the switches that it meets.
 void rk4_redo(const rk4_lanes *lanes, int n, size_t lane);
+
+/// One lane of any system, all of whose coordinates are states of first order.
+typedef struct rk4_one {
+    rk4_lanes lanes;
+    double divergence[4], volume;
+} rk4_one;
+
+/// Without disturbances, and without what depends on the steps and their values of time.
+rk4_one rk4_one_of(lanes_flow *flow, const void *model, size_t dimension);
+
+/// Rows of its memory; `row` is the length of each, in numbers: the first holds the state, then its disturbances.
+enum { RK4_ROWS = 5 };
+void rk4_one_place(rk4_one *one, double *rows, size_t row);
 
 typedef void rk4_lanes_revolve(const rk4_lanes *lanes);
 

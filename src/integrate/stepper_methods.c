@@ -9,28 +9,17 @@
 #include "method.h"
 #include "stepper.h"
 
-static whirl_status start(whirl_integrator *integrator, const formula *own) {
-    const whirl_system *system = integrator->system;
-    integrator->workspace = stepper_new(own, system->dimension, system->switch_count, &integrator->options);
+static whirl_status start(whirl_integrator *integrator) {
+    integrator->workspace = stepper_new(integrator->method->lanes, integrator->system, &integrator->options);
     return integrator->workspace ? whirl_ok()
                                  : whirl_fail(WHIRL_NO_MEMORY, "no memory for %s", integrator->method->about.name);
-}
-
-static whirl_status start_dop853(whirl_integrator *integrator) {
-    return start(integrator, &dop853_formula);
-}
-static whirl_status start_rodas5p(whirl_integrator *integrator) {
-    return start(integrator, &rodas5p_formula);
-}
-static whirl_status start_rk4(whirl_integrator *integrator) {
-    return start(integrator, &rk4_formula);
 }
 
 enum { DISTURBANCE_ROWS = DOP853_STAGES + 3 };
 
 static void set_variation(const whirl_integrator *integrator, whirl_disturbances *disturbances) {
     stepper_variation *v = &((stepper *)integrator->workspace)->variation;
-    const size_t row = integrator->most_disturbances * integrator->system->dimension;
+    const size_t row = (1 + integrator->most_disturbances) * integrator->system->dimension;
     v->set = disturbances;
     if (!disturbances) return;
     for (size_t i = 0; i < DOP853_STAGES; i++) v->k[i] = integrator->slopes + i * row;
@@ -48,45 +37,37 @@ static whirl_motion begin(whirl_integrator *integrator, const double *x, whirl_d
     return motion;
 }
 
-static whirl_motion revolve_freely(whirl_integrator *integrator, double *x, whirl_disturbances *disturbances,
-                                   whirl_observe_fn observe, void *observer) {
+/// Tells of the instants up to where the motion is, the next of which is `instant`; gives the one after them.
+static int tell(stepper *c, double period, int instants, int instant, whirl_observe_fn observe, void *observer) {
+    for (; instant <= instants; instant++) {
+        const double t = period * ((double)instant / instants);
+        if (t > c->t) return instant;
+        if (observe && t < c->t) stepper_between(c, (t - c->begin) / c->length, c->stage);
+        if (observe) observe(observer, t, t < c->t ? c->stage : c->x);
+    }
+    return instant;
+}
+
+/// Steps of rk4 end at every instant, the others where they like.
+static whirl_motion revolve(whirl_integrator *integrator, double *x, whirl_disturbances *disturbances,
+                            whirl_observe_fn observe, void *observer) {
     stepper *c = integrator->workspace;
     const double period = integrator->system->period;
     const int instants = integrator->options.steps_per_revolution;
-    double *seen = c->end;
     int instant = 1;
-    c->observed = observe != NULL;
+    c->observed = c->slot && observe;
     whirl_motion motion = begin(integrator, x, disturbances);
     while (motion == WHIRL_BOUNDED && c->t < period) {
-        motion = stepper_step(c, period);
-        for (; motion == WHIRL_BOUNDED && observe && instant < instants; instant++) {
-            const double t = period * ((double)instant / instants);
-            if (t > c->t) break;
-            stepper_between(c, (t - c->begin) / c->length, seen);
-            observe(observer, t, seen);
-        }
-    }
-    memcpy(x, c->x, c->dimension * sizeof *x);
-    if (motion == WHIRL_BOUNDED && observe) observe(observer, period, x);
-    return motion;
-}
-
-static whirl_motion revolve_on_grid(whirl_integrator *integrator, double *x, whirl_disturbances *disturbances,
-                                    whirl_observe_fn observe, void *observer) {
-    stepper *c = integrator->workspace;
-    const int steps = integrator->options.steps_per_revolution;
-    whirl_motion motion = begin(integrator, x, disturbances);
-    for (int i = 1; i <= steps && motion == WHIRL_BOUNDED; i++) {
-        const double until = integrator->system->period * ((double)i / steps);
-        while (motion == WHIRL_BOUNDED && c->t < until) motion = stepper_step(c, until);
-        if (motion == WHIRL_BOUNDED && observe) observe(observer, until, c->x);
+        motion = stepper_step(c, c->slot ? period : period * ((double)instant / instants));
+        if (motion == WHIRL_BOUNDED && (observe || !c->slot))
+            instant = tell(c, period, instants, instant, observe, observer);
     }
     memcpy(x, c->x, c->dimension * sizeof *x);
     return motion;
 }
 
 static void end(whirl_integrator *integrator) {
-    free(integrator->workspace);
+    stepper_free(integrator->workspace);
 }
 
 /// A step takes ten right-hand sides, a Jacobian of as many as there are coordinates, and its equations (measured).
@@ -97,18 +78,18 @@ static double rodas5p_work(const whirl_integrator *integrator) {
 
 const method auto_method = {
     .about = {"auto", "what suits the machine: dop853, or rodas5p where its steps would crawl", true, true, false},
-    .start = start_dop853,
-    .revolve = revolve_freely,
-    .disturbance_rows = DISTURBANCE_ROWS,
+    .start = start,
+    .revolve = revolve,
+    .rows = DISTURBANCE_ROWS,
     .end = end,
     .lanes = &dop853_in_lanes,
 };
 
 const method dop853_method = {
     .about = {"dop853", "Dormand-Prince of order 8(5,3), steps by the tolerance, contacts located", true, true, false},
-    .start = start_dop853,
-    .revolve = revolve_freely,
-    .disturbance_rows = DISTURBANCE_ROWS,
+    .start = start,
+    .revolve = revolve,
+    .rows = DISTURBANCE_ROWS,
     .end = end,
     .lanes = &dop853_in_lanes,
 };
@@ -116,9 +97,9 @@ const method dop853_method = {
 const method rodas5p_method = {
     .about = {"rodas5p", "Rosenbrock-Wanner of order 5(4) for stiff machines, steps by the tolerance, contacts located",
               true, true, false},
-    .start = start_rodas5p,
-    .revolve = revolve_freely,
-    .disturbance_rows = DISTURBANCE_ROWS,
+    .start = start,
+    .revolve = revolve,
+    .rows = DISTURBANCE_ROWS,
     .end = end,
     .lanes = &rodas5p_in_lanes,
     .work = rodas5p_work,
@@ -126,9 +107,9 @@ const method rodas5p_method = {
 
 const method rk4_located_method = {
     .about = {"rk4", "Runge-Kutta of order 4, fixed steps that are split at contacts", false, true, false},
-    .start = start_rk4,
-    .revolve = revolve_on_grid,
-    .disturbance_rows = DISTURBANCE_ROWS,
+    .start = start,
+    .revolve = revolve,
+    .rows = DISTURBANCE_ROWS,
     .end = end,
     .amplification = rk4_amplification,
 };

@@ -23,9 +23,9 @@ static double dot(size_t n, const double *a, const double *b) {
 
 /// The mean of the Jacobians on both sides of all switches that are slid along, weighted as the slopes are.
 static void mean_jacobian(const stepper *c, double t, const double *x, const size_t *list, const double *share,
-                          const double *vectors, double *out) {
+                          size_t count, const double *vectors, double *out) {
     const whirl_system *system = c->system;
-    const size_t size = c->variation.set->count * c->dimension;
+    const size_t size = count * c->dimension;
     double forcing[WHIRL_MAX_FORCING], lower = 1.0, *upper = c->variation.upper;
     double *sides = stepper_row(c, ROW_SIDES_OF_MEAN);
     if (system->forcing_count > 0) system->forcing(system->model, t, forcing);
@@ -34,11 +34,11 @@ static void mean_jacobian(const stepper *c, double t, const double *x, const siz
         sides[list[j]] = -1.0;
         lower -= share[j];
     }
-    system->tangent(system->model, t, forcing, x, sides, c->variation.set->count, vectors, out);
+    system->tangent(system->model, t, forcing, x, sides, count, vectors, out);
     for (size_t d = 0; d < size; d++) out[d] *= lower;
     for (size_t j = 0; j < c->sliding_count; j++) {
         sides[list[j]] = 1.0;
-        system->tangent(system->model, t, forcing, x, sides, c->variation.set->count, vectors, upper);
+        system->tangent(system->model, t, forcing, x, sides, count, vectors, upper);
         sides[list[j]] = -1.0;
         for (size_t d = 0; d < size; d++) out[d] += share[j] * upper[d];
     }
@@ -46,7 +46,8 @@ static void mean_jacobian(const stepper *c, double t, const double *x, const siz
 
 /// The slope keeps n . f + dh/dt = 0 for every switch that is slid along; so must its change by a disturbance u: the
 /// shares change by what solves sum_j (n_i . added_j) dshare_j = -(n_i . J u + (H_i u) . f).
-static void slide_along(const stepper *c, double t, const double *x, const double *vectors, double *out) {
+static void slide_along(const stepper *c, double t, const double *x, size_t vector_count, const double *vectors,
+                        double *out) {
     const whirl_system *system = c->system;
     const size_t n = c->dimension, count = c->sliding_count;
     const double *added = c->work + n;
@@ -54,8 +55,8 @@ static void slide_along(const stepper *c, double t, const double *x, const doubl
     size_t list[MAX_SLIDING];
     stepper_list_sliding(c, list);
     stepper_slope_along(c, t, x, slope, share);
-    mean_jacobian(c, t, x, list, share, vectors, out);
-    for (size_t k = 0; k < c->variation.set->count; k++) {
+    mean_jacobian(c, t, x, list, share, vector_count, vectors, out);
+    for (size_t k = 0; k < vector_count; k++) {
         const double *u = vectors + k * n;
         double matrix[MAX_SLIDING][MAX_SLIDING], change[MAX_SLIDING], *row = out + k * n;
         for (size_t i = 0; i < count; i++) {
@@ -95,16 +96,17 @@ void stepper_vary_begin(stepper *c) {
     }
 }
 
-void stepper_apply_jacobian(const stepper *c, double t, const double *x, const double *vectors, double *out) {
+void stepper_apply_jacobian(const stepper *c, double t, const double *x, size_t count, const double *vectors,
+                            double *out) {
     const whirl_system *system = c->system;
     const double *sides = system->rhs_on_sides ? c->sides : NULL;
     double forcing[WHIRL_MAX_FORCING];
     if (c->sliding_count > 0) {
-        slide_along(c, t, x, vectors, out);
+        slide_along(c, t, x, count, vectors, out);
         return;
     }
     if (system->forcing_count > 0) system->forcing(system->model, t, forcing);
-    system->tangent(system->model, t, forcing, x, sides, c->variation.set->count, vectors, out);
+    system->tangent(system->model, t, forcing, x, sides, count, vectors, out);
 }
 
 double stepper_divergence(const stepper *c, double t, const double *x) {
@@ -117,67 +119,10 @@ double stepper_divergence(const stepper *c, double t, const double *x) {
 
 // ---------------------------------------------------------------- steps and switches
 
-/// What the slopes before add, by the weights `a`, to `from` on the way to stage i, [size].
-static void add_slopes(const double *a, double *const *k, int i, size_t size, double h, const double *from,
-                       double *out) {
-    for (size_t d = 0; d < size; d++) {
-        double sum = 0.0;
-        for (int j = 0; j < i; j++) sum += a[j] * k[j][d];
-        out[d] = from[d] + h * sum;
-    }
-}
-
-/// The norm of disturbance `which` of a set.
-static double length_of(const stepper *c, const double *vectors, size_t which) {
-    const double *u = vectors + which * c->dimension;
-    return sqrt(dot(c->dimension, u, u));
-}
-
-double stepper_varied_error(const stepper *c, size_t which, const double *error) {
-    const stepper_variation *v = &c->variation;
-    const double size = fmax(length_of(c, v->set->vectors, which), length_of(c, v->end, which));
-    return sqrt(dot(c->dimension, error, error)) / (c->rtol * size);
-}
-
-/// The error of disturbance `which` over the step, as stepper.c has it of the state, over the tolerance of its length.
-/// Equations of disturbances are linear: they know no absolute tolerance.
-static double estimated_error(const stepper *c, size_t which) {
-    const stepper_variation *v = &c->variation;
-    const size_t first = which * c->dimension;
-    const double size = fmax(length_of(c, v->set->vectors, which), length_of(c, v->end, which));
-    double square5 = 0.0, square3 = 0.0;
-    for (size_t d = first; d < first + c->dimension; d++) {
-        double e5 = 0.0, e3 = 0.0;
-        for (int j = 0; j < DOP853_STAGES; j++) {
-            e5 += dop853_e5[j] * v->k[j][d];
-            e3 += dop853_e3[j] * v->k[j][d];
-        }
-        square5 += e5 * e5;
-        square3 += e3 * e3;
-    }
-    const double mixed = square5 + 0.01 * square3;
-    return mixed > 0.0 ? c->length * square5 / (sqrt(mixed) * c->rtol * size) : mixed;
-}
-
-double stepper_try_varied(stepper *c) {
-    stepper_variation *v = &c->variation;
-    const whirl_disturbances *set = v->set;
-    if (!set) return 0.0;
-    const size_t n = c->dimension, size = set->count * n;
-    const formula *f = c->formula;
-    const double h = c->length;
-    double error = 0.0;
-    v->volume = 0.0;
-    for (int i = 0; i < f->stages; i++) {
-        const double t = c->begin + f->c[i] * h;
-        add_slopes(f->a[i], c->k, i, n, h, c->start, c->stage);
-        add_slopes(f->a[i], v->k, i, size, h, set->vectors, v->stage);
-        stepper_apply_jacobian(c, t, c->stage, v->stage, v->k[i]);
-        v->volume += h * f->a[f->stages][i] * stepper_divergence(c, t, c->stage);
-    }
-    add_slopes(f->a[f->stages], v->k, f->stages, size, h, set->vectors, v->end);
-    for (size_t k = 0; f->adaptive && k < set->count; k++) error = fmax(error, estimated_error(c, k));
-    return error;
+double stepper_varied_tolerance(const stepper *c, size_t which) {
+    const size_t n = c->dimension;
+    const double *from = c->variation.set->vectors + which * n, *to = c->variation.end + which * n;
+    return c->rtol * sqrt(fmax(dot(n, from, from), dot(n, to, to)));
 }
 
 void stepper_vary(stepper *c) {

@@ -1,95 +1,75 @@
-// Switches between the ends of a fixed step, and the saltation there.
-#include "unlocated.h"
-
+// What disturbances feel where a fixed step has gone over a switch.
+//
+// The step itself knows of no switch; its derivative misses what happens where the right-hand side jumps. That is made
+// good at the step's end by the saltation matrix of the place where the step's cubic meets the switch: right to the
+// first order of the step, and nothing at all where the right-hand side is continuous, as in an elastic contact.
 #include <string.h>
 
 #include "saltation.h"
-
-enum { START, END_SLOPE, BETWEEN, BEFORE, AFTER, GRADIENT };
+#include "stepper.h"
 
 static bool sees(const whirl_system *system) {
     return system->switch_count > 0 && system->switch_gradient && system->rhs_on_sides;
 }
 
-/// Rows of what there is of every switch: at the beginning and end of the step, at a change; sides.
-enum { OF_BEGINNING, OF_END, OF_CHANGE, SIDES };
-
-static double *of_switches(const unlocated_step *step, int which) {
-    return step->before + (size_t)which * step->system->switch_count;
+void unlocated_begin(stepper *c, const double *x) {
+    if (!sees(c->system)) return;
+    memcpy(c->start, x, c->dimension * sizeof *x);
+    c->begin = c->t;
+    if (c->crossed) c->system->switches(c->system->model, c->t, x, stepper_row(c, ROW_FROM));
+    c->crossed = false; // the switches at the beginning are those at the end of the step before
 }
 
-static double *row(const unlocated_step *step, int which) {
-    return step->rows + (size_t)which * step->system->dimension;
+static void take_sides(stepper *c, const double *values) {
+    for (size_t i = 0; i < c->system->switch_count; i++) c->sides[i] = values[i] > 0.0 ? 1.0 : -1.0;
 }
 
-void unlocated_begin(unlocated_step *step, double t, const double *x) {
-    const whirl_system *system = step->system;
-    if (!sees(system)) return;
-    step->t = t;
-    memcpy(row(step, START), x, system->dimension * sizeof *x);
-    if (!step->known) system->switches(system->model, t, x, step->before);
-    step->known = true;
-}
-
-static void slope_at(const whirl_system *system, double t, const double *x, const double *sides, double *slope) {
-    double forcing[WHIRL_MAX_FORCING];
-    if (system->forcing_count > 0) system->forcing(system->model, t, forcing);
-    system->rhs_on_sides(system->model, t, forcing, x, sides, slope);
-}
-
-/// The state at theta of the step, by its ends and the slopes there.
-static void between(const unlocated_step *step, const double *end, double theta, double *x) {
-    const double *start = row(step, START), *last = row(step, END_SLOPE);
-    const double left = 1.0 - theta, h = step->length;
-    for (size_t d = 0; d < step->system->dimension; d++)
-        x[d] = left * left * ((1.0 + 2.0 * theta) * start[d] + theta * h * step->slope[d]) +
-               theta * theta * ((3.0 - 2.0 * theta) * end[d] - left * h * last[d]);
-}
-
-static void signs(const whirl_system *system, const double *values, double *sides) {
-    for (size_t i = 0; i < system->switch_count; i++) sides[i] = values[i] > 0.0 ? 1.0 : -1.0;
-}
-
-/// Halves the step down to where switch `which` changes; BETWEEN gets the state and `values` the switches there.
-static double find_change(const unlocated_step *step, const double *end, size_t which, double *values) {
+/// Halves the step down to where switch `which` changes: the state there, in c->stage, its time and sides.
+static double find_change(stepper *c, size_t which, bool from) {
     enum { HALVINGS = 50 };
-    const whirl_system *system = step->system;
-    const bool from = step->before[which] > 0.0;
-    double low = 0.0, high = 1.0, middle = 0.5;
-    for (int i = 0; i < HALVINGS; i++, middle = 0.5 * (low + high)) {
-        between(step, end, middle, row(step, BETWEEN));
-        system->switches(system->model, step->t + middle * step->length, row(step, BETWEEN), values);
+    double low = 0.0, high = 1.0, t = c->begin, *values = stepper_row(c, ROW_FOUND);
+    for (int i = 0; i < HALVINGS; i++) {
+        const double middle = 0.5 * (low + high);
+        t = c->begin + middle * c->length;
+        stepper_between(c, middle, c->stage);
+        c->system->switches(c->system->model, t, c->stage, values);
         *((values[which] > 0.0) == from ? &low : &high) = middle;
     }
-    return step->t + middle * step->length;
+    take_sides(c, values);
+    return t;
 }
 
-static void saltate_at(const unlocated_step *step, const double *end, size_t which, whirl_disturbances *disturbances) {
-    const whirl_system *system = step->system;
-    double *values = of_switches(step, OF_CHANGE), *sides = of_switches(step, SIDES), by_time;
-    const double t = find_change(step, end, which, values), *x = row(step, BETWEEN);
-    signs(system, values, sides);
-    sides[which] = step->before[which] > 0.0 ? 1.0 : -1.0;
-    slope_at(system, t, x, sides, row(step, BEFORE));
-    sides[which] = -sides[which];
-    slope_at(system, t, x, sides, row(step, AFTER));
-    system->switch_gradient(system->model, t, x, which, row(step, GRADIENT), &by_time);
-    disturbances->volume += saltate(system->dimension, row(step, BEFORE), row(step, AFTER), row(step, GRADIENT),
-                                    by_time, disturbances->count, disturbances->vectors);
+static void saltate_at(stepper *c, size_t which, bool from, whirl_disturbances *disturbances) {
+    const size_t n = c->dimension;
+    double *before = c->rows, *after = before + n, *gradient = after + n, by_time;
+    const double t = find_change(c, which, from);
+    c->sides[which] = from ? 1.0 : -1.0;
+    stepper_slope(c, t, c->stage, before);
+    c->sides[which] = -c->sides[which];
+    stepper_slope(c, t, c->stage, after);
+    c->system->switch_gradient(c->system->model, t, c->stage, which, gradient, &by_time);
+    disturbances->volume += saltate(n, before, after, gradient, by_time, disturbances->count, disturbances->vectors);
 }
 
-void unlocated_saltate(unlocated_step *step, const double *x, whirl_disturbances *disturbances) {
-    const whirl_system *system = step->system;
-    double *after = of_switches(step, OF_END), *sides = of_switches(step, SIDES);
+void unlocated_saltate(stepper *c, double t, const double *slope, const double *x, whirl_disturbances *disturbances) {
+    const whirl_system *system = c->system;
+    double *from = stepper_row(c, ROW_FROM), *to = stepper_row(c, ROW_TO);
     bool changed = false;
+    c->t = t;
     if (!sees(system)) return;
-    system->switches(system->model, step->t + step->length, x, after);
+    c->length = t - c->begin;
+    system->switches(system->model, t, x, to);
     for (size_t i = 0; i < system->switch_count; i++) {
-        if ((step->before[i] > 0.0) == (after[i] > 0.0)) continue;
-        signs(system, after, sides);
-        if (!changed) slope_at(system, step->t + step->length, x, sides, row(step, END_SLOPE));
+        if ((from[i] > 0.0) == (to[i] > 0.0)) continue;
+        if (!changed) {
+            memcpy(c->first, slope, c->dimension * sizeof *slope);
+            memcpy(c->end, x, c->dimension * sizeof *x);
+            take_sides(c, to);
+            stepper_slope(c, t, x, c->last);
+            stepper_interpolate(c);
+        }
         changed = true;
-        saltate_at(step, x, i, disturbances);
+        saltate_at(c, i, from[i] > 0.0, disturbances);
     }
-    memcpy(step->before, after, system->switch_count * sizeof *after);
+    memcpy(from, to, system->switch_count * sizeof *to);
 }

@@ -226,7 +226,7 @@ static void disturbances_beside_a_cage(void **unused) {
     options.growth = WHIRL_GROWTH_ALL;
     for (int i = 0; i < 2; i++) {
         integrate.located = i == 1;
-        assert_int_equal(whirl_variational_takes(system, &integrate), i == 0);
+        assert_int_equal(whirl_ensemble_follows(system, &integrate), i == 0);
         require_ok(whirl_record_motion(system, &integrate, &options, (double[5]){7.0, 0.5}, NULL, &record[i]));
     }
     for (size_t n = 0; n < 5 * record[0]->growth_count; n++) {

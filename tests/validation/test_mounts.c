@@ -260,7 +260,7 @@ static void all_exponents(void **unused) {
         const whirl_integrate_options options = options_of(in_lanes[k]);
         whirl_record *record = record_by(system, in_lanes[k], WHIRL_GROWTH_ALL);
         const double *last = record->growths + (record->growth_count - 1) * DIMENSION;
-        assert_int_equal(whirl_variational_takes(system, &options), k == 0);
+        assert_int_equal(whirl_ensemble_follows(system, &options), k == 0);
         check_within("Mount", words("four exponents of its modes by %s, together", in_lanes[k]),
                      2.0 * tau * (sum - creep), last[0] + last[1] + last[2] + last[3], 1e-8);
         check_within("Mount", words("two of its dampers by %s, together", in_lanes[k]), 2.0 * tau * creep,

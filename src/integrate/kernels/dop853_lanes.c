@@ -33,28 +33,47 @@ VECTOR_INLINE void take_stage(const adaptive_lanes *lanes, int number, size_t fi
     }
 }
 
-/// One of the sums of slopes, for vector i of the rates.
-static inline vec sum_of(const adaptive_lanes *lanes, const slope_sums *sums, size_t which, size_t i) {
-    vec sum = v_set(0.0);
-    for (size_t j = 0; j < sums->count; j++)
-        sum = v_fma(v_set(sums->weight[j][which]), VECTORS(dop853.k[0])[sums->place[j] + i], sum);
-    return sum;
+/// One of the sums of slopes, for up to MOST_TOGETHER vectors of the rates from the first.
+VECTOR_INLINE void sum_rates(const adaptive_lanes *lanes, const slope_sums *sums, size_t which, size_t first,
+                             size_t count, vec *sum) {
+    for (size_t r = 0; r < count; r++) sum[r] = v_set(0.0);
+    for (size_t j = 0; j < sums->count; j++) {
+        const vec *slope = VECTORS(dop853.k[0]) + sums->place[j] + first, weight = v_set(sums->weight[j][which]);
+        for (size_t r = 0; r < count; r++) sum[r] = v_fma(weight, slope[r], sum[r]);
+    }
+}
+
+/// The same for all states of first order: out is from + h times the sum, from may be NULL.
+static void sum_states(const adaptive_lanes *lanes, const slope_sums *sums, const vec *from, vec *out) {
+    const size_t last = lanes->rates * lanes->stride;
+    const vec *h = VECTORS(length), zero = v_set(0.0);
+    for (size_t i = lanes->degrees * lanes->stride; i < last; i += MOST_TOGETHER) {
+        vec sum[MOST_TOGETHER];
+        const size_t count = last - i < MOST_TOGETHER ? last - i : MOST_TOGETHER;
+        if (count == MOST_TOGETHER)
+            sum_rates(lanes, sums, VELOCITY, i, MOST_TOGETHER, sum);
+        else
+            sum_rates(lanes, sums, VELOCITY, i, count, sum);
+        for (size_t r = 0; r < count; r++)
+            out[i + r] = v_fma(h[(i + r) % lanes->stride], sum[r], from ? from[i + r] : zero);
+    }
+}
+
+/// All of the state at which slope `number` is taken.
+static void enter_stage(const adaptive_lanes *lanes, int number, vec *q, vec *v) {
+    const size_t all = lanes->degrees * lanes->stride, even = all - all % SUMMED_TOGETHER;
+    for (size_t i = 0; i < even; i += SUMMED_TOGETHER) take_stage(lanes, number, i, 1, SUMMED_TOGETHER, q, v);
+    if (even < all) take_stage(lanes, number, even, 1, 1, q, v);
+    sum_states(lanes, &lanes->dop853.sums.stage[number], VECTORS(v), v);
 }
 
 static void take_slopes_by_stages(const adaptive_lanes *lanes, int from, int to) {
-    const size_t all = lanes->degrees * lanes->stride, even = all - all % SUMMED_TOGETHER;
     for (int number = from; number < to; number++) {
         const bool end = number == DOP853_STAGES;
         double *q = end ? lanes->end_q : lanes->stage_q, *v = end ? lanes->end_v : lanes->stage_v;
         // The result's slope is taken at the time of the last stage.
         if (!end) take_forcing(lanes, all_of(lanes), dop853_c[number], lanes->length);
-        for (size_t i = 0; i < even; i += SUMMED_TOGETHER)
-            take_stage(lanes, number, i, 1, SUMMED_TOGETHER, (vec *)q, (vec *)v);
-        if (even < all) take_stage(lanes, number, even, 1, 1, (vec *)q, (vec *)v);
-        FOR_STATES {
-            const vec way = sum_of(lanes, &lanes->dop853.sums.stage[number], VELOCITY, i);
-            ((vec *)v)[i] = v_fma(VECTORS(length)[k], way, VECTORS(v)[i]);
-        }
+        enter_stage(lanes, number, (vec *)q, (vec *)v);
         take_slope(lanes, all_of(lanes), q, v, lanes->dop853.k[number]);
     }
 }
@@ -85,8 +104,8 @@ VECTOR_INLINE void sum_errors(const adaptive_lanes *lanes, size_t first, size_t 
     }
 }
 
-/// The square of the error of vector k over the tolerance of all coordinates, as stepper.c has it; not a number where
-/// the end is none. Its coordinates' errors are in q5 ... v3.
+/// The square of the error of vector k over the tolerance of all coordinates, of both embedded formulas as DOP853
+/// weighs them; not a number where the end is none. Its coordinates' errors are in q5 ... v3.
 VECTOR_INLINE void take_error(const adaptive_lanes *lanes, size_t group_count, const size_t *groups, size_t states,
                               size_t stride, size_t k, const vec *q5, const vec *v5, const vec *q3, const vec *v3) {
     const size_t degrees = groups[group_count];
@@ -109,8 +128,12 @@ VECTOR_INLINE void take_error(const adaptive_lanes *lanes, size_t group_count, c
     }
     for (size_t i = degrees * stride + k; i < (degrees + states) * stride; i += stride) {
         const slope_sums *sums = &lanes->dop853.sums.error;
-        const vec size = state_size(v, end_v, i), per = v_div(v_set(1.0), v_fma(rtol, size, atol));
-        const vec own5 = v_mul(per, sum_of(lanes, sums, 1, i)), own3 = v_mul(per, sum_of(lanes, sums, 3, i));
+        const vec size = state_size(lanes, v, end_v, i), per = v_div(v_set(1.0), v_fma(rtol, size, atol));
+        vec own5, own3;
+        sum_rates(lanes, sums, 1, i, 1, &own5);
+        sum_rates(lanes, sums, 3, i, 1, &own3);
+        own5 = v_mul(per, own5);
+        own3 = v_mul(per, own3);
         square5 = v_fma(own5, own5, square5);
         square3 = v_fma(own3, own3, square3);
         nothing = v_add(nothing, v_sub(last[i], last[i]));
@@ -208,7 +231,8 @@ VECTOR_INLINE void take_cubic(const adaptive_lanes *lanes, size_t j, vec h, vec 
     VECTORS(dense[3])[j] = v_fnma(h, v_add(first, last), v_mul(v_set(2.0), way));
 }
 
-/// The interpolant of the step tried, as stepper.c has it.
+/// The interpolant of the step tried: a cubic, and what DOP853 adds to it by three more slopes (Hairer, Norsett, Wanner
+/// 1993, II.6).
 static void take_polynomials(const adaptive_lanes *lanes) {
     const size_t after = lanes->degrees * lanes->stride;
     const vec *q = VECTORS(q), *v = VECTORS(v), *end_q = VECTORS(end_q), *end_v = VECTORS(end_v);
@@ -230,13 +254,14 @@ static void take_polynomials(const adaptive_lanes *lanes) {
             out_q[i] = v_mul(h[k], v_fma(h[k], position, v_mul(drift, v[i])));
             out_v[i] = v_mul(h[k], velocity);
         }
-        FOR_STATES out_v[i] = v_mul(h[k], sum_of(lanes, sums, VELOCITY, i));
+        sum_states(lanes, sums, NULL, out_v);
     }
 }
 
 // ---------------------------------------------------------------- lengths of steps
 
-/// For errors of order 8.
+/// For errors of order 8: proportional and integral control (Gustafsson 1991), err^(-3/32) times the error before to
+/// the power 1/16, which settles at 0.92^32 = 0.07 of the tolerance; roots alone, so that it is the same everywhere.
 static inline error_powers powers_of(vec square) {
     vec p = v_max(v_min(square, v_set(1e16)), v_set(1e-16));
     for (int i = 0; i < 5; i++) p = rough_inverse_root(p); // err^-1, err^1/2, err^-1/4, err^1/8, err^-1/16
@@ -244,5 +269,16 @@ static inline error_powers powers_of(vec square) {
     return (error_powers){v_mul(v_mul(p, p), root), v_mul(p, p), v_mul(root, root)};
 }
 
+#if VECTOR_ISA == VECTOR_SCALAR
+static void take_stage_of_slot(const adaptive_lanes *slot, int number) {
+    if (number > 0)
+        enter_stage(slot, number, slot->stage_q, slot->stage_v);
+    else
+        memcpy(slot->stage_v, slot->v, slot->rates * sizeof(double));
+}
+#endif
+
 #define METHOD_REVOLVE ISA(dop853_lanes)
+#define METHOD_SLOT dop853_slot
+#define SOLVE_SLOT NULL
 #include "adaptive_revolve.inc"

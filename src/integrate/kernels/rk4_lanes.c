@@ -1,61 +1,84 @@
-// RK4 in Nystrom's form for x'' = f(t, x, x') over vector lanes, compiled once for every instruction set.
+// RK4 in Nystrom's form for x'' = f(t, x, x') and its variational equations over vector lanes, compiled once for every
+// instruction set.
 //
 // Stage by stage, quantities outermost, vectors innermost: independent vectors hide each other's latency.
 #include "rk4_lanes.h"
 #include "rk4_scheme.h"
 #include "watched_kernel.h"
 
-/// Calls `body` for every vector of every degree of freedom, with its index i: in one run where all vectors are in use.
-#define FOR_ALL(lanes, body)                                                                                           \
-    for (size_t d = 0, full = (lanes)->vectors == (lanes)->stride; d < (full ? 1 : (lanes)->degrees); d++)             \
-        for (size_t i = d * (lanes)->stride, last = i + (full ? (lanes)->degrees : 1) * (lanes)->vectors; i < last;    \
-             i++)                                                                                                      \
-    body
+/// Calls `body` for every vector of the rows from <= d < to, with its index i: in one run where all vectors are in use.
+#define FOR_ROWS(lanes, from, to, body)                                                                                \
+    for (size_t d = (from), full = (lanes)->vectors == (lanes)->stride,                                                \
+                run = full && (to) > (from) ? (to) - (from) : 1;                                                       \
+         d < (to); d += run)                                                                                           \
+        for (size_t i = d * (lanes)->stride, last = i + run * (lanes)->vectors; i < last; i++) body
 
-/// The same for states of first order, which follow the velocities.
-#define FOR_STATES(lanes, body)                                                                                        \
-    for (size_t d = (lanes)->degrees; d < (lanes)->rates; d++)                                                         \
-        for (size_t i = d * (lanes)->stride, last = i + (lanes)->vectors; i < last; i++) body
+/// Of every degree of freedom; of states of first order, which follow the velocities.
+#define FOR_ALL(lanes, body) FOR_ROWS(lanes, 0, (lanes)->degrees, body)
+#define FOR_STATES(lanes, body) FOR_ROWS(lanes, (lanes)->degrees, (lanes)->rates, body)
 
-/// Accelerations with the values of time that all lanes share.
-static void accelerate(const rk4_lanes *lanes, const double *forcing, const vec *q, const vec *v, vec *a) {
+/// Accelerations with the values of time that all lanes share, of the state and its disturbances, and at a stage the
+/// divergence.
+static void accelerate(const rk4_lanes *lanes, const double *forcing, const vec *q, const vec *v, double *divergence,
+                       vec *a) {
+    const bool spread = lanes->lane_count > 1; // one lane takes them as they stand
     vec *now = (vec *)lanes->now;
-    for (size_t i = 0; i < lanes->forcing_count; i++)
+    for (size_t i = 0; spread && i < lanes->forcing_count; i++)
         for (size_t k = 0; k < lanes->vectors; k++) now[i * lanes->stride + k] = v_set(forcing[i]);
     const lanes_view view = {.model = lanes->model,
                              .stride = lanes->stride,
                              .vectors = lanes->vectors,
                              .numbers = lanes->numbers,
                              .places = lanes->places,
-                             .forcing = now,
+                             .forcing = spread ? (const void *)now : forcing,
+                             .tangents = lanes->disturbances,
                              .q = q,
                              .v = v,
-                             .a = a};
+                             .a = a,
+                             .divergence = lanes->disturbances > 0 ? divergence : NULL};
     lanes->flow(&view);
+}
+
+/// Lets the scheme's stage or end enter for the state and all disturbances.
+#define ENTER_SET(stage, scheme)                                                                                       \
+    FOR_ALL(lanes, stage(&(scheme), i);)                                                                               \
+    FOR_STATES(lanes, stage##_state(&(scheme), i);)
+#define ENTER_ALL(stage)                                                                                               \
+    ENTER_SET(stage, own)                                                                                              \
+    for (size_t n = 1; n <= lanes->disturbances; n++) {                                                                \
+        const scheme beside = scheme_of_set(lanes, &constants, n);                                                     \
+        ENTER_SET(stage, beside)                                                                                       \
+    }
+
+/// The scheme with the arrays of the state (n = 0) or a disturbance.
+static inline scheme scheme_of_set(const rk4_lanes *lanes, const scheme *constants, size_t n) {
+    const size_t place = n * lanes->degrees * lanes->stride, rate = n * lanes->rates * lanes->stride;
+    return scheme_at(constants, (vec *)lanes->q + place, (vec *)lanes->v + rate, (vec *)lanes->k[0] + rate,
+                     (vec *)lanes->k[1] + rate, (vec *)lanes->k[2] + rate, (vec *)lanes->stage_q + place,
+                     (vec *)lanes->stage_v + rate);
+}
+
+/// The integral of the divergence over the step.
+static void add_divergence(const rk4_lanes *lanes) {
+    const vec sixth = v_set(lanes->step / 6.0), two = v_set(2.0);
+    vec *volume = (vec *)lanes->volume;
+    vec *const *d = (vec *const *)lanes->divergence;
+    for (size_t k = 0; k < lanes->vectors; k++)
+        volume[k] = v_fma(sixth, v_fma(two, v_add(d[1][k], d[2][k]), v_add(d[0][k], d[3][k])), volume[k]);
 }
 
 static void take_step(const rk4_lanes *lanes, const double *forcing) {
     const double *middle = forcing + lanes->forcing_count, *end = middle + lanes->forcing_count;
-    scheme s = scheme_of(lanes->step);
-    s.q = (vec *)lanes->q;
-    s.v = (vec *)lanes->v;
-    s.k1 = (vec *)lanes->k[0];
-    s.k2 = (vec *)lanes->k[1];
-    s.k3 = (vec *)lanes->k[2];
-    s.stage_q = (vec *)lanes->stage_q;
-    s.stage_v = (vec *)lanes->stage_v;
-    accelerate(lanes, forcing, s.q, s.v, s.k1);
-    FOR_ALL(lanes, enter_second(&s, i);)
-    FOR_STATES(lanes, enter_second_state(&s, i);)
-    accelerate(lanes, middle, s.stage_q, s.stage_v, s.k2);
-    FOR_ALL(lanes, enter_third(&s, i);)
-    FOR_STATES(lanes, enter_third_state(&s, i);)
-    accelerate(lanes, middle, s.stage_q, s.stage_v, s.k3);
-    FOR_ALL(lanes, enter_fourth(&s, i);)
-    FOR_STATES(lanes, enter_fourth_state(&s, i);)
-    accelerate(lanes, end, s.stage_q, s.stage_v, s.k3);
-    FOR_ALL(lanes, enter_end(&s, i);)
-    FOR_STATES(lanes, enter_end_state(&s, i);)
+    const scheme constants = scheme_of(lanes->step), own = scheme_of_set(lanes, &constants, 0);
+    accelerate(lanes, forcing, own.q, own.v, lanes->divergence[0], own.k1);
+    ENTER_ALL(enter_second)
+    accelerate(lanes, middle, own.stage_q, own.stage_v, lanes->divergence[1], own.k2);
+    ENTER_ALL(enter_third)
+    accelerate(lanes, middle, own.stage_q, own.stage_v, lanes->divergence[2], own.k3);
+    ENTER_ALL(enter_fourth)
+    accelerate(lanes, end, own.stage_q, own.stage_v, lanes->divergence[3], own.k3);
+    ENTER_ALL(enter_end)
+    if (lanes->disturbances > 0) add_divergence(lanes);
 }
 
 /// Whether velocities are looked at after step n: their bounds, by which distances are scaled, are not wanted to the
@@ -136,6 +159,7 @@ static void observe_contacts(const rk4_lanes *lanes) {
 }
 
 #include "rk4_located.inc"
+#include "rk4_orthonormal.inc"
 
 static bool locates(const rk4_lanes *lanes) {
     return lanes->located.switches != NULL;
@@ -148,6 +172,7 @@ static void begin_step(const rk4_lanes *lanes) {
 /// All that is done at the end of step n.
 static void end_step(const rk4_lanes *lanes, int n) {
     if (locates(lanes)) locate(lanes, n);
+    if (lanes->lengths && lanes->disturbances > 0) make_orthonormal(lanes, n + 1);
     if (lanes->observing) {
         observe_probes(lanes, looks_at_speeds(lanes, n + 1));
         observe_contacts(lanes);

@@ -21,6 +21,20 @@ static inline scheme scheme_of(double h) {
                     .sixth_square = v_set(h * h / 6.0)};
 }
 
+/// The scheme with those arrays.
+VECTOR_INLINE scheme scheme_at(const scheme *constants, vec *q, vec *v, vec *k1, vec *k2, vec *k3, vec *stage_q,
+                               vec *stage_v) {
+    scheme s = *constants;
+    s.q = q;
+    s.v = v;
+    s.k1 = k1;
+    s.k2 = k2;
+    s.k3 = k3;
+    s.stage_q = stage_q;
+    s.stage_v = stage_v;
+    return s;
+}
+
 /// The states at which accelerations 2 to 4 are taken, and that at the step's end.
 static inline void enter_second(const scheme *s, size_t i) {
     const vec v = s->v[i];

@@ -11,8 +11,7 @@
 #include <cmocka.h>
 
 #include "crossing.h"
-#include "dop853_sums.h"
-#include "stepper.h"
+#include "adaptive_lanes.h"
 
 static const double pi = 3.14159265358979323846;
 
@@ -119,11 +118,11 @@ static void test_interpolant_has_order_seven(void **state) {
     for (int p = 0; p <= 6; p++) {
         const whirl_system system = {.dimension = 1, .period = 1.0, .rhs = power_rhs, .model = &p};
         const whirl_integrate_options options = {.rtol = 1e9, .atol = 1.0, .limit = 1e6};
-        stepper *c = stepper_new(&dop853_formula, 1, 0, &options);
+        stepper *c = stepper_new(&dop853_in_lanes, &system, &options);
         const double start = 0.0;
         c->observed = true;
         assert_int_equal(stepper_begin(c, &system, &start), WHIRL_BOUNDED);
-        c->h = 1.0;
+        *c->slot->h = 1.0;
         assert_int_equal(stepper_step(c, 1.0), WHIRL_BOUNDED);
         assert_true(c->t == 1.0);
         for (double theta = 0.125; theta <= 1.0; theta += 0.125) {
@@ -131,7 +130,7 @@ static void test_interpolant_has_order_seven(void **state) {
             stepper_between(c, theta, &x);
             expect_near(x, pow(theta, p + 1) / tgamma(p + 2.0), 1e-15);
         }
-        free(c);
+        stepper_free(c);
     }
 }
 

@@ -11,7 +11,8 @@
 
 #include <cmocka.h>
 
-#include "stepper.h"
+#include "rodas5p_tableau.h"
+#include "whirl/integrate.h"
 
 enum { S = RODAS5P_STAGES };
 

@@ -1,0 +1,92 @@
+// What the method of Dormand and Prince needs besides the kernel of its steps.
+#include <math.h>
+
+#include "adaptive_lanes.h"
+#include "method.h"
+
+double dop853_amplification(double real, double imaginary) {
+    double re[DOP853_STAGES + 1], im[DOP853_STAGES + 1], x = 1.0, y = 0.0;
+    for (int i = 0; i <= DOP853_STAGES; i++) { // stage by stage on x' = z x from x = 1
+        x = 1.0;
+        y = 0.0;
+        for (int j = 0; j < i; j++) {
+            x += dop853_a[i][j] * re[j];
+            y += dop853_a[i][j] * im[j];
+        }
+        re[i] = real * x - imaginary * y;
+        im[i] = real * y + imaginary * x;
+    }
+    return hypot(x, y);
+}
+
+// ---------------------------------------------------------------- disturbances
+
+/// The disturbances at which slope i is taken, [size].
+static void take_stage(const stepper_variation *v, int i, size_t size, double h, double *out) {
+    for (size_t d = 0; d < size; d++) {
+        double sum = 0.0;
+        for (int j = 0; j < i; j++) sum += dop853_a[i][j] * v->k[j][d];
+        out[d] = v->set->vectors[d] + h * sum;
+    }
+}
+
+/// The error of disturbance `which` over the step, as the kernel has it of the state, over the tolerance of its length.
+static double estimated_error(const stepper *c, size_t which) {
+    const stepper_variation *v = &c->variation;
+    const size_t first = which * c->dimension;
+    double square5 = 0.0, square3 = 0.0;
+    for (size_t d = first; d < first + c->dimension; d++) {
+        double e5 = 0.0, e3 = 0.0;
+        for (int j = 0; j < DOP853_STAGES; j++) {
+            e5 += dop853_e5[j] * v->k[j][d];
+            e3 += dop853_e3[j] * v->k[j][d];
+        }
+        square5 += e5 * e5;
+        square3 += e3 * e3;
+    }
+    const double mixed = square5 + 0.01 * square3;
+    return mixed > 0.0 ? c->length * square5 / (sqrt(mixed) * stepper_varied_tolerance(c, which)) : mixed;
+}
+
+static double try_varied(stepper *c) {
+    stepper_variation *v = &c->variation;
+    const size_t size = v->set->count * c->dimension;
+    const double h = c->length;
+    double error = 0.0;
+    v->volume = 0.0;
+    for (int i = 0; i < DOP853_STAGES; i++) {
+        const double t = c->begin + dop853_c[i] * h;
+        c->method->one->take_stage(c->slot, i);
+        take_stage(v, i, size, h, v->stage);
+        stepper_apply_jacobian(c, t, c->stage, v->set->count, v->stage, v->k[i]);
+        v->volume += h * dop853_a[DOP853_STAGES][i] * stepper_divergence(c, t, c->stage);
+    }
+    take_stage(v, DOP853_STAGES, size, h, v->end);
+    for (size_t k = 0; k < v->set->count; k++) error = fmax(error, estimated_error(c, k));
+    return error;
+}
+
+// ---------------------------------------------------------------- in lanes
+
+static adaptive_lanes_revolve *const revolves[VECTOR_ISAS] = EVERY_ISA(, dop853_lanes);
+
+static size_t group(size_t rates) {
+    return rates <= 8 ? 4 : rates <= 20 ? 2 : 1;
+}
+
+static size_t lay_out(adaptive_lanes *lanes, double *block) {
+    dop853_work *own = &lanes->dop853;
+    size_t row = 0;
+    for (size_t i = 0; i < DOP853_SLOPES; i++, row += lanes->rates) own->k[i] = lanes_row(lanes, block, row);
+    own->base = lanes_row(lanes, block, row);
+    lanes->slope = own->k[0];
+    lanes->end_slope = own->k[DOP853_STAGES];
+    lanes->later = own->k[1];
+    return row + 2;
+}
+
+static void prepare(adaptive_lanes *lanes) {
+    dop853_sums_fill(&lanes->dop853.sums, lanes->rates * lanes->stride);
+}
+
+const lanes_method dop853_in_lanes = {revolves, &dop853_slot, try_varied, DENSE, group, lay_out, prepare};
