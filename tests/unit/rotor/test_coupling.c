@@ -10,25 +10,10 @@
 #include <cmocka.h>
 
 #include "machine.h"
+#include "settings.h"
 #include "whirl/rotor.h"
 
 #define COUNT_OF(array) (sizeof(array) / sizeof *(array))
-
-static whirl_setting number(const char *key, double value) {
-    return (whirl_setting){key, value, NULL};
-}
-static whirl_setting word(const char *key, const char *text) {
-    return (whirl_setting){key, 0.0, text};
-}
-
-static void check(whirl_status status) {
-    if (status.code != WHIRL_OK) fail_msg("%s", status.message);
-}
-
-static double uniform(uint64_t *seed) {
-    *seed = *seed * 6364136223846793005u + 1442695040888963407u;
-    return 2.0 * (double)(*seed >> 11) / 9007199254740992.0 - 1.0;
-}
 
 /// In SI: a rotor in a housing on springs, a linear seal between them whose fluid has a mass.
 static const double omega = 130.0, length = 2e-4, rotor_mass = 7.0, housing_mass = 23.0, fluid = 3.5;
@@ -37,25 +22,25 @@ static const double rotor_k = 4e5, housing_k = 9e5, seal_k = 2e5, seal_c = 310.0
 static whirl_design *design_of(bool with_film) {
     whirl_design *design;
     check(whirl_design_new(omega, length, &design));
-    check(whirl_design_station(design, "rotor",
-                               (whirl_setting[]){number("mass", rotor_mass), number("damping", rotor_c)}, 2));
-    check(whirl_design_station(design, "housing", (whirl_setting[]){number("mass", housing_mass)}, 1));
+    check(whirl_design_station(design, "rotor", (whirl_setting[]){value("mass", rotor_mass), value("damping", rotor_c)},
+                               2));
+    check(whirl_design_station(design, "housing", (whirl_setting[]){value("mass", housing_mass)}, 1));
     check(whirl_design_element(design, "shaft",
-                               (whirl_setting[]){word("between", "rotor, ground"), number("k1", rotor_k)}, 2));
+                               (whirl_setting[]){word("between", "rotor, ground"), value("k1", rotor_k)}, 2));
     check(whirl_design_element(
-        design, "spring", (whirl_setting[]){word("between", "housing, ground"), number("stiffness", housing_k)}, 2));
+        design, "spring", (whirl_setting[]){word("between", "housing, ground"), value("stiffness", housing_k)}, 2));
     check(whirl_design_element(design, "seal",
-                               (whirl_setting[]){word("at", "rotor"), word("from", "housing"), number("clearance", 1.0),
-                                                 number("stiffness", seal_k), number("damping", seal_c),
-                                                 number("mass", fluid), number("ratio", ratio)},
+                               (whirl_setting[]){word("at", "rotor"), word("from", "housing"), value("clearance", 1.0),
+                                                 value("stiffness", seal_k), value("damping", seal_c),
+                                                 value("mass", fluid), value("ratio", ratio)},
                                7));
     if (!with_film) return design;
     check(whirl_design_element(
-        design, "film",
-        (whirl_setting[]){word("at", "rotor"), number("clearance", 2.0 * length), number("load", 300.0)}, 3));
+        design, "film", (whirl_setting[]){word("at", "rotor"), value("clearance", 2.0 * length), value("load", 300.0)},
+        3));
     check(whirl_design_element(
         design, "bearing",
-        (whirl_setting[]){word("at", "housing"), number("cxx", 77.0), number("cxy", 31.0), number("cyx", -12.0)}, 4));
+        (whirl_setting[]){word("at", "housing"), value("cxx", 77.0), value("cxy", 31.0), value("cyx", -12.0)}, 4));
     return design;
 }
 
@@ -86,7 +71,7 @@ static void accelerations_are_those_of_the_mass_matrix(void **state) {
     for (int trial = 0; trial < 50; trial++) {
         double x[8], slope[8], forcing[FORCING_COUNT];
         double complex z[2], v[2], a[2];
-        for (int i = 0; i < 8; i++) x[i] = uniform(&seed);
+        for (int i = 0; i < 8; i++) x[i] = uniform(&seed, -1.0, 1.0);
         for (int s = 0; s < 2; s++) {
             z[s] = length * (x[2 * s] + I * x[2 * s + 1]);
             v[s] = omega * length * (x[4 + 2 * s] + I * x[5 + 2 * s]);
@@ -134,7 +119,7 @@ static void lanes_share_a_coupling(void **state) {
     assert_true(one->lanes.alike(one, same));
     assert_int_equal(one->coupled.count, 4);
     check(whirl_design_new(omega, length, &design));
-    check(whirl_design_station(design, "rotor", (whirl_setting[]){number("mass", rotor_mass)}, 1));
+    check(whirl_design_station(design, "rotor", (whirl_setting[]){value("mass", rotor_mass)}, 1));
     check(whirl_rotor_new(design, &lone));
     assert_int_equal(lone->coupled.count, 0);
     whirl_design_free(design);

@@ -8,11 +8,8 @@
 
 #include <math.h>
 
+#include "settings.h"
 #include "whirl/rotor.h"
-
-static void check(whirl_status status) {
-    if (status.code != WHIRL_OK) fail_msg("%s", status.message);
-}
 
 static void add_rub(whirl_design *design, const char *station, double gap) {
     const whirl_setting rub[] = {{"at", 0, station}, {"gap", gap, NULL}, {"stiffness", 1e6, NULL}};

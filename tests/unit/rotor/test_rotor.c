@@ -8,23 +8,8 @@
 
 #include <cmocka.h>
 
+#include "settings.h"
 #include "whirl/rotor.h"
-
-static whirl_setting number(const char *key, double value) {
-    return (whirl_setting){key, value, NULL};
-}
-static whirl_setting word(const char *key, const char *text) {
-    return (whirl_setting){key, 0.0, text};
-}
-
-static void check(whirl_status status) {
-    if (status.code != WHIRL_OK) fail_msg("%s", status.message);
-}
-
-static double uniform(uint64_t *seed, double low, double high) {
-    *seed = *seed * 6364136223846793005u + 1442695040888963407u;
-    return low + (high - low) * (double)(*seed >> 11) / 9007199254740992.0;
-}
 
 /// The 2015 paper's rotor in SI.
 static whirl_rotor *paper_rotor(const char *signs, double r_k) {
@@ -33,22 +18,22 @@ static whirl_rotor *paper_rotor(const char *signs, double r_k) {
     whirl_rotor *rotor;
     check(whirl_design_new(omega, c, &design));
     check(whirl_design_station(
-        design, "disc",
-        (whirl_setting[]){number("mass", 420), number("damping", 4300), number("eccentricity", 0.08 * c)}, 3));
-    check(whirl_design_station(design, "journal", (whirl_setting[]){number("mass", 100), number("damping", 9300)}, 2));
+        design, "disc", (whirl_setting[]){value("mass", 420), value("damping", 4300), value("eccentricity", 0.08 * c)},
+        3));
+    check(whirl_design_station(design, "journal", (whirl_setting[]){value("mass", 100), value("damping", 9300)}, 2));
     check(whirl_design_element(design, "shaft",
-                               (whirl_setting[]){word("between", "disc, journal"), number("k1", r_k * k2),
-                                                 number("k2", k2), word("signs", signs)},
+                               (whirl_setting[]){word("between", "disc, journal"), value("k1", r_k * k2),
+                                                 value("k2", k2), word("signs", signs)},
                                4));
     check(whirl_design_element(design, "film",
-                               (whirl_setting[]){word("at", "journal"), number("count", 2), number("clearance", c),
-                                                 number("load", 0.0042 * 50 * c * omega * omega)},
+                               (whirl_setting[]){word("at", "journal"), value("count", 2), value("clearance", c),
+                                                 value("load", 0.0042 * 50 * c * omega * omega)},
                                4));
     check(whirl_design_element(design, "rub",
-                               (whirl_setting[]){word("at", "disc"), number("gap", 1.2 * c),
-                                                 number("stiffness", 10 * k2), number("friction", 0.1)},
+                               (whirl_setting[]){word("at", "disc"), value("gap", 1.2 * c), value("stiffness", 10 * k2),
+                                                 value("friction", 0.1)},
                                4));
-    check(whirl_design_element(design, "gravity", (whirl_setting[]){number("acceleration", 9.8)}, 1));
+    check(whirl_design_element(design, "gravity", (whirl_setting[]){value("acceleration", 9.8)}, 1));
     check(whirl_rotor_new(design, &rotor));
     whirl_design_free(design);
     return rotor;
@@ -129,10 +114,10 @@ static void test_film_design_is_the_published_scale(void **state) {
     for (int i = 0; i < 2; i++) {
         whirl_design *design;
         check(whirl_design_new(650, c, &design));
-        check(whirl_design_station(design, "journal", (whirl_setting[]){number("mass", 50)}, 1));
-        const whirl_setting by_load[] = {word("at", "journal"), number("clearance", c), number("load", load)};
-        const whirl_setting by_design[] = {word("at", "journal"), number("clearance", c), number("viscosity", 0.018),
-                                           number("radius", R), number("length", L)};
+        check(whirl_design_station(design, "journal", (whirl_setting[]){value("mass", 50)}, 1));
+        const whirl_setting by_load[] = {word("at", "journal"), value("clearance", c), value("load", load)};
+        const whirl_setting by_design[] = {word("at", "journal"), value("clearance", c), value("viscosity", 0.018),
+                                           value("radius", R), value("length", L)};
         check(whirl_design_element(design, "film", i ? by_design : by_load, i ? 5 : 3));
         check(whirl_rotor_new(design, &rotors[i]));
         whirl_design_free(design);
@@ -159,13 +144,13 @@ static void test_eccentricity_and_unbalance_are_the_same(void **state) {
         whirl_design *design;
         whirl_rotor *rotor;
         check(whirl_design_new(100, 1e-3, &design));
-        const whirl_setting eccentric[] = {number("mass", 3), number("eccentricity", 2e-4),
-                                           number("eccentricity_angle", 0.7)};
+        const whirl_setting eccentric[] = {value("mass", 3), value("eccentricity", 2e-4),
+                                           value("eccentricity_angle", 0.7)};
         check(whirl_design_station(design, "disc", eccentric, i ? 1 : 3));
         if (i)
             check(whirl_design_element(
-                design, "unbalance",
-                (whirl_setting[]){word("at", "disc"), number("moment", 6e-4), number("angle", 0.7)}, 3));
+                design, "unbalance", (whirl_setting[]){word("at", "disc"), value("moment", 6e-4), value("angle", 0.7)},
+                3));
         check(whirl_rotor_new(design, &rotor));
         whirl_design_free(design);
         const whirl_system *system = whirl_rotor_system(rotor);
@@ -184,11 +169,11 @@ static void test_friction_follows_the_slip(void **state) {
         whirl_design *design;
         whirl_rotor *rotor;
         check(whirl_design_new(1, 1, &design));
-        check(whirl_design_station(design, "disc", (whirl_setting[]){number("mass", 1)}, 1));
+        check(whirl_design_station(design, "disc", (whirl_setting[]){value("mass", 1)}, 1));
         check(whirl_design_element(design, "rub",
-                                   (whirl_setting[]){word("at", "disc"), number("gap", 1), number("stiffness", 4),
-                                                     number("friction", 0.3), word("law", "slip"),
-                                                     number("radius", surface)},
+                                   (whirl_setting[]){word("at", "disc"), value("gap", 1), value("stiffness", 4),
+                                                     value("friction", 0.3), word("law", "slip"),
+                                                     value("radius", surface)},
                                    6));
         check(whirl_rotor_new(design, &rotor));
         whirl_design_free(design);

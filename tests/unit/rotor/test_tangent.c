@@ -12,6 +12,7 @@
 
 #include "isa.h"
 #include "lanes.h"
+#include "settings.h"
 #include "vector.h"
 #include "whirl/rotor.h"
 
@@ -31,22 +32,6 @@ static const ring rings[] = {{0, 0.5, 40.0, 3.0, 0.3, 1.5, 0.0},
                              {2, 0.4, 30.0, 2.0, 0.25, 0.8, 0.3},
                              {2, 0.7, 50.0, -1.0, 0.4, 0.6, 0.0}};
 enum { RINGS = sizeof rings / sizeof *rings };
-
-static void check(whirl_status status) {
-    if (status.code != WHIRL_OK) fail_msg("%s", status.message);
-}
-
-static double uniform(uint64_t *seed, double low, double high) {
-    *seed = *seed * 6364136223846793005u + 1442695040888963407u;
-    return low + (high - low) * (double)(*seed >> 11) / 9007199254740992.0;
-}
-
-static whirl_setting value(const char *key, double x) {
-    return (whirl_setting){key, x, NULL};
-}
-static whirl_setting word(const char *key, const char *text) {
-    return (whirl_setting){key, 0.0, text};
-}
 
 static void add_ring(whirl_design *design, const ring *r) {
     static const char *const names[STATIONS] = {"disc", "left", "right"};
