@@ -191,11 +191,11 @@ void assembly_gyroscopic(assembly *to, size_t station, double polar) {
 
 void assembly_unbalance(assembly *to, size_t station, double moment, double angle) {
     const assembly_station *at = &to->stations[station];
-    if (!in_plane(at)) {
+    if (!in_plane(at) || to->phased) {
         assembly_turning(to, at->coordinate[AXIS_X], at->coordinate[AXIS_Y], moment * to->speed * to->speed, angle);
         return;
     }
-    const double acceleration = moment * to->turn * to->turn / (inertia_of(at) * to->length);
+    const double acceleration = moment / (inertia_of(at) * to->length);
     to->numbers[at->place][STATION_UNBALANCE_COS] += acceleration * cos(angle);
     to->numbers[at->place][STATION_UNBALANCE_SIN] += acceleration * sin(angle);
 }

@@ -70,6 +70,7 @@ typedef struct assembly_station {
 typedef struct assembly {
     double speed, length;              ///< of the shaft, rad/s; length scale, m
     double clock, turn;                ///< rad/s of the phase that sections are taken by: tau = clock t; speed/clock
+    bool phased;                       ///< the shaft's phase is a state: what turns with it are terms alone
     size_t station_count, plane_count; ///< stations, and those that move in x and y
     assembly_station *stations;
     double (*numbers)[STATION_NUMBERS]; ///< [plane_count]

@@ -30,8 +30,7 @@
 #define KERNEL_PHASED 0
 #endif
 
-enum { KERNEL_PORTS = 2 * KERNEL_AXES, KERNEL_OWN_INPUTS = 2 * KERNEL_AXES + KERNEL_STATES };
-enum { DUAL_INPUTS = KERNEL_OWN_INPUTS + KERNEL_PHASED };
+enum { KERNEL_PORTS = 2 * KERNEL_AXES, DUAL_INPUTS = 2 * KERNEL_AXES + KERNEL_STATES + KERNEL_PHASED };
 _Static_assert(2 * KERNEL_AXES <= (int)MAX_PORTS, "an element sees at most MAX_PORTS coordinates");
 
 /// What a kernel is given besides what it moves with.
@@ -50,13 +49,11 @@ typedef struct kernel_view {
 #define NUMBERS_DUAL
 #include "numbers.h"
 #define n_phase phase_dual
-#if KERNEL_PHASED
 static inline dual phase_dual(const kernel_view *view, int value) {
     dual out = dual_of(view->phase[value]);
     out.by[DUAL_INPUTS - 1] = view->turned[value];
     return out;
 }
-#endif
 #include KERNEL_FILE
 
 /// What an element sees of a state or a disturbance.

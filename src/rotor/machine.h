@@ -53,7 +53,4 @@ FOR_EVERY_ISA(lanes_contacts, machine_contacts);
 /// What rotors give to whirl/system.h (rotor_system.c): fills in the functions of the rotor's system.
 void rotor_system_fill(whirl_rotor *rotor);
 
-/// Whether anything depends on the shaft's phase, which is the last state: by its derivative at some place.
-bool rotor_feels_phase(const whirl_rotor *rotor);
-
 #endif

@@ -119,24 +119,7 @@ static whirl_status with_element(building *b, size_t index, whirl_status status)
     return whirl_ok();
 }
 
-/// The unit of time: the phase by which sections are taken.
-static whirl_status find_clock(building *b) {
-    const whirl_design *design = b->design;
-    whirl_status status = whirl_ok();
-    for (size_t i = 0; i < design->element_count && status.code == WHIRL_OK; i++) {
-        const design_element *found = &design->elements[i];
-        const double rate = found->type->keyphasor ? found->type->keyphasor(found->values, design->speed) : 0.0;
-        if (rate == 0.0) continue;
-        if (b->keyphasor)
-            status = with_element(b, i, whirl_fail(WHIRL_BAD_INPUT, "is a second keyphasor, expected one"));
-        b->keyphasor = found;
-        b->assembly.clock = rate;
-        b->assembly.turn = design->speed / rate;
-    }
-    return status;
-}
-
-/// All inertia; after it coordinates can be numbered.
+/// All inertia; after it coordinates can be numbered. And the unit of time: the phase by which sections are taken.
 static whirl_status add_inertia(building *b) {
     const whirl_design *design = b->design;
     whirl_status status = whirl_ok();
@@ -145,8 +128,16 @@ static whirl_status add_inertia(building *b) {
         status = with_element(b, WHIRL_NO_ELEMENT, station_inertia(design->stations[s].values, &b->assembly, s));
     }
     for (size_t i = 0; i < design->element_count && status.code == WHIRL_OK; i++) {
-        const element_type *type = design->elements[i].type;
-        if (type->inertia) status = with_element(b, i, type->inertia(design->elements[i].values, &b->assembly));
+        const design_element *own = &design->elements[i];
+        if (own->type->inertia) status = with_element(b, i, own->type->inertia(own->values, &b->assembly));
+        const double rate = own->type->keyphasor ? own->type->keyphasor(own->values, design->speed) : 0.0;
+        if (rate == 0.0 || status.code != WHIRL_OK) continue;
+        if (b->assembly.phased)
+            status = with_element(b, i, whirl_fail(WHIRL_BAD_INPUT, "is a second keyphasor, expected one"));
+        b->keyphasor = own;
+        b->assembly.phased = true;
+        b->assembly.clock = rate;
+        b->assembly.turn = design->speed / rate;
     }
     return status;
 }
@@ -172,7 +163,6 @@ static whirl_status add_elements(building *b, const element_type *type) {
 /// Stations, then elements; their coordinates in the order [station_count] of the design's stations, NULL: as listed.
 static whirl_status assemble(building *b, const whirl_design *design, const size_t *order) {
     whirl_status status = begin(b, design);
-    if (status.code == WHIRL_OK) status = find_clock(b);
     if (status.code == WHIRL_OK) status = add_inertia(b);
     if (b->problems > 0) return status; // without its inertia the rest would be told of for nothing
     if (status.code == WHIRL_OK) status = assembly_number(&b->assembly, order);
@@ -375,15 +365,20 @@ static void fill_lanes(whirl_rotor *rotor, const building *b) {
 
 /// The shaft's phase as a state, the last one. Where nothing feels it, it keeps no motion from returning.
 static void add_phase(whirl_rotor *rotor, const building *b) {
-    const size_t last = 2 * rotor->lanes.degrees + rotor->lanes.states - 1;
+    enum { MOST = 2 * AXES * WHIRL_MAX_STATIONS + MAX_OWN_STATES };
+    const size_t dimension = rotor->system.dimension, last = dimension - 1;
+    double x[MOST], change[MOST] = {0}, slope[MOST] = {0};
+    bool felt = false;
     rotor->phase = last - rotor->lanes.degrees;
     rotor->turns[last] = 6.283185307179586476925;
     snprintf(rotor->keyphasor, sizeof rotor->keyphasor, "%s at %s", b->keyphasor->type->group.name,
              b->design->stations[b->keyphasor->values[0].station[0]].name);
-    if (!rotor->turning) rotor->repeats = 1;
-    rotor->turning = true;
+    for (size_t i = 0; i < dimension; i++) x[i] = 1e-9 / (double)(i + 1); // within any clearance
+    change[last] = 1.0;
+    rotor->system.tangent(rotor, 0.0, NULL, x, NULL, 1, change, slope);
+    for (size_t i = 0; i < dimension; i++) felt = felt || slope[i] != 0.0;
+    if (felt || !rotor->turning) note_phase(rotor, felt ? b->assembly.turn : 1.0);
     rotor_system_fill(rotor);
-    if (rotor_feels_phase(rotor)) note_phase(rotor, b->assembly.turn);
 }
 
 static whirl_rotor *finish(const building *b) {
@@ -407,8 +402,8 @@ static whirl_rotor *finish(const building *b) {
     rotor->lanes.contact_count = rotor->contact_count;
     size_t order[INSTANCE_STATIONS];
     if (find_instance(b, order, &rotor->instance)) rotor->lanes.instance = &rotor->instance;
-    if (b->keyphasor) add_phase(rotor, b);
     rotor_system_fill(rotor);
+    if (b->keyphasor) add_phase(rotor, b);
     return rotor;
 }
 

@@ -155,17 +155,6 @@ static void switch_curvature(const void *model, double t, const double *x, size_
     spread(model, own, &by, out);
 }
 
-bool rotor_feels_phase(const whirl_rotor *rotor) {
-    const size_t dimension = rotor->system.dimension;
-    double x[MAX_DEGREES + MAX_ROWS] = {0}, change[MAX_DEGREES + MAX_ROWS] = {0}, slope[MAX_DEGREES + MAX_ROWS];
-    for (size_t i = 0; i < dimension; i++) x[i] = 1e-9 / (double)(i + 1); // within any clearance
-    change[dimension - 1] = 1.0;
-    tangent(rotor, 0.0, NULL, x, NULL, 1, change, slope);
-    bool feels = false;
-    for (size_t i = 0; i < dimension; i++) feels = feels || slope[i] != 0.0;
-    return feels;
-}
-
 void rotor_system_fill(whirl_rotor *rotor) {
     rotor->system = (whirl_system){.dimension = 2 * rotor->lanes.degrees + rotor->lanes.states,
                                    .period = 6.283185307179586476925,

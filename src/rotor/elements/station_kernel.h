@@ -31,11 +31,4 @@ static inline void station_tangent(size_t stride, const vec *number, const vec *
     a[stride] = v_mul(damping, v[stride]);
 }
 
-/// What a disturbance of the shaft's phase makes of the unbalance, where it changes cos tau and sin tau by c and s.
-static inline void station_turned(vec c, vec s, size_t stride, const vec *number, vec *a) {
-    const vec in_phase = number[STATION_UNBALANCE_COS * stride], ahead = number[STATION_UNBALANCE_SIN * stride];
-    a[0] = v_fma(in_phase, c, v_fnma(ahead, s, a[0]));
-    a[stride] = v_fma(in_phase, s, v_fma(ahead, c, a[stride]));
-}
-
 #endif

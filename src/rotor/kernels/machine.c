@@ -93,25 +93,14 @@ static void pass_terms(const whirl_rotor *rotor, const block *b) {
                 for (size_t k = 0; k < b->vectors; k++) a[k] = v_fma(number[k], column[k], a[k]);
             else if (n == 0)
                 for (size_t k = 0; k < b->vectors; k++) a[k] = v_add(number[k], a[k]);
+            else if (b->turned && term->source == SOURCE_FORCING)
+                for (size_t k = 0; k < b->vectors; k++)
+                    a[k] = v_fma(v_mul(number[k], b->turned[term->column * b->forcing_stride + k]), phase_of(b, n, k),
+                                 a[k]);
         }
         if (b->divergence && term->source == SOURCE_VELOCITY)
             for (size_t k = 0; k < b->vectors; k++)
                 b->divergence[k] = v_add(b->divergence[k], of_trace(b, term->row, term->column, number[k]));
-    }
-}
-
-/// What the values of time make of disturbance n of the shaft's phase, in vector k.
-static void add_turned(const whirl_rotor *rotor, const block *b, size_t n, size_t k) {
-    const vec *turned = b->turned + k, change = phase_of(b, n, k);
-    const vec *number = b->numbers + rotor->plane_count * STATION_NUMBERS * b->stride + k;
-    const size_t row = b->forcing_stride;
-    vec *a = b->a + n * b->next_v + k;
-    for (size_t s = 0; s < rotor->plane_count; s++)
-        station_turned(v_mul(turned[COS_TAU * row], change), v_mul(turned[SIN_TAU * row], change), b->stride,
-                       station_numbers(b, s) + k, a + 2 * s * b->stride);
-    for (const linear_term *term = rotor->terms; term < rotor->terms + rotor->term_count; term++, number += b->stride) {
-        vec *at = a + term->row * b->stride;
-        if (term->source == SOURCE_FORCING) *at = v_fma(*number, v_mul(turned[term->column * row], change), *at);
     }
 }
 
@@ -163,8 +152,6 @@ static void pass_all(const whirl_rotor *rotor, const block *b) {
     pass_stations(b, rotor->plane_count);
     if (wants_tangent(b)) pass_station_tangents(b, rotor->plane_count);
     pass_terms(rotor, b);
-    for (size_t n = 1; b->turned && n <= b->disturbances; n++)
-        for (size_t k = 0; k < b->vectors; k++) add_turned(rotor, b, n, k);
     for (const element *own = rotor->elements; own < rotor->elements + rotor->element_count; own += own->run)
         kernels_of(own)->flow(own, own->run, b);
     if (b->coupled) couple(b);
