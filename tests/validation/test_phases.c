@@ -107,6 +107,14 @@ static void linear_response(void **unused) {
     whirl_rotor_free(rotor);
 }
 
+/// Frees the rotor after it has revolved from rest: *x is where it is then.
+static void settle(whirl_rotor *rotor, int revolutions, double *x) {
+    whirl_integrator *integrator = make_integrator(whirl_rotor_system(rotor), "dop853", 64);
+    revolve(integrator, x, revolutions);
+    whirl_integrator_free(integrator);
+    whirl_rotor_free(rotor);
+}
+
 /// A moment that turns backward on a disc that tilts: I_d phi'' + (c - i I_p omega) phi' + k phi = M e^(-i nu t).
 static void tilting_response(void **unused) {
     (void)unused;
@@ -126,14 +134,11 @@ static void tilting_response(void **unused) {
     const double nu = -ratio * speed, unit = scale / sqrt(diametral / mass);
     const double complex amplitude =
         4.0 * cexp(0.2 * I) / (turn - diametral * nu * nu + I * nu * (damper - I * polar * speed)) / unit;
-    whirl_integrator *integrator = make_integrator(whirl_rotor_system(rotor), "dop853", 64);
     double x[9] = {0};
-    revolve(integrator, x, 200);
+    settle(rotor, 200, x);
     const double complex expected = amplitude * cexp(I * nu * 200.0 * two_pi / speed);
     check_within("Phases", "a moment that turns backward, part of the response", 0.0,
                  cabs(x[2] + I * x[3] - expected) / cabs(expected), 1e-9);
-    whirl_integrator_free(integrator);
-    whirl_rotor_free(rotor);
 }
 
 /// A pedestal that moves along y feels the part of a force along y.
@@ -152,14 +157,11 @@ static void along_one_axis(void **unused) {
     require_ok(whirl_design_element(design, "spring", spring, 4));
     require_ok(whirl_design_element(design, "force", force, 4));
     whirl_rotor *rotor = finish(design);
-    whirl_integrator *integrator = make_integrator(whirl_rotor_system(rotor), "dop853", 64);
     double x[3] = {0};
-    revolve(integrator, x, 140);
+    settle(rotor, 140, x);
     const double complex expected = response(20.0 * sin(0.7), two_pi * 40.0, 140.0 * two_pi / speed);
     check_within("Phases", "a force on a station that moves along y, part of the response", 0.0,
                  fabs(x[0] - creal(expected)) / cabs(expected), 1e-9);
-    whirl_integrator_free(integrator);
-    whirl_rotor_free(rotor);
 }
 
 /// The Jacobian's column of the phase: the derivative of F (cos(theta + delta)) by theta.
@@ -252,16 +254,13 @@ static void sections_by_another_phase(void **unused) {
     add_force(design, "forward", "frequency", 31.0);
     add_unbalance(design, "speed", speed);
     whirl_rotor *rotor = finish(design);
-    whirl_integrator *integrator = make_integrator(whirl_rotor_system(rotor), "dop853", 64);
     double x[6] = {0};
-    revolve(integrator, x, 120);
+    settle(rotor, 120, x);
     const double t = 120.0 / 31.0;
     const double complex expected =
         response(20.0 * cexp(1.1 * I), shaker, t) + response(1e-4 * speed * speed * cexp(0.3 * I), speed, t);
     check_within("Phases", "both by sections of the 31 Hz, part of the response", 0.0,
                  cabs(x[0] + I * x[1] - expected) / cabs(expected), 1e-9);
-    whirl_integrator_free(integrator);
-    whirl_rotor_free(rotor);
 }
 
 /// A rotor that rubs in chaos stays in chaos beside a small force that fits no revolution; where it runs in permanent
@@ -411,14 +410,11 @@ static void steady_speed(void **unused) {
     (void)unused;
     const double zeta = 0.1, w = 1.3;
     whirl_rotor *rotor = make_run_up(zeta, w, 0.0);
-    whirl_integrator *integrator = make_integrator(whirl_rotor_system(rotor), "dop853", 64);
     double x[6] = {0};
-    revolve(integrator, x, 60);
+    settle(rotor, 60, x);
     const double complex expected = w * w * cexp(I * w * 60.0 * two_pi) / (1.0 - w * w + 2.0 * I * zeta * w);
     check_within("Run-up", "at a steady speed, part of the response", 0.0,
                  cabs(x[0] + I * x[1] - expected) / cabs(expected), 1e-9);
-    whirl_integrator_free(integrator);
-    whirl_rotor_free(rotor);
 }
 
 // ---------------------------------------------------------------- lanes

@@ -112,6 +112,17 @@ static void points_have_scales(void **state) {
     whirl_result_free(result);
 }
 
+/// The sample as a result of that case, whose sweep is over `parameter`, its last point at `value`.
+static whirl_result *result_of(const char *text, const char *parameter, double value) {
+    whirl_result *result = sample_result();
+    whirl_table *sweep = &result->tables[0];
+    free(result->case_text);
+    result->case_text = strdup(text);
+    snprintf(sweep->parameter, sizeof sweep->parameter, "%s", parameter);
+    sweep->values[3] = value;
+    return result;
+}
+
 /// Gap and clearance of a point follow the parameter, in the length scale of that point.
 static void walls(void **state) {
     (void)state;
@@ -123,14 +134,10 @@ static void walls(void **state) {
         "    film: {at: journal, clearance: 3 mm, viscosity: 0.02 Pa s, length: 12 mm, radius: 25 mm},\n"
         "    rub: {at: disc, gap: = 3*g, stiffness: 1 N/m}]\n"
         "study: {sweep: {parameter: g, from: 1 mm, to: 2 mm, points: 4}}\n";
-    whirl_result *result = sample_result();
-    free(result->case_text);
-    result->case_text = strdup(text);
+    whirl_result *result = result_of(text, "g", 2e-3);
+    const whirl_table *sweep = &result->tables[0];
     result->parameters[0] = (whirl_parameter){"g", "m", "1 mm", 1e-3};
     result->parameter_count = 1;
-    whirl_table *sweep = &result->tables[0];
-    snprintf(sweep->parameter, sizeof sweep->parameter, "g");
-    sweep->values[3] = 2e-3;
     whirl_case *machine = machine_of(result);
     assert_non_null(machine);
     assert_true(fabs(machine_walls_at(machine, result, sweep, 3, 0).gap - 1.5) < 1e-14);
@@ -149,14 +156,10 @@ static void speeds(void **state) {
         "rotor:\n  speed: = ratio*critical\n  length_scale: 1 mm\n"
         "  stations: {disc: {mass: 1 kg}}\n  elements: [shaft: {between: [disc, ground], k1: 1 N/m}]\n"
         "study: {sweep: {parameter: ratio, from: 0.5, to: 2, points: 4}}\n";
-    whirl_result *result = sample_result();
-    free(result->case_text);
-    result->case_text = strdup(text);
+    whirl_result *result = result_of(text, "ratio", 1.5);
+    whirl_table *sweep = &result->tables[0];
     result->parameters[0] = (whirl_parameter){"ratio", "1", "0.5", 0.5};
     result->parameters[1] = (whirl_parameter){"critical", "rad/s", "300 rad/s", 300.0};
-    whirl_table *sweep = &result->tables[0];
-    snprintf(sweep->parameter, sizeof sweep->parameter, "ratio");
-    sweep->values[3] = 1.5;
     whirl_case *machine = machine_of(result);
     assert_non_null(machine);
     assert_true(fabs(machine_clock(machine, result, sweep, 3) - 450.0) < 1e-12);
