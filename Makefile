@@ -35,8 +35,8 @@ dependencies-%:
 # Where tests run by themselves nothing may be left out; a person without a network still gets the rest.
 EXPLORER = scripts/explorer.sh $(if $(CI),,--if-possible) $(BUILD)/explorer
 
-test:           ## everything is built, run and proved (about 10 minutes on two cores, 5 more where packages are missing)
-	@echo "make test: about 10 minutes on two cores, and 5 more for packages where they are missing"
+test:           ## everything is built, run and proved (about 11 minutes on two cores, 5 more where packages are missing)
+	@echo "make test: about 11 minutes on two cores, and 5 more for packages where they are missing"
 	@$(INSTALL) build report test explorer browser
 	cmake --preset release -DWHIRL_TESTS=ON
 	cmake --build $(BUILD) --parallel $(JOBS)
