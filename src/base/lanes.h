@@ -56,6 +56,9 @@ struct whirl_lanes {
     size_t part_count;
     const size_t *places;
     size_t (*part)(const void *model, size_t *places);
+    /// Sets those of [degrees + states][2 degrees + states] by which accelerations, and slopes of first-order states,
+    /// can depend on positions, velocities and these states.
+    void (*depends)(const void *model, bool *table);
     size_t switch_count, contact_count;
     void (*contact)(const void *model, size_t index, size_t *probe, double *gap);
     /// Coordinates whose sizes are measured together, one after the other: group g holds groups[g] to before

@@ -17,6 +17,7 @@
 #include "lanes.h"
 #include "rk4_lanes.h"
 #include "rodas5p_tableau.h"
+#include "sparsity.h"
 #include "stepper.h"
 #include "vector.h"
 
@@ -54,14 +55,15 @@ typedef struct dop853_work {
 /// What the steps of rodas5p work on (kernels/rodas5p_lanes.c).
 typedef struct rodas5p_work {
     double *u_q[RODAS5P_STAGES], *u_v[RODAS5P_STAGES]; ///< [degrees], [rates] increments of the stages
-    double *unit_q, *unit_v; ///< [1 + dimension][degrees], [rates] the state, then unit disturbances
-    double *by;              ///< [1 + dimension][rates] slope, Jacobian by positions and by rates, columns in a line
-    double *matrix;          ///< [rates][rates] columns, decomposed
-    double *pivot;           ///< [rates] reciprocals
-    double *doubtful;        ///< 1 where a pivot says nothing good
-    double *shift;           ///< 1/(gamma h)
-    double *rate;            ///< [rates] derivative of the slope by time alone
-    double *right_q;         ///< [degrees] workspace
+    sparsity *sparsity;
+    double *unit_q, *unit_v;       ///< [1 + disturbances][degrees], [rates] the state, then sums of unit disturbances
+    double *by;                    ///< [1 + disturbances][rates] slope, Jacobian in such sums of columns
+    double *matrix;                ///< [rates][rates] rows, decomposed
+    double *pivot;                 ///< [rates] reciprocals
+    double *doubtful;              ///< 1 where a pivot says nothing good
+    double *shift;                 ///< 1/(gamma h)
+    double *rate;                  ///< [rates] derivative of the slope by time alone
+    double *right_q;               ///< [degrees] workspace
     double *between_q, *between_v; ///< [degrees], [rates] error of the interpolant in the middle
     double *ahead;                 ///< [forcing_count] workspace
 } rodas5p_work;
@@ -74,7 +76,8 @@ typedef struct adaptive_lanes {
     lanes_flow *flow;
     lanes_switches *switches;
     lanes_forcing *forcing_at;
-    size_t stride, slots; ///< vectors, and slots in them
+    void (*depends)(const void *model, bool *table); ///< as whirl_lanes has it; NULL: all by all
+    size_t stride, slots;                            ///< vectors, and slots in them
     size_t degrees;
     size_t rates;     ///< velocities, and states of first order after them: the rows of every v and slope
     size_t dimension; ///< degrees + rates; rates follow their positions in memory
@@ -157,6 +160,7 @@ typedef struct lanes_method {
     /// One for every instruction set of vector.h; NULL where it is not built.
     adaptive_lanes_revolve *const *revolves;
     const one_slot *one;
+    bool implicit; ///< solves equations: looks for the zeros of its matrix first
     /// Tries the step of a stepper's state for the disturbances that go along; gives the norm of their estimated error
     /// over the tolerance.
     double (*try_varied)(stepper *c);

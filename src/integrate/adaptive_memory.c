@@ -80,6 +80,12 @@ adaptive_lanes *adaptive_lanes_make(const adaptive_lanes *shape) {
     adaptive_lanes *lanes = malloc(sizeof *lanes);
     if (!lanes) return NULL;
     *lanes = *shape;
+    if (lanes->method->implicit)
+        lanes->rodas5p.sparsity = sparsity_new(lanes->degrees, lanes->rates, lanes->depends, lanes->model);
+    if (lanes->method->implicit && !lanes->rodas5p.sparsity) {
+        adaptive_lanes_free(lanes);
+        return NULL;
+    }
     const size_t bytes = (lay_out(lanes, NULL) * lanes->slots * sizeof(double) + 63) / 64 * 64;
     lanes->block = aligned_alloc(64, bytes);
     lanes->queue = calloc(1, sizeof *lanes->queue);
@@ -102,6 +108,7 @@ adaptive_lanes *adaptive_lanes_new(const lanes_method *own, const whirl_system *
                             .flow = form->flow[set->number],
                             .switches = form->switches[set->number],
                             .forcing_at = form->forcing[set->number],
+                            .depends = form->depends,
                             .stride = own->group(form->degrees + form->states),
                             .degrees = form->degrees,
                             .rates = form->degrees + form->states,
@@ -140,5 +147,6 @@ void adaptive_lanes_free(adaptive_lanes *lanes) {
     free(lanes->block);
     free(lanes->queue);
     free(lanes->samples);
+    free(lanes->rodas5p.sparsity);
     free(lanes);
 }

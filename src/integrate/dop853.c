@@ -89,4 +89,4 @@ static void prepare(adaptive_lanes *lanes) {
     dop853_sums_fill(&lanes->dop853.sums, lanes->rates * lanes->stride);
 }
 
-const lanes_method dop853_in_lanes = {revolves, &dop853_slot, try_varied, DENSE, group, lay_out, prepare};
+const lanes_method dop853_in_lanes = {revolves, &dop853_slot, false, try_varied, DENSE, group, lay_out, prepare};

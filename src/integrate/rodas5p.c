@@ -80,12 +80,12 @@ static double try_varied(stepper *c) {
 static adaptive_lanes_revolve *const revolves[VECTOR_ISAS] = EVERY_ISA(, rodas5p_lanes);
 
 static size_t group(size_t rates) {
-    return rates <= 10 ? 4 : rates <= 20 ? 2 : 1;
+    return rates <= 6 ? 4 : 2;
 }
 
 static size_t lay_out(adaptive_lanes *lanes, double *block) {
     rodas5p_work *own = &lanes->rodas5p;
-    const size_t n = lanes->degrees, m = lanes->rates, sets = 1 + lanes->dimension;
+    const size_t n = lanes->degrees, m = lanes->rates, sets = 1 + own->sparsity->disturbances;
     const struct {
         double **array;
         size_t rows;
@@ -109,13 +109,14 @@ static size_t lay_out(adaptive_lanes *lanes, double *block) {
     return row;
 }
 
-/// The unit disturbances, which stay: of positions, then of rates.
+/// The disturbances, which stay.
 static void prepare(adaptive_lanes *lanes) {
-    const size_t n = lanes->degrees, m = lanes->rates;
+    const size_t n = lanes->degrees, m = lanes->rates, *by = lanes->rodas5p.sparsity->disturbance;
     for (size_t slot = 0; slot < lanes->slots; slot++) {
-        for (size_t d = 0; d < n; d++) lanes->rodas5p.unit_q[((1 + d) * n + d) * lanes->slots + slot] = 1.0;
-        for (size_t d = 0; d < m; d++) lanes->rodas5p.unit_v[((1 + n + d) * m + d) * lanes->slots + slot] = 1.0;
+        for (size_t d = 0; d < n; d++) lanes->rodas5p.unit_q[((1 + by[d]) * n + d) * lanes->slots + slot] = 1.0;
+        for (size_t d = 0; d < m; d++) lanes->rodas5p.unit_v[((1 + by[n + d]) * m + d) * lanes->slots + slot] = 1.0;
     }
 }
 
-const lanes_method rodas5p_in_lanes = {revolves, &rodas5p_slot, try_varied, RODAS5P_DENSE, group, lay_out, prepare};
+const lanes_method rodas5p_in_lanes = {revolves,      &rodas5p_slot, true,    try_varied,
+                                       RODAS5P_DENSE, group,         lay_out, prepare};

@@ -67,6 +67,40 @@ static size_t lane_part(const void *model, size_t *places) {
     return count;
 }
 
+/// The force on an element's ports and the slopes of its states may depend on all that it sees.
+static void depend_on_element(const whirl_rotor *rotor, const element *own, bool *table) {
+    const size_t degrees = rotor->lanes.degrees, width = rotor->system.dimension;
+    for (size_t i = 0; i < MAX_PORTS + own->type->state_count; i++) {
+        const size_t row = i < MAX_PORTS ? own->port[i] : own->state + i - MAX_PORTS;
+        for (size_t j = 0; row != NO_COORDINATE && j < MAX_PORTS + own->type->state_count; j++) {
+            const size_t by = j < MAX_PORTS ? own->port[j] : own->state + j - MAX_PORTS;
+            if (j < MAX_PORTS && by != NO_COORDINATE) table[row * width + by] = true;
+            if (by != NO_COORDINATE) table[row * width + degrees + by] = true;
+        }
+    }
+}
+
+static void lane_depends(const void *model, bool *table) {
+    const whirl_rotor *rotor = model;
+    const coupling *coupled = &rotor->coupled;
+    const size_t degrees = rotor->lanes.degrees, width = rotor->system.dimension;
+    for (size_t d = 0; d < 2 * rotor->plane_count; d++) table[d * width + degrees + d] = true;
+    for (const linear_term *term = rotor->terms; term < rotor->terms + rotor->term_count; term++) {
+        if (term->source == SOURCE_PLACE) table[term->row * width + term->column] = true;
+        if (term->source == SOURCE_VELOCITY) table[term->row * width + degrees + term->column] = true;
+    }
+    for (size_t i = 0; i < rotor->element_count; i++) depend_on_element(rotor, &rotor->elements[i], table);
+    // What turns with the shaft depends on its phase where that is a state.
+    for (size_t i = 0; rotor->phase && i < degrees + rotor->lanes.states; i++)
+        table[i * width + degrees + rotor->phase] = true;
+    // Where masses couple, each of these accelerations depends on all that the others do.
+    for (size_t c = 0; c < width; c++) {
+        bool any = false;
+        for (size_t i = 0; i < coupled->count; i++) any |= table[coupled->row[i] * width + c];
+        for (size_t i = 0; i < coupled->count; i++) table[coupled->row[i] * width + c] = any;
+    }
+}
+
 static void lane_contact(const void *model, size_t index, size_t *probe, double *gap) {
     const whirl_rotor *rotor = model;
     const element *own = &rotor->elements[rotor->contacts[index]];
@@ -352,6 +386,7 @@ static void fill_lanes(whirl_rotor *rotor, const building *b) {
     lanes->number_count = total_numbers(b);
     lanes->numbers = lane_numbers;
     lanes->alike = lane_alike;
+    lanes->depends = lane_depends;
     lanes->part_count = rotor->plane_count + rotor->element_count;
     lanes->places = rotor->places;
     lanes->part = lane_part;

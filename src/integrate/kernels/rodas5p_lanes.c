@@ -26,14 +26,6 @@ enum { METHOD_DENSE = RODAS5P_DENSE };
 #define FOR_DEGREES_OF_SOME(of) FOR_ROWS_OF_SOME(of, lanes->degrees)
 #define FOR_RATES_OF_SOME(of) FOR_ROWS_OF_SOME(of, lanes->rates)
 
-/// Column d of the Jacobian by positions, and by rates.
-static inline const vec *by_position(const adaptive_lanes *lanes, size_t d) {
-    return VECTORS(rodas5p.by) + (1 + d) * lanes->rates * lanes->stride;
-}
-static inline const vec *by_rate(const adaptive_lanes *lanes, size_t d) {
-    return by_position(lanes, d + lanes->degrees);
-}
-
 // ---------------------------------------------------------------- derivatives
 
 /// The slope at t and the Jacobian.
@@ -42,7 +34,7 @@ static void take_jacobian(const adaptive_lanes *lanes, vectors of) {
     memcpy(lanes->rodas5p.unit_v, lanes->v, lanes->rates * lanes->stride * sizeof(vec));
     take_forcing(lanes, of, 0.0, lanes->length);
     lanes_view view = view_of(lanes, of, lanes->rodas5p.unit_q, lanes->rodas5p.unit_v, lanes->rodas5p.by);
-    view.tangents = lanes->dimension;
+    view.tangents = lanes->rodas5p.sparsity->disturbances;
     lanes->flow(&view);
 }
 
@@ -111,74 +103,120 @@ static void take_rate(const adaptive_lanes *lanes, vectors of) {
 
 // ---------------------------------------------------------------- equations of a stage
 
-/// Column j of the matrix of vector k.
-static void fill_column(const adaptive_lanes *lanes, size_t j, size_t k, vec *column) {
-    const size_t n = lanes->rates, stride = lanes->stride;
-    const vec s = VECTORS(rodas5p.shift)[k], nothing = v_set(0.0), *rate = by_rate(lanes, j) + k;
-    const vec *position = j < lanes->degrees ? by_position(lanes, j) + k : NULL;
-    for (size_t i = 0; i < n * stride; i += stride)
-        column[i] = v_fnma(s, rate[i], position ? v_sub(nothing, position[i]) : nothing);
-    column[j * stride] = v_add(column[j * stride], v_mul(s, s));
+/// Calls `what` for some vectors, all of them together, so that they hide each other's latency, or one by one.
+#define TOGETHER(what, of)                                                                                             \
+    do {                                                                                                               \
+        if ((of).count == 4 && lanes->stride == 4)                                                                     \
+            what(4, 0, 4);                                                                                             \
+        else if ((of).count == 2 && lanes->stride == 2)                                                                \
+            what(2, 0, 2);                                                                                             \
+        else if (lanes->stride == 1)                                                                                   \
+            what(1, 0, 1);                                                                                             \
+        else                                                                                                           \
+            FOR_SOME(of) what(lanes->stride, k, 1);                                                                    \
+    } while (0)
+
+/// The columns of row i among those that are listed.
+#define FOR_ENTRIES(c, rows, i)                                                                                        \
+    for (const size_t *r_##c = (rows).run + 2 * (rows).begin[i], *last_##c = (rows).run + 2 * (rows).begin[(i) + 1];   \
+         r_##c < last_##c; r_##c += 2)                                                                                 \
+        for (size_t c = r_##c[0], end_##c = r_##c[1]; c < end_##c; c++)
+#define FOR_COUNT for (size_t c = 0; c < count; c++)
+
+/// Row i of the Jacobian of vector k, of the column that disturbance d tells of.
+VECTOR_INLINE const vec *by_disturbance(const vec *by, size_t d, size_t rates, size_t stride, size_t i) {
+    return by + ((1 + d) * rates + i) * stride;
 }
 
-/// Decomposes the matrix of vector k, column by column; the parts below the diagonal and above it stay in its place.
-static void decompose(const adaptive_lanes *lanes, size_t k) {
-    const size_t n = lanes->rates, stride = lanes->stride;
-    const vec s = VECTORS(rodas5p.shift)[k], square = v_mul(s, s), least = v_mul(v_set(0x1p-8), square);
+/// Row i of the matrix of `count` vectors from k on.
+VECTOR_INLINE void fill_row(const adaptive_lanes *lanes, size_t i, size_t stride, size_t k, size_t count, vec *row) {
+    const sparsity at = *lanes->rodas5p.sparsity;
+    const size_t n = lanes->rates, *by_q = at.disturbance, *by_v = by_q + lanes->degrees;
+    const vec *shift = VECTORS(rodas5p.shift) + k, *slopes = VECTORS(rodas5p.by) + k;
+    FOR_COUNT row[i * stride + c] = v_set(0.0);
+    FOR_ENTRIES(j, at.lower, i) FOR_COUNT row[j * stride + c] = v_set(0.0);
+    FOR_ENTRIES(j, at.upper, i) FOR_COUNT row[j * stride + c] = v_set(0.0);
+    FOR_ENTRIES(j, at.by_q, i) {
+        const vec *by = by_disturbance(slopes, by_q[j], n, stride, i);
+        FOR_COUNT row[j * stride + c] = v_sub(v_set(0.0), by[c]);
+    }
+    FOR_ENTRIES(j, at.by_v, i) {
+        const vec *by = by_disturbance(slopes, by_v[j], n, stride, i);
+        FOR_COUNT row[j * stride + c] = v_fnma(shift[c], by[c], row[j * stride + c]);
+    }
+    FOR_COUNT row[i * stride + c] = v_fma(shift[c], shift[c], row[i * stride + c]);
+}
+
+/// Decomposes the matrices of `count` vectors from k on, row by row; the factors stay in their place.
+VECTOR_INLINE void decompose_some(const adaptive_lanes *lanes, size_t stride, size_t k, size_t count) {
+    const size_t n = lanes->rates;
+    const sparsity at = *lanes->rodas5p.sparsity; // of one's own, so that what is written cannot be a part of it
     vec *matrix = VECTORS(rodas5p.matrix) + k, *pivot = VECTORS(rodas5p.pivot) + k;
-    vec_mask sound = v_less(v_set(0.0), least);
-    vec doubt = v_select(sound, v_set(0.0), v_set(1.0));
-    for (size_t j = 0; j < n; j++) {
-        vec *column = matrix + j * n * stride;
-        fill_column(lanes, j, k, column);
-        for (size_t m = 0; m < j; m++) {
-            const vec *lower = matrix + m * n * stride, factor = column[m * stride];
-            for (size_t i = m + 1; i < n; i++)
-                column[i * stride] = v_fnma(factor, lower[i * stride], column[i * stride]);
+    vec least[MAX_GROUP], doubt[MAX_GROUP], factor[MAX_GROUP];
+    FOR_COUNT {
+        const vec s = VECTORS(rodas5p.shift)[k + c];
+        least[c] = v_mul(v_set(0x1p-8), v_mul(s, s));
+        doubt[c] = v_select(v_less(v_set(0.0), least[c]), v_set(0.0), v_set(1.0));
+    }
+    for (size_t i = 0; i < n; i++) {
+        vec *row = matrix + i * n * stride, *diagonal = row + i * stride;
+        fill_row(lanes, i, stride, k, count, row);
+        FOR_ENTRIES(m, at.lower, i) {
+            const vec *above = matrix + m * n * stride;
+            FOR_COUNT row[m * stride + c] = factor[c] = v_mul(row[m * stride + c], pivot[m * stride + c]);
+            FOR_ENTRIES(j, at.upper, m)
+            FOR_COUNT row[j * stride + c] = v_fnma(factor[c], above[j * stride + c], row[j * stride + c]);
         }
-        doubt = v_select(v_less(least, column[j * stride]), doubt, v_set(1.0));
-        pivot[j * stride] = v_div(v_set(1.0), column[j * stride]);
-        for (size_t i = j + 1; i < n; i++) column[i * stride] = v_mul(column[i * stride], pivot[j * stride]);
+        FOR_COUNT doubt[c] = v_select(v_less(least[c], diagonal[c]), doubt[c], v_set(1.0));
+        FOR_COUNT pivot[i * stride + c] = v_div(v_set(1.0), diagonal[c]);
     }
-    VECTORS(rodas5p.doubtful)[k] = doubt;
+    FOR_COUNT VECTORS(rodas5p.doubtful)[k + c] = doubt[c];
 }
 
-/// Solves in place of x.
-static void solve(const adaptive_lanes *lanes, size_t k, vec *x) {
-    const size_t n = lanes->rates, stride = lanes->stride;
+static void decompose(const adaptive_lanes *lanes, vectors of) {
+#define DECOMPOSE(stride, k, count) decompose_some(lanes, stride, k, count)
+    TOGETHER(DECOMPOSE, of);
+#undef DECOMPOSE
+}
+
+/// Solves the equations of a stage of `count` vectors from k on: their right sides are in right_q and u_v.
+VECTOR_INLINE void solve_some(const adaptive_lanes *lanes, size_t stride, size_t k, size_t count, vec *u_q, vec *u_v) {
+    const size_t n = lanes->rates;
+    const sparsity at = *lanes->rodas5p.sparsity;
+    const vec *slopes = VECTORS(rodas5p.by) + k;
+    const vec *shift = VECTORS(rodas5p.shift) + k, *right_q = VECTORS(rodas5p.right_q) + k;
     const vec *matrix = VECTORS(rodas5p.matrix) + k, *pivot = VECTORS(rodas5p.pivot) + k;
-    for (size_t j = 0; j < n; j++) {
-        const vec *column = matrix + j * n * stride, factor = x[j * stride];
-        for (size_t i = j + 1; i < n; i++) x[i * stride] = v_fnma(factor, column[i * stride], x[i * stride]);
+    vec x[MAX_GROUP];
+    u_q += k;
+    u_v += k;
+    for (size_t i = 0; i < n; i++) {
+        const vec *row = matrix + i * n * stride;
+        FOR_COUNT x[c] = v_mul(shift[c], u_v[i * stride + c]);
+        FOR_ENTRIES(j, at.by_q, i) {
+            const vec *by = by_disturbance(slopes, at.disturbance[j], n, stride, i);
+            FOR_COUNT x[c] = v_fma(right_q[j * stride + c], by[c], x[c]);
+        }
+        FOR_ENTRIES(j, at.lower, i) FOR_COUNT x[c] = v_fnma(row[j * stride + c], u_v[j * stride + c], x[c]);
+        FOR_COUNT u_v[i * stride + c] = x[c];
     }
-    for (size_t j = n; j-- > 0;) {
-        const vec *column = matrix + j * n * stride, factor = v_mul(x[j * stride], pivot[j * stride]);
-        x[j * stride] = factor;
-        for (size_t i = 0; i < j; i++) x[i * stride] = v_fnma(factor, column[i * stride], x[i * stride]);
+    for (size_t i = n; i-- > 0;) {
+        const vec *row = matrix + i * n * stride;
+        FOR_COUNT x[c] = u_v[i * stride + c];
+        for (size_t r = at.upper.begin[i + 1]; r-- > at.upper.begin[i];)
+            for (size_t j = at.upper.run[2 * r + 1], first = at.upper.run[2 * r]; j-- > first;)
+                FOR_COUNT x[c] = v_fnma(row[j * stride + c], u_v[j * stride + c], x[c]);
+        FOR_COUNT u_v[i * stride + c] = v_mul(x[c], pivot[i * stride + c]);
     }
+    for (size_t i = 0; i < lanes->degrees; i++) FOR_COUNT {
+            const vec gamma_h = v_mul(v_set(rodas5p_gamma), VECTORS(length)[k + c]);
+            u_q[i * stride + c] = v_mul(gamma_h, v_add(u_v[i * stride + c], right_q[i * stride + c]));
+        }
 }
 
-/// x plus the increments u before stage `number`, by their weights, for vector i of a row.
-VECTOR_INLINE vec add_increments(int first, int number, double *const *u, size_t i, vec x) {
-    for (int j = first; j < number; j++) x = v_fma(v_set(rodas5p_a[number][j]), ((const vec *)u[j])[i], x);
-    return x;
-}
-
-/// Where the slope of stage `number` is taken. The last states follow one another, each by the increment before it.
-static void take_stage(const adaptive_lanes *lanes, vectors of, int number) {
-    const rodas5p_work *own = &lanes->rodas5p;
-    const bool follows = number > RODAS5P_LAST_SUM;
-    const int first = follows ? number - 1 : 0;
-    const vec *q = follows ? VECTORS(stage_q) : VECTORS(q), *v = follows ? VECTORS(stage_v) : VECTORS(v);
-    FOR_DEGREES_OF_SOME(of) VECTORS(stage_q)[i] = add_increments(first, number, own->u_q, i, q[i]);
-    FOR_RATES_OF_SOME(of) VECTORS(stage_v)[i] = add_increments(first, number, own->u_v, i, v[i]);
-}
-
-/// The sum of the increments u before stage `number`, by the weights of its equations.
-VECTOR_INLINE vec sum_increments(int number, double *const *u, size_t i) {
-    vec sum = v_set(0.0);
-    for (int j = 0; j < number; j++) sum = v_fma(v_set(rodas5p_g[number][j]), ((const vec *)u[j])[i], sum);
-    return sum;
+static void solve(const adaptive_lanes *lanes, vectors of, vec *u_q, vec *u_v) {
+#define SOLVE(stride, k, count) solve_some(lanes, stride, k, count, u_q, u_v)
+    TOGETHER(SOLVE, of);
+#undef SOLVE
 }
 
 /// 1/h.
@@ -186,37 +224,58 @@ static inline vec per_length(const adaptive_lanes *lanes, size_t k) {
     return v_mul(VECTORS(rodas5p.shift)[k], v_set(rodas5p_gamma));
 }
 
-/// What the increments before it add to the equations of stage `number`, in right_q and u_v; the slopes of positions
-/// are the velocities of the stage.
-static void take_right_side(const adaptive_lanes *lanes, vectors of, int number) {
-    const rodas5p_work *own = &lanes->rodas5p;
-    vec *right_q = VECTORS(rodas5p.right_q), *right_v = (vec *)own->u_v[number];
-    FOR_DEGREES_OF_SOME(of)
-    right_q[i] = v_fma(per_length(lanes, k), sum_increments(number, own->u_q, i), VECTORS(stage_v)[i]);
-    FOR_RATES_OF_SOME(of) right_v[i] = v_mul(per_length(lanes, k), sum_increments(number, own->u_v, i));
-}
-
-/// Solves the equations of a stage of vector k: its right sides are in right_q and u_v.
-static void solve_stage(const adaptive_lanes *lanes, size_t k, vec *u_q, vec *u_v) {
-    const size_t stride = lanes->stride, last = lanes->rates * stride;
-    const vec s = VECTORS(rodas5p.shift)[k], gamma_h = v_mul(v_set(rodas5p_gamma), VECTORS(length)[k]);
-    const vec *right_q = VECTORS(rodas5p.right_q) + k;
-    for (size_t i = 0; i < last; i += stride) u_v[i] = v_mul(s, u_v[i]);
-    for (size_t d = 0; d < lanes->degrees; d++) {
-        const vec *column = by_position(lanes, d) + k, factor = right_q[d * stride];
-        for (size_t i = 0; i < last; i += stride) u_v[i] = v_fma(factor, column[i], u_v[i]);
+/// x plus the increments before stage `number` by their weights, u the first and `apart` vectors from one to the next;
+/// *right: their sum by the weights of its equations. The last states follow one another, each by the increment before
+/// it.
+VECTOR_INLINE vec add_increments(int number, const vec *u, size_t apart, vec x, vec *right) {
+    *right = v_set(0.0);
+    for (int j = 0; j < number; j++, u += apart) {
+        if (number <= RODAS5P_LAST_SUM || j == number - 1) x = v_fma(v_set(rodas5p_a[number][j]), *u, x);
+        *right = v_fma(v_set(rodas5p_g[number][j]), *u, *right);
     }
-    solve(lanes, k, u_v);
-    for (size_t i = 0; i < lanes->degrees * stride; i += stride) u_q[i] = v_mul(gamma_h, v_add(u_v[i], right_q[i]));
+    return x;
 }
 
-/// The increment of stage `number` of vector k, whose slope is a.
-static void take_increment(const adaptive_lanes *lanes, int number, size_t k, const vec *a) {
-    const size_t n = lanes->rates, stride = lanes->stride;
-    const vec by_time = v_mul(v_set(rodas5p_d[number]), VECTORS(length)[k]), *rate = VECTORS(rodas5p.rate) + k;
-    vec *u_q = (vec *)lanes->rodas5p.u_q[number] + k, *u_v = (vec *)lanes->rodas5p.u_v[number] + k;
-    for (size_t i = 0; i < n * stride; i += stride) u_v[i] = v_fma(by_time, rate[i], v_add(u_v[i], a[k + i]));
-    solve_stage(lanes, k, u_q, u_v);
+/// Where the slope of stage `number` is taken, and what the increments before it add to its equations, in right_q and
+/// u_v; the slopes of positions are the velocities of the stage.
+VECTOR_INLINE void enter_stage(const adaptive_lanes *lanes, vectors of, int number) {
+    const rodas5p_work *own = &lanes->rodas5p;
+    const bool follows = number > RODAS5P_LAST_SUM;
+    const size_t apart = lanes->dimension * lanes->stride;
+    const vec *q = follows ? VECTORS(stage_q) : VECTORS(q), *v = follows ? VECTORS(stage_v) : VECTORS(v);
+    const vec *u_q = (const vec *)own->u_q[0], *u_v = (const vec *)own->u_v[0];
+    vec *stage_q = VECTORS(stage_q), *stage_v = VECTORS(stage_v), *right_q = VECTORS(rodas5p.right_q);
+    vec *right_v = (vec *)own->u_v[number], right;
+    FOR_RATES_OF_SOME(of) {
+        stage_v[i] = add_increments(number, u_v + i, apart, v[i], &right);
+        right_v[i] = v_mul(per_length(lanes, k), right);
+    }
+    FOR_DEGREES_OF_SOME(of) {
+        stage_q[i] = add_increments(number, u_q + i, apart, q[i], &right);
+        right_q[i] = v_fma(per_length(lanes, k), right, stage_v[i]);
+    }
+}
+
+/// The same, without a choice in its loops.
+static void take_stage(const adaptive_lanes *lanes, vectors of, int number) {
+    _Static_assert(RODAS5P_STAGES == 8, "a case for every stage");
+#define STAGE(n)                                                                                                       \
+    case n:                                                                                                            \
+        enter_stage(lanes, of, n);                                                                                     \
+        break;
+    switch (number) { STAGE(0) STAGE(1) STAGE(2) STAGE(3) STAGE(4) STAGE(5) STAGE(6) STAGE(7) }
+#undef STAGE
+}
+
+/// The increment of stage `number`, whose slope is a.
+static void take_increment(const adaptive_lanes *lanes, vectors of, int number, const vec *a) {
+    const vec *rate = VECTORS(rodas5p.rate);
+    vec *u_q = (vec *)lanes->rodas5p.u_q[number], *u_v = (vec *)lanes->rodas5p.u_v[number];
+    FOR_RATES_OF_SOME(of) {
+        const vec by_time = v_mul(v_set(rodas5p_d[number]), VECTORS(length)[k]);
+        u_v[i] = v_fma(by_time, rate[i], v_add(u_v[i], a[i]));
+    }
+    solve(lanes, of, u_q, u_v);
 }
 
 // ---------------------------------------------------------------- the step
@@ -252,7 +311,7 @@ static void take_error_between(const adaptive_lanes *lanes, vectors of) {
     take_forcing(lanes, of, 0.5, lanes->length);
     take_slope(lanes, of, lanes->stage_q, lanes->stage_v, own->rate);
     FOR_RATES_OF_SOME(of) right_v[i] = v_sub(right_v[i], VECTORS(rodas5p.rate)[i]);
-    FOR_SOME(of) solve_stage(lanes, k, VECTORS(rodas5p.between_q) + k, right_v + k);
+    solve(lanes, of, VECTORS(rodas5p.between_q), right_v);
 }
 
 /// The larger square of the errors of vector k over the tolerance of all coordinates; not a number where the end is
@@ -298,16 +357,15 @@ static void try_step(const adaptive_lanes *lanes) {
     FOR_SOME(of) VECTORS(rodas5p.shift)[k] = v_div(v_set(1.0 / rodas5p_gamma), VECTORS(length)[k]);
     take_jacobian(lanes, of);
     take_rate(lanes, of);
-    FOR_SOME(of) decompose(lanes, k);
+    decompose(lanes, of);
     for (int number = 0; number < RODAS5P_STAGES; number++) {
         double *slope = number == 0 ? lanes->rodas5p.by : lanes->end_slope;
         take_stage(lanes, of, number);
-        take_right_side(lanes, of, number);
         if (number > 0) {
             if (rodas5p_c[number] != rodas5p_c[number - 1]) take_forcing(lanes, of, rodas5p_c[number], lanes->length);
             take_slope(lanes, of, lanes->stage_q, lanes->stage_v, slope);
         }
-        FOR_SOME(of) take_increment(lanes, number, k, (const vec *)slope);
+        take_increment(lanes, of, number, (const vec *)slope);
     }
     FOR_DEGREES_OF_SOME(of) VECTORS(end_q)[i] = v_add(VECTORS(stage_q)[i], last_q[i]);
     FOR_RATES_OF_SOME(of) VECTORS(end_v)[i] = v_add(VECTORS(stage_v)[i], last_v[i]);
@@ -348,10 +406,13 @@ static inline error_powers powers_of(vec square) {
 
 #if VECTOR_ISA == VECTOR_SCALAR
 static void take_stage_of_slot(const adaptive_lanes *slot, int number) {
+    double *increment = slot->rodas5p.u_v[number], *kept = slot->rodas5p.between_v;
+    memcpy(kept, increment, slot->rates * sizeof *kept); // a stage begins its increment anew
     take_stage(slot, only(0), number);
+    memcpy(increment, kept, slot->rates * sizeof *kept);
 }
 static void solve_slot(const adaptive_lanes *slot, double *x) {
-    solve_stage(slot, 0, NULL, x);
+    solve(slot, only(0), x, x);
 }
 #endif
 

@@ -1,0 +1,73 @@
+// Which entries of a Jacobian and of its factors can differ from zero.
+#include "sparsity.h"
+
+#include <stdlib.h>
+
+/// Columns without a common row share a disturbance, which tells of all of them at once (Curtis, Powell, Reid 1974):
+/// each takes the first whose rows it does not meet. told [columns][rows]: of what rows a disturbance tells.
+static void share_disturbances(sparsity *out, const bool *table, size_t rows, size_t columns, bool *told) {
+    for (size_t c = 0; c < columns; c++) {
+        size_t own = 0;
+        for (size_t i = 0; i < rows; i++)
+            if (table[i * columns + c] && told[own * rows + i]) {
+                own++;
+                i = (size_t)-1;
+            }
+        for (size_t i = 0; i < rows; i++) told[own * rows + i] |= table[i * columns + c];
+        out->disturbance[c] = own;
+        if (own >= out->disturbances) out->disturbances = own + 1;
+    }
+}
+
+/// What becomes of zeros as rows are eliminated one after the other, without exchange.
+static void fill_in(bool *matrix, size_t n) {
+    for (size_t i = 0; i < n; i++)
+        for (size_t m = 0; m < i; m++)
+            for (size_t j = m + 1; matrix[i * n + m] && j < n; j++) matrix[i * n + j] |= matrix[m * n + j];
+}
+
+enum { ALL, BELOW_DIAGONAL, ABOVE_DIAGONAL };
+
+/// Lists a part of a table [rows][width] from its first column on, into `room`; gives the room that is left.
+static size_t *list(sparse_rows *out, size_t *room, const bool *table, size_t rows, size_t width, size_t columns,
+                    int part) {
+    size_t *next = room + rows + 1;
+    out->begin = room;
+    out->run = next;
+    for (size_t i = 0; i < rows; i++) {
+        const size_t from = part == ABOVE_DIAGONAL ? i + 1 : 0, to = part == BELOW_DIAGONAL ? i : columns;
+        const bool *row = table + i * width;
+        out->begin[i] = (size_t)(next - out->run) / 2;
+        for (size_t c = from; c < to; c++) {
+            if (row[c] && (c == from || !row[c - 1])) *next++ = c;
+            if (row[c] && (c + 1 == to || !row[c + 1])) *next++ = c + 1;
+        }
+    }
+    out->begin[rows] = (size_t)(next - out->run) / 2;
+    return next;
+}
+
+sparsity *sparsity_new(size_t n, size_t m, void (*depends)(const void *model, bool *table), const void *model) {
+    const size_t width = n + m;
+    const size_t room = width + 4 * (m + 1) + m * (width + 4) + m * (m + 2); // a run may be of one column
+    sparsity *out = calloc(1, sizeof *out + room * sizeof(size_t));
+    bool *table = calloc(m * width + width * m + m * m, sizeof *table), *matrix = table + 2 * m * width;
+    if (!out || !table) {
+        free(out);
+        free(table);
+        return NULL;
+    }
+    out->disturbance = (size_t *)(out + 1);
+    if (depends) depends(model, table);
+    for (size_t i = 0; !depends && i < m * width; i++) table[i] = true;
+    share_disturbances(out, table, m, width, table + m * width);
+    size_t *next = list(&out->by_q, out->disturbance + width, table, m, width, n, ALL);
+    next = list(&out->by_v, next, table + n, m, width, m, ALL);
+    for (size_t i = 0; i < m; i++)
+        for (size_t c = 0; c < m; c++) matrix[i * m + c] = table[i * width + n + c] || (c < n && table[i * width + c]);
+    fill_in(matrix, m);
+    next = list(&out->lower, next, matrix, m, m, m, BELOW_DIAGONAL);
+    list(&out->upper, next, matrix, m, m, m, ABOVE_DIAGONAL);
+    free(table);
+    return out;
+}
