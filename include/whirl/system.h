@@ -56,10 +56,10 @@ typedef struct whirl_system {
     /// The right-hand side. t runs from 0 to period in every revolution; `forcing` holds the values at t.
     void (*rhs)(const void *model, double t, const double *forcing, const double *x, double *dxdt);
 
-    /// Optional: [dimension] the period of coordinates that are angles which turn on and on at a rate that nothing in the
-    /// state changes (the phase of a cage, of a second shaft; not the angle of a pendulum), 0 of all others; borrowed.
-    /// They are brought back between 0 and their period at the end of every revolution, and analyses do not look at
-    /// them: a motion whose other coordinates return is periodic, and exponents leave them out.
+    /// Optional: [dimension] the period of coordinates that are angles which turn on and on at a rate that nothing in
+    /// the state changes (the phase of a cage, of a second shaft; not the angle of a pendulum), 0 of all others;
+    /// borrowed. They are brought back between 0 and their period at the end of every revolution, and analyses do not
+    /// look at them: a motion whose other coordinates return is periodic, and exponents leave them out.
     const double *turns;
 
     /// With turning coordinates: revolutions after which all of them have come back, so that what they force may

@@ -37,7 +37,7 @@ struct whirl_recorder {
     whirl_ensemble *ensemble;
     whirl_ensemble *variational; ///< that carries all disturbances, beside the other one; or NULL
     size_t dimension, lane_count;
-    size_t beside; ///< disturbances of a motion that are carried by the Jacobian
+    size_t beside;           ///< disturbances of a motion that are carried by the Jacobian
     int first_watched, last; ///< revolutions
     size_t used;             ///< lanes
     motion **owner;          ///< [lane_count] the motion of every lane in use
@@ -270,8 +270,7 @@ static void note_beside(motion *m) {
 /// Before a revolution, in which a motion may begin to be watched or recorded.
 static whirl_status prepare(whirl_recorder *r, motion *m) {
     if (m->revolution == r->options->transient) whirl_ensemble_forget(r->ensemble, m->lane);
-    if (r->beside > 0 && !r->variational && m->revolution >= r->first_watched)
-        carry_beside(r, m, r->ensemble, m->lane);
+    if (r->beside > 0 && !r->variational && m->revolution >= r->first_watched) carry_beside(r, m, r->ensemble, m->lane);
     if (!follows(r, m) || m->twin_lane != NO_LANE) return whirl_ok();
     twin_begin(&m->twin, m->x);
     if (r->used < r->lane_count) {
@@ -481,7 +480,7 @@ static whirl_status start(whirl_recorder *r, const whirl_system *system, size_t 
                                    whirl_record_samples(r->options, r->integrate->steps_per_revolution));
     const size_t samples = r->watch.stride > 0 ? (size_t)r->integrate->steps_per_revolution / r->watch.stride : 0;
     r->samples = calloc(samples * 2 * r->probe_count * r->lane_count + 1, sizeof *r->samples);
-    if (!r->owner || !r->motions || !r->samples )
+    if (!r->owner || !r->motions || !r->samples)
         return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu lanes", r->lane_count);
     return whirl_ok();
 }

@@ -5,7 +5,7 @@
 #include "method.h"
 
 double dop853_amplification(double real, double imaginary) {
-    double re[DOP853_STAGES + 1], im[DOP853_STAGES + 1], x = 1.0, y = 0.0;
+    double re[DOP853_STAGES + 1] = {0}, im[DOP853_STAGES + 1] = {0}, x = 1.0, y = 0.0;
     for (int i = 0; i <= DOP853_STAGES; i++) { // stage by stage on x' = z x from x = 1
         x = 1.0;
         y = 0.0;

@@ -51,12 +51,13 @@ sparsity *sparsity_new(size_t n, size_t m, void (*depends)(const void *model, bo
     const size_t width = n + m;
     const size_t room = width + 4 * (m + 1) + m * (width + 4) + m * (m + 2); // a run may be of one column
     sparsity *out = calloc(1, sizeof *out + room * sizeof(size_t));
-    bool *table = calloc(m * width + width * m + m * m, sizeof *table), *matrix = table + 2 * m * width;
+    bool *table = calloc(m * width + width * m + m * m, sizeof *table);
     if (!out || !table) {
         free(out);
         free(table);
         return NULL;
     }
+    bool *matrix = table + 2 * m * width;
     out->disturbance = (size_t *)(out + 1);
     if (depends) depends(model, table);
     for (size_t i = 0; !depends && i < m * width; i++) table[i] = true;

@@ -10,8 +10,8 @@
 
 #include <cmocka.h>
 
-#include "crossing.h"
 #include "adaptive_lanes.h"
+#include "crossing.h"
 
 static const double pi = 3.14159265358979323846;
 
