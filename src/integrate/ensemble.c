@@ -15,8 +15,6 @@
 
 rk4_lanes_revolve *const rk4_lanes_revolves[VECTOR_ISAS] = EVERY_ISA(, rk4_lanes);
 
-enum { ORTHONORMAL = 64 }; ///< times in a revolution that disturbances are made orthonormal
-
 struct whirl_ensemble {
     const whirl_system *system; ///< of the first machine: the structure
     const isa *isa;
@@ -164,7 +162,6 @@ static void fill_lanes(whirl_ensemble *e, const whirl_integrate_options *options
     lanes->forcing_count = system->forcing_count;
     lanes->steps = options->steps_per_revolution;
     lanes->step = system->period / options->steps_per_revolution;
-    lanes->often = (options->steps_per_revolution + ORTHONORMAL - 1) / ORTHONORMAL;
     lanes->note = note_lengths;
     if (system->lanes->damped) lanes->observe.normal_force = system->lanes->contacts[e->isa->number];
 }

@@ -32,13 +32,12 @@ static whirl_status start(whirl_integrator *integrator) {
     const int steps = integrator->options.steps_per_revolution;
     const size_t count = system->forcing_count + 1, instants = 2 * (size_t)steps + 1;
     rk4 *work = calloc(1, sizeof *work + (instants + 1) * count * sizeof(double));
-    if (!work) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %d steps a revolution", steps);
-    work->one = rk4_one_of(flow, system, system->dimension);
-    work->beside = stepper_new(NULL, system, &integrator->options);
-    if (!work->beside) {
+    if (work) work->beside = stepper_new(NULL, system, &integrator->options);
+    if (!work || !work->beside) {
         free(work);
         return whirl_fail(WHIRL_NO_MEMORY, "no memory for %d steps a revolution", steps);
     }
+    work->one = rk4_one_of(flow, system, system->dimension);
     rk4_lanes *lanes = &work->one.lanes;
     lanes->forcing_count = count;
     lanes->steps = steps;
@@ -56,31 +55,29 @@ static whirl_status start(whirl_integrator *integrator) {
 
 /// A revolution under way.
 typedef struct revolution {
-    const whirl_integrator *integrator;
     const rk4 *work;
-    const rk4_lanes *lanes;
+    double period;
     whirl_disturbances *set; ///< in the lane; NULL: none
     int done;                ///< steps
     whirl_observe_fn observe;
     void *observer;
 } revolution;
 
-/// What a step has not done to disturbances; fast decays must not drown in rounding.
-static void mend_disturbances(revolution *r, const double *x) {
-    enum { ORTHONORMAL = 64 }; // times in a revolution
-    const int steps = r->lanes->steps, often = (steps + ORTHONORMAL - 1) / ORTHONORMAL;
-    unlocated_saltate(r->work->beside, r->done * r->lanes->step, r->lanes->k[0], x, r->set);
-    if (r->set->growth && (r->done % often == 0 || r->done == steps))
-        make_orthonormal(r->lanes->rates, r->set->count, r->set->vectors, r->set->growth);
-    unlocated_begin(r->work->beside, x);
+/// What a step has not done to disturbances.
+static void mend_disturbances(const revolution *r) {
+    const rk4_lanes *lanes = &r->work->one.lanes;
+    const bool due = r->done % rk4_orthonormal_steps(lanes->steps) == 0 || r->done == lanes->steps;
+    unlocated_saltate(r->work->beside, r->done * lanes->step, lanes->k[0], lanes->v, r->set);
+    if (r->set->growth && due) make_orthonormal(lanes->rates, r->set->count, r->set->vectors, r->set->growth);
+    unlocated_begin(r->work->beside, lanes->v);
 }
 
 static void after_step(void *context) {
     revolution *r = context;
+    const rk4_lanes *lanes = &r->work->one.lanes;
     r->done++;
-    if (r->set) mend_disturbances(r, r->lanes->v);
-    if (r->observe)
-        r->observe(r->observer, r->integrator->system->period * ((double)r->done / r->lanes->steps), r->lanes->v);
+    if (r->set) mend_disturbances(r);
+    if (r->observe) r->observe(r->observer, r->period * ((double)r->done / lanes->steps), lanes->v);
 }
 
 static whirl_motion revolve(whirl_integrator *integrator, double *x, whirl_disturbances *disturbances,
@@ -92,7 +89,7 @@ static whirl_motion revolve(whirl_integrator *integrator, double *x, whirl_distu
     const size_t n = system->dimension, row = (1 + integrator->most_disturbances) * n;
     whirl_disturbances own = disturbances ? *disturbances : (whirl_disturbances){.count = 0};
     const size_t size = own.count * n * sizeof *x;
-    revolution r = {.integrator = integrator, .work = work, .lanes = lanes, .observe = observe, .observer = observer};
+    revolution r = {.work = work, .period = system->period, .observe = observe, .observer = observer};
     rk4_one_place(one, integrator->slopes, row);
     memcpy(lanes->v, x, n * sizeof *x);
     if (disturbances) {

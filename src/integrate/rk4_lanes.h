@@ -56,7 +56,6 @@ typedef struct rk4_lanes {
     /// [disturbances] products of what was left of them since the last call of `note`, which takes their logarithms;
     /// NULL: they are not made orthonormal.
     double *lengths, *growth;
-    int often; ///< after so many steps
     void (*note)(const struct rk4_lanes *lanes);
     lanes_located located;
     lanes_observe observe;
@@ -65,6 +64,13 @@ typedef struct rk4_lanes {
     void (*sample)(void *context);
     void *context;
 } rk4_lanes;
+
+/// Steps from one time that disturbances are made orthonormal to the next: 64 times in a revolution, so that fast
+/// decays do not drown in rounding, and at its end.
+static inline int rk4_orthonormal_steps(int steps) {
+    enum { TIMES = 64 };
+    return (steps + TIMES - 1) / TIMES;
+}
 
 /// Takes step n of a lane in use anew from its beginning, split at the switches that it meets.
 void rk4_redo(const rk4_lanes *lanes, int n, size_t lane);

@@ -55,7 +55,6 @@ void rk4_try_step(stepper *c, double h) {
 
 double rk4_try_varied(stepper *c) {
     stepper_variation *v = &c->variation;
-    if (!v->set) return 0.0;
     const size_t n = c->dimension, size = v->set->count * n;
     memcpy(v->k[0] + n, v->set->vectors, size * sizeof *v->end);
     step(c, v->k[0], (size_t)(v->k[1] - v->k[0]), c->length, v->set->count);

@@ -82,7 +82,8 @@ static void find_mates(size_t *mates, const whirl_system *system) {
 static const size_t no_groups[] = {0};
 
 /// The kernel's slot; false where there is no memory.
-static bool make_slot(stepper *c) {
+static bool make_slot(stepper *c, const whirl_system *system) {
+    find_mates(c->mates, system);
     adaptive_lanes *slot = adaptive_lanes_make(&(adaptive_lanes){.method = c->method,
                                                                  .model = c,
                                                                  .flow = flow,
@@ -135,8 +136,7 @@ stepper *stepper_new(const lanes_method *own, const whirl_system *system, const 
     c->mates = (size_t *)(c->at_switches + SWITCH_ROWS * switches);
     c->held = (int *)(c->mates + n);
     c->sliding = (bool *)(c->held + switches);
-    find_mates(c->mates, system);
-    if (!own || make_slot(c)) return c;
+    if (!own || make_slot(c, system)) return c;
     stepper_free(c);
     return NULL;
 }
@@ -203,6 +203,12 @@ void stepper_between(const stepper *c, double theta, double *x) {
 
 // ---------------------------------------------------------------- beginnings
 
+static whirl_motion judge(const stepper *c) {
+    for (size_t d = 0; d < c->dimension; d++)
+        if (!(fabs(c->x[d]) <= c->limit)) return WHIRL_DIVERGED; // NaN too
+    return WHIRL_BOUNDED;
+}
+
 void stepper_place(stepper *c, const whirl_system *system, double t) {
     c->system = system;
     c->t = t;
@@ -217,8 +223,7 @@ void stepper_place(stepper *c, const whirl_system *system, double t) {
 whirl_motion stepper_begin(stepper *c, const whirl_system *system, const double *x) {
     stepper_place(c, system, 0.0);
     memcpy(c->x, x, c->dimension * sizeof *x);
-    for (size_t d = 0; d < c->dimension; d++)
-        if (!(fabs(x[d]) <= c->limit)) return WHIRL_DIVERGED; // NaN too
+    if (judge(c) != WHIRL_BOUNDED) return WHIRL_DIVERGED;
     stepper_find_sides(c);
     if (!c->slot) return WHIRL_BOUNDED;
     memcpy(c->start, c->x, c->dimension * sizeof *x);
@@ -262,7 +267,7 @@ static void land(stepper *c, double theta, size_t which) {
 
 /// Whether all switching functions keep their signs by far, by their values and derivatives at both ends of the step.
 static bool is_clear(stepper *c) {
-    const double end = c->begin + c->length, *last = c->last;
+    const double end = c->begin + c->length;
     double *from = stepper_row(c, ROW_FROM), *to = stepper_row(c, ROW_TO);
     if (!c->system->switch_gradient || c->sliding_count > 0) return false;
     stepper_guarded(c, c->begin, c->start, from);
@@ -271,7 +276,7 @@ static bool is_clear(stepper *c) {
         if (c->held[i] > 0 || !(from[i] > 0.0) || !(to[i] > 0.0)) return false;
         const double third = c->sides[i] * c->length / 3.0;
         const double rise = third * stepper_rate(c, i, c->begin, c->start, c->first);
-        if (bernstein_clear(from[i], from[i] + rise, to[i] - third * stepper_rate(c, i, end, c->end, last), to[i]) <
+        if (bernstein_clear(from[i], from[i] + rise, to[i] - third * stepper_rate(c, i, end, c->end, c->last), to[i]) <
             0.5)
             return false;
     }
@@ -334,12 +339,6 @@ static double next_length(const stepper *c, double until) {
     const double most = c->system->switch_count > 0 ? fmin(*c->slot->h, c->system->period / 8.0) : *c->slot->h;
     if (left <= most * 1.01) return left;
     return left < 2.0 * most ? 0.5 * left : most;
-}
-
-static whirl_motion judge(const stepper *c) {
-    for (size_t d = 0; d < c->dimension; d++)
-        if (!(fabs(c->x[d]) <= c->limit)) return WHIRL_DIVERGED; // NaN too
-    return WHIRL_BOUNDED;
 }
 
 /// Tries steps, shorter and shorter, until one keeps the tolerance.

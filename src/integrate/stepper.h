@@ -116,7 +116,7 @@ void stepper_vary_begin(stepper *c);
 void stepper_apply_jacobian(const stepper *c, double t, const double *x, size_t count, const double *vectors,
                             double *out);
 
-/// Takes a step of rk4 of the state from `start`, and that of the disturbances.
+/// Takes a step of rk4 of the state from `start`, and that of the disturbances that go along.
 void rk4_try_step(stepper *c, double h);
 double rk4_try_varied(stepper *c);
 

@@ -10,8 +10,8 @@
 struct whirl_rotor {
     double speed, clock, length;
     char keyphasor[WHIRL_NAME_SIZE + 16]; ///< what sections are taken by; "": the shaft
-    size_t
-        phase; ///< row of the shaft's phase among the rates where it is a state, whose slope is the last number; or 0
+    /// Row of the shaft's phase among the rates where it is a state, whose slope is the last number; else 0.
+    size_t phase;
     whirl_system system;
     whirl_lanes lanes;
     lanes_instance instance;           ///< where it is one

@@ -243,9 +243,13 @@ static void *cut(char *block, size_t *used, size_t size) {
     return part;
 }
 
+/// Where the numbers of elements begin: after those of stations and terms.
+static size_t first_of_elements(const building *b) {
+    return b->assembly.plane_count * STATION_NUMBERS + b->assembly.term_count;
+}
+
 static size_t total_numbers(const building *b) {
-    return b->assembly.plane_count * STATION_NUMBERS + b->assembly.term_count + b->number_count +
-           (b->keyphasor ? 1 : 0);
+    return first_of_elements(b) + b->number_count + (b->keyphasor ? 1 : 0);
 }
 
 static size_t count_contacts(const building *b) {
@@ -358,7 +362,7 @@ static void note_element(whirl_rotor *rotor, size_t index, size_t degrees) {
 }
 
 static void add_elements_to(whirl_rotor *rotor, const building *b) {
-    double *own = rotor->numbers + b->assembly.plane_count * STATION_NUMBERS + b->assembly.term_count;
+    double *own = rotor->numbers + first_of_elements(b);
     memcpy(rotor->elements, b->elements, b->element_count * sizeof *b->elements);
     for (size_t i = 0; i < b->element_count; i++) {
         rotor->elements[i].number = own + (b->elements[i].number - b->numbers);

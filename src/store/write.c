@@ -119,12 +119,12 @@ typedef struct si_unit {
 
 /// What one unit of a field is in SI; NaN where it is not the same at all points.
 static si_unit si_of(const char *unit, const whirl_result *result, const whirl_table *table) {
-    const double two_pi = 2.0 * acos(-1.0);
+    const double two_pi = 2.0 * acos(-1.0), clock = whirl_result_clock(result);
     if (strcmp(unit, "length") == 0) return (si_unit){table->length_scales ? (double)NAN : result->length_scale, "m"};
     if (strcmp(unit, "force") == 0) return (si_unit){result->force_scale, "N"};
-    if (strcmp(unit, "revolution") == 0) return (si_unit){two_pi / whirl_result_clock(result), "s"};
-    if (strcmp(unit, "1/revolution") == 0) return (si_unit){whirl_result_clock(result) / two_pi, "1/s"};
-    if (strcmp(unit, "order") == 0) return (si_unit){whirl_result_clock(result) / two_pi, "Hz"};
+    if (strcmp(unit, "revolution") == 0) return (si_unit){two_pi / clock, "s"};
+    if (strcmp(unit, "1/revolution") == 0) return (si_unit){clock / two_pi, "1/s"};
+    if (strcmp(unit, "order") == 0) return (si_unit){clock / two_pi, "Hz"};
     return (si_unit){1.0, unit};
 }
 

@@ -85,16 +85,21 @@ const whirl_system *whirl_sensitivity_machine(const whirl_sensitivity *s) {
 
 // ---------------------------------------------------------------- differences
 
+static void slope_on_sides(const whirl_system *system, double t, const double *forcing, const double *x,
+                           const double *sides, double *slope) {
+    if (sides && system->rhs_on_sides)
+        system->rhs_on_sides(system->model, t, forcing, x, sides, slope);
+    else
+        system->rhs(system->model, t, forcing, x, slope);
+}
+
 /// The slope of machine `index` at the part of its period that t is of that of the first.
 static void slope_of(const whirl_sensitivity *s, size_t index, double t, const double *x, const double *sides) {
     const whirl_system *system = system_of(s, index);
     const double longer = system->period / system_of(s, 0)->period;
     double forcing[WHIRL_MAX_FORCING], *slope = s->slopes + index * system->dimension;
     if (system->forcing_count > 0) system->forcing(system->model, longer * t, forcing);
-    if (sides && system->rhs_on_sides)
-        system->rhs_on_sides(system->model, longer * t, forcing, x, sides, slope);
-    else
-        system->rhs(system->model, longer * t, forcing, x, slope);
+    slope_on_sides(system, longer * t, forcing, x, sides, slope);
     for (size_t i = 0; i < system->dimension; i++) slope[i] *= longer;
 }
 
@@ -148,10 +153,7 @@ static void joint_on_sides(const void *model, double t, const double *forcing, c
     whirl_sensitivity_slope(s, t, x, sides, dxdt, NULL);
     system->tangent(system->model, t, forcing, x, sides, 1, x + n, dxdt + n);
     for (size_t i = 0; i < n; i++) dxdt[n + i] += dxdt[i];
-    if (sides && system->rhs_on_sides)
-        system->rhs_on_sides(system->model, t, forcing, x, sides, dxdt);
-    else
-        system->rhs(system->model, t, forcing, x, dxdt);
+    slope_on_sides(system, t, forcing, x, sides, dxdt);
 }
 
 static void joint_rhs(const void *model, double t, const double *forcing, const double *x, double *dxdt) {

@@ -13,6 +13,7 @@
 #include <cmocka.h>
 #include <jansson.h>
 
+#include "read_all.h"
 #include "whirl/whirl.h"
 
 static const char text[] = "whirl: 1\n"
@@ -90,19 +91,6 @@ static size_t many(const fixture *f, const watched *w) {
 
 static const char *name_of(const fixture *f, const watched *w, size_t which) {
     return w->extent == WHIRL_PER_STATION ? f->result->stations[which].name : f->result->contacts[which];
-}
-
-static char *read_all(const char *path) {
-    FILE *stream = fopen(path, "rb");
-    if (!stream) fail_msg("%s is not there", path);
-    fseek(stream, 0, SEEK_END);
-    const size_t size = (size_t)ftell(stream);
-    rewind(stream);
-    char *all = calloc(size + 1, 1);
-    assert_non_null(all);
-    assert_int_equal(fread(all, 1, size, stream), size);
-    fclose(stream);
-    return all;
 }
 
 /// The same numbers, to the bit, in another result.

@@ -14,6 +14,7 @@
 
 #include "support_check.h"
 #include "support_flow.h"
+#include "support_lanes.h"
 #include "support_record.h"
 #include "whirl/whirl.h"
 
@@ -387,45 +388,17 @@ static void regimes_under_a_shaker(void **unused) {
 static void in_lanes(void **unused) {
     (void)unused;
     enum { LANES = 11, REVOLUTIONS = 6 };
-    static const char *const methods[] = {"rk4", "dop853", "rodas5p"}, *const sets[] = {"fma", "avx2", "avx512"};
+    static const char *const methods[] = {"rk4", "dop853", "rodas5p"};
+    static const char *const sets[] = {"fma", "avx2", "avx512", NULL};
     // The same steps, but for rounding; by rodas5p also for derivatives by time, of the forcing in lanes and of the
     // accelerations alone, differences good to 1e-12 of what changes by up to 10 length scales a radian.
     static const double tolerances[] = {1e-13, 1e-11, 1e-10};
-    for (size_t m = 0; m < COUNT_OF(methods); m++) {
-        whirl_rotor *rotors[LANES];
-        whirl_integrate_options options = whirl_integrate_default();
-        double reached[LANES][6] = {{0}}, first[LANES][6], lane[6], worst = 0.0;
-        bool found = false;
-        snprintf(options.method, sizeof options.method, "%s", methods[m]);
-        for (size_t l = 0; l < LANES; l++) {
-            whirl_integrator *integrator;
-            rotors[l] = make_disc(1e-4, 20.0 + 5.0 * (double)l, true);
-            require_ok(whirl_integrator_new(whirl_rotor_system(rotors[l]), &options, &integrator));
-            revolve(integrator, reached[l], REVOLUTIONS);
-            whirl_integrator_free(integrator);
-        }
-        for (size_t s = 0; s < COUNT_OF(sets); s++) {
-            whirl_ensemble *ensemble;
-            setenv("WHIRL_ISA", sets[s], 1);
-            const whirl_status status = whirl_ensemble_new(whirl_rotor_system(rotors[0]), &options, LANES, &ensemble);
-            unsetenv("WHIRL_ISA");
-            if (status.code != WHIRL_OK) continue; // this processor has it not
-            for (size_t l = 0; l < LANES; l++)
-                require_ok(whirl_ensemble_load(ensemble, l, whirl_rotor_system(rotors[l]), (double[6]){0}));
-            for (int i = 0; i < REVOLUTIONS; i++) whirl_ensemble_revolve(ensemble, LANES, NULL);
-            for (size_t l = 0; l < LANES; l++) {
-                whirl_ensemble_state(ensemble, l, lane);
-                if (!found) memcpy(first[l], lane, sizeof lane);
-                assert_memory_equal(lane, first[l], sizeof lane);
-                for (int i = 0; i < 6; i++) worst = fmax(worst, fabs(lane[i] - reached[l][i]));
-            }
-            found = true;
-            whirl_ensemble_free(ensemble);
-        }
-        check_within("Keyphasor", words("in lanes and alone by %s, in length scales", methods[m]), 0.0, worst,
-                     tolerances[m]);
-        for (size_t l = 0; l < LANES; l++) whirl_rotor_free(rotors[l]);
-    }
+    whirl_rotor *rotors[LANES];
+    for (size_t l = 0; l < LANES; l++) rotors[l] = make_disc(1e-4, 20.0 + 5.0 * (double)l, true);
+    for (size_t m = 0; m < COUNT_OF(methods); m++)
+        check_within("Keyphasor", words("in lanes and alone by %s, in length scales", methods[m]), 0.0,
+                     compare_lanes_with_alone(methods[m], sets, rotors, LANES, REVOLUTIONS), tolerances[m]);
+    for (size_t l = 0; l < LANES; l++) whirl_rotor_free(rotors[l]);
 }
 
 static void refused(void **unused) {

@@ -14,6 +14,7 @@
 
 #include "support_check.h"
 #include "support_flow.h"
+#include "support_lanes.h"
 #include "support_record.h"
 #include "whirl/whirl.h"
 
@@ -422,40 +423,15 @@ static void steady_speed(void **unused) {
 /// Machines whose forces have frequencies of their own side by side: by every method all widths give the same bits, and
 /// the numbers of each machine alone. Returns the largest difference.
 static double compare_lanes(const char *method, bool fused) {
-    enum { LANES = 9, DIMENSION = 5, REVOLUTIONS = 7 };
-    static const char *const sets[2][3] = {{"scalar", "simd128"}, {"fma", "avx2", "avx512"}};
+    enum { LANES = 9, REVOLUTIONS = 7 };
+    static const char *const sets[2][4] = {{"scalar", "simd128", NULL}, {"fma", "avx2", "avx512", NULL}};
     whirl_rotor *rotors[LANES];
-    whirl_integrate_options options = whirl_integrate_default();
-    double reached[LANES][DIMENSION] = {{0}}, first[LANES][DIMENSION], lane[DIMENSION], worst = 0.0;
-    bool found = false;
-    snprintf(options.method, sizeof options.method, "%s", method);
     for (size_t l = 0; l < LANES; l++) {
-        whirl_integrator *integrator;
         whirl_design *design = begin_disc();
         add_force(design, "forward", "frequency", 20.0 + 5.0 * (double)l);
         rotors[l] = finish(design);
-        require_ok(whirl_integrator_new(whirl_rotor_system(rotors[l]), &options, &integrator));
-        revolve(integrator, reached[l], REVOLUTIONS);
-        whirl_integrator_free(integrator);
     }
-    for (size_t s = 0; s < 3 && sets[fused][s]; s++) {
-        whirl_ensemble *ensemble;
-        setenv("WHIRL_ISA", sets[fused][s], 1);
-        const whirl_status status = whirl_ensemble_new(whirl_rotor_system(rotors[0]), &options, LANES, &ensemble);
-        unsetenv("WHIRL_ISA");
-        if (status.code != WHIRL_OK) continue; // this processor has it not
-        for (size_t l = 0; l < LANES; l++)
-            require_ok(whirl_ensemble_load(ensemble, l, whirl_rotor_system(rotors[l]), (double[DIMENSION]){0}));
-        for (int i = 0; i < REVOLUTIONS; i++) whirl_ensemble_revolve(ensemble, LANES, NULL);
-        for (size_t l = 0; l < LANES; l++) {
-            whirl_ensemble_state(ensemble, l, lane);
-            if (!found) memcpy(first[l], lane, sizeof lane);
-            assert_memory_equal(lane, first[l], sizeof lane);
-            for (int i = 0; i < DIMENSION; i++) worst = fmax(worst, fabs(lane[i] - reached[l][i]));
-        }
-        found = true;
-        whirl_ensemble_free(ensemble);
-    }
+    const double worst = compare_lanes_with_alone(method, sets[fused], rotors, LANES, REVOLUTIONS);
     for (size_t l = 0; l < LANES; l++) whirl_rotor_free(rotors[l]);
     return worst;
 }

@@ -22,14 +22,12 @@ enum {
 extern const element_kernels *const harmonic_kernels[VECTOR_ISAS];
 
 /// The key that names the phase by which sections are taken.
+// clang-format off
 #define HARMONIC_KEYPHASOR                                                                                             \
-    {                                                                                                                  \
-        "keyphasor", "", "", WHIRL_KEY_CHOICE, false, "no", WHIRL_ANY, "no|yes",                                       \
-            "yes: sections are taken once a turn of this phase, in which revolutions and orders are counted, and not " \
-            "once a "                                                                                                  \
-            "turn of the shaft",                                                                                       \
-            ""                                                                                                         \
-    }
+    {"keyphasor", "", "", WHIRL_KEY_CHOICE, false, "no", WHIRL_ANY, "no|yes",                                          \
+     "yes: sections are taken once a turn of this phase, in which revolutions and orders are counted, and not once a " \
+     "turn of the shaft", ""}
+// clang-format on
 
 /// Turns of the phase in a revolution.
 double harmonic_rounds(const element *own);

@@ -157,18 +157,19 @@ static void pass_all(const whirl_rotor *rotor, const block *b) {
     if (b->coupled) couple(b);
 }
 
-/// A few vectors from vector k on, where the values of time are those of the shaft's phase, which is a state.
+enum { BY_PHASE = 8 }; ///< vectors at a time
+
+/// Those from vector k on, where the values of time are those of the shaft's phase, which is a state.
 static void pass_by_phase(const whirl_rotor *rotor, const block *all, size_t k) {
-    enum { MOST = 8 };
-    vec values[FORCING_COUNT][MOST], turned[FORCING_COUNT][MOST];
+    vec values[FORCING_COUNT][BY_PHASE], turned[FORCING_COUNT][BY_PHASE];
     const vec *number = all->numbers + (rotor->lanes.number_count - 1) * all->stride + k, nothing = v_set(0.0);
     block b = *all;
-    b.vectors = all->vectors - k < MOST ? all->vectors - k : MOST;
+    b.vectors = all->vectors - k < BY_PHASE ? all->vectors - k : BY_PHASE;
     b.q += k, b.v += k, b.a += k, b.numbers += k;
     b.sides = b.sides ? b.sides + k : NULL;
     b.divergence = b.divergence ? b.divergence + k : NULL;
-    b.forcing = values[0], b.turned = turned[0], b.forcing_stride = MOST, b.phase = rotor->phase;
-    ISA(machine_forcing)(rotor, MOST, b.vectors, b.v + b.phase * b.stride, values);
+    b.forcing = values[0], b.turned = turned[0], b.forcing_stride = BY_PHASE, b.phase = rotor->phase;
+    ISA(machine_forcing)(rotor, BY_PHASE, b.vectors, b.v + b.phase * b.stride, values);
     for (size_t i = 0; i < b.vectors; i++) {
         turned[COS_TAU][i] = v_sub(nothing, values[SIN_TAU][i]);
         turned[SIN_TAU][i] = values[COS_TAU][i];
@@ -185,7 +186,7 @@ void ISA(machine_flow)(const lanes_view *view) {
     const block b = block_of(view);
     if (b.stride == 1 && !wants_tangent(&b) && flow_of_instance(rotor->lanes.instance, &b)) return;
     if (!rotor->phase) pass_all(rotor, &b);
-    for (size_t k = 0; rotor->phase && k < b.vectors; k += 8) pass_by_phase(rotor, &b, k);
+    for (size_t k = 0; rotor->phase && k < b.vectors; k += BY_PHASE) pass_by_phase(rotor, &b, k);
 }
 
 void ISA(machine_switches)(const lanes_view *view, void *values, void *rates) {

@@ -3,15 +3,7 @@
 
 #include <ctype.h>
 
-static char *read_text(const char *path) {
-    FILE *file = fopen(path, "rb");
-    assert_non_null(file);
-    char *text = calloc(1, 1 << 17);
-    assert_non_null(text);
-    assert_true(fread(text, 1, (1 << 17) - 1, file) > 0);
-    assert_int_equal(fclose(file), 0);
-    return text;
-}
+#include "../read_all.h"
 
 /// "key:" as a word, in the case itself or in a line of it that is commented out (what excludes something else).
 static bool shows_key(const char *text, const char *key) {
@@ -37,7 +29,7 @@ static size_t missing_keys(const char *text, const whirl_group *group) {
 
 static void the_reference_shows_every_key(void **state) {
     (void)state;
-    char *text = read_text(WHIRL_CASES "/reference.yaml");
+    char *text = read_all(WHIRL_CASES "/reference.yaml");
     size_t missing = missing_keys(text, whirl_station_keys());
     for (const whirl_group *const *group = whirl_element_groups(); *group && (*group)->name; group++) {
         missing += missing_keys(text, *group);

@@ -10,6 +10,7 @@
 
 #include <cmocka.h>
 
+#include "../read_all.h"
 #include "explorer.h"
 
 /// One point more than fit, with a section of more rows than fit: every second point stays, and the last 2^20/count
@@ -37,19 +38,6 @@ static whirl_result *large_result(void) {
     result->tables = table;
     result->table_count = 1;
     return result;
-}
-
-static char *read_all(const char *path) {
-    FILE *stream = fopen(path, "rb");
-    assert_non_null(stream);
-    fseek(stream, 0, SEEK_END);
-    const size_t size = (size_t)ftell(stream);
-    rewind(stream);
-    char *text = calloc(size + 1, 1);
-    assert_non_null(text);
-    assert_int_equal(fread(text, 1, size, stream), size);
-    fclose(stream);
-    return text;
 }
 
 /// Bytes that the base64 text after `key` stands for.

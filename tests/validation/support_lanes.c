@@ -1,0 +1,63 @@
+#include "support_lanes.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "support_check.h"
+#include "support_flow.h"
+#include "whirl/ensemble.h"
+
+static void carry_alone(const whirl_system *system, const whirl_integrate_options *options, int revolutions,
+                        double *x) {
+    whirl_integrator *integrator;
+    require_ok(whirl_integrator_new(system, options, &integrator));
+    revolve(integrator, x, revolutions);
+    whirl_integrator_free(integrator);
+}
+
+/// The states [count][dimension] in lanes; false where the processor has no such instruction set.
+static bool carry_in_lanes(const char *set, const whirl_integrate_options *options, whirl_rotor *const *rotors,
+                           size_t count, int revolutions, double *states) {
+    const size_t n = whirl_rotor_system(rotors[0])->dimension;
+    whirl_ensemble *ensemble;
+    setenv("WHIRL_ISA", set, 1);
+    const whirl_status status = whirl_ensemble_new(whirl_rotor_system(rotors[0]), options, count, &ensemble);
+    unsetenv("WHIRL_ISA");
+    if (status.code != WHIRL_OK) return false;
+    memset(states, 0, count * n * sizeof *states);
+    for (size_t l = 0; l < count; l++)
+        require_ok(whirl_ensemble_load(ensemble, l, whirl_rotor_system(rotors[l]), states + l * n));
+    for (int i = 0; i < revolutions; i++) whirl_ensemble_revolve(ensemble, count, NULL);
+    for (size_t l = 0; l < count; l++) whirl_ensemble_state(ensemble, l, states + l * n);
+    whirl_ensemble_free(ensemble);
+    return true;
+}
+
+double compare_lanes_with_alone(const char *method, const char *const *sets, whirl_rotor *const *rotors, size_t count,
+                                int revolutions) {
+    const size_t n = whirl_rotor_system(rotors[0])->dimension, size = count * n;
+    whirl_integrate_options options = whirl_integrate_default();
+    double *alone = calloc(3 * size, sizeof *alone), worst = 0.0;
+    bool found = false;
+    assert_non_null(alone);
+    double *first = alone + size, *lanes = first + size;
+    snprintf(options.method, sizeof options.method, "%s", method);
+    for (size_t l = 0; l < count; l++) carry_alone(whirl_rotor_system(rotors[l]), &options, revolutions, alone + l * n);
+    for (; *sets; sets++) {
+        if (!carry_in_lanes(*sets, &options, rotors, count, revolutions, lanes)) continue;
+        if (!found) memcpy(first, lanes, size * sizeof *lanes);
+        assert_memory_equal(lanes, first, size * sizeof *lanes);
+        for (size_t i = 0; i < size; i++) worst = fmax(worst, fabs(lanes[i] - alone[i]));
+        found = true;
+    }
+    free(alone);
+    return worst;
+}
