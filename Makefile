@@ -11,7 +11,7 @@ INSTALL  := scripts/install-dependencies.sh
 # A build that exists keeps its options: `make` after `make test` does not throw the tests out.
 CONFIGURE = test -f $(BUILD)/CMakeCache.txt || cmake --preset release -DWHIRL_TESTS=OFF
 COMPILE   = cmake --build $(BUILD) --parallel $(JOBS) --target whirl
-SOURCES   = $(shell git ls-files --cached --others --exclude-standard '*.c' '*.h')
+SOURCES   = $(shell git ls-files --cached --others --exclude-standard '*.c' '*.cc' '*.h')
 SCRIPTS   = $(shell git ls-files --cached --others --exclude-standard 'explorer/*.ts' 'explorer/*.mjs')
 PRETTIER  = explorer/node_modules/.bin/prettier --log-level warn
 FUZZERS   = $(patsubst tests/fuzz/%.c,%,$(wildcard tests/fuzz/fuzz_*.c))

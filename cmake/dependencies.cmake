@@ -6,6 +6,7 @@ pkg_check_modules(YAML REQUIRED IMPORTED_TARGET yaml-0.1)
 pkg_check_modules(MUPARSER REQUIRED IMPORTED_TARGET muparser)
 pkg_check_modules(JANSSON REQUIRED IMPORTED_TARGET jansson)
 pkg_check_modules(UDUNITS REQUIRED IMPORTED_TARGET udunits)
+pkg_check_modules(EIGEN REQUIRED eigen3)
 
 function(whirl_find_library target header)
   find_path(${target}_INCLUDE ${header} REQUIRED)
@@ -21,6 +22,9 @@ endfunction()
 
 whirl_find_library(SUNDIALS::CVODES cvodes/cvodes.h sundials_cvodes sundials_nvecserial sundials_sunlinsoldense
                    sundials_sunmatrixdense sundials_sunnonlinsolnewton sundials_sunnonlinsolfixedpoint sundials_generic)
+# Headers alone, which keep to no warnings of ours.
+add_library(Eigen::Headers INTERFACE IMPORTED)
+target_include_directories(Eigen::Headers SYSTEM INTERFACE ${EIGEN_INCLUDE_DIRS})
 add_library(LibYAML::LibYAML ALIAS PkgConfig::YAML)
 add_library(MuParser::MuParser ALIAS PkgConfig::MUPARSER)
 add_library(Jansson::Jansson ALIAS PkgConfig::JANSSON)

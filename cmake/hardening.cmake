@@ -7,7 +7,7 @@ set(CMAKE_BUILD_WITH_INSTALL_RPATH ON)
 
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 include(CheckPIESupported)
-check_pie_supported(LANGUAGES C)
+check_pie_supported(LANGUAGES C CXX)
 add_compile_options(-fstack-protector-strong -Wformat -Wformat-security)
 add_link_options(-Wl,-z,relro -Wl,-z,now)
 # Checked copies and prints need the optimizer, and sanitizers check more.

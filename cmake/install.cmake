@@ -29,7 +29,7 @@ foreach(file ${sundials})
   string(REGEX REPLACE "^lib" "-l" option ${name})
   list(APPEND WHIRL_STATIC_OPTIONS ${option})
 endforeach()
-list(APPEND WHIRL_STATIC_OPTIONS ${OpenMP_C_FLAGS} -lm)
+list(APPEND WHIRL_STATIC_OPTIONS ${OpenMP_C_FLAGS} -lstdc++ -lm)
 string(JOIN " " WHIRL_PC_MODULES ${WHIRL_STATIC_MODULES})
 string(JOIN " " WHIRL_PC_OPTIONS ${WHIRL_STATIC_OPTIONS})
 

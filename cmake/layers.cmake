@@ -1,4 +1,4 @@
-# A layer: all of src/<name>/*.c as an object library that sees the public headers and its own folder only.
+# A layer: all of src/<name>/*.c and *.cc as an object library that sees the public headers and its own folder only.
 #   whirl_layer(<name> NEEDS <layers below> LIBRARIES <imported targets>)
 # What lies in its folders kernels and elements is compiled once for every instruction set (whirlKernels.cmake); the
 # processor is asked when the program runs.
@@ -9,7 +9,7 @@ include(cmake/whirlKernels.cmake)
 function(whirl_layer name)
   cmake_parse_arguments(LAYER "" "" "NEEDS;LIBRARIES" ${ARGN})
   set(folder ${PROJECT_SOURCE_DIR}/src/${name})
-  file(GLOB sources CONFIGURE_DEPENDS ${folder}/*.c)
+  file(GLOB sources CONFIGURE_DEPENDS ${folder}/*.c ${folder}/*.cc)
   file(GLOB kernels CONFIGURE_DEPENDS ${folder}/kernels/*.c ${folder}/elements/*.c)
   foreach(kernel ${kernels})
     whirl_kernel(${kernel} ${PROJECT_BINARY_DIR}/kernels/${name} sources)

@@ -70,6 +70,7 @@ only_in case 'muParser'
 only_in integrate 'cvode|nvector|sundials|sunmatrix|sunlinsol'
 only_in report 'jansson'
 only_in study 'omp\.h'
+only_in base 'Eigen/'
 
 # ---- the library
 

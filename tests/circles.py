@@ -13,7 +13,7 @@ def symbols_of(folder):
     """Symbols that files define, {symbol: file}, and use, {file: {symbol}}."""
     defined, used = {}, {}
     for path in sorted(folder.glob("*.o")):
-        name = re.sub(r"_(scalar|128|fma|avx2|avx512)$", "", path.name.removesuffix(".c.o"))
+        name = re.sub(r"_(scalar|128|fma|avx2|avx512)$", "", re.sub(r"\.cc?\.o$", "", path.name))
         for line in subprocess.check_output(["nm", path], text=True).splitlines():
             *_, kind, symbol = line.split()
             if kind == "U":

@@ -4,7 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "eigenvalues.h"
+#include "balance.h"
+#include "matrix.h"
 
 /// What a step may make of a disturbance: 1 and what truncation adds to a mode that grows.
 static const double unstable_growth = 1.001;
@@ -65,7 +66,7 @@ void phase_search_note(void *search, double t, const double *x) {
     else
         difference_columns(s, t, forcing, x, s->jacobian);
     // The transpose is as good as the Jacobian: its eigenvalues are the same.
-    matrix_balance(system->dimension, s->jacobian);
+    matrix_balance(system->dimension, s->jacobian, NULL);
     const double norm = matrix_norm(system->dimension, s->jacobian);
     if (!(norm > s->norm) || !isfinite(norm)) return;
     double *spare = s->stiffest;
@@ -79,7 +80,7 @@ void phase_search_note(void *search, double t, const double *x) {
 bool phase_search_solve(phase_search *s) {
     const size_t n = s->system->dimension;
     memcpy(s->jacobian, s->stiffest, n * n * sizeof *s->jacobian);
-    return matrix_eigenvalues(n, s->jacobian, s->real, s->imaginary);
+    return matrix_eigen(n, s->jacobian, s->real, s->imaginary, NULL);
 }
 
 double phase_search_growth(const phase_search *s, double (*amplification)(double, double), double h) {

@@ -3,7 +3,9 @@
 
 #include <math.h>
 #include <stdbool.h>
-#include <string.h>
+#include <stdlib.h>
+
+#include "matrix.h"
 
 static bool is_coupled(const assembly *from, size_t coordinate) {
     for (size_t i = 0; i < from->mass_count; i++)
@@ -19,35 +21,16 @@ size_t coupling_count(const assembly *from) {
 
 /// The mass matrix M of the coupled coordinates, over the roots of their own inertias: symmetric, 1 where nothing
 /// couples.
-static void add_masses(coupling *out, const assembly *from) {
+static void add_masses(const coupling *out, const assembly *from, double *m) {
     const size_t n = out->count;
-    memset(out->share, 0, n * n * sizeof *out->share);
-    for (size_t i = 0; i < n; i++) out->share[i * n + i] = 1.0;
+    for (size_t i = 0; i < n; i++) m[i * n + i] = 1.0;
     for (size_t k = 0; k < from->mass_count; k++) {
         const mass_term *term = &from->masses[k];
         const size_t i = out->place[term->row], j = out->place[term->by];
         const double mass = term->mass / sqrt(from->inertia[term->row] * from->inertia[term->by]);
-        out->share[i * n + j] += mass;
-        if (i != j) out->share[j * n + i] += mass;
+        m[i * n + j] += mass;
+        if (i != j) m[j * n + i] += mass;
     }
-}
-
-/// Inverts a symmetric positive definite matrix [n][n] in its place, by its pivots on the diagonal one after the other
-/// (Gauss, Jordan). False where one is not positive.
-static bool invert(double *m, size_t n) {
-    for (size_t k = 0; k < n; k++) {
-        const double pivot = m[k * n + k];
-        if (!(pivot > 0.0 && isfinite(pivot))) return false;
-        m[k * n + k] = 1.0;
-        for (size_t j = 0; j < n; j++) m[k * n + j] /= pivot;
-        for (size_t i = 0; i < n; i++) {
-            const double factor = m[i * n + k];
-            if (i == k) continue;
-            m[i * n + k] = 0.0;
-            for (size_t j = 0; j < n; j++) m[i * n + j] -= factor * m[k * n + j];
-        }
-    }
-    return true;
 }
 
 whirl_status coupling_fill(coupling *out, const assembly *from) {
@@ -60,8 +43,14 @@ whirl_status coupling_fill(coupling *out, const assembly *from) {
         out->row[n++] = d;
     }
     out->count = n;
-    add_masses(out, from);
-    if (!invert(out->share, n))
+    if (n == 0) return whirl_ok();
+    double *mass = calloc(n * n, sizeof *mass);
+    if (!mass) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the masses of %zu coordinates", n);
+    add_masses(out, from, mass);
+    for (size_t i = 0; i < n * n; i++) out->share[i] = i % (n + 1) == 0 ? 1.0 : 0.0;
+    const bool definite = matrix_solve_definite(n, mass, n, out->share);
+    free(mass);
+    if (!definite)
         return whirl_fail(WHIRL_BAD_INPUT,
                           "the rotor's mass matrix is not positive definite, expected masses that are");
     for (size_t i = 0; i < n; i++)

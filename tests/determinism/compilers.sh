@@ -15,6 +15,7 @@ trap 'rm -rf "$work"' EXIT
 
 compile() {
     cmake -S "$source/tests/determinism/other" -B "$folder" -DCMAKE_C_COMPILER="$compiler" \
+        -DCMAKE_CXX_COMPILER="${compiler/%gcc/g}++" \
         -DLIBRARY="$build/libwhirl.a" -DHEADERS="$build/include" -DOPENMP="$openmp" &&
         cmake --build "$folder" --parallel 2
 }

@@ -1,5 +1,5 @@
 // Steps that are too long, against RK4's known region (Hairer, Wanner: Solving Ordinary Differential Equations II,
-// IV.2), and the eigenvalues that tell them, against closed forms.
+// IV.2).
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -10,109 +10,9 @@
 
 #include <cmocka.h>
 
-#include "eigenvalues.h"
 #include "method.h"
 
 static const double pi = 3.14159265358979323846;
-
-// ---------------------------------------------------------------- eigenvalues
-
-enum { MOST = 100 };
-
-typedef struct spectrum {
-    double real[MOST], imaginary[MOST];
-} spectrum;
-
-static spectrum spectrum_of(size_t n, const double *matrix) {
-    static double copy[MOST * MOST];
-    spectrum s;
-    memcpy(copy, matrix, n * n * sizeof *copy);
-    matrix_balance(n, copy);
-    assert_true(matrix_eigenvalues(n, copy, s.real, s.imaginary));
-    return s;
-}
-
-/// Whether each wanted value is there, to `tolerance`, as often as it is wanted.
-static void expect_spectrum(size_t n, spectrum found, const spectrum *wanted, double tolerance) {
-    for (size_t i = 0; i < n; i++) {
-        size_t nearest = i;
-        double least = INFINITY;
-        for (size_t k = i; k < n; k++) {
-            const double distance = hypot(found.real[k] - wanted->real[i], found.imaginary[k] - wanted->imaginary[i]);
-            if (distance < least) least = distance, nearest = k;
-        }
-        if (!(least <= tolerance)) fail_msg("%g + %gi is off by %g", wanted->real[i], wanted->imaginary[i], least);
-        found.real[nearest] = found.real[i];
-        found.imaginary[nearest] = found.imaginary[i];
-    }
-}
-
-/// Rows (0, 1, 0, ...), ..., last row c: x^n = c[0] + c[1] x + ...
-static void test_companion_matrices(void **state) {
-    // (x - 1)(x - 2)(x^2 - 2x + 5): 1, 2, 1 +- 2i. x^4 = -10 + 19 x - 13 x^2 + 5 x^3
-    const double matrix[16] = {0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, -10, 19, -13, 5};
-    const spectrum wanted = {{1, 2, 1, 1}, {0, 0, 2, -2}};
-    (void)state;
-    expect_spectrum(4, spectrum_of(4, matrix), &wanted, 1e-12);
-}
-
-/// Cyclic shifts have the roots of unity: all moduli alike, where shifts of the QR algorithm can go round in circles.
-static void test_cyclic_shifts(void **state) {
-    static double matrix[MOST * MOST];
-    (void)state;
-    for (size_t n = 1; n <= MOST; n = 2 * n + 1) {
-        spectrum wanted;
-        memset(matrix, 0, sizeof matrix);
-        for (size_t i = 0; i < n; i++) {
-            matrix[i * n + (i + 1) % n] = 1.0;
-            wanted.real[i] = cos(2 * pi * (double)i / (double)n);
-            wanted.imaginary[i] = sin(2 * pi * (double)i / (double)n);
-        }
-        expect_spectrum(n, spectrum_of(n, matrix), &wanted, 1e-12);
-    }
-}
-
-/// A chain of 50 unit masses and springs k between walls, x'' = -k (2 x - neighbours): +- i 2 sqrt k sin(j pi / 102).
-/// Positions and velocities are scales apart, which balancing evens out; the norm then bounds the largest within
-/// sqrt 2.
-static void test_a_chain_of_masses(void **state) {
-    enum { MASSES = 50, N = 2 * MASSES };
-    static double matrix[N * N];
-    const double k = 1e8;
-    spectrum wanted = {{0}, {0}};
-    (void)state;
-    for (size_t i = 0; i < MASSES; i++) {
-        double *row = matrix + (MASSES + i) * N;
-        matrix[i * N + MASSES + i] = 1.0;
-        row[i] = -2 * k;
-        if (i > 0) row[i - 1] = k;
-        if (i + 1 < MASSES) row[i + 1] = k;
-        wanted.imaginary[2 * i] = 2 * sqrt(k) * sin((double)(i + 1) * pi / (2 * (MASSES + 1)));
-        wanted.imaginary[2 * i + 1] = -wanted.imaginary[2 * i];
-    }
-    expect_spectrum(N, spectrum_of(N, matrix), &wanted, 1e-9 * sqrt(k));
-    assert_true(matrix_norm(N, matrix) >= 4 * k);
-    matrix_balance(N, matrix);
-    const double norm = matrix_norm(N, matrix);
-    assert_true(norm >= 2 * sqrt(k) && norm <= 3 * sqrt(k));
-}
-
-/// Similar matrices have the same eigenvalues, whatever the similarity: diag(1, ..., n) in other coordinates.
-static void test_full_matrices(void **state) {
-    enum { N = 24 };
-    double matrix[N * N] = {0};
-    spectrum wanted = {{0}, {0}};
-    unsigned seed = 1;
-    (void)state;
-    for (size_t i = 0; i < N; i++) matrix[i * N + i] = wanted.real[i] = (double)i + 1;
-    for (int times = 0; times < 40; times++) { // I + f e_i e_k' and its inverse, by turns
-        seed = seed * 1664525u + 1013904223u;
-        const size_t i = (seed >> 8) % N, k = (i + 1 + (seed >> 20) % (N - 1)) % N;
-        for (size_t c = 0; c < N; c++) matrix[i * N + c] += 0.5 * matrix[k * N + c];
-        for (size_t r = 0; r < N; r++) matrix[r * N + k] -= 0.5 * matrix[r * N + i];
-    }
-    expect_spectrum(N, spectrum_of(N, matrix), &wanted, 1e-9);
-}
 
 // ---------------------------------------------------------------- steps
 
@@ -262,10 +162,6 @@ static void test_amplification(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_companion_matrices),
-        cmocka_unit_test(test_cyclic_shifts),
-        cmocka_unit_test(test_a_chain_of_masses),
-        cmocka_unit_test(test_full_matrices),
         cmocka_unit_test(test_the_limit_of_decay),
         cmocka_unit_test(test_the_limit_of_oscillation),
         cmocka_unit_test(test_what_grows_by_itself),

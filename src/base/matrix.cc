@@ -1,0 +1,190 @@
+// Eigen behind plain C. Nothing that hangs on the processor is left to it: no vector instructions, no threads, no look
+// at the sizes of caches; so sums are added up in one order everywhere.
+#define EIGEN_MPL2_ONLY
+#define EIGEN_NO_DEBUG
+#define EIGEN_DONT_VECTORIZE
+#define EIGEN_DONT_PARALLELIZE
+#define EIGEN_NO_CPUID
+#define EIGEN_DEFAULT_L1_CACHE_SIZE 32768
+#define EIGEN_DEFAULT_L2_CACHE_SIZE 262144
+#define EIGEN_DEFAULT_L3_CACHE_SIZE 2097152
+
+#include "matrix.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <Eigen/QR>
+#include <cmath>
+
+#include "balance.h"
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using Rows = Eigen::Map<RowMajor>;
+using ConstRows = Eigen::Map<const RowMajor>;
+
+/// Right-hand sides [count][n] as columns.
+using Columns = Eigen::Map<MatrixXd>;
+
+Index index_of(size_t n) {
+    return static_cast<Index>(n);
+}
+
+/// Runs what may throw: Eigen throws where memory is lacking, and nothing else.
+template <typename Work> bool attempt(Work work) noexcept {
+    try {
+        return work();
+    } catch (...) {
+        return false;
+    }
+}
+
+/// The first of the components that are as large as any, to rounding: so the choice does not hang on the last bits.
+template <typename Sizes> Index largest_of(const Sizes &sizes) {
+    const double enough = (1.0 - 1e-6) * sizes.maxCoeff();
+    Index i = 0;
+    while (i + 1 < sizes.size() && !(sizes(i) >= enough)) i++;
+    return i;
+}
+
+/// What is not positive definite has no factors; Eigen looks at the last pivots only, and NaN passes.
+bool factor(Eigen::LLT<MatrixXd> &factors, const MatrixXd &m) {
+    factors.compute(m);
+    return factors.info() == Eigen::Success && factors.matrixLLT().diagonal().minCoeff() > 0.0;
+}
+
+bool symmetric_modes(Index n, const double *k, const double *m, double *values, double *vectors) {
+    MatrixXd stiffness = ConstRows(k, n, n);
+    Eigen::LLT<MatrixXd> factors;
+    if (m != nullptr) {
+        const MatrixXd mass = ConstRows(m, n, n);
+        if (!mass.allFinite() || !factor(factors, mass)) return false;
+        stiffness = stiffness.selfadjointView<Eigen::Lower>();
+        factors.matrixL().solveInPlace(stiffness);
+        factors.matrixU().solveInPlace<Eigen::OnTheRight>(stiffness);
+    }
+    if (!stiffness.allFinite()) return false;
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(stiffness);
+    if (solver.info() != Eigen::Success) return false;
+    Eigen::Map<VectorXd>(values, n) = solver.eigenvalues();
+    Columns modes(vectors, n, n);
+    modes = solver.eigenvectors();
+    if (m != nullptr) factors.matrixU().solveInPlace(modes);
+    for (Index mode = 0; mode < n; mode++) {
+        auto shape = modes.col(mode);
+        if (shape(largest_of(shape.cwiseAbs().eval())) < 0.0) shape = -shape;
+    }
+    return modes.allFinite();
+}
+
+/// Of length 1, the largest component real and positive; written as pairs.
+void write_vector(const Eigen::VectorXcd &v, double *out) {
+    const VectorXd sizes = v.cwiseAbs2();
+    const std::complex<double> first = v(largest_of(sizes));
+    const double length = std::sqrt(sizes.sum()), size = std::sqrt(std::norm(first));
+    const double c = first.real() / size / length, s = first.imag() / size / length;
+    for (Index i = 0; i < v.size(); i++) {
+        out[2 * i] = v(i).real() * c + v(i).imag() * s;
+        out[2 * i + 1] = v(i).imag() * c - v(i).real() * s;
+    }
+}
+
+bool eigen(Index n, double *a, double *real, double *imaginary, double *vectors) {
+    VectorXd scale(n);
+    Rows rows(a, n, n);
+    if (!rows.allFinite()) return false;
+    matrix_balance(static_cast<size_t>(n), a, scale.data());
+    const Eigen::EigenSolver<MatrixXd> solver(rows, vectors != nullptr);
+    if (solver.info() != Eigen::Success) return false;
+    Eigen::Map<VectorXd>(real, n) = solver.eigenvalues().real();
+    Eigen::Map<VectorXd>(imaginary, n) = solver.eigenvalues().imag();
+    if (vectors == nullptr) return true;
+    const Eigen::MatrixXcd found = solver.eigenvectors();
+    for (Index i = 0; i < n; i++) write_vector(scale.asDiagonal() * found.col(i), vectors + 2 * n * i);
+    return found.allFinite();
+}
+
+bool solve(MatrixXd &a, Columns &b) {
+    if (!a.allFinite() || !b.allFinite()) return false;
+    const Eigen::PartialPivLU<Eigen::Ref<MatrixXd>> factors(a);
+    if (!(a.diagonal().cwiseAbs().minCoeff() > 0.0)) return false;
+    b = factors.solve(b).eval();
+    return b.allFinite();
+}
+
+/// Real and imaginary parts one after the other: [A, -B; B, A], so that all divisions are of real numbers.
+bool solve_complex(Index n, const double *a, Index count, double *b) {
+    MatrixXd both(2 * n, 2 * n), sides(2 * n, count);
+    for (Index i = 0; i < n; i++)
+        for (Index k = 0; k < n; k++) {
+            const double *entry = a + 2 * (i * n + k);
+            both(i, k) = both(n + i, n + k) = entry[0];
+            both(n + i, k) = entry[1];
+            both(i, n + k) = -entry[1];
+        }
+    for (Index c = 0; c < count; c++)
+        for (Index i = 0; i < n; i++) {
+            sides(i, c) = b[2 * (c * n + i)];
+            sides(n + i, c) = b[2 * (c * n + i) + 1];
+        }
+    Columns columns(sides.data(), 2 * n, count);
+    if (!solve(both, columns)) return false;
+    for (Index c = 0; c < count; c++)
+        for (Index i = 0; i < n; i++) {
+            b[2 * (c * n + i)] = sides(i, c);
+            b[2 * (c * n + i) + 1] = sides(n + i, c);
+        }
+    return true;
+}
+
+} // namespace
+
+bool matrix_symmetric_modes(size_t n, const double *k, const double *m, double *values, double *vectors) {
+    return n == 0 || attempt([&] { return symmetric_modes(index_of(n), k, m, values, vectors); });
+}
+
+bool matrix_eigen(size_t n, double *a, double *real, double *imaginary, double *vectors) {
+    return n == 0 || attempt([&] { return eigen(index_of(n), a, real, imaginary, vectors); });
+}
+
+bool matrix_solve(size_t n, const double *a, size_t count, double *b) {
+    return n == 0 || count == 0 || attempt([&] {
+               MatrixXd columns = ConstRows(a, index_of(n), index_of(n));
+               Columns sides(b, index_of(n), index_of(count));
+               return solve(columns, sides);
+           });
+}
+
+bool matrix_solve_complex(size_t n, const double *a, size_t count, double *b) {
+    return n == 0 || count == 0 || attempt([&] { return solve_complex(index_of(n), a, index_of(count), b); });
+}
+
+bool matrix_solve_definite(size_t n, const double *a, size_t count, double *b) {
+    return n == 0 || count == 0 || attempt([&] {
+               Eigen::LLT<MatrixXd> factors;
+               const MatrixXd columns = ConstRows(a, index_of(n), index_of(n));
+               Columns sides(b, index_of(n), index_of(count));
+               if (!columns.allFinite() || !factor(factors, columns)) return false;
+               factors.solveInPlace(sides);
+               return sides.allFinite();
+           });
+}
+
+bool matrix_solve_shortest(size_t n, const double *a, double tolerance, double *b, size_t *rank) {
+    return n == 0 || attempt([&] {
+               const MatrixXd columns = ConstRows(a, index_of(n), index_of(n));
+               Eigen::Map<VectorXd> side(b, index_of(n));
+               if (!columns.allFinite() || !side.allFinite()) return false;
+               Eigen::CompleteOrthogonalDecomposition<MatrixXd> parts;
+               parts.setThreshold(tolerance);
+               parts.compute(columns);
+               side = parts.solve(side).eval();
+               if (rank != nullptr) *rank = static_cast<size_t>(parts.rank());
+               return side.allFinite();
+           });
+}
