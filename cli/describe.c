@@ -42,6 +42,8 @@ static void add_groups(catalogue *all, const char *part, const whirl_group *cons
 /// Everything that has a descriptor, in the order of a case file.
 static void collect(catalogue *all) {
     add_group(all, "stations", whirl_station_keys());
+    add_group(all, "shafts", whirl_shaft_keys());
+    add_group(all, "materials", whirl_material_keys());
     add_groups(all, "elements", whirl_element_groups());
     add_groups(all, "groups of a case file", whirl_case_groups());
     add_groups(all, "groups of a claims file", whirl_claims_groups());
@@ -102,6 +104,9 @@ static void allowed_text(const whirl_key *key, char *text, size_t size) {
         return;
     case WHIRL_KEY_STATIONS:
         snprintf(text, size, "two stations");
+        return;
+    case WHIRL_KEY_NAME:
+        snprintf(text, size, "of %s", key->choices);
         return;
     case WHIRL_KEY_WHOLE:
     case WHIRL_KEY_NUMBER:

@@ -18,7 +18,8 @@ typedef enum whirl_key_kind {
     WHIRL_KEY_CHOICE,     ///< one of the words in `choices`
     WHIRL_KEY_STATION,    ///< the name of a station
     WHIRL_KEY_STATIONS,   ///< two stations, "a, b"; one of them may be "ground" where the meaning says so
-    WHIRL_KEY_NUMBERS     ///< a number as above, or a list of at most WHIRL_MAX_LIST
+    WHIRL_KEY_NUMBERS,    ///< a number as above, or a list of at most WHIRL_MAX_LIST
+    WHIRL_KEY_NAME        ///< a name of what `choices` says: "shafts" or "materials"
 } whirl_key_kind;
 
 enum {
@@ -40,7 +41,8 @@ typedef struct whirl_key {
     bool required;
     const char *fallback; ///< default as text in `unit` ("0", "rk4"); "" where it is required or has none
     whirl_range range;
-    /// Words of a choice, separated by '|'; "" where the meaning says what may stand; NULL for other kinds.
+    /// Words of a choice, separated by '|'; "" where the meaning says what may stand; what a name is of; NULL for other
+    /// kinds.
     const char *choices;
     const char *meaning; ///< one line
     const char *source;  ///< author, year, equation; "" where there is nothing to cite

@@ -19,10 +19,19 @@
 extern "C" {
 #endif
 
-enum { WHIRL_MAX_STATIONS = 256, WHIRL_MAX_ELEMENTS = 1024 };
+enum {
+    WHIRL_MAX_STATIONS = 256, ///< those of the design and the nodes of its shafts
+    WHIRL_MAX_ELEMENTS = 1024,
+    WHIRL_MAX_SHAFTS = 16,
+    WHIRL_MAX_MATERIALS = 64
+};
 
 /// The keys of a station (mass, damping, eccentricity, ...).
 const whirl_group *whirl_station_keys(void);
+
+/// The keys of a shaft of finite elements (material, mesh_to, modes, ...) and of a material (modulus, density, ...).
+const whirl_group *whirl_shaft_keys(void);
+const whirl_group *whirl_material_keys(void);
 
 /// The keys of all elements, in the order in which they act; static, ended by NULL.
 const whirl_group *const *whirl_element_groups(void);
@@ -31,7 +40,7 @@ const whirl_group *const *whirl_element_groups(void);
 const whirl_group *whirl_element_group(const char *name);
 
 /// One key of a station or an element with its value. `number` is in the key's SI unit; `text` is for words:
-/// a choice, a station, two stations "disc, journal", or a list of numbers "1e7, 1.2e7" in the key's SI unit. Where
+/// a choice, a name, a station, two stations "disc, journal", or a list of numbers "1e7, 1.2e7" in the key's SI unit. Where
 /// text is not NULL it counts. Borrowed.
 typedef struct whirl_setting {
     const char *key;
@@ -42,8 +51,14 @@ typedef struct whirl_setting {
 /// A list of stations and elements, being written.
 typedef struct whirl_design whirl_design;
 
-/// Starts a design. speed: omega in rad/s, > 0; length_scale in m, > 0.
+/// Starts a design. speed: omega in rad/s, >= 0; length_scale in m, > 0. A rotor that stands still has seconds for its
+/// unit of time: linear analyses are for it, motions that revolutions are counted of are not.
 whirl_status whirl_design_new(double speed, double length_scale, whirl_design **design);
+
+/// Adds a material ("steel" is known by itself), or a shaft, whose material must be there already; stations on it and
+/// its segments come later. Names and errors as below.
+whirl_status whirl_design_material(whirl_design *design, const char *name, const whirl_setting *settings, size_t count);
+whirl_status whirl_design_shaft(whirl_design *design, const char *name, const whirl_setting *settings, size_t count);
 
 /// Adds a station; its name must be new, a word of letters, digits, '_' and '-', and not "ground".
 /// WHIRL_BAD_INPUT with a sentence for an unknown, missing, repeated or out-of-range key.
@@ -65,7 +80,7 @@ whirl_status whirl_design_add_type(whirl_design *design, const whirl_element_typ
 const whirl_element_type *whirl_run_up_type(void);
 
 /// Adds an element of a kind of whirl_element_groups() or of whirl_design_add_type(); its stations must be there
-/// already. Errors as above.
+/// already. The first segment of a design without shafts adds one called "shaft". Errors as above.
 whirl_status whirl_design_element(whirl_design *design, const char *kind, const whirl_setting *settings, size_t count);
 
 void whirl_design_free(whirl_design *design);

@@ -39,7 +39,7 @@ static void check_machine_at(case_reader *reader, case_content *content, size_t 
 
 /// The ends of a sweep stand for all of it; what fails between them fails while running.
 static void check_ends(case_reader *reader, case_content *content, const plan_parts *parts) {
-    const size_t members = content->machine.station_count + content->machine.element_count;
+    const size_t members = content->machine.stations.count + content->machine.element_count;
     const size_t affordable = CHECK_BUDGET / (reader->expression_bytes + ELEMENT_COST * members + 1) + 2;
     for (size_t b = 0; b < content->plan.batch_count; b++) {
         const whirl_batch *batch = &content->plan.batches[b];

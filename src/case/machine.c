@@ -7,55 +7,94 @@
 #include "problem.h"
 #include "schema.h"
 
-size_t machine_station(const machine_parts *machine, const char *name) {
-    for (size_t i = 0; i < machine->station_count; i++)
-        if (strcmp(machine->station_names[i], name) == 0) return i;
-    return machine->station_count;
+size_t named_find(const named_list *in, const char *name) {
+    for (size_t i = 0; i < in->count; i++)
+        if (strcmp(in->names[i], name) == 0) return i;
+    return in->count;
 }
 
-// ---------------------------------------------------------------- stations
+// ---------------------------------------------------------------- parts with names
 
-static bool is_station_name(const char *name) {
+/// A kind of them, as messages have it.
+typedef struct part_kind {
+    const char *one, *all;
+    const whirl_group *group;
+    size_t most;
+} part_kind;
+
+static bool is_name(const char *name) {
     for (const char *c = name; *c; c++)
         if (!isalnum((unsigned char)*c) && *c != '_' && *c != '-') return false;
     return name[0] && strlen(name) < WHIRL_NAME_SIZE;
 }
 
-/// As a name of a station, not "ground", which some places take beside it.
+/// As a name of a part, not "ground", which some places take beside stations.
 static bool is_usable(const char *name) {
-    return is_station_name(name) && strcmp(name, "ground") != 0;
+    return is_name(name) && strcmp(name, "ground") != 0;
 }
 
-static void check_station_name(case_reader *reader, const file_node *where) {
-    const bool ground = strcmp(where->key, "ground") == 0;
-    if (ground)
+static void check_name(case_reader *reader, const file_node *where, const part_kind *kind) {
+    if (strcmp(where->key, "ground") == 0)
         problem_at_key(reader->problems, where, "stands for the ground itself, expected another name");
-    else if (!is_station_name(where->key))
-        problem_at_key(reader->problems, where, "is no name for a station, expected letters, digits, '_' and '-'");
+    else if (!is_name(where->key))
+        problem_at_key(reader->problems, where, "is no name for a %s, expected letters, digits, '_' and '-'",
+                       kind->one);
 }
 
-static void read_stations(case_reader *reader, const file_node *where, machine_parts *result) {
+static void read_named(case_reader *reader, const file_node *where, const part_kind *kind, named_list *result) {
     char shown[SHOWN_SIZE];
     if (where->kind != NODE_MAPPING || where->count == 0) {
-        problem_at(reader->problems, where, "is %s, expected names of stations with their keys",
-                   node_is_null(where) || where->kind == NODE_MAPPING ? "empty" : node_shown(where, shown));
+        problem_at(reader->problems, where, "is %s, expected names of %s with their keys",
+                   node_is_null(where) || where->kind == NODE_MAPPING ? "empty" : node_shown(where, shown), kind->all);
         return;
     }
-    if (where->count > WHIRL_MAX_STATIONS)
-        problem_at(reader->problems, where, "has %zu stations, expected at most %d", where->count, WHIRL_MAX_STATIONS);
-    result->stations = arena_take(reader->arena, WHIRL_MAX_STATIONS * sizeof *result->stations);
-    result->station_names = arena_take(reader->arena, WHIRL_MAX_STATIONS * sizeof *result->station_names);
-    reader->no_memory = reader->no_memory || !result->stations || !result->station_names;
+    if (where->count > kind->most)
+        problem_at(reader->problems, where, "has %zu %s, expected at most %zu", where->count, kind->all, kind->most);
+    result->items = arena_take(reader->arena, kind->most * sizeof *result->items);
+    result->names = arena_take(reader->arena, kind->most * sizeof *result->names);
+    reader->no_memory = reader->no_memory || !result->items || !result->names;
     if (reader->no_memory) return;
     for (const file_node *member = where->first; member; member = member->next) {
-        if (machine_station(result, member->key) < result->station_count) continue; // a name that stands twice
-        if (result->station_count == WHIRL_MAX_STATIONS) break;
-        const size_t i = result->station_count++;
-        result->station_names[i] = member->key;
-        check_station_name(reader, member);
-        settings_read(reader, member, whirl_station_keys(), &result->stations[i]);
-        result->stations[i].name = member->key;
+        if (named_find(result, member->key) < result->count) continue; // a name that stands twice
+        if (result->count == kind->most) break;
+        const size_t i = result->count++;
+        result->names[i] = member->key;
+        check_name(reader, member, kind);
+        settings_read(reader, member, kind->group, &result->items[i]);
+        result->items[i].name = member->key;
     }
+}
+
+static void read_parts(case_reader *reader, machine_parts *result) {
+    const part_kind stations = {"station", "stations", whirl_station_keys(), WHIRL_MAX_STATIONS};
+    const part_kind shafts = {"shaft", "shafts", whirl_shaft_keys(), WHIRL_MAX_SHAFTS};
+    const part_kind materials = {"material", "materials", whirl_material_keys(), WHIRL_MAX_MATERIALS};
+    const setting *given[] = {settings_find(&result->rotor, "stations"), settings_find(&result->rotor, "shafts"),
+                              settings_find(&result->rotor, "materials")};
+    if (given[0]) read_named(reader, given[0]->place, &stations, &result->stations);
+    if (given[1]) read_named(reader, given[1]->place, &shafts, &result->shafts);
+    if (given[2]) read_named(reader, given[2]->place, &materials, &result->materials);
+}
+
+/// Names of shafts and materials in the settings of a part.
+static bool check_names(case_reader *reader, const machine_parts *machine, const setting_list *part) {
+    bool good = true;
+    for (size_t i = 0; i < part->count; i++) {
+        char shown[SHOWN_SIZE], advice[WHY_SIZE];
+        const setting *item = &part->items[i];
+        if (!item->good || item->key->kind != WHIRL_KEY_NAME) continue;
+        const bool of_shafts = strcmp(item->key->choices, "shafts") == 0;
+        const named_list *in = of_shafts ? &machine->shafts : &machine->materials;
+        if (named_find(in, item->word) < in->count || (!of_shafts && strcmp(item->word, "steel") == 0)) continue;
+        good = false;
+        describe_names(item->word, in->names, in->count, advice);
+        problem_at(reader->problems, item->place, "is %s, which is no %s, %s", text_shown(item->word, shown),
+                   of_shafts ? "shaft" : "material",
+                   in->count > 0 ? advice
+                   : of_shafts   ? "expected a name of shafts"
+                                 : "expected steel");
+    }
+    return good;
 }
 
 // ---------------------------------------------------------------- elements
@@ -63,8 +102,8 @@ static void read_stations(case_reader *reader, const file_node *where, machine_p
 void machine_advise(const machine_parts *machine, const char *word, bool ground, char advice[WHY_SIZE]) {
     const char *names[WHIRL_MAX_STATIONS + 1];
     size_t count = 0;
-    for (size_t i = 0; i < machine->station_count; i++)
-        if (is_usable(machine->station_names[i])) names[count++] = machine->station_names[i];
+    for (size_t i = 0; i < machine->stations.count; i++)
+        if (is_usable(machine->stations.names[i])) names[count++] = machine->stations.names[i];
     if (count == 0)
         snprintf(advice, WHY_SIZE, "expected the name of a station");
     else if (ground)
@@ -75,7 +114,8 @@ void machine_advise(const machine_parts *machine, const char *word, bool ground,
 static bool check_station(case_reader *reader, const machine_parts *machine, const file_node *where, const char *name,
                           bool ground) {
     char shown[SHOWN_SIZE], advice[WHY_SIZE];
-    if (machine_station(machine, name) < machine->station_count || (ground && strcmp(name, "ground") == 0)) return true;
+    if (named_find(&machine->stations, name) < machine->stations.count || (ground && strcmp(name, "ground") == 0))
+        return true;
     if (!reader_reports(reader, "station", name)) return false;
     machine_advise(machine, name, ground, advice);
     problem_at(reader->problems, where, "is %s, which is no station, %s", text_shown(name, shown), advice);
@@ -104,7 +144,7 @@ static bool check_pair(case_reader *reader, const machine_parts *machine, const 
 
 static bool check_stations(case_reader *reader, const machine_parts *machine, const setting_list *element) {
     bool good = true;
-    if (machine->station_count == 0) return true; // said already
+    if (machine->stations.count == 0) return true; // said already
     for (size_t i = 0; i < element->count; i++) {
         const setting *item = &element->items[i];
         if (!item->good) continue;
@@ -148,7 +188,8 @@ static void read_element(case_reader *reader, const file_node *item, machine_par
     setting_list *element = &result->elements[result->element_count++];
     settings_read(reader, bare ? &nothing : where, group, element);
     element->place = where;
-    element->sound = check_stations(reader, result, element) && reader->problems->count == problems;
+    element->sound = check_stations(reader, result, element) && check_names(reader, result, element) &&
+                     reader->problems->count == problems;
     for (size_t i = 0; i < element->count; i++) element->sound = element->sound && element->items[i].good;
 }
 
@@ -174,9 +215,10 @@ static void read_elements(case_reader *reader, const file_node *where, machine_p
 void machine_read(case_reader *reader, const file_node *where, machine_parts *result) {
     *result = (machine_parts){.elements_place = where};
     settings_read(reader, where, &schema_rotor, &result->rotor);
-    const setting *stations = settings_find(&result->rotor, "stations");
     const setting *elements = settings_find(&result->rotor, "elements");
-    if (stations) read_stations(reader, stations->place, result);
+    read_parts(reader, result);
+    for (size_t i = 0; i < result->stations.count; i++) check_names(reader, result, &result->stations.items[i]);
+    for (size_t i = 0; i < result->shafts.count; i++) check_names(reader, result, &result->shafts.items[i]);
     if (elements) read_elements(reader, elements->place, result);
 }
 
@@ -202,11 +244,15 @@ static whirl_status new_design(const machine_parts *machine, valuation *v, whirl
     return whirl_design_new(speed, length, design);
 }
 
-static whirl_status add_station(const machine_parts *machine, size_t index, valuation *v, whirl_design *design) {
+typedef whirl_status add_part_fn(whirl_design *design, const char *name, const whirl_setting *settings, size_t count);
+
+static whirl_status add_parts(const named_list *parts, valuation *v, add_part_fn *add, whirl_design *design) {
     whirl_setting values[SETTINGS_MAX];
-    const setting_list *station = &machine->stations[index];
-    whirl_status status = evaluate(station, v, values);
-    if (status.code == WHIRL_OK) status = whirl_design_station(design, station->name, values, station->count);
+    whirl_status status = whirl_ok();
+    for (size_t i = 0; i < parts->count && status.code == WHIRL_OK; i++) {
+        status = evaluate(&parts->items[i], v, values);
+        if (status.code == WHIRL_OK) status = add(design, parts->names[i], values, parts->items[i].count);
+    }
     return status;
 }
 
@@ -220,8 +266,9 @@ static whirl_status add_element(const machine_parts *machine, size_t index, valu
 
 static whirl_status make_design(const machine_parts *machine, valuation *v, whirl_design **design) {
     whirl_status status = new_design(machine, v, design);
-    for (size_t i = 0; i < machine->station_count && status.code == WHIRL_OK; i++)
-        status = add_station(machine, i, v, *design);
+    if (status.code == WHIRL_OK) status = add_parts(&machine->materials, v, whirl_design_material, *design);
+    if (status.code == WHIRL_OK) status = add_parts(&machine->shafts, v, whirl_design_shaft, *design);
+    if (status.code == WHIRL_OK) status = add_parts(&machine->stations, v, whirl_design_station, *design);
     for (size_t i = 0; i < machine->element_count && status.code == WHIRL_OK; i++)
         status = add_element(machine, i, v, *design);
     return status;
@@ -246,7 +293,10 @@ static bool tell(case_reader *reader, const file_node *where, const whirl_status
 
 static bool check_values(case_reader *reader, valuation *v, const machine_parts *machine) {
     bool good = settings_check(reader, v, &machine->rotor);
-    for (size_t i = 0; i < machine->station_count; i++) good = settings_check(reader, v, &machine->stations[i]) && good;
+    const named_list *const named[] = {&machine->materials, &machine->shafts, &machine->stations};
+    for (int kind = 0; kind < 3; kind++)
+        for (size_t i = 0; i < named[kind]->count; i++)
+            good = settings_check(reader, v, &named[kind]->items[i]) && good;
     for (size_t i = 0; i < machine->element_count; i++) good = settings_check(reader, v, &machine->elements[i]) && good;
     return good;
 }
@@ -295,9 +345,9 @@ static whirl_status build_alone(const machine_parts *machine, const setting_list
         const double number = item->value.expression ? 1.0 : item->value.number;
         values[i] = (whirl_setting){.key = item->key->name, .number = number, .text = item->word};
     }
-    for (size_t i = 0; i < machine->station_count && status.code == WHIRL_OK; i++)
-        if (is_usable(machine->station_names[i]))
-            status = whirl_design_station(design, machine->station_names[i], unit, 2);
+    for (size_t i = 0; i < machine->stations.count && status.code == WHIRL_OK; i++)
+        if (is_usable(machine->stations.names[i]))
+            status = whirl_design_station(design, machine->stations.names[i], unit, 2);
     if (status.code == WHIRL_OK) status = whirl_design_element(design, element->name, values, element->count);
     if (status.code == WHIRL_OK) status = whirl_rotor_new(design, &rotor);
     whirl_rotor_free(rotor);
@@ -305,8 +355,10 @@ static whirl_status build_alone(const machine_parts *machine, const setting_list
     return status;
 }
 
-/// A table may be of the speed, which is not known here.
-static bool has_list(const setting_list *element) {
+/// A table may be of the speed, which is not known here; and a part of a shaft is no rotor without the others.
+static bool needs_others(const setting_list *element) {
+    for (size_t k = 0; k < element->group->key_count; k++)
+        if (element->group->keys[k].kind == WHIRL_KEY_NAME) return true;
     for (size_t i = 0; i < element->count; i++)
         if (element->items[i].key->kind == WHIRL_KEY_NUMBERS && element->items[i].word) return true;
     return false;
@@ -314,9 +366,9 @@ static bool has_list(const setting_list *element) {
 
 void machine_check_alone(case_reader *reader, const machine_parts *machine) {
     bool usable = false;
-    for (size_t i = 0; i < machine->station_count; i++) usable = usable || is_usable(machine->station_names[i]);
+    for (size_t i = 0; i < machine->stations.count; i++) usable = usable || is_usable(machine->stations.names[i]);
     for (size_t i = 0; usable && i < machine->element_count; i++) {
-        if (!machine->elements[i].sound || has_list(&machine->elements[i])) continue;
+        if (!machine->elements[i].sound || needs_others(&machine->elements[i])) continue;
         const whirl_status status = build_alone(machine, &machine->elements[i]);
         tell(reader, machine->elements[i].place, &status);
     }

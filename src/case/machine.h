@@ -5,11 +5,16 @@
 #include "settings.h"
 #include "whirl/rotor.h"
 
+/// Parts that have names.
+typedef struct named_list {
+    size_t count;
+    setting_list *items;
+    const char **names; ///< [count]
+} named_list;
+
 typedef struct machine_parts {
     setting_list rotor; ///< speed and length scale
-    size_t station_count;
-    setting_list *stations;
-    const char **station_names; ///< [station_count]
+    named_list stations, shafts, materials;
     size_t element_count;
     setting_list *elements;
     const file_node *elements_place;
@@ -30,7 +35,7 @@ void machine_check_alone(case_reader *reader, const machine_parts *machine);
 /// What to say of a word that is no station: the nearest one or all of them, and ground where that is allowed.
 void machine_advise(const machine_parts *machine, const char *word, bool ground, char advice[WHY_SIZE]);
 
-/// Index of a station, or station_count.
-size_t machine_station(const machine_parts *machine, const char *name);
+/// Index of the part of that name, or their count.
+size_t named_find(const named_list *in, const char *name);
 
 #endif

@@ -6,7 +6,7 @@
 
 #include "schema.h"
 
-enum { MOST_NAMES = WHIRL_MAX_STATIONS + 64 };
+enum { MOST_NAMES = WHIRL_MAX_STATIONS + WHIRL_MAX_SHAFTS + WHIRL_MAX_MATERIALS + 64 };
 
 // ---------------------------------------------------------------- elements
 
@@ -62,7 +62,9 @@ static whirl_status element_path(const machine_parts *machine, const char *head,
 static size_t collect_names(const case_content *content, const char *names[MOST_NAMES]) {
     const machine_parts *const machine = &content->machine;
     size_t count = 0;
-    for (size_t i = 0; i < machine->station_count; i++) names[count++] = machine->station_names[i];
+    for (size_t i = 0; i < machine->stations.count; i++) names[count++] = machine->stations.names[i];
+    for (size_t i = 0; i < machine->shafts.count; i++) names[count++] = machine->shafts.names[i];
+    for (size_t i = 0; i < machine->materials.count; i++) names[count++] = machine->materials.names[i];
     for (const whirl_group *const *group = whirl_element_groups(); *group && count < MOST_NAMES; group++)
         if (count_kind(machine, (*group)->name) > 0) names[count++] = (*group)->name;
     const whirl_key *key;
@@ -117,8 +119,12 @@ whirl_status path_of_name(const case_content *content, const char *name, char pa
     const element_name element = split_element(head);
     if (is_root(head))
         snprintf(path, PATH_SIZE, "%s", name);
-    else if (machine_station(machine, head) < machine->station_count)
+    else if (named_find(&machine->stations, head) < machine->stations.count)
         snprintf(path, PATH_SIZE, "rotor.stations.%s", name);
+    else if (named_find(&machine->shafts, head) < machine->shafts.count)
+        snprintf(path, PATH_SIZE, "rotor.shafts.%s", name);
+    else if (named_find(&machine->materials, head) < machine->materials.count)
+        snprintf(path, PATH_SIZE, "rotor.materials.%s", name);
     else if (count_kind(machine, element.kind) > 0)
         return element_path(machine, head, dot + 1, path);
     else if (whirl_group_key(&schema_study, head))

@@ -320,7 +320,7 @@ whirl_status plan_start_state(const study_plan *plan, size_t batch, valuation *v
 
 /// Refuses places and velocities along an axis that the station does not move along.
 static void check_axes(case_reader *reader, const machine_parts *machine, const plan_start *start) {
-    const setting *moves = settings_find(&machine->stations[start->station], "moves");
+    const setting *moves = settings_find(&machine->stations.items[start->station], "moves");
     const whirl_member *coordinate;
     for (size_t k = 0; moves && moves->word && (coordinate = coordinate_at(k)) != NULL; k++) {
         const char *key = coordinate->key.name, *axis = key + strlen(key) - 1;

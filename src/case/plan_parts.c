@@ -183,8 +183,8 @@ static void read_initial(case_reader *reader, const file_node *where, const mach
     reader->no_memory = reader->no_memory || !result->starts;
     if (!result->starts) return;
     for (const file_node *member = where->first; member; member = member->next) {
-        const size_t station = machine_station(machine, member->key);
-        if (station == machine->station_count) {
+        const size_t station = named_find(&machine->stations, member->key);
+        if (station == machine->stations.count) {
             if (!reader_reports(reader, "station", member->key)) continue;
             machine_advise(machine, member->key, false, advice);
             problem_at_key(reader->problems, member, "is no station, %s", advice);

@@ -94,11 +94,12 @@ static bool read_choice(case_reader *reader, const file_node *where, const whirl
     return false;
 }
 
-static bool read_station(case_reader *reader, const file_node *where, setting *result) {
+/// Of a station, or of `kind`.
+static bool read_name(case_reader *reader, const file_node *where, const char *kind, setting *result) {
     char shown[SHOWN_SIZE];
     result->word = where->kind == NODE_TEXT ? where->text : NULL;
     if (result->word && result->word[0]) return true;
-    problem_at(reader->problems, where, "is %s, expected the name of a station", node_shown(where, shown));
+    problem_at(reader->problems, where, "is %s, expected the name of %s", node_shown(where, shown), kind);
     return false;
 }
 
@@ -177,7 +178,9 @@ static bool read_value(case_reader *reader, const file_node *where, const whirl_
         result->word = where->kind == NODE_TEXT ? where->text : NULL;
         return key->choices[0] == '\0' || read_choice(reader, where, key, result);
     case WHIRL_KEY_STATION:
-        return read_station(reader, where, result);
+        return read_name(reader, where, "a station", result);
+    case WHIRL_KEY_NAME:
+        return read_name(reader, where, strcmp(key->choices, "shafts") == 0 ? "a shaft" : "a material", result);
     case WHIRL_KEY_STATIONS:
         return read_stations(reader, where, result);
     case WHIRL_KEY_NUMBERS:

@@ -43,7 +43,9 @@ void whirl_case_uses(const whirl_case *object, whirl_case_use_fn see, void *cont
     const study_plan *plan = &object->content.plan;
     walk w = {.object = object, .see = see, .context = context};
     see_list(&w, &machine->rotor);
-    for (size_t i = 0; i < machine->station_count; i++) see_list(&w, &machine->stations[i]);
+    for (size_t i = 0; i < machine->materials.count; i++) see_list(&w, &machine->materials.items[i]);
+    for (size_t i = 0; i < machine->shafts.count; i++) see_list(&w, &machine->shafts.items[i]);
+    for (size_t i = 0; i < machine->stations.count; i++) see_list(&w, &machine->stations.items[i]);
     for (size_t i = 0; i < machine->element_count; i++) see_list(&w, &machine->elements[i]);
     for (size_t i = 0; i < plan->start_count; i++) see_list(&w, &plan->starts[i].state);
 }

@@ -6,14 +6,16 @@
 #include <string.h>
 
 whirl_status assembly_begin(assembly *to, double speed, double length, size_t station_count) {
-    *to = (assembly){.speed = speed, .clock = speed, .turn = 1.0, .length = length, .station_count = station_count};
+    *to = (assembly){.speed = speed, .turn = 1.0, .length = length, .station_count = station_count};
+    to->clock = speed > 0.0 ? speed : 1.0;
     to->stations = calloc(station_count, sizeof *to->stations);
     to->numbers = calloc(station_count, sizeof *to->numbers);
     to->inertia = calloc(AXES * station_count, sizeof *to->inertia);
     to->unit = calloc(AXES * station_count, sizeof *to->unit);
     if (!to->stations || !to->numbers || !to->inertia || !to->unit)
         return whirl_fail(WHIRL_NO_MEMORY, "no memory for a rotor of %zu stations", station_count);
-    for (size_t s = 0; s < station_count; s++) to->stations[s].moves_x = to->stations[s].moves_y = true;
+    for (size_t s = 0; s < station_count; s++)
+        to->stations[s] = (assembly_station){.moves_x = true, .moves_y = true, .shaft = NO_SHAFT, .ratio = 1.0};
     return whirl_ok();
 }
 
@@ -24,12 +26,13 @@ void assembly_clear(assembly *to) {
     free(to->unit);
     free(to->terms);
     free(to->masses);
+    body_clear(&to->body);
 }
 
 // ---------------------------------------------------------------- coordinates
 
 static bool in_plane(const assembly_station *station) {
-    return station->moves_x && station->moves_y;
+    return station->moves_x && station->moves_y && !station->hidden;
 }
 
 static size_t add_coordinate(assembly *to, double inertia, double unit) {
@@ -77,9 +80,14 @@ whirl_status assembly_number(assembly *to, const size_t *order) {
         add_displacements(to, station);
     }
     for (size_t s = 0; s < to->station_count; s++)
-        if (!in_plane(&to->stations[s])) add_displacements(to, &to->stations[s]);
+        if (!in_plane(&to->stations[s]) && !to->stations[s].hidden) add_displacements(to, &to->stations[s]);
     for (size_t s = 0; s < to->station_count; s++)
-        if (to->stations[s].diametral > 0.0) add_tilts(to, &to->stations[s]);
+        if (to->stations[s].diametral > 0.0 && !to->stations[s].hidden) add_tilts(to, &to->stations[s]);
+    for (size_t s = 0; s < to->station_count; s++) {
+        if (!to->stations[s].hidden) continue;
+        add_displacements(to, &to->stations[s]);
+        add_tilts(to, &to->stations[s]);
+    }
     return whirl_ok();
 }
 
@@ -124,7 +132,7 @@ static void *room_for_one(assembly *to, void *list, size_t count, size_t *room, 
     return longer;
 }
 
-static void add_term(assembly *to, linear_term term) {
+void assembly_term(assembly *to, linear_term term) {
     linear_term *terms = room_for_one(to, to->terms, to->term_count, &to->term_room, sizeof term);
     if (!terms) return;
     to->terms = terms;
@@ -134,13 +142,13 @@ static void add_term(assembly *to, linear_term term) {
 void assembly_stiffness(assembly *to, size_t row, size_t by, double stiffness) {
     if (row == NO_COORDINATE || by == NO_COORDINATE) return;
     const double scale = assembly_force_scale(to, row) / to->unit[by];
-    add_term(to, (linear_term){row, SOURCE_PLACE, by, -stiffness / scale});
+    assembly_term(to, (linear_term){row, SOURCE_PLACE, by, -stiffness / scale});
 }
 
 void assembly_damping(assembly *to, size_t row, size_t by, double damping) {
     if (row == NO_COORDINATE || by == NO_COORDINATE) return;
     const double scale = assembly_force_scale(to, row) / to->unit[by];
-    add_term(to, (linear_term){row, SOURCE_VELOCITY, by, -damping * to->clock / scale});
+    assembly_term(to, (linear_term){row, SOURCE_VELOCITY, by, -damping * to->clock / scale});
 }
 
 void assembly_spring(assembly *to, size_t one, size_t other, double stiffness) {
@@ -173,7 +181,7 @@ void assembly_inerter(assembly *to, size_t one, size_t other, double mass) {
 
 void assembly_forcing(assembly *to, size_t row, size_t value, double force) {
     if (row == NO_COORDINATE) return;
-    add_term(to, (linear_term){row, SOURCE_FORCING, value, force / assembly_force_scale(to, row)});
+    assembly_term(to, (linear_term){row, SOURCE_FORCING, value, force / assembly_force_scale(to, row)});
 }
 
 void assembly_turning(assembly *to, size_t x, size_t y, double force, double angle) {
@@ -184,9 +192,16 @@ void assembly_turning(assembly *to, size_t x, size_t y, double force, double ang
 }
 
 void assembly_gyroscopic(assembly *to, size_t station, double polar) {
-    const size_t *at = to->stations[station].coordinate;
-    assembly_damping(to, at[AXIS_TILT_X], at[AXIS_TILT_Y], polar * to->speed);
-    assembly_damping(to, at[AXIS_TILT_Y], at[AXIS_TILT_X], -polar * to->speed);
+    const size_t *at = to->stations[station].coordinate, x = at[AXIS_TILT_X], y = at[AXIS_TILT_Y];
+    if (to->stations[station].shaft != NO_SHAFT) {
+        const double turned = polar * to->stations[station].ratio;
+        const body_kind gyroscopic = {BODY_VELOCITY, RATE_GYRO, BODY_STEADY};
+        body_add(&to->body, x, y, gyroscopic, -turned);
+        body_add(&to->body, y, x, gyroscopic, turned);
+        return;
+    }
+    assembly_damping(to, x, y, polar * to->speed);
+    assembly_damping(to, y, x, -polar * to->speed);
 }
 
 void assembly_unbalance(assembly *to, size_t station, double moment, double angle) {
@@ -200,17 +215,26 @@ void assembly_unbalance(assembly *to, size_t station, double moment, double angl
     to->numbers[at->place][STATION_UNBALANCE_SIN] += acceleration * sin(angle);
 }
 
+/// The weight of a shaft at a node, beside that of stations of the design.
+static void pull_node(assembly *to, const assembly_station *at, double x, double y) {
+    const double force[AXES] = {x * at->mass, y * at->mass, x * at->pull_moment, y * at->pull_moment};
+    for (axis along = at->hidden ? AXIS_X : AXIS_TILT_X; along < AXES; along++)
+        body_add(&to->body, at->coordinate[along], 0, (body_kind){BODY_ONE, RATE_STATIC, BODY_STEADY}, force[along]);
+}
+
 void assembly_pull(assembly *to, double x, double y) {
     const double scale = to->clock * to->clock * to->length;
     for (size_t s = 0; s < to->station_count; s++) {
         const assembly_station *at = &to->stations[s];
+        if (at->shaft != NO_SHAFT) pull_node(to, at, x, y);
+        if (at->hidden) continue;
         const double part = at->mass / inertia_of(at), pull_x = x / scale * part, pull_y = y / scale * part;
         if (in_plane(at)) {
             to->numbers[at->place][STATION_PULL_X] += pull_x;
             to->numbers[at->place][STATION_PULL_Y] += pull_y;
         } else {
-            if (at->moves_x) add_term(to, (linear_term){at->coordinate[AXIS_X], SOURCE_ONE, 0, pull_x});
-            if (at->moves_y) add_term(to, (linear_term){at->coordinate[AXIS_Y], SOURCE_ONE, 0, pull_y});
+            if (at->moves_x) assembly_term(to, (linear_term){at->coordinate[AXIS_X], SOURCE_ONE, 0, pull_x});
+            if (at->moves_y) assembly_term(to, (linear_term){at->coordinate[AXIS_Y], SOURCE_ONE, 0, pull_y});
         }
     }
 }
@@ -236,7 +260,7 @@ static int compare_terms(const void *one, const void *other) {
 
 bool assembly_finish(assembly *to) {
     size_t kept = 0;
-    if (to->no_memory) return false;
+    if (to->no_memory || !body_finish(&to->body)) return false;
     if (to->term_count > 0) qsort(to->terms, to->term_count, sizeof *to->terms, compare_terms);
     for (size_t i = 0; i < to->term_count; i++) {
         const linear_term *term = &to->terms[i];

@@ -1,15 +1,17 @@
 /// The coordinates of a rotor, their inertia, and what acts on them linearly: what stations and elements build
 /// together.
 ///
-/// Stations that move in x and y have their coordinates first, two and two; tilts and stations that move along one axis
-/// follow. All that is handed in is in SI; the assembly scales: time by 1/clock, displacements by the length scale,
-/// tilts by the length scale over the station's radius of gyration (so that both weigh alike in errors and distances).
+/// Stations that move in x and y have their coordinates first, two and two; stations that move along one axis, tilts
+/// and the nodes of shafts follow. All that is handed in is in SI; the assembly scales: time by 1/clock, displacements
+/// by the length scale, tilts by the length scale over the station's radius of gyration (so that both weigh alike in
+/// errors and distances).
 #ifndef ROTOR_ASSEMBLY_H
 #define ROTOR_ASSEMBLY_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "body.h"
 #include "whirl/status.h"
 
 // Elements outside the library find these by names of the library.
@@ -31,8 +33,9 @@
 #define assembly_pull whirl_assembly_pull
 #define assembly_ground_damping whirl_assembly_ground_damping
 
-/// No coordinate: what does not move.
+/// No coordinate: what does not move; no shaft.
 #define NO_COORDINATE ((size_t)-1)
+#define NO_SHAFT ((size_t)-1)
 
 /// The ways a station can move: along x and y, and the slopes dx/dz and dy/dz of its axis, z along the shaft.
 typedef enum axis { AXIS_X, AXIS_Y, AXIS_TILT_X, AXIS_TILT_Y, AXES } axis;
@@ -63,6 +66,10 @@ typedef struct assembly_station {
     double mass, diametral, polar; ///< kg, kg m2; a station with a diametral inertia tilts
     double fluid;                  ///< kg of fluid that is moved along; inertia without weight or unbalance
     bool moves_x, moves_y;
+    size_t shaft;            ///< of finite elements, that it is a node of; NO_SHAFT
+    double ratio;            ///< of the speed of that shaft over the rotor's; 1
+    double pull_moment;      ///< kg m by which gravity tilts it: what the weight of a shaft does between its nodes
+    bool hidden;             ///< a node that is no station of the design
     size_t place;            ///< among the stations that move in x and y
     size_t coordinate[AXES]; ///< NO_COORDINATE where it does not move so
 } assembly_station;
@@ -80,10 +87,12 @@ typedef struct assembly {
     linear_term *terms;
     size_t mass_count, mass_room;
     mass_term *masses;
+    body body;      ///< what shafts of finite elements are
     bool no_memory; ///< a term was lost
 } assembly;
 
-/// An assembly of stations that move in x and y and have no mass yet; WHIRL_NO_MEMORY. Freed by assembly_clear.
+/// An assembly of stations that move in x and y and have no mass yet; WHIRL_NO_MEMORY. Freed by assembly_clear. The
+/// unit of time of a rotor that stands still is a second.
 whirl_status assembly_begin(assembly *to, double speed, double length, size_t station_count);
 void assembly_clear(assembly *to);
 
@@ -122,6 +131,9 @@ void assembly_inertance(assembly *to, size_t row, size_t by, double mass);
 /// The same for a mass that resists the acceleration of one coordinate from another (an inerter: Smith 2002), one of
 /// them perhaps NO_COORDINATE, the ground.
 void assembly_inerter(assembly *to, size_t one, size_t other, double mass);
+
+/// Adds a term as it stands, scaled.
+void assembly_term(assembly *to, linear_term term);
 
 /// Adds a force (N or N m) times a value of time to the coordinate.
 void assembly_forcing(assembly *to, size_t row, size_t value, double force);

@@ -6,10 +6,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "registry.h"
+#include "shafts.h"
+
 whirl_status whirl_design_new(double speed, double length_scale, whirl_design **design) {
     *design = NULL;
-    if (!(isfinite(speed) && speed > 0.0))
-        return whirl_fail(WHIRL_BAD_INPUT, "speed is %g rad/s, expected a number above 0", speed);
+    if (!(isfinite(speed) && speed >= 0.0))
+        return whirl_fail(WHIRL_BAD_INPUT, "speed is %g rad/s, expected 0 or a number above", speed);
     if (!(isfinite(length_scale) && length_scale > 0.0))
         return whirl_fail(WHIRL_BAD_INPUT, "length_scale is %g m, expected a number above 0", length_scale);
     *design = calloc(1, sizeof **design);
@@ -24,43 +27,74 @@ whirl_status whirl_design_new(double speed, double length_scale, whirl_design **
 void whirl_design_free(whirl_design *design) {
     if (!design) return;
     for (size_t i = 0; i < design->station_count; i++) free(design->stations[i].values);
+    for (size_t i = 0; i < design->shaft_count; i++) free(design->shafts[i].values);
+    for (size_t i = 0; i < design->material_count; i++) free(design->materials[i].values);
     for (size_t i = 0; i < design->element_count; i++) free(design->elements[i].values);
     free(design);
 }
 
-static bool find_station(const whirl_design *design, const char *name, size_t length, size_t *station) {
-    for (size_t i = 0; i < design->station_count; i++) {
-        const char *known = design->stations[i].name;
+// ---------------------------------------------------------------- names
+
+/// The named parts of one kind.
+typedef struct part_list {
+    const char *kind; ///< "station"
+    design_part *parts;
+    size_t *count, most;
+    const whirl_group *group;
+} part_list;
+
+static part_list stations_of(whirl_design *design) {
+    return (part_list){"station", design->stations, &design->station_count, WHIRL_MAX_STATIONS, &station_group};
+}
+static part_list shafts_of(whirl_design *design) {
+    return (part_list){"shaft", design->shafts, &design->shaft_count, WHIRL_MAX_SHAFTS, &shaft_group};
+}
+static part_list materials_of(whirl_design *design) {
+    return (part_list){"material", design->materials, &design->material_count, WHIRL_MAX_MATERIALS, &material_group};
+}
+
+static bool find_part(const part_list *in, const char *name, size_t length, size_t *index) {
+    for (size_t i = 0; i < *in->count; i++) {
+        const char *known = in->parts[i].name;
         if (strlen(known) == length && strncmp(known, name, length) == 0) {
-            *station = i;
+            *index = i;
             return true;
         }
     }
     return false;
 }
 
-static whirl_status unknown_station(const whirl_design *design, const char *name, size_t length) {
+static whirl_status unknown_part(const part_list *in, const char *name, size_t length) {
     const char *names[WHIRL_MAX_STATIONS];
     char word[WHIRL_NAME_SIZE] = "";
     memcpy(word, name, length < sizeof word ? length : sizeof word - 1);
-    for (size_t i = 0; i < design->station_count; i++) names[i] = design->stations[i].name;
-    const char *near = whirl_nearest_name(word, names, design->station_count);
-    if (near) return whirl_fail(WHIRL_BAD_INPUT, "no station is called '%s', did you mean '%s'?", word, near);
-    return whirl_fail(WHIRL_BAD_INPUT, "no station is called '%s'", word);
+    for (size_t i = 0; i < *in->count; i++) names[i] = in->parts[i].name;
+    const char *near = whirl_nearest_name(word, names, *in->count);
+    if (near) return whirl_fail(WHIRL_BAD_INPUT, "no %s is called '%s', did you mean '%s'?", in->kind, word, near);
+    return whirl_fail(WHIRL_BAD_INPUT, "no %s is called '%s'", in->kind, word);
 }
 
-static whirl_status read_station(const whirl_design *design, const char *name, size_t length, bool ground_allowed,
+/// A shaft or a material; steel that nobody has defined is one past the last.
+static whirl_status read_name(whirl_design *design, const whirl_key *key, const char *name, size_t *index) {
+    const bool is_material = strcmp(key->choices, "materials") == 0;
+    const part_list in = is_material ? materials_of(design) : shafts_of(design);
+    *index = *in.count;
+    if (find_part(&in, name, strlen(name), index) || (is_material && strcmp(name, "steel") == 0)) return whirl_ok();
+    return unknown_part(&in, name, strlen(name));
+}
+
+static whirl_status read_station(whirl_design *design, const char *name, size_t length, bool ground_allowed,
                                  size_t *station) {
     if (ground_allowed && length == strlen("ground") && strncmp(name, "ground", length) == 0) {
         *station = GROUND;
         return whirl_ok();
     }
-    if (find_station(design, name, length, station)) return whirl_ok();
-    return unknown_station(design, name, length);
+    const part_list in = stations_of(design);
+    return find_part(&in, name, length, station) ? whirl_ok() : unknown_part(&in, name, length);
 }
 
 /// "disc, journal" with any space around the names.
-static whirl_status read_stations(const whirl_design *design, const char *text, size_t stations[2]) {
+static whirl_status read_stations(whirl_design *design, const char *text, size_t stations[2]) {
     for (int i = 0; i < 2; i++) {
         text += strspn(text, " \t");
         const size_t length = strcspn(text, ", \t");
@@ -95,10 +129,10 @@ static whirl_status read_list(const whirl_key *key, const char *text, key_value 
     }
 }
 
-static whirl_status read_value(const whirl_design *design, const whirl_key *key, const whirl_setting *setting,
+static whirl_status read_value(whirl_design *design, const whirl_key *key, const whirl_setting *setting,
                                key_value *value) {
-    const bool is_word =
-        key->kind == WHIRL_KEY_CHOICE || key->kind == WHIRL_KEY_STATION || key->kind == WHIRL_KEY_STATIONS;
+    const bool is_word = key->kind == WHIRL_KEY_CHOICE || key->kind == WHIRL_KEY_STATION ||
+                         key->kind == WHIRL_KEY_STATIONS || key->kind == WHIRL_KEY_NAME;
     if (key->kind != WHIRL_KEY_NUMBERS && is_word != (setting->text != NULL))
         return whirl_fail(WHIRL_BAD_INPUT, "expected a %s", is_word ? "word" : "number");
     value->given = true;
@@ -116,6 +150,8 @@ static whirl_status read_value(const whirl_design *design, const whirl_key *key,
         return read_station(design, setting->text, strlen(setting->text), false, &value->station[0]);
     case WHIRL_KEY_STATIONS:
         return read_stations(design, setting->text, value->station);
+    case WHIRL_KEY_NAME:
+        return read_name(design, key, setting->text, &value->station[0]);
     case WHIRL_KEY_NUMBERS:
         value->number = setting->number;
         return setting->text ? read_list(key, setting->text, value) : whirl_key_check_number(key, setting->number);
@@ -124,7 +160,7 @@ static whirl_status read_value(const whirl_design *design, const whirl_key *key,
 }
 
 static void set_fallback(const whirl_key *key, key_value *value) {
-    if (key->fallback[0] == '\0') return;
+    if (key->fallback[0] == '\0' || key->kind == WHIRL_KEY_NAME) return;
     if (key->kind == WHIRL_KEY_CHOICE)
         value->choice = whirl_key_choice(key, key->fallback);
     else
@@ -139,7 +175,7 @@ static whirl_status unknown_key(const whirl_group *group, const char *name) {
     return whirl_fail(WHIRL_BAD_INPUT, "%s has no key '%.40s'", group->name, name);
 }
 
-static whirl_status read_settings(const whirl_design *design, const whirl_group *group, const whirl_setting *settings,
+static whirl_status read_settings(whirl_design *design, const whirl_group *group, const whirl_setting *settings,
                                   size_t count, key_value *values) {
     for (size_t i = 0; i < group->key_count; i++) set_fallback(&group->keys[i], &values[i]);
     for (size_t i = 0; i < count; i++) {
@@ -158,38 +194,55 @@ static whirl_status read_settings(const whirl_design *design, const whirl_group 
     return whirl_ok();
 }
 
-static whirl_status check_station_name(const whirl_design *design, const char *name) {
-    size_t station;
+static whirl_status check_name(const part_list *in, const char *name) {
+    size_t index;
     const size_t length = strlen(name);
     if (length == 0 || length >= WHIRL_NAME_SIZE)
-        return whirl_fail(WHIRL_BAD_INPUT, "a station's name has %zu letters, expected 1 to %d", length,
+        return whirl_fail(WHIRL_BAD_INPUT, "a %s's name has %zu letters, expected 1 to %d", in->kind, length,
                           WHIRL_NAME_SIZE - 1);
     for (const char *c = name; *c; c++)
         if (!isalnum((unsigned char)*c) && *c != '_' && *c != '-')
-            return whirl_fail(WHIRL_BAD_INPUT, "station '%s' is no name, expected letters, digits, '_' and '-'", name);
+            return whirl_fail(WHIRL_BAD_INPUT, "%s '%s' is no name, expected letters, digits, '_' and '-'", in->kind,
+                              name);
     if (strcmp(name, "ground") == 0)
-        return whirl_fail(WHIRL_BAD_INPUT, "a station is called 'ground', which stands for the ground itself");
-    if (find_station(design, name, length, &station))
-        return whirl_fail(WHIRL_BAD_INPUT, "station '%s' is there twice", name);
-    if (design->station_count == WHIRL_MAX_STATIONS)
-        return whirl_fail(WHIRL_BAD_INPUT, "there are more than %d stations", WHIRL_MAX_STATIONS);
+        return whirl_fail(WHIRL_BAD_INPUT, "a %s is called 'ground', which stands for the ground itself", in->kind);
+    if (find_part(in, name, length, &index))
+        return whirl_fail(WHIRL_BAD_INPUT, "%s '%s' is there twice", in->kind, name);
+    if (*in->count == in->most) return whirl_fail(WHIRL_BAD_INPUT, "there are more than %zu %ss", in->most, in->kind);
     return whirl_ok();
 }
 
-whirl_status whirl_design_station(whirl_design *design, const char *name, const whirl_setting *settings, size_t count) {
-    whirl_status status = check_station_name(design, name);
+static whirl_status add_part(whirl_design *design, const part_list *to, const char *name, const whirl_setting *settings,
+                             size_t count) {
+    whirl_status status = check_name(to, name);
     if (status.code != WHIRL_OK) return status;
-    key_value *values = calloc(station_group.key_count, sizeof *values);
-    if (!values) return whirl_fail(WHIRL_NO_MEMORY, "no memory for station '%s'", name);
-    status = read_settings(design, &station_group, settings, count, values);
+    key_value *values = calloc(to->group->key_count, sizeof *values);
+    if (!values) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %s '%s'", to->kind, name);
+    status = read_settings(design, to->group, settings, count, values);
     if (status.code != WHIRL_OK) {
         free(values);
         return status;
     }
-    design_station *station = &design->stations[design->station_count++];
-    strcpy(station->name, name);
-    station->values = values;
+    design_part *part = &to->parts[(*to->count)++];
+    strcpy(part->name, name);
+    part->values = values;
     return whirl_ok();
+}
+
+whirl_status whirl_design_station(whirl_design *design, const char *name, const whirl_setting *settings, size_t count) {
+    const part_list to = stations_of(design);
+    return add_part(design, &to, name, settings, count);
+}
+
+whirl_status whirl_design_shaft(whirl_design *design, const char *name, const whirl_setting *settings, size_t count) {
+    const part_list to = shafts_of(design);
+    return add_part(design, &to, name, settings, count);
+}
+
+whirl_status whirl_design_material(whirl_design *design, const char *name, const whirl_setting *settings,
+                                   size_t count) {
+    const part_list to = materials_of(design);
+    return add_part(design, &to, name, settings, count);
 }
 
 static const element_type *find_type(const whirl_design *design, const char *kind) {
@@ -223,6 +276,10 @@ whirl_status whirl_design_element(whirl_design *design, const char *kind, const 
     if (!type) return unknown_element(design, kind);
     if (design->element_count == WHIRL_MAX_ELEMENTS)
         return whirl_fail(WHIRL_BAD_INPUT, "there are more than %d elements", WHIRL_MAX_ELEMENTS);
+    if (type == &segment_element && design->shaft_count == 0) {
+        const whirl_status status = whirl_design_shaft(design, "shaft", NULL, 0);
+        if (status.code != WHIRL_OK) return status;
+    }
     key_value *values = calloc(type->group.key_count, sizeof *values);
     if (!values) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a %s", kind);
     const whirl_status status = read_settings(design, &type->group, settings, count, values);

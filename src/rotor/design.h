@@ -5,10 +5,11 @@
 #include "element.h"
 #include "whirl/rotor.h"
 
-typedef struct design_station {
+/// A station, a shaft or a material.
+typedef struct design_part {
     char name[WHIRL_NAME_SIZE];
-    key_value *values; ///< [station_group.key_count]
-} design_station;
+    key_value *values; ///< of the keys of station_group, shaft_group or material_group
+} design_part;
 
 typedef struct design_element {
     const element_type *type;
@@ -19,8 +20,8 @@ enum { MAX_TYPES = 64 };
 
 struct whirl_design {
     double speed, length;
-    size_t station_count, element_count;
-    design_station stations[WHIRL_MAX_STATIONS];
+    size_t station_count, element_count, shaft_count, material_count;
+    design_part stations[WHIRL_MAX_STATIONS], shafts[WHIRL_MAX_SHAFTS], materials[WHIRL_MAX_MATERIALS];
     design_element elements[WHIRL_MAX_ELEMENTS];
     size_t type_count;
     const element_type *types[MAX_TYPES]; ///< the library's, then those that were added; in the order they act in

@@ -127,9 +127,14 @@ whirl_status element_in_housing(const key_value *at, const key_value *from, cons
 /// The library's elements in the order in which they act (the order fixes the last bits of a sum); ended by NULL.
 extern const element_type *const element_types[];
 
+/// Keys of a station that shafts look at.
+enum { STATION_SHAFT, STATION_POSITION };
+
 /// The station's own keys, its inertia, and what it adds to the assembly.
 extern const whirl_group station_group;
 whirl_status station_inertia(const key_value *values, assembly *to, size_t station);
 void station_build(const key_value *values, assembly *to, size_t station);
+/// Whether something of it turns with the rotor.
+bool station_turns(const key_value *values);
 
 #endif

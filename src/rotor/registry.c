@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "registry.h"
+#include "shafts.h"
 #include "whirl/rotor.h"
 
 #define ADDRESS(name) &name##_element,
@@ -12,6 +13,14 @@ static const whirl_group *const groups[] = {ELEMENTS(GROUP) NULL};
 
 const whirl_group *whirl_station_keys(void) {
     return &station_group;
+}
+
+const whirl_group *whirl_shaft_keys(void) {
+    return &shaft_group;
+}
+
+const whirl_group *whirl_material_keys(void) {
+    return &material_group;
 }
 
 const whirl_group *const *whirl_element_groups(void) {

@@ -10,6 +10,7 @@
     X(gravity)                                                                                                         \
     X(disc)                                                                                                            \
     X(beam)                                                                                                            \
+    X(segment)                                                                                                         \
     X(bearing)                                                                                                         \
     X(shaft)                                                                                                           \
     X(film)                                                                                                            \

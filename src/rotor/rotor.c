@@ -9,6 +9,7 @@
 #include "design.h"
 #include "instances.h"
 #include "machine.h"
+#include "reduction.h"
 #include "registry.h"
 #include "repeats.h"
 
@@ -28,6 +29,11 @@ static bool terms_alike(const linear_term *x, const linear_term *y) {
     return x->row == y->row && x->source == y->source && x->column == y->column;
 }
 
+static bool body_terms_alike(const body_term *x, const body_term *y) {
+    return x->row == y->row && x->column == y->column && body_compare_kinds(x->kind, y->kind) == 0 &&
+           x->number == y->number;
+}
+
 static bool couplings_alike(const coupling *x, const coupling *y) {
     const size_t n = x->count;
     return y->count == n && memcmp(x->row, y->row, n * sizeof *x->row) == 0 &&
@@ -38,7 +44,7 @@ static bool lane_alike(const void *one, const void *other) {
     const whirl_rotor *a = one, *b = other;
     if (a->station_count != b->station_count || a->lanes.degrees != b->lanes.degrees ||
         a->plane_count != b->plane_count || a->element_count != b->element_count || a->term_count != b->term_count ||
-        a->phase != b->phase)
+        a->body_count != b->body_count || a->phase != b->phase)
         return false;
     for (size_t i = 0; i < a->station_count; i++)
         if (a->probes[i].x != b->probes[i].x || a->probes[i].y != b->probes[i].y) return false;
@@ -46,6 +52,8 @@ static bool lane_alike(const void *one, const void *other) {
         if (!elements_alike(&a->elements[i], &b->elements[i])) return false;
     for (size_t i = 0; i < a->term_count; i++)
         if (!terms_alike(&a->terms[i], &b->terms[i])) return false;
+    for (size_t i = 0; i < a->body_count; i++)
+        if (!body_terms_alike(&a->body[i], &b->body[i])) return false;
     return couplings_alike(&a->coupled, &b->coupled);
 }
 
@@ -59,7 +67,7 @@ static size_t part_from(const double *number, size_t own, size_t count, size_t *
 static size_t lane_part(const void *model, size_t *places) {
     const whirl_rotor *rotor = model;
     const element *own = rotor->elements, *last = own + rotor->element_count;
-    size_t count = rotor->term_count;
+    size_t count = rotor->term_count + (rotor->body_count > 0 ? RATES : 0);
     for (size_t s = 0; s < rotor->plane_count; s++)
         count += part_from(rotor->numbers, s * STATION_NUMBERS, STATION_NUMBERS, &places[s]);
     for (; own < last; own++)
@@ -89,6 +97,9 @@ static void lane_depends(const void *model, bool *table) {
         if (term->source == SOURCE_PLACE) table[term->row * width + term->column] = true;
         if (term->source == SOURCE_VELOCITY) table[term->row * width + degrees + term->column] = true;
     }
+    for (const body_term *term = rotor->body; term < rotor->body + rotor->body_count; term++)
+        if (term->kind.source != BODY_ONE)
+            table[term->row * width + (term->kind.source == BODY_PLACE ? 0 : degrees) + term->column] = true;
     for (size_t i = 0; i < rotor->element_count; i++) depend_on_element(rotor, &rotor->elements[i], table);
     // What turns with the shaft depends on its phase where that is a state.
     for (size_t i = 0; rotor->phase && i < degrees + rotor->lanes.states; i++)
@@ -113,6 +124,7 @@ static void lane_contact(const void *model, size_t index, size_t *probe, double 
 /// A design on its way to a rotor.
 typedef struct building {
     const whirl_design *design;
+    mesh mesh;
     assembly assembly;
     element *elements; ///< [element_count] those that have kernels
     double *numbers;   ///< [number_count] theirs
@@ -120,14 +132,40 @@ typedef struct building {
     whirl_rotor_tell *tell; ///< NULL: the first problem ends the building
     void *context;
     size_t problems;
+    reduction reductions[WHIRL_MAX_SHAFTS];
     const design_element *keyphasor; ///< by which sections are taken; NULL: by the shaft
 } building;
+
+/// The status with the kind of the element that it is of.
+static whirl_status named(const building *b, size_t index, whirl_status status) {
+    if (index == WHIRL_NO_ELEMENT) return status;
+    return whirl_fail(status.code, "%s %.300s", b->design->elements[index].type->group.name, status.message);
+}
+
+/// What goes on with element `index` (WHIRL_NO_ELEMENT: with no single one) after `status`: where problems are told one
+/// by one, as if it had been good.
+static whirl_status with_element(building *b, size_t index, whirl_status status) {
+    if (status.code == WHIRL_OK) return status;
+    status = named(b, index, status);
+    if (!b->tell || status.code == WHIRL_NO_MEMORY) return status;
+    b->tell(b->context, index, &status);
+    b->problems++;
+    return whirl_ok();
+}
 
 static whirl_status begin(building *b, const whirl_design *design) {
     size_t numbers = 1;
     for (size_t i = 0; i < design->element_count; i++) numbers += design->elements[i].type->number_count;
     b->design = design;
-    const whirl_status status = assembly_begin(&b->assembly, design->speed, design->length, design->station_count);
+    size_t culprit;
+    whirl_status status = mesh_make(design, &b->mesh, &culprit);
+    if (status.code != WHIRL_OK) {
+        // Without its mesh the rest would be told of for nothing.
+        if (status.code == WHIRL_NO_MEMORY || culprit == WHIRL_NO_ELEMENT || !b->tell) return named(b, culprit, status);
+        with_element(b, culprit, status);
+        return whirl_ok();
+    }
+    status = assembly_begin(&b->assembly, design->speed, design->length, design->station_count + b->mesh.hidden);
     b->elements = calloc(design->element_count + 1, sizeof *b->elements);
     b->numbers = calloc(numbers, sizeof *b->numbers);
     if (!b->elements || !b->numbers)
@@ -136,21 +174,10 @@ static whirl_status begin(building *b, const whirl_design *design) {
 }
 
 static void end(building *b) {
+    mesh_clear(&b->mesh);
     assembly_clear(&b->assembly);
     free(b->elements);
     free(b->numbers);
-}
-
-/// What goes on with element `index` (WHIRL_NO_ELEMENT: with no single one) after `status`: where problems are told one
-/// by one, as if it had been good.
-static whirl_status with_element(building *b, size_t index, whirl_status status) {
-    if (status.code == WHIRL_OK) return status;
-    if (index != WHIRL_NO_ELEMENT)
-        status = whirl_fail(status.code, "%s %.300s", b->design->elements[index].type->group.name, status.message);
-    if (!b->tell || status.code == WHIRL_NO_MEMORY) return status;
-    b->tell(b->context, index, &status);
-    b->problems++;
-    return whirl_ok();
 }
 
 /// All inertia; after it coordinates can be numbered. And the unit of time: the phase by which sections are taken.
@@ -194,16 +221,34 @@ static whirl_status add_elements(building *b, const element_type *type) {
     return status;
 }
 
-/// Stations, then elements; their coordinates in the order [station_count] of the design's stations, NULL: as listed.
+/// What turns with the rotor cannot sit on a shaft of another speed.
+static whirl_status check_ratios(building *b) {
+    for (size_t s = 0; s < b->design->station_count; s++) {
+        const assembly_station *at = &b->assembly.stations[s];
+        if (at->ratio != 1.0 && station_turns(b->design->stations[s].values))
+            return whirl_fail(WHIRL_BAD_INPUT,
+                              "station '%s' is on a shaft of another speed, where its eccentricity and skew would turn "
+                              "with the rotor, expected the element unbalance with a ratio in their place",
+                              at->name);
+    }
+    return whirl_ok();
+}
+
+/// Stations, then elements; their coordinates in the order [station_count] of all stations, NULL: as listed.
 static whirl_status assemble(building *b, const whirl_design *design, const size_t *order) {
     whirl_status status = begin(b, design);
-    if (status.code == WHIRL_OK) status = add_inertia(b);
+    if (status.code == WHIRL_OK && b->problems == 0) status = add_inertia(b);
     if (b->problems > 0) return status; // without its inertia the rest would be told of for nothing
+    if (status.code == WHIRL_OK) mesh_inertia(&b->mesh, &b->assembly);
+    if (status.code == WHIRL_OK) status = check_ratios(b);
     if (status.code == WHIRL_OK) status = assembly_number(&b->assembly, order);
     for (size_t s = 0; s < design->station_count && status.code == WHIRL_OK; s++)
         station_build(design->stations[s].values, &b->assembly, s);
+    if (status.code == WHIRL_OK) mesh_build(&b->mesh, &b->assembly);
     for (size_t i = 0; i < design->type_count && status.code == WHIRL_OK; i++)
         status = add_elements(b, design->types[i]);
+    if (status.code == WHIRL_OK)
+        status = reduction_make(&b->mesh, &b->assembly, b->elements, b->element_count, b->reductions);
     if (b->keyphasor) b->state_count++; // the shaft's phase
     if (status.code == WHIRL_OK && !assembly_finish(&b->assembly))
         status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a rotor of %zu elements", design->element_count);
@@ -213,7 +258,7 @@ static whirl_status assemble(building *b, const whirl_design *design, const size
 /// Finds the structure among those that integrators have loops of their own for: the machine is it when its stations'
 /// coordinates come in this order.
 static bool find_instance(const building *b, size_t order[INSTANCE_STATIONS], lanes_instance *out) {
-    if (b->keyphasor) return false;
+    if (b->keyphasor || b->mesh.node_count > 0) return false;
 #define FIND(name, NAME)                                                                                               \
     if (name##_find(&b->assembly, b->elements, b->element_count, order, out->law)) {                                   \
         out->structure = INSTANCE_##NAME;                                                                              \
@@ -249,7 +294,7 @@ static size_t first_of_elements(const building *b) {
 }
 
 static size_t total_numbers(const building *b) {
-    return first_of_elements(b) + b->number_count + (b->keyphasor ? 1 : 0);
+    return first_of_elements(b) + b->number_count + (b->assembly.body.count > 0 ? RATES : 0) + (b->keyphasor ? 1 : 0);
 }
 
 static size_t count_contacts(const building *b) {
@@ -260,7 +305,7 @@ static size_t count_contacts(const building *b) {
 
 /// Lays the parts of a rotor out in a block and gives the block's size.
 static size_t lay_out(whirl_rotor *rotor, char *block, const building *b) {
-    const size_t stations = b->assembly.station_count, contacts = count_contacts(b);
+    const size_t stations = b->design->station_count, contacts = count_contacts(b);
     const size_t coupled = coupling_count(&b->assembly);
     size_t used = aligned(sizeof *rotor);
     void *const parts[] = {cut(block, &used, b->element_count * sizeof *rotor->elements),
@@ -275,7 +320,8 @@ static size_t lay_out(whirl_rotor *rotor, char *block, const building *b) {
                            cut(block, &used, contacts * sizeof *rotor->contact_names),
                            cut(block, &used, coupled * sizeof *rotor->coupled.row),
                            cut(block, &used, (coupled ? b->assembly.degrees : 0) * sizeof *rotor->coupled.place),
-                           cut(block, &used, coupled * coupled * sizeof *rotor->coupled.share)};
+                           cut(block, &used, coupled * coupled * sizeof *rotor->coupled.share),
+                           cut(block, &used, b->assembly.body.count * sizeof *rotor->body)};
     if (!rotor) return used;
     rotor->elements = parts[0];
     rotor->numbers = parts[1];
@@ -290,13 +336,14 @@ static size_t lay_out(whirl_rotor *rotor, char *block, const building *b) {
     rotor->coupled.row = parts[10];
     rotor->coupled.place = parts[11];
     rotor->coupled.share = parts[12];
+    rotor->body = parts[13];
     return used;
 }
 
 /// A station that moves along one axis has one coordinate, which stands for both.
 static void add_probes(whirl_rotor *rotor, const building *b) {
     const size_t degrees = b->assembly.degrees;
-    for (size_t s = 0; s < b->assembly.station_count; s++) {
+    for (size_t s = 0; s < b->design->station_count; s++) {
         const size_t *coordinate = b->assembly.stations[s].coordinate;
         const size_t x = coordinate[coordinate[AXIS_X] == NO_COORDINATE ? AXIS_Y : AXIS_X];
         const size_t y = coordinate[coordinate[AXIS_Y] == NO_COORDINATE ? AXIS_X : AXIS_Y];
@@ -322,7 +369,25 @@ static void add_numbers(whirl_rotor *rotor, const building *b) {
     for (size_t i = 0; i < b->assembly.term_count; i++)
         *number++ = rotor->terms[i].number = b->assembly.terms[i].number;
     memcpy(number, b->numbers, b->number_count * sizeof *number);
-    if (b->keyphasor) number[b->number_count] = b->assembly.turn;
+    number += b->number_count;
+    if (b->assembly.body.count > 0) {
+        rotor->first_rate = (size_t)(number - rotor->numbers);
+        body_rates(b->assembly.speed, b->assembly.clock, number);
+        number += RATES;
+    }
+    if (b->keyphasor) *number = b->assembly.turn;
+}
+
+/// The body's terms, scaled as coordinates are.
+static void add_body(whirl_rotor *rotor, const assembly *from) {
+    rotor->body_count = from->body.count;
+    for (size_t i = 0; i < rotor->body_count; i++) {
+        body_term *term = &rotor->body[i];
+        *term = from->body.terms[i];
+        term->number /= from->inertia[term->row] * from->unit[term->row];
+        if (term->kind.source != BODY_ONE) term->number *= from->unit[term->column];
+        if (term->kind.value != BODY_STEADY) rotor->lanes.modulated = true;
+    }
 }
 
 static void note_contact(whirl_rotor *rotor, size_t index) {
@@ -427,7 +492,7 @@ static whirl_rotor *finish(const building *b) {
     rotor->speed = b->design->speed;
     rotor->clock = b->assembly.clock;
     rotor->length = b->design->length;
-    rotor->station_count = b->assembly.station_count;
+    rotor->station_count = b->design->station_count;
     rotor->plane_count = b->assembly.plane_count;
     rotor->term_count = b->assembly.term_count;
     rotor->element_count = b->element_count;
@@ -436,6 +501,7 @@ static whirl_rotor *finish(const building *b) {
     add_probes(rotor, b);
     add_groups(rotor, &b->assembly);
     add_numbers(rotor, b);
+    add_body(rotor, &b->assembly);
     add_elements_to(rotor, b);
     fill_lanes(rotor, b);
     rotor->lanes.contact_count = rotor->contact_count;

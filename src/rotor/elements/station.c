@@ -4,11 +4,28 @@
 
 #if VECTOR_ISA == VECTOR_SCALAR
 
-enum { MASS, DAMPING, ECCENTRICITY, ECCENTRICITY_ANGLE, DIAMETRAL, POLAR, SKEW, SKEW_ANGLE, MOVES, KEY_COUNT };
+enum {
+    SHAFT = STATION_SHAFT,
+    POSITION = STATION_POSITION,
+    MASS,
+    DAMPING,
+    ECCENTRICITY,
+    ECCENTRICITY_ANGLE,
+    DIAMETRAL,
+    POLAR,
+    SKEW,
+    SKEW_ANGLE,
+    MOVES,
+    KEY_COUNT
+};
 
 static const whirl_key keys[KEY_COUNT] = {
+    [SHAFT] = {"shaft", "", "", WHIRL_KEY_NAME, false, "", WHIRL_ANY, "shafts",
+               "name of `shafts` that it lies on; may be left out where there is one", ""},
+    [POSITION] = {"position", "z", "m", WHIRL_KEY_NUMBER, false, "", WHIRL_ANY, NULL,
+                  "where it lies on a shaft of finite elements, from where that begins", ""},
     [MASS] = {"mass", "m", "kg", WHIRL_KEY_NUMBER, false, "", WHIRL_POSITIVE, NULL,
-              "mass lumped at the station; required where no disc brings one", ""},
+              "mass lumped at the station; required where neither a disc nor a shaft brings one", ""},
     [DAMPING] = {"damping", "c", "N s/m", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL,
                  "viscous damping between the station and the ground", ""},
     [ECCENTRICITY] = {"eccentricity", "e", "m", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL,
@@ -44,6 +61,10 @@ whirl_status station_inertia(const key_value *values, assembly *to, size_t stati
     at->moves_x = values[MOVES].choice != ALONG_Y;
     at->moves_y = values[MOVES].choice != ALONG_X;
     return whirl_ok();
+}
+
+bool station_turns(const key_value *values) {
+    return values[ECCENTRICITY].number > 0.0 || values[SKEW].number > 0.0;
 }
 
 /// A skewed axis of inertia turns with the shaft: I_d phi'' - i I_p omega phi' = ... + (I_d - I_p) omega^2 chi e^(i

@@ -104,6 +104,71 @@ static void pass_terms(const whirl_rotor *rotor, const block *b) {
     }
 }
 
+enum { SUMS = 8 }; ///< vectors that are summed at a time
+
+/// The sum over a run of terms of one row and kind, of `count` vectors, times what it is scaled by.
+VECTOR_INLINE void add_run(const body_term *first, const body_term *last, size_t stride, size_t count, const vec *x,
+                           const vec *rate, const vec *value, vec *a) {
+    vec sum[SUMS];
+    for (size_t k = 0; k < count; k++) sum[k] = v_mul(v_set(first->number), x[first->column * stride + k]);
+    for (const body_term *term = first + 1; term < last; term++)
+        for (size_t k = 0; k < count; k++) sum[k] = v_fma(v_set(term->number), x[term->column * stride + k], sum[k]);
+    for (size_t k = 0; k < count; k++) a[k] = v_fma(value ? v_mul(rate[k], value[k]) : rate[k], sum[k], a[k]);
+}
+
+/// What a run makes of state or disturbance `n`, scaled by `value` [vectors] where that is not NULL.
+static void pass_run(const body_term *first, const body_term *last, const block *b, const vec *rate, const vec *value,
+                     size_t n, size_t to) {
+    const vec *x = first->kind.source == BODY_PLACE ? b->q + n * b->next : b->v + n * b->next_v;
+    vec *a = b->a + to * b->next_v + first->row * b->stride;
+    size_t k = 0;
+    for (; k + SUMS <= b->vectors; k += SUMS)
+        add_run(first, last, b->stride, SUMS, x + k, rate + k, value ? value + k : NULL, a + k);
+    for (; k < b->vectors; k++) add_run(first, last, b->stride, 1, x + k, rate + k, value ? value + k : NULL, a + k);
+}
+
+/// ... of disturbances by the shaft's phase, where that is a state.
+static void pass_turned(const body_term *first, const body_term *last, const block *b, const vec *rate,
+                        const vec *turned) {
+    for (size_t n = 1; n <= b->disturbances; n++)
+        for (size_t k = 0; k < b->vectors; k++) {
+            const vec by = v_mul(turned[k], phase_of(b, n, k));
+            block one = *b;
+            one.q += k, one.v += k, one.a += k, one.vectors = 1;
+            pass_run(first, last, &one, rate + k, &by, 0, n);
+        }
+}
+
+/// What it is of the trace.
+static void trace_run(const body_term *first, const body_term *last, const block *b, const vec *rate,
+                      const vec *value) {
+    for (const body_term *term = first; term < last; term++)
+        for (size_t k = 0; k < b->vectors; k++) {
+            const vec derivative = v_mul(v_set(term->number), value ? v_mul(rate[k], value[k]) : rate[k]);
+            b->divergence[k] = v_add(b->divergence[k], of_trace(b, term->row, term->column, derivative));
+        }
+}
+
+/// Shafts of finite elements: numbers that all lanes share, times the rates of each.
+static void pass_body(const whirl_rotor *rotor, const block *b) {
+    const body_term *const end = rotor->body + rotor->body_count;
+    for (const body_term *first = rotor->body, *last; first < end; first = last) {
+        const vec *rate = b->numbers + (rotor->first_rate + first->kind.rate) * b->stride;
+        const vec *value =
+            first->kind.value == BODY_STEADY ? NULL : b->forcing + (size_t)first->kind.value * b->forcing_stride;
+        last = first + first->run;
+        if (first->kind.source == BODY_ONE) {
+            vec *a = b->a + first->row * b->stride;
+            for (size_t k = 0; k < b->vectors; k++) a[k] = v_fma(rate[k], v_set(first->number), a[k]);
+            continue;
+        }
+        for (size_t n = 0; n <= b->disturbances; n++) pass_run(first, last, b, rate, value, n, n);
+        if (value && b->turned)
+            pass_turned(first, last, b, rate, b->turned + (size_t)first->kind.value * b->forcing_stride);
+        if (b->divergence && first->kind.source == BODY_VELOCITY) trace_run(first, last, b, rate, value);
+    }
+}
+
 /// Coordinates that no station's pass writes begin at zero.
 static void clear(const whirl_rotor *rotor, const block *b) {
     const size_t first = 2 * rotor->plane_count;
@@ -152,6 +217,7 @@ static void pass_all(const whirl_rotor *rotor, const block *b) {
     pass_stations(b, rotor->plane_count);
     if (wants_tangent(b)) pass_station_tangents(b, rotor->plane_count);
     pass_terms(rotor, b);
+    if (rotor->body_count > 0) pass_body(rotor, b);
     for (const element *own = rotor->elements; own < rotor->elements + rotor->element_count; own += own->run)
         kernels_of(own)->flow(own, own->run, b);
     if (b->coupled) couple(b);

@@ -31,6 +31,8 @@ static void the_reference_shows_every_key(void **state) {
     (void)state;
     char *text = read_all(WHIRL_CASES "/reference.yaml");
     size_t missing = missing_keys(text, whirl_station_keys());
+    missing += missing_keys(text, whirl_shaft_keys());
+    missing += missing_keys(text, whirl_material_keys());
     for (const whirl_group *const *group = whirl_element_groups(); *group && (*group)->name; group++) {
         missing += missing_keys(text, *group);
         if (!shows_key(text, (*group)->name)) print_error("reference.yaml lacks the element %s\n", (*group)->name);

@@ -1,0 +1,138 @@
+// What the mesh of shafts adds to an assembly: inertia at nodes, then stiffness, coupling mass, gyroscopic moments and
+// damping of the pieces between them.
+#include <math.h>
+
+#include "mesh.h"
+
+void mesh_inertia(const mesh *from, assembly *to) {
+    for (size_t i = 0; i < from->node_count; i++) {
+        assembly_station *at = &to->stations[from->nodes[i].station];
+        at->shaft = from->nodes[i].shaft;
+        at->ratio = from->shafts[at->shaft].ratio;
+        at->hidden = !at->name;
+    }
+    for (size_t i = 0; i < from->piece_count; i++) {
+        piece_matrices matrices;
+        piece_fill(&from->pieces[i].piece, &matrices);
+        const bool lumped = from->shafts[from->pieces[i].shaft].lumped;
+        for (size_t end = 0; end < 2; end++) {
+            assembly_station *at = &to->stations[from->nodes[from->pieces[i].node[end]].station];
+            at->mass += lumped ? matrices.lumped_mass[end] : matrices.weight[2 * end];
+            at->diametral += matrices.lumped_diametral[end];
+            at->pull_moment += lumped ? 0.0 : matrices.weight[2 * end + 1];
+        }
+    }
+}
+
+/// A piece on its way into the assembly: its coordinates in both planes.
+typedef struct laying {
+    const shaft_settings *shaft;
+    assembly *to;
+    size_t at[2][4]; ///< coordinates along x and tilt_x of both ends; along y and tilt_y
+} laying;
+
+/// Adds -factor times a matrix to the forces of plane `row` by places or velocities of plane `column`.
+static void add_block(const laying *l, body_kind kind, size_t row, size_t column, double factor,
+                      const matrix4 *matrix) {
+    for (size_t i = 0; i < 4; i++)
+        for (size_t j = 0; j < 4; j++)
+            body_add(&l->to->body, l->at[row][i], l->at[column][j], kind, -factor * matrix->at[i][j]);
+}
+
+static void add_both(const laying *l, body_source of, body_rate rate, double factor, const matrix4 *matrix) {
+    for (size_t plane = 0; plane < 2; plane++)
+        add_block(l, (body_kind){of, rate, BODY_STEADY}, plane, plane, factor, matrix);
+}
+
+/// Forces of one plane by the other, against each other: what turns with the shaft drags forward.
+static void add_across(const laying *l, body_source of, body_rate rate, double factor, const matrix4 *matrix) {
+    const body_kind kind = {of, rate, BODY_STEADY};
+    add_block(l, kind, 0, 1, factor, matrix);
+    add_block(l, kind, 1, 0, -factor, matrix);
+}
+
+/// Internal damping (Zorzi, Nelson 1977, eqs. 14 and 15): F = -eta_V K (q' - i ratio Omega q), and of hysteresis
+/// F = -((1 + eta_H) q - i eta_H q)/sqrt(1 + eta_H^2) K, q = x + i y.
+static void add_internal(const laying *l, const matrix4 *stiffness) {
+    const shaft_settings *shaft = l->shaft;
+    const double loss = shaft->hysteretic / sqrt(1.0 + shaft->hysteretic * shaft->hysteretic);
+    add_both(l, BODY_VELOCITY, RATE_DAMPING, shaft->viscous, stiffness);
+    add_across(l, BODY_PLACE, RATE_FOLLOWING, shaft->viscous * shaft->ratio, stiffness);
+    add_across(l, BODY_PLACE, RATE_STATIC, shaft->ratio < 0.0 ? -loss : loss, stiffness);
+}
+
+static void average(const matrix4 *one, const matrix4 *other, double sign, matrix4 *out) {
+    for (size_t i = 0; i < 4; i++)
+        for (size_t j = 0; j < 4; j++) out->at[i][j] = 0.5 * (one->at[i][j] + sign * other->at[i][j]);
+}
+
+/// Half the difference of both principal stiffnesses turns with the shaft, twice as fast: the normal of the flats,
+/// along which it is softer, is at angle + tau.
+static void add_unequal(const laying *l, double angle, const matrix4 *difference) {
+    const double c = -cos(2.0 * angle), s = -sin(2.0 * angle); // of the softer direction, hence below 0
+    const body_kind cosine = {BODY_PLACE, RATE_STATIC, COS_2TAU}, sine = {BODY_PLACE, RATE_STATIC, SIN_2TAU};
+    for (size_t plane = 0; plane < 2; plane++) {
+        const double sign = plane == 0 ? 1.0 : -1.0;
+        add_block(l, cosine, plane, plane, sign * c, difference);
+        add_block(l, sine, plane, plane, -sign * s, difference);
+        add_block(l, sine, plane, 1 - plane, c, difference);
+        add_block(l, cosine, plane, 1 - plane, s, difference);
+    }
+}
+
+static void add_stiffness(const laying *l, const mesh_piece *own, const piece_matrices *matrices) {
+    matrix4 mean, difference;
+    const double eta = l->shaft->hysteretic;
+    average(&matrices->stiffness[0], &matrices->stiffness[1], 1.0, &mean);
+    add_both(l, BODY_PLACE, RATE_STATIC, (1.0 + eta) / sqrt(1.0 + eta * eta), &mean);
+    add_both(l, BODY_PLACE, RATE_STATIC, 1.0, &matrices->axial);
+    add_both(l, BODY_VELOCITY, RATE_DAMPING, l->shaft->beta, &mean);
+    add_internal(l, &mean);
+    if (own->piece.flats == 0.0) return;
+    average(&matrices->stiffness[0], &matrices->stiffness[1], -1.0, &difference);
+    add_unequal(l, own->angle, &difference);
+}
+
+/// What the mass matrix has beside the inertia that stands at the nodes; damping in proportion to it, and gyroscopic
+/// moments.
+static void add_mass(const laying *l, const piece_matrices *matrices) {
+    matrix4 mass = {{{0.0}}}, polar = {{{0.0}}};
+    const bool lumped = l->shaft->lumped;
+    double own[4];
+    for (size_t end = 0; end < 2; end++) {
+        own[2 * end] = lumped ? matrices->lumped_mass[end] : matrices->weight[2 * end];
+        own[2 * end + 1] = matrices->lumped_diametral[end];
+        mass.at[2 * end][2 * end] = own[2 * end];
+        mass.at[2 * end + 1][2 * end + 1] = own[2 * end + 1];
+        polar.at[2 * end + 1][2 * end + 1] = matrices->lumped_polar[end];
+    }
+    if (!lumped) {
+        mass = matrices->mass;
+        polar = matrices->polar;
+    }
+    for (size_t plane = 0; plane < 2 && !lumped; plane++)
+        for (size_t i = 0; i < 4; i++)
+            for (size_t j = i; j < 4; j++)
+                assembly_inertance(l->to, l->at[plane][i], l->at[plane][j], mass.at[i][j] - (i == j ? own[i] : 0.0));
+    add_both(l, BODY_VELOCITY, RATE_DAMPING, l->shaft->alpha, &mass);
+    // I_d phi'' - i I_p Omega phi' = M, phi = tilt_x + i tilt_y.
+    if (l->shaft->gyroscopic) add_across(l, BODY_VELOCITY, RATE_GYRO, l->shaft->ratio, &polar);
+}
+
+void mesh_build(const mesh *from, assembly *to) {
+    for (size_t i = 0; i < from->piece_count; i++) {
+        const mesh_piece *own = &from->pieces[i];
+        piece_matrices matrices;
+        laying l = {.shaft = &from->shafts[own->shaft], .to = to};
+        for (size_t end = 0; end < 2; end++) {
+            const size_t *coordinate = to->stations[from->nodes[own->node[end]].station].coordinate;
+            l.at[0][2 * end] = coordinate[AXIS_X];
+            l.at[0][2 * end + 1] = coordinate[AXIS_TILT_X];
+            l.at[1][2 * end] = coordinate[AXIS_Y];
+            l.at[1][2 * end + 1] = coordinate[AXIS_TILT_Y];
+        }
+        piece_fill(&own->piece, &matrices);
+        add_stiffness(&l, own, &matrices);
+        add_mass(&l, &matrices);
+    }
+}

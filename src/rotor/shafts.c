@@ -1,0 +1,101 @@
+// The keys of materials and shafts, and what follows from them.
+#include "shafts.h"
+
+#include <math.h>
+
+const material shaft_steel = {.modulus = 2.11e11, .shear_modulus = 8.12e10, .density = 7810.0};
+
+static const whirl_key material_keys[MATERIAL_KEYS] = {
+    [MATERIAL_MODULUS] = {"modulus", "E", "Pa", WHIRL_KEY_NUMBER, false, "2.11e11", WHIRL_POSITIVE, NULL,
+                          "Young's modulus", ""},
+    [MATERIAL_SHEAR_MODULUS] = {"shear_modulus", "G", "Pa", WHIRL_KEY_NUMBER, false, "8.12e10", WHIRL_POSITIVE, NULL,
+                                "shear modulus; required with modulus, or poisson in its place", ""},
+    [MATERIAL_POISSON] = {"poisson", "nu", "1", WHIRL_KEY_NUMBER, false, "", WHIRL_FROM_TO(0.0, 0.5), NULL,
+                          "Poisson's ratio, in place of shear_modulus", ""},
+    [MATERIAL_DENSITY] = {"density", "rho", "kg/m3", WHIRL_KEY_NUMBER, false, "7810", WHIRL_POSITIVE, NULL, "density",
+                          ""},
+};
+
+const whirl_group material_group = {
+    "materials", "a material of shafts; `steel` is known by itself", "", material_keys, MATERIAL_KEYS, NULL, NULL};
+
+static const whirl_key shaft_keys[SHAFT_KEYS] = {
+    [SHAFT_MATERIAL] = {"material", "", "", WHIRL_KEY_NAME, false, "steel", WHIRL_ANY, "materials",
+                        "name of `materials` that its segments are of", ""},
+    [SHAFT_MASS] = {"mass", "", "", WHIRL_KEY_CHOICE, false, "consistent", WHIRL_ANY, "consistent|lumped",
+                    "consistent: the mass moves with the bending between nodes; lumped: half a piece at each of its "
+                    "ends",
+                    "Friswell et al. 2010, sec. 5.4"},
+    [SHAFT_SHEAR] = {"shear", "", "", WHIRL_KEY_CHOICE, false, "cowper", WHIRL_ANY, "cowper|hutchinson|none",
+                     "shear factor of hollow circles; none: sections stay square to the axis",
+                     "Cowper 1966; Hutchinson 2001"},
+    [SHAFT_ROTARY] = {"rotary_inertia", "", "", WHIRL_KEY_CHOICE, false, "yes", WHIRL_ANY, "yes|no",
+                      "whether sections resist tilting by their own inertia", ""},
+    [SHAFT_GYROSCOPIC] = {"gyroscopic", "", "", WHIRL_KEY_CHOICE, false, "yes", WHIRL_ANY, "yes|no",
+                          "whether the shaft's own inertia makes gyroscopic moments", ""},
+    [SHAFT_RATIO] = {"ratio", "rho", "1", WHIRL_KEY_NUMBER, false, "1", WHIRL_ANY, NULL,
+                     "its speed over the rotor's; below 0 against the rotation", ""},
+    [SHAFT_MASS_DAMPING] = {"mass_damping", "alpha", "1/s", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL,
+                            "proportional damping: C = alpha M + beta K of the shaft", ""},
+    [SHAFT_STIFFNESS_DAMPING] = {"stiffness_damping", "beta", "s", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE,
+                                 NULL, "proportional damping; it does not turn with the shaft", ""},
+    [SHAFT_VISCOUS] = {"viscous_damping", "eta_V", "s", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL,
+                       "internal damping, which turns with the shaft: stress by the rate of strain over that by strain",
+                       "Zorzi, Nelson 1977"},
+    [SHAFT_HYSTERETIC] = {"hysteretic_damping", "eta_H", "1", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL,
+                          "internal damping, loss factor; for whirl slower than the shaft turns", "Zorzi, Nelson 1977"},
+    [SHAFT_MESH_TO] = {"mesh_to", "", "Hz", WHIRL_KEY_NUMBER, false, "", WHIRL_POSITIVE, NULL,
+                       "elements are so short that natural frequencies up to there are right to 1e-4; absent: nodes "
+                       "at stations and ends of segments alone",
+                       ""},
+    [SHAFT_REDUCE] = {"reduce", "", "", WHIRL_KEY_CHOICE, false, "yes", WHIRL_ANY, "yes|no",
+                      "yes: displacements of its stations and the lowest modes between them; no: all its nodes",
+                      "Craig, Bampton 1968"},
+    [SHAFT_MODES] = {"modes", "", "1", WHIRL_KEY_WHOLE, false, "8", WHIRL_FROM_TO(0, 512), NULL,
+                     "of reduce: modes that are kept in each of both planes", ""},
+    [SHAFT_MODES_TO] = {"modes_to", "", "Hz", WHIRL_KEY_NUMBER, false, "", WHIRL_POSITIVE, NULL,
+                        "of reduce: all modes up to there, in place of their number", ""},
+};
+
+const whirl_group shaft_group = {"shafts",
+                                 "a shaft of finite elements, which its segments make up",
+                                 "Nelson 1980; Friswell et al. 2010, ch. 5",
+                                 shaft_keys,
+                                 SHAFT_KEYS,
+                                 NULL,
+                                 NULL};
+
+whirl_status material_from(const key_value *values, material *out) {
+    const key_value *shear = &values[MATERIAL_SHEAR_MODULUS], *poisson = &values[MATERIAL_POISSON];
+    *out = (material){values[MATERIAL_MODULUS].number, shear->number, values[MATERIAL_DENSITY].number};
+    if (shear->given && poisson->given)
+        return whirl_fail(WHIRL_BAD_INPUT, "has both shear_modulus and poisson, expected one of them");
+    if (values[MATERIAL_MODULUS].given && !shear->given && !poisson->given)
+        return whirl_fail(WHIRL_BAD_INPUT, "has a modulus alone, expected shear_modulus or poisson as well");
+    if (poisson->given) out->shear_modulus = out->modulus / (2.0 * (1.0 + poisson->number));
+    if (!(out->shear_modulus >= out->modulus / 3.0))
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "has a shear modulus of %g Pa with a modulus of %g Pa, expected a third of that at least "
+                          "(Poisson's ratio up to 0.5)",
+                          out->shear_modulus, out->modulus);
+    return whirl_ok();
+}
+
+whirl_status shaft_settings_from(const key_value *values, shaft_settings *out) {
+    *out = (shaft_settings){.lumped = values[SHAFT_MASS].choice == 1,
+                            .rotary = values[SHAFT_ROTARY].choice == 0,
+                            .gyroscopic = values[SHAFT_GYROSCOPIC].choice == 0,
+                            .shear = (shear_law)values[SHAFT_SHEAR].choice,
+                            .ratio = values[SHAFT_RATIO].number,
+                            .alpha = values[SHAFT_MASS_DAMPING].number,
+                            .beta = values[SHAFT_STIFFNESS_DAMPING].number,
+                            .viscous = values[SHAFT_VISCOUS].number,
+                            .hysteretic = values[SHAFT_HYSTERETIC].number,
+                            .mesh_to = values[SHAFT_MESH_TO].given ? values[SHAFT_MESH_TO].number : 0.0,
+                            .reduced = values[SHAFT_REDUCE].choice == 0,
+                            .modes = (size_t)values[SHAFT_MODES].number,
+                            .modes_to = values[SHAFT_MODES_TO].given ? values[SHAFT_MODES_TO].number : 0.0};
+    if (values[SHAFT_MODES].given && values[SHAFT_MODES_TO].given)
+        return whirl_fail(WHIRL_BAD_INPUT, "has both modes and modes_to, expected one of them");
+    return whirl_ok();
+}
