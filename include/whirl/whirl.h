@@ -11,6 +11,7 @@
 #include "whirl/ensemble.h"
 #include "whirl/integrate.h"
 #include "whirl/journal.h"
+#include "whirl/linear.h"
 #include "whirl/report.h"
 #include "whirl/result.h"
 #include "whirl/rotor.h"

@@ -1,0 +1,64 @@
+/// Linear analyses of a system about where it rests: equilibrium, modes, synchronous response.
+///
+/// A rotor rests where its right-hand side vanishes with the forcing held at zero amplitude (unbalance off; gravity and
+/// films on). About it small motions follow its Jacobian; of one whose coefficients turn with the shaft (unequal
+/// stiffness, cracks) the monodromy matrix of a periodic motion takes its place, by Floquet's theory, with the forcing
+/// on. Coordinates that turn on and on (whirl_system.turns) are no part of it: forces are their mean over a turn.
+#ifndef WHIRL_LINEAR_H
+#define WHIRL_LINEAR_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "whirl/status.h"
+#include "whirl/system.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/// Carries x [dimension] from a start to the equilibrium, by damped Newton steps with the system's own Jacobian and,
+/// where these do not get there at once, by bringing the load on in shares. A start that is one already stays as it is.
+/// WHIRL_BAD_INPUT with a sentence where none is found, or the system gives no Jacobian; WHIRL_NO_MEMORY.
+whirl_status whirl_equilibrium(const whirl_system *system, double *x);
+
+/// A mode: what goes like exp(lambda t), of the pair lambda and its conjugate the one with the positive imaginary part.
+typedef struct whirl_mode {
+    double real, imaginary; ///< of lambda, by the system's unit of time (rad of a rotor's clock)
+    /// The whirl: twice the signed area of the orbits of all probes over their squared sizes. 1: circles with the
+    /// rotation, from x to y; -1: against it; 0: to and fro, or one as much as the other.
+    double direction;
+} whirl_mode;
+
+/// Modes about an equilibrium, or of a periodic motion.
+typedef struct whirl_modes {
+    /// 0, or the period of coefficients that turn with the shaft: then lambda is a Floquet exponent, whose imaginary
+    /// part is known modulo 2 pi over it and is given between 0 and half of that, and shapes are those at t = 0.
+    double period;
+    size_t dimension, count, real_count;
+    double *rest;      ///< [dimension] the equilibrium, or where the periodic motion is at t = 0
+    whirl_mode *modes; ///< [count] by rising imaginary part
+    double *vectors;   ///< [count][dimension][2] their shapes, real and imaginary parts; 0 of what turns on and on
+    double *reals;     ///< [real_count] eigenvalues without frequency, overdamped ones and free motions, largest first
+    double growth;     ///< the largest real part of all but free motions: stable below 0
+} whirl_modes;
+
+/// The modes of a system, whose search for an equilibrium begins at start [dimension]. WHIRL_BAD_INPUT where none is
+/// found, or coefficients turn with a phase that never fits revolutions. Freed by whirl_modes_free.
+whirl_status whirl_modes_new(const whirl_system *system, const double *start, whirl_modes **modes);
+void whirl_modes_free(whirl_modes *modes);
+
+/// Which mode of `to` each of `from` has become, partner [from->count], SIZE_MAX where there is none left: by
+/// likeness of shapes (modal assurance criterion, Allemang, Brown 1982) and nearness of eigenvalues, with those of
+/// `from` times `scale` (where the units of time differ). WHIRL_NO_MEMORY.
+whirl_status whirl_modes_match(const whirl_modes *from, const whirl_modes *to, double scale, size_t *partner);
+
+/// The motion x = rest + Re(X exp(i 2 pi t / period)) in which small forcing once a revolution ends: rest [dimension],
+/// response [dimension][2] X. Of a system whose coefficients turn with the shaft: the periodic motion itself, its mean
+/// and its first harmonic. Errors as whirl_modes_new, and where the response is beyond all bounds.
+whirl_status whirl_forced_response(const whirl_system *system, const double *start, double *rest, double *response);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,170 @@
+// Static equilibrium: damped Newton steps, the load brought on in shares where they do not find it at once.
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "matrix.h"
+#include "rest.h"
+
+/// Singular directions below this part of the largest do not move: free motions, to rounding.
+static const double free_direction = 1e-12;
+
+/// A search for where f(x) = (1 - share) f(start).
+typedef struct search {
+    mean_system *mean;
+    double share;
+    double *load;     ///< [count] f(start)
+    double *f;        ///< [count] at x
+    double *step;     ///< [count]
+    double *jacobian; ///< [count][count]
+    double *trial;    ///< [dimension]
+} search;
+
+static double size_of(const double *numbers, size_t count) {
+    double largest = 0.0;
+    for (size_t i = 0; i < count; i++) {
+        if (!isfinite(numbers[i])) return (double)INFINITY;
+        largest = fmax(largest, fabs(numbers[i]));
+    }
+    return largest;
+}
+
+static double norm_of(const double *numbers, size_t count) {
+    double sum = 0.0;
+    for (size_t i = 0; i < count; i++) sum += numbers[i] * numbers[i];
+    return isfinite(sum) ? sqrt(sum) : (double)INFINITY;
+}
+
+static double residual(search *s, const double *x) {
+    const size_t n = s->mean->count;
+    mean_slope(s->mean, x, s->f);
+    for (size_t i = 0; i < n; i++) s->f[i] -= (1.0 - s->share) * s->load[i];
+    return norm_of(s->f, n);
+}
+
+/// The step to where the linearised system vanishes; the shortest one where free motions leave a choice.
+static bool find_step(search *s, const double *x) {
+    const size_t n = s->mean->count;
+    mean_jacobian(s->mean, x, s->jacobian);
+    for (size_t i = 0; i < n; i++) s->step[i] = -s->f[i];
+    const double reach = 1e6 * (1.0 + size_of(x, s->mean->system->dimension));
+    if (matrix_solve(n, s->jacobian, 1, s->step) && size_of(s->step, n) < reach) return true;
+    for (size_t i = 0; i < n; i++) s->step[i] = -s->f[i];
+    return matrix_solve_shortest(n, s->jacobian, free_direction, s->step, NULL);
+}
+
+static void go(const search *s, const double *x, double part, double *to) {
+    memcpy(to, x, s->mean->system->dimension * sizeof *to);
+    for (size_t i = 0; i < s->mean->count; i++) to[s->mean->kept[i]] += part * s->step[i];
+}
+
+/// A step, halved until the residual falls; false where it does not.
+static bool take_step(search *s, double *x, double *norm) {
+    for (double part = 1.0; part > 1e-6; part *= 0.5) {
+        go(s, x, part, s->trial);
+        const double next = residual(s, s->trial);
+        if (!(next <= (1.0 - 0.1 * part) * *norm)) continue;
+        memcpy(x, s->trial, s->mean->system->dimension * sizeof *x);
+        *norm = next;
+        return true;
+    }
+    residual(s, x);
+    return false;
+}
+
+/// Newton's method from x; false where it does not arrive.
+static bool solve(search *s, double *x) {
+    enum { MOST_STEPS = 60 };
+    const size_t n = s->mean->count, d = s->mean->system->dimension;
+    double norm = residual(s, x);
+    for (int k = 0; k < MOST_STEPS && isfinite(norm); k++) {
+        if (norm == 0.0) return true;
+        if (!find_step(s, x)) return false;
+        const double length = size_of(s->step, n), size = size_of(x, d);
+        // Quadratic convergence: after a step this short nothing but rounding is left, unless the step leads nowhere.
+        if (length <= 1e-9 * size + 1e-14) {
+            go(s, x, 1.0, s->trial);
+            const double next = residual(s, s->trial);
+            if (next <= norm) memcpy(x, s->trial, d * sizeof *x);
+            return fmin(next, norm) <= 1e-7 * size_of(s->load, n) + 1e-12;
+        }
+        if (!take_step(s, x, &norm)) return false;
+    }
+    return false;
+}
+
+/// The load in shares, each from where the one before came to rest.
+static bool bring_load_on(search *s, double *x, double *at) {
+    const double least = 1.0 / 4096.0;
+    const size_t d = s->mean->system->dimension;
+    double done = 0.0, way = 1.0;
+    while (done < 1.0) {
+        s->share = fmin(1.0, done + way);
+        memcpy(at, x, d * sizeof *at);
+        if (solve(s, at)) {
+            memcpy(x, at, d * sizeof *x);
+            done = s->share;
+            way *= 2.0;
+        } else if ((way *= 0.5) < least) {
+            s->share = done;
+            return false;
+        }
+    }
+    return true;
+}
+
+/// A journal in the very centre of its film leaves no direction to look in: the film's force has a kink there. It is
+/// moved to where its load may hold it.
+static void leave_centres(const mean_system *m, const double *load, double *x) {
+    const double away = 0.3, quarter = 0.7071067811865475;
+    for (size_t p = 0; p < m->system->probe_count; p++) {
+        const whirl_probe *probe = &m->system->probes[p];
+        double force[2] = {0};
+        if (!(probe->clearance > 0.0) || x[probe->x] != 0.0 || x[probe->y] != 0.0) continue;
+        for (size_t i = 0; i < m->count; i++) {
+            if (m->kept[i] == probe->vx) force[0] = load[i];
+            if (m->kept[i] == probe->vy) force[1] = load[i];
+        }
+        const double size = hypot(force[0], force[1]);
+        if (!(size > 0.0) || !isfinite(size)) continue;
+        x[probe->x] += away * probe->clearance * quarter * (force[0] - force[1]) / size;
+        x[probe->y] += away * probe->clearance * quarter * (force[0] + force[1]) / size;
+    }
+}
+
+whirl_status rest_find(mean_system *m, double *x) {
+    const size_t n = m->count, d = m->system->dimension;
+    double *block = calloc(3 * n + n * n + 2 * d + 1, sizeof *block);
+    if (!block) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the equilibrium of %zu coordinates", d);
+    search s = {.mean = m,
+                .load = block,
+                .f = block + n,
+                .step = block + 2 * n,
+                .jacobian = block + 3 * n,
+                .trial = block + 3 * n + n * n};
+    mean_slope(m, x, s.load);
+    leave_centres(m, s.load, x);
+    mean_slope(m, x, s.load);
+    const bool starts = isfinite(norm_of(s.load, n));
+    const bool found = starts && bring_load_on(&s, x, s.trial + d);
+    const double share = s.share;
+    free(block);
+    if (found) return whirl_ok();
+    if (!starts)
+        return whirl_fail(WHIRL_BAD_INPUT, "no equilibrium was looked for: forces are not finite where the search "
+                                           "begins, expected a start inside every clearance");
+    return whirl_fail(WHIRL_BAD_INPUT,
+                      "no equilibrium was found: it could be followed up to %.3g %% of the static load from the start, "
+                      "expected a machine that its supports carry, or an initial state near where it rests",
+                      100.0 * share);
+}
+
+whirl_status whirl_equilibrium(const whirl_system *system, double *x) {
+    mean_system mean;
+    void *block;
+    whirl_status status = mean_begin(&mean, system, &block);
+    if (status.code == WHIRL_OK) status = rest_find(&mean, x);
+    free(block);
+    return status;
+}

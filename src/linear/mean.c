@@ -1,0 +1,94 @@
+#include "mean.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { PHASES = 16 };
+
+static bool turns(const whirl_system *system, size_t coordinate) {
+    return system->turns && system->turns[coordinate] != 0.0;
+}
+
+whirl_status mean_begin(mean_system *m, const whirl_system *system, void **block) {
+    const size_t d = system->dimension;
+    *block = NULL;
+    if (!system->tangent)
+        return whirl_fail(WHIRL_BAD_INPUT, "the system gives no Jacobian, expected one for linear analyses");
+    // One block: the indices behind the numbers.
+    char *all = calloc(1, (2 * d + 2 * d * d) * sizeof(double) + (d + 1) * sizeof(size_t));
+    if (!all) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the Jacobian of %zu coordinates", d);
+    *block = all;
+    *m = (mean_system){.system = system, .samples = system->forcing_count > 0 ? 1 : PHASES};
+    m->state = (double *)all;
+    m->slope = m->state + d;
+    m->unit = m->slope + d;
+    m->rows = m->unit + d * d;
+    m->kept = (size_t *)(m->rows + d * d);
+    for (size_t i = 0; i < d; i++)
+        if (turns(system, i))
+            m->samples = PHASES;
+        else
+            m->kept[m->count++] = i;
+    for (size_t i = 0; i < m->count; i++) m->unit[i * d + m->kept[i]] = 1.0;
+    return whirl_ok();
+}
+
+/// The state at one of the phases, and the time there.
+static double at_phase(mean_system *m, const double *x, int sample) {
+    const whirl_system *system = m->system;
+    const double share = (double)sample / PHASES;
+    memcpy(m->state, x, system->dimension * sizeof *x);
+    for (size_t i = 0; system->turns && i < system->dimension; i++) m->state[i] += share * system->turns[i];
+    return system->forcing_count > 0 ? 0.0 : share * system->period;
+}
+
+void mean_slope(mean_system *m, const double *x, double *slope) {
+    static const double off[WHIRL_MAX_FORCING] = {0};
+    memset(slope, 0, m->count * sizeof *slope);
+    for (int sample = 0; sample < m->samples; sample++) {
+        const double t = at_phase(m, x, sample);
+        m->system->rhs(m->system->model, t, off, m->state, m->slope);
+        for (size_t i = 0; i < m->count; i++) slope[i] += m->slope[m->kept[i]] / m->samples;
+    }
+}
+
+/// Adds the transposed rows that `tangent` writes, times a share.
+static void add_jacobian(mean_system *m, double t, const double *forcing, const double *x, double share,
+                         double *jacobian) {
+    const size_t d = m->system->dimension, n = m->count;
+    m->system->tangent(m->system->model, t, forcing, x, NULL, n, m->unit, m->rows);
+    for (size_t i = 0; i < n; i++)
+        for (size_t k = 0; k < n; k++) jacobian[i * n + k] += share * m->rows[k * d + m->kept[i]];
+}
+
+void mean_jacobian(mean_system *m, const double *x, double *jacobian) {
+    static const double off[WHIRL_MAX_FORCING] = {0};
+    memset(jacobian, 0, m->count * m->count * sizeof *jacobian);
+    for (int sample = 0; sample < m->samples; sample++) {
+        const double t = at_phase(m, x, sample);
+        add_jacobian(m, t, off, m->state, 1.0 / m->samples, jacobian);
+    }
+}
+
+bool mean_is_modulated(mean_system *m, const double *x, double *jacobian) {
+    enum { LOOKS = 5 };
+    static const double off[WHIRL_MAX_FORCING] = {0};
+    const whirl_system *system = m->system;
+    const size_t d = system->dimension, n = m->count;
+    double forcing[WHIRL_MAX_FORCING];
+    memset(jacobian, 0, n * n * sizeof *jacobian);
+    add_jacobian(m, 0.0, off, x, 1.0, jacobian);
+    for (int look = 0; look < LOOKS; look++) {
+        // Times without any symmetry between them.
+        const double t = system->period * (0.07 + 0.19 * look);
+        if (system->forcing_count > 0) system->forcing(system->model, t, forcing);
+        system->tangent(system->model, t, forcing, x, NULL, n, m->unit, m->rows);
+        for (size_t i = 0; i < n; i++)
+            for (size_t k = 0; k < n; k++) {
+                const double is = m->rows[k * d + m->kept[i]], was = jacobian[i * n + k];
+                if (fabs(is - was) > 1e-9 * (1.0 + fabs(is))) return true;
+            }
+    }
+    return false;
+}

@@ -1,0 +1,164 @@
+// Modes: eigenvalues of the Jacobian at the equilibrium, or Floquet exponents of a periodic motion.
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "matrix.h"
+#include "orbit.h"
+#include "rest.h"
+
+/// Eigenvalues below this part of the largest are zero but for rounding: a free motion's pair is off by its root.
+static const double zero_part = 1e-7;
+
+/// An eigenvalue of the matrix, as an exponent, and its place.
+typedef struct root {
+    double real, imaginary;
+    size_t place;
+} root;
+
+// ---------------------------------------------------------------- direction of whirl
+
+static double direction_of(const whirl_system *system, const double *v) {
+    double area = 0.0, square = 0.0;
+    for (size_t p = 0; p < system->probe_count; p++) {
+        const whirl_probe *probe = &system->probes[p];
+        const double *x = v + 2 * probe->x, *y = v + 2 * probe->y;
+        square += x[0] * x[0] + x[1] * x[1];
+        if (probe->x == probe->y) continue;
+        square += y[0] * y[0] + y[1] * y[1];
+        area += 2.0 * (x[1] * y[0] - x[0] * y[1]);
+    }
+    return square > 0.0 ? area / square : 0.0;
+}
+
+// ---------------------------------------------------------------- sorting out
+
+static int by_imaginary(const void *a, const void *b) {
+    const root *p = a, *q = b;
+    if (p->imaginary != q->imaginary) return p->imaginary < q->imaginary ? -1 : 1;
+    if (p->real != q->real) return p->real > q->real ? -1 : 1;
+    return p->place < q->place ? -1 : 1;
+}
+
+static int by_real(const void *a, const void *b) {
+    const root *p = a, *q = b;
+    if (p->real != q->real) return p->real > q->real ? -1 : 1;
+    return p->place < q->place ? -1 : 1;
+}
+
+/// The logarithm of a multiplier over the period, an exponent; its frequency is from 0 to half of that of the period.
+static void take_logarithm(double *real, double *imaginary, double period) {
+    const double size = hypot(*real, *imaginary), angle = atan2(*imaginary == 0.0 ? 0.0 : *imaginary, *real);
+    *real = log(size) / period;
+    *imaginary = angle / period;
+}
+
+/// The shape of a root in all coordinates.
+static void spread(const mean_system *m, const double *vector, double *out) {
+    for (size_t i = 0; i < m->count; i++) memcpy(out + 2 * m->kept[i], vector + 2 * i, 2 * sizeof *out);
+}
+
+static whirl_modes *allocate(size_t dimension, size_t count) {
+    const size_t numbers = dimension + 2 * count * dimension + count;
+    whirl_modes *modes = calloc(1, sizeof *modes + count * sizeof(whirl_mode) + numbers * sizeof(double));
+    if (!modes) return NULL;
+    modes->dimension = dimension;
+    modes->modes = (whirl_mode *)(modes + 1);
+    modes->rest = (double *)(modes->modes + count);
+    modes->vectors = modes->rest + dimension;
+    modes->reals = modes->vectors + 2 * count * dimension;
+    return modes;
+}
+
+/// Those with a frequency apart from those without; of a pair the positive one.
+static whirl_modes *sort_out(const mean_system *m, root *roots, double period, const double *vectors) {
+    const size_t n = m->count, d = m->system->dimension;
+    size_t waves = 0, reals = 0;
+    double largest = 0.0;
+    root *other = roots + n;
+    whirl_modes *modes = allocate(d, n);
+    if (!modes) return NULL;
+    for (size_t i = 0; i < n; i++) largest = fmax(largest, hypot(roots[i].real, roots[i].imaginary));
+    const double zero = period > 0.0 ? 1e-9 : zero_part * largest;
+    modes->growth = -(double)INFINITY;
+    for (size_t i = 0; i < n; i++) {
+        const bool free_motion = period == 0.0 && hypot(roots[i].real, roots[i].imaginary) <= zero;
+        if (!free_motion) modes->growth = fmax(modes->growth, roots[i].real);
+        if (roots[i].imaginary > zero && !free_motion)
+            roots[waves++] = roots[i];
+        else if (roots[i].imaginary >= -zero || free_motion)
+            other[reals++] = roots[i];
+    }
+    qsort(roots, waves, sizeof *roots, by_imaginary);
+    qsort(other, reals, sizeof *other, by_real);
+    modes->count = waves;
+    modes->real_count = reals;
+    modes->period = period;
+    for (size_t i = 0; i < reals; i++) modes->reals[i] = other[i].real;
+    for (size_t i = 0; i < waves; i++) {
+        double *shape = modes->vectors + 2 * i * d;
+        spread(m, vectors + 2 * roots[i].place * n, shape);
+        modes->modes[i] = (whirl_mode){roots[i].real, roots[i].imaginary, direction_of(m->system, shape)};
+    }
+    return modes;
+}
+
+// ---------------------------------------------------------------- solving
+
+/// Of the Jacobian, or of the monodromy matrix over a period > 0.
+static whirl_status solve(const mean_system *m, double *matrix, double period, const double *rest, whirl_modes **out) {
+    const size_t n = m->count;
+    double *numbers = calloc(2 * n + 2 * n * n + 1, sizeof *numbers);
+    root *roots = calloc(2 * n + 1, sizeof *roots);
+    double *real = numbers, *imaginary = numbers ? numbers + n : NULL;
+    const bool room = numbers && roots;
+    const bool solved = room && matrix_eigen(n, matrix, real, imaginary, numbers + 2 * n);
+    for (size_t i = 0; i < n && solved; i++) {
+        if (period > 0.0) take_logarithm(&real[i], &imaginary[i], period);
+        roots[i] = (root){real[i], imaginary[i], i};
+    }
+    whirl_modes *modes = solved ? sort_out(m, roots, period, numbers + 2 * n) : NULL;
+    if (modes) memcpy(modes->rest, rest, m->system->dimension * sizeof *rest);
+    free(numbers);
+    free(roots);
+    *out = modes;
+    if (room && !solved)
+        return whirl_fail(WHIRL_BAD_INPUT, "the eigenvalues of the Jacobian where the machine rests were not found");
+    return modes ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for the modes of %zu coordinates", n);
+}
+
+/// About x, which becomes the equilibrium or the periodic motion at t = 0. matrix [count][count] is workspace.
+static whirl_status find(mean_system *m, double *x, double *matrix, whirl_modes **out) {
+    double period = 0.0;
+    whirl_status status = rest_find(m, x);
+    if (status.code != WHIRL_OK) return status;
+    if (mean_is_modulated(m, x, matrix))
+        status = orbit_find(m, x, false, matrix, &period);
+    else
+        mean_jacobian(m, x, matrix);
+    return status.code == WHIRL_OK ? solve(m, matrix, period, x, out) : status;
+}
+
+whirl_status whirl_modes_new(const whirl_system *system, const double *start, whirl_modes **out) {
+    mean_system mean;
+    void *block;
+    const size_t d = system->dimension;
+    *out = NULL;
+    whirl_status status = mean_begin(&mean, system, &block);
+    if (status.code != WHIRL_OK) return status;
+    double *x = malloc((d + d * d + 1) * sizeof *x);
+    if (x) {
+        memcpy(x, start, d * sizeof *x);
+        status = find(&mean, x, x + d, out);
+    } else {
+        status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the modes of %zu coordinates", d);
+    }
+    free(x);
+    free(block);
+    return status;
+}
+
+void whirl_modes_free(whirl_modes *modes) {
+    free(modes);
+}
