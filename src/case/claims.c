@@ -167,7 +167,7 @@ static void read_file(case_reader *reader, const file_node *root, whirl_claims *
 whirl_status claims_parse(const char *text, size_t length, const char *name, whirl_problems *problems,
                           whirl_claims **out) {
     whirl_problems own = {0};
-    case_arena arena = {0};
+    memory_arena arena = {0};
     file_node *root;
     const parameter_table none = {0};
     *out = NULL;

@@ -9,7 +9,7 @@
 
 /// Everything that follows from the text and the overrides; replaced as a whole by whirl_case_set.
 typedef struct case_content {
-    case_arena arena;
+    memory_arena arena;
     const file_node *root; ///< the file as it was read
     char title[256];
     char units[64]; ///< of figures (base/unit_words.h), "" where the case chooses none

@@ -122,7 +122,7 @@ static char *take_away(const char *text, size_t length, const file_node *node) {
 // ---------------------------------------------------------------- checking
 
 typedef struct edit_tree {
-    case_arena arena;
+    memory_arena arena;
     whirl_problems problems;
     file_node *root;
 } edit_tree;

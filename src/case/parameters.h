@@ -50,7 +50,7 @@ typedef struct reported_name {
 
 /// What reading a part of a case needs.
 typedef struct case_reader {
-    case_arena *arena;
+    memory_arena *arena;
     whirl_problems *problems;
     const parameter_table *parameters; ///< those that expressions may use
     size_t expression_bytes;           ///< read so far

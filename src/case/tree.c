@@ -11,7 +11,7 @@
 #include "utf8.h"
 
 typedef struct tree_builder {
-    case_arena *arena;
+    memory_arena *arena;
     whirl_problems *problems;
     file_node *root;
     file_node *open; ///< the list or mapping that is being filled
@@ -196,7 +196,7 @@ static bool check_keys(const file_node *at, whirl_problems *problems) {
     return true;
 }
 
-whirl_status tree_read(const char *text, size_t length, case_arena *arena, whirl_problems *problems, file_node **root) {
+whirl_status tree_read(const char *text, size_t length, memory_arena *arena, whirl_problems *problems, file_node **root) {
     *root = NULL;
     source_check(text, length, problems);
     if (problems->count > 0) return whirl_fail(WHIRL_BAD_INPUT, "%.200s is not text", problems->file);

@@ -12,7 +12,7 @@ typedef struct arena_chunk {
     alignas(max_align_t) char bytes[];
 } arena_chunk;
 
-static arena_chunk *add_chunk(case_arena *arena, size_t size) {
+static arena_chunk *add_chunk(memory_arena *arena, size_t size) {
     if (size < CHUNK_SIZE) size = CHUNK_SIZE;
     if (size > (size_t)-1 - sizeof(arena_chunk)) return NULL;
     arena_chunk *chunk = calloc(1, sizeof *chunk + size);
@@ -23,7 +23,7 @@ static arena_chunk *add_chunk(case_arena *arena, size_t size) {
     return chunk;
 }
 
-void *arena_take(case_arena *arena, size_t size) {
+void *arena_take(memory_arena *arena, size_t size) {
     const size_t unit = alignof(max_align_t);
     if (size > (size_t)-1 - unit) return NULL;
     size = (size + unit - 1) / unit * unit;
@@ -35,13 +35,13 @@ void *arena_take(case_arena *arena, size_t size) {
     return memory;
 }
 
-char *arena_text(case_arena *arena, const char *text, size_t length) {
+char *arena_text(memory_arena *arena, const char *text, size_t length) {
     char *copy = arena_take(arena, length + 1);
     if (copy && length > 0) memcpy(copy, text, length);
     return copy;
 }
 
-void arena_free(case_arena *arena) {
+void arena_free(memory_arena *arena) {
     for (arena_chunk *chunk = arena->chunks; chunk;) {
         arena_chunk *next = chunk->next;
         free(chunk);
