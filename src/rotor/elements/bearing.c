@@ -1,22 +1,24 @@
-// A linear bearing or seal: eight coefficients between a station and the ground, or another station; constant, or of
-// the speed by a table.
+// A linear bearing or seal: eight coefficients between a station and the ground, or another station, and the inertia of
+// what moves in it; constant, or of the speed by a table.
 #include "registry.h"
 #include "table.h"
 
 #if VECTOR_ISA == VECTOR_SCALAR
 
-enum { AT, FROM, SPEEDS, KXX, KXY, KYX, KYY, CXX, CXY, CYX, CYY, KEY_COUNT };
+enum { AT, FROM, SPEEDS, KXX, KXY, KYX, KYY, CXX, CXY, CYX, CYY, MXX, MXY, MYY, KEY_COUNT };
 
 #define STIFFNESS(name, symbol, fallback, text)                                                                        \
     { name, symbol, "N/m", WHIRL_KEY_NUMBERS, false, fallback, WHIRL_ANY, NULL, text, "" }
 #define DAMPING(name, symbol, fallback, text)                                                                          \
     { name, symbol, "N s/m", WHIRL_KEY_NUMBERS, false, fallback, WHIRL_ANY, NULL, text, "" }
+#define INERTIA(name, symbol, fallback, text)                                                                          \
+    { name, symbol, "kg", WHIRL_KEY_NUMBERS, false, fallback, WHIRL_ANY, NULL, text, "" }
 
 static const whirl_key keys[KEY_COUNT] = {
     [AT] = {"at", "", "", WHIRL_KEY_STATION, true, "", WHIRL_ANY, NULL, "station that it carries", ""},
     [FROM] = {"from", "", "", WHIRL_KEY_STATION, false, "", WHIRL_ANY, NULL,
               "station of its housing; the ground where absent", ""},
-    [SPEEDS] = {"speeds", "", "rad/s", WHIRL_KEY_NUMBERS, false, "", WHIRL_POSITIVE, NULL,
+    [SPEEDS] = {"speeds", "", "rad/s", WHIRL_KEY_NUMBERS, false, "", WHIRL_NOT_NEGATIVE, NULL,
                 "speeds, rising, at which coefficients are given as lists; between them monotone cubics",
                 "Fritsch, Butland 1984"},
     [KXX] = STIFFNESS("kxx", "k_xx", "0", "stiffness along x"),
@@ -27,6 +29,9 @@ static const whirl_key keys[KEY_COUNT] = {
     [CXY] = DAMPING("cxy", "c_xy", "0", "force along -x by a velocity along y"),
     [CYX] = DAMPING("cyx", "c_yx", "0", "force along -y by a velocity along x"),
     [CYY] = DAMPING("cyy", "c_yy", "", "damping along y; cxx where absent"),
+    [MXX] = INERTIA("mxx", "m_xx", "0", "inertia along x, as of a fluid; without weight or unbalance"),
+    [MXY] = INERTIA("mxy", "m_xy", "0", "force along -x by an acceleration along y, and the other way round"),
+    [MYY] = INERTIA("myy", "m_yy", "", "inertia along y; mxx where absent"),
 };
 
 /// The block of one kind, by `add`, between two places.
@@ -40,6 +45,17 @@ static void add_block(assembly *to, void (*add)(assembly *, size_t, size_t, doub
             add(to, other[i], one[j], -matrix[i][j]);
             add(to, other[i], other[j], matrix[i][j]);
         }
+}
+
+/// The same of the inertia, which is symmetric, and of which an entry stands for its mirror image as well.
+static void add_inertia(assembly *to, const size_t port[4], double xx, double xy, double yy) {
+    const size_t *one = port, *other = port + 2;
+    assembly_inerter(to, one[0], other[0], xx);
+    assembly_inerter(to, one[1], other[1], yy);
+    assembly_inertance(to, one[0], one[1], xy);
+    assembly_inertance(to, other[0], other[1], xy);
+    assembly_inertance(to, one[0], other[1], -xy);
+    assembly_inertance(to, one[1], other[0], -xy);
 }
 
 /// Two speeds or more that rise, and the rotor's between them.
@@ -85,12 +101,13 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     if (status.code != WHIRL_OK) return status;
     add_block(to, assembly_stiffness, out->port, stiffness);
     add_block(to, assembly_damping, out->port, damping);
+    add_inertia(to, out->port, at[MXX], at[MXY], at[values[MYY].given ? MYY : MXX]);
     return whirl_ok();
 }
 
 const element_type bearing_element = {
-    .group = {"bearing", "a linear bearing or seal by its eight coefficients", "Lund 1964; ISO 7902", keys, KEY_COUNT,
-              NULL, NULL},
+    .group = {"bearing", "a linear bearing or seal by its eight coefficients and inertia", "Lund 1964; ISO 7902", keys,
+              KEY_COUNT, NULL, NULL},
     .build = build,
 };
 #endif

@@ -95,6 +95,50 @@ static void test_bearing(void **state) {
     }
 }
 
+/// Beside the disc's mass of 2 kg, on the ground: (M + m) a = f, by Cramer's rule; at 10 rad/s where m_xx has a table.
+static void test_inertia_on_the_ground(void **state) {
+    const whirl_setting settings[] = {{"at", 0, "disc"},   {"speeds", 0, "0, 10, 40"}, {"mxx", 0, "9, 3, 1"},
+                                      {"mxy", -0.5, NULL}, {"myy", 1.5, NULL},         {"kxx", 7.0, NULL},
+                                      {"kyy", 11.0, NULL}};
+    const double start[] = {1.0, 2.0, 0.0, 0.0}, speed = 10.0;
+    const double a = 2.0 + 3.0, b = -0.5, d = 2.0 + 1.5, fx = -7.0, fy = -22.0;
+    double forcing[WHIRL_MAX_FORCING] = {0}, slope[4];
+    whirl_rotor *rotor;
+    (void)state;
+    assert_int_equal(build(speed, settings, 7, &rotor).code, WHIRL_OK);
+    const whirl_system *system = whirl_rotor_system(rotor);
+    system->rhs(system->model, 0.0, forcing, start, slope);
+    near(slope[2] * speed * speed * (a * d - b * b), d * fx - b * fy);
+    near(slope[3] * speed * speed * (a * d - b * b), a * fy - b * fx);
+    whirl_rotor_free(rotor);
+}
+
+/// Between a disc and its housing: what the one gains the other loses, and what is between resists m (a - a').
+static void test_inertia_in_a_housing(void **state) {
+    const whirl_setting settings[] = {{"at", 0, "disc"},  {"from", 0, "housing"}, {"mxx", 3.0, NULL},
+                                      {"mxy", 0.7, NULL}, {"myy", 1.2, NULL},     {"kxx", 7.0, NULL},
+                                      {"kyy", 11.0, NULL}};
+    const double start[8] = {1.0, 2.0, 0.25, -0.5}, speed = 1.0;
+    double forcing[WHIRL_MAX_FORCING] = {0}, slope[8];
+    whirl_design *design;
+    whirl_rotor *rotor;
+    (void)state;
+    assert_int_equal(whirl_design_new(speed, 1.0, &design).code, WHIRL_OK);
+    assert_int_equal(whirl_design_station(design, "disc", (whirl_setting[]){{"mass", 2.0, NULL}}, 1).code, WHIRL_OK);
+    assert_int_equal(whirl_design_station(design, "housing", (whirl_setting[]){{"mass", 5.0, NULL}}, 1).code, WHIRL_OK);
+    assert_int_equal(whirl_design_element(design, "bearing", settings, 7).code, WHIRL_OK);
+    assert_int_equal(whirl_rotor_new(design, &rotor).code, WHIRL_OK);
+    whirl_design_free(design);
+    const whirl_system *system = whirl_rotor_system(rotor);
+    system->rhs(system->model, 0.0, forcing, start, slope);
+    const double *a = slope + 4;
+    const double rx = a[0] - a[2], ry = a[1] - a[3];
+    for (int axis = 0; axis < 2; axis++) near(2.0 * a[axis], -5.0 * a[2 + axis]);
+    near(2.0 * a[0], -7.0 * (1.0 - 0.25) - 3.0 * rx - 0.7 * ry);
+    near(2.0 * a[1], -11.0 * (2.0 + 0.5) - 0.7 * rx - 1.2 * ry);
+    whirl_rotor_free(rotor);
+}
+
 static void test_refused(void **state) {
     static const struct {
         double speed;
@@ -109,7 +153,7 @@ static void test_refused(void **state) {
         {15.0, {{"at", 0, "disc"}, {"speeds", 10, NULL}, {"kxx", 1, NULL}}, 3, "two or more"},
         {15.0, {{"at", 0, "disc"}, {"kxx", 0, "1, 2"}}, 2, "without speeds"},
         {15.0, {{"at", 0, "disc"}, {"kxx", 0, "1; 2"}}, 2, "no list"},
-        {15.0, {{"at", 0, "disc"}, {"speeds", 0, "-1, 2"}}, 2, "above 0"},
+        {15.0, {{"at", 0, "disc"}, {"speeds", 0, "-1, 2"}}, 2, "at least 0 rad/s"},
     };
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
@@ -123,8 +167,13 @@ static void test_refused(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_lines),   cmocka_unit_test(test_slopes_by_hand), cmocka_unit_test(test_monotone),
-        cmocka_unit_test(test_bearing), cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_lines),
+        cmocka_unit_test(test_slopes_by_hand),
+        cmocka_unit_test(test_monotone),
+        cmocka_unit_test(test_bearing),
+        cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_inertia_on_the_ground),
+        cmocka_unit_test(test_inertia_in_a_housing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
