@@ -72,7 +72,7 @@ _whirl_words() { # WORD NAMES...
 
 _whirl_options() {
     case $1 in
-    new) echo '-o --output= --force --help' ;;
+    new | import) echo '-o --output= --force --help' ;;
     run) echo '-o --output= --set= --threads= --json --resume --force --refine --refine= --quiet --help' ;;
     verify) echo '--points= --method= --revolutions= --set= --threads= --json --quiet --help' ;;
     report) echo '-o --output= --claims= --gnuplot= --explorer= --units= --quiet --help' ;;
@@ -99,7 +99,7 @@ _whirl() {
     -o | --output)
         case $command in
         run) _whirl_files "$word" h5 ;;
-        new) _whirl_files "$word" yaml yml ;;
+        new | import) _whirl_files "$word" yaml yml ;;
         *) _whirl_files "$word" ;;
         esac
         return
@@ -120,12 +120,13 @@ _whirl() {
         return
     fi
     case $command in
-    '') _whirl_words "$word" 'new run verify check describe report show export help' ;;
+    '') _whirl_words "$word" 'new import run verify check describe report show export help' ;;
     new) _whirl_words "$word" "$("$whirl" new --help | sed -n '/Kinds:/,/^$/s/^  \([a-z][a-z]*\)  .*/\1/p')" ;;
+    import) _whirl_files "$word" toml json ;;
     run | verify | check) _whirl_files "$word" yaml yml ;;
     report | show | export) _whirl_files "$word" h5 ;;
     describe) _whirl_words "$word" "$(_whirl_names "$whirl")" ;;
-    help) _whirl_words "$word" 'new run verify check describe report show export' ;;
+    help) _whirl_words "$word" 'new import run verify check describe report show export' ;;
     esac
 }
 

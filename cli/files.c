@@ -1,7 +1,11 @@
 #include "files.h"
 
+#include <errno.h>
+#include <fcntl.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "command.h"
 
@@ -45,4 +49,60 @@ int load_result(const char *path, whirl_result **result) {
     const whirl_status status = whirl_result_read(path, result);
     complain_of(&status);
     return status.code == WHIRL_OK ? EXIT_DONE : status.code == WHIRL_NO_MEMORY ? EXIT_FAILED : EXIT_BAD_INPUT;
+}
+
+/// A file beside `path` that does not have its name yet, with the text; gives the reason why not, or 0.
+static int write_beside(const char *path, const char *temporary, const char *text) {
+    struct stat earlier;
+    // What takes the place of a private file is no more public than that.
+    const mode_t mode = stat(path, &earlier) == 0 ? earlier.st_mode & 0666 : 0666;
+    unlink(temporary); // nobody's: a leftover of an earlier process of this number
+    const int descriptor = open(temporary, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode | 0600);
+    FILE *const file = descriptor < 0 ? NULL : fdopen(descriptor, "w");
+    if (!file) {
+        const int reason = errno;
+        if (descriptor >= 0) close(descriptor);
+        return reason;
+    }
+    int reason = fputs(text, file) == EOF || fflush(file) != 0 || fsync(descriptor) != 0 ? errno : 0;
+    if (fclose(file) != 0 && !reason) reason = errno;
+    return reason;
+}
+
+/// Gives the file its name: with `force` in the place of what is there. 0, or the reason why not.
+static int give_name(const char *temporary, const char *path, bool force) {
+    if (force) return rename(temporary, path) == 0 ? 0 : errno;
+    if (link(temporary, path) == 0) {
+        unlink(temporary);
+        return 0;
+    }
+    // Some file systems have no second names.
+    if (errno == EEXIST || access(path, F_OK) == 0) return EEXIST;
+    return rename(temporary, path) == 0 ? 0 : errno;
+}
+
+int write_case(const char *path, bool force, const char *text) {
+    char temporary[4096];
+    struct stat found;
+    if (snprintf(temporary, sizeof temporary, "%s.tmp-%ld", path, (long)getpid()) >= (int)sizeof temporary) {
+        complain("the name of the case has %zu bytes, expected a shorter one", strlen(path));
+        return EXIT_FAILED;
+    }
+    const bool there = stat(path, &found) == 0;
+    int reason = there && !force ? EEXIST : there && S_ISDIR(found.st_mode) ? EISDIR : 0;
+    if (there && !reason && !S_ISREG(found.st_mode)) {
+        complain("'%s' is no ordinary file, expected the name of a case", path);
+        return EXIT_FAILED;
+    }
+    if (!reason) {
+        reason = write_beside(path, temporary, text);
+        if (!reason) reason = give_name(temporary, path, force);
+        if (reason) unlink(temporary);
+    }
+    if (!reason) return EXIT_DONE;
+    if (reason == EEXIST)
+        complain("'%s' is there already and is kept: add --force to replace it", path);
+    else
+        complain("'%s' cannot be written: %s", path, strerror(reason));
+    return EXIT_FAILED;
 }

@@ -1,12 +1,11 @@
 /// whirl new: a case to start from.
 #include "command.h"
 
-#include <errno.h>
 #include <stdbool.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
+#include "files.h"
 #include "starters.h"
 
 typedef struct new_arguments {
@@ -59,21 +58,6 @@ static const starter *find_starter(const char *kind) {
     else
         complain("there is no case '%s' to start from; 'whirl new --help' lists them", kind);
     return NULL;
-}
-
-/// Writes a file that was not there, or takes it away again.
-static int write_case(const char *path, bool force, const char *text) {
-    FILE *const file = fopen(path, force ? "w" : "wx");
-    if (!file && errno == EEXIST) {
-        complain("'%s' is there already and is kept: add --force to replace it", path);
-        return EXIT_FAILED;
-    }
-    bool done = file && fputs(text, file) != EOF;
-    done = file && fclose(file) == 0 && done;
-    if (done) return EXIT_DONE;
-    complain("'%s' cannot be written: %s", path, strerror(errno));
-    if (file) remove(path);
-    return EXIT_FAILED;
 }
 
 static int run(int argc, char **argv) {

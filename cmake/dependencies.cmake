@@ -7,6 +7,7 @@ pkg_check_modules(MUPARSER REQUIRED IMPORTED_TARGET muparser)
 pkg_check_modules(JANSSON REQUIRED IMPORTED_TARGET jansson)
 pkg_check_modules(UDUNITS REQUIRED IMPORTED_TARGET udunits)
 pkg_check_modules(EIGEN REQUIRED eigen3)
+pkg_check_modules(TOML REQUIRED tomlplusplus)
 
 function(whirl_find_library target header)
   find_path(${target}_INCLUDE ${header} REQUIRED)
@@ -25,6 +26,10 @@ whirl_find_library(SUNDIALS::CVODES cvodes/cvodes.h sundials_cvodes sundials_nve
 # Headers alone, which keep to no warnings of ours.
 add_library(Eigen::Headers INTERFACE IMPORTED)
 target_include_directories(Eigen::Headers SYSTEM INTERFACE ${EIGEN_INCLUDE_DIRS})
+# pkg-config names the compiled library; the headers do without.
+find_path(TOML_HEADERS toml++/toml.h REQUIRED)
+add_library(Toml::Headers INTERFACE IMPORTED)
+target_include_directories(Toml::Headers SYSTEM INTERFACE ${TOML_HEADERS})
 add_library(LibYAML::LibYAML ALIAS PkgConfig::YAML)
 add_library(MuParser::MuParser ALIAS PkgConfig::MUPARSER)
 add_library(Jansson::Jansson ALIAS PkgConfig::JANSSON)

@@ -12,7 +12,7 @@ fuzz() { # TARGET
     mkdir -p "$build/corpus/$1"
     if ! "$program" -max_total_time="$seconds" -max_len=65536 -timeout=20 -rss_limit_mb=2048 -print_final_stats=1 \
         -dict=tests/fuzz/words.dict -artifact_prefix="$build/findings/$1-" \
-        "$build/corpus/$1" "tests/fuzz/corpus/$1" cases >"$log" 2>&1; then
+        "$build/corpus/$1" "tests/fuzz/corpus/$1" cases tests/rotors >"$log" 2>&1; then
         tail -n 60 "$log" >&2
         echo "fuzz: $1 failed; the input is in $build/findings, the log is $log" >&2
         return 1

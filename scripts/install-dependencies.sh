@@ -12,7 +12,8 @@ declare -A packages=(
     # The unit database comes with libudunits2-dev (libudunits2-0 depends on libudunits2-data); libexpat is for programs
     # that link it statically.
     [build]="build-essential cmake ninja-build pkg-config git libsundials-dev libhdf5-dev libyaml-dev
-             libudunits2-dev libexpat1-dev libmuparser-dev libjansson-dev libeigen3-dev"
+             libudunits2-dev libexpat1-dev libmuparser-dev libjansson-dev libeigen3-dev
+             libtomlplusplus-dev"
     [report]="gnuplot-nox"
     # clang with its run time: the fuzz target, and a second compiler that must agree; libomp-dev is its OpenMP.
     [test]="libcmocka-dev liblapacke-dev libopenblas-dev clang libclang-rt-14-dev libomp-dev valgrind

@@ -9,6 +9,7 @@
 #include "whirl/claims.h"
 #include "whirl/descriptor.h"
 #include "whirl/ensemble.h"
+#include "whirl/import.h"
 #include "whirl/integrate.h"
 #include "whirl/journal.h"
 #include "whirl/linear.h"

@@ -1,0 +1,37 @@
+/// Rotors that other programs have saved, as cases.
+#ifndef WHIRL_IMPORT_H
+#define WHIRL_IMPORT_H
+
+#include <stddef.h>
+
+#include "whirl/status.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/// A case made of a rotor file. Starts as {0}; freed by whirl_imported_free.
+typedef struct whirl_imported {
+    char *text; ///< the case, ready for whirl_case_parse; it says in comments what the notes say
+    size_t length;
+    size_t note_count;
+    char **notes; ///< what could not be taken over, or was chosen: a sentence each, safe to show on a terminal
+} whirl_imported;
+
+/// Reads a rotor that ROSS has saved (Rotor.save, TOML or JSON, versions up to 2.3: github.com/petrobras/ross): shaft,
+/// discs, bearings and seals, point masses, supports. WHIRL_BAD_INPUT with a sentence that names the file, the section
+/// and the key, what was found and what is expected; so are refused what would change the motion and cannot be taken
+/// over (couplings, gears, magnetic bearings, torque), files above 16 MiB, and rotors larger than a case may be.
+whirl_status whirl_import_load(const char *path, whirl_imported *out);
+
+/// The same from memory; `name` stands for the file in messages and in the case's title. Never runs long and never
+/// crashes, whatever the bytes.
+whirl_status whirl_import_parse(const char *text, size_t length, const char *name, whirl_imported *out);
+
+/// Frees what it holds, not the struct, which is empty afterwards.
+void whirl_imported_free(whirl_imported *imported);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,84 @@
+// A file of another program in, a case out.
+#include "whirl/import.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "ross.h"
+
+enum { MOST_BYTES = 1 << 24, MOST_CASE_BYTES = 1 << 20 };
+
+/// JSON begins with a brace, which no TOML does.
+static bool is_json(const char *text, size_t length) {
+    size_t i = 0;
+    while (i < length && strchr(" \t\r\n", text[i]) && text[i]) i++;
+    return i < length && text[i] == '{';
+}
+
+static whirl_status take_notes(const note_list *notes, whirl_imported *out) {
+    out->notes = calloc(notes->count + 1, sizeof *out->notes);
+    for (const note *one = notes->first; one && out->notes; one = one->next) {
+        char *const copy = malloc(strlen(one->text) + 1);
+        if (!copy) return whirl_fail(WHIRL_NO_MEMORY, "%s", whirl_code_text(WHIRL_NO_MEMORY));
+        out->notes[out->note_count++] = strcpy(copy, one->text);
+    }
+    return out->notes ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "%s", whirl_code_text(WHIRL_NO_MEMORY));
+}
+
+static whirl_status convert(import_reader *reader, value *root, whirl_imported *out) {
+    ross_rotor rotor;
+    ross_read(reader, root, &rotor);
+    ross_join(reader, &rotor);
+    if (field_good(reader)) ross_find_stations(reader, &rotor);
+    if (!field_good(reader)) return reader->status;
+    const whirl_status status = ross_write(reader, &rotor, &out->text, &out->length);
+    if (status.code != WHIRL_OK) return status;
+    if (out->length > MOST_CASE_BYTES)
+        return whirl_fail(WHIRL_BAD_INPUT, "%.200s: makes a case of %zu bytes, expected at most %d", reader->file,
+                          out->length, MOST_CASE_BYTES);
+    return take_notes(&reader->notes, out);
+}
+
+whirl_status whirl_import_parse(const char *text, size_t length, const char *name, whirl_imported *out) {
+    memory_arena arena = {0};
+    import_reader reader = {.file = name, .arena = &arena, .notes = {.arena = &arena}};
+    value *root;
+    *out = (whirl_imported){0};
+    if (length > MOST_BYTES)
+        return whirl_fail(WHIRL_BAD_INPUT, "%.200s: is larger than %d MiB, expected a rotor saved by ROSS", name,
+                          MOST_BYTES >> 20);
+    whirl_status status =
+        (is_json(text, length) ? value_read_json : value_read_toml)(&arena, text, length, name, &root);
+    if (status.code == WHIRL_OK) status = convert(&reader, root, out);
+    arena_free(&arena);
+    if (status.code != WHIRL_OK) whirl_imported_free(out);
+    return status;
+}
+
+static whirl_status cannot_read(const char *path, int error) {
+    return whirl_fail(error == ENOMEM ? WHIRL_NO_MEMORY : WHIRL_BAD_INPUT, "%.200s cannot be read: %s", path,
+                      strerror(error));
+}
+
+whirl_status whirl_import_load(const char *path, whirl_imported *out) {
+    *out = (whirl_imported){0};
+    FILE *const file = fopen(path, "rb");
+    if (!file) return cannot_read(path, errno);
+    char *const text = malloc(MOST_BYTES + 1);
+    errno = 0;
+    const size_t length = text ? fread(text, 1, MOST_BYTES + 1, file) : 0;
+    const int error = !text ? ENOMEM : ferror(file) ? errno : 0;
+    fclose(file);
+    const whirl_status status = error ? cannot_read(path, error) : whirl_import_parse(text, length, path, out);
+    free(text);
+    return status;
+}
+
+void whirl_imported_free(whirl_imported *imported) {
+    for (size_t i = 0; i < imported->note_count; i++) free(imported->notes[i]);
+    free(imported->notes);
+    free(imported->text);
+    *imported = (whirl_imported){0};
+}

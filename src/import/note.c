@@ -1,0 +1,75 @@
+#include "note.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "whirl/descriptor.h"
+#include "whirl/status.h"
+
+enum { NOTE_SIZE = 600, NAMES_SIZE = 320 };
+
+/// %s: the names of the sections.
+static const char *const sentences[NOTE_KINDS] = {
+    [NOTE_DRAWING] = "Colours and scale factors, which are of drawings, are left out.",
+    [NOTE_AXIAL] = "Axial coefficients (kzz, czz, mzz) are left out, for motions here are lateral: %s.",
+    [NOTE_AXIAL_MASS] =
+        "Masses along the shaft (mz) that differ from mx are left out, for motions here are lateral: %s.",
+    [NOTE_LEAKAGE] = "The leakage of seals is left out: %s.",
+    [NOTE_NOTHING_LATERAL] = "Without lateral coefficients, so left out whole: %s.",
+    [NOTE_SKEW_MASS] = "Of unequal added masses mxy and myx the mean is taken, for inertia is symmetric: %s.",
+    [NOTE_THINNED] = "Tables of more speeds than a bearing takes here are thinned, evenly: %s.",
+    [NOTE_EXTRA] = "Keys that say how coefficients were found are left out, the coefficients are as they stand: %s.",
+    [NOTE_UNKNOWN] = "Keys that are not known here are left out: %s.",
+};
+
+static void add_text(note_list *to, char *text) {
+    whirl_make_plain(text);
+    note *const one = arena_take(to->arena, sizeof *one);
+    const char *const copy = arena_text(to->arena, text, strlen(text));
+    to->no_memory = to->no_memory || !one || !copy;
+    if (!one || !copy) return;
+    one->text = copy;
+    *(to->last ? &to->last->next : &to->first) = one;
+    to->last = one;
+    to->count++;
+}
+
+void note_add(note_list *to, const char *format, ...) {
+    char text[NOTE_SIZE];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    add_text(to, text);
+}
+
+void note_of(note_list *to, note_kind kind, const char *tag) {
+    note_tags *const tags = &to->tags[kind];
+    const size_t most = sizeof tags->first / sizeof *tags->first;
+    if (tags->count < most) tags->first[tags->count] = tag;
+    tags->count++;
+}
+
+/// "'A', 'B', 'C' and 4 more"
+static void list_tags(const note_tags *tags, char names[NAMES_SIZE]) {
+    const size_t most = sizeof tags->first / sizeof *tags->first;
+    size_t used = 0;
+    for (size_t i = 0; i < tags->count && i < most; i++)
+        used += (size_t)snprintf(names + used, NAMES_SIZE - used, "%s'%.80s'", i ? ", " : "", tags->first[i]);
+    if (tags->count > most) snprintf(names + used, NAMES_SIZE - used, " and %zu more", tags->count - most);
+}
+
+void note_finish(note_list *to) {
+    char names[NAMES_SIZE], text[NOTE_SIZE];
+    for (int kind = 0; kind < NOTE_KINDS; kind++) {
+        if (to->tags[kind].count == 0) continue;
+        list_tags(&to->tags[kind], names);
+        const char *const place = strstr(sentences[kind], "%s");
+        if (place)
+            snprintf(text, sizeof text, "%.*s%s%s", (int)(place - sentences[kind]), sentences[kind], names, place + 2);
+        else
+            snprintf(text, sizeof text, "%s", sentences[kind]);
+        add_text(to, text);
+    }
+}

@@ -1,0 +1,52 @@
+/// What could not be taken over from a file, or was chosen: a sentence each, for the reader and for the case.
+#ifndef IMPORT_NOTE_H
+#define IMPORT_NOTE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "arena.h"
+
+/// What is left out of more than one section at a time, said in one sentence for all of them.
+typedef enum note_kind {
+    NOTE_DRAWING,
+    NOTE_AXIAL,
+    NOTE_AXIAL_MASS,
+    NOTE_LEAKAGE,
+    NOTE_NOTHING_LATERAL,
+    NOTE_SKEW_MASS,
+    NOTE_THINNED,
+    NOTE_EXTRA,
+    NOTE_UNKNOWN,
+    NOTE_KINDS
+} note_kind;
+
+typedef struct note note;
+struct note {
+    const char *text;
+    note *next;
+};
+
+typedef struct note_tags {
+    size_t count;
+    const char *first[3]; ///< the first of them, borrowed
+} note_tags;
+
+typedef struct note_list {
+    memory_arena *arena;
+    size_t count;
+    note *first, *last;
+    note_tags tags[NOTE_KINDS];
+    bool no_memory;
+} note_list;
+
+/// Adds a sentence.
+void note_add(note_list *to, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/// Remembers that the section with this tag (borrowed) has lost something of that kind.
+void note_of(note_list *to, note_kind kind, const char *tag);
+
+/// Adds a sentence for every kind of which something was lost.
+void note_finish(note_list *to);
+
+#endif

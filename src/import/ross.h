@@ -1,0 +1,122 @@
+/// A rotor as ROSS saves it: what of a file is taken over, in SI and checked.
+///
+/// The format after petrobras/ross, versions 0.x to 2.3: Rotor.save, Element.save. A section "Class_tag" is an element;
+/// node n of the shaft lies between elements n - 1 and n; elements on one node are layers; nodes beyond the shaft are
+/// supports, which move along x and y. Speeds turn from x to y, as here.
+#ifndef IMPORT_ROSS_H
+#define IMPORT_ROSS_H
+
+#include "field.h"
+
+typedef struct ross_material {
+    const char *name; ///< as the file has it
+    double density, modulus, shear;
+} ross_material;
+
+typedef struct ross_piece {
+    const char *tag;
+    long node; ///< where it begins
+    double length, start, axial_force;
+    double inner[2], outer[2]; ///< at its left and right end
+    size_t material;
+    bool shear, rotary_inertia, gyroscopic, hutchinson;
+    double mass_damping, stiffness_damping;
+    field_section section;
+} ross_piece;
+
+typedef struct ross_disc {
+    const char *tag;
+    long node;
+    double mass, diametral, polar;
+    field_section section;
+} ross_disc;
+
+typedef struct ross_point {
+    const char *tag;
+    long node;
+    double mass[2]; ///< along x and y
+    bool used;
+    field_section section;
+} ross_point;
+
+/// The coefficients, in the order in which a case has them.
+typedef enum ross_coefficient {
+    KXX,
+    KXY,
+    KYX,
+    KYY,
+    CXX,
+    CXY,
+    CYX,
+    CYY,
+    MXX,
+    MXY,
+    MYX,
+    MYY,
+    COEFFICIENTS
+} ross_coefficient;
+extern const char *const ross_coefficient_names[COEFFICIENTS];
+extern const char *const ross_coefficient_units[COEFFICIENTS];
+
+typedef struct ross_bearing {
+    const char *tag;
+    long node, link;      ///< link: node of its housing, -1: the ground
+    size_t speed_count;   ///< 0: constant
+    const double *speeds; ///< rad/s, rising
+    const double *values[COEFFICIENTS];
+    bool varies[COEFFICIENTS]; ///< a value for every speed, else one for all
+    field_section section;
+} ross_bearing;
+
+/// A node that carries something: a station of the case.
+typedef struct ross_station {
+    long node;
+    const char *name;  ///< valid and unique
+    const char *first; ///< tag that it is named after
+    bool on_shaft;
+    double mass[2], diametral, polar; ///< of what it carries, along x and y
+} ross_station;
+
+typedef struct ross_rotor {
+    const char *version;       ///< of ROSS, "" where the file does not say it
+    double least, most, rated; ///< rad/s; NAN where the file does not say them
+    size_t material_count, piece_count, disc_count, point_count, bearing_count;
+    ross_material *materials;
+    ross_piece *pieces; ///< by their nodes, layers in the order of the file
+    ross_disc *discs;
+    ross_point *points;
+    ross_bearing *bearings;
+    long first_node, last_node; ///< of the shaft
+    double *position;           ///< [last_node - first_node + 1] m from its left end
+    size_t station_count;
+    ross_station *stations; ///< by their nodes
+} ross_rotor;
+
+/// Reads all sections. Problems are in reader->status.
+void ross_read(import_reader *reader, value *root, ross_rotor *out);
+
+/// A bearing, seal, or any class that has coefficients.
+void ross_read_bearing(field_section *section, const char *tag, ross_bearing *out);
+
+/// Notes keys that nobody has asked for.
+void ross_note_rest(field_section *section, const char *tag, bool computed);
+
+/// Puts the shaft together, and checks that what sits on nodes has one.
+void ross_join(import_reader *reader, ross_rotor *rotor);
+
+/// Makes stations of the nodes that carry something.
+void ross_find_stations(import_reader *reader, ross_rotor *rotor);
+
+/// The station of a node that has one.
+const ross_station *ross_station_at(const ross_rotor *rotor, long node);
+
+/// A word of small letters, digits, '_' and '-' made of a tag, or `fallback` where nothing is left of it.
+void ross_name(const char *tag, const char *fallback, char name[WHIRL_NAME_SIZE]);
+
+/// The bearing's coefficients differ from 0 somewhere.
+bool ross_acts(const ross_bearing *bearing, ross_coefficient which);
+
+/// Writes the case into memory of its own.
+whirl_status ross_write(import_reader *reader, ross_rotor *rotor, char **text, size_t *length);
+
+#endif

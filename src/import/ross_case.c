@@ -1,0 +1,363 @@
+// The case that a rotor of ROSS becomes.
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "page.h"
+#include "ross.h"
+#include "whirl/rotor.h"
+
+enum { POINTS = 101, COMMENT_SIZE = 160 };
+
+/// Speeds in rad/s that the study goes over, and that the machine stands at.
+typedef struct speed_range {
+    double from, to, at;
+    const char *why;
+} speed_range;
+
+// ---------------------------------------------------------------- speeds
+
+/// Where all tables are known.
+static void find_known(const ross_rotor *rotor, double *low, double *high) {
+    const ross_bearing *lowest = NULL;
+    *low = 0.0;
+    *high = INFINITY;
+    for (size_t i = 0; i < rotor->bearing_count; i++) {
+        const ross_bearing *const bearing = &rotor->bearings[i];
+        if (bearing->speed_count == 0) continue;
+        if (bearing->speeds[0] >= *low) {
+            *low = bearing->speeds[0];
+            lowest = bearing;
+        }
+        *high = fmin(*high, bearing->speeds[bearing->speed_count - 1]);
+    }
+    if (*low < *high) return;
+    field_section section = lowest->section;
+    field_refuse(
+        &section, "frequency", value_member(section.table, "frequency"),
+        "begins at %.10g rad/s, where another table ends or has ended (%.10g rad/s), expected tables with speeds "
+        "in common",
+        *low, *high);
+}
+
+/// The file's own speeds, within its tables; where it names none, all of its tables or up to 10000 rpm.
+static speed_range find_speeds(import_reader *reader, const ross_rotor *rotor) {
+    const double usual = 10000.0 * 3.14159265358979323846 / 30.0;
+    double low, high;
+    speed_range range = {.why = "those that the file names"};
+    find_known(rotor, &low, &high);
+    if (!field_good(reader)) return range;
+    const bool named = rotor->most > 0.0 || rotor->rated > 0.0, known = isfinite(high);
+    const double most = rotor->most > 0.0 ? rotor->most : rotor->rated > 0.0 ? 1.25 * rotor->rated : usual;
+    range.from = rotor->least >= 0.0 && rotor->least < most ? rotor->least : 0.0;
+    range.to = named || !known ? most : high;
+    if (!named)
+        range.why = known ? "those of the tables, for the file names none" : "usual ones, for the file names none";
+    if (range.from < low || range.to > high) {
+        range.from = fmin(fmax(range.from, low), high);
+        range.to = fmax(fmin(range.to, high), low);
+        if (named)
+            note_add(&reader->notes, "The study's speeds are cut to those of the tables, %.6g to %.6g rad/s.", low,
+                     high);
+    }
+    if (!(range.from < range.to)) {
+        note_add(&reader->notes, "No table knows the speeds that the file names: the study takes those of the tables.");
+        range.from = low;
+        range.to = high;
+    }
+    range.at = rotor->rated >= range.from && rotor->rated <= range.to ? rotor->rated : range.to;
+    return range;
+}
+
+/// Whole rpm where it is such a speed, to the last bits; rad/s otherwise, and where a table begins or ends there.
+static void speed_text(double speed, bool in_table, char text[QUANTITY_SIZE]) {
+    const double rpm = round(speed * 30.0 / 3.14159265358979323846);
+    if (!in_table && fabs(rpm * 3.14159265358979323846 / 30.0 - speed) <= 1e-12 * speed)
+        page_quantity(rpm, "rpm", text);
+    else
+        page_quantity(speed, "rad/s", text);
+}
+
+// ---------------------------------------------------------------- head
+
+static const char *base_of(const char *path) {
+    const char *const slash = strrchr(path, '/');
+    return slash ? slash + 1 : path;
+}
+
+/// In quotes, so that nothing in it means anything to YAML.
+static void put_title(FILE *out, const char *file) {
+    fputs("title: 'Rotor of ", out);
+    for (const char *c = base_of(file); *c; c++) {
+        if (*c == '\'') fputc('\'', out);
+        fputc(*c, out);
+    }
+    fputs("'\n", out);
+}
+
+static void put_head(FILE *out, import_reader *reader, const ross_rotor *rotor) {
+    char text[256];
+    snprintf(text, sizeof text,
+             "Made by 'whirl import' of %.100s, a rotor saved by ROSS%s%.20s (github.com/petrobras/ross).",
+             base_of(reader->file), rotor->version[0] ? " " : "", rotor->version);
+    whirl_make_plain(text);
+    page_comment(out, "# ", "# ", text);
+    for (const note *one = reader->notes.first; one; one = one->next) page_comment(out, "# - ", "#   ", one->text);
+    fputs("whirl: 1\n", out);
+    put_title(out, reader->file);
+}
+
+/// A thousandth of the shaft's mean radius as 1, 2 or 5 times a power of ten.
+static double length_scale(const ross_rotor *rotor) {
+    double area = 0.0, length = 0.0;
+    for (size_t i = 0; i < rotor->piece_count; i++) {
+        const ross_piece *const piece = &rotor->pieces[i];
+        area += 0.25 * (piece->outer[0] + piece->outer[1]) * piece->length;
+        length += piece->length;
+    }
+    const double exact = 1e-3 * area / length, power = pow(10.0, floor(log10(exact)));
+    const double digit = exact / power;
+    return power * (digit < 1.5 ? 1.0 : digit < 3.5 ? 2.0 : digit < 7.5 ? 5.0 : 10.0);
+}
+
+// ---------------------------------------------------------------- materials and shaft
+
+static void pressure_text(double pressure, char text[QUANTITY_SIZE]) {
+    if (pressure >= 1e8)
+        page_quantity(1e-9 * pressure, "GPa", text);
+    else
+        page_quantity(pressure, "Pa", text);
+}
+
+static void put_materials(FILE *out, const ross_rotor *rotor, char (*names)[WHIRL_NAME_SIZE]) {
+    char modulus[QUANTITY_SIZE], shear[QUANTITY_SIZE], density[QUANTITY_SIZE];
+    fputs("  materials:\n", out);
+    for (size_t i = 0; i < rotor->material_count; i++) {
+        const ross_material *const one = &rotor->materials[i];
+        ross_name(one->name, "material", names[i]);
+        const size_t length = strlen(names[i]);
+        bool taken = true;
+        for (int number = 2; taken; number++) {
+            taken = false;
+            for (size_t j = 0; j < i; j++) taken = taken || strcmp(names[j], names[i]) == 0;
+            if (taken) snprintf(names[i] + length, WHIRL_NAME_SIZE - length, "_%d", number);
+        }
+        pressure_text(one->modulus, modulus);
+        pressure_text(one->shear, shear);
+        page_quantity(one->density, "kg/m3", density);
+        fprintf(out, "    %s: {modulus: %s, shear_modulus: %s, density: %s}\n", names[i], modulus, shear, density);
+    }
+}
+
+/// What one shaft has once here, and every element of ROSS for itself.
+static void check_alike(ross_rotor *rotor) {
+    const ross_piece *const first = &rotor->pieces[0];
+    for (size_t i = 1; i < rotor->piece_count; i++) {
+        ross_piece *const piece = &rotor->pieces[i];
+        const char *key = NULL;
+        if (piece->shear != first->shear) key = "shear_effects";
+        if (piece->shear && piece->hutchinson != first->hutchinson) key = "shear_method_calc";
+        if (piece->rotary_inertia != first->rotary_inertia) key = "rotary_inertia";
+        if (piece->gyroscopic != first->gyroscopic) key = "gyroscopic";
+        if (piece->mass_damping != first->mass_damping) key = "alpha";
+        if (piece->stiffness_damping != first->stiffness_damping) key = "beta";
+        if (key)
+            field_refuse(&piece->section, key, value_member(piece->section.table, key),
+                         "differs from that of '%.60s', expected one for the whole shaft", first->tag);
+    }
+}
+
+static void put_shaft(FILE *out, const ross_rotor *rotor, const char *material) {
+    const ross_piece *const first = &rotor->pieces[0];
+    char text[QUANTITY_SIZE];
+    page_line line = page_open(out, 6, "  shafts:\n    shaft: {");
+    if (rotor->material_count == 1) page_item(&line, "material: %s", material);
+    page_item(&line, "shear: %s", !first->shear ? "none" : first->hutchinson ? "hutchinson" : "cowper");
+    if (!first->rotary_inertia) page_item(&line, "rotary_inertia: no");
+    if (!first->gyroscopic) page_item(&line, "gyroscopic: no");
+    page_quantity(first->mass_damping, "1/s", text);
+    if (first->mass_damping != 0.0) page_item(&line, "mass_damping: %s", text);
+    page_quantity(first->stiffness_damping, "s", text);
+    if (first->stiffness_damping != 0.0) page_item(&line, "stiffness_damping: %s", text);
+    page_close(&line, "}", NULL);
+}
+
+static void put_piece(FILE *out, const ross_rotor *rotor, const ross_piece *piece, bool layer, const char *material) {
+    static const char *const outer[] = {"outer", "outer_end"}, *const inner[] = {"inner", "inner_end"};
+    char text[QUANTITY_SIZE], comment[COMMENT_SIZE];
+    page_line line = page_open(out, 16, "    - segment: {");
+    page_quantity(piece->length, "m", text);
+    page_item(&line, "length: %s", text);
+    const bool conical = piece->outer[0] != piece->outer[1] || piece->inner[0] != piece->inner[1];
+    for (int end = 0; end < 1 + conical; end++) {
+        page_quantity(piece->outer[end], "m", text);
+        page_item(&line, "%s: %s", outer[end], text);
+        page_quantity(piece->inner[end], "m", text);
+        if (piece->inner[0] != 0.0 || piece->inner[1] != 0.0) page_item(&line, "%s: %s", inner[end], text);
+    }
+    page_quantity(piece->start, "m", text);
+    if (layer) page_item(&line, "start: %s", text);
+    if (rotor->material_count > 1) page_item(&line, "material: %s", material);
+    page_quantity(piece->axial_force, "N", text);
+    if (piece->axial_force != 0.0) page_item(&line, "axial_force: %s", text);
+    snprintf(comment, sizeof comment, "%.60s, node %ld", piece->tag, piece->node);
+    whirl_make_plain(comment);
+    page_close(&line, "}", comment);
+}
+
+// ---------------------------------------------------------------- stations and bearings
+
+static void put_station(FILE *out, const ross_rotor *rotor, const ross_station *at) {
+    char text[QUANTITY_SIZE], head[WHIRL_NAME_SIZE + 16], comment[COMMENT_SIZE];
+    snprintf(head, sizeof head, "    %s: {", at->name);
+    page_line line = page_open(out, (int)strlen(head), head);
+    if (at->on_shaft) {
+        page_quantity(rotor->position[at->node - rotor->first_node], "m", text);
+        page_item(&line, "position: %s", text);
+    }
+    const struct {
+        const char *key, *unit;
+        double number;
+    } parts[] = {{"mass", "kg", fmin(at->mass[0], at->mass[1])},
+                 {"diametral", "kg.m2", at->diametral},
+                 {"polar", "kg.m2", at->polar}};
+    for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {
+        page_quantity(parts[i].number, parts[i].unit, text);
+        if (parts[i].number != 0.0) page_item(&line, "%s: %s", parts[i].key, text);
+    }
+    snprintf(comment, sizeof comment, "node %ld%s", at->node, at->on_shaft ? "" : ", a support");
+    page_close(&line, "}", comment);
+}
+
+/// What a support weighs along one axis beyond the other.
+static void put_heavier_axis(FILE *out, const ross_station *at) {
+    char text[QUANTITY_SIZE];
+    if (at->mass[0] == at->mass[1]) return;
+    const bool x = at->mass[0] > at->mass[1];
+    page_quantity(fabs(at->mass[0] - at->mass[1]), "kg", text);
+    fprintf(out, "    # The mass of %s is larger along %s\n    - bearing: {at: %s, mxx: %s, myy: %s}\n", at->name,
+            x ? "x" : "y", at->name, x ? text : "0 kg", x ? "0 kg" : text);
+}
+
+/// What acts along y is written where it differs from x, and what is 0 is not.
+static bool is_said(const ross_bearing *bearing, ross_coefficient which) {
+    const ross_coefficient x = which == KYY ? KXX : which == CYY ? CXX : which == MYY ? MXX : which;
+    if (which == MYX) return false; // inertia is symmetric
+    if (x == which) return ross_acts(bearing, which);
+    if (bearing->varies[which] || bearing->varies[x]) {
+        if (bearing->varies[which] != bearing->varies[x]) return true;
+        for (size_t i = 0; i < bearing->speed_count; i++)
+            if (bearing->values[which][i] != bearing->values[x][i]) return true;
+        return false;
+    }
+    return bearing->values[which][0] != bearing->values[x][0];
+}
+
+/// "kxx: [1, 2, 3]": plain numbers are in SI.
+static void put_list(FILE *out, const char *key, const double *numbers, size_t count) {
+    char text[QUANTITY_SIZE], head[32];
+    snprintf(head, sizeof head, "        %s: [", key);
+    page_line line = page_open(out, (int)strlen(head), head);
+    for (size_t i = 0; i < count; i++) {
+        page_quantity(numbers[i], "", text);
+        page_item(&line, "%s", text);
+    }
+    page_close(&line, "]", NULL);
+}
+
+/// A bearing with coefficients over the speed: a key a line.
+static void put_table(FILE *out, const ross_rotor *rotor, const ross_bearing *bearing) {
+    char text[QUANTITY_SIZE];
+    fprintf(out, "    - bearing:\n        at: %s\n", ross_station_at(rotor, bearing->node)->name);
+    if (bearing->link >= 0) fprintf(out, "        from: %s\n", ross_station_at(rotor, bearing->link)->name);
+    put_list(out, "speeds", bearing->speeds, bearing->speed_count);
+    for (int i = KXX; i < COEFFICIENTS; i++) {
+        const ross_coefficient which = (ross_coefficient)i;
+        if (!is_said(bearing, which)) continue;
+        page_quantity(bearing->values[which][0], ross_coefficient_units[which], text);
+        if (bearing->varies[which])
+            put_list(out, ross_coefficient_names[which], bearing->values[which], bearing->speed_count);
+        else
+            fprintf(out, "        %s: %s\n", ross_coefficient_names[which], text);
+    }
+}
+
+static void put_constant(FILE *out, const ross_rotor *rotor, const ross_bearing *bearing) {
+    char text[QUANTITY_SIZE];
+    page_line line = page_open(out, 16, "    - bearing: {");
+    page_item(&line, "at: %s", ross_station_at(rotor, bearing->node)->name);
+    if (bearing->link >= 0) page_item(&line, "from: %s", ross_station_at(rotor, bearing->link)->name);
+    for (int i = KXX; i < COEFFICIENTS; i++) {
+        page_quantity(bearing->values[i][0], ross_coefficient_units[i], text);
+        if (is_said(bearing, (ross_coefficient)i)) page_item(&line, "%s: %s", ross_coefficient_names[i], text);
+    }
+    page_close(&line, "}", NULL);
+}
+
+static void put_bearing(FILE *out, const ross_rotor *rotor, const ross_bearing *bearing) {
+    char comment[COMMENT_SIZE];
+    snprintf(comment, sizeof comment, "%.60s, node %ld", bearing->tag, bearing->node);
+    whirl_make_plain(comment);
+    page_comment(out, "    # ", "    # ", comment);
+    (bearing->speed_count > 0 ? put_table : put_constant)(out, rotor, bearing);
+}
+
+// ---------------------------------------------------------------- the whole
+
+static void put_rotor(FILE *out, const ross_rotor *rotor, char (*names)[WHIRL_NAME_SIZE]) {
+    char text[QUANTITY_SIZE];
+    page_quantity(1e6 * length_scale(rotor), "um", text);
+    fprintf(out, "\nrotor:\n  speed: = speed\n  length_scale: %s    # near a thousandth of the shaft's radius\n", text);
+    put_materials(out, rotor, names);
+    put_shaft(out, rotor, names[0]);
+    fputs("  stations:    # those of a shaft may have eccentricity: ROSS saves no unbalance\n", out);
+    for (size_t i = 0; i < rotor->station_count; i++) put_station(out, rotor, &rotor->stations[i]);
+    fputs("  elements:    # plain numbers are in SI: rad/s, N/m, N s/m, kg\n", out);
+    for (size_t i = 0; i < rotor->piece_count; i++) {
+        const ross_piece *const piece = &rotor->pieces[i];
+        put_piece(out, rotor, piece, i > 0 && piece[-1].node == piece->node, names[piece->material]);
+    }
+    for (size_t i = 0; i < rotor->bearing_count; i++) put_bearing(out, rotor, &rotor->bearings[i]);
+    for (size_t i = 0; i < rotor->station_count; i++) put_heavier_axis(out, &rotor->stations[i]);
+}
+
+static bool is_end_of_table(const ross_rotor *rotor, double speed) {
+    for (size_t i = 0; i < rotor->bearing_count; i++) {
+        const ross_bearing *const one = &rotor->bearings[i];
+        if (one->speed_count > 0 && (one->speeds[0] == speed || one->speeds[one->speed_count - 1] == speed))
+            return true;
+    }
+    return false;
+}
+
+static void put_case(FILE *out, import_reader *reader, const ross_rotor *rotor, const speed_range *range,
+                     char (*names)[WHIRL_NAME_SIZE]) {
+    char text[QUANTITY_SIZE], to[QUANTITY_SIZE];
+    put_head(out, reader, rotor);
+    speed_text(range->at, is_end_of_table(rotor, range->at), text);
+    fprintf(out, "\nparameters:\n  speed: %s    # of %.10g to %.10g rad/s: %s\n", text, range->from, range->to,
+            range->why);
+    put_rotor(out, rotor, names);
+    speed_text(range->from, is_end_of_table(rotor, range->from), text);
+    speed_text(range->to, is_end_of_table(rotor, range->to), to);
+    fprintf(out, "\nstudy:\n  response: {}\n");
+}
+
+whirl_status ross_write(import_reader *reader, ross_rotor *rotor, char **text, size_t *length) {
+    *text = NULL;
+    check_alike(rotor);
+    const speed_range range = find_speeds(reader, rotor);
+    char(*const names)[WHIRL_NAME_SIZE] = field_memory(reader, (rotor->material_count + 1) * sizeof *names);
+    note_finish(&reader->notes);
+    if (reader->notes.no_memory && field_good(reader))
+        reader->status = whirl_fail(WHIRL_NO_MEMORY, "no memory to read %.200s", reader->file);
+    if (!field_good(reader)) return reader->status;
+    FILE *const out = open_memstream(text, length);
+    if (!out) return whirl_fail(WHIRL_NO_MEMORY, "no memory to write the case of %.200s", reader->file);
+    put_case(out, reader, rotor, &range, names);
+    const bool failed = ferror(out) != 0;
+    if (fclose(out) == 0 && !failed && *text) return whirl_ok();
+    free(*text);
+    *text = NULL;
+    return whirl_fail(WHIRL_NO_MEMORY, "no memory to write the case of %.200s", reader->file);
+}

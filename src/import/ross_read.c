@@ -1,0 +1,269 @@
+// The sections of a file of ROSS, each by its class.
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "ross.h"
+#include "whirl/rotor.h"
+
+// ---------------------------------------------------------------- the shaft
+
+static bool same_material(const ross_material *one, const ross_material *other) {
+    return strcmp(one->name, other->name) == 0 && one->density == other->density && one->modulus == other->modulus &&
+           one->shear == other->shear;
+}
+
+/// The shear modulus, or it by Poisson's ratio.
+static double read_shear(field_section *section, double modulus) {
+    const field_kind shear = {"G_s", "Pa", WHIRL_POSITIVE}, poisson = {"Poisson", "1", WHIRL_FROM_TO(-0.99, 0.5)};
+    if (!value_member(section->table, "G_s") && value_member(section->table, "Poisson"))
+        return 0.5 * modulus / (1.0 + field_number(section, &poisson, NAN));
+    (void)value_member(section->table, "Poisson"); // it follows from both
+    return field_number(section, &shear, NAN);
+}
+
+/// The index of the material of a piece, among those that are known or as a new one.
+static size_t read_material(field_section *piece, ross_rotor *out) {
+    static const char expected[] = "a table with name, rho, E and G_s";
+    value *const table = value_member(piece->table, "material");
+    char shown[VALUE_SHOWN_SIZE];
+    if (!table) field_refuse(piece, "material", NULL, "is missing, expected %s", expected);
+    if (table && table->kind != VALUE_TABLE)
+        field_refuse(piece, "material", table, "is %s, expected %s", value_shown(table, shown), expected);
+    char *const name = field_memory(piece->reader, strlen(piece->name) + sizeof ".material");
+    if (!name || !table) return 0;
+    strcat(strcpy(name, piece->name), ".material");
+    field_section section = {piece->reader, name, table};
+    const field_kind density = {"rho", "kg/m3", WHIRL_POSITIVE}, modulus = {"E", "Pa", WHIRL_POSITIVE};
+    ross_material *const one = &out->materials[out->material_count];
+    one->name = field_text(&section, "name", "material");
+    one->density = field_number(&section, &density, NAN);
+    one->modulus = field_number(&section, &modulus, NAN);
+    one->shear = read_shear(&section, one->modulus);
+    // What ROSS's bearings ask of their own material, and the colour.
+    static const char *const others[] = {"color", "specific_heat", "thermal_conductivity"};
+    for (size_t i = 0; i < sizeof others / sizeof *others; i++) (void)value_member(table, others[i]);
+    ross_note_rest(&section, name, false);
+    if (!field_good(piece->reader)) return 0;
+    size_t i = 0;
+    while (!same_material(&out->materials[i], one)) i++;
+    if (i == out->material_count) out->material_count++;
+    return i;
+}
+
+static void read_diameters(field_section *section, ross_piece *out) {
+    static const char *const inner[] = {"idl", "idr"}, *const outer[] = {"odl", "odr"};
+    for (int end = 0; end < 2; end++) {
+        const field_kind from = {inner[end], "m", WHIRL_NOT_NEGATIVE}, to = {outer[end], "m", WHIRL_POSITIVE};
+        out->inner[end] = field_number(section, &from, end ? out->inner[0] : NAN);
+        out->outer[end] = field_number(section, &to, end ? out->outer[0] : NAN);
+        if (field_good(section->reader) && out->inner[end] >= out->outer[end])
+            field_refuse(section, inner[end], value_member(section->table, inner[end]),
+                         "is %.10g m, expected less than %s, %.10g m", out->inner[end], outer[end], out->outer[end]);
+    }
+}
+
+static bool read_method(field_section *section) {
+    const char *const method = field_text(section, "shear_method_calc", "cowper");
+    const bool hutchinson = strcmp(method, "hutchinson") == 0;
+    if (!hutchinson && strcmp(method, "cowper") != 0)
+        field_refuse(section, "shear_method_calc", value_member(section->table, "shear_method_calc"),
+                     "is \"%.40s\", expected \"cowper\" or \"hutchinson\"", method);
+    return hutchinson;
+}
+
+static void read_piece(field_section *section, const char *tag, ross_rotor *out) {
+    const field_kind length = {"L", "m", WHIRL_POSITIVE}, torque = {"torque", "N m", WHIRL_ANY},
+                     force = {"axial_force", "N", WHIRL_ANY}, alpha = {"alpha", "1/s", WHIRL_NOT_NEGATIVE},
+                     beta = {"beta", "s", WHIRL_NOT_NEGATIVE};
+    ross_piece *const piece = &out->pieces[out->piece_count++];
+    *piece = (ross_piece){.tag = tag, .section = *section};
+    piece->node = field_whole(section, "n", -2);
+    piece->length = field_number(section, &length, NAN);
+    read_diameters(section, piece);
+    piece->axial_force = field_number(section, &force, 0.0);
+    piece->shear = field_truth(section, "shear_effects", true);
+    piece->rotary_inertia = field_truth(section, "rotary_inertia", true);
+    piece->gyroscopic = field_truth(section, "gyroscopic", true);
+    piece->hutchinson = read_method(section);
+    piece->mass_damping = field_number(section, &alpha, 0.0);
+    piece->stiffness_damping = field_number(section, &beta, 0.0);
+    if (field_number(section, &torque, 0.0) != 0.0)
+        field_refuse(
+            section, "torque", value_member(section->table, "torque"),
+            "is not 0, expected a shaft without torque: it couples bending in a way that is not modelled here");
+    piece->material = read_material(section, out);
+    ross_note_rest(section, tag, false);
+}
+
+// ---------------------------------------------------------------- what sits on it
+
+static void read_disc(field_section *section, const char *tag, ross_rotor *out) {
+    const field_kind mass = {"m", "kg", WHIRL_NOT_NEGATIVE}, diametral = {"Id", "kg m2", WHIRL_NOT_NEGATIVE},
+                     polar = {"Ip", "kg m2", WHIRL_NOT_NEGATIVE};
+    ross_disc *const disc = &out->discs[out->disc_count++];
+    *disc = (ross_disc){.tag = tag, .section = *section};
+    disc->node = field_whole(section, "n", -2);
+    disc->mass = field_number(section, &mass, NAN);
+    disc->diametral = field_number(section, &diametral, NAN);
+    disc->polar = field_number(section, &polar, NAN);
+    ross_note_rest(section, tag, false);
+}
+
+/// `m` counts where none of mx, my and mz is there.
+static void read_point(field_section *section, const char *tag, ross_rotor *out) {
+    static const char *const along[] = {"mx", "my"};
+    ross_point *const point = &out->points[out->point_count++];
+    *point = (ross_point){.tag = tag, .section = *section};
+    point->node = field_whole(section, "n", -2);
+    const field_kind whole = {"m", "kg", WHIRL_NOT_NEGATIVE}, axial = {"mz", "kg", WHIRL_NOT_NEGATIVE};
+    const bool split =
+        value_member(section->table, "mx") || value_member(section->table, "my") || value_member(section->table, "mz");
+    const double mass = field_number(section, &whole, split ? 0.0 : NAN);
+    for (int axis = 0; axis < 2; axis++) {
+        const field_kind kind = {along[axis], "kg", WHIRL_NOT_NEGATIVE};
+        point->mass[axis] = field_number(section, &kind, split ? NAN : mass);
+    }
+    const double mz = field_number(section, &axial, point->mass[0]);
+    if (mz != point->mass[0] && mz != point->mass[1] && mz != 0.0)
+        note_of(&section->reader->notes, NOTE_AXIAL_MASS, tag);
+    ross_note_rest(section, tag, false);
+}
+
+static void read_bearing(field_section *section, const char *tag, ross_rotor *out) {
+    ross_bearing *const bearing = &out->bearings[out->bearing_count];
+    ross_read_bearing(section, tag, bearing);
+    bool acts = false;
+    for (int which = KXX; which < COEFFICIENTS; which++) acts = acts || ross_acts(bearing, (ross_coefficient)which);
+    out->bearing_count += acts;
+    if (!acts && field_good(section->reader)) note_of(&section->reader->notes, NOTE_NOTHING_LATERAL, tag);
+}
+
+// ---------------------------------------------------------------- sections
+
+typedef void read_section(field_section *section, const char *tag, ross_rotor *out);
+
+typedef struct ross_class {
+    const char *name;
+    read_section *read;  ///< NULL: not taken over
+    const char *instead; ///< why not
+} ross_class;
+
+static const ross_class classes[] = {
+    {"ShaftElement", read_piece, NULL},
+    {"DiskElement", read_disc, NULL},
+    {"BearingElement", read_bearing, NULL},
+    {"SealElement", read_bearing, NULL},
+    {"PointMass", read_point, NULL},
+    {"CouplingElement", NULL, "couplings are not taken over"},
+    {"GearElement", NULL, "gears couple shafts and twist, which is not taken over"},
+    {"GearElementTVMS", NULL, "gears couple shafts and twist, which is not taken over"},
+    {"MagneticBearingElement", NULL, "magnetic bearings have a controller, which is not taken over"},
+};
+enum { CLASSES = sizeof classes / sizeof *classes };
+
+/// The class that a section's name begins with: "ShaftElement_Shaft Element 0", of older files "ShaftElement6DoF_...".
+static const ross_class *find_class(const char *name, size_t length) {
+    static const char old[] = "6DoF";
+    if (length > 4 && strncmp(name + length - 4, old, 4) == 0) length -= 4;
+    for (size_t i = 0; i < CLASSES; i++)
+        if (strlen(classes[i].name) == length && strncmp(name, classes[i].name, length) == 0) return &classes[i];
+    return NULL;
+}
+
+/// A class that nobody has heard of is a bearing where it has coefficients.
+static void read_unknown(field_section *section, size_t length, const char *tag, ross_rotor *out) {
+    const char *names[CLASSES];
+    char word[64];
+    if (section->table->kind == VALUE_TABLE && value_member(section->table, "kxx")) {
+        read_bearing(section, tag, out);
+        return;
+    }
+    for (size_t i = 0; i < CLASSES; i++) names[i] = classes[i].name;
+    snprintf(word, sizeof word, "%.*s", (int)(length < sizeof word ? length : sizeof word - 1), section->name);
+    const char *const nearest = whirl_nearest_name(word, names, CLASSES);
+    field_refuse(section, NULL, section->table,
+                 nearest ? "is a %s, expected %s_..."
+                         : "is a %s, expected ShaftElement, DiskElement, BearingElement, "
+                           "SealElement, PointMass, or a class with coefficients (kxx)",
+                 word, nearest);
+}
+
+static void read_element(import_reader *reader, value *table, ross_rotor *out) {
+    const char *const mark = strchr(table->key, '_');
+    const size_t length = mark ? (size_t)(mark - table->key) : strlen(table->key);
+    field_section section = {reader, table->key, table};
+    const ross_class *const class = find_class(table->key, length);
+    char shown[VALUE_SHOWN_SIZE];
+    if (table->kind != VALUE_TABLE) {
+        field_refuse(&section, NULL, table, "is %s, expected a section of a rotor saved by ROSS",
+                     value_shown(table, shown));
+        return;
+    }
+    const char *const tag = field_text(&section, "tag", mark ? mark + 1 : table->key);
+    if (!class)
+        read_unknown(&section, length, tag, out);
+    else if (class->read)
+        class->read(&section, tag, out);
+    else
+        field_refuse(&section, NULL, table, "%s", class->instead);
+}
+
+/// Speeds that the rotor is made for.
+static void read_parameters(import_reader *reader, value *root, ross_rotor *out) {
+    value *const table = value_member(root, "parameters");
+    out->least = out->most = out->rated = NAN;
+    if (!table || table->kind != VALUE_TABLE) return;
+    field_section section = {reader, "parameters", table};
+    static const char *const keys[] = {"min_w", "max_w", "rated_w"};
+    double *const places[] = {&out->least, &out->most, &out->rated};
+    for (int i = 0; i < 3; i++) {
+        const field_kind kind = {keys[i], "rad/s", WHIRL_NOT_NEGATIVE};
+        if (value_member(table, keys[i])) *places[i] = field_number(&section, &kind, NAN);
+    }
+    if (out->least > out->most)
+        field_refuse(&section, "min_w", value_member(table, "min_w"),
+                     "is %.10g rad/s, expected at most max_w, %.10g rad/s", out->least, out->most);
+    ross_note_rest(&section, "parameters", false);
+}
+
+static bool is_element(const value *one) {
+    return one->key[0] != '_' && strcmp(one->key, "parameters") != 0 && strcmp(one->key, "ross_version") != 0;
+}
+
+/// Room for as many of each as there are sections: of one file they are few.
+static bool make_room(import_reader *reader, const value *root, ross_rotor *out) {
+    size_t count = 1;
+    for (const value *one = root->first; one; one = one->next) count += is_element(one);
+    if (count > WHIRL_MAX_ELEMENTS) {
+        reader->status = whirl_fail(WHIRL_BAD_INPUT, "%.200s: has %zu sections, expected at most %d elements",
+                                    reader->file, count - 1, WHIRL_MAX_ELEMENTS - 1);
+        return false;
+    }
+    out->materials = field_memory(reader, (count + 1) * sizeof *out->materials);
+    out->pieces = field_memory(reader, count * sizeof *out->pieces);
+    out->discs = field_memory(reader, count * sizeof *out->discs);
+    out->points = field_memory(reader, count * sizeof *out->points);
+    out->bearings = field_memory(reader, count * sizeof *out->bearings);
+    return field_good(reader);
+}
+
+void ross_read(import_reader *reader, value *root, ross_rotor *out) {
+    *out = (ross_rotor){.version = ""};
+    if (root->kind != VALUE_TABLE || !make_room(reader, root, out)) {
+        if (field_good(reader))
+            reader->status =
+                whirl_fail(WHIRL_BAD_INPUT, "%.200s: has no sections, expected a rotor saved by ROSS", reader->file);
+        return;
+    }
+    const value *const version = value_member(root, "ross_version");
+    if (version && version->kind == VALUE_TEXT) out->version = version->text;
+    read_parameters(reader, root, out);
+    for (value *one = root->first; one && field_good(reader); one = one->next)
+        if (is_element(one)) read_element(reader, one, out);
+    if (field_good(reader) && out->piece_count == 0)
+        reader->status = whirl_fail(WHIRL_BAD_INPUT,
+                                    "%.200s: has no section [ShaftElement_...], expected a rotor that "
+                                    "ROSS has saved (Rotor.save)",
+                                    reader->file);
+}

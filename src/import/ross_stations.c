@@ -1,0 +1,106 @@
+// Nodes that carry something become stations, with names made of the tags.
+#include <ctype.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "ross.h"
+#include "whirl/rotor.h"
+
+/// "Seal 1 (R0)" becomes "seal_1_r0".
+void ross_name(const char *tag, const char *fallback, char name[WHIRL_NAME_SIZE]) {
+    const size_t room = WHIRL_NAME_SIZE - 8; // for "_1024"
+    size_t length = 0;
+    bool gap = false;
+    for (const char *c = tag; *c && length + 2 < room; c++) {
+        const unsigned char letter = (unsigned char)*c;
+        if (letter < 128 && (isalnum(letter) || letter == '-')) {
+            if (gap && length > 0) name[length++] = '_';
+            name[length++] = (char)tolower(letter);
+            gap = false;
+        } else {
+            gap = true;
+        }
+    }
+    name[length] = '\0';
+    if (length == 0 || !isalpha((unsigned char)name[0])) snprintf(name, WHIRL_NAME_SIZE, "%s", fallback);
+}
+
+static bool is_taken(const ross_rotor *rotor, size_t count, const char *name) {
+    if (strcmp(name, "ground") == 0) return true;
+    for (size_t i = 0; i < count; i++)
+        if (strcmp(rotor->stations[i].name, name) == 0) return true;
+    return false;
+}
+
+static void give_name(import_reader *reader, ross_rotor *rotor, size_t index) {
+    char fallback[WHIRL_NAME_SIZE], base[WHIRL_NAME_SIZE], name[WHIRL_NAME_SIZE + 16];
+    ross_station *const station = &rotor->stations[index];
+    snprintf(fallback, sizeof fallback, "node_%ld", station->node);
+    ross_name(station->first, fallback, base);
+    snprintf(name, sizeof name, "%s", base);
+    for (int i = 2; is_taken(rotor, index, name); i++) snprintf(name, sizeof name, "%s_%d", base, i);
+    char *const copy = field_memory(reader, strlen(name) + 1);
+    if (copy) station->name = strcpy(copy, name);
+}
+
+/// The station of a node, as new where there is none; named after what comes first.
+static ross_station *station_of(ross_rotor *rotor, long node, const char *tag) {
+    for (size_t i = 0; i < rotor->station_count; i++)
+        if (rotor->stations[i].node == node) return &rotor->stations[i];
+    ross_station *const added = &rotor->stations[rotor->station_count++];
+    const bool on_shaft = node >= rotor->first_node && node <= rotor->last_node;
+    *added = (ross_station){.node = node, .first = tag, .on_shaft = on_shaft};
+    return added;
+}
+
+static void collect(ross_rotor *rotor) {
+    for (size_t i = 0; i < rotor->disc_count; i++) {
+        const ross_disc *const disc = &rotor->discs[i];
+        ross_station *const at = station_of(rotor, disc->node, disc->tag);
+        at->mass[0] += disc->mass;
+        at->mass[1] += disc->mass;
+        at->diametral += disc->diametral;
+        at->polar += disc->polar;
+    }
+    for (size_t i = 0; i < rotor->point_count; i++) {
+        const ross_point *const point = &rotor->points[i];
+        ross_station *const at = station_of(rotor, point->node, point->tag);
+        for (int axis = 0; axis < 2; axis++) at->mass[axis] += point->mass[axis];
+    }
+    for (size_t i = 0; i < rotor->bearing_count; i++) {
+        station_of(rotor, rotor->bearings[i].node, rotor->bearings[i].tag);
+        if (rotor->bearings[i].link >= 0) station_of(rotor, rotor->bearings[i].link, "");
+    }
+    if (rotor->station_count > 0) return;
+    station_of(rotor, rotor->first_node, "left end");
+    station_of(rotor, rotor->last_node, "right end");
+}
+
+static void sort_stations(ross_rotor *rotor) {
+    for (size_t i = 1; i < rotor->station_count; i++) {
+        const ross_station moved = rotor->stations[i];
+        size_t j = i;
+        for (; j > 0 && rotor->stations[j - 1].node > moved.node; j--) rotor->stations[j] = rotor->stations[j - 1];
+        rotor->stations[j] = moved;
+    }
+}
+
+void ross_find_stations(import_reader *reader, ross_rotor *rotor) {
+    const size_t most = rotor->disc_count + rotor->point_count + 2 * rotor->bearing_count + 2;
+    rotor->stations = field_memory(reader, most * sizeof *rotor->stations);
+    if (!rotor->stations) return;
+    collect(rotor);
+    if (rotor->station_count > WHIRL_MAX_STATIONS) {
+        reader->status = whirl_fail(WHIRL_BAD_INPUT, "%.200s: has %zu nodes that carry something, expected at most %d",
+                                    reader->file, rotor->station_count, WHIRL_MAX_STATIONS);
+        return;
+    }
+    sort_stations(rotor);
+    for (size_t i = 0; i < rotor->station_count && field_good(reader); i++) give_name(reader, rotor, i);
+}
+
+const ross_station *ross_station_at(const ross_rotor *rotor, long node) {
+    size_t i = 0;
+    while (rotor->stations[i].node != node) i++;
+    return &rotor->stations[i];
+}

@@ -1,0 +1,161 @@
+// Rotors saved by ROSS: their modes by the imported case against what ROSS computes and its tests assert.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "support_check.h"
+#include "whirl/case.h"
+#include "whirl/import.h"
+#include "whirl/linear.h"
+#include "whirl/rotor.h"
+
+static const char rotors[] = WHIRL_CASES "/../tests/rotors/";
+
+/// The case of a file, with all that `from` stands before in place of what stands up to `to`: freed by the caller.
+static char *replace(char *text, const char *from, const char *to, const char *by) {
+    char *const start = strstr(text, from);
+    assert_non_null(start);
+    const char *const end = strstr(start, to);
+    assert_non_null(end);
+    const size_t size = strlen(text) + strlen(by) + 1;
+    char *const made = malloc(size);
+    snprintf(made, size, "%.*s%s%s", (int)(start - text), text, by, end);
+    free(text);
+    return made;
+}
+
+/// The whole model, no reduced one.
+static char *import_full(const char *name) {
+    char path[512];
+    whirl_imported imported;
+    snprintf(path, sizeof path, "%s%s", rotors, name);
+    require_ok(whirl_import_load(path, &imported));
+    char *const text = malloc(imported.length + 1);
+    memcpy(text, imported.text, imported.length + 1);
+    whirl_imported_free(&imported);
+    return replace(text, "shear: ", "shear: ", "reduce: no, ");
+}
+
+static whirl_case *parse(const char *text) {
+    whirl_problems problems = {0};
+    whirl_case *object;
+    require_ok(whirl_case_parse(text, strlen(text), "imported", &problems, &object));
+    whirl_problems_free(&problems);
+    return object;
+}
+
+/// At a speed in rad/s; *clock is that by which the modes are in rad/s.
+static whirl_modes *modes_at(const whirl_case *object, double speed, double *clock) {
+    whirl_rotor *rotor;
+    whirl_modes *modes;
+    require_ok(whirl_case_rotor(object, "speed", speed, &rotor));
+    const whirl_system *const system = whirl_rotor_system(rotor);
+    double *const start = calloc(system->dimension, sizeof *start);
+    require_ok(whirl_modes_new(system, start, &modes));
+    *clock = whirl_rotor_clock(rotor);
+    free(start);
+    whirl_rotor_free(rotor);
+    return modes;
+}
+
+/// Two discs on anisotropic bearings (Friswell et al. 2010, example 5.9.2), by ROSS 2.3 with consistent mass.
+static void test_two_discs(void **state) {
+    static const struct {
+        double rpm;
+        const char *digits[6];
+    } published[] = {
+        {1e-3, {"91.7965532", "96.2889998", "274.5659451", "296.5004853", "722.8978749", "765.0004292"}},
+        {4000.0, {"91.6290532", "96.4083778", "267.6424154", "303.2078393", "671.5163186", "810.5345949"}},
+    };
+    char *const text = import_full("two-discs.toml");
+    whirl_case *const object = parse(text);
+    (void)state;
+    for (size_t i = 0; i < 2; i++) {
+        double clock;
+        whirl_modes *const modes = modes_at(object, published[i].rpm * 3.14159265358979323846 / 30.0, &clock);
+        for (size_t mode = 0; mode < 6; mode++)
+            check_digits("Import", words("two discs at %.0f rpm: mode %zu, rad/s", published[i].rpm, mode + 1),
+                         published[i].digits[mode], clock * modes->modes[mode].imaginary);
+        whirl_modes_free(modes);
+    }
+    whirl_case_free(object);
+    free(text);
+}
+
+// ---------------------------------------------------------------- a compressor
+
+/// Natural frequencies in rad/s at rest and forward synchronous speeds, of bearings of 1e6 to 1e11 N/m in equal ratios:
+/// ross/tests/test_rotor_assembly.py, test_ucs_rotor9.
+static const double at_rest[4][5] = {
+    {89.61923786, 350.42266504, 662.41928664, 694.07268245, 695.82331031},
+    {124.81086083, 523.02183296, 1891.18155397, 2108.7448203, 2111.56014972},
+    {976.61001489, 1046.09648924, 2047.58519431, 3043.40464892, 3113.38540495},
+    {2159.64074905, 2162.07931839, 2321.68023491, 4080.81909788, 4317.88700623},
+};
+static const double synchronous[4][5] = {
+    {89.61947056, 350.61514002, 670.08583401, 703.98416314, 705.86888929},
+    {126.08902134, 528.47472934, 1971.00830161, 2249.52916259, 2251.5657217},
+    {1006.73169597, 1078.17877977, 2100.24701415, 3286.9082896, 3385.80171304},
+    {2282.84557629, 2284.30991972, 2383.54778909, 4234.40738673, 4549.46314886},
+};
+
+/// The compressor of 91 elements without its seals, on bearings of one stiffness.
+static whirl_case *on_springs(double stiffness) {
+    char springs[256];
+    snprintf(springs, sizeof springs,
+             "    - bearing: {at: bearing_0, kxx: %.17g N/m}\n    - bearing: {at: bearing_1, kxx: %.17g N/m}\n",
+             stiffness, stiffness);
+    char *const text = replace(import_full("ross/compressor.toml"), "    - bearing:", "\nstudy:", springs);
+    whirl_case *const object = parse(text);
+    free(text);
+    return object;
+}
+
+/// The forward mode that is nearest to the speed, over it.
+static double nearest_forward(const whirl_modes *modes) {
+    double nearest = 0.0;
+    for (size_t i = 0; i < modes->count; i++)
+        if (fabs(modes->modes[i].imaginary - 1.0) < fabs(nearest - 1.0) && modes->modes[i].direction > 0.0)
+            nearest = modes->modes[i].imaginary;
+    return nearest;
+}
+
+/// At rest every mode stands there twice, once in each plane; at a forward synchronous speed one whirls with the shaft.
+static void test_critical_speed_map(void **state) {
+    (void)state;
+    for (int k = 0; k < 5; k++) {
+        const double power = 6.0 + 1.25 * k;
+        whirl_case *const object = on_springs(pow(10.0, power));
+        double clock, rest = 0.0, whirl = 0.0;
+        whirl_modes *modes = modes_at(object, 1e-4, &clock);
+        for (size_t mode = 0; mode < 4; mode++)
+            rest = fmax(rest, fabs(clock * modes->modes[2 * mode].imaginary / at_rest[mode][k] - 1.0));
+        whirl_modes_free(modes);
+        for (size_t mode = 0; mode < 4; mode++) {
+            modes = modes_at(object, synchronous[mode][k], &clock);
+            whirl = fmax(whirl, fabs(nearest_forward(modes) - 1.0));
+            whirl_modes_free(modes);
+        }
+        check_within(
+            "Import",
+            words("compressor on springs of 10^%.2f N/m: four modes at rest, largest relative difference", power), 0.0,
+            rest, 1e-7);
+        check_within(
+            "Import",
+            words("compressor on springs of 10^%.2f N/m: four synchronous speeds, largest relative difference", power),
+            0.0, whirl, 1e-6);
+        whirl_case_free(object);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_two_discs), cmocka_unit_test(test_critical_speed_map)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
