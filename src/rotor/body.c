@@ -53,11 +53,96 @@ bool body_finish(body *of) {
             of->terms[kept++] = of->terms[i];
     }
     of->count = kept;
-    for (size_t first = 0, last; first < kept; first = last) {
-        for (last = first + 1; last < kept && compare_sums(&of->terms[first], &of->terms[last]) == 0;) last++;
-        of->terms[first].run = last - first;
-    }
     return true;
+}
+
+// ---------------------------------------------------------------- panels
+
+/// A row's terms of one kind.
+typedef struct body_row {
+    const body_term *first, *last;
+} body_row;
+
+static body_row row_from(const body *of, const body_term *first) {
+    const body_term *last = first + 1, *end = of->terms + of->count;
+    while (last < end && compare_sums(first, last) == 0) last++;
+    return (body_row){first, last};
+}
+
+/// The columns of a few rows together, rising, written where `columns` is not NULL. A row that has come to its end
+/// stands aside.
+static size_t unite(const body_row *rows, size_t count, unsigned *columns) {
+    const body_term *at[PANEL_ROWS];
+    size_t united = 0;
+    for (size_t r = 0; r < count; r++) at[r] = rows[r].first;
+    for (;;) {
+        size_t next = (size_t)-1;
+        for (size_t r = 0; r < count; r++)
+            if (at[r] < rows[r].last && at[r]->column < next) next = at[r]->column;
+        if (next == (size_t)-1) return united;
+        for (size_t r = 0; r < count; r++) at[r] += at[r] < rows[r].last && at[r]->column == next;
+        if (columns) columns[united] = (unsigned)next;
+        united++;
+    }
+}
+
+/// Rows are together while less than half of their panel is zeros: those of one plane are, those of both are not.
+static bool is_dense(const body_row *rows, size_t count) {
+    size_t terms = 0;
+    for (size_t r = 0; r < count; r++) terms += (size_t)(rows[r].last - rows[r].first);
+    return count * unite(rows, count, NULL) < 2 * terms;
+}
+
+static void add_panel(body_panels *to, const body_row *rows, size_t count) {
+    body_panel panel = {.kind = rows[0].first->kind,
+                        .rows = count,
+                        .columns = unite(rows, count, NULL),
+                        .first_column = to->column_count,
+                        .first_number = to->number_count};
+    for (size_t r = 0; r < count; r++) panel.row[r] = rows[r].first->row;
+    if (to->panels) {
+        unsigned *columns = to->columns + panel.first_column;
+        to->panels[to->count] = panel;
+        unite(rows, count, columns);
+        for (size_t c = 0; c < panel.columns; c++)
+            for (size_t r = 0; r < count; r++) {
+                double *number = &to->numbers[panel.first_number + c * count + r];
+                *number = 0.0;
+                for (const body_term *term = rows[r].first; term < rows[r].last; term++)
+                    if (term->column == columns[c]) *number = term->number;
+            }
+    }
+    to->count++;
+    to->column_count += panel.columns;
+    to->number_count += panel.columns * count;
+}
+
+/// Fills up the panel that the first row begins with the next rows that go with it; notes which rows are done.
+static void gather_from(const body_row *rows, size_t count, size_t first, bool *done, body_panels *to) {
+    body_row together[PANEL_ROWS] = {rows[first]};
+    size_t taken = 1;
+    for (size_t i = first + 1; i < count && taken < PANEL_ROWS; i++) {
+        if (done[i] || body_compare_kinds(rows[i].first->kind, rows[first].first->kind) != 0) continue;
+        together[taken] = rows[i];
+        done[i] = is_dense(together, taken + 1);
+        taken += done[i];
+    }
+    add_panel(to, together, taken);
+}
+
+bool body_gather(const body *of, body_panels *to) {
+    body_row *rows = calloc(of->count + 1, sizeof *rows);
+    bool *done = calloc(of->count + 1, sizeof *done);
+    size_t count = 0;
+    for (size_t i = 0; i < of->count && rows && done; i = (size_t)(rows[count++].last - of->terms))
+        rows[count] = row_from(of, of->terms + i);
+    to->count = to->column_count = to->number_count = 0;
+    for (size_t i = 0; i < count; i++)
+        if (!done[i]) gather_from(rows, count, i, done, to);
+    const bool good = rows && done;
+    free(rows);
+    free(done);
+    return good;
 }
 
 void body_rates(double speed, double clock, double rates[RATES]) {

@@ -35,8 +35,27 @@ typedef struct body_term {
     size_t row, column;
     body_kind kind;
     double number;
-    size_t run; ///< of the first of those that belong to one sum: how many these are (body_finish)
 } body_term;
+
+enum { PANEL_ROWS = 4 };
+
+/// A few rows of one kind that have most of their columns in common: a small dense matrix, with zeros where a row has
+/// no term, so that each column is read once for all of them.
+typedef struct body_panel {
+    body_kind kind;
+    size_t rows, row[PANEL_ROWS];
+    size_t columns;
+    size_t first_column; ///< of [columns] in the list of columns
+    size_t first_number; ///< of [columns][rows] in the list of numbers
+} body_panel;
+
+/// Where panels go; with panels NULL they are only counted.
+typedef struct body_panels {
+    size_t count, column_count, number_count;
+    body_panel *panels;
+    unsigned *columns;
+    double *numbers;
+} body_panels;
 
 typedef struct body {
     size_t count, room;
@@ -48,9 +67,11 @@ typedef struct body {
 void body_add(body *to, size_t row, size_t column, body_kind kind, double number);
 void body_clear(body *of);
 
-/// Puts the terms in order, row by row and kind by kind, adds those that belong together and counts runs. False where
-/// one was lost.
+/// Puts the terms in order, row by row and kind by kind, and adds those that belong together. False where one was lost.
 bool body_finish(body *of);
+
+/// Gathers the terms, which are in order, into panels. False without memory.
+bool body_gather(const body *of, body_panels *to);
 
 /// Below, at or above 0 as one kind comes before, is, or comes after the other.
 int body_compare_kinds(body_kind one, body_kind other);

@@ -18,9 +18,9 @@ struct whirl_rotor {
     size_t station_count, plane_count; ///< stations, and those that move in x and y
     size_t term_count, element_count, contact_count;
     linear_term *terms;
-    coupling coupled;  ///< by masses; the same in all machines of a block
-    size_t body_count; ///< terms that shafts of finite elements are; the same in all machines of a block
-    body_term *body;   ///< [body_count] scaled but for their rates
+    coupling coupled; ///< by masses; the same in all machines of a block
+    /// Terms that shafts of finite elements are; the same in all machines of a block.
+    body_panels body;  ///< numbers scaled but for their rates
     size_t first_rate; ///< where the machine's rates are among its numbers
     element *elements; ///< [element_count] those that have kernels, in the registry's order
     double *numbers;   ///< [plane_count][STATION_NUMBERS], those of the terms, then those of the elements

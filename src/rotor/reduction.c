@@ -284,7 +284,7 @@ static void spread_over(const blend *row, const blend *column, double number, si
 
 /// What is left of sums that cancel: nothing beside the largest of its row and of its column.
 static bool is_rounding(double number, double row, double column) {
-    return fabs(number) <= 1e-13 * sqrt(row * column);
+    return fabs(number) <= 2e-12 * sqrt(row * column);
 }
 
 static void find_largest(const double *matrix, size_t n, double *largest) {

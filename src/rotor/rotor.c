@@ -29,9 +29,15 @@ static bool terms_alike(const linear_term *x, const linear_term *y) {
     return x->row == y->row && x->source == y->source && x->column == y->column;
 }
 
-static bool body_terms_alike(const body_term *x, const body_term *y) {
-    return x->row == y->row && x->column == y->column && body_compare_kinds(x->kind, y->kind) == 0 &&
-           x->number == y->number;
+static bool bodies_alike(const body_panels *x, const body_panels *y) {
+    if (x->count != y->count || x->column_count != y->column_count || x->number_count != y->number_count) return false;
+    for (size_t i = 0; i < x->count; i++)
+        if (x->panels[i].rows != y->panels[i].rows || x->panels[i].columns != y->panels[i].columns ||
+            memcmp(x->panels[i].row, y->panels[i].row, sizeof x->panels[i].row) != 0 ||
+            body_compare_kinds(x->panels[i].kind, y->panels[i].kind) != 0)
+            return false;
+    return memcmp(x->columns, y->columns, x->column_count * sizeof *x->columns) == 0 &&
+           memcmp(x->numbers, y->numbers, x->number_count * sizeof *x->numbers) == 0;
 }
 
 static bool couplings_alike(const coupling *x, const coupling *y) {
@@ -44,7 +50,7 @@ static bool lane_alike(const void *one, const void *other) {
     const whirl_rotor *a = one, *b = other;
     if (a->station_count != b->station_count || a->lanes.degrees != b->lanes.degrees ||
         a->plane_count != b->plane_count || a->element_count != b->element_count || a->term_count != b->term_count ||
-        a->body_count != b->body_count || a->phase != b->phase)
+        a->phase != b->phase)
         return false;
     for (size_t i = 0; i < a->station_count; i++)
         if (a->probes[i].x != b->probes[i].x || a->probes[i].y != b->probes[i].y) return false;
@@ -52,8 +58,7 @@ static bool lane_alike(const void *one, const void *other) {
         if (!elements_alike(&a->elements[i], &b->elements[i])) return false;
     for (size_t i = 0; i < a->term_count; i++)
         if (!terms_alike(&a->terms[i], &b->terms[i])) return false;
-    for (size_t i = 0; i < a->body_count; i++)
-        if (!body_terms_alike(&a->body[i], &b->body[i])) return false;
+    if (!bodies_alike(&a->body, &b->body)) return false;
     return couplings_alike(&a->coupled, &b->coupled);
 }
 
@@ -67,7 +72,7 @@ static size_t part_from(const double *number, size_t own, size_t count, size_t *
 static size_t lane_part(const void *model, size_t *places) {
     const whirl_rotor *rotor = model;
     const element *own = rotor->elements, *last = own + rotor->element_count;
-    size_t count = rotor->term_count + (rotor->body_count > 0 ? RATES : 0);
+    size_t count = rotor->term_count + (rotor->body.count > 0 ? RATES : 0);
     for (size_t s = 0; s < rotor->plane_count; s++)
         count += part_from(rotor->numbers, s * STATION_NUMBERS, STATION_NUMBERS, &places[s]);
     for (; own < last; own++)
@@ -88,6 +93,16 @@ static void depend_on_element(const whirl_rotor *rotor, const element *own, bool
     }
 }
 
+static void depend_on_body(const body_panels *in, size_t degrees, size_t width, bool *table) {
+    for (const body_panel *panel = in->panels; panel < in->panels + in->count; panel++) {
+        const size_t first = panel->kind.source == BODY_PLACE ? 0 : degrees;
+        for (size_t c = 0; c < panel->columns && panel->kind.source != BODY_ONE; c++)
+            for (size_t r = 0; r < panel->rows; r++)
+                if (in->numbers[panel->first_number + c * panel->rows + r] != 0.0)
+                    table[panel->row[r] * width + first + in->columns[panel->first_column + c]] = true;
+    }
+}
+
 static void lane_depends(const void *model, bool *table) {
     const whirl_rotor *rotor = model;
     const coupling *coupled = &rotor->coupled;
@@ -97,9 +112,7 @@ static void lane_depends(const void *model, bool *table) {
         if (term->source == SOURCE_PLACE) table[term->row * width + term->column] = true;
         if (term->source == SOURCE_VELOCITY) table[term->row * width + degrees + term->column] = true;
     }
-    for (const body_term *term = rotor->body; term < rotor->body + rotor->body_count; term++)
-        if (term->kind.source != BODY_ONE)
-            table[term->row * width + (term->kind.source == BODY_PLACE ? 0 : degrees) + term->column] = true;
+    depend_on_body(&rotor->body, degrees, width, table);
     for (size_t i = 0; i < rotor->element_count; i++) depend_on_element(rotor, &rotor->elements[i], table);
     // What turns with the shaft depends on its phase where that is a state.
     for (size_t i = 0; rotor->phase && i < degrees + rotor->lanes.states; i++)
@@ -133,6 +146,7 @@ typedef struct building {
     void *context;
     size_t problems;
     reduction reductions[WHIRL_MAX_SHAFTS];
+    body_panels panels;              ///< how many there are
     const design_element *keyphasor; ///< by which sections are taken; NULL: by the shaft
 } building;
 
@@ -307,6 +321,7 @@ static size_t count_contacts(const building *b) {
 static size_t lay_out(whirl_rotor *rotor, char *block, const building *b) {
     const size_t stations = b->design->station_count, contacts = count_contacts(b);
     const size_t coupled = coupling_count(&b->assembly);
+    const body_panels *shafts = &b->panels;
     size_t used = aligned(sizeof *rotor);
     void *const parts[] = {cut(block, &used, b->element_count * sizeof *rotor->elements),
                            cut(block, &used, total_numbers(b) * sizeof *rotor->numbers),
@@ -321,7 +336,9 @@ static size_t lay_out(whirl_rotor *rotor, char *block, const building *b) {
                            cut(block, &used, coupled * sizeof *rotor->coupled.row),
                            cut(block, &used, (coupled ? b->assembly.degrees : 0) * sizeof *rotor->coupled.place),
                            cut(block, &used, coupled * coupled * sizeof *rotor->coupled.share),
-                           cut(block, &used, b->assembly.body.count * sizeof *rotor->body)};
+                           cut(block, &used, shafts->count * sizeof *shafts->panels),
+                           cut(block, &used, shafts->column_count * sizeof *shafts->columns),
+                           cut(block, &used, shafts->number_count * sizeof *shafts->numbers)};
     if (!rotor) return used;
     rotor->elements = parts[0];
     rotor->numbers = parts[1];
@@ -336,7 +353,9 @@ static size_t lay_out(whirl_rotor *rotor, char *block, const building *b) {
     rotor->coupled.row = parts[10];
     rotor->coupled.place = parts[11];
     rotor->coupled.share = parts[12];
-    rotor->body = parts[13];
+    rotor->body.panels = parts[13];
+    rotor->body.columns = parts[14];
+    rotor->body.numbers = parts[15];
     return used;
 }
 
@@ -379,15 +398,19 @@ static void add_numbers(whirl_rotor *rotor, const building *b) {
 }
 
 /// The body's terms, scaled as coordinates are.
-static void add_body(whirl_rotor *rotor, const assembly *from) {
-    rotor->body_count = from->body.count;
-    for (size_t i = 0; i < rotor->body_count; i++) {
-        body_term *term = &rotor->body[i];
-        *term = from->body.terms[i];
-        term->number /= from->inertia[term->row] * from->unit[term->row];
-        if (term->kind.source != BODY_ONE) term->number *= from->unit[term->column];
-        if (term->kind.value != BODY_STEADY) rotor->lanes.modulated = true;
+static bool add_body(whirl_rotor *rotor, const assembly *from) {
+    if (!body_gather(&from->body, &rotor->body)) return false;
+    for (const body_panel *panel = rotor->body.panels; panel < rotor->body.panels + rotor->body.count; panel++) {
+        double *number = rotor->body.numbers + panel->first_number;
+        for (size_t c = 0; c < panel->columns; c++)
+            for (size_t r = 0; r < panel->rows; r++, number++) {
+                const size_t row = panel->row[r], column = rotor->body.columns[panel->first_column + c];
+                *number /= from->inertia[row] * from->unit[row];
+                if (panel->kind.source != BODY_ONE) *number *= from->unit[column];
+            }
+        if (panel->kind.value != BODY_STEADY) rotor->lanes.modulated = true;
     }
+    return true;
 }
 
 static void note_contact(whirl_rotor *rotor, size_t index) {
@@ -485,8 +508,8 @@ static void add_phase(whirl_rotor *rotor, const building *b) {
     rotor_system_fill(rotor);
 }
 
-static whirl_rotor *finish(const building *b) {
-    whirl_rotor *rotor = calloc(1, lay_out(NULL, NULL, b));
+static whirl_rotor *finish(building *b) {
+    whirl_rotor *rotor = body_gather(&b->assembly.body, &b->panels) ? calloc(1, lay_out(NULL, NULL, b)) : NULL;
     if (!rotor) return NULL;
     lay_out(rotor, (char *)rotor, b);
     rotor->speed = b->design->speed;
@@ -501,7 +524,10 @@ static whirl_rotor *finish(const building *b) {
     add_probes(rotor, b);
     add_groups(rotor, &b->assembly);
     add_numbers(rotor, b);
-    add_body(rotor, &b->assembly);
+    if (!add_body(rotor, &b->assembly)) {
+        free(rotor);
+        return NULL;
+    }
     add_elements_to(rotor, b);
     fill_lanes(rotor, b);
     rotor->lanes.contact_count = rotor->contact_count;

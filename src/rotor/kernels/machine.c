@@ -104,78 +104,126 @@ static void pass_terms(const whirl_rotor *rotor, const block *b) {
     }
 }
 
-enum { SUMS = 8 }; ///< vectors that are summed at a time
+enum { SUMS = 2 }; ///< vectors that are summed at a time
 
-/// The sum over a run of terms of one row and kind, of `count` vectors, times what it is scaled by.
-VECTOR_INLINE void add_run(const body_term *first, const body_term *last, size_t stride, size_t count, const vec *x,
-                           const vec *rate, const vec *value, vec *a) {
-    vec sum[SUMS];
-    for (size_t k = 0; k < count; k++) sum[k] = v_mul(v_set(first->number), x[first->column * stride + k]);
-    for (const body_term *term = first + 1; term < last; term++)
-        for (size_t k = 0; k < count; k++) sum[k] = v_fma(v_set(term->number), x[term->column * stride + k], sum[k]);
-    for (size_t k = 0; k < count; k++) a[k] = v_fma(value ? v_mul(rate[k], value[k]) : rate[k], sum[k], a[k]);
+/// Where a panel of shafts' terms is at work: the vectors of its state or disturbance, and what its sums are scaled by.
+typedef struct panel_work {
+    const double *number;   ///< [columns][rows]
+    const unsigned *column; ///< [columns]
+    const vec *x, *rate, *value;
+    vec *a;
+    size_t stride;
+} panel_work;
+
+/// The sums of a panel's rows, column by column, times what they are scaled by.
+VECTOR_INLINE void sum_panel(const body_panel *panel, const panel_work *w, size_t rows, size_t count, size_t k) {
+    vec sum[PANEL_ROWS][SUMS], rate[SUMS];
+    const double *number = w->number;
+    const size_t stride = w->stride;
+    for (size_t r = 0; r < rows; r++)
+        for (size_t i = 0; i < count; i++) sum[r][i] = v_set(0.0);
+    for (size_t c = 0; c < panel->columns; c++, number += rows) {
+        const vec *x = w->x + w->column[c] * stride + k;
+        for (size_t r = 0; r < rows; r++)
+            for (size_t i = 0; i < count; i++) sum[r][i] = v_fma(v_set(number[r]), x[i], sum[r][i]);
+    }
+    for (size_t i = 0; i < count; i++) rate[i] = w->value ? v_mul(w->rate[k + i], w->value[k + i]) : w->rate[k + i];
+    for (size_t r = 0; r < rows; r++) {
+        vec *a = w->a + panel->row[r] * stride + k;
+        for (size_t i = 0; i < count; i++) a[i] = v_fma(rate[i], sum[r][i], a[i]);
+    }
 }
 
-/// What a run makes of state or disturbance `n`, scaled by `value` [vectors] where that is not NULL.
-static void pass_run(const body_term *first, const body_term *last, const block *b, const vec *rate, const vec *value,
-                     size_t n, size_t to) {
-    const vec *x = first->kind.source == BODY_PLACE ? b->q + n * b->next : b->v + n * b->next_v;
-    vec *a = b->a + to * b->next_v + first->row * b->stride;
+VECTOR_INLINE void sum_rows(const body_panel *panel, const panel_work *w, size_t rows, size_t vectors) {
     size_t k = 0;
-    for (; k + SUMS <= b->vectors; k += SUMS)
-        add_run(first, last, b->stride, SUMS, x + k, rate + k, value ? value + k : NULL, a + k);
-    for (; k < b->vectors; k++) add_run(first, last, b->stride, 1, x + k, rate + k, value ? value + k : NULL, a + k);
+    for (; k + SUMS <= vectors; k += SUMS) sum_panel(panel, w, rows, SUMS, k);
+    for (; k < vectors; k++) sum_panel(panel, w, rows, 1, k);
 }
 
-/// ... of disturbances by the shaft's phase, where that is a state.
-static void pass_turned(const body_term *first, const body_term *last, const block *b, const vec *rate,
-                        const vec *turned) {
+static void pass_panel(const body_panel *panel, const panel_work *w, size_t vectors) {
+    switch (panel->rows) {
+    case 1:
+        sum_rows(panel, w, 1, vectors);
+        break;
+    case 2:
+        sum_rows(panel, w, 2, vectors);
+        break;
+    case 3:
+        sum_rows(panel, w, 3, vectors);
+        break;
+    default:
+        sum_rows(panel, w, PANEL_ROWS, vectors);
+    }
+}
+
+/// What follows for disturbances by the shaft's phase, where that is a state.
+static void pass_turned(const body_panel *panel, const panel_work *w, const block *b, const vec *turned) {
     for (size_t n = 1; n <= b->disturbances; n++)
         for (size_t k = 0; k < b->vectors; k++) {
             const vec by = v_mul(turned[k], phase_of(b, n, k));
-            block one = *b;
-            one.q += k, one.v += k, one.a += k, one.vectors = 1;
-            pass_run(first, last, &one, rate + k, &by, 0, n);
+            panel_work one = *w;
+            one.x += k, one.rate += k, one.a += n * b->next_v + k, one.value = &by;
+            pass_panel(panel, &one, 1);
         }
 }
 
 /// What it is of the trace.
-static void trace_run(const body_term *first, const body_term *last, const block *b, const vec *rate,
-                      const vec *value) {
-    for (const body_term *term = first; term < last; term++)
-        for (size_t k = 0; k < b->vectors; k++) {
-            const vec derivative = v_mul(v_set(term->number), value ? v_mul(rate[k], value[k]) : rate[k]);
-            b->divergence[k] = v_add(b->divergence[k], of_trace(b, term->row, term->column, derivative));
-        }
+static void trace_panel(const body_panel *panel, const panel_work *w, const block *b) {
+    for (size_t c = 0; c < panel->columns; c++)
+        for (size_t r = 0; r < panel->rows; r++)
+            for (size_t k = 0; k < b->vectors; k++) {
+                const vec rate = w->value ? v_mul(w->rate[k], w->value[k]) : w->rate[k];
+                const vec derivative = v_mul(v_set(w->number[c * panel->rows + r]), rate);
+                b->divergence[k] = v_add(b->divergence[k], of_trace(b, panel->row[r], w->column[c], derivative));
+            }
+}
+
+/// Forces that depend on nothing.
+static void add_steady(const body_panel *panel, const panel_work *w, size_t vectors) {
+    const vec *rate = w->rate;
+    for (size_t r = 0; r < panel->rows; r++) {
+        const vec number = v_set(w->number[r]);
+        vec *a = w->a + panel->row[r] * w->stride;
+        for (size_t k = 0; k < vectors; k++) a[k] = v_fma(rate[k], number, a[k]);
+    }
 }
 
 /// Shafts of finite elements: numbers that all lanes share, times the rates of each.
 static void pass_body(const whirl_rotor *rotor, const block *b) {
-    const body_term *const end = rotor->body + rotor->body_count;
-    for (const body_term *first = rotor->body, *last; first < end; first = last) {
-        const vec *rate = b->numbers + (rotor->first_rate + first->kind.rate) * b->stride;
-        const vec *value =
-            first->kind.value == BODY_STEADY ? NULL : b->forcing + (size_t)first->kind.value * b->forcing_stride;
-        last = first + first->run;
-        if (first->kind.source == BODY_ONE) {
-            vec *a = b->a + first->row * b->stride;
-            for (size_t k = 0; k < b->vectors; k++) a[k] = v_fma(rate[k], v_set(first->number), a[k]);
+    const body_panels *of = &rotor->body;
+    for (const body_panel *panel = of->panels; panel < of->panels + of->count; panel++) {
+        const bool steady = panel->kind.value == BODY_STEADY, place = panel->kind.source == BODY_PLACE;
+        const size_t of_time = steady ? 0 : (size_t)panel->kind.value * b->forcing_stride;
+        panel_work w = {.number = of->numbers + panel->first_number,
+                        .column = of->columns + panel->first_column,
+                        .rate = b->numbers + (rotor->first_rate + panel->kind.rate) * b->stride,
+                        .value = steady ? NULL : b->forcing + of_time,
+                        .x = place ? b->q : b->v,
+                        .a = b->a,
+                        .stride = b->stride};
+        if (panel->kind.source == BODY_ONE) {
+            add_steady(panel, &w, b->vectors);
             continue;
         }
-        for (size_t n = 0; n <= b->disturbances; n++) pass_run(first, last, b, rate, value, n, n);
-        if (value && b->turned)
-            pass_turned(first, last, b, rate, b->turned + (size_t)first->kind.value * b->forcing_stride);
-        if (b->divergence && first->kind.source == BODY_VELOCITY) trace_run(first, last, b, rate, value);
+        if (w.value && b->turned) pass_turned(panel, &w, b, b->turned + of_time);
+        if (b->divergence && !place) trace_panel(panel, &w, b);
+        for (size_t n = 0; n <= b->disturbances; n++) {
+            pass_panel(panel, &w, b->vectors);
+            w.x += place ? b->next : b->next_v;
+            w.a += b->next_v;
+        }
     }
 }
 
 /// Coordinates that no station's pass writes begin at zero.
 static void clear(const whirl_rotor *rotor, const block *b) {
-    const size_t first = 2 * rotor->plane_count;
-    for (size_t k = 0; b->divergence && k < b->vectors; k++) b->divergence[k] = v_set(0.0);
-    for (size_t n = 0; n <= b->disturbances; n++)
-        for (size_t d = first; d < rotor->lanes.degrees; d++)
-            for (size_t k = 0; k < b->vectors; k++) b->a[n * b->next_v + d * b->stride + k] = v_set(0.0);
+    const size_t first = 2 * rotor->plane_count, vectors = b->vectors, stride = b->stride;
+    for (size_t k = 0; b->divergence && k < vectors; k++) b->divergence[k] = v_set(0.0);
+    for (size_t n = 0; n <= b->disturbances; n++) {
+        vec *a = b->a + n * b->next_v + first * stride;
+        for (size_t d = first; d < rotor->lanes.degrees; d++, a += stride)
+            for (size_t k = 0; k < vectors; k++) a[k] = v_set(0.0);
+    }
 }
 
 /// Where masses couple, what was gathered is the force on each coordinate by its own inertia: accelerations a = C g.
@@ -217,7 +265,7 @@ static void pass_all(const whirl_rotor *rotor, const block *b) {
     pass_stations(b, rotor->plane_count);
     if (wants_tangent(b)) pass_station_tangents(b, rotor->plane_count);
     pass_terms(rotor, b);
-    if (rotor->body_count > 0) pass_body(rotor, b);
+    if (rotor->body.count > 0) pass_body(rotor, b);
     for (const element *own = rotor->elements; own < rotor->elements + rotor->element_count; own += own->run)
         kernels_of(own)->flow(own, own->run, b);
     if (b->coupled) couple(b);
