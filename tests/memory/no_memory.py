@@ -20,6 +20,8 @@ COMMANDS = {
     "check": ["check", "case.yaml"],
     "run": ["run", "case.yaml", "--threads", "1", "-q", "-o", "made.h5"],
     "json": ["run", "case.yaml", "--threads", "1", "-q", "--json"],
+    "import": ["import", "supports.toml", "-o", "imported.yaml"],
+    "import JSON": ["import", "layers.json", "-o", "imported.yaml"],
     "export": ["export", "there.h5", "--csv", "tables"],
     "report": ["report", "there.h5", "-o", "report", "--gnuplot", "true", "--claims", "claims.yaml"],
 }
@@ -80,6 +82,8 @@ def main():
         template.mkdir()
         (template / "case.yaml").write_text(pathlib.Path(good).read_text().replace("points: 5", "points: 2"))
         (template / "claims.yaml").write_text(CLAIMS)
+        for rotor in ("supports.toml", "layers.json"):
+            shutil.copy(pathlib.Path(__file__).parent.parent / "rotors" / rotor, template)
         assert execute(["run", "case.yaml", "-q", "-o", "there.h5"], template).returncode == 0
         for name, arguments in COMMANDS.items():
             folder = pathlib.Path(place) / name
