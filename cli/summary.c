@@ -122,6 +122,90 @@ static void print_point(const whirl_result *result, const whirl_table *table) {
     print_synchronous(result, table, 0);
 }
 
+// ---------------------------------------------------------------- machines at rest
+
+static bool has_modes(const whirl_table *table) {
+    return whirl_layout_field(&table->layout, "modes/frequency") != NULL;
+}
+
+static bool is_at_rest(const whirl_table *table) {
+    return whirl_analysis_is_resting(table->analyses);
+}
+
+/// Lowest modes of a point, a line each: "  254.1 rad/s  (40.44 Hz, 2426 rpm)  damping ratio 0.0213  forward".
+static void print_modes(const whirl_table *table, size_t point) {
+    const whirl_field *field = whirl_layout_field(&table->layout, "modes/frequency");
+    const double *frequency = whirl_table_field(table, point, "modes/frequency", 0);
+    const double *ratio = whirl_table_field(table, point, "modes/damping_ratio", 0);
+    const double *direction = whirl_table_field(table, point, "modes/direction", 0);
+    for (size_t i = 0; field && frequency && i < field->rows && isfinite(frequency[i]); i++)
+        printf("  %10.6g rad/s (%.6g Hz)  damping ratio %-10.4g %s\n", frequency[i], frequency[i] / 6.283185307179586,
+               ratio[i],
+               direction[i] > 0.05    ? "forward"
+               : direction[i] < -0.05 ? "backward"
+                                      : "");
+    const double stability = number(table, point, "modes/stability", 0);
+    const double modulo = number(table, point, "modes/modulo", 0);
+    if (isfinite(modulo))
+        printf("  frequencies are known but for multiples of %.6g rad/s: coefficients turn with the shaft\n", modulo);
+    printf("  %s: the largest real part of all eigenvalues is %.4g 1/s\n", stability > 0 ? "unstable" : "stable",
+           stability);
+}
+
+/// What was located along the parameter: "  critical speed at 2753.2 rpm: forward, damping ratio 0.02".
+static void print_critical(const whirl_result *result, const whirl_table *table) {
+    static const char *const names[] = {"", "critical speed", "instability begins", "instability ends"};
+    const whirl_unit unit = whirl_result_unit(result, table->parameter);
+    const whirl_field *field = whirl_layout_field(&table->layout, "modes/critical");
+    for (size_t point = 0; point < table->count; point++) {
+        const double *rows = whirl_table_field(table, point, "modes/critical", 0);
+        if (!whirl_table_done(table, point) || !rows) continue;
+        for (size_t i = 0; i < field->rows; i++, rows += field->columns) {
+            if (!(rows[0] >= 1 && rows[0] <= 3)) continue;
+            printf("  %-18s at %.9g%s%s: %s, %.6g rad/s, damping ratio %.3g\n", names[(int)rows[0]],
+                   rows[1] / unit.size, *unit.name ? " " : "", unit.name,
+                   rows[5] > 0.05    ? "forward"
+                   : rows[5] < -0.05 ? "backward"
+                                     : "to and fro",
+                   rows[3], rows[4]);
+        }
+    }
+}
+
+/// The largest response of every station, and where.
+static void print_peaks(const whirl_result *result, const whirl_table *table) {
+    const whirl_unit unit = whirl_result_unit(result, table->parameter), length = whirl_result_length_unit(result);
+    for (size_t station = 0; station < result->station_count; station++) {
+        double largest = 0.0;
+        size_t where = 0;
+        for (size_t point = 0; point < table->count; point++) {
+            const double *axes = whirl_table_field(table, point, "unbalance/axes", station);
+            if (!whirl_table_done(table, point) || !axes || !(axes[0] > largest)) continue;
+            largest = axes[0];
+            where = point;
+        }
+        printf("  %s: largest response %.4g %s", result->stations[station].name,
+               largest * whirl_result_length_scale(result, table, where) / length.size, length.name);
+        if (table->parameter[0])
+            printf(" at %.6g%s%s", table->values[where] / unit.size, *unit.name ? " " : "", unit.name);
+        putchar('\n');
+    }
+}
+
+static void print_at_rest(const whirl_result *result, const whirl_table *table) {
+    const size_t planned = whirl_table_planned(table);
+    if (table->parameter[0])
+        printf("%s of %s: %zu point%s\n", table->name, table->parameter, planned, plural((double)planned));
+    else
+        printf("%s:\n", table->name);
+    if (!has_modes(table))
+        print_peaks(result, table);
+    else if (planned > 1)
+        print_critical(result, table);
+    else if (whirl_table_done(table, 0))
+        print_modes(table, 0);
+}
+
 // ---------------------------------------------------------------- many points
 
 static void print_list(const whirl_result *result, const whirl_table *table) {
@@ -273,6 +357,10 @@ void summarize_result(const whirl_result *result) {
         const whirl_table *const table = &result->tables[i];
         if (table->integrate.chosen) printf("method auto took %s for the %s\n", table->integrate.method, table->name);
         const size_t planned = whirl_table_planned(table);
+        if (is_at_rest(table)) {
+            print_at_rest(result, table);
+            continue;
+        }
         if (table->parameter[0] == '\0' && planned == 1) {
             print_point(result, table);
             print_refinement(table);
@@ -300,6 +388,10 @@ void summarize_study(const whirl_study *study) {
         const double revolutions = (double)batch->record.transient + batch->record.record;
         printf("  %s", batch->name);
         if (batch->parameter[0]) printf(" of %s", batch->parameter);
+        if (whirl_analysis_is_resting(batch->analyses)) {
+            printf(": %.0f point%s about where the machine rests\n", points, plural(points));
+            continue;
+        }
         printf(": %.0f point%s, %.0f revolution%s each", points, plural(points), revolutions, plural(revolutions));
         if (whirl_method_find(name, &method).code == WHIRL_OK && method->adaptive) {
             printf(" by %s%s%s\n", name, batch->integrate.chosen ? " (chosen by auto)" : "",

@@ -11,6 +11,7 @@
 #include <stddef.h>
 
 #include "whirl/integrate.h"
+#include "whirl/linear.h"
 #include "whirl/status.h"
 #include "whirl/system.h"
 #include "whirl/watched.h"
@@ -44,6 +45,8 @@ typedef struct whirl_record_options {
     double highest_order; ///< spectra are kept up to this order of the running speed
     /// End the transient early, but for 64 revolutions, where the motion has settled on a periodic orbit to 1e-11.
     bool settle;
+    int modes;           ///< modes that are kept, >= 1
+    double probe_angle;  ///< of the first probe of every station, rad from the x axis towards y
     bool spectra;        ///< keep whole spectra, not only their peaks
     bool waveform;       ///< waveforms are needed (for spectra or to be kept)
     whirl_growth growth; ///< costs one trajectory while watched, or as many as there are coordinates
@@ -385,8 +388,9 @@ typedef struct whirl_analysis {
     const char *name;    ///< as written in a case file: "poincare", "spectrum", ...
     const char *meaning; ///< one line
     const char *source;
-    bool usual; ///< computed where a case does not say which
-    bool kept;  ///< of waveforms that are kept: computed exactly where some are (whirl_analysis_fit)
+    bool usual;   ///< computed where a case does not say which
+    bool kept;    ///< of waveforms that are kept: computed exactly where some are (whirl_analysis_fit)
+    bool resting; ///< of a machine at rest, whose motion is not followed: chosen by a study of its name, alone
 } whirl_analysis;
 
 /// All analyses; static, ended by an entry whose name is NULL.
@@ -397,6 +401,9 @@ typedef unsigned whirl_analysis_set;
 
 /// Adds the analysis of that name; false when there is none.
 bool whirl_analysis_add(whirl_analysis_set *set, const char *name);
+
+/// Whether a choice is of machines at rest (whirl_analyze_resting).
+bool whirl_analysis_is_resting(whirl_analysis_set set);
 
 /// Those that are computed where a case does not say which.
 whirl_analysis_set whirl_analysis_usual(void);
@@ -428,6 +435,36 @@ const whirl_field *whirl_layout_field(const whirl_layout *layout, const char *na
 /// Fills `block` [layout->size] with what the chosen analyses say of the record.
 whirl_status whirl_analyze(const whirl_record *record, const whirl_record_options *options, whirl_analysis_set set,
                            const whirl_layout *layout, double *block);
+
+/// What was located between two values of a parameter.
+typedef enum whirl_critical_kind {
+    WHIRL_CRITICAL_SPEED = 1, ///< a mode's damped frequency is the speed of the shaft
+    WHIRL_ONSET,              ///< the machine loses its stability as the parameter grows
+    WHIRL_RECOVERY            ///< ... regains it
+} whirl_critical_kind;
+
+typedef struct whirl_critical {
+    whirl_critical_kind kind;
+    double value;            ///< of the parameter, in SI
+    double speed;            ///< of the shaft there, rad/s
+    double frequency, ratio; ///< of the mode, rad/s, and its damping ratio
+    double direction;        ///< of its whirl
+} whirl_critical;
+
+/// A machine at rest: what analyses of it are made of.
+typedef struct whirl_resting {
+    const whirl_system *system;
+    const double *start;      ///< [dimension] where its equilibrium is looked for
+    double clock, speed;      ///< rad/s: of the system's time, and of the shaft
+    const whirl_modes *modes; ///< of it, where they are asked for, else NULL
+    size_t critical_count;
+    const whirl_critical *critical; ///< what lies between the point before and this one
+} whirl_resting;
+
+/// Fills `block` [layout->size] with what the chosen analyses, all of machines at rest, say of one. Errors as
+/// whirl_forced_response.
+whirl_status whirl_analyze_resting(const whirl_resting *point, const whirl_record_options *options,
+                                   whirl_analysis_set set, const whirl_layout *layout, double *block);
 
 /// The verdict that a block holds; regime WHIRL_UNDETERMINED with NaN evidence when it holds none.
 whirl_verdict whirl_block_verdict(const whirl_layout *layout, const double *block);

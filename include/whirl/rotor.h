@@ -40,8 +40,8 @@ const whirl_group *const *whirl_element_groups(void);
 const whirl_group *whirl_element_group(const char *name);
 
 /// One key of a station or an element with its value. `number` is in the key's SI unit; `text` is for words:
-/// a choice, a name, a station, two stations "disc, journal", or a list of numbers "1e7, 1.2e7" in the key's SI unit. Where
-/// text is not NULL it counts. Borrowed.
+/// a choice, a name, a station, two stations "disc, journal", or a list of numbers "1e7, 1.2e7" in the key's SI unit.
+/// Where text is not NULL it counts. Borrowed.
 typedef struct whirl_setting {
     const char *key;
     double number;

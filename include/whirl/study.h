@@ -24,6 +24,7 @@ typedef struct whirl_machine {
     const double *start; ///< [system->dimension]
     void *owner;
     void (*release)(void *owner);
+    double clock, speed; ///< rad/s: of the system's time (whirl_rotor_clock), and of the shaft; for machines at rest
 } whirl_machine;
 
 /// How the starts of neighbouring points hang together.

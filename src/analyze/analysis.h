@@ -51,12 +51,16 @@ typedef struct analysis_plan {
     whirl_growth needs_growth; ///< the least of it, likewise
     whirl_growth uses_growth;  ///< what is followed for it (whirl_analysis_needs) where it says less without
     whirl_status (*compute)(const whirl_record *record, const whirl_record_options *options, const block_view *view);
+    /// In its place: of a machine at rest, without any motion.
+    whirl_status (*compute_resting)(const whirl_resting *point, const whirl_record_options *options,
+                                    const block_view *view);
     /// Optional: fills what a motion that left its bounds still has to say.
     void (*compute_diverged)(const whirl_record *record, const block_view *view);
 } analysis_plan;
 
 extern const analysis_plan poincare_analysis, orbit_analysis, rub_analysis, waveform_analysis, spectrum_analysis,
-    lyapunov_analysis, exponents_analysis, regime_analysis, winding_analysis, evidence_analysis;
+    lyapunov_analysis, exponents_analysis, regime_analysis, winding_analysis, evidence_analysis, modes_analysis,
+    unbalance_analysis;
 
 /// The plans, in the order of whirl_analyses().
 extern const analysis_plan *const analysis_plans[];

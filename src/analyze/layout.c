@@ -117,11 +117,24 @@ whirl_status whirl_analyze(const whirl_record *record, const whirl_record_option
         if (!(set >> a & 1u)) continue;
         const analysis_plan *plan = analysis_plans[a];
         const block_view view = view_of(layout, a, block);
+        if (!plan->compute) continue;
         if (record->motion == WHIRL_BOUNDED) {
             status = plan->compute(record, options, &view);
         } else if (plan->compute_diverged) {
             plan->compute_diverged(record, &view);
         }
+    }
+    return status;
+}
+
+whirl_status whirl_analyze_resting(const whirl_resting *point, const whirl_record_options *options,
+                                   whirl_analysis_set set, const whirl_layout *layout, double *block) {
+    for (size_t i = 0; i < layout->size; i++) block[i] = NAN;
+    whirl_status status = whirl_ok();
+    for (size_t a = 0; analysis_plans[a] && status.code == WHIRL_OK; a++) {
+        const analysis_plan *plan = analysis_plans[a];
+        const block_view view = view_of(layout, a, block);
+        if ((set >> a & 1u) && plan->compute_resting) status = plan->compute_resting(point, options, &view);
     }
     return status;
 }

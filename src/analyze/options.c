@@ -27,6 +27,13 @@ static const whirl_member members[] = {
           "samples of a waveform a revolution, at least; not more than steps_per_revolution"),
     MEMBER(whirl_record_options, NUMBER, "highest_order", highest_order, "keep", false, "highest_order", "", "1",
            WHIRL_KEY_NUMBER, false, "5", WHIRL_POSITIVE, NULL, "spectra are kept up to this order of the speed", ""),
+    WHOLE("modes", modes, "modes", "count", "16", 1, 512, false,
+          "modes that are kept, those of the lowest frequencies"),
+    MEMBER(whirl_record_options, NUMBER, "probe_angle", probe_angle, "unbalance", false, "probe", "", "rad",
+           WHIRL_KEY_NUMBER, false, "0", WHIRL_ANY, NULL,
+           "angle of the first probe of every station, from the x axis towards y; the second stands a right angle "
+           "further on",
+           ""),
     FLAG(spectra, "", "no", "whole spectra are kept"),
     FLAG(waveform, "", "yes", "waveforms are recorded"),
     WHOLE("growth", growth, "", "growth", "1", 0, WHIRL_GROWTH_ALL, false,
@@ -90,6 +97,11 @@ whirl_status whirl_record_options_check(const whirl_record_options *options) {
     if (options->samples_per_revolution < 1)
         return whirl_fail(WHIRL_BAD_INPUT, "samples_per_revolution is %d, expected at least 1",
                           options->samples_per_revolution);
+    if (options->modes < 1 || !isfinite(options->probe_angle))
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "%d modes are to be kept and a probe stands at %g, expected at least 1 and a "
+                          "number",
+                          options->modes, options->probe_angle);
     if (!(options->highest_order > 0.0) || !isfinite(options->highest_order))
         return whirl_fail(WHIRL_BAD_INPUT, "the highest order of spectra is %g, expected a number above 0",
                           options->highest_order);

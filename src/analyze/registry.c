@@ -4,9 +4,10 @@
 #include "analysis.h"
 
 // Traits.
-#define ON_DEMAND false, false
-#define USUAL true, false
-#define KEPT false, true
+#define ON_DEMAND false, false, false
+#define USUAL true, false, false
+#define KEPT false, true, false
+#define RESTING false, false, true
 
 // clang-format off
 #define ANALYSES(analysis)                                                                                             \
@@ -29,13 +30,17 @@
              "Black 1968; Jiang, Ulbrich 2005 (dry whip)", USUAL)                                                      \
     analysis(evidence,                                                                                                 \
              "what a verdict can be checked by: 0-1 test, correlation, settling, largest Floquet multiplier",          \
-             "Gottwald, Melbourne 2009 (0-1 test); docs/theory.md", ON_DEMAND)
+             "Gottwald, Melbourne 2009 (0-1 test); docs/theory.md", ON_DEMAND)                                         \
+    analysis(modes, "frequencies, damping, whirl and shapes of small motions about where the machine rests",           \
+             "Friswell, Penny, Garvey, Lees 2010; Floquet 1883 where coefficients turn with the shaft", RESTING)       \
+    analysis(unbalance, "synchronous response to unbalance about where the machine rests",                             \
+             "Friswell, Penny, Garvey, Lees 2010", RESTING)
 // clang-format on
 
 #define ABOUT(name, meaning, source, ...) {#name, meaning, source, __VA_ARGS__},
 #define PLAN(name, ...) &name##_analysis,
 
-static const whirl_analysis analyses[] = {ANALYSES(ABOUT){NULL, NULL, NULL, false, false}};
+static const whirl_analysis analyses[] = {ANALYSES(ABOUT){NULL, NULL, NULL, false, false, false}};
 
 const analysis_plan *const analysis_plans[] = {ANALYSES(PLAN) NULL};
 
@@ -57,6 +62,12 @@ whirl_analysis_set whirl_analysis_usual(void) {
     whirl_analysis_set set = 0;
     for (unsigned i = 0; analyses[i].name; i++) set |= analyses[i].usual ? 1u << i : 0;
     return set;
+}
+
+bool whirl_analysis_is_resting(whirl_analysis_set set) {
+    for (unsigned i = 0; analyses[i].name; i++)
+        if ((set >> i & 1u) && analyses[i].resting) return true;
+    return false;
 }
 
 whirl_analysis_set whirl_analysis_fit(whirl_analysis_set set, const whirl_record_options *options) {

@@ -28,6 +28,7 @@ static void check_machine_at(case_reader *reader, case_content *content, size_t 
     const whirl_batch *batch = &content->plan.batches[index];
     whirl_status status = valuation_open(&v, &content->parameters, batch->parameter, value);
     if (status.code == WHIRL_OK) status = machine_build(&content->machine, &v, &rotor);
+    if (status.code == WHIRL_OK) status = plan_check_speed(batch, whirl_rotor_speed(rotor));
     if (status.code == WHIRL_OK) plan_check_start(reader, &content->plan, index, &v, &content->machine, rotor);
     whirl_rotor_free(rotor);
     valuation_close(&v);
@@ -44,7 +45,7 @@ static void check_ends(case_reader *reader, case_content *content, const plan_pa
     for (size_t b = 0; b < content->plan.batch_count; b++) {
         const whirl_batch *batch = &content->plan.batches[b];
         if (!batch->values) continue;
-        if (strcmp(batch->name, "sweep") == 0) {
+        if (b == 0) {
             check_machine_at(reader, content, b, content->plan.first_place, batch->values[0]);
             check_machine_at(reader, content, b, content->plan.last_place, batch->values[batch->count - 1]);
             continue;
@@ -113,6 +114,11 @@ static void read_units(case_reader *reader, const setting_list *study, case_cont
         problem_at(reader->problems, settings_find(study, "units")->place, "%s", status.message);
 }
 
+/// Only modes are of a shaft that stands still, too: motions are counted in revolutions.
+static bool may_stand_still(const setting *study) {
+    return study && study->place->kind == NODE_MAPPING && node_member(study->place, schema_modes.name);
+}
+
 static void read_content(case_reader *reader, const file_node *root, case_content *content) {
     setting_list file;
     plan_parts parts = {0};
@@ -132,7 +138,7 @@ static void read_content(case_reader *reader, const file_node *root, case_conten
                     &content->parameters);
     reader->parameters = &content->parameters;
     const setting *rotor = settings_find(&file, "rotor"), *study = settings_find(&file, "study");
-    if (rotor && !reader->no_memory) machine_read(reader, rotor->place, &content->machine);
+    if (rotor && !reader->no_memory) machine_read(reader, rotor->place, may_stand_still(study), &content->machine);
     if (study && !reader->no_memory) plan_read_parts(reader, study->place, &content->machine, &parts, &content->plan);
     if (study && !reader->no_memory) read_units(reader, &parts.study, content);
     if (reader->no_memory) return;

@@ -36,6 +36,7 @@ static whirl_status make_member(const case_content *content, const whirl_batch *
     const char *name = batch->parameter[0] ? batch->parameter : NULL;
     whirl_status status = valuation_open(&v, &content->parameters, name, value);
     if (status.code == WHIRL_OK) status = machine_build(&content->machine, &v, &m->rotor);
+    if (status.code == WHIRL_OK) status = plan_check_speed(batch, whirl_rotor_speed(m->rotor));
     if (status.code == WHIRL_OK) status = make_start(content, batch, &v, m);
     valuation_close(&v);
     return status;
@@ -54,8 +55,12 @@ whirl_status case_machine(const void *family, const whirl_batch *batch, double v
                    ? status
                    : whirl_fail(status.code, "at %s = %.10g: %.300s", batch->parameter, value, status.message);
     }
-    *machine =
-        (whirl_machine){.system = whirl_rotor_system(m->rotor), .start = m->start, .owner = m, .release = release};
+    *machine = (whirl_machine){.system = whirl_rotor_system(m->rotor),
+                               .start = m->start,
+                               .owner = m,
+                               .release = release,
+                               .clock = whirl_rotor_clock(m->rotor),
+                               .speed = whirl_rotor_speed(m->rotor)};
     return whirl_ok();
 }
 

@@ -212,9 +212,9 @@ static void read_elements(case_reader *reader, const file_node *where, machine_p
     for (const file_node *item = where->first; item; item = item->next) read_element(reader, item, result);
 }
 
-void machine_read(case_reader *reader, const file_node *where, machine_parts *result) {
+void machine_read(case_reader *reader, const file_node *where, bool may_stand_still, machine_parts *result) {
     *result = (machine_parts){.elements_place = where};
-    settings_read(reader, where, &schema_rotor, &result->rotor);
+    settings_read(reader, where, may_stand_still ? &schema_still_rotor : &schema_rotor, &result->rotor);
     const setting *elements = settings_find(&result->rotor, "elements");
     read_parts(reader, result);
     for (size_t i = 0; i < result->stations.count; i++) check_names(reader, result, &result->stations.items[i]);

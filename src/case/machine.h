@@ -21,7 +21,7 @@ typedef struct machine_parts {
 } machine_parts;
 
 /// Reads `rotor:`.
-void machine_read(case_reader *reader, const file_node *where, machine_parts *result);
+void machine_read(case_reader *reader, const file_node *where, bool may_stand_still, machine_parts *result);
 
 /// Reports everything that keeps the values of the case from being a machine. Call it when nothing is wrong so far.
 void machine_check(case_reader *reader, valuation *v, const machine_parts *machine);

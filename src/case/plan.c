@@ -20,6 +20,7 @@ static whirl_record_options record_options(valuation *v, const plan_parts *parts
     whirl_record_options options = whirl_record_default();
     settings_take(v, &parts->integrate, whirl_record_members(), &options);
     settings_take(v, &parts->keep, whirl_record_members(), &options);
+    if (parts->resting) settings_take(v, &parts->sweep, whirl_record_members(), &options);
     if (!settings_find(&parts->keep, "samples") && options.samples_per_revolution > steps)
         options.samples_per_revolution = steps;
     return options;
@@ -36,6 +37,14 @@ static whirl_record_options detail_options(valuation *v, const plan_parts *parts
 
 /// What the chosen analyses need recorded.
 static void choose_analyses(whirl_batch *batch, whirl_analysis_set chosen, bool spectra) {
+    if (whirl_analysis_is_resting(chosen)) {
+        batch->analyses = chosen;
+        batch->record.spectra = batch->record.waveform = false;
+        batch->record.growth = WHIRL_GROWTH_NONE;
+        batch->record.transient = 0;
+        batch->record.record = 1;
+        return;
+    }
     batch->analyses = whirl_analysis_fit(chosen, &batch->record);
     batch->record.spectra = spectra;
     batch->record.waveform = false;
@@ -224,14 +233,14 @@ static void make_sweep(case_reader *reader, valuation *v, const plan_parts *part
     size_t count = parts->values.count;
     double *values = count > 0 ? list_values(reader, v, &parts->values) : range_values(reader, v, parts, &count);
     if (!values || (parts->values.count > 0 && !check_order(reader, &parts->values, values))) return;
-    result->rest[result->batch_count] = strcmp(settings_word(sweep, "start"), "rest") == 0;
+    result->rest[result->batch_count] = !parts->resting && strcmp(settings_word(sweep, "start"), "rest") == 0;
     result->first_place = parts->values.count > 0 ? parts->values.places[0] : place_of(sweep, "from");
     result->last_place = parts->values.count > 0 ? parts->values.places[count - 1] : place_of(sweep, "to");
     result->end = missed_end(v, parts, values[count - 1]);
-    whirl_batch *batch = add_batch(result, "sweep", sweep->place);
+    whirl_batch *batch = add_batch(result, sweep->group->name, sweep->place);
     snprintf(batch->parameter, sizeof batch->parameter, "%.63s", parts->swept->name);
     batch->count = count;
-    batch->carry = carry_of(sweep, values[0] <= values[count - 1]);
+    batch->carry = parts->resting ? WHIRL_CARRY_NONE : carry_of(sweep, values[0] <= values[count - 1]);
     batch->values = values;
 }
 
@@ -264,7 +273,7 @@ void plan_make(case_reader *reader, valuation *v, const plan_parts *parts, study
     if (parts->swept)
         make_sweep(reader, v, parts, result);
     else
-        add_batch(result, "response", parts->study.place);
+        add_batch(result, parts->resting ? parts->resting : "response", parts->study.place);
     if (parts->at.count > 0) make_detail(reader, v, parts, result);
     for (size_t i = 0; i < result->batch_count; i++) {
         whirl_batch *batch = &result->batches[i];
@@ -316,6 +325,11 @@ whirl_status plan_start_state(const study_plan *plan, size_t batch, valuation *v
         }
     }
     return whirl_ok();
+}
+
+whirl_status plan_check_speed(const whirl_batch *batch, double speed) {
+    if (speed > 0.0 || strcmp(batch->name, schema_modes.name) == 0) return whirl_ok();
+    return whirl_fail(WHIRL_BAD_INPUT, "speed is %g rad/s, expected a number above 0", speed);
 }
 
 /// Refuses places and velocities along an axis that the station does not move along.

@@ -33,6 +33,7 @@ typedef struct formula_list {
 /// Reads `study:` in two steps. First what can be read without values, and everything that is wrong with it ...
 typedef struct plan_parts {
     setting_list study, sweep, integrate, keep, detail;
+    const char *resting;           ///< "modes" or "unbalance", whose keys `sweep` has then; NULL: motions are followed
     number_formula from, to, step; ///< of the sweep, or
     formula_list values;           ///< its list of values, empty where there is none
     formula_list at;               ///< of the detail
@@ -51,6 +52,9 @@ void plan_make(case_reader *reader, valuation *v, const plan_parts *parts, study
 /// The state [dimension] that the points of a batch start from, in the scales of the machine.
 whirl_status plan_start_state(const study_plan *plan, size_t batch, valuation *v, const whirl_rotor *rotor,
                               double *state);
+
+/// Refuses a speed of 0 where motions are counted in revolutions. WHIRL_BAD_INPUT with a sentence.
+whirl_status plan_check_speed(const whirl_batch *batch, double speed);
 
 /// Refuses an initial state that lies outside a bearing of the machine `rotor`: there is no oil film.
 void plan_check_start(case_reader *reader, const study_plan *plan, size_t batch, valuation *v,

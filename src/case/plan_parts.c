@@ -116,12 +116,12 @@ static void note_unit(case_reader *reader, plan_parts *parts, const setting *con
     if (strcmp(parts->written.name, own.name) == 0) parts->written = (whirl_unit){.size = 0.0};
 }
 
-static void read_sweep(case_reader *reader, plan_parts *parts) {
-    setting_list *sweep = &parts->sweep;
-    read_part(reader, &parts->study, "sweep", &schema_sweep, sweep);
+/// The parameter and the values that it takes.
+static void read_axis(case_reader *reader, plan_parts *parts) {
+    const setting_list *sweep = &parts->sweep;
     const setting *name = settings_find(sweep, "parameter"), *values = settings_find(sweep, "values");
     const setting *from = settings_find(sweep, "from"), *to = settings_find(sweep, "to");
-    const setting *step = settings_find(sweep, "step"), *direction = settings_find(sweep, "direction");
+    const setting *step = settings_find(sweep, "step");
     if (values)
         check_list_keys(reader, sweep);
     else
@@ -133,27 +133,77 @@ static void read_sweep(case_reader *reader, plan_parts *parts) {
     if (parts->swept && step) read_swept_value(reader, step->place, parts, &parts->step);
     if (parts->swept && values) read_values(reader, values->place, SCHEMA_MAX_POINTS, parts, &parts->values);
     if (parts->swept) note_unit(reader, parts, (const setting *[]){from, to, step, values}, 4);
-    if (direction && strcmp(settings_word(sweep, "start"), "carry") != 0)
+}
+
+static void read_sweep(case_reader *reader, plan_parts *parts) {
+    read_part(reader, &parts->study, "sweep", &schema_sweep, &parts->sweep);
+    read_axis(reader, parts);
+    const setting *direction = settings_find(&parts->sweep, "direction");
+    if (direction && strcmp(settings_word(&parts->sweep, "start"), "carry") != 0)
         problem_at_key(reader->problems, direction->place, "has a meaning only with start: carry");
+}
+
+/// What a study is of: one point, points along a parameter, or machines at rest. The first that is given counts.
+static const setting *find_kind(case_reader *reader, const setting_list *study) {
+    static const char *const kinds[] = {"response", "sweep", "modes", "unbalance"};
+    const setting *found = NULL;
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
+        const setting *given = settings_find(study, kinds[i]);
+        if (given && found)
+            problem_at_key(reader->problems, (i == 1 ? found : given)->place,
+                           "stands beside %s, expected one of the two", i == 1 ? kinds[i] : found->key->name);
+        else if (given)
+            found = given;
+    }
+    if (!found)
+        problem_at(reader->problems, study->place,
+                   "has none of response, sweep, modes and unbalance, expected one of them");
+    return found;
+}
+
+/// What has no meaning for machines at rest.
+static void check_resting_keys(case_reader *reader, const plan_parts *parts) {
+    static const char *const others[] = {"integrate", "keep", "analyze", "detail", "confirm"};
+    for (size_t i = 0; i < sizeof others / sizeof *others; i++) {
+        const setting *given = settings_find(&parts->study, others[i]);
+        if (given)
+            problem_at_key(reader->problems, given->place, "has no meaning with %s, which follows no motion",
+                           parts->resting);
+    }
+}
+
+static void read_resting(case_reader *reader, const setting *kind, plan_parts *parts) {
+    const whirl_group *group = strcmp(kind->key->name, "modes") == 0 ? &schema_modes : &schema_unbalance;
+    static const char *const axis[] = {"from", "to", "points", "step", "scale", "values"};
+    parts->resting = group->name;
+    whirl_analysis_add(&parts->analyses, group->name);
+    check_resting_keys(reader, parts);
+    read_part(reader, &parts->study, group->name, group, &parts->sweep);
+    if (settings_find(&parts->sweep, "parameter")) {
+        read_axis(reader, parts);
+        return;
+    }
+    for (size_t i = 0; i < sizeof axis / sizeof *axis; i++) {
+        const setting *given = settings_find(&parts->sweep, axis[i]);
+        if (given) problem_at_key(reader->problems, given->place, "needs the parameter that it is of");
+    }
 }
 
 static void read_kind(case_reader *reader, plan_parts *parts) {
     char shown[SHOWN_SIZE];
-    const setting *response = settings_find(&parts->study, "response"), *sweep = settings_find(&parts->study, "sweep");
-    if (response && sweep) {
-        problem_at_key(reader->problems, response->place, "stands beside sweep, expected one of the two");
-    } else if (response) {
+    const setting *kind = find_kind(reader, &parts->study);
+    const char *name = kind ? kind->key->name : "";
+    if (strcmp(name, "response") == 0) {
         setting_list nothing;
         read_part(reader, &parts->study, "response", &schema_response, &nothing);
-    } else if (!sweep) {
-        problem_at(reader->problems, parts->study.place, "has neither response nor sweep, expected one of the two");
-    }
-    if (!sweep) return;
-    if (sweep->place->kind == NODE_MAPPING)
+    } else if (strcmp(name, "modes") == 0 || strcmp(name, "unbalance") == 0) {
+        read_resting(reader, kind, parts);
+    } else if (kind && kind->place->kind == NODE_MAPPING) {
         read_sweep(reader, parts);
-    else
-        problem_at(reader->problems, sweep->place, "is %s, expected {parameter: ..., from: ..., to: ..., points: ...}",
-                   node_shown(sweep->place, shown));
+    } else if (kind) {
+        problem_at(reader->problems, kind->place, "is %s, expected {parameter: ..., from: ..., to: ..., points: ...}",
+                   node_shown(kind->place, shown));
+    }
 }
 
 // ---------------------------------------------------------------- detail
@@ -202,7 +252,8 @@ static void report_unknown_analysis(case_reader *reader, const file_node *where)
     const char *names[SETTINGS_MAX];
     char advice[WHY_SIZE], shown[SHOWN_SIZE];
     size_t count = 0;
-    for (const whirl_analysis *a = whirl_analyses(); a->name && count < SETTINGS_MAX; a++) names[count++] = a->name;
+    for (const whirl_analysis *a = whirl_analyses(); a->name && count < SETTINGS_MAX; a++)
+        if (!a->resting) names[count++] = a->name;
     describe_names(where->kind == NODE_TEXT ? where->text : "", names, count, advice);
     problem_at(reader->problems, where, "is %s, which is no analysis, %s", node_shown(where, shown), advice);
 }
@@ -210,6 +261,7 @@ static void report_unknown_analysis(case_reader *reader, const file_node *where)
 static void read_analyses(case_reader *reader, plan_parts *parts) {
     char shown[SHOWN_SIZE];
     const setting *given = settings_find(&parts->study, "analyze");
+    if (parts->resting) return;
     if (!given) {
         parts->analyses = whirl_analysis_usual();
         return;
@@ -221,8 +273,15 @@ static void read_analyses(case_reader *reader, plan_parts *parts) {
         return;
     }
     for (const file_node *item = where->first; item; item = item->next) {
-        if (item->kind != NODE_TEXT || !whirl_analysis_add(&parts->analyses, item->text))
+        whirl_analysis_set one = 0;
+        if (item->kind != NODE_TEXT || !whirl_analysis_add(&one, item->text))
             report_unknown_analysis(reader, item);
+        else if (whirl_analysis_is_resting(one))
+            problem_at(reader->problems, item,
+                       "is %s, which is a study of its own, expected %s: {...} in place of "
+                       "response or sweep",
+                       item->text, item->text);
+        parts->analyses |= one;
     }
 }
 

@@ -22,22 +22,31 @@ static const whirl_key case_keys[] = {
     {"study", "", "", WHIRL_KEY_CHOICE, true, "", WHIRL_ANY, "", "what is computed: see study", ""},
 };
 
-static const whirl_key rotor_keys[] = {
-    {"speed", "omega", "rad/s", WHIRL_KEY_NUMBER, true, "", WHIRL_POSITIVE, NULL, "speed of rotation", ""},
-    {"length_scale", "", "m", WHIRL_KEY_NUMBER, true, "", WHIRL_POSITIVE, NULL,
-     "length in which displacements are computed and reported, such as the clearance", ""},
-    {"materials", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "", "names with the keys of a material of shafts",
-     ""},
-    {"shafts", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
-     "names with the keys of a shaft of finite elements, which segments make up", ""},
-    {"stations", "", "", WHIRL_KEY_CHOICE, true, "", WHIRL_ANY, "", "names with the keys of a station", ""},
-    {"elements", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "", "a list of elements, each a kind with its keys",
-     ""},
-};
+// clang-format off
+#define ROTOR_KEYS(speeds)                                                                                             \
+    {"speed", "omega", "rad/s", WHIRL_KEY_NUMBER, true, "", speeds, NULL,                                              \
+     "speed of rotation, above 0; for modes at least 0", ""},                                                          \
+    {"length_scale", "", "m", WHIRL_KEY_NUMBER, true, "", WHIRL_POSITIVE, NULL,                                        \
+     "length in which displacements are computed and reported, such as the clearance", ""},                            \
+    {"materials", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "", "names with the keys of a material of shafts",   \
+     ""},                                                                                                              \
+    {"shafts", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",                                                     \
+     "names with the keys of a shaft of finite elements, which segments make up", ""},                                 \
+    {"stations", "", "", WHIRL_KEY_CHOICE, true, "", WHIRL_ANY, "", "names with the keys of a station", ""},           \
+    {"elements", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "", "a list of elements, each a kind with its keys",  \
+     ""}
+// clang-format on
+
+static const whirl_key rotor_keys[] = {ROTOR_KEYS(WHIRL_POSITIVE)};
+static const whirl_key still_rotor_keys[] = {ROTOR_KEYS(WHIRL_NOT_NEGATIVE)};
 
 static const whirl_key study_keys[] = {
-    {"response", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "", "one point; this or sweep", ""},
-    {"sweep", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "", "points along one parameter; this or response", ""},
+    {"response", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "", "one point; this, sweep, modes or unbalance", ""},
+    {"sweep", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "", "points along one parameter", ""},
+    {"modes", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
+     "modes about where the machine rests, along one parameter or at one point: see modes", ""},
+    {"unbalance", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
+     "synchronous response about where the machine rests, likewise: see unbalance", ""},
     {"initial", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
      "names of stations with the state they start from; zero where absent", ""},
     {"integrate", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "", "how and how long: see integrate", ""},
@@ -53,23 +62,32 @@ static const whirl_key study_keys[] = {
      ""},
 };
 
+// Of points along a parameter.
+// clang-format off
+#define AXIS_KEYS(needed)                                                                                              \
+    {"parameter", "", "", WHIRL_KEY_CHOICE, needed, "", WHIRL_ANY, "", "name of the parameter that varies", ""},       \
+    {"from", "", "", WHIRL_KEY_NUMBER, false, "", WHIRL_ANY, NULL, "its first value", ""},                             \
+    {"to", "", "", WHIRL_KEY_NUMBER, false, "", WHIRL_ANY, NULL, "its last value", ""},                                \
+    {"points", "", "1", WHIRL_KEY_WHOLE, false, "", WHIRL_FROM_TO(1, SCHEMA_MAX_POINTS), NULL,                         \
+     "number of values, spaced as scale says, both ends included; this or step", ""},                                  \
+    {"step", "", "", WHIRL_KEY_NUMBER, false, "", WHIRL_ANY, NULL,                                                     \
+     "distance of the values, from the first up to the last that is not beyond `to`; this or points", ""},             \
+    {"scale", "", "", WHIRL_KEY_CHOICE, false, "linear", WHIRL_ANY, "linear|log",                                      \
+     "of points: linear: equal differences; log: equal ratios", ""},                                                   \
+    {"values", "", "", WHIRL_KEY_NUMBER, false, "", WHIRL_ANY, NULL,                                                   \
+     "a list of the values, rising or falling, in place of from, to, points and step", ""}
+// clang-format on
+
 static const whirl_key sweep_keys[] = {
-    {"parameter", "", "", WHIRL_KEY_CHOICE, true, "", WHIRL_ANY, "", "name of the parameter that varies", ""},
-    {"from", "", "", WHIRL_KEY_NUMBER, false, "", WHIRL_ANY, NULL, "its first value", ""},
-    {"to", "", "", WHIRL_KEY_NUMBER, false, "", WHIRL_ANY, NULL, "its last value", ""},
-    {"points", "", "1", WHIRL_KEY_WHOLE, false, "", WHIRL_FROM_TO(1, SCHEMA_MAX_POINTS), NULL,
-     "number of values, spaced as scale says, both ends included; this or step", ""},
-    {"step", "", "", WHIRL_KEY_NUMBER, false, "", WHIRL_ANY, NULL,
-     "distance of the values, from the first up to the last that is not beyond `to`; this or points", ""},
-    {"scale", "", "", WHIRL_KEY_CHOICE, false, "linear", WHIRL_ANY, "linear|log",
-     "of points: linear: equal differences; log: equal ratios", ""},
-    {"values", "", "", WHIRL_KEY_NUMBER, false, "", WHIRL_ANY, NULL,
-     "a list of the values, rising or falling, in place of from, to, points and step", ""},
+    AXIS_KEYS(true),
     {"start", "", "", WHIRL_KEY_CHOICE, false, "state", WHIRL_ANY, "rest|state|carry",
      "rest: every point from zero; state: from the initial state; carry: from the end of the point before", ""},
     {"direction", "", "", WHIRL_KEY_CHOICE, false, "up", WHIRL_ANY, "up|down|both",
      "with start: carry, along rising or falling values, or both, which shows hysteresis", ""},
 };
+
+// Without a parameter there is one point, of the machine as it stands.
+static const whirl_key resting_keys[] = {AXIS_KEYS(false)};
 
 static const whirl_key detail_keys[] = {
     {"at", "", "", WHIRL_KEY_NUMBER, true, "", WHIRL_ANY, NULL, "a list of values of the swept parameter", ""},
@@ -88,9 +106,14 @@ static const table of_probe[] = {whirl_probe_members, NULL};
 
 const whirl_group schema_case = GROUP("case", "a case file", case_keys, NULL);
 const whirl_group schema_rotor = GROUP("rotor", "the machine", rotor_keys, NULL);
+const whirl_group schema_still_rotor = GROUP("rotor", "the machine", still_rotor_keys, NULL);
 const whirl_group schema_study = GROUP("study", "what is computed", study_keys, of_batch);
 const whirl_group schema_response = PART("response", "one point: no keys", NULL);
 const whirl_group schema_sweep = GROUP("sweep", "points along one parameter", sweep_keys, NULL);
+const whirl_group schema_modes =
+    GROUP("modes", "modes of small motions about where the machine rests", resting_keys, of_options);
+const whirl_group schema_unbalance =
+    GROUP("unbalance", "synchronous response about where the machine rests", resting_keys, of_options);
 const whirl_group schema_initial = PART("initial", "the state that a station starts from", of_probe);
 const whirl_group schema_integrate = PART("integrate", "how the motion is integrated, and how long", of_options);
 const whirl_group schema_keep = PART("keep", "how much of waveforms and spectra is kept", of_options);
@@ -104,8 +127,8 @@ const char *schema_scaled_unit(const whirl_key *key) {
 
 const whirl_group *const *whirl_case_groups(void) {
     static const whirl_group *const groups[] = {
-        &schema_case,    &schema_rotor,     &schema_study, &schema_response, &schema_sweep,
-        &schema_initial, &schema_integrate, &schema_keep,  &schema_detail,   NULL,
+        &schema_case,      &schema_rotor,   &schema_study,     &schema_response, &schema_sweep,  &schema_modes,
+        &schema_unbalance, &schema_initial, &schema_integrate, &schema_keep,     &schema_detail, NULL,
     };
     return groups;
 }

@@ -61,7 +61,10 @@ static void go(const search *s, const double *x, double part, double *to) {
 
 /// A step, halved until the residual falls; false where it does not.
 static bool take_step(search *s, double *x, double *norm) {
-    for (double part = 1.0; part > 1e-6; part *= 0.5) {
+    enum { MOST_HALVINGS = 20 };
+    double part = 2.0;
+    for (int halving = 0; halving < MOST_HALVINGS; halving++) {
+        part *= 0.5;
         go(s, x, part, s->trial);
         const double next = residual(s, s->trial);
         if (!(next <= (1.0 - 0.1 * part) * *norm)) continue;

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "chains.h"
+#include "resting.h"
 
 /// Order of the passes: those with long points first, so that no thread is left with one at the end.
 static void sort_long_first(chains *all, size_t count) {
@@ -25,17 +26,32 @@ static void work(study_run *run, chains *all, size_t count) {
     }
 }
 
+/// Passes over machines at rest, which have no chains, are made; *count is how many others are left, in front.
+static whirl_status work_at_rest(study_run *run, const pass *passes, size_t *count, const pass **left) {
+    whirl_status status = whirl_ok();
+    size_t others = 0;
+    for (size_t i = 0; i < *count && status.code == WHIRL_OK; i++)
+        if (whirl_analysis_is_resting(run->study->batches[passes[i].batch].analyses))
+            status = resting_work(run, &passes[i]);
+        else
+            left[others++] = &passes[i];
+    *count = others;
+    return status;
+}
+
 whirl_status passes_work(study_run *run, const pass *passes, size_t count) {
     chains *all = calloc(count + 1, sizeof *all);
-    if (!all) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu passes", count);
-    whirl_status status = whirl_ok();
-    for (size_t i = 0; i < count && status.code == WHIRL_OK; i++) status = chains_new(&all[i], run, &passes[i]);
+    const pass **left = calloc(count + 1, sizeof(const pass *));
+    whirl_status status = all && left ? work_at_rest(run, passes, &count, left)
+                                      : whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu passes", count);
+    for (size_t i = 0; i < count && status.code == WHIRL_OK; i++) status = chains_new(&all[i], run, left[i]);
     if (status.code == WHIRL_OK) {
         sort_long_first(all, count);
         work(run, all, count);
     }
-    for (size_t i = 0; i < count; i++) chains_free(&all[i]);
+    for (size_t i = 0; all && i < count; i++) chains_free(&all[i]);
     free(all);
+    free(left);
     return status;
 }
 

@@ -45,7 +45,8 @@ static whirl_status machine(const void *family, const whirl_batch *batch, double
     own->rotor = paper_rotor(value);
     own->start[1] = -0.1;
     own->start[3] = value > 2 ? -1.5 : -0.1;
-    *out = (whirl_machine){whirl_rotor_system(own->rotor), own->start, own, release};
+    *out = (whirl_machine){
+        .system = whirl_rotor_system(own->rotor), .start = own->start, .owner = own, .release = release};
     return whirl_ok();
 }
 

@@ -90,7 +90,7 @@ static whirl_status make_machine(const void *context, const whirl_batch *batch, 
     (void)batch;
     member *m = f->make(value);
     const whirl_system *system = m->rotor ? whirl_rotor_system(m->rotor) : &m->system;
-    *machine = (whirl_machine){system, m->start, m, release};
+    *machine = (whirl_machine){.system = system, .start = m->start, .owner = m, .release = release};
     return whirl_ok();
 }
 

@@ -177,6 +177,7 @@ static void single_analyses(void **state) {
     for (const whirl_analysis *a = whirl_analyses(); a->name; a++) {
         char list[64];
         if (strcmp(a->name, "waveform") == 0) continue; // of which some must be kept
+        if (a->resting) continue;                       // a study of its own
         snprintf(list, sizeof list, "analyze: [%s]", a->name);
         whirl_case_free(parse_edited("analyze: [poincare, regime, spectrum]", list));
     }
@@ -306,10 +307,15 @@ static void structure(void **state) {
                    "t:22:12: study.analyze: is poincare, expected a list of analyses: [poincare, regime]");
     expect_problem("start: state", "direction: up",
                    "t:19:57: study.sweep.direction: has a meaning only with start: carry");
+    expect_problem("analyze: [poincare, regime, spectrum]", "analyze: [modes]",
+                   "t:22:13: study.analyze[1]: is modes, which is a study of its own, expected modes: {...} in place "
+                   "of response or sweep");
+    expect_problem("  sweep: {", "  modes: {}\n  sweep: {",
+                   "t:19:3: study.modes: stands beside sweep, expected one of the two");
     expect_problem("  sweep: {", "  response: {}\n  sweep: {",
                    "t:19:3: study.response: stands beside sweep, expected one of the two");
     expect_problem("  sweep: {parameter: kappa, from: 1, to: 20, points: 5, start: state}\n", "",
-                   "t:18:1: study: has neither response nor sweep, expected one of the two");
+                   "t:18:1: study: has none of response, sweep, modes and unbalance, expected one of them");
     expect_problem("  sweep: {parameter: kappa, from: 1, to: 20, points: 5, start: state}\n",
                    "  response:\n  detail: {at: [1]}\n",
                    "t:20:3: study.detail: needs a sweep, whose parameter it gives values to");

@@ -93,7 +93,8 @@ static inline void synthetic_detail(whirl_table *table, const whirl_result *resu
         table->layout.size += field->repeat * field->rows * field->columns;
     }
     table->integrate = (whirl_integrate_options){.method = "cvode", .steps_per_revolution = 64, .rtol = 1e-11};
-    table->record = (whirl_record_options){.transient = 7,
+    table->record = (whirl_record_options){.modes = 3,
+                                           .transient = 7,
                                            .record = 5,
                                            .watch = 6,
                                            .waveform_revolutions = 2,

@@ -27,7 +27,7 @@ static whirl_status make_follower(const void *family, const whirl_batch *batch, 
     *own = (follower){.rate = value, .start = {0.5}};
     own->system = (whirl_system){
         .dimension = 1, .period = 1, .rhs = follower_slope, .probe_count = 1, .probes = &probe, .model = own};
-    *out = (whirl_machine){&own->system, own->start, own, free};
+    *out = (whirl_machine){.system = &own->system, .start = own->start, .owner = own, .release = free};
     return whirl_ok();
 }
 

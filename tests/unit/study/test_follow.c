@@ -33,7 +33,7 @@ static whirl_status make_lorenz(const void *family, const whirl_batch *batch, do
     *own = (lorenz){.r = value, .start = {1.0, 1.0, 20.0}};
     own->system =
         (whirl_system){.dimension = 3, .period = 1, .rhs = slope, .probe_count = 1, .probes = &probe, .model = own};
-    *out = (whirl_machine){&own->system, own->start, own, free};
+    *out = (whirl_machine){.system = &own->system, .start = own->start, .owner = own, .release = free};
     return whirl_ok();
 }
 

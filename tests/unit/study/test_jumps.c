@@ -46,7 +46,7 @@ static whirl_status machine(const void *family, const whirl_batch *batch, double
                                  .probe_count = 1,
                                  .probes = &probe,
                                  .model = own};
-    *out = (whirl_machine){&own->system, own->start, own, free};
+    *out = (whirl_machine){.system = &own->system, .start = own->start, .owner = own, .release = free};
     return whirl_ok();
 }
 

@@ -36,7 +36,7 @@ static whirl_status machine(const void *family, const whirl_batch *batch, double
     *own = (pitchfork){.p = value, .start = {0.1}};
     own->system =
         (whirl_system){.dimension = 1, .period = 1, .rhs = slope, .probe_count = 1, .probes = &probe, .model = own};
-    *out = (whirl_machine){&own->system, own->start, own, free};
+    *out = (whirl_machine){.system = &own->system, .start = own->start, .owner = own, .release = free};
     return whirl_ok();
 }
 

@@ -1,0 +1,123 @@
+// Modes of a machine about where it rests: frequencies, damping, whirl and shapes, and what was located on the way from
+// the point before.
+#include <math.h>
+#include <stdlib.h>
+
+#include "analysis.h"
+
+enum {
+    SPEED,
+    FREQUENCY,
+    NATURAL,
+    GROWTH,
+    RATIO,
+    DECREMENT,
+    DIRECTION,
+    OVERDAMPED,
+    STABILITY,
+    MODULO,
+    CRITICAL,
+    REST,
+    SHAPE,
+    FIELD_COUNT
+};
+
+static size_t kept(const block_shape *shape) {
+    return (size_t)shape->options->modes;
+}
+
+/// Forward, backward and a threshold, of every mode once.
+static size_t located(const block_shape *shape) {
+    return (size_t)shape->options->modes + 1;
+}
+
+static const field_plan fields[FIELD_COUNT] = {
+    [SPEED] = {"speed", "rad/s", "speed of the shaft", WHIRL_PER_POINT, 1, NULL},
+    [FREQUENCY] = {"frequency", "rad/s", "damped natural frequency, by rising frequency", WHIRL_PER_POINT, 1, kept},
+    [NATURAL] = {"natural", "rad/s", "modulus of the eigenvalue", WHIRL_PER_POINT, 1, kept},
+    [GROWTH] = {"growth", "1/s", "real part of the eigenvalue: below 0 the mode dies out", WHIRL_PER_POINT, 1, kept},
+    [RATIO] = {"damping_ratio", "1", "real part over modulus of the eigenvalue, with the other sign", WHIRL_PER_POINT,
+               1, kept},
+    [DECREMENT] = {"decrement", "1", "logarithmic decrement of one turn of the mode", WHIRL_PER_POINT, 1, kept},
+    [DIRECTION] = {"direction", "1", "1: circles with the rotation, -1: against it, 0: neither", WHIRL_PER_POINT, 1,
+                   kept},
+    [OVERDAMPED] = {"overdamped", "1/s", "eigenvalues without a frequency, largest first", WHIRL_PER_POINT, 1, kept},
+    [STABILITY] = {"stability", "1/s", "largest real part of all eigenvalues: stable below 0", WHIRL_PER_POINT, 1,
+                   NULL},
+    [MODULO] = {"modulo", "rad/s", "frequencies are known but for multiples of it (coefficients turn with the shaft)",
+                WHIRL_PER_POINT, 1, NULL},
+    [CRITICAL] = {"critical", "1", "kind, value, speed, frequency, damping, direction", WHIRL_PER_POINT, 6, located},
+    [REST] = {"rest", "length", "x, y", WHIRL_PER_STATION, 2, NULL},
+    [SHAPE] = {"shape", "1", "x_cos, x_sin, y_cos, y_sin", WHIRL_PER_STATION, 4, kept},
+};
+
+static void fill_modes(const whirl_resting *point, const whirl_modes *modes, size_t most, const block_view *view) {
+    const double rate = point->clock;
+    const size_t count = modes->count < most ? modes->count : most;
+    for (size_t i = 0; i < count; i++) {
+        const whirl_mode *mode = &modes->modes[i];
+        const double size = hypot(mode->real, mode->imaginary);
+        view_numbers(view, FREQUENCY, 0)[i] = rate * mode->imaginary;
+        view_numbers(view, NATURAL, 0)[i] = rate * size;
+        view_numbers(view, GROWTH, 0)[i] = rate * mode->real;
+        view_numbers(view, RATIO, 0)[i] = (0.0 - mode->real) / size;
+        view_numbers(view, DECREMENT, 0)[i] = 6.283185307179586476925 * (0.0 - mode->real) / mode->imaginary;
+        view_numbers(view, DIRECTION, 0)[i] = mode->direction;
+    }
+    for (size_t i = 0; i < modes->real_count && i < most; i++)
+        view_numbers(view, OVERDAMPED, 0)[i] = rate * modes->reals[i];
+}
+
+/// The largest displacement of any station is 1, at the instant of its peak.
+static void fill_shapes(const whirl_resting *point, const whirl_modes *modes, size_t most, const block_view *view) {
+    const whirl_system *system = point->system;
+    for (size_t i = 0; i < modes->count && i < most; i++) {
+        const double *v = modes->vectors + 2 * i * modes->dimension;
+        double largest = 0.0, c = 1.0, s = 0.0;
+        for (size_t p = 0; p < 2 * system->probe_count; p++) {
+            const double *x = v + 2 * (p % 2 ? system->probes[p / 2].y : system->probes[p / 2].x);
+            const double size = hypot(x[0], x[1]);
+            if (size > (1.0 + 1e-9) * largest) largest = size, c = x[0] / size, s = x[1] / size;
+        }
+        for (size_t p = 0; p < 2 * system->probe_count && largest > 0.0; p++) {
+            const whirl_probe *probe = &system->probes[p / 2];
+            const double *x = v + 2 * (p % 2 ? probe->y : probe->x);
+            double *out = view_numbers(view, SHAPE, p / 2) + 4 * i + 2 * (p % 2);
+            // x cos(w t) + y sin(w t) of Re(X exp(i w t)).
+            out[0] = (x[0] * c + x[1] * s) / largest;
+            out[1] = -(x[1] * c - x[0] * s) / largest;
+        }
+    }
+}
+
+static void fill_critical(const whirl_resting *point, size_t most, const block_view *view) {
+    for (size_t i = 0; i < point->critical_count && i < most; i++) {
+        const whirl_critical *found = &point->critical[i];
+        double *row = view_numbers(view, CRITICAL, 0) + 6 * i;
+        row[0] = found->kind;
+        row[1] = found->value;
+        row[2] = found->speed;
+        row[3] = found->frequency;
+        row[4] = found->ratio;
+        row[5] = found->direction;
+    }
+}
+
+static whirl_status compute(const whirl_resting *point, const whirl_record_options *options, const block_view *view) {
+    const whirl_modes *modes = point->modes;
+    const size_t most = (size_t)options->modes;
+    *view_numbers(view, SPEED, 0) = point->speed;
+    *view_numbers(view, STABILITY, 0) = point->clock * modes->growth;
+    if (modes->period > 0.0) *view_numbers(view, MODULO, 0) = point->clock * 6.283185307179586476925 / modes->period;
+    for (size_t p = 0; p < point->system->probe_count; p++) {
+        const whirl_probe *probe = &point->system->probes[p];
+        view_numbers(view, REST, p)[0] = modes->rest[probe->x];
+        view_numbers(view, REST, p)[1] = modes->rest[probe->y];
+    }
+    fill_modes(point, modes, most, view);
+    fill_shapes(point, modes, most, view);
+    fill_critical(point, most + 1, view);
+    return whirl_ok();
+}
+
+const analysis_plan modes_analysis = {.fields = fields, .field_count = FIELD_COUNT, .compute_resting = compute};

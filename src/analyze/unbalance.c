@@ -1,0 +1,66 @@
+// The synchronous response of a machine about where it rests: amplitudes, phases, orbits, and what two probes see.
+#include <math.h>
+#include <stdlib.h>
+
+#include "analysis.h"
+
+enum { SPEED, REST, AMPLITUDE, LAG, AXES, INCLINATION, PROBE, PROBE_LAG, FIELD_COUNT };
+
+static const field_plan fields[FIELD_COUNT] = {
+    [SPEED] = {"speed", "rad/s", "speed of the shaft", WHIRL_PER_POINT, 1, NULL},
+    [REST] = {"rest", "length", "x, y", WHIRL_PER_STATION, 2, NULL},
+    [AMPLITUDE] = {"amplitude", "length", "x, y", WHIRL_PER_STATION, 2, NULL},
+    [LAG] = {"lag", "deg", "x, y", WHIRL_PER_STATION, 2, NULL},
+    [AXES] = {"axes", "length", "major, minor", WHIRL_PER_STATION, 2, NULL},
+    [INCLINATION] = {"inclination", "deg", "of the major axis, from the x axis towards y", WHIRL_PER_STATION, 1, NULL},
+    [PROBE] = {"probe", "length", "first, second", WHIRL_PER_STATION, 2, NULL},
+    [PROBE_LAG] = {"probe_lag", "deg", "first, second", WHIRL_PER_STATION, 2, NULL},
+};
+
+static const double degree = 3.14159265358979323846 / 180.0;
+
+/// What a probe at `angle` sees: its amplitude, and by how many degrees the peak comes after the mark.
+static void look(const double *x, const double *y, double angle, double *amplitude, double *lag) {
+    const double c = cos(angle), s = sin(angle);
+    const double real = x[0] * c + y[0] * s, imaginary = x[1] * c + y[1] * s;
+    *amplitude = hypot(real, imaginary);
+    *lag = *amplitude > 0.0 ? fmod(360.0 - atan2(imaginary, real) / degree, 360.0) : (double)NAN;
+}
+
+static void fill_station(const block_view *view, size_t which, const double *x, const double *y, double angle) {
+    double *amplitude = view_numbers(view, AMPLITUDE, which), *lag = view_numbers(view, LAG, which);
+    double *probe = view_numbers(view, PROBE, which), *probe_lag = view_numbers(view, PROBE_LAG, which);
+    look(x, y, 0.0, &amplitude[0], &lag[0]);
+    look(x, y, 90.0 * degree, &amplitude[1], &lag[1]);
+    look(x, y, angle, &probe[0], &probe_lag[0]);
+    look(x, y, angle + 90.0 * degree, &probe[1], &probe_lag[1]);
+    // x + iy = forward exp(i tau) + backward exp(-i tau).
+    const double forward[2] = {0.5 * (x[0] - y[1]), 0.5 * (x[1] + y[0])};
+    const double backward[2] = {0.5 * (x[0] + y[1]), 0.5 * (y[0] - x[1])};
+    const double f = hypot(forward[0], forward[1]), b = hypot(backward[0], backward[1]);
+    view_numbers(view, AXES, which)[0] = f + b;
+    view_numbers(view, AXES, which)[1] = f - b;
+    const double turned = 0.5 * (atan2(forward[1], forward[0]) + atan2(backward[1], backward[0])) / degree;
+    *view_numbers(view, INCLINATION, which) = fmod(turned + 360.0, 180.0);
+}
+
+static whirl_status compute(const whirl_resting *point, const whirl_record_options *options, const block_view *view) {
+    const whirl_system *system = point->system;
+    const size_t d = system->dimension;
+    double *rest = calloc(3 * d + 1, sizeof *rest), *response = rest ? rest + d : NULL;
+    if (!rest) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the response of %zu coordinates", d);
+    const whirl_status status = whirl_forced_response(system, point->start, rest, response);
+    *view_numbers(view, SPEED, 0) = point->speed;
+    for (size_t p = 0; p < system->probe_count && status.code == WHIRL_OK; p++) {
+        const whirl_probe *probe = &system->probes[p];
+        const double nothing[2] = {0.0, 0.0};
+        view_numbers(view, REST, p)[0] = rest[probe->x];
+        view_numbers(view, REST, p)[1] = rest[probe->y];
+        fill_station(view, p, response + 2 * probe->x, probe->x == probe->y ? nothing : response + 2 * probe->y,
+                     options->probe_angle);
+    }
+    free(rest);
+    return status;
+}
+
+const analysis_plan unbalance_analysis = {.fields = fields, .field_count = FIELD_COUNT, .compute_resting = compute};

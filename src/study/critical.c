@@ -1,0 +1,221 @@
+// Critical speeds and thresholds of stability between two points: modes are followed from one machine to the next, and
+// what changes sign is closed in on.
+#include "critical.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+whirl_status resting_new(const whirl_study *study, const whirl_batch *batch, double value, resting_machine *out) {
+    *out = (resting_machine){.value = value};
+    whirl_status status = study->machine(study->family, batch, value, &out->machine);
+    if (status.code != WHIRL_OK) return status;
+    status = whirl_modes_new(out->machine.system, out->machine.start, &out->modes);
+    if (status.code == WHIRL_BAD_INPUT && *batch->parameter)
+        status = whirl_fail(status.code, "at %s = %.10g: %.300s", batch->parameter, value, status.message);
+    if (status.code != WHIRL_OK) resting_free(out);
+    return status;
+}
+
+void resting_free(resting_machine *r) {
+    whirl_modes_free(r->modes);
+    if (r->machine.release) r->machine.release(r->machine.owner);
+    *r = (resting_machine){.modes = NULL};
+}
+
+/// A search between two values, for where a mode meets the speed or, without a mode, where the machine loses or regains
+/// its stability.
+typedef struct search {
+    const whirl_study *study;
+    const whirl_batch *batch;
+    const resting_machine *from; ///< whose mode is followed
+    size_t mode;                 ///< SIZE_MAX: stability
+    whirl_critical at;           ///< at the last value tried
+} search;
+
+/// How far the machine is from the threshold, 1/s. What rounding leaves of no damping at all counts as stable.
+static double growth_of(const resting_machine *r) {
+    const whirl_modes *modes = r->modes;
+    double size = 0.0;
+    for (size_t i = 0; i < modes->count; i++)
+        if (modes->modes[i].real == modes->growth) size = hypot(modes->modes[i].real, modes->modes[i].imaginary);
+    const double fastest = modes->count > 0 ? modes->modes[modes->count - 1].imaginary : 0.0;
+    return r->machine.clock * (modes->growth - 1e-10 * size - 1e-13 * fastest);
+}
+
+/// The mode that decides stability.
+static size_t deciding(const whirl_modes *modes) {
+    for (size_t i = 0; i < modes->count; i++)
+        if (modes->modes[i].real == modes->growth) return i;
+    return SIZE_MAX;
+}
+
+static double distance_of(const resting_machine *r, size_t mode) {
+    return r->machine.clock * r->modes->modes[mode].imaginary - fabs(r->machine.speed);
+}
+
+static void describe(search *s, const resting_machine *r, size_t mode) {
+    s->at = (whirl_critical){.value = r->value, .speed = r->machine.speed};
+    if (mode >= r->modes->count) return;
+    const whirl_mode *own = &r->modes->modes[mode];
+    s->at.frequency = r->machine.clock * own->imaginary;
+    s->at.ratio = (0.0 - own->real) / hypot(own->real, own->imaginary);
+    s->at.direction = own->direction;
+}
+
+/// The function whose zero is looked for, of a machine, and NaN where the mode is lost.
+static whirl_status measure(search *s, const resting_machine *r, double *result) {
+    size_t mode = deciding(r->modes);
+    *result = growth_of(r);
+    if (s->mode != SIZE_MAX) {
+        size_t *partner = malloc((s->from->modes->count + 1) * sizeof *partner);
+        if (!partner) return whirl_fail(WHIRL_NO_MEMORY, "no memory to follow modes");
+        const whirl_status status =
+            whirl_modes_match(s->from->modes, r->modes, s->from->machine.clock / r->machine.clock, partner);
+        mode = partner[s->mode];
+        free(partner);
+        if (status.code != WHIRL_OK) return status;
+        *result = mode < r->modes->count ? distance_of(r, mode) : (double)NAN;
+    }
+    describe(s, r, mode);
+    return whirl_ok();
+}
+
+static whirl_status measure_at(search *s, double value, double *result) {
+    resting_machine r;
+    whirl_status status = resting_new(s->study, s->batch, value, &r);
+    if (status.code != WHIRL_OK) return status;
+    status = measure(s, &r, result);
+    resting_free(&r);
+    return status;
+}
+
+/// Closes in on the zero between a and b, where fa and fb have different signs: by the secant, halved in where that
+/// does not help (Dekker 1969, with Illinois' weights). False where the mode is lost on the way, or jumps.
+static whirl_status close_in(search *s, double a, double fa, double b, double fb, bool *found) {
+    enum { MOST_STEPS = 100 };
+    const double jump = 1e-3 * fmax(fabs(fa), fabs(fb));
+    double last = INFINITY;
+    int side = 0;
+    for (int k = 0; k < MOST_STEPS; k++) {
+        const double width = fabs(b - a), middle = 0.5 * (a + b);
+        const double secant = b - fb * (b - a) / (fb - fa);
+        const bool inside = (secant - a) * (secant - b) < 0.0;
+        const double c = inside && (width <= 0.6 * last || k % 3 != 2) ? secant : middle;
+        double fc;
+        last = width;
+        const whirl_status status = measure_at(s, c, &fc);
+        if (status.code != WHIRL_OK) return status;
+        if (isnan(fc)) break;
+        const bool like_a = (fc < 0.0) == (fa < 0.0);
+        if (like_a) {
+            a = c, fa = fc;
+            if (side == -1) fb *= 0.5;
+        } else {
+            b = c, fb = fc;
+            if (side == 1) fa *= 0.5;
+        }
+        side = like_a ? -1 : 1;
+        if (fc == 0.0 || fabs(b - a) <= 1e-11 * fmax(fabs(a), fabs(b)) || fabs(c - middle) + width <= 1e-300) {
+            *found = fabs(fc) <= jump;
+            return status;
+        }
+        // Both ends so near the zero that rounding is all that is left.
+        if (fabs(fc) <= 1e-13 * (fabs(s->at.frequency) + fabs(s->at.speed)) && s->mode != SIZE_MAX) {
+            *found = true;
+            return status;
+        }
+    }
+    *found = false;
+    return whirl_ok();
+}
+
+static void add(whirl_critical *found, size_t most, size_t *count, const whirl_critical *one) {
+    if (*count < most) found[(*count)++] = *one;
+}
+
+static int by_value(const void *a, const void *b) {
+    const whirl_critical *p = a, *q = b;
+    if (p->value != q->value) return p->value < q->value ? -1 : 1;
+    return p->direction < q->direction ? -1 : p->direction > q->direction;
+}
+
+/// *lost: whether a mode that meets the speed could not be followed to where it does.
+static whirl_status locate_speeds(search *s, const resting_machine *to, const size_t *partner, whirl_critical *found,
+                                  size_t most, size_t *count, bool *lost) {
+    const resting_machine *from = s->from;
+    whirl_status status = whirl_ok();
+    for (size_t i = 0; i < from->modes->count && status.code == WHIRL_OK; i++) {
+        if (partner[i] >= to->modes->count) continue;
+        const double fa = distance_of(from, i), fb = distance_of(to, partner[i]);
+        bool good = true;
+        if ((fa < 0.0) == (fb < 0.0) || fa == 0.0) continue;
+        s->mode = i;
+        if (fb == 0.0)
+            describe(s, to, partner[i]);
+        else
+            status = close_in(s, from->value, fa, to->value, fb, &good);
+        s->at.kind = WHIRL_CRITICAL_SPEED;
+        *lost = *lost || !good;
+        if (good && status.code == WHIRL_OK) add(found, most, count, &s->at);
+    }
+    return status;
+}
+
+static whirl_status locate_threshold(search *s, const resting_machine *to, whirl_critical *found, size_t most,
+                                     size_t *count, bool *lost) {
+    const double fa = growth_of(s->from), fb = growth_of(to);
+    bool good = false;
+    if ((fa > 0.0) == (fb > 0.0)) return whirl_ok();
+    s->mode = SIZE_MAX;
+    const whirl_status status = close_in(s, s->from->value, fa, to->value, fb, &good);
+    s->at.kind = (fb > 0.0) == (to->value > s->from->value) ? WHIRL_ONSET : WHIRL_RECOVERY;
+    *lost = *lost || !good;
+    if (good && status.code == WHIRL_OK) add(found, most, count, &s->at);
+    return status;
+}
+
+static whirl_status locate(search *s, const resting_machine *to, whirl_critical *found, size_t most, size_t *count,
+                           bool *lost) {
+    const whirl_modes *from = s->from->modes;
+    whirl_status status = whirl_ok();
+    // Frequencies of Floquet's theory are known but for whole multiples of the speed: each would meet it.
+    if (from->period == 0.0 && to->modes->period == 0.0) {
+        size_t *partner = malloc((from->count + 1) * sizeof *partner);
+        if (!partner) return whirl_fail(WHIRL_NO_MEMORY, "no memory to follow modes");
+        status = whirl_modes_match(from, to->modes, s->from->machine.clock / to->machine.clock, partner);
+        if (status.code == WHIRL_OK) status = locate_speeds(s, to, partner, found, most, count, lost);
+        free(partner);
+    }
+    return status.code == WHIRL_OK ? locate_threshold(s, to, found, most, count, lost) : status;
+}
+
+/// In halves where modes change too much to be followed in one piece.
+static whirl_status locate_in_halves(search *s, const resting_machine *to, int depth, whirl_critical *found,
+                                     size_t most, size_t *count) {
+    const size_t before = *count;
+    resting_machine middle;
+    bool lost = false;
+    whirl_status status = locate(s, to, found, most, count, &lost);
+    if (status.code != WHIRL_OK || !lost || depth == 0) return status;
+    status = resting_new(s->study, s->batch, 0.5 * (s->from->value + to->value), &middle);
+    if (status.code != WHIRL_OK) return status;
+    *count = before;
+    search second = *s;
+    second.from = &middle;
+    status = locate_in_halves(s, &middle, depth - 1, found, most, count);
+    if (status.code == WHIRL_OK) status = locate_in_halves(&second, to, depth - 1, found, most, count);
+    resting_free(&middle);
+    return status;
+}
+
+whirl_status critical_locate(const whirl_study *study, const whirl_batch *batch, const resting_machine *from,
+                             const resting_machine *to, whirl_critical *found, size_t most, size_t *count) {
+    enum { DEEPEST = 12 };
+    search s = {.study = study, .batch = batch, .from = from};
+    *count = 0;
+    const whirl_status status = locate_in_halves(&s, to, DEEPEST, found, most, count);
+    qsort(found, *count, sizeof *found, by_value);
+    return status;
+}

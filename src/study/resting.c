@@ -1,0 +1,135 @@
+#include "resting.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "critical.h"
+
+/// Points that one thread takes at a time: neighbours share the modes of the point between them.
+enum { PIECE = 8 };
+
+/// A thread at a piece.
+typedef struct worker {
+    study_run *run;
+    const pass *pass;
+    const whirl_batch *batch;
+    whirl_table *table;
+    bool has_modes;
+    resting_machine before; ///< the point before, where it is known
+    whirl_critical *found;  ///< [most]
+    size_t most, count;
+    double *block; ///< of a point whose block is left with the keeper
+} worker;
+
+static double *block_of(const worker *w, size_t slot) {
+    return w->table->blocks ? w->table->blocks + slot * w->table->layout.size : w->block;
+}
+
+static void finish(const worker *w, size_t slot, bool recalled) {
+    w->table->done[slot] = 1;
+    if (recalled)
+        tracker_recall(&w->run->tracker, pass_revolutions(w->run, w->pass), 1);
+    else
+        tracker_advance(&w->run->tracker, pass_revolutions(w->run, w->pass), 1);
+}
+
+static bool recall(const worker *w, size_t slot) {
+    const whirl_keeper *keeper = w->run->keeper;
+    bool known = false;
+    if (!keeper) return false;
+#pragma omp critical(whirl_keeper)
+    known = keeper->recall(keeper->context, w->pass->batch, slot, block_of(w, slot), w->table->layout.size, NULL, 0);
+    return known;
+}
+
+static whirl_status keep(const worker *w, size_t slot) {
+    const whirl_keeper *keeper = w->run->keeper;
+    whirl_status status = whirl_ok();
+    if (!keeper) return status;
+#pragma omp critical(whirl_keeper)
+    {
+        status = keeper->keep(keeper->context, w->pass->batch, slot, block_of(w, slot), w->table->layout.size, NULL, 0);
+        if (status.code == WHIRL_OK && keeper->tend) status = keeper->tend(keeper->context);
+    }
+    return status;
+}
+
+/// What lies between the point before and this one, which is the next point's before.
+static whirl_status locate(worker *w, size_t slot, const resting_machine *own) {
+    whirl_status status = whirl_ok();
+    w->count = 0;
+    if (slot == 0) return status;
+    if (!w->before.modes) status = resting_new(w->run->study, w->batch, w->table->values[slot - 1], &w->before);
+    return status.code == WHIRL_OK
+               ? critical_locate(w->run->study, w->batch, &w->before, own, w->found, w->most, &w->count)
+               : status;
+}
+
+static whirl_status analyze(worker *w, size_t slot, const resting_machine *own) {
+    const whirl_machine *machine = &own->machine;
+    const whirl_resting point = {.system = machine->system,
+                                 .start = machine->start,
+                                 .clock = machine->clock,
+                                 .speed = machine->speed,
+                                 .modes = own->modes,
+                                 .critical_count = w->count,
+                                 .critical = w->found};
+    whirl_status status =
+        whirl_analyze_resting(&point, &w->pass->record, w->batch->analyses, &w->table->layout, block_of(w, slot));
+    if (status.code == WHIRL_BAD_INPUT && *w->batch->parameter)
+        status = whirl_fail(status.code, "at %s = %.10g: %.300s", w->batch->parameter, own->value, status.message);
+    return status;
+}
+
+static whirl_status compute(worker *w, size_t slot) {
+    const double value = w->table->values[slot];
+    resting_machine own = {.value = value};
+    whirl_status status = w->has_modes ? resting_new(w->run->study, w->batch, value, &own)
+                                       : w->run->study->machine(w->run->study->family, w->batch, value, &own.machine);
+    if (status.code == WHIRL_OK && w->has_modes) status = locate(w, slot, &own);
+    if (status.code == WHIRL_OK) status = analyze(w, slot, &own);
+    if (status.code == WHIRL_OK) status = keep(w, slot);
+    resting_free(&w->before);
+    w->before = own;
+    if (status.code == WHIRL_OK) finish(w, slot, false);
+    return status;
+}
+
+static whirl_status work_at(worker *w, size_t first, size_t end) {
+    whirl_status status = whirl_ok();
+    for (size_t slot = first; slot < end && status.code == WHIRL_OK && !atomic_load(&w->run->tracker.halt); slot++) {
+        if (recall(w, slot)) {
+            resting_free(&w->before);
+            finish(w, slot, true);
+        } else {
+            status = compute(w, slot);
+        }
+    }
+    resting_free(&w->before);
+    return status;
+}
+
+whirl_status resting_work(study_run *run, const pass *p) {
+    const size_t pieces = (p->count + PIECE - 1) / PIECE;
+    whirl_analysis_set modes = 0;
+    whirl_analysis_add(&modes, "modes");
+#pragma omp parallel for schedule(dynamic) num_threads(run->threads)
+    for (size_t piece = 0; piece < pieces; piece++) {
+        const size_t first = piece * PIECE, last = first + PIECE < p->count ? first + PIECE : p->count;
+        worker w = {.run = run,
+                    .pass = p,
+                    .batch = &run->study->batches[p->batch],
+                    .table = &run->result->tables[p->batch],
+                    .most = (size_t)p->record.modes + 1};
+        w.has_modes = (w.batch->analyses & modes) != 0;
+        w.found = calloc(w.most, sizeof *w.found);
+        w.block = calloc(w.table->layout.size + 1, sizeof *w.block);
+        const whirl_status status =
+            w.found && w.block ? work_at(&w, first, last) : whirl_fail(WHIRL_NO_MEMORY, "no memory for points at rest");
+        free(w.found);
+        free(w.block);
+        if (status.code != WHIRL_OK) tracker_fail(&run->tracker, &status);
+    }
+    return whirl_ok();
+}
