@@ -6,6 +6,7 @@
 #include <stdarg.h>
 #include <stdint.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include <cmocka.h>
@@ -98,12 +99,14 @@ void rhs_jacobian(const whirl_system *system, double t, const double *x, double 
 }
 
 void eigenvalues(size_t n, const double *matrix, double complex *values) {
-    double copy[MAX_DIMENSION * MAX_DIMENSION], real[MAX_DIMENSION], imaginary[MAX_DIMENSION];
+    double *copy = malloc((n * n + 2 * n) * sizeof *copy), *real = copy + n * n, *imaginary = real + n;
     const lapack_int size = (lapack_int)n;
+    assert_non_null(copy);
     memcpy(copy, matrix, n * n * sizeof *copy);
     assert_int_equal(
         0, LAPACKE_dgeev(LAPACK_ROW_MAJOR, 'N', 'N', size, copy, size, real, imaginary, NULL, size, NULL, size));
     for (size_t i = 0; i < n; i++) values[i] = real[i] + I * imaginary[i];
+    free(copy);
 }
 
 double largest_modulus(size_t n, const double *matrix) {
@@ -125,10 +128,13 @@ double largest_real_part(size_t n, const double *matrix, double *imaginary) {
 }
 
 void solve_linear(size_t n, const double *matrix, double *right) {
-    double copy[MAX_DIMENSION * MAX_DIMENSION];
-    lapack_int pivots[MAX_DIMENSION];
+    double *copy = malloc(n * n * sizeof *copy);
+    lapack_int *pivots = malloc(n * sizeof *pivots);
+    assert_true(copy && pivots);
     memcpy(copy, matrix, n * n * sizeof *copy);
     assert_int_equal(0, LAPACKE_dgesv(LAPACK_ROW_MAJOR, (lapack_int)n, 1, copy, (lapack_int)n, pivots, right, 1));
+    free(copy);
+    free(pivots);
 }
 
 double determinant(size_t n, const double *matrix) {

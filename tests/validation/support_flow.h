@@ -32,7 +32,7 @@ void exact_jacobian(const whirl_system *system, double t, const double *x, doubl
 /// Writes dx/dt at t.
 void evaluate_rhs(const whirl_system *system, double t, const double *x, double *dxdt);
 
-/// Eigenvalues [n] of a row-major matrix, by LAPACK.
+/// Eigenvalues [n] of a row-major matrix of any size, by LAPACK.
 void eigenvalues(size_t n, const double *matrix, double complex *values);
 
 double largest_modulus(size_t n, const double *matrix);
