@@ -81,10 +81,12 @@ value *copy(memory_arena *arena, value *parent, const std::string_view *key, con
 
 /// Where a file is no TOML, in the library's words.
 whirl_status refuse(const char *name, const toml::parse_error &error) {
-    std::string said(error.description());
-    whirl_make_plain(said.data());
-    return whirl_fail(WHIRL_BAD_INPUT, "%.120s:%u: is no TOML: %.200s", name,
-                      static_cast<unsigned>(error.source().begin.line), said.c_str());
+    const std::string_view said = error.description();
+    whirl_status status = whirl_fail(WHIRL_BAD_INPUT, "%.120s:%u: is no TOML: %.*s", name,
+                                     static_cast<unsigned>(error.source().begin.line),
+                                     static_cast<int>(std::min<size_t>(said.size(), 200)), said.data());
+    whirl_make_plain(status.message);
+    return status;
 }
 
 whirl_status read(memory_arena *arena, std::string_view text, const char *name, value **root) {
