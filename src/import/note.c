@@ -21,6 +21,7 @@ static const char *const sentences[NOTE_KINDS] = {
     [NOTE_THINNED] = "Tables of more speeds than a bearing takes here are thinned, evenly: %s.",
     [NOTE_EXTRA] = "Keys that say how coefficients were found are left out, the coefficients are as they stand: %s.",
     [NOTE_UNKNOWN] = "Keys that are not known here are left out: %s.",
+    [NOTE_AXIAL_DAMPING] = "Damping by beta is of the stiffness without the axial force here: %s.",
 };
 
 static void add_text(note_list *to, char *text) {

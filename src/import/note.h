@@ -18,6 +18,7 @@ typedef enum note_kind {
     NOTE_THINNED,
     NOTE_EXTRA,
     NOTE_UNKNOWN,
+    NOTE_AXIAL_DAMPING,
     NOTE_KINDS
 } note_kind;
 

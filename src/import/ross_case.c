@@ -340,7 +340,7 @@ static void put_case(FILE *out, import_reader *reader, const ross_rotor *rotor, 
     put_rotor(out, rotor, names);
     speed_text(range->from, is_end_of_table(rotor, range->from), text);
     speed_text(range->to, is_end_of_table(rotor, range->to), to);
-    fprintf(out, "\nstudy:\n  response: {}\n");
+    fprintf(out, "\nstudy:\n  modes: {parameter: speed, from: %s, to: %s, points: %d}\n", text, to, POINTS);
 }
 
 whirl_status ross_write(import_reader *reader, ross_rotor *rotor, char **text, size_t *length) {

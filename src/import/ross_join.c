@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "ross.h"
+#include "whirl/rotor.h"
 
 /// By their nodes; layers stay in the order of the file.
 static void sort_pieces(ross_rotor *rotor) {
@@ -83,6 +84,9 @@ void ross_join(import_reader *reader, ross_rotor *rotor) {
     if (!field_good(reader)) return;
     sort_pieces(rotor);
     find_positions(reader, rotor);
+    if (rotor->last_node - rotor->first_node >= WHIRL_MAX_STATIONS && field_good(reader))
+        reader->status = whirl_fail(WHIRL_BAD_INPUT, "%.200s: has a shaft of %ld nodes, expected at most %d",
+                                    reader->file, rotor->last_node - rotor->first_node + 1, WHIRL_MAX_STATIONS);
     for (size_t i = 0; i < rotor->disc_count; i++)
         if (!on_shaft(rotor, rotor->discs[i].node))
             field_refuse(&rotor->discs[i].section, "n", value_member(rotor->discs[i].section.table, "n"),

@@ -19,7 +19,12 @@ static double read_shear(field_section *section, double modulus) {
     if (!value_member(section->table, "G_s") && value_member(section->table, "Poisson"))
         return 0.5 * modulus / (1.0 + field_number(section, &poisson, NAN));
     (void)value_member(section->table, "Poisson"); // it follows from both
-    return field_number(section, &shear, NAN);
+    const double found = field_number(section, &shear, NAN);
+    if (field_good(section->reader) && !(found >= modulus / 3.0))
+        field_refuse(section, "G_s", value_member(section->table, "G_s"),
+                     "is %.10g Pa, expected a third of E at least, %.10g Pa: Poisson's ratio is 0.5 at most", found,
+                     modulus / 3.0);
+    return found;
 }
 
 /// The index of the material of a piece, among those that are known or as a new one.
@@ -92,6 +97,8 @@ static void read_piece(field_section *section, const char *tag, ross_rotor *out)
         field_refuse(
             section, "torque", value_member(section->table, "torque"),
             "is not 0, expected a shaft without torque: it couples bending in a way that is not modelled here");
+    if (piece->axial_force != 0.0 && piece->stiffness_damping != 0.0)
+        note_of(&section->reader->notes, NOTE_AXIAL_DAMPING, tag);
     piece->material = read_material(section, out);
     ross_note_rest(section, tag, false);
 }

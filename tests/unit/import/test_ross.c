@@ -204,6 +204,10 @@ static void test_refused(void **state) {
                    "above 0 kg");
     expect_refused("E = 211e9", "E = -1",
                    "r.toml:47: [ShaftElement_Shaft Element 0.material] E: is -1 Pa, expected a number above 0 Pa");
+    expect_refused(
+        "G_s = 81.2e9", "G_s = 70e9",
+        "r.toml:48: [ShaftElement_Shaft Element 0.material] G_s: is 7e+10 Pa, expected a third of E at least, "
+        "7.033333333e+10 Pa: Poisson's ratio is 0.5 at most");
     expect_refused("name = \"Steel\"", "name = 3",
                    "r.toml:45: [ShaftElement_Shaft Element 0.material] name: is 3, expected a text");
 }
