@@ -149,36 +149,26 @@ static void put_materials(FILE *out, const ross_rotor *rotor, char (*names)[WHIR
     }
 }
 
-/// What one shaft has once here, and every element of ROSS for itself.
-static void check_alike(ross_rotor *rotor) {
-    const ross_piece *const first = &rotor->pieces[0];
-    for (size_t i = 1; i < rotor->piece_count; i++) {
-        ross_piece *const piece = &rotor->pieces[i];
-        const char *key = NULL;
-        if (piece->shear != first->shear) key = "shear_effects";
-        if (piece->shear && piece->hutchinson != first->hutchinson) key = "shear_method_calc";
-        if (piece->rotary_inertia != first->rotary_inertia) key = "rotary_inertia";
-        if (piece->gyroscopic != first->gyroscopic) key = "gyroscopic";
-        if (piece->mass_damping != first->mass_damping) key = "alpha";
-        if (piece->stiffness_damping != first->stiffness_damping) key = "beta";
-        if (key)
-            field_refuse(&piece->section, key, value_member(piece->section.table, key),
-                         "differs from that of '%.60s', expected one for the whole shaft", first->tag);
-    }
+/// How an element is counted: once for the shaft, and for a segment where it differs.
+static void put_options(page_line *line, const ross_piece *own, const ross_piece *usual) {
+    char text[QUANTITY_SIZE];
+    if (!usual || own->shear != usual->shear || (own->shear && own->hutchinson != usual->hutchinson))
+        page_item(line, "shear: %s", !own->shear ? "none" : own->hutchinson ? "hutchinson" : "cowper");
+    if (usual ? own->rotary_inertia != usual->rotary_inertia : !own->rotary_inertia)
+        page_item(line, "rotary_inertia: %s", own->rotary_inertia ? "yes" : "no");
+    if (usual ? own->gyroscopic != usual->gyroscopic : !own->gyroscopic)
+        page_item(line, "gyroscopic: %s", own->gyroscopic ? "yes" : "no");
+    page_quantity(own->mass_damping, "1/s", text);
+    if (own->mass_damping != (usual ? usual->mass_damping : 0.0)) page_item(line, "mass_damping: %s", text);
+    page_quantity(own->stiffness_damping, "s", text);
+    if (own->stiffness_damping != (usual ? usual->stiffness_damping : 0.0))
+        page_item(line, "stiffness_damping: %s", text);
 }
 
 static void put_shaft(FILE *out, const ross_rotor *rotor, const char *material) {
-    const ross_piece *const first = &rotor->pieces[0];
-    char text[QUANTITY_SIZE];
     page_line line = page_open(out, 6, "  shafts:\n    shaft: {");
     if (rotor->material_count == 1) page_item(&line, "material: %s", material);
-    page_item(&line, "shear: %s", !first->shear ? "none" : first->hutchinson ? "hutchinson" : "cowper");
-    if (!first->rotary_inertia) page_item(&line, "rotary_inertia: no");
-    if (!first->gyroscopic) page_item(&line, "gyroscopic: no");
-    page_quantity(first->mass_damping, "1/s", text);
-    if (first->mass_damping != 0.0) page_item(&line, "mass_damping: %s", text);
-    page_quantity(first->stiffness_damping, "s", text);
-    if (first->stiffness_damping != 0.0) page_item(&line, "stiffness_damping: %s", text);
+    put_options(&line, &rotor->pieces[0], NULL);
     page_close(&line, "}", NULL);
 }
 
@@ -200,6 +190,7 @@ static void put_piece(FILE *out, const ross_rotor *rotor, const ross_piece *piec
     if (rotor->material_count > 1) page_item(&line, "material: %s", material);
     page_quantity(piece->axial_force, "N", text);
     if (piece->axial_force != 0.0) page_item(&line, "axial_force: %s", text);
+    put_options(&line, piece, &rotor->pieces[0]);
     snprintf(comment, sizeof comment, "%.60s, node %ld", piece->tag, piece->node);
     whirl_make_plain(comment);
     page_close(&line, "}", comment);
@@ -345,7 +336,6 @@ static void put_case(FILE *out, import_reader *reader, const ross_rotor *rotor, 
 
 whirl_status ross_write(import_reader *reader, ross_rotor *rotor, char **text, size_t *length) {
     *text = NULL;
-    check_alike(rotor);
     const speed_range range = find_speeds(reader, rotor);
     char(*const names)[WHIRL_NAME_SIZE] = field_memory(reader, (rotor->material_count + 1) * sizeof *names);
     note_finish(&reader->notes);

@@ -271,11 +271,12 @@ static bool add_pieces(meshing *m, size_t left) {
     for (size_t i = 0; i < m->span_count; i++) {
         const span *own = &m->spans[i];
         if (own->shaft != one->shaft || !(own->from < middle && middle < own->to)) continue;
-        out->pieces[out->piece_count++] =
-            (mesh_piece){.shaft = own->shaft,
-                         .node = {left, left + 1},
-                         .angle = own->values[SEGMENT_FLATS_ANGLE].number,
-                         .piece = piece_between(own, &out->shafts[own->shaft], one->z, other->z)};
+        const shaft_settings settings = segment_settings_from(own->values, &out->shafts[own->shaft]);
+        out->pieces[out->piece_count++] = (mesh_piece){.shaft = own->shaft,
+                                                       .node = {left, left + 1},
+                                                       .angle = own->values[SEGMENT_FLATS_ANGLE].number,
+                                                       .settings = settings,
+                                                       .piece = piece_between(own, &settings, one->z, other->z)};
     }
     return out->piece_count > before;
 }

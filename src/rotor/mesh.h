@@ -13,7 +13,8 @@ typedef struct mesh_node {
 
 typedef struct mesh_piece {
     size_t shaft, node[2];
-    double angle; ///< of the flats' normal
+    double angle;            ///< of the flats' normal
+    shaft_settings settings; ///< the shaft's, or its segment's own
     shaft_piece piece;
 } mesh_piece;
 

@@ -123,7 +123,7 @@ void mesh_build(const mesh *from, assembly *to) {
     for (size_t i = 0; i < from->piece_count; i++) {
         const mesh_piece *own = &from->pieces[i];
         piece_matrices matrices;
-        laying l = {.shaft = &from->shafts[own->shaft], .to = to};
+        laying l = {.shaft = &own->settings, .to = to};
         for (size_t end = 0; end < 2; end++) {
             const size_t *coordinate = to->stations[from->nodes[own->node[end]].station].coordinate;
             l.at[0][2 * end] = coordinate[AXIS_X];

@@ -99,3 +99,13 @@ whirl_status shaft_settings_from(const key_value *values, shaft_settings *out) {
         return whirl_fail(WHIRL_BAD_INPUT, "has both modes and modes_to, expected one of them");
     return whirl_ok();
 }
+
+shaft_settings segment_settings_from(const key_value *values, const shaft_settings *shaft) {
+    shaft_settings own = *shaft;
+    if (values[SEGMENT_SHEAR].given) own.shear = (shear_law)values[SEGMENT_SHEAR].choice;
+    if (values[SEGMENT_ROTARY].given) own.rotary = values[SEGMENT_ROTARY].choice == 0;
+    if (values[SEGMENT_GYROSCOPIC].given) own.gyroscopic = values[SEGMENT_GYROSCOPIC].choice == 0;
+    if (values[SEGMENT_MASS_DAMPING].given) own.alpha = values[SEGMENT_MASS_DAMPING].number;
+    if (values[SEGMENT_STIFFNESS_DAMPING].given) own.beta = values[SEGMENT_STIFFNESS_DAMPING].number;
+    return own;
+}

@@ -39,6 +39,11 @@ enum {
     SEGMENT_MATERIAL,
     SEGMENT_ELEMENTS,
     SEGMENT_AXIAL_FORCE,
+    SEGMENT_SHEAR,
+    SEGMENT_ROTARY,
+    SEGMENT_GYROSCOPIC,
+    SEGMENT_MASS_DAMPING,
+    SEGMENT_STIFFNESS_DAMPING,
     SEGMENT_KEYS
 };
 
@@ -60,6 +65,9 @@ typedef struct shaft_settings {
 /// WHIRL_BAD_INPUT where keys contradict each other.
 whirl_status material_from(const key_value *values, material *out);
 whirl_status shaft_settings_from(const key_value *values, shaft_settings *out);
+
+/// Those of a segment: its shaft's, but for what its own keys say.
+shaft_settings segment_settings_from(const key_value *values, const shaft_settings *shaft);
 
 /// The steel that shafts are of where nothing else is said.
 extern const material shaft_steel;

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -155,7 +156,71 @@ static void test_critical_speed_map(void **state) {
     }
 }
 
+// ---------------------------------------------------------------- options of single elements
+
+/// The Jacobian at rest, [dimension][dimension], of the two discs with `line` in the place of
+/// that of its key in `edits` elements, the first `from`.
+static double *jacobian_with(size_t edits, const char *line, size_t from, size_t *n) {
+    char path[512], *text = calloc(1, 1 << 16);
+    whirl_imported imported;
+    snprintf(path, sizeof path, "%s%s", rotors, "two-discs.toml");
+    FILE *const file = fopen(path, "r");
+    char row[256];
+    const size_t key = strcspn(line, "=");
+    for (size_t element = 0; fgets(row, sizeof row, file);) {
+        const bool is_it = strncmp(row, line, key) == 0;
+        strcat(text, is_it && element >= from && element < from + edits ? line : row);
+        element += is_it;
+    }
+    fclose(file);
+    require_ok(whirl_import_parse(text, strlen(text), "two-discs", &imported));
+    whirl_case *const object = parse(imported.text);
+    whirl_rotor *rotor;
+    require_ok(whirl_case_rotor(object, "speed", 400.0, &rotor));
+    const whirl_system *const system = whirl_rotor_system(rotor);
+    *n = system->dimension;
+    double *const rest = calloc(*n, sizeof *rest), *const unit = calloc(*n * *n, sizeof *unit);
+    double *const columns = calloc(*n * *n, sizeof *columns), forcing[WHIRL_MAX_FORCING] = {0};
+    for (size_t i = 0; i < *n; i++) unit[i * *n + i] = 1.0;
+    system->tangent(system->model, 0.0, forcing, rest, NULL, *n, unit, columns);
+    whirl_rotor_free(rotor);
+    whirl_case_free(object);
+    whirl_imported_free(&imported);
+    free(rest);
+    free(unit);
+    free(text);
+    return columns;
+}
+
+/// What elements have of their own adds up: of the first two and of the other four, beyond that of none, is that of
+/// all.
+static void test_options_add_up(void **state) {
+    static const char *const lines[] = {"gyroscopic = false\n", "alpha = 12.0\n", "beta = 3e-5\n"};
+    (void)state;
+    for (size_t k = 0; k < sizeof lines / sizeof *lines; k++) {
+        size_t n;
+        double *const none = jacobian_with(0, lines[k], 0, &n), *const first = jacobian_with(2, lines[k], 0, &n);
+        double *const rest = jacobian_with(4, lines[k], 2, &n), *const all = jacobian_with(6, lines[k], 0, &n);
+        double largest = 0.0, worst = 0.0, effect = 0.0;
+        for (size_t i = 0; i < n * n; i++) {
+            largest = fmax(largest, fabs(all[i]));
+            effect = fmax(effect, fabs(all[i] - none[i]));
+            worst = fmax(worst, fabs(first[i] + rest[i] - none[i] - all[i]));
+        }
+        assert_true(effect > 1e-6 * largest);
+        check_within("Import",
+                     words("two discs, %.*s in parts against all: largest difference of the Jacobian, relative",
+                           (int)strcspn(lines[k], " "), lines[k]),
+                     0.0, worst / largest, 1e-11);
+        free(none);
+        free(first);
+        free(rest);
+        free(all);
+    }
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_two_discs), cmocka_unit_test(test_critical_speed_map)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_two_discs), cmocka_unit_test(test_critical_speed_map),
+                                       cmocka_unit_test(test_options_add_up)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -33,6 +33,16 @@ static const whirl_key keys[SEGMENT_KEYS] = {
                           "equal finite elements that it is cut into, at least", ""},
     [SEGMENT_AXIAL_FORCE] = {"axial_force", "N", "N", WHIRL_KEY_NUMBER, false, "0", WHIRL_ANY, NULL,
                              "axial force, positive where it pulls", ""},
+    [SEGMENT_SHEAR] = {"shear", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "cowper|hutchinson|none",
+                       "as for shafts; that of the shaft where absent", ""},
+    [SEGMENT_ROTARY] = {"rotary_inertia", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "yes|no",
+                        "as for shafts; that of the shaft where absent", ""},
+    [SEGMENT_GYROSCOPIC] = {"gyroscopic", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "yes|no",
+                            "as for shafts; that of the shaft where absent", ""},
+    [SEGMENT_MASS_DAMPING] = {"mass_damping", "alpha", "1/s", WHIRL_KEY_NUMBER, false, "", WHIRL_NOT_NEGATIVE, NULL,
+                              "as for shafts; that of the shaft where absent", ""},
+    [SEGMENT_STIFFNESS_DAMPING] = {"stiffness_damping", "beta", "s", WHIRL_KEY_NUMBER, false, "", WHIRL_NOT_NEGATIVE,
+                                   NULL, "as for shafts; that of the shaft where absent", ""},
 };
 
 /// The mesh has its mass and stiffness.

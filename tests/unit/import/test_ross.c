@@ -130,10 +130,14 @@ static void test_options_of_the_shaft(void **state) {
     whirl_imported imported;
     (void)state;
     expect_line("n = 1\ntag", "n = 1\naxial_force = -20\ntag", "inner_end: 0.01 m, axial_force: -20 N}");
-    expect_refused(
-        "n = 1\ntag", "n = 1\nalpha = 2\ntag",
-        "r.toml:17: [ShaftElement_Shaft Element 1] alpha: differs from that of 'Shaft Element 0', expected one "
-        "for the whole shaft");
+    expect_line("n = 1\ntag", "n = 1\nalpha = 2\ntag", "inner_end: 0.01 m, mass_damping: 2 1/s}");
+    expect_line("n = 0\ntag", "n = 0\nalpha = 2\nshear_effects = false\ntag",
+                "    shaft: {material: steel, shear: none, mass_damping: 2 1/s}\n");
+    expect_line("n = 0\ntag", "n = 0\nalpha = 2\nshear_effects = false\ntag",
+                "inner_end: 0.01 m, shear: cowper, mass_damping: 0 1/s}");
+    static const char others[] = "n = 1\nbeta = 1e-5\ngyroscopic = false\nrotary_inertia = false\ntag";
+    expect_line("n = 1\ntag", others, "inner_end: 0.01 m, rotary_inertia: no,");
+    expect_line("n = 1\ntag", others, "gyroscopic: no, stiffness_damping: 1e-05 s}");
     // Switches of all elements.
     edit(both,
          "idl = 0.0\nodl = 0.05\nn = 0\nbeta = 1e-5\nalpha = 2\nrotary_inertia = false\ngyroscopic = false\n"
