@@ -100,6 +100,30 @@ static whirl_status tell_end(const whirl_case *object, const whirl_batch *batch)
     return status;
 }
 
+/// "main: 0.75 m, 11.2 kg, 21 nodes, 20 elements; reduced to its 3 stations and ..."
+static void tell_shaft(const whirl_shaft_summary *shaft) {
+    const double turn = 6.283185307179586476925;
+    printf("  shaft %s: %.4g m, %.4g kg, %zu nodes, %zu element%s", shaft->name, shaft->length, shaft->mass,
+           shaft->nodes, shaft->elements, shaft->elements == 1 ? "" : "s");
+    if (!shaft->reduced) {
+        printf(", not reduced\n");
+        return;
+    }
+    printf(", reduced to its stations and %zu of %zu modes a plane", shaft->modes, shaft->all_modes);
+    if (shaft->modes > 0) printf(", up to %.4g Hz", shaft->highest / turn);
+    printf("\n    beside all nodes: frequencies of the free shaft (%zu compared) err by %.2g, displacements by forces "
+           "by %.2g\n",
+           shaft->compared, shaft->frequency_error, shaft->flexibility_error);
+}
+
+static whirl_status tell_shafts(const whirl_case *object) {
+    whirl_shaft_summary shafts[WHIRL_MAX_SHAFTS];
+    size_t count;
+    const whirl_status status = whirl_case_shafts(object, shafts, &count);
+    for (size_t i = 0; i < count && status.code == WHIRL_OK; i++) tell_shaft(&shafts[i]);
+    return status;
+}
+
 /// A case that reads well must also give a rotor and a study.
 static whirl_status describe_case(const char *path, const whirl_case *object) {
     whirl_rotor *rotor = NULL;
@@ -118,8 +142,9 @@ static whirl_status describe_case(const char *path, const whirl_case *object) {
         printf("  %zu station%s:", system->probe_count, system->probe_count == 1 ? "" : "s");
         for (size_t i = 0; i < system->probe_count; i++) printf("%s %s", i ? "," : "", system->probes[i].name);
         putchar('\n');
+        status = tell_shafts(object);
         summarize_study(&study);
-        status = tell_end(object, &study.batches[0]);
+        if (status.code == WHIRL_OK) status = tell_end(object, &study.batches[0]);
         if (status.code == WHIRL_OK) status = tell_phases(&study, &study.batches[0], rotor);
         for (size_t i = 0; i < study.batch_count && status.code == WHIRL_OK; i++)
             status = warn_of_steps(path, &study, &study.batches[i]);

@@ -76,6 +76,9 @@ whirl_status whirl_case_speed(const whirl_case *object, const char *name, double
 /// The rotor with parameter `name` at `value` (name NULL: as the case says). Freed by whirl_rotor_free. Thread-safe.
 whirl_status whirl_case_rotor(const whirl_case *object, const char *name, double value, whirl_rotor **rotor);
 
+/// Its shafts of finite elements with the parameters as they are, as whirl_design_shafts tells of them.
+whirl_status whirl_case_shafts(const whirl_case *object, whirl_shaft_summary out[WHIRL_MAX_SHAFTS], size_t *count);
+
 /// The study of the case. It borrows from the case, which must outlive it.
 whirl_status whirl_case_study(const whirl_case *object, whirl_study *study);
 

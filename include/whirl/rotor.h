@@ -9,6 +9,7 @@
 #ifndef WHIRL_ROTOR_H
 #define WHIRL_ROTOR_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "whirl/descriptor.h"
@@ -84,6 +85,24 @@ const whirl_element_type *whirl_run_up_type(void);
 whirl_status whirl_design_element(whirl_design *design, const char *kind, const whirl_setting *settings, size_t count);
 
 void whirl_design_free(whirl_design *design);
+
+/// What a rotor makes of a shaft of finite elements.
+typedef struct whirl_shaft_summary {
+    char name[WHIRL_NAME_SIZE];
+    double length, mass; ///< m, kg
+    size_t nodes, elements;
+    bool reduced;
+    size_t modes, all_modes;  ///< kept in a plane, and how many there are between its stations
+    double highest;           ///< rad/s of the highest mode that is kept; 0 where none is
+    size_t compared;          ///< natural frequencies of the free shaft that were compared, at most three
+    double frequency_error;   ///< the worst of these, over that of the full model
+    double flexibility_error; ///< the worst displacement of a station by a force on one, over the largest of the full
+                              ///< model; each of them stands on a spring as stiff as the shaft is there
+} whirl_shaft_summary;
+
+/// Tells of all shafts, at most WHIRL_MAX_SHAFTS, how far the reduced ones differ from their full models. Errors as
+/// whirl_rotor_new.
+whirl_status whirl_design_shafts(const whirl_design *design, whirl_shaft_summary out[WHIRL_MAX_SHAFTS], size_t *count);
 
 typedef struct whirl_rotor whirl_rotor;
 

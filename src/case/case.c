@@ -396,3 +396,12 @@ whirl_status whirl_case_rotor(const whirl_case *object, const char *name, double
     valuation_close(&v);
     return status;
 }
+
+whirl_status whirl_case_shafts(const whirl_case *object, whirl_shaft_summary out[WHIRL_MAX_SHAFTS], size_t *count) {
+    valuation v;
+    *count = 0;
+    whirl_status status = valuation_open(&v, &object->content.parameters, NULL, 0.0);
+    if (status.code == WHIRL_OK) status = machine_shafts(&object->content.machine, &v, out, count);
+    valuation_close(&v);
+    return status;
+}

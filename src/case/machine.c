@@ -283,6 +283,15 @@ whirl_status machine_build(const machine_parts *machine, valuation *v, whirl_rot
     return status;
 }
 
+whirl_status machine_shafts(const machine_parts *machine, valuation *v, whirl_shaft_summary *out, size_t *count) {
+    whirl_design *design;
+    *count = 0;
+    whirl_status status = make_design(machine, v, &design);
+    if (status.code == WHIRL_OK) status = whirl_design_shafts(design, out, count);
+    whirl_design_free(design);
+    return status;
+}
+
 // ---------------------------------------------------------------- checking
 
 static bool tell(case_reader *reader, const file_node *where, const whirl_status *status) {

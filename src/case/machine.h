@@ -29,6 +29,9 @@ void machine_check(case_reader *reader, valuation *v, const machine_parts *machi
 /// Builds a rotor with the values of `valuation`.
 whirl_status machine_build(const machine_parts *machine, valuation *v, whirl_rotor **rotor);
 
+/// Tells of its shafts, as whirl_design_shafts does.
+whirl_status machine_shafts(const machine_parts *machine, valuation *v, whirl_shaft_summary *out, size_t *count);
+
 /// Reports the settings of single elements that contradict each other, whatever else is wrong with the case.
 void machine_check_alone(case_reader *reader, const machine_parts *machine);
 

@@ -196,7 +196,8 @@ static bool check_keys(const file_node *at, whirl_problems *problems) {
     return true;
 }
 
-whirl_status tree_read(const char *text, size_t length, memory_arena *arena, whirl_problems *problems, file_node **root) {
+whirl_status tree_read(const char *text, size_t length, memory_arena *arena, whirl_problems *problems,
+                       file_node **root) {
     *root = NULL;
     source_check(text, length, problems);
     if (problems->count > 0) return whirl_fail(WHIRL_BAD_INPUT, "%.200s is not text", problems->file);

@@ -87,8 +87,9 @@ typedef struct assembly {
     linear_term *terms;
     size_t mass_count, mass_room;
     mass_term *masses;
-    body body;      ///< what shafts of finite elements are
-    bool no_memory; ///< a term was lost
+    body body;         ///< what shafts of finite elements are
+    const char *aside; ///< station on a shaft of another speed that has an unbalance which would turn with the rotor
+    bool no_memory;    ///< a term was lost
 } assembly;
 
 /// An assembly of stations that move in x and y and have no mass yet; WHIRL_NO_MEMORY. Freed by assembly_clear. The

@@ -72,6 +72,7 @@ typedef struct whirl_element_type {
     size_t state_count;                    ///< first-order states of its own
     bool modulated;                        ///< its forces depend on the values of time in other ways than in proportion
     size_t turning;                        ///< of these, from the first on, are angles: 2 pi is 0
+    bool spun;                             ///< its force goes with the speed of the shaft that it acts on
     bool kinked;                           ///< its force has kinks that no switch tells of
     const element_kernels *const *kernels; ///< by number of vector.h; NULL: it is part of the assembly alone
 
@@ -134,7 +135,5 @@ enum { STATION_SHAFT, STATION_POSITION };
 extern const whirl_group station_group;
 whirl_status station_inertia(const key_value *values, assembly *to, size_t station);
 void station_build(const key_value *values, assembly *to, size_t station);
-/// Whether something of it turns with the rotor.
-bool station_turns(const key_value *values);
 
 #endif

@@ -53,6 +53,9 @@ FOR_EVERY_ISA(lanes_switches, machine_switches);
 FOR_EVERY_ISA(lanes_forcing, machine_forcing);
 FOR_EVERY_ISA(lanes_contacts, machine_contacts);
 
+/// What rotors give to lanes.h besides (rotor_lanes.c), once their parts are there.
+void rotor_lanes_fill(whirl_rotor *rotor);
+
 /// What rotors give to whirl/system.h (rotor_system.c): fills in the functions of the rotor's system.
 void rotor_system_fill(whirl_rotor *rotor);
 

@@ -101,16 +101,21 @@ static bool is_mean_stiffness(const body_term *term) {
     return body_compare_kinds(term->kind, (body_kind){BODY_PLACE, RATE_STATIC, BODY_STEADY}) == 0;
 }
 
-void reduction_plane(const mesh *from, const assembly *of, size_t shaft, size_t *coordinate, double *stiffness,
-                     double *mass) {
-    size_t n = 0, local[AXES * WHIRL_MAX_STATIONS];
-    for (size_t d = 0; d < of->degrees; d++) local[d] = NO_COORDINATE;
+size_t reduction_nodes(const mesh *from, const assembly *of, size_t shaft, size_t *coordinate) {
+    size_t n = 0;
     for (size_t i = 0; i < from->node_count; i++) {
         if (from->nodes[i].shaft != shaft) continue;
         const size_t *at = of->stations[from->nodes[i].station].coordinate;
-        coordinate[n++] = at[AXIS_X];
-        coordinate[n++] = at[AXIS_TILT_X];
+        if (at[AXIS_X] != NO_COORDINATE) coordinate[n++] = at[AXIS_X];
+        if (at[AXIS_TILT_X] != NO_COORDINATE) coordinate[n++] = at[AXIS_TILT_X];
     }
+    return n;
+}
+
+void reduction_matrices(const assembly *of, size_t count, const size_t *coordinate, double *stiffness, double *mass) {
+    const size_t n = count;
+    size_t local[AXES * WHIRL_MAX_STATIONS];
+    for (size_t d = 0; d < of->degrees; d++) local[d] = NO_COORDINATE;
     for (size_t i = 0; i < n; i++) local[coordinate[i]] = i;
     memset(stiffness, 0, n * n * sizeof *stiffness);
     memset(mass, 0, n * n * sizeof *mass);
@@ -170,7 +175,7 @@ static void take_inner(split *s) {
         }
 }
 
-/// Modes of what is not kept, scaled to a largest displacement of 1; Psi.
+/// Modes of what is not kept; Psi.
 static bool find_modes(split *s) {
     take_inner(s);
     if (!matrix_symmetric_modes(s->inner, s->k, s->m, s->squares, s->shapes)) return false;
@@ -180,11 +185,14 @@ static bool find_modes(split *s) {
     return matrix_solve(s->inner, s->k, s->kept, s->follow);
 }
 
-static void scale_mode(const split *s, double *shape) {
+/// To a largest coordinate of one length scale; of a tilt that is the length by which its gyration moves.
+static void scale_mode(const assembly *of, const split *s, double *shape) {
     double largest = 0.0;
-    for (size_t a = 0; a < s->inner; a++) // displacements stand at even places
-        if (s->i[a] % 2 == 0 && fabs(shape[a]) > fabs(largest)) largest = shape[a];
-    for (size_t a = 0; a < s->inner && largest != 0.0; a++) shape[a] /= largest;
+    for (size_t a = 0; a < s->inner; a++) {
+        const double moved = shape[a] * of->length / of->unit[s->coordinate[s->i[a]]];
+        if (fabs(moved) > fabs(largest)) largest = moved;
+    }
+    for (size_t a = 0; a < s->inner; a++) shape[a] /= largest;
 }
 
 /// shape' (M_II Psi + M_IB) of one column.
@@ -212,7 +220,7 @@ static bool blend_nodes(reducing *r, split *s) {
     memcpy(psi, s->follow, s->inner * s->kept * sizeof *psi);
     for (size_t k = 0; k < s->modes; k++) {
         double *shape = s->shapes + k * s->inner;
-        scale_mode(s, shape);
+        scale_mode(r->of, s, shape);
         const double mass = modal_mass(s, shape);
         for (int plane = 0; plane < 2; plane++) {
             r->inertia[r->degrees] = mass;
@@ -253,7 +261,8 @@ static whirl_status reduce_shaft(reducing *r, size_t shaft, reduction *out) {
     for (size_t i = 0; i < r->mesh->node_count; i++) nodes += r->mesh->nodes[i].shaft == shaft;
     whirl_status status = split_room(&s, nodes) ? whirl_ok() : no_memory();
     if (status.code == WHIRL_OK) {
-        reduction_plane(r->mesh, r->of, shaft, s.coordinate, s.stiffness, s.mass);
+        reduction_nodes(r->mesh, r->of, shaft, s.coordinate);
+        reduction_matrices(r->of, s.n, s.coordinate, s.stiffness, s.mass);
         for (size_t d = 0; d < s.n; d++) {
             if (r->kept[s.coordinate[d]])
                 s.b[s.kept++] = d;
@@ -266,7 +275,7 @@ static whirl_status reduce_shaft(reducing *r, size_t shaft, reduction *out) {
     }
     if (status.code == WHIRL_OK) {
         s.modes = count_modes(&s, &r->mesh->shafts[shaft]);
-        *out = (reduction){s.modes, s.inner, s.modes > 0 ? sqrt(s.squares[s.modes - 1]) : 0.0};
+        *out = (reduction){s.modes, s.inner, s.modes > 0 ? sqrt(s.squares[s.modes - 1]) : 0.0, r->degrees};
         if (!blend_nodes(r, &s)) status = no_memory();
     }
     split_clear(&s);

@@ -359,6 +359,36 @@ static void frequencies_come_nearer_as_more_is_kept(void **state) {
     check_within("CB2", "with all modes", 0.0, last, 1e-9);
 }
 
+/// Two shafts of their own speeds with a bearing between them; modes of which no node moves are among those that are
+/// kept.
+static whirl_rotor *two_shafts(const char *reduce) {
+    char text[2048];
+    snprintf(text, sizeof text,
+             "  speed: 3000 rpm\n  shafts: {lp: {reduce: %s}, hp: {ratio: 1.4, reduce: %s}}\n"
+             "  stations: {a: {shaft: lp, position: 0}, b: {shaft: lp, position: 0.8}, c: {shaft: hp, position: 0}, "
+             "d: {shaft: hp, position: 0.3}}\n  elements:\n"
+             "    - segment: {shaft: lp, length: 0.8, outer: 0.03, elements: 4}\n"
+             "    - segment: {shaft: hp, length: 0.3, outer: 0.06, inner: 0.05, elements: 2}\n"
+             "    - bearing: {at: a, kxx: 1e7}\n    - bearing: {at: b, kxx: 1e7}\n"
+             "    - bearing: {at: c, from: a, kxx: 1e7}\n    - bearing: {at: d, kxx: 1e7}\n",
+             reduce, reduce);
+    return rotor_from(text);
+}
+
+static void two_shafts_are_reduced_side_by_side(void **state) {
+    double complex full[MOST_MODES], reduced[MOST_MODES];
+    (void)state;
+    whirl_rotor *rotor = two_shafts("no");
+    const size_t count = frequencies(rotor, full);
+    whirl_rotor_free(rotor);
+    rotor = two_shafts("yes");
+    assert_int_equal(frequencies(rotor, reduced), count);
+    whirl_rotor_free(rotor);
+    for (size_t i = 0; i < 8; i++)
+        check_within("CB6", words("mode %zu with all modes, over the full model", i + 1), 1.0,
+                     cimag(reduced[i]) / cimag(full[i]), 1e-9);
+}
+
 /// RK4 neither gains nor loses what its polynomial does not: amplitudes of a conservative gyroscopic rotor after 50
 /// revolutions are those of |1 + z + z^2/2 + z^3/6 + z^4/24|, z = i w h.
 static void energy_is_kept_to_the_order_of_the_method(void **state) {
@@ -473,6 +503,7 @@ int main(void) {
         cmocka_unit_test(masses_are_lumped_and_consistent_as_elsewhere),
         cmocka_unit_test(static_displacements_are_exact),
         cmocka_unit_test(frequencies_come_nearer_as_more_is_kept),
+        cmocka_unit_test(two_shafts_are_reduced_side_by_side),
         cmocka_unit_test(energy_is_kept_to_the_order_of_the_method),
         cmocka_unit_test(the_reduced_rotor_comes_nearer_to_the_full_one),
         cmocka_unit_test(the_full_rotor_is_that_of_sundials),

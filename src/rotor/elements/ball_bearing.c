@@ -92,6 +92,7 @@ const element_type ball_bearing_element = {
     .group = {"ball_bearing",
               "a ball bearing with Hertz contacts, clearance, and a stiffness that varies as balls pass",
               "Sunnersjo 1978; Fukata et al. 1985", keys, KEY_COUNT, NULL, NULL},
+    .spun = true,
     .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
     .state_count = KERNEL_STATES,
     .turning = 1,

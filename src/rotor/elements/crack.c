@@ -89,6 +89,7 @@ static const element_kernels *const kernels[VECTOR_ISAS] = EVERY_ISA(&, crack_ke
 const element_type crack_element = {
     .group = {"crack", "a massless shaft with a crack that opens and closes as its weight turns past it",
               "Mayes & Davies 1984; Gasch 1993", keys, KEY_COUNT, NULL, NULL},
+    .spun = true,
     .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
     .modulated = true,
     .kernels = kernels,

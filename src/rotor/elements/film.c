@@ -112,6 +112,7 @@ static const element_kernels *const kernels[VECTOR_ISAS] = EVERY_ISA(&, film_ker
 
 const element_type film_element = {
     .group = {"film", "the oil film of a short journal bearing", "Capone 1991", keys, KEY_COUNT, NULL, NULL},
+    .spun = true,
     .number_count = FILM_NUMBERS,
     .kernels = kernels,
     .build = build,

@@ -106,6 +106,7 @@ static const element_kernels *const kernels[VECTOR_ISAS] = EVERY_ISA(&, rub_kern
 const element_type rub_element = {
     .group = {"rub", "an elastic stator ring with Coulomb friction around a station",
               "rub-impact paper 2015, eq. (3); Black 1968", keys, KEY_COUNT, NULL, NULL},
+    .spun = true,
     .number_count = RUB_NUMBERS,
     .kernels = kernels,
     .build = build,

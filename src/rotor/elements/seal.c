@@ -79,6 +79,7 @@ static const element_kernels *const kernels[VECTOR_ISAS] = EVERY_ISA(&, seal_ker
 const element_type seal_element = {
     .group = {"seal", "an annular seal or lightly loaded bearing whose fluid turns with the shaft",
               "Muszynska 1988; Bently & Muszynska 1988", keys, KEY_COUNT, NULL, NULL},
+    .spun = true,
     .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
     .kernels = kernels,
     .inertia = inertia,

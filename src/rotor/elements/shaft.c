@@ -104,6 +104,7 @@ static const element_kernels *const kernels[VECTOR_ISAS] = EVERY_ISA(&, shaft_ke
 const element_type shaft_element = {
     .group = {"shaft", "a massless shaft of unequal stiffness between two stations, or from a station to ground",
               "Friswell et al. 2010, sec. 7.3", keys, KEY_COUNT, NULL, NULL},
+    .spun = true,
     .number_count = SHAFT_NUMBERS,
     .kernels = kernels,
     .build = build,

@@ -63,10 +63,6 @@ whirl_status station_inertia(const key_value *values, assembly *to, size_t stati
     return whirl_ok();
 }
 
-bool station_turns(const key_value *values) {
-    return values[ECCENTRICITY].number > 0.0 || values[SKEW].number > 0.0;
-}
-
 /// A skewed axis of inertia turns with the shaft: I_d phi'' - i I_p omega phi' = ... + (I_d - I_p) omega^2 chi e^(i
 /// omega t).
 void station_build(const key_value *values, assembly *to, size_t station) {
@@ -77,6 +73,7 @@ void station_build(const key_value *values, assembly *to, size_t station) {
                        values[ECCENTRICITY_ANGLE].number);
     if (at->coordinate[AXIS_TILT_X] == NO_COORDINATE) return;
     assembly_gyroscopic(to, station, at->polar);
+    if (values[SKEW].number > 0.0 && at->ratio != 1.0) to->aside = at->name;
     if (values[SKEW].given)
         assembly_turning(to, at->coordinate[AXIS_TILT_X], at->coordinate[AXIS_TILT_Y], moment,
                          values[SKEW_ANGLE].number);

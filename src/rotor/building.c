@@ -1,0 +1,129 @@
+#include "building.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/// The status with the kind of the element that it is of.
+static whirl_status named(const building *b, size_t index, whirl_status status) {
+    if (index == WHIRL_NO_ELEMENT) return status;
+    return whirl_fail(status.code, "%s %.300s", b->design->elements[index].type->group.name, status.message);
+}
+
+/// What goes on with element `index` (WHIRL_NO_ELEMENT: with no single one) after `status`: where problems are told one
+/// by one, as if it had been good.
+static whirl_status with_element(building *b, size_t index, whirl_status status) {
+    if (status.code == WHIRL_OK) return status;
+    status = named(b, index, status);
+    if (!b->tell || status.code == WHIRL_NO_MEMORY) return status;
+    b->tell(b->context, index, &status);
+    b->problems++;
+    return whirl_ok();
+}
+
+static whirl_status begin(building *b, const whirl_design *design) {
+    size_t numbers = 1;
+    for (size_t i = 0; i < design->element_count; i++) numbers += design->elements[i].type->number_count;
+    b->design = design;
+    size_t culprit;
+    whirl_status status = mesh_make(design, &b->mesh, &culprit);
+    if (status.code != WHIRL_OK) {
+        // Without its mesh the rest would be told of for nothing.
+        if (status.code == WHIRL_NO_MEMORY || culprit == WHIRL_NO_ELEMENT || !b->tell) return named(b, culprit, status);
+        with_element(b, culprit, status);
+        return whirl_ok();
+    }
+    status = assembly_begin(&b->assembly, design->speed, design->length, design->station_count + b->mesh.hidden);
+    b->elements = calloc(design->element_count + 1, sizeof *b->elements);
+    b->numbers = calloc(numbers, sizeof *b->numbers);
+    if (!b->elements || !b->numbers)
+        return whirl_fail(WHIRL_NO_MEMORY, "no memory for a rotor of %zu elements", design->element_count);
+    return status;
+}
+
+void building_end(building *b) {
+    mesh_clear(&b->mesh);
+    assembly_clear(&b->assembly);
+    free(b->elements);
+    free(b->numbers);
+}
+
+/// All inertia; after it coordinates can be numbered. And the unit of time: the phase by which sections are taken.
+static whirl_status add_inertia(building *b) {
+    const whirl_design *design = b->design;
+    whirl_status status = whirl_ok();
+    for (size_t s = 0; s < design->station_count && status.code == WHIRL_OK; s++) {
+        b->assembly.stations[s].name = design->stations[s].name;
+        status = with_element(b, WHIRL_NO_ELEMENT, station_inertia(design->stations[s].values, &b->assembly, s));
+    }
+    for (size_t i = 0; i < design->element_count && status.code == WHIRL_OK; i++) {
+        const design_element *own = &design->elements[i];
+        if (own->type->inertia) status = with_element(b, i, own->type->inertia(own->values, &b->assembly));
+        const double rate = own->type->keyphasor ? own->type->keyphasor(own->values, design->speed) : 0.0;
+        if (rate == 0.0 || status.code != WHIRL_OK) continue;
+        if (b->assembly.phased)
+            status = with_element(b, i, whirl_fail(WHIRL_BAD_INPUT, "is a second keyphasor, expected one"));
+        b->keyphasor = own;
+        b->assembly.phased = true;
+        b->assembly.clock = rate;
+        b->assembly.turn = design->speed / rate;
+    }
+    return status;
+}
+
+/// What turns with the rotor cannot sit on a shaft of another speed.
+static whirl_status check_aside(const building *b) {
+    if (!b->assembly.aside) return whirl_ok();
+    return whirl_fail(WHIRL_BAD_INPUT,
+                      "station '%s' is on a shaft of another speed, where its unbalance would turn with the rotor, "
+                      "expected the element unbalance with the ratio of that shaft",
+                      b->assembly.aside);
+}
+
+static whirl_status check_spin(const building *b, const element *own) {
+    if (!own->type->spun || b->assembly.stations[own->station].ratio == 1.0) return whirl_ok();
+    return whirl_fail(WHIRL_BAD_INPUT,
+                      "acts at station '%s' on a shaft of another speed, and its force goes with that of the rotor",
+                      b->assembly.stations[own->station].name);
+}
+
+/// Builds the elements of one type, in the order of the design.
+static whirl_status add_elements(building *b, const element_type *type) {
+    whirl_status status = whirl_ok();
+    for (size_t i = 0; i < b->design->element_count && status.code == WHIRL_OK; i++) {
+        element *own = &b->elements[b->element_count];
+        if (b->design->elements[i].type != type) continue;
+        *own = (element){.type = type, .number = b->numbers + b->number_count};
+        own->state = b->assembly.degrees + b->state_count;
+        for (size_t port = 0; port < MAX_PORTS; port++) own->port[port] = NO_COORDINATE;
+        status = type->build(b->design->elements[i].values, &b->assembly, own);
+        if (status.code == WHIRL_OK) status = check_spin(b, own);
+        status = with_element(b, i, status);
+        if (!type->kernels || own->lumped) continue;
+        b->number_count += type->number_count;
+        b->state_count += own->type->state_count;
+        b->element_count++;
+    }
+    return status;
+}
+
+whirl_status building_assemble(building *b, const whirl_design *design, const size_t *order) {
+    whirl_status status = begin(b, design);
+    if (status.code == WHIRL_OK && b->problems == 0) status = add_inertia(b);
+    if (b->problems > 0) return status; // without its inertia the rest would be told of for nothing
+    if (status.code == WHIRL_OK) mesh_inertia(&b->mesh, &b->assembly);
+    if (status.code == WHIRL_OK) status = assembly_number(&b->assembly, order);
+    for (size_t s = 0; s < design->station_count && status.code == WHIRL_OK; s++)
+        station_build(design->stations[s].values, &b->assembly, s);
+    if (status.code == WHIRL_OK) mesh_build(&b->mesh, &b->assembly);
+    for (size_t i = 0; i < design->type_count && status.code == WHIRL_OK; i++)
+        status = add_elements(b, design->types[i]);
+    return status.code == WHIRL_OK ? check_aside(b) : status;
+}
+
+whirl_status building_finish(building *b) {
+    whirl_status status = reduction_make(&b->mesh, &b->assembly, b->elements, b->element_count, b->reductions);
+    if (b->keyphasor) b->state_count++; // the shaft's phase
+    if (status.code == WHIRL_OK && !assembly_finish(&b->assembly))
+        status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a rotor of %zu elements", b->design->element_count);
+    return status;
+}

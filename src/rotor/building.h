@@ -1,0 +1,35 @@
+/// From a design to an assembly: what stations, shafts and elements build together, before it is a rotor.
+#ifndef ROTOR_BUILDING_H
+#define ROTOR_BUILDING_H
+
+#include "design.h"
+#include "mesh.h"
+#include "reduction.h"
+
+/// A design on its way to a rotor.
+typedef struct building {
+    const whirl_design *design;
+    mesh mesh;
+    assembly assembly;
+    element *elements; ///< [element_count] those that have kernels
+    double *numbers;   ///< [number_count] theirs
+    size_t element_count, number_count, state_count;
+    whirl_rotor_tell *tell; ///< NULL: the first problem ends the building
+    void *context;
+    size_t problems;
+    reduction reductions[WHIRL_MAX_SHAFTS];
+    body_panels panels;              ///< how many there are
+    const design_element *keyphasor; ///< by which sections are taken; NULL: by the shaft
+} building;
+
+/// Stations, then elements; their coordinates in the order [station_count] of all stations, NULL: as listed. Shafts are
+/// as their meshes are. WHIRL_BAD_INPUT, where problems are not told one by one; WHIRL_NO_MEMORY. Ended by building_end
+/// in any case.
+whirl_status building_assemble(building *b, const whirl_design *design, const size_t *order);
+
+/// Reduces the shafts and puts the assembly in order.
+whirl_status building_finish(building *b);
+
+void building_end(building *b);
+
+#endif

@@ -1,0 +1,142 @@
+// Many rotors side by side: what lanes ask of a rotor's structure and numbers.
+#include <string.h>
+
+#include "machine.h"
+
+static void lane_numbers(const void *model, double *out) {
+    const whirl_rotor *rotor = model;
+    memcpy(out, rotor->numbers, rotor->lanes.number_count * sizeof *out);
+}
+
+static bool elements_alike(const element *x, const element *y) {
+    return x->type == y->type && x->law == y->law && x->station == y->station &&
+           memcmp(x->port, y->port, sizeof x->port) == 0;
+}
+
+static bool terms_alike(const linear_term *x, const linear_term *y) {
+    return x->row == y->row && x->source == y->source && x->column == y->column;
+}
+
+static bool bodies_alike(const body_panels *x, const body_panels *y) {
+    if (x->count != y->count || x->column_count != y->column_count || x->number_count != y->number_count) return false;
+    for (size_t i = 0; i < x->count; i++)
+        if (x->panels[i].rows != y->panels[i].rows || x->panels[i].columns != y->panels[i].columns ||
+            memcmp(x->panels[i].row, y->panels[i].row, sizeof x->panels[i].row) != 0 ||
+            body_compare_kinds(x->panels[i].kind, y->panels[i].kind) != 0)
+            return false;
+    return memcmp(x->columns, y->columns, x->column_count * sizeof *x->columns) == 0 &&
+           memcmp(x->numbers, y->numbers, x->number_count * sizeof *x->numbers) == 0;
+}
+
+static bool couplings_alike(const coupling *x, const coupling *y) {
+    const size_t n = x->count;
+    return y->count == n && memcmp(x->row, y->row, n * sizeof *x->row) == 0 &&
+           memcmp(x->share, y->share, n * n * sizeof *x->share) == 0;
+}
+
+static bool lane_alike(const void *one, const void *other) {
+    const whirl_rotor *a = one, *b = other;
+    if (a->station_count != b->station_count || a->lanes.degrees != b->lanes.degrees ||
+        a->plane_count != b->plane_count || a->element_count != b->element_count || a->term_count != b->term_count ||
+        a->phase != b->phase)
+        return false;
+    for (size_t i = 0; i < a->station_count; i++)
+        if (a->probes[i].x != b->probes[i].x || a->probes[i].y != b->probes[i].y) return false;
+    for (size_t i = 0; i < a->element_count; i++)
+        if (!elements_alike(&a->elements[i], &b->elements[i])) return false;
+    for (size_t i = 0; i < a->term_count; i++)
+        if (!terms_alike(&a->terms[i], &b->terms[i])) return false;
+    if (!bodies_alike(&a->body, &b->body)) return false;
+    return couplings_alike(&a->coupled, &b->coupled);
+}
+
+/// Gives a part its own place for `count` numbers that begin at `own` where they differ from those that it shares; says
+/// how many it has then.
+static size_t part_from(const double *number, size_t own, size_t count, size_t *place) {
+    if (memcmp(number + own, number + *place, count * sizeof *number) != 0) *place = own;
+    return *place == own ? count : 0;
+}
+
+static size_t lane_part(const void *model, size_t *places) {
+    const whirl_rotor *rotor = model;
+    const element *own = rotor->elements, *last = own + rotor->element_count;
+    size_t count = rotor->term_count + (rotor->body.count > 0 ? RATES : 0);
+    for (size_t s = 0; s < rotor->plane_count; s++)
+        count += part_from(rotor->numbers, s * STATION_NUMBERS, STATION_NUMBERS, &places[s]);
+    for (; own < last; own++)
+        count += part_from(rotor->numbers, own->first_number, own->type->number_count, &places[own->part]);
+    return count;
+}
+
+/// The force on an element's ports and the slopes of its states may depend on all that it sees.
+static void depend_on_element(const whirl_rotor *rotor, const element *own, bool *table) {
+    const size_t degrees = rotor->lanes.degrees, width = rotor->system.dimension;
+    for (size_t i = 0; i < MAX_PORTS + own->type->state_count; i++) {
+        const size_t row = i < MAX_PORTS ? own->port[i] : own->state + i - MAX_PORTS;
+        for (size_t j = 0; row != NO_COORDINATE && j < MAX_PORTS + own->type->state_count; j++) {
+            const size_t by = j < MAX_PORTS ? own->port[j] : own->state + j - MAX_PORTS;
+            if (j < MAX_PORTS && by != NO_COORDINATE) table[row * width + by] = true;
+            if (by != NO_COORDINATE) table[row * width + degrees + by] = true;
+        }
+    }
+}
+
+static void depend_on_body(const body_panels *in, size_t degrees, size_t width, bool *table) {
+    for (const body_panel *panel = in->panels; panel < in->panels + in->count; panel++) {
+        const size_t first = panel->kind.source == BODY_PLACE ? 0 : degrees;
+        for (size_t c = 0; c < panel->columns && panel->kind.source != BODY_ONE; c++)
+            for (size_t r = 0; r < panel->rows; r++)
+                if (in->numbers[panel->first_number + c * panel->rows + r] != 0.0)
+                    table[panel->row[r] * width + first + in->columns[panel->first_column + c]] = true;
+    }
+}
+
+static void lane_depends(const void *model, bool *table) {
+    const whirl_rotor *rotor = model;
+    const coupling *coupled = &rotor->coupled;
+    const size_t degrees = rotor->lanes.degrees, width = rotor->system.dimension;
+    for (size_t d = 0; d < 2 * rotor->plane_count; d++) table[d * width + degrees + d] = true;
+    for (const linear_term *term = rotor->terms; term < rotor->terms + rotor->term_count; term++) {
+        if (term->source == SOURCE_PLACE) table[term->row * width + term->column] = true;
+        if (term->source == SOURCE_VELOCITY) table[term->row * width + degrees + term->column] = true;
+    }
+    depend_on_body(&rotor->body, degrees, width, table);
+    for (size_t i = 0; i < rotor->element_count; i++) depend_on_element(rotor, &rotor->elements[i], table);
+    // What turns with the shaft depends on its phase where that is a state.
+    for (size_t i = 0; rotor->phase && i < degrees + rotor->lanes.states; i++)
+        table[i * width + degrees + rotor->phase] = true;
+    // Where masses couple, each of these accelerations depends on all that the others do.
+    for (size_t c = 0; c < width; c++) {
+        bool any = false;
+        for (size_t i = 0; i < coupled->count; i++) any |= table[coupled->row[i] * width + c];
+        for (size_t i = 0; i < coupled->count; i++) table[coupled->row[i] * width + c] = any;
+    }
+}
+
+static void lane_contact(const void *model, size_t index, size_t *probe, double *gap) {
+    const whirl_rotor *rotor = model;
+    const element *own = &rotor->elements[rotor->contacts[index]];
+    *probe = own->station;
+    *gap = own->type->contact_gap(own);
+}
+
+void rotor_lanes_fill(whirl_rotor *rotor) {
+    static lanes_flow *const flow[VECTOR_ISAS] = EVERY_ISA(, machine_flow);
+    static lanes_switches *const switches[VECTOR_ISAS] = EVERY_ISA(, machine_switches);
+    static lanes_forcing *const forcing[VECTOR_ISAS] = EVERY_ISA(, machine_forcing);
+    static lanes_contacts *const contacts[VECTOR_ISAS] = EVERY_ISA(, machine_contacts);
+    whirl_lanes *lanes = &rotor->lanes;
+    lanes->numbers = lane_numbers;
+    lanes->alike = lane_alike;
+    lanes->depends = lane_depends;
+    lanes->part_count = rotor->plane_count + rotor->element_count;
+    lanes->places = rotor->places;
+    lanes->part = lane_part;
+    lanes->groups = rotor->groups;
+    lanes->contact_count = rotor->contact_count;
+    lanes->contact = lane_contact;
+    lanes->flow = flow;
+    lanes->switches = switches;
+    lanes->forcing = forcing;
+    lanes->contacts = contacts;
+}
