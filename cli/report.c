@@ -124,6 +124,19 @@ static const char *find_template(char path[PATH_SIZE]) {
     return NULL;
 }
 
+/// Says what became of the explorer.
+static void tell_explorer(const report_arguments *arguments, const entry *entries, bool built) {
+    bool any = false;
+    for (size_t i = 0; i < arguments->count; i++) any = any || whirl_report_explores(entries[i].result);
+    for (size_t i = 0; i < arguments->count && built; i++)
+        if (!whirl_report_explores(entries[i].result))
+            complain("explorer.html leaves out %s: it shows motions, and this result has none", entries[i].name);
+    if (!built)
+        complain("explorer.html is left out: its template is not built; `make explorer` builds it");
+    else if (any)
+        printf("%s/explorer.html\n", arguments->directory);
+}
+
 static int write_report(const report_arguments *arguments, const entry *entries, const whirl_claims *claims) {
     const whirl_result **const results = calloc(arguments->count, sizeof *results);
     const char **const names = calloc(arguments->count, sizeof *names);
@@ -143,10 +156,7 @@ static int write_report(const report_arguments *arguments, const entry *entries,
     free(names);
     if (status.code == WHIRL_OK && !arguments->quiet) {
         printf("%s/report.html\n", arguments->directory);
-        if (explorer)
-            printf("%s/explorer.html\n", arguments->directory);
-        else
-            complain("explorer.html is left out: its template is not built; `make explorer` builds it");
+        tell_explorer(arguments, entries, explorer != NULL);
     }
     return complain_of(&status);
 }

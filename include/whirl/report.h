@@ -2,6 +2,7 @@
 #ifndef WHIRL_REPORT_H
 #define WHIRL_REPORT_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "whirl/claims.h"
@@ -21,6 +22,9 @@ typedef struct whirl_report_options {
     /// case; NULL: none. WHIRL_BAD_INPUT for a word that is no unit.
     const char *units;
 } whirl_report_options;
+
+/// Whether the explorer has anything to show of a result: it shows motions, and none of machines at rest.
+bool whirl_report_explores(const whirl_result *result);
 
 /// Writes DIR/report.html, DIR/explorer.html (all results in one page that computes on), and for every result
 /// DIR/<name>/ with figures (PNG, PDF), their gnuplot scripts and data. `names` [count] become folder names.

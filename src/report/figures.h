@@ -15,7 +15,7 @@ enum { STEM_SIZE = 200, NO_POINT = -1 };
 
 typedef struct figure {
     size_t result; ///< index of the result it shows
-    long point;    ///< of the detail table, or NO_POINT for a bifurcation diagram
+    long point;    ///< of the detail table, or NO_POINT for a diagram over a parameter
     size_t station;
     char stem[STEM_SIZE];    ///< file name without ending; STEM.gp, STEM.png, STEM.pdf
     char data[3][STEM_SIZE]; ///< names of the data files, "" where there are fewer
@@ -45,6 +45,10 @@ typedef struct drawing {
 
 /// Writes data and scripts of the bifurcation diagrams, one a station, of the table "sweep" if there is one.
 whirl_status draw_bifurcations(const drawing *to);
+
+/// Writes data and scripts of the diagrams of machines at rest: modes over a parameter, their shapes, the response of
+/// every station to unbalance.
+whirl_status draw_at_rest(const drawing *to);
 
 /// Writes data and scripts of the panels of every point of the detail table and every station.
 whirl_status draw_points(const drawing *to);

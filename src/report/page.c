@@ -60,7 +60,8 @@ static void write_result_contents(const page *to, size_t r) {
     if (sweep && sweep->count > 0) write_entry(to->stream, "regimes", r + 1, "Regimes");
     if (detail_table(result) && detail_table(result)->count > 0)
         write_entry(to->stream, "points", r + 1, "Points in detail");
-    if (has_figures(to, r, true)) write_entry(to->stream, "diagrams", r + 1, "Bifurcation diagrams");
+    if (has_figures(to, r, true))
+        write_entry(to->stream, "diagrams", r + 1, sweep ? "Bifurcation diagrams" : "Diagrams");
     if (has_figures(to, r, false)) write_entry(to->stream, "motions", r + 1, "Single points");
     if (result->fact_count > 0) write_entry(to->stream, "provenance", r + 1, "Provenance");
     fputs("</ul></li>\n", to->stream);
@@ -82,6 +83,7 @@ static void write_result(const page *to, size_t result) {
     fputs("</span></h2>\n", to->stream);
     page_computed(to, result);
     page_intervals(to, result);
+    page_critical(to, result);
     page_jumps(to, result);
     page_points(to, result);
     page_figures(to, result);

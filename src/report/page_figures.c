@@ -37,8 +37,8 @@ void page_figures(const page *to, size_t index) {
         if (what->result != index) continue;
         if (what->point == NO_POINT) {
             if (!diagrams)
-                fprintf(to->stream, "<h3 id=\"diagrams-%zu\">Bifurcation diagrams</h3>\n<div class=\"pair\">\n",
-                        index + 1);
+                fprintf(to->stream, "<h3 id=\"diagrams-%zu\">%s</h3>\n<div class=\"pair\">\n", index + 1,
+                        whirl_result_table(to->results[index], "sweep") ? "Bifurcation diagrams" : "Diagrams");
             diagrams = true;
         } else {
             if (!points && diagrams) fputs("</div>\n", to->stream);

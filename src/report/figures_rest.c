@@ -1,0 +1,354 @@
+// Figures of machines at rest: frequencies and damping over a parameter (Campbell's diagram), shapes of modes, and the
+// response to unbalance (Bode's and the polar diagram, the centreline of the shaft).
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "figures.h"
+#include "typeset.h"
+
+static const double two_pi = 6.283185307179586476925;
+
+/// What frequencies are shown in: the parameter's unit where that is the speed of the shaft, else Hz.
+typedef struct frequency_unit {
+    double size; ///< rad/s
+    char name[WHIRL_NAME_SIZE];
+    bool of_speed;
+} frequency_unit;
+
+static frequency_unit unit_of(const drawing *to, const whirl_table *table, const char *speeds) {
+    const whirl_unit unit = units_parameter(to->units, table->parameter);
+    frequency_unit found = {.size = two_pi, .name = "Hz", .of_speed = true};
+    for (size_t point = 0; point < table->count; point++) {
+        const double *speed = whirl_table_field(table, point, speeds, 0);
+        if (speed && whirl_table_done(table, point) && fabs(*speed - table->values[point]) > 1e-9 * fabs(*speed))
+            found.of_speed = false;
+    }
+    if (!found.of_speed) return found;
+    found.size = unit.size;
+    snprintf(found.name, sizeof found.name, "%s", *unit.name ? unit.name : "rad/s");
+    return found;
+}
+
+static double shown_value(const drawing *to, const whirl_table *table, size_t point) {
+    return table->values[point] / units_parameter(to->units, table->parameter).size;
+}
+
+static void write_parameter_label(FILE *script, const drawing *to, const whirl_table *table) {
+    char label[TYPESET_SIZE];
+    typeset_parameter(to->units, table->parameter, label, sizeof label);
+    script_label(script, "parameter_label", label);
+}
+
+// ---------------------------------------------------------------- Campbell's diagram
+
+static whirl_status write_modes(const drawing *to, const whirl_table *table, const char *name, double unit) {
+    report_file file;
+    const whirl_status status = report_file_open(&file, to->folder, name);
+    if (status.code != WHIRL_OK) return status;
+    const whirl_field *field = whirl_layout_field(&table->layout, "modes/frequency");
+    fputs("# value, frequency, damping ratio, logarithmic decrement, direction of whirl, speed\n", file.stream);
+    for (size_t mode = 0; mode < field->rows; mode++) {
+        for (size_t point = 0; point < table->count; point++) {
+            const double *block = whirl_table_done(table, point) ? whirl_table_block(table, point) : NULL;
+            if (!block) continue;
+            fprintf(file.stream, "%.10g %.10g %.10g %.10g %.6g %.10g\n", shown_value(to, table, point),
+                    whirl_table_field(table, point, "modes/frequency", 0)[mode] / unit,
+                    whirl_table_field(table, point, "modes/damping_ratio", 0)[mode],
+                    whirl_table_field(table, point, "modes/decrement", 0)[mode],
+                    whirl_table_field(table, point, "modes/direction", 0)[mode],
+                    whirl_table_field(table, point, "modes/speed", 0)[0] / unit);
+        }
+        fputc('\n', file.stream);
+    }
+    return report_file_close(&file);
+}
+
+static whirl_status write_critical(const drawing *to, const whirl_table *table, const char *name, double unit) {
+    report_file file;
+    const whirl_status status = report_file_open(&file, to->folder, name);
+    if (status.code != WHIRL_OK) return status;
+    const whirl_field *field = whirl_layout_field(&table->layout, "modes/critical");
+    const double size = units_parameter(to->units, table->parameter).size;
+    fputs("# kind (1: critical speed, 2: instability begins, 3: it ends), value, frequency, damping ratio\n0 NaN NaN "
+          "NaN\n",
+          file.stream);
+    for (size_t point = 0; point < table->count; point++) {
+        const double *row = whirl_table_field(table, point, "modes/critical", 0);
+        for (size_t i = 0; row && whirl_table_done(table, point) && i < field->rows; i++, row += field->columns)
+            if (isfinite(row[0]))
+                fprintf(file.stream, "%g %.10g %.10g %.10g\n", row[0], row[1] / size, row[3] / unit, row[4]);
+    }
+    return report_file_close(&file);
+}
+
+/// Up to where frequencies are shown: three times the largest speed, where the parameter is one, shows where it meets
+/// them.
+static double frequency_top(const whirl_table *table, const frequency_unit *unit) {
+    const whirl_field *field = whirl_layout_field(&table->layout, "modes/frequency");
+    double fastest = 0.0, highest = 0.0;
+    for (size_t point = 0; point < table->count; point++) {
+        const double *frequency = whirl_table_field(table, point, "modes/frequency", 0);
+        if (!whirl_table_done(table, point) || !frequency) continue;
+        fastest = fmax(fastest, fabs(whirl_table_field(table, point, "modes/speed", 0)[0]));
+        for (size_t i = 0; i < field->rows; i++) highest = fmax(highest, frequency[i]);
+    }
+    const double top = unit->of_speed && 3.0 * fastest < highest ? 3.0 * fastest : 1.05 * highest;
+    return top > 0.0 ? top / unit->size : 1.0;
+}
+
+static whirl_status write_campbell(const drawing *to, const whirl_table *table, const figure *what,
+                                   const frequency_unit *unit) {
+    report_file file;
+    const whirl_status status = script_begin(&file, to, what, 12.0, 11.0, 7.0);
+    if (status.code != WHIRL_OK) return status;
+    FILE *script = file.stream;
+    char label[TYPESET_SIZE];
+    write_parameter_label(script, to, table);
+    snprintf(label, sizeof label, "damped frequency (%.40s)", unit->name);
+    script_label(script, "frequency_label", label);
+    fputs("modes = ", script);
+    fprintf(script, "'%s'\ncritical = '%s'\n", what->data[0], what->data[1]);
+    fputs("colour(d) = d > 0.05 ? 0x0072B2 : d < -0.05 ? 0xD55E00 : 0x606060\n", script);
+    script_loop(script);
+    fputs(
+        "set format x ''\nunset xlabel\nset ylabel frequency_label\n"
+        "set key at graph 0,1.03 left bottom horizontal reverse Left samplen 0.7 width -1 maxrows 1 font small_font\n",
+        script);
+    fprintf(script, "set yrange [0:%.6g]\n", frequency_top(table, unit));
+    script_panel(script, 0.13, 0.97, 0.44, 0.94);
+    fputs("plot modes using 1:6 with lines linestyle 9 title 'shaft', \\\n"
+          "  modes using 1:2:(colour($5)) with points pointtype 7 pointsize 0.18 linecolor rgb variable notitle, \\\n"
+          "  NaN with points pointtype 7 pointsize 0.5 linecolor rgb '#0072B2' title 'forward', \\\n"
+          "  NaN with points pointtype 7 pointsize 0.5 linecolor rgb '#D55E00' title 'backward', \\\n"
+          "  critical using ($1 == 1 ? $2 : NaN):3 with points pointtype 6 pointsize 0.8 linewidth 1 "
+          "linecolor rgb '#000000' title 'critical speed', \\\n"
+          "  critical using ($1 > 1 ? $2 : NaN):3 with points pointtype 2 pointsize 0.8 linewidth 1.2 "
+          "linecolor rgb '#CC0000' title 'threshold'\n"
+          "unset key\nset format x '% h'\nset xlabel parameter_label\nset ylabel 'damping ratio'\nset yrange [*:*]\n",
+          script);
+    script_panel(script, 0.13, 0.97, 0.09, 0.40);
+    fputs("plot 0 with lines linestyle 9, \\\n"
+          "  modes using 1:3:(colour($5)) with points pointtype 7 pointsize 0.18 linecolor rgb variable, \\\n"
+          "  critical using ($1 > 1 ? $2 : NaN):4 with points pointtype 2 pointsize 0.8 linewidth 1.2 "
+          "linecolor rgb '#CC0000'\n",
+          script);
+    script_end(script);
+    return report_file_close(&file);
+}
+
+static whirl_status draw_campbell(const drawing *to, const whirl_table *table) {
+    const frequency_unit unit = unit_of(to, table, "modes/speed");
+    figure *what = figure_add(to->list, to->index, "campbell");
+    if (!what) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the list of figures");
+    snprintf(what->data[0], sizeof what->data[0], "modes.dat");
+    snprintf(what->data[1], sizeof what->data[1], "critical.dat");
+    snprintf(what->title, sizeof what->title, "Campbell diagram over %s", table->parameter);
+    snprintf(
+        what->caption, sizeof what->caption,
+        "Campbell diagram: damped natural frequencies over %s, blue where the whirl goes with the rotation, orange "
+        "against it, grey to and fro; dashed: the speed of the shaft; circles: critical speeds; crosses: "
+        "thresholds of stability. Below: damping ratios, negative where a mode grows.",
+        table->parameter);
+    whirl_status status = write_modes(to, table, what->data[0], unit.size);
+    if (status.code == WHIRL_OK) status = write_critical(to, table, what->data[1], unit.size);
+    return status.code == WHIRL_OK ? write_campbell(to, table, what, &unit) : status;
+}
+
+// ---------------------------------------------------------------- shapes
+
+enum { SHAPES = 6 };
+
+/// Of the lowest modes of a point: a block a mode, a line a station.
+static whirl_status write_shapes(const drawing *to, const whirl_table *table, size_t point, const char *name) {
+    report_file file;
+    const whirl_status status = report_file_open(&file, to->folder, name);
+    if (status.code != WHIRL_OK) return status;
+    const whirl_field *field = whirl_layout_field(&table->layout, "modes/shape");
+    fputs("# station, then x cos, x sin, y cos, y sin of the motion of unit size: x = x_cos cos + x_sin sin\n",
+          file.stream);
+    for (size_t mode = 0; mode < field->rows && mode < SHAPES; mode++) {
+        for (size_t s = 0; s < to->result->station_count; s++) {
+            const double *row = whirl_table_field(table, point, "modes/shape", s) + 4 * mode;
+            if (isfinite(row[0]))
+                fprintf(file.stream, "%zu %.6g %.6g %.6g %.6g\n", s + 1, row[0], row[1], row[2], row[3]);
+        }
+        fputs("\n\n", file.stream);
+    }
+    return report_file_close(&file);
+}
+
+static void write_shape_panels(FILE *script, const whirl_table *table, size_t point, size_t count,
+                               const frequency_unit *unit) {
+    const double *frequency = whirl_table_field(table, point, "modes/frequency", 0);
+    const double *direction = whirl_table_field(table, point, "modes/direction", 0);
+    for (size_t mode = 0; mode < count; mode++) {
+        const double left = mode % 2 ? 0.58 : 0.09, bottom = 0.72 - 0.315 * (double)(mode / 2);
+        script_panel(script, left, left + 0.39, bottom, bottom + 0.22);
+        fprintf(script,
+                "set title '%zu: %.5g %s%s' offset 0,-0.7\n"
+                "plot shapes index %zu using 1:2 with linespoints linestyle 1 pointtype 7 pointsize 0.3, \\\n"
+                "  shapes index %zu using 1:3 with linespoints linestyle 1 dashtype 2 pointtype 6 pointsize 0.3, \\\n"
+                "  shapes index %zu using 1:4 with linespoints linestyle 2 pointtype 7 pointsize 0.3, \\\n"
+                "  shapes index %zu using 1:5 with linespoints linestyle 2 dashtype 2 pointtype 6 pointsize 0.3\n",
+                mode + 1, frequency[mode] / unit->size, unit->name,
+                direction[mode] > 0.05    ? ", forward"
+                : direction[mode] < -0.05 ? ", backward"
+                                          : "",
+                mode, mode, mode, mode);
+    }
+}
+
+static whirl_status draw_shapes(const drawing *to, const whirl_table *table) {
+    const size_t point = table->count - 1, stations = to->result->station_count;
+    const frequency_unit unit = unit_of(to, table, "modes/speed");
+    const whirl_field *field = whirl_layout_field(&table->layout, "modes/frequency");
+    const double *frequency = whirl_table_field(table, point, "modes/frequency", 0);
+    size_t count = 0;
+    if (!whirl_table_done(table, point) || !frequency || stations < 2) return whirl_ok();
+    while (count < field->rows && count < SHAPES && isfinite(frequency[count])) count++;
+    figure *what = figure_add(to->list, to->index, "shapes");
+    if (!what) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the list of figures");
+    snprintf(what->data[0], sizeof what->data[0], "shapes.dat");
+    snprintf(what->title, sizeof what->title, "Shapes of the lowest modes");
+    char label[UNIT_LABEL_SIZE];
+    units_point_label(to->units, table, point, label, sizeof label);
+    snprintf(what->caption, sizeof what->caption,
+             "Shapes of the %zu lowest modes at %s, over the stations: blue x, orange y; full lines where x of the "
+             "largest displacement peaks, dashed lines a quarter of a period later.",
+             count, label);
+    whirl_status status = write_shapes(to, table, point, what->data[0]);
+    report_file file;
+    if (status.code == WHIRL_OK) status = script_begin(&file, to, what, 12.0, 10.0, 6.5);
+    if (status.code != WHIRL_OK) return status;
+    fprintf(file.stream, "shapes = '%s'\nset xrange [0.5:%zu.5]\nset yrange [-1.1:1.1]\nset xtics (", what->data[0],
+            stations);
+    for (size_t s = 0; s < stations; s++) {
+        char name[TYPESET_SIZE];
+        typeset_text(to->result->stations[s].name, name, sizeof name);
+        if (stations <= 8 || s == 0 || s + 1 == stations)
+            fprintf(file.stream, "%s'%s' %zu", s ? ", " : "", name, s + 1);
+    }
+    fputs(")\nset ytics 1\n", file.stream);
+    script_loop(file.stream);
+    write_shape_panels(file.stream, table, point, count, &unit);
+    script_end(file.stream);
+    return report_file_close(&file);
+}
+
+// ---------------------------------------------------------------- unbalance
+
+static whirl_status write_response(const drawing *to, const whirl_table *table, size_t station, const char *name) {
+    report_file file;
+    const whirl_status status = report_file_open(&file, to->folder, name);
+    if (status.code != WHIRL_OK) return status;
+    fputs("# value; amplitude and lag (degrees) of the first and the second probe; mean x, y; major and minor axis\n",
+          file.stream);
+    for (size_t point = 0; point < table->count; point++) {
+        const double *probe = whirl_table_field(table, point, "unbalance/probe", station);
+        if (!whirl_table_done(table, point) || !probe) continue;
+        const double *lag = whirl_table_field(table, point, "unbalance/probe_lag", station);
+        const double *rest = whirl_table_field(table, point, "unbalance/rest", station);
+        const double *axes = whirl_table_field(table, point, "unbalance/axes", station);
+        const double length = units_length(to->units, table, point), amplitude = length * to->units->amplitude;
+        fprintf(file.stream, "%.10g %.8g %.8g %.8g %.8g %.8g %.8g %.8g %.8g\n", shown_value(to, table, point),
+                amplitude * probe[0], lag[0], amplitude * probe[1], lag[1], length * rest[0], length * rest[1],
+                amplitude * axes[0], amplitude * axes[1]);
+    }
+    return report_file_close(&file);
+}
+
+/// Ranges of the centreline, as wide in x as in y: what moves less than a thousandth of its place stands still.
+static void write_centre_ranges(FILE *script, const drawing *to, const whirl_table *table, size_t station) {
+    span x = span_empty(), y = span_empty();
+    double size = 0.0;
+    for (size_t point = 0; point < table->count; point++) {
+        const double *rest = whirl_table_field(table, point, "unbalance/rest", station);
+        const double length = units_length(to->units, table, point);
+        if (!whirl_table_done(table, point) || !rest) continue;
+        span_widen(&x, length * rest[0]);
+        span_widen(&y, length * rest[1]);
+        size = fmax(size, length * hypot(rest[0], rest[1]));
+    }
+    const double width = fmax(1.2 * fmax(x.high - x.low, y.high - y.low), size > 0.0 ? 1e-3 * size : 1.0);
+    x = span_with_margin(x, 0.1, width);
+    y = span_with_margin(y, 0.1, width);
+    fprintf(script, "set xrange [%.8g:%.8g]\nset yrange [%.8g:%.8g]\nset xtics %.6g\nset ytics %.6g\n", x.low, x.high,
+            y.low, y.high, tic_step(x.high - x.low, 3), tic_step(y.high - y.low, 4));
+}
+
+static void write_response_panels(FILE *script, const drawing *to, const whirl_table *table, size_t station) {
+    fputs("set format x ''\nunset xlabel\nset ylabel 'lag (deg)'\nset yrange [0:360]\nset ytics 90\n", script);
+    script_panel(script, 0.09, 0.57, 0.66, 0.97);
+    fputs(
+        "plot response using 1:3 with points pointtype 7 pointsize 0.2 linecolor rgb '#0072B2', \\\n"
+        "  response using 1:5 with points pointtype 7 pointsize 0.2 linecolor rgb '#D55E00'\n"
+        "set format x '% h'\nset xlabel parameter_label\nset ylabel amplitude_label\nset yrange [0:*]\nset ytics auto\n"
+        "set key top right samplen 1.5\n",
+        script);
+    script_panel(script, 0.09, 0.57, 0.12, 0.63);
+    fputs("plot response using 1:2 with lines linestyle 1 title 'first probe', \\\n"
+          "  response using 1:4 with lines linestyle 2 title 'second probe', \\\n"
+          "  response using 1:8 with lines linestyle 9 title 'major axis'\n"
+          "unset key\nset size ratio -1\nset xrange [*:*]\nset yrange [*:*]\nset xlabel polar_label\nunset ylabel\n",
+          script);
+    script_panel(script, 0.68, 0.98, 0.60, 0.97);
+    fputs("plot response using ($2*cosd($3)):(-$2*sind($3)) with lines linestyle 1, \\\n"
+          "  response using ($4*cosd($5)):(-$4*sind($5)) with lines linestyle 2\n"
+          "set size ratio 1\nset xlabel x_label\nset ylabel y_label\n",
+          script);
+    write_centre_ranges(script, to, table, station);
+    script_panel(script, 0.68, 0.98, 0.12, 0.47);
+    fputs("plot response using 6:7 with linespoints linestyle 1 pointtype 7 pointsize 0.2\n"
+          "set size noratio\nset xrange [*:*]\nset yrange [*:*]\nset xtics auto\nset ytics auto\n",
+          script);
+}
+
+static whirl_status draw_response(const drawing *to, const whirl_table *table, size_t station) {
+    const char *name = to->result->stations[station].name;
+    char stem[STEM_SIZE], label[TYPESET_SIZE];
+    snprintf(stem, sizeof stem, "unbalance-%s", name);
+    figure *what = figure_add(to->list, to->index, stem);
+    if (!what) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the list of figures");
+    what->station = station;
+    snprintf(what->data[0], sizeof what->data[0], "%.190s.dat", what->stem);
+    snprintf(what->title, sizeof what->title, "Response of %s to unbalance over %s", name, table->parameter);
+    snprintf(
+        what->caption, sizeof what->caption,
+        "Synchronous response of %s over %s. Left: by how much the peak comes after the mark, and amplitude, of two "
+        "probes, the first at %.4g degrees from the x axis. Right: polar diagram (against the rotation the lag "
+        "grows); centreline of the shaft.",
+        name, table->parameter, table->record.probe_angle * 360.0 / two_pi);
+    whirl_status status = write_response(to, table, station, what->data[0]);
+    report_file file;
+    if (status.code == WHIRL_OK) status = script_begin(&file, to, what, 17.5, 9.5, 7.0);
+    if (status.code != WHIRL_OK) return status;
+    const shown_units units = typeset_units(to->units);
+    write_parameter_label(file.stream, to, table);
+    units_amplitude_label(&units, "amplitude", label, sizeof label);
+    script_label(file.stream, "amplitude_label", label);
+    script_label(file.stream, "polar_label", label);
+    units_length_label(&units, "{/:Italic x}", label, sizeof label);
+    script_label(file.stream, "x_label", label);
+    units_length_label(&units, "{/:Italic y}", label, sizeof label);
+    script_label(file.stream, "y_label", label);
+    fprintf(file.stream, "response = '%s'\ncosd(a) = cos(a*pi/180)\nsind(a) = sin(a*pi/180)\n", what->data[0]);
+    script_loop(file.stream);
+    write_response_panels(file.stream, to, table, station);
+    script_end(file.stream);
+    return report_file_close(&file);
+}
+
+whirl_status draw_at_rest(const drawing *to) {
+    whirl_status status = whirl_ok();
+    for (size_t t = 0; t < to->result->table_count && status.code == WHIRL_OK; t++) {
+        const whirl_table *table = &to->result->tables[t];
+        if (!whirl_analysis_is_resting(table->analyses) || table->count < 1) continue;
+        const bool modes = whirl_layout_field(&table->layout, "modes/frequency") != NULL;
+        if (modes && table->count > 1) status = draw_campbell(to, table);
+        if (modes && status.code == WHIRL_OK) status = draw_shapes(to, table);
+        for (size_t s = 0; !modes && table->count > 1 && s < to->result->station_count && status.code == WHIRL_OK; s++)
+            status = draw_response(to, table, s);
+    }
+    return status;
+}
