@@ -116,7 +116,7 @@ static whirl_status write_campbell(const drawing *to, const whirl_table *table, 
         "set key at graph 0,1.03 left bottom horizontal reverse Left samplen 0.7 width -1 maxrows 1 font small_font\n",
         script);
     fprintf(script, "set yrange [0:%.6g]\n", frequency_top(table, unit));
-    script_panel(script, 0.13, 0.97, 0.44, 0.94);
+    script_panel(script, 0.13, 0.97, 0.44, 0.92);
     fputs("plot modes using 1:6 with lines linestyle 9 title 'shaft', \\\n"
           "  modes using 1:2:(colour($5)) with points pointtype 7 pointsize 0.18 linecolor rgb variable notitle, \\\n"
           "  NaN with points pointtype 7 pointsize 0.5 linecolor rgb '#0072B2' title 'forward', \\\n"

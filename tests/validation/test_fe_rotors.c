@@ -237,6 +237,87 @@ static void whirl_speeds_of_nelson_and_mcvaugh(void **unused) {
     whirl_case_free(object);
 }
 
+// ---------------------------------------------------------------- oil whirl
+
+/// A disc of 60 kg on a shaft of finite elements in two films.
+static const char in_films[] =
+    "whirl: 1\nparameters: {omega: 3000 rpm}\nrotor:\n  speed: = omega\n  length_scale: 0.1 mm\n"
+    "  shafts: {main: {modes: 4}}\n  stations:\n    left: {position: 0 m}\n"
+    "    disc: {position: 0.4 m, mass: 60 kg, diametral: 0.4 kg m2, polar: 0.7 kg m2}\n    right: {position: 1 m}\n"
+    "  elements:\n    - segment: {length: 1 m, outer: 60 mm, elements: 10}\n"
+    "    - film: {at: left, clearance: 0.1 mm, viscosity: 20 mPa.s, radius: 30 mm, length: 30 mm}\n"
+    "    - film: {at: right, clearance: 0.1 mm, viscosity: 20 mPa.s, radius: 30 mm, length: 30 mm}\n"
+    "    - gravity: 9.81 m/s2\n"
+    "study:\n  modes: {parameter: omega, from: 500 rpm, to: 12000 rpm, points: 24}\n";
+
+/// The speed at which the study says that instability begins.
+static double onset_of(const whirl_case *object) {
+    whirl_result *result;
+    double onset = NAN;
+    const whirl_run_options how = {.threads = 1};
+    require_ok(whirl_case_run(object, &how, &result));
+    const whirl_table *table = &result->tables[0];
+    const whirl_field *field = whirl_layout_field(&table->layout, "modes/critical");
+    for (size_t point = 0; point < table->count; point++) {
+        const double *row = whirl_table_field(table, point, "modes/critical", 0);
+        for (size_t i = 0; i < field->rows; i++, row += field->columns)
+            if (row[0] == WHIRL_ONSET && isnan(onset)) onset = row[1];
+    }
+    whirl_result_free(result);
+    return onset;
+}
+
+/// How far the motion goes from where it rests, at most, in so many revolutions.
+static double largest_way(whirl_integrator *integrator, const double *rest, double *x, size_t degrees,
+                          int revolutions) {
+    double largest = 0.0;
+    for (int k = 0; k < revolutions; k++) {
+        assert_int_equal(whirl_integrator_revolve(integrator, x, NULL, NULL), WHIRL_BOUNDED);
+        for (size_t i = 0; i < degrees; i++) largest = fmax(largest, fabs(x[i] - rest[i]));
+    }
+    return largest;
+}
+
+/// Natural logarithm of the growth of a small disturbance from one hundred revolutions to the same a thousand later.
+static double simulated_growth(const whirl_case *object, double speed) {
+    whirl_rotor *rotor;
+    whirl_integrator *integrator;
+    whirl_integrate_options options = whirl_integrate_default();
+    require_ok(whirl_case_rotor(object, "omega", speed, &rotor));
+    const whirl_system *system = whirl_rotor_system(rotor);
+    double *rest = calloc(2 * system->dimension, sizeof *rest), *x = rest + system->dimension;
+    require_ok(whirl_equilibrium(system, rest));
+    memcpy(x, rest, system->dimension * sizeof *x);
+    x[system->probes[1].x] += 1e-5;
+    strcpy(options.method, "rodas5p");
+    options.rtol = 1e-10;
+    options.atol = 1e-13;
+    require_ok(whirl_integrator_new(system, &options, &integrator));
+    const size_t degrees = system->probes[0].vx - system->probes[0].x;
+    largest_way(integrator, rest, x, degrees, 200);
+    const double before = largest_way(integrator, rest, x, degrees, 100);
+    largest_way(integrator, rest, x, degrees, 900);
+    const double after = largest_way(integrator, rest, x, degrees, 100);
+    whirl_integrator_free(integrator);
+    whirl_rotor_free(rotor);
+    free(rest);
+    return log(after / before);
+}
+
+/// A thousandth below the threshold disturbances die out in the nonlinear equations, a thousandth above they grow.
+static void oil_whirl_sets_in(void **unused) {
+    (void)unused;
+    whirl_case *object = parse(in_films);
+    const double onset = onset_of(object);
+    check_holds("FE", "a rotor in films loses its stability between 500 and 12000 rpm", isfinite(onset));
+    const double below = simulated_growth(object, 0.999 * onset), above = simulated_growth(object, 1.001 * onset);
+    check_holds("FE",
+                words("a thousandth below %.6g rpm a simulated disturbance dies out (growth %.3g)", onset / rpm, below),
+                below < 0);
+    check_holds("FE", words("a thousandth above it grows (growth %.3g)", above), above > 0);
+    whirl_case_free(object);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(isotropic_bearings),
@@ -245,6 +326,7 @@ int main(void) {
         cmocka_unit_test(damped_bearings),
         cmocka_unit_test(critical_speeds_of_nelson_and_mcvaugh),
         cmocka_unit_test(whirl_speeds_of_nelson_and_mcvaugh),
+        cmocka_unit_test(oil_whirl_sets_in),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
