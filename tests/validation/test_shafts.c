@@ -176,13 +176,13 @@ static void damping_is_that_of_its_law(void **state) {
         rotor = uniform_shaft(keys, "", 4, speed);
         const size_t count = frequencies(rotor, found);
         assert_true(count >= 4);
-        for (int n = 0; n < 2; n++) {
+        for (size_t n = 0; n < 2; n++) {
             const double w = cimag(undamped[2 * n]);
             const double complex forward = damped_root(w, speed, laws[l].alpha, laws[l].beta, laws[l].eta, laws[l].h);
             const double complex obtained = nearest(found, count, forward);
-            check_within("FE3", words("%s, pair %d: decay, 1/s", laws[l].name, n + 1), creal(forward), creal(obtained),
+            check_within("FE3", words("%s, pair %zu: decay, 1/s", laws[l].name, n + 1), creal(forward), creal(obtained),
                          2e-7 * w);
-            check_within("FE3", words("%s, pair %d: frequency, rad/s", laws[l].name, n + 1), cimag(forward),
+            check_within("FE3", words("%s, pair %zu: frequency, rad/s", laws[l].name, n + 1), cimag(forward),
                          cimag(obtained), 2e-7 * w);
         }
         whirl_rotor_free(rotor);
