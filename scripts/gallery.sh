@@ -8,7 +8,7 @@ build=$1
 [ -f "$build/explorer/template.html" ] || { echo "the gallery needs the explorer's template: make explorer" >&2; exit 1; }
 work=$build/gallery
 mkdir -p "$work"
-for name in paper paper-derived paper-literal jeffcott-rub rigid-rotor compressor spindle; do
+for name in paper paper-derived paper-literal jeffcott-rub rigid-rotor overhung-rotor compressor spindle; do
     "$build/whirl" run "cases/$name.yaml" -o "$work/$name.h5" --force -q
     # Only the page is wanted: the exit status tells that no figures were drawn.
     "$build/whirl" report "$work/$name.h5" -o "$work/$name" -q --gnuplot true --explorer "$build/explorer/template.html" \

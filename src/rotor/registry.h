@@ -11,6 +11,7 @@
     X(disc)                                                                                                            \
     X(beam)                                                                                                            \
     X(segment)                                                                                                         \
+    X(coupling)                                                                                                        \
     X(bearing)                                                                                                         \
     X(shaft)                                                                                                           \
     X(film)                                                                                                            \

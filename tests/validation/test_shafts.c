@@ -375,6 +375,25 @@ static whirl_rotor *two_shafts(const char *reduce) {
     return rotor_from(text);
 }
 
+/// Two discs in free space that a coupling joins: sqrt(2 k/m), and of tilts sqrt(2 k/I_d).
+static void a_coupling_joins_offsets_and_tilts(void **state) {
+    double complex found[MOST_MODES];
+    (void)state;
+    whirl_rotor *rotor =
+        rotor_from("  speed: 1000 rpm\n  stations: {a: {mass: 3, diametral: 0.02}, b: {mass: 3, diametral: "
+                   "0.02}}\n  elements:\n    - coupling: {between: [a, b], radial: 6e5, tilt: 9e3, "
+                   "radial_damping: 30, tilt_damping: 0.04}\n");
+    const size_t count = frequencies(rotor, found);
+    whirl_rotor_free(rotor);
+    const double decay = 30.0 / 3.0, turned = 0.04 / 0.02;
+    const double complex radial = -decay + I * sqrt(2.0 * 6e5 / 3.0 - decay * decay);
+    const double complex tilt = -turned + I * sqrt(2.0 * 9e3 / 0.02 - turned * turned);
+    check_within("FE8", "radial mode of two coupled discs", 0.0, cabs(nearest(found, count, radial) / radial - 1.0),
+                 1e-12);
+    check_within("FE8", "tilting mode of two coupled discs", 0.0, cabs(nearest(found, count, tilt) / tilt - 1.0),
+                 1e-12);
+}
+
 static void two_shafts_are_reduced_side_by_side(void **state) {
     double complex full[MOST_MODES], reduced[MOST_MODES];
     (void)state;
@@ -503,6 +522,7 @@ int main(void) {
         cmocka_unit_test(masses_are_lumped_and_consistent_as_elsewhere),
         cmocka_unit_test(static_displacements_are_exact),
         cmocka_unit_test(frequencies_come_nearer_as_more_is_kept),
+        cmocka_unit_test(a_coupling_joins_offsets_and_tilts),
         cmocka_unit_test(two_shafts_are_reduced_side_by_side),
         cmocka_unit_test(energy_is_kept_to_the_order_of_the_method),
         cmocka_unit_test(the_reduced_rotor_comes_nearer_to_the_full_one),
