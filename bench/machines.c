@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "overhung.h"
 #include "rotor.h"
 
 void must(whirl_status status) {
@@ -88,5 +89,62 @@ whirl_rotor *chain_rotor(size_t stations, double r_k) {
     const whirl_setting gravity[] = {{"acceleration", 0.02, 0}};
     must(whirl_design_element(design, "rub", rub, 4));
     must(whirl_design_element(design, "gravity", gravity, 1));
+    return built(design);
+}
+
+/// The shaft of overhung.h with its disc, out of balance, between three stations: left, right, disc.
+static whirl_design *overhung_shaft(double speed) {
+    static const struct piece {
+        double length, outer, elements;
+    } pieces[] = {{0.1, 0.04, 3}, {0.4, 0.05, 10}, {0.25, 0.045, 7}};
+    static const struct place {
+        const char *name;
+        double position;
+    } places[] = {{"left", 0.1}, {"right", 0.5}, {"disc", 0.75}};
+    const whirl_setting disc[] = {{"at", 0, "disc"},
+                                  {"outer", 0.3, 0},
+                                  {"inner", 0.045, 0},
+                                  {"width", 0.025, 0},
+                                  {"eccentricity", OVERHUNG_ECCENTRICITY, 0}};
+    whirl_design *design;
+    must(whirl_design_new(speed, OVERHUNG_CLEARANCE, &design));
+    must(whirl_design_shaft(design, "main", (whirl_setting[]){{"modes", OVERHUNG_MODES / 2, 0}}, 1));
+    for (int i = 0; i < OVERHUNG_PORTS / 2; i++) {
+        const whirl_setting position = {"position", places[i].position, 0};
+        must(whirl_design_station(design, places[i].name, &position, 1));
+    }
+    for (int i = 0; i < 3; i++) {
+        const whirl_setting segment[] = {
+            {"length", pieces[i].length, 0}, {"outer", pieces[i].outer, 0}, {"elements", pieces[i].elements, 0}};
+        must(whirl_design_element(design, "segment", segment, 3));
+    }
+    must(whirl_design_element(design, "disc", disc, 5));
+    must(whirl_design_element(design, "gravity", NULL, 0));
+    return design;
+}
+
+whirl_rotor *overhung_free_rotor(double speed, const char *station, double stiffness) {
+    whirl_design *design = overhung_shaft(speed);
+    const whirl_setting bearing[] = {{"at", 0, station}, {"kxx", stiffness, 0}, {"kyy", stiffness, 0}};
+    if (station) must(whirl_design_element(design, "bearing", bearing, 3));
+    return built(design);
+}
+
+whirl_rotor *overhung_rotor(double speed) {
+    whirl_design *design = overhung_shaft(speed);
+    for (int i = 0; i < 2; i++) {
+        const whirl_setting film[] = {{"at", 0, i == 0 ? "left" : "right"},
+                                      {"clearance", OVERHUNG_CLEARANCE, 0},
+                                      {"viscosity", OVERHUNG_VISCOSITY, 0},
+                                      {"radius", overhung_radius[i], 0},
+                                      {"length", overhung_length[i], 0}};
+        must(whirl_design_element(design, "film", film, 5));
+    }
+    const whirl_setting rub[] = {{"at", 0, "disc"},
+                                 {"gap", OVERHUNG_GAP, 0},
+                                 {"stiffness", OVERHUNG_STIFFNESS, 0},
+                                 {"damping", OVERHUNG_DAMPING, 0},
+                                 {"friction", OVERHUNG_FRICTION, 0}};
+    must(whirl_design_element(design, "rub", rub, 5));
     return built(design);
 }

@@ -1,4 +1,4 @@
-/// The benchmark's rotors as whirl has them: the paper's, and chains of more stations.
+/// The benchmark's rotors as whirl has them: the paper's, chains of more stations, and one of finite elements.
 #ifndef BENCH_MACHINES_H
 #define BENCH_MACHINES_H
 
@@ -19,5 +19,11 @@ whirl_rotor *paper_rotor_listed(double r_k);
 /// A shaft of `stations` equal discs, each joined to the next; the middle one is out of balance and may rub; both ends
 /// run in an oil film. Scaled so that 1024 steps a revolution carry it stably. Freed by whirl_rotor_free.
 whirl_rotor *chain_rotor(size_t stations, double r_k);
+
+/// The overhung rotor of overhung.h at a speed (rad/s): 20 finite elements, reduced. Freed by whirl_rotor_free.
+whirl_rotor *overhung_rotor(double speed);
+
+/// The same without films and rub; `station` (NULL: none) stands on a spring (N/m, the same along x and y).
+whirl_rotor *overhung_free_rotor(double speed, const char *station, double stiffness);
 
 #endif

@@ -17,7 +17,7 @@ double peer_seconds(int argc, char **argv) {
     return seconds > 0.0 ? seconds : 0.3;
 }
 
-void peer_measure(const peer *measured, double seconds) {
+void peer_measure_steps(const peer *measured, int steps, double seconds) {
     for (int i = 0; i < 20; i++) measured->revolve(measured->context);
     const double x1 = measured->x1(measured->context), start = peer_clock();
     double revolutions = 0.0, spent = 0.0;
@@ -26,5 +26,9 @@ void peer_measure(const peer *measured, double seconds) {
         revolutions += 1.0;
         spent = peer_clock() - start;
     }
-    printf("%s\t%.6g\t%.13f\n", measured->name, revolutions * ROTOR_STEPS * (double)measured->machines / spent, x1);
+    printf("%s\t%.6g\t%.13f\n", measured->name, revolutions * steps * (double)measured->machines / spent, x1);
+}
+
+void peer_measure(const peer *measured, double seconds) {
+    peer_measure_steps(measured, ROTOR_STEPS, seconds);
 }

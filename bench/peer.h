@@ -28,6 +28,9 @@ double peer_clock(void);
 /// Carries the machines over 20 revolutions, then over as many more as the time allows, and prints the line.
 void peer_measure(const peer *measured, double seconds);
 
+/// The same where a revolution is not of ROTOR_STEPS steps.
+void peer_measure_steps(const peer *measured, int steps, double seconds);
+
 #ifdef __cplusplus
 }
 #endif

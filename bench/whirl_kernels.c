@@ -8,11 +8,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "crowd.h"
 #include "machines.h"
 #include "peer.h"
 #include "rotor.h"
-
-enum { SAMPLES = 64 }; ///< of a waveform a revolution, the command's default
 
 /// A single machine with its integrator.
 typedef struct single {
@@ -30,68 +29,24 @@ static double single_x1(void *context) {
     return ((single *)context)->x[0];
 }
 
-/// Many machines in lanes.
-typedef struct crowd {
-    whirl_rotor **rotors;
-    whirl_ensemble *ensemble;
-    size_t lanes, stations, sample_count;
-    whirl_ensemble_observe watch;
-    double *samples;  ///< [SAMPLES][stations][2][lanes] of a revolution
-    double *waveform; ///< [lanes][stations][2][SAMPLES], as records have them
-} crowd;
-
-static void crowd_sample(void *context) {
-    crowd *c = context;
-    double *to = c->samples + c->sample_count++ * 2 * c->stations * c->lanes;
-    for (size_t i = 0; i < 2 * c->stations; i++, to += c->lanes)
-        memcpy(to, whirl_ensemble_coordinate(c->ensemble, i), c->lanes * sizeof *to);
-}
-
-/// The samples of a revolution go to the waveform of every machine, as the command's recorder does it.
-static void crowd_keep(crowd *c) {
-    enum { NEIGHBOURS = 8 };
-    const size_t rows = 2 * c->stations;
-    for (size_t first = 0; first < c->lanes; first += NEIGHBOURS)
-        for (size_t row = 0; row < rows; row++)
-            for (size_t n = 0; n < c->sample_count; n++) {
-                const double *from = c->samples + (n * rows + row) * c->lanes + first;
-                for (size_t i = 0; i < NEIGHBOURS && first + i < c->lanes; i++)
-                    c->waveform[((first + i) * rows + row) * SAMPLES + n] = from[i];
-            }
-}
-
-static void crowd_revolve(void *context) {
-    crowd *c = context;
-    c->sample_count = 0;
-    whirl_ensemble_revolve(c->ensemble, c->lanes, c->watch.extremes ? &c->watch : NULL);
-    if (c->watch.extremes) crowd_keep(c);
-}
-
-static double crowd_x1(void *context) {
-    return whirl_ensemble_coordinate(((crowd *)context)->ensemble, 0)[0];
-}
-
-static void *room(size_t count, size_t size) {
-    void *block = calloc(count, size);
-    if (block) return block;
-    must((whirl_status){.code = WHIRL_NO_MEMORY, .message = "no memory"});
-    abort();
-}
-
-static whirl_rotor *rotor_of(size_t stations, double r_k) {
+static whirl_rotor *rotor_of(size_t stations, int lane, int lanes) {
+    const double r_k = rotor_r_k(lane, lanes);
     return stations == 2 ? paper_rotor(r_k) : chain_rotor(stations, r_k);
 }
 
 /// From rest at y = -0.1 everywhere.
-static double *start_of(size_t stations) {
-    double *x = room(4 * stations, sizeof *x);
-    for (size_t s = 0; s < stations; s++) x[2 * s + 1] = -0.1;
-    return x;
+static void start_of(size_t stations, double *x) {
+    for (size_t i = 0; i < stations; i++) x[2 * i + 1] = -0.1;
+}
+
+static crowd_kind kind_of(size_t stations) {
+    return (crowd_kind){stations, whirl_integrate_default(), rotor_of, start_of};
 }
 
 static single single_new(size_t stations) {
     const whirl_integrate_options options = whirl_integrate_default();
-    single s = {.rotor = rotor_of(stations, ROTOR_R_K), .x = start_of(stations)};
+    single s = {.rotor = rotor_of(stations, 0, 1), .x = room(4 * stations, sizeof *s.x)};
+    start_of(stations, s.x);
     must(whirl_integrator_new(whirl_rotor_system(s.rotor), &options, &s.integrator));
     return s;
 }
@@ -102,38 +57,10 @@ static void single_free(single *s) {
     free(s->x);
 }
 
-static crowd *crowd_new(size_t stations, bool watched) {
-    const whirl_integrate_options options = whirl_integrate_default();
-    crowd *c = room(1, sizeof *c);
-    whirl_rotor *first = rotor_of(stations, ROTOR_R_K);
-    must(whirl_ensemble_new(whirl_rotor_system(first), &options, 0, &c->ensemble));
-    c->lanes = whirl_ensemble_lanes(c->ensemble);
-    c->stations = stations;
-    c->rotors = room(c->lanes, sizeof *c->rotors);
-    c->samples = room(SAMPLES * c->lanes * stations * 2, sizeof *c->samples);
-    c->waveform = room(SAMPLES * c->lanes * stations * 2, sizeof *c->waveform);
-    c->watch = (whirl_ensemble_observe){watched, ROTOR_STEPS / SAMPLES, crowd_sample, c};
-    double *start = start_of(stations);
-    for (size_t lane = 0; lane < c->lanes; lane++) {
-        c->rotors[lane] = lane == 0 ? first : rotor_of(stations, rotor_r_k((int)lane, (int)c->lanes));
-        must(whirl_ensemble_load(c->ensemble, lane, whirl_rotor_system(c->rotors[lane]), start));
-    }
-    free(start);
-    return c;
-}
-
-static void crowd_free(crowd *c) {
-    whirl_ensemble_free(c->ensemble);
-    for (size_t lane = 0; lane < c->lanes; lane++) whirl_rotor_free(c->rotors[lane]);
-    free(c->rotors);
-    free(c->samples);
-    free(c->waveform);
-    free(c);
-}
-
 /// Chains have no peer elsewhere: their lanes must agree with the integrator of single machines, and stay bounded.
 static void check_chain(size_t stations) {
-    crowd *c = crowd_new(stations, false);
+    const crowd_kind kind = kind_of(stations);
+    crowd *c = crowd_new(&kind, false);
     single s = single_new(stations);
     for (int i = 0; i < 20; i++) {
         crowd_revolve(c);
@@ -155,7 +82,8 @@ static void check_chain(size_t stations) {
 static void measure_crowd(const char *kind, size_t stations, bool watched, double seconds) {
     if (stations > 2) check_chain(stations);
     char name[64];
-    crowd *c = crowd_new(stations, watched);
+    const crowd_kind of = kind_of(stations);
+    crowd *c = crowd_new(&of, watched);
     snprintf(name, sizeof name, "whirl %s %s", whirl_ensemble_isa(c->ensemble), kind);
     peer_measure(&(peer){name, c->lanes, crowd_revolve, crowd_x1, c}, seconds);
     crowd_free(c);

@@ -23,7 +23,7 @@ declare -A packages=(
     [browser]="chromium-headless-shell firefox-esr"
     [lint]="clang-format clang-tidy cppcheck nodejs npm"
     # The programs that are measured beside whirl; none of them is needed for whirl itself.
-    [bench]="libgsl-dev libboost-dev octave python3 python3-numba"
+    [bench]="libgsl-dev libboost-dev octave python3 python3-numba python3-scipy"
 )
 
 say() { printf 'dependencies: %s\n' "$*" >&2; }

@@ -1,0 +1,38 @@
+/// Many machines of whirl's in lanes, bare or watched as the command's recorder does it.
+#ifndef BENCH_CROWD_H
+#define BENCH_CROWD_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "whirl/whirl.h"
+
+typedef struct crowd_kind {
+    size_t stations;
+    whirl_integrate_options options;
+    whirl_rotor *(*rotor)(size_t stations, int lane, int lanes);
+    void (*start)(size_t stations, double *x); ///< fills a state of zeros
+} crowd_kind;
+
+typedef struct crowd {
+    whirl_rotor **rotors;
+    whirl_ensemble *ensemble;
+    size_t lanes, stations, sample_count;
+    whirl_ensemble_observe watch;
+    double *samples;  ///< [CROWD_SAMPLES][stations][2][lanes] of a revolution
+    double *waveform; ///< [lanes][stations][2][CROWD_SAMPLES], as records have them
+} crowd;
+
+/// Zeros; a program without memory ends.
+void *room(size_t count, size_t size);
+
+crowd *crowd_new(const crowd_kind *kind, bool watched);
+void crowd_free(crowd *c);
+
+/// Of a peer, whose context is a crowd.
+void crowd_revolve(void *context);
+
+/// The first coordinate of the first machine.
+double crowd_x1(void *context);
+
+#endif
