@@ -31,7 +31,8 @@ typedef struct file_node {
 
 /// Parses one document. What is wrong goes to `problems`; the status is WHIRL_BAD_INPUT when there is no tree because
 /// of it. Keys that stand twice are reported and kept. Memory is the arena's.
-whirl_status tree_read(const char *text, size_t length, memory_arena *arena, whirl_problems *problems, file_node **root);
+whirl_status tree_read(const char *text, size_t length, memory_arena *arena, whirl_problems *problems,
+                       file_node **root);
 
 // ---------------------------------------------------------------- node.c
 
