@@ -49,8 +49,8 @@ whirl_status whirl_import_parse(const char *text, size_t length, const char *nam
     if (length > MOST_BYTES)
         return whirl_fail(WHIRL_BAD_INPUT, "%.200s: is larger than %d MiB, expected a rotor saved by ROSS", name,
                           MOST_BYTES >> 20);
-    whirl_status status =
-        (is_json(text, length) ? value_read_json : value_read_toml)(&arena, text, length, name, &root);
+    whirl_status status = is_json(text, length) ? value_read_json(&arena, text, length, name, &root)
+                                                : value_read_toml(&arena, text, length, name, &root);
     if (status.code == WHIRL_OK) status = convert(&reader, root, out);
     arena_free(&arena);
     if (status.code != WHIRL_OK) whirl_imported_free(out);

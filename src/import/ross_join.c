@@ -36,7 +36,7 @@ static void join_pieces(ross_rotor *rotor) {
         end = piece->start + piece->length;
     }
     rotor->first_node = rotor->pieces[0].node;
-    rotor->last_node = before->node + 1;
+    rotor->last_node = rotor->pieces[rotor->piece_count - 1].node + 1;
 }
 
 static void find_positions(import_reader *reader, ross_rotor *rotor) {
