@@ -180,13 +180,17 @@ static double finest_over(const meshing *m, size_t shaft, double from, double to
     return finest;
 }
 
+static whirl_status too_many_nodes(void) {
+    return whirl_fail(WHIRL_BAD_INPUT,
+                      "the mesh and the stations have more than %d nodes, expected fewer elements or a lower mesh_to",
+                      WHIRL_MAX_STATIONS);
+}
+
 /// Equal pieces of a stretch, no longer than the finest.
 static whirl_status refine_stretch(meshing *m, double from, double to, double finest) {
     const double pieces = ceil((to - from) / finest - 1e-9);
     whirl_status status = whirl_ok();
-    if (pieces > (double)WHIRL_MAX_STATIONS)
-        return whirl_fail(WHIRL_BAD_INPUT, "the mesh needs more than %d nodes, expected a lower mesh_to",
-                          WHIRL_MAX_STATIONS);
+    if (!(pieces <= (double)WHIRL_MAX_STATIONS)) return too_many_nodes();
     for (int i = 1; i < (int)pieces && status.code == WHIRL_OK; i++)
         status = add_break(m, from + (to - from) * i / pieces);
     return status;
@@ -216,6 +220,7 @@ static whirl_status find_breaks(meshing *m, size_t shaft, double from, double to
     if (status.code != WHIRL_OK) return status;
     merge_breaks(m, to - from);
     const size_t coarse = m->break_count;
+    if (coarse > WHIRL_MAX_STATIONS) return too_many_nodes();
     for (size_t i = 0; i + 1 < coarse && status.code == WHIRL_OK; i++)
         status =
             refine_stretch(m, m->breaks[i], m->breaks[i + 1], finest_over(m, shaft, m->breaks[i], m->breaks[i + 1]));
@@ -235,11 +240,7 @@ static whirl_status add_node(meshing *m, size_t shaft, double z, double length) 
         station = s;
     }
     out->hidden += station >= m->design->station_count;
-    if (m->design->station_count + out->hidden > WHIRL_MAX_STATIONS)
-        return whirl_fail(
-            WHIRL_BAD_INPUT,
-            "the mesh and the stations have more than %d nodes, expected fewer elements or a lower mesh_to",
-            WHIRL_MAX_STATIONS);
+    if (m->design->station_count + out->hidden > WHIRL_MAX_STATIONS) return too_many_nodes();
     out->nodes[out->node_count++] = (mesh_node){shaft, z, station};
     return whirl_ok();
 }
