@@ -20,6 +20,7 @@ declare -A below=(
     [rotor]="system.h ensemble.h rotor.h"
     [integrate]="system.h ensemble.h integrate.h"
     [linear]="system.h integrate.h linear.h"
+    [orbit]="system.h integrate.h linear.h orbit.h"
     [analyze]="system.h ensemble.h integrate.h linear.h analyze.h"
     [study]="system.h ensemble.h integrate.h linear.h analyze.h result.h study.h sensitivity.h verify.h"
     [case]="system.h ensemble.h rotor.h integrate.h analyze.h result.h study.h case.h claims.h"

@@ -18,15 +18,6 @@
 extern "C" {
 #endif
 
-/// One member of a family of machines, with the state it starts from. `release(owner)` frees all of it.
-typedef struct whirl_machine {
-    const whirl_system *system;
-    const double *start; ///< [system->dimension]
-    void *owner;
-    void (*release)(void *owner);
-    double clock, speed; ///< rad/s: of the system's time (whirl_rotor_clock), and of the shaft; for machines at rest
-} whirl_machine;
-
 /// How the starts of neighbouring points hang together.
 typedef enum whirl_carry {
     WHIRL_CARRY_NONE = 0, ///< every point starts from its machine's start

@@ -96,6 +96,10 @@ typedef struct whirl_system {
     /// Optional: the second derivative by x of switch `index` applied to u: out [dimension].
     void (*switch_curvature)(const void *model, double t, const double *x, size_t index, const double *u, double *out);
 
+    /// Optional: whether a contact begins where switch `index` becomes positive, or a motion only goes over to another
+    /// law there (a slip that reverses, a damped contact that lets go). NULL: contacts begin at all of them.
+    bool (*switch_touches)(const void *model, size_t index);
+
     /// Optional: unilateral contacts. Writes for each of `contact_count` the normal force, 0 while open,
     /// in the model's unit of force; rotors give newtons.
     size_t contact_count;
@@ -108,6 +112,15 @@ typedef struct whirl_system {
 
     const whirl_lanes *lanes; ///< NULL for systems that are not rotors; borrowed
 } whirl_system;
+
+/// One of a family of machines, with the state it starts from. `release(owner)` frees all of it.
+typedef struct whirl_machine {
+    const whirl_system *system;
+    const double *start; ///< [system->dimension]
+    void *owner;
+    void (*release)(void *owner);
+    double clock, speed; ///< rad/s: of the system's time (whirl_rotor_clock), and of the shaft; for machines at rest
+} whirl_machine;
 
 #ifdef __cplusplus
 }

@@ -13,6 +13,7 @@
 #include "whirl/integrate.h"
 #include "whirl/journal.h"
 #include "whirl/linear.h"
+#include "whirl/orbit.h"
 #include "whirl/report.h"
 #include "whirl/result.h"
 #include "whirl/rotor.h"

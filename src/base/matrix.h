@@ -43,6 +43,10 @@ bool matrix_solve_definite(size_t n, const double *a, size_t count, double *b);
 /// in `rank`, where not NULL.
 bool matrix_solve_shortest(size_t n, const double *a, double tolerance, double *b, size_t *rank);
 
+/// a = q r [n][n] with orthonormal columns q and r upper triangular, no number on its diagonal negative (Householder's
+/// reflections: Golub, Van Loan 2013, 5.2). a and q may be one.
+bool matrix_orthogonal(size_t n, const double *a, double *q, double *r);
+
 #ifdef __cplusplus
 }
 #endif

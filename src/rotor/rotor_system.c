@@ -155,6 +155,12 @@ static void switch_curvature(const void *model, double t, const double *x, size_
     spread(model, own, &by, out);
 }
 
+/// The first switch of what has a gap all around; all of springs and looseness.
+static bool switch_touches(const void *model, size_t index) {
+    const element *own = owner_of(model, &index);
+    return !own->type->contact_gap || index == 0;
+}
+
 void rotor_system_fill(whirl_rotor *rotor) {
     rotor->system = (whirl_system){.dimension = 2 * rotor->lanes.degrees + rotor->lanes.states,
                                    .period = 6.283185307179586476925,
@@ -171,6 +177,7 @@ void rotor_system_fill(whirl_rotor *rotor) {
                                    .divergence = divergence_at,
                                    .switch_gradient = switch_gradient,
                                    .switch_curvature = switch_curvature,
+                                   .switch_touches = switch_touches,
                                    .contact_count = rotor->contact_count,
                                    .contacts = contacts,
                                    .probe_count = rotor->station_count,

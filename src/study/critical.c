@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bracket.h"
+
 whirl_status resting_new(const whirl_study *study, const whirl_batch *batch, double value, resting_machine *out) {
     *out = (resting_machine){.value = value};
     whirl_status status = study->machine(study->family, batch, value, &out->machine);
@@ -91,33 +93,21 @@ static whirl_status measure_at(search *s, double value, double *result) {
     return status;
 }
 
-/// Closes in on the zero between a and b, where fa and fb have different signs: by the secant, halved in where that
-/// does not help (Dekker 1969, with Illinois' weights). False where the mode is lost on the way, or jumps.
+/// Closes in on the zero between a and b, where fa and fb have different signs. False where the mode is lost on the
+/// way, or jumps.
 static whirl_status close_in(search *s, double a, double fa, double b, double fb, bool *found) {
     enum { MOST_STEPS = 100 };
     const double jump = 1e-3 * fmax(fabs(fa), fabs(fb));
-    double last = INFINITY;
-    int side = 0;
+    bracket r = bracket_between(a, fa, b, fb);
     for (int k = 0; k < MOST_STEPS; k++) {
-        const double width = fabs(b - a), middle = 0.5 * (a + b);
-        const double secant = b - fb * (b - a) / (fb - fa);
-        const bool inside = (secant - a) * (secant - b) < 0.0;
-        const double c = inside && (width <= 0.6 * last || k % 3 != 2) ? secant : middle;
+        const double width = bracket_width(&r), middle = 0.5 * (r.a + r.b), c = bracket_next(&r);
         double fc;
-        last = width;
         const whirl_status status = measure_at(s, c, &fc);
         if (status.code != WHIRL_OK) return status;
         if (isnan(fc)) break;
-        const bool like_a = (fc < 0.0) == (fa < 0.0);
-        if (like_a) {
-            a = c, fa = fc;
-            if (side == -1) fb *= 0.5;
-        } else {
-            b = c, fb = fc;
-            if (side == 1) fa *= 0.5;
-        }
-        side = like_a ? -1 : 1;
-        if (fc == 0.0 || fabs(b - a) <= 1e-11 * fmax(fabs(a), fabs(b)) || fabs(c - middle) + width <= 1e-300) {
+        bracket_tell(&r, c, fc);
+        if (fc == 0.0 || bracket_width(&r) <= 1e-11 * fmax(fabs(r.a), fabs(r.b)) ||
+            fabs(c - middle) + width <= 1e-300) {
             *found = fabs(fc) <= jump;
             return status;
         }

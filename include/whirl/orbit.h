@@ -1,0 +1,173 @@
+/// Periodic orbits: found by shooting, with their Floquet multipliers.
+///
+/// A periodic orbit of a forced machine closes after a whole number of revolutions; one of a machine that nothing
+/// drives in time (the oil whirl of a balanced rotor) after a time of its own. Newton's method on the map over that
+/// time, with the exact derivative of the integrator's steps and of what happens at switches, finds orbits whether or
+/// not they are stable. The time may be cut into segments whose ends are unknowns of their own (multiple shooting:
+/// Stoer, Bulirsch 2002, 7.3.5): what grows along an unstable orbit then grows over one segment only.
+#ifndef WHIRL_ORBIT_H
+#define WHIRL_ORBIT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "whirl/integrate.h"
+#include "whirl/status.h"
+#include "whirl/system.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {
+    WHIRL_MAX_ORBIT = 64,     ///< most revolutions of an orbit
+    WHIRL_MAX_SEGMENTS = 1024 ///< most segments of an orbit
+};
+
+typedef struct whirl_orbit_options {
+    whirl_integrate_options integrate; ///< method: rk4, dop853 or rodas5p; "auto" is dop853
+    int segments;     ///< of a revolution; of an orbit with a time of its own, of all of it. At least 1
+    double tolerance; ///< by which an orbit may fail to close, over the largest coordinate of its nodes
+    int most_steps;   ///< of Newton's method
+} whirl_orbit_options;
+
+/// dop853 with rtol 1e-13, one segment, tolerance 1e-12, 25 steps.
+whirl_orbit_options whirl_orbit_default(void);
+
+/// A Floquet multiplier, by which a small disturbance changes over the orbit's period.
+typedef struct whirl_multiplier {
+    double real, imaginary;
+} whirl_multiplier;
+
+/// One station's or coupling's contact along an orbit, by the switching function whose zeros are where it begins and
+/// ends.
+typedef struct whirl_touch {
+    size_t index;     ///< of the switching function
+    size_t intervals; ///< in which the contact is closed, over the orbit's period (1 where it is closed all the time)
+    double nearest;   ///< of the switching function's extremes along the orbit, the value nearest to 0: at 0 it grazes
+    double share;     ///< of the period that the contact is closed
+} whirl_touch;
+
+/// An orbit; freed by whirl_orbit_free.
+typedef struct whirl_orbit {
+    size_t dimension;
+    size_t revolutions;   ///< after which it closes; 0: it has a time of its own
+    double period;        ///< in the system's unit of time
+    size_t segment_count; ///< of all of it
+    double *nodes;        ///< [segment_count][dimension] the states at the beginnings of segments; the first at t = 0
+    double residual;      ///< by which it fails to close, as the tolerance is meant
+    /// By falling modulus; turning coordinates (whirl_system.turns) have none. An orbit with a time of its own has one
+    /// that is 1, for shifts along itself; where all others lie within the unit circle, it is stable.
+    size_t multiplier_count;
+    whirl_multiplier *multipliers;
+    /// Sum of ln|multiplier| by the divergence along the orbit (Liouville) and the saltations; NaN where the system
+    /// gives no divergence or the motion slides along a switch. Small multipliers agree with it.
+    double volume;
+    size_t unstable; ///< multipliers beyond the unit circle, the one that is 1 by itself left out
+    double *low;     ///< [dimension] bounds of every coordinate
+    double *high;    ///< [dimension]
+    size_t touch_count;
+    whirl_touch *touches; ///< [touch_count] of the switching functions at which contacts begin
+} whirl_orbit;
+
+/// Finds the orbit of `revolutions` revolutions near start [dimension], by damped Newton steps: the first segment
+/// begins at start, the others where the motion leads from there. WHIRL_BAD_INPUT where revolutions are 0 or too many,
+/// or not a multiple of those after which turning coordinates come back, where the system gives no Jacobian, and with a
+/// sentence that tells how far it came where no orbit is found; WHIRL_NO_MEMORY.
+whirl_status whirl_orbit_find(const whirl_system *system, const double *start, size_t revolutions,
+                              const whirl_orbit_options *options, whirl_orbit **orbit);
+
+/// The same for a system that nothing drives in time, whose orbit closes after a time near `period` that is found with
+/// it: of all points of the orbit the one nearest to start is the first node.
+whirl_status whirl_orbit_find_free(const whirl_system *system, const double *start, double period,
+                                   const whirl_orbit_options *options, whirl_orbit **orbit);
+
+void whirl_orbit_free(whirl_orbit *orbit);
+
+/// Calls observe at the end of each of `instants` equal parts of every segment, in turn: t in (0, period].
+/// WHIRL_BAD_INPUT where the motion cannot be followed.
+whirl_status whirl_orbit_observe(const whirl_system *system, const whirl_orbit *orbit,
+                                 const whirl_orbit_options *options, size_t instants, whirl_observe_fn observe,
+                                 void *observer);
+
+// ---------------------------------------------------------------- branches
+
+/// Machines that differ by one parameter.
+typedef struct whirl_family {
+    /// Makes the machine for a value of the parameter, in SI. All have the same coordinates and switches.
+    whirl_status (*machine)(const void *context, double value, whirl_machine *machine);
+    const void *context; ///< borrowed
+} whirl_family;
+
+/// What happens at a point of a branch.
+typedef enum whirl_special {
+    WHIRL_REGULAR = 0,
+    WHIRL_FOLD,           ///< the branch turns back: a multiplier is 1
+    WHIRL_BRANCHING,      ///< another branch crosses it (a symmetry breaks): a multiplier is 1
+    WHIRL_DOUBLING,       ///< a branch of twice the period begins: a multiplier is -1
+    WHIRL_NEIMARK_SACKER, ///< a torus begins: a pair of complex multipliers is on the unit circle
+    WHIRL_GRAZE           ///< a contact begins, ends, parts or joins: a switching function has an extreme at 0
+} whirl_special;
+
+/// A point of a branch.
+typedef struct whirl_branch_point {
+    double value;          ///< of the parameter
+    whirl_special special; ///< located to 1e-10 of the branch's span, or regular
+    double angle; ///< of the pair's multipliers at a Neimark-Sacker point, rad; of a torus its rotation per period
+    size_t touch; ///< at a graze, which of the orbit's touches
+    whirl_orbit *orbit;
+} whirl_branch_point;
+
+/// Why a branch ends.
+typedef enum whirl_branch_end {
+    WHIRL_END_OF_RANGE = 0, ///< the parameter left its bounds
+    WHIRL_END_OF_POINTS,    ///< as many points as were asked for
+    WHIRL_END_CLOSED,       ///< it came back to where it began
+    WHIRL_END_LOST          ///< steps as short as allowed found no orbit: the branch may end there
+} whirl_branch_end;
+
+/// A branch, in the order in which it was followed; freed by whirl_branch_free.
+typedef struct whirl_branch {
+    size_t count;
+    whirl_branch_point *points; ///< [count]
+    whirl_branch_end end;
+} whirl_branch;
+
+typedef struct whirl_branch_options {
+    whirl_orbit_options orbit;
+    double from, to;   ///< bounds of the parameter
+    double step;       ///< first, in the branch's own length: 1 is to - from, or a change of the orbit by its own size
+    double least_step; ///< by which it must get on
+    double most_step;
+    size_t most_points;
+    bool special; ///< locate special points
+} whirl_branch_options;
+
+/// From `from` to `to` in steps of at most 0.02, at most 1000 points, special points located.
+whirl_branch_options whirl_branch_default(double from, double to);
+
+/// Follows the branch of an orbit of the family at `value` by pseudo-arclength continuation (Keller 1977), first to
+/// where the parameter changes in the direction of `direction` (+1, -1). WHIRL_BAD_INPUT where there is no such orbit
+/// near the given one, and where bounds and steps make no sense; WHIRL_NO_MEMORY.
+whirl_status whirl_branch_follow(const whirl_family *family, const whirl_orbit *start, double value, int direction,
+                                 const whirl_branch_options *options, whirl_branch **branch);
+void whirl_branch_free(whirl_branch *branch);
+
+/// The first orbit of the branch that a doubling or branching point leads to, at a distance of `step` (as in
+/// whirl_branch_options) from it: *value is its parameter. WHIRL_BAD_INPUT where none is found, or the point is none of
+/// these.
+whirl_status whirl_branch_switch(const whirl_family *family, const whirl_branch_point *point, double step,
+                                 const whirl_branch_options *options, whirl_orbit **orbit, double *value);
+
+// ---------------------------------------------------------------- products
+
+/// Eigenvalues of the product factors[count - 1] ... factors[0] of matrices [count][n][n], by falling modulus, without
+/// the product: by orthogonal iteration through the factors, whose triangular parts then show the eigenvalues, each as
+/// exact as its own size (periodic Schur form: Bojanczyk, Golub, Van Dooren 1992). Real ones alone, pairs with the
+/// positive imaginary part first. False where memory is lacking or a number is not finite.
+bool whirl_product_eigenvalues(size_t n, size_t count, const double *factors, whirl_multiplier *values);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,50 @@
+/// A zero between two places where a function has different signs: by the secant, halved in where that does not help
+/// (Dekker 1969, with Illinois' weights: Dowell, Jarratt 1971).
+#ifndef BASE_BRACKET_H
+#define BASE_BRACKET_H
+
+#include <math.h>
+#include <stdbool.h>
+
+typedef struct bracket {
+    double a, fa, b, fb;
+    double last; ///< width when the last place was asked for
+    int side;    ///< which end moved last
+    int asked;
+} bracket;
+
+static inline bracket bracket_between(double a, double fa, double b, double fb) {
+    return (bracket){.a = a, .fa = fa, .b = b, .fb = fb, .last = INFINITY};
+}
+
+static inline double bracket_width(const bracket *r) {
+    return fabs(r->b - r->a);
+}
+
+/// Where to look next.
+static inline double bracket_next(bracket *r) {
+    const double width = bracket_width(r), middle = 0.5 * (r->a + r->b);
+    const double secant = r->b - r->fb * (r->b - r->a) / (r->fb - r->fa);
+    const bool inside = (secant - r->a) * (secant - r->b) < 0.0;
+    const bool narrows = width <= 0.6 * r->last || r->asked % 3 != 2;
+    r->last = width;
+    r->asked++;
+    return inside && narrows ? secant : middle;
+}
+
+/// The function's value there.
+static inline void bracket_tell(bracket *r, double c, double fc) {
+    const bool like_a = (fc < 0.0) == (r->fa < 0.0);
+    if (like_a) {
+        r->a = c;
+        r->fa = fc;
+        if (r->side == -1) r->fb *= 0.5;
+    } else {
+        r->b = c;
+        r->fb = fc;
+        if (r->side == 1) r->fa *= 0.5;
+    }
+    r->side = like_a ? -1 : 1;
+}
+
+#endif

@@ -1,0 +1,314 @@
+// Branches of periodic orbits by pseudo-arclength continuation (Keller 1977; Allgower, Georg 1990).
+#include "branch.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+whirl_branch_options whirl_branch_default(double from, double to) {
+    return (whirl_branch_options){.orbit = whirl_orbit_default(),
+                                  .from = from,
+                                  .to = to,
+                                  .step = 0.01,
+                                  .least_step = 1e-7,
+                                  .most_step = 0.02,
+                                  .most_points = 1000,
+                                  .special = true};
+}
+
+// ---------------------------------------------------------------- waypoints
+
+whirl_status waypoint_new(const follower *f, waypoint *out) {
+    const size_t all = equations_unknowns(&f->equations);
+    *out = (waypoint){.u = calloc(2 * all, sizeof(double))};
+    if (!out->u) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a branch of %zu unknowns", all);
+    out->tangent = out->u + all;
+    return whirl_ok();
+}
+
+void waypoint_free(waypoint *p) {
+    whirl_orbit_free(p->orbit);
+    free(p->u);
+    *p = (waypoint){.u = NULL};
+}
+
+static void exchange(waypoint *a, waypoint *b) {
+    const waypoint kept = *a;
+    *a = *b;
+    *b = kept;
+}
+
+// ---------------------------------------------------------------- the follower
+
+/// What counts as 1 along the branch: of nodes, on average, the orbit's own size; its period; the parameter's span.
+static void set_scale(follower *f) {
+    const orbit_equations *e = &f->equations;
+    const size_t nodes = e->s->count * e->s->kept_count, all = equations_unknowns(e);
+    const double size = shooting_size(e->s, e->nodes);
+    for (size_t i = 0; i < nodes; i++) f->curve.scale[i] = (size > 0.0 ? size : 1.0) * sqrt((double)e->s->count);
+    for (size_t i = nodes; i + 1 < all; i++) f->curve.scale[i] = e->s->period;
+    f->curve.scale[all - 1] = f->options->to - f->options->from;
+}
+
+whirl_status follower_begin(follower *f, const whirl_family *family, const whirl_orbit *start, double value,
+                            const whirl_branch_options *options) {
+    *f = (follower){.options = options};
+    const size_t shared = start->revolutions > 0 ? start->revolutions : 1;
+    whirl_status status =
+        equations_make(&f->equations, NULL, family, value, &options->orbit, start->revolutions, start->period);
+    if (status.code != WHIRL_OK) return status;
+    orbit_equations *e = &f->equations;
+    if (e->s->dimension != start->dimension || e->s->count != start->segment_count)
+        return whirl_fail(
+            WHIRL_BAD_INPUT, "an orbit of %zu coordinates in %zu segments, expected %zu in %zu of the branch",
+            start->dimension, start->segment_count, e->s->dimension, (size_t)options->orbit.segments * shared);
+    e->reach = 0x1p-9 * (options->to - options->from) * 0.125;
+    f->curve = (curve){.count = equations_count(e),
+                       .context = e,
+                       .evaluate = equations_evaluate,
+                       .size = equations_size,
+                       .tolerance = options->orbit.tolerance,
+                       .most_steps = options->orbit.most_steps};
+    f->branch = calloc(1, sizeof *f->branch);
+    if (!f->branch || !curve_begin(&f->curve)) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a branch");
+    memcpy(e->nodes, start->nodes, e->s->count * e->s->dimension * sizeof *e->nodes);
+    set_scale(f);
+    equations_begin_at(e, start->nodes);
+    return status;
+}
+
+void follower_end(follower *f) {
+    curve_end(&f->curve);
+    equations_free(&f->equations);
+    whirl_branch_free(f->branch);
+    f->branch = NULL;
+}
+
+double follower_value(const follower *f, const double *u) {
+    return u[f->curve.count];
+}
+
+void follower_parameter_direction(const follower *f, double *direction) {
+    memset(direction, 0, f->curve.count * sizeof *direction);
+    direction[f->curve.count] = f->curve.scale[f->curve.count];
+}
+
+whirl_status follower_find(follower *f, const double *u, const double *direction, const double *along, waypoint *out) {
+    orbit_equations *e = &f->equations;
+    const size_t all = f->curve.count + 1;
+    whirl_orbit_free(out->orbit);
+    out->orbit = NULL;
+    memcpy(out->u, u, all * sizeof *u);
+    const newton_result result = curve_correct(&f->curve, direction, out->u);
+    out->steps = result.steps;
+    if (!result.found || !curve_tangent(&f->curve, along, out->tangent)) return whirl_ok();
+    return equations_describe(e, out->u, result.size, &out->orbit);
+}
+
+whirl_status follower_add(follower *f, const whirl_branch_point *point) {
+    whirl_branch *b = f->branch;
+    if (b->count == f->room) {
+        const size_t room = 2 * f->room + 64;
+        whirl_branch_point *points = realloc(b->points, room * sizeof *points);
+        if (!points) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points of a branch", room);
+        b->points = points;
+        f->room = room;
+    }
+    b->points[b->count++] = *point;
+    return whirl_ok();
+}
+
+void whirl_branch_free(whirl_branch *branch) {
+    if (!branch) return;
+    for (size_t i = 0; i < branch->count; i++) whirl_orbit_free(branch->points[i].orbit);
+    free(branch->points);
+    free(branch);
+}
+
+// ---------------------------------------------------------------- steps
+
+/// The waypoints of a walk: where it is, where it tries to get, where it began.
+typedef struct walk {
+    waypoint now, next, first;
+    double *trial; ///< [unknowns]
+    double step;
+    bool within; ///< the parameter is between its bounds
+} walk;
+
+/// A copy of the orbit goes to the branch: waypoints keep their own.
+static whirl_orbit *copy_orbit(const whirl_orbit *orbit) {
+    const size_t numbers = (orbit->segment_count + 2) * orbit->dimension;
+    const size_t size = sizeof *orbit + orbit->multiplier_count * sizeof *orbit->multipliers +
+                        orbit->touch_count * sizeof *orbit->touches + numbers * sizeof(double);
+    char *copy = malloc(size);
+    if (!copy) return NULL;
+    memcpy(copy, orbit, size);
+    whirl_orbit *out = (whirl_orbit *)(void *)copy;
+    out->multipliers = (whirl_multiplier *)(out + 1);
+    out->touches = (whirl_touch *)(out->multipliers + orbit->multiplier_count);
+    out->nodes = (double *)(out->touches + orbit->touch_count);
+    out->low = out->nodes + orbit->segment_count * orbit->dimension;
+    out->high = out->low + orbit->dimension;
+    return out;
+}
+
+static whirl_status add_waypoint(follower *f, const waypoint *p) {
+    whirl_branch_point point = {.value = follower_value(f, p->u), .orbit = copy_orbit(p->orbit)};
+    if (!point.orbit) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a point of a branch");
+    const whirl_status status = follower_add(f, &point);
+    if (status.code != WHIRL_OK) whirl_orbit_free(point.orbit);
+    return status;
+}
+
+/// Tries a step; *good where it found a point that goes on from the present one.
+static whirl_status try_step(follower *f, walk *w, bool *good) {
+    const size_t all = f->curve.count + 1;
+    for (size_t i = 0; i < all; i++) w->trial[i] = w->now.u[i] + w->step * w->now.tangent[i];
+    const whirl_status status = follower_find(f, w->trial, w->now.tangent, w->now.tangent, &w->next);
+    const waypoint *next = &w->next;
+    *good = false;
+    if (status.code != WHIRL_OK || !next->orbit) return status;
+    const size_t before = w->now.orbit->unstable, after = next->orbit->unstable;
+    const bool turned = curve_dot(&f->curve, w->now.tangent, next->tangent) < 0.9;
+    const bool leapt = (before > after ? before - after : after - before) > 2;
+    *good = !(turned || leapt) || w->step <= 8.0 * f->options->least_step;
+    return status;
+}
+
+/// Steps grow while Newton's method finds orbits with ease.
+static void choose_step(const follower *f, walk *w) {
+    const double factor = w->next.steps <= 3 ? 1.5 : w->next.steps <= 4 ? 1.1 : 0.6;
+    w->step = fmin(fmax(w->step * factor, f->options->least_step), f->options->most_step);
+}
+
+/// The last point, where the parameter is at its bound.
+static whirl_status end_at_bound(follower *f, walk *w) {
+    const whirl_branch_options *o = f->options;
+    const double value = follower_value(f, w->next.u), low = fmin(o->from, o->to), high = fmax(o->from, o->to);
+    const double bound = value > high ? high : low, before = follower_value(f, w->now.u);
+    const double share = (bound - before) / (value - before);
+    const size_t all = f->curve.count + 1;
+    double *direction = calloc(all, sizeof *direction);
+    if (!direction) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a point of a branch");
+    for (size_t i = 0; i < all; i++) w->trial[i] = w->now.u[i] + share * (w->next.u[i] - w->now.u[i]);
+    w->trial[all - 1] = bound;
+    follower_parameter_direction(f, direction);
+    whirl_status status = follower_find(f, w->trial, direction, w->now.tangent, &w->next);
+    free(direction);
+    f->branch->end = WHIRL_END_OF_RANGE;
+    if (status.code != WHIRL_OK || !w->next.orbit || share <= 0.0) return status;
+    for (size_t i = 0; i < all; i++) w->trial[i] = w->next.u[i] - w->now.u[i];
+    if (o->special) status = special_locate(f, &w->now, &w->next, curve_dot(&f->curve, w->trial, w->now.tangent));
+    return status.code == WHIRL_OK ? add_waypoint(f, &w->next) : status;
+}
+
+/// Whether the walk has come round to where it began.
+static bool is_closed(const follower *f, const walk *w) {
+    const size_t all = f->curve.count + 1;
+    if (f->branch->count < 8) return false;
+    for (size_t i = 0; i < all; i++) w->trial[i] = w->now.u[i] - w->first.u[i];
+    return sqrt(curve_dot(&f->curve, w->trial, w->trial)) < 0.75 * w->step &&
+           curve_dot(&f->curve, w->now.tangent, w->first.tangent) > 0.9;
+}
+
+static bool is_within(const follower *f, const waypoint *p) {
+    const double value = follower_value(f, p->u);
+    return value >= fmin(f->options->from, f->options->to) && value <= fmax(f->options->from, f->options->to);
+}
+
+/// One point further.
+static whirl_status go_on(follower *f, walk *w, bool *ended) {
+    bool good;
+    whirl_status status;
+    while (status = try_step(f, w, &good), status.code == WHIRL_OK && !good) {
+        *ended = w->step <= f->options->least_step;
+        f->branch->end = WHIRL_END_LOST;
+        if (*ended) return status;
+        w->step = fmax(0.5 * w->step, f->options->least_step);
+    }
+    if (status.code != WHIRL_OK) return status;
+    *ended = !is_within(f, &w->next);
+    if (*ended) return end_at_bound(f, w);
+    if (f->options->special) status = special_locate(f, &w->now, &w->next, w->step);
+    if (status.code == WHIRL_OK) status = add_waypoint(f, &w->next);
+    if (status.code != WHIRL_OK) return status;
+    choose_step(f, w);
+    exchange(&w->now, &w->next);
+    equations_put(&f->equations, w->now.u);
+    equations_begin_at(&f->equations, f->equations.nodes);
+    *ended = is_closed(f, w);
+    if (*ended) f->branch->end = WHIRL_END_CLOSED;
+    return status;
+}
+
+/// The first point and its direction.
+static whirl_status begin(follower *f, walk *w, double value, int direction) {
+    const size_t all = f->curve.count + 1;
+    equations_take(&f->equations, f->equations.nodes, w->trial);
+    if (f->equations.s->revolutions == 0) w->trial[all - 2] = f->equations.s->period;
+    w->trial[all - 1] = value;
+    double *along = calloc(all, sizeof *along);
+    if (!along) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a branch");
+    follower_parameter_direction(f, along);
+    whirl_status status = follower_find(f, w->trial, along, along, &w->now);
+    free(along);
+    if (status.code == WHIRL_OK && !w->now.orbit)
+        status = whirl_fail(WHIRL_BAD_INPUT, "no periodic orbit was found near the one that a branch shall begin with");
+    if (status.code != WHIRL_OK) return status;
+    const bool back = (w->now.tangent[all - 1] < 0.0) != (direction < 0);
+    for (size_t i = 0; back && i < all; i++) w->now.tangent[i] = -w->now.tangent[i];
+    memcpy(w->first.u, w->now.u, 2 * all * sizeof *w->now.u);
+    return add_waypoint(f, &w->now);
+}
+
+static whirl_status follow(follower *f, walk *w, double value, int direction) {
+    bool ended = false;
+    whirl_status status = begin(f, w, value, direction);
+    w->step = f->options->step;
+    f->branch->end = WHIRL_END_OF_POINTS;
+    while (status.code == WHIRL_OK && !ended) {
+        f->branch->end = WHIRL_END_OF_POINTS;
+        if (f->branch->count >= f->options->most_points) break;
+        status = go_on(f, w, &ended);
+    }
+    return status;
+}
+
+static whirl_status check(const whirl_branch_options *o, double value) {
+    const double low = fmin(o->from, o->to), high = fmax(o->from, o->to);
+    if (!(isfinite(low) && isfinite(high) && low < high))
+        return whirl_fail(WHIRL_BAD_INPUT, "a branch from %g to %g, expected two values", o->from, o->to);
+    if (!(value >= low && value <= high))
+        return whirl_fail(WHIRL_BAD_INPUT, "a branch begins at %g, expected a value from %g to %g", value, low, high);
+    if (!(o->least_step > 0.0 && o->least_step <= o->step && o->step <= o->most_step && isfinite(o->most_step)))
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "steps of a branch of %g to %g, the first of %g, expected them to ascend from above 0",
+                          o->least_step, o->most_step, o->step);
+    return whirl_ok();
+}
+
+whirl_status whirl_branch_follow(const whirl_family *family, const whirl_orbit *start, double value, int direction,
+                                 const whirl_branch_options *options, whirl_branch **branch) {
+    follower f;
+    walk w = {.step = 0.0};
+    *branch = NULL;
+    whirl_status status = check(options, value);
+    if (status.code != WHIRL_OK) return status;
+    status = follower_begin(&f, family, start, value, options);
+    if (status.code == WHIRL_OK) status = waypoint_new(&f, &w.now);
+    if (status.code == WHIRL_OK) status = waypoint_new(&f, &w.next);
+    if (status.code == WHIRL_OK) status = waypoint_new(&f, &w.first);
+    w.trial = status.code == WHIRL_OK ? calloc(f.curve.count + 1, sizeof *w.trial) : NULL;
+    if (status.code == WHIRL_OK && !w.trial) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a branch");
+    if (status.code == WHIRL_OK) status = follow(&f, &w, value, direction);
+    if (status.code == WHIRL_OK) {
+        *branch = f.branch;
+        f.branch = NULL;
+    }
+    free(w.trial);
+    waypoint_free(&w.now);
+    waypoint_free(&w.next);
+    waypoint_free(&w.first);
+    follower_end(&f);
+    return status;
+}

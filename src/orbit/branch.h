@@ -1,0 +1,47 @@
+/// A branch that is being followed.
+#ifndef ORBIT_BRANCH_H
+#define ORBIT_BRANCH_H
+
+#include "curve.h"
+#include "equations.h"
+
+/// A point on the way.
+typedef struct waypoint {
+    double *u, *tangent; ///< [unknowns]
+    whirl_orbit *orbit;
+    int steps; ///< of Newton's method that it took
+} waypoint;
+
+typedef struct follower {
+    orbit_equations equations;
+    curve curve;
+    const whirl_branch_options *options;
+    whirl_branch *branch;
+    size_t room; ///< points that the branch has room for
+} follower;
+
+/// Makes one at a value. Errors as equations_make. Freed by follower_end, whether it was made or not.
+whirl_status follower_begin(follower *f, const whirl_family *family, const whirl_orbit *start, double value,
+                            const whirl_branch_options *options);
+void follower_end(follower *f);
+
+/// The value of the parameter at u.
+double follower_value(const follower *f, const double *u);
+
+/// The point across `direction` from u [unknowns], with its orbit and its tangent on the side of `along`; none (orbit
+/// NULL) where none is found. Errors are those of memory.
+whirl_status follower_find(follower *f, const double *u, const double *direction, const double *along, waypoint *out);
+whirl_status waypoint_new(const follower *f, waypoint *out);
+void waypoint_free(waypoint *p);
+
+/// Adds a point to the branch, which then owns the orbit.
+whirl_status follower_add(follower *f, const whirl_branch_point *point);
+
+/// Special points between two waypoints `length` apart along the first one's tangent: adds them to the branch in their
+/// order.
+whirl_status special_locate(follower *f, const waypoint *from, const waypoint *to, double length);
+
+/// The value of the parameter's own direction, +1 in it.
+void follower_parameter_direction(const follower *f, double *direction);
+
+#endif

@@ -1,0 +1,39 @@
+/// Curves of solutions: N equations for N + 1 unknowns, of which the last one is the parameter.
+#ifndef ORBIT_CURVE_H
+#define ORBIT_CURVE_H
+
+#include "newton.h"
+
+typedef struct curve {
+    size_t count; ///< N
+    void *context;
+    /// As newton_problem has them, the derivative [N][N + 1].
+    bool (*evaluate)(void *context, const double *u, double *value, double *derivative);
+    double (*size)(void *context, const double *u, const double *value);
+    double tolerance;
+    int most_steps;
+    double *scale;  ///< [N + 1] what counts as 1 in lengths along the curve
+    double *matrix; ///< [N + 1][N + 1] the derivative at the last point that was found, a direction in the last row
+    double *values; ///< [N + 1] workspace
+    const double *direction, *from; ///< of the search under way
+} curve;
+
+/// Makes room for a curve whose other members are set. False where memory is lacking. Freed by curve_end.
+bool curve_begin(curve *c);
+void curve_end(curve *c);
+
+/// a . b with lengths as the scale has them.
+double curve_dot(const curve *c, const double *a, const double *b);
+
+/// Carries u [N + 1] to the curve, across `direction`: by steps that have no part along it.
+newton_result curve_correct(curve *c, const double *direction, double *u);
+
+/// The curve's direction at the last point found, of length 1, on the side of `along`. False where the equations'
+/// derivative loses more than one rank.
+bool curve_tangent(curve *c, const double *along, double *tangent);
+
+/// Where another curve crosses the last point found: its direction there, of length 1 and across `tangent`, of what the
+/// derivative comes nearest to leaving at 0.
+bool curve_other(curve *c, const double *tangent, double *other);
+
+#endif

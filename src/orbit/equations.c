@@ -1,0 +1,244 @@
+#include "equations.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "touch.h"
+
+static void release(orbit_equations *e) {
+    if (e->machine.release) e->machine.release(e->machine.owner);
+    memset(&e->machine, 0, sizeof e->machine);
+}
+
+whirl_status equations_make(orbit_equations *e, const whirl_system *system, const whirl_family *family, double value,
+                            const whirl_orbit_options *options, size_t revolutions, double period) {
+    *e = (orbit_equations){.options = options, .family = family, .value = value};
+    whirl_status status = family ? family->machine(family->context, value, &e->machine) : whirl_ok();
+    if (status.code == WHIRL_OK)
+        status = shooting_new(family ? e->machine.system : system, options, revolutions, period, &e->s);
+    if (status.code != WHIRL_OK) return status;
+    const size_t d = e->s->dimension, m = e->s->count;
+    e->nodes = calloc((5 * m + 3) * d + 1, sizeof *e->nodes);
+    if (!e->nodes) return whirl_fail(WHIRL_NO_MEMORY, "no memory for an orbit of %zu segments", m);
+    e->at = e->nodes + m * d;
+    e->flow = e->at + d;
+    e->work = e->flow + d;
+    return status;
+}
+
+void equations_free(orbit_equations *e) {
+    shooting_free(e->s);
+    free(e->nodes);
+    release(e);
+    e->s = NULL;
+    e->nodes = NULL;
+}
+
+size_t equations_count(const orbit_equations *e) {
+    return e->s->count * e->s->kept_count + (e->s->revolutions == 0);
+}
+
+size_t equations_unknowns(const orbit_equations *e) {
+    return equations_count(e) + (e->family != NULL);
+}
+
+double equations_period(const orbit_equations *e, const double *u) {
+    return e->s->revolutions > 0 ? e->s->period : u[e->s->count * e->s->kept_count];
+}
+
+void equations_put(orbit_equations *e, const double *u) {
+    const shooting *s = e->s;
+    for (size_t j = 0; j < s->count; j++)
+        for (size_t i = 0; i < s->kept_count; i++) e->nodes[j * s->dimension + s->kept[i]] = u[j * s->kept_count + i];
+}
+
+void equations_take(const orbit_equations *e, const double *nodes, double *u) {
+    const shooting *s = e->s;
+    for (size_t j = 0; j < s->count; j++)
+        for (size_t i = 0; i < s->kept_count; i++) u[j * s->kept_count + i] = nodes[j * s->dimension + s->kept[i]];
+}
+
+void equations_begin_at(orbit_equations *e, const double *x) {
+    const whirl_system *system = e->s->system;
+    double forcing[WHIRL_MAX_FORCING];
+    if (system->forcing_count > 0) system->forcing(system->model, 0.0, forcing);
+    memcpy(e->at, x, e->s->dimension * sizeof *x);
+    system->rhs(system->model, 0.0, forcing, x, e->flow);
+}
+
+// ---------------------------------------------------------------- another machine
+
+/// The machine at another value in the place of the present one.
+static bool turn_to(orbit_equations *e, double value) {
+    whirl_machine machine = {.system = NULL};
+    shooting *s = NULL;
+    if (value == e->value) return true;
+    whirl_status status = e->family->machine(e->family->context, value, &machine);
+    if (status.code == WHIRL_OK && machine.system->dimension == e->s->dimension)
+        status = shooting_new(machine.system, e->options, e->s->revolutions, e->s->period, &s);
+    if (!s) {
+        if (machine.release) machine.release(machine.owner);
+        return false;
+    }
+    shooting_free(e->s);
+    release(e);
+    e->s = s;
+    e->machine = machine;
+    e->value = value;
+    return true;
+}
+
+/// Where the segments of a machine beside this one lead from the same nodes.
+static bool ends_beside(const orbit_equations *e, double value, double period, double *ends) {
+    whirl_machine machine = {.system = NULL};
+    shooting *s = NULL;
+    whirl_status status = e->family->machine(e->family->context, value, &machine);
+    if (status.code == WHIRL_OK && machine.system->dimension == e->s->dimension)
+        status = shooting_new(machine.system, e->options, e->s->revolutions, e->s->period, &s);
+    const bool good = s && shooting_carry(s, e->nodes, period, false);
+    if (good) memcpy(ends, s->ends, s->count * s->dimension * sizeof *ends);
+    shooting_free(s);
+    if (machine.release) machine.release(machine.owner);
+    return good;
+}
+
+/// The derivative of the ends by the parameter, by central differences of order 4, into the first row of the workspace
+/// [segments][dimension]. Their error is the fifth derivative over 30 times reach^4, and that of the ends over reach.
+static bool by_parameter(orbit_equations *e, double period) {
+    static const double places[4] = {-2.0, -1.0, 1.0, 2.0}, weights[4] = {1.0, -8.0, 8.0, -1.0};
+    const size_t size = e->s->count * e->s->dimension;
+    double *ends = e->work + e->s->dimension;
+    for (int k = 0; k < 4; k++)
+        if (!ends_beside(e, e->value + places[k] * e->reach, period, ends + (size_t)k * size)) return false;
+    for (size_t i = 0; i < size; i++) {
+        double sum = 0.0;
+        for (size_t k = 0; k < 4; k++) sum += weights[k] * ends[k * size + i];
+        ends[i] = sum / (12.0 * e->reach);
+    }
+    return true;
+}
+
+// ---------------------------------------------------------------- values and derivatives
+
+static void write_by_nodes(const orbit_equations *e, size_t columns, double *out) {
+    const shooting *s = e->s;
+    const size_t n = s->kept_count, m = s->count;
+    for (size_t j = 0; j < m; j++)
+        for (size_t i = 0; i < n; i++) {
+            double *row = out + (j * n + i) * columns;
+            for (size_t k = 0; k < n; k++) row[j * n + k] += s->matrices[(j * n + i) * n + k];
+            row[(j + 1) % m * n + i] -= 1.0;
+        }
+}
+
+/// By the period; and the condition that says which point is the first.
+static void write_by_period(const orbit_equations *e, size_t columns, double *out) {
+    const shooting *s = e->s;
+    const size_t n = s->kept_count, own = s->count * n;
+    for (size_t j = 0; j < s->count; j++) {
+        shooting_by_period(s, j, e->work);
+        for (size_t i = 0; i < n; i++) out[(j * n + i) * columns + own] = e->work[s->kept[i]];
+    }
+    for (size_t i = 0; i < n; i++) out[own * columns + i] = e->flow[s->kept[i]];
+}
+
+static bool write_derivative(orbit_equations *e, double period, double *out) {
+    const shooting *s = e->s;
+    const size_t n = s->kept_count, columns = equations_unknowns(e);
+    memset(out, 0, equations_count(e) * columns * sizeof *out);
+    write_by_nodes(e, columns, out);
+    if (s->revolutions == 0) write_by_period(e, columns, out);
+    if (!e->family) return true;
+    if (!by_parameter(e, period)) return false;
+    const double *slopes = e->work + s->dimension;
+    for (size_t j = 0; j < s->count; j++)
+        for (size_t i = 0; i < n; i++) out[(j * n + i + 1) * columns - 1] = slopes[j * s->dimension + s->kept[i]];
+    return true;
+}
+
+bool equations_evaluate(void *context, const double *u, double *value, double *derivative) {
+    orbit_equations *e = context;
+    const double period = equations_period(e, u);
+    if (!(isfinite(period) && period > 0.0)) return false;
+    if (e->family && !turn_to(e, u[equations_unknowns(e) - 1])) return false;
+    shooting *s = e->s;
+    equations_put(e, u);
+    if (!shooting_carry(s, e->nodes, period, derivative != NULL)) return false;
+    shooting_turn(s, e->nodes);
+    shooting_gap(s, e->nodes, value);
+    if (s->revolutions == 0) {
+        double *phase = value + s->count * s->kept_count;
+        *phase = 0.0;
+        for (size_t i = 0; i < s->dimension; i++) *phase += e->flow[i] * (e->nodes[i] - e->at[i]);
+    }
+    return !derivative || write_derivative(e, period, derivative);
+}
+
+double equations_size(void *context, const double *u, const double *value) {
+    const orbit_equations *e = context;
+    const double size = shooting_size(e->s, e->nodes);
+    double largest = 0.0;
+    (void)u;
+    for (size_t i = 0; i < e->s->count * e->s->kept_count; i++) largest = fmax(largest, fabs(value[i]));
+    return size > 0.0 ? largest / size : largest;
+}
+
+// ---------------------------------------------------------------- what is told of one
+
+static whirl_orbit *allocate(const shooting *s, size_t touches) {
+    const size_t d = s->dimension;
+    whirl_orbit *orbit = calloc(1, sizeof *orbit + s->kept_count * sizeof(whirl_multiplier) +
+                                       touches * sizeof(whirl_touch) + (s->count + 2) * d * sizeof(double));
+    if (!orbit) return NULL;
+    orbit->dimension = d;
+    orbit->revolutions = s->revolutions;
+    orbit->segment_count = s->count;
+    orbit->multiplier_count = s->kept_count;
+    orbit->multipliers = (whirl_multiplier *)(orbit + 1);
+    orbit->touch_count = touches;
+    orbit->touches = (whirl_touch *)(orbit->multipliers + s->kept_count);
+    orbit->nodes = (double *)(orbit->touches + touches);
+    orbit->low = orbit->nodes + s->count * d;
+    orbit->high = orbit->low + d;
+    return orbit;
+}
+
+/// Multipliers beyond the unit circle; without the one nearest to 1 where a shift along the orbit has it.
+static size_t count_unstable(const whirl_orbit *orbit) {
+    const double beyond = 1.0 + 1e-9;
+    size_t own = SIZE_MAX, count = 0;
+    double nearest = INFINITY;
+    for (size_t i = 0; orbit->revolutions == 0 && i < orbit->multiplier_count; i++) {
+        const double away = hypot(orbit->multipliers[i].real - 1.0, orbit->multipliers[i].imaginary);
+        if (away < nearest) {
+            nearest = away;
+            own = i;
+        }
+    }
+    for (size_t i = 0; i < orbit->multiplier_count; i++)
+        count += i != own && hypot(orbit->multipliers[i].real, orbit->multipliers[i].imaginary) > beyond;
+    return count;
+}
+
+whirl_status equations_describe(orbit_equations *e, const double *u, double residual, whirl_orbit **out) {
+    shooting *s = e->s;
+    whirl_orbit *orbit = allocate(s, touch_count(s->system));
+    if (!orbit) return whirl_fail(WHIRL_NO_MEMORY, "no memory for an orbit of %zu segments", s->count);
+    orbit->period = equations_period(e, u);
+    orbit->residual = residual;
+    orbit->volume = s->volume;
+    memcpy(orbit->nodes, e->nodes, s->count * s->dimension * sizeof *orbit->nodes);
+    whirl_status status = whirl_ok();
+    if (!whirl_product_eigenvalues(s->kept_count, s->count, s->matrices, orbit->multipliers))
+        status =
+            whirl_fail(WHIRL_BAD_INPUT, "the multipliers of an orbit were not found: its derivative is not finite");
+    if (status.code == WHIRL_OK) status = touch_find(s, orbit);
+    orbit->unstable = count_unstable(orbit);
+    if (status.code == WHIRL_OK)
+        *out = orbit;
+    else
+        whirl_orbit_free(orbit);
+    return status;
+}

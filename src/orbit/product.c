@@ -1,0 +1,131 @@
+// Eigenvalues of a product of matrices that is never multiplied out.
+//
+// Orthogonal iteration: A_j Q_j = Q_j+1 R_j through all factors, again and again. The first columns of Q come to span
+// what grows most; then Q_0' M Q_0 = H R with R = R_m ... R_1 upper triangular and H = Q_0' Q_m upper triangular but
+// for blocks of eigenvalues of like size. The diagonal blocks of R are products of those of the factors, so that each
+// block has its own scale and nothing large hides what is small.
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "matrix.h"
+#include "whirl/orbit.h"
+
+/// Rounds through all factors: after them what is smaller by a factor of two is apart to rounding.
+enum { ROUNDS = 60 };
+
+typedef struct product {
+    size_t n, count;
+    const double *factors;
+    double *r;     ///< [count][n][n] triangular
+    double *basis; ///< [n][n] columns Q_0 of the last round
+    double *now;   ///< [n][n] columns Q_j
+    double *work;  ///< [n][n]
+} product;
+
+/// out = a b, of n by n.
+static void multiply(size_t n, const double *a, const double *b, double *out) {
+    memset(out, 0, n * n * sizeof *out);
+    for (size_t i = 0; i < n; i++)
+        for (size_t k = 0; k < n; k++)
+            for (size_t j = 0; j < n; j++) out[i * n + j] += a[i * n + k] * b[k * n + j];
+}
+
+static bool go_round(product *p) {
+    const size_t n = p->n, size = n * n;
+    memcpy(p->basis, p->now, size * sizeof *p->now);
+    for (size_t j = 0; j < p->count; j++) {
+        multiply(n, p->factors + j * size, p->now, p->work);
+        if (!matrix_orthogonal(n, p->work, p->now, p->r + j * size)) return false;
+    }
+    return true;
+}
+
+/// H = Q_0' Q_m in place of the workspace; what is zero but for rounding is zero.
+static void turn_of(product *p) {
+    const size_t n = p->n;
+    for (size_t i = 0; i < n; i++)
+        for (size_t k = 0; k < n; k++) {
+            double sum = 0.0;
+            for (size_t d = 0; d < n; d++) sum += p->basis[d * n + i] * p->now[d * n + k];
+            p->work[i * n + k] = i > k && fabs(sum) <= 8.0 * DBL_EPSILON * (double)n ? 0.0 : sum;
+        }
+}
+
+/// Where the block that begins at `first` ends: nothing below the diagonal crosses from it to what follows.
+static size_t end_of_block(const product *p, size_t first) {
+    const size_t n = p->n;
+    size_t end = first + 1;
+    for (size_t k = first; k < end; k++)
+        for (size_t i = n; i-- > end;)
+            if (p->work[i * n + k] != 0.0) {
+                end = i + 1;
+                break;
+            }
+    return end;
+}
+
+/// The block of H R, over 2^*scale; nothing in the product under- or overflows.
+static void block_of(const product *p, size_t first, size_t size, double *block, double *other, int *scale) {
+    const size_t n = p->n;
+    *scale = 0;
+    for (size_t i = 0; i < size * size; i++) block[i] = i % (size + 1) == 0 ? 1.0 : 0.0;
+    for (size_t j = 0; j <= p->count; j++) {
+        const double *from = j < p->count ? p->r + j * n * n : p->work;
+        double *factor = other, *result = other + size * size, largest = 0.0;
+        int power = 0;
+        for (size_t i = 0; i < size; i++)
+            memcpy(factor + i * size, from + (first + i) * n + first, size * sizeof *factor);
+        multiply(size, factor, block, result);
+        for (size_t i = 0; i < size * size; i++) largest = fmax(largest, fabs(result[i]));
+        (void)frexp(largest, &power);
+        for (size_t i = 0; i < size * size; i++) block[i] = ldexp(result[i], -power);
+        *scale += power;
+    }
+}
+
+static bool read_block(const product *p, size_t first, size_t size, double *room, whirl_multiplier *values) {
+    double *real = room + 3 * size * size, *imaginary = real + size;
+    int scale;
+    block_of(p, first, size, room, room + size * size, &scale);
+    if (!matrix_eigen(size, room, real, imaginary, NULL)) return false;
+    for (size_t i = 0; i < size; i++)
+        values[first + i] = (whirl_multiplier){ldexp(real[i], scale), ldexp(imaginary[i], scale)};
+    return true;
+}
+
+static int by_modulus(const void *a, const void *b) {
+    const whirl_multiplier *p = a, *q = b;
+    const double one = hypot(p->real, p->imaginary), other = hypot(q->real, q->imaginary);
+    if (one != other) return one > other ? -1 : 1;
+    if (p->real != q->real) return p->real > q->real ? -1 : 1;
+    return p->imaginary > q->imaginary ? -1 : p->imaginary < q->imaginary;
+}
+
+static bool find(product *p, double *room, whirl_multiplier *values) {
+    const size_t n = p->n;
+    for (size_t i = 0; i < n * n; i++) p->now[i] = i % (n + 1) == 0 ? 1.0 : 0.0;
+    for (int k = 0; k < ROUNDS; k++)
+        if (!go_round(p)) return false;
+    turn_of(p);
+    for (size_t first = 0, end; first < n; first = end) {
+        end = end_of_block(p, first);
+        if (!read_block(p, first, end - first, room, values)) return false;
+    }
+    qsort(values, n, sizeof *values, by_modulus);
+    return true;
+}
+
+bool whirl_product_eigenvalues(size_t n, size_t count, const double *factors, whirl_multiplier *values) {
+    const size_t size = n * n;
+    double *room = calloc((count + 6) * size + 2 * n + 1, sizeof *room);
+    if (!room) return false;
+    product p = {.n = n, .count = count, .factors = factors, .r = room};
+    p.basis = room + count * size;
+    p.now = p.basis + size;
+    p.work = p.now + size;
+    const bool good = n == 0 || find(&p, p.work + size, values);
+    free(room);
+    return good;
+}

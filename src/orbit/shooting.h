@@ -1,0 +1,57 @@
+/// The segments of an orbit and where they lead.
+#ifndef ORBIT_SHOOTING_H
+#define ORBIT_SHOOTING_H
+
+#include "part.h"
+#include "whirl/orbit.h"
+
+/// A machine with the workspace of an orbit's segments. Segment j of `count` leads from node j to node j + 1, the last
+/// one back to the first.
+typedef struct shooting {
+    const whirl_system *system;
+    size_t dimension;
+    size_t kept_count;              ///< coordinates that do not turn on and on: the unknowns of a node
+    size_t *kept;                   ///< [kept_count] which these are
+    size_t revolutions;             ///< 0: the orbit has a time of its own
+    double period;                  ///< the time of all of it that the parts were made for
+    size_t count;                   ///< segments
+    size_t part_count;              ///< after which their parts of a revolution come again
+    part *parts;                    ///< [part_count]
+    whirl_integrator **integrators; ///< [part_count]
+    double *unit;                   ///< [kept_count][dimension] unit disturbances
+    double *vectors;                ///< [kept_count][dimension]
+    double *ends;                   ///< [count][dimension] where the segments lead
+    double *matrices;               ///< [count][kept_count][kept_count] their derivatives
+    double volume;                  ///< as whirl_orbit has it
+} shooting;
+
+/// Makes one of that many revolutions, or, of 0, of an orbit that takes `period`. Errors as whirl_orbit_find. Freed by
+/// shooting_free.
+whirl_status shooting_new(const whirl_system *system, const whirl_orbit_options *options, size_t revolutions,
+                          double period, shooting **out);
+void shooting_free(shooting *s);
+
+/// Carries the segments from nodes [count][dimension]: ends, and with `derivatives` matrices and volume, too. An orbit
+/// with a time of its own takes `period`. False where a motion is not bounded.
+bool shooting_carry(shooting *s, const double *nodes, double period, bool derivatives);
+
+/// Writes what the segments miss, end - next node: gap [count][kept_count].
+void shooting_gap(const shooting *s, const double *nodes, double *gap);
+
+/// The derivative of the end of segment j by the time of the whole orbit: slope [dimension].
+void shooting_by_period(const shooting *s, size_t j, double *slope);
+
+/// Carries the segments and tells of the motion at the end of each of the equal parts that the options say, t from the
+/// orbit's beginning. False as above.
+bool shooting_observe(shooting *s, const double *nodes, double period, whirl_observe_fn observe, void *observer);
+
+/// The first node is given: writes the others where the motion leads. False where it is not bounded.
+bool shooting_spread(shooting *s, double *nodes, double period);
+
+/// Angles of the nodes after the first follow from it: those that turn are carried along.
+void shooting_turn(const shooting *s, double *nodes);
+
+/// The largest modulus of the coordinates that do not turn.
+double shooting_size(const shooting *s, const double *nodes);
+
+#endif

@@ -1,0 +1,155 @@
+#include "touch.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "turns.h"
+
+/// The last instant that was seen of an orbit.
+typedef struct watch {
+    const whirl_system *system;
+    whirl_orbit *orbit;
+    double t;
+    double *x, *slope;         ///< [dimension] there
+    double *x2, *slope2, *mid; ///< [dimension] at this instant, and between
+    double *gradient;          ///< [dimension]
+    double *values;            ///< [switch_count]
+    double *from, *rate;       ///< [touch_count] values and their rates at the last instant
+    size_t seen;
+} watch;
+
+static bool touches_at(const whirl_system *system, size_t index) {
+    return !system->switch_touches || system->switch_touches(system->model, index);
+}
+
+size_t touch_count(const whirl_system *system) {
+    size_t count = 0;
+    for (size_t i = 0; i < system->switch_count; i++) count += touches_at(system, i);
+    return count;
+}
+
+static void slope_at(const watch *w, double t, const double *x, double *slope) {
+    double forcing[WHIRL_MAX_FORCING];
+    if (w->system->forcing_count > 0) w->system->forcing(w->system->model, t, forcing);
+    w->system->rhs(w->system->model, t, forcing, x, slope);
+}
+
+static double value_at(const watch *w, size_t index, double t, const double *x) {
+    w->system->switches(w->system->model, t, x, w->values);
+    return w->values[index];
+}
+
+/// Its rate along a slope; a one-sided difference where the system gives no gradient.
+static double rate_at(const watch *w, size_t index, double t, const double *x, const double *slope) {
+    const whirl_system *system = w->system;
+    double sum = 0.0;
+    if (system->switch_gradient) {
+        system->switch_gradient(system->model, t, x, index, w->gradient, &sum);
+        for (size_t i = 0; i < system->dimension; i++) sum += w->gradient[i] * slope[i];
+        return sum;
+    }
+    const double h = 0x1p-20 * system->period;
+    for (size_t i = 0; i < system->dimension; i++) w->gradient[i] = x[i] + h * slope[i];
+    const double ahead = value_at(w, index, t + h, w->gradient);
+    for (size_t i = 0; i < system->dimension; i++) w->gradient[i] = x[i] - h * slope[i];
+    return (ahead - value_at(w, index, t - h, w->gradient)) / (2.0 * h);
+}
+
+/// The state between the last instant and this one, by the cubic through both states and slopes, and its slope.
+static void between(const watch *w, double t, double theta, double h, double *x, double *slope) {
+    const double a = theta * theta * (3.0 - 2.0 * theta), b = theta * (1.0 - theta);
+    for (size_t i = 0; i < w->system->dimension; i++) {
+        const double rise = w->x2[i] - w->x[i];
+        x[i] = w->x[i] + a * rise + h * b * ((1.0 - theta) * w->slope[i] - theta * w->slope2[i]);
+    }
+    slope_at(w, t + theta * h, x, slope);
+}
+
+/// The extreme between the last instant and this one, whose rates have different signs.
+static double extreme_between(const watch *w, size_t index, double t, double h, double rate) {
+    double low = 0.0, high = 1.0, *slope = w->mid + w->system->dimension;
+    for (int k = 0; k < 40; k++) {
+        const double theta = 0.5 * (low + high);
+        between(w, t, theta, h, w->mid, slope);
+        if ((rate_at(w, index, t + theta * h, w->mid, slope) < 0.0) == (rate < 0.0))
+            low = theta;
+        else
+            high = theta;
+    }
+    between(w, t, 0.5 * (low + high), h, w->mid, slope);
+    return value_at(w, index, t + 0.5 * (low + high) * h, w->mid);
+}
+
+static void look_at(watch *w, size_t which, double t, double h) {
+    whirl_touch *touch = &w->orbit->touches[which];
+    const double value = value_at(w, touch->index, t, w->x2), rate = rate_at(w, touch->index, t, w->x2, w->slope2);
+    const double from = w->from[which], from_rate = w->rate[which];
+    w->from[which] = value;
+    w->rate[which] = rate;
+    if (h == 0.0) return;
+    const double now = value > 0.0, before = from > 0.0;
+    touch->intervals += now > before;
+    // The part of this piece that is closed, by a straight line where it changes.
+    touch->share += h * (now == before ? now : fmax(value, from) / (fabs(value) + fabs(from)));
+    if ((from_rate < 0.0) == (rate < 0.0)) return;
+    const double extreme = extreme_between(w, touch->index, w->t, h, from_rate);
+    // An extreme beyond zero between two instants on the same side: a contact, or a gap in one, that they step over.
+    touch->intervals += now == before && (extreme > 0.0) != (now > 0.0);
+    if (fabs(extreme) < fabs(touch->nearest)) touch->nearest = extreme;
+}
+
+/// x at t, the next instant.
+static void see(watch *w, double t, const double *x, double h) {
+    whirl_orbit *orbit = w->orbit;
+    const size_t d = orbit->dimension;
+    memcpy(w->x2, x, d * sizeof *x);
+    slope_at(w, t, x, w->slope2);
+    for (size_t k = 0; k < orbit->touch_count; k++) look_at(w, k, t, h);
+    for (size_t i = 0; i < d; i++) {
+        orbit->low[i] = fmin(orbit->low[i], x[i]);
+        orbit->high[i] = fmax(orbit->high[i], x[i]);
+    }
+    memcpy(w->x, w->x2, d * sizeof *x);
+    memcpy(w->slope, w->slope2, d * sizeof *x);
+    w->t = t;
+}
+
+static void observe(void *observer, double t, const double *x) {
+    watch *w = observer;
+    see(w, t, x, t - w->t);
+}
+
+/// Bounds that what is seen will narrow, and which functions the touches are.
+static void prepare(watch *w) {
+    whirl_orbit *orbit = w->orbit;
+    for (size_t i = 0; i < orbit->dimension; i++) {
+        orbit->low[i] = INFINITY;
+        orbit->high[i] = -(double)INFINITY;
+    }
+    for (size_t i = 0, k = 0; k < orbit->touch_count; i++)
+        if (touches_at(w->system, i)) orbit->touches[k++] = (whirl_touch){.index = i, .nearest = INFINITY};
+}
+
+whirl_status touch_find(shooting *s, whirl_orbit *orbit) {
+    const size_t d = s->dimension, switches = s->system->switch_count;
+    double *room = calloc(8 * d + 3 * switches + 1, sizeof *room);
+    if (!room) return whirl_fail(WHIRL_NO_MEMORY, "no memory to follow an orbit");
+    watch w = {.system = s->system, .orbit = orbit, .x = room, .slope = room + d, .x2 = room + 2 * d};
+    w.slope2 = w.x2 + d;
+    w.mid = w.slope2 + d;
+    w.gradient = w.mid + 2 * d;
+    w.values = w.gradient + d;
+    w.from = w.values + switches;
+    w.rate = w.from + switches;
+    prepare(&w);
+    see(&w, 0.0, orbit->nodes, 0.0);
+    const bool good = shooting_observe(s, orbit->nodes, orbit->period, observe, &w);
+    for (size_t k = 0; k < orbit->touch_count; k++) {
+        whirl_touch *touch = &orbit->touches[k];
+        touch->share = fmin(fmax(touch->share / orbit->period, 0.0), 1.0);
+        if (touch->intervals == 0 && w.from[k] > 0.0) touch->intervals = 1;
+    }
+    free(room);
+    return good ? whirl_ok() : whirl_fail(WHIRL_BAD_INPUT, "the motion along an orbit leaves its bounds");
+}

@@ -1,0 +1,66 @@
+#include "support_branch.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#include <cmocka.h>
+
+#include "support_check.h"
+
+static whirl_status make_machine(const void *context, double value, whirl_machine *machine) {
+    test_family *own = malloc(sizeof *own);
+    if (!own) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine");
+    *own = *(const test_family *)context;
+    own->p[own->varied] = value;
+    own->system.model = own->p;
+    *machine = (whirl_machine){.system = &own->system, .start = own->start, .owner = own, .release = free};
+    return whirl_ok();
+}
+
+whirl_family family_of(const test_family *family) {
+    return (whirl_family){make_machine, family};
+}
+
+whirl_system system_of(const test_family *family) {
+    whirl_system system = family->system;
+    system.model = family->p;
+    return system;
+}
+
+whirl_orbit *find_orbit(const test_family *family, size_t revolutions, const whirl_orbit_options *options) {
+    const whirl_system system = system_of(family);
+    whirl_orbit *orbit = NULL;
+    require_ok(whirl_orbit_find(&system, family->start, revolutions, options, &orbit));
+    return orbit;
+}
+
+whirl_branch *follow_branch(const test_family *family, const whirl_orbit *start, int direction,
+                            const whirl_branch_options *options) {
+    const whirl_family machines = family_of(family);
+    whirl_branch *branch = NULL;
+    require_ok(whirl_branch_follow(&machines, start, family->p[family->varied], direction, options, &branch));
+    return branch;
+}
+
+const whirl_branch_point *special_point(const whirl_branch *branch, whirl_special kind, size_t which) {
+    for (size_t i = 0; i < branch->count; i++)
+        if (branch->points[i].special == kind && which-- == 0) return &branch->points[i];
+    return NULL;
+}
+
+size_t count_special(const whirl_branch *branch, whirl_special kind) {
+    size_t count = 0;
+    for (size_t i = 0; i < branch->count; i++) count += branch->points[i].special == kind;
+    return count;
+}
+
+double sum_of_logarithms(const whirl_orbit *orbit) {
+    double sum = 0.0;
+    for (size_t i = 0; i < orbit->multiplier_count; i++)
+        sum += log(hypot(orbit->multipliers[i].real, orbit->multipliers[i].imaginary));
+    return sum;
+}

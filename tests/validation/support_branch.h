@@ -1,0 +1,39 @@
+/// Families of machines whose equations a test writes itself, and what is read of their branches.
+#ifndef SUPPORT_BRANCH_H
+#define SUPPORT_BRANCH_H
+
+#include "whirl/orbit.h"
+
+enum { FAMILY_NUMBERS = 8 };
+
+/// Machines by a system whose model is the numbers p, of which one is the family's parameter.
+typedef struct test_family {
+    whirl_system system; ///< all but its model
+    double p[FAMILY_NUMBERS];
+    size_t varied; ///< index in p
+    double start[16];
+} test_family;
+
+/// The family as the library takes it; borrows the test's.
+whirl_family family_of(const test_family *family);
+
+/// The machine with the numbers as they stand: a system whose model is p.
+whirl_system system_of(const test_family *family);
+
+/// The orbit from the family's start, with the numbers as they stand; the test ends where there is none.
+whirl_orbit *find_orbit(const test_family *family, size_t revolutions, const whirl_orbit_options *options);
+
+/// Follows the branch of an orbit; the test ends with the message of an error.
+whirl_branch *follow_branch(const test_family *family, const whirl_orbit *start, int direction,
+                            const whirl_branch_options *options);
+
+/// The point of that kind, counted from 0; NULL where there are not so many.
+const whirl_branch_point *special_point(const whirl_branch *branch, whirl_special kind, size_t which);
+
+/// How many there are of a kind.
+size_t count_special(const whirl_branch *branch, whirl_special kind);
+
+/// Sum of ln|multiplier|.
+double sum_of_logarithms(const whirl_orbit *orbit);
+
+#endif
