@@ -1,0 +1,294 @@
+// Branches of periodic orbits: where and how they change, against closed forms and printed digits.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#include <cmocka.h>
+
+#include "support_branch.h"
+#include "support_check.h"
+
+static const double pi = 3.14159265358979323846;
+
+static void cosine(const void *model, double t, double *forcing) {
+    (void)model;
+    *forcing = cos(t);
+}
+
+/// Linear and cubic parts of one oscillator in tau = W t: W^2 x'' + c W x' + k x + b x^3 = F cos tau; p: these.
+enum { SPEED, DAMPING, STIFFNESS, CUBIC, FORCE };
+
+static void oscillator(const void *model, double t, const double *f, const double *x, double *dxdt) {
+    const double *p = model, W = p[SPEED];
+    (void)t;
+    dxdt[0] = x[1];
+    dxdt[1] = (p[FORCE] * *f - p[DAMPING] * W * x[1] - (p[STIFFNESS] + p[CUBIC] * x[0] * x[0]) * x[0]) / (W * W);
+}
+
+static void oscillator_tangent(const void *model, double t, const double *f, const double *x, const double *sides,
+                               size_t count, const double *u, double *out) {
+    const double *p = model, W = p[SPEED];
+    (void)t, (void)f, (void)sides;
+    for (size_t k = 0; k < count; k++, u += 2, out += 2) {
+        out[0] = u[1];
+        out[1] = -(p[DAMPING] * W * u[1] + (p[STIFFNESS] + 3.0 * p[CUBIC] * x[0] * x[0]) * u[0]) / (W * W);
+    }
+}
+
+static double oscillator_divergence(const void *model, double t, const double *f, const double *x,
+                                    const double *sides) {
+    const double *p = model;
+    (void)t, (void)f, (void)x, (void)sides;
+    return -p[DAMPING] / p[SPEED];
+}
+
+static test_family oscillator_family(double W, double c, double k, double b, double F) {
+    return (test_family){.system = {.dimension = 2,
+                                    .period = 2.0 * pi,
+                                    .forcing_count = 1,
+                                    .forcing = cosine,
+                                    .rhs = oscillator,
+                                    .tangent = oscillator_tangent,
+                                    .divergence = oscillator_divergence},
+                         .p = {W, c, k, b, F}};
+}
+
+// ---------------------------------------------------------------- folds
+
+/// NLvib's first example: both folds, by an independent program in extended precision.
+static void folds_of_nlvib(void **state) {
+    static const struct {
+        const char *W, *x, *v, *trace;
+    } rows[] = {{"1.269601955546", "-0.140434285344", "2.688580646031", "1.7807915585"},
+                {"1.115700251771", "-1.020826011254", "0.370992550122", "1.7545902833"}};
+    (void)state;
+    test_family family = oscillator_family(0.8, 0.05, 1.0, 0.1, 0.18);
+    whirl_branch_options options = whirl_branch_default(0.8, 1.5);
+    options.most_step = 0.05;
+    whirl_orbit *start = find_orbit(&family, 1, &options.orbit);
+    whirl_branch *branch = follow_branch(&family, start, 1, &options);
+    assert_int_equal(2, count_special(branch, WHIRL_FOLD));
+    assert_int_equal(0, count_special(branch, WHIRL_BRANCHING) + count_special(branch, WHIRL_DOUBLING) +
+                            count_special(branch, WHIRL_NEIMARK_SACKER));
+    assert_int_equal(WHIRL_END_OF_RANGE, branch->end);
+    for (size_t i = 0; i < 2; i++) {
+        const whirl_branch_point *fold = special_point(branch, WHIRL_FOLD, i);
+        const whirl_orbit *orbit = fold->orbit;
+        check_digits("NLvib 01", "fold: W", rows[i].W, fold->value);
+        check_within("NLvib 01", "x(0) there", strtod(rows[i].x, NULL), orbit->nodes[0], 1e-10);
+        check_within("NLvib 01", "dx/dtau(0) there", strtod(rows[i].v, NULL), orbit->nodes[1], 1e-10);
+        check_digits("NLvib 01", "trace there", rows[i].trace, orbit->multipliers[0].real + orbit->multipliers[1].real);
+    }
+    whirl_branch_free(branch);
+    whirl_orbit_free(start);
+}
+
+// ---------------------------------------------------------------- tori and neutral saddles
+
+/// A pair of coordinates in its normal form, z' = (p + i w) z - |z|^2 z, beside one that is driven, x' = cos t - x. On
+/// the orbit z = 0 the multipliers are exp(2 pi (p +- i w)): a torus begins at p = 0, and w is 2 pi times its rotation.
+enum { GROWTH, ANGULAR, LEFT, RIGHT };
+
+static void normal_form(const void *model, double t, const double *f, const double *x, double *dxdt) {
+    const double *p = model, square = x[0] * x[0] + x[1] * x[1];
+    (void)t;
+    dxdt[0] = p[GROWTH] * x[0] - p[ANGULAR] * x[1] - square * x[0];
+    dxdt[1] = p[ANGULAR] * x[0] + p[GROWTH] * x[1] - square * x[1];
+    dxdt[2] = *f - x[2];
+}
+
+static void normal_form_tangent(const void *model, double t, const double *f, const double *x, const double *sides,
+                                size_t count, const double *u, double *out) {
+    const double *p = model, a = x[0] * x[0], b = x[1] * x[1], c = 2.0 * x[0] * x[1];
+    (void)t, (void)f, (void)sides;
+    for (size_t k = 0; k < count; k++, u += 3, out += 3) {
+        out[0] = (p[GROWTH] - 3.0 * a - b) * u[0] - (p[ANGULAR] + c) * u[1];
+        out[1] = (p[ANGULAR] - c) * u[0] + (p[GROWTH] - a - 3.0 * b) * u[1];
+        out[2] = -u[2];
+    }
+}
+
+static void a_torus_begins(void **state) {
+    static const double angulars[] = {0.3, 0.05, 0.47, 1.3};
+    (void)state;
+    for (size_t i = 0; i < sizeof angulars / sizeof *angulars; i++) {
+        test_family family = {.system = {.dimension = 3,
+                                         .period = 2.0 * pi,
+                                         .forcing_count = 1,
+                                         .forcing = cosine,
+                                         .rhs = normal_form,
+                                         .tangent = normal_form_tangent},
+                              .p = {-0.1, angulars[i]},
+                              .start = {0.01, 0.0, 0.5}};
+        const whirl_branch_options options = whirl_branch_default(-0.2, 0.1);
+        whirl_orbit *start = find_orbit(&family, 1, &options.orbit);
+        whirl_branch *branch = follow_branch(&family, start, 1, &options);
+        const double turn = 2.0 * pi * angulars[i], angle = acos(cos(turn));
+        assert_int_equal(1, count_special(branch, WHIRL_NEIMARK_SACKER));
+        const whirl_branch_point *point = special_point(branch, WHIRL_NEIMARK_SACKER, 0);
+        check_within("normal form", words("w = %g: torus at", angulars[i]), 0.0, point->value, 1e-10);
+        check_within("normal form", "its angle", angle, point->angle, 1e-10);
+        assert_int_equal(0, count_special(branch, WHIRL_FOLD) + count_special(branch, WHIRL_BRANCHING) +
+                                count_special(branch, WHIRL_DOUBLING));
+        assert_int_equal(0, branch->points[0].orbit->unstable);
+        assert_int_equal(2, branch->points[branch->count - 1].orbit->unstable);
+        whirl_branch_free(branch);
+        whirl_orbit_free(start);
+    }
+}
+
+/// x' = (p - .1) x, y' = .1 y: two real multipliers whose product is 1 at p = 0, where nothing happens; at p = .1 a
+/// multiplier is 1 for all x at once. Beside them what is driven.
+static void saddles_tangent(const void *model, double t, const double *f, const double *x, const double *sides,
+                            size_t count, const double *u, double *out) {
+    const double *p = model;
+    (void)t, (void)f, (void)x, (void)sides;
+    for (size_t k = 0; k < count; k++, u += 3, out += 3) {
+        out[0] = (p[0] - 0.1) * u[0];
+        out[1] = 0.1 * u[1];
+        out[2] = -u[2];
+    }
+}
+
+static void saddles(const void *model, double t, const double *f, const double *x, double *dxdt) {
+    saddles_tangent(model, t, f, x, NULL, 1, x, dxdt);
+    dxdt[2] += *f;
+}
+
+static void neutral_saddles_are_no_tori(void **state) {
+    (void)state;
+    test_family family = {.system = {.dimension = 3,
+                                     .period = 2.0 * pi,
+                                     .forcing_count = 1,
+                                     .forcing = cosine,
+                                     .rhs = saddles,
+                                     .tangent = saddles_tangent},
+                          .p = {-0.05}};
+    const whirl_branch_options options = whirl_branch_default(-0.05, 0.05);
+    whirl_orbit *start = find_orbit(&family, 1, &options.orbit);
+    whirl_branch *branch = follow_branch(&family, start, 1, &options);
+    for (size_t i = 0; i < branch->count; i++) assert_int_equal(WHIRL_REGULAR, branch->points[i].special);
+    whirl_branch_free(branch);
+    whirl_orbit_free(start);
+}
+
+// ---------------------------------------------------------------- symmetry and doubling
+
+/// x'' + .3 x' - x + x^3 = F cos 1.2 t: its orbits double their periods on the way to chaos. Two equal wells: each
+/// orbit in one has its mirror in the other.
+static void doublings_of_duffing(void **state) {
+    (void)state;
+    test_family family = oscillator_family(1.2, 0.3, -1.0, 1.0, 0.2);
+    family.varied = FORCE;
+    family.start[0] = 0.56838897;
+    family.start[1] = 0.41272660 / 1.2;
+    whirl_branch_options options = whirl_branch_default(0.2, 0.32);
+    options.most_step = 0.05;
+    const whirl_family machines = family_of(&family);
+    double at[4], aside = 0.01;
+    size_t revolutions = 1;
+    whirl_orbit *start = find_orbit(&family, 1, &options.orbit);
+    check_digits("D2", "F = .20: x", ".56838897", start->nodes[0]);
+    for (size_t k = 0; k < 4; k++, aside *= 0.4) {
+        whirl_branch *branch = follow_branch(&family, start, 1, &options);
+        const whirl_branch_point *point = special_point(branch, WHIRL_DOUBLING, 0);
+        assert_non_null(point);
+        at[k] = point->value;
+        // Up to there it is stable, and gives it to the orbit of twice the period.
+        for (size_t i = 0; &branch->points[i] != point; i++) assert_int_equal(0, branch->points[i].orbit->unstable);
+        check_within("doubling", words("P-%zu: the multiplier at F = %.10f", revolutions, at[k]), -1.0,
+                     point->orbit->multipliers[0].real, 1e-8);
+        whirl_orbit_free(start);
+        require_ok(whirl_branch_switch(&machines, point, aside, &options, &start, &family.p[FORCE]));
+        revolutions *= 2;
+        assert_int_equal(revolutions, start->revolutions);
+        assert_int_equal(0, start->unstable);
+        assert_true(family.p[FORCE] > at[k]);
+        whirl_branch_free(branch);
+        options.step = 1e-3;
+    }
+    whirl_orbit_free(start);
+    // Feigenbaum (1978): the ratios of successive distances tend to 4.669; he gives no bound for the first ones.
+    const double ratio = (at[2] - at[1]) / (at[3] - at[2]);
+    check_within("doubling", "Feigenbaum's ratio", 4.669201609, ratio, 0.05);
+}
+
+// ---------------------------------------------------------------- grazes
+
+/// x'' + .1 x' + x + 20 (x - 1) [x > 1] = F cos W t: nothing touches up to F^2 = (1 - W^2)^2 + (.1 W)^2 of amplitude 1.
+static double gap_of(const double *p, const double *x) {
+    (void)p;
+    return x[0] - 1.0;
+}
+
+static void stop_on_sides(const void *model, double t, const double *f, const double *x, const double *sides,
+                          double *dxdt) {
+    const double *p = model;
+    oscillator(model, t, f, x, dxdt);
+    if (sides[0] > 0.0) dxdt[1] -= 20.0 * gap_of(p, x) / (p[SPEED] * p[SPEED]);
+}
+
+static void stop(const void *model, double t, const double *f, const double *x, double *dxdt) {
+    const double side = gap_of(model, x) > 0.0 ? 1.0 : -1.0;
+    stop_on_sides(model, t, f, x, &side, dxdt);
+}
+
+static void stop_tangent(const void *model, double t, const double *f, const double *x, const double *sides,
+                         size_t count, const double *u, double *out) {
+    const double *p = model;
+    const bool closed = sides ? sides[0] > 0.0 : gap_of(p, x) > 0.0;
+    oscillator_tangent(model, t, f, x, sides, count, u, out);
+    for (size_t k = 0; k < count; k++)
+        if (closed) out[2 * k + 1] -= 20.0 * u[2 * k] / (p[SPEED] * p[SPEED]);
+}
+
+static void stop_switch(const void *model, double t, const double *x, double *values) {
+    (void)t;
+    values[0] = gap_of(model, x);
+}
+
+static void stop_gradient(const void *model, double t, const double *x, size_t index, double *gradient,
+                          double *by_time) {
+    (void)model, (void)t, (void)x, (void)index;
+    gradient[0] = 1.0;
+    gradient[1] = *by_time = 0.0;
+}
+
+static void grazes_are_located(void **state) {
+    static const double speeds[] = {0.7, 0.95, 1.4};
+    (void)state;
+    for (size_t i = 0; i < sizeof speeds / sizeof *speeds; i++) {
+        const double W = speeds[i], expected = hypot(1.0 - W * W, 0.1 * W);
+        test_family family = oscillator_family(W, 0.1, 1.0, 0.0, 0.5 * expected);
+        family.system.switch_count = 1;
+        family.system.rhs = stop;
+        family.system.rhs_on_sides = stop_on_sides;
+        family.system.tangent = stop_tangent;
+        family.system.switches = stop_switch;
+        family.system.switch_gradient = stop_gradient;
+        family.varied = FORCE;
+        const whirl_branch_options options = whirl_branch_default(0.4 * expected, 1.1 * expected);
+        whirl_orbit *start = find_orbit(&family, 1, &options.orbit);
+        whirl_branch *branch = follow_branch(&family, start, 1, &options);
+        const whirl_branch_point *graze = special_point(branch, WHIRL_GRAZE, 0);
+        assert_non_null(graze);
+        check_within("graze", words("W = %g: first touch at F =", W), expected, graze->value, 1e-9);
+        for (size_t k = 0; k < branch->count; k++) {
+            const whirl_touch *touch = &branch->points[k].orbit->touches[0];
+            if (&branch->points[k] < graze) assert_int_equal(0, touch->intervals);
+            if (&branch->points[k] > graze) assert_true(touch->intervals >= 1 && touch->share > 0.0);
+        }
+        whirl_branch_free(branch);
+        whirl_orbit_free(start);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(folds_of_nlvib), cmocka_unit_test(a_torus_begins),
+                                       cmocka_unit_test(neutral_saddles_are_no_tori),
+                                       cmocka_unit_test(doublings_of_duffing), cmocka_unit_test(grazes_are_located)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
