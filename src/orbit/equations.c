@@ -1,11 +1,8 @@
 #include "equations.h"
 
 #include <math.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include "touch.h"
 
 static void release(orbit_equations *e) {
     if (e->machine.release) e->machine.release(e->machine.owner);
@@ -183,62 +180,4 @@ double equations_size(void *context, const double *u, const double *value) {
     (void)u;
     for (size_t i = 0; i < e->s->count * e->s->kept_count; i++) largest = fmax(largest, fabs(value[i]));
     return size > 0.0 ? largest / size : largest;
-}
-
-// ---------------------------------------------------------------- what is told of one
-
-static whirl_orbit *allocate(const shooting *s, size_t touches) {
-    const size_t d = s->dimension;
-    whirl_orbit *orbit = calloc(1, sizeof *orbit + s->kept_count * sizeof(whirl_multiplier) +
-                                       touches * sizeof(whirl_touch) + (s->count + 2) * d * sizeof(double));
-    if (!orbit) return NULL;
-    orbit->dimension = d;
-    orbit->revolutions = s->revolutions;
-    orbit->segment_count = s->count;
-    orbit->multiplier_count = s->kept_count;
-    orbit->multipliers = (whirl_multiplier *)(orbit + 1);
-    orbit->touch_count = touches;
-    orbit->touches = (whirl_touch *)(orbit->multipliers + s->kept_count);
-    orbit->nodes = (double *)(orbit->touches + touches);
-    orbit->low = orbit->nodes + s->count * d;
-    orbit->high = orbit->low + d;
-    return orbit;
-}
-
-/// Multipliers beyond the unit circle; without the one nearest to 1 where a shift along the orbit has it.
-static size_t count_unstable(const whirl_orbit *orbit) {
-    const double beyond = 1.0 + 1e-9;
-    size_t own = SIZE_MAX, count = 0;
-    double nearest = INFINITY;
-    for (size_t i = 0; orbit->revolutions == 0 && i < orbit->multiplier_count; i++) {
-        const double away = hypot(orbit->multipliers[i].real - 1.0, orbit->multipliers[i].imaginary);
-        if (away < nearest) {
-            nearest = away;
-            own = i;
-        }
-    }
-    for (size_t i = 0; i < orbit->multiplier_count; i++)
-        count += i != own && hypot(orbit->multipliers[i].real, orbit->multipliers[i].imaginary) > beyond;
-    return count;
-}
-
-whirl_status equations_describe(orbit_equations *e, const double *u, double residual, whirl_orbit **out) {
-    shooting *s = e->s;
-    whirl_orbit *orbit = allocate(s, touch_count(s->system));
-    if (!orbit) return whirl_fail(WHIRL_NO_MEMORY, "no memory for an orbit of %zu segments", s->count);
-    orbit->period = equations_period(e, u);
-    orbit->residual = residual;
-    orbit->volume = s->volume;
-    memcpy(orbit->nodes, e->nodes, s->count * s->dimension * sizeof *orbit->nodes);
-    whirl_status status = whirl_ok();
-    if (!whirl_product_eigenvalues(s->kept_count, s->count, s->matrices, orbit->multipliers))
-        status =
-            whirl_fail(WHIRL_BAD_INPUT, "the multipliers of an orbit were not found: its derivative is not finite");
-    if (status.code == WHIRL_OK) status = touch_find(s, orbit);
-    orbit->unstable = count_unstable(orbit);
-    if (status.code == WHIRL_OK)
-        *out = orbit;
-    else
-        whirl_orbit_free(orbit);
-    return status;
 }

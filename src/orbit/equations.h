@@ -47,7 +47,4 @@ bool equations_evaluate(void *e, const double *u, double *value, double *derivat
 /// By how much the segments of the last evaluation fail to meet, over the largest coordinate of its nodes.
 double equations_size(void *e, const double *u, const double *value);
 
-/// The orbit of the last evaluation, which was with derivatives.
-whirl_status equations_describe(orbit_equations *e, const double *u, double residual, whirl_orbit **out);
-
 #endif

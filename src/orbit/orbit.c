@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "describe.h"
 #include "equations.h"
 #include "newton.h"
 
@@ -13,10 +14,6 @@ whirl_orbit_options whirl_orbit_default(void) {
     options.integrate.rtol = 1e-13;
     options.integrate.atol = 1e-15;
     return options;
-}
-
-void whirl_orbit_free(whirl_orbit *orbit) {
-    free(orbit);
 }
 
 /// Whether Newton's method came to rest at an equilibrium, which closes after any time.
@@ -51,7 +48,7 @@ static whirl_status solve(orbit_equations *e, const double *start, const whirl_o
                           result.steps, result.size, options->tolerance);
     if (s->revolutions == 0 && rests(e))
         return whirl_fail(WHIRL_BAD_INPUT, "no periodic orbit was found: Newton's method came to an equilibrium");
-    return equations_describe(e, u, result.size, out);
+    return orbit_describe(s, e->nodes, equations_period(e, u), result.size, out);
 }
 
 static whirl_status find(const whirl_system *system, const double *start, size_t revolutions, double period,

@@ -44,11 +44,15 @@ static whirl_status make_parts(shooting *s, const whirl_orbit_options *options) 
 }
 
 static bool allocate(shooting *s) {
-    const size_t d = s->dimension, n = s->kept_count;
+    const size_t d = s->dimension;
+    s->kept = calloc(d + 1, sizeof *s->kept);
+    for (size_t i = 0; s->kept && i < d; i++)
+        if (!turns_on(s->system->turns, i)) s->kept[s->kept_count++] = i;
+    const size_t n = s->kept_count;
     s->parts = calloc(s->part_count, sizeof *s->parts);
     s->integrators = calloc(s->part_count, sizeof *s->integrators);
     s->unit = calloc(2 * n * d + s->count * (d + n * n) + 1, sizeof *s->unit);
-    if (!s->parts || !s->integrators || !s->unit) return false;
+    if (!s->kept || !s->parts || !s->integrators || !s->unit) return false;
     s->vectors = s->unit + n * d;
     s->ends = s->vectors + n * d;
     s->matrices = s->ends + s->count * d;
@@ -62,25 +66,20 @@ whirl_status shooting_new(const whirl_system *system, const whirl_orbit_options 
     whirl_status status = check(system, options, revolutions, period);
     if (status.code != WHIRL_OK) return status;
     shooting *s = calloc(1, sizeof *s);
-    size_t *kept = calloc(system->dimension + 1, sizeof *kept);
     const size_t parts = (size_t)options->segments;
-    if (s) {
-        *s = (shooting){.system = system, .dimension = system->dimension, .kept = kept, .revolutions = revolutions};
-        s->part_count = parts;
-        s->count = parts * (revolutions > 0 ? revolutions : 1);
-        s->period = revolutions > 0 ? system->period * (double)revolutions : period;
-    }
-    for (size_t i = 0; s && kept && i < system->dimension; i++)
-        if (!turns_on(system->turns, i)) kept[s->kept_count++] = i;
-    if (!s || !kept || !allocate(s))
-        status = whirl_fail(WHIRL_NO_MEMORY, "no memory for an orbit of %zu segments", parts);
+    if (!s) return whirl_fail(WHIRL_NO_MEMORY, "no memory for an orbit of %zu segments", parts);
+    *s = (shooting){.system = system,
+                    .dimension = system->dimension,
+                    .revolutions = revolutions,
+                    .period = revolutions > 0 ? system->period * (double)revolutions : period,
+                    .part_count = parts,
+                    .count = parts * (revolutions > 0 ? revolutions : 1)};
+    if (!allocate(s)) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for an orbit of %zu segments", parts);
     if (status.code == WHIRL_OK) status = make_parts(s, options);
     if (status.code == WHIRL_OK)
         *out = s;
-    else if (s)
-        shooting_free(s);
     else
-        free(kept);
+        shooting_free(s);
     return status;
 }
 

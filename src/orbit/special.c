@@ -1,10 +1,12 @@
 // Where the stability of orbits changes along a branch, or a contact.
+#include "special.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "bracket.h"
-#include "branch.h"
+#include "describe.h"
 
 /// A function whose sign tells of what.
 typedef struct test {
@@ -15,23 +17,9 @@ typedef struct test {
 
 // ---------------------------------------------------------------- functions of the multipliers
 
-/// The multiplier that a shift along the orbit has by itself; SIZE_MAX where there is none.
-static size_t own_multiplier(const whirl_orbit *orbit) {
-    size_t own = (size_t)-1;
-    double nearest = INFINITY;
-    for (size_t i = 0; orbit->revolutions == 0 && i < orbit->multiplier_count; i++) {
-        const double away = hypot(orbit->multipliers[i].real - 1.0, orbit->multipliers[i].imaginary);
-        if (away < nearest) {
-            nearest = away;
-            own = i;
-        }
-    }
-    return own;
-}
-
 /// The product of (multiplier - at) over all of them, real because they come in pairs.
 static double product_about(const whirl_orbit *orbit, double at) {
-    const size_t own = own_multiplier(orbit);
+    const size_t own = orbit_own_multiplier(orbit);
     double real = 1.0, imaginary = 0.0;
     for (size_t i = 0; i < orbit->multiplier_count; i++) {
         const double a = orbit->multipliers[i].real - at, b = orbit->multipliers[i].imaginary;
@@ -46,7 +34,7 @@ static double product_about(const whirl_orbit *orbit, double at) {
 /// The product of (multiplier i times multiplier k, less 1) over all pairs: 0 where a pair is on the unit circle, and
 /// where two real ones are each other's inverse.
 static double product_of_pairs(const whirl_orbit *orbit) {
-    const size_t own = own_multiplier(orbit);
+    const size_t own = orbit_own_multiplier(orbit);
     double real = 1.0, imaginary = 0.0;
     for (size_t i = 0; i < orbit->multiplier_count; i++)
         for (size_t k = i + 1; k < orbit->multiplier_count; k++) {
@@ -63,7 +51,7 @@ static double product_of_pairs(const whirl_orbit *orbit) {
 
 /// The pair nearest to product 1; false where it is of two real ones.
 static bool pair_on_circle(const whirl_orbit *orbit, double *angle) {
-    const size_t own = own_multiplier(orbit);
+    const size_t own = orbit_own_multiplier(orbit);
     double nearest = INFINITY, imaginary = 0.0;
     for (size_t i = 0; i < orbit->multiplier_count; i++)
         for (size_t k = i + 1; k < orbit->multiplier_count; k++) {

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "branch.h"
+#include "follower.h"
 
 /// The same orbit as one of twice as many revolutions.
 static whirl_orbit *go_round_twice(const whirl_orbit *orbit, double **nodes) {

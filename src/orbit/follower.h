@@ -1,6 +1,6 @@
 /// A branch that is being followed.
-#ifndef ORBIT_BRANCH_H
-#define ORBIT_BRANCH_H
+#ifndef ORBIT_FOLLOWER_H
+#define ORBIT_FOLLOWER_H
 
 #include "curve.h"
 #include "equations.h"
@@ -37,11 +37,7 @@ void waypoint_free(waypoint *p);
 /// Adds a point to the branch, which then owns the orbit.
 whirl_status follower_add(follower *f, const whirl_branch_point *point);
 
-/// Special points between two waypoints `length` apart along the first one's tangent: adds them to the branch in their
-/// order.
-whirl_status special_locate(follower *f, const waypoint *from, const waypoint *to, double length);
-
-/// The value of the parameter's own direction, +1 in it.
+/// The parameter's own direction, of length 1, towards larger values where bounds ascend.
 void follower_parameter_direction(const follower *f, double *direction);
 
 #endif

@@ -1,0 +1,91 @@
+// What is told of an orbit that was found.
+#include "describe.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "touch.h"
+
+/// Bytes of an orbit with its arrays, and where they lie behind it.
+static size_t size_of(const whirl_orbit *orbit) {
+    return sizeof *orbit + orbit->multiplier_count * sizeof *orbit->multipliers +
+           orbit->touch_count * sizeof *orbit->touches + (orbit->segment_count + 2) * orbit->dimension * sizeof(double);
+}
+
+static void place_arrays(whirl_orbit *orbit) {
+    orbit->multipliers = (whirl_multiplier *)(orbit + 1);
+    orbit->touches = (whirl_touch *)(orbit->multipliers + orbit->multiplier_count);
+    orbit->nodes = (double *)(orbit->touches + orbit->touch_count);
+    orbit->low = orbit->nodes + orbit->segment_count * orbit->dimension;
+    orbit->high = orbit->low + orbit->dimension;
+}
+
+static whirl_orbit *allocate(const shooting *s, size_t touches) {
+    const whirl_orbit like = {.dimension = s->dimension,
+                              .revolutions = s->revolutions,
+                              .segment_count = s->count,
+                              .multiplier_count = s->kept_count,
+                              .touch_count = touches};
+    whirl_orbit *orbit = calloc(1, size_of(&like));
+    if (!orbit) return NULL;
+    *orbit = like;
+    place_arrays(orbit);
+    return orbit;
+}
+
+whirl_orbit *orbit_copy(const whirl_orbit *orbit) {
+    whirl_orbit *copy = malloc(size_of(orbit));
+    if (!copy) return NULL;
+    memcpy(copy, orbit, size_of(orbit));
+    place_arrays(copy);
+    return copy;
+}
+
+void whirl_orbit_free(whirl_orbit *orbit) {
+    free(orbit);
+}
+
+size_t orbit_own_multiplier(const whirl_orbit *orbit) {
+    size_t own = SIZE_MAX;
+    double nearest = INFINITY;
+    for (size_t i = 0; orbit->revolutions == 0 && i < orbit->multiplier_count; i++) {
+        const double away = hypot(orbit->multipliers[i].real - 1.0, orbit->multipliers[i].imaginary);
+        if (away < nearest) {
+            nearest = away;
+            own = i;
+        }
+    }
+    return own;
+}
+
+/// Multipliers beyond the unit circle.
+static size_t count_unstable(const whirl_orbit *orbit) {
+    const double beyond = 1.0 + 1e-9;
+    const size_t own = orbit_own_multiplier(orbit);
+    size_t count = 0;
+    for (size_t i = 0; i < orbit->multiplier_count; i++)
+        count += i != own && hypot(orbit->multipliers[i].real, orbit->multipliers[i].imaginary) > beyond;
+    return count;
+}
+
+whirl_status orbit_describe(shooting *s, const double *nodes, double period, double residual, whirl_orbit **out) {
+    whirl_orbit *orbit = allocate(s, touch_count(s->system));
+    if (!orbit) return whirl_fail(WHIRL_NO_MEMORY, "no memory for an orbit of %zu segments", s->count);
+    orbit->period = period;
+    orbit->residual = residual;
+    orbit->volume = s->volume;
+    memcpy(orbit->nodes, nodes, s->count * s->dimension * sizeof *orbit->nodes);
+    whirl_status status = whirl_ok();
+    if (!whirl_product_eigenvalues(s->kept_count, s->count, s->matrices, orbit->multipliers))
+        status =
+            whirl_fail(WHIRL_BAD_INPUT, "the multipliers of an orbit were not found: its derivative is not finite");
+    if (status.code == WHIRL_OK) status = touch_find(s, orbit);
+    orbit->unstable = count_unstable(orbit);
+    if (status.code == WHIRL_OK)
+        *out = orbit;
+    else
+        whirl_orbit_free(orbit);
+    return status;
+}

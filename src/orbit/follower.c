@@ -1,0 +1,111 @@
+// What following a branch and locating its special points share.
+#include "follower.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "describe.h"
+
+// ---------------------------------------------------------------- waypoints
+
+whirl_status waypoint_new(const follower *f, waypoint *out) {
+    const size_t all = equations_unknowns(&f->equations);
+    *out = (waypoint){.u = calloc(2 * all, sizeof(double))};
+    if (!out->u) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a branch of %zu unknowns", all);
+    out->tangent = out->u + all;
+    return whirl_ok();
+}
+
+void waypoint_free(waypoint *p) {
+    whirl_orbit_free(p->orbit);
+    free(p->u);
+    *p = (waypoint){.u = NULL};
+}
+
+// ---------------------------------------------------------------- the follower
+
+/// What counts as 1 along the branch: of nodes, on average, the orbit's own size; its period; the parameter's span.
+static void set_scale(follower *f) {
+    const orbit_equations *e = &f->equations;
+    const size_t nodes = e->s->count * e->s->kept_count, all = equations_unknowns(e);
+    const double size = shooting_size(e->s, e->nodes);
+    for (size_t i = 0; i < nodes; i++) f->curve.scale[i] = (size > 0.0 ? size : 1.0) * sqrt((double)e->s->count);
+    for (size_t i = nodes; i + 1 < all; i++) f->curve.scale[i] = e->s->period;
+    f->curve.scale[all - 1] = f->options->to - f->options->from;
+}
+
+whirl_status follower_begin(follower *f, const whirl_family *family, const whirl_orbit *start, double value,
+                            const whirl_branch_options *options) {
+    *f = (follower){.options = options};
+    const size_t shared = start->revolutions > 0 ? start->revolutions : 1;
+    whirl_status status =
+        equations_make(&f->equations, NULL, family, value, &options->orbit, start->revolutions, start->period);
+    if (status.code != WHIRL_OK) return status;
+    orbit_equations *e = &f->equations;
+    if (e->s->dimension != start->dimension || e->s->count != start->segment_count)
+        return whirl_fail(
+            WHIRL_BAD_INPUT, "an orbit of %zu coordinates in %zu segments, expected %zu in %zu of the branch",
+            start->dimension, start->segment_count, e->s->dimension, (size_t)options->orbit.segments * shared);
+    e->reach = 0x1p-9 * (options->to - options->from) * 0.125;
+    f->curve = (curve){.count = equations_count(e),
+                       .context = e,
+                       .evaluate = equations_evaluate,
+                       .size = equations_size,
+                       .tolerance = options->orbit.tolerance,
+                       .most_steps = options->orbit.most_steps};
+    f->branch = calloc(1, sizeof *f->branch);
+    if (!f->branch || !curve_begin(&f->curve)) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a branch");
+    memcpy(e->nodes, start->nodes, e->s->count * e->s->dimension * sizeof *e->nodes);
+    set_scale(f);
+    equations_begin_at(e, start->nodes);
+    return status;
+}
+
+void follower_end(follower *f) {
+    curve_end(&f->curve);
+    equations_free(&f->equations);
+    whirl_branch_free(f->branch);
+    f->branch = NULL;
+}
+
+double follower_value(const follower *f, const double *u) {
+    return u[f->curve.count];
+}
+
+void follower_parameter_direction(const follower *f, double *direction) {
+    memset(direction, 0, f->curve.count * sizeof *direction);
+    direction[f->curve.count] = f->curve.scale[f->curve.count];
+}
+
+whirl_status follower_find(follower *f, const double *u, const double *direction, const double *along, waypoint *out) {
+    orbit_equations *e = &f->equations;
+    const size_t all = f->curve.count + 1;
+    whirl_orbit_free(out->orbit);
+    out->orbit = NULL;
+    memcpy(out->u, u, all * sizeof *u);
+    const newton_result result = curve_correct(&f->curve, direction, out->u);
+    out->steps = result.steps;
+    if (!result.found || !curve_tangent(&f->curve, along, out->tangent)) return whirl_ok();
+    return orbit_describe(e->s, e->nodes, equations_period(e, out->u), result.size, &out->orbit);
+}
+
+whirl_status follower_add(follower *f, const whirl_branch_point *point) {
+    whirl_branch *b = f->branch;
+    if (b->count == f->room) {
+        const size_t room = 2 * f->room + 64;
+        whirl_branch_point *points = realloc(b->points, room * sizeof *points);
+        if (!points) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points of a branch", room);
+        b->points = points;
+        f->room = room;
+    }
+    b->points[b->count++] = *point;
+    return whirl_ok();
+}
+
+void whirl_branch_free(whirl_branch *branch) {
+    if (!branch) return;
+    for (size_t i = 0; i < branch->count; i++) whirl_orbit_free(branch->points[i].orbit);
+    free(branch->points);
+    free(branch);
+}

@@ -1,0 +1,11 @@
+/// Where the stability of orbits changes along a branch, or a contact.
+#ifndef ORBIT_SPECIAL_H
+#define ORBIT_SPECIAL_H
+
+#include "follower.h"
+
+/// Special points between two waypoints `length` apart along the first one's tangent: adds them to the branch in their
+/// order.
+whirl_status special_locate(follower *f, const waypoint *from, const waypoint *to, double length);
+
+#endif
