@@ -13,6 +13,7 @@
 #include "rotor_equations.h"
 #include "support_check.h"
 #include "support_flow.h"
+#include "support_peer.h"
 #include "whirl/whirl.h"
 
 static whirl_rotor *rotor_at(double r_k) {
@@ -58,55 +59,22 @@ static void equations_are_the_same(void **unused) {
     check_within("E3", "and of its derivatives by the state", 0.0, matrix_error, 1e-12);
 }
 
-/// A line of follow.py: a word, then numbers.
-typedef struct auto_point {
-    char kind[8];
-    double r_k, state[ROTOR_STATES], multipliers[ROTOR_STATES][2];
-} auto_point;
-
-static bool read_point(FILE *stream, auto_point *point) {
-    enum { NUMBERS = 1 + 3 * ROTOR_STATES };
-    char line[2048], *rest;
-    double numbers[NUMBERS];
-    if (!fgets(line, sizeof line, stream)) return false;
-    snprintf(point->kind, sizeof point->kind, "%.*s", (int)strcspn(line, "\t"), line);
-    rest = line + strcspn(line, "\t");
-    for (int i = 0; i < NUMBERS; i++) {
-        char *begin = rest;
-        numbers[i] = strtod(begin, &rest);
-        assert_true(rest > begin);
-    }
-    point->r_k = numbers[0];
-    memcpy(point->state, numbers + 1, sizeof point->state);
-    memcpy(point->multipliers, numbers + 1 + ROTOR_STATES, sizeof point->multipliers);
-    return true;
-}
-
-/// The distance of every multiplier of AUTO's from the nearest of the others, the largest of them.
-static double multipliers_apart(const auto_point *point, const double complex *others) {
-    double largest = 0.0;
-    for (int i = 0; i < ROTOR_STATES; i++) {
-        const double complex one = point->multipliers[i][0] + point->multipliers[i][1] * I;
-        double nearest = INFINITY;
-        for (int j = 0; j < ROTOR_STATES; j++) nearest = fmin(nearest, cabs(one - others[j]));
-        largest = fmax(largest, nearest);
-    }
-    return largest;
-}
-
 /// AUTO's orbit carried by whirl's integrator, and its multipliers by differences of the flow.
-static void compare_point(const auto_point *point) {
-    whirl_rotor *rotor = rotor_at(point->r_k);
+static void compare_point(const peer_point *point) {
+    const double r_k = point->numbers[0], *state = point->numbers + 1;
+    whirl_rotor *rotor = rotor_at(r_k);
     whirl_integrator *integrator = make_integrator(whirl_rotor_system(rotor), "dop853", 1024);
     double x[ROTOR_STATES], matrix[ROTOR_STATES * ROTOR_STATES], apart = 0.0;
     double complex multipliers[ROTOR_STATES];
-    memcpy(x, point->state, sizeof x);
+    assert_int_equal(point->count, 1 + 3 * ROTOR_STATES);
+    memcpy(x, state, sizeof x);
     revolve(integrator, x, 1);
-    for (int i = 0; i < ROTOR_STATES; i++) apart = fmax(apart, fabs(x[i] - point->state[i]));
-    flow_jacobian(integrator, ROTOR_STATES, point->state, 1, 1e-4, matrix);
+    for (int i = 0; i < ROTOR_STATES; i++) apart = fmax(apart, fabs(x[i] - state[i]));
+    flow_jacobian(integrator, ROTOR_STATES, state, 1, 1e-4, matrix);
     eigenvalues(ROTOR_STATES, matrix, multipliers);
-    check_within("E3", words("return of AUTO's orbit at r_k = %.9g", point->r_k), 0.0, apart, 1e-10);
-    check_within("E3", "and its multipliers", 0.0, multipliers_apart(point, multipliers), 1e-7);
+    check_within("E3", words("return of AUTO's orbit at r_k = %.9g", r_k), 0.0, apart, 1e-10);
+    check_within("E3", "and its multipliers", 0.0, multipliers_apart(ROTOR_STATES, state + ROTOR_STATES, multipliers),
+                 1e-7);
     if (strcmp(point->kind, "NS") == 0)
         check_within("E3", "modulus of the largest where AUTO says Neimark-Sacker", 1.0,
                      largest_modulus(ROTOR_STATES, matrix), 1e-8);
@@ -116,20 +84,16 @@ static void compare_point(const auto_point *point) {
 
 static void orbits_are_the_same(void **unused) {
     (void)unused;
-    auto_point point;
-    int points = 0, torus = 0;
-    // NOLINTNEXTLINE(cert-env33-c): a command without a word from outside.
-    FILE *stream = popen("python3 " PEERS_AUTO "/follow.py --ntst 50 --to 0.37 --values 0.55,0.5,0.45,0.4", "r");
-    assert_non_null(stream);
-    while (read_point(stream, &point)) {
-        compare_point(&point);
-        points++;
-        torus += strcmp(point.kind, "NS") == 0;
+    static peer_point points[16];
+    size_t count, torus = 0;
+    if (!run_peer("python3 " PEERS_AUTO "/follow.py --ntst 50 --to 0.37 --values 0.55,0.5,0.45,0.4", points, 16,
+                  &count))
+        skip();
+    for (size_t i = 0; i < count; i++) {
+        compare_point(&points[i]);
+        torus += strcmp(points[i].kind, "NS") == 0;
     }
-    const int status = pclose(stream);
-    if (WIFEXITED(status) && WEXITSTATUS(status) == 77) skip();
-    assert_int_equal(status, 0);
-    assert_int_equal(points, 7);
+    assert_int_equal(count, 7);
     assert_int_equal(torus, 2);
 }
 
