@@ -22,6 +22,11 @@ extern "C" {
 /// WHIRL_BAD_INPUT with a sentence where none is found, or the system gives no Jacobian; WHIRL_NO_MEMORY.
 whirl_status whirl_equilibrium(const whirl_system *system, double *x);
 
+/// What whirl_equilibrium brings to zero: the right-hand side at x [dimension] with the forcing at zero amplitude and
+/// the mean over a turn of what turns on and on, slope [dimension], and its derivative by x, jacobian
+/// [dimension][dimension]. 0 in the rows and columns of what turns. Errors as whirl_equilibrium.
+whirl_status whirl_rest_slope(const whirl_system *system, const double *x, double *slope, double *jacobian);
+
 /// A mode: what goes like exp(lambda t), of the pair lambda and its conjugate the one with the positive imaginary part.
 typedef struct whirl_mode {
     double real, imaginary; ///< of lambda, by the system's unit of time (rad of a rotor's clock)

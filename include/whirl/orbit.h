@@ -34,7 +34,8 @@ typedef struct whirl_orbit_options {
 /// dop853 with rtol 1e-13, one segment, tolerance 1e-12, 25 steps.
 whirl_orbit_options whirl_orbit_default(void);
 
-/// A Floquet multiplier, by which a small disturbance changes over the orbit's period.
+/// A Floquet multiplier, by which a small disturbance changes over the orbit's period; of an equilibrium an eigenvalue
+/// of its Jacobian, by which disturbances grow in the system's unit of time.
 typedef struct whirl_multiplier {
     double real, imaginary;
 } whirl_multiplier;
@@ -52,20 +53,23 @@ typedef struct whirl_touch {
 typedef struct whirl_orbit {
     size_t dimension;
     size_t revolutions;   ///< after which it closes; 0: it has a time of its own
-    double period;        ///< in the system's unit of time
+    double period;        ///< in the system's unit of time; 0: it is an equilibrium
     size_t segment_count; ///< of all of it
     double *nodes;        ///< [segment_count][dimension] the states at the beginnings of segments; the first at t = 0
     double residual;      ///< by which it fails to close, as the tolerance is meant
-    /// By falling modulus; turning coordinates (whirl_system.turns) have none. An orbit with a time of its own has one
-    /// that is 1, for shifts along itself; where all others lie within the unit circle, it is stable.
+    /// By falling modulus, of equilibria by falling real part; turning coordinates (whirl_system.turns) have none. An
+    /// orbit with a time of its own has one that is 1, for shifts along itself; where all others lie within the unit
+    /// circle, it is stable.
     size_t multiplier_count;
     whirl_multiplier *multipliers;
     /// Sum of ln|multiplier| by the divergence along the orbit (Liouville) and the saltations; NaN where the system
-    /// gives no divergence or the motion slides along a switch. Small multipliers agree with it.
+    /// gives no divergence or the motion slides along a switch; of equilibria their sum. Small multipliers agree with
+    /// it.
     double volume;
-    size_t unstable; ///< multipliers beyond the unit circle, the one that is 1 by itself left out
-    double *low;     ///< [dimension] bounds of every coordinate
-    double *high;    ///< [dimension]
+    size_t
+        unstable; ///< multipliers beyond the unit circle, the one that is 1 by itself left out; eigenvalues that grow
+    double *low;  ///< [dimension] bounds of every coordinate
+    double *high; ///< [dimension]
     size_t touch_count;
     whirl_touch *touches; ///< [touch_count] of the switching functions at which contacts begin
 } whirl_orbit;
@@ -78,9 +82,15 @@ whirl_status whirl_orbit_find(const whirl_system *system, const double *start, s
                               const whirl_orbit_options *options, whirl_orbit **orbit);
 
 /// The same for a system that nothing drives in time, whose orbit closes after a time near `period` that is found with
-/// it: of all points of the orbit the one nearest to start is the first node.
+/// it: of all points of the orbit the one nearest to start is the first node. WHIRL_BAD_INPUT where it is driven, too,
+/// and where the search ends at an equilibrium.
 whirl_status whirl_orbit_find_free(const whirl_system *system, const double *start, double period,
                                    const whirl_orbit_options *options, whirl_orbit **orbit);
+
+/// The equilibrium of a machine near start, as whirl_equilibrium finds it, as an orbit without a period: so that its
+/// branch can be followed, too.
+whirl_status whirl_orbit_rest(const whirl_system *system, const double *start, const whirl_orbit_options *options,
+                              whirl_orbit **orbit);
 
 void whirl_orbit_free(whirl_orbit *orbit);
 
@@ -106,6 +116,7 @@ typedef enum whirl_special {
     WHIRL_BRANCHING,      ///< another branch crosses it (a symmetry breaks): a multiplier is 1
     WHIRL_DOUBLING,       ///< a branch of twice the period begins: a multiplier is -1
     WHIRL_NEIMARK_SACKER, ///< a torus begins: a pair of complex multipliers is on the unit circle
+    WHIRL_HOPF,           ///< an equilibrium begins to whirl: a pair of its eigenvalues is imaginary
     WHIRL_GRAZE           ///< a contact begins, ends, parts or joins: a switching function has an extreme at 0
 } whirl_special;
 
@@ -146,14 +157,14 @@ typedef struct whirl_branch_options {
 /// From `from` to `to` in steps of at most 0.02, at most 1000 points, special points located.
 whirl_branch_options whirl_branch_default(double from, double to);
 
-/// Follows the branch of an orbit of the family at `value` by pseudo-arclength continuation (Keller 1977), first to
-/// where the parameter changes in the direction of `direction` (+1, -1). WHIRL_BAD_INPUT where there is no such orbit
-/// near the given one, and where bounds and steps make no sense; WHIRL_NO_MEMORY.
+/// Follows the branch of an orbit, or of an equilibrium, of the family at `value` by pseudo-arclength continuation
+/// (Keller 1977), first to where the parameter changes in the direction of `direction` (+1, -1). WHIRL_BAD_INPUT where
+/// there is no such orbit near the given one, and where bounds and steps make no sense; WHIRL_NO_MEMORY.
 whirl_status whirl_branch_follow(const whirl_family *family, const whirl_orbit *start, double value, int direction,
                                  const whirl_branch_options *options, whirl_branch **branch);
 void whirl_branch_free(whirl_branch *branch);
 
-/// The first orbit of the branch that a doubling or branching point leads to, at a distance of `step` (as in
+/// The first orbit of the branch that a doubling, branching or Hopf point leads to, at a distance of `step` (as in
 /// whirl_branch_options) from it: *value is its parameter. WHIRL_BAD_INPUT where none is found, or the point is none of
 /// these.
 whirl_status whirl_branch_switch(const whirl_family *family, const whirl_branch_point *point, double step,

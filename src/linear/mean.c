@@ -92,3 +92,32 @@ bool mean_is_modulated(mean_system *m, const double *x, double *jacobian) {
     }
     return false;
 }
+
+whirl_status whirl_rest_slope(const whirl_system *system, const double *x, double *slope, double *jacobian) {
+    const size_t d = system->dimension;
+    mean_system mean;
+    void *block;
+    const whirl_status status = mean_begin(&mean, system, &block);
+    if (status.code != WHIRL_OK) return status;
+    const size_t n = mean.count;
+    mean_slope(&mean, x, slope);
+    mean_jacobian(&mean, x, jacobian);
+    // Spread from the coordinates that are kept, the last first, for they only move back.
+    for (size_t i = n; i-- > 0;) {
+        double *row = jacobian + mean.kept[i] * d;
+        memmove(row, jacobian + i * n, n * sizeof *row);
+        for (size_t k = n, end = d; k-- > 0; end = mean.kept[k]) {
+            row[mean.kept[k]] = row[k];
+            memset(row + mean.kept[k] + 1, 0, (end - mean.kept[k] - 1) * sizeof *row);
+        }
+        memset(row, 0, mean.kept[0] * sizeof *row);
+        slope[mean.kept[i]] = slope[i];
+    }
+    for (size_t i = 0; i < d; i++) {
+        if (!turns(system, i)) continue;
+        slope[i] = 0.0;
+        memset(jacobian + i * d, 0, d * sizeof *jacobian);
+    }
+    free(block);
+    return status;
+}

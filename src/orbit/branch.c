@@ -125,9 +125,7 @@ static whirl_status go_on(follower *f, walk *w, bool *ended) {
 /// The first point and its direction.
 static whirl_status begin(follower *f, walk *w, double value, int direction) {
     const size_t all = f->curve.count + 1;
-    equations_take(&f->equations, f->equations.nodes, w->trial);
-    if (f->equations.s->revolutions == 0) w->trial[all - 2] = f->equations.s->period;
-    w->trial[all - 1] = value;
+    follower_take(f, value, w->trial);
     double *along = calloc(all, sizeof *along);
     if (!along) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a branch");
     follower_parameter_direction(f, along);

@@ -50,7 +50,8 @@ void whirl_orbit_free(whirl_orbit *orbit) {
 size_t orbit_own_multiplier(const whirl_orbit *orbit) {
     size_t own = SIZE_MAX;
     double nearest = INFINITY;
-    for (size_t i = 0; orbit->revolutions == 0 && i < orbit->multiplier_count; i++) {
+    const bool has_one = orbit->revolutions == 0 && orbit->period > 0.0;
+    for (size_t i = 0; has_one && i < orbit->multiplier_count; i++) {
         const double away = hypot(orbit->multipliers[i].real - 1.0, orbit->multipliers[i].imaginary);
         if (away < nearest) {
             nearest = away;
@@ -60,14 +61,22 @@ size_t orbit_own_multiplier(const whirl_orbit *orbit) {
     return own;
 }
 
-/// Multipliers beyond the unit circle.
+/// Multipliers beyond the unit circle, or eigenvalues right of the imaginary axis.
 static size_t count_unstable(const whirl_orbit *orbit) {
-    const double beyond = 1.0 + 1e-9;
+    const double slight = 1e-9;
     const size_t own = orbit_own_multiplier(orbit);
     size_t count = 0;
-    for (size_t i = 0; i < orbit->multiplier_count; i++)
-        count += i != own && hypot(orbit->multipliers[i].real, orbit->multipliers[i].imaginary) > beyond;
+    for (size_t i = 0; i < orbit->multiplier_count; i++) {
+        const double real = orbit->multipliers[i].real, size = hypot(real, orbit->multipliers[i].imaginary);
+        count += i != own && (orbit->period > 0.0 ? size > 1.0 + slight : real > slight * size);
+    }
     return count;
+}
+
+static int by_real_part(const void *a, const void *b) {
+    const whirl_multiplier *p = a, *q = b;
+    if (p->real != q->real) return p->real > q->real ? -1 : 1;
+    return p->imaginary > q->imaginary ? -1 : p->imaginary < q->imaginary;
 }
 
 whirl_status orbit_describe(shooting *s, const double *nodes, double period, double residual, whirl_orbit **out) {
@@ -81,6 +90,7 @@ whirl_status orbit_describe(shooting *s, const double *nodes, double period, dou
     if (!whirl_product_eigenvalues(s->kept_count, s->count, s->matrices, orbit->multipliers))
         status =
             whirl_fail(WHIRL_BAD_INPUT, "the multipliers of an orbit were not found: its derivative is not finite");
+    if (shooting_rests(s)) qsort(orbit->multipliers, s->kept_count, sizeof *orbit->multipliers, by_real_part);
     if (status.code == WHIRL_OK) status = touch_find(s, orbit);
     orbit->unstable = count_unstable(orbit);
     if (status.code == WHIRL_OK)

@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "rest.h"
+
 static void release(orbit_equations *e) {
     if (e->machine.release) e->machine.release(e->machine.owner);
     memset(&e->machine, 0, sizeof e->machine);
@@ -34,7 +36,7 @@ void equations_free(orbit_equations *e) {
 }
 
 size_t equations_count(const orbit_equations *e) {
-    return e->s->count * e->s->kept_count + (e->s->revolutions == 0);
+    return e->s->count * e->s->kept_count + (e->s->revolutions == 0 && !shooting_rests(e->s));
 }
 
 size_t equations_unknowns(const orbit_equations *e) {
@@ -42,7 +44,7 @@ size_t equations_unknowns(const orbit_equations *e) {
 }
 
 double equations_period(const orbit_equations *e, const double *u) {
-    return e->s->revolutions > 0 ? e->s->period : u[e->s->count * e->s->kept_count];
+    return e->s->revolutions > 0 || shooting_rests(e->s) ? e->s->period : u[e->s->count * e->s->kept_count];
 }
 
 void equations_put(orbit_equations *e, const double *u) {
@@ -94,7 +96,11 @@ static bool ends_beside(const orbit_equations *e, double value, double period, d
     whirl_status status = e->family->machine(e->family->context, value, &machine);
     if (status.code == WHIRL_OK && machine.system->dimension == e->s->dimension)
         status = shooting_new(machine.system, e->options, e->s->revolutions, e->s->period, &s);
-    const bool good = s && shooting_carry(s, e->nodes, period, false);
+    const bool rests = shooting_rests(e->s);
+    const bool good =
+        s && (rests ? rest_slope(s, e->nodes, s->ends, false) : shooting_carry(s, e->nodes, period, false));
+    // What an equilibrium's equations are stands where the ends of what is kept do.
+    for (size_t i = s && rests ? s->kept_count : 0; i-- > 0;) s->ends[s->kept[i]] = s->ends[i];
     if (good) memcpy(ends, s->ends, s->count * s->dimension * sizeof *ends);
     shooting_free(s);
     if (machine.release) machine.release(machine.owner);
@@ -126,7 +132,7 @@ static void write_by_nodes(const orbit_equations *e, size_t columns, double *out
         for (size_t i = 0; i < n; i++) {
             double *row = out + (j * n + i) * columns;
             for (size_t k = 0; k < n; k++) row[j * n + k] += s->matrices[(j * n + i) * n + k];
-            row[(j + 1) % m * n + i] -= 1.0;
+            if (!shooting_rests(s)) row[(j + 1) % m * n + i] -= 1.0;
         }
 }
 
@@ -146,7 +152,7 @@ static bool write_derivative(orbit_equations *e, double period, double *out) {
     const size_t n = s->kept_count, columns = equations_unknowns(e);
     memset(out, 0, equations_count(e) * columns * sizeof *out);
     write_by_nodes(e, columns, out);
-    if (s->revolutions == 0) write_by_period(e, columns, out);
+    if (equations_count(e) > s->count * n) write_by_period(e, columns, out);
     if (!e->family) return true;
     if (!by_parameter(e, period)) return false;
     const double *slopes = e->work + s->dimension;
@@ -158,10 +164,13 @@ static bool write_derivative(orbit_equations *e, double period, double *out) {
 bool equations_evaluate(void *context, const double *u, double *value, double *derivative) {
     orbit_equations *e = context;
     const double period = equations_period(e, u);
-    if (!(isfinite(period) && period > 0.0)) return false;
+    if (!(isfinite(period) && period >= 0.0)) return false;
     if (e->family && !turn_to(e, u[equations_unknowns(e) - 1])) return false;
     shooting *s = e->s;
     equations_put(e, u);
+    if (shooting_rests(s))
+        return rest_slope(s, e->nodes, value, true) && (!derivative || write_derivative(e, period, derivative));
+    if (period == 0.0) return false;
     if (!shooting_carry(s, e->nodes, period, derivative != NULL)) return false;
     shooting_turn(s, e->nodes);
     shooting_gap(s, e->nodes, value);
@@ -175,6 +184,7 @@ bool equations_evaluate(void *context, const double *u, double *value, double *d
 
 double equations_size(void *context, const double *u, const double *value) {
     const orbit_equations *e = context;
+    if (shooting_rests(e->s)) return rest_size(e->s, e->nodes, value);
     const double size = shooting_size(e->s, e->nodes);
     double largest = 0.0;
     (void)u;

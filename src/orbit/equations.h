@@ -6,7 +6,7 @@
 
 /// Unknowns: what does not turn of every node, [segments][kept]; the period, where the orbit has a time of its own; the
 /// parameter, where machines are one of a family. Equations: as many as nodes have, and where the period is unknown the
-/// one that says which point of the orbit is the first.
+/// one that says which point of the orbit is the first. An equilibrium is one node, at which forces vanish.
 typedef struct orbit_equations {
     const whirl_orbit_options *options;
     const whirl_family *family; ///< NULL: one machine, no parameter

@@ -73,6 +73,13 @@ double follower_value(const follower *f, const double *u) {
     return u[f->curve.count];
 }
 
+void follower_take(const follower *f, double value, double *u) {
+    const orbit_equations *e = &f->equations;
+    equations_take(e, e->nodes, u);
+    if (f->curve.count > e->s->count * e->s->kept_count) u[f->curve.count - 1] = e->s->period;
+    u[f->curve.count] = value;
+}
+
 void follower_parameter_direction(const follower *f, double *direction) {
     memset(direction, 0, f->curve.count * sizeof *direction);
     direction[f->curve.count] = f->curve.scale[f->curve.count];

@@ -28,6 +28,9 @@ void follower_end(follower *f);
 /// The value of the parameter at u.
 double follower_value(const follower *f, const double *u);
 
+/// The unknowns of the equations' nodes at a value: u [unknowns].
+void follower_take(const follower *f, double value, double *u);
+
 /// The point across `direction` from u [unknowns], with its orbit and its tangent on the side of `along`; none (orbit
 /// NULL) where none is found. Errors are those of memory.
 whirl_status follower_find(follower *f, const double *u, const double *direction, const double *along, waypoint *out);

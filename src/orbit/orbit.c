@@ -6,6 +6,7 @@
 #include "describe.h"
 #include "equations.h"
 #include "newton.h"
+#include "whirl/linear.h"
 
 whirl_orbit_options whirl_orbit_default(void) {
     whirl_orbit_options options = {
@@ -39,14 +40,14 @@ static whirl_status solve(orbit_equations *e, const double *start, const whirl_o
     if (!shooting_spread(s, e->nodes, s->period))
         return whirl_fail(WHIRL_BAD_INPUT, "the motion from where an orbit is looked for leaves its bounds");
     equations_take(e, e->nodes, u);
-    if (s->revolutions == 0) u[problem.count - 1] = s->period;
+    if (problem.count > s->count * s->kept_count) u[problem.count - 1] = s->period;
     const newton_result result = newton_solve(&problem, u);
     if (!result.found)
         return whirl_fail(WHIRL_BAD_INPUT,
                           "no periodic orbit was found: after %d steps of Newton's method it fails to close by %.3g of "
                           "its size, expected %.3g",
                           result.steps, result.size, options->tolerance);
-    if (s->revolutions == 0 && rests(e))
+    if (s->revolutions == 0 && !shooting_rests(s) && rests(e))
         return whirl_fail(WHIRL_BAD_INPUT, "no periodic orbit was found: Newton's method came to an equilibrium");
     return orbit_describe(s, e->nodes, equations_period(e, u), result.size, out);
 }
@@ -74,9 +75,45 @@ whirl_status whirl_orbit_find(const whirl_system *system, const double *start, s
     return find(system, start, revolutions, 0.0, options, orbit);
 }
 
+/// Whether the right-hand side depends on time, at instants without any symmetry between them.
+static bool is_driven(const whirl_system *system, const double *x, double *slopes) {
+    enum { LOOKS = 5 };
+    double forcing[WHIRL_MAX_FORCING], *other = slopes + system->dimension;
+    for (int look = 0; look < LOOKS; look++) {
+        const double t = system->period * 0.19 * look;
+        if (system->forcing_count > 0) system->forcing(system->model, t, forcing);
+        system->rhs(system->model, t, forcing, x, look == 0 ? slopes : other);
+        for (size_t i = 0; i < system->dimension && look > 0; i++)
+            if (fabs(other[i] - slopes[i]) > 1e-12 * fmax(fabs(other[i]), fabs(slopes[i]))) return true;
+    }
+    return false;
+}
+
 whirl_status whirl_orbit_find_free(const whirl_system *system, const double *start, double period,
                                    const whirl_orbit_options *options, whirl_orbit **orbit) {
+    *orbit = NULL;
+    if (!(period > 0.0))
+        return whirl_fail(WHIRL_BAD_INPUT, "an orbit's period is %g, expected a number above 0", period);
+    double *slopes = calloc(2 * system->dimension + 1, sizeof *slopes);
+    if (!slopes) return whirl_fail(WHIRL_NO_MEMORY, "no memory for an orbit");
+    const bool driven = is_driven(system, start, slopes);
+    free(slopes);
+    if (driven)
+        return whirl_fail(WHIRL_BAD_INPUT, "the machine is driven in time (unbalance, forces that turn), expected one "
+                                           "that is not for an orbit with a time of its own");
     return find(system, start, 0, period, options, orbit);
+}
+
+whirl_status whirl_orbit_rest(const whirl_system *system, const double *start, const whirl_orbit_options *options,
+                              whirl_orbit **orbit) {
+    double *x = malloc((system->dimension + 1) * sizeof *x);
+    *orbit = NULL;
+    if (!x) return whirl_fail(WHIRL_NO_MEMORY, "no memory for an equilibrium");
+    memcpy(x, start, system->dimension * sizeof *x);
+    whirl_status status = whirl_equilibrium(system, x);
+    if (status.code == WHIRL_OK) status = find(system, x, 0, 0.0, options, orbit);
+    free(x);
+    return status;
 }
 
 whirl_status whirl_orbit_observe(const whirl_system *system, const whirl_orbit *orbit,

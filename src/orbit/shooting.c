@@ -16,9 +16,9 @@ static whirl_status check(const whirl_system *system, const whirl_orbit_options 
                           WHIRL_MAX_ORBIT);
     if (options->segments < 1 || segments > WHIRL_MAX_SEGMENTS)
         return whirl_fail(WHIRL_BAD_INPUT, "an orbit of %zu segments, expected 1 to %d", segments, WHIRL_MAX_SEGMENTS);
-    if (revolutions == 0 && !(isfinite(period) && period > 0.0))
+    if (revolutions == 0 && !(isfinite(period) && period >= 0.0))
         return whirl_fail(WHIRL_BAD_INPUT, "an orbit's period is %g, expected a number above 0", period);
-    if (repeats == 0)
+    if (repeats == 0 && !(revolutions == 0 && period == 0.0))
         return whirl_fail(WHIRL_BAD_INPUT, "forces turn with a phase that fits no number of revolutions: there are no "
                                            "periodic orbits");
     if (revolutions % repeats != 0)
@@ -27,6 +27,10 @@ static whirl_status check(const whirl_system *system, const whirl_orbit_options 
                           "that turns comes back",
                           revolutions, repeats);
     return whirl_ok();
+}
+
+bool shooting_rests(const shooting *s) {
+    return s->period == 0.0;
 }
 
 static whirl_status make_parts(shooting *s, const whirl_orbit_options *options) {
@@ -66,7 +70,8 @@ whirl_status shooting_new(const whirl_system *system, const whirl_orbit_options 
     whirl_status status = check(system, options, revolutions, period);
     if (status.code != WHIRL_OK) return status;
     shooting *s = calloc(1, sizeof *s);
-    const size_t parts = (size_t)options->segments;
+    const bool rests = revolutions == 0 && period == 0.0;
+    const size_t parts = rests ? 1 : (size_t)options->segments;
     if (!s) return whirl_fail(WHIRL_NO_MEMORY, "no memory for an orbit of %zu segments", parts);
     *s = (shooting){.system = system,
                     .dimension = system->dimension,
@@ -75,7 +80,7 @@ whirl_status shooting_new(const whirl_system *system, const whirl_orbit_options 
                     .part_count = parts,
                     .count = parts * (revolutions > 0 ? revolutions : 1)};
     if (!allocate(s)) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for an orbit of %zu segments", parts);
-    if (status.code == WHIRL_OK) status = make_parts(s, options);
+    if (status.code == WHIRL_OK && !rests) status = make_parts(s, options);
     if (status.code == WHIRL_OK)
         *out = s;
     else

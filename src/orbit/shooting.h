@@ -25,11 +25,15 @@ typedef struct shooting {
     double volume;                  ///< as whirl_orbit has it
 } shooting;
 
-/// Makes one of that many revolutions, or, of 0, of an orbit that takes `period`. Errors as whirl_orbit_find. Freed by
-/// shooting_free.
+/// Makes one of that many revolutions, or, of 0, of an orbit that takes `period`, or, of no time at all, of an
+/// equilibrium: its one node stays where it is, and the one matrix is its Jacobian. Errors as whirl_orbit_find. Freed
+/// by shooting_free.
 whirl_status shooting_new(const whirl_system *system, const whirl_orbit_options *options, size_t revolutions,
                           double period, shooting **out);
 void shooting_free(shooting *s);
+
+/// Whether it is of an equilibrium.
+bool shooting_rests(const shooting *s);
 
 /// Carries the segments from nodes [count][dimension]: ends, and with `derivatives` matrices and volume, too. An orbit
 /// with a time of its own takes `period`. False where a motion is not bounded.

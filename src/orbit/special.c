@@ -17,52 +17,72 @@ typedef struct test {
 
 // ---------------------------------------------------------------- functions of the multipliers
 
+/// A product of complex numbers.
+typedef struct product {
+    double real, imaginary;
+} product;
+
+static void take_into(product *p, double real, double imaginary) {
+    const double next = p->real * real - p->imaginary * imaginary;
+    p->imaginary = p->real * imaginary + p->imaginary * real;
+    p->real = next;
+}
+
+/// ... over what its size may be, lest many of them leave the range of numbers.
+static void take_over(product *p, double real, double imaginary, double size) {
+    take_into(p, real / size, imaginary / size);
+}
+
+static double size_of(const whirl_orbit *orbit, size_t i) {
+    return hypot(orbit->multipliers[i].real, orbit->multipliers[i].imaginary);
+}
+
 /// The product of (multiplier - at) over all of them, real because they come in pairs.
 static double product_about(const whirl_orbit *orbit, double at) {
     const size_t own = orbit_own_multiplier(orbit);
-    double real = 1.0, imaginary = 0.0;
-    for (size_t i = 0; i < orbit->multiplier_count; i++) {
-        const double a = orbit->multipliers[i].real - at, b = orbit->multipliers[i].imaginary;
-        if (i == own) continue;
-        const double next = real * a - imaginary * b;
-        imaginary = real * b + imaginary * a;
-        real = next;
-    }
-    return real;
+    product all = {1.0, 0.0};
+    for (size_t i = 0; i < orbit->multiplier_count; i++)
+        if (i != own)
+            take_over(&all, orbit->multipliers[i].real - at, orbit->multipliers[i].imaginary, size_of(orbit, i) + 1.0);
+    return all.real;
 }
 
-/// The product of (multiplier i times multiplier k, less 1) over all pairs: 0 where a pair is on the unit circle, and
-/// where two real ones are each other's inverse.
+/// What vanishes where two multipliers are a pair on the unit circle, or each other's inverse, and two eigenvalues a
+/// pair on the imaginary axis, or each other's negative: their product less 1; their sum.
+static product of_pair(const whirl_orbit *orbit, size_t i, size_t k) {
+    const whirl_multiplier p = orbit->multipliers[i], q = orbit->multipliers[k];
+    if (orbit->period == 0.0) return (product){p.real + q.real, p.imaginary + q.imaginary};
+    product both = {p.real, p.imaginary};
+    take_into(&both, q.real, q.imaginary);
+    both.real -= 1.0;
+    return both;
+}
+
+/// The product of that over all pairs.
 static double product_of_pairs(const whirl_orbit *orbit) {
     const size_t own = orbit_own_multiplier(orbit);
-    double real = 1.0, imaginary = 0.0;
+    product all = {1.0, 0.0};
     for (size_t i = 0; i < orbit->multiplier_count; i++)
         for (size_t k = i + 1; k < orbit->multiplier_count; k++) {
-            const whirl_multiplier p = orbit->multipliers[i], q = orbit->multipliers[k];
-            if (i == own || k == own) continue;
-            const double a = p.real * q.real - p.imaginary * q.imaginary - 1.0;
-            const double b = p.real * q.imaginary + p.imaginary * q.real;
-            const double next = real * a - imaginary * b;
-            imaginary = real * b + imaginary * a;
-            real = next;
+            const product pair = of_pair(orbit, i, k);
+            const double a = size_of(orbit, i), b = size_of(orbit, k), size = orbit->period > 0.0 ? a * b + 1.0 : a + b;
+            if (i != own && k != own && size > 0.0) take_over(&all, pair.real, pair.imaginary, size);
         }
-    return real;
+    return all.real;
 }
 
-/// The pair nearest to product 1; false where it is of two real ones.
-static bool pair_on_circle(const whirl_orbit *orbit, double *angle) {
+/// The two nearest to that; false where they are real.
+static bool find_pair(const whirl_orbit *orbit, double *angle) {
     const size_t own = orbit_own_multiplier(orbit);
     double nearest = INFINITY, imaginary = 0.0;
     for (size_t i = 0; i < orbit->multiplier_count; i++)
         for (size_t k = i + 1; k < orbit->multiplier_count; k++) {
-            const whirl_multiplier p = orbit->multipliers[i], q = orbit->multipliers[k];
-            if (i == own || k == own) continue;
-            const double away =
-                hypot(p.real * q.real - p.imaginary * q.imaginary - 1.0, p.real * q.imaginary + p.imaginary * q.real);
-            if (away >= nearest) continue;
-            nearest = away;
-            imaginary = p.imaginary;
-            *angle = atan2(fabs(p.imaginary), p.real);
+            const product pair = of_pair(orbit, i, k);
+            const whirl_multiplier p = orbit->multipliers[i];
+            if (i == own || k == own || hypot(pair.real, pair.imaginary) >= nearest) continue;
+            nearest = hypot(pair.real, pair.imaginary);
+            imaginary = fabs(p.imaginary);
+            *angle = orbit->period > 0.0 ? atan2(imaginary, p.real) : imaginary;
         }
     return imaginary != 0.0;
 }
@@ -88,10 +108,11 @@ static double value_of(const follower *f, const test *t, const waypoint *p) {
     case WHIRL_FOLD:
         return p->tangent[f->curve.count];
     case WHIRL_BRANCHING:
-        return product_about(p->orbit, 1.0);
+        return product_about(p->orbit, p->orbit->period > 0.0 ? 1.0 : 0.0);
     case WHIRL_DOUBLING:
         return product_about(p->orbit, -1.0);
     case WHIRL_NEIMARK_SACKER:
+    case WHIRL_HOPF:
         return product_of_pairs(p->orbit);
     case WHIRL_GRAZE:
         return graze_value(t, p->orbit);
@@ -154,7 +175,8 @@ static whirl_status find(follower *f, const test *t, const waypoint *from, const
     if (found->count == MOST_FINDINGS) return whirl_ok();
     whirl_status status = waypoint_new(f, &p);
     if (status.code == WHIRL_OK) status = close_in(f, t, from, to, length, &p, &one.at);
-    const bool saddle = p.orbit && t->kind == WHIRL_NEIMARK_SACKER && !pair_on_circle(p.orbit, &one.point.angle);
+    const bool paired = t->kind == WHIRL_NEIMARK_SACKER || t->kind == WHIRL_HOPF;
+    const bool saddle = p.orbit && paired && !find_pair(p.orbit, &one.point.angle);
     if (status.code == WHIRL_OK && p.orbit && !saddle) {
         one.point.value = follower_value(f, p.u);
         one.point.orbit = p.orbit;
@@ -171,11 +193,15 @@ static int by_place(const void *a, const void *b) {
 }
 
 static whirl_status find_all(follower *f, const waypoint *from, const waypoint *to, double length, findings *found) {
-    static const whirl_special kinds[] = {WHIRL_FOLD, WHIRL_BRANCHING, WHIRL_DOUBLING, WHIRL_NEIMARK_SACKER};
+    static const whirl_special moving[] = {WHIRL_FOLD, WHIRL_BRANCHING, WHIRL_DOUBLING, WHIRL_NEIMARK_SACKER};
+    static const whirl_special resting[] = {WHIRL_FOLD, WHIRL_BRANCHING, WHIRL_HOPF};
+    const bool moves = from->orbit->period > 0.0;
+    const whirl_special *kinds = moves ? moving : resting;
+    const size_t count = moves ? sizeof moving / sizeof *moving : sizeof resting / sizeof *resting;
     const test fold = {.kind = WHIRL_FOLD};
     const bool folds = changes(f, &fold, from, to);
     whirl_status status = whirl_ok();
-    for (size_t k = 0; k < sizeof kinds / sizeof *kinds && status.code == WHIRL_OK; k++) {
+    for (size_t k = 0; k < count && status.code == WHIRL_OK; k++) {
         const test t = {.kind = kinds[k]};
         if (t.kind == WHIRL_BRANCHING && folds) continue;
         if (changes(f, &t, from, to)) status = find(f, &t, from, to, length, found);

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "follower.h"
+#include "whirl/linear.h"
 
 /// The same orbit as one of twice as many revolutions.
 static whirl_orbit *go_round_twice(const whirl_orbit *orbit, double **nodes) {
@@ -24,56 +25,156 @@ static whirl_orbit *go_round_twice(const whirl_orbit *orbit, double **nodes) {
     return twice;
 }
 
+/// An orbit aside from unknowns `from` in `trial`, along `direction`.
+static whirl_status step_aside(follower *f, double step, waypoint *at, double *trial, const double *direction) {
+    const double value = follower_value(f, trial);
+    for (size_t i = 0; i <= f->curve.count; i++) trial[i] += step * direction[i];
+    const whirl_status status = follower_find(f, trial, direction, direction, at);
+    if (status.code != WHIRL_OK || at->orbit) return status;
+    return whirl_fail(WHIRL_BAD_INPUT, "no orbit was found on the branch that begins at %.10g", value);
+}
+
+// ---------------------------------------------------------------- from orbits
+
 /// Finds the point of the branch again, as the equations of the other branch have it, then an orbit aside from it.
-static whirl_status step_aside(follower *f, double value, double step, waypoint *at, double *trial, double *direction) {
-    const size_t all = f->curve.count + 1;
-    equations_take(&f->equations, f->equations.nodes, trial);
-    if (f->equations.s->revolutions == 0) trial[all - 2] = f->equations.s->period;
-    trial[all - 1] = value;
+static whirl_status leave_orbit(follower *f, double value, double step, waypoint *at, double *trial,
+                                double *direction) {
+    follower_take(f, value, trial);
     follower_parameter_direction(f, direction);
-    whirl_status status = follower_find(f, trial, direction, direction, at);
+    const whirl_status status = follower_find(f, trial, direction, direction, at);
     if (status.code != WHIRL_OK) return status;
     if (!at->orbit || !curve_other(&f->curve, at->tangent, direction))
         return whirl_fail(WHIRL_BAD_INPUT, "the point at which a branch begins was not found again");
-    whirl_orbit_free(at->orbit);
-    at->orbit = NULL;
-    for (size_t i = 0; i < all; i++) trial[i] = at->u[i] + step * direction[i];
-    status = follower_find(f, trial, direction, direction, at);
-    if (status.code == WHIRL_OK && !at->orbit)
-        status = whirl_fail(WHIRL_BAD_INPUT, "no orbit was found on the branch that begins at %.10g", value);
+    memcpy(trial, at->u, (f->curve.count + 1) * sizeof *trial);
+    return step_aside(f, step, at, trial, direction);
+}
+
+// ---------------------------------------------------------------- from equilibria
+
+/// The mode of an equilibrium with that frequency, nearest to no damping.
+static size_t whirling_mode(const whirl_modes *modes, double frequency) {
+    size_t found = 0;
+    for (size_t i = 1; i < modes->count; i++)
+        if (hypot(modes->modes[i].real, modes->modes[i].imaginary - frequency) <
+            hypot(modes->modes[found].real, modes->modes[found].imaginary - frequency))
+            found = i;
+    return found;
+}
+
+/// The instant `share` of a period, 0 to 1, of the mode's motion: Re(v exp(i 2 pi share)), times a factor.
+static void add_mode(const double *vector, size_t dimension, double share, double factor, double *x) {
+    const double c = cos(6.283185307179586476925 * share), s = sin(6.283185307179586476925 * share);
+    for (size_t i = 0; i < dimension; i++) x[i] += factor * (vector[2 * i] * c - vector[2 * i + 1] * s);
+}
+
+/// An orbit of the size of `step` about the equilibrium, which goes as its mode does; and the mode as a direction.
+static whirl_status leave_rest(follower *f, const whirl_branch_point *point, const double *vector, double step,
+                               waypoint *at, double *trial, double *direction) {
+    orbit_equations *e = &f->equations;
+    const size_t all = f->curve.count + 1, d = e->s->dimension;
+    double largest = 0.0;
+    for (size_t i = 0; i < d; i++) largest = fmax(largest, hypot(vector[2 * i], vector[2 * i + 1]));
+    for (size_t j = 0; j < e->s->count; j++) {
+        double *node = e->nodes + j * d;
+        memset(node, 0, d * sizeof *node);
+        add_mode(vector, d, (double)j / (double)e->s->count, 1.0 / largest, node);
+    }
+    follower_take(f, 0.0, direction);
+    direction[all - 2] = direction[all - 1] = 0.0;
+    for (size_t j = 0; j < e->s->count; j++) {
+        double *node = e->nodes + j * d;
+        memcpy(node, point->orbit->nodes, d * sizeof *node);
+        add_mode(vector, d, (double)j / (double)e->s->count, step * f->curve.scale[0] / largest, node);
+    }
+    equations_begin_at(e, e->nodes);
+    follower_take(f, point->value, trial);
+    return step_aside(f, 0.0, at, trial, direction);
+}
+
+// ---------------------------------------------------------------- either
+
+typedef struct departure {
+    follower follower;
+    waypoint at;
+    double *room; ///< [2][unknowns]
+} departure;
+
+static whirl_status prepare(departure *d, const whirl_family *family, const whirl_orbit *start, double value,
+                            const whirl_branch_options *options) {
+    whirl_status status = follower_begin(&d->follower, family, start, value, options);
+    if (status.code == WHIRL_OK) status = waypoint_new(&d->follower, &d->at);
+    if (status.code != WHIRL_OK) return status;
+    d->room = calloc(2 * (d->follower.curve.count + 1), sizeof *d->room);
+    return d->room ? status : whirl_fail(WHIRL_NO_MEMORY, "no memory for an orbit");
+}
+
+/// Hands the orbit over, and clears up.
+static whirl_status finish(departure *d, whirl_status status, whirl_orbit **orbit, double *value) {
+    if (status.code == WHIRL_OK) {
+        *value = follower_value(&d->follower, d->at.u);
+        *orbit = d->at.orbit;
+        d->at.orbit = NULL;
+    }
+    free(d->room);
+    waypoint_free(&d->at);
+    follower_end(&d->follower);
+    return status;
+}
+
+static whirl_status depart_from_rest(const whirl_family *family, const whirl_branch_point *point, double step,
+                                     const whirl_branch_options *options, whirl_orbit **orbit, double *value) {
+    departure d = {.room = NULL};
+    whirl_machine machine;
+    whirl_modes *modes = NULL;
+    whirl_status status = family->machine(family->context, point->value, &machine);
+    if (status.code != WHIRL_OK) return status;
+    const size_t size = point->orbit->dimension, segments = (size_t)options->orbit.segments;
+    double *nodes = calloc(size * segments + 1, sizeof *nodes);
+    whirl_orbit start = *point->orbit;
+    start.period = 6.283185307179586476925 / point->angle;
+    start.segment_count = segments;
+    start.nodes = nodes;
+    status = nodes ? whirl_modes_new(machine.system, point->orbit->nodes, &modes)
+                   : whirl_fail(WHIRL_NO_MEMORY, "no memory for an orbit");
+    for (size_t j = 0; nodes && j < segments; j++) memcpy(nodes + j * size, point->orbit->nodes, size * sizeof *nodes);
+    if (status.code == WHIRL_OK && modes->count == 0)
+        status = whirl_fail(WHIRL_BAD_INPUT, "the equilibrium has no mode with a frequency");
+    if (status.code == WHIRL_OK) status = prepare(&d, family, &start, point->value, options);
+    if (status.code == WHIRL_OK) {
+        const double *vector = modes->vectors + 2 * size * whirling_mode(modes, point->angle);
+        status = leave_rest(&d.follower, point, vector, step, &d.at, d.room, d.room + d.follower.curve.count + 1);
+    }
+    whirl_modes_free(modes);
+    if (machine.release) machine.release(machine.owner);
+    status = finish(&d, status, orbit, value);
+    free(nodes);
+    return status;
+}
+
+static whirl_status depart_from_orbit(const whirl_family *family, const whirl_branch_point *point, double step,
+                                      const whirl_branch_options *options, whirl_orbit **orbit, double *value) {
+    const bool doubles = point->special == WHIRL_DOUBLING;
+    departure d = {.room = NULL};
+    double *nodes = NULL;
+    whirl_orbit *start = doubles ? go_round_twice(point->orbit, &nodes) : point->orbit;
+    whirl_status status = start ? prepare(&d, family, start, point->value, options)
+                                : whirl_fail(WHIRL_NO_MEMORY, "no memory for an orbit");
+    if (status.code == WHIRL_OK)
+        status = leave_orbit(&d.follower, point->value, step, &d.at, d.room, d.room + d.follower.curve.count + 1);
+    status = finish(&d, status, orbit, value);
+    if (doubles) free(start);
+    free(nodes);
     return status;
 }
 
 whirl_status whirl_branch_switch(const whirl_family *family, const whirl_branch_point *point, double step,
                                  const whirl_branch_options *options, whirl_orbit **orbit, double *value) {
-    const bool doubles = point->special == WHIRL_DOUBLING;
-    follower f;
-    waypoint at = {.u = NULL};
-    double *nodes = NULL;
     *orbit = NULL;
-    if (!doubles && point->special != WHIRL_BRANCHING)
-        return whirl_fail(WHIRL_BAD_INPUT, "no branch begins at this point, expected a doubling or a branching point");
-    if (doubles && point->orbit->revolutions == 0)
+    if (point->special == WHIRL_HOPF) return depart_from_rest(family, point, step, options, orbit, value);
+    if (point->special != WHIRL_DOUBLING && point->special != WHIRL_BRANCHING)
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "no branch begins at this point, expected a doubling, a branching or a Hopf point");
+    if (point->special == WHIRL_DOUBLING && point->orbit->revolutions == 0)
         return whirl_fail(WHIRL_BAD_INPUT, "doubled orbits with a time of their own are not looked for");
-    whirl_orbit *start = doubles ? go_round_twice(point->orbit, &nodes) : point->orbit;
-    if (!start) {
-        free(nodes);
-        return whirl_fail(WHIRL_NO_MEMORY, "no memory for an orbit");
-    }
-    whirl_status status = follower_begin(&f, family, start, point->value, options);
-    if (status.code == WHIRL_OK) status = waypoint_new(&f, &at);
-    double *room = status.code == WHIRL_OK ? calloc(2 * (f.curve.count + 1), sizeof *room) : NULL;
-    if (status.code == WHIRL_OK && !room) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for an orbit");
-    if (status.code == WHIRL_OK) status = step_aside(&f, point->value, step, &at, room, room + f.curve.count + 1);
-    if (status.code == WHIRL_OK) {
-        *value = follower_value(&f, at.u);
-        *orbit = at.orbit;
-        at.orbit = NULL;
-    }
-    free(room);
-    waypoint_free(&at);
-    follower_end(&f);
-    if (doubles) free(start);
-    free(nodes);
-    return status;
+    return depart_from_orbit(family, point, step, options, orbit, value);
 }

@@ -348,6 +348,7 @@ static void what_is_no_orbit_is_refused(void **state) {
     options = whirl_orbit_default();
     options.most_steps = 1;
     assert_int_equal(WHIRL_BAD_INPUT, whirl_orbit_find(&system, family.start, 1, &options, &orbit).code);
+    assert_int_equal(WHIRL_BAD_INPUT, whirl_orbit_find_free(&system, family.start, 6.0, &options, &orbit).code);
     // From here Newton's method comes to the equilibrium, which closes after any time.
     const test_family free = van_der_pol_family(1.0);
     const whirl_system oscillator = system_of(&free);
