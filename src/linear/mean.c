@@ -97,27 +97,22 @@ whirl_status whirl_rest_slope(const whirl_system *system, const double *x, doubl
     const size_t d = system->dimension;
     mean_system mean;
     void *block;
-    const whirl_status status = mean_begin(&mean, system, &block);
+    whirl_status status = mean_begin(&mean, system, &block);
     if (status.code != WHIRL_OK) return status;
     const size_t n = mean.count;
-    mean_slope(&mean, x, slope);
-    mean_jacobian(&mean, x, jacobian);
-    // Spread from the coordinates that are kept, the last first, for they only move back.
-    for (size_t i = n; i-- > 0;) {
-        double *row = jacobian + mean.kept[i] * d;
-        memmove(row, jacobian + i * n, n * sizeof *row);
-        for (size_t k = n, end = d; k-- > 0; end = mean.kept[k]) {
-            row[mean.kept[k]] = row[k];
-            memset(row + mean.kept[k] + 1, 0, (end - mean.kept[k] - 1) * sizeof *row);
-        }
-        memset(row, 0, mean.kept[0] * sizeof *row);
-        slope[mean.kept[i]] = slope[i];
+    double *own = calloc(n + n * n + 1, sizeof *own);
+    if (own) {
+        mean_slope(&mean, x, own);
+        mean_jacobian(&mean, x, own + n);
+        memset(slope, 0, d * sizeof *slope);
+        memset(jacobian, 0, d * d * sizeof *jacobian);
     }
-    for (size_t i = 0; i < d; i++) {
-        if (!turns(system, i)) continue;
-        slope[i] = 0.0;
-        memset(jacobian + i * d, 0, d * sizeof *jacobian);
+    for (size_t i = 0; own && i < n; i++) {
+        slope[mean.kept[i]] = own[i];
+        for (size_t k = 0; k < n; k++) jacobian[mean.kept[i] * d + mean.kept[k]] = own[n + i * n + k];
     }
+    if (!own) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the Jacobian of %zu coordinates", d);
+    free(own);
     free(block);
     return status;
 }

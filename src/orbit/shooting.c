@@ -21,7 +21,7 @@ static whirl_status check(const whirl_system *system, const whirl_orbit_options 
     if (repeats == 0 && !(revolutions == 0 && period == 0.0))
         return whirl_fail(WHIRL_BAD_INPUT, "forces turn with a phase that fits no number of revolutions: there are no "
                                            "periodic orbits");
-    if (revolutions % repeats != 0)
+    if (repeats > 0 && revolutions % repeats != 0)
         return whirl_fail(WHIRL_BAD_INPUT,
                           "an orbit of %zu revolutions, expected a multiple of %zu, after which all "
                           "that turns comes back",

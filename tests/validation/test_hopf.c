@@ -203,7 +203,7 @@ static void the_rotor_settles_on_the_branch(void **state) {
         const whirl_branch_point *point = special_point(rest, WHIRL_HOPF, 0);
         whirl_orbit *orbit;
         double value;
-        require_ok(whirl_branch_switch(&family, point, 0.05, &options, &orbit, &value));
+        require_ok(whirl_branch_switch(&family, point, 0.3, &options, &orbit, &value));
         print_message("e = %g: orbits at s %+g from the threshold\n", own.e, value - point->value);
         assert_int_equal(value > point->value ? 0 : 1, orbit->unstable);
         if (value > point->value) {
