@@ -125,15 +125,10 @@ static const char *find_template(char path[PATH_SIZE]) {
 }
 
 /// Says what became of the explorer.
-static void tell_explorer(const report_arguments *arguments, const entry *entries, bool built) {
-    bool any = false;
-    for (size_t i = 0; i < arguments->count; i++) any = any || whirl_report_explores(entries[i].result);
-    for (size_t i = 0; i < arguments->count && built; i++)
-        if (!whirl_report_explores(entries[i].result))
-            complain("explorer.html leaves out %s: it shows motions, and this result has none", entries[i].name);
+static void tell_explorer(const report_arguments *arguments, bool built) {
     if (!built)
         complain("explorer.html is left out: its template is not built; `make explorer` builds it");
-    else if (any)
+    else
         printf("%s/explorer.html\n", arguments->directory);
 }
 
@@ -156,7 +151,7 @@ static int write_report(const report_arguments *arguments, const entry *entries,
     free(names);
     if (status.code == WHIRL_OK && !arguments->quiet) {
         printf("%s/report.html\n", arguments->directory);
-        tell_explorer(arguments, entries, explorer != NULL);
+        tell_explorer(arguments, explorer != NULL);
     }
     return complain_of(&status);
 }

@@ -14,6 +14,7 @@ import { Watches } from './model/watches';
 import type { MapCardListener } from './view/map_card';
 import { Page } from './view/page';
 import type { PaneListener } from './view/pane';
+import type { RestListener } from './view/rest';
 import type { SettingsListener } from './view/settings_card';
 import { Takeaway } from './view/takeaway';
 import type { TopbarListener } from './view/topbar';
@@ -41,6 +42,7 @@ export class App {
       progress: (now) => this.page.card.progress(now),
     });
     this.page = new Page(this.session, {
+      rest: this.restListener(),
       topbar: this.topbarListener(),
       card: this.cardListener(),
       settings: this.settingsListener(),
@@ -117,6 +119,15 @@ export class App {
     };
   }
 
+  private restListener(): RestListener {
+    const { session } = this;
+    const { cursor, brushed, viewed, back, station, reset } = this.cardListener();
+    return {
+      ...{ cursor, brushed, viewed, back, station, reset },
+      chosen: (part) => this.change({ rest: { ...session.address.rest, ...part } }),
+    };
+  }
+
   private settingsListener(): SettingsListener {
     return {
       assigned: (name, text, settled, value) => this.assign(name, text, settled, value),
@@ -162,7 +173,8 @@ export class App {
       stored !== '' &&
       (session.address.parameter === '' || session.address.parameter === stored);
     if (early) session.openParameter();
-    if (session.engine && !session.original) {
+    if (session.atRest) session.address.b = undefined;
+    if (session.engine && !session.original && !session.atRest) {
       const outcome = await session.engine.describe(
         { text: machine.text, name: machine.caseName },
         { lane: 'original', priority: 0 },
@@ -230,6 +242,7 @@ export class App {
   }
 
   private async refreshSide(side: SideModel, settled: boolean): Promise<void> {
+    if (this.session.atRest) return;
     const setting = this.session.settingOf(side);
     const good = await side.describe(setting);
     this.later('all');
@@ -238,6 +251,7 @@ export class App {
 
   private want(side: SideModel, settled: boolean): void {
     const { session } = this;
+    if (session.atRest) return;
     const { parameter, units } = session.address;
     const { factor, unit } = parameterMeasure(session.unit, units);
     const value = written(side.choice.value * factor, 12);
@@ -345,14 +359,14 @@ export class App {
   // ---------------------------------------------------------------- the diagram
 
   private brushed(range: Range): void {
-    if (this.session.engine) void this.recompute(range);
+    if (this.session.engine && !this.session.atRest) void this.recompute(range);
     else this.session.sights.enlarge(range);
   }
 
   /// Computes the diagram over a range with the active setting.
   private async recompute(range: Range, first = false): Promise<void> {
     const { session } = this;
-    if (!session.address.parameter || !session.engine) return;
+    if (!session.address.parameter || !session.engine || session.atRest) return;
     const of = assignmentTexts(session.side.choice.assignments).join('; ');
     this.report(await session.sights.compute(this.planOf(range), this.page.card.quality, of, first));
     this.refineSoon(); // the view may have moved meanwhile

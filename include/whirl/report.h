@@ -23,9 +23,6 @@ typedef struct whirl_report_options {
     const char *units;
 } whirl_report_options;
 
-/// Whether the explorer has anything to show of a result: it shows motions, and none of machines at rest.
-bool whirl_report_explores(const whirl_result *result);
-
 /// Writes DIR/report.html, DIR/explorer.html (all results in one page that computes on), and for every result
 /// DIR/<name>/ with figures (PNG, PDF), their gnuplot scripts and data. `names` [count] become folder names.
 /// WHIRL_MISSING_PROGRAM when gnuplot is not there: scripts and data are written all the same.

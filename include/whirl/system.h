@@ -35,6 +35,8 @@ typedef struct whirl_probe {
     double clearance;
     /// Radius at which the station touches a stator, in the state's units of length; 0 where there is none.
     double gap;
+    size_t shaft;    ///< number of the shaft of finite elements that the station lies on, from 1; 0: on none
+    double position; ///< along that shaft, m
 } whirl_probe;
 
 /// Its numbers, where the indices of coordinates are those that an initial state may be said of (part "initial");

@@ -22,6 +22,8 @@ const whirl_member *whirl_probe_members(void) {
         COORDINATE(y, "y", PLACE),
         COORDINATE(vx, "x'", RATE),
         COORDINATE(vy, "y'", RATE),
+        PROBE(INDEX, shaft, "", "", "", "number of the shaft of finite elements, from 1; 0: on none", WHIRL_ANY),
+        PROBE(NUMBER, position, "", "", "", "place along that shaft, m", WHIRL_ANY),
         {.part = NULL},
     };
     return members;

@@ -1,6 +1,7 @@
 #include "explorer.h"
 
 #include <errno.h>
+#include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,8 +12,9 @@
 /// Stands in the template where the results go.
 static const char mark[] = "@WHIRL-RUNS@";
 
-/// What a browser takes in at once: more points of a table, or more of its section, are thinned evenly.
-enum { MOST_POINTS = 1 << 16, MOST_SECTION = 1 << 20, MOST_TEMPLATE = 1 << 26 };
+/// What a browser takes in at once: more points of a table, more of its section, or more numbers of machines at rest,
+/// are thinned evenly.
+enum { MOST_POINTS = 1 << 16, MOST_SECTION = 1 << 20, MOST_AT_REST = 1 << 22, MOST_TEMPLATE = 1 << 26 };
 
 // ---------------------------------------------------------------- the template
 
@@ -115,16 +117,18 @@ static void write_facts(FILE *stream, const whirl_result *result) {
 // ---------------------------------------------------------------- tables
 
 /// The points of a table that go into the page: every `stride`-th. Sections are those of the first table, the diagram;
-/// the page computes the motion of any other point itself.
+/// the page computes the motion of any other point itself. Of machines at rest it has all that is known.
 typedef struct selection {
     const whirl_table *table;
     size_t stride, count;
-    bool sections;
+    bool sections, resting;
 } selection;
 
 static selection select_points(const whirl_table *table, bool sections) {
-    const size_t stride = table->count > MOST_POINTS ? (table->count - 1) / MOST_POINTS + 1 : 1;
-    return (selection){table, stride, table->count ? (table->count - 1) / stride + 1 : 0, sections};
+    const bool resting = whirl_analysis_is_resting(table->analyses);
+    const size_t room = resting ? MOST_AT_REST / (table->layout.size + 1) + 1 : MOST_POINTS;
+    const size_t stride = table->count > room ? (table->count - 1) / room + 1 : 1;
+    return (selection){table, stride, table->count ? (table->count - 1) / stride + 1 : 0, sections, resting};
 }
 
 static void write_values(FILE *stream, const selection *chosen) {
@@ -174,14 +178,14 @@ static void write_verdicts(FILE *stream, const selection *chosen) {
     fputc(']', stream);
 }
 
-/// The part of a field that the page draws: numbers of one row, all columns; of the section the displacements x and y
-/// of its last rows.
+/// The part of a field that the page draws: numbers of one row, all columns; of machines at rest all rows; of the
+/// section the displacements x and y of its last rows.
 typedef struct kept_part {
     size_t first_row, rows, columns;
 } kept_part;
 
 static kept_part part_of(const whirl_field *field, const selection *chosen) {
-    if (field->rows == 1) return (kept_part){0, 1, field->columns};
+    if (field->rows == 1 || chosen->resting) return (kept_part){0, field->rows, field->columns};
     if (!chosen->sections || chosen->count == 0 || strcmp(field->name, "poincare/section") != 0) return (kept_part){0};
     const size_t most = MOST_SECTION / chosen->count;
     const size_t rows = field->rows < most ? field->rows : most;
@@ -228,6 +232,29 @@ static void write_fields(FILE *stream, const selection *chosen) {
     fputc(']', stream);
 }
 
+/// What was located between the points, of all points, with all digits.
+static void write_critical(FILE *stream, const whirl_table *table) {
+    const whirl_field *field = whirl_layout_field(&table->layout, "modes/critical");
+    bool first = true;
+    if (!field) return;
+    member(stream, ',', "critical");
+    fputc('[', stream);
+    for (size_t p = 0; p < table->count; p++) {
+        const double *row = whirl_table_done(table, p) ? whirl_table_field(table, p, field->name, 0) : NULL;
+        for (size_t i = 0; row && i < field->rows; i++, row += field->columns) {
+            if (!isfinite(row[0])) continue;
+            fputs(first ? "[" : ",[", stream);
+            first = false;
+            for (size_t column = 0; column < field->columns; column++) {
+                if (column > 0) fputc(',', stream);
+                script_number(stream, row[column]);
+            }
+            fputc(']', stream);
+        }
+    }
+    fputc(']', stream);
+}
+
 static void write_table(FILE *stream, const whirl_table *table, bool sections) {
     const selection chosen = select_points(table, sections && table->count > 0);
     text_member(stream, '{', "name", table->name);
@@ -237,6 +264,7 @@ static void write_table(FILE *stream, const whirl_table *table, bool sections) {
     script_members(stream, whirl_record_members(), &table->record);
     write_values(stream, &chosen);
     write_verdicts(stream, &chosen);
+    write_critical(stream, table);
     write_fields(stream, &chosen);
     fputc('}', stream);
 }

@@ -95,19 +95,6 @@ static void compare(report *made, const whirl_result *const *results, size_t cou
             claim_compare(claims, &claims->items[c], results[r], &made->outcomes[c * count + r]);
 }
 
-bool whirl_report_explores(const whirl_result *result) {
-    for (size_t t = 0; t < result->table_count; t++)
-        if (!whirl_analysis_is_resting(result->tables[t].analyses)) return true;
-    return false;
-}
-
-/// Whether an explorer is written: of all results but those of machines at rest.
-static bool has_explorer(const whirl_result *const *results, size_t count, const whirl_report_options *options) {
-    bool any = false;
-    for (size_t r = 0; r < count; r++) any = any || whirl_report_explores(results[r]);
-    return any && options->explorer;
-}
-
 static whirl_status write_page(const report *made, const whirl_result *const *results, const char *const *names,
                                size_t count, const char *directory, const whirl_report_options *options) {
     report_file file;
@@ -123,27 +110,10 @@ static whirl_status write_page(const report *made, const whirl_result *const *re
         .outcomes = made->outcomes,
         .figures = &made->figures,
         .units = made->units,
-        .explorer = has_explorer(results, count, options),
+        .explorer = options->explorer != NULL,
     };
     page_write(&to);
     return report_file_close(&file);
-}
-
-static whirl_status write_explorer(const whirl_result *const *results, const char *const *names, size_t count,
-                                   const char *directory, const char *template_path) {
-    const whirl_result **shown = calloc(count, sizeof(const whirl_result *));
-    const char **shown_names = calloc(count, sizeof(const char *));
-    whirl_status status = whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu results", count);
-    size_t kept = 0;
-    for (size_t r = 0; r < count && shown && shown_names; r++) {
-        if (!whirl_report_explores(results[r])) continue;
-        shown[kept] = results[r];
-        shown_names[kept++] = names[r];
-    }
-    if (kept > 0) status = explorer_write(template_path, shown, shown_names, kept, directory);
-    free(shown);
-    free(shown_names);
-    return status;
 }
 
 static whirl_status make(report *made, const whirl_result *const *results, const char *const *names, size_t count,
@@ -155,8 +125,8 @@ static whirl_status make(report *made, const whirl_result *const *results, const
     if (drawn.code == WHIRL_NO_MEMORY) return drawn;
     if (options->claims) compare(made, results, count, options->claims);
     status = write_page(made, results, names, count, directory, options);
-    if (status.code == WHIRL_OK && has_explorer(results, count, options))
-        status = write_explorer(results, names, count, directory, options->explorer);
+    if (status.code == WHIRL_OK && options->explorer)
+        status = explorer_write(options->explorer, results, names, count, directory);
     return status.code == WHIRL_OK ? drawn : status;
 }
 

@@ -109,6 +109,12 @@ static void add_probes(whirl_rotor *rotor, const building *b) {
         rotor->probes[s] = (whirl_probe){.x = x, .y = y, .vx = degrees + x, .vy = degrees + y};
         strcpy(rotor->probes[s].name, b->assembly.stations[s].name);
     }
+    for (size_t i = 0; i < b->mesh.node_count; i++) {
+        const mesh_node *node = &b->mesh.nodes[i];
+        if (node->station >= b->design->station_count) continue;
+        rotor->probes[node->station].shaft = node->shaft + 1;
+        rotor->probes[node->station].position = node->z;
+    }
 }
 
 /// Coordinates whose sizes are measured together: both displacements of a station, both of its tilts.

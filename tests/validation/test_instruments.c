@@ -22,7 +22,7 @@ typedef struct oscillator {
     double damping, stiffness, cubic, pendulum, force, frequency;
 } oscillator;
 
-static const whirl_probe oscillator_probe = {"x", 0, 0, 1, 1, 0.0, 0.0};
+static const whirl_probe oscillator_probe = {"x", 0, 0, 1, 1, 0.0, 0.0, 0, 0.0};
 
 static void oscillator_forcing(const void *model, double t, double *forcing) {
     const oscillator *o = model;
@@ -71,7 +71,7 @@ static void lorenz_jacobian(const void *parameters, double t, const double *x, d
     for (int i = 0; i < 9; i++) jacobian[i] = matrix[i];
 }
 
-static const whirl_probe lorenz_probe = {"x", 0, 1, 0, 1, 0.0, 0.0};
+static const whirl_probe lorenz_probe = {"x", 0, 1, 0, 1, 0.0, 0.0, 0, 0.0};
 static const whirl_system lorenz = {
     .dimension = 3, .period = 1.0, .rhs = lorenz_rhs, .probe_count = 1, .probes = &lorenz_probe};
 

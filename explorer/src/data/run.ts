@@ -26,6 +26,10 @@ export interface StoredTable {
   readonly done: readonly number[];
   /// Name and reason of every point's verdict.
   readonly verdicts?: readonly (readonly [string, string])[];
+  /// Of machines at rest, what was located between points: kind, value, speed, frequency, damping ratio, direction.
+  readonly critical?: readonly (readonly (number | null)[])[];
+  /// rad, of the first probe of a response to unbalance.
+  readonly probe_angle?: number;
   readonly fields: readonly StoredField[];
 }
 

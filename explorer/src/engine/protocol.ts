@@ -73,6 +73,9 @@ export interface StationInfo {
   /// Indices of its coordinates in a state.
   readonly x: number;
   readonly y: number;
+  /// Number of the shaft of finite elements that it lies on, from 1, and its place along that, m; 0: on none.
+  readonly shaft: number;
+  readonly position: number;
 }
 
 /// How points are computed, by the names that results have: all that is in the tables of src/integrate/options.c and

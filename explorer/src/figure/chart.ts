@@ -42,6 +42,8 @@ export interface ChartSpec {
   readonly bareX?: boolean;
   /// Ticks of the horizontal axis as they are shown (a full spectrum counts both ways).
   readonly xText?: (value: number, step: number) => string;
+  /// Where ticks of the vertical axis stand, in place of round numbers.
+  readonly yTicks?: readonly number[];
 }
 
 interface Ticks {
@@ -252,7 +254,7 @@ export class Chart implements Figure {
       height,
       legend: { show: false },
       cursor: { show: false },
-      padding: [size * 0.6, size * 1.1, this.spec.bareX ? size * 0.5 : 0, 0],
+      padding: [size * 0.6, size * 1.6, this.spec.bareX ? size * 0.5 : 0, 0],
       scales: {
         x: { time: false, auto: false, range: () => [this.xRange[0], this.xRange[1]] },
         y: { auto: false, distr: this.logarithmic ? 3 : 1, range: () => [this.yRange[0], this.yRange[1]] },
@@ -301,10 +303,13 @@ export class Chart implements Figure {
     const box = this.root.getBoundingClientRect();
     const length = horizontal ? (plot?.bbox.width ?? 0) / (window.devicePixelRatio || 1) || box.width : box.height;
     const wanted = horizontal ? length / (size * 6.5) : length / (size * 3.2);
+    const { yTicks } = this.spec;
     const made =
-      !horizontal && this.logarithmic
-        ? decades(low, high, wanted)
-        : linear(low, high, wanted, horizontal ? this.spec.xText : undefined);
+      !horizontal && yTicks
+        ? { at: yTicks, text: yTicks.map(String) }
+        : !horizontal && this.logarithmic
+          ? decades(low, high, wanted)
+          : linear(low, high, wanted, horizontal ? this.spec.xText : undefined);
     if (horizontal) this.ticks.x = made;
     else this.ticks.y = made;
     return [...made.at];

@@ -1,5 +1,7 @@
 // Where the labels of a spectrum's peaks stand: over their peaks, off each other and off the curves.
 import type { Frame } from './chart';
+import { font, textWidth, type Pen } from './pen';
+import type { Theme } from './theme';
 
 export interface Peak {
   readonly frequency: number;
@@ -84,4 +86,65 @@ export function placeLabels(
     if (place) taken.push({ ...place, text });
   }
   return taken;
+}
+
+/// A mark at (x, y), in the pen's pixels, and what is to stand beside it.
+export interface Marked {
+  readonly x: number;
+  readonly y: number;
+  readonly text: string;
+}
+
+/// Texts beside their marks, off the edges and off each other and the other marks; those without room are left out.
+function placeBeside(
+  marks: readonly Marked[],
+  frame: Pick<Frame, 'left' | 'top' | 'width' | 'height'>,
+  size: number,
+  width: (text: string) => number,
+): Label[] {
+  const taken: Label[] = [];
+  for (const { x, y, text } of marks) {
+    const half = width(text) / 2;
+    const away = 0.7 * size;
+    const tries = [-1, 1].flatMap((up) =>
+      [1, -1, 0].map((side) => ({
+        text,
+        half,
+        centre: x + side * (half + away),
+        bottom: y + (up < 0 ? -0.4 : 1.5) * size + (side === 0 ? up * 0.5 * size : 0),
+      })),
+    );
+    const place = tries.find(
+      ({ centre, bottom }) =>
+        centre - half > frame.left + 2 &&
+        centre + half < frame.left + frame.width - 2 &&
+        bottom - size > frame.top &&
+        bottom < frame.top + frame.height &&
+        taken.every((other) => apart({ centre, half, bottom }, other, size)) &&
+        marks.every(
+          (other) =>
+            Math.abs(other.x - centre) > half + 0.45 * size || Math.abs(other.y - bottom + 0.5 * size) > 0.9 * size,
+        ),
+    );
+    if (place) taken.push(place);
+  }
+  return taken;
+}
+
+/// Draws them, on scraps of paper, so that lines do not run through them.
+export function drawLabels(pen: Pen, marks: readonly Marked[], frame: Frame, size: number, colours: Theme): void {
+  const face = font(size);
+  pen.font = face;
+  pen.textAlign = 'center';
+  pen.textBaseline = 'middle';
+  for (const { text, centre, half, bottom } of placeBeside(marks, frame, size, (each) => textWidth(each, face))) {
+    pen.fillStyle = colours.paper;
+    pen.globalAlpha = 0.75;
+    pen.beginPath();
+    pen.rect(centre - half - 0.1 * size, bottom - size, 2 * half + 0.2 * size, size);
+    pen.fill();
+    pen.globalAlpha = 1;
+    pen.fillStyle = colours.ink;
+    pen.fillText(text, centre, bottom - 0.5 * size);
+  }
 }

@@ -5,6 +5,7 @@ import paperDerived from '../../../cases/paper-derived.yaml';
 import paperLiteral from '../../../cases/paper-literal.yaml';
 import paper from '../../../cases/paper.yaml';
 import rigid from '../../../cases/rigid-rotor.yaml';
+import { AtRest } from '../data/rest';
 import type { Run } from '../data/run';
 import type { Scales } from './units';
 
@@ -50,6 +51,22 @@ const OWN =
   'Brush a range (Shift and drag) to compute that range more finely, and press \u25b6 in the orbit to watch the ' +
   'rotor settle.';
 
+const AT_REST: Readonly<Record<AtRest['kind'], string>> = {
+  modes:
+    'Small motions about where the machine rests, as the run has stored them. Drag across the diagram for the modes ' +
+    'at the value under the cursor, and press the number of a mode for its shape; a click on a critical speed goes ' +
+    'there.',
+  unbalance:
+    'The synchronous response about where the machine rests, as the run has stored it. Drag across the diagram for ' +
+    'the numbers at the value under the cursor; any station and any angle of the probes may be chosen.',
+};
+
+function introOf(run: Run): string {
+  const kind = AtRest.kindOf(run);
+  const preset = PRESETS.find(({ text }) => text === run.case_text);
+  return kind ? AT_REST[kind] : ((preset && INTROS[preset.name]) ?? OWN);
+}
+
 interface Preset {
   readonly name: string;
   readonly text: string;
@@ -73,17 +90,14 @@ function baseName(caseName: string): string {
 }
 
 export function machinesOf(runs: readonly Run[], computes: boolean): Machine[] {
-  const made: Machine[] = runs.map((run) => {
-    const preset = PRESETS.find(({ text }) => text === run.case_text);
-    return {
-      name: run.name,
-      title: run.title,
-      caseName: run.case_name || `${run.name}.yaml`,
-      text: run.case_text,
-      intro: (preset && INTROS[preset.name]) ?? OWN,
-      run,
-    };
-  });
+  const made: Machine[] = runs.map((run) => ({
+    name: run.name,
+    title: run.title,
+    caseName: run.case_name || `${run.name}.yaml`,
+    text: run.case_text,
+    intro: introOf(run),
+    run,
+  }));
   if (computes)
     for (const { name, text } of PRESETS)
       if (!made.some((machine) => machine.text === text))

@@ -1,6 +1,7 @@
 // What the page is at: the machine that is open, what the reader has set, what of it is shown, and what follows from
 // these.
 import { Diagram } from '../data/diagram';
+import { AtRest } from '../data/rest';
 import type { Run } from '../data/run';
 import type { CaseInfo, Engine, Setting, StationInfo, SweepProgress } from '../engine/protocol';
 import { machinesOf, scalesOf, type Machine } from './machine';
@@ -33,6 +34,7 @@ export class Session {
   address: Address;
   readonly sides: Readonly<Record<SideName, SideModel>>;
   active: SideName = 'a';
+  private readonly resting = new Map<Machine, AtRest | undefined>();
   /// By the names of their machines.
   readonly originals = new Map<string, CaseInfo>();
   readonly sights: Sights;
@@ -85,6 +87,13 @@ export class Session {
     return this.originals.get(this.machine.name);
   }
 
+  /// What is stored of a machine whose motions are not followed; undefined of all others.
+  get atRest(): AtRest | undefined {
+    const { machine } = this;
+    if (!this.resting.has(machine)) this.resting.set(machine, AtRest.of(machine.run));
+    return this.resting.get(machine);
+  }
+
   get stations(): readonly StationInfo[] {
     return this.machine.run?.stations ?? this.original?.stations ?? [];
   }
@@ -115,6 +124,7 @@ export class Session {
 
   private get storedDiagram(): Diagram | undefined {
     const table = this.machine.run?.tables[0];
+    if (this.atRest) return this.atRest.diagram;
     return table?.parameter && table.parameter === this.address.parameter
       ? Diagram.stored(table, this.machine.run!.length_scale)
       : undefined;
@@ -174,6 +184,7 @@ export class Session {
       table.count < table.points
         ? `every ${Math.round(table.points / table.count)}th of ${table.points} points`
         : `${diagram.count} points`;
+    if (this.atRest) return `Stored run: ${part} of a machine at rest.`;
     const done = diagram.known < diagram.count ? `, ${diagram.known} of them computed` : '';
     return (
       `Stored run: ${part}${done}, ${table.transient} + ${table.record} revolutions by ` +

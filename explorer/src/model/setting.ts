@@ -31,6 +31,18 @@ export function computationOptions({ method, ...lengths }: Computation): Record<
   return options;
 }
 
+/// What is looked at of a machine at rest.
+export interface RestChoice {
+  /// From 0 on, by rising frequency.
+  readonly mode: number;
+  /// Logarithmic decrements in place of damping ratios.
+  readonly decrement: boolean;
+  /// All modes that there are, in place of those that the speed comes near to.
+  readonly all: boolean;
+  /// Degrees from the x axis of the first probe; undefined: as the case says.
+  readonly probe: number | undefined;
+}
+
 export interface Address {
   /// Name of the run or preset, "" for the first one.
   run: string;
@@ -42,6 +54,7 @@ export interface Address {
   range: readonly [number, number] | undefined;
   units: Units;
   computation: Computation;
+  rest: RestChoice;
 }
 
 const LENGTHS = ['um', 'mil', 'scale'] as const;
@@ -62,6 +75,11 @@ function oneOf<T extends string>(text: string | null, choices: readonly T[], fal
 function whole(text: string | null, low: number, high: number): number | undefined {
   const value = number(text);
   return Number.isInteger(value) && value >= low && value <= high ? value : undefined;
+}
+
+function angle(text: string | null): number | undefined {
+  const value = number(text);
+  return Math.abs(value) <= 360 ? value : undefined;
 }
 
 function readSide(all: URLSearchParams, value: string, set: string): Side {
@@ -110,6 +128,12 @@ export function readAddress(hash: string, fallback: Units): Address {
       amplitude: oneOf(units[3] ?? null, AMPLITUDES, fallback.amplitude),
     },
     computation: readComputation(all),
+    rest: {
+      mode: (whole(all.get('mode'), 1, 1000) ?? 1) - 1,
+      decrement: all.get('damping') === 'decrement',
+      all: all.get('modes') === 'all',
+      probe: angle(all.get('probe')),
+    },
   };
 }
 
@@ -133,6 +157,11 @@ export function writeAddress(address: Address): string {
   put('units', [length, speed, frequency, amplitude].join(','));
   put('method', address.computation.method);
   for (const { key } of LENGTHS_OF_RUNS) put(key, address.computation[key]);
+  const { mode, decrement, all: every, probe } = address.rest;
+  put('mode', mode > 0 ? mode + 1 : undefined);
+  put('damping', decrement ? 'decrement' : undefined);
+  put('modes', every ? 'all' : undefined);
+  put('probe', probe);
   return `#${all.toString()}`;
 }
 

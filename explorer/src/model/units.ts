@@ -65,6 +65,11 @@ export function frequencyMeasure(units: Units, scales: Scales): Measure {
     : { factor: 1, unit: 'orders' };
 }
 
+/// A frequency in rad/s of a machine at rest: in Hz, or in the unit of the speed beside which it stands.
+export function naturalMeasure(units: Units): Measure {
+  return units.frequency === 'Hz' ? { factor: 1 / (2 * Math.PI), unit: 'Hz' } : parameterMeasure('rad/s', units);
+}
+
 /// A parameter's value in SI, as it is shown.
 export function parameterMeasure(unit: string, units: Units): Measure {
   if (unit === 'rad/s' || unit === 'rad s-1' || unit === 'rad.s-1')

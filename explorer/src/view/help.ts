@@ -47,6 +47,22 @@ const POINTS: readonly (readonly [string, string])[] = [
       'measured from straight down in the sense of rotation.',
   ],
   [
+    'Campbell diagram',
+    'Of a machine at rest: natural frequencies over the parameter. Triangles that point up, blue: the whirl goes ' +
+      'with the rotation; down, orange: against it; squares, grey: to and fro. Rings mark critical speeds, crosses ' +
+      'thresholds of stability, amber is unstable. Damping is below, up to where a mode still resonates.',
+  ],
+  [
+    'Mode shape',
+    'The orbits of the stations along the shaft, drawn aslant; each trace ends just before its dot, so blank to ' +
+      'bright is the way of the whirl. Only stations are drawn: lines between them are straight.',
+  ],
+  [
+    'Bode and polar',
+    'The response to unbalance as two probes see it, the second a right angle further on. The lag is by how much the ' +
+      'peak comes after the mark; in the polar diagram it grows against the rotation.',
+  ],
+  [
     'Amplitudes',
     'Say 0-p (zero to peak), p-p (peak to peak) or rms. Switch units at the top; c is one bearing clearance.',
   ],

@@ -8,58 +8,37 @@ import type { StationInfo } from '../engine/protocol';
 import { Chart, type Frame, type Range } from '../figure/chart';
 import { drawCloud, type Cloud } from '../figure/cloud';
 import { theme, textSize, type Picture } from '../figure/figure';
-import { font, SvgPen, type Pen } from '../figure/pen';
+import { font, type Pen } from '../figure/pen';
 import type { Theme } from '../figure/theme';
-import { labelled, parameterMeasure, shown, type Scales, type Units } from '../model/units';
+import { labelled, parameterMeasure, type Scales } from '../model/units';
 import type { Table } from './panel';
+import { Stack, type Along, type StackListener } from './stack';
 
-export type Mode = 'point' | 'range' | 'pan';
-
-export interface MapSubject {
+export interface MapSubject extends Along {
   readonly diagram: Diagram | undefined;
-  readonly parameter: string;
-  /// SI unit of the parameter.
-  readonly unit: string;
   readonly quantity: string;
   readonly station: number;
   readonly stations: readonly StationInfo[];
-  readonly units: Units;
   readonly scales: Scales;
-  /// In SI.
-  readonly range: Range;
   readonly hidden: ReadonlySet<number>;
-}
-
-export interface MapListener {
-  /// A value was chosen, in SI; `settled` when the pointer let go.
-  cursor(value: number, settled: boolean): void;
-  /// A range was brushed, in SI.
-  brushed(range: Range): void;
-  /// The view was zoomed or moved, in SI.
-  viewed(range: Range): void;
-  back(): void;
 }
 
 /// The part of the height that the ribbons at the bottom take.
 const RIBBON = 0.07;
-const KEYBOARD_STEPS = 200;
 
 export class MapView {
   readonly root: HTMLElement;
-  mode: Mode = 'point';
+  readonly stack: Stack;
   private subject: MapSubject | undefined;
   private quantity: ShownQuantity | undefined;
   private label = '';
   private shapes = false;
   private readonly main: Chart;
   private readonly exponent: Chart;
-  private readonly cursors: readonly [CursorLine, CursorLine];
-  private readonly brush = el('div', { class: 'brush', hidden: true });
   private readonly empty = el('p', { class: 'empty' });
   private order: readonly number[] = [];
-  private value = NaN;
 
-  constructor(private readonly listener: MapListener) {
+  constructor(listener: StackListener) {
     this.main = new Chart({
       title: 'Diagram',
       bareX: true,
@@ -71,27 +50,15 @@ export class MapView {
       under: (pen, frame, colours) => this.drawContact(pen, frame, colours),
       over: (pen, frame, colours) => this.drawExponent(pen, frame, colours),
     });
-    this.cursors = [new CursorLine('a'), new CursorLine('b')];
-    for (const cursor of this.cursors) {
-      this.main.overlay.append(cursor.upper);
-      this.exponent.overlay.append(cursor.lower);
-    }
-    this.main.overlay.append(this.brush);
-    this.main.root.classList.add('map-main');
-    this.exponent.root.classList.add('map-exponent');
-    // They hold a slider, which a picture would hide from assistive programs.
-    for (const chart of [this.main, this.exponent]) chart.root.setAttribute('role', 'group');
-    this.root = el('div', { class: 'map' }, this.main.root, this.exponent.root, this.empty);
-    this.listen(this.main.overlay);
-    this.listen(this.exponent.overlay);
-    this.main.overlay.tabIndex = 0;
-    this.main.overlay.setAttribute('role', 'slider');
-    this.main.overlay.addEventListener('keydown', (event) => this.key(event));
+    this.stack = new Stack(this.main, this.exponent, listener);
+    this.root = this.stack.root;
+    this.root.append(this.empty);
   }
 
   show(subject: MapSubject): void {
     if (subject.diagram !== this.subject?.diagram) this.order = [];
     this.subject = subject;
+    this.stack.show(subject);
     const { diagram } = subject;
     if (diagram && this.order.length !== diagram.count)
       this.order = Array.from(diagram.values.keys()).sort((a, b) => diagram.values[a]! - diagram.values[b]!);
@@ -116,21 +83,10 @@ export class MapView {
     const subject = this.subject;
     if (!subject) return;
     this.showQuantity(subject);
-    const measure = parameterMeasure(subject.unit, subject.units);
-    const x: Range = [subject.range[0] * measure.factor, subject.range[1] * measure.factor];
+    const x = this.stack.range;
     this.main.show(x, this.mainRange(subject));
     this.exponent.show(x, this.exponentRange(subject));
-    this.main.redraw();
-    this.exponent.redraw();
-    this.placeCursors();
-  }
-
-  /// The values of settings A and B in SI; NaN hides a cursor.
-  setCursors(a: number, b: number): void {
-    this.value = a;
-    this.cursors[0].value = a;
-    this.cursors[1].value = b;
-    this.placeCursors();
+    this.stack.redraw();
   }
 
   focus(): void {
@@ -138,23 +94,12 @@ export class MapView {
   }
 
   picture(): Picture {
-    const boxes = [this.main, this.exponent].map((chart) => chart.root.getBoundingClientRect());
-    const [width, upper, lower] = [
-      Math.floor(boxes[0]!.width),
-      Math.floor(boxes[0]!.height),
-      Math.floor(boxes[1]!.height),
-    ];
-    const legend = Math.ceil(textSize() * 2);
-    const pen = new SvgPen(width, upper + lower + legend, 'Bifurcation diagram');
     this.shapes = true;
-    this.main.sketch(pen, width, upper);
-    pen.save();
-    pen.translate(0, upper);
-    this.exponent.sketch(pen, width, lower);
-    pen.restore();
+    const made = this.stack.picture('Bifurcation diagram', (pen, width, top, height) =>
+      this.sketchLegend(pen, width, top, height),
+    );
     this.shapes = false;
-    this.sketchLegend(pen, width, upper + lower, legend);
-    return { svg: pen.text(), width, height: upper + lower + legend };
+    return made;
   }
 
   table(): Table {
@@ -385,179 +330,6 @@ export class MapView {
     const there = new Set(Array.from(diagram.classes).filter((_, point) => diagram.done[point]));
     return CLASS_ENTRIES.filter(({ kind }) => there.has(kind));
   }
-
-  // ---------------------------------------------------------------- cursors, zoom, keys
-
-  private placeCursors(): void {
-    const subject = this.subject;
-    if (!subject) return;
-    const measure = parameterMeasure(subject.unit, subject.units);
-    for (const cursor of this.cursors) {
-      const inside = cursor.value >= subject.range[0] && cursor.value <= subject.range[1];
-      cursor.place(inside ? this.main.placeOf(cursor.value * measure.factor) : NaN, this.main.area.width);
-    }
-    const slider = this.main.overlay;
-    slider.setAttribute('aria-label', `Value of ${subject.parameter}`);
-    slider.setAttribute('aria-valuemin', String(subject.range[0] * measure.factor));
-    slider.setAttribute('aria-valuemax', String(subject.range[1] * measure.factor));
-    slider.setAttribute('aria-valuenow', String(this.value * measure.factor));
-    slider.setAttribute(
-      'aria-valuetext',
-      `${subject.parameter} ${shown(this.value * measure.factor, 6)} ${measure.unit}`,
-    );
-  }
-
-  private valueAt(overlay: HTMLElement, clientX: number): number {
-    const subject = this.subject!;
-    const box = overlay.getBoundingClientRect();
-    const part = Math.min(1, Math.max(0, (clientX - box.left) / box.width));
-    return subject.range[0] + part * (subject.range[1] - subject.range[0]);
-  }
-
-  private listen(overlay: HTMLElement): void {
-    let doing: Mode | undefined;
-    let from = NaN;
-    let last = NaN;
-    const fingers = new Map<number, number>();
-    overlay.addEventListener('pointerdown', (event) => {
-      if (event.button !== 0 || !this.subject) return;
-      overlay.setPointerCapture(event.pointerId);
-      this.main.overlay.focus({ preventScroll: true });
-      event.preventDefault();
-      fingers.set(event.pointerId, event.clientX);
-      if (fingers.size > 1) {
-        doing = undefined;
-        this.brush.hidden = true;
-        return;
-      }
-      doing = event.shiftKey ? 'range' : this.mode;
-      from = last = this.valueAt(overlay, event.clientX);
-      if (doing === 'point') this.listener.cursor(from, false);
-    });
-    overlay.addEventListener('pointermove', (event) => {
-      if (!this.subject) return;
-      if (fingers.size === 2 && fingers.has(event.pointerId)) this.pinch(overlay, fingers, event);
-      if (!doing) return;
-      const value = this.valueAt(overlay, event.clientX);
-      if (doing === 'point' && value !== last) this.listener.cursor(value, false);
-      if (doing === 'range') this.showBrush(from, value);
-      if (doing === 'pan') this.pan(from - value);
-      last = value;
-    });
-    const end = (event: PointerEvent, cancelled: boolean) => {
-      fingers.delete(event.pointerId);
-      if (!doing || !this.subject) return;
-      const value = this.valueAt(overlay, event.clientX);
-      if (doing === 'point') this.listener.cursor(cancelled ? last : value, true);
-      if (doing === 'range') this.endBrush(from, value, cancelled);
-      doing = undefined;
-    };
-    overlay.addEventListener('pointerup', (event) => end(event, false));
-    overlay.addEventListener('pointercancel', (event) => end(event, true));
-    overlay.addEventListener('wheel', (event) => this.wheel(overlay, event), { passive: false });
-  }
-
-  /// Two fingers zoom and move: what is under them stays under them.
-  private pinch(overlay: HTMLElement, fingers: Map<number, number>, event: PointerEvent): void {
-    const before = [...fingers.values()];
-    fingers.set(event.pointerId, event.clientX);
-    const now = [...fingers.values()];
-    const apart = (places: readonly number[]) => Math.max(20, Math.abs(places[0]! - places[1]!));
-    const middle = (places: readonly number[]) => this.valueAt(overlay, (places[0]! + places[1]!) / 2);
-    const by = apart(before) / apart(now);
-    const [low, high] = this.subject!.range;
-    const [about, to] = [middle(before), middle(now)];
-    const shift = (about - to) * by;
-    this.listener.viewed([about - (about - low) * by + shift, about + (high - about) * by + shift]);
-  }
-
-  private wheel(overlay: HTMLElement, event: WheelEvent): void {
-    // The page scrolls until the diagram is in use.
-    if (!this.subject || document.activeElement !== this.main.overlay) return;
-    event.preventDefault();
-    if (Math.abs(event.deltaX) > Math.abs(event.deltaY)) {
-      this.pan(((this.subject.range[1] - this.subject.range[0]) * event.deltaX) / 800);
-      return;
-    }
-    this.zoom(Math.exp(Math.max(-80, Math.min(80, event.deltaY)) / 300), this.valueAt(overlay, event.clientX));
-  }
-
-  private zoom(by: number, about: number): void {
-    const [low, high] = this.subject!.range;
-    this.listener.viewed([about - (about - low) * by, about + (high - about) * by]);
-  }
-
-  private pan(by: number): void {
-    const [low, high] = this.subject!.range;
-    this.listener.viewed([low + by, high + by]);
-  }
-
-  private showBrush(from: number, to: number): void {
-    const factor = parameterMeasure(this.subject!.unit, this.subject!.units).factor;
-    const [left, right] = [
-      this.main.placeOf(Math.min(from, to) * factor),
-      this.main.placeOf(Math.max(from, to) * factor),
-    ];
-    this.brush.hidden = false;
-    this.brush.style.left = `${left}px`;
-    this.brush.style.width = `${right - left}px`;
-  }
-
-  private endBrush(from: number, to: number, cancelled: boolean): void {
-    this.brush.hidden = true;
-    const [low, high] = [Math.min(from, to), Math.max(from, to)];
-    const span = this.subject!.range[1] - this.subject!.range[0];
-    if (!cancelled && high - low > span * 0.004) this.listener.brushed([low, high]);
-  }
-
-  private key(event: KeyboardEvent): void {
-    const subject = this.subject;
-    if (!subject || event.ctrlKey || event.metaKey || event.altKey) return;
-    const [low, high] = subject.range;
-    const step = ((high - low) / KEYBOARD_STEPS) * (event.shiftKey ? 10 : 1);
-    const now = Number.isFinite(this.value) ? this.value : (low + high) / 2;
-    // Keys may come faster than frames: the next one goes on from here.
-    const go = (value: number) => {
-      this.value = Math.min(high, Math.max(low, value));
-      this.listener.cursor(this.value, true);
-    };
-    const actions: Record<string, () => void> = {
-      ArrowLeft: () => go(now - step),
-      ArrowRight: () => go(now + step),
-      ArrowDown: () => go(now - step),
-      ArrowUp: () => go(now + step),
-      PageDown: () => go(now - (high - low) / 20),
-      PageUp: () => go(now + (high - low) / 20),
-      Home: () => go(low),
-      End: () => go(high),
-      '+': () => this.zoom(0.7, now),
-      '-': () => this.zoom(1 / 0.7, now),
-      Backspace: () => this.listener.back(),
-    };
-    const action = actions[event.key];
-    if (!action) return;
-    event.preventDefault();
-    action();
-  }
 }
 
 const CLASS_ENTRIES = CLASS_NAMES.map((name, kind) => ({ name, kind }));
-
-/// A cursor over both charts.
-class CursorLine {
-  readonly upper: HTMLElement;
-  readonly lower: HTMLElement;
-  value = NaN;
-
-  constructor(side: 'a' | 'b') {
-    this.upper = el('div', { class: `cursor cursor-${side}`, hidden: true });
-    this.lower = el('div', { class: `cursor cursor-${side}`, hidden: true });
-  }
-
-  place(left: number, width: number): void {
-    for (const line of [this.upper, this.lower]) {
-      line.hidden = !(left >= 0 && left <= width);
-      if (!line.hidden) line.style.transform = `translateX(${left}px)`;
-    }
-  }
-}

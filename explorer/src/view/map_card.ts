@@ -4,10 +4,11 @@ import { CLASS_NAMES } from '../data/regimes';
 import { button, el, Segments, select, setChoices, type Choice } from '../dom';
 import type { SweepProgress } from '../engine/protocol';
 import type { Quality } from '../model/sights';
-import { MapView, type MapListener, type MapSubject, type Mode } from './map';
+import { MapView, type MapSubject } from './map';
 import { fileName, saveMenu } from './panel';
+import type { Mode, StackListener } from './stack';
 
-export interface MapCardListener extends MapListener {
+export interface MapCardListener extends StackListener {
   quantity(id: string): void;
   station(index: number): void;
   parameter(name: string): void;
@@ -82,7 +83,7 @@ export class MapCard {
         { value: 'pan', text: 'Pan', title: 'Drag: move the view; the wheel zooms' },
       ],
       'point',
-      (value) => (this.map.mode = value as Mode),
+      (value) => (this.map.stack.mode = value as Mode),
     );
     this.back = button('Back', 'Back to the diagram before', () => listener.back());
     this.reset = button('Reset', 'The whole diagram of the case', () => listener.reset());

@@ -9,6 +9,7 @@ import { parameterMeasure, readable, shown } from '../model/units';
 import { Help } from './help';
 import { MapCard, type MapCardListener } from './map_card';
 import { Pane, type PaneListener } from './pane';
+import { RestView, type RestListener } from './rest';
 import { SettingsCard, type SettingsListener } from './settings_card';
 import { Topbar, type TopbarListener } from './topbar';
 
@@ -17,6 +18,7 @@ export interface PageListener {
   readonly card: MapCardListener;
   readonly settings: SettingsListener;
   readonly pane: PaneListener;
+  readonly rest: RestListener;
 }
 
 export class Page {
@@ -24,6 +26,8 @@ export class Page {
   readonly card: MapCard;
   readonly settings: SettingsCard;
   readonly panes: Readonly<Record<SideName, Pane>>;
+  private readonly rest: RestView;
+  private readonly motions: HTMLElement;
   private readonly topbar: Topbar;
   private readonly help = new Help();
   private readonly footer = el('p');
@@ -37,16 +41,19 @@ export class Page {
     this.topbar = new Topbar(listener.topbar);
     this.card = new MapCard(listener.card);
     this.settings = new SettingsCard(listener.settings);
+    this.rest = new RestView(listener.rest);
+    this.motions = el(
+      'main',
+      {},
+      this.card.root,
+      this.settings.root,
+      el('div', { class: 'panes' }, this.panes.a.root, this.panes.b.root),
+    );
     this.root.append(
       this.topbar.root,
       this.banner,
-      el(
-        'main',
-        {},
-        this.card.root,
-        this.settings.root,
-        el('div', { class: 'panes' }, this.panes.a.root, this.panes.b.root),
-      ),
+      this.motions,
+      this.rest.root,
       el('footer', {}, this.footer),
       this.help.root,
     );
@@ -66,6 +73,7 @@ export class Page {
     theme().classes.forEach((colour, kind) => document.documentElement.style.setProperty(`--class-${kind}`, colour));
     for (const pane of Object.values(this.panes)) pane.redraw();
     this.card.map.refresh();
+    this.rest.redraw();
   }
 
   openHelp(): void {
@@ -73,11 +81,19 @@ export class Page {
   }
 
   show(changes: ReadonlySet<Change>): void {
-    const { sides, address } = this.session;
+    const { sides, address, atRest } = this.session;
+    this.motions.hidden = atRest !== undefined;
+    this.rest.root.hidden = atRest === undefined;
+    this.footer.hidden = atRest !== undefined; // nothing is computed there
+    if (atRest) {
+      this.showTop();
+      this.rest.show(this.session, atRest);
+      return;
+    }
     if (changes.has('all')) this.showAll();
     else if (changes.has('grow')) this.card.grow();
     for (const name of this.session.shownSides()) if (changes.has('all') || changes.has(name)) this.showPane(name);
-    this.card.map.setCursors(sides.a.choice.value, address.b ? sides.b.choice.value : NaN);
+    this.card.map.stack.setCursors(sides.a.choice.value, address.b ? sides.b.choice.value : NaN);
     this.showSettings();
   }
 
@@ -95,13 +111,18 @@ export class Page {
     };
   }
 
+  private showTop(): void {
+    const { machine, machines, address, scales, atRest } = this.session;
+    this.topbar.show(machine, machines, address.units, scales.symbol, address.b !== undefined, atRest !== undefined);
+  }
+
   private showAll(): void {
     const { session } = this;
     const comparing = session.address.b !== undefined;
     this.root.classList.toggle('comparing', comparing);
     this.panes.b.root.hidden = !comparing;
     for (const name of ['a', 'b'] as const) this.panes[name].active = comparing && name === session.active;
-    this.topbar.show(session.machine, session.machines, session.address.units, session.scales.symbol, comparing);
+    this.showTop();
     const { sight } = session;
     const text = [sight.text, sight.note].filter((part) => part).join(' ');
     const stale = sight.of !== assignmentTexts(session.side.choice.assignments).join('; ');

@@ -85,9 +85,15 @@ export function saveMenu(title: string, name: () => string, figure: () => Figure
   return menu;
 }
 
-export abstract class Panel {
+/// What every panel needs of its subject: words for files.
+interface Named {
+  readonly info: { readonly name: string };
+  readonly label: string;
+}
+
+export abstract class Panel<S extends Named = Subject> {
   readonly root: HTMLElement;
-  protected subject: Subject | undefined;
+  protected subject: S | undefined;
   protected readonly note = el('p', { class: 'panel-note' });
   private readonly tools = el('div', { class: 'panel-tools' });
 
@@ -117,7 +123,7 @@ export abstract class Panel {
     this.root.append(this.figure.root, this.note);
   }
 
-  update(subject: Subject): void {
+  update(subject: S): void {
     this.subject = subject;
     this.refresh();
   }

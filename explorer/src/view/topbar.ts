@@ -78,7 +78,14 @@ export class Topbar {
     );
   }
 
-  show(machine: Machine, machines: readonly Machine[], units: Units, lengthSymbol: string, comparing: boolean): void {
+  show(
+    machine: Machine,
+    machines: readonly Machine[],
+    units: Units,
+    lengthSymbol: string,
+    comparing: boolean,
+    atRest: boolean,
+  ): void {
     this.title.textContent = machine.title || machine.name;
     document.title = `${machine.title || machine.name} \u00b7 whirl`;
     this.intro.textContent = machine.intro;
@@ -98,6 +105,9 @@ export class Topbar {
     this.frequency.value = units.frequency;
     this.amplitude.value = units.amplitude;
     this.compare.setAttribute('aria-pressed', String(comparing));
+    this.compare.hidden = atRest;
+    // There, frequencies stand beside the speed, and not over it.
+    this.frequency.rename('order', atRest ? units.speed : 'X');
   }
 
   private unitSegments(

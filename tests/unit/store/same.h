@@ -66,7 +66,8 @@ static inline bool same_case(const whirl_result *a, const whirl_result *b) {
     for (size_t i = 0; i < a->station_count; ++i) {
         const whirl_probe *p = &a->stations[i], *q = &b->stations[i];
         if (strcmp(p->name, q->name) != 0 || p->x != q->x || p->y != q->y || p->vx != q->vx || p->vy != q->vy ||
-            !same_bits(&p->clearance, &q->clearance, 1) || !same_bits(&p->gap, &q->gap, 1))
+            p->shaft != q->shaft || !same_bits(&p->clearance, &q->clearance, 1) || !same_bits(&p->gap, &q->gap, 1) ||
+            !same_bits(&p->position, &q->position, 1))
             return false;
     }
     for (size_t i = 0; i < a->contact_count; ++i)

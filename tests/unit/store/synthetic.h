@@ -120,8 +120,8 @@ static inline whirl_result *synthetic_result(void) {
     result->parameter_count = 3;
     result->parameters = synthetic_take(3, sizeof *parameters);
     memcpy(result->parameters, parameters, sizeof parameters);
-    static const whirl_probe stations[SYNTHETIC_STATIONS] = {{"disc", 0, 1, 4, 5, 0.0, 1.2},
-                                                             {"journal", 2, 3, 6, 7, 1.0, 0.0}};
+    static const whirl_probe stations[SYNTHETIC_STATIONS] = {{"disc", 0, 1, 4, 5, 0.0, 1.2, 1, 0.25},
+                                                             {"journal", 2, 3, 6, 7, 1.0, 0.0, 0, 0.0}};
     result->station_count = SYNTHETIC_STATIONS;
     result->stations = synthetic_take(SYNTHETIC_STATIONS, sizeof *stations);
     memcpy(result->stations, stations, sizeof stations);

@@ -1,0 +1,258 @@
+// Machines at rest, as a run has stored them: the modes of small motions, or the response to unbalance, over a
+// parameter. Nothing is computed here but other views of the same numbers: ellipses, and what a probe sees of them.
+import type { StationInfo } from '../engine/protocol';
+import { Diagram } from './diagram';
+import type { Run } from './run';
+
+/// A harmonic motion of a station: x = xc cos t + xs sin t, y alike.
+export interface Sway {
+  readonly xc: number;
+  readonly xs: number;
+  readonly yc: number;
+  readonly ys: number;
+}
+
+export interface Mode {
+  /// rad/s, damped.
+  readonly frequency: number;
+  /// 1/s, real part of the eigenvalue.
+  readonly growth: number;
+  readonly ratio: number;
+  readonly decrement: number;
+  /// 1 circles with the rotation, -1 against it.
+  readonly direction: number;
+}
+
+/// What was located between two points.
+export interface Critical {
+  readonly kind: 'critical' | 'onset' | 'recovery';
+  readonly value: number;
+  /// Of the shaft and of the mode, rad/s.
+  readonly speed: number;
+  readonly frequency: number;
+  readonly ratio: number;
+  readonly direction: number;
+}
+
+export type Whirl = 'forward' | 'backward' | 'planar';
+
+/// As reports tell them apart.
+export function whirlOf(direction: number): Whirl {
+  return direction > 0.05 ? 'forward' : direction < -0.05 ? 'backward' : 'planar';
+}
+
+export const WHIRL_TEXT: Readonly<Record<Whirl, string>> = {
+  forward: 'forward',
+  backward: 'backward',
+  planar: 'to and fro',
+};
+
+export const CRITICAL_TEXT: Readonly<Record<Critical['kind'], string>> = {
+  critical: 'critical speed',
+  onset: 'instability begins',
+  recovery: 'instability ends',
+};
+
+const KINDS = [undefined, 'critical', 'onset', 'recovery'] as const;
+/// What rounding leaves of no damping, over the frequency.
+export const ROUNDING = 1e-10;
+type Six = [number, number, number, number, number, number];
+const RADIAN = Math.PI / 180;
+
+export function swayAt({ xc, xs, yc, ys }: Sway, angle: number): readonly [number, number] {
+  const [c, s] = [Math.cos(angle), Math.sin(angle)];
+  return [xc * c + xs * s, yc * c + ys * s];
+}
+
+/// Sense of an ellipse: 1 a circle from x to y, -1 the other way round, 0 a line.
+export function senseOf({ xc, xs, yc, ys }: Sway): number {
+  const size = xc * xc + xs * xs + yc * yc + ys * ys;
+  return size > 0 ? (2 * (xc * ys - xs * yc)) / size : 0;
+}
+
+/// The largest distance from the middle.
+export function reachOf({ xc, xs, yc, ys }: Sway): number {
+  return (Math.hypot(xc + ys, yc - xs) + Math.hypot(xc - ys, yc + xs)) / 2;
+}
+
+/// What a probe at `angle` degrees from the x axis sees: its amplitude, and the degrees by which the peak comes after
+/// the mark.
+export function seenBy({ xc, xs, yc, ys }: Sway, angle: number): { readonly amplitude: number; readonly lag: number } {
+  const [c, s] = [Math.cos(angle * RADIAN), Math.sin(angle * RADIAN)];
+  const [real, late] = [xc * c + yc * s, xs * c + ys * s];
+  const amplitude = Math.hypot(real, late);
+  return { amplitude, lag: amplitude > 0 ? (((Math.atan2(late, real) / RADIAN) % 360) + 360) % 360 : NaN };
+}
+
+export class AtRest {
+  /// Points by rising value.
+  readonly order: readonly number[];
+  private found: readonly (readonly Place[])[] | undefined;
+
+  private constructor(
+    readonly kind: 'modes' | 'unbalance',
+    readonly diagram: Diagram,
+    readonly stations: readonly StationInfo[],
+    readonly critical: readonly Critical[],
+    /// Degrees from the x axis: the first probe of the case.
+    readonly probe: number,
+  ) {
+    this.order = Array.from(diagram.values.keys())
+      .filter((point) => diagram.done[point])
+      .sort((a, b) => diagram.values[a]! - diagram.values[b]!);
+  }
+
+  /// What is stored of a run; undefined where it has motions.
+  static kindOf(run: Run | undefined): AtRest['kind'] | undefined {
+    const has = (field: string) => run?.tables[0]?.fields.some(({ name }) => name === field);
+    return has('modes/frequency') ? 'modes' : has('unbalance/amplitude') ? 'unbalance' : undefined;
+  }
+
+  static of(run: Run | undefined): AtRest | undefined {
+    const table = run?.tables[0];
+    const kind = AtRest.kindOf(run);
+    if (!run || !table || !kind) return undefined;
+    const critical = (table.critical ?? []).flatMap((row): Critical[] => {
+      const [number, value, speed, frequency, ratio, direction] = [0, 1, 2, 3, 4, 5].map((i) => row[i] ?? NaN) as Six;
+      const name = KINDS[number];
+      return name ? [{ kind: name, value, speed, frequency, ratio, direction }] : [];
+    });
+    const diagram = Diagram.stored(table, run.length_scale);
+    return new AtRest(kind, diagram, run.stations, critical, (table.probe_angle ?? 0) / RADIAN);
+  }
+
+  /// The point that is `steps` further on than the one at a value.
+  beside(value: number, steps: number): number {
+    const at = this.order.indexOf(this.diagram.nearest(value)) + steps;
+    return this.order[Math.min(this.order.length - 1, Math.max(0, at))] ?? -1;
+  }
+
+  /// Speed of the shaft, rad/s.
+  speed(point: number): number {
+    return this.diagram.number(point, `${this.kind}/speed`);
+  }
+
+  // ---------------------------------------------------------------- modes
+
+  /// Largest real part of all eigenvalues, 1/s.
+  stability(point: number): number {
+    return this.diagram.number(point, 'modes/stability');
+  }
+
+  /// 1: a mode grows, -1: all die out, 0: they do neither but for rounding.
+  growing(point: number): number {
+    const stability = this.stability(point);
+    const fastest = Math.max(0, ...this.modes(point).map(({ frequency }) => frequency));
+    return Math.abs(stability) > ROUNDING * fastest ? Math.sign(stability) : 0;
+  }
+
+  /// Frequencies are known but for multiples of it, rad/s; NaN where they are known.
+  modulo(point: number): number {
+    return this.diagram.number(point, 'modes/modulo');
+  }
+
+  /// By rising frequency.
+  modes(point: number): Mode[] {
+    const all = (field: string) => {
+      const { rows = 0, data } = this.diagram.column(`modes/${field}`) ?? {};
+      return data?.subarray(point * rows, (point + 1) * rows) ?? new Float32Array(0);
+    };
+    const [growth, ratio, decrement, direction] = [
+      all('growth'),
+      all('damping_ratio'),
+      all('decrement'),
+      all('direction'),
+    ];
+    return Array.from(all('frequency'), (frequency, i) => ({
+      frequency,
+      growth: growth[i]!,
+      ratio: ratio[i]!,
+      decrement: decrement[i]!,
+      direction: direction[i]!,
+    })).filter(({ frequency }) => Number.isFinite(frequency));
+  }
+
+  /// Shapes of a mode at all stations, the largest displacement 1.
+  shape(point: number, mode: number): Sway[] {
+    return this.stations.map((info, station) => {
+      const number = (column: number) => {
+        const found = this.diagram.column('modes/shape', station, column);
+        return found?.data[point * found.rows + mode] ?? NaN;
+      };
+      // One coordinate that stands for both is a motion along one line.
+      const line = info.x === info.y;
+      return { xc: number(0), xs: number(1), yc: line ? 0 : number(2), ys: line ? 0 : number(3) };
+    });
+  }
+
+  /// Modes from point to point, each with the one that it has most likely become.
+  get curves(): readonly (readonly Place[])[] {
+    return (this.found ??= curvesOf(
+      this.order,
+      this.order.map((point) => this.modes(point)),
+    ));
+  }
+
+  // ---------------------------------------------------------------- unbalance
+
+  /// In length scales of the point's machine.
+  response(point: number, station: number): Sway {
+    const number = (field: string, column: number) => this.diagram.number(point, `unbalance/${field}`, station, column);
+    const part = (column: number) => {
+      const amplitude = number('amplitude', column);
+      const lag = (number('lag', column) || 0) * RADIAN;
+      return [amplitude * Math.cos(lag), amplitude * Math.sin(lag)] as const;
+    };
+    const [[xc, xs], [yc, ys]] = [part(0), part(1)];
+    return { xc, xs, yc, ys };
+  }
+
+  rest(point: number, station: number): readonly [number, number] {
+    const number = (column: number) => this.diagram.number(point, `${this.kind}/rest`, station, column);
+    return [number(0), number(1)];
+  }
+}
+
+/// A mode of a point.
+export interface Place {
+  readonly point: number;
+  readonly index: number;
+  readonly mode: Mode;
+}
+
+/// How little alike two modes are: by frequency, damping and whirl. Only for drawing lines.
+function unlike(one: Mode, other: Mode): number {
+  return (
+    Math.abs(Math.log(one.frequency / other.frequency)) +
+    Math.abs(one.ratio - other.ratio) +
+    0.15 * Math.abs(one.direction - other.direction)
+  );
+}
+
+/// More than this and a mode has ended.
+const MOST_UNLIKE = 0.3;
+
+function curvesOf(order: readonly number[], modes: readonly (readonly Mode[])[]): Place[][] {
+  const curves: Place[][] = [];
+  let open: Place[][] = [];
+  modes.forEach((now, k) => {
+    const pairs = open.flatMap((curve, c) =>
+      now.map((mode, index) => ({ c, index, far: unlike(curve.at(-1)!.mode, mode) })),
+    );
+    pairs.sort((a, b) => a.far - b.far);
+    const [from, to] = [new Set<number>(), new Map<number, Place[]>()];
+    for (const { c, index, far } of pairs) {
+      if (far > MOST_UNLIKE) break;
+      if (from.has(c) || to.has(index)) continue;
+      from.add(c);
+      to.set(index, open[c]!);
+    }
+    open = now.map((mode, index) => {
+      const curve = to.get(index) ?? [];
+      if (curve.length === 0) curves.push(curve);
+      curve.push({ point: order[k]!, index, mode });
+      return curve;
+    });
+  });
+  return curves;
+}

@@ -1,0 +1,207 @@
+// Bode's diagram: amplitude and lag of the response to unbalance over a parameter, as two probes see one station.
+import { reachOf, seenBy } from '../data/rest';
+import { select, setChoices } from '../dom';
+import { Chart, type Frame } from '../figure/chart';
+import { textSize, type Picture } from '../figure/figure';
+import { drawLabels } from '../figure/labels';
+import { drawMark } from '../figure/marks';
+import type { Pen } from '../figure/pen';
+import type { Theme } from '../figure/theme';
+import { amplitudeMeasure, labelled, parameterMeasure, shown, written } from '../model/units';
+import { AngleField } from './angle_field';
+import type { CampbellListener } from './campbell';
+import type { Table } from './panel';
+import { lineKey, markKey, probeOf, sketchKeys, type Key, type RestChart, type RestSubject } from './rest_subject';
+import { Stack } from './stack';
+
+export interface BodeListener extends CampbellListener {
+  station(index: number): void;
+}
+
+/// Amplitudes and lags of every point, in the order of the values, in the units shown.
+export interface Response {
+  readonly values: readonly number[];
+  readonly points: readonly number[];
+  /// [first, second, major axis]
+  readonly amplitudes: readonly (readonly number[])[];
+  /// Degrees, [first, second].
+  readonly lags: readonly (readonly number[])[];
+}
+
+export function responseOf(subject: RestSubject): Response {
+  const { rest, station, units, scales, unit } = subject;
+  const { factor } = parameterMeasure(unit, units);
+  const seen = rest.order.map((point) => {
+    const sway = rest.response(point, station);
+    const length = amplitudeMeasure(units, { ...scales, length: rest.diagram.lengthScales[point]! }).factor;
+    const probes = [0, 90].map((more) => seenBy(sway, probeOf(subject) + more));
+    return { amplitudes: [...probes.map(({ amplitude }) => amplitude), reachOf(sway)].map((a) => a * length), probes };
+  });
+  return {
+    values: rest.order.map((point) => rest.diagram.values[point]! * factor),
+    points: rest.order,
+    amplitudes: [0, 1, 2].map((which) => seen.map(({ amplitudes }) => amplitudes[which]!)),
+    lags: [0, 1].map((which) => seen.map(({ probes }) => probes[which]!.lag)),
+  };
+}
+
+/// Where amplitudes are larger than at both neighbours, and than a twentieth of the largest.
+function peaksOf(amplitudes: readonly number[]): number[] {
+  const most = Math.max(...amplitudes);
+  return amplitudes.flatMap((each, i) =>
+    i > 0 && i + 1 < amplitudes.length && each > amplitudes[i - 1]! && each >= amplitudes[i + 1]! && each > most / 20
+      ? [i]
+      : [],
+  );
+}
+
+const DASHES = [[], [7, 4], [2, 3]] as const;
+const colourOf = (which: number) => (colours: Theme) => [colours.x, colours.y, colours.muted][which]!;
+
+export class BodeView implements RestChart {
+  readonly title = 'Bode diagram';
+  readonly stack: Stack;
+  readonly tools: readonly HTMLElement[];
+  private readonly main: Chart;
+  private readonly lower: Chart;
+  private readonly station: HTMLSelectElement;
+  private readonly probe: AngleField;
+  private subject: RestSubject | undefined;
+  private response: Response = { values: [], points: [], amplitudes: [[], [], []], lags: [[], []] };
+
+  constructor(listener: BodeListener) {
+    this.main = new Chart({
+      title: 'Amplitude',
+      bareX: true,
+      over: (pen, frame, colours) => this.drawAmplitudes(pen, frame, colours),
+    });
+    this.lower = new Chart({
+      title: 'Phase lag',
+      yTicks: [0, 90, 180, 270, 360],
+      over: (pen, frame, colours) => this.drawLags(pen, frame, colours),
+    });
+    this.stack = new Stack(this.main, this.lower, listener, (value, steps) => {
+      const { rest } = this.subject!;
+      return rest.diagram.values[rest.beside(value, steps)] ?? value;
+    });
+    this.station = select('Station', [], '', (value) => listener.station(Number(value)));
+    this.probe = new AngleField((probe) => listener.chosen({ probe }));
+    this.tools = [this.station, this.probe.root];
+  }
+
+  show(subject: RestSubject): void {
+    this.subject = subject;
+    const { units, scales, rest } = subject;
+    setChoices(
+      this.station,
+      rest.stations.map(({ name }, i) => ({ value: String(i), text: name })),
+      String(subject.station),
+    );
+    this.probe.show(probeOf(subject));
+    this.response = responseOf(subject);
+    this.stack.show(subject);
+    const xLabel = labelled(subject.parameter, parameterMeasure(subject.unit, units).unit);
+    this.main.setAxes(xLabel, labelled('amplitude', amplitudeMeasure(units, scales).unit));
+    this.lower.setAxes(xLabel, 'lag (\u00b0)');
+    const [low, high] = this.stack.range;
+    const inside = this.response.values.map((value) => value >= low && value <= high);
+    const most = Math.max(0, ...this.response.amplitudes[2]!.filter((each, i) => inside[i] && Number.isFinite(each)));
+    this.main.show(this.stack.range, [0, 1.08 * most || 1]);
+    this.lower.show(this.stack.range, [0, 360]);
+    this.stack.redraw();
+  }
+
+  keys(): readonly Key[] {
+    const probe = probeOf(this.subject!);
+    const text = (angle: number) => `probe at ${written(angle, 4)}\u00b0`;
+    return [
+      lineKey('\u2501', 'x', text(probe), DASHES[0], colourOf(0)),
+      lineKey('\u254d', 'y', text(probe + 90), DASHES[1], colourOf(1)),
+      lineKey('\u2508', 'plain', 'major axis of the orbit', DASHES[2], colourOf(2)),
+      markKey('\u25cb', 'plain', 'peak', 'ring', (colours) => colours.ink),
+    ];
+  }
+
+  picture(): Picture {
+    return this.stack.picture(this.title, (pen, width, top, height) =>
+      sketchKeys(this.keys(), pen, width, top, height),
+    );
+  }
+
+  table(): Table {
+    const subject = this.subject!;
+    const { rest, parameter, unit, units, scales } = subject;
+    const amplitude = amplitudeMeasure(units, scales).unit;
+    const [first, second] = [0, 90].map((more) => `probe at ${written(probeOf(subject) + more, 4)} deg`);
+    const { values, points, amplitudes, lags } = this.response;
+    const speed = parameterMeasure('rad/s', units);
+    return {
+      heading: [
+        labelled(parameter, parameterMeasure(unit, units).unit),
+        labelled('speed', speed.unit),
+        `${first} (${amplitude})`,
+        'its lag (deg)',
+        `${second} (${amplitude})`,
+        'its lag (deg)',
+        `major axis (${amplitude})`,
+      ],
+      rows: values.map((value, i) => [
+        value,
+        rest.speed(points[i]!) * speed.factor,
+        amplitudes[0]![i]!,
+        lags[0]![i]!,
+        amplitudes[1]![i]!,
+        lags[1]![i]!,
+        amplitudes[2]![i]!,
+      ]),
+    };
+  }
+
+  private drawAmplitudes(pen: Pen, frame: Frame, colours: Theme): void {
+    const { values, amplitudes } = this.response;
+    for (const which of [2, 1, 0])
+      strokeLine(pen, frame, values, amplitudes[which]!, colourOf(which)(colours), DASHES[which]!, Infinity);
+    const size = textSize() * frame.ratio;
+    const marks = peaksOf(amplitudes[0]!).map((i) => ({
+      x: frame.x(values[i]!),
+      y: frame.y(amplitudes[0]![i]!),
+      text: shown(values[i]!, 4),
+    }));
+    const inside = marks.filter(({ x }) => x >= frame.left && x <= frame.left + frame.width);
+    pen.strokeStyle = colours.ink;
+    pen.lineWidth = 1.4 * frame.ratio;
+    for (const { x, y } of inside) drawMark(pen, 'ring', x, y, 4 * frame.ratio);
+    drawLabels(pen, inside, frame, size, colours);
+  }
+
+  private drawLags(pen: Pen, frame: Frame, colours: Theme): void {
+    const { values, lags } = this.response;
+    for (const which of [1, 0])
+      strokeLine(pen, frame, values, lags[which]!, colourOf(which)(colours), DASHES[which]!, 180);
+  }
+}
+
+/// A line that breaks where it would jump by more than `most`.
+function strokeLine(
+  pen: Pen,
+  frame: Frame,
+  values: readonly number[],
+  heights: readonly number[],
+  colour: string,
+  dash: readonly number[],
+  most: number,
+): void {
+  pen.strokeStyle = colour;
+  pen.lineWidth = 1.5 * frame.ratio;
+  pen.setLineDash(dash.map((each) => each * frame.ratio));
+  pen.beginPath();
+  let down = false;
+  heights.forEach((height, i) => {
+    const there = Number.isFinite(height);
+    if (i > 0 && Math.abs(height - heights[i - 1]!) > most) down = false;
+    if (there) (down ? pen.lineTo : pen.moveTo).call(pen, frame.x(values[i]!), frame.y(height));
+    down = there;
+  });
+  pen.stroke();
+  pen.setLineDash([]);
+}

@@ -1,0 +1,321 @@
+// Campbell's diagram: natural frequencies over a parameter, and their damping below.
+import { CRITICAL_TEXT, ROUNDING, WHIRL_TEXT, whirlOf, type Critical, type Mode, type Place } from '../data/rest';
+import { Segments } from '../dom';
+import { Chart, type Frame, type Range } from '../figure/chart';
+import { textSize, type Picture } from '../figure/figure';
+import { drawLabels, type Marked } from '../figure/labels';
+import { drawMark } from '../figure/marks';
+import type { Pen } from '../figure/pen';
+import type { Theme } from '../figure/theme';
+import type { RestChoice } from '../model/setting';
+import { labelled, naturalMeasure, parameterMeasure, shown } from '../model/units';
+import type { Table } from './panel';
+import {
+  lineKey,
+  markKey,
+  sketchKeys,
+  WHIRL_MARKS,
+  whirlColour,
+  type Key,
+  type RestChart,
+  type RestSubject,
+} from './rest_subject';
+import { Stack, type StackListener } from './stack';
+
+/// Up to how many times the highest speed frequencies are shown, unless all are.
+const ORDERS = 2;
+/// A mode of more damping answers no unbalance with a peak (amplification below 2.5, API 617): it is off the axis.
+const MOST_RATIO = 0.25;
+/// CSS pixels between marks on a curve.
+const APART = 16;
+
+export interface CampbellListener extends StackListener {
+  chosen(part: Partial<RestChoice>): void;
+}
+
+export class CampbellView implements RestChart {
+  readonly title = 'Campbell diagram';
+  readonly stack: Stack;
+  readonly tools: readonly HTMLElement[];
+  private readonly main: Chart;
+  private readonly lower: Chart;
+  private readonly damping: Segments;
+  private readonly reach: Segments;
+  private subject: RestSubject | undefined;
+
+  constructor(listener: CampbellListener) {
+    this.main = new Chart({
+      title: 'Natural frequencies',
+      bareX: true,
+      under: (pen, frame, colours) => this.drawUnstable(pen, frame, colours),
+      over: (pen, frame, colours) => this.drawFrequencies(pen, frame, colours),
+    });
+    this.lower = new Chart({
+      title: 'Damping of the modes',
+      under: (pen, frame, colours) => this.drawUnstable(pen, frame, colours),
+      over: (pen, frame, colours) => this.drawDamping(pen, frame, colours),
+    });
+    this.stack = new Stack(this.main, this.lower, listener, (value, steps) => {
+      const { rest } = this.subject!;
+      return rest.diagram.values[rest.beside(value, steps)] ?? value;
+    });
+    this.damping = new Segments(
+      'Damping as',
+      [
+        { value: 'ratio', text: '\u03b6', title: 'Damping ratio' },
+        { value: 'decrement', text: '\u03b4', title: 'Logarithmic decrement' },
+      ],
+      'ratio',
+      (value) => listener.chosen({ decrement: value === 'decrement' }),
+    );
+    this.reach = new Segments(
+      'Frequencies',
+      [
+        { value: 'near', text: 'near 1X', title: `Frequencies up to ${ORDERS} times the highest speed` },
+        { value: 'all', text: 'all', title: 'All modes of the result, however high and however damped' },
+      ],
+      'near',
+      (value) => listener.chosen({ all: value === 'all' }),
+    );
+    this.tools = [this.damping.root, this.reach.root];
+  }
+
+  show(subject: RestSubject): void {
+    this.subject = subject;
+    const { units, choice } = subject;
+    this.damping.value = choice.decrement ? 'decrement' : 'ratio';
+    this.reach.value = choice.all ? 'all' : 'near';
+    this.stack.show(subject);
+    const xLabel = labelled(subject.parameter, parameterMeasure(subject.unit, units).unit);
+    this.main.setAxes(xLabel, labelled('damped frequency', naturalMeasure(units).unit));
+    this.lower.setAxes(xLabel, choice.decrement ? 'log. decrement' : 'damping ratio');
+    const top = topOf(subject);
+    this.main.show(this.stack.range, [0, top * naturalMeasure(units).factor]);
+    this.lower.show(this.stack.range, this.dampingRange(subject, top));
+    this.stack.redraw();
+  }
+
+  keys(): readonly Key[] {
+    const { rest } = this.subject!;
+    const modes = rest.curves.flatMap((curve) => curve.map(({ mode }) => whirlOf(mode.direction)));
+    const signs = { forward: '\u25b2', backward: '\u25bc', planar: '\u25a0' } as const;
+    const keys = (['forward', 'backward', 'planar'] as const)
+      .filter((whirl) => modes.includes(whirl))
+      .map((whirl) =>
+        markKey(signs[whirl], whirl, WHIRL_TEXT[whirl], WHIRL_MARKS[whirl], (colours) => whirlColour(whirl, colours)),
+      );
+    keys.push(lineKey('\u254c', 'plain', 'speed of the shaft, 1X', [6, 4], (colours) => colours.muted));
+    if (rest.critical.some(({ kind }) => kind === 'critical'))
+      keys.push(markKey('\u25cb', 'plain', 'critical speed', 'ring', (colours) => colours.ink));
+    if (rest.critical.some(({ kind }) => kind !== 'critical'))
+      keys.push(markKey('\u2715', 'threshold', 'threshold of stability', 'cross', (colours) => colours.touch));
+    if (rest.order.some((point) => rest.growing(point) > 0))
+      keys.push(lineKey('\u25ae', 'unstable', 'unstable', [], (colours) => colours.contactShade));
+    return keys;
+  }
+
+  picture(): Picture {
+    return this.stack.picture(this.title, (pen, width, top, height) =>
+      sketchKeys(this.keys(), pen, width, top, height),
+    );
+  }
+
+  table(): Table {
+    const { rest, parameter, unit, units } = this.subject!;
+    const [value, frequency] = [parameterMeasure(unit, units), naturalMeasure(units)];
+    return {
+      heading: [
+        labelled(parameter, value.unit),
+        labelled('speed', frequency.unit),
+        'mode',
+        labelled('damped frequency', frequency.unit),
+        'damping ratio',
+        'logarithmic decrement',
+        'whirl (1 forward to -1 backward)',
+      ],
+      rows: rest.order.flatMap((point) =>
+        rest
+          .modes(point)
+          .map((mode, i) => [
+            rest.diagram.values[point]! * value.factor,
+            rest.speed(point) * frequency.factor,
+            i + 1,
+            mode.frequency * frequency.factor,
+            mode.ratio,
+            mode.decrement,
+            mode.direction,
+          ]),
+      ),
+    };
+  }
+
+  // ---------------------------------------------------------------- ranges
+
+  private dampingRange({ rest, choice }: RestSubject, top: number): Range {
+    let [low, high] = [0, 0];
+    for (const curve of rest.curves)
+      for (const { mode } of curve) {
+        if (mode.frequency > top || (!choice.all && mode.ratio > MOST_RATIO)) continue;
+        low = Math.min(low, dampingOf(mode, choice));
+        high = Math.max(high, dampingOf(mode, choice));
+      }
+    const room = high - low > ROUNDING ? 0.08 * (high - low) : 0.01;
+    return [low - room, high + room];
+  }
+
+  // ---------------------------------------------------------------- drawing
+
+  private valueFactor(): number {
+    return parameterMeasure(this.subject!.unit, this.subject!.units).factor;
+  }
+
+  /// Shades where a mode grows, from threshold to threshold.
+  private drawUnstable(pen: Pen, frame: Frame, colours: Theme): void {
+    if (!this.subject) return;
+    const { rest } = this.subject;
+    const values = rest.order.map((point) => rest.diagram.values[point]!);
+    const thresholds = rest.critical.filter(({ kind }) => kind !== 'critical').map(({ value }) => value);
+    const border = (i: number) => {
+      const [a, b] = [values[i]!, values[i + 1]!];
+      return thresholds.find((value) => value >= a && value <= b) ?? (a + b) / 2;
+    };
+    pen.fillStyle = colours.contactShade;
+    pen.beginPath();
+    rest.order.forEach((point, i) => {
+      if (!(rest.growing(point) > 0)) return;
+      const left = frame.x((i > 0 ? border(i - 1) : values[i]!) * this.valueFactor());
+      const right = frame.x((i + 1 < values.length ? border(i) : values[i]!) * this.valueFactor());
+      pen.rect(left, frame.top, right - left, frame.height);
+    });
+    pen.fill();
+  }
+
+  private drawFrequencies(pen: Pen, frame: Frame, colours: Theme): void {
+    if (!this.subject) return;
+    const { factor } = naturalMeasure(this.subject.units);
+    this.drawSpeed(pen, frame, colours, factor);
+    this.drawCurves(pen, frame, colours, ({ frequency }) => frequency * factor);
+    this.drawCritical(pen, frame, colours, ({ frequency }) => frequency * factor, true);
+  }
+
+  private drawDamping(pen: Pen, frame: Frame, colours: Theme): void {
+    if (!this.subject) return;
+    const { choice } = this.subject;
+    pen.strokeStyle = colours.muted;
+    pen.lineWidth = frame.ratio;
+    pen.beginPath();
+    pen.moveTo(frame.left, frame.y(0));
+    pen.lineTo(frame.left + frame.width, frame.y(0));
+    pen.stroke();
+    const top = topOf(this.subject);
+    this.drawCurves(pen, frame, colours, (mode) => (mode.frequency <= top ? dampingOf(mode, choice) : NaN));
+    this.drawCritical(pen, frame, colours, () => 0, false);
+  }
+
+  private drawSpeed(pen: Pen, frame: Frame, colours: Theme, factor: number): void {
+    const { rest } = this.subject!;
+    pen.strokeStyle = colours.muted;
+    pen.lineWidth = 1.3 * frame.ratio;
+    pen.setLineDash([6 * frame.ratio, 4 * frame.ratio]);
+    pen.beginPath();
+    rest.order.forEach((point, i) => {
+      const [x, y] = [rest.diagram.values[point]! * this.valueFactor(), Math.abs(rest.speed(point)) * factor];
+      (i > 0 ? pen.lineTo : pen.moveTo).call(pen, frame.x(x), frame.y(y));
+    });
+    pen.stroke();
+    pen.setLineDash([]);
+  }
+
+  private drawCurves(pen: Pen, frame: Frame, colours: Theme, heightOf: (mode: Mode) => number): void {
+    const { rest } = this.subject!;
+    const place = ({ point, mode }: Place) =>
+      [frame.x(rest.diagram.values[point]! * this.valueFactor()), frame.y(heightOf(mode))] as const;
+    pen.lineWidth = 1.5 * frame.ratio;
+    for (const curve of rest.curves) this.drawCurve(pen, curve.map(place), curve, colours);
+    for (const curve of rest.curves) {
+      let last = -Infinity;
+      for (const each of curve) {
+        const [x, y] = place(each);
+        if (!(Math.abs(x - last) >= APART * frame.ratio) || !Number.isFinite(y)) continue;
+        last = x;
+        const whirl = whirlOf(each.mode.direction);
+        pen.fillStyle = whirlColour(whirl, colours);
+        drawMark(pen, WHIRL_MARKS[whirl], x, y, 3.4 * frame.ratio);
+      }
+    }
+  }
+
+  /// In pieces of one colour each.
+  private drawCurve(
+    pen: Pen,
+    places: readonly (readonly [number, number])[],
+    curve: readonly Place[],
+    colours: Theme,
+  ): void {
+    for (let i = 1; i < curve.length;) {
+      const whirl = whirlOf(curve[i]!.mode.direction);
+      pen.strokeStyle = whirlColour(whirl, colours);
+      pen.beginPath();
+      let open = false;
+      for (; i < curve.length && whirlOf(curve[i]!.mode.direction) === whirl; i++) {
+        const [[x0, y0], [x1, y1]] = [places[i - 1]!, places[i]!];
+        const whole = Number.isFinite(y0 + y1);
+        if (whole && !open) pen.moveTo(x0, y0);
+        if (whole) pen.lineTo(x1, y1);
+        open = whole;
+      }
+      pen.stroke();
+    }
+  }
+
+  private drawCritical(
+    pen: Pen,
+    frame: Frame,
+    colours: Theme,
+    heightOf: (found: Critical) => number,
+    all: boolean,
+  ): void {
+    const { rest } = this.subject!;
+    const size = textSize() * frame.ratio;
+    const marks: Marked[] = [];
+    for (const found of rest.critical) {
+      if (found.kind === 'critical' && !all) continue;
+      const [x, y] = [frame.x(found.value * this.valueFactor()), frame.y(heightOf(found))];
+      if (!Number.isFinite(y) || x < frame.left || x > frame.left + frame.width) continue;
+      pen.lineWidth = 1.6 * frame.ratio;
+      pen.strokeStyle = found.kind === 'critical' ? colours.ink : colours.touch;
+      drawMark(pen, found.kind === 'critical' ? 'ring' : 'cross', x, y, 5 * frame.ratio);
+      marks.push({ x, y, text: shown(found.value * this.valueFactor(), 5) });
+    }
+    if (!all) return;
+    drawLabels(pen, marks.reverse(), frame, size, colours);
+  }
+}
+
+/// The highest frequency that is shown, rad/s: what the speed meets and what lies below twice its largest value.
+export function topOf({ rest, choice }: RestSubject): number {
+  const fastest = Math.max(0, ...rest.order.map((point) => Math.abs(rest.speed(point))));
+  let [highest, lowest, near] = [0, Infinity, 0];
+  for (const curve of rest.curves)
+    for (const { mode } of curve) {
+      highest = Math.max(highest, mode.frequency);
+      lowest = Math.min(lowest, mode.frequency);
+      if (mode.frequency <= ORDERS * fastest) near = Math.max(near, mode.frequency);
+    }
+  if (choice.all || fastest === 0 || ORDERS * fastest >= highest) return 1.05 * highest || 1;
+  return Math.max(Math.min(ORDERS * fastest, 1.1 * Math.max(fastest, near)), 1.2 * lowest);
+}
+
+function dampingOf({ ratio, decrement }: Mode, choice: RestChoice): number {
+  return choice.decrement ? decrement : ratio;
+}
+
+/// A damping ratio or decrement as it is said.
+export function dampingText(value: number): string {
+  return Math.abs(value) <= ROUNDING ? '0' : shown(value, 3);
+}
+
+/// "critical speed", with the whirl of the mode that meets it.
+export function criticalText({ kind, direction }: Critical): string {
+  return kind === 'critical' ? `${CRITICAL_TEXT[kind]}, ${WHIRL_TEXT[whirlOf(direction)]}` : CRITICAL_TEXT[kind];
+}

@@ -1,0 +1,32 @@
+// A table of numbers on the page.
+import { el } from '../dom';
+
+export type Cell = string | HTMLElement;
+
+/// The first cell of a row is its name; `marked` is the row that is looked at.
+export function numbersTable(
+  caption: string,
+  heading: readonly string[],
+  rows: readonly (readonly Cell[])[],
+  marked = -1,
+): HTMLElement {
+  const made = el(
+    'table',
+    {},
+    el('caption', { class: 'unseen' }, caption),
+    el('thead', {}, el('tr', {}, ...heading.map((text) => el('th', { scope: 'col' }, text)))),
+    el(
+      'tbody',
+      {},
+      ...rows.map(([name = '', ...cells], i) =>
+        el(
+          'tr',
+          i === marked ? { class: 'marked' } : {},
+          el('th', { scope: 'row' }, name),
+          ...cells.map((cell) => el('td', {}, cell)),
+        ),
+      ),
+    ),
+  );
+  return made;
+}

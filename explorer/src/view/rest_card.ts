@@ -1,0 +1,115 @@
+// The card of a pair of charts of a machine at rest: what it shows, how it is touched, what was located.
+import { button, el, Segments } from '../dom';
+import { naturalMeasure, parameterMeasure, shown, written } from '../model/units';
+import { criticalText, dampingText } from './campbell';
+import { fileName, saveMenu } from './panel';
+import { keyElements, type RestChart, type RestSubject } from './rest_subject';
+import type { Mode, StackListener } from './stack';
+import { numbersTable } from './numbers';
+
+export interface RestCardSubject extends RestSubject {
+  readonly depth: number;
+  readonly status: string;
+  readonly name: string;
+}
+
+export interface RestCardListener extends StackListener {
+  reset(): void;
+}
+
+export class RestCard {
+  readonly root: HTMLElement;
+  private readonly legend = el('div', { class: 'legend' });
+  private readonly status = el('p', { class: 'status', role: 'status' });
+  private readonly critical = el('div', { class: 'numbers', role: 'region', tabindex: 0 });
+  private readonly back: HTMLButtonElement;
+  private readonly reset: HTMLButtonElement;
+  private readonly tools: HTMLElement;
+  private name = '';
+
+  constructor(
+    private readonly chart: RestChart,
+    private readonly listener: RestCardListener,
+  ) {
+    const { title, stack } = chart;
+    const modes = new Segments(
+      'What dragging does',
+      [
+        { value: 'point', text: 'Point', title: 'Drag: the numbers at the value under the cursor' },
+        { value: 'range', text: 'Range', title: 'Drag: enlarge that range' },
+        { value: 'pan', text: 'Pan', title: 'Drag: move the view; the wheel zooms' },
+      ],
+      'point',
+      (value) => (stack.mode = value as Mode),
+    );
+    this.back = button('Back', 'Back to the view before', () => listener.back());
+    this.reset = button('Reset', 'The whole diagram', () => listener.reset());
+    this.tools = el('div', { class: 'tools' }, modes.root, this.back, this.reset);
+    this.critical.setAttribute('aria-label', 'Critical speeds and thresholds of stability');
+    const figure = { root: stack.root, redraw: () => stack.redraw(), picture: () => chart.picture() };
+    this.root = el(
+      'section',
+      { class: 'card map-card', 'aria-label': title },
+      el(
+        'header',
+        {},
+        el('h2', {}, title),
+        el(
+          'div',
+          { class: 'tools' },
+          ...chart.tools,
+          saveMenu(
+            title,
+            () => fileName('whirl', this.name, title),
+            () => figure,
+            () => chart.table(),
+          ),
+        ),
+      ),
+      this.tools,
+      stack.root,
+      this.legend,
+      this.critical,
+      this.status,
+    );
+  }
+
+  show(subject: RestCardSubject): void {
+    const { rest, range, depth } = subject;
+    this.name = subject.name;
+    this.back.disabled = depth === 0;
+    this.status.textContent = subject.status;
+    // One point is no diagram.
+    const drawn = range[1] > range[0];
+    this.chart.stack.root.hidden = this.legend.hidden = this.tools.hidden = !drawn;
+    if (drawn) this.chart.show(subject);
+    if (drawn) this.legend.replaceChildren(...keyElements(this.chart.keys()));
+    if (rest.kind === 'modes' && drawn) this.showCritical(subject);
+    this.critical.hidden = rest.kind !== 'modes' || !drawn;
+  }
+
+  private showCritical({ rest, parameter, unit, units }: RestSubject): void {
+    if (rest.critical.length === 0) {
+      this.critical.replaceChildren(
+        el('p', { class: 'panel-note' }, 'No critical speed and no threshold of stability lies in this range.'),
+      );
+      return;
+    }
+    const [value, frequency] = [parameterMeasure(unit, units), naturalMeasure(units)];
+    const heading = [
+      'located',
+      value.unit ? `${parameter} (${value.unit})` : parameter,
+      `frequency (${frequency.unit})`,
+      'damping ratio',
+    ];
+    const rows = rest.critical.map((found) => [
+      criticalText(found),
+      button(written(found.value * value.factor, 9), 'Go there', () => this.listener.cursor(found.value, true), {
+        class: 'link',
+      }),
+      shown(found.frequency * frequency.factor, 6),
+      found.kind === 'critical' ? dampingText(found.ratio) : '0',
+    ]);
+    this.critical.replaceChildren(numbersTable('Critical speeds and thresholds of stability', heading, rows));
+  }
+}

@@ -1,0 +1,115 @@
+// What the views of a machine at rest are given.
+import type { AtRest, Whirl } from '../data/rest';
+import { el } from '../dom';
+import type { StationInfo } from '../engine/protocol';
+import type { Mark } from '../figure/marks';
+import { drawMark } from '../figure/marks';
+import { font, textWidth, type Pen } from '../figure/pen';
+import { textSize, theme, type Picture } from '../figure/figure';
+import type { Theme } from '../figure/theme';
+import type { RestChoice } from '../model/setting';
+import type { Scales } from '../model/units';
+import type { Table } from './panel';
+import type { Along, Stack } from './stack';
+
+export interface RestSubject extends Along {
+  readonly rest: AtRest;
+  /// The point that is shown, -1 where none is done.
+  readonly point: number;
+  readonly station: number;
+  readonly info: StationInfo;
+  readonly scales: Scales;
+  readonly choice: RestChoice;
+  /// "omega 3000 rpm", for files and titles.
+  readonly label: string;
+}
+
+/// Degrees of the first probe.
+export function probeOf({ choice, rest }: RestSubject): number {
+  return choice.probe ?? rest.probe;
+}
+
+/// A pair of charts over the parameter, in its card.
+export interface RestChart {
+  readonly title: string;
+  readonly stack: Stack;
+  readonly tools: readonly HTMLElement[];
+  show(subject: RestSubject): void;
+  keys(): readonly Key[];
+  picture(): Picture;
+  table(): Table;
+}
+
+/// An entry of a legend: its sign on the page, and how a pen draws it.
+export interface Key {
+  readonly sign: string;
+  readonly kind: string;
+  readonly text: string;
+  readonly draw: (pen: Pen, x: number, y: number, size: number, colours: Theme) => void;
+}
+
+export const WHIRL_MARKS: Readonly<Record<Whirl, Mark>> = { forward: 'up', backward: 'down', planar: 'square' };
+
+export function whirlColour(whirl: Whirl, colours: Theme): string {
+  return whirl === 'planar' ? colours.muted : colours[whirl];
+}
+
+export function markKey(sign: string, kind: string, text: string, mark: Mark, of: (colours: Theme) => string): Key {
+  return {
+    ...{ sign, kind, text },
+    draw: (pen, x, y, size, colours) => {
+      pen.fillStyle = pen.strokeStyle = of(colours);
+      pen.lineWidth = 1.5;
+      drawMark(pen, mark, x, y, 0.35 * size);
+    },
+  };
+}
+
+export function lineKey(
+  sign: string,
+  kind: string,
+  text: string,
+  dash: readonly number[],
+  of: (colours: Theme) => string,
+): Key {
+  return {
+    ...{ sign, kind, text },
+    draw: (pen, x, y, size, colours) => {
+      pen.strokeStyle = of(colours);
+      pen.lineWidth = 1.5;
+      pen.setLineDash([...dash]);
+      pen.beginPath();
+      pen.moveTo(x - 0.8 * size, y);
+      pen.lineTo(x + 0.8 * size, y);
+      pen.stroke();
+      pen.setLineDash([]);
+    },
+  };
+}
+
+export function keyElements(keys: readonly Key[]): HTMLElement[] {
+  return keys.map(({ sign, kind, text }) =>
+    el('span', { class: 'legend-sign' }, el('span', { class: `sign sign-${kind}`, 'aria-hidden': 'true' }, sign), text),
+  );
+}
+
+/// A legend in one line under a picture.
+export function sketchKeys(keys: readonly Key[], pen: Pen, width: number, top: number, height: number): void {
+  const colours = theme();
+  const size = textSize();
+  pen.fillStyle = colours.paper;
+  pen.beginPath();
+  pen.rect(0, top, width, height);
+  pen.fill();
+  const face = font(size);
+  let x = 5 * size;
+  for (const { text, draw } of keys) {
+    draw(pen, x, top + height / 2, size, colours);
+    pen.fillStyle = colours.ink;
+    pen.font = face;
+    pen.textAlign = 'left';
+    pen.textBaseline = 'middle';
+    pen.fillText(text, x + 1.1 * size, top + height / 2);
+    x += textWidth(text, face) + 3 * size;
+  }
+}
