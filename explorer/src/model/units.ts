@@ -91,6 +91,11 @@ export function shown(value: number, digits = 4): string {
   return plain.replace('-', '\u2212');
 }
 
+/// The same, but with all digits before the point: speeds are read so.
+export function shownWhole(value: number, digits = 4): string {
+  return shown(value, Math.max(digits, Math.min(9, Math.ceil(Math.log10(Math.abs(value) || 1)))));
+}
+
 /// A sentence of the core, which writes plain ASCII for terminals, as it is read on a page.
 export function readable(sentence: string): string {
   return sentence.replaceAll('+-', '\u00b1');

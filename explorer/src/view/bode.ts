@@ -7,7 +7,7 @@ import { drawLabels } from '../figure/labels';
 import { drawMark } from '../figure/marks';
 import type { Pen } from '../figure/pen';
 import type { Theme } from '../figure/theme';
-import { amplitudeMeasure, labelled, parameterMeasure, shown, written } from '../model/units';
+import { amplitudeMeasure, labelled, parameterMeasure, shownWhole, written } from '../model/units';
 import { AngleField } from './angle_field';
 import type { CampbellListener } from './campbell';
 import type { Table } from './panel';
@@ -159,13 +159,13 @@ export class BodeView implements RestChart {
 
   private drawAmplitudes(pen: Pen, frame: Frame, colours: Theme): void {
     const { values, amplitudes } = this.response;
-    for (const which of [2, 1, 0])
+    for (const which of [0, 1, 2])
       strokeLine(pen, frame, values, amplitudes[which]!, colourOf(which)(colours), DASHES[which]!, Infinity);
     const size = textSize() * frame.ratio;
     const marks = peaksOf(amplitudes[0]!).map((i) => ({
       x: frame.x(values[i]!),
       y: frame.y(amplitudes[0]![i]!),
-      text: shown(values[i]!, 4),
+      text: shownWhole(values[i]!),
     }));
     const inside = marks.filter(({ x }) => x >= frame.left && x <= frame.left + frame.width);
     pen.strokeStyle = colours.ink;
@@ -176,7 +176,7 @@ export class BodeView implements RestChart {
 
   private drawLags(pen: Pen, frame: Frame, colours: Theme): void {
     const { values, lags } = this.response;
-    for (const which of [1, 0])
+    for (const which of [0, 1])
       strokeLine(pen, frame, values, lags[which]!, colourOf(which)(colours), DASHES[which]!, 180);
   }
 }

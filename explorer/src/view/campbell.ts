@@ -8,7 +8,7 @@ import { drawMark } from '../figure/marks';
 import type { Pen } from '../figure/pen';
 import type { Theme } from '../figure/theme';
 import type { RestChoice } from '../model/setting';
-import { labelled, naturalMeasure, parameterMeasure, shown } from '../model/units';
+import { labelled, naturalMeasure, parameterMeasure, shown, shownWhole } from '../model/units';
 import type { Table } from './panel';
 import {
   lineKey,
@@ -285,7 +285,7 @@ export class CampbellView implements RestChart {
       pen.lineWidth = 1.6 * frame.ratio;
       pen.strokeStyle = found.kind === 'critical' ? colours.ink : colours.touch;
       drawMark(pen, found.kind === 'critical' ? 'ring' : 'cross', x, y, 5 * frame.ratio);
-      marks.push({ x, y, text: shown(found.value * this.valueFactor(), 5) });
+      marks.push({ x, y, text: shownWhole(found.value * this.valueFactor(), 5) });
     }
     if (!all) return;
     drawLabels(pen, marks.reverse(), frame, size, colours);

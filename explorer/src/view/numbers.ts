@@ -14,7 +14,11 @@ export function numbersTable(
     'table',
     {},
     el('caption', { class: 'unseen' }, caption),
-    el('thead', {}, el('tr', {}, ...heading.map((text) => el('th', { scope: 'col' }, text)))),
+    el(
+      'thead',
+      {},
+      el('tr', {}, ...heading.map((text) => el('th', { scope: 'col' }, text.replace('0-p', '0\u2011p')))),
+    ),
     el(
       'tbody',
       {},

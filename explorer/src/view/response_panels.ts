@@ -214,10 +214,10 @@ export class RestPanel extends Panel<SwaySubject> {
     const { rest, point, info, units, scales, station } = this.subject!;
     const [x, y] = rest.rest(point, station);
     const { factor, unit } = lengthMeasure(units, scales);
+    // What rounding leaves of nothing is nothing.
+    const part = (value: number) => shown(Math.abs(value) > 1e-12 * Math.hypot(x, y) ? value * factor : 0, 4);
     const ratio = info.clearance > 0 ? `eccentricity ratio ${shown(Math.hypot(x, y) / info.clearance, 3)}, ` : '';
-    this.note.textContent = Number.isFinite(x)
-      ? `${ratio}at rest (${shown(x * factor, 4)}, ${shown(y * factor, 4)}) ${unit}`
-      : '';
+    this.note.textContent = Number.isFinite(x) ? `${ratio}at rest (${part(x)}, ${part(y)}) ${unit}` : '';
     this.figure.description = this.note.textContent;
     this.figure.redraw();
   }
@@ -255,9 +255,9 @@ export class RestPanel extends Panel<SwaySubject> {
             [wall, wall],
           ]
         : path;
-    // What moves less than a thousandth of its place stands still.
+    // What hardly moves is seen to stand still.
     const size = Math.max(...path.map(([x, y]) => Math.hypot(x, y)).filter(Number.isFinite), 0);
-    const least = size > 0 ? 5e-4 * size : 1;
+    const least = size > 0 ? 0.02 * size : 1;
     const plane = drawPlane(
       pen,
       [width, height],

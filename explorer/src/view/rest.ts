@@ -5,7 +5,7 @@ import { shortName } from '../model/machine';
 import type { Session } from '../model/session';
 import type { RestChoice } from '../model/setting';
 import { markField, typedQuantity } from '../model/typed';
-import { amplitudeMeasure, naturalMeasure, parameterMeasure, shown, written } from '../model/units';
+import { amplitudeMeasure, naturalMeasure, parameterMeasure, shown, shownWhole, written } from '../model/units';
 import { DisplacementsPanel, ShapePanel, sizeText, type Motion, type SwaySubject } from './along_shaft';
 import { BodeView } from './bode';
 import { CampbellView, dampingText, topOf } from './campbell';
@@ -58,7 +58,7 @@ export class RestView {
   private readonly state = el('strong', { class: 'verdict', role: 'status' });
   private readonly how = el('p', { class: 'how' });
   private readonly numbers = el('div', { class: 'numbers', role: 'region', tabindex: 0 });
-  private readonly left = el('p', { class: 'panel-note' });
+  private readonly left = el('p', { class: 'status' });
   private readonly title = el('h3');
   private factor = 1;
 
@@ -180,7 +180,7 @@ export class RestView {
         'aria-pressed': String(i === chosen),
       }),
       whirlSign(mode.direction),
-      plain(mode.frequency * frequency.factor),
+      shownWhole(mode.frequency * frequency.factor, 5),
       dampingText(mode.ratio),
       dampingText(mode.decrement),
       Math.abs(mode.growth) <= ROUNDING * mode.frequency ? '0' : shown(mode.growth, 3),
@@ -199,11 +199,6 @@ export class RestView {
     const rows = modes.map(row).filter((_, i) => modes[i]!.frequency <= top || i <= chosen);
     return numbersTable(title, heading, rows, chosen);
   }
-}
-
-/// Five digits, and all before the point.
-function plain(value: number): string {
-  return shown(value, Math.max(5, Math.ceil(Math.log10(value || 1))));
 }
 
 function stationsTable(subject: RestSubject, title: string): HTMLElement {
@@ -241,7 +236,7 @@ function motionOf(subject: RestSubject): Motion {
     unit: '',
     text: mode
       ? `mode ${index + 1}, ${WHIRL_TEXT[whirlOf(mode.direction)]}, ` +
-        `${plain(mode.frequency * frequency.factor)} ${frequency.unit}; the dots move from blank to bright`
+        `${shownWhole(mode.frequency * frequency.factor, 5)} ${frequency.unit}; the dots move from blank to bright`
       : '',
   };
 }
@@ -249,7 +244,7 @@ function motionOf(subject: RestSubject): Motion {
 function subjectOf(session: Session, rest: AtRest): RestSubject {
   const { address, sight, unit, station, stations, scales, side } = session;
   const { parameter, units } = address;
-  const point = rest.diagram.nearest(parameter ? side.choice.value : (rest.diagram.values[0] ?? 0));
+  const point = parameter ? rest.diagram.nearest(side.choice.value) : (rest.order[0] ?? -1);
   const measure = parameterMeasure(unit, units);
   return {
     ...{ rest, point, parameter, unit, units, station },

@@ -1,6 +1,6 @@
 // The card of a pair of charts of a machine at rest: what it shows, how it is touched, what was located.
 import { button, el, Segments } from '../dom';
-import { naturalMeasure, parameterMeasure, shown, written } from '../model/units';
+import { naturalMeasure, parameterMeasure, shownWhole, written } from '../model/units';
 import { criticalText, dampingText } from './campbell';
 import { fileName, saveMenu } from './panel';
 import { keyElements, type RestChart, type RestSubject } from './rest_subject';
@@ -80,7 +80,7 @@ export class RestCard {
     this.back.disabled = depth === 0;
     this.status.textContent = subject.status;
     // One point is no diagram.
-    const drawn = range[1] > range[0];
+    const drawn = subject.parameter !== '' && range[1] > range[0];
     this.chart.stack.root.hidden = this.legend.hidden = this.tools.hidden = !drawn;
     if (drawn) this.chart.show(subject);
     if (drawn) this.legend.replaceChildren(...keyElements(this.chart.keys()));
@@ -88,8 +88,13 @@ export class RestCard {
     this.critical.hidden = rest.kind !== 'modes' || !drawn;
   }
 
+  private goal(text: string, value: number): HTMLElement {
+    return button(text, `Go to ${text}`, () => this.listener.cursor(value, true));
+  }
+
   private showCritical({ rest, parameter, unit, units }: RestSubject): void {
     if (rest.critical.length === 0) {
+      delete this.critical.dataset['made'];
       this.critical.replaceChildren(
         el('p', { class: 'panel-note' }, 'No critical speed and no threshold of stability lies in this range.'),
       );
@@ -102,12 +107,14 @@ export class RestCard {
       `frequency (${frequency.unit})`,
       'damping ratio',
     ];
+    // Made anew only when something changed, so that the focus stays where it is.
+    const made = `${heading.join()} ${rest.critical.map(({ value: at }) => at).join()}`;
+    if (this.critical.dataset['made'] === made) return;
+    this.critical.dataset['made'] = made;
     const rows = rest.critical.map((found) => [
       criticalText(found),
-      button(written(found.value * value.factor, 9), 'Go there', () => this.listener.cursor(found.value, true), {
-        class: 'link',
-      }),
-      shown(found.frequency * frequency.factor, 6),
+      this.goal(written(found.value * value.factor, 9), found.value),
+      shownWhole(found.frequency * frequency.factor, 6),
       found.kind === 'critical' ? dampingText(found.ratio) : '0',
     ]);
     this.critical.replaceChildren(numbersTable('Critical speeds and thresholds of stability', heading, rows));

@@ -1,4 +1,5 @@
 // The explorer's page: large tables are thinned evenly, everything else is there.
+#include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -76,7 +77,62 @@ static void large_tables_are_thinned(void **state) {
     whirl_result_free(result);
 }
 
+/// A point more than there is room for: every second point stays, but all that was located between them.
+static void critical_speeds_are_never_thinned(void **state) {
+    (void)state;
+    enum { NUMBERS = 6, LEFT_OUT = 1 };
+    const size_t most = ((size_t)1 << 22) / (NUMBERS + 1) + 1, count = most + 1;
+    char folder[] = "/tmp/whirl-explorer-XXXXXX", path[64];
+    assert_non_null(mkdtemp(folder));
+    snprintf(path, sizeof path, "%s/template", folder);
+    FILE *template = fopen(path, "w");
+    assert_non_null(template);
+    fputs("@WHIRL-RUNS@", template);
+    fclose(template);
+
+    whirl_result *result = calloc(1, sizeof *result);
+    whirl_table *table = calloc(1, sizeof *table);
+    assert_true(result && table);
+    *table = (whirl_table){.name = "modes", .parameter = "a", .count = count};
+    whirl_analysis_add(&table->analyses, "modes");
+    table->layout = (whirl_layout){.field_count = 1, .size = NUMBERS};
+    table->layout.fields[0] = (whirl_field){.name = "modes/critical",
+                                            .unit = "1",
+                                            .meaning = "kind, value, speed, frequency, damping, direction",
+                                            .extent = WHIRL_PER_POINT,
+                                            .rows = 1,
+                                            .columns = NUMBERS,
+                                            .repeat = 1};
+    table->values = calloc(count, sizeof *table->values);
+    table->branch = calloc(count, sizeof *table->branch);
+    table->done = calloc(count, 1);
+    table->blocks = calloc(count * NUMBERS, sizeof *table->blocks);
+    assert_true(table->values && table->branch && table->done && table->blocks);
+    for (size_t i = 0; i < count; i++) table->blocks[i * NUMBERS] = (double)NAN;
+    const double located[NUMBERS] = {1, 0.1234567890123, 2, 3, 0.5, -1};
+    memcpy(table->blocks + LEFT_OUT * NUMBERS, located, sizeof located);
+    memset(table->done, 1, count);
+    result->case_text = calloc(1, 1);
+    result->tables = table;
+    result->table_count = 1;
+
+    const whirl_result *const results[] = {result};
+    const char *const names[] = {"large"};
+    assert_int_equal(explorer_write(path, results, names, 1, folder).code, WHIRL_OK);
+    unlink(path);
+    snprintf(path, sizeof path, "%s/explorer.html", folder);
+    char *page = read_all(path), expected[96];
+    snprintf(expected, sizeof expected, "\"points\":%zu,\"count\":%zu", count, (count - 1) / 2 + 1);
+    assert_non_null(strstr(page, expected));
+    assert_non_null(strstr(page, "\"critical\":[[1,0.1234567890123,2,3,0.5,-1]]"));
+    free(page);
+    unlink(path);
+    rmdir(folder);
+    whirl_result_free(result);
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(large_tables_are_thinned)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(large_tables_are_thinned),
+                                       cmocka_unit_test(critical_speeds_are_never_thinned)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

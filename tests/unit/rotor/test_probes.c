@@ -73,10 +73,37 @@ static void the_gap_is_where_contact_begins(void **state) {
     whirl_rotor_free(rotor);
 }
 
+/// Stations of shafts of finite elements know their places, the others that they have none.
+static void places_on_shafts_are_told(void **state) {
+    (void)state;
+    const whirl_setting mass = {"mass", 2, NULL};
+    const whirl_setting ends[] = {{"shaft", 0, "inner"}, {"position", 0.2, NULL}};
+    const whirl_setting middle[] = {{"shaft", 0, "outer"}, {"position", 0.25, NULL}};
+    const char *const shafts[] = {"outer", "inner"};
+    whirl_design *design;
+    whirl_rotor *rotor;
+    check(whirl_design_new(650, 2e-4, &design));
+    for (int i = 0; i < 2; i++) {
+        const whirl_setting segment[] = {{"shaft", 0, shafts[i]}, {"length", 0.5, NULL}, {"outer", 0.05, NULL}};
+        check(whirl_design_shaft(design, shafts[i], NULL, 0));
+        if (i == 0) check(whirl_design_station(design, "foot", &mass, 1));
+        check(whirl_design_station(design, i == 0 ? "middle" : "end", i == 0 ? middle : ends, 2));
+        check(whirl_design_element(design, "segment", segment, 3));
+    }
+    check(whirl_rotor_new(design, &rotor));
+    whirl_design_free(design);
+    const whirl_probe *probes = whirl_rotor_system(rotor)->probes;
+    assert_int_equal(probes[0].shaft, 0);
+    assert_int_equal(probes[1].shaft, 1);
+    near(probes[1].position, 0.25);
+    assert_int_equal(probes[2].shaft, 2);
+    near(probes[2].position, 0.2);
+    whirl_rotor_free(rotor);
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_narrowest_counts),
-        cmocka_unit_test(the_gap_is_where_contact_begins),
-    };
+    const struct CMUnitTest tests[] = {cmocka_unit_test(the_narrowest_counts),
+                                       cmocka_unit_test(the_gap_is_where_contact_begins),
+                                       cmocka_unit_test(places_on_shafts_are_told)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
