@@ -131,7 +131,8 @@ export class SynchronousOrbitPanel extends Panel<SwaySubject> {
     const { factor, unit } = amplitudeMeasure(units, scales);
     const [major, minor] = [reachOf(sway), Math.hypot(sway.xc + sway.ys, sway.yc - sway.xs) - reachOf(sway)];
     this.note.textContent = Number.isFinite(major)
-      ? `${WHIRL_TEXT[whirlOf(senseOf(sway))]}, axes ${shown(major * factor, 4)} and ${shown(Math.abs(minor) * factor, 4)} ${unit}`
+      ? `${WHIRL_TEXT[whirlOf(senseOf(sway))]}, axes ${shown(major * factor, 4)} and ` +
+        `${shown(Math.abs(minor) * factor, 4)} ${unit}`
       : '';
     this.figure.description = this.note.textContent;
     this.figure.redraw();

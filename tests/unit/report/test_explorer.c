@@ -80,7 +80,8 @@ static void large_tables_are_thinned(void **state) {
 /// A point more than there is room for: every second point stays, but all that was located between them.
 static void critical_speeds_are_never_thinned(void **state) {
     (void)state;
-    enum { NUMBERS = 6, LEFT_OUT = 1 };
+    enum { NUMBERS = 6 };
+    const size_t left_out = 1;
     const size_t most = ((size_t)1 << 22) / (NUMBERS + 1) + 1, count = most + 1;
     char folder[] = "/tmp/whirl-explorer-XXXXXX", path[64];
     assert_non_null(mkdtemp(folder));
@@ -110,7 +111,7 @@ static void critical_speeds_are_never_thinned(void **state) {
     assert_true(table->values && table->branch && table->done && table->blocks);
     for (size_t i = 0; i < count; i++) table->blocks[i * NUMBERS] = (double)NAN;
     const double located[NUMBERS] = {1, 0.1234567890123, 2, 3, 0.5, -1};
-    memcpy(table->blocks + LEFT_OUT * NUMBERS, located, sizeof located);
+    memcpy(table->blocks + left_out * NUMBERS, located, sizeof located);
     memset(table->done, 1, count);
     result->case_text = calloc(1, 1);
     result->tables = table;
