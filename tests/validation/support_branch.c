@@ -25,6 +25,23 @@ whirl_family family_of(const test_family *family) {
     return (whirl_family){make_machine, family};
 }
 
+static void release_rotor(void *rotor) {
+    whirl_rotor_free(rotor);
+}
+
+static whirl_status make_rotor(const void *context, double value, whirl_machine *machine) {
+    const case_family *family = context;
+    whirl_rotor *rotor;
+    const whirl_status status = whirl_case_rotor(family->object, family->parameter, value, &rotor);
+    if (status.code != WHIRL_OK) return status;
+    *machine = (whirl_machine){.system = whirl_rotor_system(rotor), .owner = rotor, .release = release_rotor};
+    return whirl_ok();
+}
+
+whirl_family family_of_case(const case_family *family) {
+    return (whirl_family){make_rotor, family};
+}
+
 whirl_system system_of(const test_family *family) {
     whirl_system system = family->system;
     system.model = family->p;

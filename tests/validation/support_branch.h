@@ -2,6 +2,7 @@
 #ifndef SUPPORT_BRANCH_H
 #define SUPPORT_BRANCH_H
 
+#include "whirl/case.h"
 #include "whirl/orbit.h"
 
 enum { FAMILY_NUMBERS = 8 };
@@ -16,6 +17,15 @@ typedef struct test_family {
 
 /// The family as the library takes it; borrows the test's.
 whirl_family family_of(const test_family *family);
+
+/// The rotors of a case by one of its parameters.
+typedef struct case_family {
+    const whirl_case *object;
+    const char *parameter;
+} case_family;
+
+/// The family as the library takes it; borrows the case's.
+whirl_family family_of_case(const case_family *family);
 
 /// The machine with the numbers as they stand: a system whose model is p.
 whirl_system system_of(const test_family *family);

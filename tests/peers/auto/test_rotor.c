@@ -11,6 +11,7 @@
 #include <cmocka.h>
 
 #include "rotor_equations.h"
+#include "support_branch.h"
 #include "support_check.h"
 #include "support_flow.h"
 #include "support_peer.h"
@@ -59,6 +60,26 @@ static void equations_are_the_same(void **unused) {
     check_within("E3", "and of its derivatives by the state", 0.0, matrix_error, 1e-12);
 }
 
+/// What AUTO says; no points where it is not installed.
+typedef struct followed {
+    peer_point points[16];
+    size_t count;
+} followed;
+
+static int run_auto(void **state) {
+    followed *known = calloc(1, sizeof *known);
+    assert_non_null(known);
+    *state = known;
+    if (!run_peer("python3 " PEERS_AUTO "/follow.py --values 0.55,0.5,0.45,0.4", known->points, 16, &known->count))
+        known->count = 0;
+    return 0;
+}
+
+static int forget_auto(void **state) {
+    free(*state);
+    return 0;
+}
+
 /// AUTO's orbit carried by whirl's integrator, and its multipliers by differences of the flow.
 static void compare_point(const peer_point *point) {
     const double r_k = point->numbers[0], *state = point->numbers + 1;
@@ -82,22 +103,68 @@ static void compare_point(const peer_point *point) {
     whirl_rotor_free(rotor);
 }
 
-static void orbits_are_the_same(void **unused) {
-    (void)unused;
-    static peer_point points[16];
-    size_t count, torus = 0;
-    if (!run_peer("python3 " PEERS_AUTO "/follow.py --ntst 50 --to 0.37 --values 0.55,0.5,0.45,0.4", points, 16,
-                  &count))
-        skip();
-    for (size_t i = 0; i < count; i++) {
-        compare_point(&points[i]);
-        torus += strcmp(points[i].kind, "NS") == 0;
+static void orbits_are_the_same(void **state) {
+    const followed *known = *state;
+    if (known->count == 0) skip();
+    for (size_t i = 0; i < known->count; i++) compare_point(&known->points[i]);
+}
+
+static const char *word_of(whirl_special special) {
+    switch (special) {
+    case WHIRL_FOLD:
+        return "LP";
+    case WHIRL_BRANCHING:
+        return "BP";
+    case WHIRL_DOUBLING:
+        return "PD";
+    case WHIRL_NEIMARK_SACKER:
+        return "NS";
+    default:
+        return "other";
     }
-    assert_int_equal(count, 7);
-    assert_int_equal(torus, 2);
+}
+
+/// The library follows the branch by itself, and finds the same special points in the same order.
+static void branches_are_the_same(void **state) {
+    const followed *known = *state;
+    whirl_case *object;
+    require_ok(whirl_case_load(PEERS_AUTO "/rotor.yaml", NULL, &object));
+    const case_family family = {object, "r_k"};
+    const whirl_family machines = family_of_case(&family);
+    const whirl_branch_options options = whirl_branch_default(0.355, 0.6);
+    const double aside[ROTOR_STATES] = {0.0, -0.9, 0.0, -0.8};
+    whirl_machine machine;
+    whirl_orbit *start;
+    whirl_branch *branch;
+    size_t p = 0;
+    if (known->count == 0) skip();
+    require_ok(machines.machine(machines.context, options.to, &machine));
+    require_ok(whirl_orbit_find(machine.system, aside, 1, &options.orbit, &start));
+    machine.release(machine.owner);
+    require_ok(whirl_branch_follow(&machines, start, options.to, -1, &options, &branch));
+    for (size_t i = 0; i < branch->count; i++) {
+        const whirl_branch_point *found = &branch->points[i];
+        if (found->special == WHIRL_REGULAR) continue;
+        while (p < known->count && strcmp(known->points[p].kind, "UZ") == 0) p++;
+        assert_true(p < known->count);
+        const double *numbers = known->points[p].numbers;
+        double apart = 0.0;
+        check_text("E3", words("special point of the branch at r_k = %.6f", numbers[0]), known->points[p].kind,
+                   word_of(found->special));
+        for (int k = 0; k < ROTOR_STATES; k++) apart = fmax(apart, fabs(found->orbit->nodes[k] - numbers[1 + k]));
+        check_within("E3", words("%s: r_k", known->points[p].kind), numbers[0], found->value, 1e-10);
+        check_within("E3", "largest difference of the state there", 0.0, apart, 1e-9);
+        p++;
+    }
+    while (p < known->count && strcmp(known->points[p].kind, "UZ") == 0) p++;
+    assert_int_equal(p, known->count);
+    whirl_branch_free(branch);
+    whirl_orbit_free(start);
+    whirl_case_free(object);
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(equations_are_the_same), cmocka_unit_test(orbits_are_the_same)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    const struct CMUnitTest tests[] = {cmocka_unit_test(equations_are_the_same), cmocka_unit_test(orbits_are_the_same),
+                                       cmocka_unit_test(branches_are_the_same)};
+    return cmocka_run_group_tests(tests, run_auto, forget_auto);
 }
