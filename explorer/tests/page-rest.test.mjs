@@ -197,6 +197,44 @@ test('a range is enlarged, and left again', async () => {
   await close();
 });
 
+test('the cursor stands at its value, however wide the page becomes', async () => {
+  const { page, complaints, close } = await opened(`${modes}#at=${(1500 * Math.PI) / 30}`);
+  const overlay = '.rest .map-card:not([hidden]) .map-main .overlay';
+  for (const width of [1280, 1000, 1600]) {
+    await page.setViewportSize({ width, height: 800 });
+    await page.waitForFunction(
+      (where) => {
+        const box = document.querySelector(where).getBoundingClientRect();
+        const cursor = document.querySelector(`${where} .cursor-a`).getBoundingClientRect();
+        return Math.abs((cursor.left + cursor.width / 2 - box.left) / box.width - 0.25) < 0.01;
+      },
+      overlay,
+      { timeout: 5000 },
+    );
+  }
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('an address with nonsense does no harm', async () => {
+  const { page, complaints, close } = await opened(
+    `${response}#at=NaN&mode=-3&probe=1e9&modes=%3Cb%3E&damping=x&b=2&st=%22&range=4,1&par=nobody`,
+  );
+  assert.equal(Number(await page.inputValue('.rest input.angle')), 0);
+  await page.fill('.rest input.angle', 'forty');
+  await page.press('.rest input.angle', 'Enter');
+  assert.equal(await page.getAttribute('.rest input.angle', 'aria-invalid'), 'true');
+  assert.match(await page.textContent('.rest .map-card:not([hidden]) .trouble'), /forty is not a number/);
+  await page.fill('.rest input.angle', '700');
+  await page.press('.rest input.angle', 'Enter');
+  assert.match(await page.textContent('.rest .map-card:not([hidden]) .trouble'), /degrees from -360 to 360/);
+  await page.fill('#value-rest', '3,5');
+  await page.press('#value-rest', 'Enter');
+  assert.match(await page.textContent('.rest .how'), /3,5 has a comma/);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
 test('any angle of the probes gives what a case with that angle computes', async () => {
   const { page, complaints, close } = await opened(`${response}#st=wheel&units=scale,rpm,Hz,0-p`);
   await page.fill('.rest input.angle', '40');

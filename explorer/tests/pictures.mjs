@@ -1,6 +1,7 @@
 // Pictures of every view, to be looked at:  WHIRL=... TEMPLATE=... node tests/pictures.mjs PAGE.html OUT
 //
-// PAGE.html is an explorer of the paper's case. Written to OUT as PNG at three widths, light and dark.
+// PAGE.html is an explorer of the paper's case, or of modes and the response to unbalance of the overhung rotor (of the
+// gallery). Written to OUT as PNG at three widths, light and dark.
 import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { closeBrowser, open, settled } from './browser.mjs';
@@ -13,9 +14,12 @@ const SIZES = [
   [2560, 1440],
 ];
 
+const LINEAR = /-linear\.html$/.test(address);
+
 async function picture(name, hash, [width, height], colorScheme, act = async () => {}, whole = false) {
   const { page, complaints, close } = await open(address + hash, { viewport: { width, height }, colorScheme });
-  await settled(page);
+  if (LINEAR) await page.waitForSelector('.rest .numbers tbody td');
+  else await settled(page);
   await act(page);
   await page.waitForTimeout(300);
   await page.screenshot({ path: join(out, `${name}-${width}-${colorScheme}.png`), fullPage: whole });
@@ -41,18 +45,32 @@ const brush = async (page) => {
   });
 };
 
-for (const scheme of ['light', 'dark'])
-  for (const size of SIZES) await picture('page', '#at=0.35', size, scheme, undefined, size[0] === 360);
-for (const size of SIZES)
-  await picture(
-    'compare',
-    '#at=0.46&b=0.25&q=radius&st=journal',
-    size,
-    size[0] === 1280 ? 'light' : 'dark',
-    undefined,
-    size[0] === 360,
-  );
-await picture('help', '#at=0.35', SIZES[1], 'light', (page) => page.click('button[aria-label="Help"]'));
-await picture('watch', '#at=0.35', SIZES[1], 'dark', watch);
-await picture('range', '#at=0.44&q=y&st=journal', SIZES[1], 'light', brush);
+async function motions() {
+  for (const scheme of ['light', 'dark'])
+    for (const size of SIZES) await picture('page', '#at=0.35', size, scheme, undefined, size[0] === 360);
+  for (const size of SIZES)
+    await picture(
+      'compare',
+      '#at=0.46&b=0.25&q=radius&st=journal',
+      size,
+      size[0] === 1280 ? 'light' : 'dark',
+      undefined,
+      size[0] === 360,
+    );
+  await picture('help', '#at=0.35', SIZES[1], 'light', (page) => page.click('button[aria-label="Help"]'));
+  await picture('watch', '#at=0.35', SIZES[1], 'dark', watch);
+  await picture('range', '#at=0.44&q=y&st=journal', SIZES[1], 'light', brush);
+}
+
+async function linear() {
+  for (const scheme of ['light', 'dark'])
+    for (const size of SIZES)
+      for (const [name, hash] of [
+        ['campbell', '#run=overhung-rotor-modes&at=497.4'],
+        ['bode', '#run=overhung-rotor-unbalance&st=disc&at=429.4'],
+      ])
+        await picture(name, hash, size, scheme, undefined, size[0] === 360);
+}
+
+await (LINEAR ? linear() : motions());
 await closeBrowser();

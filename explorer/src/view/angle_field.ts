@@ -17,11 +17,14 @@ export class AngleField {
   });
 
   constructor(chosen: (degrees: number) => void) {
-    this.root = el('label', { class: 'over' }, 'Probe at ', this.field, ' \u00b0');
+    const trouble = el('span', { class: 'trouble', role: 'alert' });
+    const label = el('label', { class: 'over' }, 'Probe at ', this.field, ' \u00b0');
+    this.root = el('span', { class: 'tools' }, label, trouble);
     this.field.addEventListener('change', () => {
       const typed = typedQuantity(this.field.value);
       const good = typeof typed !== 'string' && UNITS.includes(typed.unit) && Math.abs(typed.value) <= 360;
       markField(this.field, !good);
+      trouble.textContent = good ? '' : typeof typed === 'string' ? typed : 'expected degrees from -360 to 360';
       if (good) chosen(typed.value);
     });
   }

@@ -1,4 +1,5 @@
 // The card of a pair of charts of a machine at rest: what it shows, how it is touched, what was located.
+import type { AtRest } from '../data/rest';
 import { button, el, Segments } from '../dom';
 import { naturalMeasure, parameterMeasure, shownWhole, written } from '../model/units';
 import { criticalText, dampingText } from './campbell';
@@ -26,6 +27,7 @@ export class RestCard {
   private readonly reset: HTMLButtonElement;
   private readonly tools: HTMLElement;
   private name = '';
+  private shown: { readonly rest: AtRest; readonly text: string } | undefined;
 
   constructor(
     private readonly chart: RestChart,
@@ -82,10 +84,19 @@ export class RestCard {
     // One point is no diagram.
     const drawn = subject.parameter !== '' && range[1] > range[0];
     this.chart.stack.root.hidden = this.legend.hidden = this.tools.hidden = !drawn;
-    if (drawn) this.chart.show(subject);
-    if (drawn) this.legend.replaceChildren(...keyElements(this.chart.keys()));
-    if (rest.kind === 'modes' && drawn) this.showCritical(subject);
+    if (drawn) this.draw(subject);
     this.critical.hidden = rest.kind !== 'modes' || !drawn;
+  }
+
+  /// The cursor moves over a picture that stays.
+  private draw(subject: RestSubject): void {
+    const { rest, range, parameter, units, station, choice } = subject;
+    const text = JSON.stringify([range, parameter, units, station, { ...choice, mode: 0 }]);
+    if (this.shown?.rest === rest && this.shown.text === text) return;
+    this.shown = { rest, text };
+    this.chart.show(subject);
+    this.legend.replaceChildren(...keyElements(this.chart.keys()));
+    if (rest.kind === 'modes') this.showCritical(subject);
   }
 
   private goal(text: string, value: number): HTMLElement {
@@ -94,7 +105,6 @@ export class RestCard {
 
   private showCritical({ rest, parameter, unit, units }: RestSubject): void {
     if (rest.critical.length === 0) {
-      delete this.critical.dataset['made'];
       this.critical.replaceChildren(
         el('p', { class: 'panel-note' }, 'No critical speed and no threshold of stability lies in this range.'),
       );
@@ -107,10 +117,6 @@ export class RestCard {
       `frequency (${frequency.unit})`,
       'damping ratio',
     ];
-    // Made anew only when something changed, so that the focus stays where it is.
-    const made = `${heading.join()} ${rest.critical.map(({ value: at }) => at).join()}`;
-    if (this.critical.dataset['made'] === made) return;
-    this.critical.dataset['made'] = made;
     const rows = rest.critical.map((found) => [
       criticalText(found),
       this.goal(written(found.value * value.factor, 9), found.value),

@@ -62,6 +62,8 @@ export class Stack {
     this.root = el('div', { class: 'map' }, main.root, lower.root);
     this.listen(main.overlay);
     this.listen(lower.overlay);
+    // Cursors stand where their values are, however wide the charts become.
+    new ResizeObserver(() => this.placeCursors()).observe(main.overlay);
     main.overlay.tabIndex = 0;
     main.overlay.setAttribute('role', 'slider');
     main.overlay.addEventListener('keydown', (event) => this.key(event));
