@@ -14,6 +14,14 @@
 /// For what must not become a call, whose price is a store and a load of all that it works on.
 #define VECTOR_INLINE static inline __attribute__((always_inline))
 
+/// A loop of a constant number of rounds, at most eight, that is written out, so that arrays of vectors become
+/// registers.
+#if defined(__clang__)
+#define VECTOR_FOR(i, rounds) _Pragma("unroll") for (size_t i = 0; i < (rounds); i++)
+#else
+#define VECTOR_FOR(i, rounds) _Pragma("GCC unroll 8") for (size_t i = 0; i < (rounds); i++)
+#endif
+
 #ifndef VECTOR_ISA
 #define VECTOR_ISA 0
 #endif

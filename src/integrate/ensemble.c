@@ -188,9 +188,10 @@ static bool attach_location(whirl_ensemble *e, const whirl_integrate_options *op
 
 /// Vectors that hide each other's latency, at most 8, and whose numbers, stages and, where they are at hand all the
 /// time (rk4_instance.inc), what is observed of them still fit into the first cache: 6 of 512 bits for the disc and
-/// journal, 4 for ten equal stations, 1 for fifty (measured; of 256 bits 8, 8 and 1).
+/// journal, 4 for ten equal stations, 3 for a shaft of 22 coordinates, 1 for fifty stations (measured; of 256 bits 8,
+/// 8, 6 and 1).
 static size_t fast_vectors(const whirl_ensemble *e) {
-    static const size_t choices[] = {8, 6, 4, 2, 1};
+    static const size_t choices[] = {8, 6, 4, 3, 2, 1};
     const whirl_system *system = e->system;
     const size_t first_cache = 43008, degrees = system->lanes->degrees;
     const size_t observed = system->lanes->instance ? 7 * degrees + 4 * system->lanes->contact_count : 0;

@@ -1,7 +1,7 @@
 #include "body.h"
 
-#include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 void body_add(body *to, size_t row, size_t column, body_kind kind, double number) {
     if (number == 0.0) return;
@@ -22,21 +22,23 @@ void body_clear(body *of) {
 }
 
 int body_compare_kinds(body_kind one, body_kind other) {
-    if (one.source != other.source) return one.source < other.source ? -1 : 1;
+    if (one.value != other.value) return one.value < other.value ? -1 : 1;
     if (one.rate != other.rate) return one.rate < other.rate ? -1 : 1;
-    return one.value < other.value ? -1 : one.value > other.value;
+    return one.source < other.source ? -1 : one.source > other.source;
 }
 
-static int compare_sums(const body_term *a, const body_term *b) {
-    if (a->row != b->row) return a->row < b->row ? -1 : 1;
-    return body_compare_kinds(a->kind, b->kind);
+/// By what terms multiply.
+static int compare_inputs(const body_term *a, const body_term *b) {
+    const int kinds = body_compare_kinds(a->kind, b->kind);
+    if (kinds != 0) return kinds;
+    return a->column < b->column ? -1 : a->column > b->column;
 }
 
 static int compare_terms(const void *one, const void *other) {
     const body_term *a = one, *b = other;
-    const int sums = compare_sums(a, b);
-    if (sums != 0) return sums;
-    if (a->column != b->column) return a->column < b->column ? -1 : 1;
+    if (a->row != b->row) return a->row < b->row ? -1 : 1;
+    const int inputs = compare_inputs(a, b);
+    if (inputs != 0) return inputs;
     // By size, so that the sum does not depend on the order in which parts are listed.
     return a->number < b->number ? -1 : a->number > b->number;
 }
@@ -47,7 +49,7 @@ bool body_finish(body *of) {
     if (of->count > 0) qsort(of->terms, of->count, sizeof *of->terms, compare_terms);
     for (size_t i = 0; i < of->count; i++) {
         body_term *last = kept > 0 ? &of->terms[kept - 1] : NULL;
-        if (last && compare_sums(last, &of->terms[i]) == 0 && last->column == of->terms[i].column)
+        if (last && last->row == of->terms[i].row && compare_inputs(last, &of->terms[i]) == 0)
             last->number += of->terms[i].number;
         else
             of->terms[kept++] = of->terms[i];
@@ -58,96 +60,191 @@ bool body_finish(body *of) {
 
 // ---------------------------------------------------------------- panels
 
-/// A row's terms of one kind.
+/// A row's terms that depend on one value of time.
 typedef struct body_row {
     const body_term *first, *last;
 } body_row;
 
 static body_row row_from(const body *of, const body_term *first) {
     const body_term *last = first + 1, *end = of->terms + of->count;
-    while (last < end && compare_sums(first, last) == 0) last++;
+    while (last < end && last->row == first->row && last->kind.value == first->kind.value) last++;
     return (body_row){first, last};
 }
 
-/// The columns of a few rows together, rising, written where `columns` is not NULL. A row that has come to its end
-/// stands aside.
-static size_t unite(const body_row *rows, size_t count, unsigned *columns) {
+/// What a few rows together multiply, and their terms with it; NULL: a row has none.
+typedef struct body_input {
+    size_t rows; ///< that have one
+    const body_term *term[PANEL_ROWS];
+} body_input;
+
+/// All inputs of a few rows, in order. A row that has come to its end stands aside.
+static size_t unite(const body_row *rows, size_t count, body_input *inputs) {
     const body_term *at[PANEL_ROWS];
-    size_t united = 0;
     for (size_t r = 0; r < count; r++) at[r] = rows[r].first;
-    for (;;) {
-        size_t next = (size_t)-1;
+    for (size_t united = 0;; united++) {
+        const body_term *next = NULL;
         for (size_t r = 0; r < count; r++)
-            if (at[r] < rows[r].last && at[r]->column < next) next = at[r]->column;
-        if (next == (size_t)-1) return united;
-        for (size_t r = 0; r < count; r++) at[r] += at[r] < rows[r].last && at[r]->column == next;
-        if (columns) columns[united] = (unsigned)next;
-        united++;
+            if (at[r] < rows[r].last && (!next || compare_inputs(at[r], next) < 0)) next = at[r];
+        if (!next) return united;
+        inputs[united] = (body_input){0};
+        for (size_t r = 0; r < count; r++) {
+            if (at[r] == rows[r].last || compare_inputs(at[r], next) != 0) continue;
+            inputs[united].term[r] = at[r]++;
+            inputs[united].rows++;
+        }
     }
 }
 
-/// Rows are together while less than half of their panel is zeros: those of one plane are, those of both are not.
-static bool is_dense(const body_row *rows, size_t count) {
-    size_t terms = 0;
-    for (size_t r = 0; r < count; r++) terms += (size_t)(rows[r].last - rows[r].first);
-    return count * unite(rows, count, NULL) < 2 * terms;
+/// Rows are together while each has three quarters of the inputs that some have in common, and no more alone than
+/// these: those of one plane are, those of both are not.
+static bool is_dense(const body_row *rows, size_t count, body_input *inputs) {
+    const size_t united = unite(rows, count, inputs);
+    size_t common = 0, own[PANEL_ROWS] = {0};
+    for (const body_input *input = inputs; input < inputs + united; input++) {
+        common += input->rows > 1;
+        for (size_t r = 0; r < count; r++) own[r] += input->rows > 1 && input->term[r];
+    }
+    for (size_t r = 0; r < count; r++)
+        if (4 * own[r] < 3 * common || 2 * own[r] < (size_t)(rows[r].last - rows[r].first)) return false;
+    return true;
 }
 
-static void add_panel(body_panels *to, const body_row *rows, size_t count) {
-    body_panel panel = {.kind = rows[0].first->kind,
-                        .rows = count,
-                        .columns = unite(rows, count, NULL),
-                        .first_column = to->column_count,
-                        .first_number = to->number_count};
-    for (size_t r = 0; r < count; r++) panel.row[r] = rows[r].first->row;
+/// How many inputs the row with most of them has alone; 0 where that saves nothing.
+static size_t count_lone(size_t count, const body_input *first, const body_input *last) {
+    size_t most = 0, all = 0, own[PANEL_ROWS] = {0};
+    for (const body_input *input = first; input < last; input++)
+        for (size_t r = 0; r < count; r++) own[r] += input->rows == 1 && input->term[r];
+    for (size_t r = 0; r < count; r++) {
+        most = own[r] > most ? own[r] : most;
+        all += own[r];
+    }
+    return most < all ? most : 0;
+}
+
+static void fill_part(body_panels *to, const body_part *part, size_t count, const body_input *first,
+                      const body_input *last) {
+    unsigned *column = to->columns + part->first_column;
+    double *number = to->numbers + part->first_number;
+    size_t c = 0, own[PANEL_ROWS] = {0};
+    memset(column, 0, (part->common + part->lone * count) * sizeof *column);
+    memset(number, 0, (part->common + part->lone) * count * sizeof *number);
+    for (const body_input *input = first; input < last; input++) {
+        const bool lone = part->lone > 0 && input->rows == 1;
+        for (size_t r = 0; r < count; r++) {
+            const body_term *term = input->term[r];
+            if (!term) continue;
+            const size_t at = lone ? part->common + own[r]++ : c;
+            number[at * count + r] = term->number;
+            column[lone ? part->common + (at - part->common) * count + r : c] = (unsigned)term->column;
+        }
+        c += !lone;
+    }
+}
+
+/// What the rows take of one kind, inputs `first` to before `last`.
+static void add_part(body_panels *to, size_t count, body_kind kind, const body_input *first, const body_input *last) {
+    body_part part = {.kind = kind,
+                      .lone = count_lone(count, first, last),
+                      .first_column = to->column_count,
+                      .first_number = to->number_count};
+    for (const body_input *input = first; input < last; input++) part.common += part.lone == 0 || input->rows > 1;
     if (to->panels) {
-        unsigned *columns = to->columns + panel.first_column;
-        to->panels[to->count] = panel;
-        unite(rows, count, columns);
-        for (size_t c = 0; c < panel.columns; c++)
-            for (size_t r = 0; r < count; r++) {
-                double *number = &to->numbers[panel.first_number + c * count + r];
-                *number = 0.0;
-                for (const body_term *term = rows[r].first; term < rows[r].last; term++)
-                    if (term->column == columns[c]) *number = term->number;
-            }
+        to->parts[to->part_count] = part;
+        fill_part(to, &part, count, first, last);
     }
+    to->part_count++;
+    to->column_count += part.common + part.lone * count;
+    to->number_count += (part.common + part.lone) * count;
+}
+
+static body_kind kind_of(const body_input *input) {
+    size_t r = 0;
+    while (!input->term[r]) r++;
+    return input->term[r]->kind;
+}
+
+static void add_panel(body_panels *to, const body_row *rows, size_t count, body_input *inputs) {
+    const body_input *end = inputs + unite(rows, count, inputs), *last;
+    body_panel panel = {.value = kind_of(inputs).value, .rows = count, .first_part = to->part_count};
+    for (size_t r = 0; r < count; r++) panel.row[r] = rows[r].first->row;
+    for (const body_input *first = inputs; first < end; first = last) {
+        const body_kind kind = kind_of(first);
+        for (last = first + 1; last < end && body_compare_kinds(kind_of(last), kind) == 0;) last++;
+        add_part(to, count, kind, first, last);
+    }
+    panel.part_count = to->part_count - panel.first_part;
+    if (to->panels) to->panels[to->count] = panel;
     to->count++;
-    to->column_count += panel.columns;
-    to->number_count += panel.columns * count;
 }
 
 /// Fills up the panel that the first row begins with the next rows that go with it; notes which rows are done.
-static void gather_from(const body_row *rows, size_t count, size_t first, bool *done, body_panels *to) {
+static void gather_from(const body_row *rows, size_t count, size_t first, bool *done, body_input *inputs,
+                        body_panels *to) {
     body_row together[PANEL_ROWS] = {rows[first]};
     size_t taken = 1;
     for (size_t i = first + 1; i < count && taken < PANEL_ROWS; i++) {
-        if (done[i] || body_compare_kinds(rows[i].first->kind, rows[first].first->kind) != 0) continue;
+        if (done[i] || rows[i].first->kind.value != rows[first].first->kind.value) continue;
         together[taken] = rows[i];
-        done[i] = is_dense(together, taken + 1);
+        done[i] = is_dense(together, taken + 1, inputs);
         taken += done[i];
     }
-    add_panel(to, together, taken);
+    add_panel(to, together, taken, inputs);
 }
 
 bool body_gather(const body *of, body_panels *to) {
     body_row *rows = calloc(of->count + 1, sizeof *rows);
     bool *done = calloc(of->count + 1, sizeof *done);
+    body_input *inputs = calloc(of->count + 1, sizeof *inputs);
+    const bool good = rows && done && inputs;
     size_t count = 0;
-    for (size_t i = 0; i < of->count && rows && done; i = (size_t)(rows[count++].last - of->terms))
+    for (size_t i = 0; i < of->count && good; i = (size_t)(rows[count++].last - of->terms))
         rows[count] = row_from(of, of->terms + i);
-    to->count = to->column_count = to->number_count = 0;
+    to->count = to->part_count = to->column_count = to->number_count = 0;
     for (size_t i = 0; i < count; i++)
-        if (!done[i]) gather_from(rows, count, i, done, to);
-    const bool good = rows && done;
+        if (!done[i]) gather_from(rows, count, i, done, inputs, to);
     free(rows);
     free(done);
+    free(inputs);
     return good;
 }
 
-void body_rates(double speed, double clock, double rates[RATES]) {
-    rates[RATE_STATIC] = 1.0 / (clock * clock);
-    rates[RATE_DAMPING] = 1.0 / clock;
-    rates[RATE_GYRO] = speed / clock;
-    rates[RATE_FOLLOWING] = speed / (clock * clock);
+/// A panel whose rows rise from `from` on, for all times.
+static bool may_begin(const body_panel *panel, size_t from) {
+    return panel->value == BODY_STEADY && panel->row[0] >= from;
+}
+
+size_t body_begin(body_panels *of, size_t first, size_t rows) {
+    for (size_t begun = 0; first < rows; first++, begun = 0) {
+        for (size_t i = 0; i < of->count; i++) begun += may_begin(&of->panels[i], first) ? of->panels[i].rows : 0;
+        if (begun == rows - first) break;
+    }
+    for (size_t i = 0; i < of->count; i++) of->panels[i].begins = may_begin(&of->panels[i], first);
+    return first;
+}
+
+bool body_alike(const body_panels *one, const body_panels *other) {
+    if (one->count != other->count || one->part_count != other->part_count ||
+        one->column_count != other->column_count || one->number_count != other->number_count)
+        return false;
+    for (size_t i = 0; i < one->count; i++) {
+        const body_panel *x = &one->panels[i], *y = &other->panels[i];
+        if (x->value != y->value || x->rows != y->rows || x->part_count != y->part_count ||
+            memcmp(x->row, y->row, sizeof x->row) != 0)
+            return false;
+    }
+    for (size_t i = 0; i < one->part_count; i++) {
+        const body_part *x = &one->parts[i], *y = &other->parts[i];
+        if (body_compare_kinds(x->kind, y->kind) != 0 || x->common != y->common || x->lone != y->lone) return false;
+    }
+    return memcmp(one->columns, other->columns, one->column_count * sizeof *one->columns) == 0 &&
+           memcmp(one->numbers, other->numbers, one->number_count * sizeof *one->numbers) == 0;
+}
+
+void body_rates(double speed, double clock, double steps[BODY_STEPS]) {
+    const double over_next[RATES] = {clock, speed / clock, clock, 1.0 / (clock * clock)};
+    for (body_rate rate = 0; rate < RATES; rate++) {
+        double step = 1.0;
+        for (body_rate later = rate + 1; later <= RATES; later++)
+            steps[body_step(rate, later)] = step *= over_next[later - 1];
+    }
 }

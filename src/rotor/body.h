@@ -11,12 +11,13 @@
 /// What a body's term multiplies.
 typedef enum body_source { BODY_PLACE, BODY_VELOCITY, BODY_ONE } body_source;
 
-/// What its number is scaled by when time is tau = clock t.
+/// What its number is scaled by when time is tau = clock t. Each rate is the next one's times a number that no speed
+/// makes infinite, so that a sum over all of them is taken by Horner's scheme.
 typedef enum body_rate {
-    RATE_STATIC,    ///< 1/clock^2: stiffness, weight
-    RATE_DAMPING,   ///< 1/clock
     RATE_GYRO,      ///< speed/clock: moments of velocities, in proportion to the speed
     RATE_FOLLOWING, ///< speed/clock^2: forces of displacements, in proportion to the speed
+    RATE_DAMPING,   ///< 1/clock
+    RATE_STATIC,    ///< 1/clock^2: stiffness, weight
     RATES
 } body_rate;
 
@@ -37,25 +38,39 @@ typedef struct body_term {
     double number;
 } body_term;
 
-enum { PANEL_ROWS = 4 };
+enum { PANEL_ROWS = 8 };
 
-/// A few rows of one kind that have most of their columns in common: a small dense matrix, with zeros where a row has
-/// no term, so that each column is read once for all of them.
-typedef struct body_panel {
+/// What the rows of a panel take of one kind: columns that they have in common, with zeros where a row has no term, and
+/// columns that each has alone.
+typedef struct body_part {
     body_kind kind;
+    size_t common, lone; ///< columns; of each row
+    size_t first_column; ///< of [common], then [lone][rows], in the list of columns
+    size_t first_number; ///< of [common + lone][rows] in the list of numbers
+} body_part;
+
+/// A few rows that have most of their columns in common, so that each column is read once for all of them and their
+/// sums stay at hand. All that depends on one value of time, part by part as the rates follow one another.
+typedef struct body_panel {
+    int value;
+    bool begins; ///< its sums are the first that its rows are given
     size_t rows, row[PANEL_ROWS];
-    size_t columns;
-    size_t first_column; ///< of [columns] in the list of columns
-    size_t first_number; ///< of [columns][rows] in the list of numbers
+    size_t part_count, first_part;
 } body_panel;
 
 /// Where panels go; with panels NULL they are only counted.
 typedef struct body_panels {
-    size_t count, column_count, number_count;
+    size_t count, part_count, column_count, number_count;
     body_panel *panels;
+    body_part *parts;
     unsigned *columns;
     double *numbers;
 } body_panels;
+
+/// Column c, of the common ones and then of those of row r alone.
+static inline size_t body_column(const body_panels *in, const body_part *part, size_t rows, size_t c, size_t r) {
+    return in->columns[part->first_column + (c < part->common ? c : part->common + (c - part->common) * rows + r)];
+}
 
 typedef struct body {
     size_t count, room;
@@ -73,10 +88,22 @@ bool body_finish(body *of);
 /// Gathers the terms, which are in order, into panels. False without memory.
 bool body_gather(const body *of, body_panels *to);
 
+/// Has the last rows of `rows`, but none before `first`, begun by panels; says from where on they are.
+size_t body_begin(body_panels *of, size_t first, size_t rows);
+
+/// Whether they are the same, to the bit.
+bool body_alike(const body_panels *one, const body_panels *other);
+
 /// Below, at or above 0 as one kind comes before, is, or comes after the other.
 int body_compare_kinds(body_kind one, body_kind other);
 
-/// The rates of a machine, in the order of body_rate.
-void body_rates(double speed, double clock, double rates[RATES]);
+/// A machine's numbers: each rate over all that come later, and as it is.
+enum { BODY_STEPS = RATES * (RATES + 1) / 2 };
+void body_rates(double speed, double clock, double steps[BODY_STEPS]);
+
+/// Where a rate over one that comes later is among them; over RATES the rate itself.
+static inline size_t body_step(body_rate rate, body_rate later) {
+    return rate * (2 * RATES + 1 - rate) / 2 + later - rate - 1;
+}
 
 #endif

@@ -33,16 +33,32 @@ static void add_masses(const coupling *out, const assembly *from, double *m) {
     }
 }
 
-whirl_status coupling_fill(coupling *out, const assembly *from) {
-    size_t n = 0;
-    if (from->mass_count == 0) return whirl_ok();
-    for (size_t d = 0; d < from->degrees; d++) {
-        out->place[d] = NO_COORDINATE;
-        if (!is_coupled(from, d)) continue;
-        out->place[d] = n;
-        out->row[n++] = d;
+/// Numbers the coordinates so that those that couple with one another, though by others, are side by side.
+static size_t number_coupled(coupling *out, const assembly *from) {
+    size_t *first = out->place, n = 0; // of those that each couples with
+    for (size_t d = 0; d < from->degrees; d++) first[d] = d;
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (const mass_term *term = from->masses; term < from->masses + from->mass_count; term++) {
+            const size_t one = first[term->row], other = first[term->by], lower = one < other ? one : other;
+            changed = changed || one != other;
+            first[term->row] = first[term->by] = lower;
+        }
     }
-    out->count = n;
+    for (size_t d = 0; d < from->degrees; d++) {
+        const size_t begin = n;
+        for (size_t other = d; other < from->degrees && is_coupled(from, d); other++)
+            if (first[other] == d) out->row[n++] = other;
+        for (size_t i = begin; i < n; i++) out->end[i] = n;
+    }
+    for (size_t d = 0; d < from->degrees; d++) out->place[d] = NO_COORDINATE;
+    for (size_t i = 0; i < n; i++) out->place[out->row[i]] = i;
+    return n;
+}
+
+whirl_status coupling_fill(coupling *out, const assembly *from) {
+    if (from->mass_count == 0) return whirl_ok();
+    const size_t n = out->count = number_coupled(out, from);
     if (n == 0) return whirl_ok();
     double *mass = calloc(n * n, sizeof *mass);
     if (!mass) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the masses of %zu coordinates", n);

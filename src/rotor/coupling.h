@@ -9,7 +9,8 @@
 
 typedef struct coupling {
     size_t count;  ///< coordinates that are coupled
-    size_t *row;   ///< [count] which these are
+    size_t *row;   ///< [count] which these are, those that couple with one another side by side
+    size_t *end;   ///< [count] before which these end
     size_t *place; ///< [degrees] where they are among them; NO_COORDINATE of the others
     double *share; ///< [count][count] C
 } coupling;

@@ -22,6 +22,7 @@ struct whirl_rotor {
     /// Terms that shafts of finite elements are; the same in all machines of a block.
     body_panels body;  ///< numbers scaled but for their rates
     size_t first_rate; ///< where the machine's rates are among its numbers
+    size_t begun;      ///< coordinates from there on are begun by the body, those before by stations or at zero
     element *elements; ///< [element_count] those that have kernels, in the registry's order
     double *numbers;   ///< [plane_count][STATION_NUMBERS], those of the terms, then those of the elements
     size_t *places;    ///< [plane_count + element_count] as whirl_lanes has them

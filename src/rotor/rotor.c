@@ -48,7 +48,8 @@ static size_t first_of_elements(const building *b) {
 }
 
 static size_t total_numbers(const building *b) {
-    return first_of_elements(b) + b->number_count + (b->assembly.body.count > 0 ? RATES : 0) + (b->keyphasor ? 1 : 0);
+    return first_of_elements(b) + b->number_count + (b->assembly.body.count > 0 ? BODY_STEPS : 0) +
+           (b->keyphasor ? 1 : 0);
 }
 
 static size_t count_contacts(const building *b) {
@@ -76,7 +77,9 @@ static size_t lay_out(whirl_rotor *rotor, char *block, const building *b) {
                            cut(block, &used, coupled * sizeof *rotor->coupled.row),
                            cut(block, &used, (coupled ? b->assembly.degrees : 0) * sizeof *rotor->coupled.place),
                            cut(block, &used, coupled * coupled * sizeof *rotor->coupled.share),
+                           cut(block, &used, coupled * sizeof *rotor->coupled.end),
                            cut(block, &used, shafts->count * sizeof *shafts->panels),
+                           cut(block, &used, shafts->part_count * sizeof *shafts->parts),
                            cut(block, &used, shafts->column_count * sizeof *shafts->columns),
                            cut(block, &used, shafts->number_count * sizeof *shafts->numbers)};
     if (!rotor) return used;
@@ -93,9 +96,11 @@ static size_t lay_out(whirl_rotor *rotor, char *block, const building *b) {
     rotor->coupled.row = parts[10];
     rotor->coupled.place = parts[11];
     rotor->coupled.share = parts[12];
-    rotor->body.panels = parts[13];
-    rotor->body.columns = parts[14];
-    rotor->body.numbers = parts[15];
+    rotor->coupled.end = parts[13];
+    rotor->body.panels = parts[14];
+    rotor->body.parts = parts[15];
+    rotor->body.columns = parts[16];
+    rotor->body.numbers = parts[17];
     return used;
 }
 
@@ -138,24 +143,24 @@ static void add_numbers(whirl_rotor *rotor, const building *b) {
     if (b->assembly.body.count > 0) {
         rotor->first_rate = (size_t)(number - rotor->numbers);
         body_rates(b->assembly.speed, b->assembly.clock, number);
-        number += RATES;
+        number += BODY_STEPS;
     }
     if (b->keyphasor) *number = b->assembly.turn;
 }
 
 /// The body's terms, scaled as coordinates are.
+static void scale_body(assembly *of) {
+    for (body_term *term = of->body.terms; term < of->body.terms + of->body.count; term++) {
+        term->number /= of->inertia[term->row] * of->unit[term->row];
+        if (term->kind.source != BODY_ONE) term->number *= of->unit[term->column];
+    }
+}
+
 static bool add_body(whirl_rotor *rotor, const assembly *from) {
     if (!body_gather(&from->body, &rotor->body)) return false;
-    for (const body_panel *panel = rotor->body.panels; panel < rotor->body.panels + rotor->body.count; panel++) {
-        double *number = rotor->body.numbers + panel->first_number;
-        for (size_t c = 0; c < panel->columns; c++)
-            for (size_t r = 0; r < panel->rows; r++, number++) {
-                const size_t row = panel->row[r], column = rotor->body.columns[panel->first_column + c];
-                *number /= from->inertia[row] * from->unit[row];
-                if (panel->kind.source != BODY_ONE) *number *= from->unit[column];
-            }
-        if (panel->kind.value != BODY_STEADY) rotor->lanes.modulated = true;
-    }
+    for (const body_panel *panel = rotor->body.panels; panel < rotor->body.panels + rotor->body.count; panel++)
+        if (panel->value != BODY_STEADY) rotor->lanes.modulated = true;
+    rotor->begun = body_begin(&rotor->body, 2 * from->plane_count, from->degrees);
     return true;
 }
 
@@ -232,6 +237,7 @@ static void add_phase(whirl_rotor *rotor, const building *b) {
 }
 
 static whirl_rotor *finish(building *b) {
+    scale_body(&b->assembly);
     whirl_rotor *rotor = body_gather(&b->assembly.body, &b->panels) ? calloc(1, lay_out(NULL, NULL, b)) : NULL;
     if (!rotor) return NULL;
     lay_out(rotor, (char *)rotor, b);

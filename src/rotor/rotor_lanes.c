@@ -17,17 +17,6 @@ static bool terms_alike(const linear_term *x, const linear_term *y) {
     return x->row == y->row && x->source == y->source && x->column == y->column;
 }
 
-static bool bodies_alike(const body_panels *x, const body_panels *y) {
-    if (x->count != y->count || x->column_count != y->column_count || x->number_count != y->number_count) return false;
-    for (size_t i = 0; i < x->count; i++)
-        if (x->panels[i].rows != y->panels[i].rows || x->panels[i].columns != y->panels[i].columns ||
-            memcmp(x->panels[i].row, y->panels[i].row, sizeof x->panels[i].row) != 0 ||
-            body_compare_kinds(x->panels[i].kind, y->panels[i].kind) != 0)
-            return false;
-    return memcmp(x->columns, y->columns, x->column_count * sizeof *x->columns) == 0 &&
-           memcmp(x->numbers, y->numbers, x->number_count * sizeof *x->numbers) == 0;
-}
-
 static bool couplings_alike(const coupling *x, const coupling *y) {
     const size_t n = x->count;
     return y->count == n && memcmp(x->row, y->row, n * sizeof *x->row) == 0 &&
@@ -46,7 +35,7 @@ static bool lane_alike(const void *one, const void *other) {
         if (!elements_alike(&a->elements[i], &b->elements[i])) return false;
     for (size_t i = 0; i < a->term_count; i++)
         if (!terms_alike(&a->terms[i], &b->terms[i])) return false;
-    if (!bodies_alike(&a->body, &b->body)) return false;
+    if (!body_alike(&a->body, &b->body)) return false;
     return couplings_alike(&a->coupled, &b->coupled);
 }
 
@@ -60,7 +49,7 @@ static size_t part_from(const double *number, size_t own, size_t count, size_t *
 static size_t lane_part(const void *model, size_t *places) {
     const whirl_rotor *rotor = model;
     const element *own = rotor->elements, *last = own + rotor->element_count;
-    size_t count = rotor->term_count + (rotor->body.count > 0 ? RATES : 0);
+    size_t count = rotor->term_count + (rotor->body.count > 0 ? BODY_STEPS : 0);
     for (size_t s = 0; s < rotor->plane_count; s++)
         count += part_from(rotor->numbers, s * STATION_NUMBERS, STATION_NUMBERS, &places[s]);
     for (; own < last; own++)
@@ -81,14 +70,19 @@ static void depend_on_element(const whirl_rotor *rotor, const element *own, bool
     }
 }
 
+static void depend_on_part(const body_panels *in, const body_panel *panel, const body_part *part, size_t degrees,
+                           size_t width, bool *table) {
+    const size_t first = part->kind.source == BODY_PLACE ? 0 : degrees;
+    for (size_t c = 0; c < part->common + part->lone && part->kind.source != BODY_ONE; c++)
+        for (size_t r = 0; r < panel->rows; r++)
+            if (in->numbers[part->first_number + c * panel->rows + r] != 0.0)
+                table[panel->row[r] * width + first + body_column(in, part, panel->rows, c, r)] = true;
+}
+
 static void depend_on_body(const body_panels *in, size_t degrees, size_t width, bool *table) {
-    for (const body_panel *panel = in->panels; panel < in->panels + in->count; panel++) {
-        const size_t first = panel->kind.source == BODY_PLACE ? 0 : degrees;
-        for (size_t c = 0; c < panel->columns && panel->kind.source != BODY_ONE; c++)
-            for (size_t r = 0; r < panel->rows; r++)
-                if (in->numbers[panel->first_number + c * panel->rows + r] != 0.0)
-                    table[panel->row[r] * width + first + in->columns[panel->first_column + c]] = true;
-    }
+    for (const body_panel *panel = in->panels; panel < in->panels + in->count; panel++)
+        for (size_t i = 0; i < panel->part_count; i++)
+            depend_on_part(in, panel, &in->parts[panel->first_part + i], degrees, width, table);
 }
 
 static void lane_depends(const void *model, bool *table) {

@@ -5,6 +5,7 @@
 #include "../machine.h"
 
 #include "block.h"
+#include "body_kernel.h"
 #include "elements/station_kernel.h"
 #include "instances.h"
 
@@ -104,144 +105,15 @@ static void pass_terms(const whirl_rotor *rotor, const block *b) {
     }
 }
 
-enum { SUMS = 2 }; ///< vectors that are summed at a time
-
-/// Where a panel of shafts' terms is at work: the vectors of its state or disturbance, and what its sums are scaled by.
-typedef struct panel_work {
-    const double *number;   ///< [columns][rows]
-    const unsigned *column; ///< [columns]
-    const vec *x, *rate, *value;
-    vec *a;
-    size_t stride;
-} panel_work;
-
-/// The sums of a panel's rows, column by column, times what they are scaled by.
-VECTOR_INLINE void sum_panel(const body_panel *panel, const panel_work *w, size_t rows, size_t count, size_t k) {
-    vec sum[PANEL_ROWS][SUMS], rate[SUMS];
-    const double *number = w->number;
-    const size_t stride = w->stride;
-    for (size_t r = 0; r < rows; r++)
-        for (size_t i = 0; i < count; i++) sum[r][i] = v_set(0.0);
-    for (size_t c = 0; c < panel->columns; c++, number += rows) {
-        const vec *x = w->x + w->column[c] * stride + k;
-        for (size_t r = 0; r < rows; r++)
-            for (size_t i = 0; i < count; i++) sum[r][i] = v_fma(v_set(number[r]), x[i], sum[r][i]);
-    }
-    for (size_t i = 0; i < count; i++) rate[i] = w->value ? v_mul(w->rate[k + i], w->value[k + i]) : w->rate[k + i];
-    for (size_t r = 0; r < rows; r++) {
-        vec *a = w->a + panel->row[r] * stride + k;
-        for (size_t i = 0; i < count; i++) a[i] = v_fma(rate[i], sum[r][i], a[i]);
-    }
-}
-
-VECTOR_INLINE void sum_rows(const body_panel *panel, const panel_work *w, size_t rows, size_t vectors) {
-    size_t k = 0;
-    for (; k + SUMS <= vectors; k += SUMS) sum_panel(panel, w, rows, SUMS, k);
-    for (; k < vectors; k++) sum_panel(panel, w, rows, 1, k);
-}
-
-static void pass_panel(const body_panel *panel, const panel_work *w, size_t vectors) {
-    switch (panel->rows) {
-    case 1:
-        sum_rows(panel, w, 1, vectors);
-        break;
-    case 2:
-        sum_rows(panel, w, 2, vectors);
-        break;
-    case 3:
-        sum_rows(panel, w, 3, vectors);
-        break;
-    default:
-        sum_rows(panel, w, PANEL_ROWS, vectors);
-    }
-}
-
-/// What follows for disturbances by the shaft's phase, where that is a state.
-static void pass_turned(const body_panel *panel, const panel_work *w, const block *b, const vec *turned) {
-    for (size_t n = 1; n <= b->disturbances; n++)
-        for (size_t k = 0; k < b->vectors; k++) {
-            const vec by = v_mul(turned[k], phase_of(b, n, k));
-            panel_work one = *w;
-            one.x += k, one.rate += k, one.a += n * b->next_v + k, one.value = &by;
-            pass_panel(panel, &one, 1);
-        }
-}
-
-/// What it is of the trace.
-static void trace_panel(const body_panel *panel, const panel_work *w, const block *b) {
-    for (size_t c = 0; c < panel->columns; c++)
-        for (size_t r = 0; r < panel->rows; r++)
-            for (size_t k = 0; k < b->vectors; k++) {
-                const vec rate = w->value ? v_mul(w->rate[k], w->value[k]) : w->rate[k];
-                const vec derivative = v_mul(v_set(w->number[c * panel->rows + r]), rate);
-                b->divergence[k] = v_add(b->divergence[k], of_trace(b, panel->row[r], w->column[c], derivative));
-            }
-}
-
-/// Forces that depend on nothing.
-static void add_steady(const body_panel *panel, const panel_work *w, size_t vectors) {
-    const vec *rate = w->rate;
-    for (size_t r = 0; r < panel->rows; r++) {
-        const vec number = v_set(w->number[r]);
-        vec *a = w->a + panel->row[r] * w->stride;
-        for (size_t k = 0; k < vectors; k++) a[k] = v_fma(rate[k], number, a[k]);
-    }
-}
-
-/// Shafts of finite elements: numbers that all lanes share, times the rates of each.
-static void pass_body(const whirl_rotor *rotor, const block *b) {
-    const body_panels *of = &rotor->body;
-    for (const body_panel *panel = of->panels; panel < of->panels + of->count; panel++) {
-        const bool steady = panel->kind.value == BODY_STEADY, place = panel->kind.source == BODY_PLACE;
-        const size_t of_time = steady ? 0 : (size_t)panel->kind.value * b->forcing_stride;
-        panel_work w = {.number = of->numbers + panel->first_number,
-                        .column = of->columns + panel->first_column,
-                        .rate = b->numbers + (rotor->first_rate + panel->kind.rate) * b->stride,
-                        .value = steady ? NULL : b->forcing + of_time,
-                        .x = place ? b->q : b->v,
-                        .a = b->a,
-                        .stride = b->stride};
-        if (panel->kind.source == BODY_ONE) {
-            add_steady(panel, &w, b->vectors);
-            continue;
-        }
-        if (w.value && b->turned) pass_turned(panel, &w, b, b->turned + of_time);
-        if (b->divergence && !place) trace_panel(panel, &w, b);
-        for (size_t n = 0; n <= b->disturbances; n++) {
-            pass_panel(panel, &w, b->vectors);
-            w.x += place ? b->next : b->next_v;
-            w.a += b->next_v;
-        }
-    }
-}
-
-/// Coordinates that no station's pass writes begin at zero.
+/// Coordinates that neither a station's pass nor a shaft's begins, begin at zero.
 static void clear(const whirl_rotor *rotor, const block *b) {
     const size_t first = 2 * rotor->plane_count, vectors = b->vectors, stride = b->stride;
     for (size_t k = 0; b->divergence && k < vectors; k++) b->divergence[k] = v_set(0.0);
     for (size_t n = 0; n <= b->disturbances; n++) {
         vec *a = b->a + n * b->next_v + first * stride;
-        for (size_t d = first; d < rotor->lanes.degrees; d++, a += stride)
+        for (size_t d = first; d < rotor->begun; d++, a += stride)
             for (size_t k = 0; k < vectors; k++) a[k] = v_set(0.0);
     }
-}
-
-/// Where masses couple, what was gathered is the force on each coordinate by its own inertia: accelerations a = C g.
-static void couple(const block *b) {
-    const coupling *by = b->coupled;
-    vec g[AXES * WHIRL_MAX_STATIONS];
-    const size_t count = by->count;
-    for (size_t n = 0; n <= b->disturbances; n++)
-        for (size_t k = 0; k < b->vectors; k++) {
-            vec *a = b->a + n * b->next_v + k;
-            for (size_t j = 0; j < count; j++) g[j] = a[by->row[j] * b->stride];
-            for (size_t i = 0; i < count; i++) {
-                const double *share = by->share + i * count;
-                vec sum = v_mul(v_set(share[0]), g[0]);
-                for (size_t j = 1; j < count; j++) sum = v_fma(v_set(share[j]), g[j], sum);
-                a[by->row[i] * b->stride] = sum;
-            }
-        }
 }
 
 static const element_kernels *kernels_of(const element *own) {
@@ -264,8 +136,8 @@ static void pass_all(const whirl_rotor *rotor, const block *b) {
     clear(rotor, b);
     pass_stations(b, rotor->plane_count);
     if (wants_tangent(b)) pass_station_tangents(b, rotor->plane_count);
+    if (rotor->body.count > 0) pass_body(&rotor->body, b->numbers + rotor->first_rate * b->stride, b);
     pass_terms(rotor, b);
-    if (rotor->body.count > 0) pass_body(rotor, b);
     for (const element *own = rotor->elements; own < rotor->elements + rotor->element_count; own += own->run)
         kernels_of(own)->flow(own, own->run, b);
     if (b->coupled) couple(b);

@@ -1,0 +1,189 @@
+/// Shafts of finite elements and coupled masses in lanes: products of matrices that all lanes share.
+///
+/// A few rows and a few vectors are summed at a time: sums stay in registers, each column is loaded once for all rows
+/// and each number once for all vectors.
+#ifndef ROTOR_BODY_KERNEL_H
+#define ROTOR_BODY_KERNEL_H
+
+#include "block.h"
+#include "body.h"
+
+/// Rows and vectors that are summed at a time: as many sums as there are registers for.
+enum { SUM_ROWS = VECTOR_ISA == VECTOR_AVX512 ? 8 : 4, SUMS = VECTOR_ISA >= VECTOR_AVX2 ? 3 : 2 };
+
+/// The block's vectors k to before k + count, of its state or of a disturbance.
+typedef struct panel_work {
+    const vec *q, *v, *steps; ///< steps: the machine's body_rates
+    const vec *value;         ///< of time; NULL: none
+    vec *a;
+    size_t stride, rows; ///< rows: of the panel
+    bool beside;         ///< a disturbance, which feels no steady force
+} panel_work;
+
+/// One rate over another that comes later, or over RATES the rate itself.
+static inline const vec *rate_over(const panel_work *w, body_rate rate, body_rate later) {
+    return w->steps + body_step(rate, later) * w->stride;
+}
+
+VECTOR_INLINE void add_column(const double *number, const vec *x, size_t rows, size_t count, vec sum[SUM_ROWS][SUMS]) {
+    VECTOR_FOR (r, rows)
+        VECTOR_FOR (i, count) sum[r][i] = v_fma(v_set(number[r]), x[i], sum[r][i]);
+}
+
+VECTOR_INLINE void add_part(const body_panels *of, const body_part *part, const panel_work *w, size_t first,
+                            size_t rows, size_t count, size_t k, vec sum[SUM_ROWS][SUMS]) {
+    const vec *x = (part->kind.source == BODY_PLACE ? w->q : w->v) + k;
+    const double *number = of->numbers + part->first_number + first;
+    const unsigned *column = of->columns + part->first_column;
+    for (size_t c = 0; c < part->common; c++, number += w->rows)
+        add_column(number, x + *column++ * w->stride, rows, count, sum);
+    column += first;
+    for (size_t c = 0; c < part->lone; c++, number += w->rows, column += w->rows)
+        VECTOR_FOR (r, rows) add_column(number + r, x + column[r] * w->stride, 1, count, sum + r);
+}
+
+/// Forces that depend on nothing.
+VECTOR_INLINE void add_steady(const double *number, size_t rows, size_t count, vec sum[SUM_ROWS][SUMS]) {
+    VECTOR_FOR (r, rows)
+        VECTOR_FOR (i, count) sum[r][i] = v_add(sum[r][i], v_set(number[r]));
+}
+
+VECTOR_INLINE void sum_panel(const body_panels *of, const body_panel *panel, const panel_work *w, size_t first,
+                             size_t rows, size_t count, size_t k) {
+    const body_part *part = of->parts + panel->first_part, *end = part + panel->part_count;
+    const vec *factor;
+    body_rate rate = part->kind.rate;
+    vec sum[SUM_ROWS][SUMS], scale[SUMS];
+    VECTOR_FOR (r, rows)
+        VECTOR_FOR (i, count) sum[r][i] = v_set(0.0);
+    for (; part < end; rate = part++->kind.rate) {
+        if (rate != part->kind.rate) {
+            factor = rate_over(w, rate, part->kind.rate) + k;
+            VECTOR_FOR (r, rows)
+                VECTOR_FOR (i, count) sum[r][i] = v_mul(factor[i], sum[r][i]);
+        }
+        if (part->kind.source != BODY_ONE)
+            add_part(of, part, w, first, rows, count, k, sum);
+        else if (!w->beside)
+            add_steady(of->numbers + part->first_number + first, rows, count, sum);
+    }
+    factor = rate_over(w, rate, RATES) + k;
+    VECTOR_FOR (i, count) scale[i] = w->value ? v_mul(factor[i], w->value[k + i]) : factor[i];
+    VECTOR_FOR (r, rows) {
+        vec *a = w->a + panel->row[first + r] * w->stride + k;
+        VECTOR_FOR (i, count) a[i] = panel->begins ? v_mul(scale[i], sum[r][i]) : v_fma(scale[i], sum[r][i], a[i]);
+    }
+}
+
+VECTOR_INLINE void sum_rows(const body_panels *of, const body_panel *panel, const panel_work *w, size_t first,
+                            size_t rows, size_t vectors) {
+    size_t k = 0;
+    for (; k + SUMS <= vectors; k += SUMS) sum_panel(of, panel, w, first, rows, SUMS, k);
+    for (; k < vectors; k++) sum_panel(of, panel, w, first, rows, 1, k);
+}
+
+static void pass_panel(const body_panels *of, const body_panel *panel, const panel_work *w, size_t vectors) {
+    size_t first = 0;
+    for (; first + SUM_ROWS <= w->rows; first += SUM_ROWS) sum_rows(of, panel, w, first, SUM_ROWS, vectors);
+    for (; first + 4 <= w->rows; first += 4) sum_rows(of, panel, w, first, 4, vectors);
+    switch (w->rows - first) {
+    case 3:
+        sum_rows(of, panel, w, first, 3, vectors);
+        break;
+    case 2:
+        sum_rows(of, panel, w, first, 2, vectors);
+        break;
+    case 1:
+        sum_rows(of, panel, w, first, 1, vectors);
+        break;
+    default:
+        break;
+    }
+}
+
+/// What follows for disturbances by the shaft's phase, where that is a state.
+static void pass_turned(const body_panels *of, const body_panel *panel, const panel_work *w, const block *b) {
+    const vec *turned = b->turned + (size_t)panel->value * b->forcing_stride;
+    for (size_t n = 1; n <= b->disturbances; n++)
+        for (size_t k = 0; k < b->vectors; k++) {
+            const vec by = v_mul(turned[k], phase_of(b, n, k));
+            panel_work one = *w;
+            one.q += k, one.v += k, one.steps += k, one.a += n * b->next_v + k, one.value = &by;
+            pass_panel(of, panel, &one, 1);
+        }
+}
+
+/// What a part is of the trace.
+static void trace_part(const body_panels *of, const body_panel *panel, const body_part *part, const panel_work *w,
+                       const block *b) {
+    for (size_t c = 0; c < part->common + part->lone; c++)
+        for (size_t r = 0; r < panel->rows; r++)
+            for (size_t k = 0; k < b->vectors; k++) {
+                const size_t column = body_column(of, part, panel->rows, c, r);
+                const vec last = rate_over(w, part->kind.rate, RATES)[k],
+                          rate = w->value ? v_mul(last, w->value[k]) : last;
+                const vec derivative = v_mul(v_set(of->numbers[part->first_number + c * panel->rows + r]), rate);
+                b->divergence[k] = v_add(b->divergence[k], of_trace(b, panel->row[r], column, derivative));
+            }
+}
+
+/// Shafts of finite elements: numbers that all lanes share, times the rates of each, whose steps are a machine's.
+static void pass_body(const body_panels *of, const vec *steps, const block *b) {
+    for (const body_panel *panel = of->panels; panel < of->panels + of->count; panel++) {
+        const bool steady = panel->value == BODY_STEADY;
+        panel_work w = {.q = b->q,
+                        .v = b->v,
+                        .steps = steps,
+                        .value = steady ? NULL : b->forcing + (size_t)panel->value * b->forcing_stride,
+                        .a = b->a,
+                        .stride = b->stride,
+                        .rows = panel->rows};
+        if (!steady && b->turned) pass_turned(of, panel, &w, b);
+        for (size_t i = 0; i < panel->part_count && b->divergence; i++) {
+            const body_part *part = &of->parts[panel->first_part + i];
+            if (part->kind.source == BODY_VELOCITY) trace_part(of, panel, part, &w, b);
+        }
+        for (size_t n = 0; n <= b->disturbances; n++, w.beside = true) {
+            pass_panel(of, panel, &w, b->vectors);
+            w.q += b->next, w.v += b->next_v, w.a += b->next_v;
+        }
+    }
+}
+
+/// Rows `first` on of C times g.
+VECTOR_INLINE void couple_rows(const coupling *by, size_t first, size_t rows, size_t begin, size_t end, const vec *g,
+                               size_t count, vec *a, size_t stride) {
+    vec sum[SUM_ROWS][SUMS];
+    VECTOR_FOR (r, rows)
+        VECTOR_FOR (i, count) sum[r][i] = v_set(0.0);
+    for (size_t j = begin; j < end; j++, g += SUMS)
+        VECTOR_FOR (r, rows)
+            VECTOR_FOR (i, count) sum[r][i] = v_fma(v_set(by->share[(first + r) * by->count + j]), g[i], sum[r][i]);
+    VECTOR_FOR (r, rows)
+        VECTOR_FOR (i, count) a[by->row[first + r] * stride + i] = sum[r][i];
+}
+
+/// Those that couple with one another, of `count` vectors.
+VECTOR_INLINE void couple_some(const coupling *by, size_t begin, size_t end, size_t count, vec *a, size_t stride) {
+    vec g[AXES * WHIRL_MAX_STATIONS * SUMS];
+    for (size_t j = begin; j < end; j++)
+        VECTOR_FOR (i, count) g[(j - begin) * SUMS + i] = a[by->row[j] * stride + i];
+    size_t row = begin;
+    for (; row + 4 <= end; row += 4) couple_rows(by, row, 4, begin, end, g, count, a, stride);
+    for (; row + 3 <= end; row += 3) couple_rows(by, row, 3, begin, end, g, count, a, stride);
+    for (; row < end; row++) couple_rows(by, row, 1, begin, end, g, count, a, stride);
+}
+
+/// Where masses couple, what was gathered is the force on each coordinate by its own inertia: accelerations a = C g.
+static void couple(const block *b) {
+    const coupling *by = b->coupled;
+    for (size_t n = 0; n <= b->disturbances; n++)
+        for (size_t begin = 0; begin < by->count; begin = by->end[begin]) {
+            vec *a = b->a + n * b->next_v;
+            size_t k = 0;
+            for (; k + SUMS <= b->vectors; k += SUMS) couple_some(by, begin, by->end[begin], SUMS, a + k, b->stride);
+            for (; k < b->vectors; k++) couple_some(by, begin, by->end[begin], 1, a + k, b->stride);
+        }
+}
+
+#endif
