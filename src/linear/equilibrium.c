@@ -171,3 +171,27 @@ whirl_status whirl_equilibrium(const whirl_system *system, double *x) {
     free(block);
     return status;
 }
+
+whirl_status whirl_rest_slope(const whirl_system *system, const double *x, double *slope, double *jacobian) {
+    const size_t d = system->dimension;
+    mean_system mean;
+    void *block;
+    whirl_status status = mean_begin(&mean, system, &block);
+    if (status.code != WHIRL_OK) return status;
+    const size_t n = mean.count;
+    double *own = calloc(n + n * n + 1, sizeof *own);
+    if (own) {
+        mean_slope(&mean, x, own);
+        mean_jacobian(&mean, x, own + n);
+        memset(slope, 0, d * sizeof *slope);
+        memset(jacobian, 0, d * d * sizeof *jacobian);
+    }
+    for (size_t i = 0; own && i < n; i++) {
+        slope[mean.kept[i]] = own[i];
+        for (size_t k = 0; k < n; k++) jacobian[mean.kept[i] * d + mean.kept[k]] = own[n + i * n + k];
+    }
+    if (!own) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the Jacobian of %zu coordinates", d);
+    free(own);
+    free(block);
+    return status;
+}
