@@ -154,7 +154,7 @@ typedef struct whirl_branch_options {
     bool special; ///< locate special points
 } whirl_branch_options;
 
-/// From `from` to `to` in steps of at most 0.02, at most 1000 points, special points located.
+/// From `from` to `to` in steps of at most 0.05, at most 1000 points, special points located.
 whirl_branch_options whirl_branch_default(double from, double to);
 
 /// Follows the branch of an orbit, or of an equilibrium, of the family at `value` by pseudo-arclength continuation

@@ -12,7 +12,7 @@ whirl_branch_options whirl_branch_default(double from, double to) {
                                   .to = to,
                                   .step = 0.01,
                                   .least_step = 1e-7,
-                                  .most_step = 0.02,
+                                  .most_step = 0.05,
                                   .most_points = 1000,
                                   .special = true};
 }
@@ -117,6 +117,7 @@ static whirl_status go_on(follower *f, walk *w, bool *ended) {
     exchange(&w->now, &w->next);
     equations_put(&f->equations, w->now.u);
     equations_begin_at(&f->equations, f->equations.nodes);
+    follower_scale(f, w->now.tangent);
     *ended = is_closed(f, w);
     if (*ended) f->branch->end = WHIRL_END_CLOSED;
     return status;

@@ -49,6 +49,9 @@ static double size_of(void *context, const double *u, const double *value) {
     return fmax(c->size(c->context, u, value), fabs(value[c->count]));
 }
 
+/// Points are near where they are looked for, or a shorter step finds them sooner.
+enum { MOST_STEPS = 8, MOST_HALVINGS = 2 };
+
 newton_result curve_correct(curve *c, const double *direction, double *u) {
     newton_result result = {.size = INFINITY};
     double *from = malloc((c->count + 1) * sizeof *from);
@@ -62,7 +65,8 @@ newton_result curve_correct(curve *c, const double *direction, double *u) {
                                             .size = size_of,
                                             .scale = c->scale,
                                             .tolerance = c->tolerance,
-                                            .most_steps = c->most_steps},
+                                            .most_steps = MOST_STEPS,
+                                            .most_halvings = MOST_HALVINGS},
                           u);
     free(from);
     return result;

@@ -11,7 +11,6 @@ typedef struct curve {
     bool (*evaluate)(void *context, const double *u, double *value, double *derivative);
     double (*size)(void *context, const double *u, const double *value);
     double tolerance;
-    int most_steps;
     double *scale;  ///< [N + 1] what counts as 1 in lengths along the curve
     double *matrix; ///< [N + 1][N + 1] the derivative at the last point that was found, a direction in the last row
     double *values; ///< [N + 1] workspace

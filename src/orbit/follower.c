@@ -35,6 +35,12 @@ static void set_scale(follower *f) {
     f->curve.scale[all - 1] = f->options->to - f->options->from;
 }
 
+void follower_scale(follower *f, double *tangent) {
+    set_scale(f);
+    const double length = sqrt(curve_dot(&f->curve, tangent, tangent));
+    for (size_t i = 0; i <= f->curve.count; i++) tangent[i] /= length;
+}
+
 whirl_status follower_begin(follower *f, const whirl_family *family, const whirl_orbit *start, double value,
                             const whirl_branch_options *options) {
     *f = (follower){.options = options};
@@ -52,8 +58,7 @@ whirl_status follower_begin(follower *f, const whirl_family *family, const whirl
                        .context = e,
                        .evaluate = equations_evaluate,
                        .size = equations_size,
-                       .tolerance = options->orbit.tolerance,
-                       .most_steps = options->orbit.most_steps};
+                       .tolerance = options->orbit.tolerance};
     f->branch = calloc(1, sizeof *f->branch);
     if (!f->branch || !curve_begin(&f->curve)) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a branch");
     memcpy(e->nodes, start->nodes, e->s->count * e->s->dimension * sizeof *e->nodes);

@@ -25,6 +25,9 @@ whirl_status follower_begin(follower *f, const whirl_family *family, const whirl
                             const whirl_branch_options *options);
 void follower_end(follower *f);
 
+/// Lets what counts as 1 be the size of the equations' present nodes, and `tangent` [unknowns] be of length 1 by it.
+void follower_scale(follower *f, double *tangent);
+
 /// The value of the parameter at u.
 double follower_value(const follower *f, const double *u);
 

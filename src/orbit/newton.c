@@ -6,9 +6,6 @@
 
 #include "matrix.h"
 
-/// Steps are halved so often at most.
-enum { MOST_HALVINGS = 8 };
-
 typedef struct newton_work {
     double *value, *tried, *step, *at; ///< [count]
     double *derivative, *there;        ///< [count][count] at u and where it was tried
@@ -41,7 +38,7 @@ static bool is_nearer(const newton_problem *p, newton_work *w, double size, doub
 /// Goes along the step by as much as leads nearer to the zero; gives the size of F there, infinite where nothing does.
 static double go(const newton_problem *p, newton_work *w, double size, double *u) {
     double share = 1.0, gone = 0.0;
-    for (int k = 0; k <= MOST_HALVINGS; k++, share *= 0.5) {
+    for (int k = 0; k <= p->most_halvings; k++, share *= 0.5) {
         for (size_t i = 0; i < p->count; i++) u[i] -= (share - gone) * w->step[i];
         gone = share;
         const double now = measure(p, u, w->tried, w->there);

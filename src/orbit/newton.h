@@ -15,7 +15,7 @@ typedef struct newton_problem {
     double (*size)(void *context, const double *u, const double *value);
     const double *scale; ///< [count] what counts as 1 in u; NULL: 1
     double tolerance;    ///< of that size
-    int most_steps;
+    int most_steps, most_halvings;
 } newton_problem;
 
 /// What came of it.
@@ -25,9 +25,9 @@ typedef struct newton_result {
     double size; ///< of F, at the last u
 } newton_result;
 
-/// Carries u [count] from a start to a zero, by steps that are halved until they lead nearer. The last call of
-/// evaluate is that of the final u, with the derivative, where it was found. F that cannot get smaller any more for
-/// rounding counts as zero up to 100 times the tolerance. Not found where memory is lacking, too.
+/// Carries u [count] from a start to a zero, by steps that are halved, at most so often, until they lead nearer. The
+/// last call of evaluate is that of the final u, with the derivative, where it was found. F that cannot get smaller any
+/// more for rounding counts as zero up to 100 times the tolerance. Not found where memory is lacking, too.
 newton_result newton_solve(const newton_problem *problem, double *u);
 
 #endif

@@ -34,7 +34,8 @@ static whirl_status solve(orbit_equations *e, const double *start, const whirl_o
                                     .evaluate = equations_evaluate,
                                     .size = equations_size,
                                     .tolerance = options->tolerance,
-                                    .most_steps = options->most_steps};
+                                    .most_steps = options->most_steps,
+                                    .most_halvings = 8};
     equations_begin_at(e, start);
     memcpy(e->nodes, start, s->dimension * sizeof *start);
     if (!shooting_spread(s, e->nodes, s->period))

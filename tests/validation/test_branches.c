@@ -66,8 +66,7 @@ static void folds_of_nlvib(void **state) {
                 {"1.115700251771", "-1.020826011254", "0.370992550122", "1.7545902833"}};
     (void)state;
     test_family family = oscillator_family(0.8, 0.05, 1.0, 0.1, 0.18);
-    whirl_branch_options options = whirl_branch_default(0.8, 1.5);
-    options.most_step = 0.05;
+    const whirl_branch_options options = whirl_branch_default(0.8, 1.5);
     whirl_orbit *start = find_orbit(&family, 1, &options.orbit);
     whirl_branch *branch = follow_branch(&family, start, 1, &options);
     assert_int_equal(2, count_special(branch, WHIRL_FOLD));
@@ -186,7 +185,6 @@ static void doublings_of_duffing(void **state) {
     family.start[0] = 0.56838897;
     family.start[1] = 0.41272660 / 1.2;
     whirl_branch_options options = whirl_branch_default(0.2, 0.32);
-    options.most_step = 0.05;
     const whirl_family machines = family_of(&family);
     double at[4], aside = 0.01;
     size_t revolutions = 1;
