@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
 """Follows the rotor's orbit from r_k = 0.6 downwards with AUTO-07p and prints its points.
 
-    follow.py [--ntst N] [--ncol N] [--loose] [--values R,R,...] [--to R] [--points N] [--rounds N] [--keep FOLDER]
+    follow.py [--ntst N] [--ncol N] [--loose] [--values R,R,...] [--to R] [--points N] [--bench] [--keep FOLDER]
 
 A line a point, separated by tabs: kind, r_k, the state at tau = 0 (x1, y1, x2, y2 and their derivatives), the eight
 multipliers of the rotor as real and imaginary parts, largest modulus first. The kind is NS (Neimark-Sacker), PD (period
-doubling), LP (fold), BP, UZ (a value that was asked for), EP (the end) or MX (AUTO did not converge). With --points every point is printed, "-"
-where it is none of these, in steps that put N of them between the ends, and a last line "seconds", the processor time
-of AUTO, the least of the rounds, after it.
+doubling), LP (fold), BP, UZ (a value that was asked for), EP (the end) or MX (AUTO did not converge). With --points
+every point is printed, "-" where it is none of these, in steps that put N of them between the ends. --bench prints
+instead a line for bench/run.py: what it is, points a second of AUTO's processor time, r_k of the last Neimark-Sacker
+point.
 
 --loose takes the tolerances of AUTO's demonstrations; else they are as tight as doubles allow. Exit status 77 where
 AUTO-07p or a Fortran compiler (which AUTO needs) is not installed.
@@ -100,9 +101,12 @@ def arguments():
     parser.add_argument("--values", type=lambda text: [float(word) for word in text.split(",")], default=[])
     parser.add_argument("--to", type=float, default=0.355, help="last value of r_k")
     parser.add_argument("--points", type=int, help="print all points, about so many")
-    parser.add_argument("--rounds", type=int, default=1, help="run so often, and tell the least time")
+    parser.add_argument("--bench", action="store_true", help="measure 100 points")
     parser.add_argument("--keep", type=pathlib.Path, help="leave AUTO's files there")
-    return parser.parse_args()
+    options = parser.parse_args()
+    if options.bench:
+        options.points, options.to = 100, 0.37
+    return options
 
 
 def main():
@@ -114,14 +118,19 @@ def main():
         folder = options.keep.resolve() if options.keep else pathlib.Path(temporary)
         folder.mkdir(parents=True, exist_ok=True)
         build(folder)
-        seconds = min(follow(folder, options) for _ in range(options.rounds))
-        for kind, r_k, state, multipliers in points(folder):
-            if options.points is None and kind == "-":
-                continue
-            numbers = [r_k, *state, *(part for m in multipliers for part in (m.real, m.imag))]
-            print(kind, *(f"{number:.15g}" for number in numbers), sep="\t")
-        if options.points is not None:
-            print("seconds", f"{seconds:.4g}", sep="\t")
+        seconds = follow(folder, options)
+        found = list(points(folder))
+    if options.bench:
+        torus = [r_k for kind, r_k, *_ in found if kind == "NS"][-1]
+        name = f"AUTO-07p, {options.ntst} intervals of {options.ncol}, {'1e-7' if options.loose else '1e-12'}"
+        print(name, f"{len(found) / seconds:.6g}", f"{torus:.13f}", sep="\t")
+        return
+    for kind, r_k, state, multipliers in found:
+        if options.points is None and kind == "-":
+            continue
+        numbers = [r_k, *state, *(part for m in multipliers for part in (m.real, m.imag))]
+        print(kind, *(f"{number:.15g}" for number in numbers), sep="\t")
+
 
 
 main()
