@@ -76,10 +76,11 @@ static void folds_of_nlvib(void **state) {
     for (size_t i = 0; i < 2; i++) {
         const whirl_branch_point *fold = special_point(branch, WHIRL_FOLD, i);
         const whirl_orbit *orbit = fold->orbit;
-        check_digits("NLvib 01", "fold: W", rows[i].W, fold->value);
-        check_within("NLvib 01", "x(0) there", strtod(rows[i].x, NULL), orbit->nodes[0], 1e-10);
-        check_within("NLvib 01", "dx/dtau(0) there", strtod(rows[i].v, NULL), orbit->nodes[1], 1e-10);
-        check_digits("NLvib 01", "trace there", rows[i].trace, orbit->multipliers[0].real + orbit->multipliers[1].real);
+        check_digits("branches", "NLvib 01, fold: W", rows[i].W, fold->value);
+        check_within("branches", "NLvib 01, x(0) there", strtod(rows[i].x, NULL), orbit->nodes[0], 1e-10);
+        check_within("branches", "NLvib 01, dx/dtau(0) there", strtod(rows[i].v, NULL), orbit->nodes[1], 1e-10);
+        check_digits("branches", "NLvib 01, trace there", rows[i].trace,
+                     orbit->multipliers[0].real + orbit->multipliers[1].real);
     }
     whirl_branch_free(branch);
     whirl_orbit_free(start);
@@ -128,8 +129,8 @@ static void a_torus_begins(void **state) {
         const double turn = 2.0 * pi * angulars[i], angle = acos(cos(turn));
         assert_int_equal(1, count_special(branch, WHIRL_NEIMARK_SACKER));
         const whirl_branch_point *point = special_point(branch, WHIRL_NEIMARK_SACKER, 0);
-        check_within("normal form", words("w = %g: torus at", angulars[i]), 0.0, point->value, 1e-10);
-        check_within("normal form", "its angle", angle, point->angle, 1e-10);
+        check_within("branches", words("normal form, w = %g: torus at", angulars[i]), 0.0, point->value, 1e-10);
+        check_within("branches", "normal form, its angle", angle, point->angle, 1e-10);
         assert_int_equal(0, count_special(branch, WHIRL_FOLD) + count_special(branch, WHIRL_BRANCHING) +
                                 count_special(branch, WHIRL_DOUBLING));
         assert_int_equal(0, branch->points[0].orbit->unstable);
@@ -189,7 +190,7 @@ static void doublings_of_duffing(void **state) {
     double at[4], aside = 0.01;
     size_t revolutions = 1;
     whirl_orbit *start = find_orbit(&family, 1, &options.orbit);
-    check_digits("D2", "F = .20: x", ".56838897", start->nodes[0]);
+    check_digits("branches", "D2, F = .20: x", ".56838897", start->nodes[0]);
     for (size_t k = 0; k < 4; k++, aside *= 0.4) {
         whirl_branch *branch = follow_branch(&family, start, 1, &options);
         const whirl_branch_point *point = special_point(branch, WHIRL_DOUBLING, 0);
@@ -197,7 +198,7 @@ static void doublings_of_duffing(void **state) {
         at[k] = point->value;
         // Up to there it is stable, and gives it to the orbit of twice the period.
         for (size_t i = 0; &branch->points[i] != point; i++) assert_int_equal(0, branch->points[i].orbit->unstable);
-        check_within("doubling", words("P-%zu: the multiplier at F = %.10f", revolutions, at[k]), -1.0,
+        check_within("branches", words("doubling, P-%zu: the multiplier at F = %.10f", revolutions, at[k]), -1.0,
                      point->orbit->multipliers[0].real, 1e-8);
         whirl_orbit_free(start);
         require_ok(whirl_branch_switch(&machines, point, aside, &options, &start, &family.p[FORCE]));
@@ -211,7 +212,7 @@ static void doublings_of_duffing(void **state) {
     whirl_orbit_free(start);
     // Feigenbaum (1978): the ratios of successive distances tend to 4.669; he gives no bound for the first ones.
     const double ratio = (at[2] - at[1]) / (at[3] - at[2]);
-    check_within("doubling", "Feigenbaum's ratio", 4.669201609, ratio, 0.05);
+    check_within("branches", "doubling, Feigenbaum's ratio", 4.669201609, ratio, 0.05);
 }
 
 // ---------------------------------------------------------------- grazes
@@ -273,7 +274,7 @@ static void grazes_are_located(void **state) {
         whirl_branch *branch = follow_branch(&family, start, 1, &options);
         const whirl_branch_point *graze = special_point(branch, WHIRL_GRAZE, 0);
         assert_non_null(graze);
-        check_within("graze", words("W = %g: first touch at F =", W), expected, graze->value, 1e-9);
+        check_within("branches", words("graze, W = %g: first touch at F =", W), expected, graze->value, 1e-9);
         for (size_t k = 0; k < branch->count; k++) {
             const whirl_touch *touch = &branch->points[k].orbit->touches[0];
             if (&branch->points[k] < graze) assert_int_equal(0, touch->intervals);

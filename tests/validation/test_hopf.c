@@ -67,24 +67,24 @@ static void circles_begin_at_the_hopf_point(void **state) {
     whirl_branch *branch = follow_rest(&family, &options);
     assert_int_equal(1, count_special(branch, WHIRL_HOPF));
     const whirl_branch_point *point = special_point(branch, WHIRL_HOPF, 0);
-    check_within("circles", "Hopf point at", 0.0, point->value, 1e-10);
-    check_within("circles", "its frequency", 1.7, point->angle, 1e-10);
-    check_within("circles", "the equilibrium", 1.0, point->orbit->nodes[0], 1e-12);
+    check_within("Hopf", "circles, Hopf point at", 0.0, point->value, 1e-10);
+    check_within("Hopf", "circles, its frequency", 1.7, point->angle, 1e-10);
+    check_within("Hopf", "circles, the equilibrium", 1.0, point->orbit->nodes[0], 1e-12);
     whirl_orbit *orbit;
     double value;
     require_ok(whirl_branch_switch(&machines, point, 0.1, &options, &orbit, &value));
     double radius = hypot(orbit->nodes[0] - 1.0, orbit->nodes[1]);
-    check_within("circles", "parameter of the first orbit", pow(radius, 2.0) + pow(radius, 4.0), value, 1e-9);
+    check_within("Hopf", "circles, parameter of the first orbit", pow(radius, 2.0) + pow(radius, 4.0), value, 1e-9);
     test_family at = family;
     at.p[GROWTH] = value;
     whirl_branch *whirling = follow_branch(&at, orbit, 1, &options);
     const whirl_branch_point *last = &whirling->points[whirling->count - 1];
     radius = hypot(last->orbit->nodes[0] - 1.0, last->orbit->nodes[1]);
     const double square = (sqrt(3.0) - 1.0) / 2.0;
-    check_within("circles", "at p = .5: square of the radius", square, radius * radius, 1e-10);
-    check_within("circles", "its period", 2.0 * pi / 1.7, last->orbit->period, 1e-10);
+    check_within("Hopf", "circles, at p = .5: square of the radius", square, radius * radius, 1e-10);
+    check_within("Hopf", "circles, its period", 2.0 * pi / 1.7, last->orbit->period, 1e-10);
     // Of disturbances of the radius, (r^2)' = 2 r^2 (p - r^2 - r^4).
-    check_within("circles", "its multiplier", exp(-2.0 * square * (1.0 + 2.0 * square) * 2.0 * pi / 1.7),
+    check_within("Hopf", "circles, its multiplier", exp(-2.0 * square * (1.0 + 2.0 * square) * 2.0 * pi / 1.7),
                  last->orbit->multipliers[1].real, 1e-10);
     whirl_branch_free(whirling);
     whirl_orbit_free(orbit);
@@ -110,8 +110,8 @@ static void circles_turn_back_at_the_fold(void **state) {
     whirl_branch *whirling = follow_branch(&at, orbit, -1, &options);
     assert_int_equal(1, count_special(whirling, WHIRL_FOLD));
     const whirl_branch_point *fold = special_point(whirling, WHIRL_FOLD, 0);
-    check_within("circles", "fold at", -0.36, fold->value, 1e-10);
-    check_within("circles", "square of the radius there", 0.6,
+    check_within("Hopf", "circles, fold at", -0.36, fold->value, 1e-10);
+    check_within("Hopf", "circles, square of the radius there", 0.6,
                  pow(fold->orbit->nodes[0] - 1.0, 2.0) + pow(fold->orbit->nodes[1], 2.0), 1e-5);
     assert_int_equal(0, whirling->points[whirling->count - 1].orbit->unstable);
     whirl_branch_free(whirling);
@@ -184,8 +184,8 @@ static void thresholds_of_oil_whirl(void **state) {
         const char *id = own.journal > 0.0 ? "A6" : "A5";
         assert_int_equal(1, count_special(branch, WHIRL_HOPF));
         const whirl_branch_point *point = special_point(branch, WHIRL_HOPF, 0);
-        check_digits(id, words("e = %g: Hopf point at s =", own.e), rows[i].speed, point->value);
-        if (rows[i].ratio) check_digits(id, "whirl ratio", rows[i].ratio, point->angle);
+        check_digits("Hopf", words("%s, e = %g: Hopf point at s =", id, own.e), rows[i].speed, point->value);
+        if (rows[i].ratio) check_digits("Hopf", words("%s, whirl ratio", id), rows[i].ratio, point->angle);
         whirl_branch_free(branch);
     }
 }
@@ -220,9 +220,9 @@ static void the_rotor_settles_on_the_branch(void **state) {
             require_ok(whirl_orbit_find_free(machine.system, x, orbit->period, &options.orbit, &same));
             double moved = 0.0;
             for (size_t d = 0; d < 4; d++) moved = fmax(moved, fabs(same->nodes[d] - x[d]));
-            check_within("oil whirl", "where it settled, off the orbit through there", 0.0, moved, 1e-7);
-            check_within("oil whirl", words("e = %g: smallest x", own.e), orbit->low[0], same->low[0], 1e-5);
-            check_within("oil whirl", words("e = %g: largest x", own.e), orbit->high[0], same->high[0], 1e-5);
+            check_within("Hopf", "oil whirl, where it settled, off the orbit through there", 0.0, moved, 1e-7);
+            check_within("Hopf", words("oil whirl, e = %g: smallest x", own.e), orbit->low[0], same->low[0], 1e-5);
+            check_within("Hopf", words("oil whirl, e = %g: largest x", own.e), orbit->high[0], same->high[0], 1e-5);
             whirl_orbit_free(same);
             whirl_integrator_free(integrator);
             machine.release(machine.owner);
