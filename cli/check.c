@@ -38,49 +38,87 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     }
 }
 
-/// Looks at the steps after a few revolutions from the machine's start, by a method that is stable: films stiffen as a
-/// motion grows.
-static whirl_status look_at_steps(const whirl_machine *machine, const whirl_batch *batch, whirl_step_check *check) {
+enum { LOOKED_AT = 3 }; ///< values of a batch: the first, the middle and the last
+
+/// Machines at the values looked at, and their states.
+typedef struct look {
+    size_t count;
+    whirl_machine machines[LOOKED_AT];
+    double *x[LOOKED_AT];
+    bool carried[LOOKED_AT];
+} look;
+
+static void end_look(look *l) {
+    for (size_t i = 0; i < l->count; i++) {
+        if (l->machines[i].release) l->machines[i].release(l->machines[i].owner);
+        free(l->x[i]);
+    }
+}
+
+static whirl_status begin_look(look *l, const whirl_study *study, const whirl_batch *batch) {
+    const size_t at[LOOKED_AT] = {0, batch->count / 2, batch->count - 1};
+    whirl_status status = whirl_ok();
+    while (l->count < LOOKED_AT && l->count < batch->count && status.code == WHIRL_OK) {
+        whirl_machine *machine = &l->machines[l->count];
+        const double value = batch->values ? batch->values[at[l->count]] : (double)NAN;
+        status = study->machine(study->family, batch, value, machine);
+        if (status.code != WHIRL_OK) break;
+        const size_t bytes = machine->system->dimension * sizeof(double);
+        double *x = l->x[l->count++] = malloc(bytes);
+        if (x)
+            memcpy(x, machine->start, bytes);
+        else
+            status = whirl_fail(WHIRL_NO_MEMORY, "%s", whirl_code_text(WHIRL_NO_MEMORY));
+    }
+    return status;
+}
+
+/// Carries the machines that go side by side with one of them over a few revolutions, by a method that is stable: films
+/// stiffen as a motion grows. One that cannot go on stays at its start.
+static whirl_status carry_with(look *l, size_t first, const whirl_batch *batch) {
     enum { REVOLUTIONS = 10 };
     whirl_integrate_options stable = batch->integrate;
-    whirl_integrator *integrator;
-    const size_t bytes = machine->system->dimension * sizeof(double);
-    double *x = malloc(bytes);
-    if (!x) return whirl_fail(WHIRL_NO_MEMORY, "%s", whirl_code_text(WHIRL_NO_MEMORY));
-    memcpy(x, machine->start, bytes);
+    whirl_ensemble *lanes;
+    size_t in[LOOKED_AT], used = 0;
     snprintf(stable.method, sizeof stable.method, "rodas5p");
     stable.rtol = 1e-6;
     stable.atol = 1e-9;
-    whirl_status status = whirl_integrator_new(machine->system, &stable, &integrator);
-    if (status.code == WHIRL_OK) {
-        whirl_motion motion = WHIRL_BOUNDED;
-        for (int i = 0; i < REVOLUTIONS && motion == WHIRL_BOUNDED; i++)
-            motion = whirl_integrator_revolve(integrator, x, NULL, NULL);
-        whirl_integrator_free(integrator);
-        const double *from = motion == WHIRL_BOUNDED ? x : machine->start;
-        status = whirl_step_check_revolution(machine->system, &batch->integrate, from, NULL, 1e-5, check);
+    const whirl_status status = whirl_ensemble_new(l->machines[first].system, &stable, l->count - first, &lanes);
+    if (status.code != WHIRL_OK) return status;
+    for (size_t i = first; i < l->count; i++) {
+        if (l->carried[i]) continue;
+        l->carried[i] = whirl_ensemble_load(lanes, used, l->machines[i].system, l->x[i]).code == WHIRL_OK;
+        if (l->carried[i]) in[used++] = i;
     }
-    free(x);
+    for (int i = 0; i < REVOLUTIONS; i++) whirl_ensemble_revolve(lanes, used, NULL);
+    for (size_t lane = 0; lane < used; lane++)
+        if (whirl_ensemble_motion(lanes, lane) == WHIRL_BOUNDED) whirl_ensemble_state(lanes, lane, l->x[in[lane]]);
+    whirl_ensemble_free(lanes);
+    return l->carried[first] ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "%s", whirl_code_text(WHIRL_NO_MEMORY));
+}
+
+/// The steps that a batch needs, 0 where its own are short enough.
+static whirl_status needed_steps(const whirl_study *study, const whirl_batch *batch, double *needed) {
+    look l = {0};
+    *needed = 0.0;
+    whirl_status status = begin_look(&l, study, batch);
+    for (size_t i = 0; i < l.count && status.code == WHIRL_OK; i++)
+        if (!l.carried[i]) status = carry_with(&l, i, batch);
+    for (size_t i = 0; i < l.count && status.code == WHIRL_OK; i++) {
+        whirl_step_check check = {.growth = 1.0};
+        status = whirl_step_check_revolution(l.machines[i].system, &batch->integrate, l.x[i], NULL, 1e-5, &check);
+        if (whirl_step_is_unstable(&check)) *needed = fmax(*needed, check.steps);
+    }
+    end_look(&l);
     return status;
 }
 
 /// Warns where fixed steps are too long for the machine in its first revolutions, at the first, the middle and the last
 /// value.
 static whirl_status warn_of_steps(const char *path, const whirl_study *study, const whirl_batch *batch) {
-    const size_t at[] = {0, batch->count / 2, batch->count - 1};
-    whirl_status status = whirl_ok();
-    double needed = 0.0;
-    if (whirl_method_is_adaptive(batch->integrate.method)) return status;
-    for (size_t i = 0; i < 3 && status.code == WHIRL_OK; i++) {
-        whirl_machine machine;
-        whirl_step_check check = {.growth = 1.0};
-        const double value = batch->values ? batch->values[at[i]] : (double)NAN;
-        status = study->machine(study->family, batch, value, &machine);
-        if (status.code != WHIRL_OK) break;
-        status = look_at_steps(&machine, batch, &check);
-        if (machine.release) machine.release(machine.owner);
-        if (whirl_step_is_unstable(&check)) needed = fmax(needed, check.steps);
-    }
+    double needed;
+    if (whirl_method_is_adaptive(batch->integrate.method)) return whirl_ok();
+    const whirl_status status = needed_steps(study, batch, &needed);
     if (needed > 0.0)
         fprintf(stderr,
                 "%s: warning: %d steps a revolution are unstable for this machine in its first revolutions (%s): it "
