@@ -126,7 +126,8 @@ typedef struct selection {
 
 static selection select_points(const whirl_table *table, bool sections) {
     const bool resting = whirl_analysis_is_resting(table->analyses);
-    const size_t room = resting ? MOST_AT_REST / (table->layout.size + 1) + 1 : MOST_POINTS;
+    const size_t fitting = MOST_AT_REST / (table->layout.size + 1) + 1;
+    const size_t room = resting && fitting < MOST_POINTS ? fitting : MOST_POINTS;
     const size_t stride = table->count > room ? (table->count - 1) / room + 1 : 1;
     return (selection){table, stride, table->count ? (table->count - 1) / stride + 1 : 0, sections, resting};
 }

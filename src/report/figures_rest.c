@@ -92,9 +92,12 @@ static whirl_status write_critical(const drawing *to, const whirl_table *table, 
     if (status.code != WHIRL_OK) return status;
     const size_t count = gather_critical(table, MOST, rows);
     const double size = units_parameter(to->units, table->parameter).size;
-    fputs("# kind (1: critical speed, 2: instability begins, 3: it ends), value, frequency, damping ratio, side of the "
-          "label\n0 NaN NaN NaN 0\n",
-          file.stream);
+    const double first = shown_value(to, table, 0);
+    // gnuplot falls over labels of which none is a number: kind 0 stands below the axis and is never seen.
+    fprintf(file.stream,
+            "# kind (1: critical speed, 2: instability begins, 3: it ends; 0: none), value, frequency, damping ratio, "
+            "side of the label\n0 %.10g -1 NaN 1\n0 %.10g -1 NaN -1\n",
+            first, first);
     for (size_t i = 0; i < count; i++)
         fprintf(file.stream, "%g %.10g %.10g %.10g %d\n", rows[i][0], rows[i][1] / size, rows[i][3] / unit, rows[i][4],
                 label_side(table, rows, count, i));
@@ -123,16 +126,21 @@ static double frequency_top(const whirl_table *table, const frequency_unit *unit
 }
 
 /// What is shown of damping: of modes whose frequencies are. More than 0.25 leaves no peak of a response to unbalance
-/// (amplification below 2.5, API 617).
+/// (amplification below 2.5, API 617): more is shown where no mode has less.
 static span damping_span(const whirl_table *table, double top) {
     const whirl_field *field = whirl_layout_field(&table->layout, "modes/frequency");
     span shown = {0.0, 0.0};
-    for (size_t point = 0; point < table->count; point++) {
-        const double *frequency = whirl_table_field(table, point, "modes/frequency", 0);
-        const double *ratio = whirl_table_field(table, point, "modes/damping_ratio", 0);
-        for (size_t i = 0; frequency && whirl_table_done(table, point) && i < field->rows; i++)
-            if (frequency[i] <= top && ratio[i] <= 0.25) span_widen(&shown, ratio[i]);
-    }
+    double least = (double)INFINITY;
+    for (int pass = 0; pass < 2; pass++)
+        for (size_t point = 0; point < table->count; point++) {
+            const double *frequency = whirl_table_field(table, point, "modes/frequency", 0);
+            const double *ratio = whirl_table_field(table, point, "modes/damping_ratio", 0);
+            for (size_t i = 0; frequency && whirl_table_done(table, point) && i < field->rows; i++) {
+                if (!(frequency[i] <= top)) continue;
+                if (pass == 0) least = fmin(least, ratio[i]);
+                if (pass == 1 && ratio[i] <= fmax(0.25, 1.5 * least)) span_widen(&shown, ratio[i]);
+            }
+        }
     // What rounding leaves of no damping is no picture.
     return span_with_margin(shown, 0.08, shown.high - shown.low > 1e-10 ? 0.0 : 0.02);
 }

@@ -16,6 +16,15 @@ static size_t count_critical(const whirl_table *table) {
     return count;
 }
 
+/// Whether frequencies are known but for multiples of the speed, at any point.
+static bool is_modulated(const whirl_table *table) {
+    for (size_t point = 0; point < table->count; point++) {
+        const double *modulo = whirl_table_field(table, point, "modes/modulo", 0);
+        if (modulo && whirl_table_done(table, point) && isfinite(*modulo)) return true;
+    }
+    return false;
+}
+
 static void write_row(FILE *stream, const double *row, double unit) {
     static const char *const kinds[] = {"", "critical speed", "instability begins", "instability ends"};
     fprintf(stream,
@@ -33,10 +42,17 @@ void page_critical(const page *to, size_t index) {
     if (!table || !*table->parameter) return;
     const whirl_field *field = whirl_layout_field(&table->layout, "modes/critical");
     fprintf(to->stream, "<h3 id=\"critical-%zu\">Critical speeds and stability</h3>\n", index + 1);
-    if (!field || count_critical(table) == 0) {
-        fputs("<p>Between the values that were looked at no natural frequency meets the speed of the shaft, and the "
-              "machine neither loses nor regains its stability.</p>\n",
+    if (is_modulated(table))
+        fputs("<p>Coefficients turn with the shaft: frequencies are known but for multiples of its speed, and critical "
+              "speeds are not told.</p>\n",
               to->stream);
+    if (!field || count_critical(table) == 0) {
+        fputs(
+            is_modulated(table)
+                ? "<p>Between the values that were looked at the machine neither loses nor regains its stability.</p>\n"
+                : "<p>Between the values that were looked at no natural frequency meets the speed of the shaft, and "
+                  "the machine neither loses nor regains its stability.</p>\n",
+            to->stream);
         return;
     }
     units_parameter_label(&to->units[index], table->parameter, label, sizeof label);

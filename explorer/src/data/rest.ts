@@ -59,6 +59,13 @@ export const ROUNDING = 1e-10;
 type Six = [number, number, number, number, number, number];
 const RADIAN = Math.PI / 180;
 
+/// The largest of many numbers, at least `least`; what is no number does not count.
+export function largestOf(values: Iterable<number>, least = 0): number {
+  let most = least;
+  for (const value of values) if (value > most) most = value;
+  return most;
+}
+
 export function swayAt({ xc, xs, yc, ys }: Sway, angle: number): readonly [number, number] {
   const [c, s] = [Math.cos(angle), Math.sin(angle)];
   return [xc * c + xs * s, yc * c + ys * s];
@@ -142,7 +149,7 @@ export class AtRest {
   /// 1: a mode grows, -1: all die out, 0: they do neither but for rounding.
   growing(point: number): number {
     const stability = this.stability(point);
-    const fastest = Math.max(0, ...this.modes(point).map(({ frequency }) => frequency));
+    const fastest = largestOf(this.modes(point).map(({ frequency }) => frequency));
     return Math.abs(stability) > ROUNDING * fastest ? Math.sign(stability) : 0;
   }
 

@@ -1,6 +1,6 @@
 // The machine as it sways in one harmonic motion: the orbits of its stations along the shaft, and both displacements
 // over the place. Stations of shafts of finite elements stand where they lie; all others follow one by one.
-import { reachOf, senseOf, swayAt, whirlOf, WHIRL_TEXT, type Sway } from '../data/rest';
+import { largestOf, reachOf, senseOf, swayAt, whirlOf, WHIRL_TEXT, type Sway } from '../data/rest';
 import type { StationInfo } from '../engine/protocol';
 import { Chart, type Frame, type Range } from '../figure/chart';
 import { textSize } from '../figure/figure';
@@ -54,8 +54,8 @@ export function layoutOf(stations: readonly StationInfo[]): Layout {
   return { at, lines, range: [low - room, high + step * others + room], end: others ? high + step / 2 : Infinity };
 }
 
-function largestOf(sways: readonly Sway[]): number {
-  return Math.max(0, ...sways.map(reachOf).filter(Number.isFinite)) || 1;
+function reachOfAll(sways: readonly Sway[]): number {
+  return largestOf(sways.map(reachOf)) || 1;
 }
 
 const STEPS = 72;
@@ -89,7 +89,7 @@ export class ShapePanel extends Panel<SwaySubject> {
     const size = textSize();
     const [low, high] = layout.range;
     const reach = Math.min(0.3 * height, 0.12 * width + 0.1 * height);
-    const scale = reach / largestOf(motion.sways);
+    const scale = reach / reachOfAll(motion.sways);
     const slant = 0.42;
     const middle = 0.5 * height - 0.4 * size;
     const across = (at: number) => 0.5 * reach + ((width - reach) * (at - low)) / (high - low);
@@ -228,7 +228,7 @@ export class DisplacementsPanel extends Panel<SwaySubject> {
     const { motion, rest } = this.subject!;
     this.stations = rest.stations;
     const layout = layoutOf(rest.stations);
-    const most = 1.15 * largestOf(motion.sways) * motion.factor;
+    const most = 1.15 * reachOfAll(motion.sways) * motion.factor;
     const factor = layout.lines.length > 0 ? 1e3 : 1;
     this.figure.setAxes(
       layout.lines.length > 0 ? 'z (mm)' : 'station',
@@ -325,5 +325,5 @@ function drawDot(pen: Pen, [x, y]: readonly [number, number], radius: number, op
 
 /// "forward, 104.2 Hz" and the like go before; this says how large the largest displacement is.
 export function sizeText({ sways, factor, unit }: Omit<Motion, 'text'>): string {
-  return `largest ${shown(largestOf(sways) * factor, 4)} ${unit}`.trim();
+  return `largest ${shown(reachOfAll(sways) * factor, 4)} ${unit}`.trim();
 }

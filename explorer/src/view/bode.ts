@@ -1,5 +1,5 @@
 // Bode's diagram: amplitude and lag of the response to unbalance over a parameter, as two probes see one station.
-import { reachOf, seenBy } from '../data/rest';
+import { largestOf, reachOf, seenBy } from '../data/rest';
 import { select, setChoices } from '../dom';
 import { Chart, type Frame } from '../figure/chart';
 import { textSize, type Picture } from '../figure/figure';
@@ -47,7 +47,7 @@ export function responseOf(subject: RestSubject): Response {
 
 /// Where amplitudes are larger than at both neighbours, and than a twentieth of the largest.
 function peaksOf(amplitudes: readonly number[]): number[] {
-  const most = Math.max(...amplitudes);
+  const most = largestOf(amplitudes);
   return amplitudes.flatMap((each, i) =>
     i > 0 && i + 1 < amplitudes.length && each > amplitudes[i - 1]! && each >= amplitudes[i + 1]! && each > most / 20
       ? [i]
@@ -105,7 +105,7 @@ export class BodeView implements RestChart {
     this.lower.setAxes(xLabel, 'lag (\u00b0)');
     const [low, high] = this.stack.range;
     const inside = this.response.values.map((value) => value >= low && value <= high);
-    const most = Math.max(0, ...this.response.amplitudes[2]!.filter((each, i) => inside[i] && Number.isFinite(each)));
+    const most = largestOf(this.response.amplitudes[2]!.filter((_, i) => inside[i]));
     this.main.show(this.stack.range, [0, 1.08 * most || 1]);
     this.lower.show(this.stack.range, [0, 360]);
     this.stack.redraw();

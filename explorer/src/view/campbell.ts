@@ -1,5 +1,14 @@
 // Campbell's diagram: natural frequencies over a parameter, and their damping below.
-import { CRITICAL_TEXT, ROUNDING, WHIRL_TEXT, whirlOf, type Critical, type Mode, type Place } from '../data/rest';
+import {
+  CRITICAL_TEXT,
+  largestOf,
+  ROUNDING,
+  WHIRL_TEXT,
+  whirlOf,
+  type Critical,
+  type Mode,
+  type Place,
+} from '../data/rest';
 import { Segments } from '../dom';
 import { Chart, type Frame, type Range } from '../figure/chart';
 import { textSize, type Picture } from '../figure/figure';
@@ -152,13 +161,24 @@ export class CampbellView implements RestChart {
   // ---------------------------------------------------------------- ranges
 
   private dampingRange({ rest, choice }: RestSubject, top: number): Range {
+    const seen = rest.curves
+      .flatMap((curve) => curve.map(({ mode }) => mode))
+      .filter(({ frequency }) => frequency <= top);
+    // Where all modes are damped more than that, they are shown.
+    const most = Math.max(
+      MOST_RATIO,
+      -1.5 *
+        largestOf(
+          seen.map(({ ratio }) => -ratio),
+          -Infinity,
+        ),
+    );
     let [low, high] = [0, 0];
-    for (const curve of rest.curves)
-      for (const { mode } of curve) {
-        if (mode.frequency > top || (!choice.all && mode.ratio > MOST_RATIO)) continue;
-        low = Math.min(low, dampingOf(mode, choice));
-        high = Math.max(high, dampingOf(mode, choice));
-      }
+    for (const mode of seen) {
+      if (!choice.all && mode.ratio > most) continue;
+      low = Math.min(low, dampingOf(mode, choice));
+      high = Math.max(high, dampingOf(mode, choice));
+    }
     const room = high - low > ROUNDING ? 0.08 * (high - low) : 0.01;
     return [low - room, high + room];
   }
@@ -294,7 +314,7 @@ export class CampbellView implements RestChart {
 
 /// The highest frequency that is shown, rad/s: what the speed meets and what lies below twice its largest value.
 export function topOf({ rest, choice }: RestSubject): number {
-  const fastest = Math.max(0, ...rest.order.map((point) => Math.abs(rest.speed(point))));
+  const fastest = largestOf(rest.order.map((point) => Math.abs(rest.speed(point))));
   let [highest, lowest, near] = [0, Infinity, 0];
   for (const curve of rest.curves)
     for (const { mode } of curve) {

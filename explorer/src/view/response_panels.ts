@@ -1,5 +1,5 @@
 // Pictures of the response of one station to unbalance: polar diagram, orbit at the cursor, and where the shaft rests.
-import { senseOf, swayAt, whirlOf, WHIRL_TEXT, reachOf, seenBy } from '../data/rest';
+import { largestOf, senseOf, swayAt, whirlOf, WHIRL_TEXT, reachOf, seenBy } from '../data/rest';
 import { drawMark } from '../figure/marks';
 import type { Pen } from '../figure/pen';
 import { drawPlane, extent, type Plane } from '../figure/plane';
@@ -76,7 +76,7 @@ export class PolarPanel extends Panel<SwaySubject> {
     };
     const paths = [0, 1].map((which) => points.map((_, i) => vector(which, i)));
     const all = [...paths.flat(), [0, 0] as const];
-    const least = Math.max(...amplitudes[2]!.filter(Number.isFinite), 1e-300) / 10;
+    const least = largestOf(amplitudes[2]!, 1e-300) / 10;
     const { unit } = amplitudeMeasure(subject.units, subject.scales);
     const plane = drawPlane(
       pen,
@@ -159,7 +159,11 @@ export class SynchronousOrbitPanel extends Panel<SwaySubject> {
     if (!subject) return;
     const path = this.path();
     const { unit } = lengthMeasure(subject.units, subject.scales);
-    const least = Math.max(...path.map(([x, y]) => Math.hypot(x, y)).filter(Number.isFinite), 1e-300) / 2;
+    const least =
+      largestOf(
+        path.map(([x, y]) => Math.hypot(x, y)),
+        1e-300,
+      ) / 2;
     const plane = drawPlane(
       pen,
       [width, height],
@@ -184,7 +188,7 @@ export class SynchronousOrbitPanel extends Panel<SwaySubject> {
       pen.fillStyle = colours.keyphasor;
       drawMark(pen, 'dot', plane.x(path[0]![0]), plane.y(path[0]![1]), 4.5);
       const probe = probeOf(subject) * RADIAN;
-      const reach = Math.max(...path.map(([x, y]) => Math.hypot(x, y)));
+      const reach = largestOf(path.map(([x, y]) => Math.hypot(x, y)));
       for (const [which, angle] of [probe, probe + Math.PI / 2].entries())
         stroke(
           pen,
@@ -257,7 +261,7 @@ export class RestPanel extends Panel<SwaySubject> {
           ]
         : path;
     // What hardly moves is seen to stand still.
-    const size = Math.max(...path.map(([x, y]) => Math.hypot(x, y)).filter(Number.isFinite), 0);
+    const size = largestOf(path.map(([x, y]) => Math.hypot(x, y)));
     const least = size > 0 ? 0.02 * size : 1;
     const plane = drawPlane(
       pen,

@@ -106,7 +106,13 @@ export class RestCard {
   private showCritical({ rest, parameter, unit, units }: RestSubject): void {
     if (rest.critical.length === 0) {
       this.critical.replaceChildren(
-        el('p', { class: 'panel-note' }, 'No critical speed and no threshold of stability lies in this range.'),
+        el(
+          'p',
+          { class: 'panel-note' },
+          rest.order.some((point) => rest.modulo(point) > 0)
+            ? 'Coefficients turn with the shaft: critical speeds are not told. No threshold of stability was found.'
+            : 'No critical speed and no threshold of stability was found.',
+        ),
       );
       return;
     }

@@ -80,7 +80,7 @@ static void large_tables_are_thinned(void **state) {
 /// A point more than there is room for: every second point stays, but all that was located between them.
 static void critical_speeds_are_never_thinned(void **state) {
     (void)state;
-    enum { NUMBERS = 6 };
+    enum { NUMBERS = 600 };
     const size_t left_out = 1;
     const size_t most = ((size_t)1 << 22) / (NUMBERS + 1) + 1, count = most + 1;
     char folder[] = "/tmp/whirl-explorer-XXXXXX", path[64];
@@ -101,16 +101,16 @@ static void critical_speeds_are_never_thinned(void **state) {
                                             .unit = "1",
                                             .meaning = "kind, value, speed, frequency, damping, direction",
                                             .extent = WHIRL_PER_POINT,
-                                            .rows = 1,
-                                            .columns = NUMBERS,
+                                            .rows = NUMBERS / 6,
+                                            .columns = 6,
                                             .repeat = 1};
     table->values = calloc(count, sizeof *table->values);
     table->branch = calloc(count, sizeof *table->branch);
     table->done = calloc(count, 1);
     table->blocks = calloc(count * NUMBERS, sizeof *table->blocks);
     assert_true(table->values && table->branch && table->done && table->blocks);
-    for (size_t i = 0; i < count; i++) table->blocks[i * NUMBERS] = (double)NAN;
-    const double located[NUMBERS] = {1, 0.1234567890123, 2, 3, 0.5, -1};
+    for (size_t i = 0; i < count * NUMBERS; i++) table->blocks[i] = (double)NAN;
+    const double located[] = {1, 0.1234567890123, 2, 3, 0.5, -1};
     memcpy(table->blocks + left_out * NUMBERS, located, sizeof located);
     memset(table->done, 1, count);
     result->case_text = calloc(1, 1);
