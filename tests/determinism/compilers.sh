@@ -31,10 +31,13 @@ sed -e 's/points: 512/points: 24/' -e 's/transient: 1100/transient: 60/' -e 's/r
 sed -e 's/orbit, rub/orbit, rub, exponents/' "$work/short.yaml" >"$work/rk4.yaml"
 sed -e 's/method: rk4/method: dop853/' -e 's/points: 24/points: 6/' "$work/short.yaml" >"$work/dop853.yaml"
 sed -e 's/method: rk4/method: rodas5p/' -e 's/points: 24/points: 3/' "$work/short.yaml" >"$work/rodas5p.yaml"
+# A shaft of finite elements, reduced.
+sed -e 's/points: 16/points: 10/' -e 's/transient: 100, record: 64/transient: 5, record: 5/' \
+    "$source/bench/overhung.yaml" >"$work/shaft.yaml"
 compared=0
 for isa in scalar simd128 fma avx2 avx512; do
     export WHIRL_ISA=$isa
-    for method in rk4 dop853 rodas5p; do
+    for method in rk4 dop853 rodas5p shaft; do
         "$whirl" run "$work/$method.yaml" -q --force -o "$work/one.h5" 2>"$work/log" || {
             grep -q "does not have" "$work/log" && echo "$isa: not on this processor" && break
             cat "$work/log"
