@@ -123,6 +123,7 @@ typedef enum whirl_special {
 /// A point of a branch.
 typedef struct whirl_branch_point {
     double value;          ///< of the parameter
+    double second;         ///< of the second parameter, on a curve over two; else not a number
     whirl_special special; ///< located to 1e-10 of the branch's span, or regular
     double angle; ///< of the pair's multipliers at a Neimark-Sacker point, rad; of a torus its rotation per period
     size_t touch; ///< at a graze, which of the orbit's touches
@@ -169,6 +170,21 @@ void whirl_branch_free(whirl_branch *branch);
 /// these.
 whirl_status whirl_branch_switch(const whirl_family *family, const whirl_branch_point *point, double step,
                                  const whirl_branch_options *options, whirl_orbit **orbit, double *value);
+
+// ---------------------------------------------------------------- curves of special points
+
+/// Machines that differ by two parameters.
+typedef struct whirl_plane {
+    whirl_status (*machine)(const void *context, double value, double second, whirl_machine *machine);
+    const void *context; ///< borrowed
+} whirl_plane;
+
+/// Follows a special point, fold, doubling, Neimark-Sacker, Hopf or graze, over both parameters: a curve whose points
+/// all are of its kind. It begins at `start`, found with the second parameter at `second`, first to where that changes
+/// in the direction of `direction`; it ends where either parameter leaves its bounds, those of the options and
+/// bounds[0] < bounds[1]. Freed by whirl_branch_free. Errors as whirl_branch_follow.
+whirl_status whirl_curve_follow(const whirl_plane *plane, const whirl_branch_point *start, double second, int direction,
+                                const double bounds[2], const whirl_branch_options *options, whirl_branch **out);
 
 // ---------------------------------------------------------------- products
 

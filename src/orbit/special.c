@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "bracket.h"
-#include "describe.h"
+#include "vanishing.h"
 
 /// A function whose sign tells of what.
 typedef struct test {
@@ -14,78 +14,6 @@ typedef struct test {
     size_t touch;     ///< of a graze
     size_t intervals; ///< of it at the first waypoint
 } test;
-
-// ---------------------------------------------------------------- functions of the multipliers
-
-/// A product of complex numbers.
-typedef struct product {
-    double real, imaginary;
-} product;
-
-static void take_into(product *p, double real, double imaginary) {
-    const double next = p->real * real - p->imaginary * imaginary;
-    p->imaginary = p->real * imaginary + p->imaginary * real;
-    p->real = next;
-}
-
-/// ... over what its size may be, lest many of them leave the range of numbers.
-static void take_over(product *p, double real, double imaginary, double size) {
-    take_into(p, real / size, imaginary / size);
-}
-
-static double size_of(const whirl_orbit *orbit, size_t i) {
-    return hypot(orbit->multipliers[i].real, orbit->multipliers[i].imaginary);
-}
-
-/// The product of (multiplier - at) over all of them, real because they come in pairs.
-static double product_about(const whirl_orbit *orbit, double at) {
-    const size_t own = orbit_own_multiplier(orbit);
-    product all = {1.0, 0.0};
-    for (size_t i = 0; i < orbit->multiplier_count; i++)
-        if (i != own)
-            take_over(&all, orbit->multipliers[i].real - at, orbit->multipliers[i].imaginary, size_of(orbit, i) + 1.0);
-    return all.real;
-}
-
-/// What vanishes where two multipliers are a pair on the unit circle, or each other's inverse, and two eigenvalues a
-/// pair on the imaginary axis, or each other's negative: their product less 1; their sum.
-static product of_pair(const whirl_orbit *orbit, size_t i, size_t k) {
-    const whirl_multiplier p = orbit->multipliers[i], q = orbit->multipliers[k];
-    if (orbit->period == 0.0) return (product){p.real + q.real, p.imaginary + q.imaginary};
-    product both = {p.real, p.imaginary};
-    take_into(&both, q.real, q.imaginary);
-    both.real -= 1.0;
-    return both;
-}
-
-/// The product of that over all pairs.
-static double product_of_pairs(const whirl_orbit *orbit) {
-    const size_t own = orbit_own_multiplier(orbit);
-    product all = {1.0, 0.0};
-    for (size_t i = 0; i < orbit->multiplier_count; i++)
-        for (size_t k = i + 1; k < orbit->multiplier_count; k++) {
-            const product pair = of_pair(orbit, i, k);
-            const double a = size_of(orbit, i), b = size_of(orbit, k), size = orbit->period > 0.0 ? a * b + 1.0 : a + b;
-            if (i != own && k != own && size > 0.0) take_over(&all, pair.real, pair.imaginary, size);
-        }
-    return all.real;
-}
-
-/// The two nearest to that; false where they are real.
-static bool find_pair(const whirl_orbit *orbit, double *angle) {
-    const size_t own = orbit_own_multiplier(orbit);
-    double nearest = INFINITY, imaginary = 0.0;
-    for (size_t i = 0; i < orbit->multiplier_count; i++)
-        for (size_t k = i + 1; k < orbit->multiplier_count; k++) {
-            const product pair = of_pair(orbit, i, k);
-            const whirl_multiplier p = orbit->multipliers[i];
-            if (i == own || k == own || hypot(pair.real, pair.imaginary) >= nearest) continue;
-            nearest = hypot(pair.real, pair.imaginary);
-            imaginary = fabs(p.imaginary);
-            *angle = orbit->period > 0.0 ? atan2(imaginary, p.real) : imaginary;
-        }
-    return imaginary != 0.0;
-}
 
 // ---------------------------------------------------------------- contacts
 
@@ -103,23 +31,10 @@ static double graze_value(const test *t, const whirl_orbit *orbit) {
 
 // ---------------------------------------------------------------- search
 
+/// At a fold the branch turns, so that the function of multipliers, which vanishes there too, is not asked.
 static double value_of(const follower *f, const test *t, const waypoint *p) {
-    switch (t->kind) {
-    case WHIRL_FOLD:
-        return p->tangent[f->curve.count];
-    case WHIRL_BRANCHING:
-        return product_about(p->orbit, p->orbit->period > 0.0 ? 1.0 : 0.0);
-    case WHIRL_DOUBLING:
-        return product_about(p->orbit, -1.0);
-    case WHIRL_NEIMARK_SACKER:
-    case WHIRL_HOPF:
-        return product_of_pairs(p->orbit);
-    case WHIRL_GRAZE:
-        return graze_value(t, p->orbit);
-    case WHIRL_REGULAR:
-        break;
-    }
-    return 1.0;
+    if (t->kind == WHIRL_FOLD) return p->tangent[f->curve.count];
+    return t->kind == WHIRL_GRAZE ? graze_value(t, p->orbit) : vanishing_value(t->kind, 0, p->orbit);
 }
 
 static bool changes(const follower *f, const test *t, const waypoint *a, const waypoint *b) {
@@ -170,13 +85,13 @@ typedef struct findings {
 
 static whirl_status find(follower *f, const test *t, const waypoint *from, const waypoint *to, double length,
                          findings *found) {
-    finding one = {.point = {.special = t->kind, .touch = t->touch}};
+    finding one = {.point = {.second = NAN, .special = t->kind, .touch = t->touch}};
     waypoint p;
     if (found->count == MOST_FINDINGS) return whirl_ok();
     whirl_status status = waypoint_new(f, &p);
     if (status.code == WHIRL_OK) status = close_in(f, t, from, to, length, &p, &one.at);
     const bool paired = t->kind == WHIRL_NEIMARK_SACKER || t->kind == WHIRL_HOPF;
-    const bool saddle = p.orbit && paired && !find_pair(p.orbit, &one.point.angle);
+    const bool saddle = p.orbit && paired && !vanishing_pair(p.orbit, &one.point.angle);
     if (status.code == WHIRL_OK && p.orbit && !saddle) {
         one.point.value = follower_value(f, p.u);
         one.point.orbit = p.orbit;

@@ -81,3 +81,25 @@ double sum_of_logarithms(const whirl_orbit *orbit) {
         sum += log(hypot(orbit->multipliers[i].real, orbit->multipliers[i].imaginary));
     return sum;
 }
+
+typedef struct test_plane {
+    const test_family *family;
+    size_t other;
+} test_plane;
+
+static whirl_status make_in_plane(const void *context, double value, double second, whirl_machine *machine) {
+    const test_plane *plane = context;
+    test_family own = *plane->family;
+    own.p[plane->other] = second;
+    return make_machine(&own, value, machine);
+}
+
+whirl_branch *follow_curve(const test_family *family, size_t other, const whirl_branch_point *start, int direction,
+                           double low, double high, const whirl_branch_options *options) {
+    const test_plane plane = {family, other};
+    const whirl_plane machines = {make_in_plane, &plane};
+    const double bounds[2] = {low, high};
+    whirl_branch *curve = NULL;
+    require_ok(whirl_curve_follow(&machines, start, family->p[other], direction, bounds, options, &curve));
+    return curve;
+}

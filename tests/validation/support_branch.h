@@ -40,6 +40,11 @@ whirl_branch *follow_branch(const test_family *family, const whirl_orbit *start,
 /// The point of that kind, counted from 0; NULL where there are not so many.
 const whirl_branch_point *special_point(const whirl_branch *branch, whirl_special kind, size_t which);
 
+/// Follows a special point over the family's parameter and another one of its numbers, from `low` to `high`, in the
+/// direction given; the test ends with the message of an error.
+whirl_branch *follow_curve(const test_family *family, size_t other, const whirl_branch_point *start, int direction,
+                           double low, double high, const whirl_branch_options *options);
+
 /// How many there are of a kind.
 size_t count_special(const whirl_branch *branch, whirl_special kind);
 

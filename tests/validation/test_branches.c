@@ -256,19 +256,24 @@ static void stop_gradient(const void *model, double t, const double *x, size_t i
     gradient[1] = *by_time = 0.0;
 }
 
+static test_family stop_family(double W, double F) {
+    test_family family = oscillator_family(W, 0.1, 1.0, 0.0, F);
+    family.system.switch_count = 1;
+    family.system.rhs = stop;
+    family.system.rhs_on_sides = stop_on_sides;
+    family.system.tangent = stop_tangent;
+    family.system.switches = stop_switch;
+    family.system.switch_gradient = stop_gradient;
+    family.varied = FORCE;
+    return family;
+}
+
 static void grazes_are_located(void **state) {
     static const double speeds[] = {0.7, 0.95, 1.4};
     (void)state;
     for (size_t i = 0; i < sizeof speeds / sizeof *speeds; i++) {
         const double W = speeds[i], expected = hypot(1.0 - W * W, 0.1 * W);
-        test_family family = oscillator_family(W, 0.1, 1.0, 0.0, 0.5 * expected);
-        family.system.switch_count = 1;
-        family.system.rhs = stop;
-        family.system.rhs_on_sides = stop_on_sides;
-        family.system.tangent = stop_tangent;
-        family.system.switches = stop_switch;
-        family.system.switch_gradient = stop_gradient;
-        family.varied = FORCE;
+        const test_family family = stop_family(W, 0.5 * expected);
         const whirl_branch_options options = whirl_branch_default(0.4 * expected, 1.1 * expected);
         whirl_orbit *start = find_orbit(&family, 1, &options.orbit);
         whirl_branch *branch = follow_branch(&family, start, 1, &options);
@@ -285,9 +290,113 @@ static void grazes_are_located(void **state) {
     }
 }
 
+// ---------------------------------------------------------------- curves over two parameters
+
+static double largest_error(const whirl_branch *curve, double (*expected)(double second)) {
+    double error = 0.0;
+    for (size_t i = 0; i < curve->count; i++)
+        error = fmax(error, fabs(curve->points[i].value - expected(curve->points[i].second)));
+    return error;
+}
+
+static double amplitude_of_one(double W) {
+    return hypot(1.0 - W * W, 0.1 * W);
+}
+
+/// First touches in the plane of force and speed, towards the resonance.
+static void the_curve_of_first_touches(void **state) {
+    (void)state;
+    const test_family family = stop_family(0.7, 0.25);
+    whirl_branch_options options = whirl_branch_default(0.2, 0.8);
+    whirl_orbit *start = find_orbit(&family, 1, &options.orbit);
+    whirl_branch *branch = follow_branch(&family, start, 1, &options);
+    const whirl_branch_point *graze = special_point(branch, WHIRL_GRAZE, 0);
+    assert_non_null(graze);
+    options.from = 0.0;
+    options.most_step = 0.2;
+    whirl_branch *curve = follow_curve(&family, SPEED, graze, 1, 0.6, 0.85, &options);
+    assert_int_equal(WHIRL_END_OF_RANGE, curve->end);
+    assert_true(curve->count > 20 && curve->points[curve->count - 1].second > 0.8);
+    check_within("branches", words("first touches at %zu speeds: force", curve->count), 0.0,
+                 largest_error(curve, amplitude_of_one), 1e-9);
+    whirl_branch_free(curve);
+    whirl_branch_free(branch);
+    whirl_orbit_free(start);
+}
+
+/// Folds of Duffing's oscillator meet in a cusp; there the curve turns in both parameters. Every point of it is a fold:
+/// a multiplier is 1, and at another point of it the branch over the speed turns at the same place.
+static void the_curve_of_folds_has_a_cusp(void **state) {
+    (void)state;
+    test_family family = oscillator_family(0.8, 0.05, 1.0, 0.1, 0.18);
+    whirl_branch_options options = whirl_branch_default(0.8, 1.5);
+    whirl_orbit *start = find_orbit(&family, 1, &options.orbit);
+    whirl_branch *branch = follow_branch(&family, start, 1, &options);
+    whirl_branch *curve = follow_curve(&family, FORCE, special_point(branch, WHIRL_FOLD, 0), -1, 0.01, 0.2, &options);
+    double least = INFINITY, off = 0.0;
+    size_t turns = 0;
+    for (size_t i = 0; i < curve->count; i++) {
+        const whirl_branch_point *point = &curve->points[i];
+        const whirl_multiplier *m = point->orbit->multipliers;
+        least = fmin(least, point->second);
+        turns += i > 1 && (point->second > point[-1].second) != (point[-1].second > point[-2].second);
+        off = fmax(off, fmin(fabs(m[0].real - 1.0), fabs(m[1].real - 1.0)));
+    }
+    check_within("branches", "folds: the multiplier that is 1", 0.0, off, 1e-8);
+    assert_int_equal(1, turns);
+    print_message("%zu folds, cusp near F = %.6f\n", curve->count, least);
+    // Half way back the other fold of the same branch is met.
+    const whirl_branch_point *last = &curve->points[curve->count - 1];
+    assert_true(last->second > 0.17);
+    test_family at = family;
+    at.p[FORCE] = last->second;
+    whirl_orbit *again = find_orbit(&at, 1, &options.orbit);
+    whirl_branch *over = follow_branch(&at, again, 1, &options);
+    check_within("branches", words("fold at F = %.6f", last->second), special_point(over, WHIRL_FOLD, 1)->value,
+                 last->value, 1e-9);
+    whirl_branch_free(over);
+    whirl_orbit_free(again);
+    whirl_branch_free(curve);
+    whirl_branch_free(branch);
+    whirl_orbit_free(start);
+}
+
+/// Where period doubling begins in the plane of force and damping: at the last point of the curve a branch of its own
+/// doubles at the same force.
+static void the_curve_of_doublings(void **state) {
+    (void)state;
+    test_family family = oscillator_family(1.2, 0.3, -1.0, 1.0, 0.2);
+    family.varied = FORCE;
+    family.start[0] = 0.56838897;
+    family.start[1] = 0.41272660 / 1.2;
+    whirl_branch_options options = whirl_branch_default(0.2, 0.32);
+    whirl_orbit *start = find_orbit(&family, 1, &options.orbit);
+    whirl_branch *branch = follow_branch(&family, start, 1, &options);
+    whirl_branch *curve =
+        follow_curve(&family, DAMPING, special_point(branch, WHIRL_DOUBLING, 0), 1, 0.29, 0.33, &options);
+    const whirl_branch_point *last = &curve->points[curve->count - 1];
+    assert_true(curve->count > 3 && last->second > 0.32);
+    test_family at = family;
+    at.p[DAMPING] = last->second;
+    whirl_orbit *again = find_orbit(&at, 1, &options.orbit);
+    whirl_branch *over = follow_branch(&at, again, 1, &options);
+    check_within("branches", words("doubling at a damping of %.6f", last->second),
+                 special_point(over, WHIRL_DOUBLING, 0)->value, last->value, 1e-9);
+    whirl_branch_free(over);
+    whirl_orbit_free(again);
+    whirl_branch_free(curve);
+    whirl_branch_free(branch);
+    whirl_orbit_free(start);
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(folds_of_nlvib), cmocka_unit_test(a_torus_begins),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(folds_of_nlvib),
+                                       cmocka_unit_test(a_torus_begins),
                                        cmocka_unit_test(neutral_saddles_are_no_tori),
-                                       cmocka_unit_test(doublings_of_duffing), cmocka_unit_test(grazes_are_located)};
+                                       cmocka_unit_test(doublings_of_duffing),
+                                       cmocka_unit_test(grazes_are_located),
+                                       cmocka_unit_test(the_curve_of_first_touches),
+                                       cmocka_unit_test(the_curve_of_folds_has_a_cusp),
+                                       cmocka_unit_test(the_curve_of_doublings)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -190,6 +190,51 @@ static void thresholds_of_oil_whirl(void **state) {
     }
 }
 
+static whirl_status make_oil_in_plane(const void *context, double s, double e, whirl_machine *machine) {
+    const oil_family own = {e, 0.0};
+    (void)context;
+    return make_oil(&own, s, machine);
+}
+
+/// Largest real part of the eigenvalues of the rigid rotor that rests at eccentricity ratio e, by LAPACK.
+static double growth_at(double e, double s) {
+    const oil_family own = {e, 0.0};
+    whirl_machine machine;
+    double x[4] = {0.0}, matrix[16];
+    place_journal(e, x);
+    require_ok(make_oil(&own, s, &machine));
+    exact_jacobian(machine.system, 0.0, x, matrix);
+    machine.release(machine.owner);
+    return largest_real_part(4, matrix, NULL);
+}
+
+/// The threshold over the journal's place, from e = .5 down: at each point of the curve the rotor that rests there is
+/// stable at a speed less by 1e-8 of it, and unstable at one more by as much.
+static void the_curve_of_thresholds(void **state) {
+    (void)state;
+    const oil_family own = {0.5, 0.0};
+    const whirl_plane plane = {make_oil_in_plane, NULL};
+    const double bounds[2] = {0.1, 0.6};
+    whirl_branch_options options;
+    whirl_branch *branch = follow_oil(&own, 1.5, 3.0, &options), *curve;
+    require_ok(whirl_curve_follow(&plane, special_point(branch, WHIRL_HOPF, 0), 0.5, -1, bounds, &options, &curve));
+    double least = INFINITY, at = 0.0;
+    size_t wrong = 0;
+    for (size_t i = 0; i < curve->count; i++) {
+        const double s = curve->points[i].value, e = curve->points[i].second;
+        if (s < least) at = e;
+        least = fmin(least, s);
+        wrong += growth_at(e, s * (1.0 - 1e-8)) >= 0.0 || growth_at(e, s * (1.0 + 1e-8)) <= 0.0;
+    }
+    const double last = curve->points[curve->count - 1].second;
+    check_holds("Hopf", words("A5, %zu thresholds from e = .5 to %.3f are such to 1e-8", curve->count, last),
+                wrong == 0 && curve->count > 10 && last < 0.15);
+    // The smallest one is at e = .45697072, which a point of the curve is near.
+    check_within("Hopf", "A5, place of the smallest threshold on the curve", 0.45697072, at, 0.03);
+    whirl_branch_free(curve);
+    whirl_branch_free(branch);
+}
+
 /// A little beyond the threshold the rigid rotor settles on an orbit: the one that the branch has there. Where no orbit
 /// begins on that side the loss is sudden, and the branch goes to lower speeds, unstable.
 static void the_rotor_settles_on_the_branch(void **state) {
@@ -235,6 +280,7 @@ static void the_rotor_settles_on_the_branch(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(circles_begin_at_the_hopf_point), cmocka_unit_test(circles_turn_back_at_the_fold),
-        cmocka_unit_test(thresholds_of_oil_whirl), cmocka_unit_test(the_rotor_settles_on_the_branch)};
+        cmocka_unit_test(thresholds_of_oil_whirl), cmocka_unit_test(the_curve_of_thresholds),
+        cmocka_unit_test(the_rotor_settles_on_the_branch)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,253 @@
+// Curves of special points over two parameters: the equations of the orbit and the function that vanishes there.
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "curve.h"
+#include "describe.h"
+#include "equations.h"
+#include "vanishing.h"
+
+/// A curve under way. Unknowns: those of the orbit, with the first parameter, then the second one.
+typedef struct walk {
+    const whirl_plane *plane;
+    const whirl_branch_options *options;
+    double low, high; ///< bounds of the second parameter
+    whirl_special kind;
+    size_t touch;
+    double second; ///< of the machines that the family makes
+    whirl_family family;
+    orbit_equations equations;
+    curve curve;
+    whirl_branch *branch;
+    double step;
+    double *u, *tangent, *trial; ///< [unknowns] where it is
+    double *aside;               ///< [unknowns] workspace of derivatives, as the next ones
+    double *above, *below;       ///< [equations]
+    double *orbit_derivative;    ///< [orbit's equations][orbit's unknowns]
+    whirl_orbit *orbit;          ///< at the point found last
+} walk;
+
+static whirl_status make_machine(const void *context, double value, whirl_machine *machine) {
+    const walk *w = context;
+    return w->plane->machine(w->plane->context, value, w->second, machine);
+}
+
+/// Machines of another second parameter are others at the same value of the first.
+static void set_second(walk *w, double second) {
+    if (second != w->second) w->equations.value = NAN;
+    w->second = second;
+}
+
+// ---------------------------------------------------------------- equations
+
+/// The orbit's equations and the function that vanishes, at u.
+static bool values_at(walk *w, const double *u, double *value, double *derivative, whirl_orbit **orbit) {
+    orbit_equations *e = &w->equations;
+    const size_t n = equations_count(e);
+    whirl_orbit *own = NULL;
+    set_second(w, u[n + 1]);
+    if (!equations_evaluate(e, u, value, derivative ? derivative : w->orbit_derivative)) return false;
+    if (orbit_describe(e->s, e->nodes, equations_period(e, u), 0.0, &own).code != WHIRL_OK) return false;
+    value[n] = vanishing_value(w->kind, w->touch, own);
+    if (orbit)
+        *orbit = own;
+    else
+        whirl_orbit_free(own);
+    return isfinite(value[n]);
+}
+
+/// The last row, by central differences, and the last column with it.
+static bool differences(walk *w, const double *u, double *derivative) {
+    const size_t n = equations_count(&w->equations), all = n + 2;
+    for (size_t k = 0; k < all; k++) {
+        const double apart = 0x1p-14 * w->curve.scale[k];
+        memcpy(w->aside, u, all * sizeof *u);
+        w->aside[k] = u[k] + apart;
+        if (!values_at(w, w->aside, w->above, NULL, NULL)) return false;
+        w->aside[k] = u[k] - apart;
+        if (!values_at(w, w->aside, w->below, NULL, NULL)) return false;
+        derivative[n * all + k] = (w->above[n] - w->below[n]) / (2.0 * apart);
+        for (size_t i = 0; k == n + 1 && i < n; i++)
+            derivative[i * all + k] = (w->above[i] - w->below[i]) / (2.0 * apart);
+    }
+    return true;
+}
+
+static bool evaluate(void *context, const double *u, double *value, double *derivative) {
+    walk *w = context;
+    const size_t n = equations_count(&w->equations), all = n + 2;
+    whirl_orbit_free(w->orbit);
+    w->orbit = NULL;
+    if (!derivative) return values_at(w, u, value, NULL, NULL);
+    if (!values_at(w, u, value, w->orbit_derivative, &w->orbit)) return false;
+    for (size_t i = 0; i < n; i++)
+        memcpy(derivative + i * all, w->orbit_derivative + i * (n + 1), (n + 1) * sizeof *derivative);
+    if (!differences(w, u, derivative)) return false;
+    set_second(w, u[n + 1]);
+    equations_put(&w->equations, u);
+    return true;
+}
+
+/// The orbit closes as ever; the function, whose derivatives are differences, vanishes to 1e-10.
+static double size_of(void *context, const double *u, const double *value) {
+    walk *w = context;
+    const double orbit = equations_size(&w->equations, u, value);
+    return fmax(orbit, 1e-2 * w->options->orbit.tolerance / 1e-12 * fabs(value[equations_count(&w->equations)]));
+}
+
+// ---------------------------------------------------------------- the walk
+
+static void set_scale(walk *w) {
+    const orbit_equations *e = &w->equations;
+    const size_t nodes = e->s->count * e->s->kept_count, n = equations_count(e);
+    const double size = shooting_size(e->s, e->nodes);
+    for (size_t i = 0; i < nodes; i++) w->curve.scale[i] = (size > 0.0 ? size : 1.0) * sqrt((double)e->s->count);
+    for (size_t i = nodes; i < n; i++) w->curve.scale[i] = e->s->period;
+    w->curve.scale[n] = w->options->to - w->options->from;
+    w->curve.scale[n + 1] = w->high - w->low;
+}
+
+static whirl_status add_point(walk *w) {
+    const size_t n = equations_count(&w->equations);
+    whirl_branch *b = w->branch;
+    whirl_branch_point *points = realloc(b->points, (b->count + 1) * sizeof *points);
+    if (!points) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points of a curve", b->count + 1);
+    b->points = points;
+    whirl_branch_point *point = &points[b->count++];
+    *point = (whirl_branch_point){
+        .value = w->u[n], .second = w->u[n + 1], .special = w->kind, .touch = w->touch, .orbit = w->orbit};
+    if (w->kind == WHIRL_NEIMARK_SACKER || w->kind == WHIRL_HOPF) vanishing_pair(w->orbit, &point->angle);
+    w->orbit = NULL;
+    return whirl_ok();
+}
+
+static bool is_within(const walk *w, const double *u) {
+    const size_t n = equations_count(&w->equations);
+    return u[n] >= fmin(w->options->from, w->options->to) && u[n] <= fmax(w->options->from, w->options->to) &&
+           u[n + 1] >= w->low && u[n + 1] <= w->high;
+}
+
+/// Finds the point across the tangent from the trial; it becomes where the walk is.
+static bool advance(walk *w, newton_result *result) {
+    const size_t all = equations_count(&w->equations) + 2;
+    double *next = w->aside;
+    *result = curve_correct(&w->curve, w->tangent, w->trial);
+    if (!result->found || !w->orbit || !curve_tangent(&w->curve, w->tangent, next)) return false;
+    if (curve_dot(&w->curve, next, w->tangent) < 0.9 && w->step > 8.0 * w->options->least_step) return false;
+    memcpy(w->tangent, next, all * sizeof *next);
+    memcpy(w->u, w->trial, all * sizeof *next);
+    return true;
+}
+
+static whirl_status go_on(walk *w, bool *ended) {
+    const whirl_branch_options *o = w->options;
+    const size_t all = equations_count(&w->equations) + 2;
+    newton_result result;
+    for (;;) {
+        for (size_t i = 0; i < all; i++) w->trial[i] = w->u[i] + w->step * w->tangent[i];
+        if (advance(w, &result)) break;
+        *ended = w->step <= o->least_step;
+        w->branch->end = WHIRL_END_LOST;
+        if (*ended) return whirl_ok();
+        w->step = fmax(0.5 * w->step, o->least_step);
+    }
+    const double factor = result.steps <= 3 ? 1.5 : result.steps <= 4 ? 1.1 : 0.6;
+    w->step = fmin(fmax(w->step * factor, o->least_step), o->most_step);
+    *ended = !is_within(w, w->u);
+    w->branch->end = WHIRL_END_OF_RANGE;
+    if (*ended) return whirl_ok();
+    equations_put(&w->equations, w->u);
+    equations_begin_at(&w->equations, w->equations.nodes);
+    return add_point(w);
+}
+
+/// The first point, at the start's second parameter.
+static whirl_status begin(walk *w, const whirl_branch_point *start, int direction) {
+    const size_t n = equations_count(&w->equations), nodes = w->equations.s->count * w->equations.s->kept_count;
+    equations_take(&w->equations, start->orbit->nodes, w->trial);
+    if (n > nodes) w->trial[nodes] = start->orbit->period;
+    w->trial[n] = start->value;
+    w->trial[n + 1] = w->second;
+    memset(w->tangent, 0, (n + 2) * sizeof *w->tangent);
+    w->tangent[n + 1] = (direction < 0 ? -1.0 : 1.0) * w->curve.scale[n + 1];
+    const newton_result result = curve_correct(&w->curve, w->tangent, w->trial);
+    if (!result.found || !w->orbit || !curve_tangent(&w->curve, w->tangent, w->aside))
+        return whirl_fail(WHIRL_BAD_INPUT, "the special point that a curve shall begin with was not found again");
+    memcpy(w->tangent, w->aside, (n + 2) * sizeof *w->tangent);
+    memcpy(w->u, w->trial, (n + 2) * sizeof *w->u);
+    return add_point(w);
+}
+
+// ---------------------------------------------------------------- memory
+
+static whirl_status prepare(walk *w, const whirl_branch_point *start) {
+    const whirl_orbit *orbit = start->orbit;
+    w->family = (whirl_family){make_machine, w};
+    whirl_status status = equations_make(&w->equations, NULL, &w->family, start->value, &w->options->orbit,
+                                         orbit->revolutions, orbit->period);
+    if (status.code != WHIRL_OK) return status;
+    orbit_equations *e = &w->equations;
+    if (e->s->dimension != orbit->dimension || e->s->count != orbit->segment_count)
+        return whirl_fail(WHIRL_BAD_INPUT, "an orbit of %zu coordinates in %zu segments, expected %zu in %zu",
+                          orbit->dimension, orbit->segment_count, e->s->dimension, e->s->count);
+    const size_t n = equations_count(e), all = n + 2;
+    e->reach = 0x1p-12 * (w->options->to - w->options->from);
+    w->curve = (curve){
+        .count = n + 1, .context = w, .evaluate = evaluate, .size = size_of, .tolerance = w->options->orbit.tolerance};
+    w->branch = calloc(1, sizeof *w->branch);
+    w->u = calloc(6 * all + n * (n + 1), sizeof *w->u);
+    if (!w->branch || !w->u || !curve_begin(&w->curve)) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a curve");
+    w->tangent = w->u + all;
+    w->trial = w->tangent + all;
+    w->aside = w->trial + all;
+    w->above = w->aside + all;
+    w->below = w->above + all;
+    w->orbit_derivative = w->below + all;
+    memcpy(e->nodes, orbit->nodes, e->s->count * e->s->dimension * sizeof *e->nodes);
+    set_scale(w);
+    equations_begin_at(e, orbit->nodes);
+    return status;
+}
+
+static whirl_status follow(walk *w, const whirl_branch_point *start, int direction) {
+    bool ended = false;
+    whirl_status status = prepare(w, start);
+    if (status.code == WHIRL_OK) status = begin(w, start, direction);
+    w->step = w->options->step;
+    while (status.code == WHIRL_OK && !ended) {
+        w->branch->end = WHIRL_END_OF_POINTS;
+        if (w->branch->count >= w->options->most_points) break;
+        status = go_on(w, &ended);
+    }
+    return status;
+}
+
+whirl_status whirl_curve_follow(const whirl_plane *plane, const whirl_branch_point *start, double second, int direction,
+                                const double bounds[2], const whirl_branch_options *options, whirl_branch **out) {
+    walk w = {.plane = plane,
+              .options = options,
+              .low = bounds[0],
+              .high = bounds[1],
+              .kind = start->special,
+              .touch = start->touch,
+              .second = second};
+    *out = NULL;
+    if (start->special == WHIRL_REGULAR || start->special == WHIRL_BRANCHING)
+        return whirl_fail(WHIRL_BAD_INPUT, "no curve over two parameters leads through this point, expected a fold, a "
+                                           "doubling, a Neimark-Sacker, Hopf or grazing point");
+    if (!(bounds[0] < bounds[1] && second >= bounds[0] && second <= bounds[1] && options->from != options->to))
+        return whirl_fail(WHIRL_BAD_INPUT, "a curve begins at %g of %g to %g, expected bounds around it", second,
+                          bounds[0], bounds[1]);
+    whirl_status status = follow(&w, start, direction);
+    if (status.code == WHIRL_OK) {
+        *out = w.branch;
+        w.branch = NULL;
+    }
+    whirl_orbit_free(w.orbit);
+    whirl_branch_free(w.branch);
+    curve_end(&w.curve);
+    equations_free(&w.equations);
+    free(w.u);
+    return status;
+}
