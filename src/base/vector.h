@@ -18,8 +18,10 @@
 /// registers.
 #if defined(__clang__)
 #define VECTOR_FOR(i, rounds) _Pragma("unroll") for (size_t i = 0; i < (rounds); i++)
+#define VECTOR_BY_TWO _Pragma("unroll 2")
 #else
 #define VECTOR_FOR(i, rounds) _Pragma("GCC unroll 8") for (size_t i = 0; i < (rounds); i++)
+#define VECTOR_BY_TWO _Pragma("GCC unroll 2")
 #endif
 
 #ifndef VECTOR_ISA

@@ -35,6 +35,7 @@ VECTOR_INLINE void add_part(const body_panels *of, const body_part *part, const 
     const vec *x = (part->kind.source == BODY_PLACE ? w->q : w->v) + k;
     const double *number = of->numbers + part->first_number + first;
     const unsigned *column = of->columns + part->first_column;
+    VECTOR_BY_TWO
     for (size_t c = 0; c < part->common; c++, number += w->rows)
         add_column(number, x + *column++ * w->stride, rows, count, sum);
     column += first;
