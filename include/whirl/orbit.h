@@ -126,6 +126,11 @@ typedef struct whirl_branch_point {
     double second;         ///< of the second parameter, on a curve over two; else not a number
     whirl_special special; ///< located to 1e-10 of the branch's span, or regular
     double angle; ///< of the pair's multipliers at a Neimark-Sacker point, rad; of a torus its rotation per period
+    /// Cubic coefficient of the normal form at doublings, Neimark-Sacker and Hopf points (Kuznetsov 2004, 5.4, with
+    /// eigenvectors of length 1; of doublings with the other sign): below 0 what begins there lies where the orbit is
+    /// unstable, and is stable if nothing else is not (supercritical); above 0 it lies where the orbit is stable, and the
+    /// loss of it is sudden. NaN where it is not known: of other points, near a third or a fourth of a turn, on curves.
+    double criticality;
     size_t touch; ///< at a graze, which of the orbit's touches
     whirl_orbit *orbit;
 } whirl_branch_point;

@@ -34,7 +34,8 @@ typedef struct walk {
 } walk;
 
 static whirl_status add_waypoint(follower *f, const waypoint *p) {
-    whirl_branch_point point = {.value = follower_value(f, p->u), .second = NAN, .orbit = orbit_copy(p->orbit)};
+    whirl_branch_point point = {
+        .value = follower_value(f, p->u), .second = NAN, .criticality = NAN, .orbit = orbit_copy(p->orbit)};
     if (!point.orbit) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a point of a branch");
     const whirl_status status = follower_add(f, &point);
     if (status.code != WHIRL_OK) whirl_orbit_free(point.orbit);

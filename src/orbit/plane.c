@@ -115,8 +115,12 @@ static whirl_status add_point(walk *w) {
     if (!points) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points of a curve", b->count + 1);
     b->points = points;
     whirl_branch_point *point = &points[b->count++];
-    *point = (whirl_branch_point){
-        .value = w->u[n], .second = w->u[n + 1], .special = w->kind, .touch = w->touch, .orbit = w->orbit};
+    *point = (whirl_branch_point){.value = w->u[n],
+                                  .second = w->u[n + 1],
+                                  .special = w->kind,
+                                  .criticality = NAN,
+                                  .touch = w->touch,
+                                  .orbit = w->orbit};
     if (w->kind == WHIRL_NEIMARK_SACKER || w->kind == WHIRL_HOPF) vanishing_pair(w->orbit, &point->angle);
     w->orbit = NULL;
     return whirl_ok();

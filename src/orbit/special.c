@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "bracket.h"
+#include "normal_form.h"
 #include "vanishing.h"
 
 /// A function whose sign tells of what.
@@ -85,7 +86,7 @@ typedef struct findings {
 
 static whirl_status find(follower *f, const test *t, const waypoint *from, const waypoint *to, double length,
                          findings *found) {
-    finding one = {.point = {.second = NAN, .special = t->kind, .touch = t->touch}};
+    finding one = {.point = {.second = NAN, .criticality = NAN, .special = t->kind, .touch = t->touch}};
     waypoint p;
     if (found->count == MOST_FINDINGS) return whirl_ok();
     whirl_status status = waypoint_new(f, &p);
@@ -94,6 +95,7 @@ static whirl_status find(follower *f, const test *t, const waypoint *from, const
     const bool saddle = p.orbit && paired && !vanishing_pair(p.orbit, &one.point.angle);
     if (status.code == WHIRL_OK && p.orbit && !saddle) {
         one.point.value = follower_value(f, p.u);
+        one.point.criticality = normal_form(f->equations.s, p.orbit, t->kind, one.point.angle);
         one.point.orbit = p.orbit;
         p.orbit = NULL;
         found->list[found->count++] = one;

@@ -131,6 +131,8 @@ static void a_torus_begins(void **state) {
         const whirl_branch_point *point = special_point(branch, WHIRL_NEIMARK_SACKER, 0);
         check_within("branches", words("normal form, w = %g: torus at", angulars[i]), 0.0, point->value, 1e-10);
         check_within("branches", "normal form, its angle", angle, point->angle, 1e-10);
+        // Over a period r -> r (1 - 2 pi r^2); in the coordinate of a vector of length 1, r^2 is twice its modulus'.
+        check_within("branches", "normal form, its criticality", -4.0 * pi, point->criticality, 1e-5);
         assert_int_equal(0, count_special(branch, WHIRL_FOLD) + count_special(branch, WHIRL_BRANCHING) +
                                 count_special(branch, WHIRL_DOUBLING));
         assert_int_equal(0, branch->points[0].orbit->unstable);
@@ -196,6 +198,7 @@ static void doublings_of_duffing(void **state) {
         const whirl_branch_point *point = special_point(branch, WHIRL_DOUBLING, 0);
         assert_non_null(point);
         at[k] = point->value;
+        assert_true(point->criticality < 0.0);
         // Up to there it is stable, and gives it to the orbit of twice the period.
         for (size_t i = 0; &branch->points[i] != point; i++) assert_int_equal(0, branch->points[i].orbit->unstable);
         check_within("branches", words("doubling, P-%zu: the multiplier at F = %.10f", revolutions, at[k]), -1.0,

@@ -69,6 +69,8 @@ static void circles_begin_at_the_hopf_point(void **state) {
     const whirl_branch_point *point = special_point(branch, WHIRL_HOPF, 0);
     check_within("Hopf", "circles, Hopf point at", 0.0, point->value, 1e-10);
     check_within("Hopf", "circles, its frequency", 1.7, point->angle, 1e-10);
+    // In coordinates u + i v = sqrt 2 w of a vector of length 1: 2 a over twice the frequency, twice.
+    check_within("Hopf", "circles, its criticality", -1.0 * 2.0 / 1.7, point->criticality, 1e-7);
     check_within("Hopf", "circles, the equilibrium", 1.0, point->orbit->nodes[0], 1e-12);
     whirl_orbit *orbit;
     double value;
@@ -249,6 +251,7 @@ static void the_rotor_settles_on_the_branch(void **state) {
         whirl_orbit *orbit;
         double value;
         require_ok(whirl_branch_switch(&family, point, 0.3, &options, &orbit, &value));
+        assert_true((point->criticality < 0.0) == (value > point->value));
         print_message("e = %g: orbits at s %+g from the threshold\n", own.e, value - point->value);
         assert_int_equal(value > point->value ? 0 : 1, orbit->unstable);
         if (value > point->value) {

@@ -1,0 +1,252 @@
+// Cubic coefficients of normal forms, by differences of the map over the orbit, or of an equilibrium's forces.
+//
+// B(u, v) and C(u, v, w) are the second and third derivatives of the map F, which is differenced along single
+// directions; mixed ones follow by polarisation. q and p are the right and left eigenvectors, <q, q> = 1, <p, q> = 1 (p
+// conjugated).
+#include "normal_form.h"
+
+#include <complex.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "matrix.h"
+#include "rest.h"
+
+typedef double complex number;
+
+/// Length of the differences, over the largest coordinate; those of order 2 err by its square, and are extrapolated.
+static const double reach = 0x1p-7;
+
+typedef struct forms {
+    shooting *s;
+    const whirl_orbit *orbit;
+    size_t n;
+    double step;
+    double *matrix;        ///< [n][n] derivative of the map
+    double *nodes, *image; ///< [segments][dimension] workspace; [n]
+    double *centre;        ///< [n] the image of the orbit itself
+    double *sums[2];       ///< [n] at two lengths of step
+    number *q, *p;         ///< [n]
+    bool failed;
+} forms;
+
+// ---------------------------------------------------------------- the map and its derivatives
+
+/// image = F(x + h u): over all segments, one after the other; or the forces at rest.
+static void map(forms *f, const double *u, double h) {
+    shooting *s = f->s;
+    memcpy(f->nodes, f->orbit->nodes, s->dimension * sizeof *f->nodes);
+    for (size_t i = 0; i < f->n; i++) f->nodes[s->kept[i]] += h * u[i];
+    if (shooting_rests(s)) {
+        f->failed = !rest_slope(s, f->nodes, f->image, false) || f->failed;
+        return;
+    }
+    f->failed = !shooting_spread(s, f->nodes, f->orbit->period) ||
+                !shooting_carry(s, f->nodes, f->orbit->period, false) || f->failed;
+    for (size_t i = 0; i < f->n; i++) f->image[i] = s->ends[(s->count - 1) * s->dimension + s->kept[i]];
+}
+
+static void add_map(forms *f, const double *u, double h, double weight, double *sum) {
+    map(f, u, h);
+    for (size_t i = 0; i < f->n; i++) sum[i] += weight * f->image[i];
+}
+
+/// out = B(u, u) or C(u, u, u), from two lengths of step.
+static void derivative(forms *f, int order, const double *u, double *out) {
+    double size = 0.0;
+    for (size_t i = 0; i < f->n; i++) size = fmax(size, fabs(u[i]));
+    for (int k = 0; k < 2; k++) {
+        const double h = ldexp(f->step / (size > 0.0 ? size : 1.0), -k);
+        double *sum = f->sums[k];
+        memset(sum, 0, f->n * sizeof *sum);
+        if (order == 2) {
+            add_map(f, u, h, 1.0 / (h * h), sum);
+            add_map(f, u, -h, 1.0 / (h * h), sum);
+            for (size_t i = 0; i < f->n; i++) sum[i] -= 2.0 / (h * h) * f->centre[i];
+        } else {
+            static const double places[4] = {2.0, 1.0, -1.0, -2.0}, weights[4] = {0.5, -1.0, 1.0, -0.5};
+            for (int j = 0; j < 4; j++) add_map(f, u, places[j] * h, weights[j] / (h * h * h), sum);
+        }
+    }
+    for (size_t i = 0; i < f->n; i++) out[i] = (4.0 * f->sums[1][i] - f->sums[0][i]) / 3.0;
+}
+
+/// out = B(u, v) = (B(u + v, u + v) - B(u - v, u - v))/4; work [3][n].
+static void bilinear(forms *f, const double *u, const double *v, double *work, double *out) {
+    const size_t n = f->n;
+    for (int sign = 1; sign >= -1; sign -= 2) {
+        for (size_t i = 0; i < n; i++) work[i] = u[i] + sign * v[i];
+        derivative(f, 2, work, sign > 0 ? out : work + n);
+    }
+    for (size_t i = 0; i < n; i++) out[i] = 0.25 * (out[i] - work[n + i]);
+}
+
+/// out = B(a, b) of complex vectors; work [9][n].
+static void complex_bilinear(forms *f, const number *a, const number *b, double *work, number *out) {
+    const size_t n = f->n;
+    double *parts = work + 3 * n, *found = work + 7 * n;
+    for (size_t i = 0; i < n; i++) {
+        parts[i] = creal(a[i]);
+        parts[n + i] = cimag(a[i]);
+        parts[2 * n + i] = creal(b[i]);
+        parts[3 * n + i] = cimag(b[i]);
+        out[i] = 0.0;
+    }
+    for (size_t k = 0; k < 4; k++) {
+        bilinear(f, parts + k / 2 * n, parts + (2 + k % 2) * n, work, found);
+        const number factor = (k / 2 ? I : 1.0) * (k % 2 ? I : 1.0);
+        for (size_t i = 0; i < n; i++) out[i] += factor * found[i];
+    }
+}
+
+/// out = C(q, q, conj q) with q = a + i b: C(a, a, a) + C(a, b, b) + i (C(a, a, b) + C(b, b, b)); work [7][n].
+static void cubic(forms *f, double *work, number *out) {
+    const size_t n = f->n;
+    double *a = work, *b = work + n, *along = work + 2 * n, *aaa = work + 3 * n, *bbb = aaa + n, *sum = bbb + n;
+    double *difference = sum + n;
+    for (size_t i = 0; i < n; i++) {
+        a[i] = creal(f->q[i]);
+        b[i] = cimag(f->q[i]);
+    }
+    derivative(f, 3, a, aaa);
+    derivative(f, 3, b, bbb);
+    for (size_t i = 0; i < n; i++) along[i] = a[i] + b[i];
+    derivative(f, 3, along, sum);
+    for (size_t i = 0; i < n; i++) along[i] = a[i] - b[i];
+    derivative(f, 3, along, difference);
+    for (size_t i = 0; i < n; i++) {
+        const double abb = (sum[i] + difference[i] - 2.0 * aaa[i]) / 6.0;
+        const double aab = (sum[i] - difference[i] - 2.0 * bbb[i]) / 6.0;
+        out[i] = aaa[i] + abb + I * (aab + bbb[i]);
+    }
+}
+
+// ---------------------------------------------------------------- linear algebra
+
+/// The derivative of the map: the product of the segments', which near the unit circle is exact enough.
+static void multiply_out(forms *f, double *spare) {
+    const shooting *s = f->s;
+    const size_t n = f->n, size = n * n;
+    memcpy(f->matrix, s->matrices, size * sizeof *f->matrix);
+    for (size_t j = 1; j < s->count; j++) {
+        memset(spare, 0, size * sizeof *spare);
+        for (size_t i = 0; i < n; i++)
+            for (size_t k = 0; k < n; k++)
+                for (size_t l = 0; l < n; l++)
+                    spare[i * n + l] += s->matrices[j * size + i * n + k] * f->matrix[k * n + l];
+        memcpy(f->matrix, spare, size * sizeof *spare);
+    }
+}
+
+/// The eigenvector of the matrix, or of its transpose, whose eigenvalue is nearest to `root`.
+static void eigenvector(forms *f, bool transposed, number root, double *work, number *out) {
+    const size_t n = f->n;
+    double *copy = work, *real = copy + n * n, *imaginary = real + n, *vectors = imaginary + n;
+    size_t nearest = 0;
+    for (size_t i = 0; i < n; i++)
+        for (size_t k = 0; k < n; k++) copy[i * n + k] = f->matrix[transposed ? k * n + i : i * n + k];
+    f->failed = f->failed || !matrix_eigen(n, copy, real, imaginary, vectors);
+    if (f->failed) return;
+    for (size_t i = 1; i < n; i++)
+        if (cabs(real[i] + I * imaginary[i] - root) < cabs(real[nearest] + I * imaginary[nearest] - root)) nearest = i;
+    for (size_t i = 0; i < n; i++) out[i] = vectors[2 * (nearest * n + i)] + I * vectors[2 * (nearest * n + i) + 1];
+}
+
+static number product(size_t n, const number *p, const number *v) {
+    number sum = 0.0;
+    for (size_t i = 0; i < n; i++) sum += conj(p[i]) * v[i];
+    return sum;
+}
+
+/// v = (shift - matrix)^-1 v; work [n][n][2] and [n][2].
+static void resolve(forms *f, number shift, double *work, number *v) {
+    const size_t n = f->n;
+    double *right = work + 2 * n * n;
+    for (size_t i = 0; i < n; i++)
+        for (size_t k = 0; k < n; k++) {
+            const number entry = (i == k ? shift : 0.0) - f->matrix[i * n + k];
+            work[2 * (i * n + k)] = creal(entry);
+            work[2 * (i * n + k) + 1] = cimag(entry);
+        }
+    for (size_t i = 0; i < n; i++) {
+        right[2 * i] = creal(v[i]);
+        right[2 * i + 1] = cimag(v[i]);
+    }
+    f->failed = f->failed || !matrix_solve_complex(n, work, 1, right);
+    for (size_t i = 0; i < n; i++) v[i] = right[2 * i] + I * right[2 * i + 1];
+}
+
+// ---------------------------------------------------------------- coefficients
+
+/// <p, C(q, q, conj q)> + 2 <p, B(q, (one - A)^-1 B(q, conj q))> + <p, B(conj q, (two - A)^-1 B(q, q))>.
+static number third_order(forms *f, number one, number two, double *work, number *vectors) {
+    const size_t n = f->n;
+    number *other = vectors, *inner = vectors + n, *outer = vectors + 2 * n;
+    for (size_t i = 0; i < n; i++) other[i] = conj(f->q[i]);
+    cubic(f, work, outer);
+    number sum = product(n, f->p, outer);
+    complex_bilinear(f, f->q, other, work, inner);
+    resolve(f, one, work, inner);
+    complex_bilinear(f, f->q, inner, work, outer);
+    sum += 2.0 * product(n, f->p, outer);
+    complex_bilinear(f, f->q, f->q, work, inner);
+    resolve(f, two, work, inner);
+    complex_bilinear(f, other, inner, work, outer);
+    return sum + product(n, f->p, outer);
+}
+
+/// Of a doubling q is real: the three terms are C(q, q, q) and three times B(q, (1 - A)^-1 B(q, q)).
+static double coefficient(forms *f, whirl_special kind, number root, double *work, number *vectors) {
+    if (kind == WHIRL_DOUBLING) return -creal(third_order(f, 1.0, 1.0, work, vectors)) / 6.0;
+    if (kind == WHIRL_HOPF) return creal(third_order(f, 0.0, 2.0 * root, work, vectors)) / (2.0 * cimag(root));
+    return 0.5 * creal(conj(root) * third_order(f, 1.0, root * root, work, vectors));
+}
+
+static number root_of(whirl_special kind, double angle) {
+    if (kind == WHIRL_DOUBLING) return -1.0;
+    return kind == WHIRL_HOPF ? I * angle : cexp(I * angle);
+}
+
+static bool resonates(double angle) {
+    const double turn = 6.283185307179586476925, slight = 1e-3;
+    return fabs(angle - turn / 3.0) < slight || fabs(angle - turn / 4.0) < slight;
+}
+
+static double compute(forms *f, whirl_special kind, number root, double *work, number *vectors) {
+    const size_t n = f->n;
+    multiply_out(f, work);
+    eigenvector(f, false, root, work, f->q);
+    eigenvector(f, true, conj(root), work, f->p);
+    const number along = product(n, f->p, f->q);
+    for (size_t i = 0; i < n; i++) f->p[i] /= conj(along);
+    for (size_t i = 0; i < n; i++) work[i] = 0.0;
+    map(f, work, 0.0);
+    memcpy(f->centre, f->image, n * sizeof *f->centre);
+    const double found = f->failed ? (double)NAN : coefficient(f, kind, root, work, vectors);
+    return f->failed || !isfinite(found) ? (double)NAN : found;
+}
+
+double normal_form(shooting *s, const whirl_orbit *orbit, whirl_special kind, double angle) {
+    const size_t n = s->kept_count, all = s->count * s->dimension;
+    if (kind != WHIRL_DOUBLING && kind != WHIRL_HOPF && kind != WHIRL_NEIMARK_SACKER) return NAN;
+    if (n == 0 || (kind == WHIRL_NEIMARK_SACKER && resonates(angle))) return NAN;
+    const size_t spare = 9 * n > 4 * n * n + 2 * n ? 9 * n : 4 * n * n + 2 * n;
+    double *room = calloc(n * n + all + 4 * n + spare, sizeof *room);
+    number *vectors = calloc(5 * n, sizeof *vectors);
+    double found = NAN;
+    if (room && vectors) {
+        forms f = {.s = s, .orbit = orbit, .n = n, .matrix = room, .nodes = room + n * n};
+        f.step = reach * shooting_size(s, orbit->nodes);
+        f.image = f.nodes + all;
+        f.centre = f.image + n;
+        f.sums[0] = f.centre + n;
+        f.sums[1] = f.sums[0] + n;
+        f.q = vectors;
+        f.p = vectors + n;
+        found = compute(&f, kind, root_of(kind, angle), f.sums[1] + n, vectors + 2 * n);
+    }
+    free(room);
+    free(vectors);
+    return found;
+}
