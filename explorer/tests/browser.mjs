@@ -85,6 +85,7 @@ export async function settled(page, side = 'a') {
 
 /// Presses an item of a panel's menu and gives what is downloaded, as text, with its name.
 export async function saved(page, panel, kind) {
+  await page.waitForTimeout(120); // Chromium drops what a page saves beyond ten files a second.
   await page.click(`${panel} .menu summary`);
   const [file] = await Promise.all([page.waitForEvent('download'), page.click(`${panel} [data-save="${kind}"]`)]);
   return { name: file.suggestedFilename(), bytes: readFileSync(await file.path()) };

@@ -54,10 +54,11 @@ function near(found, expected, tolerance, what) {
   assert.ok(Math.abs(found - expected) <= tolerance, `${what}: ${found}, expected ${expected}`);
 }
 
-/// The page once its numbers are there.
+/// The page once its numbers are there and its address is written.
 async function opened(address, options) {
   const made = await open(address, options);
   await made.page.waitForSelector('.rest .numbers tbody td');
+  await made.page.waitForFunction(() => new URLSearchParams(location.hash.slice(1)).has('run'));
   return made;
 }
 
@@ -287,6 +288,17 @@ test('pictures and data can be saved', async () => {
         return parsed.querySelectorAll('parsererror').length === 0 && parsed.querySelectorAll('path').length;
       }, svg);
       assert.ok(drawn > 3, `${panel}: ${drawn} paths`);
+      if (panel.includes('map-card')) {
+        const beyond = await page.evaluate((text) => {
+          const host = document.body.appendChild(document.createElement('div'));
+          host.innerHTML = text;
+          const right = host.firstElementChild.getBoundingClientRect().right;
+          const ends = [...host.querySelectorAll('text')].map((each) => each.getBoundingClientRect().right);
+          host.remove();
+          return ends.filter((end) => end > right + 0.5).length;
+        }, svg);
+        assert.equal(beyond, 0, 'texts of the picture that are cut');
+      }
       assert.ok(!/NaN|Infinity/.test(svg), `${panel} has places that are no numbers`);
       const csv = (await saved(page, panel, 'csv')).bytes.toString('utf8');
       assert.ok(csv.split('\r\n').length > 4, `${panel}: ${csv}`);

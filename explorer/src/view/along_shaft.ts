@@ -163,7 +163,7 @@ function drawNames(
   pen.fillStyle = colours.muted;
   pen.textAlign = 'center';
   pen.textBaseline = 'bottom';
-  const ends = [-Infinity, -Infinity];
+  const ends = [-Infinity, -Infinity, -Infinity];
   const order = at.map((_, i) => i).sort((a, b) => at[a]! - at[b]!);
   for (const i of order) {
     const half = textWidth(stations[i]!.name, face) / 2 + 0.3 * size;

@@ -11,7 +11,7 @@ import { amplitudeMeasure, labelled, parameterMeasure, shownWhole, written } fro
 import { AngleField } from './angle_field';
 import type { CampbellListener } from './campbell';
 import type { Table } from './panel';
-import { lineKey, markKey, probeOf, sketchKeys, type Key, type RestChart, type RestSubject } from './rest_subject';
+import { lineKey, markKey, probeOf, pictureOf, type Key, type RestChart, type RestSubject } from './rest_subject';
 import { Stack } from './stack';
 
 export interface BodeListener extends CampbellListener {
@@ -123,9 +123,7 @@ export class BodeView implements RestChart {
   }
 
   picture(): Picture {
-    return this.stack.picture(this.title, (pen, width, top, height) =>
-      sketchKeys(this.keys(), pen, width, top, height),
-    );
+    return pictureOf(this.title, this.stack, this.keys());
   }
 
   table(): Table {

@@ -22,7 +22,7 @@ import type { Table } from './panel';
 import {
   lineKey,
   markKey,
-  sketchKeys,
+  pictureOf,
   WHIRL_MARKS,
   whirlColour,
   type Key,
@@ -119,14 +119,20 @@ export class CampbellView implements RestChart {
     if (rest.critical.some(({ kind }) => kind !== 'critical'))
       keys.push(markKey('\u2715', 'threshold', 'threshold of stability', 'cross', (colours) => colours.touch));
     if (rest.order.some((point) => rest.growing(point) > 0))
-      keys.push(lineKey('\u25ae', 'unstable', 'unstable', [], (colours) => colours.contactShade));
+      keys.push({
+        ...{ sign: '\u25ae', kind: 'unstable', text: 'unstable' },
+        draw: (pen, x, y, size, colours) => {
+          pen.fillStyle = colours.contactShade;
+          pen.beginPath();
+          pen.rect(x - 0.5 * size, y - 0.5 * size, size, size);
+          pen.fill();
+        },
+      });
     return keys;
   }
 
   picture(): Picture {
-    return this.stack.picture(this.title, (pen, width, top, height) =>
-      sketchKeys(this.keys(), pen, width, top, height),
-    );
+    return pictureOf(this.title, this.stack, this.keys());
   }
 
   table(): Table {

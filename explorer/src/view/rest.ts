@@ -118,7 +118,9 @@ export class RestView {
     this.title.textContent = this.showNumbers(subject);
     this.numbers.setAttribute('aria-label', this.title.textContent);
     const motion = motionOf(subject);
-    for (const panel of panels) panel.update({ ...subject, motion });
+    // Files are of a station, or of a mode.
+    const info = rest.kind === 'modes' ? { ...subject.info, name: `mode-${modeOf(subject) + 1}` } : subject.info;
+    for (const panel of panels) panel.update({ ...subject, info, motion });
   }
 
   redraw(): void {

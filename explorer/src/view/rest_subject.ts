@@ -93,23 +93,53 @@ export function keyElements(keys: readonly Key[]): HTMLElement[] {
   );
 }
 
-/// A legend in one line under a picture.
-export function sketchKeys(keys: readonly Key[], pen: Pen, width: number, top: number, height: number): void {
+/// A legend under a picture: where its entries stand, in as many lines as they need.
+function placeKeys(keys: readonly Key[], width: number): { readonly x: number; readonly line: number }[] {
+  const size = textSize();
+  const face = font(size);
+  let [x, line] = [0, 0];
+  return keys.map(({ text }) => {
+    const wide = textWidth(text, face) + 3 * size;
+    if (x > 0 && 5 * size + x + wide - size > width) [x, line] = [0, line + 1];
+    const place = { x: 5 * size + x, line };
+    x += wide;
+    return place;
+  });
+}
+
+/// The charts of a stack with their legend.
+export function pictureOf(title: string, stack: Stack, keys: readonly Key[]): Picture {
+  const linesOf = (width: number) => 1 + (placeKeys(keys, width).at(-1)?.line ?? 0);
+  return stack.picture(
+    title,
+    (pen, width, top, height) => sketchKeys(keys, pen, width, top, height, height / linesOf(width)),
+    linesOf,
+  );
+}
+
+function sketchKeys(
+  keys: readonly Key[],
+  pen: Pen,
+  width: number,
+  top: number,
+  height: number,
+  lineHeight: number,
+): void {
   const colours = theme();
   const size = textSize();
   pen.fillStyle = colours.paper;
   pen.beginPath();
   pen.rect(0, top, width, height);
   pen.fill();
-  const face = font(size);
-  let x = 5 * size;
-  for (const { text, draw } of keys) {
-    draw(pen, x, top + height / 2, size, colours);
+  const places = placeKeys(keys, width);
+  keys.forEach(({ text, draw }, i) => {
+    const { x, line } = places[i]!;
+    const y = top + (line + 0.5) * lineHeight;
+    draw(pen, x, y, size, colours);
     pen.fillStyle = colours.ink;
-    pen.font = face;
+    pen.font = font(size);
     pen.textAlign = 'left';
     pen.textBaseline = 'middle';
-    pen.fillText(text, x + 1.1 * size, top + height / 2);
-    x += textWidth(text, face) + 3 * size;
-  }
+    pen.fillText(text, x + 1.1 * size, y);
+  });
 }

@@ -94,15 +94,19 @@ export class Stack {
     this.placeCursors();
   }
 
-  /// Both charts, and below them a legend in the height that it is given.
-  picture(title: string, legend: (pen: Pen, width: number, top: number, height: number) => void): Picture {
+  /// Both charts, and below them a legend of so many lines in the height that it is given.
+  picture(
+    title: string,
+    legend: (pen: Pen, width: number, top: number, height: number) => void,
+    lines: (width: number) => number = () => 1,
+  ): Picture {
     const boxes = [this.main, this.lower].map((chart) => chart.root.getBoundingClientRect());
     const [width, upper, lower] = [
       Math.floor(boxes[0]!.width),
       Math.floor(boxes[0]!.height),
       Math.floor(boxes[1]!.height),
     ];
-    const below = Math.ceil(textSize() * 2);
+    const below = Math.ceil(textSize() * 2) * lines(width);
     const pen = new SvgPen(width, upper + lower + below, title);
     this.main.sketch(pen, width, upper);
     pen.save();
