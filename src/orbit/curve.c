@@ -11,6 +11,7 @@ bool curve_begin(curve *c) {
     c->matrix = calloc(all * all + 2 * all, sizeof *c->matrix);
     if (!c->matrix) return false;
     c->scale = c->matrix + all * all;
+    c->known = false;
     c->values = c->scale + all;
     return true;
 }
@@ -41,6 +42,7 @@ static bool evaluate(void *context, const double *u, double *value, double *deri
     if (!derivative) return true;
     write_row(c, c->direction, derivative + c->count * (c->count + 1));
     memcpy(c->matrix, derivative, (c->count + 1) * (c->count + 1) * sizeof *derivative);
+    c->known = true;
     return true;
 }
 
@@ -53,16 +55,20 @@ static double size_of(void *context, const double *u, const double *value) {
 enum { MOST_STEPS = 8, MOST_HALVINGS = 2 };
 
 newton_result curve_correct(curve *c, const double *direction, double *u) {
+    const size_t all = c->count + 1;
     newton_result result = {.size = INFINITY};
-    double *from = malloc((c->count + 1) * sizeof *from);
+    double *from = malloc((all + all * all) * sizeof *from), *nearby = from + all;
     if (!from) return result;
-    memcpy(from, u, (c->count + 1) * sizeof *from);
+    memcpy(from, u, all * sizeof *from);
+    write_row(c, direction, c->matrix + c->count * all);
+    memcpy(nearby, c->matrix, all * all * sizeof *nearby);
     c->direction = direction;
     c->from = from;
     result = newton_solve(&(newton_problem){.count = c->count + 1,
                                             .context = c,
                                             .evaluate = evaluate,
                                             .size = size_of,
+                                            .nearby = c->known ? nearby : NULL,
                                             .scale = c->scale,
                                             .tolerance = c->tolerance,
                                             .most_steps = MOST_STEPS,

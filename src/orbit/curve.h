@@ -13,6 +13,7 @@ typedef struct curve {
     double tolerance;
     double *scale;  ///< [N + 1] what counts as 1 in lengths along the curve
     double *matrix; ///< [N + 1][N + 1] the derivative at the last point that was found, a direction in the last row
+    bool known;     ///< there was one
     double *values; ///< [N + 1] workspace
     const double *direction, *from; ///< of the search under way
 } curve;

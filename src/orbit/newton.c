@@ -54,10 +54,30 @@ static double go(const newton_problem *p, newton_work *w, double size, double *u
     return INFINITY;
 }
 
+/// Steps by the derivative from nearby, as long as each leaves a quarter of F at most; whether that is all it takes.
+static bool iterate_nearby(const newton_problem *p, newton_work *w, double *u) {
+    double size = measure(p, u, w->value, NULL);
+    for (int k = 0; k < p->most_steps && size > p->tolerance && isfinite(size); k++) {
+        memcpy(w->step, w->value, p->count * sizeof *w->step);
+        memcpy(w->at, u, p->count * sizeof *u);
+        if (!matrix_solve(p->count, p->nearby, 1, w->step)) return false;
+        for (size_t i = 0; i < p->count; i++) u[i] -= w->step[i];
+        const double now = measure(p, u, w->value, NULL);
+        if (!(now <= 0.25 * size)) {
+            if (!(now <= size)) memcpy(u, w->at, p->count * sizeof *u);
+            return false;
+        }
+        size = now;
+    }
+    return size <= p->tolerance;
+}
+
 static newton_result iterate(const newton_problem *p, newton_work *w, double *u) {
+    enum { FAR = 2 }; // what a derivative from nearby that did not do counts for
+    const bool far = p->nearby && !iterate_nearby(p, w, u);
     newton_result result = {.size = measure(p, u, w->value, w->derivative)};
     if (!isfinite(result.size)) return result;
-    for (result.steps = 0; result.steps < p->most_steps; result.steps++) {
+    for (result.steps = far ? FAR : 0; result.steps < p->most_steps; result.steps++) {
         result.found = result.size <= p->tolerance;
         if (result.found) return result;
         memcpy(w->step, w->value, p->count * sizeof *w->step);

@@ -13,6 +13,9 @@ typedef struct newton_problem {
     bool (*evaluate)(void *context, const double *u, double *value, double *derivative);
     /// The largest of F over what counts as 1 in it.
     double (*size)(void *context, const double *u, const double *value);
+    /// [count][count] NULL, or a derivative from nearby, with which steps are taken for as long as they lead on well:
+    /// they cost no derivative.
+    const double *nearby;
     const double *scale; ///< [count] what counts as 1 in u; NULL: 1
     double tolerance;    ///< of that size
     int most_steps, most_halvings;
