@@ -31,7 +31,8 @@ typedef struct whirl_orbit_options {
     int most_steps;   ///< of Newton's method
 } whirl_orbit_options;
 
-/// dop853 with rtol 1e-13, one segment, tolerance 1e-12, 25 steps.
+/// dop853 with rtol 1e-13 and contacts looked for at 512 instants of a revolution, one segment, tolerance 1e-12, 25
+/// steps.
 whirl_orbit_options whirl_orbit_default(void);
 
 /// A Floquet multiplier, by which a small disturbance changes over the orbit's period; of an equilibrium an eigenvalue
@@ -128,8 +129,9 @@ typedef struct whirl_branch_point {
     double angle; ///< of the pair's multipliers at a Neimark-Sacker point, rad; of a torus its rotation per period
     /// Cubic coefficient of the normal form at doublings, Neimark-Sacker and Hopf points (Kuznetsov 2004, 5.4, with
     /// eigenvectors of length 1; of doublings with the other sign): below 0 what begins there lies where the orbit is
-    /// unstable, and is stable if nothing else is not (supercritical); above 0 it lies where the orbit is stable, and the
-    /// loss of it is sudden. NaN where it is not known: of other points, near a third or a fourth of a turn, on curves.
+    /// unstable, and is stable if nothing else is not (supercritical); above 0 it lies where the orbit is stable, and
+    /// the loss of it is sudden. NaN where it is not known: of other points, near a third or a fourth of a turn, on
+    /// curves.
     double criticality;
     size_t touch; ///< at a graze, which of the orbit's touches
     whirl_orbit *orbit;

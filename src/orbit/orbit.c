@@ -12,6 +12,7 @@ whirl_orbit_options whirl_orbit_default(void) {
     whirl_orbit_options options = {
         .integrate = whirl_integrate_default(), .segments = 1, .tolerance = 1e-12, .most_steps = 25};
     strcpy(options.integrate.method, "dop853");
+    options.integrate.steps_per_revolution = 512; // instants at which contacts are looked for
     options.integrate.rtol = 1e-13;
     options.integrate.atol = 1e-15;
     return options;

@@ -104,7 +104,7 @@ static void see(watch *w, double t, const double *x, double h) {
     whirl_orbit *orbit = w->orbit;
     const size_t d = orbit->dimension;
     memcpy(w->x2, x, d * sizeof *x);
-    slope_at(w, t, x, w->slope2);
+    if (orbit->touch_count > 0) slope_at(w, t, x, w->slope2);
     for (size_t k = 0; k < orbit->touch_count; k++) look_at(w, k, t, h);
     for (size_t i = 0; i < d; i++) {
         orbit->low[i] = fmin(orbit->low[i], x[i]);
