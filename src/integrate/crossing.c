@@ -8,7 +8,7 @@
 
 #include "whirl/system.h"
 
-enum { DEGREE = 8, CHECKS = 2, SAMPLES = DEGREE + 1 + CHECKS, MAX_DEPTH = 14, MAX_REFINEMENTS = 80 };
+enum { DEGREE = CROSSING_DEGREE, CHECKS = 2, SAMPLES = DEGREE + 1 + CHECKS, MAX_DEPTH = 14, MAX_REFINEMENTS = 80 };
 _Static_assert(SAMPLES + 1 == CROSSING_ROWS, "a row for every sample and one for what is refined");
 
 /// (1 - cos(j pi/8))/2, then two points between them, at which the polynomial is held against the function.
@@ -151,6 +151,7 @@ static bool search_one(const crossing_search *search, size_t index, double *thet
     const double *samples = search->work + index;
     suspect s = {search, index, DEGREE, samples[0], 0.0};
     double values[SAMPLES], c[DEGREE + 1], size = 0.0;
+    if (search->held[index] == CROSSING_ALONG) return false;
     for (int j = 0; j < SAMPLES; j++) {
         values[j] = samples[(size_t)j * search->count] - (search->held[index] > 0 ? s.begin : 0.0);
         size = fabs(values[j]) > size ? fabs(values[j]) : size;

@@ -13,12 +13,12 @@ typedef struct crossing_search {
     void *context;
     size_t count;
     /// [count] 0; 1 for a function that begins at zero, 2 where its derivative begins at zero, too: the zero at theta =
-    /// 0 is not one that is looked for.
+    /// 0 is not one that is looked for. CROSSING_ALONG: no zero of this function is.
     const int *held;
     double *work; ///< [CROSSING_ROWS][count]
 } crossing_search;
 
-enum { CROSSING_ROWS = 12 };
+enum { CROSSING_ROWS = 12, CROSSING_DEGREE = 8, CROSSING_ALONG = CROSSING_DEGREE + 1 };
 
 /// The first zero: true with its place and the function's index. Two zeros in one step, where a function only dips
 /// below zero, are seen: every function is replaced by a polynomial, whose Bernstein coefficients bound it.

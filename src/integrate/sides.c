@@ -1,6 +1,7 @@
 // On which sides of its switches a motion is, what happens at their zeros, and sliding along them (Filippov 1988).
 #include <float.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "stepper.h"
@@ -178,6 +179,51 @@ static bool goes(const departure *d, double side) {
     return side * (d->level ? d->bend : d->rate) > 0.0;
 }
 
+/// Slopes of a step of a trial, and two states.
+enum { TRIAL_ROWS = 6, TRIAL_STEPS = 8 };
+
+/// Carries x by a classical Runge-Kutta step of length h from t, on the present sides; rows: four slopes, a state.
+static void trial_step(stepper *c, double t, double h, double *x, double *rows) {
+    static const double shares[4] = {0.0, 0.5, 0.5, 1.0}, weights[4] = {1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0};
+    const size_t n = c->dimension;
+    double *at = rows + 4 * n;
+    for (size_t k = 0; k < 4; k++) {
+        for (size_t d = 0; d < n; d++) at[d] = x[d] + (k > 0 ? shares[k] * h * rows[(k - 1) * n + d] : 0.0);
+        stepper_slope(c, t + shares[k] * h, at, rows + k * n);
+    }
+    for (size_t k = 0; k < 4; k++)
+        for (size_t d = 0; d < n; d++) x[d] += weights[k] * h * rows[k * n + d];
+}
+
+/// Where first and second derivatives tell nothing: whether the function goes the way of `side` a little later, by so
+/// many steps, all the more.
+static bool goes_later(stepper *c, size_t which, double side, double *rows) {
+    const size_t n = c->dimension;
+    const double h = c->system->period / (64.0 * TRIAL_STEPS), kept = c->sides[which];
+    double *x = rows + 5 * n, half = 0.0;
+    c->sides[which] = side;
+    memcpy(x, c->x, n * sizeof *x);
+    for (int k = 0; k < TRIAL_STEPS; k++) {
+        trial_step(c, c->t + k * h, h, x, rows);
+        if (2 * (k + 1) == TRIAL_STEPS) half = side * value_of(c, which, c->t + (k + 1) * h, x);
+    }
+    const double whole = side * value_of(c, which, c->t + TRIAL_STEPS * h, x);
+    c->sides[which] = kept;
+    return whole > half && half > 0.0;
+}
+
+/// Takes the side that the motion will be on. So near to the switch that rounding moves it to and fro it counts as on
+/// that side, for the length of a step.
+static void try_sides(stepper *c, size_t which) {
+    double *rows = calloc(TRIAL_ROWS * c->dimension, sizeof *rows);
+    c->held[which] = CROSSING_ALONG;
+    if (rows && goes_later(c, which, 1.0, rows))
+        c->sides[which] = 1.0;
+    else if (rows && goes_later(c, which, -1.0, rows))
+        c->sides[which] = -1.0;
+    free(rows);
+}
+
 static bool can_slide(const stepper *c) {
     return c->system->rhs_on_sides && c->system->switch_gradient && c->sliding_count < MAX_SLIDING;
 }
@@ -219,8 +265,10 @@ void stepper_cross(stepper *c, size_t which) {
     } else if (goes(onward, -from)) {
         c->sides[which] = -from;
         c->held[which] = onward->level ? 2 : 1;
-    } else {
+    } else if (goes(back, from)) {
         c->held[which] = back->level ? 2 : 1;
+    } else {
+        try_sides(c, which);
     }
 }
 
@@ -242,6 +290,8 @@ void stepper_find_sides(stepper *c) {
             const departure *taken = goes(&above, 1.0) ? &above : &below;
             c->sides[i] = taken == &above ? 1.0 : -1.0;
             c->held[i] = taken->level ? 2 : 1;
+        } else {
+            try_sides(c, i);
         }
     }
 }

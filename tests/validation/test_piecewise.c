@@ -341,10 +341,71 @@ static void l4_disturbances(void **unused) {
     whirl_rotor_free(rotor);
 }
 
+// ---------------------------------------------------------------- L5: from rest on the seat
+
+/// A mass at rest on its seat's switch, which moves only as a second, forced one pulls it: its distance begins like t^4
+/// (no rate and no bend tell the side). With equal slopes it moves as on a spring; with unequal ones as from 1e-10
+/// aside.
+static void l5_from_rest_on_the_switch(void **unused) {
+    static const double masses[] = {1.0, 1.0};
+    static const char *const methods[] = {"dop853", "rodas5p", "rk4"};
+    const part pull = {"spring", {{"between", 0.0, "upper, lower"}, {"along", 0.0, "y"}, {"stiffness", 1.0, NULL}}};
+    const part force = {"unbalance", {{"at", 0.0, "lower"}, {"moment", 0.3, NULL}}};
+    const part seats[] = {
+        {"spring", {{"between", 0.0, "upper, ground"}, {"along", 0.0, "y"}, {"stiffness", 4.0, NULL}}},
+        {"looseness", {{"between", 0.0, "upper, ground"}, {"stiffness", 4.0, NULL}, {"loose_stiffness", 4.0, NULL}}},
+        {"looseness", {{"between", 0.0, "upper, ground"}, two_slopes[0], two_slopes[1]}}};
+    double ends[3][3][4];
+    (void)unused;
+    for (size_t seat = 0; seat < 3; seat++) {
+        const part parts[] = {seats[seat], pull, force};
+        whirl_rotor *rotor = make_rotor(masses, 2, parts, 3);
+        for (size_t m = 0; m < 3; m++) {
+            whirl_integrator *integrator = make(rotor, methods[m]);
+            double *x = ends[seat][m], aside[4] = {1e-10, 0.0, 0.0, 0.0}, apart = 0.0;
+            memset(x, 0, sizeof ends[seat][m]);
+            for (int i = 0; i < 3; i++) {
+                assert_int_equal(whirl_integrator_revolve(integrator, x, NULL, NULL), WHIRL_BOUNDED);
+                assert_int_equal(whirl_integrator_revolve(integrator, aside, NULL, NULL), WHIRL_BOUNDED);
+            }
+            for (size_t d = 0; d < 4; d++) apart = fmax(apart, fabs(x[d] - aside[d]));
+            check_within("L5", words("%s, seat %zu: from rest and from 1e-10 aside", methods[m], seat + 1), 0.0, apart,
+                         2e-9);
+            whirl_integrator_free(integrator);
+        }
+        whirl_rotor_free(rotor);
+    }
+    for (size_t m = 0; m < 3; m++) {
+        double apart = 0.0;
+        for (size_t d = 0; d < 4; d++) apart = fmax(apart, fabs(ends[1][m][d] - ends[0][m][d]));
+        check_within("L5", words("%s, equal slopes and a spring", methods[m]), 0.0, apart, 1e-10);
+    }
+    check_holds("L5", "it moves", fabs(ends[2][0][0]) > 0.01);
+}
+
+/// A mass that nothing moves stays where it is, on the switch.
+static void l5_nothing_moves(void **unused) {
+    static const double one = 1.0;
+    const part seat = {"looseness", {{"between", 0.0, "upper, ground"}, two_slopes[0], two_slopes[1]}};
+    whirl_rotor *rotor = make_rotor(&one, 1, &seat, 1);
+    (void)unused;
+    for (size_t m = 0; m < 2; m++) {
+        whirl_integrator *integrator = make(rotor, m == 0 ? "dop853" : "rodas5p");
+        double x[2] = {0.0};
+        for (int i = 0; i < 10; i++)
+            assert_int_equal(whirl_integrator_revolve(integrator, x, NULL, NULL), WHIRL_BOUNDED);
+        check_within("L5", "nothing moves it", 0.0, hypot(x[0], x[1]), 1e-300);
+        whirl_integrator_free(integrator);
+    }
+    whirl_rotor_free(rotor);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(l1_seat_on_ground), cmocka_unit_test(l1_seat_on_station), cmocka_unit_test(l2_three_slopes),
-        cmocka_unit_test(l3_play),           cmocka_unit_test(l4_disturbances),
+        cmocka_unit_test(l1_seat_on_ground), cmocka_unit_test(l1_seat_on_station),
+        cmocka_unit_test(l2_three_slopes),   cmocka_unit_test(l3_play),
+        cmocka_unit_test(l4_disturbances),   cmocka_unit_test(l5_from_rest_on_the_switch),
+        cmocka_unit_test(l5_nothing_moves),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
