@@ -57,12 +57,6 @@ static whirl_status try_step(follower *f, walk *w, bool *good) {
     return status;
 }
 
-/// Steps grow while Newton's method finds orbits with ease.
-static void choose_step(const follower *f, walk *w) {
-    const double factor = w->next.steps <= 3 ? 1.5 : w->next.steps <= 4 ? 1.1 : 0.6;
-    w->step = fmin(fmax(w->step * factor, f->options->least_step), f->options->most_step);
-}
-
 /// The last point, where the parameter is at its bound.
 static whirl_status end_at_bound(follower *f, walk *w) {
     const whirl_branch_options *o = f->options;
@@ -114,7 +108,7 @@ static whirl_status go_on(follower *f, walk *w, bool *ended) {
     if (f->options->special) status = special_locate(f, &w->now, &w->next, w->step);
     if (status.code == WHIRL_OK) status = add_waypoint(f, &w->next);
     if (status.code != WHIRL_OK) return status;
-    choose_step(f, w);
+    w->step = fmin(fmax(w->step * w->next.pace, f->options->least_step), f->options->most_step);
     exchange(&w->now, &w->next);
     equations_put(&f->equations, w->now.u);
     equations_begin_at(&f->equations, f->equations.nodes);

@@ -78,6 +78,10 @@ newton_result curve_correct(curve *c, const double *direction, double *u) {
     return result;
 }
 
+double curve_pace(const newton_result *result) {
+    return result->steps <= 3 ? 1.5 : result->steps <= 4 ? 1.1 : 0.6;
+}
+
 // ---------------------------------------------------------------- directions
 
 static bool make_unit(const curve *c, double *a) {

@@ -28,6 +28,9 @@ double curve_dot(const curve *c, const double *a, const double *b);
 /// Carries u [N + 1] to the curve, across `direction`: by steps that have no part along it.
 newton_result curve_correct(curve *c, const double *direction, double *u);
 
+/// By what the next step may be longer: more where Newton's method found the point with ease.
+double curve_pace(const newton_result *result);
+
 /// The curve's direction at the last point found, of length 1, on the side of `along`. False where the equations'
 /// derivative loses more than one rank.
 bool curve_tangent(curve *c, const double *along, double *tangent);

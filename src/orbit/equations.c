@@ -59,6 +59,14 @@ void equations_take(const orbit_equations *e, const double *nodes, double *u) {
         for (size_t i = 0; i < s->kept_count; i++) u[j * s->kept_count + i] = nodes[j * s->dimension + s->kept[i]];
 }
 
+void equations_scale(const orbit_equations *e, double span, double *scale) {
+    const size_t nodes = e->s->count * e->s->kept_count, n = equations_count(e);
+    const double size = shooting_size(e->s, e->nodes);
+    for (size_t i = 0; i < nodes; i++) scale[i] = (size > 0.0 ? size : 1.0) * sqrt((double)e->s->count);
+    for (size_t i = nodes; i < n; i++) scale[i] = e->s->period;
+    if (e->family) scale[n] = span;
+}
+
 void equations_begin_at(orbit_equations *e, const double *x) {
     const whirl_system *system = e->s->system;
     double forcing[WHIRL_MAX_FORCING];

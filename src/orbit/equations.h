@@ -37,6 +37,10 @@ double equations_period(const orbit_equations *e, const double *u);
 void equations_take(const orbit_equations *e, const double *nodes, double *u);
 void equations_put(orbit_equations *e, const double *u);
 
+/// What counts as 1 in lengths along a branch: of nodes, on average, the orbit's own size; its period; the span of the
+/// parameter. scale [unknowns]
+void equations_scale(const orbit_equations *e, double span, double *scale);
+
 /// Lets the first node be where the orbit is nearest to x.
 void equations_begin_at(orbit_equations *e, const double *x);
 

@@ -25,18 +25,8 @@ void waypoint_free(waypoint *p) {
 
 // ---------------------------------------------------------------- the follower
 
-/// What counts as 1 along the branch: of nodes, on average, the orbit's own size; its period; the parameter's span.
-static void set_scale(follower *f) {
-    const orbit_equations *e = &f->equations;
-    const size_t nodes = e->s->count * e->s->kept_count, all = equations_unknowns(e);
-    const double size = shooting_size(e->s, e->nodes);
-    for (size_t i = 0; i < nodes; i++) f->curve.scale[i] = (size > 0.0 ? size : 1.0) * sqrt((double)e->s->count);
-    for (size_t i = nodes; i + 1 < all; i++) f->curve.scale[i] = e->s->period;
-    f->curve.scale[all - 1] = f->options->to - f->options->from;
-}
-
 void follower_scale(follower *f, double *tangent) {
-    set_scale(f);
+    equations_scale(&f->equations, f->options->to - f->options->from, f->curve.scale);
     const double length = sqrt(curve_dot(&f->curve, tangent, tangent));
     for (size_t i = 0; i <= f->curve.count; i++) tangent[i] /= length;
 }
@@ -62,7 +52,7 @@ whirl_status follower_begin(follower *f, const whirl_family *family, const whirl
     f->branch = calloc(1, sizeof *f->branch);
     if (!f->branch || !curve_begin(&f->curve)) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a branch");
     memcpy(e->nodes, start->nodes, e->s->count * e->s->dimension * sizeof *e->nodes);
-    set_scale(f);
+    equations_scale(e, options->to - options->from, f->curve.scale);
     equations_begin_at(e, start->nodes);
     return status;
 }
@@ -97,7 +87,7 @@ whirl_status follower_find(follower *f, const double *u, const double *direction
     out->orbit = NULL;
     memcpy(out->u, u, all * sizeof *u);
     const newton_result result = curve_correct(&f->curve, direction, out->u);
-    out->steps = result.steps;
+    out->pace = curve_pace(&result);
     if (!result.found || !curve_tangent(&f->curve, along, out->tangent)) return whirl_ok();
     return orbit_describe(e->s, e->nodes, equations_period(e, out->u), result.size, &out->orbit);
 }

@@ -9,7 +9,7 @@
 typedef struct waypoint {
     double *u, *tangent; ///< [unknowns]
     whirl_orbit *orbit;
-    int steps; ///< of Newton's method that it took
+    double pace; ///< curve_pace
 } waypoint;
 
 typedef struct follower {

@@ -98,16 +98,6 @@ static double size_of(void *context, const double *u, const double *value) {
 
 // ---------------------------------------------------------------- the walk
 
-static void set_scale(walk *w) {
-    const orbit_equations *e = &w->equations;
-    const size_t nodes = e->s->count * e->s->kept_count, n = equations_count(e);
-    const double size = shooting_size(e->s, e->nodes);
-    for (size_t i = 0; i < nodes; i++) w->curve.scale[i] = (size > 0.0 ? size : 1.0) * sqrt((double)e->s->count);
-    for (size_t i = nodes; i < n; i++) w->curve.scale[i] = e->s->period;
-    w->curve.scale[n] = w->options->to - w->options->from;
-    w->curve.scale[n + 1] = w->high - w->low;
-}
-
 static whirl_status add_point(walk *w) {
     const size_t n = equations_count(&w->equations);
     whirl_branch *b = w->branch;
@@ -156,8 +146,7 @@ static whirl_status go_on(walk *w, bool *ended) {
         if (*ended) return whirl_ok();
         w->step = fmax(0.5 * w->step, o->least_step);
     }
-    const double factor = result.steps <= 3 ? 1.5 : result.steps <= 4 ? 1.1 : 0.6;
-    w->step = fmin(fmax(w->step * factor, o->least_step), o->most_step);
+    w->step = fmin(fmax(w->step * curve_pace(&result), o->least_step), o->most_step);
     *ended = !is_within(w, w->u);
     w->branch->end = WHIRL_END_OF_RANGE;
     if (*ended) return whirl_ok();
@@ -209,7 +198,8 @@ static whirl_status prepare(walk *w, const whirl_branch_point *start) {
     w->below = w->above + all;
     w->orbit_derivative = w->below + all;
     memcpy(e->nodes, orbit->nodes, e->s->count * e->s->dimension * sizeof *e->nodes);
-    set_scale(w);
+    equations_scale(e, w->options->to - w->options->from, w->curve.scale);
+    w->curve.scale[n + 1] = w->high - w->low;
     equations_begin_at(e, orbit->nodes);
     return status;
 }
