@@ -57,8 +57,9 @@ enum { MOST_STEPS = 8, MOST_HALVINGS = 2 };
 newton_result curve_correct(curve *c, const double *direction, double *u) {
     const size_t all = c->count + 1;
     newton_result result = {.size = INFINITY};
-    double *from = malloc((all + all * all) * sizeof *from), *nearby = from + all;
+    double *from = malloc((all + all * all) * sizeof *from);
     if (!from) return result;
+    double *nearby = from + all;
     memcpy(from, u, all * sizeof *from);
     write_row(c, direction, c->matrix + c->count * all);
     memcpy(nearby, c->matrix, all * all * sizeof *nearby);

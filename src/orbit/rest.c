@@ -8,8 +8,10 @@
 
 bool rest_slope(shooting *s, const double *node, double *slope, bool derivatives) {
     const size_t d = s->dimension, n = s->kept_count;
-    double *all = malloc((d + d * d + 1) * sizeof *all), *jacobian = all + d;
-    bool good = all && whirl_rest_slope(s->system, node, all, jacobian).code == WHIRL_OK;
+    double *all = malloc((d + d * d + 1) * sizeof *all);
+    if (!all) return false;
+    const double *jacobian = all + d;
+    bool good = whirl_rest_slope(s->system, node, all, all + d).code == WHIRL_OK;
     for (size_t i = 0; i < n && good; i++) {
         slope[i] = all[s->kept[i]];
         good = isfinite(slope[i]);
