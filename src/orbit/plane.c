@@ -93,7 +93,7 @@ static bool evaluate(void *context, const double *u, double *value, double *deri
 static double size_of(void *context, const double *u, const double *value) {
     walk *w = context;
     const double orbit = equations_size(&w->equations, u, value);
-    return fmax(orbit, 1e-2 * w->options->orbit.tolerance / 1e-12 * fabs(value[equations_count(&w->equations)]));
+    return fmax(orbit, 1e10 * w->options->orbit.tolerance * fabs(value[equations_count(&w->equations)]));
 }
 
 // ---------------------------------------------------------------- the walk
