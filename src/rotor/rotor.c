@@ -150,7 +150,8 @@ static void add_numbers(whirl_rotor *rotor, const building *b) {
 
 /// The body's terms, scaled as coordinates are.
 static void scale_body(assembly *of) {
-    for (body_term *term = of->body.terms; term < of->body.terms + of->body.count; term++) {
+    for (size_t i = 0; i < of->body.count; i++) {
+        body_term *term = &of->body.terms[i];
         term->number /= of->inertia[term->row] * of->unit[term->row];
         if (term->kind.source != BODY_ONE) term->number *= of->unit[term->column];
     }
