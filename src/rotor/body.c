@@ -100,7 +100,8 @@ static size_t unite(const body_row *rows, size_t count, body_input *inputs) {
 static bool is_dense(const body_row *rows, size_t count, body_input *inputs) {
     const size_t united = unite(rows, count, inputs);
     size_t common = 0, own[PANEL_ROWS] = {0};
-    for (const body_input *input = inputs; input < inputs + united; input++) {
+    for (size_t k = 0; k < united; k++) {
+        const body_input *input = &inputs[k];
         common += input->rows > 1;
         for (size_t r = 0; r < count; r++) own[r] += input->rows > 1 && input->term[r];
     }

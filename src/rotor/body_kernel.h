@@ -130,7 +130,8 @@ static void trace_part(const body_panels *of, const body_panel *panel, const bod
 
 /// Shafts of finite elements: numbers that all lanes share, times the rates of each, whose steps are a machine's.
 static void pass_body(const body_panels *of, const vec *steps, const block *b) {
-    for (const body_panel *panel = of->panels; panel < of->panels + of->count; panel++) {
+    for (size_t p = 0; p < of->count; p++) {
+        const body_panel *panel = &of->panels[p];
         const bool steady = panel->value == BODY_STEADY;
         panel_work w = {.q = b->q,
                         .v = b->v,

@@ -39,7 +39,8 @@ static size_t number_coupled(coupling *out, const assembly *from) {
     for (size_t d = 0; d < from->degrees; d++) first[d] = d;
     for (bool changed = true; changed;) {
         changed = false;
-        for (const mass_term *term = from->masses; term < from->masses + from->mass_count; term++) {
+        for (size_t k = 0; k < from->mass_count; k++) {
+            const mass_term *term = &from->masses[k];
             const size_t one = first[term->row], other = first[term->by], lower = one < other ? one : other;
             changed = changed || one != other;
             first[term->row] = first[term->by] = lower;

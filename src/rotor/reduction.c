@@ -120,12 +120,14 @@ void reduction_matrices(const assembly *of, size_t count, const size_t *coordina
     memset(stiffness, 0, n * n * sizeof *stiffness);
     memset(mass, 0, n * n * sizeof *mass);
     for (size_t i = 0; i < n; i++) mass[i * n + i] = of->inertia[coordinate[i]];
-    for (const body_term *term = of->body.terms; term < of->body.terms + of->body.count; term++) {
+    for (size_t k = 0; k < of->body.count; k++) {
+        const body_term *term = &of->body.terms[k];
         if (!is_mean_stiffness(term) || local[term->row] == NO_COORDINATE || local[term->column] == NO_COORDINATE)
             continue;
         stiffness[local[term->row] * n + local[term->column]] -= term->number;
     }
-    for (const mass_term *term = of->masses; term < of->masses + of->mass_count; term++) {
+    for (size_t k = 0; k < of->mass_count; k++) {
+        const mass_term *term = &of->masses[k];
         const size_t i = local[term->row], j = local[term->by];
         if (i == NO_COORDINATE || j == NO_COORDINATE) continue;
         mass[i * n + j] += term->mass;
@@ -311,10 +313,12 @@ static void reduce_kind(const reducing *r, const body *old, body_kind kind, doub
     double whole = 1.0;
     const blend one = {1, &zero, &whole};
     memset(matrix, 0, n * n * sizeof *matrix);
-    for (const body_term *term = old->terms; term < old->terms + old->count; term++)
+    for (size_t k = 0; k < old->count; k++) {
+        const body_term *term = &old->terms[k];
         if (body_compare_kinds(term->kind, kind) == 0)
             spread_over(&r->old[term->row], kind.source == BODY_ONE ? &one : &r->old[term->column], term->number, n,
                         matrix);
+    }
     find_largest(matrix, n, largest);
     for (size_t i = 0; i < n; i++)
         for (size_t j = 0; j < n; j++)

@@ -159,8 +159,8 @@ static void scale_body(assembly *of) {
 
 static bool add_body(whirl_rotor *rotor, const assembly *from) {
     if (!body_gather(&from->body, &rotor->body)) return false;
-    for (const body_panel *panel = rotor->body.panels; panel < rotor->body.panels + rotor->body.count; panel++)
-        if (panel->value != BODY_STEADY) rotor->lanes.modulated = true;
+    for (size_t i = 0; i < rotor->body.count; i++)
+        if (rotor->body.panels[i].value != BODY_STEADY) rotor->lanes.modulated = true;
     rotor->begun = body_begin(&rotor->body, 2 * from->plane_count, from->degrees);
     return true;
 }

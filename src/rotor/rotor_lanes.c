@@ -80,9 +80,11 @@ static void depend_on_part(const body_panels *in, const body_panel *panel, const
 }
 
 static void depend_on_body(const body_panels *in, size_t degrees, size_t width, bool *table) {
-    for (const body_panel *panel = in->panels; panel < in->panels + in->count; panel++)
+    for (size_t p = 0; p < in->count; p++) {
+        const body_panel *panel = &in->panels[p];
         for (size_t i = 0; i < panel->part_count; i++)
             depend_on_part(in, panel, &in->parts[panel->first_part + i], degrees, width, table);
+    }
 }
 
 static void lane_depends(const void *model, bool *table) {
@@ -90,7 +92,8 @@ static void lane_depends(const void *model, bool *table) {
     const coupling *coupled = &rotor->coupled;
     const size_t degrees = rotor->lanes.degrees, width = rotor->system.dimension;
     for (size_t d = 0; d < 2 * rotor->plane_count; d++) table[d * width + degrees + d] = true;
-    for (const linear_term *term = rotor->terms; term < rotor->terms + rotor->term_count; term++) {
+    for (size_t i = 0; i < rotor->term_count; i++) {
+        const linear_term *term = &rotor->terms[i];
         if (term->source == SOURCE_PLACE) table[term->row * width + term->column] = true;
         if (term->source == SOURCE_VELOCITY) table[term->row * width + degrees + term->column] = true;
     }
