@@ -21,6 +21,7 @@
 #include "whirl/status.h"
 #include "whirl/study.h"
 #include "whirl/system.h"
+#include "whirl/torus.h"
 #include "whirl/verify.h"
 #include "whirl/version.h"
 #include "whirl/watched.h"

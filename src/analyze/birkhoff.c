@@ -5,12 +5,8 @@
 // Nonlinearity 31 (2018) 491). A motion that still settles disagrees as well.
 #include <math.h>
 
+#include "birkhoff.h"
 #include "section.h"
-
-double birkhoff_weight(size_t n, size_t count) {
-    const double t = (double)(n + 1) / (double)(count + 1);
-    return exp(-1.0 / (t * (1.0 - t)));
-}
 
 /// Weighted averages of one coordinate and of its square about `centre` over `count` points from `first`.
 typedef struct moments {

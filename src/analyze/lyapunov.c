@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "analysis.h"
+#include "birkhoff.h"
 #include "section.h"
 
 /// A disturbance that vanished altogether has shrunk at least to the smallest double.

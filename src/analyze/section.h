@@ -53,9 +53,6 @@ double drift_round(const section *all, const recurrence *returns, double size);
 
 // ---------------------------------------------------------------- birkhoff.c
 
-/// The weight exp(-1/(t (1 - t))) of item n of count, t = (n + 1)/(count + 1).
-double birkhoff_weight(size_t n, size_t count);
-
 /// What weighted averages over the two halves of the section say.
 typedef struct regularity {
     double digits; ///< decimal digits to which the averages agree, at most 16

@@ -1,0 +1,34 @@
+/// The map from one section to the next but k, with its derivative.
+#ifndef ORBIT_SECTION_MAP_H
+#define ORBIT_SECTION_MAP_H
+
+#include "whirl/integrate.h"
+#include "whirl/status.h"
+
+typedef struct section_map {
+    size_t revolutions;
+    size_t dimension;
+    size_t count; ///< of coordinates that do not turn on and on: a point of a section
+    size_t *kept; ///< [count] which these are
+    whirl_integrator *integrator;
+    double *rest;    ///< [dimension] turning coordinates at every section
+    double *state;   ///< [dimension] workspace
+    double *vectors; ///< [count][dimension] workspace
+} section_map;
+
+/// Makes that of a system over so many revolutions. WHIRL_BAD_INPUT where its angles do not come back after them, where
+/// it gives no Jacobian, and as whirl_integrator_new; WHIRL_NO_MEMORY. Freed by section_map_free, NULL included.
+whirl_status section_map_new(const whirl_system *system, const whirl_integrate_options *options, size_t revolutions,
+                             section_map **out);
+void section_map_free(section_map *map);
+
+/// A state's point, and a point's state.
+void section_map_take(const section_map *map, const double *state, double *point);
+void section_map_put(const section_map *map, const double *point, double *state);
+
+/// Where points [many][count] go: images [many][count] and, unless NULL, their derivatives [many][count][count] and the
+/// mean of the integrals of the divergence (as whirl_disturbances have it). False where a motion is not bounded.
+bool section_map_carry(section_map *map, size_t many, const double *points, double *images, double *derivatives,
+                       double *volume);
+
+#endif

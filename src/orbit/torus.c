@@ -1,0 +1,100 @@
+// Tori of one machine.
+#include "whirl/torus.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "newton.h"
+#include "torus_describe.h"
+#include "torus_options.h"
+#include "torus_start.h"
+
+whirl_torus_options whirl_torus_default(void) {
+    return (whirl_torus_options){.integrate = whirl_orbit_default().integrate,
+                                 .tolerance = 1e-11,
+                                 .accuracy = 1e-7,
+                                 .most_steps = 15,
+                                 .most_nodes = 127};
+}
+
+whirl_status torus_check_options(const whirl_torus_options *o) {
+    if (!(o->tolerance > 0.0 && o->accuracy > o->tolerance && isfinite(o->accuracy)))
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "a torus to %g at its nodes and %g between them, expected numbers above 0, the second one "
+                          "larger",
+                          o->tolerance, o->accuracy);
+    if (o->most_nodes < WHIRL_LEAST_TORUS_NODES || o->most_nodes > WHIRL_MOST_TORUS_NODES || o->most_nodes % 2 == 0)
+        return whirl_fail(WHIRL_BAD_INPUT, "a torus of at most %zu nodes, expected an odd number from %d to %d",
+                          o->most_nodes, WHIRL_LEAST_TORUS_NODES, WHIRL_MOST_TORUS_NODES);
+    if (o->most_steps < 1)
+        return whirl_fail(WHIRL_BAD_INPUT, "a torus in %d steps of Newton's method, expected 1 or more", o->most_steps);
+    return whirl_ok();
+}
+
+static whirl_status check(const whirl_system *system, const double *points, size_t count, double rotation,
+                          const whirl_torus_options *options) {
+    if (count < WHIRL_LEAST_TORUS_SECTIONS)
+        return whirl_fail(WHIRL_BAD_INPUT, "a torus from %zu sections, expected %d or more", count,
+                          WHIRL_LEAST_TORUS_SECTIONS);
+    if (isfinite(rotation) && !(fabs(rotation) <= 1.0))
+        return whirl_fail(WHIRL_BAD_INPUT, "a torus of rotation number %g, expected -1 to 1", rotation);
+    for (size_t i = 0; i < count * system->dimension; i++)
+        if (!isfinite(points[i])) return whirl_fail(WHIRL_BAD_INPUT, "section %zu is not finite", i / system->dimension);
+    return torus_check_options(options);
+}
+
+/// Carries *u, which grows with the number of nodes, to a torus as accurate as the options ask.
+static whirl_status solve(torus_equations *e, double **u, whirl_torus **out) {
+    const whirl_torus_options *o = e->options;
+    for (;;) {
+        torus_equations_refer(e, *u);
+        const newton_result result = newton_solve(&(newton_problem){.count = torus_equations_count(e),
+                                                                    .context = e,
+                                                                    .evaluate = torus_equations_evaluate,
+                                                                    .size = torus_equations_size,
+                                                                    .tolerance = o->tolerance,
+                                                                    .most_steps = o->most_steps,
+                                                                    .most_halvings = 6},
+                                                  *u);
+        if (!result.found)
+            return whirl_fail(WHIRL_BAD_INPUT,
+                              "no torus was found: after %d steps of Newton's method its curve of %zu nodes is carried "
+                              "onto itself but for %.3g of its size, expected %.3g",
+                              result.steps, e->count, result.size, o->tolerance);
+        whirl_status status = torus_describe(e, *u, result.size, out);
+        if (status.code != WHIRL_OK || (*out)->error <= o->accuracy) return status;
+        const size_t before = e->count, wanted = torus_nodes_wanted(e, *u, (*out)->error);
+        if (wanted <= before) {
+            char why[WHIRL_MESSAGE_SIZE];
+            torus_say_rough(e, *out, why, sizeof why);
+            status = whirl_fail(WHIRL_BAD_INPUT, "no torus: %s", why);
+        }
+        whirl_torus_free(*out);
+        *out = NULL;
+        if (status.code != WHIRL_OK) return status;
+        double *finer = calloc(wanted * e->n + 2, sizeof *finer);
+        const bool good = finer && torus_resample(e, before, *u, wanted, finer) && torus_equations_resize(e, wanted);
+        free(*u);
+        *u = finer;
+        if (!good) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a torus of %zu nodes", wanted);
+    }
+}
+
+whirl_status whirl_torus_find(const whirl_system *system, const double *points, size_t count, size_t revolutions,
+                              double rotation, const whirl_torus_options *options, whirl_torus **torus) {
+    torus_equations e = {.map = NULL};
+    double *u = NULL;
+    *torus = NULL;
+    whirl_status status = check(system, points, count, rotation, options);
+    if (status.code != WHIRL_OK) return status;
+    const double *last = points + (count - 1) * system->dimension;
+    status = torus_equations_make(&e, system, NULL, 0.0, options, revolutions, system->dimension, last);
+    if (status.code == WHIRL_OK && e.n < 2)
+        status = whirl_fail(WHIRL_BAD_INPUT, "a machine of %zu coordinates has no tori, expected 2 or more", e.n);
+    if (status.code == WHIRL_OK) status = torus_fit(&e, points, count, rotation, &u);
+    if (status.code == WHIRL_OK) status = solve(&e, &u, torus);
+    free(u);
+    torus_equations_free(&e);
+    return status;
+}

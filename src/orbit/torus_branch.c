@@ -1,0 +1,258 @@
+// Branches of tori by pseudo-arclength continuation, as those of orbits are followed.
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "torus_describe.h"
+#include "torus_follower.h"
+
+whirl_torus_branch_options whirl_torus_branch_default(double from, double to) {
+    return (whirl_torus_branch_options){.torus = whirl_torus_default(),
+                                        .from = from,
+                                        .to = to,
+                                        .step = 0.01,
+                                        .least_step = 1e-4,
+                                        .most_step = 0.05,
+                                        .most_points = 200};
+}
+
+/// Where it is and where it tries to get.
+typedef struct torus_walk {
+    torus_waypoint now, next;
+    double step;
+    double *before;     ///< [room] the present curve with as many nodes as the next one
+    bool rough, shrank; ///< what was wrong with the last try
+    size_t room;        ///< points that the branch has room for
+} torus_walk;
+
+static double value_at(const torus_follower *f, const torus_waypoint *p) {
+    return p->u[p->count * f->equations.n + 1];
+}
+
+// ---------------------------------------------------------------- points
+
+static whirl_status add_point(const torus_follower *f, torus_walk *w, torus_waypoint *p, whirl_torus_branch *b) {
+    if (b->count == w->room) {
+        const size_t room = 2 * w->room + 16;
+        whirl_torus_point *points = realloc(b->points, room * sizeof *points);
+        if (!points) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu tori", room);
+        b->points = points;
+        w->room = room;
+    }
+    b->points[b->count++] = (whirl_torus_point){.value = value_at(f, p), .torus = p->torus};
+    p->torus = NULL; // the branch owns it
+    return whirl_ok();
+}
+
+static void go_to_next(torus_walk *w) {
+    const torus_waypoint kept = w->now;
+    w->now = w->next;
+    w->next = kept;
+}
+
+/// Lets the present curve have so many nodes, and its tangent be of length 1 by its size.
+static bool take_nodes(torus_follower *f, torus_walk *w, size_t count) {
+    torus_equations *e = &f->equations;
+    torus_waypoint *now = &w->now;
+    const bool good = torus_resample(e, now->count, now->u, count, now->u) &&
+                      torus_resample(e, now->count, now->tangent, count, now->tangent);
+    if (!good || !torus_follower_resize(f, count, now->u)) return false;
+    now->count = count;
+    torus_equations_refer(e, now->u);
+    return torus_follower_make_unit(f, now->tangent);
+}
+
+// ---------------------------------------------------------------- steps
+
+/// Cosine between what two curves with as many nodes are off their means: below 0 where the second one has gone
+/// through a point and come out on the other side.
+static double likeness(const torus_equations *e, const double *a, const double *b) {
+    const size_t n = e->n;
+    double both = 0.0, first = 0.0, second = 0.0;
+    for (size_t i = 0; i < n; i++) {
+        double mean_a = 0.0, mean_b = 0.0;
+        for (size_t j = 0; j < e->count; j++) {
+            mean_a += a[j * n + i] / (double)e->count;
+            mean_b += b[j * n + i] / (double)e->count;
+        }
+        for (size_t j = 0; j < e->count; j++) {
+            const double away_a = a[j * n + i] - mean_a, away_b = b[j * n + i] - mean_b;
+            both += away_a * away_b;
+            first += away_a * away_a;
+            second += away_b * away_b;
+        }
+    }
+    return both / sqrt(first * second);
+}
+
+/// Tries a step; *good where it found a curve that goes on from the present one.
+static whirl_status try_step(torus_follower *f, torus_walk *w, bool *good) {
+    torus_equations *e = &f->equations;
+    enum { FEW = 4 }; // within so many steps a curve may be a point
+    const double least_likeness = 0.5, least_turn = 0.9;
+    *good = w->shrank = w->rough = false;
+    if (!take_nodes(f, w, w->now.count)) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a torus");
+    for (size_t i = 0; i <= f->curve.count; i++) f->trial[i] = w->now.u[i] + w->step * w->now.tangent[i];
+    memcpy(f->direction, w->now.tangent, (f->curve.count + 1) * sizeof *f->direction);
+    memcpy(f->forward, w->now.tangent, (f->curve.count + 1) * sizeof *f->forward);
+    const whirl_status status = torus_follower_find(f, &w->next);
+    if (status.code != WHIRL_OK || !w->next.torus) return status;
+    if (!torus_resample(e, w->now.count, w->now.u, e->count, w->before))
+        return whirl_fail(WHIRL_NO_MEMORY, "no memory for a torus");
+    const double like = likeness(e, w->before, w->next.u), turn = curve_dot(&f->curve, f->forward, w->next.tangent);
+    w->rough = w->next.rough;
+    w->shrank = like < 0.0 && w->next.torus->radius < FEW * w->step * torus_equations_reach(e, w->next.u);
+    *good = !w->rough && like > least_likeness && (turn > least_turn || w->step <= 8.0 * f->options->least_step);
+    return status;
+}
+
+/// Where the square of the radius, which falls evenly, comes to 0.
+static double vanishing_value(const torus_follower *f, const torus_walk *w, const whirl_torus_branch *b) {
+    const whirl_torus_point *last = &b->points[b->count - 1];
+    const whirl_torus_point next = {value_at(f, &w->next), w->next.torus};
+    const whirl_torus_point *other = b->count > 1 ? last - 1 : &next;
+    const double one = last->torus->radius * last->torus->radius, two = other->torus->radius * other->torus->radius;
+    return last->value - one * (other->value - last->value) / (two - one);
+}
+
+/// The end, where no step that is as short as allowed leads on.
+static void give_up(const torus_follower *f, const torus_walk *w, whirl_torus_branch *b) {
+    const double value = b->points[b->count - 1].value;
+    char why[WHIRL_MESSAGE_SIZE];
+    if (w->shrank) {
+        b->end = WHIRL_TORUS_SHRANK;
+        snprintf(b->why, sizeof b->why, "the torus shrinks to an orbit, whose Neimark-Sacker point is near %.8g",
+                 vanishing_value(f, w, b));
+    } else if (w->rough) {
+        b->end = WHIRL_TORUS_ROUGH;
+        torus_say_rough(&f->equations, w->next.torus, why, sizeof why);
+        snprintf(b->why, sizeof b->why, "beyond %.8g %.300s", value, why);
+    } else {
+        b->end = WHIRL_TORUS_LOST;
+        snprintf(b->why, sizeof b->why, "beyond %.8g steps of %.2g find no torus", value, w->step);
+    }
+}
+
+static bool is_within(const torus_follower *f, const torus_waypoint *p) {
+    const double value = value_at(f, p);
+    return value >= fmin(f->options->from, f->options->to) && value <= fmax(f->options->from, f->options->to);
+}
+
+/// The last point, where the parameter is at its bound.
+static whirl_status end_at_bound(torus_follower *f, torus_walk *w, whirl_torus_branch *b) {
+    const torus_equations *e = &f->equations;
+    const size_t last = e->count * e->n + 1;
+    const double value = w->next.u[last], before = value_at(f, &w->now);
+    const double low = fmin(f->options->from, f->options->to), high = fmax(f->options->from, f->options->to);
+    const double bound = value > high ? high : low, share = (bound - before) / (value - before);
+    if (!torus_resample(e, w->now.count, w->now.u, e->count, w->before))
+        return whirl_fail(WHIRL_NO_MEMORY, "no memory for a torus");
+    for (size_t i = 0; i < last; i++) f->trial[i] = w->before[i] + share * (w->next.u[i] - w->before[i]);
+    f->trial[last] = bound;
+    torus_follower_parameter_direction(f, f->direction);
+    memcpy(f->forward, w->next.tangent, (last + 1) * sizeof *f->forward);
+    const whirl_status status = torus_follower_find(f, &w->next);
+    b->end = WHIRL_TORUS_END_OF_RANGE;
+    snprintf(b->why, sizeof b->why, "the parameter left its bounds at %.8g", bound);
+    if (status.code != WHIRL_OK || !w->next.torus || w->next.rough || share <= 0.0) return status;
+    return add_point(f, w, &w->next, b);
+}
+
+/// One point further.
+static whirl_status go_on(torus_follower *f, torus_walk *w, whirl_torus_branch *b, bool *ended) {
+    const whirl_torus_branch_options *o = f->options;
+    bool good;
+    whirl_status status;
+    while (status = try_step(f, w, &good), status.code == WHIRL_OK && !good) {
+        *ended = w->shrank || w->step <= o->least_step;
+        if (*ended) give_up(f, w, b);
+        if (*ended) return status;
+        w->step = fmax(0.5 * w->step, o->least_step);
+    }
+    if (status.code != WHIRL_OK) return status;
+    *ended = !is_within(f, &w->next);
+    if (*ended) return end_at_bound(f, w, b);
+    const size_t wanted = torus_nodes_wanted(&f->equations, w->next.u, w->next.torus->error);
+    status = add_point(f, w, &w->next, b);
+    w->step = fmin(fmax(w->step * w->next.pace, o->least_step), o->most_step);
+    go_to_next(w);
+    // Fewer nodes where many can be spared; more are taken where they are missed.
+    if (10 * wanted < 7 * w->now.count && status.code == WHIRL_OK && !take_nodes(f, w, wanted))
+        status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a torus");
+    return status;
+}
+
+// ---------------------------------------------------------------- the branch
+
+/// The first point and its direction.
+static whirl_status begin(torus_follower *f, torus_walk *w, const whirl_torus *start, double value, int direction,
+                          whirl_torus_branch *b) {
+    torus_equations *e = &f->equations;
+    const size_t last = start->node_count * e->n + 1;
+    if (start->node_count > f->options->torus.most_nodes)
+        return whirl_fail(WHIRL_BAD_INPUT, "a torus of %zu nodes, expected at most %zu of the branch",
+                          start->node_count, f->options->torus.most_nodes);
+    for (size_t j = 0; j < start->node_count; j++)
+        section_map_take(e->map, start->nodes + j * start->dimension, f->trial + j * e->n);
+    f->trial[last - 1] = 6.283185307179586476925 * start->rotation;
+    f->trial[last] = value;
+    if (!torus_follower_resize(f, start->node_count, f->trial))
+        return whirl_fail(WHIRL_NO_MEMORY, "no memory for a torus of %zu nodes", start->node_count);
+    torus_equations_refer(e, f->trial);
+    torus_follower_parameter_direction(f, f->direction);
+    memcpy(f->forward, f->direction, (last + 1) * sizeof *f->forward);
+    whirl_status status = torus_follower_find(f, &w->now);
+    if (status.code == WHIRL_OK && (!w->now.torus || w->now.rough))
+        status = whirl_fail(WHIRL_BAD_INPUT, "no torus was found near the one that a branch shall begin with");
+    if (status.code != WHIRL_OK) return status;
+    const size_t all = w->now.count * e->n + 2;
+    const bool back = (w->now.tangent[all - 1] < 0.0) != (direction < 0);
+    for (size_t i = 0; back && i < all; i++) w->now.tangent[i] = -w->now.tangent[i];
+    return add_point(f, w, &w->now, b);
+}
+
+static whirl_status follow(torus_follower *f, torus_walk *w, const whirl_torus *start, double value, int direction,
+                           whirl_torus_branch *b) {
+    bool ended = false;
+    whirl_status status = begin(f, w, start, value, direction, b);
+    w->step = f->options->step;
+    while (status.code == WHIRL_OK && !ended && b->count < f->options->most_points)
+        status = go_on(f, w, b, &ended);
+    if (ended) return status;
+    b->end = WHIRL_TORUS_END_OF_POINTS;
+    snprintf(b->why, sizeof b->why, "as many points as were asked for");
+    return status;
+}
+
+whirl_status whirl_torus_follow(const whirl_family *family, const whirl_torus *start, double value, int direction,
+                                const whirl_torus_branch_options *options, whirl_torus_branch **branch) {
+    torus_follower f;
+    torus_walk w = {.step = 0.0};
+    *branch = NULL;
+    whirl_torus_branch *b = calloc(1, sizeof *b);
+    if (!b) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a branch of tori");
+    whirl_status status =
+        torus_follower_begin(&f, family, start->revolutions, start->dimension, start->nodes, value, options);
+    if (status.code == WHIRL_OK) status = torus_waypoint_new(&f, &w.now);
+    if (status.code == WHIRL_OK) status = torus_waypoint_new(&f, &w.next);
+    w.before = status.code == WHIRL_OK ? calloc(f.room, sizeof *w.before) : NULL;
+    if (status.code == WHIRL_OK && !w.before) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a branch of tori");
+    if (status.code == WHIRL_OK) status = follow(&f, &w, start, value, direction, b);
+    free(w.before);
+    torus_waypoint_free(&w.now);
+    torus_waypoint_free(&w.next);
+    torus_follower_end(&f);
+    if (status.code == WHIRL_OK)
+        *branch = b;
+    else
+        whirl_torus_branch_free(b);
+    return status;
+}
+
+void whirl_torus_branch_free(whirl_torus_branch *branch) {
+    if (!branch) return;
+    for (size_t i = 0; i < branch->count; i++) whirl_torus_free(branch->points[i].torus);
+    free(branch->points);
+    free(branch);
+}

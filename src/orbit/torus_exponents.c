@@ -1,0 +1,157 @@
+// Normal exponents of a torus: the map's derivative is multiplied up along the curve, node by node of a long walk by its
+// rotation, each factor interpolated between the nodes (Jorba 2001). What lies along the curve is taken out of every
+// factor, and what is left stays orthonormal; the logarithms of its lengths are smooth functions of the angle where the
+// torus is, so that their weighted Birkhoff averages converge faster than any power of the walk's length.
+#include "torus_describe.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "birkhoff.h"
+#include "harmonics.h"
+
+enum { SETTLING = 256, FEWEST_STEPS = 512, MOST_STEPS = 8192 };
+
+typedef struct walk {
+    size_t n, count;       ///< coordinates, nodes
+    double angle, at;      ///< of a step; where it is
+    double *curve;         ///< [count][n] series of the curve
+    double *factor;        ///< [count][n][n] series of the map's derivative
+    double *place, *along; ///< [n] where it is, and the curve's direction there, of length 1
+    double *matrix;        ///< [n][n]
+    double *vectors;       ///< [n - 1][n] orthonormal, across the curve
+    double *turned;        ///< [n]
+    double *growth;        ///< [MOST_STEPS][n - 1]
+} walk;
+
+static double dot(size_t n, const double *a, const double *b) {
+    double sum = 0.0;
+    for (size_t i = 0; i < n; i++) sum += a[i] * b[i];
+    return sum;
+}
+
+static void take_out(size_t n, const double *direction, double *v) {
+    const double part = dot(n, direction, v);
+    for (size_t i = 0; i < n; i++) v[i] -= part * direction[i];
+}
+
+static bool look_along(walk *w) {
+    harmonics_at(w->count, w->n, w->curve, w->at, w->place, w->along);
+    const double length = sqrt(dot(w->n, w->along, w->along));
+    for (size_t i = 0; i < w->n; i++) w->along[i] /= length;
+    return isfinite(length) && length > 0.0;
+}
+
+/// Makes vector k orthonormal to those before and to the curve; its length before, 0 where nothing is left.
+static double straighten(walk *w, size_t k) {
+    double *v = w->vectors + k * w->n;
+    for (int twice = 0; twice < 2; twice++) {
+        take_out(w->n, w->along, v);
+        for (size_t i = 0; i < k; i++) take_out(w->n, w->vectors + i * w->n, v);
+    }
+    const double length = sqrt(dot(w->n, v, v));
+    for (size_t i = 0; i < w->n && length > 0.0; i++) v[i] /= length;
+    return length;
+}
+
+/// Vectors to begin with: units, of which the one nearest to the curve's direction is left out.
+static bool begin(walk *w) {
+    size_t nearest = 0;
+    if (!look_along(w)) return false;
+    for (size_t i = 1; i < w->n; i++)
+        if (fabs(w->along[i]) > fabs(w->along[nearest])) nearest = i;
+    memset(w->vectors, 0, (w->n - 1) * w->n * sizeof *w->vectors);
+    for (size_t k = 0; k + 1 < w->n; k++) {
+        w->vectors[k * w->n + k + (k >= nearest)] = 1.0;
+        straighten(w, k);
+    }
+    return true;
+}
+
+/// One section further; growth [n - 1] gets the logarithms of the lengths.
+static bool step(walk *w, double *growth) {
+    const size_t n = w->n;
+    harmonics_at(w->count, n * n, w->factor, w->at, w->matrix, NULL);
+    w->at = remainder(w->at + w->angle, 6.283185307179586476925);
+    if (!look_along(w)) return false;
+    for (size_t k = 0; k + 1 < n; k++) {
+        double *v = w->vectors + k * n;
+        for (size_t i = 0; i < n; i++) w->turned[i] = dot(n, w->matrix + i * n, v);
+        memcpy(v, w->turned, n * sizeof *v);
+        growth[k] = log(straighten(w, k));
+        if (!isfinite(growth[k])) return false;
+    }
+    return true;
+}
+
+static double average(const walk *w, size_t which, size_t first, size_t count) {
+    double sum = 0.0, weights = 0.0;
+    for (size_t m = 0; m < count; m++) {
+        const double weight = birkhoff_weight(m, count);
+        sum += weight * w->growth[(first + m) * (w->n - 1) + which];
+        weights += weight;
+    }
+    return sum / weights;
+}
+
+/// Writes exponents with their errors; the largest of these that the walk makes. Between nodes the factor is off by
+/// `slight`, which an exponent feels over its own multiplier.
+static double write_averages(const walk *w, size_t count, double slight, whirl_torus *torus) {
+    const double share = 1.0 / (double)torus->revolutions;
+    double largest = 0.0;
+    for (size_t k = 0; k < torus->exponent_count; k++) {
+        const double early = average(w, k, 0, count / 2), late = average(w, k, count / 2, count / 2);
+        const double whole = average(w, k, 0, count), walked = share * fabs(late - early);
+        torus->exponents[k] = share * whole;
+        torus->exponent_errors[k] = walked + share * slight / exp(whole);
+        largest = fmax(largest, walked);
+    }
+    return largest;
+}
+
+/// What the last two harmonics of the factor come to.
+static double missing_of(const walk *w) {
+    const size_t size = w->n * w->n, last = w->count / 2;
+    return harmonics_size(size, w->factor, last) + harmonics_size(size, w->factor, last - 1);
+}
+
+static bool go(walk *w, whirl_torus *torus) {
+    size_t count = 0;
+    if (!begin(w)) return false;
+    for (size_t m = 0; m < SETTLING; m++)
+        if (!step(w, w->growth)) return false;
+    for (size_t most = FEWEST_STEPS; most <= MOST_STEPS; most *= 2) {
+        for (; count < most; count++)
+            if (!step(w, w->growth + count * (w->n - 1))) return false;
+        if (write_averages(w, count, missing_of(w), torus) < 1e-9) break;
+    }
+    return true;
+}
+
+/// Where the walk ends before its time nothing is said of the exponents.
+static void say_nothing(whirl_torus *torus) {
+    for (size_t k = 0; k < torus->exponent_count; k++) torus->exponents[k] = torus->exponent_errors[k] = NAN;
+}
+
+bool torus_find_exponents(const torus_equations *e, const double *u, whirl_torus *torus) {
+    const size_t n = e->n, size = e->count * n;
+    if (torus->exponent_count == 0) return true;
+    double *room = calloc(size + size * n + 3 * n + 2 * n * n + (size_t)MOST_STEPS * (n - 1), sizeof *room);
+    if (!room) return false;
+    walk w = {.n = n, .count = e->count, .angle = u[size], .curve = room, .factor = room + size};
+    w.place = w.factor + size * n;
+    w.along = w.place + n;
+    w.turned = w.along + n;
+    w.matrix = w.turned + n;
+    w.vectors = w.matrix + n * n;
+    w.growth = w.vectors + n * n;
+    harmonics_of(e->count, n, u, w.curve);
+    harmonics_of(e->count, n * n, e->matrices, w.factor);
+    if (!go(&w, torus)) say_nothing(torus);
+    torus->unstable = 0;
+    for (size_t k = 0; k < torus->exponent_count; k++)
+        torus->unstable += torus->exponents[k] > torus->exponent_errors[k] + 1e-9;
+    free(room);
+    return true;
+}

@@ -1,0 +1,118 @@
+// What beginning a branch of tori and following it share.
+#include "torus_follower.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "torus_describe.h"
+#include "torus_options.h"
+
+static whirl_status check(const whirl_torus_branch_options *o, double value) {
+    const double low = fmin(o->from, o->to), high = fmax(o->from, o->to);
+    if (!(isfinite(low) && isfinite(high) && low < high))
+        return whirl_fail(WHIRL_BAD_INPUT, "a branch from %g to %g, expected two values", o->from, o->to);
+    if (!(value >= low && value <= high))
+        return whirl_fail(WHIRL_BAD_INPUT, "a branch begins at %g, expected a value from %g to %g", value, low, high);
+    if (!(o->least_step > 0.0 && o->least_step <= o->step && o->step <= o->most_step && isfinite(o->most_step)))
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "steps of a branch of %g to %g, the first of %g, expected them to ascend from above 0",
+                          o->least_step, o->most_step, o->step);
+    return torus_check_options(&o->torus);
+}
+
+whirl_status torus_follower_begin(torus_follower *f, const whirl_family *family, size_t revolutions, size_t dimension,
+                                  const double *at, double value, const whirl_torus_branch_options *options) {
+    *f = (torus_follower){.options = options};
+    whirl_status status = check(options, value);
+    if (status.code == WHIRL_OK)
+        status = torus_equations_make(&f->equations, NULL, family, value, &options->torus, revolutions, dimension,
+                                      at);
+    if (status.code != WHIRL_OK) return status;
+    f->equations.reach = 0x1p-12 * (options->to - options->from);
+    f->room = options->torus.most_nodes * f->equations.n + 2;
+    f->trial = calloc(3 * f->room, sizeof *f->trial);
+    if (!f->trial) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a branch of tori");
+    f->direction = f->trial + f->room;
+    f->forward = f->direction + f->room;
+    return status;
+}
+
+void torus_follower_end(torus_follower *f) {
+    curve_end(&f->curve);
+    torus_equations_free(&f->equations);
+    free(f->trial);
+    f->trial = NULL;
+}
+
+whirl_status torus_waypoint_new(const torus_follower *f, torus_waypoint *out) {
+    *out = (torus_waypoint){.u = calloc(2 * f->room, sizeof(double))};
+    if (!out->u) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a branch of tori");
+    out->tangent = out->u + f->room;
+    return whirl_ok();
+}
+
+void torus_waypoint_free(torus_waypoint *p) {
+    whirl_torus_free(p->torus);
+    free(p->u);
+    *p = (torus_waypoint){.u = NULL};
+}
+
+bool torus_follower_resize(torus_follower *f, size_t count, const double *u) {
+    torus_equations *e = &f->equations;
+    if (count != e->count || !f->curve.matrix) {
+        curve_end(&f->curve);
+        if (!torus_equations_resize(e, count)) return false;
+        f->curve = (curve){.count = torus_equations_count(e),
+                           .context = e,
+                           .evaluate = torus_equations_evaluate,
+                           .size = torus_equations_size,
+                           .tolerance = f->options->torus.tolerance};
+        if (!curve_begin(&f->curve)) return false;
+    }
+    torus_equations_scale(e, u, fabs(f->options->to - f->options->from), f->curve.scale);
+    return true;
+}
+
+bool torus_follower_make_unit(torus_follower *f, double *direction) {
+    const double length = sqrt(curve_dot(&f->curve, direction, direction));
+    if (!(isfinite(length) && length > 0.0)) return false;
+    for (size_t i = 0; i <= f->curve.count; i++) direction[i] /= length;
+    return true;
+}
+
+void torus_follower_parameter_direction(const torus_follower *f, double *direction) {
+    memset(direction, 0, f->curve.count * sizeof *direction);
+    direction[f->curve.count] = f->curve.scale[f->curve.count];
+}
+
+/// Goes over to more nodes: the search goes on from what was found.
+static bool refine(torus_follower *f, size_t wanted, const double *found) {
+    const torus_equations *e = &f->equations;
+    const size_t before = e->count;
+    const bool good = torus_resample(e, before, found, wanted, f->trial) &&
+                      torus_resample(e, before, f->direction, wanted, f->direction) &&
+                      torus_resample(e, before, f->forward, wanted, f->forward);
+    return good && torus_follower_resize(f, wanted, f->trial);
+}
+
+whirl_status torus_follower_find(torus_follower *f, torus_waypoint *out) {
+    torus_equations *e = &f->equations;
+    for (;;) {
+        whirl_torus_free(out->torus);
+        out->torus = NULL;
+        out->rough = false;
+        out->count = e->count;
+        memcpy(out->u, f->trial, (f->curve.count + 1) * sizeof *out->u);
+        const newton_result result = curve_correct(&f->curve, f->direction, out->u);
+        out->pace = curve_pace(&result);
+        if (!result.found || !curve_tangent(&f->curve, f->forward, out->tangent)) return whirl_ok();
+        const whirl_status status = torus_describe(e, out->u, result.size, &out->torus);
+        if (status.code != WHIRL_OK || out->torus->error <= e->options->accuracy) return status;
+        const size_t wanted = torus_nodes_wanted(e, out->u, out->torus->error);
+        out->rough = wanted <= e->count;
+        if (out->rough) return status;
+        if (!refine(f, wanted, out->u)) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu nodes", wanted);
+        torus_equations_refer(e, f->trial);
+    }
+}

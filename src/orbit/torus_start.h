@@ -1,0 +1,12 @@
+/// A curve to begin the search for a torus with, from the sections of a motion.
+#ifndef ORBIT_TORUS_START_H
+#define ORBIT_TORUS_START_H
+
+#include "torus_equations.h"
+
+/// Fits a curve to `count` states that follow one another, [count][dimension], by its rotation number, or with NaN by
+/// one found for them: gives the equations as many nodes as it takes, and *u [unknowns], malloc'd. Errors as
+/// whirl_torus_find.
+whirl_status torus_fit(torus_equations *e, const double *states, size_t count, double rotation, double **u);
+
+#endif
