@@ -40,7 +40,8 @@ static whirl_status check(const whirl_system *system, const double *points, size
     if (isfinite(rotation) && !(fabs(rotation) <= 1.0))
         return whirl_fail(WHIRL_BAD_INPUT, "a torus of rotation number %g, expected -1 to 1", rotation);
     for (size_t i = 0; i < count * system->dimension; i++)
-        if (!isfinite(points[i])) return whirl_fail(WHIRL_BAD_INPUT, "section %zu is not finite", i / system->dimension);
+        if (!isfinite(points[i]))
+            return whirl_fail(WHIRL_BAD_INPUT, "section %zu is not finite", i / system->dimension);
     return torus_check_options(options);
 }
 

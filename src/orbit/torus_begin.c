@@ -1,5 +1,5 @@
-// The first torus of a branch, at a Neimark-Sacker point: P = A there, up to second order, turns the ellipses Re(q exp(i
-// theta)) of its eigenvector q by the angle of its multiplier.
+// The first torus of a branch, at a Neimark-Sacker point: P = A there, up to second order, turns the ellipses Re(q
+// exp(i theta)) of its eigenvector q by the angle of its multiplier.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -94,7 +94,8 @@ whirl_status whirl_torus_begin(const whirl_family *family, const whirl_branch_po
     whirl_status status = check(point, step);
     if (status.code != WHIRL_OK) return status;
     const whirl_orbit *orbit = point->orbit;
-    status = torus_follower_begin(&f, family, orbit->revolutions, orbit->dimension, orbit->nodes, point->value, options);
+    status =
+        torus_follower_begin(&f, family, orbit->revolutions, orbit->dimension, orbit->nodes, point->value, options);
     if (status.code == WHIRL_OK) status = torus_waypoint_new(&f, &at);
     if (status.code == WHIRL_OK) status = find_first(&f, point, step, &at);
     if (status.code == WHIRL_OK) {

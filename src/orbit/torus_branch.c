@@ -217,8 +217,7 @@ static whirl_status follow(torus_follower *f, torus_walk *w, const whirl_torus *
     bool ended = false;
     whirl_status status = begin(f, w, start, value, direction, b);
     w->step = f->options->step;
-    while (status.code == WHIRL_OK && !ended && b->count < f->options->most_points)
-        status = go_on(f, w, b, &ended);
+    while (status.code == WHIRL_OK && !ended && b->count < f->options->most_points) status = go_on(f, w, b, &ended);
     if (ended) return status;
     b->end = WHIRL_TORUS_END_OF_POINTS;
     snprintf(b->why, sizeof b->why, "as many points as were asked for");

@@ -2,7 +2,6 @@
 #include "torus_describe.h"
 
 #include <math.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -64,8 +63,7 @@ whirl_status torus_describe(torus_equations *e, const double *u, double residual
     whirl_torus *torus = allocate(e);
     *out = NULL;
     if (!torus) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a torus of %zu nodes", e->count);
-    for (size_t j = 0; j < e->count; j++)
-        section_map_put(e->map, u + j * e->n, torus->nodes + j * torus->dimension);
+    for (size_t j = 0; j < e->count; j++) section_map_put(e->map, u + j * e->n, torus->nodes + j * torus->dimension);
     torus->radius = torus_equations_radius(e, u);
     torus->rotation = u[e->count * e->n] / two_pi;
     torus->frequency = torus->rotation / (double)e->revolutions;
@@ -86,9 +84,14 @@ void whirl_torus_at(const whirl_torus *torus, double theta, double *x) {
     const size_t d = torus->dimension, count = torus->node_count;
     memset(x, 0, d * sizeof *x);
     for (size_t k = 0; k < count; k++) {
-        const double away = theta - two_pi * (double)k / (double)count;
-        double sum = 0.5;
-        for (size_t h = 1; h <= count / 2; h++) sum += cos((double)h * away);
+        const double away = theta - two_pi * (double)k / (double)count, c = cos(away), s = sin(away);
+        double sum = 0.5, cosine = 1.0, sine = 0.0;
+        for (size_t h = 1; h <= count / 2; h++) {
+            const double before = cosine;
+            cosine = before * c - sine * s;
+            sine = sine * c + before * s;
+            sum += cosine;
+        }
         for (size_t i = 0; i < d; i++) x[i] += 2.0 * sum / (double)count * torus->nodes[k * d + i];
     }
 }
@@ -123,7 +126,7 @@ size_t torus_nodes_wanted(torus_equations *e, const double *u, double error) {
         while (last > SPARE && rest_from(e, last - SPARE) <= slight) last--;
     }
     const size_t wanted = 2 * last + 1;
-    return wanted < WHIRL_LEAST_TORUS_NODES    ? WHIRL_LEAST_TORUS_NODES
+    return wanted < WHIRL_LEAST_TORUS_NODES  ? WHIRL_LEAST_TORUS_NODES
            : wanted > e->options->most_nodes ? e->options->most_nodes
                                              : wanted;
 }
@@ -141,11 +144,12 @@ bool torus_resample(const torus_equations *e, size_t count, const double *from, 
 
 void torus_say_rough(const torus_equations *e, const whirl_torus *torus, char *text, size_t size) {
     const double turns = (double)torus->resonance * torus->rotation;
-    const int length = snprintf(text, size,
-                                "the curve is not smooth enough: with %zu nodes it is off by %.2g of its radius between "
-                                "them, expected %.2g",
-                                torus->node_count, torus->error, e->options->accuracy);
+    const int length =
+        snprintf(text, size,
+                 "the curve is not smooth enough: with %zu nodes it is off by %.3g of its radius between "
+                 "them, expected %.3g; its rotation number is %.6f",
+                 torus->node_count, torus->error, e->options->accuracy, torus->rotation);
     if (length < 0 || (size_t)length >= size || torus->resonance == 0) return;
-    snprintf(text + length, size - (size_t)length, "; its rotation number %.6f is near %.0f/%zu, where motions lock",
-             torus->rotation, round(turns), torus->resonance);
+    snprintf(text + length, size - (size_t)length, ", near %.0f/%zu, where motions lock", round(turns),
+             torus->resonance);
 }

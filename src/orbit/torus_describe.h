@@ -7,8 +7,8 @@
 /// The torus of the unknowns u that have just been evaluated with a derivative. WHIRL_NO_MEMORY.
 whirl_status torus_describe(torus_equations *e, const double *u, double residual, whirl_torus **out);
 
-/// Nodes with which the curve of u, whose error is that between its nodes, is about as accurate as the options ask: odd,
-/// at most as many as they allow.
+/// Nodes with which the curve of u, whose error is that between its nodes, is about as accurate as the options ask:
+/// odd, at most as many as they allow.
 size_t torus_nodes_wanted(torus_equations *e, const double *u, double error);
 
 /// Writes unknowns `from` with `count` nodes as those `to` with `many` nodes. False where memory is lacking.

@@ -16,12 +16,10 @@ static whirl_status map_at(const torus_equations *e, double value, whirl_machine
     *machine = (whirl_machine){.system = NULL};
     *map = NULL;
     whirl_status status = e->family->machine(e->family->context, value, machine);
-    if (status.code == WHIRL_OK)
-        status = section_map_new(machine->system, &e->options->integrate, e->revolutions, map);
+    if (status.code == WHIRL_OK) status = section_map_new(machine->system, &e->options->integrate, e->revolutions, map);
     if (status.code == WHIRL_OK && e->map && (*map)->dimension != e->map->dimension)
         status = whirl_fail(WHIRL_BAD_INPUT, "machines of a family differ in their coordinates");
-    if (status.code == WHIRL_OK && e->map)
-        memcpy((*map)->rest, e->map->rest, e->map->dimension * sizeof *e->map->rest);
+    if (status.code == WHIRL_OK && e->map) memcpy((*map)->rest, e->map->rest, e->map->dimension * sizeof *e->map->rest);
     if (status.code == WHIRL_OK) return status;
     section_map_free(*map);
     *map = NULL;

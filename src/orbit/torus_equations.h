@@ -26,9 +26,9 @@ typedef struct torus_equations {
     double *beside;           ///< [4][count][n] workspace
 } torus_equations;
 
-/// Makes those of a machine, or of a family at a value (system NULL), without nodes. `at` [dimension], a state of theirs,
-/// tells where what turns on and on is at sections. Errors as whirl_torus_find and those of machines. Freed by torus_equations_free,
-/// whether they were made or not.
+/// Makes those of a machine, or of a family at a value (system NULL), without nodes. `at` [dimension], a state of
+/// theirs, tells where what turns on and on is at sections. Errors as whirl_torus_find and those of machines. Freed by
+/// torus_equations_free, whether they were made or not.
 whirl_status torus_equations_make(torus_equations *e, const whirl_system *system, const whirl_family *family,
                                   double value, const whirl_torus_options *options, size_t revolutions,
                                   size_t dimension, const double *at);

@@ -1,7 +1,7 @@
-// Normal exponents of a torus: the map's derivative is multiplied up along the curve, node by node of a long walk by its
-// rotation, each factor interpolated between the nodes (Jorba 2001). What lies along the curve is taken out of every
-// factor, and what is left stays orthonormal; the logarithms of its lengths are smooth functions of the angle where the
-// torus is, so that their weighted Birkhoff averages converge faster than any power of the walk's length.
+// Normal exponents of a torus: the map's derivative is multiplied up along the curve, node by node of a long walk by
+// its rotation, each factor interpolated between the nodes (Jorba 2001). What lies along the curve is taken out of
+// every factor, and what is left stays orthonormal; the logarithms of its lengths are smooth functions of the angle
+// where the torus is, so that their weighted Birkhoff averages converge faster than any power of the walk's length.
 #include "torus_describe.h"
 
 #include <math.h>

@@ -26,8 +26,7 @@ whirl_status torus_follower_begin(torus_follower *f, const whirl_family *family,
     *f = (torus_follower){.options = options};
     whirl_status status = check(options, value);
     if (status.code == WHIRL_OK)
-        status = torus_equations_make(&f->equations, NULL, family, value, &options->torus, revolutions, dimension,
-                                      at);
+        status = torus_equations_make(&f->equations, NULL, family, value, &options->torus, revolutions, dimension, at);
     if (status.code != WHIRL_OK) return status;
     f->equations.reach = 0x1p-12 * (options->to - options->from);
     f->room = options->torus.most_nodes * f->equations.n + 2;

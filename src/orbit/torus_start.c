@@ -1,6 +1,6 @@
-// Weighted Birkhoff averages of x exp(-2 pi i h rho m) over the sections m are the harmonics of the curve, if rho is its
-// rotation number (Das, Saiki, Sander, Yorke 2017). rho is where the average with h = 1 is largest, or a part of that
-// where the largest harmonic is not the first.
+// Weighted Birkhoff averages of x exp(-2 pi i h rho m) over the sections m are the harmonics of the curve, if rho is
+// its rotation number (Das, Saiki, Sander, Yorke 2017). rho is where the average with h = 1 is largest, or a part of
+// that where the largest harmonic is not the first.
 #include "torus_start.h"
 
 #include <math.h>
@@ -18,6 +18,7 @@ enum { MOST_SECTIONS = 2048, MOST_HARMONICS = 24 };
 typedef struct cloud {
     size_t count, n;
     double *points;  ///< [count][n]
+    double *left;    ///< [count][n] what a series leaves of them
     double *weights; ///< [count] their sum is 1
     double *mean;    ///< [n]
     double *real;    ///< [n] an average, of cosines and
@@ -28,11 +29,12 @@ typedef struct cloud {
 
 static cloud *cloud_new(const torus_equations *e, const double *states, size_t count) {
     const size_t n = e->n, kept = count < MOST_SECTIONS ? count : MOST_SECTIONS, d = e->map->dimension;
-    cloud *c = calloc(1, sizeof *c + (kept * (n + 1) + (4 + 2 * MOST_HARMONICS) * n) * sizeof(double));
+    cloud *c = calloc(1, sizeof *c + (kept * (2 * n + 1) + (4 + 2 * MOST_HARMONICS) * n) * sizeof(double));
     double sum = 0.0;
     if (!c) return NULL;
     *c = (cloud){.count = kept, .n = n, .points = (double *)(c + 1)};
-    c->weights = c->points + kept * n;
+    c->left = c->points + kept * n;
+    c->weights = c->left + kept * n;
     c->mean = c->weights + kept;
     c->real = c->mean + n;
     c->minus = c->real + n;
@@ -55,17 +57,22 @@ static cloud *cloud_new(const torus_equations *e, const double *states, size_t c
 
 // ---------------------------------------------------------------- the rotation number
 
-/// The average at so many turns a section into `real` and `minus`; the square of its size.
+/// The angle of section m at so many turns a section, from the middle one.
+static double angle_at(const cloud *c, size_t m, double turns) {
+    return two_pi * fmod(turns * ((double)m - 0.5 * (double)c->count), 1.0);
+}
+
+/// The average of what is left at so many turns a section into `real` and `minus`; the square of its size.
 static double average(cloud *c, double turns) {
     double square = 0.0;
     memset(c->real, 0, c->n * sizeof *c->real);
     memset(c->minus, 0, c->n * sizeof *c->minus);
     for (size_t m = 0; m < c->count; m++) {
-        const double angle = two_pi * fmod(turns * ((double)m - 0.5 * (double)c->count), 1.0);
+        const double angle = angle_at(c, m, turns);
         const double by_cosine = c->weights[m] * cos(angle), by_sine = c->weights[m] * sin(angle);
         for (size_t i = 0; i < c->n; i++) {
-            c->real[i] += by_cosine * c->points[m * c->n + i];
-            c->minus[i] += by_sine * c->points[m * c->n + i];
+            c->real[i] += by_cosine * c->left[m * c->n + i];
+            c->minus[i] += by_sine * c->left[m * c->n + i];
         }
     }
     for (size_t i = 0; i < c->n; i++) square += c->real[i] * c->real[i] + c->minus[i] * c->minus[i];
@@ -96,6 +103,7 @@ static double largest_between(cloud *c, double low, double high) {
 }
 
 static double largest_line(cloud *c) {
+    memcpy(c->left, c->points, c->count * c->n * sizeof *c->left);
     const double step = 0.5 / (double)c->count;
     double largest = -1.0, at = 0.0;
     for (size_t k = 2; k <= c->count; k++) {
@@ -113,31 +121,40 @@ static double fold(double turns) {
     return fmin(part, 1.0 - part);
 }
 
-/// Writes the series by a rotation number; how far the points are off it, mean square, over their own size.
+/// Takes a harmonic, 2 (real cos + minus sin), out of what is left.
+static void take_out(cloud *c, double turns) {
+    for (size_t m = 0; m < c->count; m++) {
+        const double angle = angle_at(c, m, turns), by_cosine = 2.0 * cos(angle), by_sine = 2.0 * sin(angle);
+        for (size_t i = 0; i < c->n; i++) c->left[m * c->n + i] -= by_cosine * c->real[i] + by_sine * c->minus[i];
+    }
+}
+
+/// Writes the series by a rotation number; how far the points are off it, root mean square, over their own size. Each
+/// harmonic is found from what the lower ones leave: of two that few sections hardly tell apart the lower one counts.
 static double misfit(cloud *c, double rotation) {
-    const size_t n = c->n, most = c->count / 8 < MOST_HARMONICS ? c->count / 8 : MOST_HARMONICS;
+    const size_t n = c->n, size = c->count * n;
+    const size_t most = c->count / 8 < MOST_HARMONICS ? c->count / 8 : MOST_HARMONICS;
     double off = 0.0, all = 0.0;
+    memcpy(c->left, c->points, size * sizeof *c->left);
     memset(c->series, 0, (2 * MOST_HARMONICS + 1) * n * sizeof *c->series);
     for (size_t h = 1; h <= most; h++) {
-        average(c, fmod((double)h * rotation, 1.0));
+        const double turns = fmod((double)h * rotation, 1.0);
+        average(c, turns);
+        take_out(c, turns);
         for (size_t i = 0; i < n; i++) {
             c->series[(2 * h - 1) * n + i] = 2.0 * c->real[i];
             c->series[2 * h * n + i] = 2.0 * c->minus[i];
         }
     }
-    for (size_t m = 0; m < c->count; m++) {
-        const double turns = fmod(rotation * ((double)m - 0.5 * (double)c->count), 1.0);
-        harmonics_at(2 * most + 1, n, c->series, two_pi * turns, c->real, NULL);
-        for (size_t i = 0; i < n; i++) {
-            const double x = c->points[m * n + i], away = x - c->real[i];
-            off += c->weights[m] * away * away;
-            all += c->weights[m] * x * x;
-        }
+    for (size_t i = 0; i < size; i++) {
+        off += c->weights[i / n] * c->left[i] * c->left[i];
+        all += c->weights[i / n] * c->points[i] * c->points[i];
     }
     return sqrt(off / all);
 }
 
-/// The largest line, or a half or a third of it where that fits and the line itself does not; the series is then its own.
+/// The largest line, or a half or a third of it where that fits and the line itself does not; the series is then its
+/// own.
 static double rotation_of(cloud *c, double *off) {
     const double line = largest_line(c);
     const double fits = 0.05;
@@ -170,8 +187,7 @@ static size_t repeats_after(const cloud *c) {
 
 // ---------------------------------------------------------------- the curve
 
-/// Harmonics up to where three in a row are small. (Further on there may be large ones again that are the first ones
-/// seen by so few sections: h rho and another multiple of rho are then nearly whole turns apart.)
+/// Harmonics up to where three in a row are small.
 static size_t harmonics_needed(const cloud *c) {
     enum { FEWEST = 3 };
     double largest = 0.0;
@@ -212,10 +228,11 @@ static whirl_status fit(torus_equations *e, cloud *c, double rotation, double **
     else
         rotation = rotation_of(c, &off);
     if (!(off <= enough))
-        return whirl_fail(WHIRL_BAD_INPUT,
-                          "the sections lie on no closed curve that the map turns by a constant angle: they are off the "
-                          "nearest one, of rotation number %.6g, by %.2g of their size",
-                          rotation, off);
+        return whirl_fail(
+            WHIRL_BAD_INPUT,
+            "the sections lie on no closed curve that the map turns by a constant angle: they are off the "
+            "nearest one, of rotation number %.6g, by %.2g of their size",
+            rotation, off);
     return write_curve(e, c, rotation, u);
 }
 

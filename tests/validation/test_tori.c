@@ -12,7 +12,7 @@
 
 #include "support_branch.h"
 #include "support_check.h"
-#include "whirl/torus.h"
+#include "support_torus.h"
 
 static const double pi = 3.14159265358979323846;
 
@@ -114,16 +114,12 @@ static double bent_error(const test_family *family, const whirl_torus *torus) {
     return error;
 }
 
-static double folded(double turns) {
-    const double part = turns - floor(turns);
-    return fmin(part, 1.0 - part);
-}
-
 static void check_bent(const test_family *family, const whirl_torus *torus, const char *what) {
     const double *p = family->p, k = (double)torus->revolutions, square = fabs(p[GROWTH]);
     const double across = -4.0 * pi * p[GROWTH];
     check_within("tori", words("%s: the curve, off its own", what), 0.0, bent_error(family, torus), 1e-7);
-    check_within("tori", "its rotation number", folded(k * (p[ANGULAR] + p[BEND] * square)), torus->rotation, 1e-10);
+    check_within("tori", "its rotation number", folded_turns(k * (p[ANGULAR] + p[BEND] * square)), torus->rotation,
+                 1e-10);
     check_within("tori", "its larger exponent", fmax(across, -2.0 * pi), torus->exponents[0], 1e-6);
     check_within("tori", "its smaller exponent", fmin(across, -2.0 * pi), torus->exponents[1], 1e-6);
     check_within("tori", "sum of exponents by the divergence", across - 2.0 * pi, torus->volume, 1e-6);
@@ -143,8 +139,10 @@ static void tori_in_closed_form(void **state) {
         double growth, angular, sign;
         size_t revolutions;
         const char *what;
-    } rows[] = {{0.36, 0.3137, 1.0, 1, "circle, rotation .3497"},   {0.36, 1.7113, 1.0, 1, "circle, rotation 1.7473"},
-                {0.25, 0.3137, 1.0, 2, "circle, two revolutions"}, {-0.36, 0.3137, -1.0, 1, "circle, unstable"},
+    } rows[] = {{0.36, 0.3137, 1.0, 1, "circle, rotation .3497"},
+                {0.36, 1.7113, 1.0, 1, "circle, rotation 1.7473"},
+                {0.25, 0.3137, 1.0, 2, "circle, two revolutions"},
+                {-0.36, 0.3137, -1.0, 1, "circle, unstable"},
                 {1.0, 0.0871, 1.0, 1, "circle, wide"}};
     whirl_torus_options options = whirl_torus_default();
     options.accuracy = 1e-10;
@@ -212,8 +210,210 @@ static void a_branch_in_closed_form(void **state) {
     whirl_orbit_free(start);
 }
 
+// ---------------------------------------------------------------- long motions by another integrator
+
+/// x'' - mu (1 - x^2) x' + x = F cos W t; p: mu, F, W.
+enum { MU, STRENGTH, RATE };
+
+static void van_der_pol_slope(const void *model, double t, const double *x, double *slope) {
+    const double *p = model;
+    slope[0] = x[1];
+    slope[1] = p[MU] * (1.0 - x[0] * x[0]) * x[1] - x[0] + p[STRENGTH] * cos(p[RATE] * t);
+}
+
+static void van_der_pol(const void *model, double t, const double *f, const double *x, double *slope) {
+    (void)f;
+    van_der_pol_slope(model, t, x, slope);
+}
+
+static void van_der_pol_tangent(const void *model, double t, const double *f, const double *x, const double *sides,
+                                size_t count, const double *u, double *out) {
+    const double *p = model;
+    (void)t, (void)f, (void)sides;
+    for (size_t k = 0; k < count; k++, u += 2, out += 2) {
+        out[0] = u[1];
+        out[1] = p[MU] * (1.0 - x[0] * x[0]) * u[1] - (1.0 + 2.0 * p[MU] * x[0] * x[1]) * u[0];
+    }
+}
+
+static double van_der_pol_divergence(const void *model, double t, const double *f, const double *x,
+                                     const double *sides) {
+    const double *p = model;
+    (void)t, (void)f, (void)sides;
+    return p[MU] * (1.0 - x[0] * x[0]);
+}
+
+static test_family van_der_pol_family(double mu, double strength, double rate) {
+    return (test_family){.system = {.dimension = 2,
+                                    .period = 2.0 * pi / rate,
+                                    .rhs = van_der_pol,
+                                    .tangent = van_der_pol_tangent,
+                                    .divergence = van_der_pol_divergence},
+                         .p = {mu, strength, rate},
+                         .varied = STRENGTH};
+}
+
+static void van_der_pol_beside_a_long_motion(void **state) {
+    static const double rows[][3] = {{0.5, 0.5, 1.7}, {1.0, 0.4, 2.3}};
+    enum { SETTLING = 300, COUNT = 3000, STEPS = 800, CHECKED = 300 };
+    const double start[2] = {1.5, 0.0};
+    whirl_torus_options options = whirl_torus_default();
+    options.accuracy = 1e-9;
+    (void)state;
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        const test_family family = van_der_pol_family(rows[i][MU], rows[i][STRENGTH], rows[i][RATE]);
+        double *points =
+            long_motion(van_der_pol_slope, family.p, 2, family.system.period, STEPS, start, SETTLING, COUNT);
+        whirl_torus *torus = find_torus(&family, points, CHECKED, 1, &options);
+        print_message("%zu nodes, radius %.3f, error %.2g, exponent %.8f (%.2g)\n", torus->node_count, torus->radius,
+                      torus->error, torus->exponents[0], torus->exponent_errors[0]);
+        check_within("tori",
+                     words("van der Pol, mu = %g, F = %g, W = %g: rotation", rows[i][0], rows[i][1], rows[i][2]),
+                     mean_turn(points, 2, COUNT), torus->rotation, 1e-9);
+        check_within("tori", "largest distance of 300 of its sections from the curve", 0.0,
+                     distance_from(torus, points + 2 * (size_t)(COUNT - CHECKED), CHECKED), 1e-8);
+        check_within("tori", "its exponent, and the mean divergence", torus->volume, torus->exponents[0], 1e-7);
+        whirl_torus_free(torus);
+        free(points);
+    }
+}
+
+// ---------------------------------------------------------------- where tori end
+
+/// The torus of van der Pol's oscillator at a small force, from a long motion, followed to larger ones.
+static whirl_torus_branch *follow_van_der_pol(test_family *family, double to, double accuracy, size_t most_nodes) {
+    enum { COUNT = 600 };
+    const double start[2] = {2.0, 0.0};
+    const whirl_family machines = family_of(family);
+    whirl_torus_branch_options options = whirl_torus_branch_default(0.5 * family->p[STRENGTH], to);
+    options.torus.accuracy = accuracy;
+    options.torus.most_nodes = most_nodes;
+    double *points = long_motion(van_der_pol_slope, family->p, 2, family->system.period, 400, start, 200, COUNT);
+    whirl_torus *torus = find_torus(family, points, COUNT, 1, &options.torus);
+    whirl_torus_branch *tori;
+    require_ok(whirl_torus_follow(&machines, torus, family->p[STRENGTH], 1, &options, &tori));
+    const whirl_torus_point *last = &tori->points[tori->count - 1];
+    print_message("%zu tori to F = %.6f, the last of %zu nodes, rotation %.6f: %s\n", tori->count, last->value,
+                  last->torus->node_count, last->torus->rotation, tori->why);
+    whirl_torus_free(torus);
+    free(points);
+    return tori;
+}
+
+/// The branch of the orbits of one period from a large force down.
+static whirl_branch *entrained_orbits(test_family *family, double from, double to) {
+    const double start[2] = {2.0, 0.0};
+    const whirl_branch_options options = whirl_branch_default(to, from);
+    family->p[STRENGTH] = from;
+    double *point = long_motion(van_der_pol_slope, family->p, 2, family->system.period, 400, start, 300, 1);
+    memcpy(family->start, point, 2 * sizeof *point);
+    whirl_orbit *orbit = find_orbit(family, 1, &options.orbit);
+    whirl_branch *branch = follow_branch(family, orbit, -1, &options);
+    whirl_orbit_free(orbit);
+    free(point);
+    return branch;
+}
+
+/// Close to its own rate the oscillator is entrained by a fold: two orbits of one period appear on the torus, on which
+/// the motion stops. Towards there it takes more and more nodes, and the square of its rotation number falls evenly.
+static void a_torus_locks(void **state) {
+    (void)state;
+    test_family family = van_der_pol_family(0.3, 0.06, 1.03);
+    whirl_torus_branch *tori = follow_van_der_pol(&family, 0.3, 1e-4, 251);
+    whirl_branch *orbits = entrained_orbits(&family, 0.3, 0.03);
+    const whirl_branch_point *fold = special_point(orbits, WHIRL_FOLD, 0);
+    const whirl_torus_point *last = &tori->points[tori->count - 1];
+    assert_non_null(fold);
+    assert_int_equal(WHIRL_TORUS_ROUGH, tori->end);
+    const double one = last->torus->rotation, two = last[-1].torus->rotation;
+    const double ends = last->value - one * one * (last[-1].value - last->value) / (two * two - one * one);
+    check_within("tori", "van der Pol, W = 1.03: F where the torus' rotation ends, and of the fold of orbits",
+                 fold->value, ends, 2e-4);
+    check_holds("tori", "its last torus is before the fold", last->value < fold->value);
+    whirl_branch_free(orbits);
+    whirl_torus_branch_free(tori);
+}
+
+/// Further off the torus shrinks to the orbit.
+static void a_torus_shrinks(void **state) {
+    (void)state;
+    test_family family = van_der_pol_family(0.3, 0.2, 1.1);
+    whirl_torus_branch *tori = follow_van_der_pol(&family, 0.8, 1e-7, 127);
+    whirl_branch *orbits = entrained_orbits(&family, 0.7, 0.1);
+    const whirl_branch_point *point = special_point(orbits, WHIRL_NEIMARK_SACKER, 0);
+    const whirl_torus_point *last = &tori->points[tori->count - 1];
+    assert_non_null(point);
+    assert_int_equal(WHIRL_TORUS_SHRANK, tori->end);
+    check_within("tori", "van der Pol, W = 1.1: F of the last torus, and of the orbit it shrinks to", point->value,
+                 last->value, 1e-3);
+    check_within("tori", "rotation numbers of both", point->angle / (2.0 * pi), last->torus->rotation, 1e-3);
+    whirl_branch_free(orbits);
+    whirl_torus_branch_free(tori);
+}
+
+// ---------------------------------------------------------------- what is refused
+
+static void expect_refusal(const char *words_of_it, whirl_status status) {
+    print_message("%s\n", status.message);
+    assert_int_equal(WHIRL_BAD_INPUT, status.code);
+    assert_non_null(strstr(status.message, words_of_it));
+}
+
+static void what_is_refused(void **state) {
+    (void)state;
+    enum { COUNT = 200 };
+    const test_family family = bent_family(0.36, 0.3137, 1.0);
+    const whirl_system system = system_of(&family);
+    whirl_torus_options options = whirl_torus_default();
+    double *points = bent_sections(&family, COUNT, 1, 0.0), other[3 * COUNT];
+    whirl_torus *torus;
+    expect_refusal("expected 64 or more", whirl_torus_find(&system, points, 63, 1, NAN, &options, &torus));
+    assert_null(torus);
+    expect_refusal("sections 0 revolutions apart", whirl_torus_find(&system, points, COUNT, 0, NAN, &options, &torus));
+    for (int i = 0; i < 3 * COUNT; i++) other[i] = points[i % 21];
+    expect_refusal("repeat after 7", whirl_torus_find(&system, other, COUNT, 1, NAN, &options, &torus));
+    for (int i = 0; i < 3 * COUNT; i++) other[i] = points[i % 3];
+    expect_refusal("are one point", whirl_torus_find(&system, other, COUNT, 1, NAN, &options, &torus));
+    uint64_t seed = 1;
+    for (int i = 0; i < 3 * COUNT; i++) {
+        seed = seed * 6364136223846793005u + 1442695040888963407u;
+        other[i] = (double)(seed >> 11) / 9007199254740992.0;
+    }
+    expect_refusal("no closed curve", whirl_torus_find(&system, other, COUNT, 1, NAN, &options, &torus));
+    other[5] = NAN;
+    expect_refusal("section 1 is not finite", whirl_torus_find(&system, other, COUNT, 1, NAN, &options, &torus));
+    options.most_nodes = 128;
+    expect_refusal("expected an odd number", whirl_torus_find(&system, points, COUNT, 1, NAN, &options, &torus));
+    options.most_nodes = 7;
+    expect_refusal("not smooth enough", whirl_torus_find(&system, points, COUNT, 1, NAN, &options, &torus));
+    assert_null(torus);
+    // Its number given, a torus of some error comes without looking for it.
+    options = whirl_torus_default();
+    options.accuracy = 1e-3;
+    require_ok(whirl_torus_find(&system, points, COUNT, 1, 0.3497, &options, &torus));
+    assert_true(torus->node_count < 21);
+    whirl_torus_branch_options branch = whirl_torus_branch_default(0.5, 1.0);
+    const whirl_family machines = family_of(&family);
+    whirl_torus_branch *tori;
+    double value;
+    expect_refusal("expected a value from 0.5 to 1", whirl_torus_follow(&machines, torus, 0.36, 1, &branch, &tori));
+    const whirl_orbit none = {.revolutions = 1};
+    whirl_branch_point point = {.special = WHIRL_FOLD, .orbit = (whirl_orbit *)(uintptr_t)&none};
+    whirl_torus_free(torus);
+    expect_refusal("expected a Neimark-Sacker point",
+                   whirl_torus_begin(&machines, &point, 0.1, &branch, &torus, &value));
+    point.special = WHIRL_NEIMARK_SACKER;
+    point.angle = 2.0 * pi / 3.0;
+    expect_refusal("strong resonance", whirl_torus_begin(&machines, &point, 0.1, &branch, &torus, &value));
+    free(points);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(tori_in_closed_form),
-                                       cmocka_unit_test(a_branch_in_closed_form)};
+                                       cmocka_unit_test(a_branch_in_closed_form),
+                                       cmocka_unit_test(van_der_pol_beside_a_long_motion),
+                                       cmocka_unit_test(a_torus_locks),
+                                       cmocka_unit_test(a_torus_shrinks),
+                                       cmocka_unit_test(what_is_refused)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
