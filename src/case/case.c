@@ -80,8 +80,10 @@ static void check_with_values(case_reader *reader, case_content *content, const 
     if (status.code == WHIRL_OK) {
         machine_check(reader, &v, &content->machine);
         plan_make(reader, &v, parts, &content->plan);
+        parameters_settle(&v, &content->parameters);
+        machine_settle(&v, &content->machine);
         if (reader->problems->count == 0) check_layouts(reader, content, &v);
-    } else if (v.culprit < content->parameters.count) {
+    } else if (v.evaluator && v.culprit < content->parameters.count) {
         char why[WHY_SIZE];
         const parameter *culprit = &content->parameters.items[v.culprit];
         double value;

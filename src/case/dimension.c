@@ -4,6 +4,7 @@
 #include "dimension.h"
 
 #include <math.h>
+#include <string.h>
 
 /// Expressions are evaluated in double precision; a power that is off by more is none.
 static const double TOLERANCE = 1e-6;
@@ -12,6 +13,7 @@ static const double TOLERANCE = 1e-6;
 static bool value_in(const parameter_table *parameters, const char *expression, size_t base, double *value) {
     valuation v;
     bool done = valuation_open(&v, parameters, NULL, 0.0).code == WHIRL_OK;
+    memset(&v.changed, 0xff, sizeof v.changed); // nothing is as the case has it
     for (size_t i = 0; i < parameters->count && done; i++) {
         const parameter *item = &parameters->items[parameters->order[i]];
         double powers[UNIT_BASES];

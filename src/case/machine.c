@@ -224,6 +224,18 @@ void machine_read(case_reader *reader, const file_node *where, bool may_stand_st
 
 // ---------------------------------------------------------------- building
 
+static void settle_list(valuation *v, setting_list *list) {
+    for (size_t i = 0; i < list->count; i++) formula_settle(v, &list->items[i].value);
+}
+
+void machine_settle(valuation *v, machine_parts *machine) {
+    named_list *const named[] = {&machine->materials, &machine->shafts, &machine->stations};
+    settle_list(v, &machine->rotor);
+    for (size_t kind = 0; kind < 3; kind++)
+        for (size_t i = 0; i < named[kind]->count; i++) settle_list(v, &named[kind]->items[i]);
+    for (size_t i = 0; i < machine->element_count; i++) settle_list(v, &machine->elements[i]);
+}
+
 /// What the rotor layer takes: numbers in SI, and words.
 static whirl_status evaluate(const setting_list *settings, valuation *v, whirl_setting values[SETTINGS_MAX]) {
     for (size_t i = 0; i < settings->count && i < SETTINGS_MAX; i++) {

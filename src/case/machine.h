@@ -26,6 +26,9 @@ void machine_read(case_reader *reader, const file_node *where, bool may_stand_st
 /// Reports everything that keeps the values of the case from being a machine. Call it when nothing is wrong so far.
 void machine_check(case_reader *reader, valuation *v, const machine_parts *machine);
 
+/// formula_settle of all its settings.
+void machine_settle(valuation *v, machine_parts *machine);
+
 /// Builds a rotor with the values of `valuation`.
 whirl_status machine_build(const machine_parts *machine, valuation *v, whirl_rotor **rotor);
 

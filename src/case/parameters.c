@@ -35,10 +35,23 @@ bool reader_reports(case_reader *reader, const char *what, const char *name) {
     return true;
 }
 
+// ---------------------------------------------------------------- sets
+
+static void put(parameter_set *set, size_t index) {
+    set->bits[index / 64] |= (uint64_t)1 << index % 64;
+}
+
+static bool share(const parameter_set *a, const parameter_set *b) {
+    for (size_t i = 0; i < PARAMETERS_MAX / 64; i++)
+        if (a->bits[i] & b->bits[i]) return true;
+    return false;
+}
+
 // ---------------------------------------------------------------- names in expressions
 
 typedef struct lookup {
     const parameter_table *parameters;
+    parameter_set uses;
     char name[WHIRL_NAME_SIZE]; ///< the last one that was asked for
     const char *at;             ///< where it stands
 } lookup;
@@ -49,7 +62,10 @@ static bool parameter_is_known(void *context, const char *name, size_t length) {
     if (length >= sizeof l->name) length = sizeof l->name - 1;
     memcpy(l->name, name, length);
     l->name[length] = '\0';
-    return parameters_find(l->parameters, l->name) < l->parameters->count;
+    const size_t index = parameters_find(l->parameters, l->name);
+    if (index == l->parameters->count) return false;
+    put(&l->uses, index);
+    return true;
 }
 
 /// The text after "=", or NULL where there is no expression.
@@ -90,7 +106,7 @@ static bool read_expression(case_reader *reader, const parameter_table *known, c
     const char *expression = one_line(reader, text);
     if (!expression || !can_afford(reader, where, expression)) return false;
     if (expression_check(expression, parameter_is_known, &l, why)) {
-        *result = (number_formula){.expression = expression};
+        *result = (number_formula){.expression = expression, .uses = l.uses};
         return true;
     }
     const bool unit = !why[0] && follows_number(expression, l.at);
@@ -417,8 +433,7 @@ whirl_status valuation_open(valuation *v, const parameter_table *parameters, con
     *v = (valuation){.parameters = parameters, .culprit = PARAMETERS_MAX};
     const size_t given = name ? parameters_find(parameters, name) : parameters->count;
     if (name && given == parameters->count) return whirl_fail(WHIRL_BAD_INPUT, "no parameter is called %.63s", name);
-    v->evaluator = evaluator_new(parameters->names, v->values, parameters->count);
-    if (!v->evaluator) return whirl_fail(WHIRL_NO_MEMORY, "no memory to evaluate expressions");
+    if (name) put(&v->changed, given);
     for (size_t i = 0; i < parameters->count; i++) {
         const size_t index = parameters->order[i];
         const number_formula *formula = &parameters->items[index].value;
@@ -426,6 +441,7 @@ whirl_status valuation_open(valuation *v, const parameter_table *parameters, con
             v->values[index] = value;
             continue;
         }
+        if (share(&formula->uses, &v->changed)) put(&v->changed, index);
         const whirl_status status = valuation_number(v, formula, &v->values[index]);
         if (status.code == WHIRL_OK) continue;
         v->culprit = index;
@@ -442,6 +458,20 @@ void valuation_close(valuation *v) {
 whirl_status valuation_number(valuation *v, const number_formula *formula, double *number) {
     char why[WHY_SIZE];
     *number = formula->number;
-    if (!formula->expression || evaluator_value(v->evaluator, formula->expression, number, why)) return whirl_ok();
+    if (!formula->expression || (formula->settled && !share(&formula->uses, &v->changed))) return whirl_ok();
+    if (!v->evaluator) v->evaluator = evaluator_new(v->parameters->names, v->values, v->parameters->count);
+    if (!v->evaluator) return whirl_fail(WHIRL_NO_MEMORY, "no memory to evaluate expressions");
+    if (evaluator_value(v->evaluator, formula->expression, number, why)) return whirl_ok();
     return whirl_fail(WHIRL_BAD_INPUT, "%s", why);
+}
+
+void formula_settle(valuation *v, number_formula *formula) {
+    double number;
+    if (!formula->expression || valuation_number(v, formula, &number).code != WHIRL_OK) return;
+    formula->number = number;
+    formula->settled = true;
+}
+
+void parameters_settle(valuation *v, parameter_table *parameters) {
+    for (size_t i = 0; i < parameters->count; i++) formula_settle(v, &parameters->items[i].value);
 }

@@ -2,7 +2,9 @@
 #ifndef CASE_PARAMETERS_H
 #define CASE_PARAMETERS_H
 
+#include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 #include "arena.h"
 #include "expression.h"
@@ -15,10 +17,17 @@
 /// Evaluating expressions is the longest part of reading a case, hence the second bound.
 enum { PARAMETERS_MAX = 256, EXPRESSIONS_MAX_BYTES = 1 << 16 };
 
+/// A set of parameters, by their indices.
+typedef struct parameter_set {
+    uint64_t bits[PARAMETERS_MAX / 64];
+} parameter_set;
+
 /// A number in SI, or an expression that gives one.
 typedef struct number_formula {
     double number;
     const char *expression; ///< where not NULL it counts
+    parameter_set uses;     ///< by the expression
+    bool settled;           ///< its value with all parameters as the case has them is `number`
 } number_formula;
 
 typedef struct parameter {
@@ -102,9 +111,10 @@ bool angle_is_likely(const whirl_key *key, double number, char why[WHY_SIZE]);
 /// Values of all parameters for one machine. Cheap; one for every thread.
 typedef struct valuation {
     const parameter_table *parameters;
-    expression_evaluator *evaluator;
+    expression_evaluator *evaluator; ///< made when it is first needed
     double values[PARAMETERS_MAX];
-    size_t culprit; ///< the parameter that valuation_open failed at, or PARAMETERS_MAX
+    parameter_set changed; ///< that may not be as the case has them
+    size_t culprit;        ///< the parameter that valuation_open failed at, or PARAMETERS_MAX
 } valuation;
 
 /// Evaluates all parameters with `name` at `value` (NULL: as they are). WHIRL_BAD_INPUT when one has no finite value.
@@ -114,5 +124,10 @@ void valuation_close(valuation *v);
 
 /// The value of a formula.
 whirl_status valuation_number(valuation *v, const number_formula *formula, double *number);
+
+/// Notes values with all parameters as the case has them, so that they are not evaluated again for machines that do not
+/// differ by them.
+void formula_settle(valuation *v, number_formula *formula);
+void parameters_settle(valuation *v, parameter_table *parameters);
 
 #endif
