@@ -49,8 +49,21 @@ bool whirl_ensemble_follows(const whirl_system *system, const whirl_integrate_op
 whirl_status whirl_ensemble_variational(const whirl_system *system, const whirl_integrate_options *options,
                                         whirl_ensemble **ensemble);
 
-/// Lets disturbances go along with a lane of one of the last two in the next revolution, as whirl_integrator_carry has
-/// them; of whirl_ensemble_variational, all of them, with growth. They belong to the caller.
+/// Whether parts of the period go in lanes, with disturbances: rotors of up to 256 coordinates by dop853.
+bool whirl_ensemble_flows(const whirl_system *system, const whirl_integrate_options *options);
+
+/// As whirl_ensemble_new, for at least `lanes` (at least 1) machines that each go over a part of the period of their
+/// own, with room for `followed` disturbances of each (0 to the dimension).
+whirl_status whirl_ensemble_flow(const whirl_system *system, const whirl_integrate_options *options, size_t lanes,
+                                 size_t followed, whirl_ensemble **ensemble);
+
+/// Lets the revolutions of a lane of the last one begin at `from` and be that long, whatever became of its motion
+/// before; at first they are whole periods.
+void whirl_ensemble_part(whirl_ensemble *ensemble, size_t lane, double from, double length);
+
+/// Lets disturbances go along with a lane of one of the last three in the next revolution, as whirl_integrator_carry
+/// has them; of whirl_ensemble_variational, all of them, with growth; of whirl_ensemble_flow, as many as there is room
+/// for, without. They belong to the caller.
 void whirl_ensemble_carry(whirl_ensemble *ensemble, size_t lane, whirl_disturbances *disturbances);
 
 /// Lanes that there are: those asked for, rounded up to whole vectors.

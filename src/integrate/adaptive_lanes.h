@@ -27,7 +27,7 @@ enum {
     MAX_GROUP = 4,          ///< vectors
     INSTANCE_STRIDE = 4,    ///< vectors of a group of a structure with loops of its own
     MAX_SLOTS = 64,
-    MAX_LANE_ROWS = 8 WHIRL_WATCHED(LANE_ROWS)
+    MAX_LANE_ROWS = 9 WHIRL_WATCHED(LANE_ROWS)
 };
 #undef LANE_ROWS
 #define NO_LANE ((size_t)-1)
@@ -50,6 +50,7 @@ typedef struct dop853_work {
     dop853_sums sums;
     double *k[DOP853_SLOPES]; ///< [rates] slopes: rows that follow one another
     double *base;             ///< cos and sin of t
+    double *divergence;       ///< [DOP853_STAGES + 1] where the slopes were taken
 } dop853_work;
 
 /// What the steps of rodas5p work on (kernels/rodas5p_lanes.c).
@@ -87,11 +88,14 @@ typedef struct adaptive_lanes {
     const size_t *mates;  ///< of one slot, [rates]: the next state whose size is measured with that one's; NULL: none
     bool modulated;       ///< accelerations depend on the forcing in other ways than in proportion
     bool slides;          ///< motions can slide along a switch
+    size_t followed;      ///< disturbances that there is room for: states, slopes and stages are [1 + followed][...]
+    size_t tangents;      ///< that go along in this revolution
     double period, rtol, atol, limit;
     // One machine a lane.
     double *numbers, *q, *v;
     double *ended; ///< whirl_motion; lanes that have ended are not carried on
     // Of the revolution.
+    double *from, *until;           ///< the part of it that is carried over
     double *starting;               ///< 1 where it begins
     double *attempts;               ///< steps tried
     double *t, *h;                  ///< time, and length of step to try next
@@ -105,6 +109,8 @@ typedef struct adaptive_lanes {
     double *whole, *tries; ///< the step within which it is, and steps taken to find it
     double *value, *rate;  ///< [switch_count] switching functions and their derivatives at t
     double *slope;         ///< [rates] slopes of v at t
+    double *divergence;    ///< at t, where disturbances go along
+    double *volume;        ///< its integral
     // Of the step.
     double *length, *lengths;     ///< tried; [degrees] the same for every degree
     double *error;                ///< square of the error, in tolerances
@@ -114,6 +120,8 @@ typedef struct adaptive_lanes {
     double *stage_q, *stage_v;    ///< [degrees], [rates]
     double *end_q, *end_v;        ///< [degrees], [rates] the state at its end
     double *end_slope;            ///< [rates] slopes there
+    double *end_divergence;       ///< the divergence there
+    double *gained;               ///< its integral over the step
     double *later;                ///< [rates] workspace of beginnings
     double *end_value, *end_rate; ///< [switch_count]
     double *time, *forcing;       ///< workspace; [forcing_count]
@@ -131,12 +139,14 @@ typedef struct adaptive_lanes {
     size_t sample_room;
     // The ensemble that is served.
     size_t lane_count;
+    const double *parts;                 ///< [lane_count][2] from where to where lanes go; NULL: the whole period
     const whirl_system *const *machines; ///< [lane_count] NULL: nobody is there
     lane_rows exchanged[MAX_LANE_ROWS];  ///< what goes with a lane into its slot and back
     size_t exchanged_count;
     lane_queue *queue;
-    stepper *stepper; ///< for slots that are looked at one by one; the ensemble's
-    double *block;    ///< all arrays
+    stepper *stepper;              ///< for slots that are looked at one by one; the ensemble's
+    whirl_disturbances *alongside; ///< of such a slot
+    double *block;                 ///< all arrays
 } adaptive_lanes;
 
 typedef void adaptive_lanes_revolve(const adaptive_lanes *lanes);
@@ -183,10 +193,11 @@ static inline double *lanes_row(const adaptive_lanes *lanes, double *block, size
 /// A workspace of that shape, whose arrays are to be made; NULL where there is no memory.
 adaptive_lanes *adaptive_lanes_make(const adaptive_lanes *shape);
 
-/// A workspace for systems of that structure with that instruction set; the ensemble is set for every revolution. NULL
-/// where there is no memory.
+/// A workspace for systems of that structure with that instruction set, for so many lanes (0: many) with so many
+/// disturbances; the ensemble is set for every revolution. NULL where there is no memory.
 adaptive_lanes *adaptive_lanes_new(const lanes_method *own, const whirl_system *system,
-                                   const whirl_integrate_options *options, const isa *set);
+                                   const whirl_integrate_options *options, const isa *set, size_t lane_count,
+                                   size_t followed);
 
 /// Room for the samples of a revolution; false where there is no memory.
 bool adaptive_lanes_make_room(adaptive_lanes *lanes, size_t samples, size_t lane_count);

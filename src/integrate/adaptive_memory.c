@@ -13,20 +13,24 @@ typedef struct part {
 static size_t lay_out(adaptive_lanes *lanes, double *block) {
     const size_t degrees = lanes->degrees, rates = lanes->rates, probes = lanes->observe.probe_count,
                  switches = lanes->switch_count;
-    const size_t contacts = lanes->observe.contact_count;
+    const size_t contacts = lanes->observe.contact_count, sets = 1 + lanes->followed;
     size_t row = 0;
 #define PART(array, extent, columns, ...)                                                                              \
     {&lanes->observe.array, WHIRL_WATCHED_SIZE(extent, columns, probes, contacts)},
     const part parts[] = {
-        {&lanes->q, degrees},
-        {&lanes->v, rates},
-        {&lanes->stage_q, degrees},
-        {&lanes->stage_v, rates},
-        {&lanes->end_q, degrees},
-        {&lanes->end_v, rates},
+        {&lanes->q, sets * degrees},
+        {&lanes->v, sets * rates},
+        {&lanes->stage_q, sets * degrees},
+        {&lanes->stage_v, sets * rates},
+        {&lanes->end_q, sets * degrees},
+        {&lanes->end_v, sets * rates},
         {&lanes->numbers, lanes->number_count},
         {&lanes->forcing, lanes->forcing_count},
         {&lanes->ended, 1},
+        {&lanes->from, 1},
+        {&lanes->until, 1},
+        {&lanes->volume, 1},
+        {&lanes->gained, 1},
         {&lanes->starting, 1},
         {&lanes->attempts, 1},
         {&lanes->t, 1},
@@ -101,7 +105,8 @@ adaptive_lanes *adaptive_lanes_make(const adaptive_lanes *shape) {
 }
 
 adaptive_lanes *adaptive_lanes_new(const lanes_method *own, const whirl_system *system,
-                                   const whirl_integrate_options *options, const isa *set) {
+                                   const whirl_integrate_options *options, const isa *set, size_t lane_count,
+                                   size_t followed) {
     const whirl_lanes *form = system->lanes;
     adaptive_lanes shape = {.method = own,
                             .model = system->model,
@@ -118,6 +123,7 @@ adaptive_lanes *adaptive_lanes_new(const lanes_method *own, const whirl_system *
                             .switch_count = form->switch_count,
                             .modulated = form->modulated,
                             .slides = form->slides,
+                            .followed = followed,
                             .period = system->period,
                             .rtol = options->rtol,
                             .atol = options->atol,
@@ -129,8 +135,10 @@ adaptive_lanes *adaptive_lanes_new(const lanes_method *own, const whirl_system *
                                         .probes = system->probes,
                                         .contact_count = form->contact_count}};
     if (form->damped) shape.observe.normal_force = form->contacts[set->number];
+    shape.instance = shape.stride == INSTANCE_STRIDE && followed == 0 ? form->instance : NULL;
+    // Loops of a structure's own are made for a whole group; without them, no vector need be idle.
+    while (!shape.instance && lane_count > 0 && (shape.stride - 1) * set->lanes >= lane_count) shape.stride--;
     shape.slots = shape.stride * set->lanes;
-    shape.instance = shape.stride == INSTANCE_STRIDE ? form->instance : NULL;
     return adaptive_lanes_make(&shape);
 }
 

@@ -32,6 +32,8 @@ static bool enter(const adaptive_lanes *lanes, size_t slot) {
         exchange(lanes, slot, lane, false);
         if (lanes->ended[slot] != WHIRL_BOUNDED) continue;
         queue->slot_lane[slot] = lane;
+        lanes->from[slot] = lanes->parts ? lanes->parts[2 * lane] : 0.0;
+        lanes->until[slot] = lanes->parts ? lanes->parts[2 * lane + 1] : lanes->period;
         lanes->starting[slot] = 1.0;
         return true;
     }

@@ -26,19 +26,34 @@ static void end(const adaptive_lanes *lanes, size_t slot, whirl_motion motion) {
 
 // ---------------------------------------------------------------- by the stepper
 
+/// The state, set 0, or a disturbance: x [dimension].
+static void give_set(const adaptive_lanes *lanes, size_t slot, size_t set, double *x) {
+    const size_t n = lanes->degrees, rates = lanes->rates;
+    for (size_t d = 0; d < n; d++) x[d] = *at(lanes, lanes->q, set * n + d, slot);
+    for (size_t d = 0; d < rates; d++) x[n + d] = *at(lanes, lanes->v, set * rates + d, slot);
+}
+
+static void take_set(const adaptive_lanes *lanes, size_t slot, size_t set, const double *x) {
+    const size_t n = lanes->degrees, rates = lanes->rates;
+    for (size_t d = 0; d < n; d++) *at(lanes, lanes->q, set * n + d, slot) = x[d];
+    for (size_t d = 0; d < rates; d++) *at(lanes, lanes->v, set * rates + d, slot) = x[n + d];
+}
+
 static void give_state(const adaptive_lanes *lanes, size_t slot) {
     stepper *c = lanes->stepper;
-    const size_t n = lanes->degrees;
-    for (size_t d = 0; d < n; d++) c->x[d] = *at(lanes, lanes->q, d, slot);
-    for (size_t d = 0; d < lanes->rates; d++) c->x[n + d] = *at(lanes, lanes->v, d, slot);
+    whirl_disturbances *along = lanes->alongside;
+    give_set(lanes, slot, 0, c->x);
+    for (size_t k = 0; k < lanes->tangents; k++) give_set(lanes, slot, k + 1, along->vectors + k * lanes->dimension);
+    if (lanes->tangents > 0) along->volume = lanes->volume[slot];
+    c->variation.set = lanes->tangents > 0 ? along : NULL;
     stepper_place(c, lanes->machines[lanes->queue->slot_lane[slot]], lanes->t[slot]);
 }
 
 static void take_state(const adaptive_lanes *lanes, size_t slot) {
-    const stepper *c = lanes->stepper;
-    const size_t n = lanes->degrees;
-    for (size_t d = 0; d < n; d++) *at(lanes, lanes->q, d, slot) = c->x[d];
-    for (size_t d = 0; d < lanes->rates; d++) *at(lanes, lanes->v, d, slot) = c->x[n + d];
+    const whirl_disturbances *along = lanes->alongside;
+    take_set(lanes, slot, 0, lanes->stepper->x);
+    for (size_t k = 0; k < lanes->tangents; k++) take_set(lanes, slot, k + 1, along->vectors + k * lanes->dimension);
+    if (lanes->tangents > 0) lanes->volume[slot] = along->volume;
 }
 
 static void give_sides(const adaptive_lanes *lanes, size_t slot) {
@@ -65,6 +80,7 @@ static void take_sides(const adaptive_lanes *lanes, size_t slot) {
 void adaptive_find_sides(const adaptive_lanes *lanes, size_t slot) {
     give_state(lanes, slot);
     stepper_find_sides(lanes->stepper);
+    stepper_vary_begin(lanes->stepper);
     take_state(lanes, slot); // on the switches that it slides along
     take_sides(lanes, slot);
 }
@@ -85,7 +101,7 @@ static void step_alone(const adaptive_lanes *lanes, size_t slot) {
     *c->slot->h = lanes->length[slot];
     c->switchings = (int)lanes->switchings[slot];
     c->observed = lanes->observing;
-    const whirl_motion motion = stepper_step(c, lanes->period);
+    const whirl_motion motion = stepper_step(c, lanes->until[slot]);
     take_state(lanes, slot);
     take_sides(lanes, slot);
     lanes->t[slot] = c->t;
@@ -100,7 +116,7 @@ static void step_alone(const adaptive_lanes *lanes, size_t slot) {
     }
     if (motion != WHIRL_BOUNDED)
         end(lanes, slot, motion);
-    else if (!(c->t < lanes->period))
+    else if (!(c->t < lanes->until[slot]))
         lanes->running[slot] = 0.0;
 }
 
@@ -189,7 +205,7 @@ static void cross(const adaptive_lanes *lanes, size_t slot, size_t which) {
     copy(lanes, lanes->v, lanes->end_v, lanes->rates, slot);
     for (size_t s = 0; s < lanes->switch_count; s++) *at(lanes, lanes->held, s, slot) = s == which && !lanes->slides;
     lanes->taken[slot] = lanes->length[slot];
-    lanes->t[slot] = fmin(lanes->t[slot] + lanes->length[slot], lanes->period);
+    lanes->t[slot] = fmin(lanes->t[slot] + lanes->length[slot], lanes->until[slot]);
     if (lanes->slides)
         choose_side(lanes, slot, which);
     else
@@ -197,13 +213,14 @@ static void cross(const adaptive_lanes *lanes, size_t slot, size_t which) {
     lanes->landing[slot] = 0.0;
     lanes->fresh[slot] = 1.0;
     if (++lanes->switchings[slot] > MAX_SWITCHINGS) end(lanes, slot, WHIRL_STUCK);
-    if (!(lanes->t[slot] < lanes->period)) lanes->running[slot] = 0.0;
+    if (!(lanes->t[slot] < lanes->until[slot])) lanes->running[slot] = 0.0;
 }
 
+/// With disturbances the stepper lands, which carries them over the switch.
 static void begin_landing(const adaptive_lanes *lanes, size_t slot) {
     size_t which = 0;
     double theta;
-    if (find_passage(lanes, slot, lanes->switch_count, &which, &theta) != PASSAGE_FALLS) {
+    if (lanes->tangents > 0 || find_passage(lanes, slot, lanes->switch_count, &which, &theta) != PASSAGE_FALLS) {
         step_alone(lanes, slot);
         return;
     }

@@ -76,17 +76,21 @@ static size_t group(size_t rates) {
 
 static size_t lay_out(adaptive_lanes *lanes, double *block) {
     dop853_work *own = &lanes->dop853;
+    const size_t apart = (1 + lanes->followed) * lanes->rates;
     size_t row = 0;
-    for (size_t i = 0; i < DOP853_SLOPES; i++, row += lanes->rates) own->k[i] = lanes_row(lanes, block, row);
+    for (size_t i = 0; i < DOP853_SLOPES; i++, row += apart) own->k[i] = lanes_row(lanes, block, row);
     own->base = lanes_row(lanes, block, row);
+    own->divergence = lanes_row(lanes, block, row + 2);
     lanes->slope = own->k[0];
     lanes->end_slope = own->k[DOP853_STAGES];
     lanes->later = own->k[1];
-    return row + 2;
+    lanes->divergence = own->divergence;
+    lanes->end_divergence = lanes_row(lanes, block, row + 2 + DOP853_STAGES);
+    return row + 3 + DOP853_STAGES;
 }
 
 static void prepare(adaptive_lanes *lanes) {
-    dop853_sums_fill(&lanes->dop853.sums, lanes->rates * lanes->stride);
+    dop853_sums_fill(&lanes->dop853.sums, (1 + lanes->followed) * lanes->rates * lanes->stride);
 }
 
 const lanes_method dop853_in_lanes = {revolves, &dop853_slot, false, try_varied, DENSE, group, lay_out, prepare};

@@ -24,6 +24,8 @@ struct whirl_ensemble {
     rk4_lanes lanes;
     adaptive_lanes *adaptive; ///< NULL for rk4
     stepper *stepper;         ///< for steps near switches; NULL: not needed
+    whirl_disturbances along; ///< of that one
+    double *room, *parts;     ///< its workspace; [lane_count][2] parts of the period that lanes go over; NULL: none
     alone_lanes *alone;       ///< lanes that integrators carry; NULL: kernels do
     double *ended;            ///< [lane] whirl_motion
     const double *shown;      ///< [dimension] states that coordinates are asked of: a sample's; NULL: the present ones
@@ -166,17 +168,29 @@ static void fill_lanes(whirl_ensemble *e, const whirl_integrate_options *options
     if (system->lanes->damped) lanes->observe.normal_force = system->lanes->contacts[e->isa->number];
 }
 
+/// An adaptive method, with the stepper that looks at lanes near switches, and what both need for disturbances.
+static bool attach_adaptive(whirl_ensemble *e, const lanes_method *own, const whirl_integrate_options *options,
+                            size_t lanes) {
+    const size_t most = e->lanes.disturbances, n = e->system->dimension;
+    e->adaptive = adaptive_lanes_new(own, e->system, options, e->isa, lanes, most);
+    e->stepper = stepper_new(own, e->system, options);
+    if (!e->adaptive || !e->stepper) return false;
+    e->adaptive->stepper = e->stepper;
+    if (most == 0) return true;
+    e->room = calloc((DISTURBANCE_ROWS * (1 + most) + SPARE_ROWS + most) * n, sizeof *e->room);
+    if (!e->room) return false;
+    stepper_follow(e->stepper, most, e->room + most * n);
+    e->along = (whirl_disturbances){.count = most, .vectors = e->room};
+    e->adaptive->alongside = &e->along;
+    return true;
+}
+
 /// What methods need that locate contacts.
-static bool attach_location(whirl_ensemble *e, const whirl_integrate_options *options) {
+static bool attach_location(whirl_ensemble *e, const whirl_integrate_options *options, size_t lanes) {
     const whirl_system *system = e->system;
     lanes_located *located = &e->lanes.located;
     const lanes_method *adaptive = adaptive_in_lanes(options);
-    if (adaptive) {
-        e->adaptive = adaptive_lanes_new(adaptive, system, options, e->isa);
-        e->stepper = stepper_new(adaptive, system, options);
-        if (e->adaptive) e->adaptive->stepper = e->stepper;
-        return e->adaptive && e->stepper;
-    }
+    if (adaptive) return attach_adaptive(e, adaptive, options, lanes);
     if (!options->located || system->lanes->switch_count == 0) return true;
     e->stepper = stepper_new(NULL, system, options);
     *located = (lanes_located){.switches = system->lanes->switches[e->isa->number],
@@ -245,7 +259,7 @@ static whirl_status make(const whirl_system *system, const whirl_integrate_optio
         fill_shape(e);
         fill_lanes(e, options);
         e->lanes.disturbances = disturbances;
-        if (e->lanes.places && attach_location(e, options))
+        if (e->lanes.places && attach_location(e, options, lanes))
             status = finish(e, lanes > 0 ? lanes : fast_lanes(e), out);
         else
             status = whirl_fail(WHIRL_NO_MEMORY, "no memory for an ensemble");
@@ -269,6 +283,36 @@ whirl_status whirl_ensemble_variational(const whirl_system *system, const whirl_
     if (whirl_ensemble_follows(system, options)) return make(system, options, 0, system->dimension, out);
     return whirl_fail(WHIRL_BAD_INPUT, "disturbances of this system do not go in lanes, expected a rotor without "
                                        "jumps of its forces, and rk4 that walks over contacts");
+}
+
+bool whirl_ensemble_flows(const whirl_system *system, const whirl_integrate_options *options) {
+    return system->lanes && system->tangent && adaptive_in_lanes(options) == &dop853_in_lanes &&
+           system->dimension <= MOST_DISTURBANCES;
+}
+
+whirl_status whirl_ensemble_flow(const whirl_system *system, const whirl_integrate_options *options, size_t lanes,
+                                 size_t followed, whirl_ensemble **out) {
+    *out = NULL;
+    if (!whirl_ensemble_flows(system, options))
+        return whirl_fail(WHIRL_BAD_INPUT, "parts of the period of this system do not go in lanes, expected a rotor of "
+                                           "up to 256 coordinates and method dop853");
+    if (followed > system->dimension)
+        return whirl_fail(WHIRL_BAD_INPUT, "%zu disturbances are to be followed, expected at most the dimension, %zu",
+                          followed, system->dimension);
+    whirl_status status = make(system, options, lanes, followed, out);
+    if (status.code != WHIRL_OK) return status;
+    (*out)->parts = calloc(2 * (*out)->lane_count, sizeof *(*out)->parts);
+    for (size_t i = 0; (*out)->parts && i < (*out)->lane_count; i++) (*out)->parts[2 * i + 1] = system->period;
+    if ((*out)->parts) return status;
+    whirl_ensemble_free(*out);
+    *out = NULL;
+    return whirl_fail(WHIRL_NO_MEMORY, "no memory for an ensemble");
+}
+
+void whirl_ensemble_part(whirl_ensemble *e, size_t lane, double from, double length) {
+    e->parts[2 * lane] = from;
+    e->parts[2 * lane + 1] = from + length;
+    e->ended[lane] = WHIRL_BOUNDED;
 }
 
 whirl_status whirl_ensemble_alone(const whirl_system *system, const whirl_integrate_options *options, size_t lanes,
@@ -303,6 +347,8 @@ void whirl_ensemble_free(whirl_ensemble *e) {
     adaptive_lanes_free(e->adaptive);
     alone_lanes_free(e->alone);
     stepper_free(e->stepper);
+    free(e->room);
+    free(e->parts);
     free(e->block);
     free(e->forcing);
     free(e->lanes.places);
@@ -422,13 +468,15 @@ void whirl_ensemble_move(whirl_ensemble *e, size_t from, size_t to) {
 static void fill_exchange(const whirl_ensemble *e, adaptive_lanes *lanes) {
     const lanes_observe *own = &lanes->observe, *theirs = &e->lanes.observe;
     const size_t dimension = lanes->dimension, probes = own->probe_count, contacts = own->contact_count;
+    const size_t sets = 1 + lanes->tangents;
 #define PART(array, extent, columns, ...)                                                                              \
     {own->array, theirs->array, WHIRL_WATCHED_SIZE(extent, columns, probes, contacts), false},
     const lane_rows rows[] = {
         {lanes->numbers, e->lanes.numbers, lanes->number_count, true},
-        {lanes->q, e->lanes.q, lanes->degrees, false},
-        {lanes->v, e->lanes.v, lanes->rates, false},
+        {lanes->q, e->lanes.q, sets * lanes->degrees, false},
+        {lanes->v, e->lanes.v, sets * lanes->rates, false},
         {lanes->ended, e->ended, 1, false},
+        {lanes->volume, e->lanes.volume, sets > 1 ? 1 : 0, false},
         {own->low, theirs->low, dimension, false},
         {own->high, theirs->high, dimension, false},
         {own->gap, theirs->gap, contacts, true},
@@ -438,7 +486,7 @@ static void fill_exchange(const whirl_ensemble *e, adaptive_lanes *lanes) {
         // clang-format on
     };
 #undef PART
-    enum { ALWAYS = 4, ALL = sizeof rows / sizeof *rows };
+    enum { ALWAYS = 5, ALL = sizeof rows / sizeof *rows };
     lanes->exchanged_count = lanes->observing ? ALL : ALWAYS;
     memcpy(lanes->exchanged, rows, sizeof rows);
 }
@@ -457,48 +505,18 @@ static void revolve_alone(whirl_ensemble *e, size_t count, const whirl_ensemble_
     hand_out(e, e->alone->samples, samples, observe);
 }
 
-/// A revolution in which every lane goes its own way; samples are handed out when all are through.
-static void revolve_adaptive(whirl_ensemble *e, size_t count, const whirl_ensemble_observe *observe) {
-    const size_t wanted = observe && observe->stride > 0 ? (size_t)e->adaptive->instants / observe->stride : 0;
-    const size_t samples = adaptive_lanes_make_room(e->adaptive, wanted, e->lane_count) ? wanted : 0;
-    const size_t size = e->system->dimension * e->lane_count;
-    adaptive_lanes lanes = *e->adaptive;
-    lanes.lane_count = e->lane_count;
-    lanes.machines = e->machines;
-    lanes.observe.contact_probe = e->contact_probe;
-    lanes.observing = observe && (observe->extremes || samples > 0);
-    lanes.sample_stride = samples > 0 ? observe->stride : 0;
-    lanes.queue->next = 0;
-    lanes.queue->count = count;
-    fill_exchange(e, &lanes);
-    for (size_t i = 0; i < samples * size; i++) lanes.samples[i] = NAN; // of lanes that end on the way
-    for (size_t lane = 0; samples < wanted && lane < count; lane++) e->ended[lane] = WHIRL_STUCK; // for want of memory
-    lanes.method->revolves[e->isa->number](&lanes);
-    hand_out(e, lanes.samples, samples, observe);
-}
-
-/// Brings angles back into their first turn.
-static void wrap(whirl_ensemble *e, size_t count) {
-    const double *turns = e->system->turns;
-    const size_t degrees = e->lanes.degrees;
-    for (size_t i = degrees; i < e->system->dimension; i++)
-        for (size_t lane = 0; turns_on(turns, i) && lane < count; lane++) {
-            double *at = &e->lanes.v[(i - degrees) * e->lane_count + lane];
-            *at = in_first_turn(*at, turns[i]);
-        }
-}
-
 /// Puts the disturbances that go along into their lanes; whether there are any.
 static bool begin_disturbances(whirl_ensemble *e, size_t count) {
     const rk4_lanes *lanes = &e->lanes;
     bool any = false;
-    for (size_t lane = 0; lane < count; lane++) {
+    for (size_t lane = 0; lane < count; lane++) any = any || e->beside[lane];
+    memset(e->state, 0, e->system->dimension * sizeof *e->state);
+    for (size_t lane = 0; any && lane < count; lane++) {
         const whirl_disturbances *set = e->beside[lane];
-        if (!set) continue;
-        any = true;
+        if (!set && !e->adaptive) continue; // steps of their own would be chosen by what is left there
         lanes->volume[lane] = 0.0;
         for (size_t k = 0; k < lanes->disturbances; k++) {
-            place(e, lane, k + 1, set->vectors + k * e->system->dimension);
+            place(e, lane, k + 1, set ? set->vectors + k * e->system->dimension : e->state);
             lanes->lengths[k * e->lane_count + lane] = 1.0;
             lanes->growth[k * e->lane_count + lane] = 0.0;
         }
@@ -517,11 +535,45 @@ static void end_disturbances(whirl_ensemble *e, size_t count) {
         for (size_t k = 1; k <= lanes->disturbances; k++) {
             for (size_t d = 0; d < degrees; d++) *out++ = lanes->q[(k * degrees + d) * e->lane_count + lane];
             for (size_t d = 0; d < rates; d++) *out++ = lanes->v[(k * rates + d) * e->lane_count + lane];
-            set->growth[k - 1] = lanes->growth[(k - 1) * e->lane_count + lane];
+            if (set->growth) set->growth[k - 1] = lanes->growth[(k - 1) * e->lane_count + lane];
         }
         set->volume = lanes->volume[lane];
         e->beside[lane] = NULL;
     }
+}
+
+/// A revolution in which every lane goes its own way; samples are handed out when all are through.
+static void revolve_adaptive(whirl_ensemble *e, size_t count, const whirl_ensemble_observe *observe) {
+    const size_t wanted = observe && observe->stride > 0 ? (size_t)e->adaptive->instants / observe->stride : 0;
+    const size_t samples = adaptive_lanes_make_room(e->adaptive, wanted, e->lane_count) ? wanted : 0;
+    const size_t size = e->system->dimension * e->lane_count;
+    adaptive_lanes lanes = *e->adaptive;
+    lanes.lane_count = e->lane_count;
+    lanes.machines = e->machines;
+    lanes.observe.contact_probe = e->contact_probe;
+    lanes.observing = observe && (observe->extremes || samples > 0);
+    lanes.sample_stride = samples > 0 ? observe->stride : 0;
+    lanes.parts = e->parts;
+    lanes.tangents = begin_disturbances(e, count) ? e->lanes.disturbances : 0;
+    lanes.queue->next = 0;
+    lanes.queue->count = count;
+    fill_exchange(e, &lanes);
+    for (size_t i = 0; i < samples * size; i++) lanes.samples[i] = NAN; // of lanes that end on the way
+    for (size_t lane = 0; samples < wanted && lane < count; lane++) e->ended[lane] = WHIRL_STUCK; // for want of memory
+    lanes.method->revolves[e->isa->number](&lanes);
+    hand_out(e, lanes.samples, samples, observe);
+    if (lanes.tangents > 0) end_disturbances(e, count);
+}
+
+/// Brings angles back into their first turn.
+static void wrap(whirl_ensemble *e, size_t count) {
+    const double *turns = e->system->turns;
+    const size_t degrees = e->lanes.degrees;
+    for (size_t i = degrees; i < e->system->dimension; i++)
+        for (size_t lane = 0; turns_on(turns, i) && lane < count; lane++) {
+            double *at = &e->lanes.v[(i - degrees) * e->lane_count + lane];
+            *at = in_first_turn(*at, turns[i]);
+        }
 }
 
 static void revolve_rk4(whirl_ensemble *e, size_t count, const whirl_ensemble_observe *observe) {

@@ -27,6 +27,9 @@ typedef struct stepper_variation {
     double *spare;                            ///< [SPARE_ROWS][dimension]
 } stepper_variation;
 
+/// Of its workspace, each of (1 + most) vectors, but for the last SPARE_ROWS, which are vectors.
+enum { DISTURBANCE_ROWS = DOP853_STAGES + 3 };
+
 /// Rows of a stepper's workspace, so that what calls one another does not share one: values, sides.
 enum { ROW_VALUE, ROW_FOUND, ROW_FROM, ROW_TO, ROW_SIDES, ROW_SIDES_OF_MEAN, ROW_SEARCH };
 enum { SWITCH_ROWS = ROW_SEARCH + CROSSING_ROWS };
@@ -79,6 +82,10 @@ whirl_motion stepper_begin(stepper *c, const whirl_system *system, const double 
 /// Places the motion of another stepper at time t: x, sides and held are the caller's to set, and the length of the
 /// step to try next, slot->h.
 void stepper_place(stepper *c, const whirl_system *system, double t);
+
+/// Gives it the workspace of up to so many disturbances: [DISTURBANCE_ROWS][1 + most] and [SPARE_ROWS] vectors
+/// [dimension].
+void stepper_follow(stepper *c, size_t most, double *room);
 
 /// Carries the motion one step further, at most to `until` and at most to the first switch.
 whirl_motion stepper_step(stepper *c, double until);

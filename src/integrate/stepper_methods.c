@@ -15,18 +15,10 @@ static whirl_status start(whirl_integrator *integrator) {
                                  : whirl_fail(WHIRL_NO_MEMORY, "no memory for %s", integrator->method->about.name);
 }
 
-enum { DISTURBANCE_ROWS = DOP853_STAGES + 3 };
-
 static void set_variation(const whirl_integrator *integrator, whirl_disturbances *disturbances) {
-    stepper_variation *v = &((stepper *)integrator->workspace)->variation;
-    const size_t row = (1 + integrator->most_disturbances) * integrator->system->dimension;
-    v->set = disturbances;
-    if (!disturbances) return;
-    for (size_t i = 0; i < DOP853_STAGES; i++) v->k[i] = integrator->slopes + i * row;
-    v->stage = integrator->slopes + DOP853_STAGES * row;
-    v->upper = v->stage + row;
-    v->end = v->upper + row;
-    v->spare = integrator->slopes + DISTURBANCE_ROWS * row;
+    stepper *c = integrator->workspace;
+    c->variation.set = disturbances;
+    if (disturbances) stepper_follow(c, integrator->most_disturbances, integrator->slopes);
 }
 
 static whirl_motion begin(whirl_integrator *integrator, const double *x, whirl_disturbances *disturbances) {

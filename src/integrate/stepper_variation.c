@@ -13,6 +13,16 @@ static double *spare(const stepper *c, int which) {
     return c->variation.spare + (size_t)which * c->dimension;
 }
 
+void stepper_follow(stepper *c, size_t most, double *room) {
+    stepper_variation *v = &c->variation;
+    const size_t row = (1 + most) * c->dimension;
+    for (size_t i = 0; i < DOP853_STAGES; i++) v->k[i] = room + i * row;
+    v->stage = room + DOP853_STAGES * row;
+    v->upper = v->stage + row;
+    v->end = v->upper + row;
+    v->spare = room + DISTURBANCE_ROWS * row;
+}
+
 static double dot(size_t n, const double *a, const double *b) {
     double sum = 0.0;
     for (size_t i = 0; i < n; i++) sum += a[i] * b[i];

@@ -6,13 +6,22 @@
 /// Vectors in the sums of slopes at a time: two, or all of a structure with loops of its own.
 enum { SUMMED_TOGETHER = 2, MOST_TOGETHER = 4 };
 
-/// `count` vectors from the first, `step` apart, of the state at which slope `number` is taken. The last slope counts
+/// Where the rows of a set begin: the state's, set 0, or a disturbance's.
+typedef struct set_place {
+    size_t q, v;
+} set_place;
+
+static inline set_place place_of_set(const adaptive_lanes *lanes, size_t set) {
+    return (set_place){set * lanes->degrees * lanes->stride, set * lanes->rates * lanes->stride};
+}
+
+/// `count` vectors from the first, `step` apart, of the set at which slope `number` is taken. The last slope counts
 /// for velocities alone.
-VECTOR_INLINE void take_stage(const adaptive_lanes *lanes, int number, size_t first, size_t step, size_t count,
-                              vec *out_q, vec *out_v) {
+VECTOR_INLINE void take_stage(const adaptive_lanes *lanes, int number, set_place set, size_t first, size_t step,
+                              size_t count, vec *out_q, vec *out_v) {
     const slope_sums *sums = &lanes->dop853.sums.stage[number];
-    const vec *q = VECTORS(q), *v = VECTORS(v), *h = VECTORS(lengths), c = v_set(dop853_c[number]);
-    const vec *slopes = VECTORS(dop853.k[0]);
+    const vec *q = VECTORS(q) + set.q, *v = VECTORS(v) + set.v, *h = VECTORS(lengths), c = v_set(dop853_c[number]);
+    const vec *slopes = VECTORS(dop853.k[0]) + set.v;
     const size_t last = sums->count - 1;
     vec position[MOST_TOGETHER], velocity[MOST_TOGETHER];
     for (size_t r = 0; r < count; r++) position[r] = velocity[r] = v_set(0.0);
@@ -28,8 +37,8 @@ VECTOR_INLINE void take_stage(const adaptive_lanes *lanes, int number, size_t fi
     for (size_t r = 0; r < count; r++) {
         const size_t i = first + r * step;
         const vec total = v_fma(weight, slope[i], velocity[r]);
-        out_q[i] = v_fma(h[i], v_fma(h[i], position[r], v_mul(c, v[i])), q[i]);
-        out_v[i] = v_fma(h[i], total, v[i]);
+        out_q[set.q + i] = v_fma(h[i], v_fma(h[i], position[r], v_mul(c, v[i])), q[i]);
+        out_v[set.v + i] = v_fma(h[i], total, v[i]);
     }
 }
 
@@ -43,11 +52,11 @@ VECTOR_INLINE void sum_rates(const adaptive_lanes *lanes, const slope_sums *sums
     }
 }
 
-/// The same for all states of first order: out is from + h times the sum, from may be NULL.
-static void sum_states(const adaptive_lanes *lanes, const slope_sums *sums, const vec *from, vec *out) {
-    const size_t last = lanes->rates * lanes->stride;
+/// The same for all states of first order of a set: out is from + h times the sum, from may be NULL.
+static void sum_states(const adaptive_lanes *lanes, const slope_sums *sums, set_place set, const vec *from, vec *out) {
+    const size_t last = set.v + lanes->rates * lanes->stride;
     const vec *h = VECTORS(length), zero = v_set(0.0);
-    for (size_t i = lanes->degrees * lanes->stride; i < last; i += MOST_TOGETHER) {
+    for (size_t i = set.v + lanes->degrees * lanes->stride; i < last; i += MOST_TOGETHER) {
         vec sum[MOST_TOGETHER];
         const size_t count = last - i < MOST_TOGETHER ? last - i : MOST_TOGETHER;
         if (count == MOST_TOGETHER)
@@ -59,12 +68,21 @@ static void sum_states(const adaptive_lanes *lanes, const slope_sums *sums, cons
     }
 }
 
-/// All of the state at which slope `number` is taken.
+/// All of the state at which slope `number` is taken, and of the disturbances.
 static void enter_stage(const adaptive_lanes *lanes, int number, vec *q, vec *v) {
-    const size_t all = lanes->degrees * lanes->stride, even = all - all % SUMMED_TOGETHER;
-    for (size_t i = 0; i < even; i += SUMMED_TOGETHER) take_stage(lanes, number, i, 1, SUMMED_TOGETHER, q, v);
-    if (even < all) take_stage(lanes, number, even, 1, 1, q, v);
-    sum_states(lanes, &lanes->dop853.sums.stage[number], VECTORS(v), v);
+    const size_t all = lanes->degrees * lanes->stride;
+    for (size_t n = 0; n <= lanes->tangents; n++) {
+        const set_place set = place_of_set(lanes, n);
+        size_t i = 0;
+        for (; i + MOST_TOGETHER <= all; i += MOST_TOGETHER) take_stage(lanes, number, set, i, 1, MOST_TOGETHER, q, v);
+        for (; i < all; i++) take_stage(lanes, number, set, i, 1, 1, q, v);
+        sum_states(lanes, &lanes->dop853.sums.stage[number], set, VECTORS(v), v);
+    }
+}
+
+/// Where the divergence is noted when slope `number` is taken.
+static inline double *divergence_of(const adaptive_lanes *lanes, int number) {
+    return lanes->dop853.divergence + (size_t)number * lanes->slots;
 }
 
 static void take_slopes_by_stages(const adaptive_lanes *lanes, int from, int to) {
@@ -74,17 +92,20 @@ static void take_slopes_by_stages(const adaptive_lanes *lanes, int from, int to)
         // The result's slope is taken at the time of the last stage.
         if (!end) take_forcing(lanes, all_of(lanes), dop853_c[number], lanes->length);
         enter_stage(lanes, number, (vec *)q, (vec *)v);
-        take_slope(lanes, all_of(lanes), q, v, lanes->dop853.k[number]);
+        if (number <= DOP853_STAGES)
+            take_all_slopes(lanes, all_of(lanes), q, v, lanes->dop853.k[number], divergence_of(lanes, number));
+        else
+            take_slope(lanes, all_of(lanes), q, v, lanes->dop853.k[number]);
     }
 }
 
 // ---------------------------------------------------------------- error
 
-/// Errors of `count` vectors from the first, `step` apart, by the four sums.
-VECTOR_INLINE void sum_errors(const adaptive_lanes *lanes, size_t first, size_t step, size_t count, vec *q5, vec *v5,
-                              vec *q3, vec *v3) {
+/// Errors of `count` vectors of a set from the first, `step` apart, by the four sums.
+VECTOR_INLINE void sum_errors(const adaptive_lanes *lanes, set_place set, size_t first, size_t step, size_t count,
+                              vec *q5, vec *v5, vec *q3, vec *v3) {
     const slope_sums *sums = &lanes->dop853.sums.error;
-    const vec *slopes = VECTORS(dop853.k[0]);
+    const vec *slopes = VECTORS(dop853.k[0]) + set.v;
     vec total[MAX_SUMS][MOST_TOGETHER];
     for (size_t s = 0; s < MAX_SUMS; s++)
         for (size_t r = 0; r < count; r++) total[s][r] = v_set(0.0);
@@ -146,13 +167,77 @@ VECTOR_INLINE void take_error(const adaptive_lanes *lanes, size_t group_count, c
     VECTORS(size)[k] = most;
 }
 
+static void sum_all_errors(const adaptive_lanes *lanes, set_place set, vec *q5, vec *v5, vec *q3, vec *v3) {
+    const size_t all = lanes->degrees * lanes->stride, even = all - all % SUMMED_TOGETHER;
+    for (size_t i = 0; i < even; i += SUMMED_TOGETHER) sum_errors(lanes, set, i, 1, SUMMED_TOGETHER, q5, v5, q3, v3);
+    if (even < all) sum_errors(lanes, set, even, 1, 1, q5, v5, q3, v3);
+}
+
+/// The square of what a set's rows are long, of vector k.
+static inline vec square_length(const adaptive_lanes *lanes, set_place set, size_t k, const vec *q, const vec *v) {
+    vec sum = v_set(0.0);
+    FOR_DEGREES_OF(k) sum = v_fma(q[set.q + i], q[set.q + i], sum);
+    FOR_RATES_OF(k) sum = v_fma(v[set.v + i], v[set.v + i], sum);
+    return sum;
+}
+
+/// What a disturbance may err by, over rtol of its length: on a motion of some size its error follows that of the
+/// state, whose steps are left as they are then; one that is next to nothing would let steps be of any length.
+enum { LOOSER = 100 };
+
+/// The square of the error of a disturbance over its tolerance. Equations of disturbances are linear: they know no
+/// absolute one.
+static vec error_of_disturbance(const adaptive_lanes *lanes, set_place set, size_t k, const vec *q5, const vec *v5,
+                                const vec *q3, const vec *v3) {
+    const slope_sums *sums = &lanes->dop853.sums.error;
+    const vec h = VECTORS(length)[k];
+    vec square5 = v_set(0.0), square3 = v_set(0.0);
+    FOR_DEGREES_OF(k) {
+        square5 = v_add(square5, square_of(h, q5[i], v5[i]));
+        square3 = v_add(square3, square_of(h, q3[i], v3[i]));
+    }
+    FOR_STATES_OF(k) {
+        vec own5, own3;
+        sum_rates(lanes, sums, 1, set.v + i, 1, &own5);
+        sum_rates(lanes, sums, 3, set.v + i, 1, &own3);
+        square5 = v_fma(own5, own5, square5);
+        square3 = v_fma(own3, own3, square3);
+    }
+    const vec before = square_length(lanes, set, k, VECTORS(q), VECTORS(v));
+    const vec size = v_max(before, square_length(lanes, set, k, VECTORS(end_q), VECTORS(end_v)));
+    const double tolerance = LOOSER * lanes->rtol;
+    const vec some = v_mul(v_mul(v_set(tolerance * tolerance), size), v_fma(v_set(0.01), square3, square5));
+    return v_div(v_mul(v_mul(h, h), v_mul(square5, square5)), v_max(some, v_set(0x1p-960)));
+}
+
+/// Disturbances are as sure as the state. Where they have no error that is a number the state decides.
+static void take_errors_of_disturbances(const adaptive_lanes *lanes, vec *q5, vec *v5, vec *q3, vec *v3) {
+    for (size_t n = 1; n <= lanes->tangents; n++) {
+        const set_place set = place_of_set(lanes, n);
+        sum_all_errors(lanes, set, q5, v5, q3, v3);
+        FOR_VECTORS {
+            const vec own = error_of_disturbance(lanes, set, k, q5, v5, q3, v3), error = VECTORS(error)[k];
+            VECTORS(error)[k] = v_select(v_less(error, own), own, error);
+        }
+    }
+}
+
 static void take_errors_by_stages(const adaptive_lanes *lanes, vec *q5, vec *v5, vec *q3, vec *v3) {
     const size_t degrees = lanes->degrees, stride = lanes->stride;
-    const size_t all = degrees * stride, even = all - all % SUMMED_TOGETHER;
-    for (size_t i = 0; i < even; i += SUMMED_TOGETHER) sum_errors(lanes, i, 1, SUMMED_TOGETHER, q5, v5, q3, v3);
-    if (even < all) sum_errors(lanes, even, 1, 1, q5, v5, q3, v3);
+    sum_all_errors(lanes, place_of_set(lanes, 0), q5, v5, q3, v3);
     FOR_VECTORS
     take_error(lanes, lanes->group_count, lanes->groups, lanes->rates - degrees, stride, k, q5, v5, q3, v3);
+    take_errors_of_disturbances(lanes, q5, v5, q3, v3);
+}
+
+/// The integral of the divergence over the step, by the weights of its result.
+static void take_volume(const adaptive_lanes *lanes) {
+    FOR_VECTORS {
+        vec sum = v_set(0.0);
+        for (int i = 0; i < DOP853_STAGES; i++)
+            sum = v_fma(v_set(dop853_a[DOP853_STAGES][i]), ((vec *)divergence_of(lanes, i))[k], sum);
+        VECTORS(gained)[k] = v_mul(VECTORS(length)[k], sum);
+    }
 }
 
 // ---------------------------------------------------------------- structures with loops of their own
@@ -216,6 +301,7 @@ static void take_errors(const adaptive_lanes *lanes) {
 static void try_step(const adaptive_lanes *lanes) {
     take_slopes(lanes, 1, DOP853_STAGES + 1);
     take_errors(lanes);
+    if (lanes->tangents > 0) take_volume(lanes);
 }
 
 // ---------------------------------------------------------------- interpolant
@@ -254,7 +340,7 @@ static void take_polynomials(const adaptive_lanes *lanes) {
             out_q[i] = v_mul(h[k], v_fma(h[k], position, v_mul(drift, v[i])));
             out_v[i] = v_mul(h[k], velocity);
         }
-        sum_states(lanes, sums, NULL, out_v);
+        sum_states(lanes, sums, place_of_set(lanes, 0), NULL, out_v);
     }
 }
 

@@ -361,6 +361,136 @@ static void test_lanes_of_integrators_have_one_shape(void **state) {
     machine_free(own);
 }
 
+// ---------------------------------------------------------------- parts of the period, with disturbances
+
+enum { PARTS = 3, COLUMNS = DIMENSION * DIMENSION };
+
+/// Where a part leads: the state, the disturbances, the volume.
+typedef struct flown {
+    double x[DIMENSION], columns[COLUMNS], volume;
+} flown;
+
+static whirl_integrate_options exact_options(void) {
+    whirl_integrate_options options = whirl_integrate_default();
+    strcpy(options.method, "dop853");
+    options.rtol = 1e-12;
+    options.atol = 1e-14;
+    return options;
+}
+
+static flown unit_at(const double *x) {
+    flown from = {.volume = 0.0};
+    memcpy(from.x, x, sizeof from.x);
+    for (int i = 0; i < DIMENSION; i++) from.columns[i * (DIMENSION + 1)] = 1.0;
+    return from;
+}
+
+/// Carries `count` states over parts of the period side by side, in place; false where there is no such set.
+static bool carry_parts(const char *set, const whirl_system *system, size_t count, const double *from,
+                        const double *length, flown *all) {
+    const whirl_integrate_options options = exact_options();
+    whirl_disturbances beside[MOST];
+    whirl_ensemble *lanes;
+    setenv("WHIRL_ISA", set, 1);
+    const bool there = whirl_ensemble_flow(system, &options, count, DIMENSION, &lanes).code == WHIRL_OK;
+    unsetenv("WHIRL_ISA");
+    for (size_t i = 0; i < count && there; i++) {
+        must(whirl_ensemble_load(lanes, i, system, all[i].x));
+        whirl_ensemble_part(lanes, i, from[i], length[i]);
+        beside[i] = (whirl_disturbances){.count = DIMENSION, .vectors = all[i].columns};
+        whirl_ensemble_carry(lanes, i, &beside[i]);
+    }
+    if (!there) return false;
+    whirl_ensemble_revolve(lanes, count, NULL);
+    for (size_t i = 0; i < count; i++) {
+        assert_int_equal(whirl_ensemble_motion(lanes, i), WHIRL_BOUNDED);
+        whirl_ensemble_state(lanes, i, all[i].x);
+        all[i].volume = beside[i].volume;
+    }
+    whirl_ensemble_free(lanes);
+    return true;
+}
+
+/// As an integrator carries it over the whole period.
+static flown fly_by_integrator(const whirl_system *system, const double *x) {
+    const whirl_integrate_options options = exact_options();
+    whirl_integrator *integrator;
+    flown own = unit_at(x);
+    whirl_disturbances beside = {.count = DIMENSION, .vectors = own.columns};
+    must(whirl_integrator_new(system, &options, &integrator));
+    must(whirl_integrator_follow(integrator, DIMENSION));
+    assert_int_equal(whirl_integrator_carry(integrator, own.x, &beside, NULL, NULL), WHIRL_BOUNDED);
+    own.volume = beside.volume;
+    whirl_integrator_free(integrator);
+    return own;
+}
+
+static void expect_near(const flown *a, const flown *b) {
+    for (int i = 0; i < DIMENSION; i++) assert_true(fabs(a->x[i] - b->x[i]) < 1e-10);
+    for (int i = 0; i < COLUMNS; i++) assert_true(fabs(a->columns[i] - b->columns[i]) < 1e-8);
+    assert_true(fabs(a->volume - b->volume) < 1e-9);
+}
+
+/// The rotor rubs, with forces that jump and without: one lane over all of the period, and over its parts one after
+/// the other.
+static void test_parts_lead_where_integrators_do(void **state) {
+    (void)state;
+    for (int damped = 0; damped < 2; damped++) {
+        machine *own = machine_new(eccentricity_of(0), 0.3 * damped);
+        const double period = own->system.period, whole = 0.0;
+        const double from[PARTS] = {0.0, 0.2 * period, 0.7 * period};
+        const double length[PARTS] = {0.2 * period, 0.5 * period, 0.3 * period};
+        const flown known = fly_by_integrator(&own->system, start);
+        flown once = unit_at(start), parts = unit_at(start);
+        assert_true(carry_parts("scalar", &own->system, 1, &whole, &period, &once));
+        expect_near(&once, &known);
+        for (int i = 0; i < PARTS; i++) {
+            const double before = parts.volume;
+            assert_true(carry_parts("scalar", &own->system, 1, &from[i], &length[i], &parts));
+            parts.volume += before;
+        }
+        expect_near(&parts, &known);
+        machine_free(own);
+    }
+}
+
+/// Neighbours and, where multiply-adds are fused, widths change no bit.
+static void test_parts_do_not_notice_others(void **state) {
+    (void)state;
+    machine *own = machine_new(eccentricity_of(0), 0.0);
+    const double period = own->system.period, from[MOST] = {0.0, 1.0, 2.0, 3.0, 4.0};
+    const double length[MOST] = {period, 0.3 * period, 0.2 * period, 0.5 * period, 0.1 * period};
+    flown first[MOST];
+    bool known = false;
+    for (int set = 0; set < SETS; set++) {
+        flown together[MOST];
+        for (int i = 0; i < MOST; i++) together[i] = unit_at(start);
+        if (!carry_parts(sets[set], &own->system, MOST, from, length, together)) continue;
+        for (int i = 0; i < MOST; i++) {
+            flown alone = unit_at(start);
+            assert_true(carry_parts(sets[set], &own->system, 1, &from[i], &length[i], &alone));
+            assert_memory_equal(&alone, &together[i], sizeof alone);
+        }
+        if (set >= 2 && known) assert_memory_equal(first, together, sizeof first);
+        if (set >= 2) memcpy(first, together, sizeof first);
+        known = known || set >= 2;
+    }
+    machine_free(own);
+}
+
+/// Other methods carry no parts in lanes, and say so.
+static void test_parts_of_other_methods_are_refused(void **state) {
+    (void)state;
+    machine *own = machine_new(eccentricity_of(0), 0.0);
+    whirl_integrate_options options = exact_options();
+    whirl_ensemble *lanes;
+    assert_int_equal(whirl_ensemble_flow(&own->system, &options, 1, DIMENSION + 1, &lanes).code, WHIRL_BAD_INPUT);
+    strcpy(options.method, "rodas5p");
+    assert_false(whirl_ensemble_flows(&own->system, &options));
+    assert_int_equal(whirl_ensemble_flow(&own->system, &options, 1, 0, &lanes).code, WHIRL_BAD_INPUT);
+    machine_free(own);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_the_rotor_rubs),
@@ -368,6 +498,9 @@ int main(void) {
         cmocka_unit_test(test_a_machine_that_moves_nowhere_stays),
         cmocka_unit_test(test_lanes_of_integrators),
         cmocka_unit_test(test_lanes_of_integrators_have_one_shape),
+        cmocka_unit_test(test_parts_lead_where_integrators_do),
+        cmocka_unit_test(test_parts_do_not_notice_others),
+        cmocka_unit_test(test_parts_of_other_methods_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
