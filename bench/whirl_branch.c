@@ -28,7 +28,7 @@ static void measure(const whirl_case *object, double rtol, double seconds) {
     const whirl_family family = {make_machine, object};
     whirl_branch_options options = whirl_branch_default(last_ratio, first_ratio);
     whirl_machine machine;
-    whirl_orbit *orbit;
+    whirl_orbit *one, *orbit;
     whirl_branch *branch;
     double torus = 0.0, points = 0.0, spent = 0.0;
     options.most_step = 0.0105;
@@ -36,7 +36,11 @@ static void measure(const whirl_case *object, double rtol, double seconds) {
     options.orbit.integrate.atol = 1e-3 * rtol;
     options.orbit.tolerance = 10.0 * rtol;
     must(make_machine(object, first_ratio, &machine));
-    must(whirl_orbit_find(machine.system, start, 1, &options.orbit, &orbit));
+    options.orbit.segments = 1;
+    must(whirl_orbit_find(machine.system, start, 1, &options.orbit, &one));
+    options.orbit.segments = 8;
+    must(whirl_orbit_find(machine.system, one->nodes, 1, &options.orbit, &orbit));
+    whirl_orbit_free(one);
     machine.release(machine.owner);
     const double begun = peer_clock();
     while (spent < seconds) {

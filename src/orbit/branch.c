@@ -25,10 +25,10 @@ static void exchange(waypoint *a, waypoint *b) {
     *b = kept;
 }
 
-/// The waypoints of a walk: where it is, where it tries to get, where it began.
+/// The waypoints of a walk: where it was, where it is, where it tries to get, where it began.
 typedef struct walk {
-    waypoint now, next, first;
-    double *trial; ///< [unknowns]
+    waypoint before, now, next, first;
+    double *trial, *across; ///< [unknowns]
     double step;
     bool within; ///< the parameter is between its bounds
 } walk;
@@ -44,16 +44,18 @@ static whirl_status add_waypoint(follower *f, const waypoint *p) {
 
 /// Tries a step; *good where it found a point that goes on from the present one.
 static whirl_status try_step(follower *f, walk *w, bool *good) {
-    const size_t all = f->curve.count + 1;
-    for (size_t i = 0; i < all; i++) w->trial[i] = w->now.u[i] + w->step * w->now.tangent[i];
-    const whirl_status status = follower_find(f, w->trial, w->now.tangent, w->now.tangent, &w->next);
-    const waypoint *next = &w->next;
+    const waypoint *now = &w->now, *next = &w->next;
+    follower_predict(f, &w->before, now, now, w->step, w->trial);
+    const double *across = follower_across(f, &w->before, now, now, w->across);
+    const whirl_status status = follower_find(f, w->trial, across, now->tangent, &w->next);
     *good = false;
     if (status.code != WHIRL_OK || !next->orbit) return status;
     const size_t before = w->now.orbit->unstable, after = next->orbit->unstable;
     const bool turned = curve_dot(&f->curve, w->now.tangent, next->tangent) < 0.9;
     const bool leapt = (before > after ? before - after : after - before) > 2;
-    *good = !(turned || leapt) || w->step <= 8.0 * f->options->least_step;
+    for (size_t i = 0; i <= f->curve.count; i++) w->trial[i] -= next->u[i];
+    const bool far = sqrt(curve_dot(&f->curve, w->trial, w->trial)) > 0.25 * w->step;
+    *good = !(turned || leapt || far) || w->step <= 8.0 * f->options->least_step;
     return status;
 }
 
@@ -73,8 +75,7 @@ static whirl_status end_at_bound(follower *f, walk *w) {
     free(direction);
     f->branch->end = WHIRL_END_OF_RANGE;
     if (status.code != WHIRL_OK || !w->next.orbit || share <= 0.0) return status;
-    for (size_t i = 0; i < all; i++) w->trial[i] = w->next.u[i] - w->now.u[i];
-    if (o->special) status = special_locate(f, &w->now, &w->next, curve_dot(&f->curve, w->trial, w->now.tangent));
+    if (o->special) status = special_locate(f, &w->now, &w->next);
     return status.code == WHIRL_OK ? add_waypoint(f, &w->next) : status;
 }
 
@@ -105,11 +106,12 @@ static whirl_status go_on(follower *f, walk *w, bool *ended) {
     if (status.code != WHIRL_OK) return status;
     *ended = !is_within(f, &w->next);
     if (*ended) return end_at_bound(f, w);
-    if (f->options->special) status = special_locate(f, &w->now, &w->next, w->step);
+    if (f->options->special) status = special_locate(f, &w->now, &w->next);
     if (status.code == WHIRL_OK) status = add_waypoint(f, &w->next);
     if (status.code != WHIRL_OK) return status;
     w->step = fmin(fmax(w->step * w->next.pace, f->options->least_step), f->options->most_step);
-    exchange(&w->now, &w->next);
+    exchange(&w->before, &w->next);
+    exchange(&w->before, &w->now);
     equations_put(&f->equations, w->now.u);
     equations_begin_at(&f->equations, f->equations.nodes);
     follower_scale(f, w->now.tangent);
@@ -170,17 +172,20 @@ whirl_status whirl_branch_follow(const whirl_family *family, const whirl_orbit *
     whirl_status status = check(options, value);
     if (status.code != WHIRL_OK) return status;
     status = follower_begin(&f, family, start, value, options);
+    if (status.code == WHIRL_OK) status = waypoint_new(&f, &w.before);
     if (status.code == WHIRL_OK) status = waypoint_new(&f, &w.now);
     if (status.code == WHIRL_OK) status = waypoint_new(&f, &w.next);
     if (status.code == WHIRL_OK) status = waypoint_new(&f, &w.first);
-    w.trial = status.code == WHIRL_OK ? calloc(f.curve.count + 1, sizeof *w.trial) : NULL;
+    w.trial = status.code == WHIRL_OK ? calloc(2 * (f.curve.count + 1), sizeof *w.trial) : NULL;
     if (status.code == WHIRL_OK && !w.trial) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a branch");
+    w.across = w.trial ? w.trial + f.curve.count + 1 : NULL;
     if (status.code == WHIRL_OK) status = follow(&f, &w, value, direction);
     if (status.code == WHIRL_OK) {
         *branch = f.branch;
         f.branch = NULL;
     }
     free(w.trial);
+    waypoint_free(&w.before);
     waypoint_free(&w.now);
     waypoint_free(&w.next);
     waypoint_free(&w.first);

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "elimination.h"
 #include "matrix.h"
 
 bool curve_begin(curve *c) {
@@ -12,6 +13,7 @@ bool curve_begin(curve *c) {
     if (!c->matrix) return false;
     c->scale = c->matrix + all * all;
     c->known = false;
+    c->share = 1.0;
     c->values = c->scale + all;
     return true;
 }
@@ -70,6 +72,7 @@ newton_result curve_correct(curve *c, const double *direction, double *u) {
                                             .evaluate = evaluate,
                                             .size = size_of,
                                             .nearby = c->known ? nearby : NULL,
+                                            .share = &c->share,
                                             .scale = c->scale,
                                             .tolerance = c->tolerance,
                                             .most_steps = MOST_STEPS,
@@ -93,11 +96,18 @@ static bool make_unit(const curve *c, double *a) {
 }
 
 bool curve_tangent(curve *c, const double *along, double *tangent) {
-    const size_t n = c->count;
-    write_row(c, along, c->matrix + n * (n + 1));
+    const size_t n = c->count, all = n + 1;
+    double *factors = malloc(all * all * sizeof *factors);
+    size_t *order = malloc(all * sizeof *order);
+    write_row(c, along, c->matrix + n * all);
     memset(tangent, 0, n * sizeof *tangent);
     tangent[n] = 1.0;
-    return matrix_solve(n + 1, c->matrix, 1, tangent) && make_unit(c, tangent);
+    if (factors) memcpy(factors, c->matrix, all * all * sizeof *factors);
+    const bool solved = factors && order && elimination_decompose(all, factors, order);
+    if (solved) elimination_solve(all, factors, order, tangent);
+    free(factors);
+    free(order);
+    return solved && make_unit(c, tangent);
 }
 
 /// Unknowns in units of the scale: rows of the derivative as they are.

@@ -14,6 +14,7 @@ typedef struct curve {
     double *scale;  ///< [N + 1] what counts as 1 in lengths along the curve
     double *matrix; ///< [N + 1][N + 1] the derivative at the last point that was found, a direction in the last row
     bool known;     ///< there was one
+    double share;   ///< as newton_problem has it
     double *values; ///< [N + 1] workspace
     const double *direction, *from; ///< of the search under way
 } curve;

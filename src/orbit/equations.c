@@ -6,9 +6,17 @@
 
 #include "rest.h"
 
-static void release(orbit_equations *e) {
-    if (e->machine.release) e->machine.release(e->machine.owner);
-    memset(&e->machine, 0, sizeof e->machine);
+static void release(whirl_machine *machine) {
+    if (machine->release) machine->release(machine->owner);
+    *machine = (whirl_machine){.system = NULL};
+}
+
+/// Without the present machine, and that of which the workspace was made.
+static void release_all(orbit_equations *e) {
+    shooting_free(e->s);
+    e->s = NULL;
+    release(&e->machine);
+    release(&e->first);
 }
 
 whirl_status equations_make(orbit_equations *e, const whirl_system *system, const whirl_family *family, double value,
@@ -19,7 +27,7 @@ whirl_status equations_make(orbit_equations *e, const whirl_system *system, cons
         status = shooting_new(family ? e->machine.system : system, options, revolutions, period, &e->s);
     if (status.code != WHIRL_OK) return status;
     const size_t d = e->s->dimension, m = e->s->count;
-    e->nodes = calloc((5 * m + 3) * d + 1, sizeof *e->nodes);
+    e->nodes = calloc((3 * m + 3) * d + 1, sizeof *e->nodes);
     if (!e->nodes) return whirl_fail(WHIRL_NO_MEMORY, "no memory for an orbit of %zu segments", m);
     e->at = e->nodes + m * d;
     e->flow = e->at + d;
@@ -28,10 +36,8 @@ whirl_status equations_make(orbit_equations *e, const whirl_system *system, cons
 }
 
 void equations_free(orbit_equations *e) {
-    shooting_free(e->s);
+    release_all(e);
     free(e->nodes);
-    release(e);
-    e->s = NULL;
     e->nodes = NULL;
 }
 
@@ -83,15 +89,21 @@ static bool turn_to(orbit_equations *e, double value) {
     shooting *s = NULL;
     if (value == e->value) return true;
     whirl_status status = e->family->machine(e->family->context, value, &machine);
-    if (status.code == WHIRL_OK && machine.system->dimension == e->s->dimension)
+    const bool renewed = status.code == WHIRL_OK && shooting_renew(e->s, machine.system);
+    if (status.code == WHIRL_OK && !renewed && machine.system->dimension == e->s->dimension)
         status = shooting_new(machine.system, e->options, e->s->revolutions, e->s->period, &s);
-    if (!s) {
-        if (machine.release) machine.release(machine.owner);
+    if (!s && !renewed) {
+        release(&machine);
         return false;
     }
-    shooting_free(e->s);
-    release(e);
-    e->s = s;
+    if (!renewed) {
+        release_all(e);
+        e->s = s;
+    } else if (!e->first.system) {
+        e->first = e->machine;
+    } else {
+        release(&e->machine);
+    }
     e->machine = machine;
     e->value = value;
     return true;
@@ -111,24 +123,42 @@ static bool ends_beside(const orbit_equations *e, double value, double period, d
     for (size_t i = s && rests ? s->kept_count : 0; i-- > 0;) s->ends[s->kept[i]] = s->ends[i];
     if (good) memcpy(ends, s->ends, s->count * s->dimension * sizeof *ends);
     shooting_free(s);
-    if (machine.release) machine.release(machine.owner);
+    release(&machine);
     return good;
 }
 
-/// The derivative of the ends by the parameter, by central differences of order 4, into the first row of the workspace
-/// [segments][dimension]. Their error is the fifth derivative over 30 times reach^4, and that of the ends over reach.
+/// The same of several, side by side where they go in lanes; ends [count][segments][dimension].
+static bool all_ends_beside(const orbit_equations *e, size_t count, const double *values, double period, double *ends) {
+    whirl_machine machines[MOST_BESIDE] = {0};
+    const whirl_system *systems[MOST_BESIDE];
+    const size_t size = e->s->count * e->s->dimension;
+    bool good = e->s->lanes != NULL;
+    for (size_t k = 0; k < count && good; k++) {
+        good = e->family->machine(e->family->context, values[k], &machines[k]).code == WHIRL_OK;
+        systems[k] = machines[k].system;
+    }
+    good = good && shooting_carry_beside(e->s, count, systems, e->nodes, period, ends);
+    for (size_t k = 0; k < count; k++) release(&machines[k]);
+    if (good) return true;
+    for (size_t k = 0; k < count; k++)
+        if (!ends_beside(e, values[k], period, ends + k * size)) return false;
+    return true;
+}
+
+/// The derivative of the ends by the parameter, by central differences, into the first row of the workspace
+/// [segments][dimension]. Their error is a sixth of the third derivative times reach^2, and that of the ends over
+/// reach.
 static bool by_parameter(orbit_equations *e, double period) {
-    static const double places[4] = {-2.0, -1.0, 1.0, 2.0}, weights[4] = {1.0, -8.0, 8.0, -1.0};
+    const double values[2] = {e->value + e->reach, e->value - e->reach};
     const size_t size = e->s->count * e->s->dimension;
     double *ends = e->work + e->s->dimension;
-    for (int k = 0; k < 4; k++)
-        if (!ends_beside(e, e->value + places[k] * e->reach, period, ends + (size_t)k * size)) return false;
-    for (size_t i = 0; i < size; i++) {
-        double sum = 0.0;
-        for (size_t k = 0; k < 4; k++) sum += weights[k] * ends[k * size + i];
-        ends[i] = sum / (12.0 * e->reach);
-    }
+    if (!all_ends_beside(e, 2, values, period, ends)) return false;
+    for (size_t i = 0; i < size; i++) ends[i] = (ends[i] - ends[size + i]) / (values[0] - values[1]);
     return true;
+}
+
+void equations_reach(orbit_equations *e, double span) {
+    e->reach = 0.25 * cbrt(e->options->integrate.rtol) * fabs(span);
 }
 
 // ---------------------------------------------------------------- values and derivatives

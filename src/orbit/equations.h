@@ -11,13 +11,14 @@ typedef struct orbit_equations {
     const whirl_orbit_options *options;
     const whirl_family *family; ///< NULL: one machine, no parameter
     whirl_machine machine;      ///< of the family, at `value`
+    whirl_machine first;        ///< for which s was made, unless that is the present one
     double value;
     double reach; ///< from which derivatives by the parameter are taken, in its unit
     shooting *s;
     double *nodes; ///< [segments][dimension] of the last evaluation
     /// [dimension] The first node is where the orbit is nearest to `at`, where its slope is `flow`.
     double *at, *flow;
-    double *work; ///< [dimension + 4 segments dimension] workspace
+    double *work; ///< [dimension + 2 segments dimension] workspace
 } orbit_equations;
 
 /// Makes those of a machine, or of a family at a value (system NULL). Errors as whirl_orbit_find and those of machines.
@@ -25,6 +26,10 @@ typedef struct orbit_equations {
 whirl_status equations_make(orbit_equations *e, const whirl_system *system, const whirl_family *family, double value,
                             const whirl_orbit_options *options, size_t revolutions, double period);
 void equations_free(orbit_equations *e);
+
+/// Sets from how far derivatives by the parameter are taken, of a parameter that goes over `span`: where what both
+/// errors of the differences are is about the same.
+void equations_reach(orbit_equations *e, double span);
 
 /// Numbers of equations and, with the parameter, of unknowns.
 size_t equations_count(const orbit_equations *e);

@@ -43,7 +43,7 @@ whirl_status follower_begin(follower *f, const whirl_family *family, const whirl
         return whirl_fail(
             WHIRL_BAD_INPUT, "an orbit of %zu coordinates in %zu segments, expected %zu in %zu of the branch",
             start->dimension, start->segment_count, e->s->dimension, (size_t)options->orbit.segments * shared);
-    e->reach = 0x1p-9 * (options->to - options->from) * 0.125;
+    equations_reach(e, options->to - options->from);
     f->curve = (curve){.count = equations_count(e),
                        .context = e,
                        .evaluate = equations_evaluate,
@@ -78,6 +78,46 @@ void follower_take(const follower *f, double value, double *u) {
 void follower_parameter_direction(const follower *f, double *direction) {
     memset(direction, 0, f->curve.count * sizeof *direction);
     direction[f->curve.count] = f->curve.scale[f->curve.count];
+}
+
+/// What of a tangent of length 1 is the parameter's.
+static double lean(const follower *f, const double *tangent) {
+    return tangent[f->curve.count] / f->curve.scale[f->curve.count];
+}
+
+/// Whether the branch is one over its parameter from a to b and a little further: not steep, and hardly bent.
+static bool is_flat(const follower *f, const waypoint *a, const waypoint *b) {
+    const double steep = 0.3, bent = 0.98;
+    if (!a->orbit || !b->orbit) return false;
+    const double first = lean(f, a->tangent), last = lean(f, b->tangent);
+    return first * last > 0.0 && fmin(fabs(first), fabs(last)) > steep &&
+           curve_dot(&f->curve, a->tangent, b->tangent) > bent;
+}
+
+const double *follower_across(const follower *f, const waypoint *a, const waypoint *b, const waypoint *from,
+                              double *direction) {
+    if (!is_flat(f, a, b)) return from->tangent;
+    follower_parameter_direction(f, direction);
+    return direction;
+}
+
+double follower_length(const follower *f, const waypoint *a, const waypoint *b, double *work) {
+    const size_t n = f->curve.count;
+    for (size_t i = 0; i <= n; i++) work[i] = b->u[i] - a->u[i];
+    return is_flat(f, a, b) ? work[n] / a->tangent[n] : curve_dot(&f->curve, work, a->tangent);
+}
+
+void follower_predict(const follower *f, const waypoint *a, const waypoint *b, const waypoint *from, double length,
+                      double *u) {
+    const size_t n = f->curve.count;
+    for (size_t i = 0; i <= n; i++) u[i] = from->u[i] + length * from->tangent[i];
+    if (!is_flat(f, a, b)) return;
+    const double h = b->u[n] - a->u[n], x = (u[n] - a->u[n]) / h, y = 1.0 - x;
+    if (!(h != 0.0 && fabs(x) < 4.0)) return;
+    const double by_a = h * x * y * y / a->tangent[n], by_b = -h * x * x * y / b->tangent[n];
+    const double share = x * x * (3.0 - 2.0 * x);
+    for (size_t i = 0; i < n; i++)
+        u[i] = a->u[i] + share * (b->u[i] - a->u[i]) + by_a * a->tangent[i] + by_b * b->tangent[i];
 }
 
 whirl_status follower_find(follower *f, const double *u, const double *direction, const double *along, waypoint *out) {

@@ -40,6 +40,22 @@ whirl_status follower_find(follower *f, const double *u, const double *direction
 whirl_status waypoint_new(const follower *f, waypoint *out);
 void waypoint_free(waypoint *p);
 
+/// Two points of a branch, a and b, say what is expected of it nearby, where it is over its parameter and hardly bent;
+/// elsewhere, or where they have no orbit, all that is known is the tangent of the point `from` to set out from.
+///
+/// Across what a point is looked for: the parameter's own direction, so that its value stays and one machine does, or
+/// the tangent. `direction` [unknowns] is room for it.
+const double *follower_across(const follower *f, const waypoint *a, const waypoint *b, const waypoint *from,
+                              double *direction);
+
+/// Writes where the point is expected that is `length` along the tangent of `from`: by the cubic over the parameter
+/// through both with their tangents, or on the tangent.
+void follower_predict(const follower *f, const waypoint *a, const waypoint *b, const waypoint *from, double length,
+                      double *u);
+
+/// How far b is along the tangent of a, with what is known of both. work [unknowns]
+double follower_length(const follower *f, const waypoint *a, const waypoint *b, double *work);
+
 /// Adds a point to the branch, which then owns the orbit.
 whirl_status follower_add(follower *f, const whirl_branch_point *point);
 

@@ -4,12 +4,29 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "matrix.h"
+#include "elimination.h"
 
 typedef struct newton_work {
     double *value, *tried, *step, *at; ///< [count]
     double *derivative, *there;        ///< [count][count] at u and where it was tried
+    double *factors;                   ///< [count][count] of the derivative that steps are taken with
+    size_t *order;                     ///< [count]
+    double trusted;                    ///< size of F before a step that was not looked at; 0: there was none
 } newton_work;
+
+static bool decompose(const newton_problem *p, newton_work *w, const double *derivative) {
+    memcpy(w->factors, derivative, p->count * p->count * sizeof *derivative);
+    return elimination_decompose(p->count, w->factors, w->order);
+}
+
+/// The step that leads from a value of F to zero. False where it is not finite.
+static bool step_from(const newton_problem *p, const newton_work *w, const double *value, double *step) {
+    memcpy(step, value, p->count * sizeof *step);
+    elimination_solve(p->count, w->factors, w->order, step);
+    for (size_t i = 0; i < p->count; i++)
+        if (!isfinite(step[i])) return false;
+    return true;
+}
 
 static double measure(const newton_problem *p, const double *u, double *value, double *derivative) {
     if (!p->evaluate(p->context, u, value, derivative)) return INFINITY;
@@ -30,8 +47,7 @@ static double length(const newton_problem *p, const double *step) {
 /// take from there is shorter, which does not hang on what the equations are measured in (Deuflhard 2011, 3.3).
 static bool is_nearer(const newton_problem *p, newton_work *w, double size, double now, double share) {
     if (now < size) return true;
-    memcpy(w->at, w->tried, p->count * sizeof *w->at);
-    return isfinite(now) && matrix_solve(p->count, w->derivative, 1, w->at) &&
+    return isfinite(now) && step_from(p, w, w->tried, w->at) &&
            length(p, w->at) < (1.0 - 0.5 * share) * length(p, w->step);
 }
 
@@ -54,19 +70,27 @@ static double go(const newton_problem *p, newton_work *w, double size, double *u
     return INFINITY;
 }
 
+/// Whether another step is sure to be the last, by what the last one left of F.
+static bool is_last(const newton_problem *p, double size) {
+    return p->share && 4.0 * *p->share * size <= p->tolerance;
+}
+
 /// Steps by the derivative from nearby, as long as each leaves a quarter of F at most; whether that is all it takes.
 static bool iterate_nearby(const newton_problem *p, newton_work *w, double *u) {
+    if (!decompose(p, w, p->nearby)) return false;
     double size = measure(p, u, w->value, NULL);
     for (int k = 0; k < p->most_steps && size > p->tolerance && isfinite(size); k++) {
-        memcpy(w->step, w->value, p->count * sizeof *w->step);
+        if (!step_from(p, w, w->value, w->step)) return false;
         memcpy(w->at, u, p->count * sizeof *u);
-        if (!matrix_solve(p->count, p->nearby, 1, w->step)) return false;
         for (size_t i = 0; i < p->count; i++) u[i] -= w->step[i];
+        w->trusted = is_last(p, size) ? size : 0.0;
+        if (w->trusted > 0.0) return true;
         const double now = measure(p, u, w->value, NULL);
         if (!(now <= 0.25 * size)) {
             if (!(now <= size)) memcpy(u, w->at, p->count * sizeof *u);
             return false;
         }
+        if (p->share) *p->share = now / size;
         size = now;
     }
     return size <= p->tolerance;
@@ -76,13 +100,13 @@ static newton_result iterate(const newton_problem *p, newton_work *w, double *u)
     enum { FAR = 2 }; // what a derivative from nearby that did not do counts for
     const bool far = p->nearby && !iterate_nearby(p, w, u);
     newton_result result = {.size = measure(p, u, w->value, w->derivative)};
+    if (w->trusted > 0.0) *p->share = result.size / w->trusted;
     if (!isfinite(result.size)) return result;
     for (result.steps = far ? FAR : 0; result.steps < p->most_steps; result.steps++) {
         result.found = result.size <= p->tolerance;
         if (result.found) return result;
-        memcpy(w->step, w->value, p->count * sizeof *w->step);
-        const double now =
-            matrix_solve(p->count, w->derivative, 1, w->step) ? go(p, w, result.size, u) : (double)INFINITY;
+        const bool known = decompose(p, w, w->derivative) && step_from(p, w, w->value, w->step);
+        const double now = known ? go(p, w, result.size, u) : (double)INFINITY;
         if (!isfinite(now)) {
             result.found = result.size <= 100.0 * p->tolerance;
             if (result.found) measure(p, u, w->value, w->derivative);
@@ -96,11 +120,21 @@ static newton_result iterate(const newton_problem *p, newton_work *w, double *u)
 
 newton_result newton_solve(const newton_problem *p, double *u) {
     const size_t n = p->count;
-    double *room = malloc((4 * n + 2 * n * n + 1) * sizeof *room);
+    double *room = malloc((4 * n + 3 * n * n + 1) * sizeof *room), *matrices = room ? room + 4 * n : NULL;
+    size_t *order = malloc((n + 1) * sizeof *order);
     newton_result result = {.size = INFINITY};
-    if (!room) return result;
-    newton_work work = {room, room + n, room + 2 * n, room + 3 * n, room + 4 * n, room + 4 * n + n * n};
-    result = iterate(p, &work, u);
+    if (room && order) {
+        newton_work work = {.value = room,
+                            .tried = room + n,
+                            .step = room + 2 * n,
+                            .at = room + 3 * n,
+                            .derivative = matrices,
+                            .there = matrices + n * n,
+                            .factors = matrices + 2 * n * n,
+                            .order = order};
+        result = iterate(p, &work, u);
+    }
     free(room);
+    free(order);
     return result;
 }

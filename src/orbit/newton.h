@@ -16,6 +16,9 @@ typedef struct newton_problem {
     /// [count][count] NULL, or a derivative from nearby, with which steps are taken for as long as they lead on well:
     /// they cost no derivative.
     const double *nearby;
+    /// NULL, or by what share such a step left F the last time (1: not known): where it promises to be enough, F is not
+    /// looked at before its derivative is.
+    double *share;
     const double *scale; ///< [count] what counts as 1 in u; NULL: 1
     double tolerance;    ///< of that size
     int most_steps, most_halvings;

@@ -185,7 +185,7 @@ static whirl_status prepare(walk *w, const whirl_branch_point *start) {
         return whirl_fail(WHIRL_BAD_INPUT, "an orbit of %zu coordinates in %zu segments, expected %zu in %zu",
                           orbit->dimension, orbit->segment_count, e->s->dimension, e->s->count);
     const size_t n = equations_count(e), all = n + 2;
-    e->reach = 0x1p-12 * (w->options->to - w->options->from);
+    equations_reach(e, w->options->to - w->options->from);
     w->curve = (curve){
         .count = n + 1, .context = w, .evaluate = evaluate, .size = size_of, .tolerance = w->options->orbit.tolerance};
     w->branch = calloc(1, sizeof *w->branch);

@@ -5,6 +5,7 @@
 // for blocks of eigenvalues of like size. The diagonal blocks of R are products of those of the factors, so that each
 // block has its own scale and nothing large hides what is small.
 #include <float.h>
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,8 +13,9 @@
 #include "matrix.h"
 #include "whirl/orbit.h"
 
-/// Rounds through all factors: after them what is smaller by a factor of two is apart to rounding.
-enum { ROUNDS = 60 };
+/// Rounds through all factors: after them what is smaller by a factor of two is apart to rounding. What is like in size
+/// by as many powers of two need not be apart.
+enum { MOST_ROUNDS = 60, LIKE = 8 };
 
 typedef struct product {
     size_t n, count;
@@ -103,12 +105,42 @@ static int by_modulus(const void *a, const void *b) {
     return p->imaginary > q->imaginary ? -1 : p->imaginary < q->imaginary;
 }
 
+/// The power of two of a diagonal number of R.
+static int size_of_row(const product *p, size_t i) {
+    const size_t n = p->n;
+    double rest = 1.0;
+    int power = 0, all = 0;
+    for (size_t j = 0; j < p->count; j++) {
+        rest = frexp(rest * p->r[(j * n + i) * n + i], &power);
+        all += power;
+    }
+    return rest == 0.0 ? INT_MIN / 2 : all;
+}
+
+/// Whether what is left together is of like size.
+static bool is_apart(product *p) {
+    turn_of(p);
+    for (size_t first = 0, end; first < p->n; first = end) {
+        int low = INT_MAX, high = INT_MIN;
+        end = end_of_block(p, first);
+        for (size_t i = first; i < end; i++) {
+            const int size = size_of_row(p, i);
+            if (size < low) low = size;
+            if (size > high) high = size;
+        }
+        if (high - low > LIKE) return false;
+    }
+    return true;
+}
+
 static bool find(product *p, double *room, whirl_multiplier *values) {
     const size_t n = p->n;
     for (size_t i = 0; i < n * n; i++) p->now[i] = i % (n + 1) == 0 ? 1.0 : 0.0;
-    for (int k = 0; k < ROUNDS; k++)
+    bool apart = false;
+    for (int k = 0; k < MOST_ROUNDS && !apart; k++) {
         if (!go_round(p)) return false;
-    turn_of(p);
+        apart = is_apart(p);
+    }
     for (size_t first = 0, end; first < n; first = end) {
         end = end_of_block(p, first);
         if (!read_block(p, first, end - first, room, values)) return false;

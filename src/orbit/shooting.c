@@ -33,17 +33,25 @@ bool shooting_rests(const shooting *s) {
     return s->period == 0.0;
 }
 
-static whirl_status make_parts(shooting *s, const whirl_orbit_options *options) {
+static whirl_status make_parts(shooting *s) {
     const double whole = s->revolutions > 0 ? s->system->period : s->period;
     const double length = whole / (double)s->part_count;
-    whirl_integrate_options own = options->integrate;
     whirl_status status = whirl_ok();
-    own.steps_per_revolution = (own.steps_per_revolution + (int)s->part_count - 1) / (int)s->part_count;
     for (size_t j = 0; j < s->part_count && status.code == WHIRL_OK; j++) {
         part_of(&s->parts[j], s->system, length * (double)j, length, 1.0);
-        status = whirl_integrator_new(&s->parts[j].own, &own, &s->integrators[j]);
+        if (s->lanes) continue;
+        status = whirl_integrator_new(&s->parts[j].own, &s->integrate, &s->integrators[j]);
         if (status.code == WHIRL_OK) status = whirl_integrator_follow(s->integrators[j], s->kept_count);
     }
+    return status;
+}
+
+/// Lanes for the segments, where the machine goes in lanes.
+static whirl_status make_lanes(shooting *s) {
+    if (!whirl_ensemble_flows(s->system, &s->integrate)) return whirl_ok();
+    whirl_status status = whirl_ensemble_flow(s->system, &s->integrate, s->count, s->kept_count, &s->lanes);
+    for (size_t j = 0; j < s->count && status.code == WHIRL_OK; j++)
+        status = whirl_ensemble_load(s->lanes, j, s->system, s->ends);
     return status;
 }
 
@@ -55,10 +63,11 @@ static bool allocate(shooting *s) {
     const size_t n = s->kept_count;
     s->parts = calloc(s->part_count, sizeof *s->parts);
     s->integrators = calloc(s->part_count, sizeof *s->integrators);
-    s->unit = calloc(2 * n * d + s->count * (d + n * n) + 1, sizeof *s->unit);
-    if (!s->kept || !s->parts || !s->integrators || !s->unit) return false;
+    s->columns = calloc(s->count, sizeof *s->columns);
+    s->unit = calloc(n * d + s->count * (n * d + d + n * n) + 1, sizeof *s->unit);
+    if (!s->kept || !s->parts || !s->integrators || !s->columns || !s->unit) return false;
     s->vectors = s->unit + n * d;
-    s->ends = s->vectors + n * d;
+    s->ends = s->vectors + s->count * n * d;
     s->matrices = s->ends + s->count * d;
     for (size_t i = 0; i < n; i++) s->unit[i * d + s->kept[i]] = 1.0;
     return true;
@@ -74,13 +83,17 @@ whirl_status shooting_new(const whirl_system *system, const whirl_orbit_options 
     const size_t parts = rests ? 1 : (size_t)options->segments;
     if (!s) return whirl_fail(WHIRL_NO_MEMORY, "no memory for an orbit of %zu segments", parts);
     *s = (shooting){.system = system,
+                    .first = system,
                     .dimension = system->dimension,
+                    .integrate = options->integrate,
                     .revolutions = revolutions,
                     .period = revolutions > 0 ? system->period * (double)revolutions : period,
                     .part_count = parts,
                     .count = parts * (revolutions > 0 ? revolutions : 1)};
     if (!allocate(s)) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for an orbit of %zu segments", parts);
-    if (status.code == WHIRL_OK && !rests) status = make_parts(s, options);
+    s->integrate.steps_per_revolution = (s->integrate.steps_per_revolution + (int)parts - 1) / (int)parts;
+    if (status.code == WHIRL_OK && !rests) status = make_lanes(s);
+    if (status.code == WHIRL_OK && !rests) status = make_parts(s);
     if (status.code == WHIRL_OK)
         *out = s;
     else
@@ -91,6 +104,9 @@ whirl_status shooting_new(const whirl_system *system, const whirl_orbit_options 
 void shooting_free(shooting *s) {
     if (!s) return;
     for (size_t j = 0; s->integrators && j < s->part_count; j++) whirl_integrator_free(s->integrators[j]);
+    whirl_ensemble_free(s->lanes);
+    whirl_ensemble_free(s->beside);
+    free(s->columns);
     free(s->integrators);
     free(s->parts);
     free(s->unit);
@@ -98,20 +114,72 @@ void shooting_free(shooting *s) {
     free(s);
 }
 
-/// Carries one segment from `from` to its end, with its derivative where it is wanted.
-static bool carry_segment(shooting *s, size_t j, const double *from, bool derivatives) {
+// ---------------------------------------------------------------- segments, one after the other
+
+/// Writes a segment's derivative, and adds up the volume.
+static void take_columns(shooting *s, size_t j, const whirl_disturbances *columns) {
     const size_t d = s->dimension, n = s->kept_count;
-    double *end = s->ends + j * d, *matrix = s->matrices + j * n * n;
-    whirl_integrator *integrator = s->integrators[j % s->part_count];
-    memcpy(end, from, d * sizeof *end);
-    if (!derivatives) return whirl_integrator_revolve(integrator, end, NULL, NULL) == WHIRL_BOUNDED;
-    whirl_disturbances all = {.count = n, .vectors = s->vectors};
-    memcpy(s->vectors, s->unit, n * d * sizeof *s->vectors);
-    if (whirl_integrator_carry(integrator, end, &all, NULL, NULL) != WHIRL_BOUNDED) return false;
+    double *matrix = s->matrices + j * n * n;
     for (size_t i = 0; i < n; i++)
-        for (size_t k = 0; k < n; k++) matrix[i * n + k] = s->vectors[k * d + s->kept[i]];
-    s->volume += all.volume;
+        for (size_t k = 0; k < n; k++) matrix[i * n + k] = columns->vectors[k * d + s->kept[i]];
+    s->volume += columns->volume;
+}
+
+/// Unit disturbances of a segment.
+static whirl_disturbances *begin_columns(shooting *s, size_t j) {
+    const size_t size = s->kept_count * s->dimension;
+    s->columns[j] = (whirl_disturbances){.count = s->kept_count, .vectors = s->vectors + j * size};
+    memcpy(s->columns[j].vectors, s->unit, size * sizeof *s->vectors);
+    return &s->columns[j];
+}
+
+static bool carry_alone(shooting *s, size_t j, const double *from, bool derivatives) {
+    double *end = s->ends + j * s->dimension;
+    whirl_integrator *integrator = s->integrators[j % s->part_count];
+    memcpy(end, from, s->dimension * sizeof *end);
+    if (!derivatives) return whirl_integrator_revolve(integrator, end, NULL, NULL) == WHIRL_BOUNDED;
+    whirl_disturbances *columns = begin_columns(s, j);
+    if (whirl_integrator_carry(integrator, end, columns, NULL, NULL) != WHIRL_BOUNDED) return false;
+    take_columns(s, j, columns);
     return true;
+}
+
+// ---------------------------------------------------------------- side by side
+
+/// Places segment j of a machine in a lane.
+static void place(const shooting *s, whirl_ensemble *lanes, size_t lane, size_t j, const double *from) {
+    const part *p = &s->parts[j % s->part_count];
+    whirl_ensemble_part(lanes, lane, s->revolutions > 0 ? p->from : 0.0, p->stretch * p->own.period);
+    whirl_ensemble_place(lanes, lane, from);
+}
+
+static bool make_beside(shooting *s) {
+    return whirl_ensemble_flow(s->first, &s->integrate, MOST_BESIDE * s->count, 0, &s->beside).code == WHIRL_OK;
+}
+
+/// Carries `count` segments from the first.
+static bool carry_in_lanes(shooting *s, size_t first, size_t count, const double *nodes, bool derivatives) {
+    const size_t d = s->dimension;
+    bool good = true;
+    for (size_t i = 0; i < count; i++) {
+        place(s, s->lanes, i, first + i, nodes + (first + i) * d);
+        if (derivatives) whirl_ensemble_carry(s->lanes, i, begin_columns(s, first + i));
+    }
+    whirl_ensemble_revolve(s->lanes, count, NULL);
+    for (size_t i = 0; i < count; i++) {
+        whirl_ensemble_state(s->lanes, i, s->ends + (first + i) * d);
+        good = good && whirl_ensemble_motion(s->lanes, i) == WHIRL_BOUNDED;
+        if (derivatives) take_columns(s, first + i, &s->columns[first + i]);
+    }
+    return good;
+}
+
+static bool carry(shooting *s, size_t first, size_t count, const double *nodes, bool derivatives) {
+    bool good = true;
+    if (s->lanes) return carry_in_lanes(s, first, count, nodes, derivatives);
+    for (size_t j = first; j < first + count && good; j++)
+        good = carry_alone(s, j, nodes + j * s->dimension, derivatives);
+    return good;
 }
 
 static void stretch(shooting *s, double period) {
@@ -121,8 +189,39 @@ static void stretch(shooting *s, double period) {
 bool shooting_carry(shooting *s, const double *nodes, double period, bool derivatives) {
     stretch(s, period);
     s->volume = 0.0;
+    return carry(s, 0, s->count, nodes, derivatives);
+}
+
+// ---------------------------------------------------------------- other machines
+
+bool shooting_renew(shooting *s, const whirl_system *system) {
+    if (!s->lanes || system->dimension != s->dimension) return false;
     for (size_t j = 0; j < s->count; j++)
-        if (!carry_segment(s, j, nodes + j * s->dimension, derivatives)) return false;
+        if (whirl_ensemble_load(s->lanes, j, system, s->ends).code != WHIRL_OK) return false;
+    for (size_t j = 0; j < s->part_count; j++) {
+        const part *p = &s->parts[j];
+        part_of(&s->parts[j], system, p->from, p->own.period, p->stretch);
+    }
+    s->system = system;
+    return true;
+}
+
+bool shooting_carry_beside(shooting *s, size_t count, const whirl_system *const *systems, const double *nodes,
+                           double period, double *ends) {
+    const size_t d = s->dimension, lanes = count * s->count;
+    if (!s->lanes || count > MOST_BESIDE || (!s->beside && !make_beside(s))) return false;
+    stretch(s, period);
+    for (size_t lane = 0; lane < lanes; lane++) {
+        const size_t j = lane % s->count;
+        if (whirl_ensemble_load(s->beside, lane, systems[lane / s->count], nodes + j * d).code != WHIRL_OK)
+            return false;
+        place(s, s->beside, lane, j, nodes + j * d);
+    }
+    whirl_ensemble_revolve(s->beside, lanes, NULL);
+    for (size_t lane = 0; lane < lanes; lane++) {
+        whirl_ensemble_state(s->beside, lane, ends + lane * d);
+        if (whirl_ensemble_motion(s->beside, lane) != WHIRL_BOUNDED) return false;
+    }
     return true;
 }
 
@@ -138,24 +237,57 @@ static void observe_part(void *context, double t, const double *x) {
     o->observe(o->observer, o->before + o->stretch * t, x);
 }
 
-bool shooting_observe(shooting *s, const double *nodes, double period, whirl_observe_fn observe, void *observer) {
-    part_observer o = {
-        .stretch = s->revolutions > 0 ? 1.0 : period / s->period, .observe = observe, .observer = observer};
-    stretch(s, period);
+static bool observe_alone(shooting *s, const double *nodes, part_observer *o, double length) {
     for (size_t j = 0; j < s->count; j++) {
         double *x = s->ends + j * s->dimension;
-        o.before = period / (double)s->count * (double)j;
+        o->before = length * (double)j;
         memcpy(x, nodes + j * s->dimension, s->dimension * sizeof *x);
-        if (whirl_integrator_revolve(s->integrators[j % s->part_count], x, observe_part, &o) != WHIRL_BOUNDED)
+        if (whirl_integrator_revolve(s->integrators[j % s->part_count], x, observe_part, o) != WHIRL_BOUNDED)
             return false;
     }
     return true;
 }
 
+/// What is seen of all segments at once, to be told of one after the other.
+typedef struct lane_watch {
+    const shooting *s;
+    double *next; ///< [instants][segments][dimension]
+} lane_watch;
+
+static void keep_sample(void *context) {
+    lane_watch *w = context;
+    for (size_t j = 0; j < w->s->count; j++, w->next += w->s->dimension) whirl_ensemble_state(w->s->lanes, j, w->next);
+}
+
+static bool observe_in_lanes(shooting *s, const double *nodes, const part_observer *o, double length) {
+    const size_t d = s->dimension, instants = (size_t)s->integrate.steps_per_revolution;
+    double *samples = malloc((instants * s->count * d + 1) * sizeof *samples);
+    lane_watch watch = {s, samples};
+    const whirl_ensemble_observe all = {.stride = 1, .sample = keep_sample, .context = &watch};
+    bool good = samples != NULL;
+    for (size_t j = 0; j < s->count && good; j++) place(s, s->lanes, j, j, nodes + j * d);
+    if (good) whirl_ensemble_revolve(s->lanes, s->count, &all);
+    for (size_t j = 0; j < s->count && good; j++) good = whirl_ensemble_motion(s->lanes, j) == WHIRL_BOUNDED;
+    for (size_t j = 0; j < s->count && good; j++)
+        for (size_t i = 0; i < instants; i++)
+            o->observe(o->observer, length * ((double)j + (double)(i + 1) / (double)instants),
+                       samples + (i * s->count + j) * d);
+    free(samples);
+    return good;
+}
+
+bool shooting_observe(shooting *s, const double *nodes, double period, whirl_observe_fn observe, void *observer) {
+    const double length = period / (double)s->count;
+    part_observer o = {
+        .stretch = s->revolutions > 0 ? 1.0 : period / s->period, .observe = observe, .observer = observer};
+    stretch(s, period);
+    return s->lanes ? observe_in_lanes(s, nodes, &o, length) : observe_alone(s, nodes, &o, length);
+}
+
 bool shooting_spread(shooting *s, double *nodes, double period) {
     stretch(s, period);
     for (size_t j = 0; j + 1 < s->count; j++) {
-        if (!carry_segment(s, j, nodes + j * s->dimension, false)) return false;
+        if (!carry(s, j, 1, nodes, false)) return false;
         memcpy(nodes + (j + 1) * s->dimension, s->ends + j * s->dimension, s->dimension * sizeof *nodes);
     }
     return true;

@@ -3,12 +3,17 @@
 #define ORBIT_SHOOTING_H
 
 #include "part.h"
+#include "whirl/ensemble.h"
 #include "whirl/orbit.h"
+
+enum { MOST_BESIDE = 2 }; ///< machines beside the present one
 
 /// A machine with the workspace of an orbit's segments. Segment j of `count` leads from node j to node j + 1, the last
 /// one back to the first.
 typedef struct shooting {
     const whirl_system *system;
+    const whirl_system *first;         ///< for which it was made; outlives it
+    whirl_integrate_options integrate; ///< of a segment
     size_t dimension;
     size_t kept_count;              ///< coordinates that do not turn on and on: the unknowns of a node
     size_t *kept;                   ///< [kept_count] which these are
@@ -17,9 +22,12 @@ typedef struct shooting {
     size_t count;                   ///< segments
     size_t part_count;              ///< after which their parts of a revolution come again
     part *parts;                    ///< [part_count]
-    whirl_integrator **integrators; ///< [part_count]
+    whirl_integrator **integrators; ///< [part_count] NULL where lanes carry the segments
+    whirl_ensemble *lanes;          ///< segments side by side; NULL: integrators carry one after the other
+    whirl_ensemble *beside;         ///< [MOST_BESIDE count] the same of the machines beside; NULL: not yet needed
+    whirl_disturbances *columns;    ///< [count] of the segments in lanes
     double *unit;                   ///< [kept_count][dimension] unit disturbances
-    double *vectors;                ///< [kept_count][dimension]
+    double *vectors;                ///< [count][kept_count][dimension]
     double *ends;                   ///< [count][dimension] where the segments lead
     double *matrices;               ///< [count][kept_count][kept_count] their derivatives
     double volume;                  ///< as whirl_orbit has it
@@ -38,6 +46,15 @@ bool shooting_rests(const shooting *s);
 /// Carries the segments from nodes [count][dimension]: ends, and with `derivatives` matrices and volume, too. An orbit
 /// with a time of its own takes `period`. False where a motion is not bounded.
 bool shooting_carry(shooting *s, const double *nodes, double period, bool derivatives);
+
+/// Puts another machine in the place of the present one; the first one stays to the end. False where lanes do not carry
+/// it, and another shooting is to be made.
+bool shooting_renew(shooting *s, const whirl_system *system);
+
+/// Carries the segments of `count` other machines from the same nodes: ends [count][segments][dimension]. False where a
+/// motion is not bounded, or lanes do not carry them.
+bool shooting_carry_beside(shooting *s, size_t count, const whirl_system *const *systems, const double *nodes,
+                           double period, double *ends);
 
 /// Writes what the segments miss, end - next node: gap [count][kept_count].
 void shooting_gap(const shooting *s, const double *nodes, double *gap);

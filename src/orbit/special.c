@@ -42,21 +42,21 @@ static bool changes(const follower *f, const test *t, const waypoint *a, const w
     return (value_of(f, t, a) < 0.0) != (value_of(f, t, b) < 0.0);
 }
 
-/// Closes in on the change of sign within `length` of `from`; *at is where along its tangent, p the point there. Not
+/// Closes in on the change of sign; *at is where along its tangent, p the point there. Not
 /// found: p has no orbit.
-static whirl_status close_in(follower *f, const test *t, const waypoint *from, const waypoint *to, double length,
-                             waypoint *p, double *at) {
+static whirl_status close_in(follower *f, const test *t, const waypoint *from, const waypoint *to, waypoint *p,
+                             double *at) {
     enum { MOST_LOOKS = 80 };
     const size_t all = f->curve.count + 1;
-    bracket r = bracket_between(0.0, value_of(f, t, from), length, value_of(f, t, to));
-    const double largest = fmax(fabs(r.fa), fabs(r.fb));
     whirl_status status = whirl_ok();
-    double *trial = malloc(all * sizeof *trial), last = INFINITY;
+    double *trial = malloc(2 * all * sizeof *trial), last = INFINITY;
     if (!trial) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a point of a branch");
+    bracket r = bracket_between(0.0, value_of(f, t, from), follower_length(f, from, to, trial), value_of(f, t, to));
+    const double largest = fmax(fabs(r.fa), fabs(r.fb));
     for (int k = 0; k < MOST_LOOKS; k++) {
         *at = bracket_next(&r);
-        for (size_t i = 0; i < all; i++) trial[i] = from->u[i] + *at * from->tangent[i];
-        status = follower_find(f, trial, from->tangent, from->tangent, p);
+        follower_predict(f, from, to, from, *at, trial);
+        status = follower_find(f, trial, follower_across(f, from, to, from, trial + all), from->tangent, p);
         if (status.code != WHIRL_OK || !p->orbit) break;
         last = value_of(f, t, p);
         bracket_tell(&r, *at, last);
@@ -84,13 +84,12 @@ typedef struct findings {
     size_t count;
 } findings;
 
-static whirl_status find(follower *f, const test *t, const waypoint *from, const waypoint *to, double length,
-                         findings *found) {
+static whirl_status find(follower *f, const test *t, const waypoint *from, const waypoint *to, findings *found) {
     finding one = {.point = {.second = NAN, .criticality = NAN, .special = t->kind, .touch = t->touch}};
     waypoint p;
     if (found->count == MOST_FINDINGS) return whirl_ok();
     whirl_status status = waypoint_new(f, &p);
-    if (status.code == WHIRL_OK) status = close_in(f, t, from, to, length, &p, &one.at);
+    if (status.code == WHIRL_OK) status = close_in(f, t, from, to, &p, &one.at);
     const bool paired = t->kind == WHIRL_NEIMARK_SACKER || t->kind == WHIRL_HOPF;
     const bool saddle = p.orbit && paired && !vanishing_pair(p.orbit, &one.point.angle);
     if (status.code == WHIRL_OK && p.orbit && !saddle) {
@@ -109,7 +108,7 @@ static int by_place(const void *a, const void *b) {
     return p->at < q->at ? -1 : p->at > q->at;
 }
 
-static whirl_status find_all(follower *f, const waypoint *from, const waypoint *to, double length, findings *found) {
+static whirl_status find_all(follower *f, const waypoint *from, const waypoint *to, findings *found) {
     static const whirl_special moving[] = {WHIRL_FOLD, WHIRL_BRANCHING, WHIRL_DOUBLING, WHIRL_NEIMARK_SACKER};
     static const whirl_special resting[] = {WHIRL_FOLD, WHIRL_BRANCHING, WHIRL_HOPF};
     const bool moves = from->orbit->period > 0.0;
@@ -121,18 +120,18 @@ static whirl_status find_all(follower *f, const waypoint *from, const waypoint *
     for (size_t k = 0; k < count && status.code == WHIRL_OK; k++) {
         const test t = {.kind = kinds[k]};
         if (t.kind == WHIRL_BRANCHING && folds) continue;
-        if (changes(f, &t, from, to)) status = find(f, &t, from, to, length, found);
+        if (changes(f, &t, from, to)) status = find(f, &t, from, to, found);
     }
     for (size_t k = 0; k < from->orbit->touch_count && status.code == WHIRL_OK; k++) {
         const test t = {.kind = WHIRL_GRAZE, .touch = k, .intervals = risings(&from->orbit->touches[k])};
-        if (changes(f, &t, from, to)) status = find(f, &t, from, to, length, found);
+        if (changes(f, &t, from, to)) status = find(f, &t, from, to, found);
     }
     return status;
 }
 
-whirl_status special_locate(follower *f, const waypoint *from, const waypoint *to, double length) {
+whirl_status special_locate(follower *f, const waypoint *from, const waypoint *to) {
     findings found = {.count = 0};
-    whirl_status status = find_all(f, from, to, length, &found);
+    whirl_status status = find_all(f, from, to, &found);
     qsort(found.list, found.count, sizeof *found.list, by_place);
     for (size_t i = 0; i < found.count; i++) {
         if (status.code == WHIRL_OK) status = follower_add(f, &found.list[i].point);

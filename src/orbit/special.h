@@ -4,8 +4,8 @@
 
 #include "follower.h"
 
-/// Special points between two waypoints `length` apart along the first one's tangent: adds them to the branch in their
+/// Special points between two waypoints: adds them to the branch in their
 /// order.
-whirl_status special_locate(follower *f, const waypoint *from, const waypoint *to, double length);
+whirl_status special_locate(follower *f, const waypoint *from, const waypoint *to);
 
 #endif
