@@ -49,7 +49,7 @@ typedef struct whirl_torus {
     double residual; ///< by which the equation fails at the nodes, as the tolerance is meant
     double error;    ///< by which it fails half way between them, over the radius
     double tail;     ///< the last two harmonics of the curve, over its largest
-    /// Smallest q up to 24 with a whole p so that the rotation number is within 1e-3/q^2 of p/q: near such a resonance
+    /// Smallest q up to 12 with a whole p so that the rotation number is within 0.05/q^2 of p/q: near such a resonance
     /// the motion may lock to an orbit of q times as many revolutions. 0 where there is none.
     size_t resonance;
     /// Normal Lyapunov exponents, natural logarithms per revolution, falling: growth of disturbances across the torus.

@@ -51,10 +51,11 @@ static double tail_of(torus_equations *e, const double *u) {
 }
 
 static size_t resonance_of(double rotation) {
-    enum { MOST = 24 };
+    enum { MOST = 12 };
+    const double near = 0.05;
     for (size_t q = 1; q <= MOST; q++) {
         const double turns = (double)q * rotation;
-        if (fabs(turns - round(turns)) < 1e-3 / (double)q) return q;
+        if (fabs(turns - round(turns)) < near / (double)q) return q;
     }
     return 0;
 }

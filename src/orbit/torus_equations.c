@@ -54,12 +54,12 @@ bool torus_equations_resize(torus_equations *e, size_t count) {
     const size_t size = count * e->n;
     free(e->images);
     e->count = count;
-    e->images = calloc(7 * size + size * e->n + 2 * count + 1, sizeof *e->images);
+    e->images = calloc(6 * size + size * e->n + 2 * count + 1, sizeof *e->images);
     if (!e->images) return false;
     e->along = e->images + size;
     e->series = e->along + size;
     e->beside = e->series + size;
-    e->matrices = e->beside + 4 * size;
+    e->matrices = e->beside + 3 * size;
     e->weights = e->matrices + size * e->n;
     e->slopes = e->weights + count;
     return true;
@@ -129,17 +129,14 @@ static bool images_beside(torus_equations *e, double value, const double *u, dou
     return good;
 }
 
-/// The derivative of the images by the parameter, by central differences of order 4, as branches of orbits take it.
+/// The derivative of the images by the parameter, by central differences: their error, the square of 2^-12 of the span,
+/// slows Newton's method by no step, and leaves its zeros as they are.
 static bool by_parameter(torus_equations *e, const double *u) {
-    static const double places[4] = {-2.0, -1.0, 1.0, 2.0}, weights[4] = {1.0, -8.0, 8.0, -1.0};
     const size_t size = e->count * e->n;
-    for (size_t k = 0; k < 4; k++)
-        if (!images_beside(e, e->value + places[k] * e->reach, u, e->beside + k * size)) return false;
-    for (size_t i = 0; i < size; i++) {
-        double sum = 0.0;
-        for (size_t k = 0; k < 4; k++) sum += weights[k] * e->beside[k * size + i];
-        e->beside[i] = sum / (12.0 * e->reach);
-    }
+    double *above = e->beside, *below = above + size;
+    if (!images_beside(e, e->value + e->reach, u, above) || !images_beside(e, e->value - e->reach, u, below))
+        return false;
+    for (size_t i = 0; i < size; i++) above[i] = (above[i] - below[i]) / (2.0 * e->reach);
     return true;
 }
 

@@ -23,7 +23,7 @@ typedef struct torus_equations {
     double *along;            ///< [count][n] derivative of the reference curve by the angle
     double *weights, *slopes; ///< [count] of x(angle)
     double *series;           ///< [count][n] workspace
-    double *beside;           ///< [4][count][n] workspace
+    double *beside;           ///< [3][count][n] workspace
 } torus_equations;
 
 /// Makes those of a machine, or of a family at a value (system NULL), without nodes. `at` [dimension], a state of

@@ -176,6 +176,7 @@ static void a_branch_in_closed_form(void **state) {
     assert_non_null(point);
     whirl_torus_branch_options options = whirl_torus_branch_default(-0.1, 1.0);
     options.torus.accuracy = 1e-9;
+    options.most_step = 0.2;
     whirl_torus *first;
     whirl_torus_branch *tori;
     double value;
@@ -288,6 +289,7 @@ static whirl_torus_branch *follow_van_der_pol(test_family *family, double to, do
     whirl_torus_branch_options options = whirl_torus_branch_default(0.5 * family->p[STRENGTH], to);
     options.torus.accuracy = accuracy;
     options.torus.most_nodes = most_nodes;
+    options.most_step = 0.2;
     double *points = long_motion(van_der_pol_slope, family->p, 2, family->system.period, 400, start, 200, COUNT);
     whirl_torus *torus = find_torus(family, points, COUNT, 1, &options.torus);
     whirl_torus_branch *tori;
@@ -319,7 +321,7 @@ static whirl_branch *entrained_orbits(test_family *family, double from, double t
 static void a_torus_locks(void **state) {
     (void)state;
     test_family family = van_der_pol_family(0.3, 0.06, 1.03);
-    whirl_torus_branch *tori = follow_van_der_pol(&family, 0.3, 1e-4, 251);
+    whirl_torus_branch *tori = follow_van_der_pol(&family, 0.3, 1e-4, 151);
     whirl_branch *orbits = entrained_orbits(&family, 0.3, 0.03);
     const whirl_branch_point *fold = special_point(orbits, WHIRL_FOLD, 0);
     const whirl_torus_point *last = &tori->points[tori->count - 1];
