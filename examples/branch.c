@@ -1,5 +1,6 @@
 // Where and why a rotor's motion changes: the orbit of the paper's case is followed over the stiffness ratio r_k of its
-// shaft, stable or not, and its special points are told: folds, doublings, tori, first touches.
+// shaft, stable or not, and its special points are told: folds, doublings, tori, first touches. A torus that begins is
+// followed in turn, with its second frequency, to where it ends.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -52,6 +53,35 @@ static void tell(const whirl_branch *branch) {
     }
 }
 
+static void tell_tori(const whirl_torus_branch *tori) {
+    for (size_t i = 0; i < tori->count; i++) {
+        const whirl_torus *torus = tori->points[i].torus;
+        printf("r_k = %.8f    torus, second frequency %.6f of the speed, %s, %zu nodes\n", tori->points[i].value,
+               torus->frequency, torus->unstable == 0 ? "stable" : "unstable", torus->node_count);
+    }
+    printf("%s\n", tori->why);
+}
+
+/// Follows the first torus that begins on the branch, to lower r_k.
+static whirl_status follow_torus(const whirl_family *family, const whirl_branch *branch, double from, double to) {
+    const whirl_branch_point *point = NULL;
+    whirl_torus_branch_options options = whirl_torus_branch_default(to, from);
+    whirl_torus *first = NULL;
+    whirl_torus_branch *tori = NULL;
+    double r_k;
+    for (size_t i = 0; i < branch->count && !point; i++)
+        if (branch->points[i].special == WHIRL_NEIMARK_SACKER) point = &branch->points[i];
+    if (!point) return whirl_ok();
+    options.torus.accuracy = 1e-5;
+    options.torus.most_nodes = 63;
+    whirl_status status = whirl_torus_begin(family, point, 0.02, &options, &first, &r_k);
+    if (status.code == WHIRL_OK) status = whirl_torus_follow(family, first, r_k, -1, &options, &tori);
+    if (status.code == WHIRL_OK) tell_tori(tori);
+    whirl_torus_branch_free(tori);
+    whirl_torus_free(first);
+    return status;
+}
+
 int main(void) {
     const double from = 0.8, to = 0.3;
     whirl_case *rotor = NULL;
@@ -62,10 +92,9 @@ int main(void) {
     const whirl_branch_options options = whirl_branch_default(to, from);
     if (status.code == WHIRL_OK) status = settle(&family, from, &options, &start);
     if (status.code == WHIRL_OK) status = whirl_branch_follow(&family, start, from, -1, &options, &branch);
-    if (status.code == WHIRL_OK)
-        tell(branch);
-    else
-        fprintf(stderr, "%s\n", status.message);
+    if (status.code == WHIRL_OK) tell(branch);
+    if (status.code == WHIRL_OK) status = follow_torus(&family, branch, from, to);
+    if (status.code != WHIRL_OK) fprintf(stderr, "%s\n", status.message);
     whirl_branch_free(branch);
     whirl_orbit_free(start);
     whirl_case_free(rotor);

@@ -2,22 +2,27 @@
 #ifndef ORBIT_SECTION_MAP_H
 #define ORBIT_SECTION_MAP_H
 
+#include "whirl/ensemble.h"
 #include "whirl/integrate.h"
 #include "whirl/status.h"
 
 typedef struct section_map {
     size_t revolutions;
     size_t dimension;
-    size_t count; ///< of coordinates that do not turn on and on: a point of a section
-    size_t *kept; ///< [count] which these are
-    whirl_integrator *integrator;
-    double *rest;    ///< [dimension] turning coordinates at every section
-    double *state;   ///< [dimension] workspace
-    double *vectors; ///< [count][dimension] workspace
+    size_t count;                 ///< of coordinates that do not turn on and on: a point of a section
+    size_t *kept;                 ///< [count] which these are
+    whirl_ensemble *lanes;        ///< points side by side; NULL: the integrator carries one after the other
+    whirl_integrator *integrator; ///< NULL with lanes
+    size_t side_by_side;          ///< points that are carried at once
+    double *rest;                 ///< [dimension] turning coordinates at every section
+    double *states;               ///< [side_by_side][dimension] workspace
+    double *vectors;              ///< [side_by_side][count][dimension] workspace
+    whirl_disturbances *columns;  ///< [side_by_side] of these
 } section_map;
 
-/// Makes that of a system over so many revolutions. WHIRL_BAD_INPUT where its angles do not come back after them, where
-/// it gives no Jacobian, and as whirl_integrator_new; WHIRL_NO_MEMORY. Freed by section_map_free, NULL included.
+/// Makes that of a system, which must outlive it, over so many revolutions. WHIRL_BAD_INPUT where its angles do not
+/// come back after them, where it gives no Jacobian, and as whirl_integrator_new; WHIRL_NO_MEMORY. Freed by
+/// section_map_free, NULL included.
 whirl_status section_map_new(const whirl_system *system, const whirl_integrate_options *options, size_t revolutions,
                              section_map **out);
 void section_map_free(section_map *map);

@@ -184,9 +184,79 @@ static void a_long_motion_runs_on_it(void **state) {
     free(points);
 }
 
+// ---------------------------------------------------------------- with its stator, the calibrated reading
+
+/// The orbits of five revolutions, up from r_k = 0.493 where the rotor settles on one: where they end.
+static double fold_of_five(const whirl_family *machines) {
+    const whirl_branch_options options = whirl_branch_default(0.49, 0.498);
+    const whirl_integrate_options steps = whirl_integrate_default();
+    double x[ROTOR_STATES] = {0.0, -0.6, 0.0, -0.6};
+    whirl_machine machine;
+    whirl_integrator *integrator;
+    whirl_orbit *orbit;
+    whirl_branch *branch;
+    require_ok(machines->machine(machines->context, 0.493, &machine));
+    require_ok(whirl_integrator_new(machine.system, &steps, &integrator));
+    for (int k = 0; k < 800; k++) whirl_integrator_revolve(integrator, x, NULL, NULL);
+    require_ok(whirl_orbit_find(machine.system, x, 5, &options.orbit, &orbit));
+    whirl_integrator_free(integrator);
+    machine.release(machine.owner);
+    whirl_branch_options short_way = options;
+    short_way.most_points = 16;
+    require_ok(whirl_branch_follow(machines, orbit, 0.493, 1, &short_way, &branch));
+    const whirl_branch_point *fold = special_point(branch, WHIRL_FOLD, 0);
+    assert_non_null(fold);
+    const double value = fold->value;
+    whirl_branch_free(branch);
+    whirl_orbit_free(orbit);
+    return value;
+}
+
+/// The torus that begins at r_k = 0.4978 locks: its rotation number comes to 2/5 as the root of the distance from where
+/// two orbits of five revolutions appear on it.
+static void the_paper_rotor_locks_to_five_revolutions(void **state) {
+    (void)state;
+    whirl_case *object;
+    require_ok(whirl_case_load(WHIRL_CASES "/paper.yaml", NULL, &object));
+    const case_family family = {object, "r_k"};
+    const whirl_family machines = family_of_case(&family);
+    const whirl_branch_options orbits = whirl_branch_default(0.48, 0.51);
+    whirl_torus_branch_options options = whirl_torus_branch_default(0.48, 0.51);
+    const double aside[ROTOR_STATES] = {0.0, -0.6, 0.0, -0.6};
+    whirl_machine machine;
+    whirl_orbit *orbit;
+    whirl_branch *branch;
+    whirl_torus *first;
+    whirl_torus_branch *tori;
+    double value;
+    require_ok(machines.machine(machines.context, 0.51, &machine));
+    require_ok(whirl_orbit_find(machine.system, aside, 1, &orbits.orbit, &orbit));
+    machine.release(machine.owner);
+    require_ok(whirl_branch_follow(&machines, orbit, 0.51, -1, &orbits, &branch));
+    options.torus.accuracy = 1e-5;
+    options.torus.most_nodes = 63;
+    const whirl_branch_point *point = special_point(branch, WHIRL_NEIMARK_SACKER, 0);
+    assert_non_null(point);
+    require_ok(whirl_torus_begin(&machines, point, 0.02, &options, &first, &value));
+    require_ok(whirl_torus_follow(&machines, first, value, -1, &options, &tori));
+    const whirl_torus_point *last = &tori->points[tori->count - 1];
+    print_message("%zu tori to r_k = %.6f: %s\n", tori->count, last->value, tori->why);
+    assert_int_equal(WHIRL_TORUS_ROUGH, tori->end);
+    assert_int_equal(5, last->torus->resonance);
+    const double one = pow(0.4 - last->torus->rotation, 2.0), two = pow(0.4 - last[-1].torus->rotation, 2.0);
+    const double locks = last->value - one * (last[-1].value - last->value) / (two - one);
+    check_within("tori", "paper's rotor: r_k where the torus locks, and of the fold of P-5", fold_of_five(&machines),
+                 locks, 1e-4);
+    whirl_torus_branch_free(tori);
+    whirl_torus_free(first);
+    whirl_branch_free(branch);
+    whirl_orbit_free(orbit);
+    whirl_case_free(object);
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(tori_join_two_points),
-                                       cmocka_unit_test(radius_grows_as_the_normal_form_says),
-                                       cmocka_unit_test(a_long_motion_runs_on_it)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(tori_join_two_points), cmocka_unit_test(radius_grows_as_the_normal_form_says),
+        cmocka_unit_test(a_long_motion_runs_on_it), cmocka_unit_test(the_paper_rotor_locks_to_five_revolutions)};
     return cmocka_run_group_tests(tests, follow, forget);
 }
