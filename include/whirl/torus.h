@@ -24,8 +24,10 @@ enum {
 
 typedef struct whirl_torus_options {
     whirl_integrate_options integrate; ///< method: rk4, dop853 or rodas5p; "auto" is dop853
-    double tolerance;  ///< by which the equation may fail at nodes, over the largest coordinate of the nodes
-    double accuracy;   ///< by which it may fail between nodes, over the curve's radius: more nodes are taken until then
+    double tolerance; ///< by which the equation may fail at nodes, over the largest coordinate of the nodes
+    /// By which it may fail between nodes, over the curve's radius, where the tolerance allows it: more nodes are taken
+    /// until then.
+    double accuracy;
     int most_steps;    ///< of Newton's method
     size_t most_nodes; ///< odd; a curve that needs more counts as rough
 } whirl_torus_options;
@@ -78,6 +80,13 @@ void whirl_torus_free(whirl_torus *torus);
 
 /// The curve at an angle theta, rad: x [dimension]; turning coordinates as nodes have them.
 void whirl_torus_at(const whirl_torus *torus, double theta, double *x);
+
+/// Follows the motions from `angles` equal angles of the curve over its revolutions: calls observe at the end of each
+/// of `instants` equal parts of every revolution, t in (0, period] of it, all of one motion in turn. So bounds,
+/// contacts and waveforms are told of a torus that is not stable, too. WHIRL_BAD_INPUT where they cannot be followed.
+whirl_status whirl_torus_observe(const whirl_system *system, const whirl_torus *torus,
+                                 const whirl_torus_options *options, size_t angles, size_t instants,
+                                 whirl_observe_fn observe, void *observer);
 
 // ---------------------------------------------------------------- branches
 

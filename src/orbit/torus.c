@@ -64,7 +64,7 @@ static whirl_status solve(torus_equations *e, double **u, whirl_torus **out) {
                               "onto itself but for %.3g of its size, expected %.3g",
                               result.steps, e->count, result.size, o->tolerance);
         whirl_status status = torus_describe(e, *u, result.size, out);
-        if (status.code != WHIRL_OK || (*out)->error <= o->accuracy) return status;
+        if (status.code != WHIRL_OK || torus_is_accurate(e, *u, *out)) return status;
         const size_t before = e->count, wanted = torus_nodes_wanted(e, *u, (*out)->error);
         if (wanted <= before) {
             char why[WHIRL_MESSAGE_SIZE];
@@ -97,5 +97,34 @@ whirl_status whirl_torus_find(const whirl_system *system, const double *points, 
     if (status.code == WHIRL_OK) status = solve(&e, &u, torus);
     free(u);
     torus_equations_free(&e);
+    return status;
+}
+
+static bool observe_from(whirl_integrator *integrator, const whirl_torus *torus, double theta, double *x,
+                         whirl_observe_fn observe, void *observer) {
+    bool bounded = true;
+    whirl_torus_at(torus, theta, x);
+    for (size_t k = 0; k < torus->revolutions && bounded; k++)
+        bounded = whirl_integrator_revolve(integrator, x, observe, observer) == WHIRL_BOUNDED;
+    return bounded;
+}
+
+whirl_status whirl_torus_observe(const whirl_system *system, const whirl_torus *torus,
+                                 const whirl_torus_options *options, size_t angles, size_t instants,
+                                 whirl_observe_fn observe, void *observer) {
+    whirl_integrate_options own = options->integrate;
+    whirl_integrator *integrator = NULL;
+    double *x = calloc(torus->dimension + 1, sizeof *x);
+    bool bounded = true;
+    own.steps_per_revolution = (int)instants;
+    whirl_status status = x ? whirl_integrator_new(system, &own, &integrator)
+                            : whirl_fail(WHIRL_NO_MEMORY, "no memory for a state of a torus");
+    for (size_t j = 0; j < angles && bounded && status.code == WHIRL_OK; j++) {
+        const double theta = 6.283185307179586476925 * (double)j / (double)angles;
+        bounded = observe_from(integrator, torus, theta, x, observe, observer);
+    }
+    if (!bounded) status = whirl_fail(WHIRL_BAD_INPUT, "the motion along a torus leaves its bounds");
+    whirl_integrator_free(integrator);
+    free(x);
     return status;
 }

@@ -99,6 +99,11 @@ void whirl_torus_at(const whirl_torus *torus, double theta, double *x) {
 
 // ---------------------------------------------------------------- nodes
 
+bool torus_is_accurate(const torus_equations *e, const double *u, const whirl_torus *torus) {
+    const double slight = 10.0 * e->options->tolerance * torus_equations_reach(e, u) / torus->radius;
+    return torus->error <= fmax(e->options->accuracy, slight);
+}
+
 /// The size of the harmonics from `first` on.
 static double rest_from(const torus_equations *e, size_t first) {
     double sum = 0.0;

@@ -7,6 +7,9 @@
 /// The torus of the unknowns u that have just been evaluated with a derivative. WHIRL_NO_MEMORY.
 whirl_status torus_describe(torus_equations *e, const double *u, double residual, whirl_torus **out);
 
+/// Whether the torus of u is as accurate as the options ask, or as their tolerance allows where it is small.
+bool torus_is_accurate(const torus_equations *e, const double *u, const whirl_torus *torus);
+
 /// Nodes with which the curve of u, whose error is that between its nodes, is about as accurate as the options ask:
 /// odd, at most as many as they allow.
 size_t torus_nodes_wanted(torus_equations *e, const double *u, double error);

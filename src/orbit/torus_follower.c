@@ -107,7 +107,7 @@ whirl_status torus_follower_find(torus_follower *f, torus_waypoint *out) {
         out->pace = curve_pace(&result);
         if (!result.found || !curve_tangent(&f->curve, f->forward, out->tangent)) return whirl_ok();
         const whirl_status status = torus_describe(e, out->u, result.size, &out->torus);
-        if (status.code != WHIRL_OK || out->torus->error <= e->options->accuracy) return status;
+        if (status.code != WHIRL_OK || torus_is_accurate(e, out->u, out->torus)) return status;
         const size_t wanted = torus_nodes_wanted(e, out->u, out->torus->error);
         out->rough = wanted <= e->count;
         if (out->rough) return status;

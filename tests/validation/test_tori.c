@@ -23,14 +23,15 @@ static void cosine(const void *model, double t, double *forcing) {
 
 // ---------------------------------------------------------------- a torus in closed form
 
-/// z' = (p + i(w + b |z|^2)) z - s |z|^2 z beside x' = cos t - x, seen in other coordinates: u = Re z,
-/// v = Im z/(1 - e Re z), x + u^2. With s = 1 the circle |z|^2 = p is a torus, stable, of rotation number w + b p and
-/// exponents -4 pi p and -2 pi a revolution; with s = -1 that of |z|^2 = -p is unstable.
-enum { GROWTH, ANGULAR, BEND, SHAPE, SIGN };
+/// z' = (p + i(w + b |z|^2)) z - (s + q |z|^2) |z|^2 z beside x' = cos t - x, seen in other coordinates: u = Re z,
+/// v = Im z/(1 - e Re z), x + u^2. With s = 1, q = 0 the circle |z|^2 = p is a torus, stable, of rotation number w + b
+/// p and exponents -4 pi p and -2 pi a revolution; with s = -1 that of |z|^2 = -p is unstable.
+enum { GROWTH, ANGULAR, BEND, SHAPE, SIGN, FIFTH };
 
 static void bent(const double *p, double drive, const double complex X[3], double complex out[3]) {
     const double complex a = X[0], part = 1.0 - p[SHAPE] * a, b = X[1] * part, x = X[2] - a * a, square = a * a + b * b;
-    const double complex radial = p[GROWTH] - p[SIGN] * square, turn = p[ANGULAR] + p[BEND] * square;
+    const double complex radial = p[GROWTH] - (p[SIGN] + p[FIFTH] * square) * square,
+                         turn = p[ANGULAR] + p[BEND] * square;
     const double complex da = radial * a - turn * b, db = turn * a + radial * b;
     out[0] = da;
     out[1] = db / part + p[SHAPE] * b * da / (part * part);
@@ -180,6 +181,10 @@ static void a_branch_in_closed_form(void **state) {
     whirl_torus *first;
     whirl_torus_branch *tori;
     double value;
+    require_ok(whirl_torus_begin(&machines, point, 1e-5, &options, &first, &value));
+    check_within("tori", words("a torus of radius %.1g: its rotation number", first->radius), 0.31, first->rotation,
+                 1e-8);
+    whirl_torus_free(first);
     require_ok(whirl_torus_begin(&machines, point, 0.05, &options, &first, &value));
     family.p[GROWTH] = value;
     check_bent(&family, first, "first torus");
@@ -209,6 +214,82 @@ static void a_branch_in_closed_form(void **state) {
     whirl_torus_free(first);
     whirl_branch_free(branch);
     whirl_orbit_free(start);
+}
+
+/// With s = -1, q = 1 the torus that begins at p = 0 is unstable, goes to p = -1/4, turns there where |z|^2 = 1/2, and
+/// comes back stable: p = |z|^4 - |z|^2, its exponent across 4 pi (|z|^2 - 2 |z|^4).
+static void a_branch_turns(void **state) {
+    (void)state;
+    test_family family = bent_family(-0.1, 0.3137, -1.0);
+    family.p[FIFTH] = 1.0;
+    family.start[2] = 0.5;
+    const whirl_family machines = family_of(&family);
+    const whirl_branch_options orbits = whirl_branch_default(-0.3, 0.2);
+    whirl_orbit *start = find_orbit(&family, 1, &orbits.orbit);
+    whirl_branch *branch = follow_branch(&family, start, 1, &orbits);
+    const whirl_branch_point *point = special_point(branch, WHIRL_NEIMARK_SACKER, 0);
+    assert_non_null(point);
+    assert_true(point->criticality > 0.0);
+    whirl_torus_branch_options options = whirl_torus_branch_default(-0.3, 0.2);
+    options.torus.accuracy = 1e-10;
+    options.most_step = 0.1;
+    whirl_torus *first;
+    whirl_torus_branch *tori;
+    double value, least = 0.0, curve = 0.0, exponent = 0.0;
+    require_ok(whirl_torus_begin(&machines, point, 0.05, &options, &first, &value));
+    assert_int_equal(1, first->unstable);
+    require_ok(whirl_torus_follow(&machines, first, value, -1, &options, &tori));
+    for (size_t i = 0; i < tori->count; i++) {
+        const whirl_torus *torus = tori->points[i].torus;
+        const double *X = torus->nodes, b = X[1] * (1.0 - family.p[SHAPE] * X[0]), square = X[0] * X[0] + b * b;
+        const double across = 4.0 * pi * (square - 2.0 * square * square);
+        least = fmin(least, tori->points[i].value);
+        curve = fmax(curve, fabs(square * square - square - tori->points[i].value));
+        exponent = fmax(exponent, fabs(torus->exponents[0] - fmax(across, -2.0 * pi)));
+        assert_int_equal(square < 0.5, torus->unstable);
+    }
+    print_message("%zu tori, least p = %.8f: %s\n", tori->count, least, tori->why);
+    assert_int_equal(WHIRL_TORUS_END_OF_RANGE, tori->end);
+    check_within("tori", words("circle that turns at p = -1/4: its %zu radii", tori->count), 0.0, curve, 1e-7);
+    check_within("tori", "of their exponents", 0.0, exponent, 1e-6);
+    check_within("tori", "least p of these tori", -0.25, least, 5e-3);
+    whirl_torus_branch_free(tori);
+    whirl_torus_free(first);
+    whirl_branch_free(branch);
+    whirl_orbit_free(start);
+}
+
+typedef struct bounds {
+    const double *p;
+    double low, high, off;
+    size_t calls;
+} bounds;
+
+static void widen(void *context, double t, const double *X) {
+    bounds *b = context;
+    const double part = X[1] * (1.0 - b->p[SHAPE] * X[0]), square = X[0] * X[0] + part * part;
+    b->low = fmin(b->low, X[0]);
+    b->high = fmax(b->high, X[0]);
+    b->off = fmax(b->off, fmax(fabs(square - b->p[GROWTH]), fabs(X[2] - X[0] * X[0] - 0.5 * (cos(t) + sin(t)))));
+    b->calls++;
+}
+
+/// All that is seen along it lies on the torus, whose first coordinate goes to the circle's radius.
+static void what_is_seen_along_a_torus(void **state) {
+    (void)state;
+    const test_family family = bent_family(0.36, 0.3137, 1.0);
+    const whirl_system system = system_of(&family);
+    const whirl_torus_options options = whirl_torus_default();
+    double *points = bent_sections(&family, 400, 2, 0.0);
+    whirl_torus *torus = find_torus(&family, points, 400, 2, &options);
+    bounds seen = {.p = family.p};
+    require_ok(whirl_torus_observe(&system, torus, &options, 24, 128, widen, &seen));
+    assert_int_equal(24 * 128 * 2, seen.calls);
+    check_within("tori", "seen along a circle: off the torus", 0.0, seen.off, 1e-6);
+    check_within("tori", "its highest", 0.6, seen.high, 1e-3);
+    check_within("tori", "its lowest", -0.6, seen.low, 1e-3);
+    whirl_torus_free(torus);
+    free(points);
 }
 
 // ---------------------------------------------------------------- long motions by another integrator
@@ -413,6 +494,8 @@ static void what_is_refused(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(tori_in_closed_form),
                                        cmocka_unit_test(a_branch_in_closed_form),
+                                       cmocka_unit_test(a_branch_turns),
+                                       cmocka_unit_test(what_is_seen_along_a_torus),
                                        cmocka_unit_test(van_der_pol_beside_a_long_motion),
                                        cmocka_unit_test(a_torus_locks),
                                        cmocka_unit_test(a_torus_shrinks),
