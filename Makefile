@@ -63,7 +63,7 @@ soak: test sanitize clang ## what takes longer: long fuzzing, all tests under th
 	tests/soak/kills.sh $(BUILD)/whirl tests/cli/good.yaml 1000
 	tests/memory/no_memory.py $(BUILD)/whirl $(BUILD)/tests/libfailing_malloc.so tests/cli/good.yaml tests/memory/units.xml 0
 	tests/soak/long_points.sh $(BUILD)/whirl tests/cli/good.yaml 10
-	WHIRL_SOAK=1 ctest --test-dir $(BUILD) --timeout 7200 -j $(JOBS) -R 'verdicts|grazes|readings|model_points|faults'
+	WHIRL_SOAK=1 ctest --test-dir $(BUILD) --timeout 7200 -j $(JOBS) -R 'verdicts|grazes|readings|model_points|faults|changes'
 
 asan clang: %: dependencies-build-report-test ## all tests in that build
 	cmake --preset $*

@@ -101,6 +101,38 @@ whirl_status whirl_orbit_observe(const whirl_system *system, const whirl_orbit *
                                  const whirl_orbit_options *options, size_t instants, whirl_observe_fn observe,
                                  void *observer);
 
+// ---------------------------------------------------------------- all stable orbits
+
+typedef struct whirl_collect_options {
+    whirl_orbit_options orbit;
+    size_t starts;            ///< motions that are followed
+    const double *low, *high; ///< [dimension] of the box that the starts fill evenly; borrowed
+    size_t settle;            ///< revolutions before an orbit is looked for, for the first time
+    size_t most_revolutions;  ///< after which a motion is given up
+    size_t longest;           ///< most revolutions of an orbit, 1 to WHIRL_MAX_ORBIT
+} whirl_collect_options;
+
+/// 64 starts in the box, 500 revolutions, at most 16000, orbits of up to 32.
+whirl_collect_options whirl_collect_default(const double *low, const double *high);
+
+/// The stable orbits of a machine that motions lead to; freed by whirl_collection_free.
+typedef struct whirl_collection {
+    size_t count;
+    whirl_orbit **orbits; ///< [count] no two of them are the same motion; each of its least number of revolutions
+    size_t *reached;      ///< [count] by how many motions each was reached
+    size_t elsewhere;     ///< motions that came to none: they go on in a torus or in chaos, or settle too slowly
+    size_t lost;          ///< motions that left the bounds
+} whirl_collection;
+
+/// Follows motions from starts that fill a box, the same ones in every run (an additive recurrence: Roberts 2018), side
+/// by side, and looks again and again for orbits by Newton's method from where they nearly return. An orbit counts
+/// where it is stable, and as reached by the motions that come to lie on it; motions are told apart by all their nodes.
+/// Orbits whose basins no start lies in are not found. WHIRL_BAD_INPUT where the options make no sense or the system
+/// gives no Jacobian; WHIRL_NO_MEMORY.
+whirl_status whirl_orbit_collect(const whirl_system *system, const whirl_collect_options *options,
+                                 whirl_collection **collection);
+void whirl_collection_free(whirl_collection *collection);
+
 // ---------------------------------------------------------------- branches
 
 /// Machines that differ by one parameter.

@@ -86,6 +86,64 @@ static void folds_of_nlvib(void **state) {
     whirl_orbit_free(start);
 }
 
+/// Between the folds three orbits lie over one speed: those of the branch that are stable are the two that motions from
+/// many starts lead to.
+static void two_of_three_are_stable(void **state) {
+    static const double low[2] = {-6.0, -6.0}, high[2] = {6.0, 6.0};
+    (void)state;
+    test_family family = oscillator_family(0.8, 0.05, 1.0, 0.1, 0.18);
+    const whirl_branch_options options = whirl_branch_default(0.8, 1.2);
+    const whirl_branch_options beyond = whirl_branch_default(1.2, 1.5);
+    whirl_orbit *start = find_orbit(&family, 1, &options.orbit);
+    whirl_branch *branch = follow_branch(&family, start, 1, &options);
+    family.p[SPEED] = 1.2;
+    whirl_branch *back = follow_branch(&family, branch->points[branch->count - 1].orbit, 1, &beyond);
+    const whirl_system system = system_of(&family);
+    whirl_collect_options every = whirl_collect_default(low, high);
+    whirl_collection *collection;
+    every.starts = 32;
+    require_ok(whirl_orbit_collect(&system, &every, &collection));
+    assert_int_equal(2, collection->count);
+    assert_int_equal(32, collection->reached[0] + collection->reached[1]);
+    // The upper orbit is the branch's first here, the one between is its second, the lower is found by neither part.
+    const whirl_orbit *upper = branch->points[branch->count - 1].orbit;
+    const whirl_orbit *between = back->points[back->count - 1].orbit;
+    assert_int_equal(0, upper->unstable);
+    assert_int_equal(1, between->unstable);
+    double nearest = INFINITY, aside = INFINITY;
+    for (size_t k = 0; k < 2; k++) {
+        const double *x = collection->orbits[k]->nodes;
+        nearest = fmin(nearest, hypot(x[0] - upper->nodes[0], x[1] - upper->nodes[1]));
+        aside = fmin(aside, hypot(x[0] - between->nodes[0], x[1] - between->nodes[1]));
+    }
+    check_within("branches", "NLvib 01, W = 1.2: the upper orbit from many starts", 0.0, nearest, 1e-10);
+    assert_true(aside > 0.1);
+    whirl_collection_free(collection);
+    whirl_branch_free(back);
+    whirl_branch_free(branch);
+    whirl_orbit_free(start);
+}
+
+/// Two wells, an orbit in each: one is the other's mirror, half a revolution later.
+static void both_wells_are_found(void **state) {
+    static const double low[2] = {-1.5, -0.5}, high[2] = {1.5, 0.5};
+    (void)state;
+    const test_family family = oscillator_family(1.2, 0.3, -1.0, 1.0, 0.2);
+    const whirl_system system = system_of(&family);
+    whirl_collect_options every = whirl_collect_default(low, high);
+    whirl_collection *collection;
+    every.starts = 32;
+    require_ok(whirl_orbit_collect(&system, &every, &collection));
+    assert_int_equal(2, collection->count);
+    const whirl_orbit *left = collection->orbits[0], *right = collection->orbits[1];
+    check_within("branches", "D2, F = .20: both wells, lowest and highest x", -left->low[0], right->high[0], 1e-6);
+    check_within("branches", "D2, F = .20: highest and lowest", -left->high[0], right->low[0], 1e-6);
+    every.longest = WHIRL_MAX_ORBIT + 1;
+    whirl_collection_free(collection);
+    assert_int_equal(WHIRL_BAD_INPUT, whirl_orbit_collect(&system, &every, &collection).code);
+    assert_null(collection);
+}
+
 // ---------------------------------------------------------------- tori and neutral saddles
 
 /// A pair of coordinates in its normal form, z' = (p + i w) z - |z|^2 z, beside one that is driven, x' = cos t - x. On
@@ -394,6 +452,8 @@ static void the_curve_of_doublings(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(folds_of_nlvib),
+                                       cmocka_unit_test(two_of_three_are_stable),
+                                       cmocka_unit_test(both_wells_are_found),
                                        cmocka_unit_test(a_torus_begins),
                                        cmocka_unit_test(neutral_saddles_are_no_tori),
                                        cmocka_unit_test(doublings_of_duffing),
