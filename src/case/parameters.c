@@ -455,10 +455,36 @@ void valuation_close(valuation *v) {
     v->evaluator = NULL;
 }
 
+/// The value of a product or quotient of parameters, for which no parser is needed: what of a machine depends on the
+/// parameter of a family is most often told so. False where the expression is more, or its value not finite.
+static bool multiply_parameters(const valuation *v, const char *expression, double *number) {
+    char sign = '\0';
+    for (const char *c = expression; *c; c += strspn(c, " ")) {
+        char name[WHIRL_NAME_SIZE];
+        size_t length = 0;
+        while (isalnum((unsigned char)c[length]) || c[length] == '_') length++;
+        if (length == 0 || length >= sizeof name) return false;
+        memcpy(name, c, length);
+        name[length] = '\0';
+        const size_t index = parameters_find(v->parameters, name);
+        if (index == v->parameters->count) return false; // a number, or a constant
+        const double value = v->values[index];
+        *number = sign == '*' ? *number * value : sign == '/' ? *number / value : value;
+        c += length;
+        c += strspn(c, " ");
+        sign = *c;
+        if (!*c) return isfinite(*number);
+        if (*c != '*' && *c != '/') return false;
+        c++;
+    }
+    return false;
+}
+
 whirl_status valuation_number(valuation *v, const number_formula *formula, double *number) {
     char why[WHY_SIZE];
     *number = formula->number;
     if (!formula->expression || (formula->settled && !share(&formula->uses, &v->changed))) return whirl_ok();
+    if (multiply_parameters(v, formula->expression, number)) return whirl_ok();
     if (!v->evaluator) v->evaluator = evaluator_new(v->parameters->names, v->values, v->parameters->count);
     if (!v->evaluator) return whirl_fail(WHIRL_NO_MEMORY, "no memory to evaluate expressions");
     if (evaluator_value(v->evaluator, formula->expression, number, why)) return whirl_ok();
