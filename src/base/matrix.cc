@@ -188,21 +188,3 @@ bool matrix_solve_shortest(size_t n, const double *a, double tolerance, double *
                return side.allFinite();
            });
 }
-
-bool matrix_orthogonal(size_t n, const double *a, double *q, double *r) {
-    return n == 0 || attempt([&] {
-               const MatrixXd columns = ConstRows(a, index_of(n), index_of(n));
-               if (!columns.allFinite()) return false;
-               const Eigen::HouseholderQR<MatrixXd> parts(columns);
-               MatrixXd basis = parts.householderQ();
-               MatrixXd triangle = parts.matrixQR().triangularView<Eigen::Upper>();
-               for (Index i = 0; i < triangle.rows(); i++) {
-                   if (!(triangle(i, i) < 0.0)) continue;
-                   triangle.row(i) = -triangle.row(i);
-                   basis.col(i) = -basis.col(i);
-               }
-               Rows(q, index_of(n), index_of(n)) = basis;
-               Rows(r, index_of(n), index_of(n)) = triangle;
-               return true;
-           });
-}

@@ -1,6 +1,6 @@
-/// Dense matrices: linear equations, eigenvalues, modes. By Eigen, which is compiled for the browser, too, and gives
-/// the same bits wherever IEEE arithmetic is kept, whatever the processor (of eigenvectors all but the last ones, where
-/// compilers divide complex numbers in their own ways).
+/// Dense matrices: linear equations, eigenvalues, modes. By Eigen (but for matrix_orthogonal), which is compiled for
+/// the browser, too, and gives the same bits wherever IEEE arithmetic is kept, whatever the processor (of eigenvectors
+/// all but the last ones, where compilers divide complex numbers in their own ways).
 ///
 /// All matrices are row-major. Every function returns false where memory is lacking, where a number is not finite, and
 /// where its own comment says so; what it was to write is then undefined. Of order 0 everything is true and nothing

@@ -9,10 +9,13 @@
 
 bool curve_begin(curve *c) {
     const size_t all = c->count + 1;
-    c->matrix = calloc(all * all + 2 * all, sizeof *c->matrix);
-    if (!c->matrix) return false;
-    c->scale = c->matrix + all * all;
+    c->matrix = calloc(2 * all * all + 2 * all, sizeof *c->matrix);
+    c->order = calloc(all, sizeof *c->order);
+    if (!c->matrix || !c->order) return false;
+    c->factors = c->matrix + all * all;
+    c->scale = c->factors + all * all;
     c->known = false;
+    c->decomposed = false;
     c->share = 1.0;
     c->values = c->scale + all;
     return true;
@@ -20,7 +23,9 @@ bool curve_begin(curve *c) {
 
 void curve_end(curve *c) {
     free(c->matrix);
+    free(c->order);
     c->matrix = NULL;
+    c->order = NULL;
 }
 
 double curve_dot(const curve *c, const double *a, const double *b) {
@@ -34,6 +39,18 @@ static void write_row(const curve *c, const double *a, double *row) {
     for (size_t i = 0; i <= c->count; i++) row[i] = a[i] / c->scale[i] / c->scale[i];
 }
 
+/// Decomposes the matrix with that direction in its last row, unless it is.
+static bool decompose_with(curve *c, const double *direction) {
+    const size_t all = c->count + 1;
+    double *last = c->matrix + c->count * all, *row = c->values;
+    write_row(c, direction, row);
+    if (c->decomposed && memcmp(row, last, all * sizeof *row) == 0) return true;
+    memcpy(last, row, all * sizeof *row);
+    memcpy(c->factors, c->matrix, all * all * sizeof *c->matrix);
+    c->decomposed = elimination_decompose(all, c->factors, c->order);
+    return c->decomposed;
+}
+
 // ---------------------------------------------------------------- points
 
 static bool evaluate(void *context, const double *u, double *value, double *derivative) {
@@ -45,6 +62,7 @@ static bool evaluate(void *context, const double *u, double *value, double *deri
     write_row(c, c->direction, derivative + c->count * (c->count + 1));
     memcpy(c->matrix, derivative, (c->count + 1) * (c->count + 1) * sizeof *derivative);
     c->known = true;
+    c->decomposed = false;
     return true;
 }
 
@@ -59,19 +77,18 @@ enum { MOST_STEPS = 8, MOST_HALVINGS = 2 };
 newton_result curve_correct(curve *c, const double *direction, double *u) {
     const size_t all = c->count + 1;
     newton_result result = {.size = INFINITY};
-    double *from = malloc((all + all * all) * sizeof *from);
+    double *from = malloc(all * sizeof *from);
     if (!from) return result;
-    double *nearby = from + all;
     memcpy(from, u, all * sizeof *from);
-    write_row(c, direction, c->matrix + c->count * all);
-    memcpy(nearby, c->matrix, all * all * sizeof *nearby);
+    const bool nearby = c->known && decompose_with(c, direction);
     c->direction = direction;
     c->from = from;
-    result = newton_solve(&(newton_problem){.count = c->count + 1,
+    result = newton_solve(&(newton_problem){.count = all,
                                             .context = c,
                                             .evaluate = evaluate,
                                             .size = size_of,
-                                            .nearby = c->known ? nearby : NULL,
+                                            .nearby = nearby ? c->factors : NULL,
+                                            .nearby_order = c->order,
                                             .share = &c->share,
                                             .scale = c->scale,
                                             .tolerance = c->tolerance,
@@ -95,19 +112,16 @@ static bool make_unit(const curve *c, double *a) {
     return true;
 }
 
-bool curve_tangent(curve *c, const double *along, double *tangent) {
-    const size_t n = c->count, all = n + 1;
-    double *factors = malloc(all * all * sizeof *factors);
-    size_t *order = malloc(all * sizeof *order);
-    write_row(c, along, c->matrix + n * all);
-    memset(tangent, 0, n * sizeof *tangent);
-    tangent[n] = 1.0;
-    if (factors) memcpy(factors, c->matrix, all * all * sizeof *factors);
-    const bool solved = factors && order && elimination_decompose(all, factors, order);
-    if (solved) elimination_solve(all, factors, order, tangent);
-    free(factors);
-    free(order);
-    return solved && make_unit(c, tangent);
+bool curve_tangent(curve *c, const double *across, const double *along, double *tangent) {
+    const size_t all = c->count + 1;
+    memset(tangent, 0, all * sizeof *tangent);
+    tangent[c->count] = 1.0;
+    if (!decompose_with(c, across)) return false;
+    elimination_solve(all, c->factors, c->order, tangent);
+    if (!make_unit(c, tangent)) return false;
+    const double side = curve_dot(c, tangent, along) < 0.0 ? -1.0 : 1.0;
+    for (size_t i = 0; i < all; i++) tangent[i] *= side;
+    return true;
 }
 
 /// Unknowns in units of the scale: rows of the derivative as they are.
@@ -118,6 +132,7 @@ bool curve_other(curve *c, const double *tangent, double *other) {
     bool good = square && vectors;
     // The least singular direction of the derivative with the tangent for its last row.
     write_row(c, tangent, c->matrix + n * all);
+    c->decomposed = false;
     for (size_t i = 0; i < all && good; i++)
         for (size_t k = 0; k < all; k++)
             for (size_t r = 0; r < all; r++)

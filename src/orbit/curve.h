@@ -11,11 +11,14 @@ typedef struct curve {
     bool (*evaluate)(void *context, const double *u, double *value, double *derivative);
     double (*size)(void *context, const double *u, const double *value);
     double tolerance;
-    double *scale;  ///< [N + 1] what counts as 1 in lengths along the curve
-    double *matrix; ///< [N + 1][N + 1] the derivative at the last point that was found, a direction in the last row
-    bool known;     ///< there was one
-    double share;   ///< as newton_problem has it
-    double *values; ///< [N + 1] workspace
+    double *scale;   ///< [N + 1] what counts as 1 in lengths along the curve
+    double *matrix;  ///< [N + 1][N + 1] the derivative at the last point that was found, a direction in the last row
+    bool known;      ///< there was one
+    double *factors; ///< [N + 1][N + 1] of the matrix, with `order` [N + 1]
+    size_t *order;
+    bool decomposed;                ///< they are there
+    double share;                   ///< as newton_problem has it
+    double *values;                 ///< [N + 1] workspace
     const double *direction, *from; ///< of the search under way
 } curve;
 
@@ -32,9 +35,9 @@ newton_result curve_correct(curve *c, const double *direction, double *u);
 /// By what the next step may be longer: more where Newton's method found the point with ease.
 double curve_pace(const newton_result *result);
 
-/// The curve's direction at the last point found, of length 1, on the side of `along`. False where the equations'
-/// derivative loses more than one rank.
-bool curve_tangent(curve *c, const double *along, double *tangent);
+/// The curve's direction at the last point found, of length 1, on the side of `along`, found as that with a part along
+/// `across`. False where the equations' derivative loses more than one rank, or it has no such part.
+bool curve_tangent(curve *c, const double *across, const double *along, double *tangent);
 
 /// Where another curve crosses the last point found: its direction there, of length 1 and across `tangent`, of what the
 /// derivative comes nearest to leaving at 0.

@@ -85,9 +85,12 @@ static double lean(const follower *f, const double *tangent) {
     return tangent[f->curve.count] / f->curve.scale[f->curve.count];
 }
 
+/// From here on a curve is one over its parameter.
+static const double steep = 0.3;
+
 /// Whether the branch is one over its parameter from a to b and a little further: not steep, and hardly bent.
 static bool is_flat(const follower *f, const waypoint *a, const waypoint *b) {
-    const double steep = 0.3, bent = 0.98;
+    const double bent = 0.98;
     if (!a->orbit || !b->orbit) return false;
     const double first = lean(f, a->tangent), last = lean(f, b->tangent);
     return first * last > 0.0 && fmin(fabs(first), fabs(last)) > steep &&
@@ -128,7 +131,8 @@ whirl_status follower_find(follower *f, const double *u, const double *direction
     memcpy(out->u, u, all * sizeof *u);
     const newton_result result = curve_correct(&f->curve, direction, out->u);
     out->pace = curve_pace(&result);
-    if (!result.found || !curve_tangent(&f->curve, along, out->tangent)) return whirl_ok();
+    const double *across = fabs(lean(f, along)) > steep ? direction : along;
+    if (!result.found || !curve_tangent(&f->curve, across, along, out->tangent)) return whirl_ok();
     return orbit_describe(e->s, e->nodes, equations_period(e, out->u), result.size, &out->orbit);
 }
 

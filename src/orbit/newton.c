@@ -9,14 +9,18 @@
 typedef struct newton_work {
     double *value, *tried, *step, *at; ///< [count]
     double *derivative, *there;        ///< [count][count] at u and where it was tried
-    double *factors;                   ///< [count][count] of the derivative that steps are taken with
-    size_t *order;                     ///< [count]
-    double trusted;                    ///< size of F before a step that was not looked at; 0: there was none
+    double *own;                       ///< [count][count] factors of it
+    size_t *own_order;                 ///< [count]
+    const double *factors;             ///< of what steps are taken with
+    const size_t *order;
+    double trusted; ///< size of F before a step that was not looked at; 0: there was none
 } newton_work;
 
 static bool decompose(const newton_problem *p, newton_work *w, const double *derivative) {
-    memcpy(w->factors, derivative, p->count * p->count * sizeof *derivative);
-    return elimination_decompose(p->count, w->factors, w->order);
+    memcpy(w->own, derivative, p->count * p->count * sizeof *derivative);
+    w->factors = w->own;
+    w->order = w->own_order;
+    return elimination_decompose(p->count, w->own, w->own_order);
 }
 
 /// The step that leads from a value of F to zero. False where it is not finite.
@@ -77,7 +81,8 @@ static bool is_last(const newton_problem *p, double size) {
 
 /// Steps by the derivative from nearby, as long as each leaves a quarter of F at most; whether that is all it takes.
 static bool iterate_nearby(const newton_problem *p, newton_work *w, double *u) {
-    if (!decompose(p, w, p->nearby)) return false;
+    w->factors = p->nearby;
+    w->order = p->nearby_order;
     double size = measure(p, u, w->value, NULL);
     for (int k = 0; k < p->most_steps && size > p->tolerance && isfinite(size); k++) {
         if (!step_from(p, w, w->value, w->step)) return false;
@@ -130,8 +135,8 @@ newton_result newton_solve(const newton_problem *p, double *u) {
                             .at = room + 3 * n,
                             .derivative = matrices,
                             .there = matrices + n * n,
-                            .factors = matrices + 2 * n * n,
-                            .order = order};
+                            .own = matrices + 2 * n * n,
+                            .own_order = order};
         result = iterate(p, &work, u);
     }
     free(room);

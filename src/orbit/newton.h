@@ -13,9 +13,10 @@ typedef struct newton_problem {
     bool (*evaluate)(void *context, const double *u, double *value, double *derivative);
     /// The largest of F over what counts as 1 in it.
     double (*size)(void *context, const double *u, const double *value);
-    /// [count][count] NULL, or a derivative from nearby, with which steps are taken for as long as they lead on well:
-    /// they cost no derivative.
+    /// [count][count] and [count]: NULL, or a derivative from nearby, decomposed, with which steps are taken for as
+    /// long as they lead on well: they cost no derivative.
     const double *nearby;
+    const size_t *nearby_order;
     /// NULL, or by what share such a step left F the last time (1: not known): where it promises to be enough, F is not
     /// looked at before its derivative is.
     double *share;

@@ -23,52 +23,60 @@ typedef struct forms {
     const whirl_orbit *orbit;
     size_t n;
     double step;
-    double *matrix;        ///< [n][n] derivative of the map
-    double *nodes, *image; ///< [segments][dimension] workspace; [n]
-    double *centre;        ///< [n] the image of the orbit itself
-    double *sums[2];       ///< [n] at two lengths of step
-    number *q, *p;         ///< [n]
+    double *matrix;         ///< [n][n] derivative of the map
+    double *images, *image; ///< [MOST_ABREAST][dimension] workspace; [n]
+    double *centre;         ///< [n] the image of the orbit itself
+    double *sums[2];        ///< [n] at two lengths of step
+    number *q, *p;          ///< [n]
     bool failed;
 } forms;
 
 // ---------------------------------------------------------------- the map and its derivatives
 
-/// image = F(x + h u): over all segments, one after the other; or the forces at rest.
-static void map(forms *f, const double *u, double h) {
+/// Beginnings of motions, side by side.
+typedef struct looks {
+    size_t count;
+    double h[MOST_ABREAST], weight[MOST_ABREAST];
+    size_t sum[MOST_ABREAST]; ///< which one it counts for
+} looks;
+
+/// images [count][dimension]: F(x + h u), over the orbit's time; or the forces at rest.
+static void map(forms *f, const looks *of, const double *u) {
     shooting *s = f->s;
-    memcpy(f->nodes, f->orbit->nodes, s->dimension * sizeof *f->nodes);
-    for (size_t i = 0; i < f->n; i++) f->nodes[s->kept[i]] += h * u[i];
-    if (shooting_rests(s)) {
-        f->failed = !rest_slope(s, f->nodes, f->image, false) || f->failed;
-        return;
+    const size_t d = s->dimension;
+    for (size_t k = 0; k < of->count; k++) {
+        double *x = f->images + k * d;
+        memcpy(x, f->orbit->nodes, d * sizeof *x);
+        for (size_t i = 0; i < f->n; i++) x[s->kept[i]] += of->h[k] * u[i];
+        if (!shooting_rests(s)) continue;
+        f->failed = !rest_slope(s, x, f->image, false) || f->failed;
+        for (size_t i = 0; i < f->n; i++) x[s->kept[i]] = f->image[i];
     }
-    f->failed = !shooting_spread(s, f->nodes, f->orbit->period) ||
-                !shooting_carry(s, f->nodes, f->orbit->period, false) || f->failed;
-    for (size_t i = 0; i < f->n; i++) f->image[i] = s->ends[(s->count - 1) * s->dimension + s->kept[i]];
+    if (!shooting_rests(s)) f->failed = !shooting_map(s, of->count, f->images, f->orbit->period) || f->failed;
 }
 
-static void add_map(forms *f, const double *u, double h, double weight, double *sum) {
-    map(f, u, h);
-    for (size_t i = 0; i < f->n; i++) sum[i] += weight * f->image[i];
+static void look_at(looks *of, size_t sum, double h, double weight) {
+    of->h[of->count] = h;
+    of->weight[of->count] = weight;
+    of->sum[of->count++] = sum;
 }
 
 /// out = B(u, u) or C(u, u, u), from two lengths of step.
 static void derivative(forms *f, int order, const double *u, double *out) {
+    static const double places[4] = {2.0, 1.0, -1.0, -2.0}, weights[4] = {0.5, -1.0, 1.0, -0.5};
+    looks of = {.count = 0};
     double size = 0.0;
     for (size_t i = 0; i < f->n; i++) size = fmax(size, fabs(u[i]));
-    for (int k = 0; k < 2; k++) {
-        const double h = ldexp(f->step / (size > 0.0 ? size : 1.0), -k);
-        double *sum = f->sums[k];
-        memset(sum, 0, f->n * sizeof *sum);
-        if (order == 2) {
-            add_map(f, u, h, 1.0 / (h * h), sum);
-            add_map(f, u, -h, 1.0 / (h * h), sum);
-            for (size_t i = 0; i < f->n; i++) sum[i] -= 2.0 / (h * h) * f->centre[i];
-        } else {
-            static const double places[4] = {2.0, 1.0, -1.0, -2.0}, weights[4] = {0.5, -1.0, 1.0, -0.5};
-            for (int j = 0; j < 4; j++) add_map(f, u, places[j] * h, weights[j] / (h * h * h), sum);
-        }
+    for (size_t k = 0; k < 2; k++) {
+        const double h = ldexp(f->step / (size > 0.0 ? size : 1.0), -(int)k);
+        for (size_t i = 0; i < f->n; i++) f->sums[k][i] = order == 2 ? -2.0 / (h * h) * f->centre[i] : 0.0;
+        for (int sign = 1; order == 2 && sign >= -1; sign -= 2) look_at(&of, k, sign * h, 1.0 / (h * h));
+        for (int j = 0; order == 3 && j < 4; j++) look_at(&of, k, places[j] * h, weights[j] / (h * h * h));
     }
+    map(f, &of, u);
+    for (size_t k = 0; k < of.count; k++)
+        for (size_t i = 0; i < f->n; i++)
+            f->sums[of.sum[k]][i] += of.weight[k] * f->images[k * f->s->dimension + f->s->kept[i]];
     for (size_t i = 0; i < f->n; i++) out[i] = (4.0 * f->sums[1][i] - f->sums[0][i]) / 3.0;
 }
 
@@ -221,14 +229,14 @@ static double compute(forms *f, whirl_special kind, number root, double *work, n
     const number along = product(n, f->p, f->q);
     for (size_t i = 0; i < n; i++) f->p[i] /= conj(along);
     for (size_t i = 0; i < n; i++) work[i] = 0.0;
-    map(f, work, 0.0);
-    memcpy(f->centre, f->image, n * sizeof *f->centre);
+    map(f, &(looks){.count = 1}, work);
+    for (size_t i = 0; i < n; i++) f->centre[i] = f->images[f->s->kept[i]];
     const double found = f->failed ? (double)NAN : coefficient(f, kind, root, work, vectors);
     return f->failed || !isfinite(found) ? (double)NAN : found;
 }
 
 double normal_form(shooting *s, const whirl_orbit *orbit, whirl_special kind, double angle) {
-    const size_t n = s->kept_count, all = s->count * s->dimension;
+    const size_t n = s->kept_count, all = MOST_ABREAST * s->dimension;
     if (kind != WHIRL_DOUBLING && kind != WHIRL_HOPF && kind != WHIRL_NEIMARK_SACKER) return NAN;
     if (n == 0 || (kind == WHIRL_NEIMARK_SACKER && resonates(angle))) return NAN;
     const size_t spare = 9 * n > 4 * n * n + 2 * n ? 9 * n : 4 * n * n + 2 * n;
@@ -236,9 +244,9 @@ double normal_form(shooting *s, const whirl_orbit *orbit, whirl_special kind, do
     number *vectors = calloc(5 * n, sizeof *vectors);
     double found = NAN;
     if (room && vectors) {
-        forms f = {.s = s, .orbit = orbit, .n = n, .matrix = room, .nodes = room + n * n};
+        forms f = {.s = s, .orbit = orbit, .n = n, .matrix = room, .images = room + n * n};
         f.step = reach * shooting_size(s, orbit->nodes);
-        f.image = f.nodes + all;
+        f.image = f.images + all;
         f.centre = f.image + n;
         f.sums[0] = f.centre + n;
         f.sums[1] = f.sums[0] + n;

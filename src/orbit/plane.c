@@ -127,7 +127,7 @@ static bool advance(walk *w, newton_result *result) {
     const size_t all = equations_count(&w->equations) + 2;
     double *next = w->aside;
     *result = curve_correct(&w->curve, w->tangent, w->trial);
-    if (!result->found || !w->orbit || !curve_tangent(&w->curve, w->tangent, next)) return false;
+    if (!result->found || !w->orbit || !curve_tangent(&w->curve, w->tangent, w->tangent, next)) return false;
     if (curve_dot(&w->curve, next, w->tangent) < 0.9 && w->step > 8.0 * w->options->least_step) return false;
     memcpy(w->tangent, next, all * sizeof *next);
     memcpy(w->u, w->trial, all * sizeof *next);
@@ -165,7 +165,7 @@ static whirl_status begin(walk *w, const whirl_branch_point *start, int directio
     memset(w->tangent, 0, (n + 2) * sizeof *w->tangent);
     w->tangent[n + 1] = (direction < 0 ? -1.0 : 1.0) * w->curve.scale[n + 1];
     const newton_result result = curve_correct(&w->curve, w->tangent, w->trial);
-    if (!result.found || !w->orbit || !curve_tangent(&w->curve, w->tangent, w->aside))
+    if (!result.found || !w->orbit || !curve_tangent(&w->curve, w->tangent, w->tangent, w->aside))
         return whirl_fail(WHIRL_BAD_INPUT, "the special point that a curve shall begin with was not found again");
     memcpy(w->tangent, w->aside, (n + 2) * sizeof *w->tangent);
     memcpy(w->u, w->trial, (n + 2) * sizeof *w->u);

@@ -47,12 +47,13 @@ static bool go_round(product *p) {
 /// H = Q_0' Q_m in place of the workspace; what is zero but for rounding is zero.
 static void turn_of(product *p) {
     const size_t n = p->n;
+    memset(p->work, 0, n * n * sizeof *p->work);
+    for (size_t d = 0; d < n; d++)
+        for (size_t i = 0; i < n; i++)
+            for (size_t k = 0; k < n; k++) p->work[i * n + k] += p->basis[d * n + i] * p->now[d * n + k];
     for (size_t i = 0; i < n; i++)
-        for (size_t k = 0; k < n; k++) {
-            double sum = 0.0;
-            for (size_t d = 0; d < n; d++) sum += p->basis[d * n + i] * p->now[d * n + k];
-            p->work[i * n + k] = i > k && fabs(sum) <= 8.0 * DBL_EPSILON * (double)n ? 0.0 : sum;
-        }
+        for (size_t k = 0; k < i; k++)
+            if (fabs(p->work[i * n + k]) <= 8.0 * DBL_EPSILON * (double)n) p->work[i * n + k] = 0.0;
 }
 
 /// Where the block that begins at `first` ends: nothing below the diagonal crosses from it to what follows.

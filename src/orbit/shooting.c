@@ -153,8 +153,11 @@ static void place(const shooting *s, whirl_ensemble *lanes, size_t lane, size_t 
     whirl_ensemble_place(lanes, lane, from);
 }
 
-static bool make_beside(shooting *s) {
-    return whirl_ensemble_flow(s->first, &s->integrate, MOST_BESIDE * s->count, 0, &s->beside).code == WHIRL_OK;
+/// Room for motions beside; false where lanes do not carry them.
+static bool has_beside(shooting *s) {
+    const size_t some = MOST_BESIDE * s->count, lanes = some > MOST_ABREAST ? some : MOST_ABREAST;
+    if (!s->lanes || s->beside) return s->beside;
+    return whirl_ensemble_flow(s->first, &s->integrate, lanes, 0, &s->beside).code == WHIRL_OK;
 }
 
 /// Carries `count` segments from the first.
@@ -209,7 +212,7 @@ bool shooting_renew(shooting *s, const whirl_system *system) {
 bool shooting_carry_beside(shooting *s, size_t count, const whirl_system *const *systems, const double *nodes,
                            double period, double *ends) {
     const size_t d = s->dimension, lanes = count * s->count;
-    if (!s->lanes || count > MOST_BESIDE || (!s->beside && !make_beside(s))) return false;
+    if (count > MOST_BESIDE || !has_beside(s)) return false;
     stretch(s, period);
     for (size_t lane = 0; lane < lanes; lane++) {
         const size_t j = lane % s->count;
@@ -222,6 +225,34 @@ bool shooting_carry_beside(shooting *s, size_t count, const whirl_system *const 
         whirl_ensemble_state(s->beside, lane, ends + lane * d);
         if (whirl_ensemble_motion(s->beside, lane) != WHIRL_BOUNDED) return false;
     }
+    return true;
+}
+
+// ---------------------------------------------------------------- the whole map
+
+static bool map_in_lanes(shooting *s, size_t count, double *x, double period) {
+    const size_t d = s->dimension, revolutions = s->revolutions > 0 ? s->revolutions : 1;
+    bool good = true;
+    for (size_t i = 0; i < count && good; i++)
+        good = whirl_ensemble_load(s->beside, i, s->system, x + i * d).code == WHIRL_OK;
+    for (size_t i = 0; i < count && good; i++)
+        whirl_ensemble_part(s->beside, i, 0.0, s->revolutions > 0 ? s->system->period : period);
+    for (size_t i = 0; i < revolutions && good; i++) whirl_ensemble_revolve(s->beside, count, NULL);
+    for (size_t i = 0; i < count && good; i++) {
+        whirl_ensemble_state(s->beside, i, x + i * d);
+        good = whirl_ensemble_motion(s->beside, i) == WHIRL_BOUNDED;
+    }
+    return good;
+}
+
+bool shooting_map(shooting *s, size_t count, double *x, double period) {
+    stretch(s, period);
+    if (has_beside(s)) return map_in_lanes(s, count, x, period);
+    for (size_t i = 0; i < count; i++)
+        for (size_t j = 0; j < s->count; j++)
+            if (s->lanes || whirl_integrator_revolve(s->integrators[j % s->part_count], x + i * s->dimension, NULL,
+                                                     NULL) != WHIRL_BOUNDED)
+                return false;
     return true;
 }
 
@@ -282,6 +313,30 @@ bool shooting_observe(shooting *s, const double *nodes, double period, whirl_obs
         .stretch = s->revolutions > 0 ? 1.0 : period / s->period, .observe = observe, .observer = observer};
     stretch(s, period);
     return s->lanes ? observe_in_lanes(s, nodes, &o, length) : observe_alone(s, nodes, &o, length);
+}
+
+bool shooting_bounds(shooting *s, const double *nodes, double period, double *low, double *high) {
+    const whirl_ensemble_observe watch = {.extremes = true};
+    const size_t d = s->dimension;
+    double *lowest = malloc((2 * d + 1) * sizeof *lowest), *highest = lowest ? lowest + d : NULL;
+    const whirl_ensemble_seen seen = {.low = lowest, .high = highest};
+    bool good = s->lanes && lowest;
+    stretch(s, period);
+    for (size_t j = 0; j < s->count && good; j++) {
+        place(s, s->lanes, j, j, nodes + j * d);
+        whirl_ensemble_forget(s->lanes, j);
+    }
+    if (good) whirl_ensemble_revolve(s->lanes, s->count, &watch);
+    for (size_t j = 0; j < s->count && good; j++) {
+        good = whirl_ensemble_motion(s->lanes, j) == WHIRL_BOUNDED;
+        whirl_ensemble_read(s->lanes, j, &seen);
+        for (size_t i = 0; i < d && good; i++) {
+            low[i] = fmin(low[i], lowest[i]);
+            high[i] = fmax(high[i], highest[i]);
+        }
+    }
+    free(lowest);
+    return good;
 }
 
 bool shooting_spread(shooting *s, double *nodes, double period) {

@@ -6,7 +6,10 @@
 #include "whirl/ensemble.h"
 #include "whirl/orbit.h"
 
-enum { MOST_BESIDE = 2 }; ///< machines beside the present one
+enum {
+    MOST_BESIDE = 2, ///< machines beside the present one
+    MOST_ABREAST = 8 ///< motions of the present one
+};
 
 /// A machine with the workspace of an orbit's segments. Segment j of `count` leads from node j to node j + 1, the last
 /// one back to the first.
@@ -24,7 +27,7 @@ typedef struct shooting {
     part *parts;                    ///< [part_count]
     whirl_integrator **integrators; ///< [part_count] NULL where lanes carry the segments
     whirl_ensemble *lanes;          ///< segments side by side; NULL: integrators carry one after the other
-    whirl_ensemble *beside;         ///< [MOST_BESIDE count] the same of the machines beside; NULL: not yet needed
+    whirl_ensemble *beside;         ///< [MOST_BESIDE count, MOST_ABREAST] for motions beside; NULL: not yet needed
     whirl_disturbances *columns;    ///< [count] of the segments in lanes
     double *unit;                   ///< [kept_count][dimension] unit disturbances
     double *vectors;                ///< [count][kept_count][dimension]
@@ -56,6 +59,10 @@ bool shooting_renew(shooting *s, const whirl_system *system);
 bool shooting_carry_beside(shooting *s, size_t count, const whirl_system *const *systems, const double *nodes,
                            double period, double *ends);
 
+/// Carries up to MOST_ABREAST motions x [count][dimension] over the whole of the orbit's time. False where one is not
+/// bounded.
+bool shooting_map(shooting *s, size_t count, double *x, double period);
+
 /// Writes what the segments miss, end - next node: gap [count][kept_count].
 void shooting_gap(const shooting *s, const double *nodes, double *gap);
 
@@ -65,6 +72,10 @@ void shooting_by_period(const shooting *s, size_t j, double *slope);
 /// Carries the segments and tells of the motion at the end of each of the equal parts that the options say, t from the
 /// orbit's beginning. False as above.
 bool shooting_observe(shooting *s, const double *nodes, double period, whirl_observe_fn observe, void *observer);
+
+/// The bounds of all coordinates at these instants, in less time: low, high [dimension], which are widened. False where
+/// lanes do not carry the segments, too.
+bool shooting_bounds(shooting *s, const double *nodes, double period, double *low, double *high);
 
 /// The first node is given: writes the others where the motion leads. False where it is not bounded.
 bool shooting_spread(shooting *s, double *nodes, double period);

@@ -52,7 +52,8 @@ static whirl_status close_in(follower *f, const test *t, const waypoint *from, c
     double *trial = malloc(2 * all * sizeof *trial), last = INFINITY;
     if (!trial) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a point of a branch");
     bracket r = bracket_between(0.0, value_of(f, t, from), follower_length(f, from, to, trial), value_of(f, t, to));
-    const double largest = fmax(fabs(r.fa), fabs(r.fb));
+    // Orbits are no surer than their tolerance.
+    const double largest = fmax(fabs(r.fa), fabs(r.fb)), nothing = fmax(1e-13, 0.1 * f->options->orbit.tolerance);
     for (int k = 0; k < MOST_LOOKS; k++) {
         *at = bracket_next(&r);
         follower_predict(f, from, to, from, *at, trial);
@@ -60,7 +61,7 @@ static whirl_status close_in(follower *f, const test *t, const waypoint *from, c
         if (status.code != WHIRL_OK || !p->orbit) break;
         last = value_of(f, t, p);
         bracket_tell(&r, *at, last);
-        if (last == 0.0 || fabs(last) <= 1e-13 * largest || bracket_width(&r) <= 1e-12) break;
+        if (fabs(last) <= nothing * largest || bracket_width(&r) <= 1e-12) break;
     }
     free(trial);
     // A change of sign that is no zero: a leap from one extreme to another, or to another orbit.

@@ -105,7 +105,7 @@ whirl_status torus_follower_find(torus_follower *f, torus_waypoint *out) {
         memcpy(out->u, f->trial, (f->curve.count + 1) * sizeof *out->u);
         const newton_result result = curve_correct(&f->curve, f->direction, out->u);
         out->pace = curve_pace(&result);
-        if (!result.found || !curve_tangent(&f->curve, f->forward, out->tangent)) return whirl_ok();
+        if (!result.found || !curve_tangent(&f->curve, f->forward, f->forward, out->tangent)) return whirl_ok();
         const whirl_status status = torus_describe(e, out->u, result.size, &out->torus);
         if (status.code != WHIRL_OK || torus_is_accurate(e, out->u, out->torus)) return status;
         const size_t wanted = torus_nodes_wanted(e, out->u, out->torus->error);

@@ -144,7 +144,10 @@ whirl_status touch_find(shooting *s, whirl_orbit *orbit) {
     w.rate = w.from + switches;
     prepare(&w);
     see(&w, 0.0, orbit->nodes, 0.0);
-    const bool good = shooting_rests(s) || shooting_observe(s, orbit->nodes, orbit->period, observe, &w);
+    const bool good =
+        shooting_rests(s) ||
+        (orbit->touch_count == 0 && shooting_bounds(s, orbit->nodes, orbit->period, orbit->low, orbit->high)) ||
+        shooting_observe(s, orbit->nodes, orbit->period, observe, &w);
     for (size_t k = 0; k < orbit->touch_count; k++) {
         whirl_touch *touch = &orbit->touches[k];
         touch->share = orbit->period > 0.0 ? fmin(fmax(touch->share / orbit->period, 0.0), 1.0) : w.from[k] > 0.0;
