@@ -1,6 +1,6 @@
 // Where and why a rotor's motion changes: the orbit of the paper's case is followed over the stiffness ratio r_k of its
 // shaft, stable or not, and its special points are told: folds, doublings, tori, first touches. A torus that begins is
-// followed in turn, with its second frequency, to where it ends.
+// followed in turn, with the second frequency of the disc, to where it ends.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -53,13 +53,22 @@ static void tell(const whirl_branch *branch) {
     }
 }
 
-static void tell_tori(const whirl_torus_branch *tori) {
-    for (size_t i = 0; i < tori->count; i++) {
+static whirl_status tell_tori(const whirl_family *family, const whirl_torus_branch *tori,
+                              const whirl_torus_options *options) {
+    whirl_status status = whirl_ok();
+    for (size_t i = 0; i < tori->count && status.code == WHIRL_OK; i++) {
         const whirl_torus *torus = tori->points[i].torus;
+        whirl_machine machine;
+        double frequency = NAN, amplitude;
+        status = family->machine(family->context, tori->points[i].value, &machine);
+        if (status.code != WHIRL_OK) break;
+        status = whirl_torus_line(machine.system, torus, options, 0, &frequency, &amplitude);
+        machine.release(machine.owner);
         printf("r_k = %.8f    torus, second frequency %.6f of the speed, %s, %zu nodes\n", tori->points[i].value,
-               torus->frequency, torus->unstable == 0 ? "stable" : "unstable", torus->node_count);
+               frequency, torus->unstable == 0 ? "stable" : "unstable", torus->node_count);
     }
     printf("%s\n", tori->why);
+    return status;
 }
 
 /// Follows the first torus that begins on the branch, to lower r_k.
@@ -76,7 +85,7 @@ static whirl_status follow_torus(const whirl_family *family, const whirl_branch 
     options.torus.most_nodes = 63;
     whirl_status status = whirl_torus_begin(family, point, 0.02, &options, &first, &r_k);
     if (status.code == WHIRL_OK) status = whirl_torus_follow(family, first, r_k, -1, &options, &tori);
-    if (status.code == WHIRL_OK) tell_tori(tori);
+    if (status.code == WHIRL_OK) status = tell_tori(family, tori, &options.torus);
     whirl_torus_branch_free(tori);
     whirl_torus_free(first);
     return status;

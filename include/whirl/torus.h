@@ -42,12 +42,11 @@ typedef struct whirl_torus {
     size_t node_count;  ///< odd
     double *nodes;      ///< [node_count][dimension] the curve at t = 0, at equal angles 2 pi j/node_count
     double radius;      ///< greatest distance of a coordinate from its mean along the curve
-    /// Turns of the curve from one section to the next. Only its fraction is told by sections, and whether a turn is
-    /// counted forward or backward is a choice: 0 to 1/2 where a torus is found; along a branch it is continuous.
+    /// Turns of the curve from one section to the next: the frequencies of the motion are |i + j rotation|/revolutions
+    /// for whole numbers i, j, in units of the speed (whirl_torus_line says which one a coordinate shows). Only its
+    /// fraction is told by sections, and whether a turn is counted forward or backward is a choice: 0 to 1/2 where a
+    /// torus is found; along a branch it is continuous.
     double rotation;
-    /// rotation/revolutions, in units of the speed: the frequencies of the motion are |i/revolutions + j frequency| for
-    /// whole numbers i, j.
-    double frequency;
     double residual; ///< by which the equation fails at the nodes, as the tolerance is meant
     double error;    ///< by which it fails half way between them, over the radius
     double tail;     ///< the last two harmonics of the curve, over its largest
@@ -87,6 +86,12 @@ void whirl_torus_at(const whirl_torus *torus, double theta, double *x);
 whirl_status whirl_torus_observe(const whirl_system *system, const whirl_torus *torus,
                                  const whirl_torus_options *options, size_t angles, size_t instants,
                                  whirl_observe_fn observe, void *observer);
+
+/// The strongest line of a coordinate among those at |i + rotation|/revolutions, in units of the speed, up to 32 of
+/// them: what a spectrum of it shows as the second frequency; its amplitude, in the coordinate's unit. WHIRL_BAD_INPUT
+/// where there is no such coordinate or it turns on and on; else errors as whirl_torus_observe.
+whirl_status whirl_torus_line(const whirl_system *system, const whirl_torus *torus, const whirl_torus_options *options,
+                              size_t coordinate, double *frequency, double *amplitude);
 
 // ---------------------------------------------------------------- branches
 

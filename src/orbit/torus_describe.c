@@ -67,7 +67,6 @@ whirl_status torus_describe(torus_equations *e, const double *u, double residual
     for (size_t j = 0; j < e->count; j++) section_map_put(e->map, u + j * e->n, torus->nodes + j * torus->dimension);
     torus->radius = torus_equations_radius(e, u);
     torus->rotation = u[e->count * e->n] / two_pi;
-    torus->frequency = torus->rotation / (double)e->revolutions;
     torus->residual = residual;
     torus->resonance = resonance_of(torus->rotation);
     torus->volume = e->volume / (double)e->revolutions;

@@ -157,6 +157,11 @@ static void tori_in_closed_form(void **state) {
         print_message("%zu nodes, error %.2g, tail %.2g, exponents off %.2g\n", torus->node_count, torus->error,
                       torus->tail, torus->exponent_errors[0]);
         check_bent(&family, torus, rows[i].what);
+        const whirl_system system = system_of(&family);
+        double line, amplitude;
+        require_ok(whirl_torus_line(&system, torus, &options, 0, &line, &amplitude));
+        check_within("tori", "the frequency that is seen", rows[i].angular + 0.1 * fabs(rows[i].growth), line, 1e-10);
+        check_within("tori", "its amplitude", sqrt(fabs(rows[i].growth)), amplitude, 1e-8);
         whirl_torus_free(torus);
         free(points);
     }
@@ -479,6 +484,7 @@ static void what_is_refused(void **state) {
     const whirl_family machines = family_of(&family);
     whirl_torus_branch *tori;
     double value;
+    expect_refusal("a line of coordinate 3", whirl_torus_line(&system, torus, &options, 3, &value, &value));
     expect_refusal("expected a value from 0.5 to 1", whirl_torus_follow(&machines, torus, 0.36, 1, &branch, &tori));
     const whirl_orbit none = {.revolutions = 1};
     whirl_branch_point point = {.special = WHIRL_FOLD, .orbit = (whirl_orbit *)(uintptr_t)&none};

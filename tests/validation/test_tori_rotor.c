@@ -212,6 +212,59 @@ static double fold_of_five(const whirl_family *machines) {
     return value;
 }
 
+/// Mean square of x1 exp(-i f t) over a long motion, with the weights of Das et al.
+static double line_at(const double *samples, size_t count, double step, double frequency) {
+    double complex sum = 0.0;
+    double weights = 0.0;
+    for (size_t m = 0; m < count; m++) {
+        const double part = (double)(m + 1) / (double)(count + 1), weight = exp(-1.0 / (part * (1.0 - part)));
+        sum += weight * samples[m] * cexp(-I * frequency * step * (double)m);
+        weights += weight;
+    }
+    return creal(sum * conj(sum)) / (weights * weights);
+}
+
+typedef struct waveform {
+    double *next;
+} waveform;
+
+static void keep_first(void *context, double t, const double *x) {
+    waveform *w = context;
+    (void)t;
+    *w->next++ = x[0];
+}
+
+/// Of all lines |i +- rho| up to 4 the spectrum of the disc in a long motion on the torus is largest where the torus
+/// says.
+static void check_line(const whirl_family *machines, const whirl_torus_point *point) {
+    enum { REVOLUTIONS = 600, INSTANTS = 32 };
+    const whirl_torus_options options = whirl_torus_default();
+    whirl_integrate_options steps = options.integrate;
+    double *samples = calloc((size_t)REVOLUTIONS * INSTANTS, sizeof *samples), x[ROTOR_STATES], line, amplitude,
+           largest = -1.0, at = 0.0;
+    waveform w = {samples};
+    whirl_machine machine;
+    whirl_integrator *integrator;
+    assert_non_null(samples);
+    steps.steps_per_revolution = INSTANTS;
+    require_ok(machines->machine(machines->context, point->value, &machine));
+    require_ok(whirl_torus_line(machine.system, point->torus, &options, 0, &line, &amplitude));
+    require_ok(whirl_integrator_new(machine.system, &steps, &integrator));
+    memcpy(x, point->torus->nodes, sizeof x);
+    for (int k = 0; k < REVOLUTIONS; k++) whirl_integrator_revolve(integrator, x, keep_first, &w);
+    for (int i = -4; i <= 4; i++) {
+        const double frequency = fabs(i + point->torus->rotation);
+        const double square = line_at(samples, (size_t)REVOLUTIONS * INSTANTS, 2.0 * pi / INSTANTS, frequency);
+        if (square > largest) at = frequency;
+        largest = fmax(largest, square);
+    }
+    check_within("tori", "paper's rotor: second frequency, and where the disc's spectrum is largest", at, line, 1e-12);
+    check_within("tori", "its amplitude", 2.0 * sqrt(largest), amplitude, 1e-6);
+    whirl_integrator_free(integrator);
+    machine.release(machine.owner);
+    free(samples);
+}
+
 /// The torus that begins at r_k = 0.4978 locks: its rotation number comes to 2/5 as the root of the distance from where
 /// two orbits of five revolutions appear on it.
 static void the_paper_rotor_locks_to_five_revolutions(void **state) {
@@ -243,6 +296,7 @@ static void the_paper_rotor_locks_to_five_revolutions(void **state) {
     print_message("%zu tori to r_k = %.6f: %s\n", tori->count, last->value, tori->why);
     assert_int_equal(WHIRL_TORUS_ROUGH, tori->end);
     assert_int_equal(5, last->torus->resonance);
+    check_line(&machines, &tori->points[2]);
     const double one = pow(0.4 - last->torus->rotation, 2.0), two = pow(0.4 - last[-1].torus->rotation, 2.0);
     const double locks = last->value - one * (last[-1].value - last->value) / (two - one);
     check_within("tori", "paper's rotor: r_k where the torus locks, and of the fold of P-5", fold_of_five(&machines),
