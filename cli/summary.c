@@ -206,6 +206,53 @@ static void print_at_rest(const whirl_result *result, const whirl_table *table) 
         print_modes(table, 0);
 }
 
+// ---------------------------------------------------------------- branches
+
+/// "  branch 3: P-2, 76 points from 0.3374, where branch 2 changes".
+static void print_branch(const whirl_unit *unit, const whirl_trace *first, size_t count) {
+    char name[VERDICT_SIZE];
+    whirl_orbit_name(first->point.orbit, name, sizeof name);
+    printf("  branch %zu: %s, %zu point%s from %.6g%s%s", first->branch, name, count, plural((double)count),
+           first->point.value / unit->size, *unit->name ? " " : "", unit->name);
+    if (first->parent > 0) printf(", where branch %zu changes", first->parent);
+    putchar('\n');
+}
+
+static void print_special(const whirl_unit *unit, const whirl_trace *at) {
+    char text[WHIRL_MESSAGE_SIZE];
+    whirl_special_text(&at->point, text, sizeof text);
+    printf("    %14.9g%s%s  %-15s %s\n", at->point.value / unit->size, *unit->name ? " " : "", unit->name,
+           whirl_special_name(at->point.special), text);
+}
+
+static size_t points_of(const whirl_table *table, size_t first) {
+    const double branch = number(table, first, "trace/number", 0);
+    size_t count = 0;
+    while (first + count < table->count && number(table, first + count, "trace/number", 0) == branch) count++;
+    return count;
+}
+
+static bool is_traced(const whirl_table *table) {
+    return whirl_layout_field(&table->layout, "trace/number") != NULL;
+}
+
+/// What was found along every branch, and where and why it ends.
+static void print_branches(const whirl_result *result, const whirl_table *table) {
+    const whirl_unit unit = whirl_result_unit(result, table->parameter);
+    for (size_t point = 0; point < table->count; point++) {
+        whirl_trace at;
+        const bool begins =
+            point == 0 || number(table, point, "trace/number", 0) != number(table, point - 1, "trace/number", 0);
+        if (whirl_table_trace(table, point, &at).code != WHIRL_OK) continue;
+        if (begins) print_branch(&unit, &at, points_of(table, point));
+        if (at.point.special != WHIRL_REGULAR && isnan(at.point.second)) print_special(&unit, &at);
+        if (!isnan(at.end))
+            printf("    %14.9g%s%s  %s\n", at.point.value / unit.size, *unit.name ? " " : "", unit.name,
+                   whirl_branch_end_text((whirl_branch_end)at.end));
+        whirl_orbit_free(at.point.orbit);
+    }
+}
+
 // ---------------------------------------------------------------- many points
 
 static void print_list(const whirl_result *result, const whirl_table *table) {
@@ -369,7 +416,9 @@ void summarize_result(const whirl_result *result) {
         printf("%s of %s: %zu point%s\n", table->name, table->parameter, planned, plural((double)planned));
         if (strcmp(table->name, "sweep") == 0 && table->count > 0)
             summarize_end(result, table->parameter, table->values[0]);
-        if (planned <= LONGEST_LIST)
+        if (is_traced(table))
+            print_branches(result, table);
+        else if (planned <= LONGEST_LIST)
             print_list(result, table);
         else
             print_counts(result, table);
@@ -390,6 +439,11 @@ void summarize_study(const whirl_study *study) {
         if (batch->parameter[0]) printf(" of %s", batch->parameter);
         if (whirl_analysis_is_resting(batch->analyses)) {
             printf(": %.0f point%s about where the machine rests\n", points, plural(points));
+            continue;
+        }
+        if (whirl_analysis_is_traced(batch->analyses)) {
+            printf("%s%s: at most %d points, from %.0f value%s on\n", *batch->second ? " and " : "", batch->second,
+                   batch->record.trace.points, points, plural(points));
             continue;
         }
         printf(": %.0f point%s, %.0f revolution%s each", points, plural(points), revolutions, plural(revolutions));

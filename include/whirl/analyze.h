@@ -12,6 +12,7 @@
 
 #include "whirl/integrate.h"
 #include "whirl/linear.h"
+#include "whirl/orbit.h"
 #include "whirl/status.h"
 #include "whirl/system.h"
 #include "whirl/watched.h"
@@ -32,6 +33,18 @@ typedef enum whirl_growth {
 /// Most revolutions that cases and result files may say.
 enum { WHIRL_MAX_TRANSIENT = 1000000000, WHIRL_MAX_RECORD = 100000000 };
 
+/// How branches of orbits are looked for. The first orbit is found where a motion has settled after the transient.
+typedef struct whirl_trace_options {
+    bool rest;       ///< branches of equilibria, in place of orbits
+    int revolutions; ///< of the first orbit; 0: after how many the settled motion comes back
+    int longest;     ///< most revolutions of an orbit
+    int switches;    ///< times that a branch is left for those that begin along it
+    int segments;    ///< as in whirl_orbit_options
+    int points;      ///< most points of all branches
+    double step;     ///< whirl_branch_options.most_step
+    double rtol;     ///< of the integrator
+} whirl_trace_options;
+
 typedef struct whirl_record_options {
     int transient; ///< revolutions that pass before anything is recorded, >= 0
     int record;    ///< revolutions recorded, >= 1
@@ -50,6 +63,7 @@ typedef struct whirl_record_options {
     bool spectra;        ///< keep whole spectra, not only their peaks
     bool waveform;       ///< waveforms are needed (for spectra or to be kept)
     whirl_growth growth; ///< costs one trajectory while watched, or as many as there are coordinates
+    whirl_trace_options trace;
 } whirl_record_options;
 
 /// Its members, as cases say them (parts "integrate" and "keep", and "detail" for what details say anew) and results
@@ -391,6 +405,7 @@ typedef struct whirl_analysis {
     bool usual;   ///< computed where a case does not say which
     bool kept;    ///< of waveforms that are kept: computed exactly where some are (whirl_analysis_fit)
     bool resting; ///< of a machine at rest, whose motion is not followed: chosen by a study of its name, alone
+    bool traced;  ///< of points of branches: chosen by a study's part `branch`, alone
 } whirl_analysis;
 
 /// All analyses; static, ended by an entry whose name is NULL.
@@ -404,6 +419,9 @@ bool whirl_analysis_add(whirl_analysis_set *set, const char *name);
 
 /// Whether a choice is of machines at rest (whirl_analyze_resting).
 bool whirl_analysis_is_resting(whirl_analysis_set set);
+
+/// Whether a choice is of points of branches (whirl_analyze_trace).
+bool whirl_analysis_is_traced(whirl_analysis_set set);
 
 /// Those that are computed where a case does not say which.
 whirl_analysis_set whirl_analysis_usual(void);
@@ -465,6 +483,38 @@ typedef struct whirl_resting {
 /// whirl_forced_response.
 whirl_status whirl_analyze_resting(const whirl_resting *point, const whirl_record_options *options,
                                    whirl_analysis_set set, const whirl_layout *layout, double *block);
+
+/// A point of a branch, as it stands among those of a study.
+typedef struct whirl_trace {
+    const whirl_system *system; ///< of its machine
+    whirl_branch_point point;
+    size_t branch; ///< which it is of, from 1 in the order in which they were found
+    size_t parent; ///< along which that one begins; 0: at a motion that settled, or at rest
+    double end;    ///< whirl_branch_end at its last point, else NaN
+} whirl_trace;
+
+/// Fills `block` [layout->size] of the analysis "trace" with a point. WHIRL_BAD_INPUT where an orbit has more
+/// revolutions or segments than the options say.
+whirl_status whirl_analyze_trace(const whirl_trace *trace, const whirl_record_options *options,
+                                 const whirl_layout *layout, double *block);
+
+/// The point that a block holds, at a value, but for its bounds: *trace, whose orbit is freed by whirl_orbit_free and
+/// whose system is not known. WHIRL_BAD_INPUT where it holds none, WHIRL_NO_MEMORY.
+whirl_status whirl_block_trace(const whirl_layout *layout, const double *block, double value,
+                               const whirl_record_options *options, whirl_trace *trace);
+
+/// "fold", "period doubling", "Neimark-Sacker", ...; "" of a regular point. Static text.
+const char *whirl_special_name(whirl_special special);
+
+/// What begins or ends at a special point, in words, with the sense of its criticality where that is known. Writes at
+/// most `size` bytes.
+void whirl_special_text(const whirl_branch_point *point, char *text, size_t size);
+
+/// "P-2", "limit cycle", "equilibrium". Writes at most `size` bytes.
+void whirl_orbit_name(const whirl_orbit *orbit, char *text, size_t size);
+
+/// Why a branch ends, in words. Static text.
+const char *whirl_branch_end_text(whirl_branch_end end);
 
 /// The verdict that a block holds; regime WHIRL_UNDETERMINED with NaN evidence when it holds none.
 whirl_verdict whirl_block_verdict(const whirl_layout *layout, const double *block);

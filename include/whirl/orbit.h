@@ -93,7 +93,13 @@ whirl_status whirl_orbit_find_free(const whirl_system *system, const double *sta
 whirl_status whirl_orbit_rest(const whirl_system *system, const double *start, const whirl_orbit_options *options,
                               whirl_orbit **orbit);
 
+/// An orbit of the sizes of another (dimension, revolutions, period, segments, multipliers, touches), all other numbers
+/// of it 0; NULL without memory. Freed by whirl_orbit_free.
+whirl_orbit *whirl_orbit_new(const whirl_orbit *like);
 void whirl_orbit_free(whirl_orbit *orbit);
+
+/// Switching functions of a system at which contacts begin: touches that its orbits have.
+size_t whirl_touch_count(const whirl_system *system);
 
 /// Calls observe at the end of each of `instants` equal parts of every segment, in turn: t in (0, period].
 /// WHIRL_BAD_INPUT where the motion cannot be followed.
@@ -174,7 +180,9 @@ typedef enum whirl_branch_end {
     WHIRL_END_OF_RANGE = 0, ///< the parameter left its bounds
     WHIRL_END_OF_POINTS,    ///< as many points as were asked for
     WHIRL_END_CLOSED,       ///< it came back to where it began
-    WHIRL_END_LOST          ///< steps as short as allowed found no orbit: the branch may end there
+    WHIRL_END_LOST,         ///< steps as short as allowed found no orbit: the branch may end there
+    WHIRL_END_HALVED,       ///< its orbits close after half their time there: at a doubling of another branch
+    WHIRL_END_STOPPED       ///< whirl_branch_options.found said so
 } whirl_branch_end;
 
 /// A branch, in the order in which it was followed; freed by whirl_branch_free.
@@ -192,6 +200,9 @@ typedef struct whirl_branch_options {
     double most_step;
     size_t most_points;
     bool special; ///< locate special points
+    /// Called with every point as it is found; false ends the branch with it. May be NULL.
+    bool (*found)(void *context, const whirl_branch_point *point);
+    void *context; ///< borrowed
 } whirl_branch_options;
 
 /// From `from` to `to` in steps of at most 0.05, at most 1000 points, special points located.

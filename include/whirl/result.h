@@ -112,6 +112,9 @@ bool whirl_result_partial(const whirl_result *result, size_t *done, size_t *tota
 /// The verdict on a point.
 whirl_verdict whirl_table_verdict(const whirl_table *table, size_t point);
 
+/// A point of a table of branches or curves; its orbit is freed by whirl_orbit_free. Errors as whirl_block_trace.
+whirl_status whirl_table_trace(const whirl_table *table, size_t point, whirl_trace *trace);
+
 /// Neighbouring points of a sweep with one regime whose motions differ far more than those around them.
 typedef struct whirl_jump {
     size_t from, to; ///< points of the table

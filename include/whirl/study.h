@@ -27,11 +27,20 @@ typedef enum whirl_carry {
 } whirl_carry;
 
 /// Points that are computed alike.
+///
+/// A batch with the analysis "trace" traces branches of orbits between bounds of its parameter, from `values` on: how
+/// many points that gives is known when they are there. With a second parameter its points are those of curves through
+/// the special points of the batch before it, whose parameter is the same; `values` are not looked at then.
 typedef struct whirl_batch {
-    char name[WHIRL_NAME_SIZE];      ///< "response", "sweep", "detail"
+    char name[WHIRL_NAME_SIZE];      ///< "response", "sweep", "detail", "branch", "curves"
     char parameter[WHIRL_NAME_SIZE]; ///< what varies; "" for a single point
     size_t count;
-    const double *values; ///< [count] of the parameter, in SI; borrowed; NULL when nothing varies
+    const double *values;         ///< [count] of the parameter, in SI; borrowed; NULL when nothing varies
+    double bounds[2];             ///< of the parameter, where branches are traced
+    char second[WHIRL_NAME_SIZE]; ///< the second parameter of curves, else ""
+    double second_bounds[2];
+    /// What the second parameter is, of the machine that is asked for; NaN: as the case has it, which it says then.
+    double second_value;
     whirl_carry carry;
     /// Every motion is computed once more from the same start with errors of a step 16 times smaller (twice the steps
     /// of a fixed-step method), and its verdict is set beside the first: needs the analysis "regime".

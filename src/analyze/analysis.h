@@ -11,7 +11,7 @@ enum { MAX_ANALYSIS_FIELDS = 32 };
 
 /// What the sizes of the fields depend on.
 typedef struct block_shape {
-    size_t dimension, station_count, contact_count;
+    size_t dimension, station_count, contact_count, touch_count;
     size_t samples_per_revolution;
     const whirl_record_options *options;
 } block_shape;
@@ -54,13 +54,16 @@ typedef struct analysis_plan {
     /// In its place: of a machine at rest, without any motion.
     whirl_status (*compute_resting)(const whirl_resting *point, const whirl_record_options *options,
                                     const block_view *view);
+    /// Likewise, of a point of a branch.
+    whirl_status (*compute_trace)(const whirl_trace *trace, const whirl_record_options *options,
+                                  const block_view *view);
     /// Optional: fills what a motion that left its bounds still has to say.
     void (*compute_diverged)(const whirl_record *record, const block_view *view);
 } analysis_plan;
 
 extern const analysis_plan poincare_analysis, orbit_analysis, rub_analysis, waveform_analysis, spectrum_analysis,
     lyapunov_analysis, exponents_analysis, regime_analysis, winding_analysis, evidence_analysis, modes_analysis,
-    unbalance_analysis;
+    unbalance_analysis, trace_analysis;
 
 /// The plans, in the order of whirl_analyses().
 extern const analysis_plan *const analysis_plans[];

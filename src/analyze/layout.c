@@ -72,6 +72,7 @@ whirl_status whirl_layout_new(const whirl_system *system, const whirl_integrate_
         .dimension = system->dimension,
         .station_count = system->probe_count,
         .contact_count = system->contact_count,
+        .touch_count = whirl_touch_count(system),
         .samples_per_revolution = (size_t)whirl_record_samples(options, integrate->steps_per_revolution),
         .options = options,
     };
@@ -89,7 +90,8 @@ whirl_status whirl_layout_new(const whirl_system *system, const whirl_integrate_
 
 whirl_status whirl_layout_known(whirl_layout *layout) {
     const whirl_probe probe = {.x = 0};
-    const whirl_system system = {.dimension = 2, .probe_count = 1, .contact_count = 1, .probes = &probe};
+    const whirl_system system = {
+        .dimension = 2, .probe_count = 1, .contact_count = 1, .switch_count = 1, .probes = &probe};
     const whirl_integrate_options integrate = whirl_integrate_default();
     whirl_record_options options = whirl_record_default();
     options.spectra = true;
@@ -135,6 +137,18 @@ whirl_status whirl_analyze_resting(const whirl_resting *point, const whirl_recor
         const analysis_plan *plan = analysis_plans[a];
         const block_view view = view_of(layout, a, block);
         if ((set >> a & 1u) && plan->compute_resting) status = plan->compute_resting(point, options, &view);
+    }
+    return status;
+}
+
+whirl_status whirl_analyze_trace(const whirl_trace *trace, const whirl_record_options *options,
+                                 const whirl_layout *layout, double *block) {
+    whirl_status status = whirl_ok();
+    for (size_t i = 0; i < layout->size; i++) block[i] = NAN;
+    for (size_t a = 0; analysis_plans[a] && status.code == WHIRL_OK; a++) {
+        const block_view view = view_of(layout, a, block);
+        if (view.fields[0] && analysis_plans[a]->compute_trace)
+            status = analysis_plans[a]->compute_trace(trace, options, &view);
     }
     return status;
 }

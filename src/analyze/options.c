@@ -34,6 +34,23 @@ static const whirl_member members[] = {
            "angle of the first probe of every station, from the x axis towards y; the second stands a right angle "
            "further on",
            ""),
+    MEMBER(whirl_record_options, FLAG, "trace_rest", trace.rest, "branch", false, "rest", "", "", WHIRL_KEY_CHOICE,
+           false, "no", WHIRL_ANY, "yes|no|true|false",
+           "yes: branches of equilibria, and of the whirl that begins at them, of a machine that nothing drives", ""),
+    WHOLE("trace_revolutions", trace.revolutions, "branch", "revolutions", "0", 0, WHIRL_MAX_ORBIT, false,
+          "of the first orbit of a branch; 0: after as many as the settled motion comes back"),
+    WHOLE("trace_longest", trace.longest, "branch", "longest", "8", 1, WHIRL_MAX_ORBIT, false,
+          "most revolutions of an orbit that is followed"),
+    WHOLE("trace_switches", trace.switches, "branch", "switch", "2", 0, 64, false,
+          "times that a branch is left for those that begin along it, at doublings, crossings and Hopf points"),
+    WHOLE("trace_segments", trace.segments, "branch", "segments", "1", 1, 64, false,
+          "of a revolution, each with unknowns of its own (multiple shooting): more for very unstable orbits"),
+    WHOLE("trace_points", trace.points, "branch", "points", "4000", 2, 1000000, false, "most points of all branches"),
+    MEMBER(whirl_record_options, NUMBER, "trace_step", trace.step, "branch", false, "step", "", "1", WHIRL_KEY_NUMBER,
+           false, "0.05", WHIRL_ABOVE_TO(1e-6, 1.0), NULL,
+           "longest step: 1 is the range of the parameter, or a change of the orbit by its own size", ""),
+    MEMBER(whirl_record_options, NUMBER, "trace_rtol", trace.rtol, "branch", false, "rtol", "", "1", WHIRL_KEY_NUMBER,
+           false, "1e-13", WHIRL_ABOVE_TO(1e-14, 1e-3), NULL, "relative tolerance of the orbits' integration", ""),
     FLAG(spectra, "", "no", "whole spectra are kept"),
     FLAG(waveform, "", "yes", "waveforms are recorded"),
     WHOLE("growth", growth, "", "growth", "1", 0, WHIRL_GROWTH_ALL, false,
@@ -97,6 +114,12 @@ whirl_status whirl_record_options_check(const whirl_record_options *options) {
     if (options->samples_per_revolution < 1)
         return whirl_fail(WHIRL_BAD_INPUT, "samples_per_revolution is %d, expected at least 1",
                           options->samples_per_revolution);
+    const whirl_trace_options *trace = &options->trace;
+    if (trace->longest < 1 || trace->longest > WHIRL_MAX_ORBIT || trace->segments < 1 || trace->segments > 64)
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "orbits of %d revolutions in %d segments each are to be followed, expected 1 to %d and 1 to "
+                          "64",
+                          trace->longest, trace->segments, WHIRL_MAX_ORBIT);
     if (options->modes < 1 || !isfinite(options->probe_angle))
         return whirl_fail(WHIRL_BAD_INPUT,
                           "%d modes are to be kept and a probe stands at %g, expected at least 1 and a "

@@ -4,10 +4,11 @@
 #include "analysis.h"
 
 // Traits.
-#define ON_DEMAND false, false, false
-#define USUAL true, false, false
-#define KEPT false, true, false
-#define RESTING false, false, true
+#define ON_DEMAND false, false, false, false
+#define USUAL true, false, false, false
+#define KEPT false, true, false, false
+#define RESTING false, false, true, false
+#define TRACED false, false, false, true
 
 // clang-format off
 #define ANALYSES(analysis)                                                                                             \
@@ -34,13 +35,15 @@
     analysis(modes, "frequencies, damping, whirl and shapes of small motions about where the machine rests",           \
              "Friswell, Penny, Garvey, Lees 2010; Floquet 1883 where coefficients turn with the shaft", RESTING)       \
     analysis(unbalance, "synchronous response to unbalance about where the machine rests",                             \
-             "Friswell, Penny, Garvey, Lees 2010", RESTING)
+             "Friswell, Penny, Garvey, Lees 2010", RESTING)                                                            \
+    analysis(trace, "orbits and equilibria along a branch, stable or not: multipliers, special points, contacts",     \
+             "Keller 1977; Kuznetsov 2004; docs/theory.md", TRACED)
 // clang-format on
 
 #define ABOUT(name, meaning, source, ...) {#name, meaning, source, __VA_ARGS__},
 #define PLAN(name, ...) &name##_analysis,
 
-static const whirl_analysis analyses[] = {ANALYSES(ABOUT){NULL, NULL, NULL, false, false, false}};
+static const whirl_analysis analyses[] = {ANALYSES(ABOUT){NULL, NULL, NULL, ON_DEMAND}};
 
 const analysis_plan *const analysis_plans[] = {ANALYSES(PLAN) NULL};
 
@@ -67,6 +70,12 @@ whirl_analysis_set whirl_analysis_usual(void) {
 bool whirl_analysis_is_resting(whirl_analysis_set set) {
     for (unsigned i = 0; analyses[i].name; i++)
         if ((set >> i & 1u) && analyses[i].resting) return true;
+    return false;
+}
+
+bool whirl_analysis_is_traced(whirl_analysis_set set) {
+    for (unsigned i = 0; analyses[i].name; i++)
+        if ((set >> i & 1u) && analyses[i].traced) return true;
     return false;
 }
 

@@ -39,19 +39,20 @@ static void check_machine_at(case_reader *reader, case_content *content, size_t 
 }
 
 /// The ends of a sweep stand for all of it; what fails between them fails while running.
-static void check_ends(case_reader *reader, case_content *content, const plan_parts *parts) {
+static void check_ends(case_reader *reader, case_content *content) {
     const size_t members = content->machine.stations.count + content->machine.element_count;
     const size_t affordable = CHECK_BUDGET / (reader->expression_bytes + ELEMENT_COST * members + 1) + 2;
     for (size_t b = 0; b < content->plan.batch_count; b++) {
         const whirl_batch *batch = &content->plan.batches[b];
+        const file_node *const *places = content->plan.places[b];
         if (!batch->values) continue;
-        if (b == 0) {
+        if (!places) {
             check_machine_at(reader, content, b, content->plan.first_place, batch->values[0]);
             check_machine_at(reader, content, b, content->plan.last_place, batch->values[batch->count - 1]);
             continue;
         }
         for (size_t i = 0; i < batch->count && i < affordable; i++)
-            check_machine_at(reader, content, b, parts->at.places[i], batch->values[i]);
+            check_machine_at(reader, content, b, places[i], batch->values[i]);
     }
 }
 
@@ -91,7 +92,7 @@ static void check_with_values(case_reader *reader, case_content *content, const 
         problem_at(reader->problems, culprit->place, "%s", why);
     }
     valuation_close(&v);
-    if (reader->problems->count == 0 && !reader->no_memory) check_ends(reader, content, parts);
+    if (reader->problems->count == 0 && !reader->no_memory) check_ends(reader, content);
 }
 
 // ---------------------------------------------------------------- reading

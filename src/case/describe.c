@@ -104,20 +104,36 @@ static bool depends(const case_content *content, const char *expression, const c
     return d.found;
 }
 
-/// The length scale of every point of a table, where its parameter changes it.
+/// The length scale at a point of a table; that of the case as it stands where the point is not there yet.
+static whirl_status scale_at(const case_content *content, const whirl_result *result, const whirl_table *table,
+                             size_t point, double *scale) {
+    const setting *given = settings_find(&content->machine.rotor, "length_scale");
+    const double *second = whirl_table_field(table, point, "trace/second", 0);
+    const char *name = second && !isnan(*second) ? plan_second(&content->plan, table->name) : "";
+    valuation v;
+    *scale = result->length_scale;
+    if (isnan(table->values[point])) return whirl_ok();
+    whirl_status status = valuation_open_two(&v, &content->parameters, table->parameter, table->values[point], name,
+                                             second ? *second : 0.0);
+    if (status.code == WHIRL_OK) status = valuation_number(&v, &given->value, scale);
+    valuation_close(&v);
+    return status;
+}
+
+/// The length scale of every point of a table, where a parameter changes it.
 static whirl_status describe_scales(const case_content *content, const whirl_result *result, whirl_table *table) {
     const setting *given = settings_find(&content->machine.rotor, "length_scale");
     const char *expression = given ? given->value.expression : NULL;
-    if (!*table->parameter || !expression || !depends(content, expression, table->parameter)) return whirl_ok();
+    const char *second = plan_second(&content->plan, table->name);
+    if (!*table->parameter || !expression ||
+        !(depends(content, expression, table->parameter) || (*second && depends(content, expression, second))))
+        return whirl_ok();
     double *scales = malloc((table->count + 1) * sizeof *scales);
     whirl_status status =
         scales ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for the scales of %zu points", table->count);
     bool changes = false;
     for (size_t i = 0; i < table->count && status.code == WHIRL_OK; i++) {
-        valuation v;
-        status = valuation_open(&v, &content->parameters, table->parameter, table->values[i]);
-        if (status.code == WHIRL_OK) status = valuation_number(&v, &given->value, &scales[i]);
-        valuation_close(&v);
+        status = scale_at(content, result, table, i, &scales[i]);
         changes = changes || (status.code == WHIRL_OK && scales[i] != result->length_scale);
     }
     if (status.code == WHIRL_OK && changes)

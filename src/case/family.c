@@ -34,7 +34,7 @@ static whirl_status make_start(const case_content *content, const whirl_batch *b
 static whirl_status make_member(const case_content *content, const whirl_batch *batch, double value, member *m) {
     valuation v;
     const char *name = batch->parameter[0] ? batch->parameter : NULL;
-    whirl_status status = valuation_open(&v, &content->parameters, name, value);
+    whirl_status status = valuation_open_two(&v, &content->parameters, name, value, batch->second, batch->second_value);
     if (status.code == WHIRL_OK) status = machine_build(&content->machine, &v, &m->rotor);
     if (status.code == WHIRL_OK) status = plan_check_speed(batch, whirl_rotor_speed(m->rotor));
     if (status.code == WHIRL_OK) status = make_start(content, batch, &v, m);

@@ -429,25 +429,41 @@ void parameters_read(case_reader *reader, const file_node *where, const paramete
 
 // ---------------------------------------------------------------- values
 
-whirl_status valuation_open(valuation *v, const parameter_table *parameters, const char *name, double value) {
+/// The index of a parameter that is given, the number of parameters for none.
+static whirl_status find_given(const parameter_table *parameters, const char *name, size_t *index) {
+    *index = name && *name ? parameters_find(parameters, name) : parameters->count;
+    return name && *name && *index == parameters->count
+               ? whirl_fail(WHIRL_BAD_INPUT, "no parameter is called %.63s", name)
+               : whirl_ok();
+}
+
+whirl_status valuation_open_two(valuation *v, const parameter_table *parameters, const char *name, double value,
+                                const char *second, double second_value) {
+    size_t given, also;
     *v = (valuation){.parameters = parameters, .culprit = PARAMETERS_MAX};
-    const size_t given = name ? parameters_find(parameters, name) : parameters->count;
-    if (name && given == parameters->count) return whirl_fail(WHIRL_BAD_INPUT, "no parameter is called %.63s", name);
-    if (name) put(&v->changed, given);
+    whirl_status status = find_given(parameters, name, &given);
+    if (status.code == WHIRL_OK) status = find_given(parameters, second, &also);
+    if (status.code != WHIRL_OK) return status;
+    if (given < parameters->count) put(&v->changed, given);
+    if (also < parameters->count) put(&v->changed, also);
     for (size_t i = 0; i < parameters->count; i++) {
         const size_t index = parameters->order[i];
         const number_formula *formula = &parameters->items[index].value;
-        if (index == given) {
-            v->values[index] = value;
+        if (index == given || index == also) {
+            v->values[index] = index == given ? value : second_value;
             continue;
         }
         if (share(&formula->uses, &v->changed)) put(&v->changed, index);
-        const whirl_status status = valuation_number(v, formula, &v->values[index]);
+        status = valuation_number(v, formula, &v->values[index]);
         if (status.code == WHIRL_OK) continue;
         v->culprit = index;
         return whirl_fail(status.code, "parameter %.63s %.300s", parameters->items[index].name, status.message);
     }
     return whirl_ok();
+}
+
+whirl_status valuation_open(valuation *v, const parameter_table *parameters, const char *name, double value) {
+    return valuation_open_two(v, parameters, name, value, NULL, 0.0);
 }
 
 void valuation_close(valuation *v) {

@@ -120,6 +120,10 @@ typedef struct valuation {
 /// Evaluates all parameters with `name` at `value` (NULL: as they are). WHIRL_BAD_INPUT when one has no finite value.
 /// Closed by valuation_close, after a failure too.
 whirl_status valuation_open(valuation *v, const parameter_table *parameters, const char *name, double value);
+
+/// The same with a second one, NULL or "" for none.
+whirl_status valuation_open_two(valuation *v, const parameter_table *parameters, const char *name, double value,
+                                const char *second, double second_value);
 void valuation_close(valuation *v);
 
 /// The value of a formula.

@@ -37,10 +37,12 @@ static whirl_record_options detail_options(valuation *v, const plan_parts *parts
 
 /// What the chosen analyses need recorded.
 static void choose_analyses(whirl_batch *batch, whirl_analysis_set chosen, bool spectra) {
-    if (whirl_analysis_is_resting(chosen)) {
+    if (whirl_analysis_is_resting(chosen) || whirl_analysis_is_traced(chosen)) {
         batch->analyses = chosen;
         batch->record.spectra = batch->record.waveform = false;
         batch->record.growth = WHIRL_GROWTH_NONE;
+        batch->record.waveform_revolutions = batch->record.watch = 0;
+        if (whirl_analysis_is_traced(chosen)) return;
         batch->record.transient = 0;
         batch->record.record = 1;
         return;
@@ -247,17 +249,132 @@ static void make_sweep(case_reader *reader, valuation *v, const plan_parts *part
 static void make_detail(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result) {
     double *values = list_values(reader, v, &parts->at);
     if (!values) return;
+    result->places[result->batch_count] = parts->at.places;
     whirl_batch *batch = add_batch(result, "detail", parts->detail.place);
     snprintf(batch->parameter, sizeof batch->parameter, "%.63s", parts->swept->name);
     batch->count = parts->at.count;
     batch->values = values;
 }
 
+// ---------------------------------------------------------------- branches
+
+/// Where a bound stands, and its value: the sweep's where the branch has none of its own.
+static bool branch_bound(case_reader *reader, valuation *v, const plan_parts *parts, const study_plan *result,
+                         size_t which, double *value, const file_node **place) {
+    const char *key = which == 0 ? "from" : "to";
+    const setting *given = settings_find(&parts->branch, key);
+    if (given) {
+        *place = given->place;
+        return formula_value(reader, v, given->place, which == 0 ? &parts->low : &parts->high, value);
+    }
+    const whirl_batch *sweep = &result->batches[0];
+    *place = which == 0 ? result->first_place : result->last_place;
+    *value = sweep->values[which == 0 ? 0 : sweep->count - 1];
+    return true;
+}
+
+/// The values at which branches begin, within the bounds; where none are said, the first bound. NULL after a problem.
+static double *begin_values(case_reader *reader, valuation *v, const plan_parts *parts, const double bounds[2],
+                            size_t *count) {
+    char shown[SHOWN_SIZE];
+    const double low = fmin(bounds[0], bounds[1]), high = fmax(bounds[0], bounds[1]);
+    double *values;
+    *count = parts->begins.count > 0 ? parts->begins.count : 1;
+    if (parts->begins.count == 0) {
+        values = arena_take(reader->arena, sizeof *values);
+        reader->no_memory = reader->no_memory || !values;
+        if (values) values[0] = bounds[0];
+        return values;
+    }
+    values = list_values(reader, v, &parts->begins);
+    for (size_t i = 0; values && i < *count; i++) {
+        if (values[i] >= low && values[i] <= high) continue;
+        problem_at(reader->problems, parts->begins.places[i],
+                   "is %s, expected a value between the bounds of the branch",
+                   node_shown(parts->begins.places[i], shown));
+        return NULL;
+    }
+    return values;
+}
+
+/// Where the values stand at which branches begin.
+static const file_node *const *begin_places(case_reader *reader, const plan_parts *parts, const file_node *first) {
+    if (parts->begins.count > 0) return parts->begins.places;
+    const file_node **place = arena_take(reader->arena, sizeof(const file_node *));
+    reader->no_memory = reader->no_memory || !place;
+    if (place) *place = first;
+    return place;
+}
+
+/// Takes one that begins where it stands, for the second parameter.
+static void make_curves(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result) {
+    const whirl_batch branch = result->batches[result->batch_count - 1];
+    const setting_list *curves = &parts->curves;
+    double low, high;
+    bool good = formula_value(reader, v, place_of(curves, "from"), &parts->second_low, &low);
+    good = formula_value(reader, v, place_of(curves, "to"), &parts->second_high, &high) && good;
+    if (!good) return;
+    const double own = v->values[parts->second - v->parameters->items];
+    if (!(own >= fmin(low, high) && own <= fmax(low, high) && low != high)) {
+        problem_at(reader->problems, place_of(curves, "from"),
+                   "gives bounds %.10g and %.10g, expected two around %.10g, the value of %s in the case", low, high,
+                   own, parts->second->name);
+        return;
+    }
+    const file_node *const *places = result->places[result->batch_count - 1];
+    result->places[result->batch_count] = places;
+    whirl_batch *batch = add_batch(result, "curves", curves->place);
+    *batch = branch;
+    snprintf(batch->name, sizeof batch->name, "curves");
+    snprintf(batch->second, sizeof batch->second, "%.63s", parts->second->name);
+    batch->second_value = own;
+    batch->second_bounds[0] = low;
+    batch->second_bounds[1] = high;
+}
+
+static void make_branch(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result) {
+    const file_node *first, *last;
+    double bounds[2];
+    if (parts->swept_too && result->batch_count == 0) return; // said already
+    if (!branch_bound(reader, v, parts, result, 0, &bounds[0], &first) ||
+        !branch_bound(reader, v, parts, result, 1, &bounds[1], &last))
+        return;
+    if (bounds[0] == bounds[1]) {
+        problem_at(reader->problems, last, "is where the branch begins, expected another value");
+        return;
+    }
+    size_t count;
+    const double *values = begin_values(reader, v, parts, bounds, &count);
+    if (!values) return;
+    result->places[result->batch_count] = begin_places(reader, parts, first);
+    if (!parts->swept_too) {
+        result->first_place = first;
+        result->last_place = last;
+    }
+    whirl_batch *batch = add_batch(result, "branch", parts->branch.place);
+    snprintf(batch->parameter, sizeof batch->parameter, "%.63s", parts->swept->name);
+    batch->count = count;
+    batch->values = values;
+    memcpy(batch->bounds, bounds, sizeof bounds);
+    batch->second_value = NAN;
+    if (parts->second) make_curves(reader, v, parts, result);
+}
+
+const char *plan_second(const study_plan *plan, const char *batch) {
+    for (size_t i = 0; i < plan->batch_count; i++)
+        if (strcmp(plan->batches[i].name, batch) == 0) return plan->batches[i].second;
+    return "";
+}
+
+// ---------------------------------------------------------------- all batches
+
 static bool check_all(case_reader *reader, valuation *v, const plan_parts *parts, const study_plan *result) {
     bool good = settings_check(reader, v, &parts->sweep);
     good = settings_check(reader, v, &parts->integrate) && good;
     good = settings_check(reader, v, &parts->keep) && good;
     good = settings_check(reader, v, &parts->detail) && good;
+    good = settings_check(reader, v, &parts->branch) && good;
+    good = settings_check(reader, v, &parts->curves) && good;
     for (size_t i = 0; i < result->start_count; i++) good = settings_check(reader, v, &result->starts[i].state) && good;
     return good;
 }
@@ -270,15 +387,24 @@ void plan_make(case_reader *reader, valuation *v, const plan_parts *parts, study
     check_analyses(reader, parts, &record);
     result->unit = parts->written;
     result->end = NAN;
-    if (parts->swept)
+    if (parts->swept && (parts->swept_too || !parts->branches))
         make_sweep(reader, v, parts, result);
-    else
+    else if (!parts->branches)
         add_batch(result, parts->resting ? parts->resting : "response", parts->study.place);
     if (parts->at.count > 0) make_detail(reader, v, parts, result);
+    if (parts->branches && parts->swept) make_branch(reader, v, parts, result);
     for (size_t i = 0; i < result->batch_count; i++) {
         whirl_batch *batch = &result->batches[i];
         const bool detail = strcmp(batch->name, "detail") == 0;
         batch->integrate = integrate;
+        if (parts->branches && (strcmp(batch->name, "branch") == 0 || *batch->second)) {
+            batch->record = record;
+            settings_take(v, &parts->branch, whirl_record_members(), &batch->record);
+            whirl_analysis_set traced = 0;
+            whirl_analysis_add(&traced, "trace");
+            choose_analyses(batch, traced, false);
+            continue;
+        }
         settings_take(v, &parts->study, whirl_batch_members(), batch);
         batch->record = detail ? detail_options(v, parts, &record) : record;
         if (detail) check_detail(reader, parts, &batch->record);

@@ -16,6 +16,8 @@ typedef struct study_plan {
     whirl_batch batches[WHIRL_MAX_BATCHES]; ///< values are the arena's
     bool rest[WHIRL_MAX_BATCHES];           ///< the batch starts from zero instead of the initial state
     const file_node *values_place[WHIRL_MAX_BATCHES];
+    /// [count] of every value, where each has one; NULL: of a sweep, whose ends have.
+    const file_node *const *places[WHIRL_MAX_BATCHES];
     const file_node *first_place, *last_place; ///< of the ends of the sweep
     whirl_unit unit; ///< in which the sweep writes its values, where the parameter has another one; size 0: none
     double end;      ///< that the steps of the sweep do not meet, NaN where they do
@@ -32,11 +34,16 @@ typedef struct formula_list {
 
 /// Reads `study:` in two steps. First what can be read without values, and everything that is wrong with it ...
 typedef struct plan_parts {
-    setting_list study, sweep, integrate, keep, detail;
+    setting_list study, sweep, integrate, keep, detail, branch, curves;
     const char *resting;           ///< "modes" or "unbalance", whose keys `sweep` has then; NULL: motions are followed
+    bool branches, swept_too;      ///< branches are traced; and there is a sweep
     number_formula from, to, step; ///< of the sweep, or
     formula_list values;           ///< its list of values, empty where there is none
     formula_list at;               ///< of the detail
+    number_formula low, high;      ///< bounds of branches, where they are given
+    formula_list begins;           ///< values at which branches begin, empty: at the first bound
+    const parameter *second;       ///< of curves
+    number_formula second_low, second_high;
     const parameter *swept;
     const char *swept_unit; ///< of its values, "" where neither the case nor a value read so far tells
     whirl_unit written;     ///< in which its values are written, size 0 where they are plain
@@ -52,6 +59,9 @@ void plan_make(case_reader *reader, valuation *v, const plan_parts *parts, study
 /// The state [dimension] that the points of a batch start from, in the scales of the machine.
 whirl_status plan_start_state(const study_plan *plan, size_t batch, valuation *v, const whirl_rotor *rotor,
                               double *state);
+
+/// The second parameter of the batch of that name, "" where it has none.
+const char *plan_second(const study_plan *plan, const char *batch);
 
 /// Refuses a speed of 0 where motions are counted in revolutions. WHIRL_BAD_INPUT with a sentence.
 whirl_status plan_check_speed(const whirl_batch *batch, double speed);

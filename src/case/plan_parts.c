@@ -145,10 +145,11 @@ static void read_sweep(case_reader *reader, plan_parts *parts) {
 
 /// What a study is of: one point, points along a parameter, or machines at rest. The first that is given counts.
 static const setting *find_kind(case_reader *reader, const setting_list *study) {
-    static const char *const kinds[] = {"response", "sweep", "modes", "unbalance"};
+    static const char *const kinds[] = {"response", "sweep", "modes", "unbalance", "branch"};
     const setting *found = NULL;
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
         const setting *given = settings_find(study, kinds[i]);
+        if (given && found && strcmp(kinds[i], "branch") == 0 && strcmp(found->key->name, "sweep") == 0) continue;
         if (given && found)
             problem_at_key(reader->problems, (i == 1 ? found : given)->place,
                            "stands beside %s, expected one of the two", i == 1 ? kinds[i] : found->key->name);
@@ -157,18 +158,17 @@ static const setting *find_kind(case_reader *reader, const setting_list *study) 
     }
     if (!found)
         problem_at(reader->problems, study->place,
-                   "has none of response, sweep, modes and unbalance, expected one of them");
+                   "has none of response, sweep, branch, modes and unbalance, expected one of them");
     return found;
 }
 
-/// What has no meaning for machines at rest.
-static void check_resting_keys(case_reader *reader, const plan_parts *parts) {
-    static const char *const others[] = {"integrate", "keep", "analyze", "detail", "confirm"};
-    for (size_t i = 0; i < sizeof others / sizeof *others; i++) {
+/// What has no meaning where no motion is told of: of machines at rest, and of branches alone, whose motions settle.
+static void check_lone_keys(case_reader *reader, const plan_parts *parts, const char *kind, bool settles) {
+    static const char *const others[] = {"keep", "analyze", "detail", "confirm", "integrate"};
+    for (size_t i = 0; i < sizeof others / sizeof *others - settles; i++) {
         const setting *given = settings_find(&parts->study, others[i]);
         if (given)
-            problem_at_key(reader->problems, given->place, "has no meaning with %s, which follows no motion",
-                           parts->resting);
+            problem_at_key(reader->problems, given->place, "has no meaning with %s, which follows no motion", kind);
     }
 }
 
@@ -177,7 +177,7 @@ static void read_resting(case_reader *reader, const setting *kind, plan_parts *p
     static const char *const axis[] = {"from", "to", "points", "step", "scale", "values"};
     parts->resting = group->name;
     whirl_analysis_add(&parts->analyses, group->name);
-    check_resting_keys(reader, parts);
+    check_lone_keys(reader, parts, parts->resting, false);
     read_part(reader, &parts->study, group->name, group, &parts->sweep);
     if (settings_find(&parts->sweep, "parameter")) {
         read_axis(reader, parts);
@@ -189,6 +189,72 @@ static void read_resting(case_reader *reader, const setting *kind, plan_parts *p
     }
 }
 
+// ---------------------------------------------------------------- branches
+
+/// The parameter along which branches go: that of the sweep, where there is one.
+static void read_branch_parameter(case_reader *reader, plan_parts *parts) {
+    char shown[SHOWN_SIZE];
+    const setting *name = settings_find(&parts->branch, "parameter");
+    if (!parts->swept_too) {
+        if (name) parts->swept = find_swept(reader, name);
+        if (parts->swept) parts->swept_unit = parameter_expected_unit(parts->swept);
+        if (!name && !settings_misspelt(&parts->branch, "parameter"))
+            problem_missing(reader->problems, parts->branch.place, "parameter",
+                            "is missing, expected the name of the parameter that varies");
+    } else if (name && parts->swept &&
+               (name->place->kind != NODE_TEXT || strcmp(name->place->text, parts->swept->name) != 0)) {
+        problem_at(reader->problems, name->place, "is %s, expected %s, the parameter of the sweep beside it",
+                   node_shown(name->place, shown), parts->swept->name);
+    }
+}
+
+static void read_branch_values(case_reader *reader, plan_parts *parts) {
+    static const char *const ends[] = {"from", "to"};
+    const setting *from = settings_find(&parts->branch, "from"), *to = settings_find(&parts->branch, "to");
+    const setting *at = settings_find(&parts->branch, "at");
+    for (size_t i = 0; i < 2 && !parts->swept_too; i++)
+        if (!settings_find(&parts->branch, ends[i]) && !settings_misspelt(&parts->branch, ends[i]))
+            problem_missing(reader->problems, parts->branch.place, ends[i], "is missing, expected a bound of %s",
+                            parts->swept ? parts->swept->name : "the parameter");
+    if (!parts->swept) return;
+    if (from) read_swept_value(reader, from->place, parts, &parts->low);
+    if (to) read_swept_value(reader, to->place, parts, &parts->high);
+    if (at) read_values(reader, at->place, SCHEMA_MAX_DETAIL, parts, &parts->begins);
+    if (!parts->swept_too) note_unit(reader, parts, (const setting *[]){from, to, at}, 3);
+}
+
+/// The second parameter of curves and its bounds.
+static void read_curves(case_reader *reader, plan_parts *parts) {
+    read_part(reader, &parts->study, "curves", &schema_curves, &parts->curves);
+    const setting *given = settings_find(&parts->study, "curves");
+    const setting *name = settings_find(&parts->curves, "parameter");
+    const setting *from = settings_find(&parts->curves, "from"), *to = settings_find(&parts->curves, "to");
+    if (given && !parts->branches)
+        problem_at_key(reader->problems, given->place, "needs branch, whose special points it follows");
+    if (!given || !name || !from || !to) return; // said already
+    parts->second = find_swept(reader, name);
+    if (!parts->second) return;
+    if (parts->second == parts->swept)
+        problem_at(reader->problems, name->place, "is %s, along which the branches go, expected another parameter",
+                   parts->second->name);
+    const whirl_key key = {
+        .name = parts->second->name, .unit = parameter_expected_unit(parts->second), .range = WHIRL_ANY};
+    formula_read(reader, from->place, &key, &parts->second_low);
+    formula_read(reader, to->place, &key, &parts->second_high);
+}
+
+static void read_branch(case_reader *reader, plan_parts *parts) {
+    read_part(reader, &parts->study, "branch", &schema_branch, &parts->branch);
+    parts->branches = settings_find(&parts->study, "branch") != NULL;
+    parts->swept_too = parts->branches && settings_find(&parts->study, "sweep");
+    if (parts->branches && !parts->swept_too) check_lone_keys(reader, parts, "branch", true);
+    if (parts->branches) {
+        read_branch_parameter(reader, parts);
+        read_branch_values(reader, parts);
+    }
+    read_curves(reader, parts);
+}
+
 static void read_kind(case_reader *reader, plan_parts *parts) {
     char shown[SHOWN_SIZE];
     const setting *kind = find_kind(reader, &parts->study);
@@ -198,6 +264,8 @@ static void read_kind(case_reader *reader, plan_parts *parts) {
         read_part(reader, &parts->study, "response", &schema_response, &nothing);
     } else if (strcmp(name, "modes") == 0 || strcmp(name, "unbalance") == 0) {
         read_resting(reader, kind, parts);
+    } else if (strcmp(name, "branch") == 0) {
+        read_part(reader, &parts->study, "sweep", &schema_sweep, &parts->sweep); // there is none
     } else if (kind && kind->place->kind == NODE_MAPPING) {
         read_sweep(reader, parts);
     } else if (kind) {
@@ -253,7 +321,7 @@ static void report_unknown_analysis(case_reader *reader, const file_node *where)
     char advice[WHY_SIZE], shown[SHOWN_SIZE];
     size_t count = 0;
     for (const whirl_analysis *a = whirl_analyses(); a->name && count < SETTINGS_MAX; a++)
-        if (!a->resting) names[count++] = a->name;
+        if (!a->resting && !a->traced) names[count++] = a->name;
     describe_names(where->kind == NODE_TEXT ? where->text : "", names, count, advice);
     problem_at(reader->problems, where, "is %s, which is no analysis, %s", node_shown(where, shown), advice);
 }
@@ -261,7 +329,7 @@ static void report_unknown_analysis(case_reader *reader, const file_node *where)
 static void read_analyses(case_reader *reader, plan_parts *parts) {
     char shown[SHOWN_SIZE];
     const setting *given = settings_find(&parts->study, "analyze");
-    if (parts->resting) return;
+    if (parts->resting || (parts->branches && !parts->swept_too)) return;
     if (!given) {
         parts->analyses = whirl_analysis_usual();
         return;
@@ -281,6 +349,9 @@ static void read_analyses(case_reader *reader, plan_parts *parts) {
                        "is %s, which is a study of its own, expected %s: {...} in place of "
                        "response or sweep",
                        item->text, item->text);
+        else if (whirl_analysis_is_traced(one))
+            problem_at(reader->problems, item, "is %s, of points of branches, expected branch: {...} beside the sweep",
+                       item->text);
         parts->analyses |= one;
     }
 }
@@ -309,6 +380,7 @@ void plan_read_parts(case_reader *reader, const file_node *where, const machine_
     const setting *initial = settings_find(&parts->study, "initial"); // first: what is swept may be used here
     if (initial) read_initial(reader, initial->place, machine, result);
     read_kind(reader, parts);
+    read_branch(reader, parts);
     read_part(reader, &parts->study, "integrate", &schema_integrate, &parts->integrate);
     read_part(reader, &parts->study, "keep", &schema_keep, &parts->keep);
     read_analyses(reader, parts);

@@ -41,8 +41,14 @@ static const whirl_key rotor_keys[] = {ROTOR_KEYS(WHIRL_POSITIVE)};
 static const whirl_key still_rotor_keys[] = {ROTOR_KEYS(WHIRL_NOT_NEGATIVE)};
 
 static const whirl_key study_keys[] = {
-    {"response", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "", "one point; this, sweep, modes or unbalance", ""},
+    {"response", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
+     "one point; this, sweep, branch, modes or unbalance", ""},
     {"sweep", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "", "points along one parameter", ""},
+    {"branch", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
+     "orbits along one parameter, stable or not, and where and why they change; alone or beside a sweep: see branch",
+     ""},
+    {"curves", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
+     "curves over a second parameter, through the special points of the branches: see curves", ""},
     {"modes", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
      "modes about where the machine rests, along one parameter or at one point: see modes", ""},
     {"unbalance", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
@@ -89,6 +95,21 @@ static const whirl_key sweep_keys[] = {
 // Without a parameter there is one point, of the machine as it stands.
 static const whirl_key resting_keys[] = {AXIS_KEYS(false)};
 
+static const whirl_key branch_keys[] = {
+    {"parameter", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
+     "name of the parameter that varies; that of the sweep where there is one", ""},
+    {"from", "", "", WHIRL_KEY_NUMBER, false, "", WHIRL_ANY, NULL, "its first bound; of the sweep where absent", ""},
+    {"to", "", "", WHIRL_KEY_NUMBER, false, "", WHIRL_ANY, NULL, "its other bound; of the sweep where absent", ""},
+    {"at", "", "", WHIRL_KEY_NUMBER, false, "", WHIRL_ANY, NULL,
+     "a list of values at which a motion is let settle and a branch begins; the first bound where absent", ""},
+};
+
+static const whirl_key curves_keys[] = {
+    {"parameter", "", "", WHIRL_KEY_CHOICE, true, "", WHIRL_ANY, "", "name of the second parameter", ""},
+    {"from", "", "", WHIRL_KEY_NUMBER, true, "", WHIRL_ANY, NULL, "its lower bound", ""},
+    {"to", "", "", WHIRL_KEY_NUMBER, true, "", WHIRL_ANY, NULL, "its upper bound", ""},
+};
+
 static const whirl_key detail_keys[] = {
     {"at", "", "", WHIRL_KEY_NUMBER, true, "", WHIRL_ANY, NULL, "a list of values of the swept parameter", ""},
 };
@@ -114,6 +135,9 @@ const whirl_group schema_modes =
     GROUP("modes", "modes of small motions about where the machine rests", resting_keys, of_options);
 const whirl_group schema_unbalance =
     GROUP("unbalance", "synchronous response about where the machine rests", resting_keys, of_options);
+const whirl_group schema_branch =
+    GROUP("branch", "branches of periodic orbits and equilibria along one parameter", branch_keys, of_options);
+const whirl_group schema_curves = GROUP("curves", "curves of special points over two parameters", curves_keys, NULL);
 const whirl_group schema_initial = PART("initial", "the state that a station starts from", of_probe);
 const whirl_group schema_integrate = PART("integrate", "how the motion is integrated, and how long", of_options);
 const whirl_group schema_keep = PART("keep", "how much of waveforms and spectra is kept", of_options);
@@ -127,8 +151,9 @@ const char *schema_scaled_unit(const whirl_key *key) {
 
 const whirl_group *const *whirl_case_groups(void) {
     static const whirl_group *const groups[] = {
-        &schema_case,      &schema_rotor,   &schema_study,     &schema_response, &schema_sweep,  &schema_modes,
-        &schema_unbalance, &schema_initial, &schema_integrate, &schema_keep,     &schema_detail, NULL,
+        &schema_case,      &schema_rotor,  &schema_study,  &schema_response, &schema_sweep,     &schema_modes,
+        &schema_unbalance, &schema_branch, &schema_curves, &schema_initial,  &schema_integrate, &schema_keep,
+        &schema_detail,    NULL,
     };
     return groups;
 }

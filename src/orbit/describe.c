@@ -22,15 +22,15 @@ static void place_arrays(whirl_orbit *orbit) {
     orbit->high = orbit->low + orbit->dimension;
 }
 
-static whirl_orbit *allocate(const shooting *s, size_t touches) {
-    const whirl_orbit like = {.dimension = s->dimension,
-                              .revolutions = s->revolutions,
-                              .segment_count = s->count,
-                              .multiplier_count = s->kept_count,
-                              .touch_count = touches};
-    whirl_orbit *orbit = calloc(1, size_of(&like));
+whirl_orbit *whirl_orbit_new(const whirl_orbit *like) {
+    whirl_orbit *orbit = calloc(1, size_of(like));
     if (!orbit) return NULL;
-    *orbit = like;
+    *orbit = (whirl_orbit){.dimension = like->dimension,
+                           .revolutions = like->revolutions,
+                           .period = like->period,
+                           .segment_count = like->segment_count,
+                           .multiplier_count = like->multiplier_count,
+                           .touch_count = like->touch_count};
     place_arrays(orbit);
     return orbit;
 }
@@ -80,9 +80,14 @@ static int by_real_part(const void *a, const void *b) {
 }
 
 whirl_status orbit_describe(shooting *s, const double *nodes, double period, double residual, whirl_orbit **out) {
-    whirl_orbit *orbit = allocate(s, touch_count(s->system));
+    const whirl_orbit like = {.dimension = s->dimension,
+                              .revolutions = s->revolutions,
+                              .period = period,
+                              .segment_count = s->count,
+                              .multiplier_count = s->kept_count,
+                              .touch_count = whirl_touch_count(s->system)};
+    whirl_orbit *orbit = whirl_orbit_new(&like);
     if (!orbit) return whirl_fail(WHIRL_NO_MEMORY, "no memory for an orbit of %zu segments", s->count);
-    orbit->period = period;
     orbit->residual = residual;
     orbit->volume = s->volume;
     memcpy(orbit->nodes, nodes, s->count * s->dimension * sizeof *orbit->nodes);

@@ -136,16 +136,15 @@ whirl_status follower_find(follower *f, const double *u, const double *direction
     return orbit_describe(e->s, e->nodes, equations_period(e, out->u), result.size, &out->orbit);
 }
 
-whirl_status follower_add(follower *f, const whirl_branch_point *point) {
-    whirl_branch *b = f->branch;
-    if (b->count == f->room) {
-        const size_t room = 2 * f->room + 64;
+whirl_status branch_add(whirl_branch *b, const whirl_branch_options *options, const whirl_branch_point *point) {
+    if ((b->count & (b->count - 1)) == 0) { // there is room for the next power of two
+        const size_t room = b->count > 0 ? 2 * b->count : 1;
         whirl_branch_point *points = realloc(b->points, room * sizeof *points);
         if (!points) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points of a branch", room);
         b->points = points;
-        f->room = room;
     }
     b->points[b->count++] = *point;
+    if (options->found && !options->found(options->context, point)) b->end = WHIRL_END_STOPPED;
     return whirl_ok();
 }
 

@@ -17,7 +17,6 @@ typedef struct follower {
     curve curve;
     const whirl_branch_options *options;
     whirl_branch *branch;
-    size_t room; ///< points that the branch has room for
 } follower;
 
 /// Makes one at a value. Errors as equations_make. Freed by follower_end, whether it was made or not.
@@ -56,8 +55,8 @@ void follower_predict(const follower *f, const waypoint *a, const waypoint *b, c
 /// How far b is along the tangent of a, with what is known of both. work [unknowns]
 double follower_length(const follower *f, const waypoint *a, const waypoint *b, double *work);
 
-/// Adds a point to the branch, which then owns the orbit.
-whirl_status follower_add(follower *f, const whirl_branch_point *point);
+/// Adds a point to a branch, which then owns the orbit; its end is WHIRL_END_STOPPED where that was asked for.
+whirl_status branch_add(whirl_branch *branch, const whirl_branch_options *options, const whirl_branch_point *point);
 
 /// The parameter's own direction, of length 1, towards larger values where bounds ascend.
 void follower_parameter_direction(const follower *f, double *direction);

@@ -6,6 +6,7 @@
 #include "curve.h"
 #include "describe.h"
 #include "equations.h"
+#include "follower.h"
 #include "vanishing.h"
 
 /// A curve under way. Unknowns: those of the orbit, with the first parameter, then the second one.
@@ -100,20 +101,16 @@ static double size_of(void *context, const double *u, const double *value) {
 
 static whirl_status add_point(walk *w) {
     const size_t n = equations_count(&w->equations);
-    whirl_branch *b = w->branch;
-    whirl_branch_point *points = realloc(b->points, (b->count + 1) * sizeof *points);
-    if (!points) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points of a curve", b->count + 1);
-    b->points = points;
-    whirl_branch_point *point = &points[b->count++];
-    *point = (whirl_branch_point){.value = w->u[n],
-                                  .second = w->u[n + 1],
-                                  .special = w->kind,
-                                  .criticality = NAN,
-                                  .touch = w->touch,
-                                  .orbit = w->orbit};
-    if (w->kind == WHIRL_NEIMARK_SACKER || w->kind == WHIRL_HOPF) vanishing_pair(w->orbit, &point->angle);
-    w->orbit = NULL;
-    return whirl_ok();
+    whirl_branch_point point = {.value = w->u[n],
+                                .second = w->u[n + 1],
+                                .special = w->kind,
+                                .criticality = NAN,
+                                .touch = w->touch,
+                                .orbit = w->orbit};
+    if (w->kind == WHIRL_NEIMARK_SACKER || w->kind == WHIRL_HOPF) vanishing_pair(w->orbit, &point.angle);
+    const whirl_status status = branch_add(w->branch, w->options, &point);
+    if (status.code == WHIRL_OK) w->orbit = NULL;
+    return status;
 }
 
 static bool is_within(const walk *w, const double *u) {
@@ -142,13 +139,13 @@ static whirl_status go_on(walk *w, bool *ended) {
         for (size_t i = 0; i < all; i++) w->trial[i] = w->u[i] + w->step * w->tangent[i];
         if (advance(w, &result)) break;
         *ended = w->step <= o->least_step;
-        w->branch->end = WHIRL_END_LOST;
+        if (*ended) w->branch->end = WHIRL_END_LOST;
         if (*ended) return whirl_ok();
         w->step = fmax(0.5 * w->step, o->least_step);
     }
     w->step = fmin(fmax(w->step * curve_pace(&result), o->least_step), o->most_step);
     *ended = !is_within(w, w->u);
-    w->branch->end = WHIRL_END_OF_RANGE;
+    if (*ended) w->branch->end = WHIRL_END_OF_RANGE;
     if (*ended) return whirl_ok();
     equations_put(&w->equations, w->u);
     equations_begin_at(&w->equations, w->equations.nodes);
@@ -209,10 +206,12 @@ static whirl_status follow(walk *w, const whirl_branch_point *start, int directi
     whirl_status status = prepare(w, start);
     if (status.code == WHIRL_OK) status = begin(w, start, direction);
     w->step = w->options->step;
-    while (status.code == WHIRL_OK && !ended) {
-        w->branch->end = WHIRL_END_OF_POINTS;
-        if (w->branch->count >= w->options->most_points) break;
-        status = go_on(w, &ended);
+    while (status.code == WHIRL_OK && !ended && w->branch->end != WHIRL_END_STOPPED) {
+        ended = w->branch->count >= w->options->most_points;
+        if (ended)
+            w->branch->end = WHIRL_END_OF_POINTS;
+        else
+            status = go_on(w, &ended);
     }
     return status;
 }

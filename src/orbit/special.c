@@ -135,7 +135,7 @@ whirl_status special_locate(follower *f, const waypoint *from, const waypoint *t
     whirl_status status = find_all(f, from, to, &found);
     qsort(found.list, found.count, sizeof *found.list, by_place);
     for (size_t i = 0; i < found.count; i++) {
-        if (status.code == WHIRL_OK) status = follower_add(f, &found.list[i].point);
+        if (status.code == WHIRL_OK) status = branch_add(f->branch, f->options, &found.list[i].point);
         if (status.code != WHIRL_OK) whirl_orbit_free(found.list[i].point.orbit);
     }
     return status;

@@ -23,7 +23,7 @@ static bool touches_at(const whirl_system *system, size_t index) {
     return !system->switch_touches || system->switch_touches(system->model, index);
 }
 
-size_t touch_count(const whirl_system *system) {
+size_t whirl_touch_count(const whirl_system *system) {
     size_t count = 0;
     for (size_t i = 0; i < system->switch_count; i++) count += touches_at(system, i);
     return count;
@@ -88,14 +88,19 @@ static void look_at(watch *w, size_t which, double t, double h) {
     w->from[which] = value;
     w->rate[which] = rate;
     if (h == 0.0) return;
-    const double now = value > 0.0, before = from > 0.0;
+    const bool now = value > 0.0, before = from > 0.0;
     touch->intervals += now > before;
     // The part of this piece that is closed, by a straight line where it changes.
-    touch->share += h * (now == before ? now : fmax(value, from) / (fabs(value) + fabs(from)));
+    touch->share += h * (now == before ? (double)now : fmax(value, from) / (fabs(value) + fabs(from)));
     if ((from_rate < 0.0) == (rate < 0.0)) return;
     const double extreme = extreme_between(w, touch->index, w->t, h, from_rate);
-    // An extreme beyond zero between two instants on the same side: a contact, or a gap in one, that they step over.
-    touch->intervals += now == before && (extreme > 0.0) != (now > 0.0);
+    // An extreme beyond zero between two instants on the same side: a contact, or a gap in one, that they step over,
+    // about as long as that of a parabola with these ends.
+    if (now == before && (extreme > 0.0) != now) {
+        const double height = fabs(extreme) + 0.5 * (fabs(value) + fabs(from));
+        touch->intervals++;
+        touch->share += (now ? -h : h) * sqrt(fabs(extreme) / height);
+    }
     if (fabs(extreme) < fabs(touch->nearest)) touch->nearest = extreme;
 }
 

@@ -4,9 +4,6 @@
 
 #include "shooting.h"
 
-/// Switching functions of a system at which contacts begin.
-size_t touch_count(const whirl_system *system);
-
 /// Follows the orbit's nodes: its bounds and touches. WHIRL_NO_MEMORY; WHIRL_BAD_INPUT where the motion leaves its
 /// bounds.
 whirl_status touch_find(shooting *s, whirl_orbit *orbit);

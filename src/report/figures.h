@@ -50,6 +50,9 @@ whirl_status draw_bifurcations(const drawing *to);
 /// every station to unbalance.
 whirl_status draw_at_rest(const drawing *to);
 
+/// Writes data and scripts of branches, one a station, and of curves of special points, after the bifurcation diagrams.
+whirl_status draw_branches(const drawing *to);
+
 /// Writes data and scripts of the panels of every point of the detail table and every station.
 whirl_status draw_points(const drawing *to);
 

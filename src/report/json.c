@@ -224,11 +224,76 @@ static void put_stations(bool *well, json_t *object, const char *key, station_pa
     document_put(well, object, key, stations);
 }
 
+// Of a station: bounds, and the section once a revolution, [x, y].
+static json_t *station_trace(bool *well, const whirl_table *table, size_t point, size_t station) {
+    json_t *object = numbers_of("trace/", WHIRL_PER_STATION, 1.0, well, table, point, station);
+    const double *section = whirl_table_field(table, point, "trace/section", station);
+    const size_t rows = whirl_layout_field(&table->layout, "trace/section")->rows;
+    json_t *array = json_array();
+    for (size_t n = 0; n < rows && !isnan(section[4 * n]); ++n)
+        document_append(well, array, numbers_array(well, section + 4 * n, 2));
+    document_put(well, object, "section", array);
+    return object;
+}
+
+static json_t *multipliers_of(bool *well, const whirl_orbit *orbit) {
+    json_t *array = json_array();
+    for (size_t i = 0; i < orbit->multiplier_count; ++i) {
+        const double both[2] = {orbit->multipliers[i].real, orbit->multipliers[i].imaginary};
+        document_append(well, array, numbers_array(well, both, 2));
+    }
+    return array;
+}
+
+static json_t *touches_of(bool *well, const whirl_orbit *orbit) {
+    json_t *array = json_array();
+    for (size_t i = 0; i < orbit->touch_count; ++i) {
+        json_t *touch = json_object();
+        document_put(well, touch, "intervals", json_integer((json_int_t)orbit->touches[i].intervals));
+        document_put(well, touch, "nearest", document_number(orbit->touches[i].nearest));
+        document_put(well, touch, "share", document_number(orbit->touches[i].share));
+        document_append(well, array, touch);
+    }
+    return array;
+}
+
+// A point of a branch: its orbit, what is special there, and how small disturbances change.
+static void put_trace(bool *well, json_t *object, const whirl_table *table, size_t point) {
+    whirl_trace at;
+    char name[WHIRL_NAME_SIZE], text[WHIRL_MESSAGE_SIZE];
+    if (whirl_table_trace(table, point, &at).code != WHIRL_OK) return;
+    const whirl_orbit *orbit = at.point.orbit;
+    whirl_orbit_name(orbit, name, sizeof name);
+    whirl_special_text(&at.point, text, sizeof text);
+    document_put(well, object, "of_branch", json_integer((json_int_t)at.branch));
+    document_put(well, object, "parent", json_integer((json_int_t)at.parent));
+    document_put(well, object, "motion", document_text(name));
+    document_put(well, object, "special", document_text(whirl_special_name(at.point.special)));
+    document_put(well, object, "meaning", document_text(text));
+    document_put(well, object, "criticality", document_number(at.point.criticality));
+    document_put(well, object, "second", document_number(at.point.second));
+    document_put(well, object, "end",
+                 isnan(at.end) ? json_null() : document_text(whirl_branch_end_text((whirl_branch_end)at.end)));
+    document_put(well, object, "revolutions", json_integer((json_int_t)orbit->revolutions));
+    document_put(well, object, "period", document_number(orbit->period));
+    document_put(well, object, "unstable", json_integer((json_int_t)orbit->unstable));
+    document_put(well, object, "residual", document_number(orbit->residual));
+    document_put(well, object, "multipliers", multipliers_of(well, orbit));
+    document_put(well, object, "touches", touches_of(well, orbit));
+    document_put(well, object, "nodes", numbers_array(well, orbit->nodes, orbit->segment_count * orbit->dimension));
+    whirl_orbit_free(at.point.orbit);
+}
+
 static json_t *point_object(bool *well, const whirl_result *result, const whirl_table *table, size_t point) {
     json_t *object = json_object();
     document_put(well, object, "parameters", point_parameters(well, result, table, point));
     if (table->length_scales) document_put(well, object, "length_scale", document_number(table->length_scales[point]));
     if (table->branch[point] != 0) document_put(well, object, "branch", json_integer(table->branch[point]));
+    if (whirl_analysis_is_traced(table->analyses)) {
+        put_trace(well, object, table, point);
+        put_stations(well, object, "stations", station_trace, result, table, point);
+        return object;
+    }
     put_verdict(well, object, table, point);
     put_refinement(well, object, table, point);
     put_lyapunov(well, object, table, point);

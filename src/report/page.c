@@ -58,6 +58,8 @@ static void write_result_contents(const page *to, size_t r) {
     fputs("</a>\n<ul>\n", to->stream);
     write_entry(to->stream, "computed", r + 1, "What was computed");
     if (sweep && sweep->count > 0) write_entry(to->stream, "regimes", r + 1, "Regimes");
+    if (whirl_result_table(result, "branch"))
+        write_entry(to->stream, "branches", r + 1, "Where and why motions change");
     if (detail_table(result) && detail_table(result)->count > 0)
         write_entry(to->stream, "points", r + 1, "Points in detail");
     if (has_figures(to, r, true))
@@ -83,6 +85,7 @@ static void write_result(const page *to, size_t result) {
     fputs("</span></h2>\n", to->stream);
     page_computed(to, result);
     page_intervals(to, result);
+    page_branches(to, result);
     page_critical(to, result);
     page_jumps(to, result);
     page_points(to, result);

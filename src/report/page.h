@@ -35,6 +35,7 @@ void page_claims(const page *to);                  ///< the table of claims and 
 void page_computed(const page *to, size_t result); ///< what was computed, parameters
 void page_provenance(const page *to, size_t result);
 void page_intervals(const page *to, size_t result); ///< regimes along the sweep
+void page_branches(const page *to, size_t result);  ///< special points of branches
 void page_critical(const page *to, size_t result);  ///< critical speeds and thresholds of stability
 void page_jumps(const page *to, size_t result);     ///< where neighbours of one regime differ
 void page_points(const page *to, size_t result);    ///< the table of points

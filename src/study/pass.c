@@ -14,6 +14,8 @@ double pass_weight(const study_run *run, const pass *p) {
 }
 
 double pass_revolutions(const study_run *run, const pass *p) {
+    const double of_branch = 10.0; // what a point of a branch costs, about
+    if (whirl_analysis_is_traced(run->study->batches[p->batch].analyses)) return of_branch;
     return pass_weight(run, p) * ((double)p->record.transient + p->record.record);
 }
 

@@ -5,6 +5,7 @@
 
 #include "chains.h"
 #include "resting.h"
+#include "tracing.h"
 
 /// Order of the passes: those with long points first, so that no thread is left with one at the end.
 static void sort_long_first(chains *all, size_t count) {
@@ -26,15 +27,20 @@ static void work(study_run *run, chains *all, size_t count) {
     }
 }
 
-/// Passes over machines at rest, which have no chains, are made; *count is how many others are left, in front.
-static whirl_status work_at_rest(study_run *run, const pass *passes, size_t *count, const pass **left) {
+/// Passes that have no chains are made, in their order: over machines at rest, and along branches, of which curves
+/// follow what was found. *count is how many others are left, in front.
+static whirl_status work_without_chains(study_run *run, const pass *passes, size_t *count, const pass **left) {
     whirl_status status = whirl_ok();
     size_t others = 0;
-    for (size_t i = 0; i < *count && status.code == WHIRL_OK; i++)
-        if (whirl_analysis_is_resting(run->study->batches[passes[i].batch].analyses))
+    for (size_t i = 0; i < *count && status.code == WHIRL_OK; i++) {
+        const whirl_analysis_set analyses = run->study->batches[passes[i].batch].analyses;
+        if (whirl_analysis_is_resting(analyses))
             status = resting_work(run, &passes[i]);
+        else if (whirl_analysis_is_traced(analyses))
+            status = tracing_work(run, &passes[i]);
         else
             left[others++] = &passes[i];
+    }
     *count = others;
     return status;
 }
@@ -42,7 +48,7 @@ static whirl_status work_at_rest(study_run *run, const pass *passes, size_t *cou
 whirl_status passes_work(study_run *run, const pass *passes, size_t count) {
     chains *all = calloc(count + 1, sizeof *all);
     const pass **left = calloc(count + 1, sizeof(const pass *));
-    whirl_status status = all && left ? work_at_rest(run, passes, &count, left)
+    whirl_status status = all && left ? work_without_chains(run, passes, &count, left)
                                       : whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu passes", count);
     for (size_t i = 0; i < count && status.code == WHIRL_OK; i++) status = chains_new(&all[i], run, left[i]);
     if (status.code == WHIRL_OK) {

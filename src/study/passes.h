@@ -66,6 +66,12 @@ static inline size_t batch_copies(const whirl_batch *batch) {
     return batch->carry == WHIRL_CARRY_BOTH ? 2 : 1;
 }
 
+/// Slots of a batch's table: its points, or as many as its branches may have.
+static inline size_t batch_slots(const whirl_batch *batch) {
+    return whirl_analysis_is_traced(batch->analyses) ? (size_t)batch->record.trace.points
+                                                     : batch->count * batch_copies(batch);
+}
+
 /// Whether points in doubt are done again.
 static inline bool study_is_refined(const whirl_study *study) {
     return study->refine.revolutions > 0.0 || study->refine.seconds > 0.0;

@@ -54,6 +54,7 @@ static int compare_options(const pass *a, const pass *b) {
 /// Whether the point is in doubt and there is something to be done about it.
 static bool is_candidate(const study_run *run, size_t batch, size_t slot, int round, candidate *found) {
     const whirl_batch *own = &run->study->batches[batch];
+    if (!whirl_layout_has_verdict(&run->result->tables[batch].layout)) return false;
     whirl_verdict verdict = whirl_table_verdict(&run->result->tables[batch], slot);
     if (verdict.regime != WHIRL_UNDETERMINED && verdict.confidence != WHIRL_LOW) return false;
     if (verdict.advice.remedy == WHIRL_NO_REMEDY) return false;

@@ -86,6 +86,13 @@ whirl_verdict whirl_table_verdict(const whirl_table *table, size_t point) {
     return block ? whirl_block_verdict(&table->layout, block) : whirl_block_verdict(&nothing, NULL);
 }
 
+whirl_status whirl_table_trace(const whirl_table *table, size_t point, whirl_trace *trace) {
+    const double *block = whirl_table_block(table, point);
+    *trace = (whirl_trace){.branch = 0};
+    return block ? whirl_block_trace(&table->layout, block, table->values[point], &table->record, trace)
+                 : whirl_fail(WHIRL_BAD_INPUT, "point %zu of the %s is not there", point + 1, table->name);
+}
+
 // Copies what fits and ends it. A command line and the names of a host may hold anything.
 static void copy_text(char *target, size_t size, const char *source) {
     const size_t length = strnlen(source, size - 1);

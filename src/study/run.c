@@ -19,7 +19,8 @@ static whirl_status check_study(const whirl_study *study) {
         const whirl_batch *batch = &study->batches[i];
         if (batch->count == 0)
             return whirl_fail(WHIRL_BAD_INPUT, "batch '%s' has no points, expected at least one", batch->name);
-        if ((batch->confirm || study_is_refined(study)) && !has_regime(batch))
+        const bool judged = !whirl_analysis_is_traced(batch->analyses);
+        if (judged && (batch->confirm || study_is_refined(study)) && !has_regime(batch))
             return whirl_fail(WHIRL_BAD_INPUT, "verdicts of the %s cannot be %s: the analysis 'regime' is not chosen",
                               batch->name, batch->confirm ? "confirmed" : "refined");
     }
@@ -53,6 +54,7 @@ static whirl_status make_ends(study_run *run) {
     if (machine.release) machine.release(machine.owner);
     for (size_t i = 0; i < study->batch_count; i++) {
         const whirl_batch *batch = &study->batches[i];
+        if (whirl_analysis_is_traced(batch->analyses)) continue;
         if (batch->carry == WHIRL_CARRY_NONE && !batch->confirm && !study_is_refined(study)) continue;
         run->ends[i] = calloc(run->result->tables[i].count * run->dimension, sizeof *run->ends[i]);
         if (!run->ends[i]) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the ends of carried points");
@@ -67,10 +69,8 @@ static size_t plan_points(const study_run *run, bool confirming, pass passes[WHI
     for (size_t i = 0; i < run->study->batch_count; i++) {
         const whirl_batch *batch = &run->study->batches[i];
         if (confirming && !batch->confirm) continue;
-        const pass own = {.batch = i,
-                          .integrate = batch->integrate,
-                          .record = batch->record,
-                          .count = batch->count * batch_copies(batch)};
+        const pass own = {
+            .batch = i, .integrate = batch->integrate, .record = batch->record, .count = batch_slots(batch)};
         passes[(*pass_count)++] = confirming ? pass_confirming(&own) : own;
         points += own.count;
     }

@@ -8,6 +8,9 @@
 #include "passes.h"
 
 static void fill_values(whirl_table *table, const whirl_batch *batch) {
+    const bool traced = whirl_analysis_is_traced(batch->analyses);
+    for (size_t slot = 0; traced && slot < table->count; slot++) table->values[slot] = NAN;
+    if (traced) return;
     for (size_t copy = 0; copy < batch_copies(batch); copy++)
         for (size_t k = 0; k < batch->count; k++) {
             const size_t slot = copy * batch->count + k;
@@ -24,11 +27,12 @@ static whirl_status make_table(const whirl_study *study, const whirl_batch *batc
     if (status.code != WHIRL_OK) return status;
     status = whirl_layout_new(machine.system, &batch->integrate, &batch->record, batch->analyses, &table->layout);
     if (machine.release) machine.release(machine.owner);
-    if (status.code == WHIRL_OK && study_is_refined(study)) status = refine_add_fields(&table->layout);
+    if (status.code == WHIRL_OK && study_is_refined(study) && !whirl_analysis_is_traced(batch->analyses))
+        status = refine_add_fields(&table->layout);
     if (status.code != WHIRL_OK) return status;
     memcpy(table->name, batch->name, sizeof table->name);
     memcpy(table->parameter, batch->parameter, sizeof table->parameter);
-    table->count = batch_copies(batch) * batch->count;
+    table->count = batch_slots(batch);
     table->analyses = batch->analyses;
     table->integrate = batch->integrate;
     table->record = batch->record;
@@ -48,7 +52,8 @@ static whirl_status make_blocks(whirl_table *table) {
 
 /// Blocks that change after they were kept stay in memory.
 static bool may_leave(const study_run *run, size_t batch) {
-    return run->keeper && !run->study->batches[batch].confirm && !study_is_refined(run->study);
+    const whirl_batch *own = &run->study->batches[batch];
+    return run->keeper && !own->confirm && !study_is_refined(run->study) && !whirl_analysis_is_traced(own->analyses);
 }
 
 whirl_status tables_fill(const study_run *run, size_t memory) {
@@ -84,6 +89,14 @@ static whirl_status tell_budget(const whirl_study *study, whirl_result *result) 
     return whirl_result_add_fact(result, "refine", text);
 }
 
+/// Which parameter the curves are over, besides the table's.
+static whirl_status tell_second(const whirl_study *study, whirl_result *result) {
+    for (size_t i = 0; i < study->batch_count; i++)
+        if (*study->batches[i].second)
+            return whirl_result_add_fact(result, "second parameter", study->batches[i].second);
+    return whirl_ok();
+}
+
 whirl_status tables_new(const whirl_study *study, whirl_result **out) {
     whirl_result *result = *out = calloc(1, sizeof *result);
     if (result) {
@@ -96,5 +109,6 @@ whirl_status tables_new(const whirl_study *study, whirl_result **out) {
         const whirl_status status = make_table(study, &study->batches[i], &result->tables[i]);
         if (status.code != WHIRL_OK) return status;
     }
-    return tell_budget(study, result);
+    const whirl_status status = tell_second(study, result);
+    return status.code == WHIRL_OK ? tell_budget(study, result) : status;
 }

@@ -8,14 +8,24 @@ static const char *other_value(const whirl_key *key, char text[WHIRL_NAME_SIZE])
     if (strcmp(key->name, "method") == 0) return "rodas5p";
     if (key->kind == WHIRL_KEY_CHOICE && strcmp(key->choices, "unlocated|located") == 0) return "located";
     if (key->kind == WHIRL_KEY_CHOICE) return strcmp(key->fallback, "yes") == 0 ? "no" : "yes";
-    const double value = strtod(key->fallback, NULL);
-    snprintf(text, WHIRL_NAME_SIZE, "%.10g", value > 0.0 ? value / 2.0 : strcmp(key->unit, "rad") == 0 ? 0.5 : 100.0);
+    const double value = strtod(key->fallback, NULL), some = key->range.high < 100.0 ? key->range.high : 100.0;
+    snprintf(text, WHIRL_NAME_SIZE, "%.10g",
+             value > 1.0                     ? value / 2.0
+             : value == 1.0                  ? 2.0
+             : value > 0.0                   ? value / 2.0
+             : strcmp(key->unit, "rad") == 0 ? 0.5
+                                             : some);
     return text;
 }
 
 /// Parts that are studies of their own.
 static bool is_study(const char *part) {
     return strcmp(part, "modes") == 0 || strcmp(part, "unbalance") == 0;
+}
+
+/// The part of a study that is said beside a sweep, and has points of its own.
+static bool is_beside(const char *part) {
+    return strcmp(part, "branch") == 0;
 }
 
 /// The study of a small case with one key of one part said.
@@ -41,7 +51,7 @@ static void follow(const whirl_member *member, size_t offset) {
         if (!member->name || !*member->part) continue;
         const char *value = other_value(&member->key, buffer);
         with_key(member->part, member->key.name, value, &object, &study);
-        whirl_batch *batch = &study.batches[0];
+        whirl_batch *batch = &study.batches[is_beside(member->part) ? 1 : 0];
         whirl_member_text(member, (char *)batch + offset, found);
         whirl_batch wanted = {.count = 1};
         if (member->key.kind == WHIRL_KEY_CHOICE)

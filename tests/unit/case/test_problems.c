@@ -177,7 +177,7 @@ static void single_analyses(void **state) {
     for (const whirl_analysis *a = whirl_analyses(); a->name; a++) {
         char list[64];
         if (strcmp(a->name, "waveform") == 0) continue; // of which some must be kept
-        if (a->resting) continue;                       // a study of its own
+        if (a->resting || a->traced) continue;          // a study, or a part of it, of its own
         snprintf(list, sizeof list, "analyze: [%s]", a->name);
         whirl_case_free(parse_edited("analyze: [poincare, regime, spectrum]", list));
     }
@@ -315,7 +315,7 @@ static void structure(void **state) {
     expect_problem("  sweep: {", "  response: {}\n  sweep: {",
                    "t:19:3: study.response: stands beside sweep, expected one of the two");
     expect_problem("  sweep: {parameter: kappa, from: 1, to: 20, points: 5, start: state}\n", "",
-                   "t:18:1: study: has none of response, sweep, modes and unbalance, expected one of them");
+                   "t:18:1: study: has none of response, sweep, branch, modes and unbalance, expected one of them");
     expect_problem("  sweep: {parameter: kappa, from: 1, to: 20, points: 5, start: state}\n",
                    "  response:\n  detail: {at: [1]}\n",
                    "t:20:3: study.detail: needs a sweep, whose parameter it gives values to");

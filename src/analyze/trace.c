@@ -1,0 +1,250 @@
+// Points of branches: orbits and equilibria, stable or not, as numbers in a block and back.
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "analysis.h"
+
+enum {
+    NUMBER,
+    PARENT,
+    END,
+    SPECIAL,
+    SECOND,
+    REVOLUTIONS,
+    PERIOD,
+    UNSTABLE,
+    LARGEST,
+    ANGLE,
+    CRITICALITY,
+    TOUCH,
+    RESIDUAL,
+    VOLUME,
+    MULTIPLIERS,
+    TOUCHES,
+    NODES,
+    SECTION,
+    LOW,
+    HIGH,
+    FIELD_COUNT
+};
+
+static size_t coordinates(const block_shape *shape) {
+    return shape->dimension;
+}
+
+static size_t touches(const block_shape *shape) {
+    return shape->touch_count;
+}
+
+static size_t longest(const block_shape *shape) {
+    return (size_t)shape->options->trace.longest;
+}
+
+static size_t numbers_of_nodes(const block_shape *shape) {
+    return (size_t)shape->options->trace.segments * longest(shape) * shape->dimension;
+}
+
+static const field_plan fields[FIELD_COUNT] = {
+    [NUMBER] = {"number", "1", "which branch, from 1 in the order in which they were found", WHIRL_PER_POINT, 1, NULL},
+    [PARENT] = {"parent", "1", "the branch along which it begins; 0: none", WHIRL_PER_POINT, 1, NULL},
+    [END] = {"end", "1",
+             "why the branch ends here: 0 range, 1 points, 2 closed, 3 lost, 4 at a doubling, 5 stopped; else missing",
+             WHIRL_PER_POINT, 1, NULL},
+    [SPECIAL] = {"special", "1", "0 none, 1 fold, 2 crossing, 3 doubling, 4 Neimark-Sacker, 5 Hopf, 6 graze",
+                 WHIRL_PER_POINT, 1, NULL},
+    [SECOND] = {"second", "1", "value of the second parameter, in SI; missing where one is followed", WHIRL_PER_POINT,
+                1, NULL},
+    [REVOLUTIONS] = {"revolutions", "revolution", "after which the orbit closes; 0: after a time of its own",
+                     WHIRL_PER_POINT, 1, NULL},
+    [PERIOD] = {"period", "rad", "of the orbit, in turns of the rotor's clock; 0: an equilibrium", WHIRL_PER_POINT, 1,
+                NULL},
+    [UNSTABLE] = {"unstable", "1", "multipliers beyond the unit circle: stable at 0", WHIRL_PER_POINT, 1, NULL},
+    [LARGEST] = {"largest", "1", "largest modulus of a multiplier; of equilibria largest growth per rad",
+                 WHIRL_PER_POINT, 1, NULL},
+    [ANGLE] = {"angle", "rad", "of the pair of multipliers at a Neimark-Sacker point; at a Hopf point per rad",
+               WHIRL_PER_POINT, 1, NULL},
+    [CRITICALITY] = {"criticality", "1", "cubic coefficient of the normal form: below 0 what begins is stable",
+                     WHIRL_PER_POINT, 1, NULL},
+    [TOUCH] = {"touch", "1", "row of touches that grazes, from 0", WHIRL_PER_POINT, 1, NULL},
+    [RESIDUAL] = {"residual", "1", "by which the orbit fails to close, over its largest coordinate", WHIRL_PER_POINT, 1,
+                  NULL},
+    [VOLUME] = {"volume", "1", "sum of ln|multiplier| by the divergence", WHIRL_PER_POINT, 1, NULL},
+    [MULTIPLIERS] = {"multipliers", "1", "real, imaginary", WHIRL_PER_POINT, 2, coordinates},
+    [TOUCHES] = {"touches", "1", "switch, intervals, nearest, share", WHIRL_PER_POINT, 4, touches},
+    [NODES] = {"nodes", "1", "states at the beginnings of segments, one after the other", WHIRL_PER_POINT, 1,
+               numbers_of_nodes},
+    [SECTION] = {"section", "length", "x, y, vx, vy (velocities are lengths per unit of the system's time)",
+                 WHIRL_PER_STATION, 4, longest},
+    [LOW] = {"low", "length", "x, y", WHIRL_PER_STATION, 2, NULL},
+    [HIGH] = {"high", "length", "x, y", WHIRL_PER_STATION, 2, NULL},
+};
+
+// ---------------------------------------------------------------- to numbers
+
+/// Of all multipliers; of an orbit with a time of its own without the one that is 1.
+static double largest_of(const whirl_orbit *orbit) {
+    double largest = -INFINITY, own = INFINITY;
+    size_t skipped = SIZE_MAX;
+    const bool has_own = orbit->period > 0.0 && orbit->revolutions == 0;
+    for (size_t i = 0; has_own && i < orbit->multiplier_count; i++) {
+        const double away = hypot(orbit->multipliers[i].real - 1.0, orbit->multipliers[i].imaginary);
+        if (away < own) own = away, skipped = i;
+    }
+    for (size_t i = 0; i < orbit->multiplier_count; i++) {
+        const whirl_multiplier *m = &orbit->multipliers[i];
+        if (i != skipped) largest = fmax(largest, orbit->period > 0.0 ? hypot(m->real, m->imaginary) : m->real);
+    }
+    return largest;
+}
+
+static void put_point(const block_view *view, const whirl_trace *trace) {
+    const whirl_branch_point *point = &trace->point;
+    const whirl_orbit *orbit = point->orbit;
+    const bool turns = point->special == WHIRL_NEIMARK_SACKER || point->special == WHIRL_HOPF;
+    *view_numbers(view, NUMBER, 0) = (double)trace->branch;
+    *view_numbers(view, PARENT, 0) = (double)trace->parent;
+    *view_numbers(view, END, 0) = trace->end;
+    *view_numbers(view, SPECIAL, 0) = point->special;
+    *view_numbers(view, SECOND, 0) = point->second;
+    *view_numbers(view, REVOLUTIONS, 0) = (double)orbit->revolutions;
+    *view_numbers(view, PERIOD, 0) = orbit->period;
+    *view_numbers(view, UNSTABLE, 0) = (double)orbit->unstable;
+    *view_numbers(view, LARGEST, 0) = largest_of(orbit);
+    *view_numbers(view, ANGLE, 0) = turns ? point->angle : (double)NAN;
+    *view_numbers(view, CRITICALITY, 0) = point->criticality;
+    *view_numbers(view, TOUCH, 0) = point->special == WHIRL_GRAZE ? (double)point->touch : (double)NAN;
+    *view_numbers(view, RESIDUAL, 0) = orbit->residual;
+    *view_numbers(view, VOLUME, 0) = orbit->volume;
+}
+
+static void put_arrays(const block_view *view, const whirl_orbit *orbit) {
+    double *out = view_numbers(view, MULTIPLIERS, 0);
+    for (size_t i = 0; i < orbit->multiplier_count; i++) {
+        out[2 * i] = orbit->multipliers[i].real;
+        out[2 * i + 1] = orbit->multipliers[i].imaginary;
+    }
+    out = view_numbers(view, TOUCHES, 0);
+    for (size_t i = 0; i < orbit->touch_count; i++) {
+        out[4 * i] = (double)orbit->touches[i].index;
+        out[4 * i + 1] = (double)orbit->touches[i].intervals;
+        out[4 * i + 2] = orbit->touches[i].nearest;
+        out[4 * i + 3] = orbit->touches[i].share;
+    }
+    memcpy(view_numbers(view, NODES, 0), orbit->nodes, orbit->segment_count * orbit->dimension * sizeof *orbit->nodes);
+}
+
+/// An orbit with a time of its own, and an equilibrium, has its first node for a section.
+static void put_station(const block_view *view, const whirl_system *system, const whirl_orbit *orbit, size_t which) {
+    const whirl_probe *probe = &system->probes[which];
+    const size_t count = orbit->revolutions > 0 ? orbit->revolutions : 1;
+    const size_t at[4] = {probe->x, probe->y, probe->vx, probe->vy};
+    double *out = view_numbers(view, SECTION, which);
+    for (size_t k = 0; k < count; k++) {
+        const double *state = orbit->nodes + k * (orbit->segment_count / count) * orbit->dimension;
+        for (size_t c = 0; c < 4; c++) *out++ = state[at[c]];
+    }
+    for (size_t c = 0; c < 2; c++) {
+        view_numbers(view, LOW, which)[c] = orbit->low[at[c]];
+        view_numbers(view, HIGH, which)[c] = orbit->high[at[c]];
+    }
+}
+
+static whirl_status compute(const whirl_trace *trace, const whirl_record_options *options, const block_view *view) {
+    const whirl_orbit *orbit = trace->point.orbit;
+    const size_t most = (size_t)options->trace.longest;
+    if (orbit->revolutions > most || orbit->segment_count > most * (size_t)options->trace.segments)
+        return whirl_fail(WHIRL_BAD_INPUT, "an orbit of %zu revolutions in %zu segments, expected at most %zu in %zu",
+                          orbit->revolutions, orbit->segment_count, most, most * (size_t)options->trace.segments);
+    put_point(view, trace);
+    put_arrays(view, orbit);
+    for (size_t i = 0; i < trace->system->probe_count; i++) put_station(view, trace->system, orbit, i);
+    return whirl_ok();
+}
+
+const analysis_plan trace_analysis = {.fields = fields, .field_count = FIELD_COUNT, .compute_trace = compute};
+
+// ---------------------------------------------------------------- and back
+
+/// A block that is read.
+typedef struct reading {
+    const whirl_layout *layout;
+    const double *block;
+} reading;
+
+static const whirl_field *field_of(const reading *r, size_t field) {
+    char name[WHIRL_NAME_SIZE];
+    snprintf(name, sizeof name, "trace/%s", fields[field].quantity);
+    return whirl_layout_field(r->layout, name);
+}
+
+/// NULL where the layout has none.
+static const double *read_numbers(const reading *r, size_t field) {
+    const whirl_field *found = field_of(r, field);
+    return found ? r->block + found->offset : NULL;
+}
+
+static bool is_size(double number) {
+    return number >= 0.0 && number <= 1e6;
+}
+
+/// What is there of rows that end with missing numbers.
+static size_t filled(const double *numbers, size_t rows, size_t columns) {
+    size_t count = 0;
+    while (count < rows && !isnan(numbers[columns * count])) count++;
+    return count;
+}
+
+static void take_arrays(const reading *r, whirl_orbit *orbit) {
+    const double *in = read_numbers(r, MULTIPLIERS);
+    for (size_t i = 0; i < orbit->multiplier_count; i++)
+        orbit->multipliers[i] = (whirl_multiplier){in[2 * i], in[2 * i + 1]};
+    in = read_numbers(r, TOUCHES);
+    for (size_t i = 0; i < orbit->touch_count; i++)
+        orbit->touches[i] =
+            (whirl_touch){(size_t)in[4 * i], (size_t)in[4 * i + 1], in[4 * i + 2], fmin(in[4 * i + 3], 1.0)};
+    memcpy(orbit->nodes, read_numbers(r, NODES), orbit->segment_count * orbit->dimension * sizeof *orbit->nodes);
+}
+
+static whirl_orbit *take_orbit(const reading *r, const whirl_record_options *options) {
+    const double revolutions = *read_numbers(r, REVOLUTIONS), period = *read_numbers(r, PERIOD);
+    const double *multipliers = read_numbers(r, MULTIPLIERS), *contacts = read_numbers(r, TOUCHES);
+    const size_t dimension = field_of(r, MULTIPLIERS)->rows;
+    const size_t segments = period > 0.0 ? (size_t)options->trace.segments : 1;
+    const whirl_orbit like = {.dimension = dimension,
+                              .revolutions = (size_t)revolutions,
+                              .period = period,
+                              .segment_count = segments * (revolutions > 0.0 ? (size_t)revolutions : 1),
+                              .multiplier_count = filled(multipliers, dimension, 2),
+                              .touch_count = contacts ? filled(contacts, field_of(r, TOUCHES)->rows, 4) : 0};
+    whirl_orbit *orbit = whirl_orbit_new(&like);
+    if (!orbit) return NULL;
+    orbit->unstable = (size_t)*read_numbers(r, UNSTABLE);
+    orbit->residual = *read_numbers(r, RESIDUAL);
+    orbit->volume = *read_numbers(r, VOLUME);
+    take_arrays(r, orbit);
+    return orbit;
+}
+
+whirl_status whirl_block_trace(const whirl_layout *layout, const double *block, double value,
+                               const whirl_record_options *options, whirl_trace *out) {
+    static const size_t sizes[] = {NUMBER, PARENT, SPECIAL, REVOLUTIONS, PERIOD, UNSTABLE};
+    const reading r = {layout, block};
+    bool good = field_of(&r, NUMBER) && field_of(&r, MULTIPLIERS) && field_of(&r, NODES);
+    for (size_t i = 0; good && i < sizeof sizes / sizeof *sizes; i++) good = is_size(*read_numbers(&r, sizes[i]));
+    if (!good || *read_numbers(&r, SPECIAL) > WHIRL_GRAZE || *read_numbers(&r, REVOLUTIONS) > options->trace.longest)
+        return whirl_fail(WHIRL_BAD_INPUT, "a block holds no point of a branch");
+    const double touch = *read_numbers(&r, TOUCH), angle = *read_numbers(&r, ANGLE);
+    *out = (whirl_trace){.point = {.value = value,
+                                   .second = *read_numbers(&r, SECOND),
+                                   .special = (whirl_special)*read_numbers(&r, SPECIAL),
+                                   .angle = isnan(angle) ? 0.0 : angle,
+                                   .criticality = *read_numbers(&r, CRITICALITY),
+                                   .touch = is_size(touch) ? (size_t)touch : 0,
+                                   .orbit = take_orbit(&r, options)},
+                         .branch = (size_t)*read_numbers(&r, NUMBER),
+                         .parent = (size_t)*read_numbers(&r, PARENT),
+                         .end = *read_numbers(&r, END)};
+    return out->point.orbit ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for an orbit");
+}

@@ -1,0 +1,103 @@
+// Where and why motions change: the special points of branches, as a table.
+#include <math.h>
+#include <string.h>
+
+#include "html.h"
+#include "page.h"
+
+static double number(const whirl_table *table, size_t point, const char *field) {
+    const double *found = whirl_table_field(table, point, field, 0);
+    return found ? *found : (double)NAN;
+}
+
+/// "0 to 2": how many multipliers are beyond the unit circle at the regular points on both sides.
+static void write_unstable(FILE *stream, const whirl_table *table, size_t point) {
+    const double branch = number(table, point, "trace/number");
+    size_t before = point, after = point;
+    while (before > 0 && number(table, before, "trace/special") > 0.0) before--;
+    while (after + 1 < table->count && number(table, after, "trace/special") > 0.0 &&
+           number(table, after + 1, "trace/number") == branch)
+        after++;
+    const bool begins = number(table, before, "trace/number") != branch;
+    fprintf(stream, "<td>%.0f to %.0f</td>", number(table, begins ? after : before, "trace/unstable"),
+            number(table, after, "trace/unstable"));
+}
+
+/// The contact that grazes, where every contact has one switching function.
+static void write_contact(FILE *stream, const whirl_result *result, const whirl_trace *at) {
+    if (at->point.special != WHIRL_GRAZE || at->point.orbit->touch_count != result->contact_count) return;
+    fputs(": ", stream);
+    html_text(stream, result->contacts[at->point.touch]);
+}
+
+static void write_row(FILE *stream, const whirl_result *result, const whirl_table *table, size_t point, double unit) {
+    whirl_trace at;
+    char text[WHIRL_MESSAGE_SIZE];
+    if (whirl_table_trace(table, point, &at).code != WHIRL_OK) return;
+    fprintf(stream, "<tr><th class=\"number\">%.9g</th><td>%s", at.point.value / unit,
+            whirl_special_name(at.point.special));
+    write_contact(stream, result, &at);
+    whirl_orbit_name(at.point.orbit, text, sizeof text);
+    fprintf(stream, "</td><td>%s</td><td class=\"number\">%zu</td>", text, at.branch);
+    write_unstable(stream, table, point);
+    whirl_special_text(&at.point, text, sizeof text);
+    fputs("<td class=\"wide\">", stream);
+    html_text(stream, text);
+    fputs("</td></tr>\n", stream);
+    whirl_orbit_free(at.point.orbit);
+}
+
+static void write_end(FILE *stream, const whirl_table *table, size_t point, double unit) {
+    char name[WHIRL_NAME_SIZE];
+    whirl_trace at;
+    if (whirl_table_trace(table, point, &at).code != WHIRL_OK) return;
+    size_t first = point;
+    while (first > 0 && number(table, first - 1, "trace/number") == (double)at.branch) first--;
+    whirl_orbit_name(at.point.orbit, name, sizeof name);
+    fprintf(stream, "<tr><th class=\"number\">%zu</th><td>%s</td><td class=\"number\">%.9g</td>", at.branch, name,
+            table->values[first] / unit);
+    if (at.parent > 0)
+        fprintf(stream, "<td>a change of branch %zu</td>", at.parent);
+    else
+        fprintf(stream, "<td>%s</td>", at.point.orbit->period > 0.0 ? "where a motion settled" : "where it rests");
+    fprintf(stream, "<td class=\"number\">%.9g</td><td>%s</td><td class=\"number\">%zu</td></tr>\n",
+            at.point.value / unit, whirl_branch_end_text((whirl_branch_end)at.end), point + 1 - first);
+    whirl_orbit_free(at.point.orbit);
+}
+
+static void write_changes(const page *to, size_t index, const whirl_table *table, const char *label, double unit) {
+    size_t count = 0;
+    for (size_t point = 0; point < table->count; point++) count += number(table, point, "trace/special") > 0.0;
+    if (count == 0) {
+        fputs("<p>Along the branches that were followed nothing changes.</p>\n", to->stream);
+        return;
+    }
+    html_table(to->stream, "Where and why motions change", "");
+    fputs("<thead><tr><th class=\"number\">", to->stream);
+    html_text(to->stream, label);
+    fputs("</th><th>What</th><th>Motion</th><th class=\"number\">Branch</th><th>Unstable multipliers</th><th>What "
+          "begins or ends</th></tr></thead>\n<tbody>\n",
+          to->stream);
+    for (size_t point = 0; point < table->count; point++)
+        if (number(table, point, "trace/special") > 0.0) write_row(to->stream, to->results[index], table, point, unit);
+    fputs("</tbody></table></div>\n", to->stream);
+}
+
+void page_branches(const page *to, size_t index) {
+    const whirl_table *table = whirl_result_table(to->results[index], "branch");
+    char label[UNIT_LABEL_SIZE];
+    if (!table || !whirl_analysis_is_traced(table->analyses)) return;
+    const double unit = units_parameter(&to->units[index], table->parameter).size;
+    units_parameter_label(&to->units[index], table->parameter, label, sizeof label);
+    fprintf(to->stream, "<h3 id=\"branches-%zu\">Where and why motions change</h3>\n", index + 1);
+    write_changes(to, index, table, label, unit);
+    html_table(to->stream, "Branches", "");
+    fputs("<thead><tr><th class=\"number\">Branch</th><th>Motion</th><th class=\"number\">From ", to->stream);
+    html_text(to->stream, label);
+    fputs("</th><th>Begins</th><th class=\"number\">To</th><th>Ends</th><th class=\"number\">Points</th></tr></thead>\n"
+          "<tbody>\n",
+          to->stream);
+    for (size_t point = 0; point < table->count; point++)
+        if (!isnan(number(table, point, "trace/end"))) write_end(to->stream, table, point, unit);
+    fputs("</tbody></table></div>\n", to->stream);
+}

@@ -1,0 +1,301 @@
+#include "tracing.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "rows.h"
+#include "settled.h"
+
+/// A branch that is to be followed from an orbit on.
+typedef struct leg {
+    whirl_orbit *orbit;
+    double value;
+    int direction;
+    whirl_branch *branch; ///< what was found
+    whirl_status status;
+} leg;
+
+enum { MOST_LEGS = 2 };
+
+static whirl_status machine_of(const void *context, double value, whirl_machine *machine) {
+    const rows *r = context;
+    return r->run->study->machine(r->run->study->family, r->batch, value, machine);
+}
+
+static whirl_family family_of(const rows *r) {
+    return (whirl_family){machine_of, r};
+}
+
+static void free_legs(leg legs[MOST_LEGS]) {
+    for (size_t i = 0; i < MOST_LEGS; i++) {
+        whirl_orbit_free(legs[i].orbit);
+        whirl_branch_free(legs[i].branch);
+        legs[i] = (leg){.orbit = NULL};
+    }
+}
+
+// ---------------------------------------------------------------- branches that are there
+
+/// The node of an orbit between two rows of one branch, at a value between theirs.
+static void between(const rows *r, size_t row, double value, double *x) {
+    const double *a = rows_nodes(r, row), *b = rows_nodes(r, row + 1), from = r->table->values[row];
+    const double share = (value - from) / (r->table->values[row + 1] - from);
+    for (size_t i = 0; i < r->run->dimension; i++) x[i] = a[i] + share * (b[i] - a[i]);
+}
+
+/// Whether x is where one of an orbit's revolutions begins.
+static bool passes_through(const whirl_orbit *orbit, const double *x) {
+    const size_t d = orbit->dimension, apart = orbit->segment_count / orbit->revolutions;
+    for (size_t k = 0; k < orbit->revolutions; k++) {
+        double away = 0.0, size = 0.0;
+        for (size_t i = 0; i < d; i++) {
+            away = fmax(away, fabs(orbit->nodes[k * apart * d + i] - x[i]));
+            size = fmax(size, fabs(x[i]));
+        }
+        if (away <= 1e-7 * size) return true;
+    }
+    return false;
+}
+
+/// Whether the orbit of a value lies on a branch that is known: at some of its rows the same orbit is found from there.
+static bool is_known(const rows *r, const whirl_orbit *orbit, double value) {
+    const whirl_branch_options options = settled_options(r->batch, 1);
+    double *x = calloc(orbit->dimension + 1, sizeof *x);
+    bool known = false;
+    for (size_t row = 0; x && row + 1 < r->count && !known && orbit->revolutions > 0; row++) {
+        const double *values = r->table->values;
+        whirl_machine machine;
+        whirl_orbit *other = NULL;
+        if (!rows_are_one(r, row, row + 1) || *rows_field(r, row, "trace/revolutions") != (double)orbit->revolutions ||
+            !((values[row] <= value) != (values[row + 1] <= value)))
+            continue;
+        if (machine_of(r, value, &machine).code != WHIRL_OK) break;
+        between(r, row, value, x);
+        if (whirl_orbit_find(machine.system, x, orbit->revolutions, &options.orbit, &other).code == WHIRL_OK)
+            known = passes_through(other, orbit->nodes);
+        whirl_orbit_free(other);
+        if (machine.release) machine.release(machine.owner);
+    }
+    free(x);
+    return known;
+}
+
+/// Whether the branch of a row that ended at a doubling ended at that one: within its last step, where the middle of
+/// its last orbit leads to that orbit.
+static bool ended_there(const rows *r, size_t row, const whirl_branch_point *doubling, double *x) {
+    const size_t k = doubling->orbit->revolutions, d = doubling->orbit->dimension;
+    const double *nodes = rows_nodes(r, row), *values = r->table->values;
+    const double near = fabs(values[row] - values[row - 1]) + 1e-6 * fabs(r->batch->bounds[1] - r->batch->bounds[0]);
+    const whirl_branch_options options = settled_options(r->batch, 1);
+    whirl_machine machine;
+    whirl_orbit *other = NULL;
+    if (*rows_field(r, row, "trace/revolutions") != 2.0 * (double)k || fabs(values[row] - doubling->value) > near)
+        return false;
+    if (machine_of(r, doubling->value, &machine).code != WHIRL_OK) return false;
+    for (size_t i = 0; i < d; i++) x[i] = 0.5 * (nodes[i] + nodes[k * (size_t)options.orbit.segments * d + i]);
+    const whirl_status status = whirl_orbit_find(machine.system, x, k, &options.orbit, &other);
+    const bool same = status.code == WHIRL_OK && passes_through(other, doubling->orbit->nodes);
+    whirl_orbit_free(other);
+    if (machine.release) machine.release(machine.owner);
+    return same;
+}
+
+/// Whether a branch that is known ends at a doubling, and so is the one that begins there.
+static bool is_taken(const rows *r, const whirl_branch_point *doubling) {
+    double *x = calloc(doubling->orbit->dimension + 1, sizeof *x);
+    bool taken = false;
+    for (size_t row = 1; x && row < r->count && !taken; row++)
+        taken = *rows_field(r, row, "trace/end") == WHIRL_END_HALVED && ended_there(r, row, doubling, x);
+    free(x);
+    return taken;
+}
+
+// ---------------------------------------------------------------- following
+
+static void follow(rows *r, size_t count, leg legs[MOST_LEGS]) {
+    const whirl_family family = family_of(r);
+    whirl_branch_options options = settled_options(r->batch, (r->room - r->count) / count);
+    options.found = rows_found;
+    options.context = r;
+#pragma omp parallel for schedule(dynamic) num_threads(r->run->threads)
+    for (size_t i = 0; i < count; i++)
+        legs[i].status =
+            whirl_branch_follow(&family, legs[i].orbit, legs[i].value, legs[i].direction, &options, &legs[i].branch);
+}
+
+/// Follows all legs and adds their points; a leg that cannot be followed is left out unless it `must` be.
+static whirl_status add_legs(rows *r, size_t count, size_t parent, bool must, leg legs[MOST_LEGS]) {
+    whirl_status status = whirl_ok();
+    if (r->room - r->count < 2 * count) return status;
+    follow(r, count, legs);
+    for (size_t i = 0; i < count && status.code == WHIRL_OK; i++) {
+        const size_t number = r->next + i;
+        if (legs[i].branch)
+            status = rows_add(r, legs[i].branch, number, parent);
+        else if (must || legs[i].status.code == WHIRL_NO_MEMORY)
+            status = legs[i].status;
+    }
+    return status;
+}
+
+// ---------------------------------------------------------------- where branches begin
+
+/// In both directions, but at a bound of the parameter.
+static whirl_status begin_at(rows *r, double value) {
+    const double low = fmin(r->batch->bounds[0], r->batch->bounds[1]);
+    const double high = fmax(r->batch->bounds[0], r->batch->bounds[1]);
+    const size_t count = value > low && value < high ? 2 : 1;
+    leg legs[MOST_LEGS] = {{.value = value, .direction = value < high ? 1 : -1}, {.value = value, .direction = -1}};
+    if (rows_recall(r, count)) {
+        r->next += count;
+        return whirl_ok();
+    }
+    whirl_status status = whirl_ok();
+    for (size_t i = 0; i < count && status.code == WHIRL_OK; i++)
+        status = settled_orbit(r->run->study, r->batch, value, &legs[i].orbit);
+    if (status.code == WHIRL_OK && !is_known(r, legs[0].orbit, value)) status = add_legs(r, count, 0, true, legs);
+    free_legs(legs);
+    r->next += count;
+    return status;
+}
+
+/// The orbits on both sides of a crossing, or on the one side of what begins at a doubling or Hopf point.
+static size_t leave(const rows *r, const whirl_branch_point *point, leg legs[MOST_LEGS]) {
+    const whirl_branch_options options = settled_options(r->batch, 1);
+    const whirl_family family = family_of(r);
+    const size_t sides = point->special == WHIRL_BRANCHING ? 2 : 1;
+    size_t count = 0;
+    if (point->special == WHIRL_DOUBLING && is_taken(r, point)) return 0;
+    for (size_t side = 0; side < sides; side++) {
+        leg *one = &legs[count];
+        // So near that nothing else happens between, and yet another orbit.
+        const double step = (side == 0 ? 0.05 : -0.05) * options.step;
+        const whirl_status status = whirl_branch_switch(&family, point, step, &options, &one->orbit, &one->value);
+        if (status.code != WHIRL_OK) continue;
+        const double low = fmin(options.from, options.to), high = fmax(options.from, options.to);
+        one->direction = one->value < point->value ? -1 : 1;
+        if (one->value < low || one->value > high || is_known(r, one->orbit, one->value)) {
+            whirl_orbit_free(one->orbit);
+            one->orbit = NULL;
+        } else {
+            count++;
+        }
+    }
+    return count;
+}
+
+static bool has_others(const rows *r, const whirl_branch_point *point) {
+    const size_t twice = 2 * point->orbit->revolutions;
+    return point->special == WHIRL_BRANCHING || point->special == WHIRL_HOPF ||
+           (point->special == WHIRL_DOUBLING && twice <= (size_t)r->batch->record.trace.longest);
+}
+
+/// The branches that begin at a row.
+static whirl_status begin_along(rows *r) {
+    whirl_trace trace;
+    leg legs[MOST_LEGS] = {{.orbit = NULL}, {.orbit = NULL}};
+    whirl_status status = rows_trace(r, r->at, &trace);
+    if (status.code != WHIRL_OK) return status;
+    if (has_others(r, &trace.point)) {
+        if (!rows_recall(r, MOST_LEGS)) {
+            const size_t count = leave(r, &trace.point, legs);
+            if (count > 0) status = add_legs(r, count, trace.branch, false, legs);
+        }
+        r->next += MOST_LEGS;
+    }
+    free_legs(legs);
+    whirl_orbit_free(trace.point.orbit);
+    return status;
+}
+
+static bool goes_on(const rows *r) {
+    return r->count < r->room && !atomic_load(&r->run->tracker.halt);
+}
+
+static whirl_status trace_branches(rows *r) {
+    whirl_status status = whirl_ok();
+    for (size_t i = 0; i < r->batch->count && status.code == WHIRL_OK && goes_on(r); i++)
+        status = begin_at(r, r->batch->values[i]);
+    for (r->at = 0; r->at < r->count && status.code == WHIRL_OK && goes_on(r); r->at++)
+        if (*rows_field(r, r->at, "trace/special") != WHIRL_REGULAR &&
+            rows_depth(r, r->at) < (size_t)r->batch->record.trace.switches)
+            status = begin_along(r);
+    return status;
+}
+
+// ---------------------------------------------------------------- curves
+
+static whirl_status machine_in_plane(const void *context, double value, double second, whirl_machine *machine) {
+    const rows *r = context;
+    whirl_batch batch = *r->batch;
+    batch.second_value = second;
+    return r->run->study->machine(r->run->study->family, &batch, value, machine);
+}
+
+/// Whether a curve of that kind, which is known, goes through the value of the first parameter.
+static bool is_on_curve(const rows *r, const whirl_branch_point *point) {
+    const double near = 5e-3 * fabs(r->batch->bounds[1] - r->batch->bounds[0]), second = r->batch->second_value;
+    for (size_t row = 0; row + 1 < r->count; row++) {
+        const double a = *rows_field(r, row, "trace/second") - second;
+        const double b = *rows_field(r, row + 1, "trace/second") - second;
+        const double *values = r->table->values + row;
+        if (!rows_are_one(r, row, row + 1) || *rows_field(r, row, "trace/special") != (double)point->special) continue;
+        if (a * b > 0.0 || a == b) continue;
+        if (fabs(values[0] - a / (b - a) * (values[1] - values[0]) - point->value) < near) return true;
+    }
+    return false;
+}
+
+static void follow_curve(rows *r, const whirl_branch_point *start, leg legs[MOST_LEGS]) {
+    const whirl_plane plane = {machine_in_plane, r};
+    whirl_branch_options options = settled_options(r->batch, (r->room - r->count) / MOST_LEGS);
+    const double bounds[2] = {fmin(r->batch->second_bounds[0], r->batch->second_bounds[1]),
+                              fmax(r->batch->second_bounds[0], r->batch->second_bounds[1])};
+    options.found = rows_found;
+    options.context = r;
+#pragma omp parallel for schedule(dynamic) num_threads(r->run->threads)
+    for (int i = 0; i < MOST_LEGS; i++)
+        legs[i].status = whirl_curve_follow(&plane, start, r->batch->second_value, i == 0 ? 1 : -1, bounds, &options,
+                                            &legs[i].branch);
+}
+
+/// The curve through a special point; none where it cannot be followed.
+static whirl_status trace_curve(rows *r, const whirl_trace *start) {
+    leg legs[MOST_LEGS] = {{.orbit = NULL}, {.orbit = NULL}};
+    whirl_status status = whirl_ok();
+    if (!rows_recall(r, MOST_LEGS) && !is_on_curve(r, &start->point) && r->room - r->count >= (size_t)2 * MOST_LEGS) {
+        follow_curve(r, &start->point, legs);
+        for (size_t i = 0; i < MOST_LEGS && status.code == WHIRL_OK; i++)
+            if (legs[i].branch) status = rows_add(r, legs[i].branch, r->next + i, start->branch);
+    }
+    free_legs(legs);
+    r->next += MOST_LEGS;
+    return status;
+}
+
+/// Through the special points of the branches, which the table before has.
+static whirl_status trace_curves(rows *r) {
+    const whirl_table *branches = r->table - 1;
+    whirl_status status = whirl_ok();
+    for (size_t i = 0; i < branches->count && status.code == WHIRL_OK && goes_on(r); i++) {
+        whirl_trace trace;
+        const double kind = *whirl_table_field(branches, i, "trace/special", 0);
+        if (kind == WHIRL_REGULAR || kind == WHIRL_BRANCHING) continue;
+        status = whirl_table_trace(branches, i, &trace);
+        if (status.code == WHIRL_OK) status = trace_curve(r, &trace);
+        if (status.code == WHIRL_OK) whirl_orbit_free(trace.point.orbit);
+    }
+    return status;
+}
+
+// ---------------------------------------------------------------- a pass
+
+whirl_status tracing_work(study_run *run, const pass *p) {
+    rows r;
+    whirl_status status = rows_open(&r, run, p);
+    if (status.code == WHIRL_OK) status = r.batch->second[0] ? trace_curves(&r) : trace_branches(&r);
+    rows_close(&r);
+    if (status.code != WHIRL_OK && status.code != WHIRL_STOPPED) tracker_fail(&run->tracker, &status);
+    return whirl_ok();
+}
