@@ -45,6 +45,10 @@ typedef struct whirl_trace_options {
     double rtol;     ///< of the integrator
 } whirl_trace_options;
 
+/// Its members, as cases say them (part "branch") and results of branches have them; static, ended by one without a
+/// part.
+const whirl_member *whirl_trace_members(void);
+
 typedef struct whirl_record_options {
     int transient; ///< revolutions that pass before anything is recorded, >= 0
     int record;    ///< revolutions recorded, >= 1
@@ -63,14 +67,14 @@ typedef struct whirl_record_options {
     bool spectra;        ///< keep whole spectra, not only their peaks
     bool waveform;       ///< waveforms are needed (for spectra or to be kept)
     whirl_growth growth; ///< costs one trajectory while watched, or as many as there are coordinates
-    whirl_trace_options trace;
+    whirl_trace_options trace; ///< of branches alone
 } whirl_record_options;
 
 /// Its members, as cases say them (parts "integrate" and "keep", and "detail" for what details say anew) and results
 /// have them; static, ended by one without a part.
 const whirl_member *whirl_record_members(void);
 
-/// The defaults of whirl_record_members, but settle false.
+/// The defaults of whirl_record_members and whirl_trace_members, but settle false.
 whirl_record_options whirl_record_default(void);
 
 /// Revolutions watched, with the default resolved.

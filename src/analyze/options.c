@@ -34,23 +34,6 @@ static const whirl_member members[] = {
            "angle of the first probe of every station, from the x axis towards y; the second stands a right angle "
            "further on",
            ""),
-    MEMBER(whirl_record_options, FLAG, "trace_rest", trace.rest, "branch", false, "rest", "", "", WHIRL_KEY_CHOICE,
-           false, "no", WHIRL_ANY, "yes|no|true|false",
-           "yes: branches of equilibria, and of the whirl that begins at them, of a machine that nothing drives", ""),
-    WHOLE("trace_revolutions", trace.revolutions, "branch", "revolutions", "0", 0, WHIRL_MAX_ORBIT, false,
-          "of the first orbit of a branch; 0: after as many as the settled motion comes back"),
-    WHOLE("trace_longest", trace.longest, "branch", "longest", "8", 1, WHIRL_MAX_ORBIT, false,
-          "most revolutions of an orbit that is followed"),
-    WHOLE("trace_switches", trace.switches, "branch", "switch", "2", 0, 64, false,
-          "times that a branch is left for those that begin along it, at doublings, crossings and Hopf points"),
-    WHOLE("trace_segments", trace.segments, "branch", "segments", "1", 1, 64, false,
-          "of a revolution, each with unknowns of its own (multiple shooting): more for very unstable orbits"),
-    WHOLE("trace_points", trace.points, "branch", "points", "4000", 2, 1000000, false, "most points of all branches"),
-    MEMBER(whirl_record_options, NUMBER, "trace_step", trace.step, "branch", false, "step", "", "1", WHIRL_KEY_NUMBER,
-           false, "0.05", WHIRL_ABOVE_TO(1e-6, 1.0), NULL,
-           "longest step: 1 is the range of the parameter, or a change of the orbit by its own size", ""),
-    MEMBER(whirl_record_options, NUMBER, "trace_rtol", trace.rtol, "branch", false, "rtol", "", "1", WHIRL_KEY_NUMBER,
-           false, "1e-13", WHIRL_ABOVE_TO(1e-14, 1e-3), NULL, "relative tolerance of the orbits' integration", ""),
     FLAG(spectra, "", "no", "whole spectra are kept"),
     FLAG(waveform, "", "yes", "waveforms are recorded"),
     WHOLE("growth", growth, "", "growth", "1", 0, WHIRL_GROWTH_ALL, false,
@@ -65,6 +48,35 @@ static const whirl_member members[] = {
     {.part = NULL},
 };
 
+#define TRACE(TYPE, name, field, unit, kind, fallback, range, choices, meaning)                                        \
+    MEMBER(whirl_trace_options, TYPE, name, field, "branch", false, #field, "", unit, kind, false, fallback, range,    \
+           choices, meaning, "")
+#define TRACE_WHOLE(name, field, fallback, low, high, meaning)                                                         \
+    TRACE(WHOLE, name, field, "1", WHIRL_KEY_WHOLE, fallback, WHIRL_FROM_TO(low, high), NULL, meaning)
+
+const whirl_member *whirl_trace_members(void) {
+    static const whirl_member traced[] = {
+        TRACE(FLAG, "trace_rest", rest, "", WHIRL_KEY_CHOICE, "no", WHIRL_ANY, "yes|no|true|false",
+              "yes: branches of equilibria, and of the whirl that begins at them, of a machine that nothing drives"),
+        TRACE_WHOLE("trace_revolutions", revolutions, "0", 0, WHIRL_MAX_ORBIT,
+                    "of the first orbit of a branch; 0: after as many as the settled motion comes back"),
+        TRACE_WHOLE("trace_longest", longest, "8", 1, WHIRL_MAX_ORBIT, "most revolutions of an orbit that is followed"),
+        TRACE_WHOLE("trace_switches", switches, "2", 0, 64,
+                    "times that a branch is left for those that begin along it, at doublings, crossings and Hopf "
+                    "points"),
+        TRACE_WHOLE("trace_segments", segments, "1", 1, 64,
+                    "of a revolution, each with unknowns of its own (multiple shooting): more for very unstable "
+                    "orbits"),
+        TRACE_WHOLE("trace_points", points, "4000", 2, 1000000, "most points of all branches"),
+        TRACE(NUMBER, "trace_step", step, "1", WHIRL_KEY_NUMBER, "0.05", WHIRL_ABOVE_TO(1e-6, 1.0), NULL,
+              "longest step: 1 is the range of the parameter, or a change of the orbit by its own size"),
+        TRACE(NUMBER, "trace_rtol", rtol, "1", WHIRL_KEY_NUMBER, "1e-13", WHIRL_ABOVE_TO(1e-14, 1e-3), NULL,
+              "relative tolerance of the orbits' integration"),
+        {.part = NULL},
+    };
+    return traced;
+}
+
 const whirl_member *whirl_record_members(void) {
     return members;
 }
@@ -72,6 +84,7 @@ const whirl_member *whirl_record_members(void) {
 whirl_record_options whirl_record_default(void) {
     whirl_record_options options = {.settle = false};
     whirl_members_default(members, &options);
+    whirl_members_default(whirl_trace_members(), &options.trace);
     options.settle = false;
     return options;
 }

@@ -399,7 +399,7 @@ void plan_make(case_reader *reader, valuation *v, const plan_parts *parts, study
         batch->integrate = integrate;
         if (parts->branches && (strcmp(batch->name, "branch") == 0 || *batch->second)) {
             batch->record = record;
-            settings_take(v, &parts->branch, whirl_record_members(), &batch->record);
+            settings_take(v, &parts->branch, whirl_trace_members(), &batch->record.trace);
             whirl_analysis_set traced = 0;
             whirl_analysis_add(&traced, "trace");
             choose_analyses(batch, traced, false);

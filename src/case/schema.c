@@ -117,7 +117,7 @@ static const whirl_key detail_keys[] = {
 // Parts whose keys are members of the structs that they fill.
 typedef const whirl_member *(*table)(void);
 static const table of_batch[] = {whirl_batch_members, NULL};
-static const table of_options[] = {whirl_integrate_members, whirl_record_members, NULL};
+static const table of_options[] = {whirl_integrate_members, whirl_record_members, whirl_trace_members, NULL};
 static const table of_probe[] = {whirl_probe_members, NULL};
 
 #define GROUP(name, meaning, keys, tables)                                                                             \

@@ -263,6 +263,7 @@ static void write_table(FILE *stream, const whirl_table *table, bool sections) {
     fprintf(stream, ",\"points\":%zu,\"count\":%zu", table->count, chosen.count);
     script_members(stream, whirl_integrate_members(), &table->integrate);
     script_members(stream, whirl_record_members(), &table->record);
+    if (whirl_analysis_is_traced(table->analyses)) script_members(stream, whirl_trace_members(), &table->record.trace);
     write_values(stream, &chosen);
     write_verdicts(stream, &chosen);
     write_critical(stream, table);

@@ -382,6 +382,8 @@ static bool dump_methods(const whirl_result *result, FILE *stream) {
         json_t *object = json_object();
         document_put_members(&well, object, whirl_integrate_members(), &result->tables[i].integrate);
         document_put_members(&well, object, whirl_record_members(), &result->tables[i].record);
+        if (whirl_analysis_is_traced(result->tables[i].analyses))
+            document_put_members(&well, object, whirl_trace_members(), &result->tables[i].record.trace);
         document_put(&well, methods, result->tables[i].name, object);
     }
     return dump_member(",\n", "integrated", methods, stream) && well;

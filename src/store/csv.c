@@ -250,6 +250,8 @@ static void write_options(FILE *stream, const whirl_result *result, const whirl_
     for (const whirl_table *table = result->tables; table < result->tables + result->table_count; ++table) {
         put_options(&row, table->name, whirl_integrate_members(), &table->integrate);
         put_options(&row, table->name, whirl_record_members(), &table->record);
+        if (whirl_analysis_is_traced(table->analyses))
+            put_options(&row, table->name, whirl_trace_members(), &table->record.trace);
     }
 }
 

@@ -119,6 +119,8 @@ whirl_status identity_text(const whirl_result *outline, bool build, char **text,
         put_points(out, table);
         put_options(out, table->name, whirl_integrate_members(), &table->integrate);
         put_options(out, table->name, whirl_record_members(), &table->record);
+        if (whirl_analysis_is_traced(table->analyses))
+            put_options(out, table->name, whirl_trace_members(), &table->record.trace);
         fprintf(out, "analyses of the %s\t%x\n", table->name, table->analyses);
         put_fields(out, table);
     }

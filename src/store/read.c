@@ -302,6 +302,9 @@ static void get_table(whirl_status *status, hid_t file, const whirl_result *resu
     get_analyses(status, group, &table->analyses);
     get_options(status, group, whirl_integrate_members(), &table->integrate);
     get_options(status, group, whirl_record_members(), &table->record);
+    whirl_members_default(whirl_trace_members(), &table->record.trace);
+    if (whirl_analysis_is_traced(table->analyses))
+        get_options(status, group, whirl_trace_members(), &table->record.trace);
     if (status->code == WHIRL_OK) *status = whirl_record_options_check(&table->record);
     get_field_names(status, group, table->name, layout);
     table->count = get_length(status, group, "values", how->limit / sizeof(double));

@@ -280,6 +280,8 @@ static void put_table(whirl_status *status, hid_t file, const whirl_result *resu
                         texts_of(layout->fields[0].name, sizeof *layout->fields, layout->field_count));
     put_options(status, group, whirl_integrate_members(), &table->integrate);
     put_options(status, group, whirl_record_members(), &table->record);
+    if (whirl_analysis_is_traced(table->analyses))
+        put_options(status, group, whirl_trace_members(), &table->record.trace);
     if (status->code == WHIRL_OK) put_points(status, group, result, table);
     close_group(group);
 }

@@ -151,7 +151,7 @@ static int settled_period(const whirl_table *table, size_t row, double omega) {
 static void changes_of_a_rotor_that_rubs(void **state) {
     (void)state;
     whirl_result *result =
-        run_rotor("0.1", "  branch: {parameter: omega, from: 1, to: 4, at: [1.5, 1.8], switch: 1}\n");
+        run_rotor("0.1", "  branch: {parameter: omega, from: 1, to: 4, at: [1.5, 1.8], switches: 1}\n");
     const whirl_table *table = whirl_result_table(result, "branch");
     // What settles at 1.8 lies on the branch that begins at 1.5: it is not followed again.
     double last = 0.0;
@@ -189,7 +189,7 @@ static void curves_of_a_rotor_that_rubs(void **state) {
     for (int range = 0; range < 2; range++) {
         char study[256];
         snprintf(study, sizeof study,
-                 "  branch: {parameter: omega, %s, switch: 0}\n  curves: {parameter: zeta, from: 0.09, to: 0.11}\n",
+                 "  branch: {parameter: omega, %s, switches: 0}\n  curves: {parameter: zeta, from: 0.09, to: 0.11}\n",
                  ranges[range]);
         whirl_result *result = run_rotor("0.1", study);
         const whirl_table *curves = whirl_result_table(result, "curves");

@@ -68,6 +68,7 @@ static void every_option_arrives(void **state) {
     (void)state;
     follow(whirl_integrate_members(), offsetof(whirl_batch, integrate));
     follow(whirl_record_members(), offsetof(whirl_batch, record));
+    follow(whirl_trace_members(), offsetof(whirl_batch, record.trace));
     follow(whirl_batch_members(), 0);
 }
 
@@ -79,8 +80,8 @@ static bool is_described(const whirl_member *member) {
 }
 
 static void every_option_is_described(void **state) {
-    const whirl_member *const tables[] = {whirl_integrate_members(), whirl_record_members(), whirl_batch_members(),
-                                          whirl_probe_members()};
+    const whirl_member *const tables[] = {whirl_integrate_members(), whirl_record_members(), whirl_trace_members(),
+                                          whirl_batch_members(), whirl_probe_members()};
     (void)state;
     for (size_t t = 0; t < sizeof tables / sizeof *tables; t++)
         for (const whirl_member *member = tables[t]; member->part; member++)

@@ -100,8 +100,7 @@ static inline void synthetic_detail(whirl_table *table, const whirl_result *resu
                                            .waveform_revolutions = 2,
                                            .samples_per_revolution = 32,
                                            .highest_order = 2.5,
-                                           .growth = WHIRL_GROWTH_ALL,
-                                           .trace = whirl_record_default().trace};
+                                           .growth = WHIRL_GROWTH_ALL};
     synthetic_fill(table, 1);
     table->values[0] = NAN;
 }
