@@ -48,6 +48,7 @@ static whirl_status check(const whirl_system *system, const double *points, size
 /// Carries *u, which grows with the number of nodes, to a torus as accurate as the options ask.
 static whirl_status solve(torus_equations *e, double **u, whirl_torus **out) {
     const whirl_torus_options *o = e->options;
+    const double slight = 1e-8;
     for (;;) {
         torus_equations_refer(e, *u);
         const newton_result result = newton_solve(&(newton_problem){.count = torus_equations_count(e),
@@ -63,6 +64,8 @@ static whirl_status solve(torus_equations *e, double **u, whirl_torus **out) {
                               "no torus was found: after %d steps of Newton's method its curve of %zu nodes is carried "
                               "onto itself but for %.3g of its size, expected %.3g",
                               result.steps, e->count, result.size, o->tolerance);
+        if (torus_equations_radius(e, *u) <= slight * torus_equations_reach(e, *u))
+            return whirl_fail(WHIRL_BAD_INPUT, "no torus was found: Newton's method came to a periodic orbit");
         whirl_status status = torus_describe(e, *u, result.size, out);
         if (status.code != WHIRL_OK || torus_is_accurate(e, *u, *out)) return status;
         const size_t before = e->count, wanted = torus_nodes_wanted(e, *u, (*out)->error);

@@ -470,6 +470,12 @@ static void what_is_refused(void **state) {
     expect_refusal("no closed curve", whirl_torus_find(&system, other, COUNT, 1, NAN, &options, &torus));
     other[5] = NAN;
     expect_refusal("section 1 is not finite", whirl_torus_find(&system, other, COUNT, 1, NAN, &options, &torus));
+    // A machine without a torus, at sections of another one's.
+    const test_family without = bent_family(-0.05, 0.3137, 1.0);
+    const whirl_system dead = system_of(&without);
+    expect_refusal("no torus was found", whirl_torus_find(&dead, points, COUNT, 1, NAN, &options, &torus));
+    for (int i = 0; i < 3 * COUNT; i++) other[i] = 0.5 * (i % 3 == 2) + 1e-3 * points[i] * (i % 3 < 2);
+    expect_refusal("no torus", whirl_torus_find(&dead, other, COUNT, 1, NAN, &options, &torus));
     options.most_nodes = 128;
     expect_refusal("expected an odd number", whirl_torus_find(&system, points, COUNT, 1, NAN, &options, &torus));
     options.most_nodes = 7;
