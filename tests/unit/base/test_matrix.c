@@ -11,6 +11,7 @@
 #include <lapacke.h>
 
 #include "balance.h"
+#include "elimination.h"
 #include "matrix.h"
 
 static const double pi = 3.14159265358979323846;
@@ -271,6 +272,29 @@ static void test_hilbert(void **state) {
     for (size_t i = 0; i < N; i++) assert_true(fabs(solution[0][i] / wanted[i] - 1) < 1e-9);
 }
 
+/// What the segments of an orbit lead to: blocks along the diagonal and beside it, one in the corner, the rest zero;
+/// its pivots stand below. The solution is whole.
+static void test_blocks_in_a_ring(void **state) {
+    enum { N = 3, BLOCKS = 5, ALL = N * BLOCKS };
+    double a[ALL * ALL] = {0}, b[ALL] = {0};
+    size_t order[ALL];
+    (void)state;
+    for (size_t j = 0; j < BLOCKS; j++)
+        for (size_t i = 0; i < N; i++) {
+            double *row = a + (j * N + i) * ALL;
+            for (size_t k = 0; k < N; k++) row[j * N + k] = i == k ? 0.0 : (double)(i + 2 * k + j);
+            row[(j + 1) % BLOCKS * N + i] -= 1.0;
+        }
+    for (size_t i = 0; i < ALL; i++)
+        for (size_t k = 0; k < ALL; k++) b[i] += a[i * ALL + k] * ((double)k - 4.0);
+    assert_true(elimination_decompose(ALL, a, order));
+    elimination_solve(ALL, a, order, b);
+    for (size_t k = 0; k < ALL; k++) assert_true(fabs(b[k] - ((double)k - 4.0)) < 1e-12);
+    double singular[4] = {1, 2, 2, 4}, nowhere[4] = {1, NAN, 0, 1};
+    assert_false(elimination_decompose(2, singular, order));
+    assert_false(elimination_decompose(2, nowhere, order));
+}
+
 /// A driven chain in complex numbers: what is put back gives the right-hand sides.
 static void test_complex_equations(void **state) {
     enum { N = 20, SIDES = 3 };
@@ -328,7 +352,7 @@ int main(void) {
         cmocka_unit_test(test_eigenvectors),       cmocka_unit_test(test_a_string),
         cmocka_unit_test(test_full_modes),         cmocka_unit_test(test_hilbert),
         cmocka_unit_test(test_complex_equations),  cmocka_unit_test(test_the_shortest_solution),
-        cmocka_unit_test(test_what_has_no_answer),
+        cmocka_unit_test(test_what_has_no_answer), cmocka_unit_test(test_blocks_in_a_ring),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -564,6 +564,62 @@ static void lists_are_in_si(void **state) {
     for (int i = 0; i < 8; i++) assert_true(fabs(slopes[0][i] - slopes[1][i]) <= 1e-13 * fabs(slopes[1][i]));
 }
 
+/// The slope of the case's rotor with a parameter at a value (NULL: as it is), at one state.
+static void slope_of(const whirl_case *object, const char *name, double value, double slope[8]) {
+    const double x[8] = {1.2, -0.9, 0.2, -0.4, 0.01, 0.02, 0.03, 0.04}; // in contact
+    double forcing[WHIRL_MAX_FORCING];
+    whirl_rotor *rotor;
+    assert_int_equal(whirl_case_rotor(object, name, value, &rotor).code, WHIRL_OK);
+    const whirl_system *system = whirl_rotor_system(rotor);
+    assert_int_equal(system->dimension, 8);
+    system->forcing(system->model, 0.3, forcing);
+    system->rhs(system->model, 0.3, forcing, x, slope);
+    whirl_rotor_free(rotor);
+}
+
+/// What does not hang on a family's parameter is not evaluated again: each machine is that of the case with the
+/// parameter set, to the bit, whichever expressions lie between.
+static void machines_of_families_are_those_of_set_cases(void **state) {
+    static const struct {
+        const char *name, *setting;
+        double value;
+    } all[] = {{"omega", "omega=120 rad/s", 120.0},
+               {"kappa", "kappa=7", 7.0},
+               {"c", "c=0.3e-3 m", 0.3e-3},
+               {"half", "half=0.4", 0.4},
+               {"twice", "twice=3", 3.0}};
+    (void)state;
+    for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
+        char *text = edited(good_case, "kappa: 10\n",
+                            "half: = 0.5 + kappa/20\n  kappa: 10\n  twice: = 2\n  stiff: = kappa*twice / half*omega\n");
+        char *whole = edited(text, "kappa*1e6", "stiff");
+        whirl_case *family = parse_good(whole), *set = parse_good(whole);
+        double one[8], other[8], before[8];
+        slope_of(family, NULL, 0.0, before);
+        slope_of(family, all[i].name, all[i].value, one);
+        assert_int_equal(whirl_case_assign(set, all[i].setting).code, WHIRL_OK);
+        slope_of(set, NULL, 0.0, other);
+        assert_memory_equal(one, other, sizeof one);
+        assert_memory_not_equal(one, before, sizeof one);
+        slope_of(family, NULL, 0.0, other);
+        assert_memory_equal(other, before, sizeof one);
+        whirl_case_free(family);
+        whirl_case_free(set);
+        free(whole);
+        free(text);
+    }
+}
+
+/// Products and quotients of names need no parser; brackets do.
+static void products_are_as_the_parser_has_them(void **state) {
+    (void)state;
+    expect_parameter("= omega * kappa / c", 100.0 * 10.0 / 0.2e-3);
+    whirl_case *object =
+        parse_edited("kappa: 10", "kappa: 10\n  p: = omega/kappa*c/omega\n  q: = (omega/kappa*c/omega)");
+    assert_true(value_of(object, "p") == value_of(object, "q"));
+    whirl_case_free(object);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(quantities_are_in_si),
@@ -588,6 +644,8 @@ int main(void) {
         cmocka_unit_test(results_know_their_case),
         cmocka_unit_test(a_case_runs),
         cmocka_unit_test(lists_are_in_si),
+        cmocka_unit_test(machines_of_families_are_those_of_set_cases),
+        cmocka_unit_test(products_are_as_the_parser_has_them),
     };
     return cmocka_run_group_tests_name("values", tests, NULL, NULL);
 }
