@@ -525,8 +525,9 @@ def measure_branches(options):
               for name in best}
     lines = ["| program | points/s a core | ms a point | error of a coordinate | of a multiplier | of r_k |",
              "|---|---:|---:|---:|---:|---:|"]
-    lines += [f"| {name} | {short(rate)} | {1e3 / rate:.2g} | " + " | ".join(f"{e:.0e}" for e in errors[name]) + " |"
-              for name, rate in sorted(best.items(), key=lambda item: -item[1])]
+    for name, rate in sorted(best.items(), key=lambda item: -item[1]):
+        told = [f"{error:.0e}" if error >= 1e-12 else "< 1e-12" for error in errors[name]]
+        lines.append(" | ".join([f"| {name}", short(rate), f"{1e3 / rate:.2g}", *told]) + " |")
     return BRANCHES.format(torus=TORUS, table="\n".join(lines), before=before, after=after,
                            sentence=branch_sentence(best, errors))
 

@@ -112,14 +112,15 @@ static double multipliers_apart(const whirl_orbit *orbit, const double *multipli
 /// Holds points against orbits found at tolerances as tight as doubles allow.
 static void print_errors(const whirl_case *object) {
     const whirl_orbit_options exact = whirl_orbit_default();
-    double numbers[1 + 3 * DIMENSION], state = 0.0, multipliers = 0.0;
+    double numbers[1 + 3 * DIMENSION], start[DIMENSION], state = 0.0, multipliers = 0.0;
     while (scanf("%*s%lf", &numbers[0]) == 1) {
         whirl_machine machine;
         whirl_orbit *orbit;
         for (int i = 1; i <= 3 * DIMENSION; i++)
             if (scanf("%lf", &numbers[i]) != 1) exit(1);
         must(make_machine(object, numbers[0], &machine));
-        must(whirl_orbit_find(machine.system, numbers + 1, 1, &exact, &orbit));
+        for (int i = 0; i < DIMENSION; i++) start[i] = numbers[1 + i] + 1e-6; // so that it is found, not taken over
+        must(whirl_orbit_find(machine.system, start, 1, &exact, &orbit));
         for (int i = 0; i < DIMENSION; i++) state = fmax(state, fabs(orbit->nodes[i] - numbers[1 + i]));
         multipliers = fmax(multipliers, multipliers_apart(orbit, numbers + 1 + DIMENSION));
         whirl_orbit_free(orbit);
