@@ -11,7 +11,7 @@ whirl_branch_options whirl_branch_default(double from, double to) {
                                   .from = from,
                                   .to = to,
                                   .step = 0.01,
-                                  .least_step = 1e-7,
+                                  .least_step = 1e-10,
                                   .most_step = 0.05,
                                   .most_points = 1000,
                                   .special = true};

@@ -18,8 +18,9 @@ static void cosine(const void *model, double t, double *forcing) {
     *forcing = cos(t);
 }
 
-/// Linear and cubic parts of one oscillator in tau = W t: W^2 x'' + c W x' + k x + b x^3 = F cos tau; p: these.
-enum { SPEED, DAMPING, STIFFNESS, CUBIC, FORCE };
+/// Linear and cubic parts of one oscillator in tau = W t: W^2 x'' + c W x' + k x + b x^3 = F cos tau; p: these, and the
+/// stiffness of its stop.
+enum { SPEED, DAMPING, STIFFNESS, CUBIC, FORCE, STOP };
 
 static void oscillator(const void *model, double t, const double *f, const double *x, double *dxdt) {
     const double *p = model, W = p[SPEED];
@@ -278,7 +279,7 @@ static void doublings_of_duffing(void **state) {
 
 // ---------------------------------------------------------------- grazes
 
-/// x'' + .1 x' + x + 20 (x - 1) [x > 1] = F cos W t: nothing touches up to F^2 = (1 - W^2)^2 + (.1 W)^2 of amplitude 1.
+/// x'' + .1 x' + x + s (x - 1) [x > 1] = F cos W t: nothing touches up to F^2 = (1 - W^2)^2 + (.1 W)^2 of amplitude 1.
 static double gap_of(const double *p, const double *x) {
     (void)p;
     return x[0] - 1.0;
@@ -288,7 +289,7 @@ static void stop_on_sides(const void *model, double t, const double *f, const do
                           double *dxdt) {
     const double *p = model;
     oscillator(model, t, f, x, dxdt);
-    if (sides[0] > 0.0) dxdt[1] -= 20.0 * gap_of(p, x) / (p[SPEED] * p[SPEED]);
+    if (sides[0] > 0.0) dxdt[1] -= p[STOP] * gap_of(p, x) / (p[SPEED] * p[SPEED]);
 }
 
 static void stop(const void *model, double t, const double *f, const double *x, double *dxdt) {
@@ -302,7 +303,7 @@ static void stop_tangent(const void *model, double t, const double *f, const dou
     const bool closed = sides ? sides[0] > 0.0 : gap_of(p, x) > 0.0;
     oscillator_tangent(model, t, f, x, sides, count, u, out);
     for (size_t k = 0; k < count; k++)
-        if (closed) out[2 * k + 1] -= 20.0 * u[2 * k] / (p[SPEED] * p[SPEED]);
+        if (closed) out[2 * k + 1] -= p[STOP] * u[2 * k] / (p[SPEED] * p[SPEED]);
 }
 
 static void stop_switch(const void *model, double t, const double *x, double *values) {
@@ -326,6 +327,7 @@ static test_family stop_family(double W, double F) {
     family.system.switches = stop_switch;
     family.system.switch_gradient = stop_gradient;
     family.varied = FORCE;
+    family.p[STOP] = 20.0;
     return family;
 }
 
@@ -346,6 +348,47 @@ static void grazes_are_located(void **state) {
             if (&branch->points[k] < graze) assert_int_equal(0, touch->intervals);
             if (&branch->points[k] > graze) assert_true(touch->intervals >= 1 && touch->share > 0.0);
         }
+        whirl_branch_free(branch);
+        whirl_orbit_free(start);
+    }
+}
+
+/// What an orbit does that would go through the stop as if it were not there: it is beyond it without a contact, or
+/// deeper in it than its own speed can drive it, v/sqrt(s).
+static bool goes_through(const whirl_orbit *orbit, double stiffness, double W) {
+    const double speed = fmax(orbit->high[1], -orbit->low[1]) * W, depth = orbit->high[0] - 1.0;
+    return (depth > 1e-9 && orbit->touches[0].intervals == 0) || depth > speed / sqrt(stiffness);
+}
+
+/// The branch passes first touches and ends at the end of the range. Where other programs follow the free orbit on,
+/// through a stop that they do not look for, all orbits here stay outside.
+static void no_orbit_goes_through_the_stop(void **state) {
+    static const double stiffnesses[] = {20.0, 1e3, 1e4};
+    (void)state;
+    for (size_t i = 0; i < sizeof stiffnesses / sizeof *stiffnesses; i++) {
+        const double W = 0.7, free = hypot(1.0 - W * W, 0.1 * W);
+        test_family family = stop_family(W, 0.8 * free);
+        whirl_branch_options options = whirl_branch_default(0.7 * free, 2.0 * free);
+        size_t within = 0, through = 0;
+        double deepest = 0.0;
+        family.p[STOP] = stiffnesses[i];
+        options.most_points = 2000;
+        options.orbit.tolerance = 1e-10; // in a contact as stiff as that no state is better
+        whirl_orbit *start = find_orbit(&family, 1, &options.orbit);
+        whirl_branch *branch = follow_branch(&family, start, 1, &options);
+        for (size_t k = 0; k < branch->count; k++) {
+            const whirl_orbit *orbit = branch->points[k].orbit;
+            within += orbit->touches[0].intervals > 0;
+            through += branch->points[k].special != WHIRL_GRAZE && goes_through(orbit, stiffnesses[i], W);
+            deepest = fmax(deepest, orbit->high[0] - 1.0);
+        }
+        print_message("stop of %g: %zu points, %zu touch, deepest %g, end %d\n", stiffnesses[i], branch->count, within,
+                      deepest, (int)branch->end);
+        assert_non_null(special_point(branch, WHIRL_GRAZE, 0));
+        assert_int_equal(WHIRL_END_OF_RANGE, branch->end);
+        check_within("branches", words("stop of stiffness %g: orbits that go through it", stiffnesses[i]), 0.0,
+                     (double)through, 0.0);
+        assert_true(within > 0);
         whirl_branch_free(branch);
         whirl_orbit_free(start);
     }
@@ -458,6 +501,7 @@ int main(void) {
                                        cmocka_unit_test(neutral_saddles_are_no_tori),
                                        cmocka_unit_test(doublings_of_duffing),
                                        cmocka_unit_test(grazes_are_located),
+                                       cmocka_unit_test(no_orbit_goes_through_the_stop),
                                        cmocka_unit_test(the_curve_of_first_touches),
                                        cmocka_unit_test(the_curve_of_folds_has_a_cusp),
                                        cmocka_unit_test(the_curve_of_doublings)};
