@@ -62,11 +62,14 @@ typedef struct whirl_record_options {
     double highest_order; ///< spectra are kept up to this order of the running speed
     /// End the transient early, but for 64 revolutions, where the motion has settled on a periodic orbit to 1e-11.
     bool settle;
-    int modes;           ///< modes that are kept, >= 1
-    double probe_angle;  ///< of the first probe of every station, rad from the x axis towards y
-    bool spectra;        ///< keep whole spectra, not only their peaks
-    bool waveform;       ///< waveforms are needed (for spectra or to be kept)
-    whirl_growth growth; ///< costs one trajectory while watched, or as many as there are coordinates
+    int modes;          ///< modes that are kept, >= 1
+    double probe_angle; ///< of the first probe of every station, rad from the x axis towards y
+    bool spectra;       ///< keep whole spectra, not only their peaks
+    bool waveform;      ///< waveforms are needed (for spectra or to be kept)
+    /// Look for the orbits of motions that have come to rest, by Newton's method; with `settle` also before they have,
+    /// and end the transient where the motion cannot but come to rest on one.
+    bool orbits;
+    whirl_growth growth;       ///< costs one trajectory while watched, or as many as there are coordinates
     whirl_trace_options trace; ///< of branches alone
 } whirl_record_options;
 
@@ -99,6 +102,31 @@ typedef struct whirl_step_quality {
     double error;  ///< of a revolution by the steps, over the size of the motion
     double factor; ///< times as many steps are needed, 1 where these are good
 } whirl_step_quality;
+
+/// What became of the search for the orbit that a motion has come to rest on.
+typedef enum whirl_orbit_search {
+    WHIRL_ORBIT_UNSOUGHT = 0, ///< the motion does not return, the search would cost too much, or there is no Jacobian
+    WHIRL_ORBIT_STABLE,       ///< the motion is on it, and all multipliers are within the unit circle
+    WHIRL_ORBIT_UNSTABLE,     ///< a multiplier is on the unit circle or beyond it
+    WHIRL_ORBIT_ELSEWHERE,    ///< the nearest one is not where the motion is
+    WHIRL_ORBIT_NONE          ///< Newton's method found none
+} whirl_orbit_search;
+
+/// The periodic orbit of a motion that has come to rest.
+typedef struct whirl_record_orbit {
+    whirl_orbit_search search;
+    int period;              ///< revolutions after which it closes
+    double residual;         ///< by which it fails to close, over its largest coordinate
+    double distance;         ///< of the motion's last state from it, over the size of the motion
+    double modulus;          ///< of the largest multiplier
+    size_t multiplier_count; ///< coordinates that do not turn on and on; 0: no orbit was found
+    double *multipliers;     ///< [dimension][2] real and imaginary parts, by falling modulus
+    double volume;           ///< sum of ln|multiplier| by the divergence along the orbit; NaN where it is not known
+    double revolutions;      ///< that Newton's method took, with all disturbances
+    /// Revolution after which the motion was set upon the orbit: the record holds its revolutions again and again, and
+    /// growths by its multipliers. 0: the motion ran all its way.
+    double set_at;
+} whirl_record_orbit;
 
 /// What was gathered of one motion. Lengths in the system's own; one block, freed by whirl_record_free.
 /// After a divergence only `diverged_at`, `motion`, `steps` and `end` mean anything.
@@ -135,6 +163,7 @@ typedef struct whirl_record {
                  ///< left
 
     whirl_step_quality steps;
+    whirl_record_orbit orbit; ///< unsought where the options do not ask for it
 } whirl_record;
 
 /// Called after every revolution of a motion; false asks for a stop.
@@ -301,6 +330,9 @@ typedef struct whirl_verdict {
                      ///< quasi-periodic motion
     /// Of an undetermined motion that drifts evenly along a closed curve: revolutions once round it; NaN for others.
     double round;
+    whirl_orbit_search orbit; ///< what became of the search for the orbit of a motion that returns, and of that orbit
+    int orbit_period;
+    double orbit_residual, orbit_distance, orbit_modulus; ///< as whirl_record_orbit has them; NaN where there is none
     double step_growth; ///< whirl_step_quality.growth; NaN for methods with a tolerance
     double step_error;  ///< whirl_step_quality.error
 } whirl_verdict;

@@ -62,8 +62,8 @@ whirl_status whirl_ensemble_flow(const whirl_system *system, const whirl_integra
 void whirl_ensemble_part(whirl_ensemble *ensemble, size_t lane, double from, double length);
 
 /// Lets disturbances go along with a lane of one of the last three in the next revolution, as whirl_integrator_carry
-/// has them; of whirl_ensemble_variational, all of them, with growth; of whirl_ensemble_flow, as many as there is room
-/// for, without. They belong to the caller.
+/// has them; of whirl_ensemble_variational, all of them, those of all lanes with growth or all without; of
+/// whirl_ensemble_flow, as many as there is room for, without. They belong to the caller.
 void whirl_ensemble_carry(whirl_ensemble *ensemble, size_t lane, whirl_disturbances *disturbances);
 
 /// Lanes that there are: those asked for, rounded up to whole vectors.

@@ -50,6 +50,7 @@ typedef struct analysis_plan {
     bool needs_waveform;       ///< options without it contradict the choice of this analysis
     whirl_growth needs_growth; ///< the least of it, likewise
     whirl_growth uses_growth;  ///< what is followed for it (whirl_analysis_needs) where it says less without
+    bool uses_orbits;          ///< orbits are looked for, likewise
     whirl_status (*compute)(const whirl_record *record, const whirl_record_options *options, const block_view *view);
     /// In its place: of a machine at rest, without any motion.
     whirl_status (*compute_resting)(const whirl_resting *point, const whirl_record_options *options,
@@ -63,7 +64,7 @@ typedef struct analysis_plan {
 
 extern const analysis_plan poincare_analysis, orbit_analysis, rub_analysis, waveform_analysis, spectrum_analysis,
     lyapunov_analysis, exponents_analysis, regime_analysis, winding_analysis, evidence_analysis, modes_analysis,
-    unbalance_analysis, trace_analysis;
+    unbalance_analysis, floquet_analysis, trace_analysis;
 
 /// The plans, in the order of whirl_analyses().
 extern const analysis_plan *const analysis_plans[];

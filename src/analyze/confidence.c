@@ -42,9 +42,36 @@ static bool returns_contradict(const whirl_verdict *v, const evidence *e) {
     return rate > v->exponent.value + 0.1 * fabs(v->exponent.value) + clear_sigmas * v->exponent.error;
 }
 
-static whirl_confidence weigh_periodic(const whirl_verdict *v, const evidence *e) {
+/// By the returns and the exponent alone.
+static whirl_confidence weigh_returns(const whirl_verdict *v, const evidence *e) {
     const bool clear = is_clear(v->exponent) && left_to_go(v, e) <= settled && !returns_contradict(v, e);
     return clear && e->returns.separation >= 100.0 * left_to_go(v, e) ? WHIRL_HIGH : WHIRL_FAIR;
+}
+
+/// Whether the motion is on the orbit that was found, which draws in what is so near, and that is P-k.
+static bool orbit_holds(const whirl_verdict *v, const evidence *e) {
+    const double much = 100.0, at_rest = 10.0 * recurrence_tolerance, off = fmax(v->recurrence, v->orbit_distance);
+    return v->orbit == WHIRL_ORBIT_STABLE && v->orbit_period == v->period && off <= at_rest &&
+           e->returns.separation >= much * off && 1.0 - v->orbit_modulus > much * off;
+}
+
+/// A stable orbit where the motion is earns trust. One that is unstable, elsewhere or of another period takes it, and
+/// so does, by a step, that there is none.
+static whirl_confidence weigh_periodic(const whirl_verdict *v, const evidence *e) {
+    const whirl_confidence alone = weigh_returns(v, e);
+    switch (v->orbit) {
+    case WHIRL_ORBIT_STABLE:
+        if (orbit_holds(v, e)) return WHIRL_HIGH;
+        return v->orbit_period == v->period ? alone : WHIRL_LOW;
+    case WHIRL_ORBIT_UNSTABLE:
+    case WHIRL_ORBIT_ELSEWHERE:
+        return WHIRL_LOW;
+    case WHIRL_ORBIT_NONE:
+        return alone == WHIRL_HIGH ? WHIRL_FAIR : WHIRL_LOW;
+    case WHIRL_ORBIT_UNSOUGHT:
+        break;
+    }
+    return alone;
 }
 
 /// Whether there are signs that the motion comes to rest on a locked one.

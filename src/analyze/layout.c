@@ -24,6 +24,7 @@ void whirl_analysis_needs(whirl_analysis_set set, whirl_record_options *options)
         options->waveform = options->waveform || plan->needs_waveform;
         if (plan->needs_growth > options->growth) options->growth = plan->needs_growth;
         if (plan->uses_growth > options->growth) options->growth = plan->uses_growth;
+        options->orbits = options->orbits || plan->uses_orbits;
     }
 }
 

@@ -36,6 +36,7 @@ static const whirl_member members[] = {
            ""),
     FLAG(spectra, "", "no", "whole spectra are kept"),
     FLAG(waveform, "", "yes", "waveforms are recorded"),
+    FLAG(orbits, "", "no", "orbits of motions that have come to rest are looked for"),
     WHOLE("growth", growth, "", "growth", "1", 0, WHIRL_GROWTH_ALL, false,
           "disturbances that are followed: 0 none, 1 one, 2 all"),
     // What a case says anew of its details.

@@ -17,7 +17,7 @@ int record_skip(const whirl_record_options *options, int revolution) {
 
 /// Numbers of every part of a record; the order of the parts is fixed in `lay_out`.
 typedef struct sizes {
-    size_t section, growth, growths, waveform, dimension, probes, contacts;
+    size_t section, growth, growths, waveform, multipliers, dimension, probes, contacts;
 } sizes;
 
 static sizes measure(const whirl_system *system, const whirl_integrate_options *integrate,
@@ -28,6 +28,7 @@ static sizes measure(const whirl_system *system, const whirl_integrate_options *
                    .growth = options->growth != WHIRL_GROWTH_NONE ? watch : 0,
                    .growths = options->growth == WHIRL_GROWTH_ALL ? watch : 0,
                    .waveform = options->waveform ? 2 * system->probe_count * (size_t)options->record * samples : 0,
+                   .multipliers = options->orbits ? 2 * system->dimension : 0,
                    .dimension = system->dimension,
                    .probes = system->probe_count,
                    .contacts = system->contact_count};
@@ -46,6 +47,7 @@ static void lay_out(whirl_record *record, double *block, const sizes *size) {
         record->growths = cut(&block, size->growths * size->dimension);
         record->volume = cut(&block, size->growths);
     }
+    record->orbit.multipliers = cut(&block, size->multipliers);
     record->waveform = cut(&block, size->waveform);
     record->low = cut(&block, size->dimension);
     record->high = cut(&block, size->dimension);
@@ -67,7 +69,7 @@ whirl_record *record_new(const whirl_system *system, const whirl_integrate_optio
                          const whirl_record_options *options) {
     const sizes size = measure(system, integrate, options);
     const size_t numbers = size.section + size.growth + size.growths * (size.dimension + 1) + size.waveform +
-                           observed(size.dimension, size.probes, size.contacts);
+                           size.multipliers + observed(size.dimension, size.probes, size.contacts);
     whirl_record *record = calloc(1, sizeof *record + numbers * sizeof(double));
     if (!record) return NULL;
     lay_out(record, (double *)(record + 1), &size);
@@ -103,6 +105,8 @@ void record_archive(whirl_record *r, const whirl_integrate_options *integrate, c
     archive_same(a, (double)r->probe_count);
     archive_same(a, (double)r->contact_count);
     archive_part(a, &r->revolutions, sizeof r->revolutions);
+    archive_part(a, &r->orbit.set_at, sizeof r->orbit.set_at);
+    archive_part(a, &r->orbit.revolutions, sizeof r->orbit.revolutions);
     archive_count(a, &r->section_count, (size_t)whirl_record_watch(options));
     archive_count(a, &r->growth_count, options->growth ? (size_t)whirl_record_watch(options) : 0);
     archive_count(a, &r->sample_count, samples);
@@ -114,6 +118,36 @@ void record_archive(whirl_record *r, const whirl_integrate_options *integrate, c
         archive_part(a, r->waveform + i * samples, r->sample_count * sizeof *r->waveform);
     // What is observed of every instant stands behind the waveform, to the end.
     archive_part(a, r->low, observed(r->dimension, r->probe_count, r->contact_count) * sizeof *r->low);
+}
+
+/// Copies what stands in the last k of `count` rows of `width` numbers over all rows before them, again and again.
+static void repeat_rows(double *rows, size_t count, size_t width, size_t k) {
+    for (size_t i = count - k; i-- > 0;) memcpy(rows + i * width, rows + (i + k) * width, width * sizeof *rows);
+}
+
+void record_begin_orbit(whirl_record *record, const whirl_record_options *options, size_t k) {
+    record->section_count = (size_t)whirl_record_watch(options) - k;
+    record->sample_count = options->waveform ? (record->record_count - k) * record->samples_per_revolution : 0;
+    record->growth_count = 0;
+}
+
+void record_repeat_orbit(whirl_record *record, const whirl_record_options *options) {
+    const size_t k = (size_t)record->orbit.period, samples = record->samples_per_revolution;
+    const double times = (double)record->record_count / (double)k;
+    repeat_rows(record->section, record->section_count, record->dimension, k);
+    for (size_t i = 0; i < 2 * record->probe_count && options->waveform; i++)
+        repeat_rows(record->waveform + i * record->record_count * samples, record->record_count, samples, k);
+#define REPEAT(array, extent, columns, fold, ...)                                                                      \
+    for (size_t i = 0, all = WHIRL_WATCHED_SIZE(extent, columns, record->probe_count, record->contact_count); i < all; \
+         i++) {                                                                                                        \
+        if ((fold) == WHIRL_MEAN) record->array[i] *= times;                                                           \
+        if ((fold) == WHIRL_SUM) record->array[i] = round(record->array[i] * times);                                   \
+    }
+    WHIRL_WATCHED(REPEAT)
+#undef REPEAT
+    if (options->growth == WHIRL_GROWTH_NONE) return;
+    record->growth_count = record->section_count;
+    for (size_t n = 0; n < record->growth_count; n++) record->growth[n] = log(record->orbit.modulus) / (double)k;
 }
 
 void whirl_record_free(whirl_record *record) {

@@ -13,6 +13,14 @@ int record_skip(const whirl_record_options *options, int revolution);
 whirl_record *record_new(const whirl_system *system, const whirl_integrate_options *integrate,
                          const whirl_record_options *options);
 
+/// A motion was set upon an orbit of k <= options->record revolutions: what is recorded of these stands at the end of
+/// sections and waveforms.
+void record_begin_orbit(whirl_record *record, const whirl_record_options *options, size_t k);
+
+/// Fills the rest of them, before means are scaled, with these revolutions again and again, and growths by the
+/// largest multiplier of record->orbit.
+void record_repeat_orbit(whirl_record *record, const whirl_record_options *options);
+
 /// Coordinates that turn on and on have no size and no place in the section, once the record is complete.
 void record_close_turns(whirl_record *record);
 

@@ -8,6 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "approach.h"
+#include "orbits.h"
 #include "record_block.h"
 #include "settling.h"
 #include "steps.h"
@@ -24,6 +26,9 @@ typedef struct motion {
     size_t lane, twin_lane;
     trajectory_twin twin;
     settling *settling;     ///< NULL when every transient runs to its end
+    approach *approach;     ///< NULL when no orbit is looked for before that
+    int first_recorded;     ///< revolution
+    shot *shot;             ///< the motion waits for it; or NULL
     double *x;              ///< [2 dimension] its state, and its twin's
     double *disturbances;   ///< [disturbed][dimension]
     whirl_disturbances set; ///< the same while an integrator carries them, else none
@@ -36,6 +41,7 @@ struct whirl_recorder {
     const whirl_task_source *source;
     whirl_ensemble *ensemble;
     whirl_ensemble *variational; ///< that carries all disturbances, beside the other one; or NULL
+    shooter *shooter;            ///< that looks for orbits, or NULL
     size_t dimension, lane_count;
     size_t beside;           ///< disturbances of a motion that are carried by the Jacobian
     int first_watched, last; ///< revolutions
@@ -55,12 +61,26 @@ static bool has_twins(const whirl_recorder *r) {
     return r->options->growth == WHIRL_GROWTH_LARGEST && r->beside == 0;
 }
 
-static bool follows(const whirl_recorder *r, const motion *m) {
-    return has_twins(r) && m->revolution >= r->first_watched;
+/// Whether it was set upon an orbit whose multipliers tell how disturbances grow.
+static bool is_on_orbit(const motion *m) {
+    return m->record->orbit.set_at > 0.0;
 }
 
-static bool records(const whirl_recorder *r, const motion *m) {
-    return m->revolution >= r->options->transient;
+/// Whether the growth of disturbances is followed.
+static bool is_followed(const whirl_recorder *r, const motion *m) {
+    return m->revolution >= r->first_watched && !is_on_orbit(m);
+}
+
+static bool follows(const whirl_recorder *r, const motion *m) {
+    return has_twins(r) && is_followed(r, m);
+}
+
+static bool records(const motion *m) {
+    return m->revolution >= m->first_recorded;
+}
+
+static bool is_over(const whirl_recorder *r, const motion *m) {
+    return m->record->motion != WHIRL_BOUNDED || m->revolution == r->last;
 }
 
 static bool waits(const motion *m) {
@@ -90,12 +110,15 @@ static void free_lane(whirl_recorder *r, size_t lane) {
         moved->twin_lane = lane;
 }
 
+static void leave_twin(whirl_recorder *r, motion *m) {
+    if (m->twin_lane == NO_LANE) return;
+    const size_t lane = m->twin_lane;
+    m->twin_lane = NO_LANE;
+    free_lane(r, lane);
+}
+
 static void leave_lanes(whirl_recorder *r, motion *m) {
-    if (m->twin_lane != NO_LANE) {
-        const size_t lane = m->twin_lane;
-        m->twin_lane = NO_LANE;
-        free_lane(r, lane);
-    }
+    leave_twin(r, m);
     if (m->lane != NO_LANE) {
         const size_t lane = m->lane;
         m->lane = NO_LANE;
@@ -127,7 +150,9 @@ static void motion_free(motion *m) {
     if (!m) return;
     whirl_record_free(m->record);
     settling_free(m->settling);
+    approach_free(m->approach);
     free(m->saved);
+    free(m->shot);
     free(m);
 }
 
@@ -141,9 +166,13 @@ static motion *motion_new(const whirl_recorder *r, const whirl_task *task) {
     m->record = record_new(task->system, r->integrate, r->options);
     if (m->record && r->beside > 0) record_place_disturbances(m->record, r->beside, m->disturbances);
     memcpy(m->x, task->start, r->dimension * sizeof *m->x);
-    if (follows(r, m)) twin_begin(&m->twin, m->x);
+    m->first_recorded = r->options->transient;
+    if (m->record && follows(r, m)) twin_begin(&m->twin, m->x);
     if (r->options->settle) m->settling = settling_new(r->dimension, task->system->turns);
-    if (m->record && (m->settling || !r->options->settle)) return m;
+    // Of all exponents the smallest are lost in the rounding of a matrix: they are followed to the end.
+    const bool approaches = m->settling && r->shooter && r->options->growth != WHIRL_GROWTH_ALL;
+    if (approaches) m->approach = approach_new(task->system, r->integrate, r->options);
+    if (m->record && (m->settling || !r->options->settle) && (m->approach || !approaches)) return m;
     motion_free(m);
     return NULL;
 }
@@ -155,9 +184,15 @@ static motion *motion_new(const whirl_recorder *r, const whirl_task *task) {
 static void motion_archive(const whirl_recorder *r, motion *m, archive *a) {
     record_archive(m->record, r->integrate, r->options, a);
     archive_part(a, &m->revolution, sizeof m->revolution);
+    archive_part(a, &m->first_recorded, sizeof m->first_recorded);
     archive_part(a, &m->twin.distance, sizeof m->twin.distance);
     archive_part(a, m->x, (2 + r->beside) * r->dimension * sizeof *m->x); // disturbances follow
     if (m->settling) settling_archive(m->settling, a);
+    if (m->approach) approach_archive(m->approach, a);
+    size_t shooting = m->shot ? m->shot->revolutions : 0;
+    archive_count(a, &shooting, WHIRL_MAX_PERIOD);
+    if (shooting > 0 && a->sound && !m->shot) m->shot = shot_new(m->task.system, shooting, m->x);
+    a->sound = a->sound && (shooting == 0 || m->shot);
     const size_t numbers = whirl_ensemble_numbers(r->ensemble);
     size_t in_lane = m->saved != NULL;
     archive_count(a, &in_lane, 1);
@@ -237,7 +272,7 @@ static whirl_status fill(whirl_recorder *r) {
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < r->count && status.code == WHIRL_OK; i++) {
         motion *m = r->motions[i];
-        if (!waits(m)) continue;
+        if (!waits(m) || m->shot) continue;
         if (r->used + lanes_needed(r, m) > r->lane_count) return status;
         status = enter_lanes(r, m);
     }
@@ -269,8 +304,8 @@ static void note_beside(motion *m) {
 
 /// Before a revolution, in which a motion may begin to be watched or recorded.
 static whirl_status prepare(whirl_recorder *r, motion *m) {
-    if (m->revolution == r->options->transient) whirl_ensemble_forget(r->ensemble, m->lane);
-    if (r->beside > 0 && !r->variational && m->revolution >= r->first_watched) carry_beside(r, m, r->ensemble, m->lane);
+    if (m->revolution == m->first_recorded) whirl_ensemble_forget(r->ensemble, m->lane);
+    if (r->beside > 0 && !r->variational && is_followed(r, m)) carry_beside(r, m, r->ensemble, m->lane);
     if (!follows(r, m) || m->twin_lane != NO_LANE) return whirl_ok();
     twin_begin(&m->twin, m->x);
     if (r->used < r->lane_count) {
@@ -287,7 +322,7 @@ static whirl_status prepare_all(whirl_recorder *r) {
     for (size_t i = 0; i < r->count && status.code == WHIRL_OK; i++) {
         motion *m = r->motions[i];
         if (!waits(m)) status = prepare(r, m);
-        recording = recording || (!waits(m) && records(r, m));
+        recording = recording || (!waits(m) && records(m));
     }
     r->watch.extremes = recording;
     return status;
@@ -306,7 +341,7 @@ static void sample(void *context) {
 /// Where the waveforms of lane's motion go on; NULL where nothing is recorded there.
 static double *waveform_of(const whirl_recorder *r, size_t lane) {
     const motion *m = lane < r->used ? r->owner[lane] : NULL;
-    return m && m->lane == lane && records(r, m) ? m->record->waveform + m->record->sample_count : NULL;
+    return m && m->lane == lane && records(m) ? m->record->waveform + m->record->sample_count : NULL;
 }
 
 /// The samples of a revolution go to the records, those of a few neighbouring lanes at a time, which lie side by side.
@@ -338,7 +373,7 @@ static whirl_status follow_all(whirl_recorder *r) {
     size_t count = 0;
     for (size_t i = 0; r->variational && i < r->count; i++) {
         motion *m = r->motions[i];
-        if (waits(m) || m->revolution < r->first_watched) continue;
+        if (waits(m) || !is_followed(r, m)) continue;
         const whirl_status status = whirl_ensemble_load(r->variational, count, m->task.system, m->x);
         if (status.code != WHIRL_OK) return status;
         carry_beside(r, m, r->variational, count++);
@@ -357,7 +392,7 @@ static void note(whirl_recorder *r, motion *m) {
     whirl_ensemble_state(r->ensemble, m->lane, m->x);
     record->motion = whirl_ensemble_motion(r->ensemble, m->lane);
     note_beside(m);
-    if (records(r, m)) record->sample_count += r->sample_count;
+    if (records(m)) record->sample_count += r->sample_count;
     m->revolution++;
     record->revolutions += 1.0;
     if (record->motion != WHIRL_BOUNDED) {
@@ -368,7 +403,16 @@ static void note(whirl_recorder *r, motion *m) {
         if (m->twin_lane != NO_LANE) follow_twin(r, m);
         memcpy(record->section + record->section_count++ * record->dimension, m->x, record->dimension * sizeof *m->x);
     }
-    if (m->settling && settling_note(m->settling, m->x)) m->revolution = record_skip(r->options, m->revolution);
+    if (!m->settling || is_on_orbit(m)) return;
+    if (settling_note(m->settling, m->x)) m->revolution = record_skip(r->options, m->revolution);
+    if (m->approach) approach_goes_on(m->approach, m->settling);
+}
+
+/// What is known of the orbit that a motion was set upon, once it has been round.
+static void close_orbit(const whirl_recorder *r, const motion *m) {
+    const shot *orbit = approach_orbit(m->approach);
+    orbits_tell(m->record, orbit, shot_distance(orbit, m->x));
+    record_repeat_orbit(m->record, r->options);
 }
 
 static void close_record(const whirl_recorder *r, const motion *m) {
@@ -378,6 +422,7 @@ static void close_record(const whirl_recorder *r, const motion *m) {
 #undef SEEN
     const double share = 1.0 / ((double)r->options->record * r->integrate->steps_per_revolution);
     whirl_ensemble_read(r->ensemble, m->lane, &seen);
+    if (is_on_orbit(m)) close_orbit(r, m);
 #define SCALE(array, extent, columns, fold, ...)                                                                       \
     for (size_t i = 0, all = WHIRL_WATCHED_SIZE(extent, columns, record->probe_count, record->contact_count);          \
          (fold) == WHIRL_MEAN && i < all; i++)                                                                         \
@@ -387,27 +432,113 @@ static void close_record(const whirl_recorder *r, const motion *m) {
     memcpy(record->end, m->x, record->dimension * sizeof *m->x);
 }
 
+/// Completes the records of finished motions.
+static whirl_status complete(const whirl_recorder *r) {
+    whirl_status status = whirl_ok();
+    for (size_t i = 0; i < r->count && status.code == WHIRL_OK; i++) {
+        const motion *m = r->motions[i];
+        if (!is_over(r, m)) continue;
+        if (m->record->motion == WHIRL_BOUNDED) close_record(r, m);
+        status = steps_look(m->task.system, r->integrate, m->record);
+        record_close_turns(m->record);
+    }
+    return status;
+}
+
+// ---------------------------------------------------------------- orbits
+
+/// After how many revolutions an orbit is looked for that is near the motion now; 0: none is.
+static size_t orbit_to_try(const whirl_recorder *r, const motion *m) {
+    if (waits(m) || m->record->motion != WHIRL_BOUNDED || is_on_orbit(m)) return 0;
+    if (m->revolution == r->last) return orbits_settled_period(m->record, r->options);
+    if (!m->approach || m->revolution >= r->options->transient) return 0;
+    return approach_tries(m->approach, m->settling, m->revolution);
+}
+
+/// Motions near an orbit wait for Newton's method, out of their lanes, until enough of them do: side by side it costs
+/// least.
+static whirl_status aim(whirl_recorder *r) {
+    for (size_t i = 0; i < r->count && r->shooter; i++) {
+        motion *m = r->motions[i];
+        const size_t k = orbit_to_try(r, m);
+        if (k == 0) continue;
+        m->shot = shot_new(m->task.system, k, m->x);
+        if (!m->shot) return whirl_fail(WHIRL_NO_MEMORY, "no memory to look for an orbit");
+        leave_lanes(r, m);
+    }
+    return whirl_ok();
+}
+
+/// Sets a motion upon the orbit that it approaches, for one round that is recorded.
+static void set_on_orbit(whirl_recorder *r, motion *m) {
+    const shot *orbit = approach_orbit(m->approach);
+    m->record->orbit.set_at = m->revolution;
+    leave_twin(r, m);
+    memcpy(m->x, orbit->nodes, r->dimension * sizeof *m->x);
+    if (!waits(m)) whirl_ensemble_place(r->ensemble, m->lane, m->x);
+    m->revolution = m->first_recorded = r->last - (int)orbit->revolutions;
+    record_begin_orbit(m->record, r->options, orbit->revolutions);
+}
+
+/// Takes what became of a motion's shot.
+static whirl_status take_shot(const whirl_recorder *r, motion *m) {
+    shot *s = m->shot;
+    m->shot = NULL;
+    m->record->orbit.revolutions += s->carried;
+    if (m->revolution < r->last) return approach_take(m->approach, s, m->settling, m->revolution);
+    orbits_tell(m->record, s, shot_distance(s, m->x));
+    free(s);
+    return whirl_ok();
+}
+
+/// How many of `count` motions that wait for Newton's method may wait on: as many as do not fill half of its lanes,
+/// while several times as many motions go on, and none that waits is over.
+static size_t may_wait(const whirl_recorder *r, size_t count) {
+    const size_t lanes = shooter_lanes(r->shooter) / 2, others = (r->count - count) / 4;
+    const size_t most = lanes < others ? lanes : others;
+    for (size_t i = 0; i < r->count; i++)
+        if (r->motions[i]->shot && is_over(r, r->motions[i])) return 0;
+    return most > 0 ? most - 1 : 0;
+}
+
+/// Looks for the orbits of the motions that wait for it.
+static whirl_status look_for_orbits(whirl_recorder *r) {
+    shot **shots = r->shooter ? calloc(r->count + 1, sizeof(shot *)) : NULL;
+    if (!shots) return r->shooter ? whirl_fail(WHIRL_NO_MEMORY, "no memory to look for orbits") : whirl_ok();
+    size_t count = 0;
+    for (size_t i = 0; i < r->count; i++)
+        if (r->motions[i]->shot) shots[count++] = r->motions[i]->shot;
+    whirl_status status = shooter_fire(r->shooter, shots, count, may_wait(r, count) + 1);
+    for (size_t i = 0; i < r->count && status.code == WHIRL_OK; i++)
+        if (r->motions[i]->shot && r->motions[i]->shot->done) status = take_shot(r, r->motions[i]);
+    free(shots);
+    return status;
+}
+
+/// Ends the transients of motions that cannot but come to rest on their orbits.
+static void end_transients(whirl_recorder *r) {
+    for (size_t i = 0; i < r->count; i++) {
+        motion *m = r->motions[i];
+        const bool transient = !m->shot && m->revolution < r->options->transient && !is_on_orbit(m);
+        if (m->approach && transient && approach_arrives(m->approach, m->settling)) set_on_orbit(r, m);
+    }
+}
+
+// ---------------------------------------------------------------- motions end
+
 /// Hands finished motions to the source.
 static whirl_status hand_over(whirl_recorder *r) {
     size_t kept = 0;
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < r->count; i++) {
         motion *m = r->motions[i];
-        const bool over = m->record->motion != WHIRL_BOUNDED || m->revolution == r->last;
-        if (!over || status.code != WHIRL_OK) {
+        if (!is_over(r, m) || status.code != WHIRL_OK) {
             r->motions[kept++] = m;
             continue;
         }
-        if (m->record->motion == WHIRL_BOUNDED) close_record(r, m);
-        status = steps_look(m->task.system, r->integrate, m->record);
-        record_close_turns(m->record);
         leave_lanes(r, m);
-        if (status.code == WHIRL_OK) {
-            status = r->source->done(r->source->context, &m->task, m->record);
-            m->record = NULL;
-        } else {
-            r->source->abandon(r->source->context, &m->task);
-        }
+        status = r->source->done(r->source->context, &m->task, m->record);
+        m->record = NULL;
         motion_free(m);
     }
     r->count = kept;
@@ -416,7 +547,9 @@ static whirl_status hand_over(whirl_recorder *r) {
 
 whirl_status whirl_recorder_revolve(whirl_recorder *r, size_t *turned) {
     *turned = 0;
-    whirl_status status = fill(r);
+    whirl_status status = look_for_orbits(r); // of motions that were taken up while they waited for it
+    end_transients(r);
+    if (status.code == WHIRL_OK) status = fill(r);
     if (status.code == WHIRL_OK) status = prepare_all(r);
     if (status.code != WHIRL_OK || r->count == 0) return status;
     status = follow_all(r);
@@ -429,7 +562,11 @@ whirl_status whirl_recorder_revolve(whirl_recorder *r, size_t *turned) {
         note(r, r->motions[i]);
         ++*turned;
     }
-    status = hand_over(r);
+    status = complete(r);
+    if (status.code == WHIRL_OK) status = aim(r);
+    if (status.code == WHIRL_OK) status = look_for_orbits(r);
+    end_transients(r);
+    if (status.code == WHIRL_OK) status = hand_over(r);
     if (status.code == WHIRL_OK) save_motions(r);
     return status;
 }
@@ -468,9 +605,13 @@ static whirl_status start_ensemble(whirl_recorder *r, const whirl_system *system
 static whirl_status start(whirl_recorder *r, const whirl_system *system, size_t lanes) {
     const whirl_status status = start_ensemble(r, system, lanes);
     if (status.code != WHIRL_OK) return status;
+    if (r->options->orbits && system->tangent) {
+        const whirl_status orbits = shooter_new(system, r->integrate, &r->shooter);
+        if (orbits.code == WHIRL_NO_MEMORY) return orbits;
+    }
     r->lane_count = whirl_ensemble_lanes(r->ensemble);
     r->owner = calloc(r->lane_count, sizeof(motion *));
-    if (r->most == 0) r->most = r->lane_count;
+    if (r->most == 0) r->most = r->shooter ? 2 * r->lane_count : r->lane_count; // some wait
     r->motions = calloc(r->most, sizeof(motion *));
     r->probes = system->probes;
     r->probe_count = system->probe_count;
@@ -496,6 +637,7 @@ void whirl_recorder_free(whirl_recorder *r) {
     free(r->samples);
     whirl_ensemble_free(r->ensemble);
     whirl_ensemble_free(r->variational);
+    shooter_free(r->shooter);
     free(r);
 }
 

@@ -209,6 +209,11 @@ whirl_verdict whirl_block_verdict(const whirl_layout *layout, const double *bloc
         .neighbours = whole(stored(layout, block, "regime/neighbours"), INT_MAX),
         .unlocked = whole(stored(layout, block, "regime/unlocked"), INT_MAX),
         .round = stored(layout, block, "regime/round"),
+        .orbit = (whirl_orbit_search)whole(stored(layout, block, "floquet/search"), WHIRL_ORBIT_NONE),
+        .orbit_period = whole(stored(layout, block, "floquet/period"), WHIRL_MAX_PERIOD),
+        .orbit_residual = stored(layout, block, "floquet/residual"),
+        .orbit_distance = stored(layout, block, "floquet/distance"),
+        .orbit_modulus = stored(layout, block, "floquet/modulus"),
         .step_growth = stored(layout, block, "regime/step_growth"),
         .step_error = stored(layout, block, "regime/step_error"),
     };

@@ -32,6 +32,9 @@
     analysis(evidence,                                                                                                 \
              "what a verdict can be checked by: 0-1 test, correlation, settling, largest Floquet multiplier",          \
              "Gottwald, Melbourne 2009 (0-1 test); docs/theory.md", ON_DEMAND)                                         \
+    analysis(floquet,                                                                                                  \
+             "the orbit that a motion has come to rest on, by Newton's method, and all its Floquet multipliers",       \
+             "Floquet 1883; docs/theory.md", ON_DEMAND)                                                                \
     analysis(modes, "frequencies, damping, whirl and shapes of small motions about where the machine rests",           \
              "Friswell, Penny, Garvey, Lees 2010; Floquet 1883 where coefficients turn with the shaft", RESTING)       \
     analysis(unbalance, "synchronous response to unbalance about where the machine rests",                             \

@@ -36,6 +36,10 @@ void settling_archive(settling *s, archive *a) {
     archive_part(a, s->states, KEPT * s->dimension * sizeof *s->states);
 }
 
+const double *settling_state(const settling *s, size_t back) {
+    return back < KEPT && back < s->count ? s->states + (s->count - 1 - back) % KEPT * s->dimension : NULL;
+}
+
 static bool close_to(const settling *s, const double *a, const double *b, double square) {
     double sum = 0.0;
     for (size_t i = 0; i < s->dimension && sum <= square; i++)

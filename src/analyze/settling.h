@@ -22,4 +22,8 @@ void settling_archive(settling *settling, archive *a);
 /// k <= 128, to 1e-11 of its size for three periods and 32 revolutions.
 bool settling_note(settling *settling, const double *x);
 
+/// The state [dimension] so many revolutions before the last one; NULL where it is no longer, or was never, there. 129
+/// are kept.
+const double *settling_state(const settling *settling, size_t back);
+
 #endif

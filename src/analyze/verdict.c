@@ -176,6 +176,17 @@ static void distrust(whirl_verdict *verdict) {
     verdict->advice = (whirl_advice){WHIRL_TIGHTER, 256.0};
 }
 
+/// What a search for the orbit says; returns of a motion that was set upon it are no better than it closes.
+static void take_orbit(whirl_verdict *verdict, const whirl_record_orbit *orbit) {
+    const bool found = orbit->multiplier_count > 0;
+    verdict->orbit = orbit->search;
+    verdict->orbit_period = found ? orbit->period : 0;
+    verdict->orbit_residual = found ? orbit->residual : (double)NAN;
+    verdict->orbit_distance = found ? orbit->distance : (double)NAN;
+    verdict->orbit_modulus = found ? orbit->modulus : (double)NAN;
+    if (orbit->set_at > 0.0) verdict->recurrence = fmax(verdict->recurrence, orbit->distance);
+}
+
 static whirl_verdict judge_bounded(const whirl_record *record) {
     const evidence all = evidence_gather(record), later = evidence_later_half(&all);
     const whirl_estimate returning = returning_exponent(&all);
@@ -193,6 +204,7 @@ static whirl_verdict judge_bounded(const whirl_record *record) {
     } else {
         verdict = open_verdict(&all);
     }
+    take_orbit(&verdict, &record->orbit);
     weigh_verdict(&verdict, e, record);
     if (all.exponents_failed) distrust(&verdict);
     return verdict;

@@ -138,11 +138,38 @@ static void quasi_periodic_reason(const whirl_verdict *v, const char *exponent, 
              v->recurrence, what, v->regularity, exponent);
 }
 
+/// What Newton's method says of a motion that returns.
+static void orbit_text(const whirl_verdict *v, char *text, size_t size) {
+    switch (v->orbit) {
+    case WHIRL_ORBIT_STABLE:
+    case WHIRL_ORBIT_UNSTABLE:
+        snprintf(text, size, "; an orbit of %d revolution%s closes to %.0e, its largest multiplier is %.4g%s",
+                 v->orbit_period, plural(v->orbit_period), v->orbit_residual, v->orbit_modulus,
+                 v->orbit == WHIRL_ORBIT_UNSTABLE ? ": it is not stable" : "");
+        return;
+    case WHIRL_ORBIT_ELSEWHERE:
+        snprintf(text, size, "; the nearest orbit is %.1e of its size away", v->orbit_distance);
+        return;
+    case WHIRL_ORBIT_NONE:
+        snprintf(text, size, "; Newton's method finds no orbit there");
+        return;
+    case WHIRL_ORBIT_UNSOUGHT:
+        break;
+    }
+    snprintf(text, size, "%s", "");
+}
+
+static void periodic_reason(const whirl_verdict *v, const char *exponent, char *text, size_t size) {
+    char orbit[112];
+    orbit_text(v, orbit, sizeof orbit);
+    snprintf(text, size, "returns after %d revolution%s to %.1e of its size; %s%s", v->period, plural(v->period),
+             v->recurrence, exponent, orbit);
+}
+
 static void regime_reason(const whirl_verdict *v, const char *exponent, char *text, size_t size) {
     switch (v->regime) {
     case WHIRL_PERIODIC:
-        snprintf(text, size, "returns after %d revolution%s to %.1e of its size; %s", v->period, plural(v->period),
-                 v->recurrence, exponent);
+        periodic_reason(v, exponent, text, size);
         return;
     case WHIRL_QUASI_PERIODIC:
         quasi_periodic_reason(v, exponent, text, size);

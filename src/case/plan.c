@@ -42,6 +42,7 @@ static void choose_analyses(whirl_batch *batch, whirl_analysis_set chosen, bool 
         batch->record.spectra = batch->record.waveform = false;
         batch->record.growth = WHIRL_GROWTH_NONE;
         batch->record.waveform_revolutions = batch->record.watch = 0;
+        batch->record.orbits = false;
         if (whirl_analysis_is_traced(chosen)) return;
         batch->record.transient = 0;
         batch->record.record = 1;
@@ -51,6 +52,7 @@ static void choose_analyses(whirl_batch *batch, whirl_analysis_set chosen, bool 
     batch->record.spectra = spectra;
     batch->record.waveform = false;
     batch->record.growth = WHIRL_GROWTH_NONE;
+    batch->record.orbits = false;
     whirl_analysis_needs(batch->analyses, &batch->record);
 }
 

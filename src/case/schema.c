@@ -58,7 +58,7 @@ static const whirl_key study_keys[] = {
     {"integrate", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "", "how and how long: see integrate", ""},
     {"keep", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "", "how much of waveforms and spectra: see keep", ""},
     {"analyze", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
-     "a list of analyses; all but waveform, exponents and evidence where absent", ""},
+     "a list of analyses; all but waveform, exponents, evidence and floquet where absent", ""},
     {"detail", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
      "values of the swept parameter that are computed once more, for longer and with whole waveforms and spectra", ""},
     {"units", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",

@@ -576,8 +576,16 @@ static void wrap(whirl_ensemble *e, size_t count) {
         }
 }
 
+/// Whether disturbances that go along stay orthonormal, and their growth is wanted.
+static bool are_measured(const whirl_ensemble *e, size_t count) {
+    bool any = false;
+    for (size_t lane = 0; lane < count; lane++) any = any || (e->beside[lane] && e->beside[lane]->growth);
+    return any;
+}
+
 static void revolve_rk4(whirl_ensemble *e, size_t count, const whirl_ensemble_observe *observe) {
     rk4_lanes lanes = e->lanes;
+    if (!are_measured(e, count)) lanes.lengths = NULL;
     if (!begin_disturbances(e, count)) lanes.disturbances = 0;
     lanes.used = count;
     lanes.vectors = (count + e->isa->lanes - 1) / e->isa->lanes;

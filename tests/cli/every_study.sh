@@ -18,7 +18,7 @@ rubs=('damping: 0 N.s/m' 'damping: 0.3 N.s/m') # of the contact: then normal for
 response='  response: {}'
 sweep='  sweep: {parameter: omega, from: 1.0, to: 4.0, points: 11'
 all='  keep: {waveform: 2}\n  confirm: yes\n  analyze: [poincare, orbit, rub, waveform, spectrum, lyapunov, exponents, '
-all+='regime, winding, evidence]'
+all+='regime, winding, evidence, floquet]'
 detail='  detail: {at: [1.5, 3.3], transient: 15, record: 10, waveform: 4}'
 studies=(
     "$response\n$all"

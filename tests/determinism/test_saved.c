@@ -179,6 +179,41 @@ static void side_by_side(void **state) {
     every_moment("dop853", moments, sizeof moments / sizeof *moments);
 }
 
+/// On the way to orbits: before one is looked for, while motions wait for it, once it is found and on it.
+static void looking_for_orbits(void **state) {
+    whirl_record_options options = options_of(WHIRL_GROWTH_LARGEST, true);
+    motions whole, first, second;
+    (void)state;
+    options.transient = 400;
+    options.orbits = true;
+    prepare(&whole);
+    record(&whole, "rk4", &options);
+    size_t ended = 0;
+    for (size_t i = 0; i < MOTIONS; i++) ended += whole.records[i]->orbit.set_at > 0.0;
+    assert_true(ended > 0);
+    for (int wanted = 24; wanted < 64; wanted += 3) {
+        prepare(&first);
+        prepare(&second);
+        first.wanted = wanted;
+        record(&first, "rk4", &options);
+        for (size_t i = 0; i < MOTIONS; i++) {
+            second.states[i] = first.states[i];
+            second.sizes[i] = first.sizes[i];
+            first.states[i] = NULL;
+        }
+        record(&second, "rk4", &options);
+        for (size_t i = 0; i < MOTIONS; i++) {
+            const whirl_record_orbit *a = &whole.records[i]->orbit, *b = &second.records[i]->orbit;
+            expect_same_records(whole.records[i], second.records[i]);
+            assert_true(a->set_at == b->set_at && a->residual == b->residual && a->revolutions == b->revolutions);
+            expect_same(a->multipliers, b->multipliers, 2 * a->multiplier_count);
+        }
+        forget(&first);
+        forget(&second);
+    }
+    forget(&whole);
+}
+
 static void one_after_the_other(void **state) {
     const int moments[] = {9, 19, 20};
     (void)state;
@@ -215,6 +250,7 @@ static void states_that_do_not_fit(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(side_by_side),
+        cmocka_unit_test(looking_for_orbits),
         cmocka_unit_test(one_after_the_other),
         cmocka_unit_test(states_that_do_not_fit),
     };

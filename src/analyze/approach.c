@@ -1,0 +1,240 @@
+#include "approach.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "metric.h"
+#include "orbits.h"
+#include "turns.h"
+
+/// Longest orbit that is looked for while a motion settles: its returns are seen twice among the states that are kept.
+enum { LONGEST = 40 };
+
+/// Returns within this share of the state's size are worth a try, once they have shrunk by that much.
+static const double near_enough = 3e-3, has_shrunk = 0.75;
+
+/// Part of what a step shortens that the map may differ from its derivative by.
+static const double safety = 0.5;
+
+/// Returns, and by how much they must have shortened the distance, that show the way.
+static const size_t fewest_returns = 3;
+static const double nearer = 0.5;
+
+struct approach {
+    const whirl_system *system;
+    const whirl_record_options *options;
+    double noise;           ///< of the map over the state's size: how well the method knows where a revolution ends
+    int next;               ///< revolution from which on Newton's method is tried again
+    double spent;           ///< revolutions by Newton's method
+    shot *orbit;            ///< NULL: none was found that is stable
+    size_t past;            ///< revolutions of it that the motion has done since its beginning
+    size_t good;            ///< returns in a row that went as foretold
+    double far;             ///< distance before the first of them
+    double last;            ///< and now
+    double begun;           ///< and when the orbit was found
+    double least_shrinking; ///< by which a return shortens every distance
+    double *monodromy;      ///< [kept][kept]
+    double *metric;         ///< [kept][kept] of distances
+    double *before, *now;   ///< [kept] from the orbit at the last return and at this one
+    double *rest;           ///< [kept] what was not foretold
+};
+
+approach *approach_new(const whirl_system *system, const whirl_integrate_options *integrate,
+                       const whirl_record_options *options) {
+    approach *a = calloc(1, sizeof *a);
+    if (!a) return NULL;
+    a->system = system;
+    a->options = options;
+    a->noise = whirl_method_is_adaptive(integrate->method) ? fmax(1e-12, 100.0 * integrate->rtol) : 1e-12;
+    return a;
+}
+
+static void leave_orbit(approach *a) {
+    free(a->orbit);
+    free(a->monodromy);
+    a->orbit = NULL;
+    a->monodromy = NULL;
+}
+
+void approach_free(approach *a) {
+    if (!a) return;
+    leave_orbit(a);
+    free(a);
+}
+
+shot *approach_orbit(const approach *a) {
+    return a->orbit;
+}
+
+double approach_spent(const approach *a) {
+    return a->spent;
+}
+
+/// Room for what follows from an orbit: a block of numbers, monodromy first.
+static bool make_room(approach *a, size_t n) {
+    a->monodromy = calloc(2 * n * n + 3 * n + 1, sizeof *a->monodromy);
+    if (!a->monodromy) return false;
+    a->metric = a->monodromy + n * n;
+    a->before = a->metric + n * n;
+    a->now = a->before + n;
+    a->rest = a->now + n;
+    return true;
+}
+
+void approach_archive(approach *a, archive *to) {
+    size_t revolutions = a->orbit ? a->orbit->revolutions : 0;
+    archive_part(to, &a->next, sizeof a->next);
+    archive_part(to, &a->spent, sizeof a->spent);
+    archive_count(to, &revolutions, LONGEST);
+    if (revolutions == 0 || !to->sound) return;
+    if (!a->orbit) {
+        a->orbit = shot_new(a->system, revolutions, a->system->turns ? a->system->turns : (double[1]){0.0});
+        if (!a->orbit || !make_room(a, a->orbit->kept)) to->sound = false;
+    }
+    if (!to->sound) return;
+    const size_t n = a->orbit->kept;
+    shot_archive(a->orbit, to);
+    archive_part(to, &a->past, sizeof a->past);
+    archive_part(to, &a->good, sizeof a->good);
+    archive_part(to, &a->far, sizeof a->far);
+    archive_part(to, &a->last, sizeof a->last);
+    archive_part(to, &a->begun, sizeof a->begun);
+    archive_part(to, &a->least_shrinking, sizeof a->least_shrinking);
+    archive_part(to, a->monodromy, (2 * n * n + n) * sizeof *a->monodromy);
+}
+
+// ---------------------------------------------------------------- when to try
+
+static double distance(const approach *a, const double *x, const double *y) {
+    double sum = 0.0;
+    for (size_t i = 0; i < a->system->dimension; i++)
+        if (!turns_on(a->system->turns, i)) sum += (x[i] - (y ? y[i] : 0.0)) * (x[i] - (y ? y[i] : 0.0));
+    return sqrt(sum);
+}
+
+/// The largest of `count` returns after k revolutions, the last one `back` revolutions ago.
+static double largest_return(const approach *a, const settling *s, size_t k, size_t back, size_t count) {
+    double most = 0.0;
+    for (size_t i = back; i < back + count; i++) {
+        const double *x = settling_state(s, i), *before = settling_state(s, i + k);
+        most = before ? fmax(most, distance(a, x, before)) : (double)INFINITY;
+    }
+    return most;
+}
+
+/// Returns of so many revolutions are seen together.
+static size_t window_of(size_t k, int revolution) {
+    const size_t longest = 32, eighth = (size_t)revolution / 8, least = k > 4 ? k : 4;
+    return eighth < least ? least : eighth < longest ? eighth : longest;
+}
+
+/// Whether the motion nearly returns after k revolutions, and nearer than it did before.
+static bool closes_in(const approach *a, const settling *s, size_t k, int revolution, double size) {
+    const size_t window = window_of(k, revolution);
+    const double *first = settling_state(s, 2 * window + k - 1);
+    if (!first || distance(a, settling_state(s, 0), settling_state(s, k)) > near_enough * size) return false;
+    const double late = largest_return(a, s, k, 0, window);
+    if (late > near_enough * size) return false;
+    return late <= a->noise * size || late <= has_shrunk * largest_return(a, s, k, window, window);
+}
+
+/// The fewest revolutions, of those that divide k, after which the motion returns nearly as well: a spiral that goes
+/// round in k is seen to come nearer after k first.
+static size_t shortest(const approach *a, const settling *s, size_t k, size_t repeats, int revolution) {
+    const double as_well = 3.0;
+    const size_t window = window_of(k, revolution);
+    const double late = largest_return(a, s, k, 0, window);
+    for (size_t j = repeats; j < k; j += repeats)
+        if (k % j == 0 && largest_return(a, s, j, 0, window) <= as_well * late) return j;
+    return k;
+}
+
+size_t approach_tries(approach *a, const settling *s, int revolution) {
+    enum { LEAST_PAUSE = 4 };
+    const size_t repeats = a->system->turns ? a->system->repeats : 1;
+    if (a->orbit || revolution < a->next || repeats == 0) return 0;
+    a->next = revolution + (revolution / 16 > LEAST_PAUSE ? revolution / 16 : LEAST_PAUSE);
+    const double size = distance(a, settling_state(s, 0), NULL);
+    for (size_t k = repeats; k <= LONGEST && k <= (size_t)a->options->record; k += repeats)
+        if (orbits_pay(a->system->dimension, a->options, k, a->spent) && closes_in(a, s, k, revolution, size))
+            return shortest(a, s, k, repeats, revolution);
+    return 0;
+}
+
+// ---------------------------------------------------------------- what was found
+
+/// A return went as foretold where what the derivative does not tell of it is but a part of what a step shortens.
+static void note_return(approach *a, const double *x) {
+    const size_t n = a->orbit->kept;
+    const double from = metric_length(n, a->metric, a->before);
+    double rest = 0.0;
+    shot_difference(a->orbit, x, a->now);
+    for (size_t i = 0; i < n; i++) {
+        a->rest[i] = a->now[i];
+        for (size_t k = 0; k < n; k++) a->rest[i] -= a->monodromy[i * n + k] * a->before[k];
+        rest += a->rest[i] * a->rest[i];
+    }
+    const bool foretold = sqrt(rest) <= a->noise * distance(a, x, NULL) ||
+                          metric_length(n, a->metric, a->rest) <= safety * a->least_shrinking * from;
+    if (a->good == 0) a->far = from;
+    a->good = foretold ? a->good + 1 : 0;
+    memcpy(a->before, a->now, n * sizeof *a->now);
+    a->last = metric_length(n, a->metric, a->now);
+}
+
+/// The returns that are known already.
+static void note_past(approach *a, const settling *s) {
+    const size_t k = a->orbit->revolutions;
+    size_t known = 0;
+    while (settling_state(s, (known + 1) * k)) known++;
+    shot_difference(a->orbit, settling_state(s, known * k), a->before);
+    a->past = a->good = 0;
+    a->last = metric_length(a->orbit->kept, a->metric, a->before);
+    while (known > 0) note_return(a, settling_state(s, --known * k));
+    a->begun = a->last;
+}
+
+/// Distances about the orbit; false where it is not stable.
+static bool measure(approach *a, bool *memory) {
+    const double margin = 1e-6;
+    const size_t n = a->orbit->kept;
+    const whirl_multiplier *largest = a->orbit->values;
+    double *room = malloc((3 * n * n + 1) * sizeof *room);
+    *memory = room && make_room(a, n);
+    bool stable = *memory && a->orbit->found && (n == 0 || hypot(largest->real, largest->imaginary) < 1.0 - margin);
+    if (stable) {
+        shot_monodromy(a->orbit, a->monodromy, room);
+        stable = metric_make(n, a->monodromy, a->metric, &a->least_shrinking, room);
+    }
+    free(room);
+    return stable;
+}
+
+whirl_status approach_take(approach *a, shot *s, const settling *states, int revolution) {
+    enum { LEAST_PAUSE = 8 };
+    bool memory;
+    a->spent += s->carried;
+    a->next = revolution + (revolution / 4 > LEAST_PAUSE ? revolution / 4 : LEAST_PAUSE);
+    a->orbit = s;
+    if (measure(a, &memory))
+        note_past(a, states);
+    else
+        leave_orbit(a);
+    return memory ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory to look for an orbit");
+}
+
+void approach_goes_on(approach *a, const settling *states) {
+    const double gone = 4.0;
+    if (!a->orbit) return;
+    a->past++;
+    if (a->past % a->orbit->revolutions != 0) return;
+    note_return(a, settling_state(states, 0));
+    if (a->last > gone * a->begun) leave_orbit(a);
+}
+
+bool approach_arrives(const approach *a, const settling *states) {
+    const double rounding = 10.0;
+    if (!a->orbit || a->past % a->orbit->revolutions != 0 || a->good < fewest_returns) return false;
+    return a->last <= nearer * a->far || a->last <= rounding * a->noise * distance(a, settling_state(states, 0), NULL);
+}

@@ -1,0 +1,78 @@
+// The orbit that a motion has come to rest on, and its Floquet multipliers, as fields.
+#include <math.h>
+
+#include "analysis.h"
+
+enum {
+    SEARCH,
+    PERIOD,
+    RESIDUAL,
+    DISTANCE,
+    MODULUS,
+    UNSTABLE,
+    MULTIPLIERS,
+    VOLUME_ERROR,
+    REVOLUTIONS,
+    SET_AT,
+    FIELD_COUNT
+};
+
+static size_t per_coordinate(const block_shape *shape) {
+    return shape->dimension;
+}
+
+static const field_plan fields[FIELD_COUNT] = {
+    [SEARCH] = {"search", "1",
+                "0 no orbit looked for, 1 the motion is on a stable one, 2 on an unstable one, 3 the nearest one is "
+                "elsewhere, 4 none found",
+                WHIRL_PER_POINT, 1, NULL},
+    [PERIOD] = {"period", "revolution", "revolutions after which the orbit closes", WHIRL_PER_POINT, 1, NULL},
+    [RESIDUAL] = {"residual", "1", "by which it fails to close, over its largest coordinate", WHIRL_PER_POINT, 1, NULL},
+    [DISTANCE] = {"distance", "1", "distance of the motion's last state from it, over the size of the motion",
+                  WHIRL_PER_POINT, 1, NULL},
+    [MODULUS] = {"modulus", "1", "modulus of its largest multiplier", WHIRL_PER_POINT, 1, NULL},
+    [UNSTABLE] = {"unstable", "1", "multipliers beyond the unit circle", WHIRL_PER_POINT, 1, NULL},
+    [MULTIPLIERS] = {"multipliers", "1", "real, imaginary", WHIRL_PER_POINT, 2, per_coordinate},
+    [VOLUME_ERROR] =
+        {"volume_error", "1",
+         "sum of the multipliers' logarithms less that by the divergence; missing where the smallest is below 1e-12",
+         WHIRL_PER_POINT, 1, NULL},
+    [REVOLUTIONS] = {"revolutions", "revolution", "revolutions that Newton's method took, with all disturbances",
+                     WHIRL_PER_POINT, 1, NULL},
+    [SET_AT] = {"set_at", "revolution", "revolution after which the motion was set upon it (0: it ran all its way)",
+                WHIRL_PER_POINT, 1, NULL},
+};
+
+/// What is told of multipliers, once there are some.
+static void put_multipliers(const whirl_record_orbit *orbit, const block_view *view) {
+    const double slight = 1e-9;
+    const double lost = 1e-12; // a smaller multiplier is in the rounding of the largest numbers of a derivative
+    double sum = 0.0, *unstable = view_numbers(view, UNSTABLE, 0);
+    *unstable = 0.0;
+    for (size_t i = 0; i < orbit->multiplier_count; i++) {
+        const double *value = orbit->multipliers + 2 * i, modulus = hypot(value[0], value[1]);
+        view_numbers(view, MULTIPLIERS, 0)[2 * i] = value[0];
+        view_numbers(view, MULTIPLIERS, 0)[2 * i + 1] = value[1];
+        *unstable += modulus > 1.0 + slight;
+        sum += log(modulus);
+    }
+    *view_numbers(view, PERIOD, 0) = orbit->period;
+    *view_numbers(view, RESIDUAL, 0) = orbit->residual;
+    *view_numbers(view, DISTANCE, 0) = orbit->distance;
+    *view_numbers(view, MODULUS, 0) = orbit->modulus;
+    const double *least = orbit->multipliers + 2 * (orbit->multiplier_count - 1);
+    if (hypot(least[0], least[1]) > lost) *view_numbers(view, VOLUME_ERROR, 0) = sum - orbit->volume;
+}
+
+static whirl_status compute(const whirl_record *record, const whirl_record_options *options, const block_view *view) {
+    const whirl_record_orbit *orbit = &record->orbit;
+    (void)options;
+    *view_numbers(view, SEARCH, 0) = orbit->search;
+    *view_numbers(view, REVOLUTIONS, 0) = orbit->revolutions;
+    *view_numbers(view, SET_AT, 0) = orbit->set_at;
+    if (orbit->multiplier_count > 0) put_multipliers(orbit, view);
+    return whirl_ok();
+}
+
+const analysis_plan floquet_analysis = {
+    .fields = fields, .field_count = FIELD_COUNT, .uses_orbits = true, .compute = compute};

@@ -1,0 +1,54 @@
+#include "orbits.h"
+
+#include <math.h>
+
+#include "section.h"
+
+/// What a revolution with a disturbance costs more than one without.
+static const double disturbed = 0.5;
+
+/// Steps of Newton's method that a search takes, and the share of a point's revolutions that it may cost.
+static const double steps = 3.0, most_share = 0.25;
+
+/// A motion that is further off, over its size, is not on the orbit.
+static const double elsewhere = 1e-4;
+
+/// A multiplier is on the unit circle.
+static const double neutral = 1e-9;
+
+bool orbits_pay(size_t dimension, const whirl_record_options *options, size_t k, double spent) {
+    const double revolutions = (double)options->transient + (double)options->record;
+    return (spent + steps * (double)k) * (1.0 + disturbed * (double)dimension) <= most_share * revolutions;
+}
+
+size_t orbits_settled_period(const whirl_record *record, const whirl_record_options *options) {
+    const section points = {record->section_count, record->dimension, record->section};
+    const recurrence returns = recurrence_find(&points, record->record_count, motion_size(record));
+    const size_t k = (size_t)returns.period, repeats = record->turns ? record->repeats : 1;
+    const bool settled = returns.distance <= recurrence_tolerance && repeats > 0;
+    if (!settled) return 0;
+    const size_t whole = (k + repeats - 1) / repeats * repeats;
+    return orbits_pay(record->dimension, options, whole, 0.0) ? whole : 0;
+}
+
+static whirl_orbit_search outcome(const whirl_record_orbit *orbit, const shot *s) {
+    if (!s->found) return WHIRL_ORBIT_NONE;
+    if (orbit->set_at > 0.0) return WHIRL_ORBIT_STABLE;
+    if (orbit->distance > elsewhere) return WHIRL_ORBIT_ELSEWHERE;
+    return orbit->modulus < 1.0 - neutral ? WHIRL_ORBIT_STABLE : WHIRL_ORBIT_UNSTABLE;
+}
+
+void orbits_tell(whirl_record *record, const shot *s, double distance) {
+    whirl_record_orbit *orbit = &record->orbit;
+    orbit->period = (int)s->revolutions;
+    orbit->residual = s->residual;
+    orbit->volume = s->volume;
+    orbit->multiplier_count = s->found ? s->kept : 0;
+    orbit->distance = distance / motion_size(record);
+    for (size_t i = 0; i < orbit->multiplier_count; i++) {
+        orbit->multipliers[2 * i] = s->values[i].real;
+        orbit->multipliers[2 * i + 1] = s->values[i].imaginary;
+    }
+    orbit->modulus = orbit->multiplier_count > 0 ? hypot(s->values[0].real, s->values[0].imaginary) : 0.0;
+    orbit->search = outcome(orbit, s);
+}

@@ -1,0 +1,277 @@
+#include "shots.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "matrix.h"
+#include "turns.h"
+
+// ---------------------------------------------------------------- one shot
+
+shot *shot_new(const whirl_system *system, size_t revolutions, const double *x) {
+    const size_t d = system->dimension;
+    size_t n = 0;
+    for (size_t i = 0; i < d; i++) n += !turns_on(system->turns, i);
+    shot *s = calloc(1, sizeof *s + n * sizeof *s->values + revolutions * (d + n * n) * sizeof(double));
+    if (!s) return NULL;
+    *s = (shot){.system = system, .dimension = d, .kept = n, .revolutions = revolutions, .residual = INFINITY};
+    s->values = (whirl_multiplier *)(s + 1);
+    s->nodes = (double *)(s->values + n);
+    s->factors = s->nodes + revolutions * d;
+    memcpy(s->nodes, x, d * sizeof *x);
+    return s;
+}
+
+void shot_archive(shot *s, archive *a) {
+    archive_part(a, s->nodes, s->revolutions * s->dimension * sizeof *s->nodes);
+    archive_part(a, s->factors, s->revolutions * s->kept * s->kept * sizeof *s->factors);
+    archive_part(a, s->values, s->kept * sizeof *s->values);
+    archive_part(a, &s->residual, sizeof s->residual);
+    archive_part(a, &s->volume, sizeof s->volume);
+    archive_part(a, &s->carried, sizeof s->carried);
+    archive_part(a, &s->found, sizeof s->found);
+}
+
+void shot_monodromy(const shot *s, double *matrix, double *room) {
+    const size_t n = s->kept;
+    memcpy(matrix, s->factors, n * n * sizeof *matrix);
+    for (size_t r = 1; r < s->revolutions; r++) {
+        const double *factor = s->factors + r * n * n;
+        memcpy(room, matrix, n * n * sizeof *room);
+        memset(matrix, 0, n * n * sizeof *matrix);
+        for (size_t i = 0; i < n; i++)
+            for (size_t k = 0; k < n; k++)
+                for (size_t j = 0; j < n; j++) matrix[i * n + j] += factor[i * n + k] * room[k * n + j];
+    }
+}
+
+static void difference(const shot *s, const double *a, const double *b, double *out) {
+    for (size_t i = 0; i < s->dimension; i++)
+        if (!turns_on(s->system->turns, i)) *out++ = a[i] - b[i];
+}
+
+void shot_difference(const shot *s, const double *x, double *out) {
+    difference(s, x, s->nodes, out);
+}
+
+double shot_distance(const shot *s, const double *x) {
+    double sum = 0.0;
+    for (size_t i = 0; i < s->dimension; i++)
+        if (!turns_on(s->system->turns, i)) sum += (x[i] - s->nodes[i]) * (x[i] - s->nodes[i]);
+    return sqrt(sum);
+}
+
+/// The largest modulus of the coordinates that do not turn.
+static double largest(const shot *s, const double *x) {
+    double most = 0.0;
+    for (size_t i = 0; i < s->dimension; i++)
+        if (!turns_on(s->system->turns, i)) most = fmax(most, fabs(x[i]));
+    return most;
+}
+
+static double largest_of(size_t n, const double *values) {
+    double most = 0.0;
+    for (size_t i = 0; i < n; i++) most = fmax(most, fabs(values[i]));
+    return most;
+}
+
+// ---------------------------------------------------------------- many
+
+/// A shot in a lane.
+typedef struct flight {
+    shot *of;
+    size_t revolution;
+    int steps; ///< of Newton's method
+} flight;
+
+struct shooter {
+    whirl_ensemble *ensemble;
+    size_t dimension, lanes;
+    double tolerance;         ///< by which an orbit may fail to close
+    whirl_disturbances *sets; ///< [lanes]
+    double *vectors;          ///< [lanes][dimension][dimension]
+    flight *flights;          ///< [lanes]
+    size_t used;              ///< lanes, in front
+};
+
+/// Methods with a tolerance go by one at which Newton's method sees a smooth map.
+static whirl_integrate_options exact(const whirl_integrate_options *integrate, double *tolerance) {
+    whirl_integrate_options own = *integrate;
+    *tolerance = 1e-12;
+    if (!whirl_method_is_adaptive(own.method)) return own;
+    own.rtol = fmin(own.rtol, strcmp(own.method, "dop853") == 0 ? 1e-13 : 1e-11); // of order 8 and 5
+    own.atol = fmin(own.atol, 1e-2 * own.rtol);
+    *tolerance = 10.0 * own.rtol;
+    return own;
+}
+
+static whirl_status make_ensemble(shooter *s, const whirl_system *system, const whirl_integrate_options *options) {
+    if (whirl_ensemble_follows(system, options)) return whirl_ensemble_variational(system, options, &s->ensemble);
+    return whirl_ensemble_alone(system, options, 1, system->dimension, &s->ensemble);
+}
+
+whirl_status shooter_new(const whirl_system *system, const whirl_integrate_options *integrate, shooter **out) {
+    const whirl_method *method;
+    *out = NULL;
+    whirl_status status = whirl_method_find(integrate->method, &method);
+    if (status.code == WHIRL_OK && (!system->tangent || !method->follows))
+        status = whirl_fail(WHIRL_BAD_INPUT, "the system gives no Jacobian, or method %s takes no disturbances along",
+                            integrate->method);
+    shooter *s = status.code == WHIRL_OK ? calloc(1, sizeof *s) : NULL;
+    if (!s) return status.code == WHIRL_OK ? whirl_fail(WHIRL_NO_MEMORY, "no memory to look for orbits") : status;
+    const whirl_integrate_options options = exact(integrate, &s->tolerance);
+    s->dimension = system->dimension;
+    status = make_ensemble(s, system, &options);
+    if (status.code == WHIRL_OK) {
+        s->lanes = whirl_ensemble_lanes(s->ensemble);
+        s->sets = calloc(s->lanes, sizeof *s->sets);
+        s->vectors = calloc(s->lanes * s->dimension * s->dimension + 1, sizeof *s->vectors);
+        s->flights = calloc(s->lanes, sizeof *s->flights);
+        if (!s->sets || !s->vectors || !s->flights)
+            status = whirl_fail(WHIRL_NO_MEMORY, "no memory to look for orbits");
+    }
+    if (status.code == WHIRL_OK)
+        *out = s;
+    else
+        shooter_free(s);
+    return status;
+}
+
+void shooter_free(shooter *s) {
+    if (!s) return;
+    whirl_ensemble_free(s->ensemble);
+    free(s->vectors);
+    free(s->sets);
+    free(s->flights);
+    free(s);
+}
+
+size_t shooter_lanes(const shooter *s) {
+    return s->lanes;
+}
+
+/// Unit disturbances go along with the next revolution of a lane.
+static void begin_revolution(shooter *s, size_t lane) {
+    const size_t d = s->dimension;
+    double *vectors = s->vectors + lane * d * d;
+    memset(vectors, 0, d * d * sizeof *vectors);
+    for (size_t i = 0; i < d; i++) vectors[i * (d + 1)] = 1.0;
+    s->sets[lane] = (whirl_disturbances){.count = d, .vectors = vectors};
+    whirl_ensemble_carry(s->ensemble, lane, &s->sets[lane]);
+}
+
+/// Takes revolution r of a shot: its derivative, and the state where it ends, the next node or, past the last one,
+/// `end`.
+static void end_revolution(const shooter *s, size_t lane, shot *of, size_t r, double *end) {
+    const size_t d = s->dimension, n = of->kept;
+    const double *vectors = s->vectors + lane * d * d;
+    double *factor = of->factors + r * n * n;
+    for (size_t k = 0, column = 0; k < d; k++) {
+        if (turns_on(of->system->turns, k)) continue;
+        for (size_t i = 0, row = 0; i < d; i++)
+            if (!turns_on(of->system->turns, i)) factor[row++ * n + column] = vectors[k * d + i];
+        column++;
+    }
+    whirl_ensemble_state(s->ensemble, lane, r + 1 < of->revolutions ? of->nodes + (r + 1) * d : end);
+    of->volume += s->sets[lane].volume;
+    of->carried += 1.0;
+}
+
+enum { MOST_STEPS = 8 };
+
+/// After a shot was carried to `end`: whether it goes on, from a node that was moved.
+static bool step(const shooter *s, shot *of, const double *end, double *room) {
+    const size_t n = of->kept;
+    const double before = of->residual, size = largest(of, of->nodes);
+    double *gap = room, *matrix = room + n;
+    difference(of, end, of->nodes, gap);
+    of->residual = largest_of(n, gap) / fmax(size, 1e-300);
+    // It closes, or only rounding is left, over which no step leads.
+    of->found = of->residual <= s->tolerance || (of->residual <= 100.0 * s->tolerance && of->residual > 0.25 * before);
+    if (of->found || !(of->residual < before)) return false;
+    shot_monodromy(of, matrix, matrix + n * n);
+    for (size_t i = 0; i < n * n; i++) matrix[i] = (i % (n + 1) == 0 ? 1.0 : 0.0) - matrix[i];
+    if (!matrix_solve(n, matrix, 1, gap) || !(largest_of(n, gap) <= size)) return false;
+    for (size_t i = 0; i < of->dimension; i++)
+        if (!turns_on(of->system->turns, i)) of->nodes[i] += *gap++;
+    return true;
+}
+
+/// An orbit that closes after fewer revolutions has these.
+static void shorten(shot *s) {
+    const double same = 1e-9 * largest(s, s->nodes);
+    const size_t repeats = s->system->turns ? s->system->repeats : 1, d = s->dimension;
+    for (size_t j = repeats; 2 * j <= s->revolutions; j += repeats) {
+        double away = 0.0;
+        for (size_t i = 0; i < d; i++)
+            if (!turns_on(s->system->turns, i)) away = fmax(away, fabs(s->nodes[j * d + i] - s->nodes[i]));
+        if (s->revolutions % j != 0 || away > same) continue;
+        s->volume *= (double)j / (double)s->revolutions;
+        s->revolutions = j;
+    }
+}
+
+/// Puts a shot at the beginning of its orbit.
+static whirl_status begin(const shooter *s, size_t lane, flight *f) {
+    f->revolution = 0;
+    f->of->volume = 0.0;
+    return whirl_ensemble_load(s->ensemble, lane, f->of->system, f->of->nodes);
+}
+
+/// After a revolution: whether the shot stays in its lane. `end` has dimension numbers.
+static whirl_status go_on(const shooter *s, size_t lane, flight *f, double *end, double *room, bool *stays) {
+    const bool bounded = whirl_ensemble_motion(s->ensemble, lane) == WHIRL_BOUNDED;
+    end_revolution(s, lane, f->of, f->revolution++, end);
+    *stays = bounded;
+    if (!bounded || f->revolution < f->of->revolutions) return whirl_ok();
+    *stays = step(s, f->of, end, room) && ++f->steps < MOST_STEPS;
+    return *stays ? begin(s, lane, f) : whirl_ok();
+}
+
+/// Takes a shot out that is done; the last one moves to its lane.
+static void leave(shooter *s, size_t lane) {
+    shot *of = s->flights[lane].of;
+    of->flies = false;
+    of->done = true;
+    if (of->found) {
+        shorten(of);
+        of->found = whirl_product_eigenvalues(of->kept, of->revolutions, of->factors, of->values);
+    }
+    whirl_ensemble_unload(s->ensemble, lane);
+    if (lane < --s->used) whirl_ensemble_move(s->ensemble, s->used, lane);
+    s->flights[lane] = s->flights[s->used];
+}
+
+/// A revolution of all that fly.
+static whirl_status revolve(shooter *s, double *end) {
+    whirl_status status = whirl_ok();
+    for (size_t i = 0; i < s->used; i++) begin_revolution(s, i);
+    whirl_ensemble_revolve(s->ensemble, s->used, NULL);
+    for (size_t i = s->used; i-- > 0 && status.code == WHIRL_OK;) {
+        bool stays;
+        status = go_on(s, i, &s->flights[i], end, end + s->dimension, &stays);
+        if (!stays) leave(s, i);
+    }
+    return status;
+}
+
+whirl_status shooter_fire(shooter *s, shot *const *shots, size_t count, size_t least) {
+    const size_t d = s->dimension;
+    double *end = malloc((2 * d + 2 * d * d) * sizeof *end);
+    whirl_status status = end ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory to look for %zu orbits", count);
+    size_t next = 0;
+    while (status.code == WHIRL_OK) {
+        for (; s->used < s->lanes && next < count && status.code == WHIRL_OK; next++) {
+            if (shots[next]->flies || shots[next]->done) continue;
+            s->flights[s->used] = (flight){.of = shots[next]};
+            shots[next]->flies = true;
+            status = begin(s, s->used, &s->flights[s->used]);
+            s->used++;
+        }
+        if (s->used < least || s->used == 0 || status.code != WHIRL_OK) break;
+        status = revolve(s, end);
+    }
+    free(end);
+    return status;
+}
