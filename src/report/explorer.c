@@ -117,7 +117,8 @@ static void write_facts(FILE *stream, const whirl_result *result) {
 // ---------------------------------------------------------------- tables
 
 /// The points of a table that go into the page: every `stride`-th. Sections are those of the first table, the diagram;
-/// the page computes the motion of any other point itself. Of machines at rest it has all that is known.
+/// the page computes the motion of any other point itself. Of machines at rest it has all that is known, and of branches
+/// all points.
 typedef struct selection {
     const whirl_table *table;
     size_t stride, count;
@@ -126,6 +127,7 @@ typedef struct selection {
 
 static selection select_points(const whirl_table *table, bool sections) {
     const bool resting = whirl_analysis_is_resting(table->analyses);
+    if (whirl_analysis_is_traced(table->analyses)) return (selection){table, 1, table->count, true, false};
     const size_t fitting = MOST_AT_REST / (table->layout.size + 1) + 1;
     const size_t room = resting && fitting < MOST_POINTS ? fitting : MOST_POINTS;
     const size_t stride = table->count > room ? (table->count - 1) / room + 1 : 1;
@@ -187,6 +189,7 @@ typedef struct kept_part {
 
 static kept_part part_of(const whirl_field *field, const selection *chosen) {
     if (field->rows == 1 || chosen->resting) return (kept_part){0, field->rows, field->columns};
+    if (strcmp(field->name, "trace/section") == 0) return (kept_part){0, field->rows, 2};
     if (!chosen->sections || chosen->count == 0 || strcmp(field->name, "poincare/section") != 0) return (kept_part){0};
     const size_t most = MOST_SECTION / chosen->count;
     const size_t rows = field->rows < most ? field->rows : most;

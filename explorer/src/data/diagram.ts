@@ -63,7 +63,9 @@ export class Diagram {
     made.done.set(table.done);
     if (table.length_scales) made.lengthScales.set(float64Of(table.length_scales));
     else made.lengthScales.fill(lengthScale);
-    for (const field of table.fields) {
+    for (const stored of table.fields) {
+      // The section of orbits along a branch is one like that of motions.
+      const field = stored.name === 'trace/section' ? { ...stored, name: SECTION } : stored;
       made.fields.set(field.name, field);
       const all = float32Of(field.data);
       const size = table.count * field.rows;

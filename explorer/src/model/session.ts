@@ -1,5 +1,6 @@
 // What the page is at: the machine that is open, what the reader has set, what of it is shown, and what follows from
 // these.
+import { Branches } from '../data/branches';
 import { Diagram } from '../data/diagram';
 import { AtRest } from '../data/rest';
 import type { Run } from '../data/run';
@@ -35,6 +36,8 @@ export class Session {
   readonly sides: Readonly<Record<SideName, SideModel>>;
   active: SideName = 'a';
   private readonly resting = new Map<Machine, AtRest | undefined>();
+  private traced:
+    { readonly machine: Machine; readonly parameter: string; readonly branches: Branches | undefined } | undefined;
   /// By the names of their machines.
   readonly originals = new Map<string, CaseInfo>();
   readonly sights: Sights;
@@ -92,6 +95,15 @@ export class Session {
     const { machine } = this;
     if (!this.resting.has(machine)) this.resting.set(machine, AtRest.of(machine.run));
     return this.resting.get(machine);
+  }
+
+  /// The branches that are stored of the machine as it stands, over the parameter of the diagram.
+  get branches(): Branches | undefined {
+    const { machine } = this;
+    const { parameter } = this.address;
+    if (this.traced?.machine !== machine || this.traced.parameter !== parameter)
+      this.traced = { machine, parameter, branches: Branches.of(machine.run, parameter) };
+    return this.traced.branches;
   }
 
   get stations(): readonly StationInfo[] {
@@ -185,6 +197,7 @@ export class Session {
         ? `every ${Math.round(table.points / table.count)}th of ${table.points} points`
         : `${diagram.count} points`;
     if (this.atRest) return `Stored run: ${part} of a machine at rest.`;
+    if (table.name === 'branch') return `Stored run: ${part} along branches of orbits, stable or not.`;
     const done = diagram.known < diagram.count ? `, ${diagram.known} of them computed` : '';
     return (
       `Stored run: ${part}${done}, ${table.transient} + ${table.record} revolutions by ` +

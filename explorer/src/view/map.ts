@@ -1,10 +1,12 @@
 // The diagram: a quantity over the parameter, the exponent below on the same axis, and the cursors that ask for
 // motions.
+import type { Branches } from '../data/branches';
 import type { Diagram } from '../data/diagram';
 import { CLASS_NAMES } from '../data/regimes';
 import { quantityOf, type ShownQuantity } from '../data/quantities';
 import { el } from '../dom';
 import type { StationInfo } from '../engine/protocol';
+import { drawBranches, heightsOf, type BranchLines } from '../figure/branches';
 import { Chart, type Frame, type Range } from '../figure/chart';
 import { drawCloud, type Cloud } from '../figure/cloud';
 import { theme, textSize, type Picture } from '../figure/figure';
@@ -16,6 +18,8 @@ import { Stack, type Along, type StackListener } from './stack';
 
 export interface MapSubject extends Along {
   readonly diagram: Diagram | undefined;
+  /// Of the same machine and parameter, or undefined.
+  readonly branches: Branches | undefined;
   readonly quantity: string;
   readonly station: number;
   readonly stations: readonly StationInfo[];
@@ -165,6 +169,13 @@ export class MapView {
           if (value > high) high = value;
         }
       });
+    const lines = this.branchLines();
+    if (lines && quantity)
+      for (const { point } of lines.branches.changes)
+        for (const height of heightsOf(lines, point)) {
+          low = Math.min(low, height / quantity.factor);
+          high = Math.max(high, height / quantity.factor);
+        }
     if (!(low <= high)) return [0, 1];
     const factor = quantity!.factor;
     const room = 0.04 * (high - low) * factor || Math.abs(high * factor) * 0.1 || 1;
@@ -193,7 +204,31 @@ export class MapView {
     const cloud = this.cloud();
     if (!cloud) return;
     drawCloud(pen, cloud, frame, colours, this.shapes);
+    const lines = this.branchLines();
+    if (lines) drawBranches(pen, lines, frame, colours);
     this.drawRibbon(pen, frame, colours);
+  }
+
+  /// The coordinate that is shown once a revolution, along the branches.
+  private branchLines(): BranchLines | undefined {
+    const { subject } = this;
+    const { branches } = subject ?? {};
+    if (!subject || !branches || (subject.quantity !== 'x' && subject.quantity !== 'y')) return undefined;
+    const { station, stations, units, scales } = subject;
+    const shown = (id: string) => quantityOf(branches.diagram, id, station, stations, units, scales.symbol);
+    const column = subject.quantity === 'x' ? 0 : 1;
+    const [section, high, low] = [shown(subject.quantity), shown(`trace/high:${column}`), shown(`trace/low:${column}`)];
+    return (
+      section &&
+      high &&
+      low && {
+        branches,
+        section: section.column,
+        bounds: [high.column, low.column],
+        factor: section.factor,
+        valueFactor: parameterMeasure(subject.unit, units).factor,
+      }
+    );
   }
 
   private cloud(): Cloud | undefined {

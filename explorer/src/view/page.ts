@@ -128,6 +128,7 @@ export class Page {
     const stale = sight.of !== assignmentTexts(session.side.choice.assignments).join('; ');
     this.card.show({
       ...this.common(),
+      branches: sight.of === '' ? session.branches : undefined,
       quantity: session.address.quantity,
       range: sight.range,
       hidden: session.hidden,
