@@ -206,6 +206,11 @@ export class Diagram {
     return common;
   }
 
+  /// Whether points have verdicts: those of branches have none. An awaited diagram will have them.
+  get judged(): boolean {
+    return !this.columns.has(columnKey('trace/special', 0, 0));
+  }
+
   /// Low 0, fair 1, high 2; NaN where the run states none.
   confidence(point: number): number {
     return this.number(point, 'regime/confidence');

@@ -316,6 +316,7 @@ export class MapView {
   /// Regimes in a ribbon along the bottom, and confidence above it where the run states one.
   private drawRibbon(pen: Pen, frame: Frame, colours: Theme): void {
     const diagram = this.subject!.diagram!;
+    if (!diagram.judged) return;
     const thick = 6 * frame.ratio;
     const both = diagram.branch.includes(-1) && diagram.branch.includes(1);
     const bottom = frame.top + frame.height;
@@ -361,7 +362,7 @@ export class MapView {
 
   private legend(): { name: string; kind: number }[] {
     const diagram = this.subject?.diagram;
-    if (!diagram) return [];
+    if (!diagram?.judged) return [];
     const there = new Set(Array.from(diagram.classes).filter((_, point) => diagram.done[point]));
     return CLASS_ENTRIES.filter(({ kind }) => there.has(kind));
   }

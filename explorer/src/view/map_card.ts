@@ -192,12 +192,13 @@ export class MapCard {
   private showLegend(): void {
     const diagram = this.subject?.diagram;
     const counts = CLASS_NAMES.map(() => 0);
-    diagram?.classes.forEach((kind, point) => (counts[kind]! += diagram.done[point]!));
+    if (diagram?.judged) diagram.classes.forEach((kind, point) => (counts[kind]! += diagram.done[point]!));
     const entries = counts.flatMap((count, kind) => (count > 0 ? [this.legendEntry(kind, count)] : []));
     const rub = diagram?.values.some((_, point) => diagram.done[point] === 1 && diagram.contact(point) > 0);
     if (rub) entries.push(el('span', { class: 'legend-note key-contact' }, 'contact'));
     if (diagram?.column('regime/confidence'))
       entries.push(el('span', { class: 'legend-note key-confidence' }, 'confidence (faint: low)'));
+    if (this.subject?.branches) entries.push(el('span', { class: 'legend-note' }, 'orbits: solid stable, dashed not'));
     // Rebuilt only when something changed, so that focus stays where it is.
     const text = entries.map((entry) => entry.textContent).join();
     if (this.legend.dataset['text'] === text) return;
