@@ -15,8 +15,11 @@
 
 typedef double complex number;
 
-/// Length of the differences, over the largest coordinate; those of order 2 err by its square, and are extrapolated.
-static const double reach = 0x1p-7;
+/// Length of the first differences, over the largest coordinate; those of order 2 err by its square, and are
+/// extrapolated. It is halved until two coefficients agree so nearly: an orbit may bend faster than that, and a contact
+/// lie nearer.
+static const double reach = 0x1p-7, agreement = 0.01;
+enum { MOST_HALVINGS = 5 };
 
 typedef struct forms {
     shooting *s;
@@ -235,6 +238,19 @@ static double compute(forms *f, whirl_special kind, number root, double *work, n
     return f->failed || !isfinite(found) ? (double)NAN : found;
 }
 
+/// The coefficient by the longest differences whose halves give the same.
+static double settle(forms *f, whirl_special kind, number root, double *work, number *vectors) {
+    double before = NAN;
+    for (int k = 0; k <= MOST_HALVINGS; k++) {
+        f->step = ldexp(reach, -k) * shooting_size(f->s, f->orbit->nodes);
+        f->failed = false;
+        const double found = compute(f, kind, root, work, vectors);
+        if (fabs(found - before) <= agreement * fabs(found)) return before;
+        before = found;
+    }
+    return NAN;
+}
+
 double normal_form(shooting *s, const whirl_orbit *orbit, whirl_special kind, double angle) {
     const size_t n = s->kept_count, all = MOST_ABREAST * s->dimension;
     if (kind != WHIRL_DOUBLING && kind != WHIRL_HOPF && kind != WHIRL_NEIMARK_SACKER) return NAN;
@@ -245,14 +261,13 @@ double normal_form(shooting *s, const whirl_orbit *orbit, whirl_special kind, do
     double found = NAN;
     if (room && vectors) {
         forms f = {.s = s, .orbit = orbit, .n = n, .matrix = room, .images = room + n * n};
-        f.step = reach * shooting_size(s, orbit->nodes);
         f.image = f.images + all;
         f.centre = f.image + n;
         f.sums[0] = f.centre + n;
         f.sums[1] = f.sums[0] + n;
         f.q = vectors;
         f.p = vectors + n;
-        found = compute(&f, kind, root_of(kind, angle), f.sums[1] + n, vectors + 2 * n);
+        found = settle(&f, kind, root_of(kind, angle), f.sums[1] + n, vectors + 2 * n);
     }
     free(room);
     free(vectors);
