@@ -79,13 +79,27 @@ static whirl_status end_at_bound(follower *f, walk *w) {
     return status.code == WHIRL_OK ? add_waypoint(f, &w->next) : status;
 }
 
-/// Whether the walk has come round to where it began.
+/// The unknowns, or a direction, of the same orbit that begins so many segments later.
+static void begin_later(const follower *f, const double *u, size_t segments, double *out) {
+    const size_t count = f->equations.s->count, kept = f->equations.s->kept_count;
+    memcpy(out, u, (f->curve.count + 1) * sizeof *u);
+    for (size_t j = 0; j < count; j++) memcpy(out + j * kept, u + (j + segments) % count * kept, kept * sizeof *u);
+}
+
+/// Whether the walk has come round to where it began, or to the same orbit some revolutions later.
 static bool is_closed(const follower *f, const walk *w) {
-    const size_t all = f->curve.count + 1;
+    const size_t all = f->curve.count + 1, count = f->equations.s->count;
+    const size_t revolutions = f->equations.s->revolutions, turns = revolutions > 0 ? revolutions : 1;
     if (f->branch->count < 8) return false;
-    for (size_t i = 0; i < all; i++) w->trial[i] = w->now.u[i] - w->first.u[i];
-    return sqrt(curve_dot(&f->curve, w->trial, w->trial)) < 0.75 * w->step &&
-           curve_dot(&f->curve, w->now.tangent, w->first.tangent) > 0.9;
+    for (size_t turn = 0; turn < turns; turn++) {
+        const size_t later = turn * (count / turns);
+        begin_later(f, w->first.tangent, later, w->trial);
+        if (!(curve_dot(&f->curve, w->now.tangent, w->trial) > 0.9)) continue;
+        begin_later(f, w->first.u, later, w->trial);
+        for (size_t i = 0; i < all; i++) w->trial[i] -= w->now.u[i];
+        if (sqrt(curve_dot(&f->curve, w->trial, w->trial)) < 0.75 * w->step) return true;
+    }
+    return false;
 }
 
 static bool is_within(const follower *f, const waypoint *p) {

@@ -129,7 +129,9 @@ static whirl_status add_legs(rows *r, size_t count, size_t parent, bool must, le
     whirl_status status = whirl_ok();
     if (r->room - r->count < 2 * count) return status;
     follow(r, count, legs);
-    for (size_t i = 0; i < count && status.code == WHIRL_OK; i++) {
+    // A branch that closes is all there is: the other direction leads along the same one.
+    const bool closed = parent == 0 && legs[0].branch && legs[0].branch->end == WHIRL_END_CLOSED;
+    for (size_t i = 0; i < (closed ? 1 : count) && status.code == WHIRL_OK; i++) {
         const size_t number = r->next + i;
         if (legs[i].branch)
             status = rows_add(r, legs[i].branch, number, parent);
