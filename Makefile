@@ -93,8 +93,8 @@ paper:          ## the 2015 paper's study, from its three case files to a report
 	@$(COMPILE)
 	@mkdir -p $(PAPER)
 	@$(EXPLORER)
-	@$(MAKE) --no-print-directory $(PAPER)/report/report.html
-	@echo "The report is $(PAPER)/report/report.html"
+	@$(MAKE) --no-print-directory $(PAPER)/report/report.html $(PAPER)/changes/report.html
+	@echo "The report is $(PAPER)/report/report.html, where and why the motion changes $(PAPER)/changes/report.html"
 
 # A run is done again when its case or the command has changed since. These rules are for `make paper`, which builds
 # the command first. One that was interrupted goes on from its journal; its partial result is no target that is made.
@@ -104,6 +104,9 @@ $(PAPER)/%.h5: cases/%.yaml $(WHIRL)
 
 $(PAPER)/report/report.html: $(RESULTS) cases/paper-claims.yaml $(wildcard $(BUILD)/explorer/template.html)
 	$(WHIRL) report $(RESULTS) -o $(@D) --claims cases/paper-claims.yaml
+
+$(PAPER)/changes/report.html: $(PAPER)/paper-changes.h5 $(wildcard $(BUILD)/explorer/template.html)
+	$(WHIRL) report $< -o $(@D)
 
 # ---------------------------------------------------------------- the explorer
 

@@ -66,7 +66,7 @@ static void all_cases_can_be_read(void **state) {
         "reference.yaml",    "paper.yaml",         "paper-literal.yaml",  "paper-derived.yaml",  "paper-point.yaml",
         "jeffcott-rub.yaml", "rigid-rotor.yaml",   "cracked-rotor.yaml",  "seal-whirl.yaml",     "squeeze-damper.yaml",
         "second-shaft.yaml", "ball-bearings.yaml", "loose-pedestal.yaml", "overhung-rotor.yaml", "compressor.yaml",
-        "spindle.yaml",      "ross-example.yaml"};
+        "spindle.yaml",      "ross-example.yaml",  "paper-changes.yaml"};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
         char path[400];
         snprintf(path, sizeof path, "%s/%s", WHIRL_CASES, names[i]);
