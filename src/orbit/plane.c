@@ -23,6 +23,7 @@ typedef struct walk {
     whirl_branch *branch;
     double step;
     double *u, *tangent, *trial; ///< [unknowns] where it is
+    double *before;              ///< [2][unknowns] the point before, and room for a direction
     double *aside;               ///< [unknowns] workspace of derivatives, as the next ones
     double *above, *below;       ///< [equations]
     double *orbit_derivative;    ///< [orbit's equations][orbit's unknowns]
@@ -131,10 +132,39 @@ static bool advance(walk *w, newton_result *result) {
     return true;
 }
 
+/// By what share of the way from `before` to where the walk is a parameter's bound is met, and which one; 1 for none.
+static double share_to_bound(const walk *w, const double *before, size_t index, double low, double high,
+                             double *bound) {
+    const double value = w->u[index];
+    *bound = value > high ? high : low;
+    return value > high || value < low ? (*bound - before[index]) / (value - before[index]) : 1.0;
+}
+
+/// The last point, where the first parameter that left its bounds did; room [2][unknowns], of which the first are those
+/// of the point before. Where it is not found the curve ends with the point before.
+static whirl_status end_at_bound(walk *w, double *room) {
+    const size_t n = equations_count(&w->equations), all = n + 2;
+    const double low = fmin(w->options->from, w->options->to), high = fmax(w->options->from, w->options->to);
+    double bounds[2], *direction = room + all;
+    const double first = share_to_bound(w, room, n, low, high, &bounds[0]);
+    const double second = share_to_bound(w, room, n + 1, w->low, w->high, &bounds[1]);
+    const size_t which = first < second ? 0 : 1;
+    for (size_t i = 0; i < all; i++) w->trial[i] = room[i] + fmin(first, second) * (w->u[i] - room[i]);
+    w->trial[n + which] = bounds[which];
+    memset(direction, 0, all * sizeof *direction);
+    direction[n + which] = w->curve.scale[n + which];
+    w->branch->end = WHIRL_END_OF_RANGE;
+    const newton_result result = curve_correct(&w->curve, direction, w->trial);
+    if (!result.found || !w->orbit) return whirl_ok();
+    memcpy(w->u, w->trial, all * sizeof *w->u);
+    return add_point(w);
+}
+
 static whirl_status go_on(walk *w, bool *ended) {
     const whirl_branch_options *o = w->options;
     const size_t all = equations_count(&w->equations) + 2;
     newton_result result;
+    memcpy(w->before, w->u, all * sizeof *w->u);
     for (;;) {
         for (size_t i = 0; i < all; i++) w->trial[i] = w->u[i] + w->step * w->tangent[i];
         if (advance(w, &result)) break;
@@ -145,8 +175,7 @@ static whirl_status go_on(walk *w, bool *ended) {
     }
     w->step = fmin(fmax(w->step * curve_pace(&result), o->least_step), o->most_step);
     *ended = !is_within(w, w->u);
-    if (*ended) w->branch->end = WHIRL_END_OF_RANGE;
-    if (*ended) return whirl_ok();
+    if (*ended) return end_at_bound(w, w->before);
     equations_put(&w->equations, w->u);
     equations_begin_at(&w->equations, w->equations.nodes);
     return add_point(w);
@@ -186,14 +215,15 @@ static whirl_status prepare(walk *w, const whirl_branch_point *start) {
     w->curve = (curve){
         .count = n + 1, .context = w, .evaluate = evaluate, .size = size_of, .tolerance = w->options->orbit.tolerance};
     w->branch = calloc(1, sizeof *w->branch);
-    w->u = calloc(6 * all + n * (n + 1), sizeof *w->u);
+    w->u = calloc(8 * all + n * (n + 1), sizeof *w->u);
     if (!w->branch || !w->u || !curve_begin(&w->curve)) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a curve");
     w->tangent = w->u + all;
     w->trial = w->tangent + all;
     w->aside = w->trial + all;
     w->above = w->aside + all;
     w->below = w->above + all;
-    w->orbit_derivative = w->below + all;
+    w->before = w->below + all;
+    w->orbit_derivative = w->before + 2 * all;
     memcpy(e->nodes, orbit->nodes, e->s->count * e->s->dimension * sizeof *e->nodes);
     equations_scale(e, w->options->to - w->options->from, w->curve.scale);
     w->curve.scale[n + 1] = w->high - w->low;
