@@ -117,8 +117,8 @@ static void write_facts(FILE *stream, const whirl_result *result) {
 // ---------------------------------------------------------------- tables
 
 /// The points of a table that go into the page: every `stride`-th. Sections are those of the first table, the diagram;
-/// the page computes the motion of any other point itself. Of machines at rest it has all that is known, and of branches
-/// all points.
+/// the page computes the motion of any other point itself. Of machines at rest it has all that is known, and of
+/// branches all points.
 typedef struct selection {
     const whirl_table *table;
     size_t stride, count;
