@@ -10,17 +10,33 @@ static double number(const whirl_table *table, size_t point, const char *field) 
     return found ? *found : (double)NAN;
 }
 
-/// "0 to 2": how many multipliers are beyond the unit circle at the regular points on both sides.
-static void write_unstable(FILE *stream, const whirl_table *table, size_t point) {
+/// The regular points of the branch on both sides of a special one; both the same where there is one side.
+static void find_sides(const whirl_table *table, size_t point, size_t *before, size_t *after) {
     const double branch = number(table, point, "trace/number");
-    size_t before = point, after = point;
-    while (before > 0 && number(table, before, "trace/special") > 0.0) before--;
-    while (after + 1 < table->count && number(table, after, "trace/special") > 0.0 &&
-           number(table, after + 1, "trace/number") == branch)
-        after++;
-    const bool begins = number(table, before, "trace/number") != branch;
-    fprintf(stream, "<td>%.0f to %.0f</td>", number(table, begins ? after : before, "trace/unstable"),
+    *before = *after = point;
+    while (*before > 0 && number(table, *before, "trace/special") > 0.0) --*before;
+    while (*after + 1 < table->count && number(table, *after, "trace/special") > 0.0 &&
+           number(table, *after + 1, "trace/number") == branch)
+        ++*after;
+    if (number(table, *before, "trace/number") != branch) *before = *after;
+}
+
+/// "0 to 2": how many multipliers are beyond the unit circle on both sides.
+static void write_unstable(FILE *stream, const whirl_table *table, size_t point) {
+    size_t before, after;
+    find_sides(table, point, &before, &after);
+    fprintf(stream, "<td>%.0f to %.0f</td>", number(table, before, "trace/unstable"),
             number(table, after, "trace/unstable"));
+}
+
+/// "; contacts in a period: 2 to 1" of what grazes.
+static void write_contacts(FILE *stream, const whirl_table *table, size_t point, const whirl_branch_point *at) {
+    size_t before, after;
+    find_sides(table, point, &before, &after);
+    const double *first = whirl_table_field(table, before, "trace/touches", 0);
+    const double *then = whirl_table_field(table, after, "trace/touches", 0);
+    if (at->special == WHIRL_GRAZE && first && then)
+        fprintf(stream, "; contacts in a period: %.0f to %.0f", first[4 * at->touch + 1], then[4 * at->touch + 1]);
 }
 
 /// The contact that grazes, where every contact has one switching function.
@@ -43,6 +59,7 @@ static void write_row(FILE *stream, const whirl_result *result, const whirl_tabl
     whirl_special_text(&at.point, text, sizeof text);
     fputs("<td class=\"wide\">", stream);
     html_text(stream, text);
+    write_contacts(stream, table, point, &at.point);
     fputs("</td></tr>\n", stream);
     whirl_orbit_free(at.point.orbit);
 }
