@@ -60,8 +60,7 @@ static whirl_status begin_look(look *l, const whirl_study *study, const whirl_ba
     whirl_status status = whirl_ok();
     while (l->count < LOOKED_AT && l->count < batch->count && status.code == WHIRL_OK) {
         whirl_machine *machine = &l->machines[l->count];
-        const double value = batch->values ? batch->values[at[l->count]] : (double)NAN;
-        status = study->machine(study->family, batch, value, machine);
+        status = whirl_study_machine(study, batch, at[l->count], machine);
         if (status.code != WHIRL_OK) break;
         const size_t bytes = machine->system->dimension * sizeof(double);
         double *x = l->x[l->count++] = malloc(bytes);

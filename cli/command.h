@@ -7,7 +7,12 @@
 #include "whirl/whirl.h"
 
 /// Exit statuses of the whole command.
-enum { EXIT_DONE = 0, EXIT_FAILED = 1, EXIT_BAD_INPUT = 2 };
+enum {
+    EXIT_DONE = 0,
+    EXIT_FAILED = 1,
+    EXIT_BAD_INPUT = 2,
+    EXIT_UNFINISHED = 3 ///< a run ended in good order before its last point; --resume goes on
+};
 
 typedef struct command {
     const char *name;
@@ -15,8 +20,8 @@ typedef struct command {
     int (*run)(int argc, char **argv); ///< argv[0] is "whirl NAME"; gives the exit status
 } command;
 
-extern const command run_command, verify_command, check_command, describe_command, report_command, export_command,
-    show_command, new_command, import_command;
+extern const command run_command, merge_command, verify_command, check_command, describe_command, report_command,
+    export_command, show_command, new_command, import_command;
 
 /// Prints "whirl: ..." and a newline on standard error.
 void complain(const char *format, ...) __attribute__((format(printf, 1, 2)));

@@ -73,7 +73,11 @@ _whirl_words() { # WORD NAMES...
 _whirl_options() {
     case $1 in
     new | import) echo '-o --output= --force --help' ;;
-    run) echo '-o --output= --set= --threads= --json --resume --force --refine --refine= --quiet --help' ;;
+    run)
+        echo '-o --output= --set= --threads= --json --resume --force --refine --refine= --shard= --max-time= --quiet' \
+            '--help'
+        ;;
+    merge) echo '-o --output= --set= --threads= --json --force --refine --refine= --max-time= --quiet --help' ;;
     verify) echo '--points= --method= --revolutions= --set= --threads= --json --quiet --help' ;;
     report) echo '-o --output= --claims= --gnuplot= --explorer= --units= --quiet --help' ;;
     show) echo '--json --help' ;;
@@ -98,7 +102,7 @@ _whirl() {
     case $before in
     -o | --output)
         case $command in
-        run) _whirl_files "$word" h5 ;;
+        run | merge) _whirl_files "$word" h5 ;;
         new | import) _whirl_files "$word" yaml yml ;;
         *) _whirl_files "$word" ;;
         esac
@@ -112,7 +116,7 @@ _whirl() {
     --method | integrate.method) _whirl_words "$word" "$(_whirl_names "$whirl" 'methods of integration')"; return ;;
     --threads) _whirl_words "$word" "$(seq "$(nproc 2>/dev/null || echo 1)")"; return ;;
     *.*) [ "$of_key" ] && { _whirl_words "$word" "$(_whirl_choices "$whirl" "$before")"; return; } ;;
-    --points | --revolutions | --refine | --units) return ;;
+    --points | --revolutions | --refine | --shard | --max-time | --units) return ;;
     esac
     [ "$of_key" ] && return # a number
     if [[ $word == -* ]]; then
@@ -120,13 +124,13 @@ _whirl() {
         return
     fi
     case $command in
-    '') _whirl_words "$word" 'new import run verify check describe report show export help' ;;
+    '') _whirl_words "$word" 'new import run merge verify check describe report show export help' ;;
     new) _whirl_words "$word" "$("$whirl" new --help | sed -n '/Kinds:/,/^$/s/^  \([a-z][a-z]*\)  .*/\1/p')" ;;
     import) _whirl_files "$word" toml json ;;
-    run | verify | check) _whirl_files "$word" yaml yml ;;
+    run | merge | verify | check) _whirl_files "$word" yaml yml ;;
     report | show | export) _whirl_files "$word" h5 ;;
     describe) _whirl_words "$word" "$(_whirl_names "$whirl")" ;;
-    help) _whirl_words "$word" 'new import run verify check describe report show export' ;;
+    help) _whirl_words "$word" 'new import run merge verify check describe report show export' ;;
     esac
 }
 

@@ -1,8 +1,10 @@
 #include "interrupt.h"
 
+#include <math.h>
 #include <signal.h>
 #include <stddef.h>
 #include <string.h>
+#include <sys/time.h>
 #include <time.h>
 
 /// A signal handler can reach nothing but static storage.
@@ -21,31 +23,46 @@ static double now(void) {
 /// a later one ends the program at once.
 static void on_signal(int number) {
     const double seconds = now();
-    if (!received) {
-        first = seconds;
-        received = number;
-        stopped = true;
-    } else if (seconds - first > 0.5) {
+    if (first == 0.0) first = seconds;
+    if (!received) received = number;
+    stopped = true;
+    if (seconds - first > 0.5) {
         signal(number, SIG_DFL);
         raise(number);
     }
 }
 
+/// The end is near: nobody waits for it impatiently, and whoever does has the other signals.
+static void on_announcement(int number) {
+    if (!received) received = number;
+    stopped = true;
+}
+
+static void handle(int number, void (*handler)(int)) {
+    struct sigaction action = {.sa_handler = handler, .sa_flags = SA_RESTART}, before;
+    sigemptyset(&action.sa_mask);
+    // What a parent has set to be ignored (nohup) stays ignored.
+    if (sigaction(number, NULL, &before) == 0 && before.sa_handler != SIG_IGN) sigaction(number, &action, NULL);
+}
+
 const volatile bool *interrupt_watch(void) {
     static const int signals[] = {SIGINT, SIGTERM, SIGHUP};
-    struct sigaction action = {.sa_handler = on_signal, .sa_flags = SA_RESTART};
-    sigemptyset(&action.sa_mask);
-    for (size_t i = 0; i < sizeof signals / sizeof *signals; i++) {
-        struct sigaction before;
-        // What a parent has set to be ignored (nohup) stays ignored.
-        if (sigaction(signals[i], NULL, &before) == 0 && before.sa_handler != SIG_IGN)
-            sigaction(signals[i], &action, NULL);
-    }
+    for (size_t i = 0; i < sizeof signals / sizeof *signals; i++) handle(signals[i], on_signal);
+    handle(SIGUSR1, on_announcement);
     // A file that may grow no further is an error of its write, not the end of the program.
     sigaction(SIGXFSZ, &(struct sigaction){.sa_handler = SIG_IGN}, NULL);
     return &stopped;
 }
 
+void interrupt_after(double seconds) {
+    const double whole = floor(fmin(seconds, 1e9)); // 30 years
+    const struct itimerval timer = {
+        .it_value = {.tv_sec = (time_t)whole, .tv_usec = (suseconds_t)(1e6 * (fmin(seconds, 1e9) - whole)) + 1}};
+    handle(SIGALRM, on_announcement);
+    setitimer(ITIMER_REAL, &timer, NULL);
+}
+
 const char *interrupt_text(void) {
+    if (received == SIGALRM) return "the time of --max-time is over";
     return received ? strsignal(received) : "interrupted";
 }

@@ -4,9 +4,12 @@
 
 #include <stdbool.h>
 
-/// From now on SIGINT, SIGTERM and SIGHUP set the flag that is returned; another one, half a second later or more,
-/// kills as usual.
+/// From now on SIGINT, SIGTERM, SIGHUP and SIGUSR1 set the flag that is returned; another one, half a second later or
+/// more, kills as usual, but for SIGUSR1, by which schedulers only announce an end.
 const volatile bool *interrupt_watch(void);
+
+/// Sets the flag in so many seconds from now.
+void interrupt_after(double seconds);
 
 /// What the interrupt was, in words.
 const char *interrupt_text(void);

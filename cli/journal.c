@@ -2,6 +2,7 @@
 
 #include <dirent.h>
 #include <errno.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -9,19 +10,13 @@
 #include "command.h"
 #include "output.h"
 
-enum { PATH_SIZE = 4096 };
-
-static bool name_journal(const char *output, char path[PATH_SIZE]) {
-    if (snprintf(path, PATH_SIZE, "%s.journal", output) < PATH_SIZE) return true;
-    complain("the name of the result is too long");
-    return false;
-}
+enum { PATH_SIZE = JOURNAL_NAME_SIZE };
 
 static bool is_there(const char *path) {
     return access(path, F_OK) == 0 || errno != ENOENT;
 }
 
-// ---------------------------------------------------------------- going on
+// ---------------------------------------------------------------- a result that is there
 
 static int read_finished(const char *output, whirl_result **finished) {
     const whirl_status status = whirl_result_read(output, finished);
@@ -29,11 +24,13 @@ static int read_finished(const char *output, whirl_result **finished) {
 }
 
 /// Without a journal: the result may be there already.
-static int find_finished(const char *output, const char *path, const whirl_result *outline, whirl_result **finished) {
+static int find_finished(const journal_wish *wish, const char *path, const whirl_result *outline,
+                         whirl_result **finished) {
+    const char *output = wish->output, *what = wish->merge ? "merge" : "resume";
     char difference[WHIRL_MESSAGE_SIZE];
     size_t done, total;
     if (!is_there(output)) {
-        complain("there is nothing to resume: neither '%s' nor '%s' is there", path, output);
+        complain("there is nothing to %s: neither '%s' nor '%s' is there", what, path, output);
         return EXIT_BAD_INPUT;
     }
     whirl_result *there;
@@ -43,29 +40,41 @@ static int find_finished(const char *output, const char *path, const whirl_resul
     const bool partial = whirl_result_partial(there, &done, &total);
     whirl_result_free(there);
     if (partial)
-        complain("there is nothing to resume: '%s' is partial (%zu of %zu points), but its journal '%s' is gone",
+        complain("there is nothing to %s: '%s' is partial (%zu of %zu points), but its journal '%s' is gone", what,
                  output, done, total, path);
     else if (!same)
-        complain("there is nothing to resume: '%s' is not there, and '%s' is of another study: %s", path, output,
+        complain("there is nothing to %s: '%s' is not there, and '%s' is of another study: %s", what, path, output,
                  difference);
     else
         return read_finished(output, finished);
     return EXIT_BAD_INPUT;
 }
 
-/// Points of all tables.
-static size_t count_points(const whirl_result *outline) {
+// ---------------------------------------------------------------- what there is
+
+static bool is_of_share(const void *context, size_t batch, size_t slot) {
+    const run_journal *journal = context;
+    return whirl_share_has(&journal->study, &journal->wish->share, batch, slot);
+}
+
+/// Points of all tables that the journal is for.
+static size_t count_points(const run_journal *journal, const whirl_result *outline) {
     size_t count = 0;
-    for (size_t i = 0; i < outline->table_count; i++) count += outline->tables[i].count;
+    for (size_t i = 0; i < outline->table_count; i++)
+        for (size_t slot = 0; slot < outline->tables[i].count; slot++) count += is_of_share(journal, i, slot);
     return count;
 }
 
-static void tell_what_was_found(const char *path, const whirl_journal *journal, size_t total, bool quiet) {
-    const whirl_journal_found found = whirl_journal_look(journal);
+static void tell_what_was_found(const run_journal *journal, const whirl_result *outline, size_t others) {
+    const whirl_journal_found found = whirl_journal_look(journal->journal);
+    char beside[64] = "";
+    if (others > 0) snprintf(beside, sizeof beside, " and %zu other journal%s", others, others == 1 ? "" : "s");
     if (found.damaged > 0)
-        complain("'%s' is damaged in %zu place%s; what is lost there is computed again", path, found.damaged,
-                 found.damaged == 1 ? "" : "s");
-    if (!quiet) complain("going on from '%s': %zu of %zu points are there", path, found.points, total);
+        complain("'%s'%s %s damaged in %zu place%s; what is lost there is computed again", journal->path, beside,
+                 others > 0 ? "are" : "is", found.damaged, found.damaged == 1 ? "" : "s");
+    if (!journal->wish->quiet)
+        complain("going on from '%s'%s: %zu of %zu points are there", journal->path, beside, found.points,
+                 count_points(journal, outline));
 }
 
 /// Removes RESULT.h5.tmp-PROCESS, half results of runs that were killed while they wrote: who holds the journal's lock
@@ -87,55 +96,163 @@ static void remove_leftovers(const char *output) {
     if (list) closedir(list);
 }
 
-static int resume_journal(const char *output, const char *path, const whirl_result *outline, bool quiet,
-                          whirl_journal **journal, whirl_result **finished) {
-    if (!is_there(path)) {
-        const int outcome = find_finished(output, path, outline, finished);
-        if (outcome == EXIT_DONE && !quiet) complain("there is nothing to resume: '%s' is complete", output);
-        return outcome;
-    }
-    const whirl_status status = whirl_journal_resume(path, outline, journal);
-    if (status.code != WHIRL_OK) return complain_of(&status);
-    remove_leftovers(output);
-    tell_what_was_found(path, *journal, count_points(outline), quiet);
-    return EXIT_DONE;
+// ---------------------------------------------------------------- journals that are there
+
+/// Whether a journal has points that a run without --resume would pass over: of other shards it has none.
+static bool is_in_the_way(const journal_wish *wish, const journal_name *name) {
+    return name->share.count != wish->share.count || name->share.number == wish->share.number;
 }
 
-static int begin_journal(const char *output, const char *path, const whirl_result *outline, bool force,
-                         whirl_journal **journal) {
-    if (is_there(path)) {
-        complain("'%s' has the points of a run that did not finish: add --resume to go on with it, or remove it to "
-                 "begin anew",
-                 path);
-        return EXIT_BAD_INPUT;
+/// Complains of a journal that stands in the way of a run that begins, or that another run is writing.
+static bool is_free(const journal_wish *wish, const journal_names *there) {
+    const bool alone = wish->resume && !wish->merge && wish->share.count == 0;
+    for (size_t i = 0; i < there->count; i++) {
+        const char *path = there->items[i].path;
+        if (!wish->resume && is_in_the_way(wish, &there->items[i])) {
+            complain("'%s' has the points of a run that did not finish: add --resume to go on with it, or remove it to "
+                     "begin anew",
+                     path);
+            return false;
+        }
+        if (alone && there->items[i].share.count > 0 && whirl_journal_in_use(path)) {
+            complain("another run is writing %s", path);
+            return false;
+        }
     }
-    if (!force && !output_is_free(output)) return EXIT_FAILED;
-    const whirl_status status = whirl_journal_begin(path, outline, journal);
+    return true;
+}
+
+/// Whether a result that is there gives way: one that is partial, or of the same study, where a run goes on.
+static bool gives_way(const journal_wish *wish, const whirl_result *outline) {
+    char difference[WHIRL_MESSAGE_SIZE];
+    size_t done, total;
+    whirl_result *there = NULL;
+    bool known = false;
+    if (wish->resume && whirl_result_read_outline(wish->output, &there).code == WHIRL_OK)
+        known = whirl_result_partial(there, &done, &total) ||
+                whirl_result_same_study(there, outline, difference, sizeof difference);
+    whirl_result_free(there);
+    return known;
+}
+
+// ---------------------------------------------------------------- opening
+
+static int open_own(run_journal *journal, const whirl_result *outline) {
+    const journal_wish *wish = journal->wish;
+    const whirl_journal_part part = {is_of_share, journal};
+    if (is_there(journal->path)) {
+        const whirl_status status = whirl_journal_resume_part(journal->path, outline, &part, &journal->journal);
+        if (status.code == WHIRL_OK && wish->share.count == 0) remove_leftovers(wish->output);
+        return complain_of(&status);
+    }
+    if (!wish->force && !gives_way(wish, outline) && !output_is_free(wish->output)) return EXIT_FAILED;
+    const whirl_status status = whirl_journal_begin_part(journal->path, outline, &part, &journal->journal);
     return complain_of(&status);
 }
 
-int open_journal(const char *output, const whirl_case *object, bool resume, bool force, bool quiet,
-                 whirl_journal **journal, whirl_result **finished) {
-    char path[PATH_SIZE];
+static int take(const run_journal *journal, const char *path) {
+    if (journal->wish->merge && whirl_journal_in_use(path))
+        complain("'%s' is being written: what it has so far counts", path);
+    const whirl_status status = whirl_journal_take(journal->journal, path);
+    return complain_of(&status);
+}
+
+/// What other runs have left of the same study, beside the result and elsewhere; *count is how many journals that are.
+static int take_others(run_journal *journal, journal_names *there, size_t *count) {
+    const journal_wish *wish = journal->wish;
+    int outcome = EXIT_DONE;
+    *count = wish->other_count;
+    for (size_t i = 0; i < there->count && outcome == EXIT_DONE; i++) {
+        if (strcmp(there->items[i].path, journal->path) == 0) continue;
+        outcome = take(journal, there->items[i].path);
+        (*count)++;
+    }
+    for (size_t i = 0; i < wish->other_count && outcome == EXIT_DONE; i++) outcome = take(journal, wish->others[i]);
+    journal->taken = *there;
+    *there = (journal_names){0};
+    return outcome;
+}
+
+static int open_with(run_journal *journal, const whirl_result *outline, journal_names *there, whirl_result **finished) {
+    const journal_wish *wish = journal->wish;
+    const bool empty = there->count + wish->other_count == 0;
+    size_t others = 0;
+    if (!is_free(wish, there)) return EXIT_BAD_INPUT;
+    // A shard of an array goes on in the same way whether it was begun or not.
+    if (wish->resume && empty && (wish->share.count == 0 || is_there(wish->output))) {
+        const int outcome = find_finished(wish, journal->path, outline, finished);
+        if (outcome == EXIT_DONE && !wish->quiet)
+            complain("there is nothing to %s: '%s' is complete", wish->merge ? "merge" : "resume", wish->output);
+        return outcome;
+    }
+    int outcome = open_own(journal, outline);
+    if (outcome != EXIT_DONE || !wish->resume || empty) return outcome;
+    outcome = take_others(journal, there, &others);
+    if (outcome == EXIT_DONE) tell_what_was_found(journal, outline, others);
+    return outcome;
+}
+
+int open_journal(const journal_wish *wish, const whirl_case *object, run_journal *journal, whirl_result **finished) {
     whirl_result *outline;
-    *journal = NULL;
+    *journal = (run_journal){.wish = wish};
     *finished = NULL;
-    if (!name_journal(output, path)) return EXIT_FAILED;
-    const whirl_status status = whirl_case_outline(object, &outline);
+    if (!name_journal(wish->output, wish->share, journal->path)) return EXIT_FAILED;
+    whirl_status status = whirl_case_study(object, &journal->study);
+    if (status.code == WHIRL_OK) status = whirl_case_outline(object, &outline);
     if (status.code != WHIRL_OK) return complain_of(&status);
-    const int outcome = resume ? resume_journal(output, path, outline, quiet, journal, finished)
-                               : begin_journal(output, path, outline, force, journal);
+    journal_names there = find_journals(wish->output);
+    const int outcome = open_with(journal, outline, &there, finished);
+    if (outcome != EXIT_DONE && journal->journal) {
+        const whirl_status closed = whirl_journal_close(journal->journal);
+        if (closed.code != WHIRL_OK) complain("%s", closed.message);
+        journal->journal = NULL;
+    }
+    if (outcome != EXIT_DONE) free_journal_names(&journal->taken);
+    free_journal_names(&there);
     whirl_result_free(outline);
     return outcome;
 }
 
-// ---------------------------------------------------------------- ending early
+// ---------------------------------------------------------------- ending
 
-void leave_journal(const char *output, whirl_journal *journal) {
-    if (!journal) return;
-    const size_t points = whirl_journal_points(journal);
-    const whirl_status status = whirl_journal_close(journal);
-    if (status.code != WHIRL_OK) complain("%s", status.message);
-    complain("%zu finished point%s kept in '%s.journal'; the same command with --resume goes on from there", points,
-             points == 1 ? " is" : "s are", output);
+/// Closes the journal; gives how many points it has.
+static size_t close_journal(run_journal *journal, whirl_status *status) {
+    const size_t points = whirl_journal_points(journal->journal);
+    *status = whirl_journal_close(journal->journal);
+    if (status->code != WHIRL_OK) complain("%s", status->message);
+    journal->journal = NULL;
+    free_journal_names(&journal->taken);
+    return points;
+}
+
+void leave_journal(run_journal *journal) {
+    whirl_status status;
+    if (!journal->journal) return;
+    const size_t points = close_journal(journal, &status);
+    complain("%zu finished point%s kept in '%s'; %s", points, points == 1 ? " is" : "s are", journal->path,
+             journal->wish->merge ? "'whirl run' with --resume computes the others, in shards or not"
+                                  : "the same command with --resume goes on from there");
+}
+
+int close_shard(run_journal *journal) {
+    const whirl_share share = journal->wish->share;
+    whirl_status status;
+    const size_t points = close_journal(journal, &status);
+    if (status.code == WHIRL_OK && !journal->wish->quiet)
+        complain("shard %zu of %zu is done: %zu point%s kept in '%s'; 'whirl merge' makes the result of all shards",
+                 share.number, share.count, points, points == 1 ? " is" : "s are", journal->path);
+    return status.code == WHIRL_OK ? EXIT_DONE : EXIT_FAILED;
+}
+
+void remove_journal(run_journal *journal) {
+    if (!journal->journal) return;
+    const whirl_status status = whirl_journal_remove(journal->journal);
+    if (status.code != WHIRL_OK) complain("%s", status.message); // the result is safe all the same
+    journal->journal = NULL;
+    for (size_t i = 0; i < journal->taken.count; i++) {
+        const char *path = journal->taken.items[i].path;
+        const whirl_status gone = strcmp(path, journal->path) == 0 ? whirl_ok() : whirl_journal_discard(path);
+        if (gone.code != WHIRL_OK) complain("%s", gone.message);
+    }
+    free_journal_names(&journal->taken);
 }

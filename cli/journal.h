@@ -1,18 +1,43 @@
-/// The journal of a run: RESULT.h5.journal, beside the result.
+/// The journal of a run, beside the result, and those that it takes points from.
 #ifndef CLI_JOURNAL_H
 #define CLI_JOURNAL_H
 
+#include "journal_names.h"
 #include "whirl/whirl.h"
 
-/// Begins the journal of a result, or goes on from the one that is there when `resume`. Gives the exit status, after
-/// complaining of what stands in the way; `quiet` leaves out what is good news. Only with `force` may there be a result
-/// already.
+/// What a run asks of its journal.
+typedef struct journal_wish {
+    const char *output;
+    whirl_share share;
+    bool resume; ///< go on from what is there
+    bool merge;  ///< ... from journals only, of shards that may still be at work
+    bool force;  ///< there may be a result already
+    bool quiet;  ///< what is good news is left out
+    size_t other_count;
+    const char *const *others; ///< [other_count] journals that are not beside the result
+} journal_wish;
+
+typedef struct run_journal {
+    char path[JOURNAL_NAME_SIZE];
+    whirl_journal *journal; ///< NULL: there is none
+    whirl_study study;      ///< of which the journal has a share
+    const journal_wish *wish;
+    journal_names taken; ///< journals of the same result, all of whose points it has
+} run_journal;
+
+/// Begins the journal of a result, or goes on from those that are there. Gives the exit status, after complaining of
+/// what stands in the way. To be ended by one of those below.
 ///
 /// There may be nothing left to do: then `finished` is the result that is there, complete, and there is no journal.
-int open_journal(const char *output, const whirl_case *object, bool resume, bool force, bool quiet,
-                 whirl_journal **journal, whirl_result **finished);
+int open_journal(const journal_wish *wish, const whirl_case *object, run_journal *journal, whirl_result **finished);
 
 /// Closes the journal of a run that ended early, and says what of it is kept.
-void leave_journal(const char *output, whirl_journal *journal);
+void leave_journal(run_journal *journal);
+
+/// The same for a shard that is done.
+int close_shard(run_journal *journal);
+
+/// Removes the journal, and those that it took points from, when the result is safe.
+void remove_journal(run_journal *journal);
 
 #endif

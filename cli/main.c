@@ -7,9 +7,9 @@
 
 static const command help_command;
 
-static const command *const commands[] = {&new_command,    &import_command,   &run_command,    &verify_command,
-                                          &check_command,  &describe_command, &report_command, &show_command,
-                                          &export_command, &help_command};
+static const command *const commands[] = {&new_command,    &import_command, &run_command,      &merge_command,
+                                          &verify_command, &check_command,  &describe_command, &report_command,
+                                          &show_command,   &export_command, &help_command};
 enum { COMMAND_COUNT = sizeof commands / sizeof *commands };
 
 /// What the first argument chose, and where its own arguments begin.
@@ -71,7 +71,7 @@ static struct argp whirl_argp(struct argp_option options[COMMAND_COUNT + 2]) {
         .args_doc = "COMMAND [ARGUMENT...]",
         .doc = "Nonlinear dynamics of rotating machines: from a case file to a report.\v"
                "'whirl COMMAND --help' or 'whirl help COMMAND' shows what a command takes; 'man whirl' has it all.\n"
-               "Exit status: 0 done, 1 failed while running, 2 bad input.",
+               "Exit status: 0 done, 1 failed while running, 2 bad input, 3 stopped before the end: --resume goes on.",
     };
 }
 

@@ -64,8 +64,7 @@ whirl_status tell_phases(const whirl_study *study, const whirl_batch *batch, con
     for (size_t i = 0; i < count; i++) {
         whirl_machine machine;
         const size_t at = batch->count * i / count;
-        const whirl_status status =
-            study->machine(study->family, batch, batch->values ? batch->values[at] : (double)NAN, &machine);
+        const whirl_status status = whirl_study_machine(study, batch, at, &machine);
         if (status.code != WHIRL_OK) return status;
         const bool turning = machine.system->turns != NULL;
         note(&seen, machine.system);

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "phases.h"
+#include "summary_tori.h"
 
 enum { LONGEST_LIST = 12, MAX_VERDICTS = WHIRL_MAX_PERIOD + 8, VERDICT_SIZE = 96 };
 
@@ -15,18 +16,13 @@ static const char *plural(double count) {
 }
 
 /// The number of a field of one column, NaN when the table has none.
-static double number(const whirl_table *table, size_t point, const char *field, size_t which) {
-    const double *values = whirl_table_field(table, point, field, which);
-    return values ? *values : NAN;
-}
-
 static bool has_verdicts(const whirl_table *table) {
     return whirl_layout_field(&table->layout, "regime/confidence") != NULL;
 }
 
 static bool rubs(const whirl_result *result, const whirl_table *table, size_t point) {
     for (size_t i = 0; i < result->contact_count; i++)
-        if (number(table, point, "rub/share", i) > 0) return true;
+        if (whirl_table_number(table, point, "rub/share", i) > 0) return true;
     return false;
 }
 
@@ -42,7 +38,7 @@ static void short_name(const whirl_verdict *verdict, char *name, size_t size) {
 
 static void print_rubs(const whirl_result *result, const whirl_table *table, size_t point) {
     for (size_t i = 0; i < result->contact_count; i++) {
-        const double share = number(table, point, "rub/share", i);
+        const double share = whirl_table_number(table, point, "rub/share", i);
         if (share > 0)
             printf("  %s: %.3g %% of the time\n", result->contacts[i], 100 * share);
         else if (share >= 0)
@@ -55,7 +51,8 @@ static void print_radii(const whirl_result *result, const whirl_table *table, si
     if (!whirl_layout_field(&table->layout, "orbit/max_radius")) return;
     fputs("  largest radius:", stdout);
     for (size_t i = 0; i < result->station_count; i++)
-        printf("%s %s %.4g", i ? "," : "", result->stations[i].name, number(table, point, "orbit/max_radius", i));
+        printf("%s %s %.4g", i ? "," : "", result->stations[i].name,
+               whirl_table_number(table, point, "orbit/max_radius", i));
     const whirl_unit unit = whirl_result_length_unit(result);
     if (result->length_scale == unit.size)
         printf(" %s\n", unit.name);
@@ -100,9 +97,10 @@ static void print_verdict(const char *table, const whirl_verdict *verdict) {
 
 /// "exponents failed: their sum is -4.186, the equations give -1.257; take a smaller tolerance or more steps".
 static void print_failed_exponents(const whirl_table *table, size_t point) {
-    if (!(number(table, point, "exponents/failed", 0) > 0.5)) return;
+    if (!(whirl_table_number(table, point, "exponents/failed", 0) > 0.5)) return;
     printf("  exponents failed: their sum is %.4g, the equations give %.4g; take a smaller tolerance or more steps\n",
-           number(table, point, "exponents/sum", 0), number(table, point, "exponents/sum_exact", 0));
+           whirl_table_number(table, point, "exponents/sum", 0),
+           whirl_table_number(table, point, "exponents/sum_exact", 0));
 }
 
 static void print_point(const whirl_result *result, const whirl_table *table) {
@@ -144,8 +142,8 @@ static void print_modes(const whirl_table *table, size_t point) {
                direction[i] > 0.05    ? "forward"
                : direction[i] < -0.05 ? "backward"
                                       : "");
-    const double stability = number(table, point, "modes/stability", 0);
-    const double modulo = number(table, point, "modes/modulo", 0);
+    const double stability = whirl_table_number(table, point, "modes/stability", 0);
+    const double modulo = whirl_table_number(table, point, "modes/modulo", 0);
     if (isfinite(modulo))
         printf("  frequencies are known but for multiples of %.6g rad/s: coefficients turn with the shaft\n", modulo);
     printf("  %s: the largest real part of all eigenvalues is %.4g 1/s\n", stability > 0 ? "unstable" : "stable",
@@ -192,10 +190,20 @@ static void print_peaks(const whirl_result *result, const whirl_table *table) {
     }
 }
 
+/// "sweep of r_k: 512 points", "map of r_k and rho: 32 x 16 points".
+static void print_heading(const whirl_table *table) {
+    const size_t planned = whirl_table_planned(table);
+    printf("%s of %s", table->name, table->parameter);
+    if (table->row > 0)
+        printf(" and %s: %zu x %zu points\n", table->second, table->row, planned / table->row);
+    else
+        printf(": %zu point%s\n", planned, plural((double)planned));
+}
+
 static void print_at_rest(const whirl_result *result, const whirl_table *table) {
     const size_t planned = whirl_table_planned(table);
     if (table->parameter[0])
-        printf("%s of %s: %zu point%s\n", table->name, table->parameter, planned, plural((double)planned));
+        print_heading(table);
     else
         printf("%s:\n", table->name);
     if (!has_modes(table))
@@ -226,14 +234,11 @@ static void print_special(const whirl_unit *unit, const whirl_trace *at) {
 }
 
 static size_t points_of(const whirl_table *table, size_t first) {
-    const double branch = number(table, first, "trace/number", 0);
+    const double branch = whirl_table_number(table, first, "trace/number", 0);
     size_t count = 0;
-    while (first + count < table->count && number(table, first + count, "trace/number", 0) == branch) count++;
+    while (first + count < table->count && whirl_table_number(table, first + count, "trace/number", 0) == branch)
+        count++;
     return count;
-}
-
-static bool is_traced(const whirl_table *table) {
-    return whirl_layout_field(&table->layout, "trace/number") != NULL;
 }
 
 /// What was found along every branch, and where and why it ends.
@@ -241,8 +246,8 @@ static void print_branches(const whirl_result *result, const whirl_table *table)
     const whirl_unit unit = whirl_result_unit(result, table->parameter);
     for (size_t point = 0; point < table->count; point++) {
         whirl_trace at;
-        const bool begins =
-            point == 0 || number(table, point, "trace/number", 0) != number(table, point - 1, "trace/number", 0);
+        const bool begins = point == 0 || whirl_table_number(table, point, "trace/number", 0) !=
+                                              whirl_table_number(table, point - 1, "trace/number", 0);
         if (whirl_table_trace(table, point, &at).code != WHIRL_OK) continue;
         if (begins) print_branch(&unit, &at, points_of(table, point));
         if (at.point.special != WHIRL_REGULAR && isnan(at.point.second)) print_special(&unit, &at);
@@ -344,12 +349,38 @@ static void print_counts(const whirl_result *result, const whirl_table *table) {
         failed += verdict.exponents_failed;
         sure[verdict.confidence]++;
     }
-    const bool listed = !has_verdicts(table) || print_windows(result, table);
+    const bool listed = !has_verdicts(table) || (table->row == 0 && print_windows(result, table));
     for (size_t i = 0; i < tally.count && !listed; i++) printf("  %6zu  %s\n", tally.of[i], tally.names[i]);
     if (result->contact_count > 0) printf("  %6zu  with rub\n", rubbing);
     if (failed > 0) printf("  %6zu  with failed exponents: take a smaller tolerance, or more steps\n", failed);
     if (has_verdicts(table))
         printf("  confidence: %zu high, %zu fair, %zu low\n", sure[WHIRL_HIGH], sure[WHIRL_FAIR], sure[WHIRL_LOW]);
+}
+
+static bool is_basin(const whirl_table *table) {
+    return strcmp(table->name, "basin") == 0;
+}
+
+/// "attractor 1: P-1 at 1931 starts, 64.3 % +- 0.9 %", one line an attractor.
+static void print_attractors(const whirl_table *table) {
+    enum { SHOWN = 16 };
+    whirl_attractor found[SHOWN];
+    size_t count;
+    if (!is_basin(table) || whirl_table_attractors(table, NULL, found, SHOWN, &count).code != WHIRL_OK) return;
+    for (size_t k = 0; k < count && k < SHOWN; k++) {
+        const whirl_verdict verdict = whirl_table_verdict(table, found[k].first);
+        char name[VERDICT_SIZE];
+        short_name(&verdict, name, sizeof name);
+        printf("  attractor %zu: %s from %zu start%s, %.1f %% +- %.1f %%\n", k + 1, name, found[k].points,
+               plural((double)found[k].points), 100.0 * found[k].share, 100.0 * found[k].error);
+    }
+    if (count > SHOWN) printf("  and %zu more\n", count - SHOWN);
+    size_t done = 0, told = 0;
+    for (size_t i = 0; i < table->count; i++) done += whirl_table_done(table, i);
+    for (size_t k = 0; k < count && k < SHOWN; k++) told += found[k].points;
+    if (count <= SHOWN && told < done)
+        printf("  without a verdict: %zu start%s, %.1f %%: a longer transient may tell\n", done - told,
+               plural((double)(done - told)), 100.0 * (double)(done - told) / (double)done);
 }
 
 /// "refined: 5 points, 2 still in doubt".
@@ -358,7 +389,7 @@ static void print_refinement(const whirl_table *table) {
     if (!whirl_layout_field(&table->layout, "refine/rounds")) return;
     for (size_t point = 0; point < table->count; point++) {
         if (!whirl_table_done(table, point)) continue;
-        refined += number(table, point, "refine/rounds", 0) > 0;
+        refined += whirl_table_number(table, point, "refine/rounds", 0) > 0;
         doubtful += whirl_table_verdict(table, point).confidence == WHIRL_LOW;
     }
     printf("  refined: %zu point%s, %zu still in doubt\n", refined, plural((double)refined), doubtful);
@@ -413,18 +444,31 @@ void summarize_result(const whirl_result *result) {
             print_refinement(table);
             continue;
         }
-        printf("%s of %s: %zu point%s\n", table->name, table->parameter, planned, plural((double)planned));
+        print_heading(table);
         if (strcmp(table->name, "sweep") == 0 && table->count > 0)
             summarize_end(result, table->parameter, table->values[0]);
-        if (is_traced(table))
+        if (whirl_analysis_has(table->analyses, "torus"))
+            summarize_tori(result, table);
+        else if (whirl_analysis_is_traced(table->analyses))
             print_branches(result, table);
-        else if (planned <= LONGEST_LIST)
+        else if (planned <= LONGEST_LIST && table->row == 0)
             print_list(result, table);
         else
             print_counts(result, table);
+        print_attractors(table);
         print_refinement(table);
         print_jumps(result, table);
     }
+}
+
+/// What a batch along branches may find.
+static void print_room(const whirl_batch *batch) {
+    const double points = (double)batch->count;
+    printf("%s%s: at most %d points, from ", *batch->second ? " and " : "", batch->second, batch->record.trace.points);
+    if (whirl_analysis_has(batch->analyses, "torus"))
+        puts("the Neimark-Sacker points of the branches on");
+    else
+        printf("%.0f value%s on\n", points, plural(points));
 }
 
 void summarize_study(const whirl_study *study) {
@@ -437,13 +481,13 @@ void summarize_study(const whirl_study *study) {
         const double revolutions = (double)batch->record.transient + batch->record.record;
         printf("  %s", batch->name);
         if (batch->parameter[0]) printf(" of %s", batch->parameter);
+        if (batch->row > 0) printf(" and %s", batch->second);
         if (whirl_analysis_is_resting(batch->analyses)) {
             printf(": %.0f point%s about where the machine rests\n", points, plural(points));
             continue;
         }
         if (whirl_analysis_is_traced(batch->analyses)) {
-            printf("%s%s: at most %d points, from %.0f value%s on\n", *batch->second ? " and " : "", batch->second,
-                   batch->record.trace.points, points, plural(points));
+            print_room(batch);
             continue;
         }
         printf(": %.0f point%s, %.0f revolution%s each", points, plural(points), revolutions, plural(revolutions));

@@ -78,22 +78,36 @@ static const whirl_batch *find_batch(const whirl_study *study, const char *name)
     return NULL;
 }
 
-/// `count` of the batch's values, the first and the last among them; `values` [count].
+/// `count` of the batch's points, the first and the last among them; `values` [2 count].
 static void sample(whirl_batch *batch, size_t count, double *values) {
-    for (size_t i = 0; i < count; i++) values[i] = batch->values[count > 1 ? i * (batch->count - 1) / (count - 1) : 0];
+    for (size_t i = 0; i < count; i++) {
+        const size_t at = count > 1 ? i * (batch->count - 1) / (count - 1) : 0;
+        values[i] = batch->values[at];
+        if (batch->second_values) values[count + i] = batch->second_values[at];
+    }
     batch->values = values;
+    if (batch->second_values) batch->second_values = values + count;
+    if (batch->row > 0) batch->row = count;
     batch->count = count;
 }
 
+/// The batch of points over one parameter or two; NULL where the study has none.
+static const whirl_batch *find_many(const whirl_study *study) {
+    static const char *const names[] = {"sweep", "map", "basin"};
+    const whirl_batch *found = NULL;
+    for (size_t i = 0; i < sizeof names / sizeof *names && !found; i++) found = find_batch(study, names[i]);
+    return found;
+}
+
 /// Leaves in the study the points that are to be verified; gives the exit status.
-static int choose_points(const verify_arguments *arguments, whirl_study *study, double values[MOST_POINTS]) {
-    const whirl_batch *sweep = find_batch(study, "sweep"), *detail = find_batch(study, "detail");
+static int choose_points(const verify_arguments *arguments, whirl_study *study, double values[2 * MOST_POINTS]) {
+    const whirl_batch *sweep = find_many(study), *detail = find_batch(study, "detail");
     const size_t wanted = (size_t)arguments->points;
     if (wanted > 0 && (!sweep || wanted > sweep->count)) {
         if (sweep)
-            complain("--points is %zu, expected at most %zu, the points of the sweep", wanted, sweep->count);
+            complain("--points is %zu, expected at most %zu, the points of the %s", wanted, sweep->count, sweep->name);
         else
-            complain("--points is given, but the case has no sweep");
+            complain("--points is given, but the case has no sweep or map");
         return EXIT_BAD_INPUT;
     }
     whirl_batch chosen = wanted > 0 || !detail ? study->batches[0] : *detail;
@@ -141,6 +155,7 @@ static void print_run(const whirl_verification *v, const whirl_verify_point *poi
     tolerance_text(&v->integrate[m][level], tolerance);
     whirl_verdict_name(&run->verdict, verdict, sizeof verdict);
     if (m == 0 && level == 0 && *v->parameter) snprintf(value, sizeof value, "%.6g", point->value / unit);
+    if (m == 0 && level == 1 && *v->second) snprintf(value, sizeof value, "%.6g", point->second);
     const char *method = level == 0                                 ? v->integrate[m][0].method
                          : level == 1 && v->integrate[m][0].located ? "located"
                                                                     : "";
@@ -186,9 +201,9 @@ static void print_verdicts(const whirl_verify_point *point) {
 static void print_table(const whirl_verification *v, const whirl_unit *unit) {
     char named[WHIRL_NAME_SIZE + 4] = "";
     if (*unit->name) snprintf(named, sizeof named, " (%s)", unit->name);
-    printf("%s%s%s%s: %zu point%s by %s and %s; differences in length scales after %d revolutions\n\n", v->table,
-           *v->parameter ? " of " : "", v->parameter, named, v->count, v->count == 1 ? "" : "s",
-           v->integrate[0][0].method, v->integrate[1][0].method, v->revolutions);
+    printf("%s%s%s%s%s%s: %zu point%s by %s and %s; differences in length scales after %d revolutions\n\n", v->table,
+           *v->parameter ? " of " : "", v->parameter, named, *v->second ? " and, below it, " : "", v->second, v->count,
+           v->count == 1 ? "" : "s", v->integrate[0][0].method, v->integrate[1][0].method, v->revolutions);
     printf("%10s  %-11s  %-11s %10s %9s %8s %9s  %s\n", v->parameter, "method", "tolerance", "difference", "order",
            "section", "exponent", "verdict");
     size_t agreed = 0;
@@ -240,7 +255,7 @@ static int verify_case(const verify_arguments *arguments) {
     whirl_case *object = NULL;
     whirl_study study;
     whirl_verification *verification = NULL;
-    double *const values = malloc(MOST_POINTS * sizeof *values);
+    double *const values = malloc((size_t)2 * MOST_POINTS * sizeof *values);
     int outcome = load_case(&arguments->given, &object);
     if (!values) {
         complain("%s", whirl_code_text(WHIRL_NO_MEMORY));

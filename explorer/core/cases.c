@@ -189,6 +189,7 @@ static const char *carry_name(whirl_carry carry) {
 }
 
 static void add_batch(text *t, const whirl_batch *batch) {
+    const size_t along = batch->row ? batch->row : batch->count; // of a map: a row of it
     json_next(t);
     text_add(t, "{");
     json_name(t, "name");
@@ -197,7 +198,7 @@ static void add_batch(text *t, const whirl_batch *batch) {
     json_text(t, batch->parameter);
     json_name(t, "values");
     text_add(t, "[");
-    for (size_t i = 0; batch->values && i < batch->count; i++) {
+    for (size_t i = 0; batch->values && i < along; i++) {
         json_next(t);
         json_number(t, batch->values[i]);
     }

@@ -115,6 +115,19 @@ double explorer_job_turn(job *j);
 /// A finished point that was not taken yet: its index, or -1. Writes its block and its end, NaN where it diverged.
 int explorer_job_take(job *j, double *block, double *end);
 
+// ---------------------------------------------------------------- orbits along branches
+
+/// Asks for what the page shows of an orbit of so many revolutions (0: of its own time, or an equilibrium), by the
+/// plan's batch, which traces branches. To be called after all other options, before explorer_plan_layout.
+void explorer_plan_orbit(plan *p, int revolutions);
+
+/// Doubles of the nodes of such an orbit: the states at the beginnings of its segments.
+size_t explorer_orbit_size(const plan *p, int revolutions, double period);
+
+/// Writes the block of the orbit with these nodes [explorer_orbit_size] at a value, stable or not: each of its segments
+/// is followed from its own node. 0 after a failure.
+int explorer_orbit(const plan *p, double value, int revolutions, double period, const double *nodes, double *block);
+
 // ---------------------------------------------------------------- motions to look at
 
 /// Revolutions of one motion, sampled.

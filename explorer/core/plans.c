@@ -47,8 +47,10 @@ EXPORTED plan *explorer_plan_new(const whirl_case *object, const char *batch, co
     }
     p->object = object;
     p->batch = *found;
-    p->batch.values = NULL;
+    p->batch.values = p->batch.second_values = NULL;
     p->batch.count = 1;
+    p->batch.row = 0;
+    *p->batch.second = '\0'; // of a map: the case has its value
     p->batch.carry = WHIRL_CARRY_NONE;
     if (parameter) snprintf(p->batch.parameter, sizeof p->batch.parameter, "%s", parameter);
     return p;
@@ -85,6 +87,11 @@ static const char *const shown_of_many[] = {"poincare", "orbit", "rub", "lyapuno
 static const char *const shown_of_one[] = {"poincare", "orbit",    "rub",      "lyapunov",
                                            "regime",   "spectrum", "waveform", NULL};
 
+static const char *const shown_of_orbit[] = {"poincare", "orbit", "rub", "spectrum", "waveform", NULL};
+
+/// Revolutions that are recorded of an orbit, for its spectrum, at least.
+enum { ORBIT_RECORD = 32 };
+
 static void add_analyses(plan *p, const char *const *names) {
     for (; *names; names++) whirl_analysis_add(&p->batch.analyses, *names);
 }
@@ -109,6 +116,20 @@ EXPORTED void explorer_plan_everything(plan *p, int waveform) {
     p->batch.record.waveform = true;
     p->batch.record.growth = true;
     p->batch.record.waveform_revolutions = waveform < p->batch.record.record ? waveform : p->batch.record.record;
+}
+
+EXPORTED void explorer_plan_orbit(plan *p, int revolutions) {
+    whirl_record_options *record = &p->batch.record;
+    const int round = revolutions > 0 ? revolutions : 1;
+    explorer_plan_choose(p, "");
+    p->batch.analyses = 0;
+    add_analyses(p, shown_of_orbit);
+    p->batch.integrate = whirl_batch_orbits(&p->batch).integrate;
+    record->transient = record->watch = 0;
+    record->record = (ORBIT_RECORD + round - 1) / round * round;
+    record->growth = WHIRL_GROWTH_NONE;
+    record->spectra = record->waveform = true;
+    record->waveform_revolutions = revolutions > 0 ? revolutions : ORBIT_RECORD;
 }
 
 // ---------------------------------------------------------------- layout

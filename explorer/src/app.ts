@@ -11,9 +11,11 @@ import { assignmentTexts, readAddress, writeAddress, type Address, type Computat
 import { troubleOf, type SideModel } from './model/side';
 import { parameterMeasure, written, type Units } from './model/units';
 import { Watches } from './model/watches';
+import type { Cell } from './data/parameter_map';
 import type { MapCardListener } from './view/map_card';
 import { Page } from './view/page';
 import type { PaneListener } from './view/pane';
+import type { ParameterMapCardListener } from './view/parameter_map_card';
 import type { RestListener } from './view/rest';
 import type { SettingsListener } from './view/settings_card';
 import { Takeaway } from './view/takeaway';
@@ -45,6 +47,7 @@ export class App {
       rest: this.restListener(),
       topbar: this.topbarListener(),
       card: this.cardListener(),
+      map: this.mapListener(),
       settings: this.settingsListener(),
       pane: this.paneListener(),
     });
@@ -100,6 +103,7 @@ export class App {
     const { session } = this;
     return {
       cursor: (value, settled) => this.cursor(session.active, value, settled),
+      orbit: (point) => this.orbit(session.active, point),
       brushed: (range) => this.brushed(range),
       viewed: (range) => {
         session.sights.view(range, session.whole);
@@ -116,6 +120,15 @@ export class App {
       reset: () => session.sights.reset(session.whole),
       recompute: () => void this.recompute(session.sight.range),
       cancel: () => session.sights.stop(),
+    };
+  }
+
+  private mapListener(): ParameterMapCardListener {
+    const { station, parameter } = this.cardListener();
+    return {
+      ...{ station, parameter },
+      cell: (cell, settled) => this.cell(cell, settled),
+      mapQuantity: (id) => this.change({ mapQuantity: id }),
     };
   }
 
@@ -171,7 +184,9 @@ export class App {
     const early =
       stored !== undefined &&
       stored !== '' &&
-      (session.address.parameter === '' || session.address.parameter === stored);
+      (session.address.parameter === '' ||
+        session.address.parameter === stored ||
+        session.map?.axis(session.address.parameter) !== undefined);
     if (early) session.openParameter();
     if (session.atRest) session.address.b = undefined;
     if (session.engine && !session.original && !session.atRest) {
@@ -185,6 +200,7 @@ export class App {
     }
     if (session.unitsAwaited && session.original) session.suitUnits(session.original.lengthScale);
     if (!early) session.openParameter();
+    session.checkOrbits();
     session.chooseValue();
     this.later('all');
     await this.refreshSides();
@@ -229,6 +245,7 @@ export class App {
     session.chooseValue();
     if (address.b) b.choice = address.b;
     else b.forget();
+    session.checkOrbits();
     session.sights.restore(address.range ?? session.whole, session.whole);
     this.refineSoon();
     void this.refreshSides();
@@ -252,6 +269,11 @@ export class App {
   private want(side: SideModel, settled: boolean): void {
     const { session } = this;
     if (session.atRest) return;
+    const orbit = session.orbitOf(side.choice);
+    if (orbit) {
+      side.wantOrbit(session.orbitRequest(orbit));
+      return;
+    }
     const { parameter, units } = session.address;
     const { factor, unit } = parameterMeasure(session.unit, units);
     const value = written(side.choice.value * factor, 12);
@@ -260,9 +282,36 @@ export class App {
 
   private cursor(name: SideName, value: number, settled: boolean): void {
     const side = this.session.sides[name];
-    side.choice = { ...side.choice, value };
+    side.choice = { assignments: side.choice.assignments, value };
     this.watches.end(name);
     this.want(side, settled);
+    this.later(name);
+  }
+
+  /// The motion at a cell of the map.
+  private cell({ column, row }: Cell, settled: boolean): void {
+    const { session } = this;
+    const { map, side } = session;
+    if (!map) return;
+    session.place(side, [
+      [map.x.parameter, map.x.values[column]!],
+      [map.y.parameter, map.y.values[row]!],
+    ]);
+    this.watches.end(session.active);
+    void this.refreshSide(side, settled);
+    this.later(session.active);
+  }
+
+  /// The orbit of a point of the branches takes the place of a motion.
+  private orbit(name: SideName, point: number): void {
+    const { session } = this;
+    const side = session.sides[name];
+    const { assignments } = side.choice;
+    const orbit = session.orbitOf({ ...side.choice, orbit: point });
+    if (!orbit || side.choice.orbit === point) return;
+    side.choice = { assignments, value: orbit.value, orbit: point };
+    this.watches.end(name);
+    this.want(side, true);
     this.later(name);
   }
 
@@ -278,7 +327,8 @@ export class App {
     if (value === undefined) releaseFields();
     if (text === undefined) assignments.delete(name);
     else assignments.set(name, text);
-    side.choice = { ...side.choice, assignments };
+    // Branches are of the machine as it stands.
+    side.choice = { assignments, value: side.choice.value };
     this.watches.end(session.active);
     void this.refreshSide(side, settled);
   }
@@ -320,15 +370,20 @@ export class App {
   private async setParameter(name: string): Promise<void> {
     const { session } = this;
     session.sights.stop();
+    const before = session.address.parameter;
+    // In the plane of a map both values stay.
+    const held = Object.values(session.sides).map((side) =>
+      session.map?.axis(before) ? session.valueOf(side, before) : NaN,
+    );
+    const own = Object.values(session.sides).map((side) => session.valueOf(side, name));
     session.address.parameter = name;
     session.address.range = undefined;
-    for (const side of Object.values(session.sides)) {
+    Object.values(session.sides).forEach((side, i) => {
       const assignments = new Map(side.choice.assignments);
       assignments.delete(name);
-      side.choice = { assignments, value: NaN };
-      const own = side.info?.parameters.find((parameter) => parameter.name === name)?.value;
-      if (own !== undefined) side.choice = { assignments, value: own };
-    }
+      side.choice = { assignments, value: own[i]! };
+      if (Number.isFinite(held[i])) session.place(side, [[before, held[i]!]]);
+    });
     session.openParameter();
     session.chooseValue();
     await this.refreshSides();
@@ -442,6 +497,7 @@ export class App {
     const changes = this.changes;
     this.changes = new Set();
     if (!this.session.sights.shown) return;
+    this.session.followMap();
     this.page.show(changes);
     this.history.soon();
   }

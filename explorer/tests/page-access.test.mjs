@@ -7,9 +7,15 @@ import { CASE, closeBrowser, makePage, open, settled } from './browser.mjs';
 
 const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 
-let address;
+const MAP = CASE.replace(
+  / {2}sweep:.*/,
+  '  map: {x: {parameter: omega, from: 1.5, to: 3.5, points: 5}, y: {parameter: e, from: 0.5, to: 1, points: 3}}',
+).replace(/ {2}detail:.*/, '');
+
+let address, ofMap;
 before(() => {
   address = makePage('access', CASE.replace('points: 61', 'points: 31'));
+  ofMap = makePage('access-map', MAP);
 });
 after(closeBrowser);
 
@@ -40,6 +46,15 @@ for (const colorScheme of ['light', 'dark']) {
     assert.deepEqual(await findings(page), [], 'with a trouble and an open menu');
     await page.click('button[aria-label="Help"]');
     assert.deepEqual(await findings(page), [], 'with the help');
+    await close();
+  });
+
+  test(`axe finds nothing on a map, ${colorScheme}`, async () => {
+    const { page, close } = await open(`${ofMap}#b=2`, { colorScheme });
+    await settled(page);
+    assert.deepEqual(await findings(page), []);
+    await page.selectOption('select[aria-label="What the map shows"]', 'exponent');
+    assert.deepEqual(await findings(page), [], 'with a bar of colours');
     await close();
   });
 

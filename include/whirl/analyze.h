@@ -15,6 +15,7 @@
 #include "whirl/orbit.h"
 #include "whirl/status.h"
 #include "whirl/system.h"
+#include "whirl/torus.h"
 #include "whirl/watched.h"
 
 #ifdef __cplusplus
@@ -35,15 +36,23 @@ enum { WHIRL_MAX_TRANSIENT = 1000000000, WHIRL_MAX_RECORD = 100000000 };
 
 /// How branches of orbits are looked for. The first orbit is found where a motion has settled after the transient.
 typedef struct whirl_trace_options {
-    bool rest;       ///< branches of equilibria, in place of orbits
-    int revolutions; ///< of the first orbit; 0: after how many the settled motion comes back
-    int longest;     ///< most revolutions of an orbit
-    int switches;    ///< times that a branch is left for those that begin along it
-    int segments;    ///< as in whirl_orbit_options
-    int points;      ///< most points of all branches
-    double step;     ///< whirl_branch_options.most_step
-    double rtol;     ///< of the integrator
+    bool rest;             ///< branches of equilibria, in place of orbits
+    int revolutions;       ///< of the first orbit; 0: after how many the settled motion comes back
+    int longest;           ///< most revolutions of an orbit
+    int switches;          ///< times that a branch is left for those that begin along it
+    int segments;          ///< as in whirl_orbit_options
+    int points;            ///< most points of all branches
+    double step;           ///< whirl_branch_options.most_step
+    double rtol;           ///< of the integrator
+    bool tori;             ///< those that begin at Neimark-Sacker points are followed
+    int torus_nodes;       ///< most of a torus' curve; see whirl_trace_torus_nodes
+    int torus_points;      ///< most of one branch of tori
+    double torus_step;     ///< whirl_torus_branch_options.most_step
+    double torus_accuracy; ///< whirl_torus_options.accuracy
 } whirl_trace_options;
+
+/// Most nodes of a torus' curve: what the options say, made odd.
+size_t whirl_trace_torus_nodes(const whirl_trace_options *options);
 
 /// Its members, as cases say them (part "branch") and results of branches have them; static, ended by one without a
 /// part.
@@ -179,6 +188,15 @@ whirl_status whirl_record_motion(const whirl_system *system, const whirl_integra
                                  const whirl_record_options *options, const double *start, const whirl_monitor *monitor,
                                  whirl_record **record);
 void whirl_record_free(whirl_record *record);
+
+/// What recording would gather of a motion that stays on an orbit, stable or not, from its first node on: each segment
+/// is followed from its own node. As many revolutions are recorded as the options say; there is no transient, and
+/// neither disturbances nor orbits are looked for. Revolutions of an orbit with a time of its own lie between instants:
+/// cubics join these. Bounds and all that is watched are those of once round the orbit. Of an orbit its dimension,
+/// revolutions, period and nodes count. Errors as whirl_orbit_observe and whirl_record_motion.
+whirl_status whirl_record_along(const whirl_system *system, const whirl_orbit *orbit,
+                                const whirl_orbit_options *options, const whirl_record_options *wanted,
+                                whirl_record **record);
 
 /// A motion to be recorded among many. `system` and `start` [dimension] are borrowed until the motion is done.
 typedef struct whirl_task {
@@ -424,7 +442,7 @@ typedef struct whirl_field {
     size_t offset; ///< of the first number in the block; the next repetition follows after rows * columns
 } whirl_field;
 
-enum { WHIRL_MAX_FIELDS = 128 };
+enum { WHIRL_MAX_FIELDS = 160 };
 
 /// The fields of a point's block.
 typedef struct whirl_layout {
@@ -441,7 +459,7 @@ typedef struct whirl_analysis {
     bool usual;   ///< computed where a case does not say which
     bool kept;    ///< of waveforms that are kept: computed exactly where some are (whirl_analysis_fit)
     bool resting; ///< of a machine at rest, whose motion is not followed: chosen by a study of its name, alone
-    bool traced;  ///< of points of branches: chosen by a study's part `branch`, alone
+    bool traced;  ///< of points of branches, or of tori: chosen by a study's part `branch`, alone
 } whirl_analysis;
 
 /// All analyses; static, ended by an entry whose name is NULL.
@@ -453,10 +471,13 @@ typedef unsigned whirl_analysis_set;
 /// Adds the analysis of that name; false when there is none.
 bool whirl_analysis_add(whirl_analysis_set *set, const char *name);
 
+/// Whether a choice has the analysis of that name.
+bool whirl_analysis_has(whirl_analysis_set set, const char *name);
+
 /// Whether a choice is of machines at rest (whirl_analyze_resting).
 bool whirl_analysis_is_resting(whirl_analysis_set set);
 
-/// Whether a choice is of points of branches (whirl_analyze_trace).
+/// Whether a choice is of points of branches (whirl_analyze_trace), or of tori (whirl_analyze_torus).
 bool whirl_analysis_is_traced(whirl_analysis_set set);
 
 /// Those that are computed where a case does not say which.
@@ -479,6 +500,13 @@ whirl_status whirl_layout_new(const whirl_system *system, const whirl_integrate_
 /// All fields that there are, as for a machine of one station and one contact, with more than one row where there can
 /// be more.
 whirl_status whirl_layout_known(whirl_layout *layout);
+
+/// What is taken for granted of tables of branches and tori, for layouts and blocks that were read: all fields of these
+/// analyses are there, with as many rows as the options and the dimension (that the first of them tells) ask for; and
+/// revolutions and nodes are not more than there is room for. WHIRL_BAD_INPUT with what is wrong.
+whirl_status whirl_layout_check(const whirl_layout *layout, whirl_analysis_set set,
+                                const whirl_record_options *options);
+whirl_status whirl_block_check(const whirl_layout *layout, const double *block, const whirl_record_options *options);
 
 /// Whether blocks hold a verdict.
 bool whirl_layout_has_verdict(const whirl_layout *layout);
@@ -551,6 +579,31 @@ void whirl_orbit_name(const whirl_orbit *orbit, char *text, size_t size);
 
 /// Why a branch ends, in words. Static text.
 const char *whirl_branch_end_text(whirl_branch_end end);
+
+/// What whirl_torus_trace.end says besides whirl_torus_end: no torus was found at the point.
+enum { WHIRL_TORUS_NONE = WHIRL_TORUS_STOPPED + 1 };
+
+/// A torus as it stands among those of a study.
+typedef struct whirl_torus_trace {
+    const whirl_system *system;   ///< of its machine
+    const whirl_torus *torus;     ///< NULL where none was found
+    const whirl_torus_view *view; ///< of it
+    size_t number;                ///< of its branch of tori, from 1 in the order of the points at which these begin
+    size_t branch;                ///< of orbits, along which it begins
+    size_t point;                 ///< of the table of branches: the Neimark-Sacker point, from 1
+    double begins;                ///< value of the parameter there
+    double end;                   ///< whirl_torus_end or WHIRL_TORUS_NONE at its last torus, else NaN
+    double limit;                 ///< whirl_torus_branch.limit there, else NaN
+} whirl_torus_trace;
+
+/// Fills `block` [layout->size] of the analysis "torus". WHIRL_BAD_INPUT where a torus has more nodes or revolutions
+/// than the options say.
+whirl_status whirl_analyze_torus(const whirl_torus_trace *trace, const whirl_record_options *options,
+                                 const whirl_layout *layout, double *block);
+
+/// Why a branch of tori ends whose last one is near the resonance p/q (NaN: near none), in words: "it locks near 2/5".
+/// Writes at most `size` bytes.
+void whirl_torus_end_text(double end, double p, double q, char *text, size_t size);
 
 /// The verdict that a block holds; regime WHIRL_UNDETERMINED with NaN evidence when it holds none.
 whirl_verdict whirl_block_verdict(const whirl_layout *layout, const double *block);

@@ -122,6 +122,17 @@ typedef struct whirl_ensemble_seen {
 } whirl_ensemble_seen;
 void whirl_ensemble_read(const whirl_ensemble *ensemble, size_t lane, const whirl_ensemble_seen *seen);
 
+/// The same of a motion that the caller follows: nothing is seen of it yet, and contacts that are closed at x
+/// [dimension] do not count as begun. All arrays are needed; `touching` [contact_count], the caller's, holds which
+/// contacts are closed.
+void whirl_seen_begin(const whirl_system *system, const double *x, const whirl_ensemble_seen *seen, double *touching);
+
+/// Adds an instant.
+void whirl_seen_instant(const whirl_system *system, const double *x, const whirl_ensemble_seen *seen, double *touching);
+
+/// Makes means of sums over so many instants.
+void whirl_seen_end(const whirl_system *system, size_t instants, const whirl_ensemble_seen *seen);
+
 #ifdef __cplusplus
 }
 #endif

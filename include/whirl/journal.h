@@ -36,6 +36,29 @@ whirl_status whirl_journal_begin(const char *path, const whirl_result *outline, 
 /// it is computed again. To be closed in either way below.
 whirl_status whirl_journal_resume(const char *path, const whirl_result *outline, whirl_journal **journal);
 
+/// The points that a journal is for, of one of several runs that compute a study together (whirl_share_has).
+typedef struct whirl_journal_part {
+    /// Whether it has a point, which a keeper knows by this batch and slot; NULL: it has all.
+    bool (*has)(const void *context, size_t batch, size_t slot);
+    const void *context; ///< must live as long as the journal
+} whirl_journal_part;
+
+/// The same for a part of the points: room on the disk is asked for these.
+whirl_status whirl_journal_begin_part(const char *path, const whirl_result *outline, const whirl_journal_part *part,
+                                      whirl_journal **journal);
+whirl_status whirl_journal_resume_part(const char *path, const whirl_result *outline, const whirl_journal_part *part,
+                                       whirl_journal **journal);
+
+/// Copies from another journal of the same study, which another run may be writing, the points that this one is for and
+/// has not; what was found counts in whirl_journal_look. Errors as those of whirl_journal_resume.
+whirl_status whirl_journal_take(whirl_journal *journal, const char *path);
+
+/// Whether a run is writing the journal of that name.
+bool whirl_journal_in_use(const char *path);
+
+/// Removes a journal that another one has taken the points of. WHIRL_BAD_INPUT where a run is writing it.
+whirl_status whirl_journal_discard(const char *path);
+
 /// What a journal held when it was resumed.
 typedef struct whirl_journal_found {
     size_t points;  ///< that need not be computed again

@@ -98,6 +98,18 @@ whirl_status whirl_orbit_rest(const whirl_system *system, const double *start, c
 whirl_orbit *whirl_orbit_new(const whirl_orbit *like);
 void whirl_orbit_free(whirl_orbit *orbit);
 
+/// The same orbit once more; NULL without memory. Freed by whirl_orbit_free.
+whirl_orbit *whirl_orbit_copy(const whirl_orbit *orbit);
+
+/// The largest modulus of its multipliers, of an orbit with a time of its own without the one that is 1: the orbit is
+/// stable where it is below 1. Of an equilibrium the largest real part, stable below 0.
+double whirl_orbit_largest(const whirl_orbit *orbit);
+
+/// How far a state [dimension] at a section is from the nearest of the orbit's sections, over the largest coordinate of
+/// that: 0 for the first node of the same orbit, whichever revolution it begins at. Coordinates that turn are left out.
+/// An orbit with a time of its own, and an equilibrium, has its first node for a section.
+double whirl_orbit_distance(const whirl_system *system, const whirl_orbit *orbit, const double *state);
+
 /// Switching functions of a system at which contacts begin: touches that its orbits have.
 size_t whirl_touch_count(const whirl_system *system);
 

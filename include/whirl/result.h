@@ -18,8 +18,10 @@ typedef struct whirl_kept_blocks whirl_kept_blocks;
 
 /// The points of one batch.
 typedef struct whirl_table {
-    char name[WHIRL_NAME_SIZE];      ///< "response", "sweep", "detail"
+    char name[WHIRL_NAME_SIZE];      ///< "response", "sweep", "map", "basin", "detail"
     char parameter[WHIRL_NAME_SIZE]; ///< what varies, or ""
+    char second[WHIRL_NAME_SIZE];    ///< what varies besides, in a map, whose points have it in the field "map/second"
+    size_t row;                      ///< points of a row of a map, along the parameter, by whirl_table_slot; else 0
     size_t count;
     /// Points of the study, of which a file that was written too early has `count`; 0: count.
     size_t planned;
@@ -86,6 +88,9 @@ const double *whirl_table_block(const whirl_table *table, size_t point);
 /// NULL when the table has no such field or an index is out of range. Borrowed as the block is.
 const double *whirl_table_field(const whirl_table *table, size_t point, const char *field, size_t which);
 
+/// The first of these numbers; NaN where the table has no such field.
+double whirl_table_number(const whirl_table *table, size_t point, const char *field, size_t which);
+
 /// The length scale of a point, m per unit of length: of all its lengths. That of the result for a table NULL.
 double whirl_result_length_scale(const whirl_result *result, const whirl_table *table, size_t point);
 
@@ -98,6 +103,9 @@ const char *whirl_result_keyphasor(const whirl_result *result);
 
 /// Which point of the study a point is: its own index, but in a result that was read and is partial.
 size_t whirl_table_slot(const whirl_table *table, size_t point);
+
+/// The value of the second parameter at a point of a map or of curves, in SI; NaN where there is none.
+double whirl_table_second(const whirl_table *table, size_t point);
 
 /// How many points of the table the study has, done or not.
 size_t whirl_table_planned(const whirl_table *table);
@@ -115,6 +123,18 @@ whirl_verdict whirl_table_verdict(const whirl_table *table, size_t point);
 /// A point of a table of branches or curves; its orbit is freed by whirl_orbit_free. Errors as whirl_block_trace.
 whirl_status whirl_table_trace(const whirl_table *table, size_t point, whirl_trace *trace);
 
+/// The points of one branch of tori.
+typedef struct whirl_tori {
+    size_t first, last; ///< of the table
+    size_t found;       ///< tori among them: 0 where none begins, else all
+    size_t stable;      ///< of them
+    size_t station;     ///< whose line of the second frequency is largest at the last one,
+    size_t axis;        ///< and of which coordinate: 0 x, 1 y
+} whirl_tori;
+
+/// Those from the point `first` on of a table with the analysis "torus".
+whirl_tori whirl_table_tori(const whirl_table *table, size_t first);
+
 /// Neighbouring points of a sweep with one regime whose motions differ far more than those around them.
 typedef struct whirl_jump {
     size_t from, to; ///< points of the table
@@ -125,9 +145,26 @@ typedef struct whirl_jump {
 
 /// Looks for jumps along a table: changes of more than 3 % of the motion's size and 8 times what the points around
 /// show. Two motions may exist side by side there, or one changes suddenly (a crisis): that there is a jump does not
-/// tell which. *count is how many there are; at most `most` are written. None where the analysis "orbit" is missing.
-/// WHIRL_NO_MEMORY.
+/// tell which. Of maps none. *count is how many there are; at most `most` are written. None where the analysis "orbit"
+/// is missing. WHIRL_NO_MEMORY.
 whirl_status whirl_table_jumps(const whirl_table *table, whirl_jump *jumps, size_t most, size_t *count);
+
+/// A motion that several points of a table came to rest on.
+typedef struct whirl_attractor {
+    size_t first;        ///< point of the table, the first that did
+    size_t points;       ///< that did
+    double share, error; ///< of the points that are done, and its standard error were these drawn at random
+} whirl_attractor;
+
+/// Tells apart the attractors of a table whose machines are all the same, as those of a basin are: points have one
+/// attractor that have one regime and period and, where it is periodic, sections that agree to a thousandth of the
+/// largest displacement, whichever revolution they begin with; where not, means and bounds that agree to a fifth of the
+/// extent. All that diverge have one. Needs the analyses "poincare" and "orbit" for that; without them regimes and
+/// periods count alone. Writes the attractor of every point to labels [count] (NULL: not wanted), from 1, that of most
+/// points first; 0 for points that are not done or without a verdict, and beyond 64 attractors. *count is how many
+/// there are; at most `most` are written. WHIRL_NO_MEMORY.
+whirl_status whirl_table_attractors(const whirl_table *table, size_t *labels, whirl_attractor *attractors, size_t most,
+                                    size_t *count);
 
 /// A unit in which numbers are shown: `size` of it in SI. "" and 1 for plain numbers.
 typedef struct whirl_unit {

@@ -30,17 +30,21 @@ typedef enum whirl_carry {
 ///
 /// A batch with the analysis "trace" traces branches of orbits between bounds of its parameter, from `values` on: how
 /// many points that gives is known when they are there. With a second parameter its points are those of curves through
-/// the special points of the batch before it, whose parameter is the same; `values` are not looked at then.
+/// the special points of the batch before it, whose parameter is the same; `values` are not looked at then. One with
+/// the analysis "torus" follows the tori that begin at Neimark-Sacker points of the batch of that name, "branch".
+///
+/// A batch of a map has a second parameter, too, with a value at every point: the points of its rows follow each other.
 typedef struct whirl_batch {
-    char name[WHIRL_NAME_SIZE];      ///< "response", "sweep", "detail", "branch", "curves"
+    char name[WHIRL_NAME_SIZE];      ///< "response", "sweep", "map", "basin", "detail", "branch", "curves", "tori"
     char parameter[WHIRL_NAME_SIZE]; ///< what varies; "" for a single point
     size_t count;
     const double *values;         ///< [count] of the parameter, in SI; borrowed; NULL when nothing varies
     double bounds[2];             ///< of the parameter, where branches are traced
-    char second[WHIRL_NAME_SIZE]; ///< the second parameter of curves, else ""
+    char second[WHIRL_NAME_SIZE]; ///< the second parameter of curves and maps, else ""
+    const double *second_values;  ///< [count] of a map; borrowed; else NULL
+    size_t row;                   ///< points of a row of a map, along the first parameter; else 0
     double second_bounds[2];
-    /// What the second parameter is, of the machine that is asked for; NaN: as the case has it, which it says then.
-    double second_value;
+    double second_value; ///< of the machine that is asked for; of the batch itself that of the case
     whirl_carry carry;
     /// Every motion is computed once more from the same start with errors of a step 16 times smaller (twice the steps
     /// of a fixed-step method), and its verdict is set beside the first: needs the analysis "regime".
@@ -53,7 +57,7 @@ typedef struct whirl_batch {
 /// Its members that are said of a study (part "study"); static, ended by one without a part.
 const whirl_member *whirl_batch_members(void);
 
-enum { WHIRL_MAX_BATCHES = 4 };
+enum { WHIRL_MAX_BATCHES = 5 };
 
 enum {
     WHIRL_MAX_ROUNDS = 6 ///< of refinement
@@ -78,6 +82,16 @@ typedef struct whirl_study {
     whirl_status (*machine)(const void *family, const whirl_batch *batch, double value, whirl_machine *machine);
     const void *family; ///< borrowed
 } whirl_study;
+
+/// A share of a study for one of several runs that compute it together. Points are dealt out one by one, but carried
+/// sweeps go whole, up and down each, and so do 8 neighbours at rest; all branches go to the first share.
+typedef struct whirl_share {
+    size_t number; ///< from 1 to count
+    size_t count;  ///< 0: there are no shares
+} whirl_share;
+
+/// Whether a point, which a keeper knows by this batch and slot, is of a share; all are where there are none.
+bool whirl_share_has(const whirl_study *study, const whirl_share *share, size_t batch, size_t slot);
 
 /// What a run is at. Every stage has points of its own.
 typedef enum whirl_stage {
@@ -137,13 +151,27 @@ typedef struct whirl_run_options {
     /// Bytes of a table's blocks from which on they are left with the keeper, if there is one, which must then live as
     /// long as the result; 0: 256 MB. Not where points are confirmed or refined: their blocks stay in memory.
     size_t memory;
+    /// The points that are computed, and confirmed; the others are not asked for. The run ends with that, for to follow
+    /// and to refine all points are needed. Its result is partial. All zero: all points.
+    whirl_share share;
+    /// Points and their confirmations are taken from the keeper and not computed: WHIRL_STOPPED where one is missing.
+    /// Branches that were begun are traced to their end; with all points there, what needs them all is computed.
+    bool gather;
 } whirl_run_options;
+
+/// The machine of a point of a batch, by its index in `values` (0 where nothing varies). Errors as those of
+/// study->machine.
+whirl_status whirl_study_machine(const whirl_study *study, const whirl_batch *batch, size_t point,
+                                 whirl_machine *machine);
 
 /// Puts a method in the place of "auto" in every batch that asks for it: dop853, or rodas5p where whirl_method_probe,
 /// at the first, the middle and the last value of the parameter, counts less work in all. All points of a batch go by
 /// one method. The choice is a pure function of the study. Runs, outlines and verifications do it by themselves. Errors
 /// as those of the machines.
 whirl_status whirl_study_choose_methods(whirl_study *study);
+
+/// How orbits along the branches of a batch that traces them are found. A method "auto" is to be settled before.
+whirl_orbit_options whirl_batch_orbits(const whirl_batch *batch);
 
 /// Revolutions of all points without refinement, as a budget counts them: at n times the steps of the study n times.
 double whirl_study_revolutions(const whirl_study *study);

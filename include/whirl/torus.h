@@ -8,6 +8,7 @@
 #ifndef WHIRL_TORUS_H
 #define WHIRL_TORUS_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "whirl/orbit.h"
@@ -87,9 +88,25 @@ whirl_status whirl_torus_observe(const whirl_system *system, const whirl_torus *
                                  const whirl_torus_options *options, size_t angles, size_t instants,
                                  whirl_observe_fn observe, void *observer);
 
+/// What a torus shows of every coordinate; NaN where that turns on and on. Freed by whirl_torus_view_free.
+typedef struct whirl_torus_view {
+    size_t dimension, revolutions;
+    double *low, *high; ///< [dimension] bounds of the motion
+    /// [revolutions][dimension] bounds of the closed curve in which the sections at the beginning of each of its
+    /// revolutions lie.
+    double *section_low, *section_high;
+    double *frequency, *amplitude; ///< [dimension] of its strongest line, as whirl_torus_line tells it
+} whirl_torus_view;
+
+/// Looks at the motions from all nodes at 64 instants of a revolution. Bounds are those of the trigonometric
+/// polynomials through them, between instants of parabolas. Errors as whirl_torus_observe; WHIRL_NO_MEMORY.
+whirl_status whirl_torus_look(const whirl_system *system, const whirl_torus *torus, const whirl_torus_options *options,
+                              whirl_torus_view **view);
+void whirl_torus_view_free(whirl_torus_view *view);
+
 /// The strongest line of a coordinate among those at |i + rotation|/revolutions, in units of the speed, up to 32 of
 /// them: what a spectrum of it shows as the second frequency; its amplitude, in the coordinate's unit. WHIRL_BAD_INPUT
-/// where there is no such coordinate or it turns on and on; else errors as whirl_torus_observe.
+/// where there is no such coordinate or it turns on and on; else errors as whirl_torus_look.
 whirl_status whirl_torus_line(const whirl_system *system, const whirl_torus *torus, const whirl_torus_options *options,
                               size_t coordinate, double *frequency, double *amplitude);
 
@@ -101,6 +118,9 @@ typedef struct whirl_torus_branch_options {
     double step;     ///< first, in the branch's own length: 1 is to - from, or a change of the curve by its own size
     double least_step, most_step;
     size_t most_points;
+    /// Called with every torus as it is found, which stays the branch's; false ends the branch with it. May be NULL.
+    bool (*found)(void *context, double value, const whirl_torus *torus);
+    void *context; ///< borrowed
 } whirl_torus_branch_options;
 
 /// From `from` to `to` in steps of 1e-4 to 0.05, at first 0.01, at most 200 points.
@@ -124,7 +144,8 @@ typedef enum whirl_torus_end {
     WHIRL_TORUS_END_OF_POINTS,    ///< as many points as were asked for
     WHIRL_TORUS_SHRANK,           ///< to an orbit, of which it is the Neimark-Sacker point
     WHIRL_TORUS_ROUGH,            ///< the curve needs more nodes than allowed: it loses its smoothness, or locks
-    WHIRL_TORUS_LOST              ///< steps as short as allowed found no curve
+    WHIRL_TORUS_LOST,             ///< steps as short as allowed found no curve
+    WHIRL_TORUS_STOPPED           ///< whirl_torus_branch_options.found said so
 } whirl_torus_end;
 
 /// A branch of tori, in the order in which it was followed; freed by whirl_torus_branch_free.
@@ -132,6 +153,10 @@ typedef struct whirl_torus_branch {
     size_t count;
     whirl_torus_point *points; ///< [count]
     whirl_torus_end end;
+    /// Value of the parameter to which the last two tori point: where the radius of one that shrinks vanishes, its
+    /// square falling evenly, or where a rough one near a resonance locks, the square of the distance of its rotation
+    /// number from that falling evenly. NaN where they point nowhere.
+    double limit;
     char why[WHIRL_MESSAGE_SIZE]; ///< the end in a sentence, with where and its numbers
 } whirl_torus_branch;
 

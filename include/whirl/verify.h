@@ -33,7 +33,8 @@ typedef struct whirl_verify_run {
 } whirl_verify_run;
 
 typedef struct whirl_verify_point {
-    double value; ///< of the parameter, NaN when nothing varies
+    double value;  ///< of the parameter, NaN when nothing varies
+    double second; ///< of the second parameter of a map or basin, else NaN
     whirl_verify_run runs[WHIRL_VERIFY_METHODS][WHIRL_VERIFY_LEVELS];
     /// By the states of the three levels: the order in the step of a fixed-step method, the power of the tolerance of
     /// an adaptive one. NaN where rounding (differences below 1e-13 of the state) or chaos (above 0.1) leaves nothing
@@ -47,6 +48,7 @@ typedef struct whirl_verify_point {
 /// a hundredth of them. So is the second one, whose last level is the reference of all differences.
 typedef struct whirl_verification {
     char table[WHIRL_NAME_SIZE], parameter[WHIRL_NAME_SIZE];
+    char second[WHIRL_NAME_SIZE]; ///< of a map or basin, else ""
     int revolutions;
     whirl_integrate_options integrate[WHIRL_VERIFY_METHODS][WHIRL_VERIFY_LEVELS];
     size_t count;

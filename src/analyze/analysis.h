@@ -58,13 +58,16 @@ typedef struct analysis_plan {
     /// Likewise, of a point of a branch.
     whirl_status (*compute_trace)(const whirl_trace *trace, const whirl_record_options *options,
                                   const block_view *view);
+    /// Likewise, of a torus.
+    whirl_status (*compute_torus)(const whirl_torus_trace *trace, const whirl_record_options *options,
+                                  const block_view *view);
     /// Optional: fills what a motion that left its bounds still has to say.
     void (*compute_diverged)(const whirl_record *record, const block_view *view);
 } analysis_plan;
 
 extern const analysis_plan poincare_analysis, orbit_analysis, rub_analysis, waveform_analysis, spectrum_analysis,
     lyapunov_analysis, exponents_analysis, regime_analysis, winding_analysis, evidence_analysis, modes_analysis,
-    unbalance_analysis, floquet_analysis, trace_analysis;
+    unbalance_analysis, floquet_analysis, trace_analysis, torus_analysis;
 
 /// The plans, in the order of whirl_analyses().
 extern const analysis_plan *const analysis_plans[];

@@ -153,3 +153,15 @@ whirl_status whirl_analyze_trace(const whirl_trace *trace, const whirl_record_op
     }
     return status;
 }
+
+whirl_status whirl_analyze_torus(const whirl_torus_trace *trace, const whirl_record_options *options,
+                                 const whirl_layout *layout, double *block) {
+    whirl_status status = whirl_ok();
+    for (size_t i = 0; i < layout->size; i++) block[i] = NAN;
+    for (size_t a = 0; analysis_plans[a] && status.code == WHIRL_OK; a++) {
+        const block_view view = view_of(layout, a, block);
+        if (view.fields[0] && analysis_plans[a]->compute_torus)
+            status = analysis_plans[a]->compute_torus(trace, options, &view);
+    }
+    return status;
+}

@@ -73,6 +73,19 @@ const whirl_member *whirl_trace_members(void) {
               "longest step: 1 is the range of the parameter, or a change of the orbit by its own size"),
         TRACE(NUMBER, "trace_rtol", rtol, "1", WHIRL_KEY_NUMBER, "1e-13", WHIRL_ABOVE_TO(1e-14, 1e-3), NULL,
               "relative tolerance of the orbits' integration"),
+        TRACE(FLAG, "trace_tori", tori, "", WHIRL_KEY_CHOICE, "no", WHIRL_ANY, "yes|no|true|false",
+              "yes: the tori that begin at Neimark-Sacker points of orbits are followed, too, stable or not"),
+        TRACE_WHOLE("trace_torus_nodes", torus_nodes, "63", WHIRL_LEAST_TORUS_NODES, WHIRL_MOST_TORUS_NODES,
+                    "most nodes of the closed curve of a torus, with which it counts as rough; an even number is one "
+                    "more"),
+        TRACE_WHOLE("trace_torus_points", torus_points, "200", 1, 1000000, "most points of one branch of tori"),
+        TRACE(
+            NUMBER, "trace_torus_step", torus_step, "1", WHIRL_KEY_NUMBER, "0.025", WHIRL_ABOVE_TO(1e-4, 1.0), NULL,
+            "longest step along a branch of tori: 1 is the range of the parameter, or a change of the closed curve by "
+            "its own size"),
+        TRACE(NUMBER, "trace_torus_accuracy", torus_accuracy, "1", WHIRL_KEY_NUMBER, "1e-5",
+              WHIRL_ABOVE_TO(1e-10, 0.01), NULL,
+              "by which the closed curve of a torus may fail between its nodes, over its radius"),
         {.part = NULL},
     };
     return traced;

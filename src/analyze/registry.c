@@ -40,7 +40,9 @@
     analysis(unbalance, "synchronous response to unbalance about where the machine rests",                             \
              "Friswell, Penny, Garvey, Lees 2010", RESTING)                                                            \
     analysis(trace, "orbits and equilibria along a branch, stable or not: multipliers, special points, contacts",     \
-             "Keller 1977; Kuznetsov 2004; docs/theory.md", TRACED)
+             "Keller 1977; Kuznetsov 2004; docs/theory.md", TRACED)                                                    \
+    analysis(torus, "quasi-periodic motions past Neimark-Sacker points: rotation numbers, bounds, exponents",          \
+             "Jorba 2001; Schilder, Osinga, Vogt 2005; docs/theory.md", TRACED)
 // clang-format on
 
 #define ABOUT(name, meaning, source, ...) {#name, meaning, source, __VA_ARGS__},
@@ -62,6 +64,11 @@ bool whirl_analysis_add(whirl_analysis_set *set, const char *name) {
         }
     }
     return false;
+}
+
+bool whirl_analysis_has(whirl_analysis_set set, const char *name) {
+    whirl_analysis_set one = 0;
+    return whirl_analysis_add(&one, name) && (set & one) != 0;
 }
 
 whirl_analysis_set whirl_analysis_usual(void) {

@@ -95,19 +95,24 @@ struct shooter {
     size_t used;              ///< lanes, in front
 };
 
-/// Methods with a tolerance go by one at which Newton's method sees a smooth map.
+/// Methods with a tolerance go by one at which Newton's method sees a smooth map, and the orbit is known by two digits
+/// better than the motion.
 static whirl_integrate_options exact(const whirl_integrate_options *integrate, double *tolerance) {
     whirl_integrate_options own = *integrate;
+    const double finest = strcmp(own.method, "dop853") == 0 ? 1e-13 : 1e-11; // of order 8 and 5
     *tolerance = 1e-12;
     if (!whirl_method_is_adaptive(own.method)) return own;
-    own.rtol = fmin(own.rtol, strcmp(own.method, "dop853") == 0 ? 1e-13 : 1e-11); // of order 8 and 5
+    own.rtol = fmax(fmin(1e-2 * own.rtol, 1e-10), fmin(own.rtol, finest));
     own.atol = fmin(own.atol, 1e-2 * own.rtol);
     *tolerance = 10.0 * own.rtol;
     return own;
 }
 
 static whirl_status make_ensemble(shooter *s, const whirl_system *system, const whirl_integrate_options *options) {
+    enum { ABREAST = 16 }; // two vectors of the widest
     if (whirl_ensemble_follows(system, options)) return whirl_ensemble_variational(system, options, &s->ensemble);
+    if (whirl_ensemble_flows(system, options))
+        return whirl_ensemble_flow(system, options, ABREAST, system->dimension, &s->ensemble);
     return whirl_ensemble_alone(system, options, 1, system->dimension, &s->ensemble);
 }
 
@@ -199,8 +204,8 @@ static bool step(const shooter *s, shot *of, const double *end, double *room) {
 }
 
 /// An orbit that closes after fewer revolutions has these.
-static void shorten(shot *s) {
-    const double same = 1e-9 * largest(s, s->nodes);
+static void shorten(shot *s, double tolerance) {
+    const double same = 1e3 * tolerance * largest(s, s->nodes);
     const size_t repeats = s->system->turns ? s->system->repeats : 1, d = s->dimension;
     for (size_t j = repeats; 2 * j <= s->revolutions; j += repeats) {
         double away = 0.0;
@@ -235,7 +240,7 @@ static void leave(shooter *s, size_t lane) {
     of->flies = false;
     of->done = true;
     if (of->found) {
-        shorten(of);
+        shorten(of, s->tolerance);
         of->found = whirl_product_eigenvalues(of->kept, of->revolutions, of->factors, of->values);
     }
     whirl_ensemble_unload(s->ensemble, lane);

@@ -1,6 +1,5 @@
 // Points of branches: orbits and equilibria, stable or not, as numbers in a block and back.
 #include <math.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -83,22 +82,6 @@ static const field_plan fields[FIELD_COUNT] = {
 
 // ---------------------------------------------------------------- to numbers
 
-/// Of all multipliers; of an orbit with a time of its own without the one that is 1.
-static double largest_of(const whirl_orbit *orbit) {
-    double largest = -INFINITY, own = INFINITY;
-    size_t skipped = SIZE_MAX;
-    const bool has_own = orbit->period > 0.0 && orbit->revolutions == 0;
-    for (size_t i = 0; has_own && i < orbit->multiplier_count; i++) {
-        const double away = hypot(orbit->multipliers[i].real - 1.0, orbit->multipliers[i].imaginary);
-        if (away < own) own = away, skipped = i;
-    }
-    for (size_t i = 0; i < orbit->multiplier_count; i++) {
-        const whirl_multiplier *m = &orbit->multipliers[i];
-        if (i != skipped) largest = fmax(largest, orbit->period > 0.0 ? hypot(m->real, m->imaginary) : m->real);
-    }
-    return largest;
-}
-
 static void put_point(const block_view *view, const whirl_trace *trace) {
     const whirl_branch_point *point = &trace->point;
     const whirl_orbit *orbit = point->orbit;
@@ -111,7 +94,7 @@ static void put_point(const block_view *view, const whirl_trace *trace) {
     *view_numbers(view, REVOLUTIONS, 0) = (double)orbit->revolutions;
     *view_numbers(view, PERIOD, 0) = orbit->period;
     *view_numbers(view, UNSTABLE, 0) = (double)orbit->unstable;
-    *view_numbers(view, LARGEST, 0) = largest_of(orbit);
+    *view_numbers(view, LARGEST, 0) = whirl_orbit_largest(orbit);
     *view_numbers(view, ANGLE, 0) = turns ? point->angle : (double)NAN;
     *view_numbers(view, CRITICALITY, 0) = point->criticality;
     *view_numbers(view, TOUCH, 0) = point->special == WHIRL_GRAZE ? (double)point->touch : (double)NAN;

@@ -101,24 +101,9 @@ static double slow_round(const evidence *e, double chaos) {
     return neutral && chaos <= regular_walk ? drift_round(&e->points, &e->returns, e->size) : (double)NAN;
 }
 
-/// The evidence as part of a verdict that is still open.
-static whirl_verdict open_verdict(const evidence *e) {
-    const double chaos = zero_one_test(&e->points, e->size);
-    return (whirl_verdict){.regime = WHIRL_UNDETERMINED,
-                           .exponent = e->exponent,
-                           .recurrence = e->returns.distance,
-                           .recurrence_period = e->returns.period,
-                           .longest_period = e->returns.longest,
-                           .recurrence_trend = e->returns.trend,
-                           .regularity = e->averages.digits,
-                           .chaos = chaos,
-                           .round = slow_round(e, chaos),
-                           .rotation = NAN};
-}
-
-static whirl_verdict periodic_verdict(const evidence *e, whirl_estimate exponent) {
-    return (whirl_verdict){.regime = WHIRL_PERIODIC,
-                           .period = e->returns.period,
+/// What the returns of the section tell, as part of a verdict.
+static whirl_verdict verdict_on(const evidence *e, whirl_regime regime, whirl_estimate exponent) {
+    return (whirl_verdict){.regime = regime,
                            .exponent = exponent,
                            .recurrence = e->returns.distance,
                            .recurrence_period = e->returns.period,
@@ -128,6 +113,19 @@ static whirl_verdict periodic_verdict(const evidence *e, whirl_estimate exponent
                            .chaos = NAN,
                            .round = NAN,
                            .rotation = NAN};
+}
+
+static whirl_verdict open_verdict(const evidence *e) {
+    whirl_verdict v = verdict_on(e, WHIRL_UNDETERMINED, e->exponent);
+    v.chaos = zero_one_test(&e->points, e->size);
+    v.round = slow_round(e, v.chaos);
+    return v;
+}
+
+static whirl_verdict periodic_verdict(const evidence *e, whirl_estimate exponent) {
+    whirl_verdict v = verdict_on(e, WHIRL_PERIODIC, exponent);
+    v.period = e->returns.period;
+    return v;
 }
 
 /// What a phase forces that fits no revolution, and disturbances die out, is a torus of at least that phase and the

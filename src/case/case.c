@@ -22,37 +22,60 @@
 enum { CHECK_BUDGET = 1 << 18, ELEMENT_COST = 64 };
 
 static void check_machine_at(case_reader *reader, case_content *content, size_t index, const file_node *where,
-                             double value) {
+                             size_t point) {
     valuation v;
     whirl_rotor *rotor = NULL;
     const whirl_batch *batch = &content->plan.batches[index];
-    whirl_status status = valuation_open(&v, &content->parameters, batch->parameter, value);
+    const double value = batch->values[point], second = batch->second_values ? batch->second_values[point] : NAN;
+    const given_value given[] = {{batch->parameter, value}, {batch->second, second}};
+    whirl_status status = valuation_open(&v, &content->parameters, given, batch->second_values ? 2 : 1);
     if (status.code == WHIRL_OK) status = machine_build(&content->machine, &v, &rotor);
     if (status.code == WHIRL_OK) status = plan_check_speed(batch, whirl_rotor_speed(rotor));
     if (status.code == WHIRL_OK) plan_check_start(reader, &content->plan, index, &v, &content->machine, rotor);
     whirl_rotor_free(rotor);
     valuation_close(&v);
     reader->no_memory = reader->no_memory || status.code == WHIRL_NO_MEMORY;
-    if (status.code != WHIRL_OK)
-        problem_at(reader->problems, where, "gives no machine at %s = %.10g: %s", batch->parameter, value,
-                   status.message);
+    if (status.code == WHIRL_OK) return;
+    char other[WHIRL_NAME_SIZE + 40] = "";
+    if (batch->second_values) snprintf(other, sizeof other, " and %s = %.10g", batch->second, second);
+    problem_at(reader->problems, where, "gives no machine at %s = %.10g%s: %s", batch->parameter, value, other,
+               status.message);
 }
 
-/// The ends of a sweep stand for all of it; what fails between them fails while running.
+/// The ends of a sweep, or the corners of a map, stand for all of it; what fails between them fails while running.
 static void check_ends(case_reader *reader, case_content *content) {
     const size_t members = content->machine.stations.count + content->machine.element_count;
     const size_t affordable = CHECK_BUDGET / (reader->expression_bytes + ELEMENT_COST * members + 1) + 2;
     for (size_t b = 0; b < content->plan.batch_count; b++) {
-        const whirl_batch *batch = &content->plan.batches[b];
-        const file_node *const *places = content->plan.places[b];
+        const study_plan *plan = &content->plan;
+        const whirl_batch *batch = &plan->batches[b];
+        const file_node *const *places = plan->places[b];
         if (!batch->values) continue;
         if (!places) {
-            check_machine_at(reader, content, b, content->plan.first_place, batch->values[0]);
-            check_machine_at(reader, content, b, content->plan.last_place, batch->values[batch->count - 1]);
+            const size_t row = batch->row > 0 ? batch->row : batch->count;
+            check_machine_at(reader, content, b, plan->first_place, 0);
+            check_machine_at(reader, content, b, plan->last_place, row - 1);
+            if (batch->row == 0 || reader->problems->count > 0) continue;
+            check_machine_at(reader, content, b, plan->across_place, batch->count - row);
+            check_machine_at(reader, content, b, plan->across_place, batch->count - 1);
             continue;
         }
-        for (size_t i = 0; i < batch->count && i < affordable; i++)
-            check_machine_at(reader, content, b, places[i], batch->values[i]);
+        for (size_t i = 0; i < batch->count && i < affordable; i++) check_machine_at(reader, content, b, places[i], i);
+    }
+}
+
+/// The machines of a basin differ in where they start, and in nothing else.
+static void check_basin(case_reader *reader, const case_content *content, const plan_parts *parts) {
+    const axis_parts *const axes[] = {&parts->sweep, &parts->across};
+    if (!parts->map.group || strcmp(parts->map.group->name, "basin") != 0) return;
+    for (size_t i = 0; i < 2; i++) {
+        const setting *use = case_machine_use(content, axes[i]->parameter->name);
+        if (!use) continue;
+        char path[PATH_SIZE];
+        node_path(use->place, path, sizeof path);
+        problem_at(reader->problems, settings_find(&axes[i]->keys, "parameter")->place,
+                   "is %s, on which the machine depends (%.200s), expected a parameter of the initial state alone",
+                   axes[i]->parameter->name, path);
     }
 }
 
@@ -76,11 +99,12 @@ static void check_layouts(case_reader *reader, case_content *content, valuation 
 
 static void check_with_values(case_reader *reader, case_content *content, const plan_parts *parts) {
     valuation v;
-    const whirl_status status = valuation_open(&v, &content->parameters, NULL, 0.0);
+    const whirl_status status = valuation_open(&v, &content->parameters, NULL, 0);
     reader->no_memory = reader->no_memory || status.code == WHIRL_NO_MEMORY;
     if (status.code == WHIRL_OK) {
         machine_check(reader, &v, &content->machine);
         plan_make(reader, &v, parts, &content->plan);
+        check_basin(reader, content, parts);
         parameters_settle(&v, &content->parameters);
         machine_settle(&v, &content->machine);
         if (reader->problems->count == 0) check_layouts(reader, content, &v);
@@ -258,21 +282,28 @@ static whirl_status without_file(const whirl_problems *problems, const whirl_sta
     return whirl_fail(status->code, "%s: %s", problems->items[0].key, problems->items[0].message);
 }
 
+/// The values that a batch gives to a parameter; NULL where it does not vary it.
+static const double *values_of(const whirl_batch *batch, const char *name) {
+    if (strcmp(batch->parameter, name) == 0) return batch->values;
+    return strcmp(batch->second, name) == 0 ? batch->second_values : NULL;
+}
+
 /// A parameter that is swept takes its values from the study alone, unless these depend on it.
-static whirl_status refuse_swept(const study_plan *old, const study_plan *new, const char *name, size_t length) {
-    for (size_t b = 0; b < old->batch_count; b++) {
-        const whirl_batch *batch = &old->batches[b], *now = &new->batches[b];
-        if (!batch->values || strlen(batch->parameter) != length || strncmp(batch->parameter, name, length) != 0)
-            return whirl_ok();
-        for (size_t i = 0; i < batch->count; i++)
-            if (now->values[i] != batch->values[i]) return whirl_ok();
+static whirl_status refuse_swept(const study_plan *old, const study_plan *new, const char *name) {
+    const double *values = NULL;
+    for (size_t b = old->batch_count; b-- > 0;) {
+        values = values_of(&old->batches[b], name);
+        const double *now = values ? values_of(&new->batches[b], name) : NULL;
+        if (!now || old->batches[b].count != new->batches[b].count) return whirl_ok();
+        for (size_t i = 0; i < old->batches[b].count; i++)
+            if (now[i] != values[i]) return whirl_ok();
     }
     const whirl_batch *sweep = &old->batches[0];
-    return whirl_fail(
-        WHIRL_BAD_INPUT,
-        "the study sweeps %s from %.10g to %.10g, so that setting it changes nothing; change sweep in the "
-        "case, or write response: {} in its place",
-        sweep->parameter, sweep->values[0], sweep->values[sweep->count - 1]);
+    return values ? whirl_fail(WHIRL_BAD_INPUT,
+                               "the study sweeps %s from %.10g to %.10g, so that setting it changes nothing; change %s "
+                               "in the case, or write response: {} in its place",
+                               name, values[0], values[sweep->count - 1], sweep->name)
+                  : whirl_ok();
 }
 
 static whirl_status check_value(const char *name, const char *value) {
@@ -294,8 +325,7 @@ static whirl_status set_parameter(whirl_case *object, const char *name, const ch
     whirl_problems problems = {0};
     whirl_status status = whirl_fail(WHIRL_NO_MEMORY, "no memory to set %s", name);
     if (copy_overrides(&object->content, &content, name, value)) status = make_content(object, &content, &problems);
-    if (status.code == WHIRL_OK && !swept_too)
-        status = refuse_swept(&object->content.plan, &content.plan, name, strlen(name));
+    if (status.code == WHIRL_OK && !swept_too) status = refuse_swept(&object->content.plan, &content.plan, name);
     if (status.code == WHIRL_OK)
         take_content(object, &content);
     else
@@ -383,17 +413,18 @@ whirl_status whirl_case_parameter(const whirl_case *object, const char *name, do
         return whirl_fail(WHIRL_BAD_INPUT, "no parameter is called %.63s, %s", name, advice);
     }
     valuation v;
-    const whirl_status status = valuation_open(&v, parameters, NULL, 0.0);
+    const whirl_status status = valuation_open(&v, parameters, NULL, 0);
     *value = status.code == WHIRL_OK ? v.values[index] : NAN;
     valuation_close(&v);
     return status;
 }
 
 whirl_status whirl_case_rotor(const whirl_case *object, const char *name, double value, whirl_rotor **rotor) {
+    const given_value given = {name, value};
     valuation v;
     *rotor = NULL;
     const int before = exhausted_watch();
-    whirl_status status = valuation_open(&v, &object->content.parameters, name, value);
+    whirl_status status = valuation_open(&v, &object->content.parameters, &given, name && *name ? 1 : 0);
     if (status.code == WHIRL_OK) status = machine_build(&object->content.machine, &v, rotor);
     if (status.code != WHIRL_OK && exhausted(before)) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a rotor");
     valuation_close(&v);
@@ -403,7 +434,7 @@ whirl_status whirl_case_rotor(const whirl_case *object, const char *name, double
 whirl_status whirl_case_shafts(const whirl_case *object, whirl_shaft_summary out[WHIRL_MAX_SHAFTS], size_t *count) {
     valuation v;
     *count = 0;
-    whirl_status status = valuation_open(&v, &object->content.parameters, NULL, 0.0);
+    whirl_status status = valuation_open(&v, &object->content.parameters, NULL, 0);
     if (status.code == WHIRL_OK) status = machine_shafts(&object->content.machine, &v, out, count);
     valuation_close(&v);
     return status;

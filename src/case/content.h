@@ -28,6 +28,12 @@ struct whirl_case {
     whirl_budget refine; ///< no part of the file
 };
 
+/// Whether an expression depends on a parameter, itself or by others that it names (uses.c).
+bool case_depends(const case_content *content, const char *expression, const char *name);
+
+/// The first setting of the machine, its initial state left out, that depends on a parameter; NULL where none does.
+const setting *case_machine_use(const case_content *content, const char *name);
+
 /// A machine of the family that a case is: the rotor with one parameter at a value, and its initial state.
 whirl_status case_machine(const void *family, const whirl_batch *batch, double value, whirl_machine *machine);
 

@@ -9,7 +9,7 @@
 static whirl_status describe_parameters(const case_content *content, whirl_result *result) {
     const parameter_table *parameters = &content->parameters;
     valuation v;
-    const whirl_status status = valuation_open(&v, parameters, NULL, 0.0);
+    const whirl_status status = valuation_open(&v, parameters, NULL, 0);
     if (status.code == WHIRL_OK) result->parameters = calloc(parameters->count + 1, sizeof *result->parameters);
     if (status.code == WHIRL_OK && result->parameters) {
         result->parameter_count = parameters->count;
@@ -58,64 +58,50 @@ static whirl_status describe_rotor(const whirl_case *object, whirl_result *resul
     return known;
 }
 
-/// What the result cannot know of the sweep from its values: "unit of gap" is "mm = 0.001 m", and that it "ends at"
-/// "0.0018 m, short of 0.002 m".
+/// "unit of gap" is "mm = 0.001 m": how the study writes a parameter's values, where the parameter has another unit.
+static whirl_status describe_unit(const char *of, whirl_unit written, const char *unit, whirl_result *result) {
+    char name[2 * WHIRL_NAME_SIZE], text[4 * WHIRL_NAME_SIZE];
+    if (!(written.size > 0.0)) return whirl_ok();
+    snprintf(name, sizeof name, "unit of %s", of);
+    snprintf(text, sizeof text, "%s = %.17g%s%s", written.name, written.size, *unit ? " " : "", unit);
+    return whirl_result_add_fact(result, name, text);
+}
+
+/// The SI unit of a parameter, "" of a plain number.
+static const char *known_unit(const case_content *content, size_t index) {
+    const char *const known = parameter_expected_unit(&content->parameters.items[index]);
+    return strcmp(known, "1") == 0 ? "" : known;
+}
+
+/// What the result cannot know of the sweep from its values: units, and that it "ends at" "0.0018 m, short of 0.002
+/// m".
 static whirl_status describe_sweep(const case_content *content, whirl_result *result) {
     const study_plan *const plan = &content->plan;
     const whirl_batch *const sweep = &plan->batches[0];
     const size_t index = parameters_find(&content->parameters, sweep->parameter);
     if (index == content->parameters.count) return whirl_ok();
-    const char *const known = parameter_expected_unit(&content->parameters.items[index]);
-    const char *const unit = strcmp(known, "1") == 0 ? "" : known, *const gap = *unit ? " " : "";
-    char name[2 * WHIRL_NAME_SIZE], text[4 * WHIRL_NAME_SIZE];
-    whirl_status status = whirl_ok();
-    if (plan->unit.size > 0.0) {
-        snprintf(name, sizeof name, "unit of %s", sweep->parameter);
-        snprintf(text, sizeof text, "%s = %.17g%s%s", plan->unit.name, plan->unit.size, gap, unit);
-        status = whirl_result_add_fact(result, name, text);
-    }
+    const size_t other = parameters_find(&content->parameters, sweep->second);
+    const char *const unit = known_unit(content, index), *const gap = *unit ? " " : "";
+    char text[4 * WHIRL_NAME_SIZE];
+    whirl_status status = describe_unit(sweep->parameter, plan->unit, unit, result);
+    if (status.code == WHIRL_OK && other < content->parameters.count)
+        status = describe_unit(sweep->second, plan->second_unit, known_unit(content, other), result);
     if (isnan(plan->end) || status.code != WHIRL_OK) return status;
     snprintf(text, sizeof text, "%.17g%s%s, short of %.17g%s%s", sweep->values[sweep->count - 1], gap, unit, plan->end,
              gap, unit);
     return whirl_result_add_fact(result, "sweep ends at", text);
 }
 
-/// Whether an expression depends on a parameter, itself or by others that it names.
-typedef struct dependence {
-    const parameter_table *parameters;
-    const char *on;
-    bool found;
-} dependence;
-
-static bool look(void *context, const char *name, size_t length) {
-    dependence *d = context;
-    char text[WHIRL_NAME_SIZE], why[WHY_SIZE];
-    snprintf(text, sizeof text, "%.*s", (int)length, name);
-    d->found = d->found || strcmp(text, d->on) == 0;
-    const size_t index = parameters_find(d->parameters, text);
-    const char *expression = index < d->parameters->count ? d->parameters->items[index].value.expression : NULL;
-    return d->found || !expression || expression_check(expression, look, d, why);
-}
-
-static bool depends(const case_content *content, const char *expression, const char *name) {
-    dependence d = {&content->parameters, name, false};
-    char why[WHY_SIZE];
-    expression_check(expression, look, &d, why);
-    return d.found;
-}
-
-/// The length scale at a point of a table; that of the case as it stands where the point is not there yet.
-static whirl_status scale_at(const case_content *content, const whirl_result *result, const whirl_table *table,
-                             size_t point, double *scale) {
-    const setting *given = settings_find(&content->machine.rotor, "length_scale");
-    const double *second = whirl_table_field(table, point, "trace/second", 0);
-    const char *name = second && !isnan(*second) ? plan_second(&content->plan, table->name) : "";
+/// The length scale at a point of a table, which may have a second parameter; that of the case as it stands where the
+/// point is not there yet.
+static whirl_status scale_at(const case_content *content, const whirl_table *table, const char *second, size_t point,
+                             double *scale) {
+    const number_formula *formula = &settings_find(&content->machine.rotor, "length_scale")->value;
+    const given_value given[] = {{table->parameter, table->values[point]}, {second, whirl_table_second(table, point)}};
     valuation v;
-    *scale = result->length_scale;
-    if (isnan(table->values[point])) return whirl_ok();
-    whirl_status status = valuation_open_two(&v, &content->parameters, table->parameter, table->values[point], name,
-                                             second ? *second : 0.0);
-    if (status.code == WHIRL_OK) status = valuation_number(&v, &given->value, scale);
+    if (isnan(given[0].value)) return whirl_ok();
+    whirl_status status = valuation_open(&v, &content->parameters, given, isnan(given[1].value) ? 1 : 2);
+    if (status.code == WHIRL_OK) status = valuation_number(&v, formula, scale);
     valuation_close(&v);
     return status;
 }
@@ -124,16 +110,19 @@ static whirl_status scale_at(const case_content *content, const whirl_result *re
 static whirl_status describe_scales(const case_content *content, const whirl_result *result, whirl_table *table) {
     const setting *given = settings_find(&content->machine.rotor, "length_scale");
     const char *expression = given ? given->value.expression : NULL;
-    const char *second = plan_second(&content->plan, table->name);
+    const size_t batch = plan_batch(&content->plan, table->name);
+    const char *second = batch < content->plan.batch_count ? content->plan.batches[batch].second : "";
     if (!*table->parameter || !expression ||
-        !(depends(content, expression, table->parameter) || (*second && depends(content, expression, second))))
+        !(case_depends(content, expression, table->parameter) ||
+          (*second && case_depends(content, expression, second))))
         return whirl_ok();
     double *scales = malloc((table->count + 1) * sizeof *scales);
     whirl_status status =
         scales ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for the scales of %zu points", table->count);
     bool changes = false;
     for (size_t i = 0; i < table->count && status.code == WHIRL_OK; i++) {
-        status = scale_at(content, result, table, i, &scales[i]);
+        scales[i] = result->length_scale;
+        status = scale_at(content, table, second, i, &scales[i]);
         changes = changes || (status.code == WHIRL_OK && scales[i] != result->length_scale);
     }
     if (status.code == WHIRL_OK && changes)

@@ -12,7 +12,7 @@ static const double TOLERANCE = 1e-6;
 /// The value with one base unit half as large; false where it has none.
 static bool value_in(const parameter_table *parameters, const char *expression, size_t base, double *value) {
     valuation v;
-    bool done = valuation_open(&v, parameters, NULL, 0.0).code == WHIRL_OK;
+    bool done = valuation_open(&v, parameters, NULL, 0).code == WHIRL_OK;
     memset(&v.changed, 0xff, sizeof v.changed); // nothing is as the case has it
     for (size_t i = 0; i < parameters->count && done; i++) {
         const parameter *item = &parameters->items[parameters->order[i]];

@@ -17,24 +17,19 @@ static void release(void *owner) {
     free(m);
 }
 
-static size_t batch_index(const study_plan *plan, const whirl_batch *batch) {
-    for (size_t i = 0; i < plan->batch_count; i++)
-        if (strcmp(plan->batches[i].name, batch->name) == 0) return i;
-    return 0;
-}
-
 /// The state that the rotor starts from.
 static whirl_status make_start(const case_content *content, const whirl_batch *batch, valuation *v, member *m) {
     const whirl_system *system = whirl_rotor_system(m->rotor);
     m->start = calloc(system->dimension, sizeof *m->start);
     if (!m->start) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine");
-    return plan_start_state(&content->plan, batch_index(&content->plan, batch), v, m->rotor, m->start);
+    return plan_start_state(&content->plan, plan_batch(&content->plan, batch->name), v, m->rotor, m->start);
 }
 
 static whirl_status make_member(const case_content *content, const whirl_batch *batch, double value, member *m) {
     valuation v;
-    const char *name = batch->parameter[0] ? batch->parameter : NULL;
-    whirl_status status = valuation_open_two(&v, &content->parameters, name, value, batch->second, batch->second_value);
+    const given_value given[] = {{batch->parameter, value}, {batch->second, batch->second_value}};
+    const size_t count = *batch->second ? 2 : *batch->parameter ? 1 : 0;
+    whirl_status status = valuation_open(&v, &content->parameters, given, count);
     if (status.code == WHIRL_OK) status = machine_build(&content->machine, &v, &m->rotor);
     if (status.code == WHIRL_OK) status = plan_check_speed(batch, whirl_rotor_speed(m->rotor));
     if (status.code == WHIRL_OK) status = make_start(content, batch, &v, m);
@@ -51,9 +46,11 @@ whirl_status case_machine(const void *family, const whirl_batch *batch, double v
     if (status.code != WHIRL_OK && exhausted(before)) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine");
     if (status.code != WHIRL_OK) {
         release(m);
-        return status.code == WHIRL_NO_MEMORY || !batch->parameter[0]
-                   ? status
-                   : whirl_fail(status.code, "at %s = %.10g: %.300s", batch->parameter, value, status.message);
+        if (status.code == WHIRL_NO_MEMORY || !batch->parameter[0]) return status;
+        if (!batch->second[0])
+            return whirl_fail(status.code, "at %s = %.10g: %.300s", batch->parameter, value, status.message);
+        return whirl_fail(status.code, "at %s = %.10g and %s = %.10g: %.300s", batch->parameter, value, batch->second,
+                          batch->second_value, status.message);
     }
     *machine = (whirl_machine){.system = whirl_rotor_system(m->rotor),
                                .start = m->start,

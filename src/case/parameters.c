@@ -41,6 +41,10 @@ static void put(parameter_set *set, size_t index) {
     set->bits[index / 64] |= (uint64_t)1 << index % 64;
 }
 
+static bool has(const parameter_set *set, size_t index) {
+    return set->bits[index / 64] >> index % 64 & 1;
+}
+
 static bool share(const parameter_set *a, const parameter_set *b) {
     for (size_t i = 0; i < PARAMETERS_MAX / 64; i++)
         if (a->bits[i] & b->bits[i]) return true;
@@ -429,41 +433,32 @@ void parameters_read(case_reader *reader, const file_node *where, const paramete
 
 // ---------------------------------------------------------------- values
 
-/// The index of a parameter that is given, the number of parameters for none.
-static whirl_status find_given(const parameter_table *parameters, const char *name, size_t *index) {
-    *index = name && *name ? parameters_find(parameters, name) : parameters->count;
-    return name && *name && *index == parameters->count
-               ? whirl_fail(WHIRL_BAD_INPUT, "no parameter is called %.63s", name)
-               : whirl_ok();
-}
-
-whirl_status valuation_open_two(valuation *v, const parameter_table *parameters, const char *name, double value,
-                                const char *second, double second_value) {
-    size_t given, also;
-    *v = (valuation){.parameters = parameters, .culprit = PARAMETERS_MAX};
-    whirl_status status = find_given(parameters, name, &given);
-    if (status.code == WHIRL_OK) status = find_given(parameters, second, &also);
-    if (status.code != WHIRL_OK) return status;
-    if (given < parameters->count) put(&v->changed, given);
-    if (also < parameters->count) put(&v->changed, also);
-    for (size_t i = 0; i < parameters->count; i++) {
-        const size_t index = parameters->order[i];
-        const number_formula *formula = &parameters->items[index].value;
-        if (index == given || index == also) {
-            v->values[index] = index == given ? value : second_value;
-            continue;
-        }
-        if (share(&formula->uses, &v->changed)) put(&v->changed, index);
-        status = valuation_number(v, formula, &v->values[index]);
-        if (status.code == WHIRL_OK) continue;
-        v->culprit = index;
-        return whirl_fail(status.code, "parameter %.63s %.300s", parameters->items[index].name, status.message);
+static whirl_status take_given(valuation *v, const given_value *given, size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        const size_t index = parameters_find(v->parameters, given[i].name);
+        if (index == v->parameters->count)
+            return whirl_fail(WHIRL_BAD_INPUT, "no parameter is called %.63s", given[i].name);
+        put(&v->changed, index);
+        v->values[index] = given[i].value;
     }
     return whirl_ok();
 }
 
-whirl_status valuation_open(valuation *v, const parameter_table *parameters, const char *name, double value) {
-    return valuation_open_two(v, parameters, name, value, NULL, 0.0);
+whirl_status valuation_open(valuation *v, const parameter_table *parameters, const given_value *given, size_t count) {
+    *v = (valuation){.parameters = parameters, .culprit = PARAMETERS_MAX};
+    whirl_status status = take_given(v, given, count);
+    const parameter_set taken = v->changed;
+    for (size_t i = 0; i < parameters->count && status.code == WHIRL_OK; i++) {
+        const size_t index = parameters->order[i];
+        const number_formula *formula = &parameters->items[index].value;
+        if (has(&taken, index)) continue;
+        if (share(&formula->uses, &v->changed)) put(&v->changed, index);
+        status = valuation_number(v, formula, &v->values[index]);
+        if (status.code == WHIRL_OK) continue;
+        v->culprit = index;
+        status = whirl_fail(status.code, "parameter %.63s %.300s", parameters->items[index].name, status.message);
+    }
+    return status;
 }
 
 void valuation_close(valuation *v) {

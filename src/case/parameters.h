@@ -117,13 +117,16 @@ typedef struct valuation {
     size_t culprit;        ///< the parameter that valuation_open failed at, or PARAMETERS_MAX
 } valuation;
 
-/// Evaluates all parameters with `name` at `value` (NULL: as they are). WHIRL_BAD_INPUT when one has no finite value.
-/// Closed by valuation_close, after a failure too.
-whirl_status valuation_open(valuation *v, const parameter_table *parameters, const char *name, double value);
+/// A parameter that has another value than the case says.
+typedef struct given_value {
+    const char *name;
+    double value;
+} given_value;
 
-/// The same with a second one, NULL or "" for none.
-whirl_status valuation_open_two(valuation *v, const parameter_table *parameters, const char *name, double value,
-                                const char *second, double second_value);
+/// Evaluates all parameters with those `given` [count] at their values, the others as the case has them.
+/// WHIRL_BAD_INPUT when there is none of such a name, or one has no finite value. Closed by valuation_close, after a
+/// failure too.
+whirl_status valuation_open(valuation *v, const parameter_table *parameters, const given_value *given, size_t count);
 void valuation_close(valuation *v);
 
 /// The value of a formula.

@@ -20,7 +20,7 @@ static whirl_record_options record_options(valuation *v, const plan_parts *parts
     whirl_record_options options = whirl_record_default();
     settings_take(v, &parts->integrate, whirl_record_members(), &options);
     settings_take(v, &parts->keep, whirl_record_members(), &options);
-    if (parts->resting) settings_take(v, &parts->sweep, whirl_record_members(), &options);
+    if (parts->resting) settings_take(v, &parts->sweep.keys, whirl_record_members(), &options);
     if (!settings_find(&parts->keep, "samples") && options.samples_per_revolution > steps)
         options.samples_per_revolution = steps;
     return options;
@@ -35,25 +35,19 @@ static whirl_record_options detail_options(valuation *v, const plan_parts *parts
     return options;
 }
 
-/// What the chosen analyses need recorded.
+/// What the chosen analyses need recorded; of machines at rest and of branches that is nothing.
 static void choose_analyses(whirl_batch *batch, whirl_analysis_set chosen, bool spectra) {
-    if (whirl_analysis_is_resting(chosen) || whirl_analysis_is_traced(chosen)) {
-        batch->analyses = chosen;
-        batch->record.spectra = batch->record.waveform = false;
-        batch->record.growth = WHIRL_GROWTH_NONE;
-        batch->record.waveform_revolutions = batch->record.watch = 0;
-        batch->record.orbits = false;
-        if (whirl_analysis_is_traced(chosen)) return;
-        batch->record.transient = 0;
-        batch->record.record = 1;
-        return;
-    }
-    batch->analyses = whirl_analysis_fit(chosen, &batch->record);
-    batch->record.spectra = spectra;
-    batch->record.waveform = false;
-    batch->record.growth = WHIRL_GROWTH_NONE;
-    batch->record.orbits = false;
-    whirl_analysis_needs(batch->analyses, &batch->record);
+    whirl_record_options *record = &batch->record;
+    const bool resting = whirl_analysis_is_resting(chosen), traced = whirl_analysis_is_traced(chosen);
+    batch->analyses = resting || traced ? chosen : whirl_analysis_fit(chosen, record);
+    record->spectra = spectra && !resting && !traced;
+    record->waveform = false;
+    record->growth = WHIRL_GROWTH_NONE;
+    record->orbits = false;
+    if (!resting && !traced) whirl_analysis_needs(batch->analyses, record);
+    if (resting || traced) record->waveform_revolutions = record->watch = 0;
+    if (resting) record->transient = 0;
+    if (resting) record->record = 1;
 }
 
 // ---------------------------------------------------------------- contradictions
@@ -170,16 +164,16 @@ static bool count_steps(case_reader *reader, const setting *given, double from, 
     return *count > 0;
 }
 
-/// Values of a sweep with two ends; NULL after a problem.
-static double *range_values(case_reader *reader, valuation *v, const plan_parts *parts, size_t *count) {
+/// Values of an axis with two ends; NULL after a problem.
+static double *range_values(case_reader *reader, valuation *v, const axis_parts *axis, size_t *count) {
     char shown[SHOWN_SIZE], end[SHOWN_SIZE];
     double from, to, distance = 0.0;
-    const setting_list *sweep = &parts->sweep;
+    const setting_list *sweep = &axis->keys;
     const setting *step = settings_find(sweep, "step");
     const bool ratios = strcmp(settings_word(sweep, "scale"), "log") == 0;
-    bool good = formula_value(reader, v, place_of(sweep, "from"), &parts->from, &from);
-    good = formula_value(reader, v, place_of(sweep, "to"), &parts->to, &to) && good;
-    if (step) good = formula_value(reader, v, step->place, &parts->step, &distance) && good;
+    bool good = formula_value(reader, v, place_of(sweep, "from"), &axis->from, &from);
+    good = formula_value(reader, v, place_of(sweep, "to"), &axis->to, &to) && good;
+    if (step) good = formula_value(reader, v, step->place, &axis->step, &distance) && good;
     if (!good) return NULL;
     if (ratios && !(to / from > 0.0 && isfinite(to / from))) {
         problem_at(reader->problems, place_of(sweep, "scale"),
@@ -224,28 +218,80 @@ static bool check_order(case_reader *reader, const formula_list *list, const dou
     return true;
 }
 
+/// The values of an axis in the order in which they were written; NULL after a problem.
+static double *axis_values(case_reader *reader, valuation *v, const axis_parts *axis, size_t *count) {
+    *count = axis->values.count;
+    if (*count == 0) return range_values(reader, v, axis, count);
+    double *values = list_values(reader, v, &axis->values);
+    return values && check_order(reader, &axis->values, values) ? values : NULL;
+}
+
+/// Where the first or last of an axis' values stands.
+static const file_node *end_place(const axis_parts *axis, bool last) {
+    if (axis->values.count == 0) return place_of(&axis->keys, last ? "to" : "from");
+    return axis->values.places[last ? axis->values.count - 1 : 0];
+}
+
 /// The end of a sweep by steps that they do not meet, NaN where they do.
-static double missed_end(valuation *v, const plan_parts *parts, double last) {
+static double missed_end(valuation *v, const axis_parts *axis, double last) {
     double to;
-    if (!settings_find(&parts->sweep, "step") || valuation_number(v, &parts->to, &to).code != WHIRL_OK || last == to)
+    if (!settings_find(&axis->keys, "step") || valuation_number(v, &axis->to, &to).code != WHIRL_OK || last == to)
         return NAN;
     return to;
 }
 
 static void make_sweep(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result) {
-    const setting_list *sweep = &parts->sweep;
-    size_t count = parts->values.count;
-    double *values = count > 0 ? list_values(reader, v, &parts->values) : range_values(reader, v, parts, &count);
-    if (!values || (parts->values.count > 0 && !check_order(reader, &parts->values, values))) return;
+    const setting_list *sweep = &parts->sweep.keys;
+    size_t count;
+    double *values = axis_values(reader, v, &parts->sweep, &count);
+    if (!values) return;
     result->rest[result->batch_count] = !parts->resting && strcmp(settings_word(sweep, "start"), "rest") == 0;
-    result->first_place = parts->values.count > 0 ? parts->values.places[0] : place_of(sweep, "from");
-    result->last_place = parts->values.count > 0 ? parts->values.places[count - 1] : place_of(sweep, "to");
-    result->end = missed_end(v, parts, values[count - 1]);
+    result->first_place = end_place(&parts->sweep, false);
+    result->last_place = end_place(&parts->sweep, true);
+    result->end = missed_end(v, &parts->sweep, values[count - 1]);
     whirl_batch *batch = add_batch(result, sweep->group->name, sweep->place);
-    snprintf(batch->parameter, sizeof batch->parameter, "%.63s", parts->swept->name);
+    snprintf(batch->parameter, sizeof batch->parameter, "%.63s", parts->sweep.parameter->name);
     batch->count = count;
     batch->carry = parts->resting ? WHIRL_CARRY_NONE : carry_of(sweep, values[0] <= values[count - 1]);
     batch->values = values;
+}
+
+/// Every point of a map, row after row.
+static void fill_map(const double *x, size_t columns, const double *y, size_t rows, double *values, double *second) {
+    for (size_t j = 0; j < rows; j++)
+        for (size_t i = 0; i < columns; i++) {
+            *values++ = x[i];
+            *second++ = y[j];
+        }
+}
+
+static void make_map(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result) {
+    size_t columns, rows;
+    const double *x = axis_values(reader, v, &parts->sweep, &columns);
+    const double *y = axis_values(reader, v, &parts->across, &rows);
+    if (!x || !y) return;
+    if (columns > SCHEMA_MAX_POINTS / rows) {
+        problem_at(reader->problems, parts->map.place, "has %zu x %zu points, expected at most %d", columns, rows,
+                   SCHEMA_MAX_POINTS);
+        return;
+    }
+    const size_t count = columns * rows;
+    double *values = arena_take(reader->arena, 2 * count * sizeof *values);
+    reader->no_memory = reader->no_memory || !values;
+    if (!values) return;
+    fill_map(x, columns, y, rows, values, values + count);
+    result->rest[result->batch_count] = strcmp(settings_word(&parts->map, "start"), "rest") == 0;
+    result->first_place = end_place(&parts->sweep, false);
+    result->last_place = end_place(&parts->sweep, true);
+    result->across_place = end_place(&parts->across, true);
+    result->end = missed_end(v, &parts->sweep, x[columns - 1]);
+    whirl_batch *batch = add_batch(result, parts->map.group->name, parts->map.place);
+    snprintf(batch->parameter, sizeof batch->parameter, "%.63s", parts->sweep.parameter->name);
+    snprintf(batch->second, sizeof batch->second, "%.63s", parts->across.parameter->name);
+    batch->count = count;
+    batch->row = columns;
+    batch->values = values;
+    batch->second_values = values + count;
 }
 
 static void make_detail(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result) {
@@ -253,7 +299,7 @@ static void make_detail(case_reader *reader, valuation *v, const plan_parts *par
     if (!values) return;
     result->places[result->batch_count] = parts->at.places;
     whirl_batch *batch = add_batch(result, "detail", parts->detail.place);
-    snprintf(batch->parameter, sizeof batch->parameter, "%.63s", parts->swept->name);
+    snprintf(batch->parameter, sizeof batch->parameter, "%.63s", parts->sweep.parameter->name);
     batch->count = parts->at.count;
     batch->values = values;
 }
@@ -334,6 +380,16 @@ static void make_curves(case_reader *reader, valuation *v, const plan_parts *par
     batch->second_bounds[1] = high;
 }
 
+/// Tori of the branches, which stand at `branch`.
+static void make_tori(const plan_parts *parts, size_t branch, study_plan *result) {
+    result->places[result->batch_count] = result->places[branch];
+    whirl_batch *batch = add_batch(result, "tori", parts->branch.place);
+    *batch = result->batches[branch];
+    snprintf(batch->name, sizeof batch->name, "tori");
+    batch->analyses = 0;
+    whirl_analysis_add(&batch->analyses, "torus");
+}
+
 static void make_branch(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result) {
     const file_node *first, *last;
     double bounds[2];
@@ -354,24 +410,28 @@ static void make_branch(case_reader *reader, valuation *v, const plan_parts *par
         result->last_place = last;
     }
     whirl_batch *batch = add_batch(result, "branch", parts->branch.place);
-    snprintf(batch->parameter, sizeof batch->parameter, "%.63s", parts->swept->name);
+    snprintf(batch->parameter, sizeof batch->parameter, "%.63s", parts->sweep.parameter->name);
     batch->count = count;
     batch->values = values;
     memcpy(batch->bounds, bounds, sizeof bounds);
-    batch->second_value = NAN;
+    whirl_analysis_add(&batch->analyses, "trace");
+    const size_t own = result->batch_count - 1;
     if (parts->second) make_curves(reader, v, parts, result);
+    if (settings_yes(&parts->branch, "tori")) make_tori(parts, own, result);
 }
 
-const char *plan_second(const study_plan *plan, const char *batch) {
-    for (size_t i = 0; i < plan->batch_count; i++)
-        if (strcmp(plan->batches[i].name, batch) == 0) return plan->batches[i].second;
-    return "";
+size_t plan_batch(const study_plan *plan, const char *name) {
+    size_t i = 0;
+    while (i < plan->batch_count && strcmp(plan->batches[i].name, name) != 0) i++;
+    return i;
 }
 
 // ---------------------------------------------------------------- all batches
 
 static bool check_all(case_reader *reader, valuation *v, const plan_parts *parts, const study_plan *result) {
-    bool good = settings_check(reader, v, &parts->sweep);
+    bool good = settings_check(reader, v, &parts->sweep.keys);
+    good = settings_check(reader, v, &parts->across.keys) && good;
+    good = settings_check(reader, v, &parts->map) && good;
     good = settings_check(reader, v, &parts->integrate) && good;
     good = settings_check(reader, v, &parts->keep) && good;
     good = settings_check(reader, v, &parts->detail) && good;
@@ -381,36 +441,45 @@ static bool check_all(case_reader *reader, valuation *v, const plan_parts *parts
     return good;
 }
 
+static void finish_traced(valuation *v, const plan_parts *parts, whirl_batch *batch) {
+    settings_take(v, &parts->branch, whirl_trace_members(), &batch->record.trace);
+    choose_analyses(batch, batch->analyses, false);
+}
+
+static void finish_points(case_reader *reader, valuation *v, const plan_parts *parts, whirl_batch *batch) {
+    settings_take(v, &parts->study, whirl_batch_members(), batch);
+    if (strcmp(batch->name, "detail") == 0) {
+        batch->record = detail_options(v, parts, &batch->record);
+        check_detail(reader, parts, &batch->record);
+    }
+    choose_analyses(batch, parts->analyses, !batch->values || strcmp(batch->name, "detail") == 0);
+}
+
 void plan_make(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result) {
     if (!check_all(reader, v, parts, result)) return;
     const whirl_integrate_options integrate = integrate_options(v, parts);
     const whirl_record_options record = record_options(v, parts, integrate.steps_per_revolution);
     check_record(reader, parts, &record, integrate.steps_per_revolution);
     check_analyses(reader, parts, &record);
-    result->unit = parts->written;
+    result->unit = parts->sweep.written;
+    result->second_unit = parts->across.written;
     result->end = NAN;
-    if (parts->swept && (parts->swept_too || !parts->branches))
+    if (parts->across.parameter)
+        make_map(reader, v, parts, result);
+    else if (parts->sweep.parameter && (parts->swept_too || !parts->branches))
         make_sweep(reader, v, parts, result);
     else if (!parts->branches)
         add_batch(result, parts->resting ? parts->resting : "response", parts->study.place);
     if (parts->at.count > 0) make_detail(reader, v, parts, result);
-    if (parts->branches && parts->swept) make_branch(reader, v, parts, result);
+    if (parts->branches && parts->sweep.parameter) make_branch(reader, v, parts, result);
     for (size_t i = 0; i < result->batch_count; i++) {
         whirl_batch *batch = &result->batches[i];
-        const bool detail = strcmp(batch->name, "detail") == 0;
         batch->integrate = integrate;
-        if (parts->branches && (strcmp(batch->name, "branch") == 0 || *batch->second)) {
-            batch->record = record;
-            settings_take(v, &parts->branch, whirl_trace_members(), &batch->record.trace);
-            whirl_analysis_set traced = 0;
-            whirl_analysis_add(&traced, "trace");
-            choose_analyses(batch, traced, false);
-            continue;
-        }
-        settings_take(v, &parts->study, whirl_batch_members(), batch);
-        batch->record = detail ? detail_options(v, parts, &record) : record;
-        if (detail) check_detail(reader, parts, &batch->record);
-        choose_analyses(batch, parts->analyses, strcmp(batch->name, "sweep") != 0);
+        batch->record = record;
+        if (whirl_analysis_is_traced(batch->analyses))
+            finish_traced(v, parts, batch);
+        else
+            finish_points(reader, v, parts, batch);
     }
 }
 
@@ -440,7 +509,7 @@ whirl_status plan_start_state(const study_plan *plan, size_t batch, valuation *v
     const whirl_system *system = whirl_rotor_system(rotor);
     const whirl_member *coordinate;
     memset(state, 0, system->dimension * sizeof *state);
-    if (plan->rest[batch]) return whirl_ok();
+    if (batch < plan->batch_count && plan->rest[batch]) return whirl_ok();
     for (size_t i = 0; i < plan->start_count; i++) {
         const plan_start *start = &plan->starts[i];
         for (size_t k = 0; (coordinate = coordinate_at(k)) != NULL; k++) {

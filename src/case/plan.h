@@ -19,8 +19,10 @@ typedef struct study_plan {
     /// [count] of every value, where each has one; NULL: of a sweep, whose ends have.
     const file_node *const *places[WHIRL_MAX_BATCHES];
     const file_node *first_place, *last_place; ///< of the ends of the sweep
-    whirl_unit unit; ///< in which the sweep writes its values, where the parameter has another one; size 0: none
-    double end;      ///< that the steps of the sweep do not meet, NaN where they do
+    const file_node *across_place;             ///< of the last value from row to row of a map
+    whirl_unit unit;        ///< in which the sweep writes its values, where the parameter has another one; size 0: none
+    whirl_unit second_unit; ///< the same of the second parameter of a map
+    double end;             ///< that the steps of the sweep do not meet, NaN where they do
     size_t start_count;
     plan_start *starts;
 } study_plan;
@@ -32,21 +34,28 @@ typedef struct formula_list {
     const file_node **places;
 } formula_list;
 
+/// A parameter, and the values that it takes.
+typedef struct axis_parts {
+    setting_list keys;          ///< that say of it: parameter, from, to, ...
+    const parameter *parameter; ///< NULL: none was found
+    const char *unit;           ///< of its values, "" where neither the case nor a value read so far tells
+    whirl_unit written;         ///< in which its values are written, size 0 where they are plain
+    number_formula from, to, step;
+    formula_list values; ///< in their place, empty where there is none
+} axis_parts;
+
 /// Reads `study:` in two steps. First what can be read without values, and everything that is wrong with it ...
 typedef struct plan_parts {
-    setting_list study, sweep, integrate, keep, detail, branch, curves;
-    const char *resting;           ///< "modes" or "unbalance", whose keys `sweep` has then; NULL: motions are followed
-    bool branches, swept_too;      ///< branches are traced; and there is a sweep
-    number_formula from, to, step; ///< of the sweep, or
-    formula_list values;           ///< its list of values, empty where there is none
-    formula_list at;               ///< of the detail
-    number_formula low, high;      ///< bounds of branches, where they are given
-    formula_list begins;           ///< values at which branches begin, empty: at the first bound
-    const parameter *second;       ///< of curves
+    setting_list study, integrate, keep, detail, branch, curves, map;
+    const char *resting;      ///< "modes" or "unbalance", of which `sweep` is then; NULL: motions are followed
+    bool branches, swept_too; ///< branches are traced; and there is a sweep
+    axis_parts sweep;         ///< what is swept, along which branches go, or what varies along the rows of a map
+    axis_parts across;        ///< what varies from row to row of a map, else without a parameter
+    formula_list at;          ///< of the detail
+    number_formula low, high; ///< bounds of branches, where they are given
+    formula_list begins;      ///< values at which branches begin, empty: at the first bound
+    const parameter *second;  ///< of curves
     number_formula second_low, second_high;
-    const parameter *swept;
-    const char *swept_unit; ///< of its values, "" where neither the case nor a value read so far tells
-    whirl_unit written;     ///< in which its values are written, size 0 where they are plain
     whirl_analysis_set analyses;
 } plan_parts;
 
@@ -60,8 +69,8 @@ void plan_make(case_reader *reader, valuation *v, const plan_parts *parts, study
 whirl_status plan_start_state(const study_plan *plan, size_t batch, valuation *v, const whirl_rotor *rotor,
                               double *state);
 
-/// The second parameter of the batch of that name, "" where it has none.
-const char *plan_second(const study_plan *plan, const char *batch);
+/// The index of the batch of that name, `batch_count` where there is none.
+size_t plan_batch(const study_plan *plan, const char *name);
 
 /// Refuses a speed of 0 where motions are counted in revolutions. WHIRL_BAD_INPUT with a sentence.
 whirl_status plan_check_speed(const whirl_batch *batch, double speed);

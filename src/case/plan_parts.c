@@ -37,23 +37,23 @@ static const parameter *find_swept(case_reader *reader, const setting *given) {
 
 /// A value of the swept parameter has the unit of what the case says of the parameter, or is used for; where neither is
 /// known, the first value with a unit binds the others.
-static void read_swept_value(case_reader *reader, const file_node *where, plan_parts *parts, number_formula *result) {
+static void read_swept_value(case_reader *reader, const file_node *where, axis_parts *axis, number_formula *result) {
     char why[WHY_SIZE];
     quantity read;
-    const whirl_key key = {.name = parts->swept->name, .unit = parts->swept_unit, .range = WHIRL_ANY};
-    if (!formula_read(reader, where, &key, result) || parts->swept_unit[0]) return;
+    const whirl_key key = {.name = axis->parameter->name, .unit = axis->unit, .range = WHIRL_ANY};
+    if (!formula_read(reader, where, &key, result) || axis->unit[0]) return;
     if (result->expression) {
-        parts->swept_unit = expression_unit(reader->parameters, result->expression);
+        axis->unit = expression_unit(reader->parameters, result->expression);
     } else if (quantity_read(where->text, "", &read, why)) {
         const char *unit = arena_text(reader->arena, read.unit, strlen(read.unit));
         reader->no_memory = reader->no_memory || !unit;
-        parts->swept_unit = unit ? unit : "";
+        axis->unit = unit ? unit : "";
     }
-    if (strcmp(parts->swept_unit, "1") == 0) parts->swept_unit = ""; // a plain number is one in SI
+    if (strcmp(axis->unit, "1") == 0) axis->unit = ""; // a plain number is one in SI
 }
 
 /// A list of values of the swept parameter, at most so many.
-static void read_values(case_reader *reader, const file_node *where, size_t most, plan_parts *parts,
+static void read_values(case_reader *reader, const file_node *where, size_t most, axis_parts *axis,
                         formula_list *result) {
     char shown[SHOWN_SIZE];
     if (where->kind != NODE_LIST || where->count == 0 || where->count > most) {
@@ -69,7 +69,7 @@ static void read_values(case_reader *reader, const file_node *where, size_t most
     if (reader->no_memory) return;
     for (const file_node *item = where->first; item; item = item->next) {
         result->places[result->count] = item;
-        read_swept_value(reader, item, parts, &result->items[result->count++]);
+        read_swept_value(reader, item, axis, &result->items[result->count++]);
     }
 }
 
@@ -103,22 +103,22 @@ static void check_list_keys(case_reader *reader, const setting_list *sweep) {
 }
 
 /// The unit of the first of these values that has one, unless the parameter itself is written in it.
-static void note_unit(case_reader *reader, plan_parts *parts, const setting *const *given, size_t count) {
-    const char *const expected = parts->swept_unit;
-    const char *const text = parts->swept->value.expression ? "" : parts->swept->text;
+static void note_unit(case_reader *reader, axis_parts *axis, const setting *const *given, size_t count) {
+    const char *const expected = axis->unit;
+    const char *const text = axis->parameter->value.expression ? "" : axis->parameter->text;
     const whirl_unit own = formula_unit(reader->parameters, text, expected);
-    for (size_t i = 0; i < count && parts->written.size == 0.0; i++) {
+    for (size_t i = 0; i < count && axis->written.size == 0.0; i++) {
         const file_node *const at = !given[i] || given[i]->place->kind == NODE_LIST
                                         ? given[i] ? given[i]->place->first : NULL
                                         : given[i]->place;
-        if (at && at->kind == NODE_TEXT) parts->written = formula_unit(reader->parameters, at->text, expected);
+        if (at && at->kind == NODE_TEXT) axis->written = formula_unit(reader->parameters, at->text, expected);
     }
-    if (strcmp(parts->written.name, own.name) == 0) parts->written = (whirl_unit){.size = 0.0};
+    if (strcmp(axis->written.name, own.name) == 0) axis->written = (whirl_unit){.size = 0.0};
 }
 
 /// The parameter and the values that it takes.
-static void read_axis(case_reader *reader, plan_parts *parts) {
-    const setting_list *sweep = &parts->sweep;
+static void read_axis(case_reader *reader, axis_parts *axis) {
+    const setting_list *sweep = &axis->keys;
     const setting *name = settings_find(sweep, "parameter"), *values = settings_find(sweep, "values");
     const setting *from = settings_find(sweep, "from"), *to = settings_find(sweep, "to");
     const setting *step = settings_find(sweep, "step");
@@ -126,26 +126,49 @@ static void read_axis(case_reader *reader, plan_parts *parts) {
         check_list_keys(reader, sweep);
     else
         check_range_keys(reader, sweep);
-    if (name) parts->swept = find_swept(reader, name);
-    if (parts->swept) parts->swept_unit = parameter_expected_unit(parts->swept);
-    if (parts->swept && from) read_swept_value(reader, from->place, parts, &parts->from);
-    if (parts->swept && to) read_swept_value(reader, to->place, parts, &parts->to);
-    if (parts->swept && step) read_swept_value(reader, step->place, parts, &parts->step);
-    if (parts->swept && values) read_values(reader, values->place, SCHEMA_MAX_POINTS, parts, &parts->values);
-    if (parts->swept) note_unit(reader, parts, (const setting *[]){from, to, step, values}, 4);
+    if (name) axis->parameter = find_swept(reader, name);
+    if (axis->parameter) axis->unit = parameter_expected_unit(axis->parameter);
+    if (axis->parameter && from) read_swept_value(reader, from->place, axis, &axis->from);
+    if (axis->parameter && to) read_swept_value(reader, to->place, axis, &axis->to);
+    if (axis->parameter && step) read_swept_value(reader, step->place, axis, &axis->step);
+    if (axis->parameter && values) read_values(reader, values->place, SCHEMA_MAX_POINTS, axis, &axis->values);
+    if (axis->parameter) note_unit(reader, axis, (const setting *[]){from, to, step, values}, 4);
 }
 
 static void read_sweep(case_reader *reader, plan_parts *parts) {
-    read_part(reader, &parts->study, "sweep", &schema_sweep, &parts->sweep);
-    read_axis(reader, parts);
-    const setting *direction = settings_find(&parts->sweep, "direction");
-    if (direction && strcmp(settings_word(&parts->sweep, "start"), "carry") != 0)
+    read_part(reader, &parts->study, "sweep", &schema_sweep, &parts->sweep.keys);
+    read_axis(reader, &parts->sweep);
+    const setting *direction = settings_find(&parts->sweep.keys, "direction");
+    if (direction && strcmp(settings_word(&parts->sweep.keys, "start"), "carry") != 0)
         problem_at_key(reader->problems, direction->place, "has a meaning only with start: carry");
 }
 
-/// What a study is of: one point, points along a parameter, or machines at rest. The first that is given counts.
+/// An axis of a map, one of its keys.
+static void read_map_axis(case_reader *reader, const setting_list *map, const char *key, axis_parts *axis) {
+    char shown[SHOWN_SIZE];
+    const setting *given = settings_find(map, key);
+    if (!given) return; // said already
+    if (given->place->kind == NODE_MAPPING) {
+        settings_read(reader, given->place, &schema_axis, &axis->keys);
+        read_axis(reader, axis);
+    } else {
+        problem_at(reader->problems, given->place, "is %s, expected {parameter: ..., from: ..., to: ..., points: ...}",
+                   node_shown(given->place, shown));
+    }
+}
+
+static void read_map(case_reader *reader, const whirl_group *group, plan_parts *parts) {
+    read_part(reader, &parts->study, group->name, group, &parts->map);
+    read_map_axis(reader, &parts->map, "x", &parts->sweep);
+    read_map_axis(reader, &parts->map, "y", &parts->across);
+    if (parts->across.parameter && parts->across.parameter == parts->sweep.parameter)
+        problem_at(reader->problems, settings_find(&parts->across.keys, "parameter")->place,
+                   "is %s, which varies along x already, expected another parameter", parts->across.parameter->name);
+}
+
+/// What a study is of: one point, points along a parameter or two, or machines at rest. The first that is given counts.
 static const setting *find_kind(case_reader *reader, const setting_list *study) {
-    static const char *const kinds[] = {"response", "sweep", "modes", "unbalance", "branch"};
+    static const char *const kinds[] = {"response", "sweep", "map", "basin", "modes", "unbalance", "branch"};
     const setting *found = NULL;
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
         const setting *given = settings_find(study, kinds[i]);
@@ -158,7 +181,7 @@ static const setting *find_kind(case_reader *reader, const setting_list *study) 
     }
     if (!found)
         problem_at(reader->problems, study->place,
-                   "has none of response, sweep, branch, modes and unbalance, expected one of them");
+                   "has none of response, sweep, map, basin, branch, modes and unbalance, expected one of them");
     return found;
 }
 
@@ -178,13 +201,13 @@ static void read_resting(case_reader *reader, const setting *kind, plan_parts *p
     parts->resting = group->name;
     whirl_analysis_add(&parts->analyses, group->name);
     check_lone_keys(reader, parts, parts->resting, false);
-    read_part(reader, &parts->study, group->name, group, &parts->sweep);
-    if (settings_find(&parts->sweep, "parameter")) {
-        read_axis(reader, parts);
+    read_part(reader, &parts->study, group->name, group, &parts->sweep.keys);
+    if (settings_find(&parts->sweep.keys, "parameter")) {
+        read_axis(reader, &parts->sweep);
         return;
     }
     for (size_t i = 0; i < sizeof axis / sizeof *axis; i++) {
-        const setting *given = settings_find(&parts->sweep, axis[i]);
+        const setting *given = settings_find(&parts->sweep.keys, axis[i]);
         if (given) problem_at_key(reader->problems, given->place, "needs the parameter that it is of");
     }
 }
@@ -196,15 +219,15 @@ static void read_branch_parameter(case_reader *reader, plan_parts *parts) {
     char shown[SHOWN_SIZE];
     const setting *name = settings_find(&parts->branch, "parameter");
     if (!parts->swept_too) {
-        if (name) parts->swept = find_swept(reader, name);
-        if (parts->swept) parts->swept_unit = parameter_expected_unit(parts->swept);
+        if (name) parts->sweep.parameter = find_swept(reader, name);
+        if (parts->sweep.parameter) parts->sweep.unit = parameter_expected_unit(parts->sweep.parameter);
         if (!name && !settings_misspelt(&parts->branch, "parameter"))
             problem_missing(reader->problems, parts->branch.place, "parameter",
                             "is missing, expected the name of the parameter that varies");
-    } else if (name && parts->swept &&
-               (name->place->kind != NODE_TEXT || strcmp(name->place->text, parts->swept->name) != 0)) {
+    } else if (name && parts->sweep.parameter &&
+               (name->place->kind != NODE_TEXT || strcmp(name->place->text, parts->sweep.parameter->name) != 0)) {
         problem_at(reader->problems, name->place, "is %s, expected %s, the parameter of the sweep beside it",
-                   node_shown(name->place, shown), parts->swept->name);
+                   node_shown(name->place, shown), parts->sweep.parameter->name);
     }
 }
 
@@ -215,12 +238,12 @@ static void read_branch_values(case_reader *reader, plan_parts *parts) {
     for (size_t i = 0; i < 2 && !parts->swept_too; i++)
         if (!settings_find(&parts->branch, ends[i]) && !settings_misspelt(&parts->branch, ends[i]))
             problem_missing(reader->problems, parts->branch.place, ends[i], "is missing, expected a bound of %s",
-                            parts->swept ? parts->swept->name : "the parameter");
-    if (!parts->swept) return;
-    if (from) read_swept_value(reader, from->place, parts, &parts->low);
-    if (to) read_swept_value(reader, to->place, parts, &parts->high);
-    if (at) read_values(reader, at->place, SCHEMA_MAX_DETAIL, parts, &parts->begins);
-    if (!parts->swept_too) note_unit(reader, parts, (const setting *[]){from, to, at}, 3);
+                            parts->sweep.parameter ? parts->sweep.parameter->name : "the parameter");
+    if (!parts->sweep.parameter) return;
+    if (from) read_swept_value(reader, from->place, &parts->sweep, &parts->low);
+    if (to) read_swept_value(reader, to->place, &parts->sweep, &parts->high);
+    if (at) read_values(reader, at->place, SCHEMA_MAX_DETAIL, &parts->sweep, &parts->begins);
+    if (!parts->swept_too) note_unit(reader, &parts->sweep, (const setting *[]){from, to, at}, 3);
 }
 
 /// The second parameter of curves and its bounds.
@@ -234,13 +257,22 @@ static void read_curves(case_reader *reader, plan_parts *parts) {
     if (!given || !name || !from || !to) return; // said already
     parts->second = find_swept(reader, name);
     if (!parts->second) return;
-    if (parts->second == parts->swept)
+    if (parts->second == parts->sweep.parameter)
         problem_at(reader->problems, name->place, "is %s, along which the branches go, expected another parameter",
                    parts->second->name);
     const whirl_key key = {
         .name = parts->second->name, .unit = parameter_expected_unit(parts->second), .range = WHIRL_ANY};
     formula_read(reader, from->place, &key, &parts->second_low);
     formula_read(reader, to->place, &key, &parts->second_high);
+}
+
+/// Tori begin at orbits of forced machines.
+static void check_tori(case_reader *reader, const plan_parts *parts) {
+    const setting *given = settings_find(&parts->branch, "tori");
+    if (given && settings_yes(&parts->branch, "tori") && settings_yes(&parts->branch, "rest"))
+        problem_at(
+            reader->problems, given->place,
+            "is yes beside rest: yes, expected one of the two: tori begin at orbits of machines that are driven");
 }
 
 static void read_branch(case_reader *reader, plan_parts *parts) {
@@ -251,6 +283,7 @@ static void read_branch(case_reader *reader, plan_parts *parts) {
     if (parts->branches) {
         read_branch_parameter(reader, parts);
         read_branch_values(reader, parts);
+        check_tori(reader, parts);
     }
     read_curves(reader, parts);
 }
@@ -264,8 +297,10 @@ static void read_kind(case_reader *reader, plan_parts *parts) {
         read_part(reader, &parts->study, "response", &schema_response, &nothing);
     } else if (strcmp(name, "modes") == 0 || strcmp(name, "unbalance") == 0) {
         read_resting(reader, kind, parts);
+    } else if (strcmp(name, "map") == 0 || strcmp(name, "basin") == 0) {
+        read_map(reader, name[0] == 'm' ? &schema_map : &schema_basin, parts);
     } else if (strcmp(name, "branch") == 0) {
-        read_part(reader, &parts->study, "sweep", &schema_sweep, &parts->sweep); // there is none
+        read_part(reader, &parts->study, "sweep", &schema_sweep, &parts->sweep.keys); // there is none
     } else if (kind && kind->place->kind == NODE_MAPPING) {
         read_sweep(reader, parts);
     } else if (kind) {
@@ -283,7 +318,7 @@ static void read_detail(case_reader *reader, plan_parts *parts) {
     if (!settings_find(&parts->study, "sweep"))
         problem_at_key(reader->problems, given->place, "needs a sweep, whose parameter it gives values to");
     const setting *at = settings_find(&parts->detail, "at");
-    if (at && parts->swept) read_values(reader, at->place, SCHEMA_MAX_DETAIL, parts, &parts->at);
+    if (at && parts->sweep.parameter) read_values(reader, at->place, SCHEMA_MAX_DETAIL, &parts->sweep, &parts->at);
 }
 
 // ---------------------------------------------------------------- initial state

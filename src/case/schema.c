@@ -42,8 +42,12 @@ static const whirl_key still_rotor_keys[] = {ROTOR_KEYS(WHIRL_NOT_NEGATIVE)};
 
 static const whirl_key study_keys[] = {
     {"response", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
-     "one point; this, sweep, branch, modes or unbalance", ""},
+     "one point; this, sweep, map, branch, modes or unbalance", ""},
     {"sweep", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "", "points along one parameter", ""},
+    {"map", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "", "points of a plane of two parameters: see map", ""},
+    {"basin", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
+     "starts in a plane of two parameters of the initial state, and the motions that they come to rest on: see map",
+     ""},
     {"branch", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
      "orbits along one parameter, stable or not, and where and why they change; alone or beside a sweep: see branch",
      ""},
@@ -92,6 +96,15 @@ static const whirl_key sweep_keys[] = {
      "with start: carry, along rising or falling values, or both, which shows hysteresis", ""},
 };
 
+static const whirl_key axis_keys[] = {AXIS_KEYS(true)};
+
+static const whirl_key map_keys[] = {
+    {"x", "", "", WHIRL_KEY_CHOICE, true, "", WHIRL_ANY, "", "the parameter along its rows, and its values", ""},
+    {"y", "", "", WHIRL_KEY_CHOICE, true, "", WHIRL_ANY, "", "the parameter from row to row, and its values", ""},
+    {"start", "", "", WHIRL_KEY_CHOICE, false, "state", WHIRL_ANY, "rest|state",
+     "rest: every point from zero; state: from the initial state", ""},
+};
+
 // Without a parameter there is one point, of the machine as it stands.
 static const whirl_key resting_keys[] = {AXIS_KEYS(false)};
 
@@ -131,6 +144,10 @@ const whirl_group schema_still_rotor = GROUP("rotor", "the machine", still_rotor
 const whirl_group schema_study = GROUP("study", "what is computed", study_keys, of_batch);
 const whirl_group schema_response = PART("response", "one point: no keys", NULL);
 const whirl_group schema_sweep = GROUP("sweep", "points along one parameter", sweep_keys, NULL);
+const whirl_group schema_map = GROUP("map", "points of a plane of two parameters", map_keys, NULL);
+const whirl_group schema_basin =
+    GROUP("basin", "starts in a plane, and the motions that they come to rest on", map_keys, NULL);
+const whirl_group schema_axis = GROUP("axis", "the values of a parameter, along x or y of a map", axis_keys, NULL);
 const whirl_group schema_modes =
     GROUP("modes", "modes of small motions about where the machine rests", resting_keys, of_options);
 const whirl_group schema_unbalance =
@@ -151,9 +168,9 @@ const char *schema_scaled_unit(const whirl_key *key) {
 
 const whirl_group *const *whirl_case_groups(void) {
     static const whirl_group *const groups[] = {
-        &schema_case,      &schema_rotor,  &schema_study,  &schema_response, &schema_sweep,     &schema_modes,
-        &schema_unbalance, &schema_branch, &schema_curves, &schema_initial,  &schema_integrate, &schema_keep,
-        &schema_detail,    NULL,
+        &schema_case,    &schema_rotor,     &schema_study, &schema_response,  &schema_sweep,  &schema_map,
+        &schema_basin,   &schema_axis,      &schema_modes, &schema_unbalance, &schema_branch, &schema_curves,
+        &schema_initial, &schema_integrate, &schema_keep,  &schema_detail,    NULL,
     };
     return groups;
 }

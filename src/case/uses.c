@@ -50,6 +50,54 @@ void whirl_case_uses(const whirl_case *object, whirl_case_use_fn see, void *cont
     for (size_t i = 0; i < plan->start_count; i++) see_list(&w, &plan->starts[i].state);
 }
 
+/// Whether an expression depends on a parameter, itself or by others that it names.
+typedef struct dependence {
+    const parameter_table *parameters;
+    const char *on;
+    bool found;
+} dependence;
+
+static bool look(void *context, const char *name, size_t length) {
+    dependence *d = context;
+    char text[WHIRL_NAME_SIZE], why[WHY_SIZE];
+    snprintf(text, sizeof text, "%.*s", (int)length, name);
+    d->found = d->found || strcmp(text, d->on) == 0;
+    const size_t index = parameters_find(d->parameters, text);
+    const char *expression = index < d->parameters->count ? d->parameters->items[index].value.expression : NULL;
+    return d->found || !expression || expression_check(expression, look, d, why);
+}
+
+bool case_depends(const case_content *content, const char *expression, const char *name) {
+    dependence d = {&content->parameters, name, false};
+    char why[WHY_SIZE];
+    expression_check(expression, look, &d, why);
+    return d.found;
+}
+
+static const setting *find_dependent(const case_content *content, const setting_list *list, const char *name) {
+    for (size_t i = 0; i < list->count; i++) {
+        const char *expression = list->items[i].key ? list->items[i].value.expression : NULL;
+        if (expression && case_depends(content, expression, name)) return &list->items[i];
+    }
+    return NULL;
+}
+
+const setting *case_machine_use(const case_content *content, const char *name) {
+    const machine_parts *machine = &content->machine;
+    const struct {
+        const setting_list *lists;
+        size_t count;
+    } parts[] = {{&machine->rotor, 1},
+                 {machine->materials.items, machine->materials.count},
+                 {machine->shafts.items, machine->shafts.count},
+                 {machine->stations.items, machine->stations.count},
+                 {machine->elements, machine->element_count}};
+    const setting *found = NULL;
+    for (size_t p = 0; p < sizeof parts / sizeof *parts; p++)
+        for (size_t i = 0; i < parts[p].count && !found; i++) found = find_dependent(content, &parts[p].lists[i], name);
+    return found;
+}
+
 /// The line of a text that begins at `line`, counted from 1.
 static const char *line_at(const char *text, int line) {
     for (; line > 1 && text; line--) {

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "kernels/watched_kernel.h"
+#include "watch.h"
 
 alone_lanes *alone_lanes_new(const whirl_integrate_options *options, size_t followed, size_t dimension,
                              size_t lane_count) {
@@ -60,44 +60,24 @@ static double *number_in(const watched_lane *w, double *array, size_t row) {
     return &array[row * w->lanes->lane_count + w->lane];
 }
 
-static void take(double *so_far, whirl_fold fold, double value) {
-    *so_far = watched_with(fold, value, *so_far);
-}
-
-static void observe_probe(const watched_lane *w, size_t p, const double *x) {
+/// What was seen of the lane.
+static whirl_ensemble_seen seen_in(const watched_lane *w) {
     const lanes_observe *o = w->lanes->watched;
-    const whirl_probe *probe = &o->probes[p];
-    const watched_instant now = watched_at(x[probe->x], x[probe->y], x[probe->vx], x[probe->vy]);
-#define WATCH(array, extent, columns, fold, ...)                                                                       \
-    for (size_t c = 0; c < (columns); c++) take(number_in(w, o->array, (columns)*p + c), fold, now.array[c]);
-    WHIRL_WATCHED_OF_STATIONS(WATCH)
-#undef WATCH
-}
-
-static void observe_contacts(const watched_lane *w, const double *x) {
-    const lanes_observe *o = w->lanes->watched;
-    const whirl_system *system = w->lanes->machines[w->lane];
-    double force[WHIRL_MAX_CONTACTS];
-    if (o->contact_count > 0) system->contacts(system->model, x, force);
-    for (size_t c = 0; c < o->contact_count; c++) {
-        watch_contact(force[c] > 0.0 ? 1.0 : 0.0, 1.0, 1.0, number_in(w, o->touching, c),
-                      number_in(w, o->contact_share, c), number_in(w, o->contact_number, c));
-        take(number_in(w, o->contact_force, c), WHIRL_LARGEST, force[c]);
-    }
+#define SEEN(array, ...) .array = number_in(w, o->array, 0),
+    return (whirl_ensemble_seen){.low = number_in(w, o->low, 0), .high = number_in(w, o->high, 0), WHIRL_WATCHED(SEEN)};
+#undef SEEN
 }
 
 static void observe(void *context, double t, const double *x) {
     watched_lane *w = context;
-    const lanes_observe *o = w->lanes->watched;
     const size_t dimension = w->lanes->dimension, stride = w->observe->stride;
     (void)t;
     w->instant++;
-    for (size_t i = 0; w->observe->extremes && i < dimension; i++) {
-        take(number_in(w, o->low, i), WHIRL_SMALLEST, x[i]);
-        take(number_in(w, o->high, i), WHIRL_LARGEST, x[i]);
+    if (w->observe->extremes) {
+        const whirl_ensemble_seen seen = seen_in(w);
+        watch_instant(w->lanes->machines[w->lane], x, w->lanes->lane_count, &seen,
+                      number_in(w, w->lanes->watched->touching, 0));
     }
-    for (size_t p = 0; w->observe->extremes && p < o->probe_count; p++) observe_probe(w, p, x);
-    if (w->observe->extremes) observe_contacts(w, x);
     if (stride == 0 || w->instant % stride != 0 || w->instant / stride > w->samples) return;
     for (size_t i = 0; i < dimension; i++)
         *number_in(w, w->lanes->samples, (w->instant / stride - 1) * dimension + i) = x[i];

@@ -35,7 +35,7 @@ typedef struct walk {
 
 static whirl_status add_waypoint(follower *f, const waypoint *p) {
     whirl_branch_point point = {
-        .value = follower_value(f, p->u), .second = NAN, .criticality = NAN, .orbit = orbit_copy(p->orbit)};
+        .value = follower_value(f, p->u), .second = NAN, .criticality = NAN, .orbit = whirl_orbit_copy(p->orbit)};
     if (!point.orbit) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a point of a branch");
     const whirl_status status = branch_add(f->branch, f->options, &point);
     if (status.code != WHIRL_OK) whirl_orbit_free(point.orbit);
@@ -70,7 +70,7 @@ static whirl_status end_at_bound(follower *f, walk *w) {
     if (!direction) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a point of a branch");
     for (size_t i = 0; i < all; i++) w->trial[i] = w->now.u[i] + share * (w->next.u[i] - w->now.u[i]);
     w->trial[all - 1] = bound;
-    follower_parameter_direction(f, direction);
+    curve_parameter_direction(&f->curve, direction);
     whirl_status status = follower_find(f, w->trial, direction, w->now.tangent, &w->next);
     free(direction);
     f->branch->end = WHIRL_END_OF_RANGE;
@@ -171,14 +171,13 @@ static whirl_status begin(follower *f, walk *w, double value, int direction) {
     follower_take(f, value, w->trial);
     double *along = calloc(all, sizeof *along);
     if (!along) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a branch");
-    follower_parameter_direction(f, along);
+    curve_parameter_direction(&f->curve, along);
     whirl_status status = follower_find(f, w->trial, along, along, &w->now);
     free(along);
     if (status.code == WHIRL_OK && !w->now.orbit)
         status = whirl_fail(WHIRL_BAD_INPUT, "no periodic orbit was found near the one that a branch shall begin with");
     if (status.code != WHIRL_OK) return status;
-    const bool back = (w->now.tangent[all - 1] < 0.0) != (direction < 0);
-    for (size_t i = 0; back && i < all; i++) w->now.tangent[i] = -w->now.tangent[i];
+    curve_turn(&f->curve, direction, w->now.tangent);
     memcpy(w->first.u, w->now.u, 2 * all * sizeof *w->now.u);
     return add_waypoint(f, &w->now);
 }
@@ -197,25 +196,13 @@ static whirl_status follow(follower *f, walk *w, double value, int direction) {
     return status;
 }
 
-static whirl_status check(const whirl_branch_options *o, double value) {
-    const double low = fmin(o->from, o->to), high = fmax(o->from, o->to);
-    if (!(isfinite(low) && isfinite(high) && low < high))
-        return whirl_fail(WHIRL_BAD_INPUT, "a branch from %g to %g, expected two values", o->from, o->to);
-    if (!(value >= low && value <= high))
-        return whirl_fail(WHIRL_BAD_INPUT, "a branch begins at %g, expected a value from %g to %g", value, low, high);
-    if (!(o->least_step > 0.0 && o->least_step <= o->step && o->step <= o->most_step && isfinite(o->most_step)))
-        return whirl_fail(WHIRL_BAD_INPUT,
-                          "steps of a branch of %g to %g, the first of %g, expected them to ascend from above 0",
-                          o->least_step, o->most_step, o->step);
-    return whirl_ok();
-}
-
 whirl_status whirl_branch_follow(const whirl_family *family, const whirl_orbit *start, double value, int direction,
                                  const whirl_branch_options *options, whirl_branch **branch) {
     follower f;
     walk w = {.step = 0.0};
     *branch = NULL;
-    whirl_status status = check(options, value);
+    const curve_way way = {options->from, options->to, options->least_step, options->step, options->most_step};
+    whirl_status status = curve_check(&way, value);
     if (status.code != WHIRL_OK) return status;
     status = follower_begin(&f, family, start, value, options);
     if (status.code == WHIRL_OK) status = waypoint_new(&f, &w.before);

@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "distance.h"
 #include "whirl/ensemble.h"
-#include "whirl/orbit.h"
 
 whirl_collect_options whirl_collect_default(const double *low, const double *high) {
     return (whirl_collect_options){.orbit = whirl_orbit_default(),
@@ -42,17 +42,6 @@ static const double near = 1e-4, same = 1e-6;
 static const double worth = 0.01;
 enum { STEPS_FROM_NEAR = 8 };
 
-/// How far two states are apart, over the largest coordinate of the first; angles that turn are left out.
-static double distance(const whirl_system *system, const double *a, const double *b) {
-    double away = 0.0, size = 0.0;
-    for (size_t i = 0; i < system->dimension; i++) {
-        if (system->turns && system->turns[i] > 0.0) continue;
-        away = fmax(away, fabs(a[i] - b[i]));
-        size = fmax(size, fabs(a[i]));
-    }
-    return size > 0.0 ? away / size : away;
-}
-
 // ---------------------------------------------------------------- starts
 
 /// Start `index` from 0: multiples of the powers of 1/g, where g^(dimension + 1) = g + 1.
@@ -81,21 +70,17 @@ static whirl_status load_starts(collector *c) {
 
 /// The orbit that passes near x; none: the count.
 static size_t orbit_near(const collector *c, const double *x, double within) {
-    for (size_t k = 0; k < c->found->count; k++) {
-        const whirl_orbit *orbit = c->found->orbits[k];
-        const size_t stride = orbit->segment_count / orbit->revolutions * orbit->dimension;
-        for (size_t i = 0; i < orbit->revolutions; i++)
-            if (distance(c->system, orbit->nodes + i * stride, x) < within) return k;
-    }
+    for (size_t k = 0; k < c->found->count; k++)
+        if (whirl_orbit_distance(c->system, c->found->orbits[k], x) < within) return k;
     return c->found->count;
 }
 
 /// Revolutions after which an orbit is back for the first time.
 static size_t least_revolutions(const whirl_system *system, const whirl_orbit *orbit) {
-    const size_t stride = orbit->segment_count / orbit->revolutions * orbit->dimension;
-    const size_t repeats = system->repeats > 0 ? system->repeats : 1;
+    const size_t stride = orbit_stride(orbit), repeats = system->repeats > 0 ? system->repeats : 1;
     for (size_t k = repeats; k < orbit->revolutions; k += repeats)
-        if (orbit->revolutions % k == 0 && distance(system, orbit->nodes, orbit->nodes + k * stride) < same) return k;
+        if (orbit->revolutions % k == 0 && states_distance(system, orbit->nodes, orbit->nodes + k * stride) < same)
+            return k;
     return orbit->revolutions;
 }
 
@@ -164,7 +149,7 @@ static void watch_returns(collector *c) {
             runner *r = &c->runners[k];
             if (!goes_on(c, r)) continue;
             whirl_ensemble_state(c->ensemble, r->lane, c->x);
-            const double away = distance(c->system, c->x, c->from + r->lane * d);
+            const double away = states_distance(c->system, c->x, c->from + r->lane * d);
             // A longer return has to be much better: multiples of a period return as well.
             if (away < 0.5 * r->away) {
                 r->away = away;

@@ -7,6 +7,19 @@
 #include "elimination.h"
 #include "matrix.h"
 
+whirl_status curve_check(const curve_way *w, double value) {
+    const double low = fmin(w->from, w->to), high = fmax(w->from, w->to);
+    if (!(isfinite(low) && isfinite(high) && low < high))
+        return whirl_fail(WHIRL_BAD_INPUT, "a branch from %g to %g, expected two values", w->from, w->to);
+    if (!(value >= low && value <= high))
+        return whirl_fail(WHIRL_BAD_INPUT, "a branch begins at %g, expected a value from %g to %g", value, low, high);
+    if (!(w->least_step > 0.0 && w->least_step <= w->step && w->step <= w->most_step && isfinite(w->most_step)))
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "steps of a branch of %g to %g, the first of %g, expected them to ascend from above 0",
+                          w->least_step, w->most_step, w->step);
+    return whirl_ok();
+}
+
 bool curve_begin(curve *c) {
     const size_t all = c->count + 1;
     c->matrix = calloc(2 * all * all + 2 * all, sizeof *c->matrix);
@@ -105,11 +118,21 @@ double curve_pace(const newton_result *result) {
 
 // ---------------------------------------------------------------- directions
 
-static bool make_unit(const curve *c, double *a) {
-    const double length = sqrt(curve_dot(c, a, a));
+bool curve_make_unit(const curve *c, double *direction) {
+    const double length = sqrt(curve_dot(c, direction, direction));
     if (!(isfinite(length) && length > 0.0)) return false;
-    for (size_t i = 0; i <= c->count; i++) a[i] /= length;
+    for (size_t i = 0; i <= c->count; i++) direction[i] /= length;
     return true;
+}
+
+void curve_parameter_direction(const curve *c, double *direction) {
+    memset(direction, 0, c->count * sizeof *direction);
+    direction[c->count] = c->scale[c->count];
+}
+
+void curve_turn(const curve *c, int direction, double *tangent) {
+    const bool back = (tangent[c->count] < 0.0) != (direction < 0);
+    for (size_t i = 0; back && i <= c->count; i++) tangent[i] = -tangent[i];
 }
 
 bool curve_tangent(curve *c, const double *across, const double *along, double *tangent) {
@@ -118,7 +141,7 @@ bool curve_tangent(curve *c, const double *across, const double *along, double *
     tangent[c->count] = 1.0;
     if (!decompose_with(c, across)) return false;
     elimination_solve(all, c->factors, c->order, tangent);
-    if (!make_unit(c, tangent)) return false;
+    if (!curve_make_unit(c, tangent)) return false;
     const double side = curve_dot(c, tangent, along) < 0.0 ? -1.0 : 1.0;
     for (size_t i = 0; i < all; i++) tangent[i] *= side;
     return true;
@@ -141,5 +164,5 @@ bool curve_other(curve *c, const double *tangent, double *other) {
     for (size_t i = 0; i < all && good; i++) other[i] = vectors[i] * c->scale[i];
     free(square);
     free(vectors);
-    return good && make_unit(c, other);
+    return good && curve_make_unit(c, other);
 }

@@ -3,6 +3,7 @@
 #define ORBIT_CURVE_H
 
 #include "newton.h"
+#include "whirl/status.h"
 
 typedef struct curve {
     size_t count; ///< N
@@ -22,12 +23,30 @@ typedef struct curve {
     const double *direction, *from; ///< of the search under way
 } curve;
 
+/// How a curve is followed: the bounds of its parameter, and the lengths of its steps.
+typedef struct curve_way {
+    double from, to;
+    double least_step, step, most_step;
+} curve_way;
+
+/// WHIRL_BAD_INPUT where bounds or steps make no sense, or a curve that begins at `value` begins beyond the bounds.
+whirl_status curve_check(const curve_way *way, double value);
+
 /// Makes room for a curve whose other members are set. False where memory is lacking. Freed by curve_end.
 bool curve_begin(curve *c);
 void curve_end(curve *c);
 
 /// a . b with lengths as the scale has them.
 double curve_dot(const curve *c, const double *a, const double *b);
+
+/// Scales a direction [N + 1] to length 1. False where it has none.
+bool curve_make_unit(const curve *c, double *direction);
+
+/// The parameter's own direction, of length 1, towards larger values.
+void curve_parameter_direction(const curve *c, double *direction);
+
+/// Turns a tangent to the side where the parameter changes in the direction of `direction` (+1, -1).
+void curve_turn(const curve *c, int direction, double *tangent);
 
 /// Carries u [N + 1] to the curve, across `direction`: by steps that have no part along it.
 newton_result curve_correct(curve *c, const double *direction, double *u);

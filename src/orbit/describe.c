@@ -35,7 +35,7 @@ whirl_orbit *whirl_orbit_new(const whirl_orbit *like) {
     return orbit;
 }
 
-whirl_orbit *orbit_copy(const whirl_orbit *orbit) {
+whirl_orbit *whirl_orbit_copy(const whirl_orbit *orbit) {
     whirl_orbit *copy = malloc(size_of(orbit));
     if (!copy) return NULL;
     memcpy(copy, orbit, size_of(orbit));
@@ -59,6 +59,16 @@ size_t orbit_own_multiplier(const whirl_orbit *orbit) {
         }
     }
     return own;
+}
+
+double whirl_orbit_largest(const whirl_orbit *orbit) {
+    const size_t own = orbit_own_multiplier(orbit);
+    double largest = -INFINITY;
+    for (size_t i = 0; i < orbit->multiplier_count; i++) {
+        const whirl_multiplier *m = &orbit->multipliers[i];
+        if (i != own) largest = fmax(largest, orbit->period > 0.0 ? hypot(m->real, m->imaginary) : m->real);
+    }
+    return largest;
 }
 
 /// Multipliers beyond the unit circle, or eigenvalues right of the imaginary axis.

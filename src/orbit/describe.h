@@ -8,9 +8,6 @@
 /// cannot be followed.
 whirl_status orbit_describe(shooting *s, const double *nodes, double period, double residual, whirl_orbit **out);
 
-/// A copy; NULL where memory is lacking.
-whirl_orbit *orbit_copy(const whirl_orbit *orbit);
-
 /// The multiplier that shifts along the orbit have, of an orbit with a time of its own; SIZE_MAX of others.
 size_t orbit_own_multiplier(const whirl_orbit *orbit);
 

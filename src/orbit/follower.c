@@ -75,11 +75,6 @@ void follower_take(const follower *f, double value, double *u) {
     u[f->curve.count] = value;
 }
 
-void follower_parameter_direction(const follower *f, double *direction) {
-    memset(direction, 0, f->curve.count * sizeof *direction);
-    direction[f->curve.count] = f->curve.scale[f->curve.count];
-}
-
 /// What of a tangent of length 1 is the parameter's.
 static double lean(const follower *f, const double *tangent) {
     return tangent[f->curve.count] / f->curve.scale[f->curve.count];
@@ -100,7 +95,7 @@ static bool is_flat(const follower *f, const waypoint *a, const waypoint *b) {
 const double *follower_across(const follower *f, const waypoint *a, const waypoint *b, const waypoint *from,
                               double *direction) {
     if (!is_flat(f, a, b)) return from->tangent;
-    follower_parameter_direction(f, direction);
+    curve_parameter_direction(&f->curve, direction);
     return direction;
 }
 

@@ -58,7 +58,4 @@ double follower_length(const follower *f, const waypoint *a, const waypoint *b, 
 /// Adds a point to a branch, which then owns the orbit; its end is WHIRL_END_STOPPED where that was asked for.
 whirl_status branch_add(whirl_branch *branch, const whirl_branch_options *options, const whirl_branch_point *point);
 
-/// The parameter's own direction, of length 1, towards larger values where bounds ascend.
-void follower_parameter_direction(const follower *f, double *direction);
-
 #endif

@@ -40,7 +40,7 @@ static whirl_status step_aside(follower *f, double step, waypoint *at, double *t
 static whirl_status leave_orbit(follower *f, double value, double step, waypoint *at, double *trial,
                                 double *direction) {
     follower_take(f, value, trial);
-    follower_parameter_direction(f, direction);
+    curve_parameter_direction(&f->curve, direction);
     const whirl_status status = follower_find(f, trial, direction, direction, at);
     if (status.code != WHIRL_OK) return status;
     if (!at->orbit || !curve_other(&f->curve, at->tangent, direction))

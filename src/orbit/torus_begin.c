@@ -40,7 +40,7 @@ static bool place_ellipse(torus_follower *f, const whirl_branch_point *point, co
         }
     }
     f->direction[count * n] = f->direction[count * n + 1] = 0.0;
-    if (!torus_follower_resize(f, count, f->trial) || !torus_follower_make_unit(f, f->direction)) return false;
+    if (!torus_follower_resize(f, count, f->trial) || !curve_make_unit(&f->curve, f->direction)) return false;
     torus_equations_refer(e, f->direction);
     for (size_t i = 0; i < count * n; i++) f->trial[i] += step * f->direction[i];
     f->trial[count * n] = point->angle;

@@ -40,8 +40,11 @@ static whirl_status add_point(const torus_follower *f, torus_walk *w, torus_wayp
         b->points = points;
         w->room = room;
     }
-    b->points[b->count++] = (whirl_torus_point){.value = value_at(f, p), .torus = p->torus};
+    const whirl_torus_branch_options *o = f->options;
+    const whirl_torus_point point = {.value = value_at(f, p), .torus = p->torus};
+    b->points[b->count++] = point;
     p->torus = NULL; // the branch owns it
+    if (o->found && !o->found(o->context, point.value, point.torus)) b->end = WHIRL_TORUS_STOPPED;
     return whirl_ok();
 }
 
@@ -60,7 +63,7 @@ static bool take_nodes(torus_follower *f, torus_walk *w, size_t count) {
     if (!good || !torus_follower_resize(f, count, now->u)) return false;
     now->count = count;
     torus_equations_refer(e, now->u);
-    return torus_follower_make_unit(f, now->tangent);
+    return curve_make_unit(&f->curve, now->tangent);
 }
 
 // ---------------------------------------------------------------- steps
@@ -107,13 +110,27 @@ static whirl_status try_step(torus_follower *f, torus_walk *w, bool *good) {
     return status;
 }
 
-/// Where the square of the radius, which falls evenly, comes to 0.
-static double vanishing_value(const torus_follower *f, const torus_walk *w, const whirl_torus_branch *b) {
+/// Where what falls evenly, `one` at the last point and `two` at the one before, comes to 0.
+static double vanishing_value(const whirl_torus_point *last, const whirl_torus_point *before, double one, double two) {
+    return last->value - one * (before->value - last->value) / (two - one);
+}
+
+/// Where the square of the radius does.
+static double shrinking_value(const torus_follower *f, const torus_walk *w, const whirl_torus_branch *b) {
     const whirl_torus_point *last = &b->points[b->count - 1];
     const whirl_torus_point next = {value_at(f, &w->next), w->next.torus};
     const whirl_torus_point *other = b->count > 1 ? last - 1 : &next;
-    const double one = last->torus->radius * last->torus->radius, two = other->torus->radius * other->torus->radius;
-    return last->value - one * (other->value - last->value) / (two - one);
+    const double one = last->torus->radius, two = other->torus->radius;
+    return vanishing_value(last, other, one * one, two * two);
+}
+
+/// Where the square of the distance from a resonance does, to which the last two tori come nearer.
+static double locking_value(const whirl_torus_branch *b) {
+    const whirl_torus_point *last = &b->points[b->count - 1];
+    const double q = (double)last->torus->resonance, own = last->torus->rotation;
+    if (b->count < 2 || q == 0.0) return NAN;
+    const double one = own - round(q * own) / q, two = last[-1].torus->rotation - round(q * own) / q;
+    return one * two > 0.0 && fabs(one) < fabs(two) ? vanishing_value(last, last - 1, one * one, two * two) : NAN;
 }
 
 /// The end, where no step that is as short as allowed leads on.
@@ -122,10 +139,12 @@ static void give_up(const torus_follower *f, const torus_walk *w, whirl_torus_br
     char why[WHIRL_MESSAGE_SIZE];
     if (w->shrank) {
         b->end = WHIRL_TORUS_SHRANK;
+        b->limit = shrinking_value(f, w, b);
         snprintf(b->why, sizeof b->why, "the torus shrinks to an orbit, whose Neimark-Sacker point is near %.8g",
-                 vanishing_value(f, w, b));
+                 b->limit);
     } else if (w->rough) {
         b->end = WHIRL_TORUS_ROUGH;
+        b->limit = locking_value(b);
         torus_say_rough(&f->equations, w->next.torus, why, sizeof why);
         snprintf(b->why, sizeof b->why, "beyond %.8g %.300s", value, why);
     } else {
@@ -150,7 +169,7 @@ static whirl_status end_at_bound(torus_follower *f, torus_walk *w, whirl_torus_b
         return whirl_fail(WHIRL_NO_MEMORY, "no memory for a torus");
     for (size_t i = 0; i < last; i++) f->trial[i] = w->before[i] + share * (w->next.u[i] - w->before[i]);
     f->trial[last] = bound;
-    torus_follower_parameter_direction(f, f->direction);
+    curve_parameter_direction(&f->curve, f->direction);
     memcpy(f->forward, w->next.tangent, (last + 1) * sizeof *f->forward);
     const whirl_status status = torus_follower_find(f, &w->next);
     b->end = WHIRL_TORUS_END_OF_RANGE;
@@ -200,15 +219,13 @@ static whirl_status begin(torus_follower *f, torus_walk *w, const whirl_torus *s
     if (!torus_follower_resize(f, start->node_count, f->trial))
         return whirl_fail(WHIRL_NO_MEMORY, "no memory for a torus of %zu nodes", start->node_count);
     torus_equations_refer(e, f->trial);
-    torus_follower_parameter_direction(f, f->direction);
+    curve_parameter_direction(&f->curve, f->direction);
     memcpy(f->forward, f->direction, (last + 1) * sizeof *f->forward);
     whirl_status status = torus_follower_find(f, &w->now);
     if (status.code == WHIRL_OK && (!w->now.torus || w->now.rough))
         status = whirl_fail(WHIRL_BAD_INPUT, "no torus was found near the one that a branch shall begin with");
     if (status.code != WHIRL_OK) return status;
-    const size_t all = w->now.count * e->n + 2;
-    const bool back = (w->now.tangent[all - 1] < 0.0) != (direction < 0);
-    for (size_t i = 0; back && i < all; i++) w->now.tangent[i] = -w->now.tangent[i];
+    curve_turn(&f->curve, direction, w->now.tangent);
     return add_point(f, w, &w->now, b);
 }
 
@@ -217,10 +234,12 @@ static whirl_status follow(torus_follower *f, torus_walk *w, const whirl_torus *
     bool ended = false;
     whirl_status status = begin(f, w, start, value, direction, b);
     w->step = f->options->step;
-    while (status.code == WHIRL_OK && !ended && b->count < f->options->most_points) status = go_on(f, w, b, &ended);
+    while (status.code == WHIRL_OK && !ended && b->end != WHIRL_TORUS_STOPPED && b->count < f->options->most_points)
+        status = go_on(f, w, b, &ended);
     if (ended) return status;
-    b->end = WHIRL_TORUS_END_OF_POINTS;
-    snprintf(b->why, sizeof b->why, "as many points as were asked for");
+    const bool stopped = b->end == WHIRL_TORUS_STOPPED;
+    if (!stopped) b->end = WHIRL_TORUS_END_OF_POINTS;
+    snprintf(b->why, sizeof b->why, "%s", stopped ? "it was stopped" : "as many points as were asked for");
     return status;
 }
 
@@ -231,6 +250,7 @@ whirl_status whirl_torus_follow(const whirl_family *family, const whirl_torus *s
     *branch = NULL;
     whirl_torus_branch *b = calloc(1, sizeof *b);
     if (!b) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a branch of tori");
+    b->limit = NAN;
     whirl_status status =
         torus_follower_begin(&f, family, start->revolutions, start->dimension, start->nodes, value, options);
     if (status.code == WHIRL_OK) status = torus_waypoint_new(&f, &w.now);

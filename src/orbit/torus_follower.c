@@ -8,23 +8,12 @@
 #include "torus_describe.h"
 #include "torus_options.h"
 
-static whirl_status check(const whirl_torus_branch_options *o, double value) {
-    const double low = fmin(o->from, o->to), high = fmax(o->from, o->to);
-    if (!(isfinite(low) && isfinite(high) && low < high))
-        return whirl_fail(WHIRL_BAD_INPUT, "a branch from %g to %g, expected two values", o->from, o->to);
-    if (!(value >= low && value <= high))
-        return whirl_fail(WHIRL_BAD_INPUT, "a branch begins at %g, expected a value from %g to %g", value, low, high);
-    if (!(o->least_step > 0.0 && o->least_step <= o->step && o->step <= o->most_step && isfinite(o->most_step)))
-        return whirl_fail(WHIRL_BAD_INPUT,
-                          "steps of a branch of %g to %g, the first of %g, expected them to ascend from above 0",
-                          o->least_step, o->most_step, o->step);
-    return torus_check_options(&o->torus);
-}
-
 whirl_status torus_follower_begin(torus_follower *f, const whirl_family *family, size_t revolutions, size_t dimension,
                                   const double *at, double value, const whirl_torus_branch_options *options) {
     *f = (torus_follower){.options = options};
-    whirl_status status = check(options, value);
+    const curve_way way = {options->from, options->to, options->least_step, options->step, options->most_step};
+    whirl_status status = curve_check(&way, value);
+    if (status.code == WHIRL_OK) status = torus_check_options(&options->torus);
     if (status.code == WHIRL_OK)
         status = torus_equations_make(&f->equations, NULL, family, value, &options->torus, revolutions, dimension, at);
     if (status.code != WHIRL_OK) return status;
@@ -71,18 +60,6 @@ bool torus_follower_resize(torus_follower *f, size_t count, const double *u) {
     }
     torus_equations_scale(e, u, fabs(f->options->to - f->options->from), f->curve.scale);
     return true;
-}
-
-bool torus_follower_make_unit(torus_follower *f, double *direction) {
-    const double length = sqrt(curve_dot(&f->curve, direction, direction));
-    if (!(isfinite(length) && length > 0.0)) return false;
-    for (size_t i = 0; i <= f->curve.count; i++) direction[i] /= length;
-    return true;
-}
-
-void torus_follower_parameter_direction(const torus_follower *f, double *direction) {
-    memset(direction, 0, f->curve.count * sizeof *direction);
-    direction[f->curve.count] = f->curve.scale[f->curve.count];
 }
 
 /// Goes over to more nodes: the search goes on from what was found.

@@ -36,12 +36,6 @@ void torus_waypoint_free(torus_waypoint *p);
 /// Gives the curve so many nodes, and lengths by the size of u, which has them. False where memory is lacking.
 bool torus_follower_resize(torus_follower *f, size_t count, const double *u);
 
-/// Scales a direction to length 1. False where it has none.
-bool torus_follower_make_unit(torus_follower *f, double *direction);
-
-/// The parameter's own direction, of length 1, towards larger values.
-void torus_follower_parameter_direction(const torus_follower *f, double *direction);
-
 /// The point across `direction` from the trial, its tangent on the side of `forward`; the search has all three, with as
 /// many nodes as the equations, and takes more where accuracy asks for them. WHIRL_NO_MEMORY.
 whirl_status torus_follower_find(torus_follower *f, torus_waypoint *out);

@@ -12,9 +12,16 @@
 /// Stands in the template where the results go.
 static const char mark[] = "@WHIRL-RUNS@";
 
-/// What a browser takes in at once: more points of a table, more of its section, or more numbers of machines at rest,
-/// are thinned evenly.
-enum { MOST_POINTS = 1 << 16, MOST_SECTION = 1 << 20, MOST_AT_REST = 1 << 22, MOST_TEMPLATE = 1 << 26 };
+/// What a browser takes in at once: more points of a table, more cells of a map, more of its section, or more numbers
+/// of machines at rest, or of orbits' nodes, are thinned evenly.
+enum {
+    MOST_POINTS = 1 << 16,
+    MOST_CELLS = 1 << 14,
+    MOST_SECTION = 1 << 20,
+    MOST_AT_REST = 1 << 22,
+    MOST_NODES = 1 << 20,
+    MOST_TEMPLATE = 1 << 26
+};
 
 // ---------------------------------------------------------------- the template
 
@@ -116,22 +123,91 @@ static void write_facts(FILE *stream, const whirl_result *result) {
 
 // ---------------------------------------------------------------- tables
 
-/// The points of a table that go into the page: every `stride`-th. Sections are those of the first table, the diagram;
-/// the page computes the motion of any other point itself. Of machines at rest it has all that is known, and of
-/// branches all points.
+/// The points of a table that go into the page: every `stride`-th, of a map those of every `stride`-th column and row.
+/// Sections are those of the first table, the diagram; the page computes the motion of any other point itself. Of
+/// machines at rest it has all that is known, and of branches all points.
 typedef struct selection {
     const whirl_table *table;
     size_t stride, count;
     bool sections, resting;
 } selection;
 
+/// The first chosen point from one on; the table's count where there is none.
+static size_t chosen_from(const selection *chosen, size_t point) {
+    const whirl_table *table = chosen->table;
+    for (; point < table->count; point++) {
+        const size_t slot = table->row ? whirl_table_slot(table, point) : point;
+        const size_t row = table->row ? slot / table->row : 0;
+        if ((slot - row * table->row) % chosen->stride == 0 && row % chosen->stride == 0) break;
+    }
+    return point;
+}
+
+static size_t first_chosen(const selection *chosen) {
+    return chosen_from(chosen, 0);
+}
+
+static size_t next_chosen(const selection *chosen, size_t point) {
+    return chosen_from(chosen, point + 1);
+}
+
+/// What follows the points in a list of the JSON, whose first one opens it.
+static const char *end_of_list(const selection *chosen) {
+    return chosen->count == 0 ? "[]" : "]";
+}
+
+static selection select_all(const whirl_table *table) {
+    return (selection){.table = table, .stride = 1, .count = table->count, .sections = true};
+}
+
+static size_t thinned(size_t count, size_t stride) {
+    return count ? (count - 1) / stride + 1 : 0;
+}
+
+/// Of a map as many points as there is room for: its columns and rows are thinned alike.
+static selection select_cells(const whirl_table *table, bool sections) {
+    const size_t rows = thinned(whirl_table_planned(table), table->row);
+    selection chosen = {.table = table, .stride = 1, .sections = sections};
+    while (thinned(table->row, chosen.stride) * thinned(rows, chosen.stride) > MOST_CELLS) chosen.stride++;
+    for (size_t p = first_chosen(&chosen); p < table->count; p = next_chosen(&chosen, p)) chosen.count++;
+    return chosen;
+}
+
 static selection select_points(const whirl_table *table, bool sections) {
     const bool resting = whirl_analysis_is_resting(table->analyses);
-    if (whirl_analysis_is_traced(table->analyses)) return (selection){table, 1, table->count, true, false};
+    if (whirl_analysis_is_traced(table->analyses)) return select_all(table);
+    if (table->row) return select_cells(table, sections);
     const size_t fitting = MOST_AT_REST / (table->layout.size + 1) + 1;
     const size_t room = resting && fitting < MOST_POINTS ? fitting : MOST_POINTS;
-    const size_t stride = table->count > room ? (table->count - 1) / room + 1 : 1;
-    return (selection){table, stride, table->count ? (table->count - 1) / stride + 1 : 0, sections, resting};
+    const size_t stride = thinned(table->count, room);
+    return (selection){table, stride ? stride : 1, thinned(table->count, stride ? stride : 1), sections, resting};
+}
+
+/// The second parameter of a map, its columns and rows in the page, and of every point its cell among these, row after
+/// row, and the value of the second parameter.
+static void write_cells(FILE *stream, const selection *chosen) {
+    const whirl_table *table = chosen->table;
+    if (!table->row) return;
+    const size_t columns = thinned(table->row, chosen->stride);
+    const size_t rows = thinned(thinned(whirl_table_planned(table), table->row), chosen->stride);
+    member(stream, ',', "map");
+    text_member(stream, '{', "second", table->second);
+    fprintf(stream, ",\"columns\":%zu,\"rows\":%zu", columns, rows);
+    member(stream, ',', "cells");
+    char before = '[';
+    for (size_t p = first_chosen(chosen); p < table->count; p = next_chosen(chosen, p), before = ',') {
+        const size_t slot = whirl_table_slot(table, p);
+        const size_t row = slot / table->row / chosen->stride;
+        fprintf(stream, "%c%zu", before, row * columns + slot % table->row / chosen->stride);
+    }
+    fputs(end_of_list(chosen), stream);
+    member(stream, ',', "seconds");
+    fputc('"', stream);
+    base64 seconds = {.stream = stream};
+    for (size_t p = first_chosen(chosen); p < table->count; p = next_chosen(chosen, p))
+        base64_float64(&seconds, whirl_table_second(table, p));
+    base64_end(&seconds);
+    fputs("\"}", stream);
 }
 
 static void write_values(FILE *stream, const selection *chosen) {
@@ -139,46 +215,49 @@ static void write_values(FILE *stream, const selection *chosen) {
     member(stream, ',', "values");
     fputc('"', stream);
     base64 values = {.stream = stream};
-    for (size_t p = 0; p < table->count; p += chosen->stride) base64_float64(&values, table->values[p]);
+    for (size_t p = first_chosen(chosen); p < table->count; p = next_chosen(chosen, p))
+        base64_float64(&values, table->values[p]);
     base64_end(&values);
     fputc('"', stream);
     if (table->length_scales) {
         member(stream, ',', "length_scales");
         fputc('"', stream);
         base64 scales = {.stream = stream};
-        for (size_t p = 0; p < table->count; p += chosen->stride) base64_float64(&scales, table->length_scales[p]);
+        for (size_t p = first_chosen(chosen); p < table->count; p = next_chosen(chosen, p))
+            base64_float64(&scales, table->length_scales[p]);
         base64_end(&scales);
         fputc('"', stream);
     }
     member(stream, ',', "branch");
-    fputc('[', stream);
-    for (size_t p = 0; p < table->count; p += chosen->stride) fprintf(stream, p ? ",%d" : "%d", table->branch[p]);
-    fputc(']', stream);
+    char before = '[';
+    for (size_t p = first_chosen(chosen); p < table->count; p = next_chosen(chosen, p), before = ',')
+        fprintf(stream, "%c%d", before, table->branch[p]);
+    fputs(end_of_list(chosen), stream);
     member(stream, ',', "done");
-    fputc('[', stream);
-    for (size_t p = 0; p < table->count; p += chosen->stride)
-        fprintf(stream, p ? ",%d" : "%d", whirl_table_done(table, p));
-    fputc(']', stream);
+    before = '[';
+    for (size_t p = first_chosen(chosen); p < table->count; p = next_chosen(chosen, p), before = ',')
+        fprintf(stream, "%c%d", before, whirl_table_done(table, p));
+    fputs(end_of_list(chosen), stream);
 }
 
 static void write_verdicts(FILE *stream, const selection *chosen) {
     const whirl_table *table = chosen->table;
     if (!whirl_layout_has_verdict(&table->layout)) return;
     member(stream, ',', "verdicts");
-    for (size_t p = 0; p < table->count; p += chosen->stride) {
+    char before = '[';
+    for (size_t p = first_chosen(chosen); p < table->count; p = next_chosen(chosen, p), before = ',') {
         const whirl_verdict verdict = whirl_table_verdict(table, p);
         char name[WHIRL_NAME_SIZE], reason[WHIRL_MESSAGE_SIZE];
         whirl_verdict_name(&verdict, name, sizeof name);
         whirl_verdict_reason(&verdict, reason, sizeof reason);
-        fputc(p ? ',' : '[', stream);
+        fputc(before, stream);
         fputc('[', stream);
         script_text(stream, name);
         fputc(',', stream);
         script_text(stream, reason);
         fputc(']', stream);
     }
-    if (chosen->count == 0) fputc('[', stream);
-    fputc(']', stream);
+    fputs(end_of_list(chosen), stream);
 }
 
 /// The part of a field that the page draws: numbers of one row, all columns; of machines at rest all rows; of the
@@ -189,7 +268,9 @@ typedef struct kept_part {
 
 static kept_part part_of(const whirl_field *field, const selection *chosen) {
     if (field->rows == 1 || chosen->resting) return (kept_part){0, field->rows, field->columns};
+    if (strncmp(field->name, "torus/section_", strlen("torus/section_")) == 0) return (kept_part){0, field->rows, 2};
     if (strcmp(field->name, "trace/section") == 0) return (kept_part){0, field->rows, 2};
+    if (strcmp(field->name, "trace/multipliers") == 0) return (kept_part){0, field->rows, field->columns};
     if (!chosen->sections || chosen->count == 0 || strcmp(field->name, "poincare/section") != 0) return (kept_part){0};
     const size_t most = MOST_SECTION / chosen->count;
     const size_t rows = field->rows < most ? field->rows : most;
@@ -202,7 +283,7 @@ static void write_numbers(FILE *stream, const selection *chosen, const whirl_fie
     base64 to = {.stream = stream};
     for (size_t which = 0; which < field->repeat; which++)
         for (size_t column = 0; column < part.columns; column++)
-            for (size_t p = 0; p < table->count; p += chosen->stride) {
+            for (size_t p = first_chosen(chosen); p < table->count; p = next_chosen(chosen, p)) {
                 const double *numbers = whirl_table_field(table, p, field->name, which);
                 for (size_t row = 0; row < part.rows; row++)
                     base64_float32(&to, numbers[(part.first_row + row) * field->columns + column]);
@@ -259,6 +340,49 @@ static void write_critical(FILE *stream, const whirl_table *table) {
     fputc(']', stream);
 }
 
+/// A point of a branch with its orbit, to be freed; false where the table has none there.
+static bool take_trace(const whirl_table *table, size_t point, whirl_trace *trace) {
+    return whirl_table_done(table, point) && whirl_table_trace(table, point, trace).code == WHIRL_OK;
+}
+
+/// Numbers of the nodes of an orbit: the states at the beginnings of its segments.
+static size_t count_nodes(const whirl_orbit *orbit) {
+    return orbit->segment_count * orbit->dimension;
+}
+
+static size_t count_all_nodes(const whirl_table *table) {
+    size_t all = 0;
+    for (size_t p = 0; p < table->count; p++) {
+        whirl_trace trace;
+        if (!take_trace(table, p, &trace)) continue;
+        all += count_nodes(trace.point.orbit);
+        whirl_orbit_free(trace.point.orbit);
+    }
+    return all;
+}
+
+/// Of branches, so that the page can show orbits that motions leave: [points] period, nodes, with all digits. Of so
+/// many points as there is room for, every "orbit_stride"-th.
+static void write_orbits(FILE *stream, const whirl_table *table) {
+    if (strcmp(table->name, "branch") != 0 || !whirl_layout_field(&table->layout, "trace/nodes") || !table->blocks)
+        return;
+    const size_t stride = count_all_nodes(table) / MOST_NODES + 1;
+    fprintf(stream, ",\"orbit_stride\":%zu", stride);
+    member(stream, ',', "orbits");
+    fputc('"', stream);
+    base64 to = {.stream = stream};
+    for (size_t p = 0; p < table->count; p += stride) {
+        whirl_trace trace;
+        if (!take_trace(table, p, &trace)) continue;
+        const whirl_orbit *orbit = trace.point.orbit;
+        base64_float64(&to, orbit->period);
+        for (size_t i = 0; i < count_nodes(orbit); i++) base64_float64(&to, orbit->nodes[i]);
+        whirl_orbit_free(trace.point.orbit);
+    }
+    base64_end(&to);
+    fputc('"', stream);
+}
+
 static void write_table(FILE *stream, const whirl_table *table, bool sections) {
     const selection chosen = select_points(table, sections && table->count > 0);
     text_member(stream, '{', "name", table->name);
@@ -268,9 +392,11 @@ static void write_table(FILE *stream, const whirl_table *table, bool sections) {
     script_members(stream, whirl_record_members(), &table->record);
     if (whirl_analysis_is_traced(table->analyses)) script_members(stream, whirl_trace_members(), &table->record.trace);
     write_values(stream, &chosen);
+    write_cells(stream, &chosen);
     write_verdicts(stream, &chosen);
     write_critical(stream, table);
     write_fields(stream, &chosen);
+    write_orbits(stream, table);
     fputc('}', stream);
 }
 

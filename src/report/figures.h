@@ -53,6 +53,9 @@ whirl_status draw_at_rest(const drawing *to);
 /// Writes data and scripts of branches, one a station, and of curves of special points, after the bifurcation diagrams.
 whirl_status draw_branches(const drawing *to);
 
+/// Writes data and scripts of maps over two parameters: regimes, and numbers of the points.
+whirl_status draw_maps(const drawing *to);
+
 /// Writes data and scripts of the panels of every point of the detail table and every station.
 whirl_status draw_points(const drawing *to);
 

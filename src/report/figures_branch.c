@@ -5,6 +5,8 @@
 #include <string.h>
 
 #include "figures.h"
+#include "figures_tori.h"
+#include "quantities.h"
 #include "typeset.h"
 
 static const double two_pi = 6.283185307179586476925;
@@ -24,69 +26,51 @@ static const struct {
 };
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
-static double number(const whirl_table *table, size_t point, const char *field) {
-    const double *found = whirl_table_field(table, point, field, 0);
-    return found ? *found : (double)NAN;
-}
-
 static bool is_special(const whirl_table *table, size_t point) {
-    return number(table, point, "trace/special") > 0.0;
+    return point_number(table, point, "trace/special") > 0.0;
 }
 
 static bool are_one(const whirl_table *table, size_t a, size_t b) {
-    return number(table, a, "trace/number") == number(table, b, "trace/number");
+    return point_number(table, a, "trace/number") == point_number(table, b, "trace/number");
 }
 
 /// Whether orbits between two neighbouring points are stable: special points are on the verge.
 static bool is_stable(const whirl_table *table, size_t a, size_t b) {
     const size_t told = is_special(table, a) ? b : a;
-    return number(table, told, "trace/unstable") == 0.0;
+    return point_number(table, told, "trace/unstable") == 0.0;
 }
 
 /// Largest modulus of a multiplier; of an equilibrium that over a revolution.
 static double multiplier_of(const whirl_table *table, size_t point) {
-    const double largest = number(table, point, "trace/largest");
-    return number(table, point, "trace/period") > 0.0 ? largest : exp(two_pi * largest);
+    const double largest = point_number(table, point, "trace/largest");
+    return point_number(table, point, "trace/period") > 0.0 ? largest : exp(two_pi * largest);
 }
 
 // ---------------------------------------------------------------- data
 
 /// The lines that a point is drawn as: of a forced orbit one a revolution, of others the bounds of their motion.
 static size_t lines_of(const whirl_table *table, size_t point) {
-    const double revolutions = number(table, point, "trace/revolutions");
-    return revolutions > 0.0 ? (size_t)revolutions : number(table, point, "trace/period") > 0.0 ? 2 : 1;
+    const double revolutions = point_number(table, point, "trace/revolutions");
+    return revolutions > 0.0 ? (size_t)revolutions : point_number(table, point, "trace/period") > 0.0 ? 2 : 1;
 }
 
-static span range_of(const drawing *to, const whirl_table *table, const char *second) {
+/// Of the parameter, over all that is drawn.
+static span range_of(const drawing *to, const whirl_table *table) {
     span range = span_empty();
     const whirl_table *sweep = whirl_result_table(to->result, "sweep");
-    for (size_t i = 0; i < table->count; i++) span_widen(&range, second ? number(table, i, second) : table->values[i]);
-    for (size_t i = 0; !second && sweep && i < sweep->count; i++) span_widen(&range, sweep->values[i]);
+    for (size_t i = 0; i < table->count; i++) span_widen(&range, table->values[i]);
+    for (size_t i = 0; sweep && i < sweep->count; i++) span_widen(&range, sweep->values[i]);
     return range;
-}
-
-/// Whether no special point that stands before it has its label nearer than a 30th of the axis.
-static bool is_labelled(const whirl_table *table, size_t point, const span *range) {
-    const double near = (range->high - range->low) / 30.0;
-    double taken[64] = {0.0};
-    size_t count = 0;
-    for (size_t i = 0; i <= point && count < sizeof taken / sizeof *taken; i++) {
-        bool room = number(table, i, "trace/special") > 0.0;
-        for (size_t k = 0; k < count && room; k++) room = fabs(taken[k] - table->values[i]) >= near;
-        if (room && i == point) return true;
-        if (room) taken[count++] = table->values[i];
-    }
-    return false;
 }
 
 static void write_at(FILE *stream, const drawing *to, const whirl_table *table, size_t point, size_t station,
                      size_t line) {
-    const bool forced = number(table, point, "trace/revolutions") > 0.0;
+    const bool forced = point_number(table, point, "trace/revolutions") > 0.0;
     const double *at = forced ? whirl_table_field(table, point, "trace/section", station) + 4 * line
                               : whirl_table_field(table, point, line == 0 ? "trace/high" : "trace/low", station);
     const double own = units_length(to->units, table, point) / to->units->length;
     fprintf(stream, "%.10g %.9g %.9g %.9g %.0f %d\n", table->values[point], own * at[0], own * at[1],
-            multiplier_of(table, point), number(table, point, "trace/special"), line == 0);
+            multiplier_of(table, point), point_number(table, point, "trace/special"), line == 0);
 }
 
 /// Pieces of branches that are stable, or those that are not: blocks with empty lines between.
@@ -101,6 +85,21 @@ static void write_pieces(FILE *stream, const drawing *to, const whirl_table *tab
             fputc('\n', stream);
         }
         first = last - 1;
+    }
+}
+
+/// Special points that have room for a label: none that is labelled before it is nearer than a 30th of the axis.
+static void write_labelled(FILE *stream, const drawing *to, const whirl_table *table, size_t station) {
+    const span range = range_of(to, table);
+    const double near = (range.high - range.low) / 30.0;
+    double taken[64];
+    size_t count = 0;
+    for (size_t point = 0; point < table->count && count < sizeof taken / sizeof *taken; point++) {
+        bool room = is_special(table, point);
+        for (size_t k = 0; k < count && room; k++) room = fabs(taken[k] - table->values[point]) >= near;
+        if (!room) continue;
+        taken[count++] = table->values[point];
+        write_at(stream, to, table, point, station, 0);
     }
 }
 
@@ -122,9 +121,7 @@ static whirl_status write_branches(const drawing *to, const whirl_table *table, 
         for (size_t line = 0; is_special(table, point) && line < lines_of(table, point); line++)
             write_at(file.stream, to, table, point, station, line);
     fputs("\n\n", file.stream);
-    const span range = range_of(to, table, NULL);
-    for (size_t point = 0; point < table->count; point++)
-        if (is_labelled(table, point, &range)) write_at(file.stream, to, table, point, station, 0);
+    write_labelled(file.stream, to, table, station);
     return report_file_close(&file);
 }
 
@@ -132,7 +129,7 @@ static whirl_status write_branches(const drawing *to, const whirl_table *table, 
 
 static bool has_kind(const whirl_table *table, int kind) {
     for (size_t point = 0; point < table->count; point++)
-        if (number(table, point, "trace/special") == kind) return true;
+        if (point_number(table, point, "trace/special") == kind) return true;
     return false;
 }
 
@@ -147,11 +144,13 @@ static void write_marks(FILE *script, const whirl_table *table, const char *colu
     fputc('\n', script);
 }
 
-static void write_section_panel(FILE *script, const whirl_table *table, const char *dots, int column, bool keyed) {
+static void write_section_panel(FILE *script, const whirl_table *table, const figure *what, int column, bool keyed) {
+    const char *dots = what->data[1];
     if (keyed)
-        fputs("set key at screen 0.55, screen 0.998*top center top horizontal maxrows 2 Left reverse samplen 1.5 "
-              "width -1 font small_font\n",
-              script);
+        fprintf(script,
+                "set key at screen 0.55, screen 0.998*top center top horizontal maxrows 2 Left reverse samplen 1.5 "
+                "width %d font small_font\n",
+                *what->data[2] ? -3 : -1);
     else
         fputs("unset key\n", script);
     fputs("plot ", script);
@@ -160,6 +159,7 @@ static void write_section_panel(FILE *script, const whirl_table *table, const ch
                 "'%s' using (value*$1):(length*$%d) with points pointtype 7 pointsize 0.06 linewidth 0.3 "
                 "linecolor rgb '#C4C4C4' notitle, \\\n  ",
                 dots, column);
+    if (*what->data[2]) tori_plot_bands(script, 2 * column - 2, keyed);
     fprintf(script,
             "branches index 0 using (value*$1):(length*$%d) with lines linewidth 1.1 linecolor rgb '#0072B2' title "
             "'stable', \\\n"
@@ -205,7 +205,7 @@ static whirl_status write_script(const drawing *to, const whirl_table *table, co
     FILE *script = file.stream;
     const shown_units units = typeset_units(to->units);
     const double value = 1.0 / units_parameter(to->units, table->parameter).size;
-    const span range = range_of(to, table, NULL);
+    const span range = range_of(to, table);
     char label[TYPESET_SIZE];
     typeset_parameter(to->units, table->parameter, label, sizeof label);
     script_label(script, "parameter_label", label);
@@ -215,13 +215,14 @@ static whirl_status write_script(const drawing *to, const whirl_table *table, co
     script_label(script, "y_label", label);
     fprintf(script, "branches = '%s'\nlength = %.15g\nvalue = %.15g\n", what->data[0], to->units->length, value);
     fprintf(script, "set xrange [%.10g:%.10g]\n", value * range.low, value * range.high);
+    if (*what->data[2]) fprintf(script, "bands = '%s'\n", what->data[2]);
     script_loop(script);
     fputs("set format x ''\nunset xlabel\nset ylabel x_label\n", script);
     script_panel(script, 0.13, 0.96, 0.670, 0.945);
-    write_section_panel(script, table, what->data[1], 2, true);
+    write_section_panel(script, table, what, 2, true);
     fputs("set ylabel y_label\n", script);
     script_panel(script, 0.13, 0.96, 0.375, 0.650);
-    write_section_panel(script, table, what->data[1], 3, false);
+    write_section_panel(script, table, what, 3, false);
     fputs("set format x '%g'\nset xlabel parameter_label\nset ylabel 'largest multiplier'\n", script);
     script_panel(script, 0.13, 0.96, 0.080, 0.355);
     write_multiplier_panel(script, table);
@@ -242,10 +243,15 @@ static whirl_status draw_station(const drawing *to, const whirl_table *table, si
     snprintf(what->title, sizeof what->title, "Branches of %s over %s", name, table->parameter);
     snprintf(what->caption, sizeof what->caption,
              "Periodic orbits of %s over %s, once a revolution (of motions with a time of their own: largest and "
-             "smallest values): solid where they are stable, dashed where not.%s Marks: where they change, as the "
+             "smallest values): solid where they are stable, dashed where not.%s%s Marks: where they change, as the "
              "table tells. Below: the largest modulus of a Floquet multiplier.",
-             name, table->parameter, *section ? " Grey: the section of the motions that the sweep settled on." : "");
-    const whirl_status status = write_branches(to, table, station, what->data[0]);
+             name, table->parameter, *section ? " Grey: the section of the motions that the sweep settled on." : "",
+             tori_table(to->result) ? tori_caption : "");
+    whirl_status status = write_branches(to, table, station, what->data[0]);
+    if (status.code == WHIRL_OK && tori_table(to->result)) {
+        snprintf(what->data[2], sizeof what->data[2], "%.180s-tori.dat", what->stem);
+        status = tori_write_bands(to, station, what->data[2]);
+    }
     return status.code == WHIRL_OK ? write_script(to, table, what) : status;
 }
 
@@ -260,8 +266,8 @@ static whirl_status write_curves(const drawing *to, const whirl_table *table, co
     for (int kind = 1; kind < KINDS; kind++) {
         fputs("NaN NaN 0\n\n", file.stream);
         for (size_t i = 0; i < table->count; i++) {
-            if (number(table, i, "trace/special") != kind) continue;
-            fprintf(file.stream, "%.10g %.10g %d\n", table->values[i], number(table, i, "trace/second"), kind);
+            if (point_number(table, i, "trace/special") != kind) continue;
+            fprintf(file.stream, "%.10g %.10g %d\n", table->values[i], point_number(table, i, "trace/second"), kind);
             if (i + 1 == table->count || !are_one(table, i, i + 1)) fputc('\n', file.stream);
         }
         fputc('\n', file.stream);
@@ -314,6 +320,7 @@ whirl_status draw_branches(const drawing *to) {
     const bool traced = table && table->count > 1 && whirl_analysis_is_traced(table->analyses);
     for (size_t s = 0; traced && s < to->result->station_count && status.code == WHIRL_OK; s++)
         status = draw_station(to, table, s);
+    if (status.code == WHIRL_OK) status = draw_tori(to);
     if (status.code == WHIRL_OK && curves && curves->count > 1 && whirl_analysis_is_traced(curves->analyses))
         status = draw_curves(to, curves);
     return status;

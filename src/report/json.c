@@ -28,6 +28,7 @@ static json_t *point_parameters(bool *well, const whirl_result *result, const wh
         if (!expression) document_put(well, object, parameter->name, document_number(parameter->value));
     }
     if (*table->parameter) document_put(well, object, table->parameter, document_number(table->values[point]));
+    if (table->row > 0) document_put(well, object, table->second, document_number(whirl_table_second(table, point)));
     return object;
 }
 
@@ -304,11 +305,49 @@ static void put_trace(bool *well, json_t *object, const whirl_table *table, size
     whirl_orbit_free(at.point.orbit);
 }
 
+// The rows of a field that there are: all of their columns, or the first two.
+static json_t *rows_of(bool *well, const whirl_table *table, size_t point, const char *field, size_t which) {
+    const whirl_field *found = whirl_layout_field(&table->layout, field);
+    const double *row = whirl_table_field(table, point, field, which);
+    json_t *array = json_array();
+    for (size_t n = 0; row && n < found->rows && !isnan(row[0]); ++n, row += found->columns)
+        document_append(well, array, found->columns == 1 ? document_number(row[0]) : numbers_array(well, row, 2));
+    return array;
+}
+
+// Of a station: frequency and amplitude of its second line, bounds, and the closed curve of its section with bounds
+// once a revolution, [x, y].
+static json_t *station_torus(bool *well, const whirl_table *table, size_t point, size_t station) {
+    json_t *object = numbers_of("torus/", WHIRL_PER_STATION, 1.0, well, table, point, station);
+    document_put(well, object, "section", rows_of(well, table, point, "torus/section", station));
+    document_put(well, object, "section_low", rows_of(well, table, point, "torus/section_low", station));
+    document_put(well, object, "section_high", rows_of(well, table, point, "torus/section_high", station));
+    return object;
+}
+
+// A torus: which branch of them it is of, its rotation number, exponents [value, error], and the nodes of its curve.
+static void put_torus(bool *well, json_t *object, const whirl_table *table, size_t point) {
+    const double end = *whirl_table_field(table, point, "torus/end", 0);
+    const double *resonance = whirl_table_field(table, point, "torus/resonance", 0);
+    char text[WHIRL_MESSAGE_SIZE];
+    json_t *torus = numbers_of("torus/", WHIRL_PER_POINT, 1.0, well, table, point, 0);
+    whirl_torus_end_text(end, resonance[0], resonance[1], text, sizeof text);
+    document_put(well, torus, "end", isnan(end) ? json_null() : document_text(text));
+    document_put(well, torus, "exponents", rows_of(well, table, point, "torus/exponents", 0));
+    document_put(well, torus, "nodes", rows_of(well, table, point, "torus/nodes", 0));
+    document_put(well, object, "torus", torus);
+}
+
 static json_t *point_object(bool *well, const whirl_result *result, const whirl_table *table, size_t point) {
     json_t *object = json_object();
     document_put(well, object, "parameters", point_parameters(well, result, table, point));
     if (table->length_scales) document_put(well, object, "length_scale", document_number(table->length_scales[point]));
     if (table->branch[point] != 0) document_put(well, object, "branch", json_integer(table->branch[point]));
+    if (whirl_layout_field(&table->layout, "torus/number")) {
+        put_torus(well, object, table, point);
+        put_stations(well, object, "stations", station_torus, result, table, point);
+        return object;
+    }
     if (whirl_analysis_is_traced(table->analyses)) {
         put_trace(well, object, table, point);
         put_stations(well, object, "stations", station_trace, result, table, point);
@@ -388,6 +427,34 @@ static bool dump_jumps(const whirl_result *result, FILE *stream) {
     return dump_member(",\n", "jumps", object, stream) && well;
 }
 
+enum { MOST_ATTRACTORS = 64 };
+
+// Attractors of a basin, that of most starts first: the first point (from 1 in "points") that came to rest there.
+static json_t *attractors_of(bool *well, const whirl_table *table) {
+    json_t *array = json_array();
+    whirl_attractor found[MOST_ATTRACTORS];
+    size_t count;
+    if (whirl_table_attractors(table, NULL, found, MOST_ATTRACTORS, &count).code != WHIRL_OK) *well = false;
+    for (size_t k = 0; k < count && k < MOST_ATTRACTORS && *well; ++k) {
+        json_t *one = json_object();
+        const whirl_verdict verdict = whirl_table_verdict(table, found[k].first);
+        document_put(well, one, "first", json_integer((json_int_t)whirl_table_slot(table, found[k].first) + 1));
+        document_put(well, one, "regime", document_text(whirl_regime_name(verdict.regime)));
+        document_put(well, one, "period", json_integer(verdict.period));
+        document_put(well, one, "starts", json_integer((json_int_t)found[k].points));
+        document_put(well, one, "share", document_number(found[k].share));
+        document_put(well, one, "error", document_number(found[k].error));
+        document_append(well, array, one);
+    }
+    return array;
+}
+
+static bool dump_attractors(const whirl_result *result, FILE *stream) {
+    bool well = true;
+    const whirl_table *basin = whirl_result_table(result, "basin");
+    return !basin || (dump_member(",\n", "attractors", attractors_of(&well, basin), stream) && well);
+}
+
 // The version that computed the result, where it says so.
 static const char *version_of(const whirl_result *result) {
     for (size_t i = 0; i < result->fact_count; ++i)
@@ -452,7 +519,7 @@ whirl_status whirl_result_write_json(const whirl_result *result, FILE *stream) {
     if (result->table_count == 0) fputs(",\n\"points\": []", stream);
     for (size_t i = 0; well && i < result->table_count; ++i)
         well = dump_points(i == 0 ? "points" : result->tables[i].name, result, &result->tables[i], stream);
-    well = well && dump_jumps(result, stream);
+    well = well && dump_jumps(result, stream) && dump_attractors(result, stream);
     fputs("}\n", stream);
     if (fflush(stream) != 0 || ferror(stream))
         return whirl_fail(WHIRL_IO_ERROR, "cannot write JSON: %s", strerror(errno ? errno : EIO));

@@ -60,10 +60,11 @@ static void write_result_contents(const page *to, size_t r) {
     if (sweep && sweep->count > 0) write_entry(to->stream, "regimes", r + 1, "Regimes");
     if (whirl_result_table(result, "branch"))
         write_entry(to->stream, "branches", r + 1, "Where and why motions change");
+    if (whirl_result_table(result, "tori")) write_entry(to->stream, "tori", r + 1, "Quasi-periodic motions");
+    if (whirl_result_table(result, "basin")) write_entry(to->stream, "attractors", r + 1, "Attractors");
     if (detail_table(result) && detail_table(result)->count > 0)
         write_entry(to->stream, "points", r + 1, "Points in detail");
-    if (has_figures(to, r, true))
-        write_entry(to->stream, "diagrams", r + 1, sweep ? "Bifurcation diagrams" : "Diagrams");
+    if (has_figures(to, r, true)) write_entry(to->stream, "diagrams", r + 1, page_diagrams_title(result));
     if (has_figures(to, r, false)) write_entry(to->stream, "motions", r + 1, "Single points");
     if (result->fact_count > 0) write_entry(to->stream, "provenance", r + 1, "Provenance");
     fputs("</ul></li>\n", to->stream);
@@ -86,6 +87,8 @@ static void write_result(const page *to, size_t result) {
     page_computed(to, result);
     page_intervals(to, result);
     page_branches(to, result);
+    page_tori(to, result);
+    page_attractors(to, result);
     page_critical(to, result);
     page_jumps(to, result);
     page_points(to, result);

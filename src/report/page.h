@@ -34,11 +34,14 @@ void page_style(FILE *stream);
 void page_claims(const page *to);                  ///< the table of claims and what was not reproduced
 void page_computed(const page *to, size_t result); ///< what was computed, parameters
 void page_provenance(const page *to, size_t result);
-void page_intervals(const page *to, size_t result); ///< regimes along the sweep
-void page_branches(const page *to, size_t result);  ///< special points of branches
-void page_critical(const page *to, size_t result);  ///< critical speeds and thresholds of stability
-void page_jumps(const page *to, size_t result);     ///< where neighbours of one regime differ
-void page_points(const page *to, size_t result);    ///< the table of points
+void page_intervals(const page *to, size_t result);          ///< regimes along the sweep
+void page_branches(const page *to, size_t result);           ///< special points of branches
+void page_tori(const page *to, size_t result);               ///< quasi-periodic motions that begin at some of them
+void page_critical(const page *to, size_t result);           ///< critical speeds and thresholds of stability
+void page_jumps(const page *to, size_t result);              ///< where neighbours of one regime differ
+void page_attractors(const page *to, size_t result);         ///< of a basin
+void page_points(const page *to, size_t result);             ///< the table of points
+const char *page_diagrams_title(const whirl_result *result); ///< what its diagrams over parameters are; static text
 void page_figures(const page *to, size_t result);
 
 #endif

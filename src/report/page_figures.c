@@ -30,6 +30,13 @@ static void write_figure(const page *to, const figure *what) {
     fputs("</figcaption>\n</figure>\n", to->stream);
 }
 
+const char *page_diagrams_title(const whirl_result *result) {
+    return whirl_result_table(result, "sweep")   ? "Bifurcation diagrams"
+           : whirl_result_table(result, "map")   ? "Maps"
+           : whirl_result_table(result, "basin") ? "Basins"
+                                                 : "Diagrams";
+}
+
 void page_figures(const page *to, size_t index) {
     bool points = false, diagrams = false;
     for (size_t i = 0; i < to->figures->count; i++) {
@@ -38,7 +45,7 @@ void page_figures(const page *to, size_t index) {
         if (what->point == NO_POINT) {
             if (!diagrams)
                 fprintf(to->stream, "<h3 id=\"diagrams-%zu\">%s</h3>\n<div class=\"pair\">\n", index + 1,
-                        whirl_result_table(to->results[index], "sweep") ? "Bifurcation diagrams" : "Diagrams");
+                        page_diagrams_title(to->results[index]));
             diagrams = true;
         } else {
             if (!points && diagrams) fputs("</div>\n", to->stream);

@@ -14,6 +14,20 @@ static void write_row(FILE *stream, const char *term, const char *text) {
     fputs("</dd>\n", stream);
 }
 
+/// "r_k from 1 to 0.1 by rho from 0.04 to 0.12: 61 by 33, 2013 points".
+static void describe_plane(const shown_units *units, const whirl_table *table, const char *count, char *text,
+                           size_t size) {
+    char across[UNIT_LABEL_SIZE], up[UNIT_LABEL_SIZE];
+    units_parameter_label(units, table->parameter, across, sizeof across);
+    units_parameter_label(units, table->second, up, sizeof up);
+    const double one = units_parameter(units, table->parameter).size,
+                 other = units_parameter(units, table->second).size;
+    const size_t last = table->count - 1;
+    snprintf(text, size, "%s from %.6g to %.6g by %s from %.6g to %.6g: %zu by %zu, %s", across, table->values[0] / one,
+             table->values[last] / one, up, whirl_table_second(table, 0) / other,
+             whirl_table_second(table, last) / other, table->row, whirl_table_planned(table) / table->row, count);
+}
+
 static void describe_points(const shown_units *units, const whirl_table *table, char *text, size_t size) {
     char label[UNIT_LABEL_SIZE];
     char count[48];
@@ -27,6 +41,10 @@ static void describe_points(const shown_units *units, const whirl_table *table, 
     }
     units_parameter_label(units, table->parameter, label, sizeof label);
     const double unit = units_parameter(units, table->parameter).size;
+    if (table->row > 0) {
+        describe_plane(units, table, count, text, size);
+        return;
+    }
     size_t forward = 0;
     bool reverse = false;
     for (size_t i = 0; i < table->count; i++) {

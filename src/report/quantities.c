@@ -35,15 +35,14 @@ numbers point_lines(const whirl_table *table, size_t point, size_t station) {
     return array_of(table, point, "spectrum/lines", station, 5);
 }
 
-static double single(const whirl_table *table, size_t point, const char *field, size_t which) {
-    const numbers found = point_numbers(table, point, field, which);
-    return found.at ? found.at[0] : (double)NAN;
+double point_number(const whirl_table *table, size_t point, const char *field) {
+    return whirl_table_number(table, point, field, 0);
 }
 
 whirl_estimate point_exponent(const whirl_table *table, size_t point) {
-    const double value = single(table, point, "lyapunov/largest", 0);
+    const double value = whirl_table_number(table, point, "lyapunov/largest", 0);
     if (isnan(value)) return whirl_table_verdict(table, point).exponent;
-    return (whirl_estimate){value, single(table, point, "lyapunov/error", 0)};
+    return (whirl_estimate){value, whirl_table_number(table, point, "lyapunov/error", 0)};
 }
 
 shown_estimate estimate_shown(whirl_estimate estimate) {
@@ -74,16 +73,16 @@ void reason_text(const whirl_verdict *verdict, char *text, size_t size) {
 }
 
 double max_radius(const whirl_table *table, size_t point, size_t station) {
-    return single(table, point, "orbit/max_radius", station);
+    return whirl_table_number(table, point, "orbit/max_radius", station);
 }
 
 double backward_share(const whirl_table *table, size_t point, size_t station) {
-    return single(table, point, "orbit/backward", station);
+    return whirl_table_number(table, point, "orbit/backward", station);
 }
 
 double rub_share(const whirl_table *table, size_t point, size_t contact_count) {
     double most = (double)NAN;
-    for (size_t i = 0; i < contact_count; i++) most = fmax(most, single(table, point, "rub/share", i));
+    for (size_t i = 0; i < contact_count; i++) most = fmax(most, whirl_table_number(table, point, "rub/share", i));
     return most;
 }
 

@@ -20,6 +20,9 @@ typedef struct numbers {
 /// is NaN.
 numbers point_numbers(const whirl_table *table, size_t point, const char *field, size_t which);
 
+/// The first number of a field; NaN where it is absent.
+double point_number(const whirl_table *table, size_t point, const char *field);
+
 numbers point_section(const whirl_table *table, size_t point, size_t station);  ///< x, y, vx, vy once a revolution
 numbers point_waveform(const whirl_table *table, size_t point, size_t station); ///< x, y
 numbers point_spectrum(const whirl_table *table, size_t point, size_t station); ///< order, x, y, forward, backward

@@ -51,6 +51,7 @@ static whirl_status draw_result(report *made, const whirl_result *result, size_t
                         .list = &made->figures};
     whirl_status status = folder_make_own(made->paths[index]);
     if (status.code == WHIRL_OK) status = draw_bifurcations(&to);
+    if (status.code == WHIRL_OK) status = draw_maps(&to);
     if (status.code == WHIRL_OK) status = draw_branches(&to);
     if (status.code == WHIRL_OK) status = draw_at_rest(&to);
     if (status.code == WHIRL_OK) status = draw_points(&to);

@@ -23,6 +23,7 @@ static json_t *point_object(bool *well, const whirl_verification *v, size_t inde
     const whirl_verify_point *point = &v->points[index];
     json_t *object = json_object(), *runs = json_array(), *order = json_object();
     if (*v->parameter) document_put(well, object, "value", document_number(point->value));
+    if (*v->second) document_put(well, object, "second", document_number(point->second));
     document_put(well, object, "agreed", json_boolean(point->agreed));
     document_put(well, object, "exponent_spread", document_number(point->exponent_spread));
     for (int m = 0; m < WHIRL_VERIFY_METHODS; ++m)

@@ -103,21 +103,24 @@ static void put_field_heading(line *row, const whirl_result *result, const whirl
     put_cell(row, text);
 }
 
+static void put_parameter_heading(line *row, const whirl_result *result, const char *parameter) {
+    const whirl_unit unit = whirl_result_unit(result, parameter);
+    char text[2 * WHIRL_NAME_SIZE + 8];
+    snprintf(text, sizeof text, "%s [%s]", parameter, *unit.name ? unit.name : "1");
+    put_cell(row, text);
+}
+
 static void put_point_headings(line *row, const whirl_result *result, const whirl_table *table) {
     put_cell(row, "point");
-    if (*table->parameter) {
-        const whirl_unit unit = whirl_result_unit(result, table->parameter);
-        char text[2 * WHIRL_NAME_SIZE + 8];
-        snprintf(text, sizeof text, "%s [%s]", table->parameter, *unit.name ? unit.name : "1");
-        put_cell(row, text);
-    }
+    if (*table->parameter) put_parameter_heading(row, result, table->parameter);
+    if (table->row > 0) put_parameter_heading(row, result, table->second);
     put_cell(row, "branch");
 }
 
-/// The value of the parameter in the unit of the case: what conversion rounds is left out, 2000 rpm is 2000.
-static void put_value_cell(line *row, const whirl_result *result, const whirl_table *table, size_t point) {
+/// The value of a parameter in the unit of the case: what conversion rounds is left out, 2000 rpm is 2000.
+static void put_value_cell(line *row, const whirl_result *result, const char *parameter, double value) {
     char text[NUMBER_SIZE];
-    const double size = whirl_result_unit(result, table->parameter).size, value = table->values[point];
+    const double size = whirl_result_unit(result, parameter).size;
     snprintf(text, sizeof text, "%.14g", value / size);
     if (size == 1.0 || !isfinite(value))
         put_number_cell(row, value);
@@ -129,7 +132,8 @@ static void put_point_cells(line *row, const whirl_result *result, const whirl_t
     char branch[16];
     snprintf(branch, sizeof branch, "%d", table->branch[point]);
     put_count_cell(row, whirl_table_slot(table, point) + 1);
-    if (*table->parameter) put_value_cell(row, result, table, point);
+    if (*table->parameter) put_value_cell(row, result, table->parameter, table->values[point]);
+    if (table->row > 0) put_value_cell(row, result, table->second, whirl_table_second(table, point));
     put_cell(row, branch);
 }
 

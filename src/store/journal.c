@@ -11,6 +11,7 @@
 #include "identity.h"
 #include "journal_file.h"
 #include "journal_frame.h"
+#include "journal_header.h"
 #include "journal_scan.h"
 #include "underway.h"
 
@@ -28,8 +29,8 @@ typedef struct batch_index {
 struct whirl_journal {
     journal_file file;
     whirl_keeper keeper;
-    char *identity;
-    size_t identity_size;
+    journal_identity identity;
+    whirl_journal_part part;
     uint64_t hash;
     uint64_t end;           ///< of the last sound frame
     unsigned char *pending; ///< frames that could not be written yet
@@ -44,7 +45,7 @@ struct whirl_journal {
 };
 
 static uint64_t start_of(const whirl_journal *journal) {
-    return header_size(journal->identity_size);
+    return header_size(journal->identity.size);
 }
 
 // ---------------------------------------------------------------- making and freeing
@@ -55,7 +56,7 @@ static void free_journal(whirl_journal *journal) {
     for (size_t i = 0; i < MOST_BATCHES; ++i) free(journal->batches[i].offset);
     underway_close(journal->states);
     free(journal->pending);
-    free(journal->identity);
+    free(journal->identity.text);
     free(journal);
 }
 
@@ -92,39 +93,36 @@ static void *saved(void *context, size_t batch, size_t slot, double *revolutions
     return underway_saved(((const whirl_journal *)context)->states, batch, slot, revolutions, size);
 }
 
-static whirl_status new_journal(const whirl_result *outline, whirl_journal **out) {
+static whirl_status new_journal(const whirl_result *outline, const whirl_journal_part *part, whirl_journal **out) {
     if (outline->table_count > MOST_BATCHES)
         return whirl_fail(WHIRL_BAD_INPUT, "a journal has at most %d tables, not %zu", MOST_BATCHES,
                           outline->table_count);
     whirl_journal *journal = *out = calloc(1, sizeof *journal);
     if (!journal) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a journal");
     journal->file.descriptor = -1;
+    if (part) journal->part = *part;
     journal->keeper = (whirl_keeper){keep, recall, tend, journal, save, saved};
     journal->synced = clock_seconds();
-    whirl_status status = identity_text(outline, true, &journal->identity, &journal->identity_size);
+    whirl_status status = identity_text(outline, true, &journal->identity.text, &journal->identity.size);
     if (status.code == WHIRL_OK) status = make_index(journal, outline);
-    if (status.code == WHIRL_OK) journal->hash = journal_hash(journal->identity, journal->identity_size);
+    if (status.code == WHIRL_OK) journal->hash = journal_hash(journal->identity.text, journal->identity.size);
     return status;
 }
 
-static whirl_status write_header(whirl_journal *journal) {
-    const size_t size = (size_t)start_of(journal);
-    unsigned char *header = malloc(size);
-    if (!header) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a journal");
-    header_put(header, journal->identity, journal->identity_size);
-    int reason = journal_file_write(&journal->file, 0, header, size);
-    free(header);
-    if (!reason) reason = journal_file_sync(&journal->file);
-    if (reason) return journal_file_failed(&journal->file, "write", reason);
-    journal_file_sync_name(&journal->file);
-    return whirl_ok();
+/// Whether a point, of whichever pass, is one that the journal is for.
+static bool is_for(const whirl_journal *journal, size_t batch, size_t slot) {
+    const whirl_journal_part *part = &journal->part;
+    return !part->has || part->has(part->context, batch, slot);
 }
 
 /// Room for all points; the state of a rotor has four numbers a station.
 static whirl_status reserve(const whirl_journal *journal, const whirl_result *outline) {
     uint64_t size = start_of(journal);
-    for (size_t i = 0; i < outline->table_count; ++i)
-        size += outline->tables[i].count * frame_size(outline->tables[i].layout.size, 4 * outline->station_count);
+    for (size_t i = 0; i < outline->table_count; ++i) {
+        const whirl_table *table = &outline->tables[i];
+        const size_t frame = frame_size(table->layout.size, 4 * outline->station_count);
+        for (size_t slot = 0; slot < table->count; ++slot) size += is_for(journal, i, slot) ? frame : 0;
+    }
     if (size < journal->end) size = journal->end;
     const int reason = journal_file_reserve(&journal->file, size);
     if (!reason) return whirl_ok();
@@ -132,14 +130,15 @@ static whirl_status reserve(const whirl_journal *journal, const whirl_result *ou
                       journal->file.path, strerror(reason));
 }
 
-whirl_status whirl_journal_begin(const char *path, const whirl_result *outline, whirl_journal **out) {
+whirl_status whirl_journal_begin_part(const char *path, const whirl_result *outline, const whirl_journal_part *part,
+                                      whirl_journal **out) {
     whirl_journal *journal = NULL;
     *out = NULL;
-    whirl_status status = new_journal(outline, &journal);
+    whirl_status status = new_journal(outline, part, &journal);
     if (status.code == WHIRL_OK) status = journal_file_create(&journal->file, path);
     const bool made = status.code == WHIRL_OK;
     if (made) status = reserve(journal, outline);
-    if (status.code == WHIRL_OK) status = write_header(journal);
+    if (status.code == WHIRL_OK) status = journal_header_write(&journal->file, &journal->identity);
     if (status.code == WHIRL_OK) {
         journal->end = start_of(journal);
         journal->states = underway_open(path, journal->hash, false);
@@ -149,6 +148,10 @@ whirl_status whirl_journal_begin(const char *path, const whirl_result *outline, 
     if (made) journal_file_remove(&journal->file);
     free_journal(journal);
     return status;
+}
+
+whirl_status whirl_journal_begin(const char *path, const whirl_result *outline, whirl_journal **out) {
+    return whirl_journal_begin_part(path, outline, NULL, out);
 }
 
 // ---------------------------------------------------------------- going on
@@ -163,54 +166,6 @@ static void note_frame(void *context, const frame_head *head, uint64_t offset) {
     if (!place) return;
     journal->points += *place == 0 && head->batch < journal->batch_count;
     *place = offset;
-}
-
-/// What the file begins with.
-typedef enum header_state { HEADER_OURS, HEADER_OTHER, HEADER_CUT, HEADER_DAMAGED } header_state;
-
-/// Reads the header of `size` bytes of identity and compares.
-static whirl_status compare_header(const whirl_journal *journal, size_t size, header_state *state, char *difference,
-                                   size_t difference_size) {
-    // With a 0 behind, so that the identity is a text whatever it is.
-    unsigned char *header = calloc(1, header_size(size) + 1);
-    if (!header) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a journal");
-    const int reason = journal_file_read(&journal->file, 0, header, header_size(size));
-    *state = HEADER_DAMAGED;
-    if (!reason && header_is_sound(header, size)) {
-        header[JOURNAL_LEAD + size] = '\0';
-        const bool differs =
-            identity_difference((const char *)header + JOURNAL_LEAD, journal->identity, difference, difference_size);
-        *state = differs ? HEADER_OTHER : HEADER_OURS;
-    }
-    free(header);
-    return reason ? journal_file_failed(&journal->file, "read", reason) : whirl_ok();
-}
-
-static whirl_status look_at_header(const whirl_journal *journal, uint64_t file_size, header_state *state,
-                                   char *difference, size_t difference_size) {
-    unsigned char lead[JOURNAL_LEAD] = {0};
-    uint64_t size = 0;
-    const size_t there = file_size < JOURNAL_LEAD ? (size_t)file_size : JOURNAL_LEAD;
-    const int reason = journal_file_read(&journal->file, 0, lead, there);
-    if (reason) return journal_file_failed(&journal->file, "read", reason);
-    *state = file_size < start_of(journal) ? HEADER_CUT : HEADER_DAMAGED;
-    if (there < JOURNAL_LEAD || !header_lead(lead, &size)) return whirl_ok();
-    if (size > file_size - JOURNAL_LEAD || header_size((size_t)size) > file_size) return whirl_ok();
-    return compare_header(journal, (size_t)size, state, difference, difference_size);
-}
-
-/// Whether the file is nothing but the beginning of our header: a run was killed while it made the journal.
-static bool is_cut_header(const whirl_journal *journal, uint64_t file_size) {
-    const size_t size = (size_t)start_of(journal);
-    unsigned char *ours = malloc(2 * size);
-    bool same = false;
-    if (ours && file_size <= size) {
-        header_put(ours, journal->identity, journal->identity_size);
-        same = journal_file_read(&journal->file, 0, ours + size, (size_t)file_size) == 0 &&
-               memcmp(ours, ours + size, (size_t)file_size) == 0;
-    }
-    free(ours);
-    return same;
 }
 
 static whirl_status find_points(whirl_journal *journal, uint64_t file_size) {
@@ -228,40 +183,36 @@ static whirl_status begin_again(whirl_journal *journal) {
     const int reason = journal_file_cut(&journal->file, 0);
     if (reason) return journal_file_failed(&journal->file, "write", reason);
     journal->end = start_of(journal);
-    return write_header(journal);
+    return journal_header_write(&journal->file, &journal->identity);
 }
 
 /// Finds the points and makes the file end with the last of them.
 static whirl_status take_up(whirl_journal *journal) {
     uint64_t size = 0;
     header_state state = HEADER_DAMAGED;
-    char difference[WHIRL_MESSAGE_SIZE] = "";
     int reason = journal_file_size(&journal->file, &size);
     if (reason) return journal_file_failed(&journal->file, "read", reason);
-    whirl_status status = look_at_header(journal, size, &state, difference, sizeof difference);
+    whirl_status status = journal_header_look(&journal->file, &journal->identity, size, &state);
     if (status.code != WHIRL_OK) return status;
-    if (state == HEADER_OTHER)
-        return whirl_fail(WHIRL_BAD_INPUT, "%.100s is of another study: %.280s", journal->file.path, difference);
-    if (is_cut_header(journal, size)) return begin_again(journal);
+    if (state == HEADER_CUT) return begin_again(journal);
     status = find_points(journal, size);
     if (status.code != WHIRL_OK) return status;
     if (state != HEADER_OURS) {
         // A frame names its study, so that a header is not missed.
-        if (journal->points == 0)
-            return whirl_fail(WHIRL_BAD_INPUT, "%.200s is no journal of this study, or its beginning is damaged",
-                              journal->file.path);
+        if (journal->points == 0) return journal_header_missing(&journal->file);
         journal->found.damaged++;
-        status = write_header(journal);
+        status = journal_header_write(&journal->file, &journal->identity);
         if (status.code != WHIRL_OK) return status;
     }
     reason = journal_file_cut(&journal->file, journal->end);
     return reason ? journal_file_failed(&journal->file, "write", reason) : whirl_ok();
 }
 
-whirl_status whirl_journal_resume(const char *path, const whirl_result *outline, whirl_journal **out) {
+whirl_status whirl_journal_resume_part(const char *path, const whirl_result *outline, const whirl_journal_part *part,
+                                       whirl_journal **out) {
     whirl_journal *journal = NULL;
     *out = NULL;
-    whirl_status status = new_journal(outline, &journal);
+    whirl_status status = new_journal(outline, part, &journal);
     if (status.code == WHIRL_OK) status = journal_file_open(&journal->file, path);
     if (status.code == WHIRL_OK) status = take_up(journal);
     if (status.code == WHIRL_OK) status = reserve(journal, outline);
@@ -272,6 +223,10 @@ whirl_status whirl_journal_resume(const char *path, const whirl_result *outline,
         free_journal(journal);
     }
     return status;
+}
+
+whirl_status whirl_journal_resume(const char *path, const whirl_result *outline, whirl_journal **out) {
+    return whirl_journal_resume_part(path, outline, NULL, out);
 }
 
 whirl_journal_found whirl_journal_look(const whirl_journal *journal) {
@@ -314,18 +269,25 @@ static whirl_status write_pending(whirl_journal *journal) {
     return tend(journal);
 }
 
+/// Room for one more frame behind what is pending; NULL without memory.
+static unsigned char *room_for(whirl_journal *journal, size_t frame) {
+    unsigned char *grown = realloc(journal->pending, journal->pending_size + frame);
+    if (!grown) return NULL;
+    journal->pending = grown;
+    return grown + journal->pending_size;
+}
+
 static whirl_status keep(void *context, size_t batch, size_t slot, const double *block, size_t size, const double *end,
                          size_t dimension) {
     whirl_journal *journal = context;
     if (!place_of(journal, batch, slot))
         return whirl_fail(WHIRL_BAD_INPUT, "the journal has no place for point %zu of batch %zu", slot, batch);
     const size_t frame = frame_size(size, dimension);
-    unsigned char *grown = realloc(journal->pending, journal->pending_size + frame);
-    if (!grown) return whirl_fail(WHIRL_NO_MEMORY, "no memory to keep a point");
-    journal->pending = grown;
+    unsigned char *to = room_for(journal, frame);
+    if (!to) return whirl_fail(WHIRL_NO_MEMORY, "no memory to keep a point");
     const frame_head head = {
         .identity = journal->hash, .slot = slot, .size = frame - JOURNAL_HEAD - JOURNAL_TAIL, .batch = (uint32_t)batch};
-    frame_put(grown + journal->pending_size, &head, block, size, end, dimension);
+    frame_put(to, &head, block, size, end, dimension);
     journal->pending_size += frame;
     journal->pending_points += batch < journal->batch_count;
     return write_pending(journal);
@@ -364,6 +326,66 @@ const whirl_keeper *whirl_journal_keeper(whirl_journal *journal) {
     return &journal->keeper;
 }
 
+// ---------------------------------------------------------------- taking from other journals
+
+/// Another journal that is being searched.
+typedef struct other_journal {
+    whirl_journal *journal;
+    const journal_file *file;
+    size_t frames; ///< of the same study
+    whirl_status status;
+} other_journal;
+
+static void take_frame(void *context, const frame_head *head, uint64_t offset) {
+    other_journal *other = context;
+    whirl_journal *journal = other->journal;
+    if (head->identity != journal->hash || other->status.code != WHIRL_OK) return;
+    const uint64_t *place = place_of(journal, head->batch, head->slot);
+    other->frames++;
+    if (!place || *place != 0 || !is_for(journal, head->batch, (size_t)head->slot)) return;
+    const size_t size = JOURNAL_HEAD + (size_t)head->size + JOURNAL_TAIL;
+    unsigned char *to = room_for(journal, size);
+    if (!to) {
+        other->status = whirl_fail(WHIRL_NO_MEMORY, "no memory to take a point");
+        return;
+    }
+    const int reason = journal_file_read(other->file, offset - JOURNAL_HEAD, to, size);
+    if (reason) {
+        other->status = journal_file_failed(other->file, "read", reason);
+        return;
+    }
+    journal->pending_size += size;
+    journal->pending_points += head->batch < journal->batch_count;
+    other->status = write_pending(journal);
+}
+
+static whirl_status take_points(whirl_journal *journal, journal_file *file) {
+    other_journal other = {.journal = journal, .file = file};
+    header_state state = HEADER_DAMAGED;
+    journal_scan scan;
+    byte_source bytes = {read_file, file, 0};
+    int reason = journal_file_size(file, &bytes.size);
+    if (reason) return journal_file_failed(file, "read", reason);
+    const whirl_status status = journal_header_look(file, &journal->identity, bytes.size, &state);
+    if (status.code != WHIRL_OK || state == HEADER_CUT) return status;
+    reason = journal_search(&bytes, start_of(journal), take_frame, &other, &scan);
+    if (reason) return journal_file_failed(file, "read", reason);
+    journal->found.damaged += scan.damaged + (state != HEADER_OURS);
+    journal->found.torn = journal->found.torn || scan.torn;
+    return state != HEADER_OURS && other.frames == 0 ? journal_header_missing(file) : other.status;
+}
+
+whirl_status whirl_journal_take(whirl_journal *journal, const char *path) {
+    journal_file file;
+    whirl_status status = journal_file_peek(&file, path);
+    if (status.code != WHIRL_OK) return status;
+    status = take_points(journal, &file);
+    journal_file_close(&file);
+    journal->found.points = journal->points;
+    if (status.code == WHIRL_OK) underway_take(journal->states, path);
+    return status;
+}
+
 // ---------------------------------------------------------------- ending
 
 whirl_status whirl_journal_close(whirl_journal *journal) {
@@ -387,4 +409,22 @@ whirl_status whirl_journal_remove(whirl_journal *journal) {
     const whirl_status status = reason ? journal_file_failed(&journal->file, "remove", reason) : whirl_ok();
     free_journal(journal);
     return status;
+}
+
+bool whirl_journal_in_use(const char *path) {
+    journal_file file;
+    const bool there = journal_file_peek(&file, path).code == WHIRL_OK;
+    const bool used = there && !journal_file_is_free(&file);
+    if (there) journal_file_close(&file);
+    return used;
+}
+
+whirl_status whirl_journal_discard(const char *path) {
+    journal_file file;
+    const whirl_status status = journal_file_open(&file, path);
+    if (status.code != WHIRL_OK) return status;
+    const int reason = journal_file_remove(&file);
+    underway_remove(underway_open(path, 0, false));
+    journal_file_close(&file);
+    return reason ? journal_file_failed(&file, "remove", reason) : whirl_ok();
 }

@@ -36,14 +36,14 @@ static whirl_status lock(const journal_file *file) {
                               : whirl_fail(WHIRL_BAD_INPUT, "another run has just finished with %.250s", file->path);
 }
 
-static whirl_status open_file(journal_file *file, const char *path, int flags) {
+static whirl_status open_file(journal_file *file, const char *path, int flags, bool locked) {
     struct stat found;
     file->descriptor = -1;
     if (strlen(path) >= sizeof file->path)
         return whirl_fail(WHIRL_IO_ERROR, "cannot keep a journal: the path is too long");
     strcpy(file->path, path);
     // Opening a pipe must not wait.
-    do file->descriptor = open(path, O_RDWR | O_CLOEXEC | O_NONBLOCK | flags, 0666);
+    do file->descriptor = open(path, O_CLOEXEC | O_NONBLOCK | flags, 0666);
     while (file->descriptor < 0 && errno == EINTR);
     if (file->descriptor < 0 && errno == EEXIST) return whirl_fail(WHIRL_BAD_INPUT, "%.250s is there already", path);
     if (file->descriptor < 0 && errno == ENOENT && !(flags & O_CREAT))
@@ -52,17 +52,27 @@ static whirl_status open_file(journal_file *file, const char *path, int flags) {
     whirl_status status = whirl_ok();
     if (fstat(file->descriptor, &found) != 0 || !S_ISREG(found.st_mode))
         status = whirl_fail(WHIRL_BAD_INPUT, "%.250s is no ordinary file", path);
-    if (status.code == WHIRL_OK) status = lock(file);
+    if (status.code == WHIRL_OK && locked) status = lock(file);
     if (status.code != WHIRL_OK) journal_file_close(file);
     return status;
 }
 
 whirl_status journal_file_create(journal_file *file, const char *path) {
-    return open_file(file, path, O_CREAT | O_EXCL);
+    return open_file(file, path, O_RDWR | O_CREAT | O_EXCL, true);
 }
 
 whirl_status journal_file_open(journal_file *file, const char *path) {
-    return open_file(file, path, 0);
+    return open_file(file, path, O_RDWR, true);
+}
+
+whirl_status journal_file_peek(journal_file *file, const char *path) {
+    return open_file(file, path, O_RDONLY, false);
+}
+
+bool journal_file_is_free(const journal_file *file) {
+    if (flock(file->descriptor, LOCK_SH | LOCK_NB) != 0) return errno != EWOULDBLOCK;
+    flock(file->descriptor, LOCK_UN);
+    return true;
 }
 
 void journal_file_close(journal_file *file) {

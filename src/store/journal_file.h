@@ -4,6 +4,7 @@
 
 #include "whirl/status.h"
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -19,6 +20,12 @@ typedef struct journal_file {
 whirl_status journal_file_create(journal_file *file, const char *path);
 whirl_status journal_file_open(journal_file *file, const char *path);
 void journal_file_close(journal_file *file);
+
+/// Opens a file that another run may be writing, to read it. Errors as above.
+whirl_status journal_file_peek(journal_file *file, const char *path);
+
+/// Whether no run is writing an open file.
+bool journal_file_is_free(const journal_file *file);
 
 /// "cannot write PATH: reason".
 whirl_status journal_file_failed(const journal_file *file, const char *what, int reason);

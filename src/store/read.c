@@ -271,10 +271,13 @@ static void get_slots(whirl_status *status, hid_t group, whirl_table *table) {
 static void get_points(whirl_status *status, const whirl_table *table, size_t index, const block_taker *taker,
                        column *columns, double *block) {
     const whirl_layout *layout = &table->layout;
+    const bool counted =
+        whirl_layout_field(layout, "trace/revolutions") || whirl_layout_field(layout, "torus/revolutions");
     for (size_t point = 0; status->code == WHIRL_OK && point < table->count; ++point) {
         double *here = taker ? block : table->blocks + point * layout->size;
         for (size_t i = 0; i < layout->field_count; ++i)
             column_get(status, &columns[i], here + layout->fields[i].offset);
+        if (status->code == WHIRL_OK && counted) *status = whirl_block_check(layout, here, &table->record);
         if (status->code == WHIRL_OK && taker) *status = taker->take(taker->context, table, index, point, block);
     }
 }
@@ -292,6 +295,17 @@ static void get_blocks(whirl_status *status, hid_t group, whirl_table *table, si
     get_points(status, table, index, taker, columns, block);
     for (size_t i = 0; i < layout->field_count; ++i) column_close(&columns[i]);
     free(block);
+}
+
+/// The second parameter of a map, and how long its rows are, which it is made of.
+static void get_plane(whirl_status *status, hid_t group, whirl_table *table) {
+    const size_t planned = whirl_table_planned(table);
+    if (status->code != WHIRL_OK || !whirl_layout_field(&table->layout, "map/second")) return;
+    get_text_attribute(status, group, "second", table->second, sizeof table->second);
+    table->row = (size_t)get_whole_attribute(status, group, "row", 1, planned > 0 ? (int64_t)planned : 1);
+    if (status->code == WHIRL_OK && planned % table->row != 0)
+        *status = whirl_fail(WHIRL_BAD_INPUT, "/%s has %zu points in rows of %zu, expected whole rows", table->name,
+                             planned, table->row);
 }
 
 static void get_table(whirl_status *status, hid_t file, const whirl_result *result, const reading *how, size_t index) {
@@ -312,11 +326,13 @@ static void get_table(whirl_status *status, hid_t file, const whirl_result *resu
     get_numbers(status, group, "values", table->values, table->count);
     get_branch(status, group, table);
     get_slots(status, group, table);
+    get_plane(status, group, table);
     get_length_scales(status, group, result, table);
     for (size_t i = 0; status->code == WHIRL_OK && i < layout->field_count; ++i) {
         get_field(status, group, result, table->count, how->limit, layout, &layout->fields[i], &words[i]);
         check_known(status, &how->known, &layout->fields[i]);
     }
+    if (status->code == WHIRL_OK) *status = whirl_layout_check(layout, table->analyses, &table->record);
     // Each field has room in the file, so all of them have in 64 times its size; datasets are then checked one by one.
     if (status->code == WHIRL_OK && (!how->taker || how->taker->take))
         get_blocks(status, group, table, index, how->taker);

@@ -15,6 +15,7 @@ enum { PATH_SIZE = ATOMIC_PATH_SIZE, REVOLUTIONS = 8 };
 
 /// Where a state lies.
 typedef struct entry {
+    const char *journal;            ///< beside which, by its path
     size_t file, batch, slot, size; ///< bytes of the state
     uint64_t offset;                ///< of its payload
     double revolutions;
@@ -23,39 +24,47 @@ typedef struct entry {
 struct underway {
     char path[PATH_SIZE]; ///< of the journal
     uint64_t identity;
+    char **others; ///< [other_count] paths of other journals
+    size_t other_count;
     size_t first; ///< number of the first file of this run: those before are an earlier one's
     size_t count, capacity;
     entry *entries;
 };
 
-static bool name_of(const underway *u, size_t file, char name[PATH_SIZE]) {
-    return snprintf(name, PATH_SIZE, "%s-%zu", u->path, file) < PATH_SIZE;
+static bool name_of(const char *journal, size_t file, char name[PATH_SIZE]) {
+    return snprintf(name, PATH_SIZE, "%s-%zu", journal, file) < PATH_SIZE;
 }
 
 // ---------------------------------------------------------------- files of an earlier run
 
-typedef void (*file_fn)(underway *u, const char *folder, const char *name, const char *number);
+/// A file JOURNAL-..., with what stands behind the '-'.
+typedef struct state_file {
+    const char *journal, *folder, *name, *number;
+} state_file;
 
-/// Calls for every file JOURNAL-..., with what stands behind the '-'.
-static void each_file(underway *u, file_fn visit) {
+typedef void (*file_fn)(underway *u, const state_file *file);
+
+/// Calls for every file beside a journal.
+static void each_file(underway *u, const char *journal, file_fn visit) {
     char folder[PATH_SIZE], pattern[PATH_SIZE + 1];
-    const char *slash = strrchr(u->path, '/');
-    const int length = slash ? (int)(slash - u->path) + 1 : 0;
-    snprintf(folder, sizeof folder, "%.*s", length ? length : 2, length ? u->path : "./");
-    snprintf(pattern, sizeof pattern, "%s-", u->path + length);
+    const char *slash = strrchr(journal, '/');
+    const int length = slash ? (int)(slash - journal) + 1 : 0;
+    snprintf(folder, sizeof folder, "%.*s", length ? length : 2, length ? journal : "./");
+    snprintf(pattern, sizeof pattern, "%s-", journal + length);
     DIR *list = opendir(folder);
-    for (const struct dirent *file; list && (file = readdir(list)) != NULL;)
-        if (strncmp(file->d_name, pattern, strlen(pattern)) == 0)
-            visit(u, folder, file->d_name, file->d_name + strlen(pattern));
+    for (const struct dirent *one; list && (one = readdir(list)) != NULL;) {
+        const state_file file = {journal, folder, one->d_name, one->d_name + strlen(pattern)};
+        if (strncmp(one->d_name, pattern, strlen(pattern)) == 0) visit(u, &file);
+    }
     if (list) closedir(list);
 }
 
-static void remove_file(underway *u, const char *folder, const char *name, const char *number) {
+static void remove_file(underway *u, const state_file *file) {
     char path[2 * PATH_SIZE];
     (void)u;
     // "3", or what a kill left of writing it: "3.tmp-1234".
-    if (strspn(number, "0123456789.tmp-") != strlen(number)) return;
-    snprintf(path, sizeof path, "%s%s", folder, name);
+    if (strspn(file->number, "0123456789.tmp-") != strlen(file->number)) return;
+    snprintf(path, sizeof path, "%s%s", file->folder, file->name);
     unlink(path);
 }
 
@@ -74,34 +83,48 @@ static void add_entry(underway *u, const entry *one) {
 typedef struct search {
     underway *states;
     const byte_source *source;
+    const char *journal;
     size_t file;
 } search;
 
 static void note_state(void *context, const frame_head *head, uint64_t offset) {
     const search *s = context;
     unsigned char number[REVOLUTIONS];
-    entry one = {s->file, head->batch, (size_t)head->slot, (size_t)head->size - REVOLUTIONS, offset, 0.0};
+    entry one = {s->journal, s->file, head->batch, (size_t)head->slot, (size_t)head->size - REVOLUTIONS, offset, 0.0};
     if (head->identity != s->states->identity || head->size < REVOLUTIONS) return;
     if (s->source->read(s->source->context, offset, number, sizeof number) != 0) return;
     frame_numbers(number, &one.revolutions, 1);
     add_entry(s->states, &one);
 }
 
-static void search_file(underway *u, const char *folder, const char *name, const char *number) {
-    char path[2 * PATH_SIZE], *end;
-    const unsigned long file = strtoul(number, &end, 10);
+/// The number of a file, false where that is none.
+static bool number_of(const state_file *file, size_t *number) {
+    char *end;
+    *number = strtoul(file->number, &end, 10);
+    return *end == '\0' && end != file->number && *number < ULONG_MAX / 2;
+}
+
+static void search_file(underway *u, const state_file *file) {
+    char path[2 * PATH_SIZE];
+    size_t number;
     byte_file from;
     journal_scan scan;
-    if (*end != '\0' || end == number || file >= ULONG_MAX / 2) {
-        remove_file(u, folder, name, number);
-        return;
-    }
-    if (file >= u->first) u->first = file + 1;
-    snprintf(path, sizeof path, "%s%s", folder, name);
+    if (!number_of(file, &number)) return;
+    snprintf(path, sizeof path, "%s%s", file->folder, file->name);
     if (strlen(path) >= PATH_SIZE || bytes_open(&from, path).code != WHIRL_OK) return;
-    search s = {u, &from.source, file};
+    search s = {u, &from.source, file->journal, number};
     journal_search(&from.source, 0, note_state, &s, &scan);
     bytes_close(&from);
+}
+
+static void search_own_file(underway *u, const state_file *file) {
+    size_t number;
+    if (!number_of(file, &number)) {
+        remove_file(u, file);
+        return;
+    }
+    if (number >= u->first) u->first = number + 1;
+    search_file(u, file);
 }
 
 // ---------------------------------------------------------------- the whole
@@ -111,18 +134,30 @@ underway *underway_open(const char *path, uint64_t identity, bool resume) {
     if (!u) return NULL;
     snprintf(u->path, sizeof u->path, "%s", path);
     u->identity = identity;
-    each_file(u, resume ? search_file : remove_file);
+    each_file(u, u->path, resume ? search_own_file : remove_file);
     return u;
+}
+
+void underway_take(underway *u, const char *path) {
+    char **others = u ? realloc(u->others, (u->other_count + 1) * sizeof *others) : NULL;
+    if (!others) return;
+    u->others = others;
+    others[u->other_count] = malloc(strlen(path) + 1);
+    if (!others[u->other_count]) return;
+    strcpy(others[u->other_count], path);
+    each_file(u, others[u->other_count++], search_file);
 }
 
 void underway_close(underway *u) {
     if (!u) return;
+    for (size_t i = 0; i < u->other_count; ++i) free(u->others[i]);
+    free(u->others);
     free(u->entries);
     free(u);
 }
 
 void underway_remove(underway *u) {
-    if (u) each_file(u, remove_file);
+    if (u) each_file(u, u->path, remove_file);
     underway_close(u);
 }
 
@@ -148,7 +183,7 @@ void underway_save(underway *u, size_t worker, const whirl_kept_state *kept, siz
     char name[PATH_SIZE];
     atomic_file out;
     // What fails leaves the states that were saved before.
-    if (!u || !name_of(u, u->first + worker, name) || atomic_file_open(&out, name).code != WHIRL_OK) return;
+    if (!u || !name_of(u->path, u->first + worker, name) || atomic_file_open(&out, name).code != WHIRL_OK) return;
     for (size_t i = 0; i < count; ++i) write_state(out.stream, u->identity, &kept[i]);
     (void)atomic_file_commit(&out);
 }
@@ -166,7 +201,7 @@ void *underway_saved(const underway *u, size_t batch, size_t slot, double *revol
     const entry *one = u ? furthest(u, batch, slot) : NULL;
     char name[PATH_SIZE];
     byte_file from;
-    if (!one || !name_of(u, one->file, name) || bytes_open(&from, name).code != WHIRL_OK) return NULL;
+    if (!one || !name_of(one->journal, one->file, name) || bytes_open(&from, name).code != WHIRL_OK) return NULL;
     const uint64_t end = one->offset + REVOLUTIONS + one->size;
     unsigned char *bytes = end <= from.source.size ? malloc(one->size + 1) : NULL;
     if (bytes && from.source.read(&from, one->offset + REVOLUTIONS, bytes, one->size) != 0) {

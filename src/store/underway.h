@@ -16,6 +16,9 @@ typedef struct underway underway;
 /// resumed, else removed. NULL without memory.
 underway *underway_open(const char *path, uint64_t identity, bool resume);
 
+/// Finds the states beside another journal of the same study, too.
+void underway_take(underway *states, const char *path);
+
 /// Closes; the files stay, or are removed.
 void underway_close(underway *states);
 void underway_remove(underway *states);

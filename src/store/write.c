@@ -246,6 +246,19 @@ static void put_places(whirl_status *status, hid_t group, const whirl_table *tab
     free(numbers);
 }
 
+/// The attractor of every start of a basin, from 1; for people, as verdicts in words are.
+static void put_attractors(whirl_status *status, hid_t group, const whirl_table *whole, const finished *own) {
+    size_t *labels = calloc(whole->count + 1, sizeof *labels), count;
+    int64_t *numbers = calloc(own->table.count + 1, sizeof *numbers);
+    *status = labels && numbers ? whirl_table_attractors(whole, labels, NULL, 0, &count)
+                                : whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points", whole->count);
+    for (size_t i = 0; i < own->table.count && status->code == WHIRL_OK; ++i)
+        numbers[i] = (int64_t)labels[own->points[i]];
+    if (status->code == WHIRL_OK) put_wholes(status, group, "attractor", numbers, own->table.count);
+    free(labels);
+    free(numbers);
+}
+
 static void put_length_scales(whirl_status *status, hid_t group, const whirl_result *result, const whirl_table *table) {
     double *scales = malloc((table->count + 1) * sizeof *scales);
     if (!scales) {
@@ -267,6 +280,7 @@ static void put_points(whirl_status *status, hid_t group, const whirl_result *re
     if (status->code == WHIRL_OK) put_length_scales(status, group, result, &own.table);
     if (status->code == WHIRL_OK) put_fields(status, group, result, whole, &own);
     if (whirl_layout_has_verdict(&whole->layout)) put_verdicts(status, group, whole, &own);
+    if (status->code == WHIRL_OK && strcmp(whole->name, "basin") == 0) put_attractors(status, group, whole, &own);
     finished_free(&own);
 }
 
@@ -275,6 +289,10 @@ static void put_table(whirl_status *status, hid_t file, const whirl_result *resu
     const hid_t group = put_group(status, file, table->name);
     const whirl_layout *layout = &table->layout;
     put_text_attribute(status, group, "parameter", table->parameter);
+    if (table->row > 0) {
+        put_text_attribute(status, group, "second", table->second);
+        put_whole_attribute(status, group, "row", (int64_t)table->row);
+    }
     put_analyses(status, group, table->analyses);
     put_texts_attribute(status, group, "fields",
                         texts_of(layout->fields[0].name, sizeof *layout->fields, layout->field_count));

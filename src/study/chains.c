@@ -22,7 +22,7 @@ static whirl_analysis_set compared(const pass *p, const whirl_batch *batch) {
 /// The layout of what is taken from them.
 static whirl_status make_other_layout(chains *c) {
     whirl_machine machine;
-    whirl_status status = c->run->study->machine(c->run->study->family, c->batch, c->table->values[0], &machine);
+    whirl_status status = whirl_study_machine(c->run->study, c->batch, 0, &machine);
     if (status.code != WHIRL_OK) return status;
     status =
         whirl_layout_new(machine.system, &c->pass->integrate, &c->pass->record, compared(c->pass, c->batch), &c->other);
@@ -30,13 +30,15 @@ static whirl_status make_other_layout(chains *c) {
     return status;
 }
 
-static chain chain_of(const chains *c, size_t index) {
+/// A chain by its index, from malloc; NULL without memory. There are as many at a time as threads have points under
+/// way.
+static chain *begin_chain(const chains *c, size_t index) {
     const pass *p = c->pass;
-    if (p->slots) return (chain){.first_slot = p->slots[index], .length = 1};
-    if (p->confirming || c->batch->carry == WHIRL_CARRY_NONE) return (chain){.first_slot = index, .length = 1};
-    return (chain){.first_slot = index * c->batch->count,
-                   .length = c->batch->count,
-                   .reverse = c->batch->carry == WHIRL_CARRY_REVERSE || index == 1};
+    const size_t length = pass_chain_length(p, c->batch), first = p->slots ? p->slots[index] : index * length;
+    chain *link = malloc(sizeof *link);
+    if (link)
+        *link = (chain){.first_slot = first, .length = length, .reverse = length > 1 && c->table->branch[first] < 0};
+    return link;
 }
 
 whirl_status chains_new(chains *c, study_run *run, const pass *p) {
@@ -48,21 +50,16 @@ whirl_status chains_new(chains *c, study_run *run, const pass *p) {
                   .ends = run->ends[p->batch],
                   .weight = pass_weight(run, p),
                   .revolutions = pass_revolutions(run, p),
-                  .count = p->count};
-    if (!p->slots && !p->confirming && batch->carry != WHIRL_CARRY_NONE) c->count = batch_copies(batch);
-    c->items = calloc(c->count, sizeof *c->items);
-    c->ready = calloc(c->count, sizeof(chain *));
-    if (!c->items || !c->ready) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points", p->count);
-    for (size_t i = 0; i < c->count; i++) {
-        c->items[i] = chain_of(c, i);
-        c->ready[c->count - 1 - i] = &c->items[i];
-    }
-    c->ready_count = c->count;
+                  .count = p->count / pass_chain_length(p, batch)};
+    // Chains of one point never wait.
+    const size_t waiting = pass_chain_length(p, batch) > 1 ? c->count : 1;
+    c->ready = calloc(waiting, sizeof(chain *));
+    if (!c->ready) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points", p->count);
     return pass_is_beside(p) ? make_other_layout(c) : whirl_ok();
 }
 
 void chains_free(chains *c) {
-    free(c->items);
+    for (size_t i = 0; i < c->ready_count; i++) free(c->ready[i]);
     free(c->ready);
 }
 
@@ -91,20 +88,26 @@ static chain *take_ready(worker *w) {
     const size_t threads = (size_t)c->run->threads;
     chain *taken = NULL;
 #pragma omp critical(whirl_chains)
-    if (c->ready_count > 0 && w->under_way < (c->ready_count + c->under_way + threads - 1) / threads) {
-        taken = c->ready[--c->ready_count];
-        c->under_way++;
+    {
+        const size_t left = c->ready_count + c->count - c->next;
+        if (left > 0 && w->under_way < (left + c->under_way + threads - 1) / threads) {
+            taken = c->ready_count > 0 ? c->ready[--c->ready_count] : begin_chain(c, c->next++);
+            c->under_way++;
+            if (!taken) w->status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a point");
+        }
     }
     return taken;
 }
 
-/// After a point: others may go on with its chain.
-static void leave(chains *c, chain *link) {
+/// After a point: others may go on with its chain, unless that goes no further.
+static void leave(chains *c, chain *link, bool ended) {
+    const bool over = ended || link->done == link->length;
 #pragma omp critical(whirl_chains)
     {
         c->under_way--;
-        if (link->done < link->length) c->ready[c->ready_count++] = link;
+        if (!over) c->ready[c->ready_count++] = link;
     }
+    if (over) free(link);
 }
 
 static size_t current_slot(const chain *link) {
@@ -116,6 +119,12 @@ static void release(chain *link) {
     link->machine = (whirl_machine){0};
     free(link->start);
     link->start = NULL;
+}
+
+/// Of a chain that nobody goes on with.
+static void drop(chain *link) {
+    release(link);
+    free(link);
 }
 
 /// Where a carried point starts from: the end of the one before it, NULL where there is none or it diverged.
@@ -167,57 +176,33 @@ static void finish_point(const worker *w, chain *link) {
 
 // ---------------------------------------------------------------- points that are kept
 
-/// What is kept of a point: its block, or the verdict at the second tolerance.
-static double *kept_numbers(const worker *w, size_t slot, size_t *size) {
-    const chains *c = w->chains;
-    *size = pass_is_beside(c->pass) ? c->other.size : c->table->layout.size;
-    return pass_is_beside(c->pass) ? w->other : block_of(w, slot);
-}
-
 static size_t keeper_number(const chains *c) {
     const pass *p = c->pass;
     const size_t kinds = 2 + FOLLOW_COPIES, kind = p->copy > 0 ? 1 + (size_t)p->copy : p->confirming;
     return p->batch + c->run->study->batch_count * (kinds * (size_t)p->round + kind);
 }
 
-/// States are kept where carried points need them.
-static size_t kept_dimension(const chains *c) {
-    return pass_is_beside(c->pass) || c->pass->round > 0 ? 0 : c->run->dimension;
+/// What is kept of a point: its block, or what is taken from a motion beside it; and states where carried points need
+/// them.
+static kept_point kept_at(const worker *w, size_t slot) {
+    const chains *c = w->chains;
+    const bool beside = pass_is_beside(c->pass);
+    return (kept_point){.batch = keeper_number(c),
+                        .slot = slot,
+                        .block = beside ? w->other : block_of(w, slot),
+                        .size = beside ? c->other.size : c->table->layout.size,
+                        .end = w->end,
+                        .dimension = beside || c->pass->round > 0 ? 0 : c->run->dimension};
 }
 
 /// Takes the next point of a chain from the keeper, where that knows it.
 static bool recall(const worker *w, chain *link) {
     chains *c = w->chains;
-    const whirl_keeper *keeper = c->run->keeper;
-    const size_t slot = current_slot(link);
-    size_t size;
-    double *block = kept_numbers(w, slot, &size);
-    bool known = false;
-#pragma omp critical(whirl_keeper)
-    known = keeper->recall(keeper->context, keeper_number(c), slot, block, size, w->end, kept_dimension(c));
-    if (!known) return false;
+    const kept_point point = kept_at(w, current_slot(link));
+    if (!keeper_recall(c->run->keeper, &point)) return false;
     finish_point(w, link);
     tracker_recall(&c->run->tracker, c->revolutions, 1);
     return true;
-}
-
-static whirl_status keep(const worker *w, size_t slot) {
-    const chains *c = w->chains;
-    const whirl_keeper *keeper = c->run->keeper;
-    size_t size;
-    const double *block = kept_numbers(w, slot, &size);
-    whirl_status status;
-#pragma omp critical(whirl_keeper)
-    status = keeper->keep(keeper->context, keeper_number(c), slot, block, size, w->end, kept_dimension(c));
-    return status;
-}
-
-static whirl_status tend(const whirl_keeper *keeper) {
-    whirl_status status = whirl_ok();
-    if (!keeper || !keeper->tend) return status;
-#pragma omp critical(whirl_keeper)
-    status = keeper->tend(keeper->context);
-    return status;
 }
 
 // ---------------------------------------------------------------- points that are computed
@@ -226,11 +211,12 @@ static whirl_status tend(const whirl_keeper *keeper) {
 static chain *take_unknown(worker *w) {
     for (;;) {
         chain *link = take_ready(w);
-        if (!link || !w->chains->run->keeper) return link;
+        if (!link) return link;
         while (link->done < link->length && recall(w, link)) {
         }
-        if (link->done < link->length) return link;
-        leave(w->chains, link);
+        const bool gathering = w->chains->run->gathering;
+        if (link->done < link->length && !gathering) return link;
+        leave(w->chains, link, gathering);
     }
 }
 
@@ -245,7 +231,6 @@ static bool save_is_wanted(void *context) {
 static void save_states(void *context, const whirl_motion_state *states, size_t count) {
     worker *w = context;
     const chains *c = w->chains;
-    const whirl_keeper *keeper = c->run->keeper;
     const double begun = clock_seconds();
     whirl_kept_state *kept = calloc(count, sizeof *kept);
     size_t long_ones = 0;
@@ -255,8 +240,7 @@ static void save_states(void *context, const whirl_motion_state *states, size_t 
         kept[long_ones++] = (whirl_kept_state){keeper_number(c), current_slot(link), states[i].revolutions,
                                                states[i].bytes, states[i].size};
     }
-#pragma omp critical(whirl_keeper)
-    if (long_ones > 0) keeper->save(keeper->context, w->number, kept, long_ones);
+    keeper_save(c->run->keeper, w->number, kept, long_ones);
     free(kept);
     // Large states on a slow disk are saved less often, so that they take a twentieth of the time at most.
     const double now = clock_seconds();
@@ -266,11 +250,8 @@ static void save_states(void *context, const whirl_motion_state *states, size_t 
 static void *saved_state(void *context, const whirl_task *task, size_t *size) {
     const worker *w = context;
     const chains *c = w->chains;
-    const whirl_keeper *keeper = c->run->keeper;
     double revolutions = 0.0;
-    void *bytes;
-#pragma omp critical(whirl_keeper)
-    bytes = keeper->saved(keeper->context, keeper_number(c), current_slot(task->tag), &revolutions, size);
+    void *bytes = keeper_saved(c->run->keeper, keeper_number(c), current_slot(task->tag), &revolutions, size);
     if (bytes) tracker_recall(&c->run->tracker, c->weight * revolutions, 0);
     return bytes;
 }
@@ -285,12 +266,14 @@ static bool next(void *context, whirl_task *task) {
     if (!link) return false;
     const size_t slot = current_slot(link);
     const double *carried = carried_start(c, slot);
-    w->status = c->run->study->machine(c->run->study->family, c->batch, c->table->values[slot], &link->machine);
-    if (w->status.code != WHIRL_OK) return false;
-    if (c->pass->copy > 0) {
+    w->status = whirl_study_machine(c->run->study, c->batch, slot % c->batch->count, &link->machine);
+    if (w->status.code == WHIRL_OK && c->pass->copy > 0) {
         carried = link->start = pass_copy_start(c->run, c->pass, slot);
         if (!carried) w->status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a state");
-        if (!carried) return false;
+    }
+    if (w->status.code != WHIRL_OK) {
+        drop(link);
+        return false;
     }
     w->under_way++;
     link->begun = clock_seconds();
@@ -306,6 +289,7 @@ static whirl_status analyze(const worker *w, size_t slot, const whirl_record *re
     if (pass_is_beside(p)) return whirl_analyze(record, &p->record, compared(p, c->batch), &c->other, w->other);
     const double spent = p->round > 0 ? refine_spent(&c->table->layout, block) + c->weight * record->revolutions : 0.0;
     const whirl_status status = whirl_analyze(record, &p->record, c->batch->analyses, &c->table->layout, block);
+    map_note(c->batch, slot % c->batch->count, &c->table->layout, block);
     refine_note(&c->table->layout, block, p, spent);
     return status;
 }
@@ -318,22 +302,26 @@ static whirl_status done(void *context, const whirl_task *task, whirl_record *re
     const bool bounded = record->motion == WHIRL_BOUNDED;
     for (size_t i = 0; i < c->run->dimension; i++) w->end[i] = bounded ? record->end[i] : (double)NAN;
     whirl_status status = analyze(w, slot, record);
-    if (status.code == WHIRL_OK && c->run->keeper) status = keep(w, slot);
+    const kept_point point = kept_at(w, slot);
+    if (status.code == WHIRL_OK) status = keeper_keep(c->run->keeper, &point);
     // What a motion that settled or diverged did not have to run counts as done.
     w->pending += c->revolutions - c->weight * record->revolutions;
     whirl_record_free(record);
-    release(link);
     w->under_way--;
-    if (status.code != WHIRL_OK) return status;
+    if (status.code != WHIRL_OK) {
+        drop(link);
+        return status;
+    }
+    release(link);
     finish_point(w, link);
-    leave(c, link);
+    leave(c, link, false);
     tracker_advance(&c->run->tracker, 0.0, 1);
     return status;
 }
 
 static void abandon(void *context, const whirl_task *task) {
     (void)context;
-    release(task->tag);
+    drop(task->tag);
 }
 
 /// Revolutions reach the tracker in packets, so that threads seldom meet.
@@ -347,7 +335,7 @@ static bool revolution_done(void *context) {
     w->last = seconds;
     const double packet = w->pending;
     w->pending = 0.0;
-    const whirl_status status = tend(run->keeper);
+    const whirl_status status = keeper_tend(run->keeper);
     if (status.code != WHIRL_OK) tracker_fail(&run->tracker, &status);
     return tracker_advance(&run->tracker, packet, 0);
 }
@@ -360,7 +348,7 @@ whirl_status chains_work(chains *c, size_t number) {
     const whirl_task_source source = {next, done, abandon, &w, keeper && keeper->save ? &saver : NULL};
     const whirl_monitor monitor = {revolution_done, &w};
     whirl_machine first;
-    whirl_status status = c->run->study->machine(c->run->study->family, c->batch, c->table->values[0], &first);
+    whirl_status status = whirl_study_machine(c->run->study, c->batch, 0, &first);
     if (status.code != WHIRL_OK) return status;
     w.end = calloc(c->run->dimension + c->other.size + c->table->layout.size, sizeof *w.end);
     if (w.end) {

@@ -26,11 +26,10 @@ typedef struct chains {
     double *ends;               ///< of the batch, or NULL
     double weight, revolutions; ///< of a revolution, of a point
     whirl_layout other;         ///< of a verdict at the second tolerance
-    size_t count;
-    chain *items;
+    size_t count, next;         ///< chains; which one is begun next
     size_t ready_count;
-    chain **ready;    ///< [count] those that no thread is at, the next one last
-    size_t under_way; ///< the others that are not through
+    chain **ready;    ///< those of more than one point that were begun and that no thread is at
+    size_t under_way; ///< those that threads are at
 } chains;
 
 /// The chains of a pass. Freed by chains_free, also where it fails.

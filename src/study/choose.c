@@ -1,15 +1,14 @@
 // Method "auto": which method the points of a batch go by.
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "whirl/study.h"
 
-/// Adds what the machine of one value costs.
-static whirl_status probe(const whirl_study *study, const whirl_batch *batch, double value, whirl_method_cost *sum) {
+/// Adds what the machine of one point costs.
+static whirl_status probe(const whirl_study *study, const whirl_batch *batch, size_t point, whirl_method_cost *sum) {
     whirl_machine machine;
     whirl_method_cost cost;
-    whirl_status status = study->machine(study->family, batch, value, &machine);
+    whirl_status status = whirl_study_machine(study, batch, point, &machine);
     if (status.code != WHIRL_OK) return status;
     status = whirl_method_probe(machine.system, &batch->integrate, machine.start, &cost);
     if (status.code == WHIRL_OK && cost.dop853 > 0.0) {
@@ -25,8 +24,7 @@ static whirl_status choose(const whirl_study *study, whirl_batch *batch) {
     whirl_method_cost sum = {0.0, 0.0};
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < sizeof at / sizeof *at && status.code == WHIRL_OK; i++)
-        if (i == 0 || at[i] != at[i - 1])
-            status = probe(study, batch, batch->values ? batch->values[at[i]] : (double)NAN, &sum);
+        if (i == 0 || at[i] != at[i - 1]) status = probe(study, batch, at[i], &sum);
     if (status.code != WHIRL_OK) return status;
     snprintf(batch->integrate.method, sizeof batch->integrate.method, "%s",
              sum.rodas5p < sum.dop853 ? "rodas5p" : "dop853");

@@ -5,14 +5,12 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
-#include <string.h>
 
-#include "whirl/result.h"
+#include "bounds.h"
 
 enum {
-    SIDE = 4,  ///< steps looked at on either side of one
-    LEAST = 4, ///< without so many steps around it nothing is said of one
-    BOUNDS = 6 ///< mean, least and largest x and y of a station
+    SIDE = 4, ///< steps looked at on either side of one
+    LEAST = 4 ///< without so many steps around it nothing is said of one
 };
 
 /// A jump changes more than this share of the motion's size, and this many times as much as the steps around it. Near a
@@ -24,18 +22,6 @@ typedef struct step {
     double change;  ///< over the motion's size; NaN where the two are not neighbours of one regime
     size_t station; ///< that changes most
 } step;
-
-/// What a point is compared by: [stations][BOUNDS].
-static bool read_bounds(const whirl_table *table, size_t point, size_t stations, double *bounds) {
-    static const char *const fields[] = {"orbit/mean", "orbit/low", "orbit/high"};
-    for (size_t s = 0; s < stations; s++)
-        for (size_t f = 0; f < 3; f++) {
-            const double *at = whirl_table_field(table, point, fields[f], s);
-            if (!at || !isfinite(at[0]) || !isfinite(at[1])) return false;
-            memcpy(&bounds[BOUNDS * s + 2 * f], at, 2 * sizeof *at);
-        }
-    return true;
-}
 
 /// The larger side of the motion's box, or a hundredth of the displacement where it hardly moves.
 static double size_of(const double *bounds) {
@@ -67,7 +53,7 @@ static void find_steps(const whirl_table *table, size_t stations, double *bounds
     whirl_verdict last = {.regime = WHIRL_UNDETERMINED};
     bool known = false;
     for (size_t i = 0; i < table->count; i++) {
-        const bool done = whirl_table_done(table, i) && read_bounds(table, i, stations, after);
+        const bool done = whirl_table_done(table, i) && bounds_read(table, i, stations, after);
         const whirl_verdict verdict = whirl_table_verdict(table, i);
         if (i > 0) {
             const bool neighbours = done && known && table->branch[i] == table->branch[i - 1];
@@ -102,7 +88,7 @@ static double usual_change(const step *steps, size_t count, size_t at) {
 whirl_status whirl_table_jumps(const whirl_table *table, whirl_jump *jumps, size_t most, size_t *count) {
     const whirl_field *field = whirl_layout_field(&table->layout, "orbit/mean");
     *count = 0;
-    if (!field || table->count < 2) return whirl_ok();
+    if (!field || table->count < 2 || table->row > 0) return whirl_ok(); // rows of a map begin anew
     step *steps = malloc(table->count * sizeof *steps);
     double *bounds = malloc((size_t)2 * BOUNDS * field->repeat * sizeof *bounds);
     const bool memory = steps && bounds;

@@ -5,6 +5,7 @@
 
 #include "chains.h"
 #include "resting.h"
+#include "tori.h"
 #include "tracing.h"
 
 /// Order of the passes: those with long points first, so that no thread is left with one at the end.
@@ -27,8 +28,8 @@ static void work(study_run *run, chains *all, size_t count) {
     }
 }
 
-/// Passes that have no chains are made, in their order: over machines at rest, and along branches, of which curves
-/// follow what was found. *count is how many others are left, in front.
+/// Passes that have no chains are made, in their order: over machines at rest, and along branches, of which curves and
+/// tori follow what was found. *count is how many others are left, in front.
 static whirl_status work_without_chains(study_run *run, const pass *passes, size_t *count, const pass **left) {
     whirl_status status = whirl_ok();
     size_t others = 0;
@@ -36,6 +37,8 @@ static whirl_status work_without_chains(study_run *run, const pass *passes, size
         const whirl_analysis_set analyses = run->study->batches[passes[i].batch].analyses;
         if (whirl_analysis_is_resting(analyses))
             status = resting_work(run, &passes[i]);
+        else if (whirl_analysis_has(analyses, "torus"))
+            status = tori_work(run, &passes[i]);
         else if (whirl_analysis_is_traced(analyses))
             status = tracing_work(run, &passes[i]);
         else
@@ -70,6 +73,11 @@ whirl_status passes_outcome(const study_run *run) {
     };
     const whirl_progress *progress = &run->tracker.progress;
     if (run->tracker.status.code != WHIRL_OK) return run->tracker.status;
+    if (run->gathering && progress->points_done < progress->points_total)
+        return whirl_fail(WHIRL_STOPPED,
+                          progress->stage == WHIRL_STAGE_CONFIRM ? "%zu of %zu points are confirmed so far"
+                                                                 : "%zu of %zu points are there so far",
+                          progress->points_done, progress->points_total);
     // Without a stop there are points left only where the time for them was over.
     if (progress->points_done == progress->points_total || !atomic_load(&run->tracker.halt)) return whirl_ok();
     return whirl_fail(WHIRL_STOPPED, formats[progress->stage], progress->points_done, progress->points_total);

@@ -14,6 +14,8 @@ typedef struct study_run {
     size_t dimension;
     double *ends[WHIRL_MAX_BATCHES]; ///< [count][dimension] where every point ended, NaN where it diverged, of batches
                                      ///< that are carried or may be followed; else NULL
+    whirl_share share;               ///< of the points that are computed and confirmed; all zero: all of them
+    bool gathering;                  ///< points that the keeper does not know are left out
     double deadline;                 ///< what is under way then is given up (clock_seconds); 0: there is none
     tracker tracker;
 } study_run;
@@ -26,9 +28,15 @@ typedef struct pass {
     int copy;        ///< the points are there; copies of their motions go on, from 1; 0: this is none of these
     whirl_integrate_options integrate;
     whirl_record_options record;
-    size_t count;
-    size_t *slots; ///< [count]; NULL: all of the batch, those that are carried one after the other
+    size_t count;  ///< points
+    size_t *slots; ///< its points or, where these are carried, the first slots of its chains; NULL: all of the batch
 } pass;
+
+/// Points that hang together when those of a batch are computed: they start from one another's ends.
+static inline size_t pass_chain_length(const pass *p, const whirl_batch *batch) {
+    const bool first = p->round == 0 && !p->confirming && p->copy == 0;
+    return first && batch->carry != WHIRL_CARRY_NONE ? batch->count : 1;
+}
 
 /// Errors of a step at the second tolerance are smaller by this: twice the steps of RK4.
 static const double confirm_factor = 16.0;
@@ -59,6 +67,24 @@ double *pass_copy_start(const study_run *run, const pass *p, size_t slot);
 /// Whether the deadline is past.
 bool pass_time_is_over(const study_run *run);
 
+// ---------------------------------------------------------------- keeper.c
+
+/// A finished point as a keeper knows it (whirl_keeper).
+typedef struct kept_point {
+    size_t batch, slot;
+    double *block; ///< [size]
+    size_t size;
+    double *end; ///< [dimension] what is kept beside the block
+    size_t dimension;
+} kept_point;
+
+/// Any thread may call these; without a keeper (NULL) nothing is known, kept or saved.
+bool keeper_recall(const whirl_keeper *keeper, const kept_point *point);
+whirl_status keeper_keep(const whirl_keeper *keeper, const kept_point *point);
+whirl_status keeper_tend(const whirl_keeper *keeper);
+void keeper_save(const whirl_keeper *keeper, size_t worker, const whirl_kept_state *states, size_t count);
+void *keeper_saved(const whirl_keeper *keeper, size_t batch, size_t slot, double *revolutions, size_t *size);
+
 // ---------------------------------------------------------------- passes.c
 
 /// One or two tables' worth of points: carried in both directions they are there twice.
@@ -83,6 +109,11 @@ whirl_status passes_work(study_run *run, const pass *passes, size_t count);
 /// How a stage ended whose threads have come to rest: WHIRL_STOPPED where it was asked to before its last point.
 whirl_status passes_outcome(const study_run *run);
 
+// ---------------------------------------------------------------- share.c
+
+/// Leaves in a pass over all points of a batch those of the run's share; its slots are to be freed. WHIRL_NO_MEMORY.
+whirl_status share_pass(const study_run *run, pass *p);
+
 // ---------------------------------------------------------------- tables.c
 
 /// A result with tables without blocks, one a batch. What was made is in *result also where it fails.
@@ -93,6 +124,15 @@ whirl_status tables_fill(const study_run *run, size_t memory);
 
 /// Sets the blocks of points that are not done to NaN.
 void tables_blank(whirl_result *result);
+
+// ---------------------------------------------------------------- batch_points.c
+
+/// The field of the second parameter's value, "map/second", in the layout of a batch that has such values.
+/// WHIRL_BAD_INPUT when it has too many fields.
+whirl_status map_add_field(const whirl_batch *batch, whirl_layout *layout);
+
+/// Notes it in the block of a point, by its index in the batch.
+void map_note(const whirl_batch *batch, size_t point, const whirl_layout *layout, double *block);
 
 // ---------------------------------------------------------------- refine_fields.c
 
@@ -114,6 +154,9 @@ double *refine_noted(const whirl_layout *layout, double *block);
 
 /// Sets a pass's options to those that were noted.
 void refine_recall(const double *numbers, pass *pass);
+
+/// Adds a field of one number a point at the end of a layout, which has room. Words are static, but for the name.
+void study_add_field(whirl_layout *layout, const char *name, const char *unit, const char *meaning);
 
 /// Adds the fields "refine/..." to the layout of a table. WHIRL_BAD_INPUT when it has too many.
 whirl_status refine_add_fields(whirl_layout *layout);

@@ -15,7 +15,7 @@ bool refine_option(size_t index, refined_option *option) {
     return false;
 }
 
-static void add_field(whirl_layout *layout, const char *name, const char *unit, const char *meaning) {
+void study_add_field(whirl_layout *layout, const char *name, const char *unit, const char *meaning) {
     whirl_field *field = &layout->fields[layout->field_count++];
     *field = (whirl_field){.unit = unit,
                            .meaning = meaning,
@@ -24,7 +24,7 @@ static void add_field(whirl_layout *layout, const char *name, const char *unit, 
                            .columns = 1,
                            .repeat = 1,
                            .offset = layout->size++};
-    snprintf(field->name, sizeof field->name, "refine/%s", name);
+    snprintf(field->name, sizeof field->name, "%s", name);
 }
 
 whirl_status refine_add_fields(whirl_layout *layout) {
@@ -34,11 +34,15 @@ whirl_status refine_add_fields(whirl_layout *layout) {
     if (layout->field_count + REFINE_OPTIONS + count > WHIRL_MAX_FIELDS)
         return whirl_fail(WHIRL_BAD_INPUT, "the chosen analyses and refinement have more than %d fields",
                           WHIRL_MAX_FIELDS);
-    add_field(layout, "rounds", "1", "rounds of refinement, 0 for a point that was not in doubt or too dear");
-    add_field(layout, "revolutions", "revolution",
-              "spent on refining, second tolerance included; those at n times the study's steps count n times");
-    for (size_t i = 0; refine_option(i, &option); i++)
-        add_field(layout, option.member->name, option.unit, option.member->key.meaning);
+    study_add_field(layout, "refine/rounds", "1",
+                    "rounds of refinement, 0 for a point that was not in doubt or too dear");
+    study_add_field(layout, "refine/revolutions", "revolution",
+                    "spent on refining, second tolerance included; those at n times the study's steps count n times");
+    for (size_t i = 0; refine_option(i, &option); i++) {
+        char name[WHIRL_NAME_SIZE];
+        snprintf(name, sizeof name, "refine/%.50s", option.member->name);
+        study_add_field(layout, name, option.unit, option.member->key.meaning);
+    }
     return whirl_ok();
 }
 

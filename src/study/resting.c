@@ -6,9 +6,6 @@
 
 #include "critical.h"
 
-/// Points that one thread takes at a time: neighbours share the modes of the point between them.
-enum { PIECE = 8 };
-
 /// A thread at a piece.
 typedef struct worker {
     study_run *run;
@@ -34,25 +31,15 @@ static void finish(const worker *w, size_t slot, bool recalled) {
         tracker_advance(&w->run->tracker, pass_revolutions(w->run, w->pass), 1);
 }
 
-static bool recall(const worker *w, size_t slot) {
-    const whirl_keeper *keeper = w->run->keeper;
-    bool known = false;
-    if (!keeper) return false;
-#pragma omp critical(whirl_keeper)
-    known = keeper->recall(keeper->context, w->pass->batch, slot, block_of(w, slot), w->table->layout.size, NULL, 0);
-    return known;
+static kept_point kept_at(const worker *w, size_t slot) {
+    return (kept_point){
+        .batch = w->pass->batch, .slot = slot, .block = block_of(w, slot), .size = w->table->layout.size};
 }
 
 static whirl_status keep(const worker *w, size_t slot) {
-    const whirl_keeper *keeper = w->run->keeper;
-    whirl_status status = whirl_ok();
-    if (!keeper) return status;
-#pragma omp critical(whirl_keeper)
-    {
-        status = keeper->keep(keeper->context, w->pass->batch, slot, block_of(w, slot), w->table->layout.size, NULL, 0);
-        if (status.code == WHIRL_OK && keeper->tend) status = keeper->tend(keeper->context);
-    }
-    return status;
+    const kept_point point = kept_at(w, slot);
+    const whirl_status status = keeper_keep(w->run->keeper, &point);
+    return status.code == WHIRL_OK ? keeper_tend(w->run->keeper) : status;
 }
 
 /// What lies between the point before and this one, which is the next point's before.
@@ -98,11 +85,13 @@ static whirl_status compute(worker *w, size_t slot) {
 
 static whirl_status work_at(worker *w, size_t first, size_t end) {
     whirl_status status = whirl_ok();
-    for (size_t slot = first; slot < end && status.code == WHIRL_OK && !atomic_load(&w->run->tracker.halt); slot++) {
-        if (recall(w, slot)) {
+    for (size_t i = first; i < end && status.code == WHIRL_OK && !atomic_load(&w->run->tracker.halt); i++) {
+        const size_t slot = w->pass->slots ? w->pass->slots[i] : i;
+        const kept_point point = kept_at(w, slot);
+        if (keeper_recall(w->run->keeper, &point)) {
             resting_free(&w->before);
             finish(w, slot, true);
-        } else {
+        } else if (!w->run->gathering) {
             status = compute(w, slot);
         }
     }
@@ -111,12 +100,14 @@ static whirl_status work_at(worker *w, size_t first, size_t end) {
 }
 
 whirl_status resting_work(study_run *run, const pass *p) {
-    const size_t pieces = (p->count + PIECE - 1) / PIECE;
+    const size_t pieces = (p->count + RESTING_PIECE - 1) / RESTING_PIECE;
     whirl_analysis_set modes = 0;
     whirl_analysis_add(&modes, "modes");
 #pragma omp parallel for schedule(dynamic) num_threads(run->threads)
     for (size_t piece = 0; piece < pieces; piece++) {
-        const size_t first = piece * PIECE, last = first + PIECE < p->count ? first + PIECE : p->count;
+        // Slots of a share come in the same pieces.
+        const size_t first = piece * RESTING_PIECE, after = first + RESTING_PIECE;
+        const size_t last = after < p->count ? after : p->count;
         worker w = {.run = run,
                     .pass = p,
                     .batch = &run->study->batches[p->batch],

@@ -62,6 +62,16 @@ size_t whirl_table_slot(const whirl_table *table, size_t point) {
     return table->slots && point < table->count ? table->slots[point] : point;
 }
 
+double whirl_table_number(const whirl_table *table, size_t point, const char *field, size_t which) {
+    const double *numbers = whirl_table_field(table, point, field, which);
+    return numbers ? *numbers : (double)NAN;
+}
+
+double whirl_table_second(const whirl_table *table, size_t point) {
+    const bool traced = whirl_analysis_is_traced(table->analyses);
+    return whirl_table_number(table, point, traced ? "trace/second" : "map/second", 0);
+}
+
 size_t whirl_table_planned(const whirl_table *table) {
     return table->planned > table->count ? table->planned : table->count;
 }

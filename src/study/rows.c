@@ -1,15 +1,16 @@
 #include "rows.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-static double *block_of(const rows *r, size_t row) {
+double *rows_block(const rows *r, size_t row) {
     return r->table->blocks + row * r->table->layout.size;
 }
 
 const double *rows_field(const rows *r, size_t row, const char *field) {
-    return block_of(r, row) + whirl_layout_field(&r->table->layout, field)->offset;
+    return rows_block(r, row) + whirl_layout_field(&r->table->layout, field)->offset;
 }
 
 const double *rows_nodes(const rows *r, size_t row) {
@@ -17,11 +18,18 @@ const double *rows_nodes(const rows *r, size_t row) {
 }
 
 whirl_status rows_trace(const rows *r, size_t row, whirl_trace *trace) {
-    return whirl_block_trace(&r->table->layout, block_of(r, row), r->table->values[row], &r->pass->record, trace);
+    return whirl_block_trace(&r->table->layout, rows_block(r, row), r->table->values[row], &r->pass->record, trace);
+}
+
+/// What both kinds of rows have.
+static double common_field(const rows *r, size_t row, const char *quantity) {
+    char name[WHIRL_NAME_SIZE];
+    snprintf(name, sizeof name, "%s/%s", r->analysis, quantity);
+    return *rows_field(r, row, name);
 }
 
 static size_t number_of(const rows *r, size_t row) {
-    return (size_t)*rows_field(r, row, "trace/number");
+    return (size_t)common_field(r, row, "number");
 }
 
 bool rows_are_one(const rows *r, size_t row, size_t other) {
@@ -39,26 +47,42 @@ size_t rows_depth(const rows *r, size_t row) {
     return depth;
 }
 
+static whirl_status machine_of(const void *context, double value, whirl_machine *machine) {
+    const rows *r = context;
+    return r->run->study->machine(r->run->study->family, r->batch, value, machine);
+}
+
+whirl_family rows_family(const rows *r) {
+    return (whirl_family){machine_of, r};
+}
+
 // ---------------------------------------------------------------- what a keeper knows
 
 /// What is kept of a row: its block, and the value of its parameter in place of a state.
+static kept_point kept_at(const rows *r, size_t row) {
+    return (kept_point){.batch = r->pass->batch,
+                        .slot = row,
+                        .block = rows_block(r, row),
+                        .size = r->table->layout.size,
+                        .end = &r->table->values[row],
+                        .dimension = 1};
+}
+
 static bool recall_row(const rows *r, size_t row) {
-    const whirl_keeper *keeper = r->run->keeper;
-    bool known = false;
-#pragma omp critical(whirl_keeper)
-    known = keeper && keeper->recall(keeper->context, r->pass->batch, row, block_of(r, row), r->table->layout.size,
-                                     &r->table->values[row], 1);
-    return known;
+    const kept_point point = kept_at(r, row);
+    return keeper_recall(r->run->keeper, &point) &&
+           whirl_block_check(&r->table->layout, point.block, &r->pass->record).code == WHIRL_OK;
 }
 
 static whirl_status keep_row(const rows *r, size_t row) {
-    const whirl_keeper *keeper = r->run->keeper;
-    whirl_status status = whirl_ok();
-    if (!keeper) return status;
-#pragma omp critical(whirl_keeper)
-    status = keeper->keep(keeper->context, r->pass->batch, row, block_of(r, row), r->table->layout.size,
-                          &r->table->values[row], 1);
-    return status;
+    const kept_point point = kept_at(r, row);
+    return keeper_keep(r->run->keeper, &point);
+}
+
+/// Whether nothing of the rows was looked for yet. Of curves and tori there may be none where there are branches.
+static bool are_missing(const rows *r) {
+    const whirl_table *branches = whirl_result_table(r->run->result, "branch");
+    return branches && branches != r->table ? branches->planned > 0 : r->recalled == 0;
 }
 
 whirl_status rows_open(rows *r, study_run *run, const pass *p) {
@@ -67,9 +91,11 @@ whirl_status rows_open(rows *r, study_run *run, const pass *p) {
                 .batch = &run->study->batches[p->batch],
                 .table = &run->result->tables[p->batch],
                 .next = 1};
+    r->analysis = whirl_analysis_has(r->batch->analyses, "torus") ? "torus" : "trace";
     r->room = r->table->count;
     for (size_t row = 0; row < r->room && recall_row(r, row); row++)
-        if (!isnan(*rows_field(r, row, "trace/end"))) r->recalled = row + 1;
+        if (!isnan(common_field(r, row, "end"))) r->recalled = row + 1;
+    r->left_out = run->gathering && are_missing(r);
     return run->study->machine(run->study->family, r->batch, r->batch->values[0], &r->machine);
 }
 
@@ -88,7 +114,7 @@ bool rows_recall(rows *r, size_t count) {
 
 void rows_close(rows *r) {
     const size_t left = r->room - r->count;
-    const bool ended = r->run->tracker.status.code == WHIRL_OK && !atomic_load(&r->run->tracker.halt);
+    const bool ended = !r->left_out && r->run->tracker.status.code == WHIRL_OK && !atomic_load(&r->run->tracker.halt);
     if (r->machine.release) r->machine.release(r->machine.owner);
     r->table->planned = ended ? 0 : r->table->count;
     r->table->count = r->count;
@@ -97,13 +123,23 @@ void rows_close(rows *r) {
 
 // ---------------------------------------------------------------- new rows
 
-static whirl_status add_row(rows *r, const whirl_trace *trace) {
-    const size_t row = r->count;
-    const whirl_status status = whirl_analyze_trace(trace, &r->pass->record, &r->table->layout, block_of(r, row));
-    if (status.code != WHIRL_OK) return status;
-    r->table->values[row] = trace->point.value;
-    r->table->done[row] = 1;
+void rows_take(rows *r, double value) {
+    r->table->values[r->count] = value;
+    r->table->done[r->count] = 1;
     r->count++;
+}
+
+whirl_status rows_keep(rows *r, size_t first, bool ended) {
+    whirl_status status = whirl_ok();
+    for (size_t row = first; row < r->count && ended && status.code == WHIRL_OK; row++) status = keep_row(r, row);
+    tracker_advance(&r->run->tracker, (double)(r->count - first) * pass_revolutions(r->run, r->pass), r->count - first);
+    return status;
+}
+
+static whirl_status add_row(rows *r, const whirl_trace *trace) {
+    const whirl_status status =
+        whirl_analyze_trace(trace, &r->pass->record, &r->table->layout, rows_block(r, r->count));
+    if (status.code == WHIRL_OK) rows_take(r, trace->point.value);
     return status;
 }
 
@@ -121,20 +157,16 @@ whirl_status rows_add(rows *r, const whirl_branch *branch, size_t number, size_t
                                                  : (double)NAN};
         status = add_row(r, &trace);
     }
-    // One that was stopped is looked for anew by a later run.
-    for (size_t row = first; row < r->count && branch->end != WHIRL_END_STOPPED && status.code == WHIRL_OK; row++)
-        status = keep_row(r, row);
-    tracker_advance(&r->run->tracker, (double)(r->count - first) * pass_revolutions(r->run, r->pass), r->count - first);
-    return status;
+    return status.code == WHIRL_OK ? rows_keep(r, first, branch->end != WHIRL_END_STOPPED) : status;
+}
+
+bool rows_go_on(const rows *r) {
+    const whirl_status status = keeper_tend(r->run->keeper);
+    if (status.code != WHIRL_OK) tracker_fail(&r->run->tracker, &status);
+    return tracker_advance(&r->run->tracker, 0.0, 0);
 }
 
 bool rows_found(void *context, const whirl_branch_point *point) {
-    const rows *r = context;
-    const whirl_keeper *keeper = r->run->keeper;
-    whirl_status status = whirl_ok();
     (void)point;
-#pragma omp critical(whirl_keeper)
-    if (keeper && keeper->tend) status = keeper->tend(keeper->context);
-    if (status.code != WHIRL_OK) tracker_fail(&r->run->tracker, &status);
-    return tracker_advance(&r->run->tracker, 0.0, 0);
+    return rows_go_on(context);
 }

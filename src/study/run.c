@@ -47,8 +47,7 @@ whirl_status whirl_study_outline(const whirl_study *study, whirl_result **out) {
 static whirl_status make_ends(study_run *run) {
     const whirl_study *study = run->study;
     whirl_machine machine;
-    const whirl_batch *first = &study->batches[0];
-    const whirl_status status = study->machine(study->family, first, first->values ? first->values[0] : NAN, &machine);
+    const whirl_status status = whirl_study_machine(study, &study->batches[0], 0, &machine);
     if (status.code != WHIRL_OK) return status;
     run->dimension = machine.system->dimension;
     if (machine.release) machine.release(machine.owner);
@@ -62,63 +61,88 @@ static whirl_status make_ends(study_run *run) {
     return whirl_ok();
 }
 
-/// The passes over the study's own points, and over those that are confirmed; gives their number of points.
-static size_t plan_points(const study_run *run, bool confirming, pass passes[WHIRL_MAX_BATCHES], size_t *pass_count) {
-    size_t points = 0;
-    *pass_count = 0;
-    for (size_t i = 0; i < run->study->batch_count; i++) {
-        const whirl_batch *batch = &run->study->batches[i];
-        if (confirming && !batch->confirm) continue;
-        const pass own = {
-            .batch = i, .integrate = batch->integrate, .record = batch->record, .count = batch_slots(batch)};
-        passes[(*pass_count)++] = confirming ? pass_confirming(&own) : own;
-        points += own.count;
-    }
-    return points;
+/// What is done to the study's own points at a time.
+typedef struct stage {
+    whirl_stage name;
+    size_t pass_count, points;
+    double revolutions;
+    pass passes[WHIRL_MAX_BATCHES];
+} stage;
+
+static void free_stage(const stage *s) {
+    for (size_t i = 0; i < s->pass_count; i++) free(s->passes[i].slots);
 }
 
-static double sum_revolutions(const study_run *run, const pass *passes, size_t count) {
-    double sum = 0.0;
-    for (size_t i = 0; i < count; i++) sum += (double)passes[i].count * pass_revolutions(run, &passes[i]);
-    return sum;
+/// The passes over the points, or over those that are confirmed; of the run's share. Freed by free_stage.
+static whirl_status plan_stage(const study_run *run, whirl_stage name, stage *s) {
+    const bool confirming = name == WHIRL_STAGE_CONFIRM;
+    whirl_status status = whirl_ok();
+    *s = (stage){.name = name};
+    for (size_t i = 0; i < run->study->batch_count && status.code == WHIRL_OK; i++) {
+        const whirl_batch *batch = &run->study->batches[i];
+        if (confirming && !batch->confirm) continue;
+        pass own = {.batch = i, .integrate = batch->integrate, .record = batch->record, .count = batch_slots(batch)};
+        if (confirming) own = pass_confirming(&own);
+        status = share_pass(run, &own);
+        s->points += own.count;
+        s->revolutions += (double)own.count * pass_revolutions(run, &own);
+        if (own.count > 0)
+            s->passes[s->pass_count++] = own;
+        else
+            free(own.slots);
+    }
+    return status;
 }
 
 double whirl_study_revolutions(const whirl_study *study) {
     const study_run run = {.study = study};
-    pass points[WHIRL_MAX_BATCHES], again[WHIRL_MAX_BATCHES];
-    size_t point_passes, again_passes;
-    plan_points(&run, false, points, &point_passes);
-    plan_points(&run, true, again, &again_passes);
-    return sum_revolutions(&run, points, point_passes) + sum_revolutions(&run, again, again_passes);
+    stage points, again;
+    (void)plan_stage(&run, WHIRL_STAGE_COMPUTE, &points); // without shares there is nothing that can fail
+    (void)plan_stage(&run, WHIRL_STAGE_CONFIRM, &again);
+    return points.revolutions + again.revolutions;
+}
+
+static whirl_status run_stage(study_run *run, const stage *s) {
+    if (s->points == 0) return whirl_ok();
+    tracker_stage(&run->tracker, s->name, s->points);
+    const whirl_status status = passes_work(run, s->passes, s->pass_count);
+    return status.code == WHIRL_OK ? passes_outcome(run) : status;
+}
+
+/// What needs all points and their confirmations.
+static whirl_status run_stages_of_all(study_run *run, bool confirmed) {
+    double unlimited = (double)INFINITY;
+    size_t followed;
+    whirl_status status = confirmed ? follow_points(run, 0, &unlimited, &followed) : whirl_ok();
+    if (status.code == WHIRL_OK && study_is_refined(run->study)) status = refine_points(run);
+    return status;
 }
 
 static whirl_status run_stages(study_run *run, const whirl_run_options *options) {
-    pass points[WHIRL_MAX_BATCHES], again[WHIRL_MAX_BATCHES];
-    size_t point_passes, again_passes;
-    const size_t count = plan_points(run, false, points, &point_passes);
-    const size_t again_count = plan_points(run, true, again, &again_passes);
-    tracker_begin(&run->tracker, options, whirl_study_revolutions(run->study));
-    tracker_stage(&run->tracker, WHIRL_STAGE_COMPUTE, count);
-    whirl_status status = passes_work(run, points, point_passes);
-    if (status.code == WHIRL_OK) status = passes_outcome(run);
-    if (status.code == WHIRL_OK && again_count > 0) {
-        tracker_stage(&run->tracker, WHIRL_STAGE_CONFIRM, again_count);
-        status = passes_work(run, again, again_passes);
-        if (status.code == WHIRL_OK) status = passes_outcome(run);
-    }
-    double unlimited = (double)INFINITY;
-    size_t followed;
-    if (status.code == WHIRL_OK && again_count > 0) status = follow_points(run, 0, &unlimited, &followed);
-    if (status.code == WHIRL_OK && study_is_refined(run->study)) status = refine_points(run);
+    stage points, again;
+    whirl_status status = plan_stage(run, WHIRL_STAGE_COMPUTE, &points);
+    const whirl_status planned = plan_stage(run, WHIRL_STAGE_CONFIRM, &again);
+    if (status.code == WHIRL_OK) status = planned;
+    tracker_begin(&run->tracker, options, points.revolutions + again.revolutions);
+    run->gathering = options->gather;
+    if (status.code == WHIRL_OK) status = run_stage(run, &points);
+    if (status.code == WHIRL_OK) status = run_stage(run, &again);
+    run->gathering = false;
+    if (status.code == WHIRL_OK && run->share.count == 0) status = run_stages_of_all(run, again.points > 0);
     if (status.code == WHIRL_OK) tracker_end(&run->tracker);
+    free_stage(&points);
+    free_stage(&again);
     return status;
 }
 
 whirl_status whirl_study_run(const whirl_study *study, const whirl_run_options *options, whirl_result **out) {
     whirl_study chosen = *study;
-    study_run run = {.study = &chosen, .keeper = options->keeper};
+    study_run run = {.study = &chosen, .keeper = options->keeper, .share = options->share};
     *out = NULL;
     if (options->threads < 0) return whirl_fail(WHIRL_BAD_INPUT, "threads is %d, expected 0 or more", options->threads);
+    if (run.share.count > 0 && (run.share.number < 1 || run.share.number > run.share.count))
+        return whirl_fail(WHIRL_BAD_INPUT, "the share is %zu of %zu, expected 1 to %zu", run.share.number,
+                          run.share.count, run.share.count);
     run.threads = options->threads > 0 ? options->threads : omp_get_num_procs();
     whirl_status status = check_study(study);
     if (status.code == WHIRL_OK) status = whirl_study_choose_methods(&chosen);
@@ -127,7 +151,7 @@ whirl_status whirl_study_run(const whirl_study *study, const whirl_run_options *
     if (status.code == WHIRL_OK) status = tables_fill(&run, options->memory);
     if (status.code == WHIRL_OK) status = run_stages(&run, options);
     for (size_t i = 0; i < WHIRL_MAX_BATCHES; i++) free(run.ends[i]);
-    if (status.code == WHIRL_STOPPED) {
+    if (status.code == WHIRL_STOPPED || (status.code == WHIRL_OK && run.share.count > 0)) {
         tables_blank(run.result);
         run.result->partial = true;
     }

@@ -1,18 +1,26 @@
 #include "settled.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
+
+#include "turns.h"
+
+whirl_orbit_options whirl_batch_orbits(const whirl_batch *batch) {
+    const whirl_trace_options *trace = &batch->record.trace;
+    whirl_orbit_options options = whirl_orbit_default();
+    whirl_integrate_options *integrate = &options.integrate;
+    if (strcmp(batch->integrate.method, "rodas5p") == 0) strcpy(integrate->method, "rodas5p");
+    integrate->atol *= trace->rtol / integrate->rtol;
+    integrate->rtol = trace->rtol;
+    options.segments = trace->segments;
+    options.tolerance = fmax(options.tolerance, 10.0 * trace->rtol);
+    return options;
+}
 
 whirl_branch_options settled_options(const whirl_batch *batch, size_t most_points) {
     const whirl_trace_options *trace = &batch->record.trace;
     whirl_branch_options options = whirl_branch_default(batch->bounds[0], batch->bounds[1]);
-    whirl_integrate_options *integrate = &options.orbit.integrate;
-    if (strcmp(batch->integrate.method, "rodas5p") == 0) strcpy(integrate->method, "rodas5p");
-    integrate->atol *= trace->rtol / integrate->rtol;
-    integrate->rtol = trace->rtol;
-    options.orbit.segments = trace->segments;
-    options.orbit.tolerance = fmax(options.orbit.tolerance, 10.0 * trace->rtol);
+    options.orbit = whirl_batch_orbits(batch);
     options.most_step = trace->step;
     options.step = fmin(options.step, trace->step);
     options.least_step = fmin(options.least_step, options.step);
@@ -22,81 +30,65 @@ whirl_branch_options settled_options(const whirl_batch *batch, size_t most_point
 
 // ---------------------------------------------------------------- the section of a motion
 
-/// The last states of a motion, once a revolution.
-typedef struct section {
-    size_t count, dimension;
-    const double *turns; ///< of the system: what turns on and on does not come back
-    double *states;      ///< [count][dimension]
-} section;
-
-static whirl_status follow(const whirl_machine *machine, const whirl_batch *batch, section *z) {
-    const size_t d = z->dimension;
-    const size_t passed = (size_t)batch->record.transient;
-    whirl_integrator *integrator = NULL;
-    whirl_status status = whirl_integrator_new(machine->system, &batch->integrate, &integrator);
-    double *x = z->states + (z->count - 1) * d;
-    if (status.code == WHIRL_OK) memcpy(x, machine->start, d * sizeof *x);
-    for (size_t n = 0; n < passed + z->count && status.code == WHIRL_OK; n++) {
-        if (whirl_integrator_revolve(integrator, x, NULL, NULL) != WHIRL_BOUNDED)
-            status = whirl_fail(WHIRL_BAD_INPUT, "the motion leaves its bounds after %zu revolutions", n);
-        if (n >= passed) memcpy(z->states + (n - passed) * d, x, d * sizeof *x);
-    }
-    whirl_integrator_free(integrator);
-    return status;
+/// After the transient, as long as periods can be told from.
+static whirl_status follow(const whirl_machine *machine, const whirl_batch *batch, whirl_record **record) {
+    enum { LEAST = 16 };
+    whirl_record_options options = whirl_record_default();
+    options.transient = batch->record.transient;
+    options.record = options.watch = batch->record.record > LEAST ? batch->record.record : LEAST;
+    options.waveform_revolutions = 0;
+    whirl_system alone = *machine->system;
+    alone.lanes = NULL; // a single motion would not fill them
+    const whirl_status status = whirl_record_motion(&alone, &batch->integrate, &options, machine->start, NULL, record);
+    if (status.code != WHIRL_OK || (*record)->motion == WHIRL_BOUNDED) return status;
+    const double bounded = (*record)->diverged_at - 1.0;
+    whirl_record_free(*record);
+    *record = NULL;
+    return whirl_fail(WHIRL_BAD_INPUT, "the motion leaves its bounds after %.0f revolutions", bounded);
 }
 
 /// By how much states so many revolutions apart differ, at most.
-static double return_distance(const section *z, size_t apart) {
+static double return_distance(const whirl_record *r, size_t apart) {
     double largest = 0.0;
-    for (size_t n = 0; n + apart < z->count; n++)
-        for (size_t i = 0; i < z->dimension; i++)
-            if (!z->turns || z->turns[i] == 0.0)
-                largest =
-                    fmax(largest, fabs(z->states[(n + apart) * z->dimension + i] - z->states[n * z->dimension + i]));
+    for (size_t i = apart * r->dimension; i < r->section_count * r->dimension; i++)
+        largest = fmax(largest, fabs(r->section[i] - r->section[i - apart * r->dimension]));
     return largest;
 }
 
 /// Revolutions after which the motion comes back, to a thousandth of its size; 1 where it does not within `longest`.
-static size_t period_of(const section *z, size_t longest) {
+static size_t period_of(const whirl_record *r, size_t longest) {
     double size = 0.0;
-    for (size_t i = 0; i < z->count * z->dimension; i++)
-        if (!z->turns || z->turns[i % z->dimension] == 0.0) size = fmax(size, fabs(z->states[i]));
-    for (size_t k = 1; k <= longest && 2 * k < z->count; k++)
-        if (return_distance(z, k) <= 1e-3 * size) return k;
+    for (size_t i = 0; i < r->section_count * r->dimension; i++) size = fmax(size, fabs(r->section[i]));
+    for (size_t k = 1; k <= longest && 2 * k < r->section_count; k++)
+        if (return_distance(r, k) <= 1e-3 * size) return k;
     return 1;
 }
 
-static void average(const section *z, double *mean) {
-    memset(mean, 0, z->dimension * sizeof *mean);
-    for (size_t n = 0; n < z->count; n++)
-        for (size_t i = 0; i < z->dimension; i++) mean[i] += z->states[n * z->dimension + i] / (double)z->count;
+/// Puts the mean of the section in the place of the last state, but for what turns.
+static void average(whirl_record *r) {
+    for (size_t i = 0; i < r->dimension; i++) {
+        double mean = 0.0;
+        for (size_t n = 0; n < r->section_count; n++)
+            mean += r->section[n * r->dimension + i] / (double)r->section_count;
+        if (!turns_on(r->turns, i)) r->end[i] = mean;
+    }
 }
 
 /// From the motion's last state; and where it does not settle on a periodic orbit, from the mean of its section, in the
 /// middle of which the orbit lies that it left.
-static whirl_status find_orbit(const whirl_machine *machine, const whirl_batch *batch, section *z,
-                               const whirl_orbit_options *options, whirl_orbit **orbit) {
-    const whirl_trace_options *trace = &batch->record.trace;
-    const size_t k = trace->revolutions > 0 ? (size_t)trace->revolutions : period_of(z, (size_t)trace->longest);
-    whirl_status status =
-        whirl_orbit_find(machine->system, z->states + (z->count - 1) * z->dimension, k, options, orbit);
-    if (status.code != WHIRL_BAD_INPUT || k > 1) return status;
-    average(z, z->states);
-    return whirl_orbit_find(machine->system, z->states, 1, options, orbit);
-}
-
 static whirl_status settle(const whirl_machine *machine, const whirl_batch *batch, const whirl_orbit_options *options,
                            whirl_orbit **orbit) {
-    enum { LEAST = 16 };
-    const size_t record = (size_t)batch->record.record;
-    section z = {.count = record > LEAST ? record : LEAST,
-                 .dimension = machine->system->dimension,
-                 .turns = machine->system->turns};
-    z.states = calloc(z.count * z.dimension + 1, sizeof *z.states);
-    if (!z.states) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the section of a motion");
-    whirl_status status = follow(machine, batch, &z);
-    if (status.code == WHIRL_OK) status = find_orbit(machine, batch, &z, options, orbit);
-    free(z.states);
+    const whirl_trace_options *trace = &batch->record.trace;
+    whirl_record *record;
+    whirl_status status = follow(machine, batch, &record);
+    if (status.code != WHIRL_OK) return status;
+    const size_t k = trace->revolutions > 0 ? (size_t)trace->revolutions : period_of(record, (size_t)trace->longest);
+    status = whirl_orbit_find(machine->system, record->end, k, options, orbit);
+    if (status.code == WHIRL_BAD_INPUT && k == 1) {
+        average(record);
+        status = whirl_orbit_find(machine->system, record->end, 1, options, orbit);
+    }
+    whirl_record_free(record);
     return status;
 }
 

@@ -23,15 +23,18 @@ static void fill_values(whirl_table *table, const whirl_batch *batch) {
 /// An empty table whose layout follows from the first machine of the batch.
 static whirl_status make_table(const whirl_study *study, const whirl_batch *batch, whirl_table *table) {
     whirl_machine machine;
-    whirl_status status = study->machine(study->family, batch, batch->values ? batch->values[0] : NAN, &machine);
+    whirl_status status = whirl_study_machine(study, batch, 0, &machine);
     if (status.code != WHIRL_OK) return status;
     status = whirl_layout_new(machine.system, &batch->integrate, &batch->record, batch->analyses, &table->layout);
     if (machine.release) machine.release(machine.owner);
+    if (status.code == WHIRL_OK) status = map_add_field(batch, &table->layout);
     if (status.code == WHIRL_OK && study_is_refined(study) && !whirl_analysis_is_traced(batch->analyses))
         status = refine_add_fields(&table->layout);
     if (status.code != WHIRL_OK) return status;
     memcpy(table->name, batch->name, sizeof table->name);
     memcpy(table->parameter, batch->parameter, sizeof table->parameter);
+    if (batch->second_values) memcpy(table->second, batch->second, sizeof table->second);
+    table->row = batch->row;
     table->count = batch_slots(batch);
     table->analyses = batch->analyses;
     table->integrate = batch->integrate;
@@ -64,7 +67,9 @@ whirl_status tables_fill(const study_run *run, size_t memory) {
         table->done = calloc(table->count, sizeof *table->done);
         if (!table->done) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points", table->count);
         const bool large = table->count >= most / (table->layout.size + 1);
-        status = large && may_leave(run, i) ? kept_new(table, run->keeper, i, run->dimension) : make_blocks(table);
+        // Beside points at rest no state is kept.
+        const size_t dimension = whirl_analysis_is_resting(table->analyses) ? 0 : run->dimension;
+        status = large && may_leave(run, i) ? kept_new(table, run->keeper, i, dimension) : make_blocks(table);
     }
     return status;
 }

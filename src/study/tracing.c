@@ -18,13 +18,12 @@ typedef struct leg {
 
 enum { MOST_LEGS = 2 };
 
-static whirl_status machine_of(const void *context, double value, whirl_machine *machine) {
-    const rows *r = context;
+static whirl_status machine_of(const rows *r, double value, whirl_machine *machine) {
     return r->run->study->machine(r->run->study->family, r->batch, value, machine);
 }
 
-static whirl_family family_of(const rows *r) {
-    return (whirl_family){machine_of, r};
+static double span_of(const rows *r) {
+    return fabs(r->batch->bounds[1] - r->batch->bounds[0]);
 }
 
 static void free_legs(leg legs[MOST_LEGS]) {
@@ -44,38 +43,35 @@ static void between(const rows *r, size_t row, double value, double *x) {
     for (size_t i = 0; i < r->run->dimension; i++) x[i] = a[i] + share * (b[i] - a[i]);
 }
 
-/// Whether x is where one of an orbit's revolutions begins.
-static bool passes_through(const whirl_orbit *orbit, const double *x) {
-    const size_t d = orbit->dimension, apart = orbit->segment_count / orbit->revolutions;
-    for (size_t k = 0; k < orbit->revolutions; k++) {
-        double away = 0.0, size = 0.0;
-        for (size_t i = 0; i < d; i++) {
-            away = fmax(away, fabs(orbit->nodes[k * apart * d + i] - x[i]));
-            size = fmax(size, fabs(x[i]));
-        }
-        if (away <= 1e-7 * size) return true;
-    }
-    return false;
+/// Whether a search from x, at a value, finds the given orbit, whichever of its revolutions that begins with.
+static bool leads_to(const rows *r, double value, const double *x, const whirl_orbit *orbit) {
+    const whirl_branch_options options = settled_options(r->batch, 1);
+    whirl_machine machine;
+    whirl_orbit *found = NULL;
+    if (machine_of(r, value, &machine).code != WHIRL_OK) return false;
+    const bool same =
+        whirl_orbit_find(machine.system, x, orbit->revolutions, &options.orbit, &found).code == WHIRL_OK &&
+        whirl_orbit_distance(machine.system, found, orbit->nodes) <= 1e-7;
+    whirl_orbit_free(found);
+    if (machine.release) machine.release(machine.owner);
+    return same;
+}
+
+/// Whether the value is passed from a row to the next one, along one branch of orbits of as many revolutions.
+static bool passes(const rows *r, size_t row, double value, const whirl_orbit *orbit) {
+    const double *values = r->table->values + row;
+    return rows_are_one(r, row, row + 1) && *rows_field(r, row, "trace/revolutions") == (double)orbit->revolutions &&
+           (values[0] <= value) != (values[1] <= value);
 }
 
 /// Whether the orbit of a value lies on a branch that is known: at some of its rows the same orbit is found from there.
 static bool is_known(const rows *r, const whirl_orbit *orbit, double value) {
-    const whirl_branch_options options = settled_options(r->batch, 1);
     double *x = calloc(orbit->dimension + 1, sizeof *x);
     bool known = false;
     for (size_t row = 0; x && row + 1 < r->count && !known && orbit->revolutions > 0; row++) {
-        const double *values = r->table->values;
-        whirl_machine machine;
-        whirl_orbit *other = NULL;
-        if (!rows_are_one(r, row, row + 1) || *rows_field(r, row, "trace/revolutions") != (double)orbit->revolutions ||
-            !((values[row] <= value) != (values[row + 1] <= value)))
-            continue;
-        if (machine_of(r, value, &machine).code != WHIRL_OK) break;
+        if (!passes(r, row, value, orbit)) continue;
         between(r, row, value, x);
-        if (whirl_orbit_find(machine.system, x, orbit->revolutions, &options.orbit, &other).code == WHIRL_OK)
-            known = passes_through(other, orbit->nodes);
-        whirl_orbit_free(other);
-        if (machine.release) machine.release(machine.owner);
+        known = leads_to(r, value, x, orbit);
     }
     free(x);
     return known;
@@ -85,20 +81,13 @@ static bool is_known(const rows *r, const whirl_orbit *orbit, double value) {
 /// its last orbit leads to that orbit.
 static bool ended_there(const rows *r, size_t row, const whirl_branch_point *doubling, double *x) {
     const size_t k = doubling->orbit->revolutions, d = doubling->orbit->dimension;
-    const double *nodes = rows_nodes(r, row), *values = r->table->values;
-    const double near = fabs(values[row] - values[row - 1]) + 1e-6 * fabs(r->batch->bounds[1] - r->batch->bounds[0]);
-    const whirl_branch_options options = settled_options(r->batch, 1);
-    whirl_machine machine;
-    whirl_orbit *other = NULL;
-    if (*rows_field(r, row, "trace/revolutions") != 2.0 * (double)k || fabs(values[row] - doubling->value) > near)
+    const double *nodes = rows_nodes(r, row), *later = nodes + k * (size_t)r->batch->record.trace.segments * d;
+    const double *values = r->table->values + row;
+    const double near = fabs(values[0] - values[-1]) + 1e-6 * span_of(r);
+    if (*rows_field(r, row, "trace/revolutions") != 2.0 * (double)k || fabs(values[0] - doubling->value) > near)
         return false;
-    if (machine_of(r, doubling->value, &machine).code != WHIRL_OK) return false;
-    for (size_t i = 0; i < d; i++) x[i] = 0.5 * (nodes[i] + nodes[k * (size_t)options.orbit.segments * d + i]);
-    const whirl_status status = whirl_orbit_find(machine.system, x, k, &options.orbit, &other);
-    const bool same = status.code == WHIRL_OK && passes_through(other, doubling->orbit->nodes);
-    whirl_orbit_free(other);
-    if (machine.release) machine.release(machine.owner);
-    return same;
+    for (size_t i = 0; i < d; i++) x[i] = 0.5 * (nodes[i] + later[i]);
+    return leads_to(r, doubling->value, x, doubling->orbit);
 }
 
 /// Whether a branch that is known ends at a doubling, and so is the one that begins there.
@@ -113,8 +102,13 @@ static bool is_taken(const rows *r, const whirl_branch_point *doubling) {
 
 // ---------------------------------------------------------------- following
 
+/// Whether there can be rows of so many more branches.
+static bool has_room(const rows *r, size_t count) {
+    return r->room - r->count >= 2 * count;
+}
+
 static void follow(rows *r, size_t count, leg legs[MOST_LEGS]) {
-    const whirl_family family = family_of(r);
+    const whirl_family family = rows_family(r);
     whirl_branch_options options = settled_options(r->batch, (r->room - r->count) / count);
     options.found = rows_found;
     options.context = r;
@@ -124,18 +118,13 @@ static void follow(rows *r, size_t count, leg legs[MOST_LEGS]) {
             whirl_branch_follow(&family, legs[i].orbit, legs[i].value, legs[i].direction, &options, &legs[i].branch);
 }
 
-/// Follows all legs and adds their points; a leg that cannot be followed is left out unless it `must` be.
-static whirl_status add_legs(rows *r, size_t count, size_t parent, bool must, leg legs[MOST_LEGS]) {
+/// Adds the points of the branches that were found; legs that could not be followed are left out.
+static whirl_status add_found(rows *r, size_t count, size_t parent, const leg legs[MOST_LEGS]) {
     whirl_status status = whirl_ok();
-    if (r->room - r->count < 2 * count) return status;
-    follow(r, count, legs);
-    // A branch that closes is all there is: the other direction leads along the same one.
-    const bool closed = parent == 0 && legs[0].branch && legs[0].branch->end == WHIRL_END_CLOSED;
-    for (size_t i = 0; i < (closed ? 1 : count) && status.code == WHIRL_OK; i++) {
-        const size_t number = r->next + i;
+    for (size_t i = 0; i < count && status.code == WHIRL_OK; i++) {
         if (legs[i].branch)
-            status = rows_add(r, legs[i].branch, number, parent);
-        else if (must || legs[i].status.code == WHIRL_NO_MEMORY)
+            status = rows_add(r, legs[i].branch, r->next + i, parent);
+        else if (legs[i].status.code == WHIRL_NO_MEMORY)
             status = legs[i].status;
     }
     return status;
@@ -143,20 +132,38 @@ static whirl_status add_legs(rows *r, size_t count, size_t parent, bool must, le
 
 // ---------------------------------------------------------------- where branches begin
 
+/// Where a motion settles, once for each leg.
+static whirl_status settle(const rows *r, size_t count, leg legs[MOST_LEGS]) {
+    whirl_status status = settled_orbit(r->run->study, r->batch, legs[0].value, &legs[0].orbit);
+    for (size_t i = 1; i < count && status.code == WHIRL_OK; i++) {
+        legs[i].orbit = whirl_orbit_copy(legs[0].orbit);
+        if (!legs[i].orbit) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for an orbit");
+    }
+    return status;
+}
+
+/// Follows a branch in both directions, which has to succeed.
+static whirl_status follow_both(rows *r, size_t count, leg legs[MOST_LEGS]) {
+    follow(r, count, legs);
+    // A branch that closes is all there is: the other direction leads along the same one.
+    if (legs[0].branch && legs[0].branch->end == WHIRL_END_CLOSED) count = 1;
+    for (size_t i = 0; i < count; i++)
+        if (!legs[i].branch) return legs[i].status;
+    return add_found(r, count, 0, legs);
+}
+
 /// In both directions, but at a bound of the parameter.
 static whirl_status begin_at(rows *r, double value) {
     const double low = fmin(r->batch->bounds[0], r->batch->bounds[1]);
     const double high = fmax(r->batch->bounds[0], r->batch->bounds[1]);
     const size_t count = value > low && value < high ? 2 : 1;
     leg legs[MOST_LEGS] = {{.value = value, .direction = value < high ? 1 : -1}, {.value = value, .direction = -1}};
-    if (rows_recall(r, count)) {
-        r->next += count;
-        return whirl_ok();
-    }
     whirl_status status = whirl_ok();
-    for (size_t i = 0; i < count && status.code == WHIRL_OK; i++)
-        status = settled_orbit(r->run->study, r->batch, value, &legs[i].orbit);
-    if (status.code == WHIRL_OK && !is_known(r, legs[0].orbit, value)) status = add_legs(r, count, 0, true, legs);
+    if (!rows_recall(r, count)) {
+        status = settle(r, count, legs);
+        if (status.code == WHIRL_OK && has_room(r, count) && !is_known(r, legs[0].orbit, value))
+            status = follow_both(r, count, legs);
+    }
     free_legs(legs);
     r->next += count;
     return status;
@@ -165,7 +172,7 @@ static whirl_status begin_at(rows *r, double value) {
 /// The orbits on both sides of a crossing, or on the one side of what begins at a doubling or Hopf point.
 static size_t leave(const rows *r, const whirl_branch_point *point, leg legs[MOST_LEGS]) {
     const whirl_branch_options options = settled_options(r->batch, 1);
-    const whirl_family family = family_of(r);
+    const whirl_family family = rows_family(r);
     const size_t sides = point->special == WHIRL_BRANCHING ? 2 : 1;
     size_t count = 0;
     if (point->special == WHIRL_DOUBLING && is_taken(r, point)) return 0;
@@ -193,20 +200,26 @@ static bool has_others(const rows *r, const whirl_branch_point *point) {
            (point->special == WHIRL_DOUBLING && twice <= (size_t)r->batch->record.trace.longest);
 }
 
+/// Follows the branches that begin at a special point, unless they are known.
+static whirl_status follow_others(rows *r, const whirl_trace *at) {
+    leg legs[MOST_LEGS] = {{.orbit = NULL}, {.orbit = NULL}};
+    whirl_status status = whirl_ok();
+    const size_t count = rows_recall(r, MOST_LEGS) ? 0 : leave(r, &at->point, legs);
+    if (count > 0 && has_room(r, count)) {
+        follow(r, count, legs);
+        status = add_found(r, count, at->branch, legs);
+    }
+    free_legs(legs);
+    r->next += MOST_LEGS;
+    return status;
+}
+
 /// The branches that begin at a row.
 static whirl_status begin_along(rows *r) {
     whirl_trace trace;
-    leg legs[MOST_LEGS] = {{.orbit = NULL}, {.orbit = NULL}};
     whirl_status status = rows_trace(r, r->at, &trace);
     if (status.code != WHIRL_OK) return status;
-    if (has_others(r, &trace.point)) {
-        if (!rows_recall(r, MOST_LEGS)) {
-            const size_t count = leave(r, &trace.point, legs);
-            if (count > 0) status = add_legs(r, count, trace.branch, false, legs);
-        }
-        r->next += MOST_LEGS;
-    }
-    free_legs(legs);
+    if (has_others(r, &trace.point)) status = follow_others(r, &trace);
     whirl_orbit_free(trace.point.orbit);
     return status;
 }
@@ -237,7 +250,7 @@ static whirl_status machine_in_plane(const void *context, double value, double s
 
 /// Whether a curve of that kind, which is known, goes through the value of the first parameter.
 static bool is_on_curve(const rows *r, const whirl_branch_point *point) {
-    const double near = 5e-3 * fabs(r->batch->bounds[1] - r->batch->bounds[0]), second = r->batch->second_value;
+    const double near = 5e-3 * span_of(r), second = r->batch->second_value;
     for (size_t row = 0; row + 1 < r->count; row++) {
         const double a = *rows_field(r, row, "trace/second") - second;
         const double b = *rows_field(r, row + 1, "trace/second") - second;
@@ -266,10 +279,9 @@ static void follow_curve(rows *r, const whirl_branch_point *start, leg legs[MOST
 static whirl_status trace_curve(rows *r, const whirl_trace *start) {
     leg legs[MOST_LEGS] = {{.orbit = NULL}, {.orbit = NULL}};
     whirl_status status = whirl_ok();
-    if (!rows_recall(r, MOST_LEGS) && !is_on_curve(r, &start->point) && r->room - r->count >= (size_t)2 * MOST_LEGS) {
+    if (!rows_recall(r, MOST_LEGS) && !is_on_curve(r, &start->point) && has_room(r, MOST_LEGS)) {
         follow_curve(r, &start->point, legs);
-        for (size_t i = 0; i < MOST_LEGS && status.code == WHIRL_OK; i++)
-            if (legs[i].branch) status = rows_add(r, legs[i].branch, r->next + i, start->branch);
+        status = add_found(r, MOST_LEGS, start->branch, legs);
     }
     free_legs(legs);
     r->next += MOST_LEGS;
@@ -296,7 +308,7 @@ static whirl_status trace_curves(rows *r) {
 whirl_status tracing_work(study_run *run, const pass *p) {
     rows r;
     whirl_status status = rows_open(&r, run, p);
-    if (status.code == WHIRL_OK) status = r.batch->second[0] ? trace_curves(&r) : trace_branches(&r);
+    if (status.code == WHIRL_OK && !r.left_out) status = r.batch->second[0] ? trace_curves(&r) : trace_branches(&r);
     rows_close(&r);
     if (status.code != WHIRL_OK && status.code != WHIRL_STOPPED) tracker_fail(&run->tracker, &status);
     return whirl_ok();

@@ -167,7 +167,7 @@ static double observed_order(const double *states, size_t dimension, double rati
 
 static whirl_status compare_states(const whirl_study *study, whirl_verification *v, size_t point) {
     whirl_machine machine;
-    whirl_status status = study->machine(study->family, &study->batches[0], v->points[point].value, &machine);
+    whirl_status status = whirl_study_machine(study, &study->batches[0], point, &machine);
     if (status.code != WHIRL_OK) return status;
     const size_t dimension = machine.system->dimension;
     double *states = calloc((size_t)WHIRL_VERIFY_METHODS * WHIRL_VERIFY_LEVELS * dimension, sizeof *states);
@@ -265,7 +265,11 @@ whirl_status whirl_study_verify(const whirl_study *study, const whirl_verify_opt
     memcpy(v->parameter, batch->parameter, sizeof v->parameter);
     v->revolutions = options->revolutions;
     v->count = batch->count;
-    for (size_t i = 0; i < v->count; i++) v->points[i].value = batch->values ? batch->values[i] : (double)NAN;
+    if (batch->second_values) memcpy(v->second, batch->second, sizeof v->second);
+    for (size_t i = 0; i < v->count; i++) {
+        v->points[i].value = batch->values ? batch->values[i] : (double)NAN;
+        v->points[i].second = batch->second_values ? batch->second_values[i] : (double)NAN;
+    }
     for (int m = 0; m < WHIRL_VERIFY_METHODS; m++) v->integrate[m][0] = batch->integrate;
     status = second_method(batch->integrate.method, options->method, v->integrate[1][0].method);
     for (int m = 0; m < WHIRL_VERIFY_METHODS; m++) set_levels(v->integrate[m]);

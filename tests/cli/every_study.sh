@@ -24,6 +24,7 @@ studies=(
     "$response\n$all"
     "$sweep, start: rest}\n$detail"
     "$sweep, start: state}\n$all"
+    "  map: {x: {parameter: omega, values: [1, 2, 4]}, y: {parameter: kappa, from: 5, to: 20, points: 2}}\n$all"
     "${sweep/11/5}, start: carry, direction: both}\n$all\n$detail"
 )
 threads=(2 3 4 5 7 8 12 16)

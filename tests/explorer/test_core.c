@@ -125,6 +125,110 @@ static void a_motion_goes_on_where_it_was(void **state) {
     explorer_case_free(object);
 }
 
+/// The case with a map in place of its sweep.
+static whirl_case *open_map(void) {
+    static const char map[] = "  map: {x: {parameter: r, from: 0.1, to: 0.5, points: 3},\n"
+                              "        y: {parameter: sigma, values: [0.2, 0.4]}}\n";
+    const char *sweep = strstr(text_of_case, "  sweep:"), *rest = strchr(sweep, '\n') + 1;
+    char source[2048];
+    const int length =
+        snprintf(source, sizeof source, "%.*s%s%s", (int)(sweep - text_of_case), text_of_case, map, rest);
+    whirl_case *object = explorer_case_new(source, (size_t)length, "t.yaml");
+    assert_non_null(object);
+    return object;
+}
+
+/// Computes a point of a map as the page does: the second parameter is assigned. The table has it in its block besides.
+static void expect_cell(whirl_case *object, const whirl_table *table, size_t point) {
+    char assigned[64];
+    double end[4];
+    snprintf(assigned, sizeof assigned, "sigma=%.17g", whirl_table_second(table, point));
+    assert_true(explorer_assign(object, assigned));
+    plan *p = explorer_plan_new(object, "map", NULL);
+    assert_non_null(p);
+    assert_non_null(explorer_plan_layout(p, table->values[point]));
+    assert_int_equal(explorer_block_size(p) + 1, table->layout.size);
+    double *block = calloc(table->layout.size, sizeof *block);
+    job *j = explorer_job_new(p, &table->values[point], 1, 0, NULL);
+    assert_true(block && j);
+    while (explorer_job_turn(j) > 0.0) {
+    }
+    assert_int_equal(explorer_job_take(j, block, end), 0);
+    assert_memory_equal(block, table->blocks + point * table->layout.size, explorer_block_size(p) * sizeof *block);
+    explorer_job_free(j);
+    free(block);
+    explorer_plan_free(p);
+}
+
+static void cells_are_those_of_their_map(void **state) {
+    (void)state;
+    whirl_case *object = open_map();
+    whirl_result *result;
+    assert_int_equal(whirl_case_run(object, &(whirl_run_options){.threads = 1}, &result).code, WHIRL_OK);
+    const whirl_table *table = &result->tables[0];
+    assert_int_equal(table->count, 6);
+    // A row of values is told, not every point's.
+    const char *values = strstr(explorer_describe(object), "\"values\":[");
+    assert_true(values && strcspn(values, "]") < 64);
+    for (size_t point = 0; point < table->count; point++) expect_cell(object, table, point);
+    whirl_result_free(result);
+    explorer_case_free(object);
+}
+
+/// Follows the orbit of a row and checks its section and its bounds.
+static void expect_row(const whirl_case *object, const whirl_table *table, size_t row) {
+    const int revolutions = (int)*whirl_table_field(table, row, "trace/revolutions", 0);
+    const double period = *whirl_table_field(table, row, "trace/period", 0);
+    plan *p = explorer_plan_new(object, "branch", NULL);
+    assert_non_null(p);
+    explorer_plan_orbit(p, revolutions);
+    assert_non_null(explorer_plan_layout(p, table->values[row]));
+    assert_int_equal(explorer_orbit_size(p, revolutions, period), 2 * revolutions * 4);
+    double *block = calloc(explorer_block_size(p), sizeof *block);
+    assert_non_null(block);
+    assert_true(explorer_orbit(p, table->values[row], revolutions, period,
+                               whirl_table_field(table, row, "trace/nodes", 0), block));
+    const double *section = block + whirl_layout_field(&p->layout, "poincare/section")->offset;
+    const double *stored = whirl_table_field(table, row, "trace/section", 0);
+    for (int n = 0; n < 4 * revolutions; n++) // the first row of the record is the end of the first revolution
+        assert_true(fabs(section[n] - stored[(n + 4) % (4 * revolutions)]) < 1e-10);
+    for (int c = 0; c < 2; c++) {
+        const size_t low = whirl_layout_field(&p->layout, "orbit/low")->offset;
+        const size_t high = whirl_layout_field(&p->layout, "orbit/high")->offset;
+        assert_true(fabs(block[low + c] - whirl_table_field(table, row, "trace/low", 0)[c]) < 1e-10);
+        assert_true(fabs(block[high + c] - whirl_table_field(table, row, "trace/high", 0)[c]) < 1e-10);
+    }
+    free(block);
+    explorer_plan_free(p);
+}
+
+// Orbits of a result, unstable ones too, go round as the result says.
+static void orbits_are_those_of_their_branch(void **state) {
+    (void)state;
+    static const char rub[] =
+        "whirl: 1\nparameters: {omega: 3 rad/s}\nrotor:\n  speed: = omega\n  length_scale: 1 m\n"
+        "  stations: {disc: {mass: 1 kg, damping: 0.2 N.s/m, eccentricity: 0.9 m}}\n  elements:\n"
+        "    - shaft: {between: [disc, ground], k1: 1 N/m, k2: 1 N/m}\n"
+        "    - rub: {at: disc, gap: 1 m, stiffness: 10 N/m, friction: 0.05, law: paper}\n    - gravity: 0.5 m/s2\n"
+        "study:\n  initial: {disc: {x: 0.1, y: -0.2}}\n  integrate: {transient: 200, record: 20}\n"
+        "  branch: {parameter: omega, from: 3.0, to: 3.3, at: [3.0], segments: 2}\n";
+    whirl_case *object = explorer_case_new(rub, strlen(rub), "t.yaml");
+    assert_non_null(object);
+    whirl_result *result;
+    const whirl_run_options options = {.threads = 1};
+    assert_int_equal(whirl_case_run(object, &options, &result).code, WHIRL_OK);
+    const whirl_table *table = whirl_result_table(result, "branch");
+    size_t unstable = 0;
+    for (size_t row = 0; row < table->count; row += 5) {
+        expect_row(object, table, row);
+        unstable += *whirl_table_field(table, row, "trace/unstable", 0) > 0.0 &&
+                    *whirl_table_field(table, row, "trace/revolutions", 0) == 2.0;
+    }
+    assert_true(unstable > 0);
+    whirl_result_free(result);
+    explorer_case_free(object);
+}
+
 // A diagram has no spectra but where it is asked for them.
 static void spectra_are_asked_for(void **state) {
     (void)state;
@@ -223,10 +327,15 @@ static void failures_leave_a_message(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(points_are_those_of_a_study), cmocka_unit_test(spectra_are_asked_for),
-        cmocka_unit_test(a_job_may_end_at_any_time),   cmocka_unit_test(a_motion_goes_on_where_it_was),
-        cmocka_unit_test(texts_are_escaped),           cmocka_unit_test(failures_leave_a_message),
+        cmocka_unit_test(points_are_those_of_a_study),
+        cmocka_unit_test(spectra_are_asked_for),
+        cmocka_unit_test(a_job_may_end_at_any_time),
+        cmocka_unit_test(a_motion_goes_on_where_it_was),
+        cmocka_unit_test(texts_are_escaped),
+        cmocka_unit_test(failures_leave_a_message),
         cmocka_unit_test(a_first_look_has_no_verdict),
+        cmocka_unit_test(orbits_are_those_of_their_branch),
+        cmocka_unit_test(cells_are_those_of_their_map),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

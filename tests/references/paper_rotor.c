@@ -18,11 +18,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-typedef long double real;
-
 enum { N = 8, BY = N + 1, MOST_ORDER = 28, MOST_EXTREMA = 64 };
 
-static const real pi = 3.141592653589793238462643383279502884L;
+#include "extended.h"
 
 /// Order of the series, and what of a coordinate their last terms may be over a step.
 typedef struct accuracy {
@@ -333,79 +331,17 @@ static void carry(const accuracy *a, real r_k, int revolutions, const real *x, p
     for (int i = 0; i < N; i++) memcpy(p->by[i], e.x[i].at[0].by, sizeof p->by[i]);
 }
 
-// ---------------------------------------------------------------- linear algebra
+// ---------------------------------------------------------------- orbits
 
-/// Solves matrix x = right in place of right, n of them; the determinant.
-static real solve(real matrix[BY][BY], real *right, int n) {
-    real determinant = 1.0L;
-    for (int k = 0; k < n; k++) {
-        int pivot = k;
-        for (int i = k + 1; i < n; i++)
-            if (fabsl(matrix[i][k]) > fabsl(matrix[pivot][k])) pivot = i;
-        if (pivot != k) determinant = -determinant;
-        for (int j = 0; j < n; j++) {
-            const real other = matrix[k][j];
-            matrix[k][j] = matrix[pivot][j], matrix[pivot][j] = other;
-        }
-        const real other = right[k];
-        right[k] = right[pivot], right[pivot] = other;
-        determinant *= matrix[k][k];
-        for (int i = k + 1; i < n; i++) {
-            const real factor = matrix[i][k] / matrix[k][k];
-            for (int j = k; j < n; j++) matrix[i][j] -= factor * matrix[k][j];
-            right[i] -= factor * right[k];
-        }
-    }
-    for (int i = n - 1; i >= 0; i--) {
-        for (int j = i + 1; j < n; j++) right[i] -= matrix[i][j] * right[j];
-        right[i] /= matrix[i][i];
-    }
-    return determinant;
-}
-
-/// The multipliers' polynomial m^8 + c[7] m^7 + ... + c[0], by the traces of powers (Newton's identities).
-static void characteristic(const period *p, real c[N]) {
-    real power[N][N], next[N][N], trace[N + 1];
-    for (int i = 0; i < N; i++) memcpy(power[i], p->by[i], sizeof power[i]);
-    for (int k = 1; k <= N; k++) {
-        trace[k] = 0.0L;
-        for (int i = 0; i < N; i++) trace[k] += power[i][i];
-        for (int i = 0; i < N; i++)
-            for (int j = 0; j < N; j++) {
-                next[i][j] = 0.0L;
-                for (int l = 0; l < N; l++) next[i][j] += power[i][l] * p->by[l][j];
-            }
-        memcpy(power, next, sizeof power);
-    }
-    for (int k = 1; k <= N; k++) {
-        real sum = trace[k];
-        for (int l = 1; l < k; l++) sum += c[N - l] * trace[k - l];
-        c[N - k] = -sum / k;
-    }
-}
-
-/// The zeros of that polynomial (Durand, Kerner), the two of largest modulus first.
+/// The two of largest modulus first.
 static void multipliers(const period *p, long double complex m[N]) {
     real c[N];
-    characteristic(p, c);
-    for (int i = 0; i < N; i++) m[i] = cpowl(0.4L + 0.9L * I, i);
-    for (int n = 0; n < 1000; n++)
-        for (int i = 0; i < N; i++) {
-            long double complex value = 1.0L;
-            for (int k = N - 1; k >= 0; k--) value = value * m[i] + c[k];
-            for (int j = 0; j < N; j++)
-                if (j != i) value /= m[i] - m[j];
-            m[i] -= value;
-        }
+    characteristic(p->by, c);
+    find_zeros(c, m);
     for (int i = 0; i < 2; i++)
         for (int j = i + 1; j < N; j++)
-            if (cabsl(m[j]) > cabsl(m[i])) {
-                const long double complex other = m[i];
-                m[i] = m[j], m[j] = other;
-            }
+            if (cabsl(m[j]) > cabsl(m[i])) exchange(&m[i], &m[j]);
 }
-
-// ---------------------------------------------------------------- orbits
 
 typedef struct orbit {
     int revolutions;

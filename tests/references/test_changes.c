@@ -79,21 +79,6 @@ static const piece pieces[] = {
 };
 enum { PIECES = sizeof pieces / sizeof *pieces };
 
-static const char *word_of(whirl_special special) {
-    switch (special) {
-    case WHIRL_FOLD:
-        return "fold";
-    case WHIRL_DOUBLING:
-        return "doubling";
-    case WHIRL_NEIMARK_SACKER:
-        return "Neimark-Sacker";
-    case WHIRL_GRAZE:
-        return "touch";
-    default:
-        return "other";
-    }
-}
-
 // ---------------------------------------------------------------- what is found
 
 /// What the program in extended precision says, the case, and the labelled points of all pieces.
@@ -190,7 +175,7 @@ static void changes_are_named(void **state) {
         for (size_t c = 0; c < count_changes(&pieces[i]); c++, at = next_special(branch, at + 1)) {
             if (at >= branch->count) fail_msg("piece %zu has %zu changes", i, c);
             check_text("changes", words("P-%zu, r_k = %.10f", pieces[i].orbit.returns, branch->points[at].value),
-                       word_of(pieces[i].changes[c].kind), word_of(branch->points[at].special));
+                       special_word(pieces[i].changes[c].kind), special_word(branch->points[at].special));
         }
     }
 }
@@ -223,7 +208,7 @@ static void two_tolerances_agree(void **state) {
              at = next_special(k->branches[i], at + 1)) {
             const whirl_branch_point *point = &k->branches[i]->points[at];
             check_within("changes",
-                         words("P-%zu, %s: r_k by rtol 1e-11", pieces[i].orbit.returns, word_of(point->special)),
+                         words("P-%zu, %s: r_k by rtol 1e-11", pieces[i].orbit.returns, special_word(point->special)),
                          point->value, value_at_other_tolerance(k, &pieces[i], k->branches[i], at), 1e-8);
         }
 }
@@ -248,7 +233,7 @@ static double nearest_change(const known *k, const char *kind, double r_k) {
     for (size_t i = 0; i < PIECES; i++)
         for (size_t at = 0; at < k->branches[i]->count; at++) {
             const whirl_branch_point *point = &k->branches[i]->points[at];
-            if (point->special != WHIRL_REGULAR && strcmp(word_of(point->special), kind) == 0 &&
+            if (point->special != WHIRL_REGULAR && strcmp(special_word(point->special), kind) == 0 &&
                 fabs(point->value - r_k) < fabs(nearest - r_k))
                 nearest = point->value;
         }
@@ -275,10 +260,10 @@ static void what_begins_is_stable(void **state) {
         const whirl_special kind = pieces[i].changes[0].kind;
         if ((kind != WHIRL_DOUBLING && i > 0) || pieces[i].orbit.returns > 8) continue;
         told += !isnan(point->criticality);
-        check_holds(
-            "changes",
-            words("%s at %.6f: not said to be subcritical (%.3g)", word_of(kind), point->value, point->criticality),
-            !(point->criticality > 0.0));
+        check_holds("changes",
+                    words("%s at %.6f: not said to be subcritical (%.3g)", special_word(kind), point->value,
+                          point->criticality),
+                    !(point->criticality > 0.0));
     }
     assert_true(told >= 4);
 }
@@ -317,8 +302,8 @@ static void add_motions(brute_force *b, const piece *p, const whirl_branch *bran
         const double aside = aside_of(expected->above, expected->below);
         for (int side = 1; side >= -1 && expected->seen; side -= 2) {
             motion *m = &b->motions[b->count++];
-            m->name =
-                strdup(words("%s at %.6f: a motion at r_k %+.0e", word_of(expected->kind), point->value, side * aside));
+            m->name = strdup(
+                words("%s at %.6f: a motion at r_k %+.0e", special_word(expected->kind), point->value, side * aside));
             m->expected = side > 0 ? expected->above : expected->below;
             m->start = point->orbit->nodes;
             require_ok(b->known->family.machine(b->known->family.context, point->value + side * aside, &m->machine));

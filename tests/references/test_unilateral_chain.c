@@ -84,21 +84,6 @@ static void orbits_are_the_same(void **state) {
     }
 }
 
-static const char *word_of(whirl_special special) {
-    switch (special) {
-    case WHIRL_FOLD:
-        return "fold";
-    case WHIRL_DOUBLING:
-        return "doubling";
-    case WHIRL_NEIMARK_SACKER:
-        return "Neimark-Sacker";
-    case WHIRL_GRAZE:
-        return "touch";
-    default:
-        return "other";
-    }
-}
-
 /// The library follows the branch by itself, and finds the same special points in the same order.
 static void special_points_are_the_same(void **state) {
     const reference *known = *state;
@@ -124,7 +109,7 @@ static void special_points_are_the_same(void **state) {
         const double *numbers = known->points[p].numbers;
         double apart = 0.0;
         check_text("NLvib-03", words("special point of the branch near %.3f", numbers[0]), known->points[p].kind,
-                   word_of(found->special));
+                   special_word(found->special));
         for (int k = 0; k < N; k++) apart = fmax(apart, fabs(found->orbit->nodes[k] - numbers[STATE + k]));
         check_within("NLvib-03", words("%s: W", known->points[p].kind), numbers[0], found->value, 1e-11);
         check_within("NLvib-03", "largest difference of the state there", 0.0, apart, 1e-10);

@@ -20,11 +20,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-typedef long double real;
-
 enum { N = 4, MOST_ORDER = 32, MOST_EXTREMA = 64, MOST_POINTS = 64 };
 
-static const real pi = 3.141592653589793238462643383279502884L;
+#include "extended.h"
+
 static const real last_W = 0.5L;
 static const real values_of_W[] = {0.75L, 0.7L, 0.65L, 0.635L, 0.6L, 0.55L};
 enum { VALUES = sizeof values_of_W / sizeof *values_of_W };
@@ -149,81 +148,19 @@ static void carry(const accuracy *a, real W, const real *x, period *p) {
     memcpy(p->by, s.by[0], sizeof p->by);
 }
 
-// ---------------------------------------------------------------- linear algebra
+// ---------------------------------------------------------------- the branch
 
-/// Solves matrix x = right [N + 1] in place of right; the determinant.
-static real solve(real matrix[N + 1][N + 1], real *right, int n) {
-    real determinant = 1.0L;
-    for (int k = 0; k < n; k++) {
-        int pivot = k;
-        for (int i = k + 1; i < n; i++)
-            if (fabsl(matrix[i][k]) > fabsl(matrix[pivot][k])) pivot = i;
-        if (pivot != k) determinant = -determinant;
-        for (int j = 0; j < n; j++) {
-            const real other = matrix[k][j];
-            matrix[k][j] = matrix[pivot][j], matrix[pivot][j] = other;
-        }
-        const real other = right[k];
-        right[k] = right[pivot], right[pivot] = other;
-        determinant *= matrix[k][k];
-        for (int i = k + 1; i < n; i++) {
-            const real factor = matrix[i][k] / matrix[k][k];
-            for (int j = k; j < n; j++) matrix[i][j] -= factor * matrix[k][j];
-            right[i] -= factor * right[k];
-        }
-    }
-    for (int i = n - 1; i >= 0; i--) {
-        for (int j = i + 1; j < n; j++) right[i] -= matrix[i][j] * right[j];
-        right[i] /= matrix[i][i];
-    }
-    return determinant;
-}
-
-/// The multipliers' polynomial m^4 + c[3] m^3 + ... + c[0], by the traces of powers (Newton's identities).
-static void characteristic(const period *p, real c[N]) {
-    real power[N][N], next[N][N], trace[N + 1];
-    for (int i = 0; i < N; i++)
-        for (int j = 0; j < N; j++) power[i][j] = p->by[i][j];
-    for (int k = 1; k <= N; k++) {
-        trace[k] = 0.0L;
-        for (int i = 0; i < N; i++) trace[k] += power[i][i];
-        for (int i = 0; i < N; i++)
-            for (int j = 0; j < N; j++) {
-                next[i][j] = 0.0L;
-                for (int l = 0; l < N; l++) next[i][j] += power[i][l] * p->by[l][j];
-            }
-        memcpy(power, next, sizeof power);
-    }
-    for (int k = 1; k <= N; k++) {
-        real sum = trace[k];
-        for (int l = 1; l < k; l++) sum += c[N - l] * trace[k - l];
-        c[N - k] = -sum / k;
-    }
-}
-
-/// The zeros of that polynomial (Durand, Kerner), largest modulus first.
+/// Largest modulus first.
 static void multipliers(const period *p, long double complex m[N]) {
     real c[N];
-    characteristic(p, c);
-    for (int i = 0; i < N; i++) m[i] = cpowl(0.4L + 0.9L * I, i);
-    for (int n = 0; n < 500; n++)
-        for (int i = 0; i < N; i++) {
-            long double complex value = (((m[i] + c[3]) * m[i] + c[2]) * m[i] + c[1]) * m[i] + c[0];
-            for (int j = 0; j < N; j++)
-                if (j != i) value /= m[i] - m[j];
-            m[i] -= value;
-        }
+    characteristic(p->by, c);
+    find_zeros(c, m);
     for (int i = 0; i < N; i++)
         for (int j = i + 1; j < N; j++) {
             const real larger = cabsl(m[j]) - cabsl(m[i]);
-            if (larger > 1e-12L || (larger > -1e-12L && cimagl(m[j]) > cimagl(m[i]))) {
-                const long double complex other = m[i];
-                m[i] = m[j], m[j] = other;
-            }
+            if (larger > 1e-12L || (larger > -1e-12L && cimagl(m[j]) > cimagl(m[i]))) exchange(&m[i], &m[j]);
         }
 }
-
-// ---------------------------------------------------------------- the branch
 
 typedef struct orbit {
     real u[N + 1];       ///< the start, then W
@@ -279,7 +216,7 @@ static real test_of(const orbit *o, int test) {
     if (test == FOLD) return o->tangent[N];
     if (test >= GRAZE) return test - GRAZE < o->period.extrema ? o->period.extremum[test - GRAZE] : 1.0L;
     if (test >= VALUE) return o->u[N] - values_of_W[test - VALUE];
-    characteristic(&o->period, c);
+    characteristic(o->period.by, c);
     if (test == DOUBLING) return 1.0L - c[3] + c[2] - c[1] + c[0];
     // (m^2 + p m + 1)(m^2 + q m + r): two multipliers of product 1.
     const real p = (c[1] - c[3]) / (c[0] - 1.0L);
@@ -292,7 +229,7 @@ static const char *kind_of(const orbit *o, int test) {
     if (test == DOUBLING) return "doubling";
     if (test >= GRAZE) return "touch";
     if (test >= VALUE) return "value";
-    characteristic(&o->period, c);
+    characteristic(o->period.by, c);
     return fabsl((c[1] - c[3]) / (c[0] - 1.0L)) < 2.0L ? "Neimark-Sacker" : "neutral saddle";
 }
 

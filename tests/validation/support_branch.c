@@ -75,6 +75,21 @@ size_t count_special(const whirl_branch *branch, whirl_special kind) {
     return count;
 }
 
+const char *special_word(whirl_special special) {
+    switch (special) {
+    case WHIRL_FOLD:
+        return "fold";
+    case WHIRL_DOUBLING:
+        return "doubling";
+    case WHIRL_NEIMARK_SACKER:
+        return "Neimark-Sacker";
+    case WHIRL_GRAZE:
+        return "touch";
+    default:
+        return "other";
+    }
+}
+
 double sum_of_logarithms(const whirl_orbit *orbit) {
     double sum = 0.0;
     for (size_t i = 0; i < orbit->multiplier_count; i++)

@@ -48,6 +48,9 @@ whirl_branch *follow_curve(const test_family *family, size_t other, const whirl_
 /// How many there are of a kind.
 size_t count_special(const whirl_branch *branch, whirl_special kind);
 
+/// What programs in extended precision call it.
+const char *special_word(whirl_special special);
+
 /// Sum of ln|multiplier|.
 double sum_of_logarithms(const whirl_orbit *orbit);
 

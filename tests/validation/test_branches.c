@@ -5,6 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include <cmocka.h>
 
@@ -240,6 +241,24 @@ static void neutral_saddles_are_no_tori(void **state) {
 
 /// x'' + .3 x' - x + x^3 = F cos 1.2 t: its orbits double their periods on the way to chaos. Two equal wells: each
 /// orbit in one has its mirror in the other.
+/// The orbit that begins a revolution later is the same one, and no other is.
+static void expect_one_from_any_revolution(const test_family *family, const whirl_orbit *orbit,
+                                           const whirl_orbit_options *options) {
+    test_family later = *family;
+    const whirl_system system = system_of(family);
+    memcpy(later.start, orbit->nodes + orbit->dimension, orbit->dimension * sizeof *orbit->nodes);
+    whirl_orbit *again = find_orbit(&later, orbit->revolutions, options), *copy = whirl_orbit_copy(orbit);
+    assert_true(fabs(again->nodes[0] - orbit->nodes[0]) > 1e-4);
+    assert_true(whirl_orbit_distance(&system, orbit, again->nodes) < 1e-9);
+    assert_true(whirl_orbit_distance(&system, copy, orbit->nodes) == 0.0);
+    const double size = fmax(fabs(later.start[0]), fabs(later.start[1]));
+    again->nodes[0] += 1e-4;
+    check_within("branches", "a state beside an orbit", 1e-4 / size, whirl_orbit_distance(&system, orbit, again->nodes),
+                 1e-9);
+    whirl_orbit_free(again);
+    whirl_orbit_free(copy);
+}
+
 static void doublings_of_duffing(void **state) {
     (void)state;
     test_family family = oscillator_family(1.2, 0.3, -1.0, 1.0, 0.2);
@@ -268,6 +287,7 @@ static void doublings_of_duffing(void **state) {
         assert_int_equal(revolutions, start->revolutions);
         assert_int_equal(0, start->unstable);
         assert_true(family.p[FORCE] > at[k]);
+        expect_one_from_any_revolution(&family, start, &options.orbit);
         whirl_branch_free(branch);
         options.step = 1e-3;
     }

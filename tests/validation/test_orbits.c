@@ -332,6 +332,8 @@ static void period_of_van_der_pol(void **state) {
         check_within("orbits", "D4, the multiplier of shifts", 1.0, orbit->multipliers[0].real, 1e-9);
         check_within("orbits", "D4, the other one's logarithm", orbit->volume, log(fabs(orbit->multipliers[1].real)),
                      1e-6);
+        check_within("orbits", "D4, the largest modulus but that of shifts", exp(orbit->volume),
+                     whirl_orbit_largest(orbit), 1e-9);
         assert_int_equal(0, orbit->unstable);
         whirl_orbit_free(orbit);
     }

@@ -1,7 +1,8 @@
 // Branches of periodic orbits that a run has stored: over the diagram they are lines, solid where orbits are stable,
 // dashed where not, with marks where and why they change.
 import { Diagram } from './diagram';
-import type { Run } from './run';
+import { float64Of, type Run, type StoredTable } from './run';
+import { OrbitOfBranch } from './orbit';
 
 /// Kinds of special points, by the number that results have for them.
 export const SPECIALS = [undefined, 'fold', 'crossing', 'doubling', 'torus', 'Hopf', 'graze'] as const;
@@ -19,11 +20,19 @@ export interface Change {
   readonly kind: Special;
 }
 
+/// Periods and nodes of orbits, one after the other, and where each begins; -1: it is not in the page.
+interface Nodes {
+  readonly numbers: Float64Array;
+  readonly begins: Int32Array;
+}
+
 export class Branches {
   private constructor(
     readonly diagram: Diagram,
     readonly pieces: readonly Piece[],
     readonly changes: readonly Change[],
+    private readonly nodes: Nodes,
+    private readonly segments: number,
   ) {}
 
   /// Those over a parameter; undefined where the run has none.
@@ -37,12 +46,63 @@ export class Branches {
       const kind = SPECIALS[special(point)];
       return kind ? [{ point, kind }] : [];
     });
-    return new Branches(diagram, piecesOf(diagram, special), changes);
+    const segments = table.trace_segments ?? 1;
+    return new Branches(diagram, piecesOf(diagram, special), changes, nodesOf(table, diagram, segments), segments);
   }
 
   /// A motion with a time of its own is shown by the bounds of its coordinates, not by a section.
   isFree(point: number): boolean {
     return this.diagram.number(point, 'trace/revolutions') === 0 && this.diagram.number(point, 'trace/period') > 0;
+  }
+
+  /// The branch that a point is of, from 1.
+  numberOf(point: number): number {
+    return this.diagram.number(point, 'trace/number');
+  }
+
+  /// The orbit of a point; undefined where there is no such point, or the page does not hold its nodes.
+  orbit(point: number): OrbitOfBranch | undefined {
+    const at = this.nodes.begins[point] ?? -1;
+    if (at < 0) return undefined;
+    const count = nodeNumbers(this.diagram, point, this.segments);
+    const [period, nodes] = [this.nodes.numbers[at]!, this.nodes.numbers.subarray(at + 1, at + 1 + count)];
+    return new OrbitOfBranch(this.diagram, point, SPECIALS[this.diagram.number(point, 'trace/special')], period, nodes);
+  }
+
+  /// The point of a branch that is `steps` orbits further, from its end of lower values to that of higher ones, through
+  /// its folds; at an end the last one.
+  along(point: number, steps: number): number {
+    const mine = this.held((other) => this.numberOf(other) === this.numberOf(point));
+    const { values } = this.diagram;
+    const rising = values[mine.at(-1)!]! >= values[mine[0]!]!;
+    const to = mine.indexOf(point) + (rising ? steps : -steps);
+    return mine[Math.min(Math.max(to, 0), mine.length - 1)] ?? point;
+  }
+
+  /// The orbits that are next to a value, one wherever a branch passes it.
+  at(value: number): number[] {
+    const { values } = this.diagram;
+    const found = new Set<number>();
+    for (let point = 1; point < this.diagram.count; point++) {
+      const [from, to] = [values[point - 1]!, values[point]!];
+      if (this.numberOf(point) !== this.numberOf(point - 1) || from <= value === to < value) continue;
+      const near = this.nearestHeld(Math.abs(from - value) <= Math.abs(to - value) ? point - 1 : point);
+      if (near >= 0) found.add(near);
+    }
+    return [...found];
+  }
+
+  /// Of the points of the same branch whose orbits the page holds, the next one to a point; -1 where there is none.
+  nearestHeld(point: number): number {
+    const { begins } = this.nodes;
+    for (let away = 0; away < begins.length; away++)
+      for (const other of [point - away, point + away])
+        if ((begins[other] ?? -1) >= 0 && this.numberOf(other) === this.numberOf(point)) return other;
+    return -1;
+  }
+
+  private held(wanted: (point: number) => boolean): number[] {
+    return Array.from(this.diagram.values.keys()).filter((point) => this.nodes.begins[point]! >= 0 && wanted(point));
   }
 }
 
@@ -58,4 +118,23 @@ function piecesOf(diagram: Diagram, special: (point: number) => number): Piece[]
     else pieces.push({ stable, points: [before, point] });
   }
   return pieces;
+}
+
+/// How many numbers the nodes of a point are.
+function nodeNumbers(diagram: Diagram, point: number, segments: number): number {
+  const dimension = diagram.column('trace/multipliers')?.rows ?? 0;
+  const round = Math.max(1, diagram.number(point, 'trace/revolutions'));
+  return dimension * round * (diagram.number(point, 'trace/period') > 0 ? segments : 1);
+}
+
+function nodesOf(table: StoredTable, diagram: Diagram, segments: number): Nodes {
+  const numbers = float64Of(table.orbits ?? '');
+  const begins = new Int32Array(diagram.count).fill(-1);
+  let at = 0;
+  for (let point = 0; point < diagram.count && at < numbers.length; point += table.orbit_stride ?? 1) {
+    if (!diagram.done[point]) continue;
+    begins[point] = at;
+    at += 1 + nodeNumbers(diagram, point, segments);
+  }
+  return { numbers, begins };
 }

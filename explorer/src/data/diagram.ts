@@ -100,17 +100,29 @@ export class Diagram {
       all(new Float64Array(count), this.values, values),
       all(new Int8Array(count), this.branch, branch),
     );
-    old.forEach((point, i) => {
-      for (const key of ['classes', 'done', 'provisional', 'lengthScales'] as const) made[key][i] = this[key][point]!;
-      made.verdicts[i] = this.verdicts[point]!;
-    });
-    for (const [name, field] of this.fields) made.fields.set(name, field);
-    for (const [key, { rows, data }] of this.columns) {
-      const wide = new Float32Array(count * rows).fill(NaN);
-      old.forEach((point, i) => wide.set(data.subarray(point * rows, (point + 1) * rows), i * rows));
-      made.columns.set(key, { rows, data: wide });
-    }
+    made.adopt(this, old);
     return made;
+  }
+
+  /// Some of the points, along another parameter.
+  part(points: readonly number[], parameter: string, values: Float64Array): Diagram {
+    const made = new Diagram(parameter, values, new Int8Array(values.length));
+    made.adopt(this, points);
+    return made;
+  }
+
+  /// Takes what another diagram knows of some points for the first ones here.
+  private adopt(from: Diagram, points: readonly number[]): void {
+    points.forEach((point, i) => {
+      for (const key of ['classes', 'done', 'provisional', 'lengthScales'] as const) this[key][i] = from[key][point]!;
+      this.verdicts[i] = from.verdicts[point]!;
+    });
+    for (const [name, field] of from.fields) this.fields.set(name, field);
+    for (const [key, { rows, data }] of from.columns) {
+      const wide = new Float32Array(this.count * rows).fill(NaN);
+      points.forEach((point, i) => wide.set(data.subarray(point * rows, (point + 1) * rows), i * rows));
+      this.columns.set(key, { rows, data: wide });
+    }
   }
 
   /// Makes room for the engine's points; numbers that are there stay.

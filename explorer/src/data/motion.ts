@@ -1,5 +1,6 @@
 // One motion as the engine found it, by what the panels ask for. Lengths in length scales, as the engine gives them.
-import { fieldNumbers, findField, type PointResult, type StationInfo } from '../engine/protocol';
+import { fieldNumbers, findField, type MotionResult, type StationInfo } from '../engine/protocol';
+import type { OrbitOfBranch } from './orbit';
 
 export interface Pairs {
   readonly x: Float64Array;
@@ -22,14 +23,18 @@ export interface Spectrum extends Pairs {
 const CLOSED = 1e-3;
 
 export class Motion {
-  constructor(readonly result: PointResult) {}
+  constructor(
+    readonly result: MotionResult,
+    /// That it stays on, whether or not it is stable.
+    readonly orbit: OrbitOfBranch | undefined = undefined,
+  ) {}
 
   get stations(): readonly StationInfo[] {
     return this.result.stations;
   }
 
   get diverged(): boolean {
-    return this.result.verdict.regime === 'diverged';
+    return this.result.verdict?.regime === 'diverged';
   }
 
   /// Waveform of the last revolutions; its last sample is at the once-per-revolution mark.
@@ -78,9 +83,11 @@ export class Motion {
   /// Revolutions after which a picture of the motion repeats; 0 where it does not. A first look has pictures before it
   /// has a verdict.
   get period(): number {
-    const { period } = this.result.verdict;
+    const { verdict } = this.result;
+    // That of an orbit with a time of its own is no whole number.
+    if (this.orbit || !verdict) return (this.orbit?.period ?? 0) / (2 * Math.PI);
     const returns = this.number('regime/recurrence') < CLOSED ? this.number('regime/recurrence_period') : 0;
-    return period || (this.result.verdict.provisional ? returns : 0);
+    return verdict.period || (verdict.provisional ? returns : 0);
   }
 
   private spectral(field: string, station: number): Spectrum {

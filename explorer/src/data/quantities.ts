@@ -83,6 +83,12 @@ function shownLengths(
   return { column: { rows: column.rows, data }, factor };
 }
 
+/// A field of lengths of a station, all of its rows, as it is shown.
+export function lengthsOf(diagram: Diagram, field: string, station: number, column: number, units: Units) {
+  const found = diagram.column(field, station, column);
+  return found && shownLengths(diagram, found, units);
+}
+
 function largestOfContacts(diagram: Diagram, field: string, column: number, label: string): ShownQuantity | undefined {
   if (!diagram.column(field, 0, column)) return undefined;
   const data = Float32Array.from(diagram.values, (_, point) =>

@@ -11,6 +11,7 @@ export const CLASS_NAMES = [
   'diverged',
 ] as const;
 
+export const QUASI_PERIODIC = 4;
 export const UNDETERMINED = 6;
 
 /// From the engine's fields regime/code and regime/period.
@@ -19,7 +20,7 @@ export function regimeClass(code: number, period: number): number {
     case 1:
       return period === 1 ? 0 : period === 2 ? 1 : period === 4 ? 2 : 3;
     case 2:
-      return 4;
+      return QUASI_PERIODIC;
     case 3:
       return 5;
     case 4:

@@ -6,6 +6,18 @@ export interface StoredField extends Omit<Field, 'offset'> {
   readonly data: string;
 }
 
+/// What the table of a map has besides, whose cells lie row after row, along the parameter of the table.
+export interface StoredMap {
+  /// The second parameter, which changes from row to row.
+  readonly second: string;
+  readonly columns: number;
+  readonly rows: number;
+  /// The cell of every point.
+  readonly cells: readonly number[];
+  /// The second parameter of every point in SI, float64, little-endian, base64; NaN of points that are not done.
+  readonly seconds: string;
+}
+
 export interface StoredTable {
   readonly name: string;
   readonly parameter: string;
@@ -22,6 +34,7 @@ export interface StoredTable {
   readonly values: string;
   /// float64 as well: metres per unit of length of every point, where the parameter changes them.
   readonly length_scales?: string;
+  readonly map?: StoredMap;
   readonly branch: readonly number[];
   readonly done: readonly number[];
   /// Name and reason of every point's verdict.
@@ -31,6 +44,11 @@ export interface StoredTable {
   /// rad, of the first probe of a response to unbalance.
   readonly probe_angle?: number;
   readonly fields: readonly StoredField[];
+  /// Of branches: segments of a revolution, or of an orbit with a time of its own; and of every `orbit_stride`-th point
+  /// the period and the states at the beginnings of the segments, float64, little-endian, base64.
+  readonly trace_segments?: number;
+  readonly orbit_stride?: number;
+  readonly orbits?: string;
 }
 
 export interface StoredParameter {

@@ -198,6 +198,20 @@ export class Core {
     return this.module._explorer_job_take(job, block, end);
   }
 
+  // -------------------------------------------------------------- orbits
+
+  planOrbit(plan: number, revolutions: number): void {
+    this.module._explorer_plan_orbit(plan, revolutions);
+  }
+
+  orbitSize(plan: number, revolutions: number, period: number): number {
+    return this.module._explorer_orbit_size(plan, revolutions, period);
+  }
+
+  orbit(plan: number, value: number, revolutions: number, period: number, nodes: number, block: number): void {
+    this.good(this.module._explorer_orbit(plan, value, revolutions, period, nodes, block));
+  }
+
   // -------------------------------------------------------------- motions
 
   motionNew(plan: number, value: number, state: number, samples: number): number {

@@ -7,6 +7,8 @@ import type {
   EngineParts,
   Layout,
   Manner,
+  MotionResult,
+  OrbitRequest,
   Outcome,
   PointRequest,
   PointResult,
@@ -188,6 +190,10 @@ class Pool implements Engine {
 
   point(request: PointRequest, manner?: Manner): Promise<Outcome<PointResult>> {
     return this.ask({ kind: 'point', request }, manner);
+  }
+
+  orbit(request: OrbitRequest, manner?: Manner): Promise<Outcome<MotionResult>> {
+    return this.ask({ kind: 'orbit', request }, manner);
   }
 
   transient(request: TransientRequest, manner?: Manner): Promise<Outcome<TransientResult>> {

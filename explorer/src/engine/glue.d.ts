@@ -36,6 +36,16 @@ declare module 'whirl-core-glue' {
     _explorer_motion_contacts(motion: number): number;
     _explorer_motion_turn(motion: number, states: number, forces: number): number;
     _explorer_motion_state(motion: number): number;
+    _explorer_plan_orbit(plan: number, revolutions: number): void;
+    _explorer_orbit_size(plan: number, revolutions: number, period: number): number;
+    _explorer_orbit(
+      plan: number,
+      value: number,
+      revolutions: number,
+      period: number,
+      nodes: number,
+      block: number,
+    ): number;
   }
   interface CoreOptions {
     readonly wasmBinary: Uint8Array;

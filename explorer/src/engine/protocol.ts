@@ -188,10 +188,11 @@ export interface PointRequest {
   readonly start?: Float64Array;
 }
 
-/// Everything about one point: the fields of all analyses, whole spectra and a waveform among them.
-export interface PointResult {
+/// What is known of one motion, by the fields of analyses.
+export interface MotionResult {
   readonly value: number | null;
-  readonly verdict: Verdict;
+  /// Of orbits along branches there is none.
+  readonly verdict?: Verdict;
   readonly layout: Layout;
   readonly block: Float64Array;
   /// m and rad/s, of the machine at this value; the rate of what revolutions are counted by.
@@ -202,11 +203,29 @@ export interface PointResult {
   readonly stations: readonly StationInfo[];
   /// Samples of the waveform a revolution; the last one is at the once-per-revolution mark.
   readonly samplesPerRevolution: number;
-  /// The state at the end: x, y of every station, then their velocities; NaN after a divergence.
-  readonly end: Float64Array;
   readonly options: Options;
   /// Wall-clock seconds in the worker.
   readonly seconds: number;
+}
+
+/// Everything about one point: the fields of all analyses, whole spectra and a waveform among them.
+export interface PointResult extends MotionResult {
+  readonly verdict: Verdict;
+  /// The state at the end: x, y of every station, then their velocities; NaN after a divergence.
+  readonly end: Float64Array;
+}
+
+/// An orbit along a branch, or an equilibrium, stable or not.
+export interface OrbitRequest {
+  readonly setting: Setting;
+  readonly parameter: string;
+  readonly value: number;
+  /// After which it closes; 0: a time of its own.
+  readonly revolutions: number;
+  /// Radians of the rotor's clock; 0: an equilibrium.
+  readonly period: number;
+  /// The states at the beginnings of its segments, one after the other.
+  readonly nodes: Float64Array;
 }
 
 // ---------------------------------------------------------------- diagrams
@@ -321,6 +340,8 @@ export interface Engine {
   /// Reads and checks a case.
   describe(setting: Setting, manner?: Manner): Promise<Outcome<CaseInfo>>;
   point(request: PointRequest, manner?: Manner): Promise<Outcome<PointResult>>;
+  /// The orbit with these nodes: each of its segments is followed from its own, so that an unstable one is not left.
+  orbit(request: OrbitRequest, manner?: Manner): Promise<Outcome<MotionResult>>;
   sweep(request: SweepRequest, listener?: SweepListener, manner?: Manner): Promise<Outcome<SweepResult>>;
   transient(request: TransientRequest, manner?: Manner): Promise<Outcome<TransientResult>>;
   /// The text of a case with values written in place, comments and layout kept; checked. A key that is missing is added

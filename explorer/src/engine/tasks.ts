@@ -1,6 +1,16 @@
 // What a worker does for a task, in pieces: a generator yields whenever something else may go first.
-import type { Core } from './core';
-import type { Edit, Options, PointRequest, PointResult, Setting, TransientRequest, TransientResult } from './protocol';
+import { Refused, type Core } from './core';
+import type {
+  Edit,
+  MotionResult,
+  Options,
+  OrbitRequest,
+  PointRequest,
+  PointResult,
+  Setting,
+  TransientRequest,
+  TransientResult,
+} from './protocol';
 import type { Answer, FromWorker, PartRequest, Task } from './wire';
 
 /// Revolutions of the waveform of a point that asks for no number of them.
@@ -34,6 +44,8 @@ export class Tasks {
         return this.describe(task.setting);
       case 'point':
         return this.point(task.request);
+      case 'orbit':
+        return this.orbit(task.request);
       case 'part':
         return this.part(id, task.request);
       case 'transient':
@@ -202,6 +214,40 @@ export class Tasks {
         return null;
       } finally {
         core.jobFree(job);
+        core.free(room);
+      }
+    });
+  }
+
+  // -------------------------------------------------------------- orbits along branches
+
+  /// In one piece: it takes about as long as its revolutions.
+  private *orbit(request: OrbitRequest): Steps {
+    const began = performance.now();
+    const { core } = this;
+    const { value, revolutions, period, nodes } = request;
+    return yield* this.withPlan(request.setting, 'branch', request.parameter, function* (plan) {
+      core.planOrbit(plan, revolutions);
+      const planned = core.planLayout(plan, value);
+      const { size } = planned.layout;
+      const wanted = core.orbitSize(plan, revolutions, period);
+      if (wanted !== nodes.length)
+        throw new Refused({ message: `an orbit of ${nodes.length} numbers, expected ${wanted}`, problems: [] });
+      const room = core.numbers(size + wanted);
+      yield;
+      try {
+        core.write(room + 8 * size, nodes);
+        core.orbit(plan, value, revolutions, period, room + 8 * size, room);
+        return {
+          value,
+          layout: planned.layout,
+          block: core.read(room, size),
+          ...core.machine(plan, value),
+          samplesPerRevolution: planned.waveformSamples,
+          options: planned.options,
+          seconds: (performance.now() - began) / 1000,
+        } satisfies MotionResult;
+      } finally {
         core.free(room);
       }
     });

@@ -3,6 +3,8 @@ import type {
   CaseInfo,
   Edit,
   Layout,
+  MotionResult,
+  OrbitRequest,
   PointRequest,
   PointResult,
   Problem,
@@ -27,6 +29,7 @@ export interface PartRequest {
 export type Task =
   | { readonly kind: 'describe'; readonly setting: Setting }
   | { readonly kind: 'point'; readonly request: PointRequest }
+  | { readonly kind: 'orbit'; readonly request: OrbitRequest }
   | { readonly kind: 'part'; readonly request: PartRequest }
   | { readonly kind: 'transient'; readonly request: TransientRequest }
   | { readonly kind: 'rewrite'; readonly setting: Setting; readonly edits: readonly Edit[] };
@@ -55,7 +58,7 @@ export interface Refusal {
 }
 
 /// What comes of a task.
-export type Answer = CaseInfo | PointResult | TransientResult | Float64Array | string | null;
+export type Answer = CaseInfo | MotionResult | PointResult | TransientResult | Float64Array | string | null;
 
 export type FromWorker =
   | { readonly kind: 'done'; readonly id: number; readonly value: Answer }

@@ -63,7 +63,8 @@ export class Chart implements Figure {
   private yRange: Range = [0, 1];
   private xLabel = '';
   private yLabel = '';
-  private logarithmic = false;
+  /// The axes.
+  private logarithmic = { x: false, y: false };
   private ticks: { x: Ticks; y: Ticks } = { x: NO_TICKS, y: NO_TICKS };
 
   constructor(private readonly spec: ChartSpec) {
@@ -72,11 +73,12 @@ export class Chart implements Figure {
     watchSize(this.root, (width, height) => this.resize(width, height));
   }
 
-  /// Labels and, for the vertical axis, whether it is logarithmic.
-  setAxes(xLabel: string, yLabel: string, logarithmic = false): void {
-    if (xLabel === this.xLabel && yLabel === this.yLabel && logarithmic === this.logarithmic) return;
+  /// Labels, and whether the axes are logarithmic.
+  setAxes(xLabel: string, yLabel: string, yLogarithmic = false, xLogarithmic = false): void {
+    const { x, y } = this.logarithmic;
+    if (xLabel === this.xLabel && yLabel === this.yLabel && xLogarithmic === x && yLogarithmic === y) return;
     [this.xLabel, this.yLabel] = [xLabel, yLabel];
-    this.logarithmic = logarithmic;
+    this.logarithmic = { x: xLogarithmic, y: yLogarithmic };
     this.rebuild();
   }
 
@@ -109,6 +111,10 @@ export class Chart implements Figure {
   /// The place of a value in the plotting area, in CSS pixels.
   placeOf(value: number): number {
     return this.plot ? this.plot.valToPos(value, 'x') : NaN;
+  }
+
+  heightOf(value: number): number {
+    return this.plot ? this.plot.valToPos(value, 'y') : NaN;
   }
 
   /// Left edge and width of the plotting area in CSS pixels.
@@ -183,7 +189,7 @@ export class Chart implements Figure {
     let down = false;
     for (let i = 0; i < xs.length; i++) {
       const [x, y] = [xs[i], ys[i]];
-      const there = x != null && y != null && Number.isFinite(y) && (!this.logarithmic || y > 0);
+      const there = x != null && y != null && Number.isFinite(y) && (!this.logarithmic.y || y > 0);
       if (there) (down ? pen.lineTo : pen.moveTo).call(pen, frame.x(x), frame.y(y));
       down = there;
     }
@@ -256,8 +262,13 @@ export class Chart implements Figure {
       cursor: { show: false },
       padding: [size * 0.6, size * 1.6, this.spec.bareX ? size * 0.5 : 0, 0],
       scales: {
-        x: { time: false, auto: false, range: () => [this.xRange[0], this.xRange[1]] },
-        y: { auto: false, distr: this.logarithmic ? 3 : 1, range: () => [this.yRange[0], this.yRange[1]] },
+        x: {
+          time: false,
+          auto: false,
+          distr: this.logarithmic.x ? 3 : 1,
+          range: () => [this.xRange[0], this.xRange[1]],
+        },
+        y: { auto: false, distr: this.logarithmic.y ? 3 : 1, range: () => [this.yRange[0], this.yRange[1]] },
       },
       axes: [this.axis(0, size), this.axis(1, size)],
       series: [{}, ...(this.spec.lines ?? []).map((line) => this.series(line))],
@@ -307,7 +318,7 @@ export class Chart implements Figure {
     const made =
       !horizontal && yTicks
         ? { at: yTicks, text: yTicks.map(String) }
-        : !horizontal && this.logarithmic
+        : this.logarithmic[horizontal ? 'x' : 'y']
           ? decades(low, high, wanted)
           : linear(low, high, wanted, horizontal ? this.spec.xText : undefined);
     if (horizontal) this.ticks.x = made;
@@ -341,8 +352,23 @@ const SUPERSCRIPT: Record<string, string> = {
   '9': '\u2079',
 };
 
+/// 1, 2 and 5 times powers of ten, where powers alone would be too few.
+function within(low: number, high: number): number[] {
+  const at: number[] = [];
+  for (let power = Math.floor(Math.log10(low)); 10 ** power <= high; power++)
+    for (const part of [1, 2, 5]) at.push(Number((part * 10 ** power).toPrecision(3)));
+  return at.filter((value) => value >= low * (1 - 1e-9) && value <= high * (1 + 1e-9));
+}
+
 function decades(low: number, high: number, wanted: number): Ticks {
   const [first, last] = [Math.ceil(Math.log10(low) - 1e-9), Math.floor(Math.log10(high) + 1e-9)];
+  if (last - first < 2 && wanted >= 3) {
+    const few = within(low, high);
+    // Less than a decade is nearly even.
+    return few.length > 1
+      ? { at: few, text: few.map((value) => tickText(value, 10 ** Math.floor(Math.log10(value)))) }
+      : linear(low, high, wanted);
+  }
   const every = Math.max(1, Math.ceil((last - first) / Math.max(1, wanted)));
   const powers: number[] = [];
   for (let power = first; power <= last; power += every) powers.push(power);

@@ -28,14 +28,15 @@ export function textSize(): number {
   return 0.74 * Number.parseFloat(getComputedStyle(document.documentElement).fontSize);
 }
 
-/// Calls `changed` with the inner size of the element, at once and whenever it changes.
-export function watchSize(host: HTMLElement, changed: (width: number, height: number) => void): void {
+/// Calls `changed` with the inner size of the element, at once and whenever it changes; not while it is smaller than
+/// `least` pixels.
+export function watchSize(host: HTMLElement, changed: (width: number, height: number) => void, least = 40): void {
   let width = 0;
   let height = 0;
   const look = () => {
     const box = host.getBoundingClientRect();
     const [newWidth, newHeight] = [Math.floor(box.width), Math.floor(box.height)];
-    if (newWidth < 40 || newHeight < 40 || (newWidth === width && newHeight === height)) return;
+    if (newWidth < least || newHeight < least || (newWidth === width && newHeight === height)) return;
     [width, height] = [newWidth, newHeight];
     changed(width, height);
   };

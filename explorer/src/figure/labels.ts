@@ -88,6 +88,9 @@ export function placeLabels(
   return taken;
 }
 
+/// Where labels may stand.
+type Room = Pick<Frame, 'left' | 'top' | 'width' | 'height'>;
+
 /// A mark at (x, y), in the pen's pixels, and what is to stand beside it.
 export interface Marked {
   readonly x: number;
@@ -96,12 +99,7 @@ export interface Marked {
 }
 
 /// Texts beside their marks, off the edges and off each other and the other marks; those without room are left out.
-function placeBeside(
-  marks: readonly Marked[],
-  frame: Pick<Frame, 'left' | 'top' | 'width' | 'height'>,
-  size: number,
-  width: (text: string) => number,
-): Label[] {
+function placeBeside(marks: readonly Marked[], frame: Room, size: number, width: (text: string) => number): Label[] {
   const taken: Label[] = [];
   for (const { x, y, text } of marks) {
     const half = width(text) / 2;
@@ -132,7 +130,7 @@ function placeBeside(
 }
 
 /// Draws them, on scraps of paper, so that lines do not run through them.
-export function drawLabels(pen: Pen, marks: readonly Marked[], frame: Frame, size: number, colours: Theme): void {
+export function drawLabels(pen: Pen, marks: readonly Marked[], frame: Room, size: number, colours: Theme): void {
   const face = font(size);
   pen.font = face;
   pen.textAlign = 'center';

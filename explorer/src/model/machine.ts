@@ -61,8 +61,14 @@ const AT_REST: Readonly<Record<AtRest['kind'], string>> = {
     'the numbers at the value under the cursor; any station and any angle of the probes may be chosen.',
 };
 
+const MAP =
+  'Click on a cell of the map: the orbit, its spectrum and its Poincar\u00e9 map are computed on the spot for both ' +
+  'of its parameters. The diagram below is the row of the cursor, or with the key C its column; brush a range of it ' +
+  '(Shift and drag) to compute that range more finely, and press \u25b6 in the orbit to watch the rotor settle.';
+
 function introOf(run: Run): string {
   const kind = AtRest.kindOf(run);
+  if (run.tables.some(({ map }) => map)) return MAP;
   const preset = PRESETS.find(({ text }) => text === run.case_text);
   return kind ? AT_REST[kind] : ((preset && INTROS[preset.name]) ?? OWN);
 }

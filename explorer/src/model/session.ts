@@ -1,13 +1,17 @@
 // What the page is at: the machine that is open, what the reader has set, what of it is shown, and what follows from
 // these.
 import { Branches } from '../data/branches';
+import { Tori } from '../data/tori';
 import { Diagram } from '../data/diagram';
+import type { OrbitOfBranch } from '../data/orbit';
+import { ParameterMap } from '../data/parameter_map';
 import { AtRest } from '../data/rest';
 import type { Run } from '../data/run';
-import type { CaseInfo, Engine, Setting, StationInfo, SweepProgress } from '../engine/protocol';
+import type { CaseInfo, Engine, OrbitRequest, Setting, StationInfo, SweepProgress } from '../engine/protocol';
 import { machinesOf, scalesOf, type Machine } from './machine';
+import { cutOf, plainText, plainValue, type Cut } from './map_cut';
 import { firstValue, plannedRange, sweptParameter } from './original';
-import { assignmentTexts, computationOptions, readAddress, type Address } from './setting';
+import { assignmentTexts, computationOptions, readAddress, type Address, type Side } from './setting';
 import { SideModel, troubleOf } from './side';
 import { howOf, Sights, type Sight } from './sights';
 import { unitsFor, type Scales } from './units';
@@ -37,7 +41,16 @@ export class Session {
   active: SideName = 'a';
   private readonly resting = new Map<Machine, AtRest | undefined>();
   private traced:
-    { readonly machine: Machine; readonly parameter: string; readonly branches: Branches | undefined } | undefined;
+    | {
+        readonly machine: Machine;
+        readonly parameter: string;
+        readonly branches: Branches | undefined;
+        readonly tori: Tori | undefined;
+      }
+    | undefined;
+  private readonly maps = new Map<Machine, ParameterMap | undefined>();
+  /// Of the cut of a map that the first sight shows.
+  private cutKey = '';
   /// By the names of their machines.
   readonly originals = new Map<string, CaseInfo>();
   readonly sights: Sights;
@@ -97,13 +110,106 @@ export class Session {
     return this.resting.get(machine);
   }
 
-  /// The branches that are stored of the machine as it stands, over the parameter of the diagram.
-  get branches(): Branches | undefined {
+  /// The map that is stored of the machine; undefined where there is none.
+  get map(): ParameterMap | undefined {
+    const { machine } = this;
+    if (!this.maps.has(machine)) this.maps.set(machine, ParameterMap.of(machine.run));
+    return this.maps.get(machine);
+  }
+
+  /// The value that a side gives a parameter, in SI.
+  valueOf({ choice, info }: SideModel, name: string): number {
+    if (name === this.address.parameter && Number.isFinite(choice.value)) return choice.value;
+    const text = choice.assignments.get(name);
+    if (text !== undefined) {
+      const known = () => info?.parameters.find((parameter) => parameter.name === name)?.value;
+      return plainValue(text, this.unitOf(name)) ?? known() ?? this.ownValue(name);
+    }
+    return this.ownValue(name);
+  }
+
+  /// The value that the case gives a parameter, in SI.
+  private ownValue(name: string): number {
+    const has = (parameter: { readonly name: string }) => parameter.name === name;
+    return this.original?.parameters.find(has)?.value ?? this.machine.run?.parameters.find(has)?.value ?? NaN;
+  }
+
+  /// Puts a side where parameters have these values: the one along the diagram there, all others by assignments.
+  place(side: SideModel, values: readonly (readonly [string, number])[]): void {
+    const assignments = new Map(side.choice.assignments);
+    let { value } = side.choice;
+    for (const [name, wanted] of values)
+      if (name === this.address.parameter) value = wanted;
+      else assignments.set(name, plainText(wanted, this.unitOf(name)));
+    side.choice = { assignments, value };
+  }
+
+  /// The cut of the map that the active side is at; undefined where the diagram runs along neither of its parameters.
+  private get cut(): Cut | undefined {
+    const { map, side } = this;
+    const { parameter } = this.address;
+    if (!map?.axis(parameter)) return undefined;
+    const other = map.across(parameter).parameter;
+    const text = side.choice.assignments.get(other);
+    return cutOf(map, parameter, this.valueOf(side, other), text, this.unitOf(other));
+  }
+
+  /// Shows the cut that the active side is at in place of another.
+  followMap(): void {
+    const { cut } = this;
+    if (!cut || cut.key === this.cutKey) return;
+    const { shown } = this.sights;
+    this.sights.stop();
+    this.openParameter(this.sights.first?.diagram?.parameter === this.address.parameter ? shown?.range : undefined);
+  }
+
+  /// The branches and tori that are stored of the machine as it stands, over the parameter of the diagram.
+  private get followed(): { readonly branches: Branches | undefined; readonly tori: Tori | undefined } {
     const { machine } = this;
     const { parameter } = this.address;
     if (this.traced?.machine !== machine || this.traced.parameter !== parameter)
-      this.traced = { machine, parameter, branches: Branches.of(machine.run, parameter) };
-    return this.traced.branches;
+      this.traced = {
+        machine,
+        parameter,
+        branches: Branches.of(machine.run, parameter),
+        tori: Tori.of(machine.run, parameter),
+      };
+    return this.traced;
+  }
+
+  get branches(): Branches | undefined {
+    return this.followed.branches;
+  }
+
+  get tori(): Tori | undefined {
+    return this.followed.tori;
+  }
+
+  /// The orbit that a choice is of; undefined of motions, and of orbits that there are not: branches are of the machine
+  /// as it stands.
+  orbitOf({ orbit, assignments }: Side): OrbitOfBranch | undefined {
+    return orbit === undefined || assignments.size > 0 ? undefined : this.branches?.orbit(orbit);
+  }
+
+  /// What an address says of orbits, as far as there are such.
+  checkOrbits(): void {
+    for (const side of Object.values(this.sides)) {
+      const { assignments, value } = side.choice;
+      const orbit = this.orbitOf(side.choice);
+      side.choice = orbit ? { assignments, value: orbit.value, orbit: orbit.point } : { assignments, value };
+    }
+  }
+
+  /// What the engine is asked to follow an orbit with: the method that found it, and no other wish of the reader's.
+  orbitRequest(orbit: OrbitOfBranch): OrbitRequest {
+    const { value, revolutions, period, nodes } = orbit;
+    const { text, caseName, run } = this.machine;
+    const method = run?.tables.find(({ name }) => name === 'branch')?.method;
+    return {
+      setting: { text, name: caseName, ...(method ? { options: { method } } : {}) },
+      parameter: this.address.parameter,
+      ...{ value, revolutions, period, nodes },
+    };
   }
 
   get stations(): readonly StationInfo[] {
@@ -126,7 +232,11 @@ export class Session {
 
   /// SI unit of the parameter along the diagram.
   get unit(): string {
-    const { parameter } = this.address;
+    return this.unitOf(this.address.parameter);
+  }
+
+  /// SI unit of a parameter.
+  unitOf(parameter: string): string {
     return (
       this.original?.parameters.find(({ name }) => name === parameter)?.unit ??
       this.machine.run?.parameters.find(({ name }) => name === parameter)?.unit ??
@@ -137,6 +247,7 @@ export class Session {
   private get storedDiagram(): Diagram | undefined {
     const table = this.machine.run?.tables[0];
     if (this.atRest) return this.atRest.diagram;
+    if (table?.map) return undefined;
     return table?.parameter && table.parameter === this.address.parameter
       ? Diagram.stored(table, this.machine.run!.length_scale)
       : undefined;
@@ -175,25 +286,62 @@ export class Session {
   /// Puts the first cursor where it begins, unless it is somewhere.
   chooseValue(): void {
     const { a } = this.sides;
-    if (!Number.isFinite(a.choice.value)) a.choice = { ...a.choice, value: this.firstValue };
+    if (Number.isFinite(a.choice.value)) return;
+    const { map } = this;
+    if (!map?.axis(this.address.parameter)) {
+      a.choice = { ...a.choice, value: this.firstValue };
+      return;
+    }
+    const { x, y } = map;
+    const { column, row } = map.nearest(this.valueOf(a, x.parameter), this.valueOf(a, y.parameter));
+    this.place(a, [
+      [x.parameter, x.values[column]!],
+      [y.parameter, y.values[row]!],
+    ]);
   }
 
   /// The first sight: the stored diagram, or an empty one over the range of the sweep.
-  openParameter(): void {
+  openParameter(view = this.address.range): void {
     const { run } = this.machine;
     const swept = sweptParameter(this.original, run?.tables[0]?.parameter);
     const known =
-      this.original?.parameters.some(({ name }) => name === this.address.parameter) || this.address.parameter === swept;
+      this.original?.parameters.some(({ name }) => name === this.address.parameter) ||
+      this.address.parameter === swept ||
+      this.map?.axis(this.address.parameter) !== undefined;
     if (!known) this.address.parameter = swept;
-    const diagram = this.storedDiagram;
-    const range = this.address.range ?? diagram?.span ?? plannedRange(this.original, this.address.parameter);
-    this.sights.open({ diagram, range, of: '', text: diagram ? this.storedText(diagram) : '', how: howOf({}) });
+    const { cut } = this;
+    this.cutKey = cut?.key ?? '';
+    const diagram = cut ? cut.diagram() : this.storedDiagram;
+    const range = view ?? diagram?.span ?? plannedRange(this.original, this.address.parameter);
+    const text = diagram ? `${this.storedText(diagram)}${cut ? ` A cut through the map at ${cut.of}.` : ''}` : '';
+    const assignments = cut?.assignments ?? [];
+    this.sights.open({ diagram, range, of: assignments.join('; '), text, how: howOf({ assignments }) });
+  }
+
+  /// Along which a diagram may run: without the engine those that are stored.
+  get parameterNames(): readonly string[] {
+    const { map, original } = this;
+    const stored = map ? [map.x.parameter, map.y.parameter] : [this.address.parameter];
+    return original?.parameters.map(({ name }) => name) ?? stored;
+  }
+
+  /// What the map of the machine is, in a sentence.
+  get mapText(): string {
+    const { map, machine } = this;
+    const table = machine.run?.tables.find((each) => each.map);
+    if (!map || !table) return '';
+    const thinned = table.count < table.points ? ` (of ${table.points} points in the run)` : '';
+    const missing = table.count - map.diagram.known;
+    return (
+      `Stored run: ${map.columns} by ${map.rows} points over ${map.x.parameter} and ${map.y.parameter}${thinned}` +
+      `${missing > 0 ? `, ${missing} of them not computed` : ''}.`
+    );
   }
 
   private storedText(diagram: Diagram): string {
     const table = this.machine.run!.tables[0]!;
     const part =
-      table.count < table.points
+      table.count < table.points && !table.map
         ? `every ${Math.round(table.points / table.count)}th of ${table.points} points`
         : `${diagram.count} points`;
     if (this.atRest) return `Stored run: ${part} of a machine at rest.`;

@@ -1,5 +1,6 @@
 // What the reader has set, as it stands in the address of the page. What an address holds is checked: it may come by
 // mail.
+import { MAP_QUANTITIES } from '../data/map_quantities';
 import { OF_A_FIELD, QUANTITIES } from '../data/quantities';
 import type { Units } from './units';
 
@@ -10,6 +11,8 @@ export interface Side {
   readonly assignments: Assignments;
   /// Of the parameter along the diagram, in SI; NaN before one is chosen.
   readonly value: number;
+  /// The point of the stored branches whose orbit is looked at, in place of a motion; its value is that of the side.
+  readonly orbit?: number;
 }
 
 /// The whole numbers of how motions are computed that the reader may change: the name in an address, the option, what
@@ -50,6 +53,8 @@ export interface Address {
   a: Side;
   b: Side | undefined;
   quantity: string;
+  /// What a map shows.
+  mapQuantity: string;
   station: string;
   range: readonly [number, number] | undefined;
   units: Units;
@@ -63,6 +68,7 @@ const FREQUENCIES = ['order', 'Hz'] as const;
 const AMPLITUDES = ['0-p', 'p-p', 'rms'] as const;
 const NAME = /^[A-Za-z_][A-Za-z0-9_]{0,63}$/;
 const MOST_TEXT = 128;
+const MOST_ORBITS = 1_000_000;
 
 function number(text: string | null): number {
   return text === null || text.trim() === '' ? NaN : Number(text);
@@ -82,14 +88,20 @@ function angle(text: string | null): number | undefined {
   return Math.abs(value) <= 360 ? value : undefined;
 }
 
-function readSide(all: URLSearchParams, value: string, set: string): Side {
+function readSide(all: URLSearchParams, value: string, set: string, on: string): Side {
   const assignments = new Map<string, string>();
   for (const text of all.getAll(set)) {
     const [, name = '', written = ''] = /^([^=]*)=(.*)$/s.exec(text) ?? [];
     if (NAME.test(name) && written.trim() && written.length <= MOST_TEXT && !/[\r\n]/.test(written))
       assignments.set(name, written);
   }
-  return { assignments, value: number(all.get(value)) };
+  const orbit = whole(all.get(on), 1, MOST_ORBITS);
+  return { assignments, value: number(all.get(value)), ...(orbit === undefined ? {} : { orbit: orbit - 1 }) };
+}
+
+/// The point of the branches by its number in tables of the result, from 1.
+function numberOf({ orbit }: Side): number | undefined {
+  return orbit === undefined ? undefined : orbit + 1;
 }
 
 function readComputation(all: URLSearchParams): Computation {
@@ -102,6 +114,12 @@ function readComputation(all: URLSearchParams): Computation {
   return Object.fromEntries(parts.filter(([, part]) => part !== undefined));
 }
 
+/// One of the list, of `others`, or the name of a field.
+function readQuantity(text: string | null, others: readonly string[], fallback: string): string {
+  if (text && OF_A_FIELD.test(text)) return text;
+  return oneOf(text, [...others, ...QUANTITIES.map(({ id }) => id)], fallback);
+}
+
 /// `fallback` says which units hold where the address names none.
 export function readAddress(hash: string, fallback: Units): Address {
   const all = new URLSearchParams(hash.replace(/^#/, ''));
@@ -110,15 +128,10 @@ export function readAddress(hash: string, fallback: Units): Address {
   return {
     run: (all.get('run') ?? '').slice(0, MOST_TEXT),
     parameter: NAME.test(all.get('par') ?? '') ? all.get('par')! : '',
-    a: readSide(all, 'at', 'set'),
-    b: all.has('b') ? readSide(all, 'b', 'bset') : undefined,
-    quantity: OF_A_FIELD.test(all.get('q') ?? '')
-      ? all.get('q')!
-      : oneOf(
-          all.get('q'),
-          QUANTITIES.map(({ id }) => id),
-          'x',
-        ),
+    a: readSide(all, 'at', 'set', 'orbit'),
+    b: all.has('b') ? readSide(all, 'b', 'bset', 'borbit') : undefined,
+    quantity: readQuantity(all.get('q'), [], 'x'),
+    mapQuantity: readQuantity(all.get('mq'), MAP_QUANTITIES, 'regime'),
     station: (all.get('st') ?? '').slice(0, MOST_TEXT),
     range: Number.isFinite(low) && Number.isFinite(high) && low! < high! ? [low!, high!] : undefined,
     units: {
@@ -145,12 +158,15 @@ export function writeAddress(address: Address): string {
   put('run', address.run);
   put('par', address.parameter);
   put('at', address.a.value);
+  put('orbit', numberOf(address.a));
   for (const [name, text] of address.a.assignments) put('set', `${name}=${text}`);
   if (address.b) {
     all.append('b', Number.isNaN(address.b.value) ? '' : String(address.b.value));
+    put('borbit', numberOf(address.b));
     for (const [name, text] of address.b.assignments) put('bset', `${name}=${text}`);
   }
   put('q', address.quantity);
+  put('mq', address.mapQuantity === 'regime' ? undefined : address.mapQuantity);
   put('st', address.station);
   if (address.range) put('range', address.range.map((value) => Number(value.toPrecision(9))).join(','));
   const { length, speed, frequency, amplitude } = address.units;

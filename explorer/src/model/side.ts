@@ -1,5 +1,5 @@
 // One of the two settings that the page compares: what the reader chose, and what the engine makes of it.
-import type { CaseInfo, Engine, Outcome, PointResult, Setting } from '../engine/protocol';
+import type { CaseInfo, Engine, MotionResult, OrbitRequest, Outcome, Setting } from '../engine/protocol';
 import { LivePoint, type Wish } from './live';
 import type { Side } from './setting';
 
@@ -14,7 +14,7 @@ export class SideModel {
   choice: Side = { assignments: new Map(), value: NaN };
   /// The case with the assignments in force.
   info: CaseInfo | undefined;
-  result: PointResult | undefined;
+  result: MotionResult | undefined;
   /// The result is of a shortened motion.
   preview = false;
   /// What the result is of.
@@ -81,6 +81,14 @@ export class SideModel {
     this.listener.changed();
   }
 
+  /// Asks for an orbit along a branch.
+  wantOrbit(request: OrbitRequest): void {
+    if (!this.live || this.bad) return;
+    this.trouble = '';
+    this.live.want({ request, preview: false, of: this.choice, spoken: '' });
+    this.listener.changed();
+  }
+
   /// The engine is gone; what it has found stays.
   lose(): void {
     this.engine = this.live = undefined;
@@ -96,7 +104,7 @@ export class SideModel {
     this.bad = this.outdated = false;
   }
 
-  private take(wish: Wish, outcome: Outcome<PointResult>): void {
+  private take(wish: Wish, outcome: Outcome<MotionResult>): void {
     if (!this.engine) return;
     if (outcome.ok) {
       this.result = outcome.value;

@@ -34,7 +34,8 @@ export class Watch {
 
   constructor(
     private readonly engine: Engine,
-    private readonly request: Omit<TransientRequest, 'state' | 'revolutions' | 'samplesPerRevolution'>,
+    /// With the state that it begins at, or from the case's start.
+    private readonly request: Omit<TransientRequest, 'revolutions' | 'samplesPerRevolution'>,
     private readonly station: StationInfo,
     private readonly contactNames: readonly string[],
     private readonly lane: string,

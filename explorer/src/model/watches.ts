@@ -31,10 +31,16 @@ export class Watches {
     const side = this.session.sides[name];
     const { parameter } = this.session.address;
     const { value } = side.choice;
+    // An orbit is watched from its beginning: a motion leaves it where it is unstable.
+    const nodes = this.session.orbitOf(side.choice)?.nodes;
     this.listener.playing(name, true);
     this.running[name] = new Watch(
       engine,
-      { setting: this.session.settingOf(side), ...(parameter && Number.isFinite(value) ? { parameter, value } : {}) },
+      {
+        setting: this.session.settingOf(side),
+        ...(parameter && Number.isFinite(value) ? { parameter, value } : {}),
+        ...(nodes ? { state: nodes } : {}),
+      },
       info,
       original?.contacts ?? [],
       `watch-${name}`,

@@ -3,6 +3,10 @@ import { button, el } from '../dom';
 
 const KEYS: readonly (readonly [string, string])[] = [
   ['\u2190 \u2192', 'move the cursor; with Shift ten times as far'],
+  ['\u2190 \u2192 on a branch', 'along it, from one stored orbit to the next, through its folds'],
+  ['O', 'the orbit of the next branch at the value of the cursor; after the last one the motion'],
+  ['Arrows on a map', 'from cell to cell, with Shift ten; Home, End, Page Up and Page Down go to its borders'],
+  ['C on a map', 'the diagram is the column of the cursor in place of its row, and back'],
   ['Page Up, Page Down', 'a twentieth of the range'],
   ['Home, End', 'to the ends of the range'],
   ['+ \u2212', 'zoom in and out about the cursor; the wheel does the same. Finer points are then computed in the view'],
@@ -21,6 +25,12 @@ const POINTS: readonly (readonly [string, string])[] = [
       'rotor touches its stator.',
   ],
   [
+    'Map',
+    'A cell for each point over two parameters, in the colour of its regime, paler where the verdict can be trusted ' +
+      'less, or in that of a number. Below it stands what the result says of the cell under the pointer; a click ' +
+      'computes its motion. The diagram is a cut through the map: the row or the column of the cursor.',
+  ],
+  [
     'Exponent',
     'Below the diagram: the largest Lyapunov exponent per revolution, with its standard error where it can be ' +
       'seen. Above zero small disturbances grow: chaos.',
@@ -29,6 +39,12 @@ const POINTS: readonly (readonly [string, string])[] = [
     'Touch',
     'Click or drag: the machine is integrated at exactly that value, first briefly, then as long as the case ' +
       'says. The mode Range (or Shift and drag) computes the brushed range anew, coarse to fine; Back returns.',
+  ],
+  [
+    'Branches',
+    'Lines over the diagram, solid where orbits are stable, dashed where not. Near a line the cursor takes the orbit ' +
+      'there, which no motion shows where it is unstable: dashed in the orbit view, with its multipliers; those ' +
+      'outside the unit circle are what disturbances grow by, each time round. \u25b6 shows how a motion leaves it.',
   ],
   [
     'Orbit',

@@ -3,10 +3,12 @@
 import type { Branches } from '../data/branches';
 import type { Diagram } from '../data/diagram';
 import { CLASS_NAMES } from '../data/regimes';
-import { quantityOf, type ShownQuantity } from '../data/quantities';
+import { lengthsOf, quantityOf, type ShownQuantity } from '../data/quantities';
+import type { Tori } from '../data/tori';
 import { el } from '../dom';
 import type { StationInfo } from '../engine/protocol';
 import { drawBranches, heightsOf, type BranchLines } from '../figure/branches';
+import { bandOf, drawTori, type BandAt, type ToriBands } from '../figure/tori';
 import { Chart, type Frame, type Range } from '../figure/chart';
 import { drawCloud, type Cloud } from '../figure/cloud';
 import { theme, textSize, type Picture } from '../figure/figure';
@@ -14,17 +16,24 @@ import { font, type Pen } from '../figure/pen';
 import type { Theme } from '../figure/theme';
 import { labelled, parameterMeasure, type Scales } from '../model/units';
 import type { Table } from './panel';
-import { Stack, type Along, type StackListener } from './stack';
+import { OrbitMarks } from './orbit_marks';
+import { Stack, type Along, type Spot, type StackListener } from './stack';
 
 export interface MapSubject extends Along {
   readonly diagram: Diagram | undefined;
   /// Of the same machine and parameter, or undefined.
   readonly branches: Branches | undefined;
+  readonly tori: Tori | undefined;
   readonly quantity: string;
   readonly station: number;
   readonly stations: readonly StationInfo[];
   readonly scales: Scales;
   readonly hidden: ReadonlySet<number>;
+}
+
+export interface MapListener extends StackListener {
+  /// The orbit of a point of the branches was chosen.
+  orbit(point: number): void;
 }
 
 /// The part of the height that the ribbons at the bottom take.
@@ -41,8 +50,12 @@ export class MapView {
   private readonly exponent: Chart;
   private readonly empty = el('p', { class: 'empty' });
   private order: readonly number[] = [];
+  private readonly marks: OrbitMarks;
+  /// The value at which branches are gone through by a key, and the point of the active setting.
+  private cycled = NaN;
+  private chosen: number | undefined;
 
-  constructor(listener: StackListener) {
+  constructor(private readonly listener: MapListener) {
     this.main = new Chart({
       title: 'Diagram',
       bareX: true,
@@ -54,7 +67,13 @@ export class MapView {
       under: (pen, frame, colours) => this.drawContact(pen, frame, colours),
       over: (pen, frame, colours) => this.drawExponent(pen, frame, colours),
     });
-    this.stack = new Stack(this.main, this.exponent, listener);
+    this.stack = new Stack(this.main, this.exponent, {
+      ...listener,
+      cursor: (value, settled, spot) => this.cursor(value, settled, spot),
+      hover: (spot) => this.marks.hover(spot),
+      key: (key, many) => this.key(key, many),
+    });
+    this.marks = new OrbitMarks(this.main);
     this.root = this.stack.root;
     this.root.append(this.empty);
   }
@@ -67,6 +86,13 @@ export class MapView {
     if (diagram && this.order.length !== diagram.count)
       this.order = Array.from(diagram.values.keys()).sort((a, b) => diagram.values[a]! - diagram.values[b]!);
     this.refresh();
+  }
+
+  /// The points of the branches whose orbits settings A and B look at, and that of the setting that is active; whether
+  /// that may choose others.
+  setOrbits(both: readonly (number | undefined)[], active: number | undefined, free: boolean): void {
+    this.chosen = active;
+    this.marks.choose(both, free);
   }
 
   /// What is shown of the diagram: an awaited one has its columns, and their scale, once the first points come in.
@@ -91,6 +117,7 @@ export class MapView {
     this.main.show(x, this.mainRange(subject));
     this.exponent.show(x, this.exponentRange(subject));
     this.stack.redraw();
+    this.marks.show(this.branchLines());
   }
 
   focus(): void {
@@ -145,6 +172,38 @@ export class MapView {
     };
   }
 
+  // ---------------------------------------------------------------- orbits of branches
+
+  /// A branch that the pointer is near is meant, and not the motion at its value.
+  private cursor(value: number, settled: boolean, spot: Spot | undefined): void {
+    const point = spot ? this.marks.at(spot) : -1;
+    if (point >= 0) this.listener.orbit(point);
+    else this.listener.cursor(value, settled);
+    this.marks.hover(undefined);
+  }
+
+  /// Arrows walk along the branch whose orbit is looked at; "o" goes through all that pass the cursor's value, and back
+  /// to the motion there.
+  private key(key: string, many: number): boolean {
+    const { branches } = this.marks;
+    const { chosen } = this;
+    if (!branches) return false;
+    const steps = { ArrowRight: many, ArrowUp: many, ArrowLeft: -many, ArrowDown: -many }[key];
+    if (steps !== undefined && chosen !== undefined) this.listener.orbit(branches.along(chosen, steps));
+    else if (key.toLowerCase() === 'o') this.cycle(branches);
+    else return false;
+    return true;
+  }
+
+  private cycle(branches: Branches): void {
+    const { chosen } = this;
+    if (chosen === undefined || !branches.at(this.cycled).includes(chosen)) this.cycled = this.stack.chosenValue;
+    const there = branches.at(this.cycled);
+    const next = chosen === undefined ? 0 : there.indexOf(chosen) + 1;
+    if (next < there.length) this.listener.orbit(there[next]!);
+    else if (chosen !== undefined) this.listener.cursor(this.cycled, true);
+  }
+
   // ---------------------------------------------------------------- ranges
 
   private visible(subject: MapSubject, visit: (point: number) => void): void {
@@ -176,6 +235,10 @@ export class MapView {
           low = Math.min(low, height / quantity.factor);
           high = Math.max(high, height / quantity.factor);
         }
+    for (const band of quantity ? this.bandsInView() : []) {
+      low = Math.min(low, band.low / quantity!.factor);
+      high = Math.max(high, band.high / quantity!.factor);
+    }
     if (!(low <= high)) return [0, 1];
     const factor = quantity!.factor;
     const room = 0.04 * (high - low) * factor || Math.abs(high * factor) * 0.1 || 1;
@@ -204,6 +267,8 @@ export class MapView {
     const cloud = this.cloud();
     if (!cloud) return;
     drawCloud(pen, cloud, frame, colours, this.shapes);
+    const bands = this.toriBands();
+    if (bands) drawTori(pen, bands, frame, colours);
     const lines = this.branchLines();
     if (lines) drawBranches(pen, lines, frame, colours);
     this.drawRibbon(pen, frame, colours);
@@ -229,6 +294,32 @@ export class MapView {
         valueFactor: parameterMeasure(subject.unit, units).factor,
       }
     );
+  }
+
+  /// The same coordinate of the sections of tori.
+  private toriBands(): ToriBands | undefined {
+    const { subject } = this;
+    const { tori } = subject ?? {};
+    if (!subject || !tori || (subject.quantity !== 'x' && subject.quantity !== 'y')) return undefined;
+    const column = subject.quantity === 'x' ? 0 : 1;
+    const [low, high] = ['torus/section_low', 'torus/section_high'].map((field) =>
+      lengthsOf(tori.diagram, field, subject.station, column, subject.units),
+    );
+    const valueFactor = parameterMeasure(subject.unit, subject.units).factor;
+    return (
+      low &&
+      high && { tori, low: low.column, high: high.column, factor: low.factor, valueFactor, lines: this.branchLines() }
+    );
+  }
+
+  /// The bands of tori within the range.
+  private bandsInView(): BandAt[] {
+    const bands = this.toriBands();
+    if (!bands) return [];
+    const [from, to] = this.subject!.range.map((value) => value * bands.valueFactor);
+    return bands.tori.all
+      .flatMap((torus) => Array.from({ length: torus.curves }, (_, curve) => bandOf(bands, torus, curve)).flat())
+      .filter(({ value }) => value >= from! && value <= to!);
   }
 
   private cloud(): Cloud | undefined {

@@ -4,11 +4,11 @@ import { CLASS_NAMES } from '../data/regimes';
 import { button, el, Segments, select, setChoices, type Choice } from '../dom';
 import type { SweepProgress } from '../engine/protocol';
 import type { Quality } from '../model/sights';
-import { MapView, type MapSubject } from './map';
+import { MapView, type MapListener, type MapSubject } from './map';
 import { fileName, saveMenu } from './panel';
-import type { Mode, StackListener } from './stack';
+import type { Mode } from './stack';
 
-export interface MapCardListener extends StackListener {
+export interface MapCardListener extends MapListener {
   quantity(id: string): void;
   station(index: number): void;
   parameter(name: string): void;
@@ -199,6 +199,7 @@ export class MapCard {
     if (diagram?.column('regime/confidence'))
       entries.push(el('span', { class: 'legend-note key-confidence' }, 'confidence (faint: low)'));
     if (this.subject?.branches) entries.push(el('span', { class: 'legend-note' }, 'orbits: solid stable, dashed not'));
+    if (this.subject?.tori) entries.push(el('span', { class: 'legend-note' }, 'tori: bands, edges likewise'));
     // Rebuilt only when something changed, so that focus stays where it is.
     const text = entries.map((entry) => entry.textContent).join();
     if (this.legend.dataset['text'] === text) return;

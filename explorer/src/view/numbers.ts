@@ -17,7 +17,7 @@ export function numbersTable(
     el(
       'thead',
       {},
-      el('tr', {}, ...heading.map((text) => el('th', { scope: 'col' }, text.replace('0-p', '0\u2011p')))),
+      el('tr', {}, ...heading.map((text) => el('th', { scope: 'col' }, text.replace(/([0p])-p/, '$1\u2011p')))),
     ),
     el(
       'tbody',

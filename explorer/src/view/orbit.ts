@@ -1,6 +1,7 @@
 // The orbit, as vibration analysts draw it: seen along the shaft, with the once-per-revolution mark, the probes'
 // places, the directions of rotation and whirl, and the circles that the station cannot leave without touching.
 import { button } from '../dom';
+import type { OrbitOfBranch } from '../data/orbit';
 import { font, type Pen } from '../figure/pen';
 import { Round } from '../figure/round';
 import type { Theme } from '../figure/theme';
@@ -66,7 +67,9 @@ export class OrbitPanel extends Panel {
         `X ${shown(span(0), 3)}, Y ${shown(span(1), 3)} ${length.unit} p-p; ${shown(radius, 3)} ${length.unit} ` +
         '0-p from the centre';
       const whirl = motion.forwardWhirl(station) === false ? 'backward' : 'forward';
-      this.figure.description = `${this.note.textContent}; whirl ${whirl}`;
+      this.figure.description = [`${this.note.textContent}; whirl ${whirl}`, motion.orbit?.label]
+        .filter(Boolean)
+        .join('; ');
     }
     this.figure.redraw();
   }
@@ -105,6 +108,8 @@ export class OrbitPanel extends Panel {
     if (this.trail) drawTrail(pen, place, this.trail, subject.accent(colours), colours, [width, height], size);
     else if (subject.motion && !subject.motion.diverged) drawOrbit(pen, place, subject, colours);
     drawDirections(pen, subject, this.trail !== undefined, [width, height], colours, size);
+    const orbit = this.trail ? undefined : subject.motion?.orbit;
+    if (orbit) drawName(pen, orbit, width, colours, size);
   }
 
   /// Centre and half-width of what is shown, in length scales.
@@ -124,6 +129,18 @@ export class OrbitPanel extends Panel {
     const most = Math.max(walls, Number.isFinite(reach) ? reach : 0) || 1;
     return { x: 0, y: 0, half: 1.06 * most };
   }
+}
+
+/// Which orbit it is, where there is no verdict on a motion.
+function drawName(pen: Pen, orbit: OrbitOfBranch, width: number, colours: Theme, size: number): void {
+  const most = shown(orbit.largest, 3);
+  const lines = [
+    `branch ${orbit.branch}: ${orbit.verdict}`,
+    orbit.rests ? `growth ${most} per rad` : `largest multiplier ${most}`,
+  ];
+  lines.forEach((text, i) =>
+    label(pen, text, width - 0.4 * size, (2.9 + 1.3 * i) * size, 'right', 'top', colours.ink, colours, size),
+  );
 }
 
 function largest(x: ArrayLike<number>, y: ArrayLike<number>): number {
@@ -268,20 +285,23 @@ function drawOrbit(pen: Pen, place: Place, subject: Subject, colours: Theme): vo
   const motion = subject.motion!;
   const { x, y } = motion.waveform(subject.station);
   const per = motion.samplesPerRevolution;
-  const revolutions = revolutionsShown(motion.period, Math.floor(x.length / per));
+  const available = Math.floor(x.length / per);
+  const revolutions = motion.orbit?.rests ? Math.min(1, available) : revolutionsShown(motion.period, available);
   if (revolutions === 0) return;
-  const first = x.length - revolutions * per;
+  // Of an orbit with a time of its own a little more than once round.
+  const first = Math.max(1, x.length - Math.ceil(revolutions * per));
   // Blank, then bright: the trace pauses before the mark, which tells the direction.
   const blank = revolutions <= 8 ? Math.max(1, Math.round(per / 28)) : 0;
   const accent = subject.accent(colours);
   pen.strokeStyle = accent;
+  if (motion.orbit && !motion.orbit.stable) pen.setLineDash([7, 4]);
   pen.lineWidth = revolutions > 8 ? 0.9 : 1.6;
   pen.lineJoin = 'round';
   pen.beginPath();
   // The sample before the first is at the mark: the trace begins there.
   let down = false;
   for (let i = Math.max(0, first - 1); i < x.length; i++) {
-    const toMark = per - 1 - ((i - first + per) % per);
+    const toMark = (x.length - 1 - i) % per;
     const dark = blank > 0 && toMark > 0 && toMark <= blank;
     if (dark) down = false;
     else {
@@ -290,8 +310,9 @@ function drawOrbit(pen: Pen, place: Place, subject: Subject, colours: Theme): vo
     }
   }
   pen.stroke();
+  pen.setLineDash([]);
   drawHeads(pen, place, x, y, first, per, revolutions, accent);
-  for (let mark = first + per - 1; mark < x.length; mark += per)
+  for (let mark = x.length - 1; mark >= first; mark -= per)
     dot(pen, place.x(x[mark]!), place.y(y[mark]!), revolutions > 8 ? 2.4 : 4.2, colours.keyphasor, colours.paper);
 }
 

@@ -1,5 +1,6 @@
 // The page: its parts, and what each of them shows of the session.
 import { el } from '../dom';
+import type { OrbitOfBranch } from '../data/orbit';
 import { setDark, theme } from '../figure/figure';
 import { shortName } from '../model/machine';
 import { methodText, type Change, type Session, type SideName } from '../model/session';
@@ -9,6 +10,8 @@ import { parameterMeasure, readable, shown } from '../model/units';
 import { Help } from './help';
 import { MapCard, type MapCardListener } from './map_card';
 import { Pane, type PaneListener } from './pane';
+import type { Spot } from './parameter_map';
+import { ParameterMapCard, type ParameterMapCardListener } from './parameter_map_card';
 import { RestView, type RestListener } from './rest';
 import { SettingsCard, type SettingsListener } from './settings_card';
 import { Topbar, type TopbarListener } from './topbar';
@@ -16,6 +19,7 @@ import { Topbar, type TopbarListener } from './topbar';
 export interface PageListener {
   readonly topbar: TopbarListener;
   readonly card: MapCardListener;
+  readonly map: ParameterMapCardListener;
   readonly settings: SettingsListener;
   readonly pane: PaneListener;
   readonly rest: RestListener;
@@ -24,6 +28,7 @@ export interface PageListener {
 export class Page {
   readonly root = el('div', { class: 'app' });
   readonly card: MapCard;
+  private readonly mapCard: ParameterMapCard;
   readonly settings: SettingsCard;
   readonly panes: Readonly<Record<SideName, Pane>>;
   private readonly rest: RestView;
@@ -40,12 +45,13 @@ export class Page {
     this.panes = { a: new Pane('a', listener.pane), b: new Pane('b', listener.pane) };
     this.topbar = new Topbar(listener.topbar);
     this.card = new MapCard(listener.card);
+    this.mapCard = new ParameterMapCard(listener.map);
     this.settings = new SettingsCard(listener.settings);
     this.rest = new RestView(listener.rest);
     this.motions = el(
       'main',
       {},
-      this.card.root,
+      el('div', { class: 'diagrams' }, this.mapCard.root, this.card.root),
       this.settings.root,
       el('div', { class: 'panes' }, this.panes.a.root, this.panes.b.root),
     );
@@ -73,6 +79,7 @@ export class Page {
     theme().classes.forEach((colour, kind) => document.documentElement.style.setProperty(`--class-${kind}`, colour));
     for (const pane of Object.values(this.panes)) pane.redraw();
     this.card.map.refresh();
+    this.mapCard.map.refresh();
     this.rest.redraw();
   }
 
@@ -81,7 +88,7 @@ export class Page {
   }
 
   show(changes: ReadonlySet<Change>): void {
-    const { sides, address, atRest } = this.session;
+    const { atRest } = this.session;
     this.motions.hidden = atRest !== undefined;
     this.rest.root.hidden = atRest === undefined;
     this.footer.hidden = atRest !== undefined; // nothing is computed there
@@ -93,8 +100,58 @@ export class Page {
     if (changes.has('all')) this.showAll();
     else if (changes.has('grow')) this.card.grow();
     for (const name of this.session.shownSides()) if (changes.has('all') || changes.has(name)) this.showPane(name);
-    this.card.map.stack.setCursors(sides.a.choice.value, address.b ? sides.b.choice.value : NaN);
+    this.showCursors();
+    this.showCells();
     this.showSettings();
+  }
+
+  private showCursors(): void {
+    const { session } = this;
+    const { a, b } = session.sides;
+    const orbits = [a, b].map(({ choice }) => session.orbitOf(choice)) as [OrbitOfBranch?, OrbitOfBranch?];
+    const comparing = session.address.b !== undefined;
+    const { map } = this.card;
+    map.stack.setCursors(a.choice.value, comparing ? b.choice.value : NaN, orbits[0]?.label);
+    map.setOrbits(
+      [orbits[0]?.point, comparing ? orbits[1]?.point : undefined],
+      session.orbitOf(session.side.choice)?.point,
+      // Branches are of the machine as it stands.
+      session.side.choice.assignments.size === 0,
+    );
+  }
+
+  /// Where the sides are in the plane of the map.
+  private showCells(): void {
+    const { session } = this;
+    const { map, sides } = session;
+    if (!map) return;
+    const spot = (name: SideName): Spot => [
+      session.valueOf(sides[name], map.x.parameter),
+      session.valueOf(sides[name], map.y.parameter),
+    ];
+    const b = session.address.b ? spot('b') : undefined;
+    this.mapCard.setCursors(spot('a'), b, session.active, session.address.parameter);
+  }
+
+  private showMap(): void {
+    const { session } = this;
+    const { map, address, station, stations, scales } = session;
+    this.card.root.classList.toggle('below-map', map !== undefined);
+    if (!map) {
+      this.mapCard.show(undefined);
+      return;
+    }
+    const [x, y] = [map.x.parameter, map.y.parameter];
+    const stale = Array.from(session.side.choice.assignments.keys()).some((name) => name !== x && name !== y);
+    this.mapCard.show({
+      ...{ map, station, stations, scales, stale },
+      units: address.units,
+      quantity: address.mapQuantity,
+      unitsOfAxes: [session.unitOf(x), session.unitOf(y)],
+      along: address.parameter,
+      status: session.mapText + (stale ? ' Other parameters have been changed since: the map does not know.' : ''),
+      name: shortName(session.machine),
+    });
   }
 
   /// What the diagram and the panes are given alike.
@@ -129,10 +186,11 @@ export class Page {
     this.card.show({
       ...this.common(),
       branches: sight.of === '' ? session.branches : undefined,
+      tori: sight.of === '' ? session.tori : undefined,
       quantity: session.address.quantity,
       range: sight.range,
       hidden: session.hidden,
-      parameters: session.original?.parameters.map(({ name }) => name) ?? [session.address.parameter],
+      parameters: session.parameterNames,
       depth: session.sights.behind,
       computes: session.engine !== undefined,
       status: stale
@@ -142,23 +200,35 @@ export class Page {
       name: shortName(session.machine),
     });
     this.card.progress(session.sights.progress);
+    this.showMap();
+  }
+
+  /// How what is shown was computed.
+  private howOf(side: SideModel, orbit: OrbitOfBranch | undefined): string {
+    const { result, preview, choice } = side;
+    if (!result) return orbit ? '' : this.storedVerdict(choice.value);
+    const time = `${Math.round(result.seconds * 1000)} ms`;
+    if (orbit) return `The orbit as the run has stored it, followed from its own states, ${time}`;
+    return (
+      `${preview ? 'A quick look: ' : ''}${result.options.transient} + ${result.options.record} revolutions ` +
+      `by ${methodText(result.options)} of ${result.options.steps_per_revolution} steps, ${time}`
+    );
   }
 
   private showPane(name: SideName): void {
     const side = this.session.sides[name];
     const { result } = side;
-    const how = result
-      ? `${side.preview ? 'A quick look: ' : ''}${result.options.transient} + ${result.options.record} revolutions ` +
-        `by ${methodText(result.options)} of ${result.options.steps_per_revolution} steps, ` +
-        `${Math.round(result.seconds * 1000)} ms`
-      : this.storedVerdict(side.choice.value);
+    // Of the result, whose setting may have moved on; without an engine there is none.
+    const of = this.session.engine ? side.resultOf : side.choice;
+    const orbit = of && !result?.verdict ? this.session.orbitOf(of) : undefined;
     this.panes[name].show({
       ...this.common(),
       result,
+      orbit,
       value: side.choice.value,
       busy: side.busy && !result ? 'computing \u2026' : '',
       trouble: side.trouble,
-      how,
+      how: this.howOf(side, orbit),
       outdated: this.outdatedText(side),
     });
     this.panes[name].root.classList.toggle('busy', side.busy);

@@ -2,12 +2,24 @@
 import { Motion } from '../data/motion';
 import { button, el, isTouched, select } from '../dom';
 import type { Diagram } from '../data/diagram';
-import type { PointResult, StationInfo, Verdict } from '../engine/protocol';
+import type { OrbitOfBranch } from '../data/orbit';
+import type { MotionResult, StationInfo, Verdict } from '../engine/protocol';
 import { regimeClass } from '../data/regimes';
 import type { SideName } from '../model/session';
 import { markField, typedQuantity } from '../model/typed';
-import { parameterMeasure, readable, shown, written, type Scales, type Units } from '../model/units';
+import {
+  labelled,
+  lengthMeasure,
+  parameterMeasure,
+  readable,
+  shown,
+  written,
+  type Scales,
+  type Units,
+} from '../model/units';
 import { CentrelinePanel } from './centreline';
+import { MultipliersPanel } from './multipliers';
+import { numbersTable } from './numbers';
 import { OrbitPanel, type Trail } from './orbit';
 import type { Panel, Subject } from './panel';
 import { PoincarePanel } from './poincare';
@@ -15,7 +27,9 @@ import { FullSpectrumPanel, SpectrumPanel } from './spectrum';
 import { WaveformPanel } from './waveform';
 
 export interface PaneSubject {
-  readonly result: PointResult | undefined;
+  readonly result: MotionResult | undefined;
+  /// That the result is of, where it is no motion's.
+  readonly orbit: OrbitOfBranch | undefined;
   readonly parameter: string;
   readonly unit: string;
   readonly value: number;
@@ -49,7 +63,7 @@ export interface PaneListener {
 const SPEEDS = [0.25, 1, 4, 16, 64].map((speed) => ({ value: String(speed), text: `${speed} rev/s` }));
 
 /// "6207 rpm, 1X is 103.5 Hz", and "force at disc: 1860 rpm, 1X is 31 Hz" where sections are not the shaft's.
-function speedText({ speed, keyphasor }: PointResult, units: Units): string {
+function speedText({ speed, keyphasor }: MotionResult, units: Units): string {
   const measure = parameterMeasure('rad/s', units);
   const of = keyphasor && `${keyphasor}: `;
   return `${of}${shown(speed * measure.factor)} ${measure.unit}, 1X is ${shown(speed / (2 * Math.PI))} Hz`;
@@ -66,6 +80,7 @@ const REGIME_CODES: Record<string, number> = {
 export class Pane {
   readonly root: HTMLElement;
   private readonly orbit: OrbitPanel;
+  private readonly multipliers = new MultipliersPanel();
   private readonly panels: readonly Panel[];
   private readonly field = el('input', {
     type: 'text',
@@ -80,6 +95,7 @@ export class Pane {
   private readonly turning = el('span', { class: 'turning' });
   private readonly confidence = el('span', { class: 'confidence' });
   private readonly reason = el('p', { class: 'reason' });
+  private readonly numbers = el('div', { class: 'numbers orbit-numbers', role: 'region', tabindex: 0 });
   private readonly how = el('p', { class: 'how' });
   private readonly trouble = el('p', { class: 'trouble', role: 'alert' });
   private readonly outdated = el('p', { class: 'outdated-note' });
@@ -104,6 +120,7 @@ export class Pane {
     this.panels = [
       this.orbit,
       new PoincarePanel(),
+      this.multipliers,
       new WaveformPanel(),
       new SpectrumPanel(),
       new FullSpectrumPanel(),
@@ -140,11 +157,13 @@ export class Pane {
         this.trouble,
         this.outdated,
         this.reason,
+        this.numbers,
         el('div', { class: 'pane-foot' }, this.how, this.turning),
       ),
       el('div', { class: 'panels' }, ...this.panels.map((panel) => panel.root)),
     );
     this.verdict.setAttribute('role', 'status');
+    this.numbers.setAttribute('aria-label', 'The orbit in numbers');
     this.root.addEventListener('focusin', () => listener.activated(side));
     this.root.addEventListener('pointerdown', () => listener.activated(side));
   }
@@ -162,7 +181,9 @@ export class Pane {
     markField(this.field, refused);
     if (!isTouched(this.field) && !refused)
       this.field.value = Number.isFinite(subject.value) ? written(subject.value * measure.factor, 6) : '';
-    this.showVerdict(subject.result?.verdict, subject.busy);
+    if (subject.orbit) this.showOrbit(subject.orbit);
+    else this.showVerdict(subject.result?.verdict, subject.busy);
+    this.multipliers.root.hidden = this.numbers.hidden = !subject.orbit || !subject.result;
     this.how.textContent = subject.busy || subject.how;
     this.turning.textContent = subject.result ? speedText(subject.result, subject.units) : '';
     this.trouble.textContent = subject.trouble;
@@ -172,7 +193,7 @@ export class Pane {
     const info = subject.stations[subject.station];
     if (!info) return;
     const seen: Subject = {
-      motion: subject.result && new Motion(subject.result),
+      motion: subject.result && new Motion(subject.result, subject.orbit),
       station: subject.station,
       // The gap and the clearance of this very machine: a parameter may have changed them.
       info: subject.result?.stations[subject.station] ?? info,
@@ -186,6 +207,7 @@ export class Pane {
       label: `${subject.parameter} ${shown((subject.result?.value ?? subject.value) * measure.factor, 6)}`,
     };
     for (const panel of this.panels) panel.update(seen);
+    if (subject.orbit && seen.motion) this.showNumbers(subject, subject.orbit, seen.motion);
   }
 
   redraw(): void {
@@ -203,6 +225,39 @@ export class Pane {
     this.play.setAttribute('aria-pressed', String(on));
     if (!on) this.watch(undefined);
     if (tell) this.listener.watch(this.side, on, this.speed);
+  }
+
+  private showOrbit(orbit: OrbitOfBranch): void {
+    this.verdict.textContent = orbit.verdict;
+    const kind = orbit.stable ? `class-${regimeClass(1, Math.max(1, orbit.revolutions))}` : 'unstable';
+    this.verdict.className = `verdict ${kind}`;
+    this.confidence.textContent = '';
+    this.reason.textContent = orbit.label;
+  }
+
+  /// The orbit as a row of a table.
+  private showNumbers(subject: PaneSubject, orbit: OrbitOfBranch, motion: Motion): void {
+    const value = parameterMeasure(subject.unit, subject.units);
+    const length = lengthMeasure(subject.units, { ...subject.scales, length: motion.result.lengthScale });
+    const span = (column: number) =>
+      motion.number('orbit/high', subject.station, column) - motion.number('orbit/low', subject.station, column);
+    const turns = orbit.period / (2 * Math.PI);
+    const row: readonly (readonly [string, string])[] = [
+      [labelled(subject.parameter, value.unit), written(orbit.value * value.factor, 9)],
+      ...(orbit.rests ? [] : [['revolutions', shown(turns, 7)] as const]),
+      [orbit.rests ? 'growing' : 'outside', String(orbit.unstable)],
+      [orbit.rests ? 'growth per rad' : 'largest modulus', shown(orbit.largest, 6)],
+      [`X (${length.unit} p-p)`, shown(span(0) * length.factor, 7)],
+      [`Y (${length.unit} p-p)`, shown(span(1) * length.factor, 7)],
+      ['residual', shown(orbit.residual, 2)],
+    ];
+    this.numbers.replaceChildren(
+      numbersTable(
+        'The orbit in numbers',
+        row.map(([heading]) => heading),
+        [row.map(([, cell]) => cell)],
+      ),
+    );
   }
 
   private showVerdict(verdict: Verdict | undefined, busy: string): void {

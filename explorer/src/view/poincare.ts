@@ -34,7 +34,14 @@ export class PoincarePanel extends Panel {
   protected refresh(): void {
     const { motion, station } = this.subject!;
     const count = motion?.section(station).x.length ?? 0;
-    this.note.textContent = count ? `${count} revolutions, one dot each, at the mark` : '';
+    const round = motion?.orbit?.revolutions ?? 0;
+    this.note.textContent = motion?.orbit?.rests
+      ? 'at rest'
+      : round > 0
+        ? `${round} dot${round > 1 ? 's' : ''}, where the orbit is at the mark`
+        : count
+          ? `${count} revolutions, one dot each, at the mark`
+          : '';
     this.figure.description = this.note.textContent;
     this.figure.redraw();
   }

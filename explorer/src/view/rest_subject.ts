@@ -94,7 +94,7 @@ export function keyElements(keys: readonly Key[]): HTMLElement[] {
 }
 
 /// A legend under a picture: where its entries stand, in as many lines as they need.
-function placeKeys(keys: readonly Key[], width: number): { readonly x: number; readonly line: number }[] {
+export function placeKeys(keys: readonly Key[], width: number): { readonly x: number; readonly line: number }[] {
   const size = textSize();
   const face = font(size);
   let [x, line] = [0, 0];
@@ -117,7 +117,7 @@ export function pictureOf(title: string, stack: Stack, keys: readonly Key[]): Pi
   );
 }
 
-function sketchKeys(
+export function sketchKeys(
   keys: readonly Key[],
   pen: Pen,
   width: number,

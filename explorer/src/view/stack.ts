@@ -17,9 +17,19 @@ export interface Along {
   readonly range: Range;
 }
 
+/// A place in the plotting area of the upper chart, in CSS pixels from its left and top.
+export interface Spot {
+  readonly left: number;
+  readonly top: number;
+}
+
 export interface StackListener {
-  /// A value was chosen, in SI; `settled` when the pointer let go.
-  cursor(value: number, settled: boolean): void;
+  /// A value was chosen, in SI; `settled` when the pointer let go. `spot`: where on the upper chart the pointer is.
+  cursor(value: number, settled: boolean, spot?: Spot): void;
+  /// The pointer is over the upper chart and presses nothing, or has left it.
+  hover?(spot: Spot | undefined): void;
+  /// A key was pressed, with Shift for ten times as far; whether it was meant for the listener.
+  key?(key: string, many: number): boolean;
   /// A range was brushed, in SI.
   brushed(range: Range): void;
   /// The view was zoomed or moved, in SI.
@@ -39,6 +49,7 @@ export class Stack {
   mode: Mode = 'point';
   private along: Along | undefined;
   private value = NaN;
+  private words = '';
   private readonly cursors: readonly [CursorLine, CursorLine];
   private readonly brush = el('div', { class: 'brush', hidden: true });
 
@@ -73,6 +84,11 @@ export class Stack {
     this.along = along;
   }
 
+  /// In SI.
+  get chosenValue(): number {
+    return this.value;
+  }
+
   /// In the unit that is shown.
   get range(): Range {
     const { range, unit, units } = this.along!;
@@ -87,8 +103,10 @@ export class Stack {
   }
 
   /// The values of settings A and B in SI; NaN hides a cursor.
-  setCursors(a: number, b: number): void {
+  /// `words`: what the slider says besides its value.
+  setCursors(a: number, b: number, words = ''): void {
     this.value = a;
+    this.words = words;
     this.cursors[0].value = a;
     this.cursors[1].value = b;
     this.placeCursors();
@@ -134,7 +152,9 @@ export class Stack {
     slider.setAttribute('aria-valuenow', String(this.value * measure.factor));
     slider.setAttribute(
       'aria-valuetext',
-      `${along.parameter} ${shown(this.value * measure.factor, 6)} ${measure.unit}`,
+      [`${along.parameter} ${shown(this.value * measure.factor, 6)} ${measure.unit}`, this.words]
+        .filter(Boolean)
+        .join(', '),
     );
   }
 
@@ -145,10 +165,17 @@ export class Stack {
     return along.range[0] + part * (along.range[1] - along.range[0]);
   }
 
+  private spotOf(overlay: HTMLElement, event: PointerEvent): Spot | undefined {
+    if (overlay !== this.main.overlay) return undefined;
+    const box = overlay.getBoundingClientRect();
+    return { left: event.clientX - box.left, top: event.clientY - box.top };
+  }
+
   private listen(overlay: HTMLElement): void {
     let doing: Mode | undefined;
     let from = NaN;
     let last = NaN;
+    let height = NaN;
     const fingers = new Map<number, number>();
     overlay.addEventListener('pointerdown', (event) => {
       if (event.button !== 0 || !this.along) return;
@@ -163,28 +190,36 @@ export class Stack {
       }
       doing = event.shiftKey ? 'range' : this.mode;
       from = last = this.valueAt(overlay, event.clientX);
-      if (doing === 'point') this.listener.cursor(from, false);
+      height = event.clientY;
+      if (doing === 'point') this.listener.cursor(from, false, this.spotOf(overlay, event));
     });
     overlay.addEventListener('pointermove', (event) => {
       if (!this.along) return;
       if (fingers.size === 2 && fingers.has(event.pointerId)) this.pinch(overlay, fingers, event);
-      if (!doing) return;
+      if (!doing) {
+        if (event.buttons === 0 && this.mode === 'point') this.listener.hover?.(this.spotOf(overlay, event));
+        return;
+      }
       const value = this.valueAt(overlay, event.clientX);
-      if (doing === 'point' && value !== last) this.listener.cursor(value, false);
+      if (doing === 'point' && (value !== last || event.clientY !== height))
+        this.listener.cursor(value, false, this.spotOf(overlay, event));
       if (doing === 'range') this.showBrush(from, value);
       if (doing === 'pan') this.pan(from - value);
       last = value;
+      height = event.clientY;
     });
     const end = (event: PointerEvent, cancelled: boolean) => {
       fingers.delete(event.pointerId);
       if (!doing || !this.along) return;
       const value = this.valueAt(overlay, event.clientX);
-      if (doing === 'point') this.listener.cursor(cancelled ? last : value, true);
+      if (doing === 'point')
+        this.listener.cursor(cancelled ? last : value, true, cancelled ? undefined : this.spotOf(overlay, event));
       if (doing === 'range') this.endBrush(from, value, cancelled);
       doing = undefined;
     };
     overlay.addEventListener('pointerup', (event) => end(event, false));
     overlay.addEventListener('pointercancel', (event) => end(event, true));
+    overlay.addEventListener('pointerleave', () => this.listener.hover?.(undefined));
     overlay.addEventListener('wheel', (event) => this.wheel(overlay, event), { passive: false });
   }
 
@@ -246,6 +281,10 @@ export class Stack {
     if (!along || event.ctrlKey || event.metaKey || event.altKey) return;
     const [low, high] = along.range;
     const many = event.shiftKey ? 10 : 1;
+    if (this.listener.key?.(event.key, many)) {
+      event.preventDefault();
+      return;
+    }
     const step = (steps: number) => go(this.walk(now, steps * many, along.range));
     const now = Number.isFinite(this.value) ? this.value : (low + high) / 2;
     // Keys may come faster than frames: the next one goes on from here.

@@ -147,18 +147,34 @@ static whirl_record *record(const whirl_system *system, const char *method, bool
     return made;
 }
 
-static whirl_system oscillator_system(const oscillator *model, const whirl_probe *probe) {
-    return (whirl_system){.dimension = 2,
-                          .period = 2 * pi,
-                          .rhs = oscillate,
-                          .tangent = oscillate_near,
-                          .divergence = oscillate_shrinks,
-                          .probe_count = 1,
-                          .probes = probe,
-                          .model = model};
+static const whirl_probe probe = {.name = "mass", .x = 0, .y = 0, .vx = 1, .vy = 1};
+
+/// A system of two coordinates without its equations.
+static whirl_system plane_system(const void *model) {
+    return (whirl_system){.dimension = 2, .period = 2 * pi, .probe_count = 1, .probes = &probe, .model = model};
 }
 
-static const whirl_probe probe = {.name = "mass", .x = 0, .y = 0, .vx = 1, .vy = 1};
+static whirl_system oscillator_system(const oscillator *model) {
+    whirl_system system = plane_system(model);
+    system.rhs = oscillate;
+    system.tangent = oscillate_near;
+    system.divergence = oscillate_shrinks;
+    return system;
+}
+
+static whirl_system duffing_system(const double *force) {
+    whirl_system system = plane_system(force);
+    system.rhs = duffing;
+    system.tangent = duffing_near;
+    return system;
+}
+
+static whirl_system beside_system(const beside *law) {
+    whirl_system system = plane_system(law);
+    system.rhs = go_beside;
+    system.tangent = near_beside;
+    return system;
+}
 
 // ---------------------------------------------------------------- tests
 
@@ -166,7 +182,7 @@ static const whirl_probe probe = {.name = "mass", .x = 0, .y = 0, .vx = 1, .vy =
 static void multipliers_of_a_linear_oscillator(void **state) {
     static const char *const methods[] = {"rk4", "dop853", "rodas5p"};
     const oscillator model = {.w = 1.7, .zeta = 0.02};
-    const whirl_system system = oscillator_system(&model, &probe);
+    const whirl_system system = oscillator_system(&model);
     const double decay = model.zeta * model.w * 2 * pi, turn = 2 * pi * model.w * sqrt(1 - model.zeta * model.zeta);
     // rk4 turns too far by (w h)^4/120 of the angle.
     const double turned = 2 * pi * model.w * pow(model.w * 2 * pi / 256, 4) / 120;
@@ -213,13 +229,7 @@ static void early_ends_keep_verdicts(void **state) {
     (void)state;
     for (size_t i = 0; i < POINTS; i++) {
         const double force = 0.2 + 0.45 * (double)i / POINTS;
-        const whirl_system system = {.dimension = 2,
-                                     .period = 2 * pi,
-                                     .rhs = duffing,
-                                     .tangent = duffing_near,
-                                     .probe_count = 1,
-                                     .probes = &probe,
-                                     .model = &force};
+        const whirl_system system = duffing_system(&force);
         whirl_record *whole = record(&system, "rk4", false, false, 1100, start);
         whirl_record *early = record(&system, "rk4", true, true, 1100, start);
         const whirl_verdict expected = whirl_judge(whole), verdict = whirl_judge(early);
@@ -251,13 +261,7 @@ static void held_up_motions_run_on(void **state) {
                  {{beside_saddle, beside_saddle_slope}, 1e-5}};
     (void)state;
     for (size_t i = 0; i < sizeof traps / sizeof *traps; i++) {
-        const whirl_system system = {.dimension = 2,
-                                     .period = 2 * pi,
-                                     .rhs = go_beside,
-                                     .tangent = near_beside,
-                                     .probe_count = 1,
-                                     .probes = &probe,
-                                     .model = &traps[i].law};
+        const whirl_system system = beside_system(&traps[i].law);
         const double start[2] = {0.4, traps[i].start};
         whirl_record *r = record(&system, "rk4", true, true, 1100, start);
         assert_true(fabs(r->end[1] - 1) < 1e-6);
@@ -270,13 +274,7 @@ static void held_up_motions_run_on(void **state) {
 /// What stays exactly on a saddle returns, and its orbit says that it is none to rest on.
 static void a_saddle_is_no_verdict_to_trust(void **state) {
     const beside law = {beside_saddle, beside_saddle_slope};
-    const whirl_system system = {.dimension = 2,
-                                 .period = 2 * pi,
-                                 .rhs = go_beside,
-                                 .tangent = near_beside,
-                                 .probe_count = 1,
-                                 .probes = &probe,
-                                 .model = &law};
+    const whirl_system system = beside_system(&law);
     const double start[2] = {0.4, 0};
     (void)state;
     whirl_record *r = record(&system, "rk4", true, true, 1100, start);

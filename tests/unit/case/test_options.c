@@ -1,6 +1,8 @@
 // Every option that a case may say arrives in its study, wherever its table is and whatever it is called.
 #include "case_support.h"
 
+#include <math.h>
+
 #include "whirl/study.h"
 
 /// A word or number for the key that is not its default.
@@ -8,11 +10,12 @@ static const char *other_value(const whirl_key *key, char text[WHIRL_NAME_SIZE])
     if (strcmp(key->name, "method") == 0) return "rodas5p";
     if (key->kind == WHIRL_KEY_CHOICE && strcmp(key->choices, "unlocated|located") == 0) return "located";
     if (key->kind == WHIRL_KEY_CHOICE) return strcmp(key->fallback, "yes") == 0 ? "no" : "yes";
-    const double value = strtod(key->fallback, NULL), some = key->range.high < 100.0 ? key->range.high : 100.0;
+    const double value = strtod(key->fallback, NULL), half = value / 2.0,
+                 some = key->range.high < 100.0 ? key->range.high : 100.0;
     snprintf(text, WHIRL_NAME_SIZE, "%.10g",
-             value > 1.0                     ? value / 2.0
+             value > 1.0                     ? (key->kind == WHIRL_KEY_WHOLE ? floor(half) : half)
              : value == 1.0                  ? 2.0
-             : value > 0.0                   ? value / 2.0
+             : value > 0.0                   ? half
              : strcmp(key->unit, "rad") == 0 ? 0.5
                                              : some);
     return text;

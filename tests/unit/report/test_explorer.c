@@ -50,30 +50,34 @@ static size_t decoded_size(const char *text, const char *key) {
     return length * 3 / 4;
 }
 
-static void large_tables_are_thinned(void **state) {
-    (void)state;
+/// The explorer of a result, by a template that is its mark alone; to be freed.
+static char *page_of(const whirl_result *result) {
     char folder[] = "/tmp/whirl-explorer-XXXXXX", path[64];
+    const char *const names[] = {"large"};
     assert_non_null(mkdtemp(folder));
     snprintf(path, sizeof path, "%s/template", folder);
     FILE *template = fopen(path, "w");
     assert_non_null(template);
     fputs("@WHIRL-RUNS@", template);
     fclose(template);
-
-    whirl_result *result = large_result();
-    const whirl_result *const results[] = {result};
-    const char *const names[] = {"large"};
-    assert_int_equal(explorer_write(path, results, names, 1, folder).code, WHIRL_OK);
+    assert_int_equal(explorer_write(path, &result, names, 1, folder).code, WHIRL_OK);
     unlink(path);
     snprintf(path, sizeof path, "%s/explorer.html", folder);
     char *page = read_all(path);
+    unlink(path);
+    rmdir(folder);
+    return page;
+}
+
+static void large_tables_are_thinned(void **state) {
+    (void)state;
+    whirl_result *result = large_result();
+    char *page = page_of(result);
     assert_non_null(strstr(page, "\"points\":65537,\"count\":32769"));
     assert_non_null(strstr(page, "\"repeat\":1,\"rows\":31,\"columns\":2"));
     assert_int_equal(decoded_size(page, "\"values\":\""), KEPT * sizeof(double));
     assert_int_equal(decoded_size(page, "\"data\":\""), (size_t)KEPT * KEPT_ROWS * COLUMNS * sizeof(float));
     free(page);
-    unlink(path);
-    rmdir(folder);
     whirl_result_free(result);
 }
 
@@ -83,14 +87,6 @@ static void critical_speeds_are_never_thinned(void **state) {
     enum { NUMBERS = 600 };
     const size_t left_out = 1;
     const size_t most = ((size_t)1 << 22) / (NUMBERS + 1) + 1, count = most + 1;
-    char folder[] = "/tmp/whirl-explorer-XXXXXX", path[64];
-    assert_non_null(mkdtemp(folder));
-    snprintf(path, sizeof path, "%s/template", folder);
-    FILE *template = fopen(path, "w");
-    assert_non_null(template);
-    fputs("@WHIRL-RUNS@", template);
-    fclose(template);
-
     whirl_result *result = calloc(1, sizeof *result);
     whirl_table *table = calloc(1, sizeof *table);
     assert_true(result && table);
@@ -117,23 +113,66 @@ static void critical_speeds_are_never_thinned(void **state) {
     result->tables = table;
     result->table_count = 1;
 
-    const whirl_result *const results[] = {result};
-    const char *const names[] = {"large"};
-    assert_int_equal(explorer_write(path, results, names, 1, folder).code, WHIRL_OK);
-    unlink(path);
-    snprintf(path, sizeof path, "%s/explorer.html", folder);
-    char *page = read_all(path), expected[96];
+    char *page = page_of(result), expected[96];
     snprintf(expected, sizeof expected, "\"points\":%zu,\"count\":%zu", count, (count - 1) / 2 + 1);
     assert_non_null(strstr(page, expected));
     assert_non_null(strstr(page, "\"critical\":[[1,0.1234567890123,2,3,0.5,-1]]"));
     free(page);
-    unlink(path);
-    rmdir(folder);
     whirl_result_free(result);
+}
+
+/// A result of branches, of `count` orbits of one revolution in 64 segments of 256 coordinates, that of point p being p
+/// everywhere; the last one is not done.
+static whirl_result *many_orbits(size_t count) {
+    enum { SEGMENTS = 64, DIMENSION = 256, NODES = SEGMENTS * DIMENSION };
+    static const whirl_system system = {.dimension = DIMENSION};
+    const whirl_integrate_options integrate = whirl_integrate_default();
+    whirl_result *result = calloc(1, sizeof *result);
+    whirl_table *table = calloc(1, sizeof *table);
+    assert_true(result && table);
+    *table = (whirl_table){.name = "branch", .parameter = "a", .count = count, .record = whirl_record_default()};
+    table->record.trace.segments = SEGMENTS;
+    table->record.trace.longest = 1;
+    whirl_analysis_add(&table->analyses, "trace");
+    assert_int_equal(whirl_layout_new(&system, &integrate, &table->record, table->analyses, &table->layout).code,
+                     WHIRL_OK);
+    table->values = calloc(count, sizeof *table->values);
+    table->branch = calloc(count, sizeof *table->branch);
+    table->done = calloc(count, 1);
+    table->blocks = calloc(count * table->layout.size, sizeof *table->blocks);
+    assert_true(table->values && table->branch && table->done && table->blocks);
+    for (size_t p = 0; p < count; p++) {
+        double *block = table->blocks + p * table->layout.size;
+        block[whirl_layout_field(&table->layout, "trace/revolutions")->offset] = 1.0;
+        block[whirl_layout_field(&table->layout, "trace/period")->offset] = 0.5;
+        double *nodes = block + whirl_layout_field(&table->layout, "trace/nodes")->offset;
+        for (size_t i = 0; i < NODES; i++) nodes[i] = (double)p;
+        table->done[p] = p + 1 < count;
+    }
+    result->case_text = calloc(1, 1);
+    result->tables = table;
+    result->table_count = 1;
+    return result;
+}
+
+// A million numbers are there at most: of every second orbit here, each with its period, and none of what is not done.
+static void orbits_are_thinned(void **state) {
+    (void)state;
+    enum { NUMBERS = 64 * 256 };
+    for (size_t count = 64; count <= 67; count += 3) {
+        whirl_result *result = many_orbits(count);
+        char *page = page_of(result);
+        const size_t kept = count == 64 ? 63 : 33; // 0, 2, ..., 64; 66 is not done
+        assert_non_null(strstr(page, count == 64 ? "\"orbit_stride\":1" : "\"orbit_stride\":2"));
+        assert_int_equal(decoded_size(page, "\"orbits\":\""), kept * (1 + NUMBERS) * sizeof(double));
+        free(page);
+        whirl_result_free(result);
+    }
 }
 
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(large_tables_are_thinned),
-                                       cmocka_unit_test(critical_speeds_are_never_thinned)};
+                                       cmocka_unit_test(critical_speeds_are_never_thinned),
+                                       cmocka_unit_test(orbits_are_thinned)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

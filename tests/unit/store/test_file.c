@@ -6,6 +6,7 @@
 
 #include <cmocka.h>
 
+#include "expect.h"
 #include "read.h"
 #include "same.h"
 #include "synthetic.h"
@@ -56,20 +57,11 @@ static int teardown(void **state) {
     return 0;
 }
 
-static void assert_well(whirl_status status) {
-    if (status.code != WHIRL_OK) fail_msg("%s", status.message);
-}
-
-static void assert_says(whirl_status status, whirl_code code, const char *words) {
-    assert_int_equal(status.code, code);
-    if (!strstr(status.message, words)) fail_msg("'%s' does not say '%s'", status.message, words);
-}
-
 static void written(fixture *f) {
-    assert_well(whirl_result_write(f->made, f->path));
+    check(whirl_result_write(f->made, f->path));
     free(f->bytes);
     f->bytes = NULL;
-    assert_well(whole_file(f->path, &f->bytes, &f->size));
+    check(whole_file(f->path, &f->bytes, &f->size));
 }
 
 static size_t files_in(const char *folder) {
@@ -88,7 +80,7 @@ static void reads_what_was_written(void **state) {
     fixture *f = *state;
     whirl_result *read = NULL;
     written(f);
-    assert_well(whirl_result_read(f->path, &read));
+    check(whirl_result_read(f->path, &read));
     assert_true(same_result(f->made, read));
     assert_int_equal(files_in(f->folder), 1);
     whirl_result_free(read);
@@ -99,8 +91,8 @@ static void reads_an_empty_result(void **state) {
     whirl_result nothing = {0}, *read = NULL;
     char none[] = "";
     nothing.case_text = none;
-    assert_well(whirl_result_write(&nothing, f->path));
-    assert_well(whirl_result_read(f->path, &read));
+    check(whirl_result_write(&nothing, f->path));
+    check(whirl_result_read(f->path, &read));
     assert_true(same_result(&nothing, read));
     whirl_result_free(read);
 }
@@ -109,8 +101,8 @@ static void reads_a_table_without_points(void **state) {
     fixture *f = *state;
     whirl_result *read = NULL;
     f->made->tables[0].count = 0;
-    assert_well(whirl_result_write(f->made, f->path));
-    assert_well(whirl_result_read(f->path, &read));
+    check(whirl_result_write(f->made, f->path));
+    check(whirl_result_read(f->path, &read));
     assert_int_equal(read->tables[0].count, 0);
     assert_true(same_result(f->made, read));
     whirl_result_free(read);
@@ -141,9 +133,9 @@ static void a_partial_file_has_what_is_done(void **state) {
     f->made->partial = true;
     sweep->done = synthetic_take(sweep->count, 1);
     sweep->done[0] = sweep->done[2] = 1;
-    assert_well(whirl_result_write(f->made, f->path));
-    assert_well(whirl_result_verify(f->made, f->path));
-    assert_well(whirl_result_read(f->path, &read));
+    check(whirl_result_write(f->made, f->path));
+    check(whirl_result_verify(f->made, f->path));
+    check(whirl_result_read(f->path, &read));
     free(sweep->done);
     sweep->done = NULL;
     assert_true(same_result(with_points(f->made, (const size_t[]){0, 2}, 2), read));
@@ -151,9 +143,9 @@ static void a_partial_file_has_what_is_done(void **state) {
     assert_int_equal(done, 2 + read->tables[1].count);
     assert_int_equal(total, SYNTHETIC_POINTS + read->tables[1].count);
     // What was read is written as it is.
-    assert_well(whirl_result_write(read, f->path));
-    assert_well(whirl_result_verify(read, f->path));
-    assert_well(whirl_result_read(f->path, &again));
+    check(whirl_result_write(read, f->path));
+    check(whirl_result_verify(read, f->path));
+    check(whirl_result_read(f->path, &again));
     assert_true(same_result(read, again));
     whirl_result_free(again);
     whirl_result_free(read);
@@ -180,7 +172,7 @@ static void a_partial_file_is_as_large_as_its_points(void **state) {
     f->made->partial = true;
     written(f);
     assert_true(f->size == whole);
-    assert_well(whirl_result_verify(f->made, f->path));
+    check(whirl_result_verify(f->made, f->path));
 }
 
 /// Many points, so that datasets have several chunks of 1 MiB.
@@ -191,8 +183,8 @@ static void reads_large_tables(void **state) {
     free(table->values), free(table->branch), free(table->blocks);
     synthetic_fill(table, 9001);
     assert_true(table->count * 2 * 4 * SYNTHETIC_RECORD * sizeof(double) > 2 << 20);
-    assert_well(whirl_result_write(f->made, f->path));
-    assert_well(whirl_result_read(f->path, &read));
+    check(whirl_result_write(f->made, f->path));
+    check(whirl_result_read(f->path, &read));
     assert_true(same_result(f->made, read));
     whirl_result_free(read);
 }
@@ -217,8 +209,8 @@ static void replaces_a_file(void **state) {
     whirl_result *read = NULL;
     written(f);
     snprintf(f->made->title, sizeof f->made->title, "another");
-    assert_well(whirl_result_write(f->made, f->path));
-    assert_well(whirl_result_read(f->path, &read));
+    check(whirl_result_write(f->made, f->path));
+    check(whirl_result_read(f->path, &read));
     assert_string_equal(read->title, "another");
     whirl_result_free(read);
 }
@@ -256,7 +248,7 @@ static void a_full_disk_leaves_the_old_file(void **state) {
         assert_says(status, WHIRL_IO_ERROR, strerror(EFBIG));
         assert_int_equal(files_in(f->folder), 1);
     }
-    assert_well(whirl_result_read(f->path, &read));
+    check(whirl_result_read(f->path, &read));
     assert_true(same_result(f->made, read));
     whirl_result_free(read);
 }
@@ -421,7 +413,7 @@ static void words_are_plain_when_they_are_read(void **state) {
     written(f);
     change_text(f, "/", "title", "\x1b]0;owned\x07 \xc2\x9b\x33\x31m red \xe2\x80\xae turned Poincar\xc3\xa9 \xff");
     change_text(f, "/provenance", f->made->facts[0].name, "one\ntwo");
-    assert_well(whirl_result_read(f->path, &read));
+    check(whirl_result_read(f->path, &read));
     assert_string_equal(read->title, "?]0;owned? ?31m red ? turned Poincar\xc3\xa9 ?");
     // An attribute that is replaced comes last.
     assert_string_equal(read->facts[read->fact_count - 1].value, "one?two");
@@ -433,8 +425,8 @@ static void words_that_are_not_plain_are_verified(void **state) {
     fixture *f = *state;
     snprintf(f->made->title, sizeof f->made->title, "cut \x1b[1m \xc3");
     snprintf(f->made->parameters[0].text, sizeof f->made->parameters[0].text, "1\n2");
-    assert_well(whirl_result_write(f->made, f->path));
-    assert_well(whirl_result_verify(f->made, f->path));
+    check(whirl_result_write(f->made, f->path));
+    check(whirl_result_verify(f->made, f->path));
 }
 
 static void refuses_impossible_points(void **state) {

@@ -13,6 +13,7 @@
 #include <cmocka.h>
 
 #include "crc32c.h"
+#include "expect.h"
 #include "journal_scan.h"
 #include "kept.h"
 #include "whole.h"
@@ -42,14 +43,6 @@ static int teardown(void **state) {
     whirl_result_free(f->outline);
     free(f);
     return failed;
-}
-
-static void check(whirl_status status) {
-    if (status.code != WHIRL_OK) fail_msg("%s", status.message);
-}
-
-static void assert_says(whirl_status status, whirl_code code, const char *words) {
-    if (status.code != code || !strstr(status.message, words)) fail_msg("%d: '%s'", (int)status.code, status.message);
 }
 
 static whirl_journal *resumed(const fixture *f) {

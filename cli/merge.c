@@ -1,0 +1,60 @@
+/// whirl merge: makes the result of what shards have computed.
+#include "command.h"
+
+#include "cores.h"
+#include "study.h"
+
+static const struct argp_option options[] = {
+    OUTPUT_OPTION,
+    SET_OPTION,
+    {.name = "threads",
+     .key = KEY_THREADS,
+     .arg = "N",
+     .doc = "Compute what needs all points on N threads (default: all cores); the result is the same for every N"},
+    {.name = "json", .key = KEY_JSON, .doc = "Print the points as one JSON document on standard output, too"},
+    {.name = "force", .key = KEY_FORCE, .doc = "Replace a result that is there already; without it a result is kept"},
+    REFINE_OPTION,
+    {.name = "max-time",
+     .key = KEY_MAX_TIME,
+     .arg = "TIME",
+     .doc = "Stop after TIME, as in --max-time='10 min' (s, min or h); the same command goes on"},
+    {.name = "quiet", .key = 'q', .doc = "No progress and no summary"},
+    {0},
+};
+
+static void take_journal(study_arguments *arguments, char *path, const struct argp_state *state) {
+    if (arguments->journal_count == MOST_JOURNALS) bad_argument(state, "takes at most %d journals", MOST_JOURNALS);
+    arguments->journals[arguments->journal_count++] = path;
+}
+
+static error_t parse(int key, char *argument, struct argp_state *state) {
+    study_arguments *arguments = state->input;
+    switch (key) {
+    case ARGP_KEY_ARG:
+        if (!arguments->given.path) return parse_study_argument(arguments, key, argument, state);
+        take_journal(arguments, argument, state);
+        return 0;
+    case ARGP_KEY_END:
+        parse_study_argument(arguments, key, argument, state);
+        name_output(arguments);
+        return 0;
+    default:
+        return parse_study_argument(arguments, key, argument, state);
+    }
+}
+
+static int merge(int argc, char **argv) {
+    static const struct argp argp = {
+        .options = options,
+        .parser = parse,
+        .args_doc = "CASE.yaml [JOURNAL...]",
+        .doc = "Makes the result of what shards of 'whirl run' have computed, from all journals of the run that are "
+               "beside RESULT.h5, and from those that are named. The case and its settings are those of the shards. "
+               "Points are not computed: where some are missing the result is partial and the exit status 3. What "
+               "needs all points is: copies of chaotic motions that are followed, and refinement.",
+    };
+    study_arguments arguments = {.given.threads = available_cores(), .merge = true};
+    return study_command(&argp, argc, argv, &arguments);
+}
+
+const command merge_command = {"merge", "make the result of what shards have computed", merge};

@@ -1,0 +1,209 @@
+/// From a case to its result: what `whirl run` and `whirl merge` have in common.
+#include "study.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "guard.h"
+#include "interrupt.h"
+#include "journal.h"
+#include "output.h"
+#include "progress.h"
+#include "summary.h"
+
+enum { PATH_SIZE = 4096 };
+
+// ---------------------------------------------------------------- computing
+
+static int set_budget(const study_arguments *arguments, whirl_case *object) {
+    whirl_study study;
+    whirl_budget budget = arguments->budget;
+    const whirl_status status = whirl_case_study(object, &study);
+    if (status.code != WHIRL_OK) return complain_of(&status);
+    if (budget.revolutions == 0 && budget.seconds == 0) budget.revolutions = whirl_study_revolutions(&study);
+    whirl_case_refine(object, budget);
+    return EXIT_DONE;
+}
+
+static int load(const study_arguments *arguments, whirl_case **object) {
+    const int outcome = load_case(&arguments->given, object);
+    return outcome == EXIT_DONE && arguments->refine ? set_budget(arguments, *object) : outcome;
+}
+
+/// Says why a run ended before its end.
+static void tell_of_stop(const whirl_status *status) {
+    if (*interrupt_watch())
+        complain("%s (%s)", status->message, interrupt_text());
+    else
+        complain("%s", status->message);
+}
+
+/// Whatever the exit status, there may be a result, of what was done until a stop.
+static int compute(const study_arguments *arguments, const whirl_case *object, const run_journal *journal,
+                   whirl_result **result) {
+    enum { LITTLE = 1 };
+    progress_view view = progress_begin();
+    const whirl_run_options how = {
+        .threads = arguments->given.threads,
+        .progress = arguments->quiet ? NULL : progress_show,
+        .context = &view,
+        .stop = interrupt_watch(),
+        .keeper = journal->journal ? whirl_journal_keeper(journal->journal) : NULL,
+        // What comes from journals, or goes there and nowhere else, need not be in memory as well.
+        .memory = arguments->merge || arguments->share.count > 0 ? LITTLE : 0,
+        .share = arguments->share,
+        .gather = arguments->merge,
+    };
+    const whirl_status status = whirl_case_run(object, &how, result);
+    progress_end(&view);
+    if (status.code != WHIRL_STOPPED) return complain_of(&status);
+    tell_of_stop(&status);
+    return EXIT_UNFINISHED;
+}
+
+// ---------------------------------------------------------------- how it was computed
+
+static void now_text(char *text, size_t size) {
+    const time_t now = time(NULL);
+    struct tm parts;
+    if (!gmtime_r(&now, &parts) || strftime(text, size, "%Y-%m-%dT%H:%M:%SZ", &parts) == 0) text[0] = '\0';
+}
+
+static whirl_status add_facts(whirl_result *result, const char *const facts[][2], size_t count) {
+    whirl_status status = whirl_ok();
+    for (size_t i = 0; i < count && status.code == WHIRL_OK; i++)
+        status = whirl_result_add_fact(result, facts[i][0], facts[i][1]);
+    return status;
+}
+
+// ---------------------------------------------------------------- output
+
+/// Writes the result and makes sure of it.
+static int save(const study_arguments *arguments, const whirl_result *result) {
+    char half_written[PATH_SIZE + 32];
+    snprintf(half_written, sizeof half_written, "%s.tmp-%ld", arguments->output, (long)getpid());
+    guard_file(half_written);
+    whirl_status status = whirl_result_write(result, arguments->output);
+    if (status.code == WHIRL_OK) status = whirl_result_verify(result, arguments->output);
+    if (status.code == WHIRL_OK) return EXIT_DONE;
+    complain_of(&status);
+    return EXIT_FAILED;
+}
+
+static int show(const study_arguments *arguments, const whirl_result *result) {
+    if (arguments->json) {
+        const whirl_status status = whirl_result_write_json(result, stdout);
+        if (status.code != WHIRL_OK) return complain_of(&status);
+    } else if (!arguments->quiet) {
+        summarize_result(result);
+        printf("%s\n", arguments->output);
+    }
+    return finish_output();
+}
+
+/// Whether a partial result would cover the complete one of an earlier run.
+static bool would_cover(const char *path, const whirl_result *result) {
+    size_t done, total;
+    whirl_result *earlier = NULL;
+    if (!path || !whirl_result_partial(result, &done, &total)) return false;
+    const bool complete =
+        whirl_result_read_outline(path, &earlier).code == WHIRL_OK && !whirl_result_partial(earlier, &done, &total);
+    whirl_result_free(earlier);
+    return complete;
+}
+
+/// Saves and shows a result, which may be partial and leaves a complete one alone then. Large tables lie in the
+/// journal: it is open until all is told, and goes only when a complete result is safe.
+static int deliver(const study_arguments *arguments, const whirl_result *result, run_journal *journal) {
+    size_t done, total;
+    if (would_cover(arguments->output, result)) {
+        complain("'%s' holds the complete result of an earlier run and is left as it is", arguments->output);
+        leave_journal(journal);
+        return EXIT_DONE;
+    }
+    const int saved = arguments->output ? save(arguments, result) : EXIT_DONE;
+    const bool partial = whirl_result_partial(result, &done, &total);
+    const int told = saved == EXIT_DONE ? show(arguments, result) : saved;
+    if (saved == EXIT_DONE && partial && arguments->output) complain("'%s' is partial and says so", arguments->output);
+    if (saved == EXIT_DONE && !partial)
+        remove_journal(journal);
+    else
+        leave_journal(journal);
+    return told;
+}
+
+static int deliver_with_facts(const study_arguments *arguments, whirl_result *result, const char *started,
+                              run_journal *journal) {
+    char finished[32], threads[16];
+    now_text(finished, sizeof finished);
+    snprintf(threads, sizeof threads, "%d", arguments->given.threads);
+    const char *const facts[][2] = {
+        {"command line", arguments->command_line}, {"started", started}, {"finished", finished}, {"threads", threads}};
+    const whirl_status status = add_facts(result, facts, sizeof facts / sizeof *facts);
+    if (status.code == WHIRL_OK) return deliver(arguments, result, journal);
+    leave_journal(journal);
+    return complain_of(&status);
+}
+
+/// Computes, or takes what journals have, and delivers; of a shard the journal is all there is.
+static int compute_and_deliver(const study_arguments *arguments, const whirl_case *object, run_journal *journal) {
+    char started[32];
+    whirl_result *result = NULL;
+    now_text(started, sizeof started);
+    const int outcome = compute(arguments, object, journal, &result);
+    int delivered = EXIT_DONE;
+    if (!result || (arguments->share.count > 0 && outcome != EXIT_DONE))
+        leave_journal(journal);
+    else if (arguments->share.count > 0)
+        delivered = close_shard(journal);
+    else
+        delivered = deliver_with_facts(arguments, result, started, journal);
+    whirl_result_free(result);
+    return delivered != EXIT_DONE ? delivered : outcome;
+}
+
+// ---------------------------------------------------------------- the whole
+
+static int open_and_compute(const study_arguments *arguments, const whirl_case *object) {
+    const journal_wish wish = {.output = arguments->output,
+                               .share = arguments->share,
+                               .resume = arguments->resume || arguments->merge,
+                               .merge = arguments->merge,
+                               .force = arguments->force,
+                               .quiet = arguments->quiet,
+                               .other_count = arguments->journal_count,
+                               .others = arguments->journals};
+    run_journal journal = {.journal = NULL};
+    whirl_result *finished = NULL;
+    int outcome = arguments->output ? open_journal(&wish, object, &journal, &finished) : EXIT_DONE;
+    if (outcome == EXIT_DONE && finished)
+        outcome = show(arguments, finished);
+    else if (outcome == EXIT_DONE)
+        outcome = compute_and_deliver(arguments, object, &journal);
+    whirl_result_free(finished);
+    return outcome;
+}
+
+static int carry_out(const study_arguments *arguments) {
+    whirl_case *object = NULL;
+    interrupt_watch(); // from the start: reading a case takes time too, and a full disk sends signals at the first
+                       // write
+    if (arguments->max_time > 0) interrupt_after(arguments->max_time);
+    int outcome = load(arguments, &object);
+    if (outcome == EXIT_DONE && arguments->output && !output_is_writable(arguments->output, arguments->given.path))
+        outcome = EXIT_FAILED;
+    if (outcome == EXIT_DONE) {
+        keep_private(arguments->given.path);
+        outcome = open_and_compute(arguments, object);
+    }
+    whirl_case_free(object);
+    return outcome;
+}
+
+int study_command(const struct argp *argp, int argc, char **argv, study_arguments *arguments) {
+    note_command_line(arguments, argc, argv);
+    const int read = read_arguments(argp, argc, argv, 0, arguments);
+    return read == EXIT_DONE ? carry_out(arguments) : read;
+}

@@ -1,0 +1,55 @@
+/// What commands that make a result take.
+#ifndef CLI_STUDY_ARGUMENTS_H
+#define CLI_STUDY_ARGUMENTS_H
+
+#include <stdbool.h>
+
+#include "case_arguments.h"
+
+enum { STUDY_PATH_SIZE = 4096, COMMAND_LINE_SIZE = 256, MOST_JOURNALS = 4096 };
+
+typedef struct study_arguments {
+    case_arguments given;
+    const char *output; ///< NULL: no file
+    bool json, quiet, resume, force, refine, merge;
+    double max_time;     ///< seconds; 0: as long as it takes
+    whirl_budget budget; ///< of refinement; all zero: as many revolutions as the study has
+    whirl_share share;   ///< all zero: the whole study
+    size_t journal_count;
+    const char *journals[MOST_JOURNALS]; ///< those that are not beside the result
+    char default_output[STUDY_PATH_SIZE];
+    char command_line[COMMAND_LINE_SIZE];
+} study_arguments;
+
+/// Keys of their options; a command's own begin at KEY_STUDY_OWN.
+enum { KEY_FORCE = KEY_OWN, KEY_JSON, KEY_REFINE, KEY_MAX_TIME, KEY_STUDY_OWN };
+
+/// Rows of their tables of options that read alike.
+#define OUTPUT_OPTION                                                                                                  \
+    {                                                                                                                  \
+        .name = "output", .key = 'o', .arg = "RESULT.h5",                                                              \
+        .doc = "Write the result here (default: the case's name with .h5, in the current folder)"                      \
+    }
+#define REFINE_OPTION                                                                                                  \
+    {                                                                                                                  \
+        .name = "refine", .key = KEY_REFINE, .arg = "BUDGET", .flags = OPTION_ARG_OPTIONAL,                            \
+        .doc =                                                                                                         \
+            "Do points again whose verdict is undetermined or of low confidence, as the verdict advises (longer, or "  \
+            "with a tighter tolerance), until BUDGET is spent: revolutions, as in --refine=2e6, or time, as in "       \
+            "--refine='10 min' (default: as many revolutions as the study has)"                                        \
+    }
+
+/// The command line as it was typed, before argp reorders it.
+void note_command_line(study_arguments *arguments, int argc, char **argv);
+
+/// The part of an argp parser that takes -o, -q, --force, --json, --refine, --max-time and what parse_case_argument
+/// takes.
+error_t parse_study_argument(study_arguments *arguments, int key, char *argument, struct argp_state *state);
+
+/// Gives the result the case's name with .h5, in the current folder, where it has none.
+void name_output(study_arguments *arguments);
+
+/// A share as it is written, "2/7"; complains of anything else.
+whirl_share parse_share(const char *text, const struct argp_state *state);
+
+#endif

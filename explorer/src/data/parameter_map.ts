@@ -1,0 +1,157 @@
+// A map: points over two parameters, a cell each, as a run has stored them. Its cells are counted along rising values.
+import { Diagram } from './diagram';
+import { float64Of, type Run, type StoredMap } from './run';
+
+export interface MapAxis {
+  readonly parameter: string;
+  /// Rising, in SI.
+  readonly values: Float64Array;
+  /// [values + 1] where cells meet: half-way, by ratios where the values have equal ones.
+  readonly edges: Float64Array;
+  readonly logarithmic: boolean;
+}
+
+export interface Cell {
+  readonly column: number;
+  readonly row: number;
+}
+
+/// Columns or rows without any value stand evenly between those that have one, or beyond.
+function fillGaps(values: Float64Array): void {
+  const known = Array.from(values.keys()).filter((i) => Number.isFinite(values[i]));
+  if (known.length < 2) {
+    const [only = 0] = known;
+    const start = known.length ? values[only]! : 0;
+    values.forEach((_, i) => (values[i] = start + i - only));
+    return;
+  }
+  values.forEach((value, i) => {
+    if (Number.isFinite(value)) return;
+    const next = known.findIndex((at) => at > i);
+    const after = next < 0 ? known.length - 1 : Math.max(1, next);
+    const [from, to] = [known[after - 1]!, known[after]!];
+    values[i] = values[from]! + ((values[to]! - values[from]!) * (i - from)) / (to - from);
+  });
+}
+
+function haveEqualRatios(values: Float64Array): boolean {
+  const [first, last] = [values[0]!, values.at(-1)!];
+  if (values.length < 3 || !(first > 0 && last > 0)) return false;
+  const [ratio, step] = [values[1]! / first, values[1]! - first];
+  const alike = values.every((value, i) => i === 0 || Math.abs(value / values[i - 1]! - ratio) < 1e-6 * ratio);
+  return alike && Math.abs(last - values.at(-2)! - step) > 1e-3 * Math.abs(step);
+}
+
+function edgesOf(values: Float64Array, logarithmic: boolean): Float64Array {
+  const count = values.length;
+  const edges = new Float64Array(count + 1);
+  const [first, last] = [values[0]!, values[count - 1]!];
+  for (let i = 1; i < count; i++) {
+    const [a, b] = [values[i - 1]!, values[i]!];
+    edges[i] = logarithmic ? Math.sqrt(a * b) : (a + b) / 2;
+  }
+  const own = 0.05 * Math.abs(first) || 0.5;
+  const beyond = (value: number, edge: number) => (logarithmic ? (value * value) / edge : 2 * value - edge);
+  edges[0] = count > 1 ? beyond(first, edges[1]!) : first - own;
+  edges[count] = count > 1 ? beyond(last, edges[count - 1]!) : last + own;
+  return edges;
+}
+
+/// The axis of values that rise or fall.
+function axisOf(parameter: string, values: Float64Array): MapAxis {
+  fillGaps(values);
+  values.sort();
+  const logarithmic = haveEqualRatios(values);
+  return { parameter, values, edges: edgesOf(values, logarithmic), logarithmic };
+}
+
+/// The cell of an axis that a value is nearest to.
+export function nearestOn({ values, edges }: MapAxis, value: number): number {
+  let i = 0;
+  while (i + 1 < values.length && value > edges[i + 1]!) i++;
+  return i;
+}
+
+export class ParameterMap {
+  readonly x: MapAxis;
+  readonly y: MapAxis;
+  /// By cell, row after row: the point of the diagram, -1 where there is none.
+  private readonly points: Int32Array;
+
+  private constructor(
+    /// All points, along the first parameter.
+    readonly diagram: Diagram,
+    map: StoredMap,
+  ) {
+    const { columns, rows } = map;
+    const seconds = float64Of(map.seconds);
+    const [x, y] = [new Float64Array(columns).fill(NaN), new Float64Array(rows).fill(NaN)];
+    map.cells.forEach((cell, point) => {
+      x[cell % columns] = diagram.values[point]!;
+      if (Number.isFinite(seconds[point])) y[Math.floor(cell / columns)] = seconds[point]!;
+    });
+    const falls = (values: Float64Array) => {
+      const known = values.filter(Number.isFinite);
+      return known.length > 1 && known[0]! > known.at(-1)!;
+    };
+    const [back, down] = [falls(x), falls(y)];
+    this.points = new Int32Array(columns * rows).fill(-1);
+    map.cells.forEach((cell, point) => {
+      const [column, row] = [cell % columns, Math.floor(cell / columns)];
+      this.points[(down ? rows - 1 - row : row) * columns + (back ? columns - 1 - column : column)] = point;
+    });
+    this.x = axisOf(diagram.parameter, x);
+    this.y = axisOf(map.second, y);
+  }
+
+  /// The map of a run; undefined where it has none.
+  static of(run: Run | undefined): ParameterMap | undefined {
+    const table = run?.tables.find(({ map, count }) => map !== undefined && count > 0);
+    return table?.map && new ParameterMap(Diagram.stored(table, run!.length_scale), table.map);
+  }
+
+  get columns(): number {
+    return this.x.values.length;
+  }
+
+  get rows(): number {
+    return this.y.values.length;
+  }
+
+  /// The axis of a parameter; undefined of all others.
+  axis(parameter: string): MapAxis | undefined {
+    return [this.x, this.y].find((axis) => axis.parameter === parameter);
+  }
+
+  /// The axis across that of a parameter.
+  across(parameter: string): MapAxis {
+    return parameter === this.y.parameter ? this.x : this.y;
+  }
+
+  /// The point of a cell that is done; -1 where there is none.
+  point({ column, row }: Cell): number {
+    const point = this.points[row * this.columns + column] ?? -1;
+    return point >= 0 && this.diagram.done[point] ? point : -1;
+  }
+
+  nearest(x: number, y: number): Cell {
+    return { column: nearestOn(this.x, x), row: nearestOn(this.y, y) };
+  }
+
+  /// A row along the first parameter, or a column along the second: a diagram.
+  cut(along: string, index: number): Diagram {
+    const [columns, rows] = [this.columns, this.rows];
+    const isRow = along !== this.y.parameter;
+    const cells = isRow
+      ? Array.from({ length: columns }, (_, column) => ({ column, row: index }))
+      : Array.from({ length: rows }, (_, row) => ({ column: index, row }));
+    const axis = isRow ? this.x : this.y;
+    const there = cells.map((cell, i) => ({ point: this.point(cell), value: axis.values[i]! }));
+    const known = there.filter(({ point }) => point >= 0);
+    return this.diagram.part(
+      known.map(({ point }) => point),
+      along,
+      Float64Array.from(known, ({ value }) => value),
+    );
+  }
+}

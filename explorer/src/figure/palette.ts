@@ -1,0 +1,29 @@
+// Colours of numbers, read alike by all kinds of colour vision: viridis for what rises, blue to vermilion around zero;
+// whirl's reports have the light ones.
+import type { Theme } from './theme';
+
+const RISING = ['#440154', '#46327e', '#365c8d', '#277f8e', '#1fa187', '#4ac16d', '#a0da39', '#fde725'];
+const AROUND_LIGHT = ['#0072b2', '#f1f1f1', '#d55e00'];
+const AROUND_DARK = ['#3da2e8', '#2b333c', '#ff7a2f'];
+
+export type Palette = 'rising' | 'around';
+
+function partsOf(colour: string): readonly number[] {
+  const number = Number.parseInt(colour.slice(1), 16);
+  return [number >> 16, (number >> 8) & 0xff, number & 0xff];
+}
+
+/// "#rrggbb" so far from one colour to another, 0 to 1.
+export function mixed(one: string, other: string, part: number): string {
+  const [a, b] = [partsOf(one), partsOf(other)];
+  const sum = a.reduce((all, value, i) => all * 256 + Math.round(value + (b[i]! - value) * part), 0);
+  return `#${sum.toString(16).padStart(6, '0')}`;
+}
+
+/// The colour at a part of a palette, 0 to 1; beyond, that of the end.
+export function colourAt(palette: Palette, part: number, theme: Theme): string {
+  const stops = palette === 'rising' ? RISING : theme.dark ? AROUND_DARK : AROUND_LIGHT;
+  const at = Math.min(1, Math.max(0, part)) * (stops.length - 1);
+  const from = Math.min(stops.length - 2, Math.floor(at));
+  return mixed(stops[from]!, stops[from + 1]!, at - from);
+}

@@ -1,0 +1,161 @@
+// The card of a map: what it shows, what is under the cursor, and along which parameter it is cut.
+import { mapQuantitiesOf } from '../data/map_quantities';
+import type { Cell } from '../data/parameter_map';
+import { CLASS_NAMES } from '../data/regimes';
+import { el, Segments, select, setChoices } from '../dom';
+import { fileName, saveMenu } from './panel';
+import { ParameterMapView, type ParameterMapSubject, type Spot } from './parameter_map';
+
+export interface ParameterMapCardListener {
+  /// A cell was chosen; `settled` when the pointer let go.
+  cell(cell: Cell, settled: boolean): void;
+  mapQuantity(id: string): void;
+  station(index: number): void;
+  /// The cut is to run along this parameter.
+  parameter(name: string): void;
+}
+
+export interface ParameterMapCardSubject extends ParameterMapSubject {
+  /// Along which the cut runs; neither of the two where it is another parameter.
+  readonly along: string;
+  /// What the map is of, in a sentence.
+  readonly status: string;
+  /// The map is not of the present parameters.
+  readonly stale: boolean;
+  readonly name: string;
+}
+
+export class ParameterMapCard {
+  readonly root: HTMLElement;
+  readonly map: ParameterMapView;
+  private subject: ParameterMapCardSubject | undefined;
+  private hovered: Cell | undefined;
+  private readonly quantity: HTMLSelectElement;
+  private readonly station: HTMLSelectElement;
+  private readonly cut: Segments;
+  private readonly place = el('span', { class: 'map-place' });
+  private readonly verdict = el('strong', { class: 'verdict' });
+  private readonly rest = el('span', { class: 'map-rest' });
+  private readonly legend = el('div', { class: 'legend' });
+  private readonly status = el('p', { class: 'map-status' });
+
+  constructor(listener: ParameterMapCardListener) {
+    this.map = new ParameterMapView({
+      cell: (cell, settled) => listener.cell(cell, settled),
+      hover: (cell) => {
+        this.hovered = cell;
+        this.tell();
+      },
+      turn: () => listener.parameter(this.subject!.map.across(this.subject!.along).parameter),
+    });
+    this.quantity = select('What the map shows', [], '', (value) => listener.mapQuantity(value));
+    this.station = select('Station of the map', [], '', (value) => listener.station(Number(value)));
+    this.cut = new Segments(
+      'Along which parameter the diagram cuts the map',
+      [
+        { value: 'x', text: 'row', title: 'The diagram is the row of the cursor (key C turns the cut)' },
+        { value: 'y', text: 'column', title: 'The diagram is the column of the cursor (key C turns the cut)' },
+      ],
+      'x',
+      (value) => listener.parameter(this.subject!.map[value as 'x' | 'y'].parameter),
+    );
+    const name = () => fileName('whirl', this.subject?.name ?? '', 'map', this.subject?.quantity ?? '');
+    const figure = { root: this.map.root, redraw: () => this.map.refresh(), picture: () => this.map.picture() };
+    this.root = el(
+      'section',
+      { class: 'card parameter-map-card', 'aria-label': 'Map', hidden: true },
+      el(
+        'header',
+        {},
+        el('h2', {}, 'Map'),
+        el(
+          'div',
+          { class: 'tools' },
+          this.quantity,
+          this.station,
+          el('span', { class: 'over' }, 'cut'),
+          this.cut.root,
+          saveMenu(
+            'Map',
+            name,
+            () => figure,
+            () => this.map.table(),
+          ),
+        ),
+      ),
+      this.map.root,
+      this.legend,
+      el('p', { class: 'map-told' }, this.place, this.verdict, this.rest),
+      this.status,
+    );
+  }
+
+  /// undefined: there is no map.
+  show(subject: ParameterMapCardSubject | undefined): void {
+    this.root.hidden = subject === undefined;
+    const fresh = subject?.map !== this.subject?.map;
+    this.subject = subject;
+    if (!subject) return;
+    const { map, stations, station, quantity, along } = subject;
+    const choices = mapQuantitiesOf(map.diagram);
+    if (fresh)
+      setChoices(
+        this.quantity,
+        choices.map(({ id, text }) => ({ value: id, text })),
+        quantity,
+      );
+    this.quantity.value = quantity;
+    setChoices(
+      this.station,
+      stations.map(({ name }, i) => ({ value: String(i), text: name })),
+      String(station),
+    );
+    this.station.hidden = stations.length < 2 || !choices.find(({ id }) => id === quantity)?.perStation;
+    this.cut.rename('x', `along ${map.x.parameter}`);
+    this.cut.rename('y', `along ${map.y.parameter}`);
+    this.cut.value = along === map.x.parameter ? 'x' : along === map.y.parameter ? 'y' : '';
+    this.status.textContent = subject.status;
+    this.root.classList.toggle('stale', subject.stale);
+    this.map.show(subject);
+    this.showLegend(quantity === 'regime');
+    this.tell();
+  }
+
+  setCursors(a: Spot, b: Spot | undefined, active: 'a' | 'b', along: string): void {
+    this.map.setCursors(a, b, active, along);
+    this.tell();
+  }
+
+  /// What is known of the cell under the pointer, else of that of the setting.
+  private tell(): void {
+    const cell = this.subject && (this.hovered ?? this.map.cell);
+    if (!cell) return;
+    const { verdict, kind, rest } = this.map.told(cell);
+    this.place.textContent = `${this.map.placeText(cell)}:`;
+    this.verdict.textContent = verdict;
+    this.verdict.className = kind < 0 ? 'verdict' : `verdict class-${kind}`;
+    this.rest.textContent = rest;
+  }
+
+  private showLegend(shown: boolean): void {
+    this.legend.hidden = !shown;
+    if (!shown) return;
+    this.legend.replaceChildren(
+      ...this.map
+        .counts()
+        .flatMap((count, kind) =>
+          count === 0
+            ? []
+            : [
+                el(
+                  'span',
+                  { class: `legend-entry class-${kind}` },
+                  `${CLASS_NAMES[kind]} `,
+                  el('span', { class: 'count' }, String(count)),
+                ),
+              ],
+        ),
+      el('span', { class: 'legend-note key-confidence' }, 'faint: confidence fair or low'),
+    );
+  }
+}

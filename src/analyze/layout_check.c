@@ -1,0 +1,74 @@
+// What readers make sure of: tables of branches and tori have the shape that the program takes for granted.
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "analysis.h"
+
+/// The field whose rows are the dimension.
+static const char *const dimensions[] = {"trace/multipliers", "torus/exponents"};
+
+/// Whether a layout has any field of an analysis.
+static bool has_any(const whirl_layout *layout, const char *analysis) {
+    const size_t length = strlen(analysis);
+    for (size_t i = 0; i < layout->field_count; i++)
+        if (strncmp(layout->fields[i].name, analysis, length) == 0 && layout->fields[i].name[length] == '/')
+            return true;
+    return false;
+}
+
+/// The shape that a layout was made for, as far as these analyses have it.
+static block_shape shape_of(const whirl_layout *layout, const whirl_record_options *options) {
+    block_shape shape = {.options = options};
+    for (size_t i = 0; i < sizeof dimensions / sizeof *dimensions; i++) {
+        const whirl_field *field = whirl_layout_field(layout, dimensions[i]);
+        if (field) shape.dimension = field->rows;
+    }
+    const whirl_field *touches = whirl_layout_field(layout, "trace/touches");
+    shape.touch_count = touches ? touches->rows : 0;
+    return shape;
+}
+
+static whirl_status check_plan(const whirl_layout *layout, const char *analysis, const analysis_plan *plan,
+                               const block_shape *shape) {
+    for (size_t f = 0; f < plan->field_count; f++) {
+        const field_plan *own = &plan->fields[f];
+        const size_t rows = own->rows ? own->rows(shape) : 1;
+        char name[WHIRL_NAME_SIZE];
+        snprintf(name, sizeof name, "%s/%s", analysis, own->quantity);
+        const whirl_field *field = whirl_layout_field(layout, name);
+        const size_t found = field ? field->rows : 0;
+        if (found != rows) return whirl_fail(WHIRL_BAD_INPUT, "%s has %zu rows, expected %zu", name, found, rows);
+    }
+    return whirl_ok();
+}
+
+whirl_status whirl_layout_check(const whirl_layout *layout, whirl_analysis_set set,
+                                const whirl_record_options *options) {
+    const block_shape shape = shape_of(layout, options);
+    whirl_status status = whirl_ok();
+    for (size_t a = 0; analysis_plans[a] && status.code == WHIRL_OK; a++) {
+        const analysis_plan *plan = analysis_plans[a];
+        const char *name = whirl_analyses()[a].name;
+        const bool wanted = (set >> a & 1u) || has_any(layout, name);
+        if ((plan->compute_trace || plan->compute_torus) && wanted) status = check_plan(layout, name, plan, &shape);
+    }
+    return status;
+}
+
+whirl_status whirl_block_check(const whirl_layout *layout, const double *block, const whirl_record_options *options) {
+    const double longest = (double)options->trace.longest;
+    const struct {
+        const char *field;
+        double most;
+    } counts[] = {{"trace/revolutions", longest},
+                  {"torus/revolutions", longest},
+                  {"torus/node_count", (double)whirl_trace_torus_nodes(&options->trace)}};
+    for (size_t i = 0; i < sizeof counts / sizeof *counts; i++) {
+        const whirl_field *field = whirl_layout_field(layout, counts[i].field);
+        const double count = field ? block[field->offset] : (double)NAN;
+        if (count < 0.0 || count > counts[i].most)
+            return whirl_fail(WHIRL_BAD_INPUT, "%s is %g, expected 0 to %g", counts[i].field, count, counts[i].most);
+    }
+    return whirl_ok();
+}

@@ -1,0 +1,188 @@
+// Tori past Neimark-Sacker points, as numbers in a block.
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "analysis.h"
+
+enum {
+    NUMBER,
+    BRANCH,
+    POINT,
+    BEGINS,
+    END,
+    LIMIT,
+    REVOLUTIONS,
+    ROTATION,
+    RESONANCE,
+    RADIUS,
+    UNSTABLE,
+    EXPONENT,
+    EXPONENT_ERROR,
+    VOLUME,
+    NODE_COUNT,
+    RESIDUAL,
+    ERROR,
+    TAIL,
+    EXPONENTS,
+    NODES,
+    FREQUENCY,
+    AMPLITUDE,
+    LOW,
+    HIGH,
+    SECTION_LOW,
+    SECTION_HIGH,
+    SECTION,
+    FIELD_COUNT
+};
+
+static size_t coordinates(const block_shape *shape) {
+    return shape->dimension;
+}
+
+static size_t longest(const block_shape *shape) {
+    return (size_t)shape->options->trace.longest;
+}
+
+static size_t most_nodes(const block_shape *shape) {
+    return whirl_trace_torus_nodes(&shape->options->trace);
+}
+
+static size_t numbers_of_nodes(const block_shape *shape) {
+    return most_nodes(shape) * shape->dimension;
+}
+
+static const field_plan fields[FIELD_COUNT] = {
+    [NUMBER] = {"number", "1", "which branch of tori, from 1 in the order of the points at which they begin",
+                WHIRL_PER_POINT, 1, NULL},
+    [BRANCH] = {"branch", "1", "the branch of orbits along which it begins", WHIRL_PER_POINT, 1, NULL},
+    [POINT] = {"point", "1", "the point of the table of branches at which it begins, from 1", WHIRL_PER_POINT, 1, NULL},
+    [BEGINS] = {"begins", "1", "value of the parameter there, in SI", WHIRL_PER_POINT, 1, NULL},
+    [END] = {"end", "1",
+             "why the branch of tori ends here: 0 range, 1 points, 2 shrinks to an orbit, 3 rough or locks, 4 lost, "
+             "5 stopped, 6 none is found; else missing",
+             WHIRL_PER_POINT, 1, NULL},
+    [LIMIT] =
+        {"limit", "1",
+         "value of the parameter, in SI, at which its radius vanishes or its motion locks, as the last two points "
+         "tell",
+         WHIRL_PER_POINT, 1, NULL},
+    [REVOLUTIONS] = {"revolutions", "revolution", "from one section to the next", WHIRL_PER_POINT, 1, NULL},
+    [ROTATION] = {"rotation", "1", "turns round the closed curve from one section to the next", WHIRL_PER_POINT, 1,
+                  NULL},
+    [RESONANCE] = {"resonance", "1", "p, q", WHIRL_PER_POINT, 2, NULL},
+    [RADIUS] = {"radius", "1", "greatest distance of a coordinate of the state from its mean along the closed curve",
+                WHIRL_PER_POINT, 1, NULL},
+    [UNSTABLE] = {"unstable", "1", "normal exponents above 0 by more than their errors: stable at 0", WHIRL_PER_POINT,
+                  1, NULL},
+    [EXPONENT] = {"exponent", "1/revolution", "largest normal Lyapunov exponent", WHIRL_PER_POINT, 1, NULL},
+    [EXPONENT_ERROR] = {"exponent_error", "1/revolution", "its error", WHIRL_PER_POINT, 1, NULL},
+    [VOLUME] = {"volume", "1/revolution", "sum of all exponents by the divergence", WHIRL_PER_POINT, 1, NULL},
+    [NODE_COUNT] = {"node_count", "1", "nodes of the closed curve", WHIRL_PER_POINT, 1, NULL},
+    [RESIDUAL] = {"residual", "1", "by which the curve fails to be carried onto itself at its nodes", WHIRL_PER_POINT,
+                  1, NULL},
+    [ERROR] = {"error", "1", "by which it fails between them, over its radius", WHIRL_PER_POINT, 1, NULL},
+    [TAIL] = {"tail", "1", "last two harmonics of the curve over its largest", WHIRL_PER_POINT, 1, NULL},
+    [EXPONENTS] = {"exponents", "1/revolution", "exponent, error", WHIRL_PER_POINT, 2, coordinates},
+    [NODES] = {"nodes", "1", "states at equal angles of the closed curve, one after the other", WHIRL_PER_POINT, 1,
+               numbers_of_nodes},
+    [FREQUENCY] = {"frequency", "order", "x, y", WHIRL_PER_STATION, 2, NULL},
+    [AMPLITUDE] = {"amplitude", "length", "x, y", WHIRL_PER_STATION, 2, NULL},
+    [LOW] = {"low", "length", "x, y", WHIRL_PER_STATION, 2, NULL},
+    [HIGH] = {"high", "length", "x, y", WHIRL_PER_STATION, 2, NULL},
+    [SECTION_LOW] = {"section_low", "length", "x, y", WHIRL_PER_STATION, 2, longest},
+    [SECTION_HIGH] = {"section_high", "length", "x, y", WHIRL_PER_STATION, 2, longest},
+    [SECTION] = {"section", "length", "x, y, vx, vy (velocities are lengths per unit of the system's time)",
+                 WHIRL_PER_STATION, 4, most_nodes},
+};
+
+static void put_place(const block_view *view, const whirl_torus_trace *trace) {
+    *view_numbers(view, NUMBER, 0) = (double)trace->number;
+    *view_numbers(view, BRANCH, 0) = (double)trace->branch;
+    *view_numbers(view, POINT, 0) = (double)trace->point;
+    *view_numbers(view, BEGINS, 0) = trace->begins;
+    *view_numbers(view, END, 0) = trace->end;
+    *view_numbers(view, LIMIT, 0) = trace->limit;
+}
+
+static void put_torus(const block_view *view, const whirl_torus *torus) {
+    double *resonance = view_numbers(view, RESONANCE, 0), *exponents = view_numbers(view, EXPONENTS, 0);
+    *view_numbers(view, REVOLUTIONS, 0) = (double)torus->revolutions;
+    *view_numbers(view, ROTATION, 0) = torus->rotation;
+    if (torus->resonance > 0) {
+        resonance[0] = round((double)torus->resonance * torus->rotation);
+        resonance[1] = (double)torus->resonance;
+    }
+    *view_numbers(view, RADIUS, 0) = torus->radius;
+    *view_numbers(view, UNSTABLE, 0) = (double)torus->unstable;
+    *view_numbers(view, VOLUME, 0) = torus->volume;
+    *view_numbers(view, NODE_COUNT, 0) = (double)torus->node_count;
+    *view_numbers(view, RESIDUAL, 0) = torus->residual;
+    *view_numbers(view, ERROR, 0) = torus->error;
+    *view_numbers(view, TAIL, 0) = torus->tail;
+    for (size_t i = 0; i < torus->exponent_count; i++) {
+        exponents[2 * i] = torus->exponents[i];
+        exponents[2 * i + 1] = torus->exponent_errors[i];
+    }
+    if (torus->exponent_count > 0) {
+        *view_numbers(view, EXPONENT, 0) = torus->exponents[0];
+        *view_numbers(view, EXPONENT_ERROR, 0) = torus->exponent_errors[0];
+    }
+    memcpy(view_numbers(view, NODES, 0), torus->nodes, torus->node_count * torus->dimension * sizeof *torus->nodes);
+}
+
+static void put_station(const block_view *view, const whirl_torus_trace *trace, size_t which) {
+    const whirl_probe *probe = &trace->system->probes[which];
+    const whirl_torus *torus = trace->torus;
+    const whirl_torus_view *seen = trace->view;
+    const size_t at[4] = {probe->x, probe->y, probe->vx, probe->vy};
+    double *section = view_numbers(view, SECTION, which);
+    for (size_t j = 0; j < torus->node_count; j++)
+        for (size_t c = 0; c < 4; c++) *section++ = torus->nodes[j * torus->dimension + at[c]];
+    for (size_t c = 0; c < 2; c++) {
+        view_numbers(view, FREQUENCY, which)[c] = seen->frequency[at[c]];
+        view_numbers(view, AMPLITUDE, which)[c] = seen->amplitude[at[c]];
+        view_numbers(view, LOW, which)[c] = seen->low[at[c]];
+        view_numbers(view, HIGH, which)[c] = seen->high[at[c]];
+        for (size_t k = 0; k < torus->revolutions; k++) {
+            view_numbers(view, SECTION_LOW, which)[2 * k + c] = seen->section_low[k * seen->dimension + at[c]];
+            view_numbers(view, SECTION_HIGH, which)[2 * k + c] = seen->section_high[k * seen->dimension + at[c]];
+        }
+    }
+}
+
+static whirl_status compute(const whirl_torus_trace *trace, const whirl_record_options *options,
+                            const block_view *view) {
+    const whirl_torus *torus = trace->torus;
+    const size_t most = whirl_trace_torus_nodes(&options->trace), longest_orbit = (size_t)options->trace.longest;
+    put_place(view, trace);
+    if (!torus) return whirl_ok();
+    if (torus->node_count > most || torus->revolutions > longest_orbit)
+        return whirl_fail(WHIRL_BAD_INPUT, "a torus of %zu nodes and %zu revolutions, expected at most %zu and %zu",
+                          torus->node_count, torus->revolutions, most, longest_orbit);
+    put_torus(view, torus);
+    for (size_t i = 0; i < trace->system->probe_count; i++) put_station(view, trace, i);
+    return whirl_ok();
+}
+
+const analysis_plan torus_analysis = {.fields = fields, .field_count = FIELD_COUNT, .compute_torus = compute};
+
+size_t whirl_trace_torus_nodes(const whirl_trace_options *options) {
+    return (size_t)options->torus_nodes | 1u;
+}
+
+void whirl_torus_end_text(double end, double p, double q, char *text, size_t size) {
+    static const char *const texts[] = {
+        [WHIRL_TORUS_END_OF_RANGE] = "the bound is reached",
+        [WHIRL_TORUS_END_OF_POINTS] = "there are as many points as were asked for",
+        [WHIRL_TORUS_SHRANK] = "it shrinks to an orbit",
+        [WHIRL_TORUS_ROUGH] = "its curve is rough: it needs more nodes than allowed",
+        [WHIRL_TORUS_LOST] = "no torus is found beyond",
+        [WHIRL_TORUS_STOPPED] = "it was stopped",
+        [WHIRL_TORUS_NONE] = "none is found at the point",
+    };
+    if (end == WHIRL_TORUS_ROUGH && q > 0.0)
+        snprintf(text, size, "it locks near %.0f/%.0f", p, q);
+    else
+        snprintf(text, size, "%s", end >= 0.0 && end <= WHIRL_TORUS_NONE ? texts[(size_t)end] : "");
+}

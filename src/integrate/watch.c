@@ -1,0 +1,73 @@
+#include "watch.h"
+
+#include <math.h>
+
+#include "kernels/watched_kernel.h"
+
+static void take(double *so_far, whirl_fold fold, double value) {
+    *so_far = watched_with(fold, value, *so_far);
+}
+
+static void watch_probe(const whirl_probe *probe, size_t p, const double *x, size_t stride,
+                        const whirl_ensemble_seen *seen) {
+    const watched_instant now = watched_at(x[probe->x], x[probe->y], x[probe->vx], x[probe->vy]);
+#define WATCH(array, extent, columns, fold, ...)                                                                       \
+    for (size_t c = 0; c < (columns); c++) take(&seen->array[((columns)*p + c) * stride], fold, now.array[c]);
+    WHIRL_WATCHED_OF_STATIONS(WATCH)
+#undef WATCH
+}
+
+static void watch_contacts(const whirl_system *system, const double *x, size_t stride, const whirl_ensemble_seen *seen,
+                           double *touching) {
+    double force[WHIRL_MAX_CONTACTS];
+    if (system->contact_count > 0) system->contacts(system->model, x, force);
+    for (size_t c = 0; c < system->contact_count; c++) {
+        watch_contact(force[c] > 0.0 ? 1.0 : 0.0, 1.0, 1.0, &touching[c * stride], &seen->contact_share[c * stride],
+                      &seen->contact_number[c * stride]);
+        take(&seen->contact_force[c * stride], WHIRL_LARGEST, force[c]);
+    }
+}
+
+void watch_instant(const whirl_system *system, const double *x, size_t stride, const whirl_ensemble_seen *seen,
+                   double *touching) {
+    for (size_t i = 0; i < system->dimension; i++) {
+        take(&seen->low[i * stride], WHIRL_SMALLEST, x[i]);
+        take(&seen->high[i * stride], WHIRL_LARGEST, x[i]);
+    }
+    for (size_t p = 0; p < system->probe_count; p++) watch_probe(&system->probes[p], p, x, stride, seen);
+    watch_contacts(system, x, stride, seen, touching);
+}
+
+// ---------------------------------------------------------------- for motions that no ensemble carries
+
+static void begin(double *array, size_t count, whirl_fold fold) {
+    const double none = fold == WHIRL_LARGEST ? -(double)INFINITY : fold == WHIRL_SMALLEST ? (double)INFINITY : 0.0;
+    for (size_t i = 0; i < count; i++) array[i] = none;
+}
+
+void whirl_seen_begin(const whirl_system *system, const double *x, const whirl_ensemble_seen *seen, double *touching) {
+    begin(seen->low, system->dimension, WHIRL_SMALLEST);
+    begin(seen->high, system->dimension, WHIRL_LARGEST);
+#define BEGIN(array, extent, columns, fold, ...)                                                                       \
+    begin(seen->array, WHIRL_WATCHED_SIZE(extent, columns, system->probe_count, system->contact_count), fold);
+    WHIRL_WATCHED(BEGIN)
+#undef BEGIN
+    if (system->contact_count > 0) system->contacts(system->model, x, touching);
+    for (size_t c = 0; c < system->contact_count; c++) touching[c] = touching[c] > 0.0 ? 1.0 : 0.0;
+}
+
+void whirl_seen_instant(const whirl_system *system, const double *x, const whirl_ensemble_seen *seen,
+                        double *touching) {
+    watch_instant(system, x, 1, seen, touching);
+}
+
+void whirl_seen_end(const whirl_system *system, size_t instants, const whirl_ensemble_seen *seen) {
+#define END(array, extent, columns, fold, square, ...)                                                                 \
+    for (size_t i = 0, all = WHIRL_WATCHED_SIZE(extent, columns, system->probe_count, system->contact_count); i < all; \
+         i++) {                                                                                                        \
+        if ((fold) == WHIRL_MEAN) seen->array[i] /= (double)instants;                                                  \
+        if (square) seen->array[i] = sqrt(seen->array[i]);                                                             \
+    }
+    WHIRL_WATCHED(END)
+#undef END
+}

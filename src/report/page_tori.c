@@ -1,0 +1,115 @@
+// Quasi-periodic motions past Neimark-Sacker points, one row a branch of tori.
+#include <math.h>
+
+#include "html.h"
+#include "machine_at.h"
+#include "page.h"
+#include "quantities.h"
+
+/// A page under way, and one branch of tori: rows of the table.
+typedef struct tori_view {
+    const page *to;
+    size_t index; ///< of the result
+    const whirl_result *result;
+    const whirl_table *table;
+    const whirl_case *machine; ///< or NULL
+    double unit;               ///< of the parameter
+    whirl_tori own;
+} tori_view;
+
+/// "all", "none", "12 of 20".
+static void write_stable(const tori_view *v) {
+    if (v->own.stable == 0 || v->own.stable == v->own.found)
+        fprintf(v->to->stream, "<td>%s</td>", v->own.stable ? "all" : "none");
+    else
+        fprintf(v->to->stream, "<td>%zu of %zu</td>", v->own.stable, v->own.found);
+}
+
+/// The frequency of the largest line, as an order or in the unit of frequencies.
+static double shown_frequency(const tori_view *v, size_t point) {
+    const shown_units *units = &v->to->units[v->index];
+    const double order = whirl_table_field(v->table, point, "torus/frequency", v->own.station)[v->own.axis];
+    const double size = units_order(units, machine_clock(v->machine, v->result, v->table, point));
+    return isfinite(size) ? order * size : order;
+}
+
+static void write_line(const tori_view *v) {
+    if (v->own.station >= v->result->station_count) {
+        fputs("<td></td><td></td>", v->to->stream);
+        return;
+    }
+    fprintf(v->to->stream, "<td class=\"number\">%.6g to %.6g</td><td>", shown_frequency(v, v->own.first),
+            shown_frequency(v, v->own.last));
+    html_text(v->to->stream, v->result->stations[v->own.station].name);
+    fprintf(v->to->stream, " %c</td>", "xy"[v->own.axis]);
+}
+
+static void write_end(const tori_view *v) {
+    const double *resonance = whirl_table_field(v->table, v->own.last, "torus/resonance", 0);
+    const double limit = point_number(v->table, v->own.last, "torus/limit");
+    char text[WHIRL_MESSAGE_SIZE];
+    whirl_torus_end_text(point_number(v->table, v->own.last, "torus/end"), resonance[0], resonance[1], text,
+                         sizeof text);
+    fprintf(v->to->stream, "<td class=\"number\">%.9g</td><td class=\"wide\">",
+            v->table->values[v->own.last] / v->unit);
+    html_text(v->to->stream, text);
+    if (isfinite(limit)) fprintf(v->to->stream, ", at %.6g", limit / v->unit);
+    fputs("</td></tr>\n", v->to->stream);
+}
+
+static void write_row(const tori_view *v) {
+    FILE *stream = v->to->stream;
+    fprintf(stream, "<tr><th class=\"number\">%.0f</th><td class=\"number\">%.9g</td><td class=\"number\">%.0f</td>",
+            point_number(v->table, v->own.first, "torus/number"),
+            point_number(v->table, v->own.first, "torus/begins") / v->unit,
+            point_number(v->table, v->own.first, "torus/branch"));
+    if (v->own.found > 0) {
+        fprintf(stream, "<td class=\"number\">%.6g to %.6g</td>",
+                point_number(v->table, v->own.first, "torus/rotation"),
+                point_number(v->table, v->own.last, "torus/rotation"));
+        write_line(v);
+        write_stable(v);
+        fprintf(stream, "<td class=\"number\">%zu</td>", v->own.found);
+    } else {
+        fputs("<td></td><td></td><td></td><td></td><td class=\"number\">0</td>", stream);
+    }
+    write_end(v);
+}
+
+static void write_head(const tori_view *v, const char *label) {
+    FILE *stream = v->to->stream;
+    const shown_units *units = &v->to->units[v->index];
+    html_table(stream, "Quasi-periodic motions", "");
+    fputs("<thead><tr><th class=\"number\">Torus</th><th class=\"number\">Begins at ", stream);
+    html_text(stream, label);
+    fputs("</th><th class=\"number\">Branch</th><th class=\"number\">Rotation number</th><th class=\"number\">",
+          stream);
+    html_printf(stream, units->frequency > 0.0 ? "Second frequency (%s)" : "Second frequency (order)%s",
+                units->frequency > 0.0 ? units->frequency_name : "");
+    fputs("</th><th>Largest at</th><th>Stable</th><th class=\"number\">Points</th><th class=\"number\">To</th>"
+          "<th>Ends</th></tr></thead>\n<tbody>\n",
+          stream);
+}
+
+void page_tori(const page *to, size_t index) {
+    const whirl_result *result = to->results[index];
+    const whirl_table *table = whirl_result_table(result, "tori");
+    char label[UNIT_LABEL_SIZE];
+    if (!table || !whirl_layout_field(&table->layout, "torus/number")) return;
+    fprintf(to->stream, "<h3 id=\"tori-%zu\">Quasi-periodic motions</h3>\n", index + 1);
+    if (table->count == 0) {
+        fputs("<p>Along the branches that were followed no torus begins.</p>\n", to->stream);
+        return;
+    }
+    whirl_case *machine = machine_of(result);
+    tori_view v = {.to = to, .index = index, .result = result, .table = table, .machine = machine};
+    v.unit = units_parameter(&to->units[index], table->parameter).size;
+    units_parameter_label(&to->units[index], table->parameter, label, sizeof label);
+    write_head(&v, label);
+    for (size_t point = 0; point < table->count; point = v.own.last + 1) {
+        v.own = whirl_table_tori(table, point);
+        write_row(&v);
+    }
+    fputs("</tbody></table></div>\n", to->stream);
+    whirl_case_free(machine);
+}

@@ -1,0 +1,29 @@
+// The points of a batch, which may lie in a plane of two parameters. The second one of a map stands in the blocks:
+// files, CSV and JSON have it as they have all fields.
+#include <math.h>
+
+#include "passes.h"
+
+whirl_status whirl_study_machine(const whirl_study *study, const whirl_batch *batch, size_t point,
+                                 whirl_machine *machine) {
+    const double value = batch->values ? batch->values[point] : (double)NAN;
+    if (!batch->second_values) return study->machine(study->family, batch, value, machine);
+    whirl_batch own = *batch;
+    own.second_value = batch->second_values[point];
+    return study->machine(study->family, &own, value, machine);
+}
+
+static const char *const second_field = "map/second";
+
+whirl_status map_add_field(const whirl_batch *batch, whirl_layout *layout) {
+    if (!batch->second_values) return whirl_ok();
+    if (layout->field_count == WHIRL_MAX_FIELDS)
+        return whirl_fail(WHIRL_BAD_INPUT, "the chosen analyses have more than %d fields", WHIRL_MAX_FIELDS - 1);
+    study_add_field(layout, second_field, "1", "value of the second parameter, in SI");
+    return whirl_ok();
+}
+
+void map_note(const whirl_batch *batch, size_t point, const whirl_layout *layout, double *block) {
+    const whirl_field *field = whirl_layout_field(layout, second_field);
+    if (field && batch->second_values) block[field->offset] = batch->second_values[point];
+}

@@ -1,0 +1,15 @@
+#include "bounds.h"
+
+#include <math.h>
+#include <string.h>
+
+bool bounds_read(const whirl_table *table, size_t point, size_t stations, double *bounds) {
+    static const char *const fields[] = {"orbit/mean", "orbit/low", "orbit/high"};
+    for (size_t s = 0; s < stations; s++)
+        for (size_t f = 0; f < 3; f++) {
+            const double *at = whirl_table_field(table, point, fields[f], s);
+            if (!at || !isfinite(at[0]) || !isfinite(at[1])) return false;
+            memcpy(&bounds[BOUNDS * s + 2 * f], at, 2 * sizeof *at);
+        }
+    return true;
+}
