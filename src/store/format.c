@@ -1,5 +1,6 @@
 #include "format.h"
 
+#include <stdio.h>
 #include <string.h>
 
 const char *const format_extents[3] = {
@@ -24,12 +25,26 @@ bool format_is_name(const char *name, int slashes) {
     }
 }
 
-int format_dimensions(const whirl_field *field, size_t points, size_t dimensions[4]) {
+int format_dimensions(const whirl_field *field, shape points, size_t dimensions[SHAPE_MAX_RANK]) {
     int rank = 0;
-    dimensions[rank++] = points;
+    for (int i = 0; i < points.rank; ++i) dimensions[rank++] = points.sizes[i];
     if (field->extent != WHIRL_PER_POINT) dimensions[rank++] = field->repeat;
     if (field->rows != 1) dimensions[rank++] = field->rows;
     if (field->columns != 1) dimensions[rank++] = field->columns;
+    return rank;
+}
+
+int format_dimension_names(const whirl_field *field, shape points, char names[SHAPE_MAX_RANK][WHIRL_NAME_SIZE]) {
+    const char *found[SHAPE_MAX_RANK] = {"point"};
+    int rank = 1;
+    if (points.rank == 2) {
+        found[0] = "y";
+        found[rank++] = "x";
+    }
+    if (field->extent != WHIRL_PER_POINT) found[rank++] = format_extents[field->extent];
+    if (field->rows != 1) found[rank++] = "row";
+    if (field->columns != 1) found[rank++] = "column";
+    for (int i = 0; i < rank; ++i) snprintf(names[i], WHIRL_NAME_SIZE, "%s", found[i]);
     return rank;
 }
 

@@ -2,6 +2,7 @@
 #ifndef STORE_FORMAT_H
 #define STORE_FORMAT_H
 
+#include "shape.h"
 #include "whirl/result.h"
 
 #include <stdbool.h>
@@ -29,8 +30,11 @@ bool format_reserved(const char *name);
 bool format_is_name(const char *name, int slashes);
 
 /// Dimensions of the dataset of a field: [points][station or contact][rows][columns] without rows and columns that are
-/// 1. Returns their number.
-int format_dimensions(const whirl_field *field, size_t points, size_t dimensions[4]);
+/// 1; points of a whole map have two dimensions. Returns their number.
+int format_dimensions(const whirl_field *field, shape points, size_t dimensions[SHAPE_MAX_RANK]);
+
+/// Names of these dimensions ("point", "y", "x", "station", "row", ...), as many.
+int format_dimension_names(const whirl_field *field, shape points, char names[SHAPE_MAX_RANK][WHIRL_NAME_SIZE]);
 
 /// Names of the columns of a field with two or more, where its meaning lists them: "x, y" or "x, y, vx, vy (remark)".
 bool format_column_names(const whirl_field *field, char names[FORMAT_MAX_COLUMNS][WHIRL_NAME_SIZE]);

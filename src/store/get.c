@@ -191,7 +191,7 @@ hid_t get_group(whirl_status *status, hid_t parent, const char *name) {
 
 /// Is the dataset stored as put.c does, in chunks no larger than itself and with checksums alone?
 static bool stored_plainly(hid_t dataset, const hsize_t *dimensions, int rank) {
-    hsize_t chunk[ITEMS_MAX_RANK];
+    hsize_t chunk[SHAPE_MAX_RANK];
     unsigned flags, configuration;
     size_t values = 0;
     const hid_t creation = H5Dget_create_plist(dataset);
@@ -227,30 +227,44 @@ hid_t get_dataset(whirl_status *status, hid_t parent, const char *name) {
     return open_object(status, parent, name, H5I_DATASET);
 }
 
-size_t get_length(whirl_status *status, hid_t parent, const char *name, size_t most) {
+static int rank_of(hid_t dataset) {
+    const hid_t space = H5Dget_space(dataset);
+    const int rank = H5Sget_simple_extent_ndims(space);
+    if (space >= 0) H5Sclose(space);
+    return rank;
+}
+
+shape get_shape(whirl_status *status, hid_t parent, const char *name, size_t most) {
     const hid_t dataset = get_dataset(status, parent, name);
-    if (dataset < 0) return 0;
-    hsize_t length = 0;
-    if (!dataset_extent(dataset, &length, 1) || length > most) {
-        fail_get(status, parent, name, "is not a list of a sensible length");
-        length = 0;
-    }
+    if (dataset < 0) return list_of(0);
+    hsize_t sizes[2] = {0, 1};
+    const int rank = rank_of(dataset) == 2 ? 2 : 1;
+    const bool well = dataset_extent(dataset, sizes, rank) && (sizes[1] == 0 || sizes[0] <= most / sizes[1]);
+    if (!well) fail_get(status, parent, name, "is not a list of a sensible length");
     H5Dclose(dataset);
-    return (size_t)length;
+    return well ? (shape){rank, {(size_t)sizes[0], (size_t)sizes[1]}} : list_of(0);
+}
+
+size_t get_length(whirl_status *status, hid_t parent, const char *name, size_t most) {
+    const shape of = get_shape(status, parent, name, most);
+    if (of.rank == 1) return of.sizes[0];
+    fail_get(status, parent, name, "is not a list of a sensible length");
+    return 0;
 }
 
 /// Are these the dimensions?
 static void check_dimensions(whirl_status *status, hid_t dataset, const size_t *dimensions, int rank) {
-    hsize_t found[ITEMS_MAX_RANK] = {0};
+    hsize_t found[SHAPE_MAX_RANK] = {0};
     bool well = dataset_extent(dataset, found, rank);
     for (int i = 0; well && i < rank; ++i) well = found[i] == dimensions[i];
     if (!well) fail_get(status, dataset, "", "has not the expected size");
 }
 
-/// Reads a list of this length.
-static void read_list(whirl_status *status, hid_t dataset, hid_t memory, size_t count, void *values) {
-    check_dimensions(status, dataset, &count, 1);
-    if (status->code == WHIRL_OK && count > 0 && H5Dread(dataset, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0)
+/// Reads all values of a dataset of this shape.
+static void read_list(whirl_status *status, hid_t dataset, hid_t memory, shape of, void *values) {
+    check_dimensions(status, dataset, of.sizes, of.rank);
+    if (status->code == WHIRL_OK && shape_count(of) > 0 &&
+        H5Dread(dataset, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0)
         fail_library(status, dataset, "");
 }
 
@@ -262,68 +276,64 @@ static void check_kind(whirl_status *status, hid_t dataset, hid_t kind) {
     if (type >= 0) H5Tclose(type);
 }
 
-static void read_kind(whirl_status *status, hid_t parent, const char *name, hid_t kind, hid_t memory, size_t count,
+static void read_kind(whirl_status *status, hid_t parent, const char *name, hid_t kind, hid_t memory, shape of,
                       void *values) {
     const hid_t dataset = get_dataset(status, parent, name);
     check_kind(status, dataset, kind);
-    if (status->code == WHIRL_OK) read_list(status, dataset, memory, count, values);
+    if (status->code == WHIRL_OK) read_list(status, dataset, memory, of, values);
     close_dataset(dataset);
 }
 
-void get_numbers(whirl_status *status, hid_t parent, const char *name, double *values, size_t count) {
-    read_kind(status, parent, name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, count, values);
+void get_numbers(whirl_status *status, hid_t parent, const char *name, double *values, shape of) {
+    read_kind(status, parent, name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, of, values);
 }
 
-void get_wholes(whirl_status *status, hid_t parent, const char *name, int64_t *values, size_t count) {
-    read_kind(status, parent, name, H5T_STD_I64LE, H5T_NATIVE_INT64, count, values);
+void get_wholes(whirl_status *status, hid_t parent, const char *name, int64_t *values, shape of) {
+    read_kind(status, parent, name, H5T_STD_I64LE, H5T_NATIVE_INT64, of, values);
 }
 
 // ---------------------------------------------------------------- columns
 
-/// Points of a chunk, which the dataset is read by; they are no more than there are.
-static size_t chunk_length(hid_t dataset, int rank) {
-    hsize_t chunk[ITEMS_MAX_RANK] = {1};
+/// The dimensions of a chunk, which the dataset is read by; none is larger than the dataset's own.
+static void read_chunk(hid_t dataset, int rank, hsize_t *chunk) {
     const hid_t creation = H5Dget_create_plist(dataset);
     if (creation >= 0) H5Pget_chunk(creation, rank, chunk);
     if (creation >= 0) H5Pclose(creation);
-    return chunk[0] > 0 ? (size_t)chunk[0] : 1;
 }
 
-void column_open(whirl_status *status, column *from, hid_t parent, const char *name, const size_t *dimensions,
-                 int rank) {
-    *from = (column){.dataset = get_dataset(status, parent, name), .rank = rank, .size = sizeof(double)};
-    for (int i = 0; i < rank; ++i) from->dimensions[i] = dimensions[i];
-    for (int i = 1; i < rank; ++i) from->size *= dimensions[i];
+void column_open(whirl_status *status, column *from, hid_t parent, const char *name, shape points,
+                 const size_t *dimensions, int rank) {
+    hsize_t chunk[SHAPE_MAX_RANK] = {1, 1};
+    column_lay(from, points, dimensions, rank, sizeof(double));
+    from->dataset = get_dataset(status, parent, name);
     check_kind(status, from->dataset, H5T_IEEE_F64LE);
     if (status->code == WHIRL_OK) check_dimensions(status, from->dataset, dimensions, rank);
     if (status->code != WHIRL_OK) return;
-    from->most = chunk_length(from->dataset, rank);
-    from->buffer = malloc(from->most * from->size + 1);
-    if (!from->buffer) *status = whirl_fail(WHIRL_NO_MEMORY, "no memory to read %s", name);
+    read_chunk(from->dataset, rank, chunk);
+    if (!column_buffer(from, chunk)) *status = whirl_fail(WHIRL_NO_MEMORY, "no memory to read %s", name);
 }
 
-/// Reads the next chunk's points.
+/// Reads the points from `done` on into the buffer.
 static void fill_column(whirl_status *status, column *from) {
-    hsize_t first[ITEMS_MAX_RANK] = {from->done}, count[ITEMS_MAX_RANK];
-    memcpy(count, from->dimensions, sizeof count);
-    const hsize_t left = from->dimensions[0] - from->done;
-    count[0] = left < from->most ? left : from->most;
+    hsize_t first[SHAPE_MAX_RANK], count[SHAPE_MAX_RANK];
+    const size_t all = (size_t)from->dimensions[0] * from->width, left = all - from->done, room = column_room(from);
+    column_box(from, left < room ? left : room, first, count);
     const hid_t file = H5Dget_space(from->dataset), memory = H5Screate_simple(from->rank, count, NULL);
     if (H5Sselect_hyperslab(file, H5S_SELECT_SET, first, NULL, count, NULL) < 0 ||
         H5Dread(from->dataset, H5T_NATIVE_DOUBLE, memory, file, H5P_DEFAULT, from->buffer) < 0)
         fail_library(status, from->dataset, "");
     H5Sclose(memory);
     H5Sclose(file);
-    from->gathered = 0;
 }
 
 void column_get(whirl_status *status, column *from, double *numbers) {
     if (status->code != WHIRL_OK || from->size == 0) return;
-    if (from->gathered == from->most || from->done == 0) fill_column(status, from);
+    if (from->gathered == 0) fill_column(status, from);
     if (status->code != WHIRL_OK) return;
     memcpy(numbers, from->buffer + from->gathered * from->size, from->size);
-    from->gathered++;
-    from->done++;
+    if (++from->gathered < column_room(from)) return;
+    from->done += from->gathered;
+    from->gathered = 0;
 }
 
 void column_close(column *from) {
@@ -342,7 +352,7 @@ static void read_packed_texts(whirl_status *status, hid_t parent, const char *na
     if (!is_text(type, size) || memory < 0)
         fail_get(status, parent, name, "is not a list of texts, or too long");
     else
-        read_list(status, dataset, memory, count, packed);
+        read_list(status, dataset, memory, list_of(count), packed);
     if (status->code == WHIRL_OK) end_texts(packed, size, count);
     if (memory >= 0) H5Tclose(memory);
     if (type >= 0) H5Tclose(type);

@@ -5,13 +5,13 @@
 #ifndef STORE_ITEMS_H
 #define STORE_ITEMS_H
 
+#include "shape.h"
 #include "whirl/status.h"
 
 #include <hdf5.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
-
-enum { ITEMS_MAX_RANK = 4 };
 
 /// Texts that lie `stride` bytes apart, each with its end.
 typedef struct texts {
@@ -30,28 +30,31 @@ void put_whole_attribute(whirl_status *status, hid_t object, const char *name, i
 hid_t put_group(whirl_status *status, hid_t parent, const char *name);
 void close_group(hid_t group);
 
-/// Datasets [count], chunked and with Fletcher32 checksums. A count of 0 is allowed.
+/// Datasets [count] or [rows][columns], chunked and with Fletcher32 checksums. A count of 0 is allowed.
 void put_texts(whirl_status *status, hid_t parent, const char *name, texts list);
-void put_wholes(whirl_status *status, hid_t parent, const char *name, const int64_t *values, size_t count);
-void put_numbers(whirl_status *status, hid_t parent, const char *name, const double *values, size_t count);
+void put_wholes(whirl_status *status, hid_t parent, const char *name, const int64_t *values, shape of);
+void put_numbers(whirl_status *status, hid_t parent, const char *name, const double *values, shape of);
 
 void close_dataset(hid_t dataset);
 
-/// A dataset [points][...] that is written, or read, one point after the other: a chunk at a time is in memory.
+/// A dataset [points][...] or, of points in rows and columns, [rows][columns][...] that is written, or read, one point
+/// after the other: a chunk at a time is in memory.
 typedef struct column {
     hid_t dataset, type; ///< the type in memory
     int rank;
-    hsize_t dimensions[ITEMS_MAX_RANK];
+    hsize_t dimensions[SHAPE_MAX_RANK];
+    size_t width;                ///< points of a row; 1 in a list
     size_t size;                 ///< bytes of a point
     size_t most, gathered, done; ///< points: of a chunk, in the buffer, and before it
     unsigned char *buffer;
 } column;
 
 /// Begins a dataset of doubles, whose group ("group/name") is made, or of texts of at most `size` bytes, ends included.
-/// The dataset is open for its attributes until column_end, which is to be called also after a failure.
-void column_of_numbers(whirl_status *status, column *out, hid_t parent, const char *name, const size_t *dimensions,
-                       int rank);
-void column_of_texts(whirl_status *status, column *out, hid_t parent, const char *name, size_t points, size_t size);
+/// The first of its dimensions are those of the points. The dataset is open for its attributes until column_end, which
+/// is to be called also after a failure.
+void column_of_numbers(whirl_status *status, column *out, hid_t parent, const char *name, shape points,
+                       const size_t *dimensions, int rank);
+void column_of_texts(whirl_status *status, column *out, hid_t parent, const char *name, shape points, size_t size);
 
 /// Appends a point.
 void column_put(whirl_status *status, column *out, const void *point);
@@ -78,19 +81,23 @@ void get_attribute_name(whirl_status *status, hid_t object, size_t index, char *
 hid_t get_group(whirl_status *status, hid_t parent, const char *name);
 hid_t get_dataset(whirl_status *status, hid_t parent, const char *name);
 
+/// Shape of a dataset of at most `most` values; a list of none where that fails.
+shape get_shape(whirl_status *status, hid_t parent, const char *name, size_t most);
+
 /// Length of a one-dimensional dataset, at most `most`.
 size_t get_length(whirl_status *status, hid_t parent, const char *name, size_t most);
 
-/// All values of datasets [count]. Texts of at most `size` bytes, end included, go to places `stride` bytes apart.
+/// All values of datasets [count] or, of numbers, [rows][columns]. Texts of at most `size` bytes, end included, go to
+/// places `stride` bytes apart.
 void get_texts(whirl_status *status, hid_t parent, const char *name, char *first, size_t size, size_t stride,
                size_t count);
-void get_wholes(whirl_status *status, hid_t parent, const char *name, int64_t *values, size_t count);
-void get_numbers(whirl_status *status, hid_t parent, const char *name, double *values, size_t count);
+void get_wholes(whirl_status *status, hid_t parent, const char *name, int64_t *values, shape of);
+void get_numbers(whirl_status *status, hid_t parent, const char *name, double *values, shape of);
 
 /// Opens a dataset of doubles that has exactly these dimensions, to be read by points; column_close also after a
 /// failure.
-void column_open(whirl_status *status, column *from, hid_t parent, const char *name, const size_t *dimensions,
-                 int rank);
+void column_open(whirl_status *status, column *from, hid_t parent, const char *name, shape points,
+                 const size_t *dimensions, int rank);
 
 /// The next point's numbers.
 void column_get(whirl_status *status, column *from, double *numbers);
@@ -98,5 +105,19 @@ void column_close(column *from);
 
 /// The only text of a dataset, of at most `most` bytes without its end; to be freed.
 char *get_long_text(whirl_status *status, hid_t parent, const char *name, size_t most);
+
+// ---------------------------------------------------------------- both (column.c)
+
+/// Sets the dimensions of a column, and the bytes of a point of `element` bytes a value.
+void column_lay(column *of, shape points, const size_t *dimensions, int rank, size_t element);
+
+/// Takes a buffer for chunks of these dimensions; false without memory. A piece of a row has no other rows with it.
+bool column_buffer(column *of, const hsize_t *chunk);
+
+/// Points that go from or to the file at a time, from `done` on: whole rows, or what a row has left of a chunk.
+size_t column_room(const column *of);
+
+/// The place of so many points in the dataset, from `done` on.
+void column_box(const column *of, size_t points, hsize_t *first, hsize_t *count);
 
 #endif

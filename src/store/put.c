@@ -129,7 +129,7 @@ static void choose_chunk(hsize_t *chunk, const hsize_t *dimensions, int rank, si
 static hid_t make_dataset(whirl_status *status, hid_t parent, const char *name, hid_t type, const hsize_t *dimensions,
                           int rank) {
     if (status->code != WHIRL_OK) return H5I_INVALID_HID;
-    hsize_t chunk[ITEMS_MAX_RANK];
+    hsize_t chunk[SHAPE_MAX_RANK];
     choose_chunk(chunk, dimensions, rank, H5Tget_size(type));
     const hid_t space = H5Screate_simple(rank, dimensions, NULL);
     const hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
@@ -142,11 +142,11 @@ static hid_t make_dataset(whirl_status *status, hid_t parent, const char *name, 
     return dataset;
 }
 
-static void put_list(whirl_status *status, hid_t parent, const char *name, hid_t file_type, hid_t memory_type,
-                     size_t count, const void *values) {
-    const hsize_t dimension = count;
-    const hid_t dataset = make_dataset(status, parent, name, file_type, &dimension, 1);
-    if (status->code == WHIRL_OK && count > 0 &&
+static void put_list(whirl_status *status, hid_t parent, const char *name, hid_t file_type, hid_t memory_type, shape of,
+                     const void *values) {
+    const hsize_t dimensions[2] = {of.sizes[0], of.sizes[1]};
+    const hid_t dataset = make_dataset(status, parent, name, file_type, dimensions, of.rank);
+    if (status->code == WHIRL_OK && shape_count(of) > 0 &&
         H5Dwrite(dataset, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0)
         fail_put(status, name);
     close_dataset(dataset);
@@ -165,17 +165,17 @@ void put_texts(whirl_status *status, hid_t parent, const char *name, texts list)
         return;
     }
     const hid_t type = text_type(size - 1, H5T_CSET_ASCII);
-    put_list(status, parent, name, type, type, list.count, packed);
+    put_list(status, parent, name, type, type, list_of(list.count), packed);
     H5Tclose(type);
     free(packed);
 }
 
-void put_wholes(whirl_status *status, hid_t parent, const char *name, const int64_t *values, size_t count) {
-    put_list(status, parent, name, H5T_STD_I64LE, H5T_NATIVE_INT64, count, values);
+void put_wholes(whirl_status *status, hid_t parent, const char *name, const int64_t *values, shape of) {
+    put_list(status, parent, name, H5T_STD_I64LE, H5T_NATIVE_INT64, of, values);
 }
 
-void put_numbers(whirl_status *status, hid_t parent, const char *name, const double *values, size_t count) {
-    put_list(status, parent, name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, count, values);
+void put_numbers(whirl_status *status, hid_t parent, const char *name, const double *values, shape of) {
+    put_list(status, parent, name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, of, values);
 }
 
 /// The group in which `name` ("rub/share") lies. HDF5 could make it on its own, but then with the time of day in it.
@@ -193,36 +193,30 @@ static void put_group_above(whirl_status *status, hid_t parent, const char *name
 static void begin_column(whirl_status *status, column *out, hid_t parent, const char *name, hid_t type) {
     out->dataset = make_dataset(status, parent, name, type, out->dimensions, out->rank);
     if (status->code != WHIRL_OK) return;
-    hsize_t chunk[ITEMS_MAX_RANK] = {1};
+    hsize_t chunk[SHAPE_MAX_RANK] = {1};
     choose_chunk(chunk, out->dimensions, out->rank, H5Tget_size(type));
-    out->most = (size_t)chunk[0];
-    out->buffer = malloc(out->most * (out->size ? out->size : 1));
-    if (!out->buffer) *status = whirl_fail(WHIRL_NO_MEMORY, "no memory to store %s", name);
+    if (!column_buffer(out, chunk)) *status = whirl_fail(WHIRL_NO_MEMORY, "no memory to store %s", name);
 }
 
-void column_of_numbers(whirl_status *status, column *out, hid_t parent, const char *name, const size_t *dimensions,
-                       int rank) {
-    *out = (column){.dataset = H5I_INVALID_HID, .type = H5I_INVALID_HID, .rank = rank, .size = sizeof(double)};
-    for (int i = 0; i < rank; ++i) out->dimensions[i] = dimensions[i];
-    for (int i = 1; i < rank; ++i) out->size *= dimensions[i];
+void column_of_numbers(whirl_status *status, column *out, hid_t parent, const char *name, shape points,
+                       const size_t *dimensions, int rank) {
+    column_lay(out, points, dimensions, rank, sizeof(double));
     put_group_above(status, parent, name);
     if (status->code == WHIRL_OK) out->type = H5Tcopy(H5T_NATIVE_DOUBLE);
     begin_column(status, out, parent, name, H5T_IEEE_F64LE);
 }
 
-void column_of_texts(whirl_status *status, column *out, hid_t parent, const char *name, size_t points, size_t size) {
-    *out = (column){.dataset = H5I_INVALID_HID, .type = H5I_INVALID_HID, .rank = 1, .size = size};
-    out->dimensions[0] = points;
+void column_of_texts(whirl_status *status, column *out, hid_t parent, const char *name, shape points, size_t size) {
+    column_lay(out, points, points.sizes, points.rank, size);
     if (status->code == WHIRL_OK) out->type = text_type(size - 1, H5T_CSET_ASCII);
     begin_column(status, out, parent, name, out->type);
 }
 
 /// Writes the points that have gathered; whole chunks, but for the last ones.
 static void flush_column(whirl_status *status, column *out) {
-    hsize_t first[ITEMS_MAX_RANK] = {out->done}, count[ITEMS_MAX_RANK];
-    memcpy(count, out->dimensions, sizeof count);
-    count[0] = out->gathered;
+    hsize_t first[SHAPE_MAX_RANK], count[SHAPE_MAX_RANK];
     if (status->code != WHIRL_OK || out->gathered == 0) return;
+    column_box(out, out->gathered, first, count);
     out->done += out->gathered;
     out->gathered = 0;
     if (out->size == 0) return;
@@ -237,7 +231,7 @@ static void flush_column(whirl_status *status, column *out) {
 void column_put(whirl_status *status, column *out, const void *point) {
     if (status->code != WHIRL_OK) return;
     memcpy(out->buffer + out->gathered * out->size, point, out->size);
-    if (++out->gathered == out->most) flush_column(status, out);
+    if (++out->gathered == column_room(out)) flush_column(status, out);
 }
 
 void column_end(whirl_status *status, column *out) {

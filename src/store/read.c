@@ -44,7 +44,7 @@ static void get_parameters(whirl_status *status, hid_t file, whirl_result *resul
     double *values = take(status, count, sizeof *values);
     whirl_parameter *parameters = take(status, count, sizeof *parameters);
     result->parameters = parameters;
-    get_numbers(status, group, "value", values, count);
+    get_numbers(status, group, "value", values, list_of(count));
     if (status->code == WHIRL_OK) {
         const size_t stride = sizeof *parameters;
         get_texts(status, group, "name", parameters->name, sizeof parameters->name, stride, count);
@@ -65,9 +65,9 @@ static void get_station_numbers(whirl_status *status, hid_t group, const whirl_m
     int64_t wholes[WHIRL_MAX_PROBES];
     const bool index = member->type == WHIRL_MEMBER_INDEX;
     if (index)
-        get_wholes(status, group, member->name, wholes, count);
+        get_wholes(status, group, member->name, wholes, list_of(count));
     else
-        get_numbers(status, group, member->name, numbers, count);
+        get_numbers(status, group, member->name, numbers, list_of(count));
     for (size_t i = 0; status->code == WHIRL_OK && i < count; ++i) {
         if (index && (wholes[i] < 0 || wholes[i] > INT_MAX))
             *status = whirl_fail(WHIRL_BAD_INPUT, "/stations/%s holds %lld, expected an index", member->name,
@@ -213,10 +213,10 @@ static field_words *take_values(whirl_status *status, whirl_table *table) {
     return table->values ? (field_words *)((char *)table->values + numbers) : NULL;
 }
 
-static void get_branch(whirl_status *status, hid_t group, whirl_table *table) {
+static void get_branch(whirl_status *status, hid_t group, shape points, whirl_table *table) {
     int64_t *branch = take(status, table->count, sizeof *branch);
     table->branch = take(status, table->count, sizeof *table->branch);
-    get_wholes(status, group, "branch", branch, table->count);
+    get_wholes(status, group, "branch", branch, points);
     for (size_t i = 0; status->code == WHIRL_OK && i < table->count; ++i) {
         if (branch[i] < -1 || branch[i] > 1)
             *status = whirl_fail(WHIRL_BAD_INPUT, "/%s/branch holds %lld, expected -1, 0 or 1", table->name,
@@ -228,10 +228,11 @@ static void get_branch(whirl_status *status, hid_t group, whirl_table *table) {
 }
 
 /// Kept where a point has another than the case.
-static void get_length_scales(whirl_status *status, hid_t group, const whirl_result *result, whirl_table *table) {
+static void get_length_scales(whirl_status *status, hid_t group, const whirl_result *result, shape points,
+                              whirl_table *table) {
     double *scales = table->length_scales = take(status, table->count, sizeof *scales);
     bool changes = false;
-    get_numbers(status, group, "length_scale", scales, table->count);
+    get_numbers(status, group, "length_scale", scales, points);
     for (size_t i = 0; status->code == WHIRL_OK && i < table->count; ++i) {
         const bool own = scales[i] != result->length_scale;
         changes = changes || own;
@@ -245,12 +246,12 @@ static void get_length_scales(whirl_status *status, hid_t group, const whirl_res
 }
 
 /// Which points of the study these are. NULL where they are all.
-static void get_slots(whirl_status *status, hid_t group, whirl_table *table) {
+static void get_slots(whirl_status *status, hid_t group, shape points, whirl_table *table) {
     int64_t *places = take(status, table->count, sizeof *places), before = 0;
     table->slots = take(status, table->count, sizeof *table->slots);
     const int64_t most = (int64_t)1 << 48; // tables of all sizes can be summed
     const int64_t planned = get_whole_attribute(status, group, "points", (int64_t)table->count, most);
-    get_wholes(status, group, "point", places, table->count);
+    get_wholes(status, group, "point", places, points);
     for (size_t i = 0; status->code == WHIRL_OK && i < table->count; before = places[i++]) {
         if (places[i] <= before || places[i] > planned)
             *status = whirl_fail(WHIRL_BAD_INPUT, "/%s/point holds %lld, expected %lld to %lld", table->name,
@@ -282,30 +283,37 @@ static void get_points(whirl_status *status, const whirl_table *table, size_t in
     }
 }
 
-static void get_blocks(whirl_status *status, hid_t group, whirl_table *table, size_t index, const block_taker *taker) {
+static void get_blocks(whirl_status *status, hid_t group, shape points, whirl_table *table, size_t index,
+                       const block_taker *taker) {
     column columns[WHIRL_MAX_FIELDS];
     const whirl_layout *layout = &table->layout;
     double *block = take(status, layout->size, sizeof *block);
     if (!taker) table->blocks = take(status, table->count * layout->size, sizeof *table->blocks);
     for (size_t i = 0; i < layout->field_count; ++i) {
-        size_t dimensions[4];
-        const int rank = format_dimensions(&layout->fields[i], table->count, dimensions);
-        column_open(status, &columns[i], group, layout->fields[i].name, dimensions, rank);
+        size_t dimensions[SHAPE_MAX_RANK];
+        const int rank = format_dimensions(&layout->fields[i], points, dimensions);
+        column_open(status, &columns[i], group, layout->fields[i].name, points, dimensions, rank);
     }
     get_points(status, table, index, taker, columns, block);
     for (size_t i = 0; i < layout->field_count; ++i) column_close(&columns[i]);
     free(block);
 }
 
-/// The second parameter of a map, and how long its rows are, which it is made of.
-static void get_plane(whirl_status *status, hid_t group, whirl_table *table) {
+/// The second parameter of a map, and how long its rows are, which it is made of; they are those of its datasets.
+static void get_plane(whirl_status *status, hid_t group, shape points, whirl_table *table) {
     const size_t planned = whirl_table_planned(table);
-    if (status->code != WHIRL_OK || !whirl_layout_field(&table->layout, "map/second")) return;
+    const bool is_map = whirl_layout_field(&table->layout, "map/second");
+    if (status->code == WHIRL_OK && points.rank == 2 && !is_map)
+        *status = whirl_fail(WHIRL_BAD_INPUT, "/%s has rows of points, expected a list", table->name);
+    if (status->code != WHIRL_OK || !is_map) return;
     get_text_attribute(status, group, "second", table->second, sizeof table->second);
     table->row = (size_t)get_whole_attribute(status, group, "row", 1, planned > 0 ? (int64_t)planned : 1);
     if (status->code == WHIRL_OK && planned % table->row != 0)
         *status = whirl_fail(WHIRL_BAD_INPUT, "/%s has %zu points in rows of %zu, expected whole rows", table->name,
                              planned, table->row);
+    if (status->code == WHIRL_OK && points.rank == 2 && (points.sizes[1] != table->row || planned != table->count))
+        *status = whirl_fail(WHIRL_BAD_INPUT, "/%s has rows of %zu points, expected %zu", table->name, points.sizes[1],
+                             table->row);
 }
 
 static void get_table(whirl_status *status, hid_t file, const whirl_result *result, const reading *how, size_t index) {
@@ -321,13 +329,14 @@ static void get_table(whirl_status *status, hid_t file, const whirl_result *resu
         get_options(status, group, whirl_trace_members(), &table->record.trace);
     if (status->code == WHIRL_OK) *status = whirl_record_options_check(&table->record);
     get_field_names(status, group, table->name, layout);
-    table->count = get_length(status, group, "values", how->limit / sizeof(double));
+    const shape points = get_shape(status, group, "values", how->limit / sizeof(double));
+    table->count = shape_count(points);
     field_words *words = take_values(status, table);
-    get_numbers(status, group, "values", table->values, table->count);
-    get_branch(status, group, table);
-    get_slots(status, group, table);
-    get_plane(status, group, table);
-    get_length_scales(status, group, result, table);
+    get_numbers(status, group, "values", table->values, points);
+    get_branch(status, group, points, table);
+    get_slots(status, group, points, table);
+    get_plane(status, group, points, table);
+    get_length_scales(status, group, result, points, table);
     for (size_t i = 0; status->code == WHIRL_OK && i < layout->field_count; ++i) {
         get_field(status, group, result, table->count, how->limit, layout, &layout->fields[i], &words[i]);
         check_known(status, &how->known, &layout->fields[i]);
@@ -335,7 +344,7 @@ static void get_table(whirl_status *status, hid_t file, const whirl_result *resu
     if (status->code == WHIRL_OK) *status = whirl_layout_check(layout, table->analyses, &table->record);
     // Each field has room in the file, so all of them have in 64 times its size; datasets are then checked one by one.
     if (status->code == WHIRL_OK && (!how->taker || how->taker->take))
-        get_blocks(status, group, table, index, how->taker);
+        get_blocks(status, group, points, table, index, how->taker);
     close_group(group);
 }
 

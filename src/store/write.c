@@ -46,7 +46,7 @@ static void put_parameters(whirl_status *status, hid_t file, const whirl_result 
     for (size_t i = 0; i < count; ++i) values[i] = parameters[i].value;
     const hid_t group = put_group(status, file, "parameters");
     put_texts(status, group, "name", texts_of(count ? parameters->name : "", stride, count));
-    put_numbers(status, group, "value", values, count);
+    put_numbers(status, group, "value", values, list_of(count));
     put_texts(status, group, "unit", texts_of(count ? parameters->unit : "", stride, count));
     put_texts(status, group, "text", texts_of(count ? parameters->text : "", stride, count));
     close_group(group);
@@ -67,9 +67,9 @@ static void put_stations(whirl_status *status, hid_t file, const whirl_result *r
         for (size_t i = 0; i < count; ++i) numbers[i] = whirl_member_number(member, &result->stations[i]);
         for (size_t i = 0; i < count; ++i) wholes[i] = (int64_t)numbers[i];
         if (member->type == WHIRL_MEMBER_NUMBER)
-            put_numbers(status, group, member->name, numbers, count);
+            put_numbers(status, group, member->name, numbers, list_of(count));
         else
-            put_wholes(status, group, member->name, wholes, count);
+            put_wholes(status, group, member->name, wholes, list_of(count));
     }
     close_group(group);
 }
@@ -128,6 +128,13 @@ static si_unit si_of(const char *unit, const whirl_result *result, const whirl_t
     return (si_unit){1.0, unit};
 }
 
+/// How the points of a table lie in its datasets: those of a map that is whole in the rows and columns of its axes.
+static shape shape_of(const whirl_table *table) {
+    const size_t row = table->row;
+    if (row == 0 || table->count != table->planned || table->count % row != 0) return list_of(table->count);
+    return (shape){2, {table->count / row, row}};
+}
+
 static void put_column_names(whirl_status *status, hid_t dataset, const whirl_field *field) {
     char names[FORMAT_MAX_COLUMNS][WHIRL_NAME_SIZE];
     if (format_column_names(field, names))
@@ -137,9 +144,13 @@ static void put_column_names(whirl_status *status, hid_t dataset, const whirl_fi
 /// The dataset of a field with its attributes.
 static void begin_field(whirl_status *status, column *out, hid_t group, const whirl_result *result,
                         const whirl_table *table, const whirl_field *field) {
-    size_t dimensions[4];
-    const int rank = format_dimensions(field, table->count, dimensions);
-    column_of_numbers(status, out, group, field->name, dimensions, rank);
+    const shape points = shape_of(table);
+    size_t dimensions[SHAPE_MAX_RANK];
+    char names[SHAPE_MAX_RANK][WHIRL_NAME_SIZE];
+    const int rank = format_dimensions(field, points, dimensions);
+    column_of_numbers(status, out, group, field->name, points, dimensions, rank);
+    (void)format_dimension_names(field, points, names);
+    put_texts_attribute(status, out->dataset, "dimensions", texts_of(names[0], WHIRL_NAME_SIZE, (size_t)rank));
     const si_unit si = si_of(field->unit, result, table);
     put_text_attribute(status, out->dataset, "unit", field->unit);
     put_number_attribute(status, out->dataset, "SI_factor", si.factor);
@@ -194,8 +205,8 @@ static void put_verdicts(whirl_status *status, hid_t group, const whirl_table *w
         if (reason > longest_reason) longest_reason = reason;
     }
     const hid_t verdicts = put_group(status, group, "verdict");
-    column_of_texts(status, &names, verdicts, "name", own->table.count, longest_name + 1);
-    column_of_texts(status, &reasons, verdicts, "reason", own->table.count, longest_reason + 1);
+    column_of_texts(status, &names, verdicts, "name", shape_of(&own->table), longest_name + 1);
+    column_of_texts(status, &reasons, verdicts, "reason", shape_of(&own->table), longest_reason + 1);
     for (size_t i = 0; status->code == WHIRL_OK && i < own->table.count; ++i) {
         put_into_words(whole, own->points[i], &words);
         column_put(status, &names, words.name);
@@ -240,9 +251,9 @@ static void put_places(whirl_status *status, hid_t group, const whirl_table *tab
         return;
     }
     for (size_t i = 0; i < table->count; ++i) numbers[i] = table->branch[i];
-    put_wholes(status, group, "branch", numbers, table->count);
+    put_wholes(status, group, "branch", numbers, shape_of(table));
     for (size_t i = 0; i < table->count; ++i) numbers[i] = (int64_t)table->slots[i] + 1;
-    put_wholes(status, group, "point", numbers, table->count);
+    put_wholes(status, group, "point", numbers, shape_of(table));
     free(numbers);
 }
 
@@ -254,7 +265,7 @@ static void put_attractors(whirl_status *status, hid_t group, const whirl_table 
                                 : whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points", whole->count);
     for (size_t i = 0; i < own->table.count && status->code == WHIRL_OK; ++i)
         numbers[i] = (int64_t)labels[own->points[i]];
-    if (status->code == WHIRL_OK) put_wholes(status, group, "attractor", numbers, own->table.count);
+    if (status->code == WHIRL_OK) put_wholes(status, group, "attractor", numbers, shape_of(&own->table));
     free(labels);
     free(numbers);
 }
@@ -266,8 +277,24 @@ static void put_length_scales(whirl_status *status, hid_t group, const whirl_res
         return;
     }
     for (size_t i = 0; i < table->count; ++i) scales[i] = whirl_result_length_scale(result, table, i);
-    put_numbers(status, group, "length_scale", scales, table->count);
+    put_numbers(status, group, "length_scale", scales, shape_of(table));
     free(scales);
+}
+
+/// The values along the axes of a whole map, whose points have a dimension for each: "x" of its columns, "y" of its
+/// rows. For people: readers of this library take the values of the points.
+static void put_axes(whirl_status *status, hid_t group, const whirl_table *whole, const finished *own) {
+    const shape plane = shape_of(&own->table);
+    if (status->code != WHIRL_OK || plane.rank != 2) return;
+    double *up = malloc((plane.sizes[0] + 1) * sizeof *up);
+    if (!up) {
+        *status = whirl_fail(WHIRL_NO_MEMORY, "no memory for an axis of %zu values", plane.sizes[0]);
+        return;
+    }
+    for (size_t i = 0; i < plane.sizes[0]; ++i) up[i] = whirl_table_second(whole, own->points[i * plane.sizes[1]]);
+    put_numbers(status, group, "x", own->table.values, list_of(plane.sizes[1]));
+    put_numbers(status, group, "y", up, list_of(plane.sizes[0]));
+    free(up);
 }
 
 static void put_points(whirl_status *status, hid_t group, const whirl_result *result, const whirl_table *whole) {
@@ -275,7 +302,8 @@ static void put_points(whirl_status *status, hid_t group, const whirl_result *re
     *status = finished_points(whole, &own);
     if (status->code != WHIRL_OK) return;
     put_whole_attribute(status, group, "points", (int64_t)own.table.planned);
-    put_numbers(status, group, "values", own.table.values, own.table.count);
+    put_numbers(status, group, "values", own.table.values, shape_of(&own.table));
+    put_axes(status, group, whole, &own);
     put_places(status, group, &own.table);
     if (status->code == WHIRL_OK) put_length_scales(status, group, result, &own.table);
     if (status->code == WHIRL_OK) put_fields(status, group, result, whole, &own);

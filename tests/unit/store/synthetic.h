@@ -40,28 +40,76 @@ static inline void synthetic_set(whirl_table *table, size_t point, const char *n
     table->blocks[point * table->layout.size + field->offset] = value;
 }
 
-/// Fields as the analyses have them.
-static inline void synthetic_sweep(whirl_table *table, const whirl_result *result) {
-    static const char *const analyses[] = {"poincare", "regime", "lyapunov", "spectrum", "orbit", "rub"};
+/// Gives a table without numbers the fields of these analyses.
+static inline void synthetic_layout(whirl_table *table, const whirl_result *result, const char *const *analyses,
+                                    size_t count) {
     const whirl_system system = {.dimension = 8,
                                  .period = 6.283185307179586,
                                  .probe_count = result->station_count,
                                  .probes = result->stations,
                                  .contact_count = result->contact_count};
-    snprintf(table->name, sizeof table->name, "sweep");
     snprintf(table->parameter, sizeof table->parameter, "r_k");
-    for (size_t i = 0; i < sizeof analyses / sizeof *analyses; ++i)
+    for (size_t i = 0; i < count; ++i)
         if (!whirl_analysis_add(&table->analyses, analyses[i])) abort();
     table->integrate = whirl_integrate_default();
     table->record = whirl_record_default();
     table->record.record = SYNTHETIC_RECORD;
     if (whirl_layout_new(&system, &table->integrate, &table->record, table->analyses, &table->layout).code) abort();
+}
+
+/// Branches of orbits ("trace") or of tori ("torus"): numbers as they come, but for those that count others.
+static inline void synthetic_traced(whirl_table *table, const whirl_result *result, const char *analysis) {
+    char revolutions[WHIRL_NAME_SIZE];
+    snprintf(table->name, sizeof table->name, "%s", strcmp(analysis, "torus") == 0 ? "tori" : "branch");
+    snprintf(revolutions, sizeof revolutions, "%s/revolutions", analysis);
+    synthetic_layout(table, result, &analysis, 1);
+    synthetic_fill(table, 2);
+    for (size_t i = 0; i < table->count; ++i) {
+        synthetic_set(table, i, revolutions, 1.0);
+        if (strcmp(analysis, "torus") == 0) synthetic_set(table, i, "torus/node_count", 16.0);
+    }
+}
+
+/// Fields as the analyses have them.
+static inline void synthetic_sweep(whirl_table *table, const whirl_result *result) {
+    static const char *const analyses[] = {"poincare", "regime", "lyapunov", "spectrum", "orbit", "rub"};
+    snprintf(table->name, sizeof table->name, "sweep");
+    synthetic_layout(table, result, analyses, sizeof analyses / sizeof *analyses);
     synthetic_fill(table, SYNTHETIC_POINTS);
     static const double codes[SYNTHETIC_POINTS] = {WHIRL_PERIODIC, WHIRL_CHAOTIC, WHIRL_DIVERGING};
     for (size_t i = 0; i < SYNTHETIC_POINTS; ++i) {
         synthetic_set(table, i, "regime/code", codes[i]);
         synthetic_set(table, i, "regime/period", i == 0 ? 2.0 : 0.0);
         synthetic_set(table, i, "regime/diverged_at", i == 2 ? 17.0 : 0.0);
+    }
+}
+
+/// Appends a field of a point with so many rows.
+static inline void synthetic_append(whirl_layout *layout, const char *name, size_t rows) {
+    whirl_field *field = &layout->fields[layout->field_count++];
+    *field = (whirl_field){.unit = "1",
+                           .meaning = "a number (invented)",
+                           .extent = WHIRL_PER_POINT,
+                           .rows = rows,
+                           .columns = 1,
+                           .repeat = 1,
+                           .offset = layout->size};
+    snprintf(field->name, sizeof field->name, "%s", name);
+    layout->size += rows;
+}
+
+/// Makes a map of a table: so many points in rows, all of them with so many numbers more.
+static inline void synthetic_map(whirl_table *table, size_t row, size_t rows, size_t numbers) {
+    free(table->values), free(table->branch), free(table->blocks);
+    snprintf(table->name, sizeof table->name, "map");
+    snprintf(table->second, sizeof table->second, "rho");
+    table->row = row;
+    synthetic_append(&table->layout, "map/second", 1);
+    if (numbers > 0) synthetic_append(&table->layout, "made/long", numbers);
+    synthetic_fill(table, row * rows);
+    for (size_t i = 0; i < row * rows; ++i) {
+        table->values[i] = 0.1 * (double)(i % row);
+        synthetic_set(table, i, "map/second", 0.5 * (double)(i / row));
     }
 }
 

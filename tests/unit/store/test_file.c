@@ -189,6 +189,37 @@ static void reads_large_tables(void **state) {
     whirl_result_free(read);
 }
 
+/// Maps of points in rows and columns, whose chunks are several rows, one row, or pieces of a row, the last of which is
+/// shorter.
+static void reads_maps(void **state) {
+    static const struct {
+        size_t row, rows, numbers;
+    } maps[] = {{5, 3, 0}, {5, 7, 1 << 15}, {7, 3, 1 << 16}, {1, 4, 3}, {4, 1, 1 << 16}};
+    fixture *f = *state;
+    for (size_t i = 0; i < sizeof maps / sizeof *maps; ++i) {
+        whirl_result *made = synthetic_result(), *read = NULL;
+        synthetic_map(&made->tables[0], maps[i].row, maps[i].rows, maps[i].numbers);
+        check(whirl_result_write(made, f->path));
+        check(whirl_result_verify(made, f->path));
+        check(whirl_result_read(f->path, &read));
+        assert_true(same_result(made, read));
+        whirl_result_free(read);
+        whirl_result_free(made);
+    }
+}
+
+static void reads_what_is_left_of_a_map(void **state) {
+    fixture *f = *state;
+    whirl_result *read = NULL;
+    synthetic_map(&f->made->tables[0], 5, 3, 0);
+    with_points(f->made, (const size_t[]){0, 2, 7, 9, 13}, 5);
+    f->made->partial = true;
+    check(whirl_result_write(f->made, f->path));
+    check(whirl_result_read(f->path, &read));
+    assert_true(same_result(f->made, read));
+    whirl_result_free(read);
+}
+
 /// More than a second apart, for HDF5 counts times in seconds.
 static void same_results_are_same_files(void **state) {
     fixture *f = *state;
@@ -508,6 +539,8 @@ int main(void) {
         IN_FOLDER(a_partial_file_has_what_is_done),
         IN_FOLDER(a_partial_file_is_as_large_as_its_points),
         IN_FOLDER(reads_large_tables),
+        IN_FOLDER(reads_maps),
+        IN_FOLDER(reads_what_is_left_of_a_map),
         IN_FOLDER(same_results_are_same_files),
         IN_FOLDER(replaces_a_file),
         IN_FOLDER(says_where_it_cannot_write),
