@@ -67,6 +67,9 @@ typedef struct whirl_journal_found {
 } whirl_journal_found;
 whirl_journal_found whirl_journal_look(const whirl_journal *journal);
 
+/// Whether a point is in the journal, which a keeper knows by this batch and slot.
+bool whirl_journal_has(const whirl_journal *journal, size_t batch, size_t slot);
+
 /// Points that are in the journal now.
 size_t whirl_journal_points(const whirl_journal *journal);
 

@@ -141,6 +141,27 @@ typedef struct whirl_keeper {
     void *(*saved)(void *context, size_t batch, size_t slot, double *revolutions, size_t *size);
 } whirl_keeper;
 
+/// Deals out the points of a study among several runs that compute it together, at the same time and each with a keeper
+/// of its own. Points are dealt in pieces: a point and its confirmation one by one, carried sweeps whole, up and down
+/// each, and confirmed where they were followed, neighbours at rest by eights. Branches and tori are not dealt: the run
+/// that gathers traces them. No bit of a result depends on who computes what. `open` and `claim` are called by one
+/// thread at a time.
+typedef struct whirl_dealer {
+    int threads; ///< of all runs together
+    /// Whether a point, which a keeper knows by this batch and slot, is to be computed by one of the runs: all but what
+    /// was known before they began. The same in all runs, at any time.
+    bool (*open)(void *context, size_t batch, size_t slot);
+    /// Takes those that come next of the `count` pieces of a pass, which a keeper knows by this batch. Gives how many,
+    /// from *first on; 0: all are taken.
+    size_t (*claim)(void *context, size_t batch, size_t count, size_t *first);
+    /// Called in the run that gathers when it has nothing more to compute, or was stopped: waits until the others have
+    /// ended, and lets its keeper know what theirs do. The run then takes all points from there, whether it was stopped
+    /// or not, and goes on with what needs them all. An error ends the run. NULL: another run gathers, and this one
+    /// ends with its points and a partial result.
+    whirl_status (*gather)(void *context);
+    void *context;
+} whirl_dealer;
+
 typedef struct whirl_run_options {
     int threads; ///< 0: all cores
     /// Called a few times a second from one thread at a time, and at the end. May be NULL.
@@ -157,6 +178,7 @@ typedef struct whirl_run_options {
     /// Points and their confirmations are taken from the keeper and not computed: WHIRL_STOPPED where one is missing.
     /// Branches that were begun are traced to their end; with all points there, what needs them all is computed.
     bool gather;
+    const whirl_dealer *dealer; ///< NULL: all points are this run's, or its share
 } whirl_run_options;
 
 /// The machine of a point of a batch, by its index in `values` (0 where nothing varies). Errors as those of

@@ -233,6 +233,11 @@ whirl_journal_found whirl_journal_look(const whirl_journal *journal) {
     return journal->found;
 }
 
+bool whirl_journal_has(const whirl_journal *journal, size_t batch, size_t slot) {
+    const batch_index *index = batch < MOST_BATCHES ? &journal->batches[batch] : NULL;
+    return index && slot < index->count && index->offset && index->offset[slot] != 0;
+}
+
 size_t whirl_journal_points(const whirl_journal *journal) {
     return journal->points;
 }

@@ -30,19 +30,23 @@ static whirl_status make_other_layout(chains *c) {
     return status;
 }
 
-/// A chain by its index, from malloc; NULL without memory. There are as many at a time as threads have points under
-/// way.
-static chain *begin_chain(const chains *c, size_t index) {
+/// The next chain that is dealt out, from malloc; NULL where there is none, or *no_memory. There are as many at a time
+/// as threads have points under way.
+static chain *begin_chain(chains *c, bool *no_memory) {
     const pass *p = c->pass;
+    size_t index;
+    if (!deal_take(&c->deal, &index)) return NULL;
     const size_t length = pass_chain_length(p, c->batch), first = p->slots ? p->slots[index] : index * length;
     chain *link = malloc(sizeof *link);
     if (link)
         *link = (chain){.first_slot = first, .length = length, .reverse = length > 1 && c->table->branch[first] < 0};
+    *no_memory = !link;
     return link;
 }
 
 whirl_status chains_new(chains *c, study_run *run, const pass *p) {
     const whirl_batch *batch = &run->study->batches[p->batch];
+    const size_t length = pass_chain_length(p, batch), count = p->count / length;
     *c = (chains){.run = run,
                   .pass = p,
                   .batch = batch,
@@ -50,9 +54,9 @@ whirl_status chains_new(chains *c, study_run *run, const pass *p) {
                   .ends = run->ends[p->batch],
                   .weight = pass_weight(run, p),
                   .revolutions = pass_revolutions(run, p),
-                  .count = p->count / pass_chain_length(p, batch)};
+                  .deal = deal_begin(run, p, count)};
     // Chains of one point never wait.
-    const size_t waiting = pass_chain_length(p, batch) > 1 ? c->count : 1;
+    const size_t waiting = length > 1 ? count : 1;
     c->ready = calloc(waiting, sizeof(chain *));
     if (!c->ready) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points", p->count);
     return pass_is_beside(p) ? make_other_layout(c) : whirl_ok();
@@ -85,17 +89,18 @@ static const double save_interval = 5.0;
 /// shall be at work with full lanes while another has none.
 static chain *take_ready(worker *w) {
     chains *c = w->chains;
-    const size_t threads = (size_t)c->run->threads;
+    const size_t threads = (size_t)c->deal.threads;
     chain *taken = NULL;
+    bool no_memory = false;
 #pragma omp critical(whirl_chains)
     {
-        const size_t left = c->ready_count + c->count - c->next;
+        const size_t left = c->ready_count + deal_left(&c->deal);
         if (left > 0 && w->under_way < (left + c->under_way + threads - 1) / threads) {
-            taken = c->ready_count > 0 ? c->ready[--c->ready_count] : begin_chain(c, c->next++);
-            c->under_way++;
-            if (!taken) w->status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a point");
+            taken = c->ready_count > 0 ? c->ready[--c->ready_count] : begin_chain(c, &no_memory);
+            c->under_way += taken != NULL;
         }
     }
+    if (no_memory) w->status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a point");
     return taken;
 }
 
@@ -166,20 +171,20 @@ static void finish_point(const worker *w, chain *link) {
     chains *c = w->chains;
     const size_t slot = current_slot(link);
     if (pass_is_beside(c->pass)) {
-        set_beside(w, slot);
-    } else if (c->ends && c->pass->round == 0) {
-        memcpy(c->ends + slot * c->run->dimension, w->end, c->run->dimension * sizeof *w->end);
+        // The point itself may be another run's, which has its block.
+        if (c->table->done[slot]) set_beside(w, slot);
+    } else {
+        if (c->ends && c->pass->round == 0)
+            memcpy(c->ends + slot * c->run->dimension, w->end, c->run->dimension * sizeof *w->end);
+        c->table->done[slot] = 1;
     }
-    c->table->done[slot] = 1;
     link->done++;
 }
 
 // ---------------------------------------------------------------- points that are kept
 
 static size_t keeper_number(const chains *c) {
-    const pass *p = c->pass;
-    const size_t kinds = 2 + FOLLOW_COPIES, kind = p->copy > 0 ? 1 + (size_t)p->copy : p->confirming;
-    return p->batch + c->run->study->batch_count * (kinds * (size_t)p->round + kind);
+    return pass_number(c->run, c->pass);
 }
 
 /// What is kept of a point: its block, or what is taken from a motion beside it; and states where carried points need

@@ -5,7 +5,7 @@
 #ifndef STUDY_CHAINS_H
 #define STUDY_CHAINS_H
 
-#include "passes.h"
+#include "deal.h"
 
 /// Points that are computed one after the other.
 typedef struct chain {
@@ -26,7 +26,7 @@ typedef struct chains {
     double *ends;               ///< of the batch, or NULL
     double weight, revolutions; ///< of a revolution, of a point
     whirl_layout other;         ///< of a verdict at the second tolerance
-    size_t count, next;         ///< chains; which one is begun next
+    deal deal;                  ///< of chains
     size_t ready_count;
     chain **ready;    ///< those of more than one point that were begun and that no thread is at
     size_t under_way; ///< those that threads are at

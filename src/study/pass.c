@@ -29,6 +29,11 @@ pass pass_confirming(const pass *points) {
     return again;
 }
 
+size_t pass_number(const study_run *run, const pass *p) {
+    const size_t kinds = 2 + FOLLOW_COPIES, kind = p->copy > 0 ? 1 + (size_t)p->copy : p->confirming;
+    return p->batch + run->study->batch_count * (kinds * (size_t)p->round + kind);
+}
+
 bool pass_time_is_over(const study_run *run) {
     return run->deadline > 0.0 && clock_seconds() > run->deadline;
 }

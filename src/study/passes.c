@@ -73,12 +73,13 @@ whirl_status passes_outcome(const study_run *run) {
     };
     const whirl_progress *progress = &run->tracker.progress;
     if (run->tracker.status.code != WHIRL_OK) return run->tracker.status;
-    if (run->gathering && progress->points_done < progress->points_total)
+    if (run->tracker.options->gather && progress->points_done < progress->points_total)
         return whirl_fail(WHIRL_STOPPED,
                           progress->stage == WHIRL_STAGE_CONFIRM ? "%zu of %zu points are confirmed so far"
                                                                  : "%zu of %zu points are there so far",
                           progress->points_done, progress->points_total);
-    // Without a stop there are points left only where the time for them was over.
-    if (progress->points_done == progress->points_total || !atomic_load(&run->tracker.halt)) return whirl_ok();
+    // Without a stop there are points left only where the time for them was over, or other runs have them.
+    const bool stopped = run->gathering || atomic_load(&run->tracker.halt);
+    if (progress->points_done == progress->points_total || !stopped) return whirl_ok();
     return whirl_fail(WHIRL_STOPPED, formats[progress->stage], progress->points_done, progress->points_total);
 }

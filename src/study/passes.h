@@ -15,7 +15,9 @@ typedef struct study_run {
     double *ends[WHIRL_MAX_BATCHES]; ///< [count][dimension] where every point ended, NaN where it diverged, of batches
                                      ///< that are carried or may be followed; else NULL
     whirl_share share;               ///< of the points that are computed and confirmed; all zero: all of them
+    const whirl_dealer *dealer;      ///< NULL: points are not dealt out
     bool gathering;                  ///< points that the keeper does not know are left out
+    bool traced;                     ///< branches and tori are as far as this run takes them
     double deadline;                 ///< what is under way then is given up (clock_seconds); 0: there is none
     tracker tracker;
 } study_run;
@@ -30,6 +32,7 @@ typedef struct pass {
     whirl_record_options record;
     size_t count;  ///< points
     size_t *slots; ///< its points or, where these are carried, the first slots of its chains; NULL: all of the batch
+    bool dealt;    ///< other runs take of it, too
 } pass;
 
 /// Points that hang together when those of a batch are computed: they start from one another's ends.
@@ -60,6 +63,9 @@ double pass_weight(const study_run *run, const pass *pass);
 
 /// Revolutions of a point that runs to its end, weighted.
 double pass_revolutions(const study_run *run, const pass *pass);
+
+/// What a keeper knows it by (whirl_keeper).
+size_t pass_number(const study_run *run, const pass *p);
 
 /// Where the copy of a point begins [dimension], to be freed; NULL without memory.
 double *pass_copy_start(const study_run *run, const pass *p, size_t slot);
@@ -111,8 +117,12 @@ whirl_status passes_outcome(const study_run *run);
 
 // ---------------------------------------------------------------- share.c
 
-/// Leaves in a pass over all points of a batch those of the run's share; its slots are to be freed. WHIRL_NO_MEMORY.
+/// Leaves in a pass over all points of a batch those of the run's share, or those that may be dealt to it; its slots
+/// are to be freed. WHIRL_NO_MEMORY.
 whirl_status share_pass(const study_run *run, pass *p);
+
+/// Leaves in a pass that confirms carried points those that this run has; others do theirs.
+void share_confirmed(const study_run *run, pass *p);
 
 // ---------------------------------------------------------------- tables.c
 

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "critical.h"
+#include "deal.h"
 
 /// A thread at a piece.
 typedef struct worker {
@@ -99,15 +100,28 @@ static whirl_status work_at(worker *w, size_t first, size_t end) {
     return status;
 }
 
+/// A piece after the other, until none is left.
+static whirl_status work_at_pieces(worker *w, deal *pieces) {
+    whirl_status status = whirl_ok();
+    while (status.code == WHIRL_OK && !atomic_load(&w->run->tracker.halt)) {
+        size_t piece = 0;
+        bool taken;
+#pragma omp critical(whirl_resting)
+        taken = deal_take(pieces, &piece);
+        if (!taken) break;
+        // Slots of a share, and those that are dealt out, come in the same pieces.
+        const size_t first = piece * RESTING_PIECE, after = first + RESTING_PIECE;
+        status = work_at(w, first, after < w->pass->count ? after : w->pass->count);
+    }
+    return status;
+}
+
 whirl_status resting_work(study_run *run, const pass *p) {
-    const size_t pieces = (p->count + RESTING_PIECE - 1) / RESTING_PIECE;
+    deal pieces = deal_begin(run, p, (p->count + RESTING_PIECE - 1) / RESTING_PIECE);
     whirl_analysis_set modes = 0;
     whirl_analysis_add(&modes, "modes");
-#pragma omp parallel for schedule(dynamic) num_threads(run->threads)
-    for (size_t piece = 0; piece < pieces; piece++) {
-        // Slots of a share come in the same pieces.
-        const size_t first = piece * RESTING_PIECE, after = first + RESTING_PIECE;
-        const size_t last = after < p->count ? after : p->count;
+#pragma omp parallel num_threads(run->threads)
+    {
         worker w = {.run = run,
                     .pass = p,
                     .batch = &run->study->batches[p->batch],
@@ -116,8 +130,8 @@ whirl_status resting_work(study_run *run, const pass *p) {
         w.has_modes = (w.batch->analyses & modes) != 0;
         w.found = calloc(w.most, sizeof *w.found);
         w.block = calloc(w.table->layout.size + 1, sizeof *w.block);
-        const whirl_status status =
-            w.found && w.block ? work_at(&w, first, last) : whirl_fail(WHIRL_NO_MEMORY, "no memory for points at rest");
+        const whirl_status status = w.found && w.block ? work_at_pieces(&w, &pieces)
+                                                       : whirl_fail(WHIRL_NO_MEMORY, "no memory for points at rest");
         free(w.found);
         free(w.block);
         if (status.code != WHIRL_OK) tracker_fail(&run->tracker, &status);

@@ -80,7 +80,7 @@ static whirl_status plan_stage(const study_run *run, whirl_stage name, stage *s)
     *s = (stage){.name = name};
     for (size_t i = 0; i < run->study->batch_count && status.code == WHIRL_OK; i++) {
         const whirl_batch *batch = &run->study->batches[i];
-        if (confirming && !batch->confirm) continue;
+        if ((confirming && !batch->confirm) || (run->traced && whirl_analysis_is_traced(batch->analyses))) continue;
         pass own = {.batch = i, .integrate = batch->integrate, .record = batch->record, .count = batch_slots(batch)};
         if (confirming) own = pass_confirming(&own);
         status = share_pass(run, &own);
@@ -102,8 +102,9 @@ double whirl_study_revolutions(const whirl_study *study) {
     return points.revolutions + again.revolutions;
 }
 
-static whirl_status run_stage(study_run *run, const stage *s) {
+static whirl_status run_stage(study_run *run, stage *s) {
     if (s->points == 0) return whirl_ok();
+    for (size_t i = 0; i < s->pass_count && s->name == WHIRL_STAGE_CONFIRM; i++) share_confirmed(run, &s->passes[i]);
     tracker_stage(&run->tracker, s->name, s->points);
     const whirl_status status = passes_work(run, s->passes, s->pass_count);
     return status.code == WHIRL_OK ? passes_outcome(run) : status;
@@ -118,26 +119,61 @@ static whirl_status run_stages_of_all(study_run *run, bool confirmed) {
     return status;
 }
 
-static whirl_status run_stages(study_run *run, const whirl_run_options *options) {
+/// The points and their confirmations, or what is known of them.
+static whirl_status run_points(study_run *run, const whirl_run_options *options) {
     stage points, again;
     whirl_status status = plan_stage(run, WHIRL_STAGE_COMPUTE, &points);
     const whirl_status planned = plan_stage(run, WHIRL_STAGE_CONFIRM, &again);
     if (status.code == WHIRL_OK) status = planned;
     tracker_begin(&run->tracker, options, points.revolutions + again.revolutions);
-    run->gathering = options->gather;
     if (status.code == WHIRL_OK) status = run_stage(run, &points);
     if (status.code == WHIRL_OK) status = run_stage(run, &again);
-    run->gathering = false;
-    if (status.code == WHIRL_OK && run->share.count == 0) status = run_stages_of_all(run, again.points > 0);
-    if (status.code == WHIRL_OK) tracker_end(&run->tracker);
     free_stage(&points);
     free_stage(&again);
     return status;
 }
 
+static bool branches_are_missing(const study_run *run) {
+    bool missing = false;
+    for (size_t i = 0; i < run->result->table_count; i++) missing = missing || run->result->tables[i].planned > 0;
+    return missing;
+}
+
+/// What other runs have computed comes to the one that gathers, also where that was stopped: `own` is how it ended.
+static whirl_status gather_dealt(study_run *run, const whirl_run_options *options, const whirl_status *own) {
+    const whirl_dealer *dealer = options->dealer;
+    const double started = run->tracker.started;
+    whirl_run_options undisturbed = *options;
+    if ((own->code != WHIRL_OK && own->code != WHIRL_STOPPED) || !dealer->gather) return *own;
+    whirl_status status = dealer->gather(dealer->context);
+    if (status.code != WHIRL_OK) return status;
+    run->dealer = NULL;
+    run->traced = run->gathering = true;
+    undisturbed.stop = NULL;
+    undisturbed.progress = NULL;
+    status = run_points(run, &undisturbed);
+    run->traced = run->gathering = false;
+    run->tracker.options = options;
+    run->tracker.started = started;
+    return status.code == WHIRL_OK && branches_are_missing(run) ? *own : status;
+}
+
+static whirl_status run_stages(study_run *run, const whirl_run_options *options) {
+    bool confirmed = false;
+    run->gathering = options->gather;
+    whirl_status status = run_points(run, options);
+    run->gathering = false;
+    if (options->dealer) status = gather_dealt(run, options, &status);
+    for (size_t i = 0; i < run->study->batch_count; i++) confirmed = confirmed || run->study->batches[i].confirm;
+    const bool whole = run->share.count == 0 && !run->dealer;
+    if (status.code == WHIRL_OK && whole) status = run_stages_of_all(run, confirmed);
+    if (status.code == WHIRL_OK) tracker_end(&run->tracker);
+    return status;
+}
+
 whirl_status whirl_study_run(const whirl_study *study, const whirl_run_options *options, whirl_result **out) {
     whirl_study chosen = *study;
-    study_run run = {.study = &chosen, .keeper = options->keeper, .share = options->share};
+    study_run run = {.study = &chosen, .keeper = options->keeper, .share = options->share, .dealer = options->dealer};
     *out = NULL;
     if (options->threads < 0) return whirl_fail(WHIRL_BAD_INPUT, "threads is %d, expected 0 or more", options->threads);
     if (run.share.count > 0 && (run.share.number < 1 || run.share.number > run.share.count))
@@ -151,7 +187,7 @@ whirl_status whirl_study_run(const whirl_study *study, const whirl_run_options *
     if (status.code == WHIRL_OK) status = tables_fill(&run, options->memory);
     if (status.code == WHIRL_OK) status = run_stages(&run, options);
     for (size_t i = 0; i < WHIRL_MAX_BATCHES; i++) free(run.ends[i]);
-    if (status.code == WHIRL_STOPPED || (status.code == WHIRL_OK && run.share.count > 0)) {
+    if (status.code == WHIRL_STOPPED || (status.code == WHIRL_OK && (run.share.count > 0 || run.dealer))) {
         tables_blank(run.result);
         run.result->partial = true;
     }

@@ -63,9 +63,15 @@ static void points_are_taken_once(void **state) {
     whirl_journal *journal = begun(f, f->own);
     check(kept_keep(journal, 0));
     check(kept_keep(journal, 1));
+    assert_true(whirl_journal_has(journal, 0, 1));
+    assert_false(whirl_journal_has(journal, 0, 2));
     check(whirl_journal_take(journal, f->other));
     assert_int_equal(kept_count(journal), KEPT_POINTS);
     assert_int_equal(whirl_journal_points(journal), KEPT_POINTS);
+    assert_true(whirl_journal_has(journal, 0, 2));
+    // Of no pass, no batch and no slot that there is not.
+    assert_false(whirl_journal_has(journal, 2, 0) || whirl_journal_has(journal, 1000, 0));
+    assert_false(whirl_journal_has(journal, 0, SYNTHETIC_POINTS));
     check(whole_file(f->own, &bytes, &size));
     free(bytes);
     check(whirl_journal_take(journal, f->other));
