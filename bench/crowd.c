@@ -55,7 +55,10 @@ crowd *crowd_new(const crowd_kind *kind, bool watched) {
     c->rotors = room(c->lanes, sizeof *c->rotors);
     c->samples = room(SAMPLES * c->lanes * c->stations * 2, sizeof *c->samples);
     c->waveform = room(SAMPLES * c->lanes * c->stations * 2, sizeof *c->waveform);
-    c->watch = (whirl_ensemble_observe){watched, (size_t)kind->options.steps_per_revolution / SAMPLES, crowd_sample, c};
+    c->watch = (whirl_ensemble_observe){.extremes = watched,
+                                        .stride = (size_t)kind->options.steps_per_revolution / SAMPLES,
+                                        .sample = crowd_sample,
+                                        .context = c};
     double *start = room(system->dimension, sizeof *start);
     kind->start(kind->stations, start);
     for (size_t lane = 0; lane < c->lanes; lane++) {

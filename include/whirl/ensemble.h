@@ -103,6 +103,9 @@ typedef struct whirl_ensemble_observe {
     size_t stride;
     void (*sample)(void *context);
     void *context;
+    /// [count] the lanes that are observed: of the others nothing is gathered, or what means nothing, and by adaptive
+    /// methods it then costs nothing. NULL: all.
+    const bool *lanes;
 } whirl_ensemble_observe;
 
 /// Carries the lanes 0 to count - 1 over one period. Empty lanes among them are left alone. `observe` may be NULL.

@@ -47,6 +47,7 @@ struct whirl_recorder {
     int first_watched, last; ///< revolutions
     size_t used;             ///< lanes
     motion **owner;          ///< [lane_count] the motion of every lane in use
+    bool *recorded;          ///< [lane_count] whether it is recorded in this revolution
     size_t count, most;      ///< motions under way
     motion **motions;        ///< [most], those that wait included
     bool exhausted;          ///< the source had none when it was last asked
@@ -319,10 +320,12 @@ static whirl_status prepare(whirl_recorder *r, motion *m) {
 static whirl_status prepare_all(whirl_recorder *r) {
     whirl_status status = whirl_ok();
     bool recording = false;
+    memset(r->recorded, 0, r->lane_count * sizeof *r->recorded);
     for (size_t i = 0; i < r->count && status.code == WHIRL_OK; i++) {
         motion *m = r->motions[i];
         if (!waits(m)) status = prepare(r, m);
-        recording = recording || (!waits(m) && records(m));
+        if (waits(m) || !records(m)) continue;
+        r->recorded[m->lane] = recording = true;
     }
     r->watch.extremes = recording;
     return status;
@@ -611,17 +614,18 @@ static whirl_status start(whirl_recorder *r, const whirl_system *system, size_t 
     }
     r->lane_count = whirl_ensemble_lanes(r->ensemble);
     r->owner = calloc(r->lane_count, sizeof(motion *));
+    r->recorded = calloc(r->lane_count, sizeof *r->recorded);
     if (r->most == 0) r->most = r->shooter ? 2 * r->lane_count : r->lane_count; // some wait
     r->motions = calloc(r->most, sizeof(motion *));
     r->probes = system->probes;
     r->probe_count = system->probe_count;
-    r->watch = (whirl_ensemble_observe){.sample = sample, .context = r};
+    r->watch = (whirl_ensemble_observe){.sample = sample, .context = r, .lanes = r->recorded};
     if (r->options->waveform)
         r->watch.stride = (size_t)(r->integrate->steps_per_revolution /
                                    whirl_record_samples(r->options, r->integrate->steps_per_revolution));
     const size_t samples = r->watch.stride > 0 ? (size_t)r->integrate->steps_per_revolution / r->watch.stride : 0;
     r->samples = calloc(samples * 2 * r->probe_count * r->lane_count + 1, sizeof *r->samples);
-    if (!r->owner || !r->motions || !r->samples)
+    if (!r->owner || !r->recorded || !r->motions || !r->samples)
         return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu lanes", r->lane_count);
     return whirl_ok();
 }
@@ -634,6 +638,7 @@ void whirl_recorder_free(whirl_recorder *r) {
     }
     free(r->motions);
     free(r->owner);
+    free(r->recorded);
     free(r->samples);
     whirl_ensemble_free(r->ensemble);
     whirl_ensemble_free(r->variational);

@@ -37,11 +37,14 @@ typedef struct lane_rows {
     double *own, *theirs;
     size_t rows;
     bool constant; ///< need not go back
+    bool observed; ///< goes with lanes that are observed
 } lane_rows;
 
 /// The lanes that wait for a slot.
 typedef struct lane_queue {
     size_t next, count;
+    const size_t *order;         ///< [count] the lanes, those that are observed first
+    size_t observed;             ///< how many these are
     size_t slot_lane[MAX_SLOTS]; ///< who is in a slot; NO_LANE
 } lane_queue;
 
@@ -129,6 +132,7 @@ typedef struct adaptive_lanes {
     rodas5p_work rodas5p;
     // What is observed: the step taken, as polynomials.
     bool observing;
+    double *watched;                ///< 1 where the lane is observed
     double *begin, *taken;          ///< its beginning and length; 0: none was taken
     double *dense[1 + DENSE];       ///< [dimension] its first state, then the method's polynomials: rows in a line
     double *instant, *seen, *theta; ///< number of the next instant, 1 where it lies in the step, and its place there

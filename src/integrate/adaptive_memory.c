@@ -57,6 +57,7 @@ static size_t lay_out(adaptive_lanes *lanes, double *block) {
         {&lanes->end_value, switches},
         {&lanes->end_rate, switches},
         {&lanes->time, 1},
+        {&lanes->watched, 1},
         {&lanes->begin, 1},
         {&lanes->taken, 1},
         {&lanes->instant, 1},

@@ -6,6 +6,7 @@ static void exchange(const adaptive_lanes *lanes, size_t slot, size_t lane, bool
     for (size_t i = 0; i < lanes->exchanged_count; i++) {
         const lane_rows *rows = &lanes->exchanged[i];
         if (back && rows->constant) continue;
+        if (rows->observed && lanes->watched[slot] < 0.5) continue;
         for (size_t r = 0; r < rows->rows; r++) {
             double *own = &rows->own[r * lanes->slots + slot], *theirs = &rows->theirs[r * lanes->lane_count + lane];
             if (back)
@@ -27,8 +28,9 @@ static void leave(const adaptive_lanes *lanes, size_t slot) {
 static bool enter(const adaptive_lanes *lanes, size_t slot) {
     lane_queue *queue = lanes->queue;
     while (queue->next < queue->count) {
-        const size_t lane = queue->next++;
+        const size_t place = queue->next++, lane = queue->order[place];
         if (!lanes->machines[lane]) continue;
+        lanes->watched[slot] = place < queue->observed ? 1.0 : 0.0;
         exchange(lanes, slot, lane, false);
         if (lanes->ended[slot] != WHIRL_BOUNDED) continue;
         queue->slot_lane[slot] = lane;

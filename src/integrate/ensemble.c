@@ -32,6 +32,7 @@ struct whirl_ensemble {
     const whirl_system **machines; ///< [lane_count] who is where; NULL: nobody
     whirl_disturbances **beside;   ///< [lane_count] that go along in the next revolution; NULL: none
     size_t *contact_probe;
+    size_t *order;           ///< [lane_count] in which lanes go their own way
     double *state;           ///< [dimension] workspace
     double *forcing, *block; ///< block: all arrays of lanes, aligned to 64 bytes
 };
@@ -117,9 +118,11 @@ static bool allocate(whirl_ensemble *e) {
     e->forcing = malloc((table + 1) * sizeof *e->forcing);
     e->machines = calloc(e->lane_count, sizeof *e->machines);
     e->beside = calloc(e->lane_count, sizeof *e->beside);
+    e->order = calloc(e->lane_count, sizeof *e->order);
     e->contact_probe = calloc(e->contact_count + 1, sizeof *e->contact_probe);
     e->state = calloc(e->system->dimension, sizeof *e->state);
-    if (!e->state || !e->block || !e->forcing || !e->machines || !e->beside || !e->contact_probe) return false;
+    if (!e->state || !e->block || !e->forcing || !e->machines || !e->beside || !e->order || !e->contact_probe)
+        return false;
     memset(e->block, 0, bytes);
     e->row_count = lay_out(e, e->block);
     return true;
@@ -354,6 +357,7 @@ void whirl_ensemble_free(whirl_ensemble *e) {
     free(e->lanes.places);
     free(e->state);
     free(e->machines);
+    free(e->order);
     free(e->beside);
     free(e->contact_probe);
     free(e);
@@ -470,24 +474,23 @@ static void fill_exchange(const whirl_ensemble *e, adaptive_lanes *lanes) {
     const size_t dimension = lanes->dimension, probes = own->probe_count, contacts = own->contact_count;
     const size_t sets = 1 + lanes->tangents;
 #define PART(array, extent, columns, ...)                                                                              \
-    {own->array, theirs->array, WHIRL_WATCHED_SIZE(extent, columns, probes, contacts), false},
+    {own->array, theirs->array, WHIRL_WATCHED_SIZE(extent, columns, probes, contacts), false, true},
     const lane_rows rows[] = {
-        {lanes->numbers, e->lanes.numbers, lanes->number_count, true},
-        {lanes->q, e->lanes.q, sets * lanes->degrees, false},
-        {lanes->v, e->lanes.v, sets * lanes->rates, false},
-        {lanes->ended, e->ended, 1, false},
-        {lanes->volume, e->lanes.volume, sets > 1 ? 1 : 0, false},
-        {own->low, theirs->low, dimension, false},
-        {own->high, theirs->high, dimension, false},
-        {own->gap, theirs->gap, contacts, true},
-        {own->touching, theirs->touching, contacts, false},
+        {lanes->numbers, e->lanes.numbers, lanes->number_count, true, false},
+        {lanes->q, e->lanes.q, sets * lanes->degrees, false, false},
+        {lanes->v, e->lanes.v, sets * lanes->rates, false, false},
+        {lanes->ended, e->ended, 1, false, false},
+        {lanes->volume, e->lanes.volume, sets > 1 ? 1 : 0, false, false},
+        {own->low, theirs->low, dimension, false, true},
+        {own->high, theirs->high, dimension, false, true},
+        {own->gap, theirs->gap, contacts, true, true},
+        {own->touching, theirs->touching, contacts, false, true},
         // clang-format off
         WHIRL_WATCHED(PART)
         // clang-format on
     };
 #undef PART
-    enum { ALWAYS = 5, ALL = sizeof rows / sizeof *rows };
-    lanes->exchanged_count = lanes->observing ? ALL : ALWAYS;
+    lanes->exchanged_count = sizeof rows / sizeof *rows;
     memcpy(lanes->exchanged, rows, sizeof rows);
 }
 
@@ -542,6 +545,18 @@ static void end_disturbances(whirl_ensemble *e, size_t count) {
     }
 }
 
+/// Lanes go in their order, but those that are observed first: while they have slots steps cost more. How many these
+/// are.
+static size_t put_in_order(whirl_ensemble *e, size_t count, const whirl_ensemble_observe *observe) {
+    const bool *which = observe ? observe->lanes : NULL;
+    size_t observed = 0;
+    for (size_t lane = 0; lane < count; lane++)
+        if (observe && (!which || which[lane])) e->order[observed++] = lane;
+    for (size_t lane = 0, at = observed; lane < count; lane++)
+        if (!observe || (which && !which[lane])) e->order[at++] = lane;
+    return observed;
+}
+
 /// A revolution in which every lane goes its own way; samples are handed out when all are through.
 static void revolve_adaptive(whirl_ensemble *e, size_t count, const whirl_ensemble_observe *observe) {
     const size_t wanted = observe && observe->stride > 0 ? (size_t)e->adaptive->instants / observe->stride : 0;
@@ -557,6 +572,8 @@ static void revolve_adaptive(whirl_ensemble *e, size_t count, const whirl_ensemb
     lanes.tangents = begin_disturbances(e, count) ? e->lanes.disturbances : 0;
     lanes.queue->next = 0;
     lanes.queue->count = count;
+    lanes.queue->order = e->order;
+    lanes.queue->observed = put_in_order(e, count, lanes.observing ? observe : NULL);
     fill_exchange(e, &lanes);
     for (size_t i = 0; i < samples * size; i++) lanes.samples[i] = NAN; // of lanes that end on the way
     for (size_t lane = 0; samples < wanted && lane < count; lane++) e->ended[lane] = WHIRL_STUCK; // for want of memory

@@ -138,6 +138,47 @@ static double eccentricity_of(size_t number) {
     return 0.9 + 0.02 * (double)number;
 }
 
+// ---------------------------------------------------------------- some are observed
+
+/// What is seen of every third lane is the same whether the others are observed or not, and so is where all go.
+static void observe_every_third(const way *by, const char *set) {
+    machine *own[MOST];
+    bool third[MOST];
+    const whirl_ensemble_observe all = {.extremes = true}, some = {.extremes = true, .lanes = third};
+    machine *structure = machine_new(1.0, by->damping);
+    whirl_ensemble *ways_to_look[] = {ensemble_by(by, set, &structure->system),
+                                      ensemble_by(by, set, &structure->system)};
+    for (size_t i = 0; ways_to_look[0] && i < MOST; i++) {
+        third[i] = i % 3 == 1;
+        own[i] = machine_new(eccentricity_of(i), by->damping);
+        for (int w = 0; w < 2; w++) must(whirl_ensemble_load(ways_to_look[w], i, &own[i]->system, start));
+    }
+    for (int n = 0; ways_to_look[0] && n < TOGETHER; n++) {
+        whirl_ensemble_revolve(ways_to_look[0], MOST, &all);
+        whirl_ensemble_revolve(ways_to_look[1], MOST, &some);
+    }
+    for (size_t i = 0; ways_to_look[0] && i < MOST; i++) {
+        double x[DIMENSION], low[2][DIMENSION], share[2];
+        whirl_ensemble_state(ways_to_look[0], i, x);
+        expect_same(ways_to_look[1], i, x);
+        for (int w = 0; w < 2; w++) {
+            const whirl_ensemble_seen seen = {.low = low[w], .contact_share = &share[w]};
+            whirl_ensemble_read(ways_to_look[w], i, &seen);
+        }
+        if (third[i]) assert_memory_equal(low[0], low[1], sizeof low[0]);
+        if (third[i]) assert_true(low[0][0] < 0.0 && share[0] > 0.0 && share[0] == share[1]);
+        machine_free(own[i]);
+    }
+    for (int w = 0; w < 2; w++) whirl_ensemble_free(ways_to_look[w]);
+    machine_free(structure);
+}
+
+static void test_lanes_that_are_observed_do_not_notice_others(void **state) {
+    (void)state;
+    for (size_t w = 0; w < WAYS; w++)
+        for (size_t s = 0; s < SETS; s++) observe_every_third(&ways[w], sets[s]);
+}
+
 // ---------------------------------------------------------------- machines leave
 
 /// All lanes are left one after the other, the first always by the last: by machines that are gone the next moment.
@@ -295,7 +336,7 @@ static void carry_by_integrator(const whirl_system *system, const whirl_integrat
 }
 
 static void carry_in_lanes(whirl_ensemble *lanes, size_t followed, sampled *samples, carried out[2]) {
-    const whirl_ensemble_observe watch = {true, 16, sample_both, samples};
+    const whirl_ensemble_observe watch = {.extremes = true, .stride = 16, .sample = sample_both, .context = samples};
     for (int i = 0; i < 3; i++) {
         whirl_disturbances beside[2];
         for (size_t l = 0; l < 2 && followed > 0; l++) {
@@ -494,6 +535,7 @@ static void test_parts_of_other_methods_are_refused(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_the_rotor_rubs),
+        cmocka_unit_test(test_lanes_that_are_observed_do_not_notice_others),
         cmocka_unit_test(test_machines_that_left_are_not_asked),
         cmocka_unit_test(test_a_machine_that_moves_nowhere_stays),
         cmocka_unit_test(test_lanes_of_integrators),
