@@ -129,6 +129,7 @@ export class App {
       ...{ station, parameter },
       cell: (cell, settled) => this.cell(cell, settled),
       mapQuantity: (id) => this.change({ mapQuantity: id }),
+      mapLines: (shown) => this.change({ mapLines: shown }),
     };
   }
 

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "regimes.h"
 #include "report_file.h"
 #include "script_data.h"
 
@@ -210,6 +211,43 @@ static void write_cells(FILE *stream, const selection *chosen) {
     fputs("\"}", stream);
 }
 
+enum { MOST_ATTRACTORS = 64 };
+
+static void write_attractor(FILE *stream, const whirl_table *table, const whirl_attractor *one) {
+    const whirl_verdict verdict = whirl_table_verdict(table, one->first);
+    char name[WHIRL_NAME_SIZE];
+    regime_name(&verdict, name, sizeof name);
+    text_member(stream, '{', "name", name);
+    fprintf(stream, ",\"starts\":%zu", one->points);
+    number_member(stream, ',', "share", one->share);
+    number_member(stream, ',', "error", one->error);
+    fputc('}', stream);
+}
+
+/// Of a basin its attractors, and of every point the number of its own, from 1; 0: none is told.
+static void write_attractors(FILE *stream, const selection *chosen) {
+    const whirl_table *table = chosen->table;
+    if (strcmp(table->name, "basin") != 0) return;
+    whirl_attractor found[MOST_ATTRACTORS];
+    size_t *labels = calloc(table->count + 1, sizeof *labels), count = 0;
+    // Without memory the page shows regimes.
+    if (labels && whirl_table_attractors(table, labels, found, MOST_ATTRACTORS, &count).code == WHIRL_OK) {
+        member(stream, ',', "attractors");
+        fputc('[', stream);
+        for (size_t k = 0; k < count; k++) {
+            if (k > 0) fputc(',', stream);
+            write_attractor(stream, table, &found[k]);
+        }
+        fputc(']', stream);
+        member(stream, ',', "attractor");
+        char before = '[';
+        for (size_t p = first_chosen(chosen); p < table->count; p = next_chosen(chosen, p), before = ',')
+            fprintf(stream, "%c%zu", before, labels[p]);
+        fputs(end_of_list(chosen), stream);
+    }
+    free(labels);
+}
+
 static void write_values(FILE *stream, const selection *chosen) {
     const whirl_table *table = chosen->table;
     member(stream, ',', "values");
@@ -393,6 +431,7 @@ static void write_table(FILE *stream, const whirl_table *table, bool sections) {
     if (whirl_analysis_is_traced(table->analyses)) script_members(stream, whirl_trace_members(), &table->record.trace);
     write_values(stream, &chosen);
     write_cells(stream, &chosen);
+    write_attractors(stream, &chosen);
     write_verdicts(stream, &chosen);
     write_critical(stream, table);
     write_fields(stream, &chosen);

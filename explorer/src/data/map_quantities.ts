@@ -2,6 +2,7 @@
 import type { StationInfo } from '../engine/protocol';
 import type { Units } from '../model/units';
 import type { Diagram } from './diagram';
+import type { ParameterMap } from './parameter_map';
 import { quantitiesOf, quantityOf, type Quantity } from './quantities';
 
 /// Stronger growth and decay are all shown alike.
@@ -23,20 +24,28 @@ export interface MapNumbers {
 }
 
 export const REGIME: Quantity = { id: 'regime', text: 'Regime', perStation: false };
+export const ATTRACTOR: Quantity = { id: 'attractor', text: 'Attractor', perStation: false };
 const PERIOD: Quantity = { id: 'period', text: 'Period', perStation: false };
 
 /// As they stand in an address; fields are known by their names.
-export const MAP_QUANTITIES: readonly string[] = [REGIME.id, PERIOD.id];
+export const MAP_QUANTITIES: readonly string[] = [ATTRACTOR.id, REGIME.id, PERIOD.id];
+
+/// What a map shows where nothing else is asked for.
+export function firstQuantityOf(map: ParameterMap): string {
+  return map.attractors.length > 0 ? ATTRACTOR.id : REGIME.id;
+}
 
 /// Those of which the points have a number.
-export function mapQuantitiesOf(diagram: Diagram): readonly Quantity[] {
+export function mapQuantitiesOf(map: ParameterMap): readonly Quantity[] {
+  const { diagram } = map;
   const units: Units = { length: 'scale', speed: 'rad/s', frequency: 'order', amplitude: '0-p' };
   const there = quantitiesOf(diagram).filter(({ id }) => {
     const column = quantityOf(diagram, id, 0, [], units, '')?.column;
     return column?.rows === 1 && column.data.some(Number.isFinite);
   });
   const judged = diagram.column('regime/code') !== undefined;
-  return [...(judged ? [REGIME, PERIOD] : []), ...there];
+  const attractors = map.attractors.length > 0 ? [ATTRACTOR] : [];
+  return [...attractors, ...(judged ? [REGIME, PERIOD] : []), ...there];
 }
 
 /// Revolutions of periodic motions.

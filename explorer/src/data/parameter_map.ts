@@ -1,6 +1,7 @@
 // A map: points over two parameters, a cell each, as a run has stored them. Its cells are counted along rising values.
 import { Diagram } from './diagram';
-import { float64Of, type Run, type StoredMap } from './run';
+import { OTHER_PERIODS } from './regimes';
+import { float64Of, type Attractor, type Run, type StoredMap, type StoredTable } from './run';
 
 export interface MapAxis {
   readonly parameter: string;
@@ -82,6 +83,10 @@ export class ParameterMap {
     /// All points, along the first parameter.
     readonly diagram: Diagram,
     map: StoredMap,
+    /// Of a basin, those of most starts first; else none.
+    readonly attractors: readonly Attractor[],
+    /// Of every point its number among them, from 1; 0: none is told.
+    private readonly attractor: readonly number[],
   ) {
     const { columns, rows } = map;
     const seconds = float64Of(map.seconds);
@@ -106,8 +111,30 @@ export class ParameterMap {
 
   /// The map of a run; undefined where it has none.
   static of(run: Run | undefined): ParameterMap | undefined {
-    const table = run?.tables.find(({ map, count }) => map !== undefined && count > 0);
-    return table?.map && new ParameterMap(Diagram.stored(table, run!.length_scale), table.map);
+    const table: StoredTable | undefined = run?.tables.find(({ map, count }) => map !== undefined && count > 0);
+    return (
+      table?.map &&
+      new ParameterMap(
+        Diagram.stored(table, run!.length_scale),
+        table.map,
+        table.attractors ?? [],
+        table.attractor ?? [],
+      )
+    );
+  }
+
+  /// The number of a point's attractor; 0: none is told.
+  attractorOf(point: number): number {
+    return this.attractor[point] ?? 0;
+  }
+
+  /// What boundaries lie between: the same number for points of one attractor or, where there are none, of one regime
+  /// and period.
+  kindOf(point: number): number {
+    if (point < 0) return NaN;
+    if (this.attractors.length > 0) return this.attractorOf(point);
+    const period = this.diagram.number(point, 'regime/period');
+    return this.diagram.classes[point]! <= OTHER_PERIODS ? period : -this.diagram.classes[point]!;
   }
 
   get columns(): number {

@@ -11,6 +11,8 @@ export const CLASS_NAMES = [
   'diverged',
 ] as const;
 
+/// The last of the periodic ones.
+export const OTHER_PERIODS = 3;
 export const QUASI_PERIODIC = 4;
 export const UNDETERMINED = 6;
 

@@ -18,6 +18,16 @@ export interface StoredMap {
   readonly seconds: string;
 }
 
+/// A motion that several starts of a basin came to rest on.
+export interface Attractor {
+  /// Of its verdict: "P-5".
+  readonly name: string;
+  readonly starts: number;
+  /// Of the starts that are done, and its standard error were these drawn at random.
+  readonly share: number;
+  readonly error: number;
+}
+
 export interface StoredTable {
   readonly name: string;
   readonly parameter: string;
@@ -35,6 +45,9 @@ export interface StoredTable {
   /// float64 as well: metres per unit of length of every point, where the parameter changes them.
   readonly length_scales?: string;
   readonly map?: StoredMap;
+  /// Of a basin; and of every point the number of its own, from 1, or 0 where none is told.
+  readonly attractors?: readonly Attractor[];
+  readonly attractor?: readonly number[];
   readonly branch: readonly number[];
   readonly done: readonly number[];
   /// Name and reason of every point's verdict.

@@ -27,3 +27,12 @@ export function colourAt(palette: Palette, part: number, theme: Theme): string {
   const from = Math.min(stops.length - 2, Math.floor(at));
   return mixed(stops[from]!, stops[from + 1]!, at - from);
 }
+
+/// Okabe and Ito's colours, in an order in which neighbours differ in lightness, too; whirl's reports have the same.
+const OF_ATTRACTORS = ['#0072b2', '#e69f00', '#56b4e9', '#009e73', '#cc79a7', '#d55e00', '#f0e442'];
+
+/// Of attractors by their number, from 1; of 0, where none is told, that of little.
+export function attractorColour(number: number, theme: Theme): string {
+  if (number === 0) return mixed(theme.paper, theme.muted, 0.35);
+  return [...OF_ATTRACTORS, theme.ink][(number - 1) % (OF_ATTRACTORS.length + 1)]!;
+}

@@ -53,8 +53,10 @@ export interface Address {
   a: Side;
   b: Side | undefined;
   quantity: string;
-  /// What a map shows.
+  /// What a map shows; "": what it does by itself.
   mapQuantity: string;
+  /// Whether a map has lines where regimes meet.
+  mapLines: boolean;
   station: string;
   range: readonly [number, number] | undefined;
   units: Units;
@@ -131,7 +133,8 @@ export function readAddress(hash: string, fallback: Units): Address {
     a: readSide(all, 'at', 'set', 'orbit'),
     b: all.has('b') ? readSide(all, 'b', 'bset', 'borbit') : undefined,
     quantity: readQuantity(all.get('q'), [], 'x'),
-    mapQuantity: readQuantity(all.get('mq'), MAP_QUANTITIES, 'regime'),
+    mapQuantity: readQuantity(all.get('mq'), MAP_QUANTITIES, ''),
+    mapLines: all.get('ml') === '1',
     station: (all.get('st') ?? '').slice(0, MOST_TEXT),
     range: Number.isFinite(low) && Number.isFinite(high) && low! < high! ? [low!, high!] : undefined,
     units: {
@@ -166,7 +169,8 @@ export function writeAddress(address: Address): string {
     for (const [name, text] of address.b.assignments) put('bset', `${name}=${text}`);
   }
   put('q', address.quantity);
-  put('mq', address.mapQuantity === 'regime' ? undefined : address.mapQuantity);
+  put('mq', address.mapQuantity);
+  put('ml', address.mapLines ? 1 : undefined);
   put('st', address.station);
   if (address.range) put('range', address.range.map((value) => Number(value.toPrecision(9))).join(','));
   const { length, speed, frequency, amplitude } = address.units;

@@ -2,6 +2,7 @@
 import { el } from '../dom';
 import type { OrbitOfBranch } from '../data/orbit';
 import { setDark, theme } from '../figure/figure';
+import { firstQuantityOf } from '../data/map_quantities';
 import { shortName } from '../model/machine';
 import { methodText, type Change, type Session, type SideName } from '../model/session';
 import { assignmentTexts } from '../model/setting';
@@ -146,7 +147,8 @@ export class Page {
     this.mapCard.show({
       ...{ map, station, stations, scales, stale },
       units: address.units,
-      quantity: address.mapQuantity,
+      quantity: address.mapQuantity || firstQuantityOf(map),
+      lines: address.mapLines,
       unitsOfAxes: [session.unitOf(x), session.unitOf(y)],
       along: address.parameter,
       status: session.mapText + (stale ? ' Other parameters have been changed since: the map does not know.' : ''),

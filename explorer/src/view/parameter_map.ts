@@ -1,6 +1,6 @@
 // A map over two parameters: its cells in the colours of regimes or of a quantity, the cells of settings A and B, and
 // what hands and keys do on them.
-import { mapNumbersOf, partOf, REGIME, type MapNumbers } from '../data/map_quantities';
+import { ATTRACTOR, mapNumbersOf, partOf, REGIME, type MapNumbers } from '../data/map_quantities';
 import { nearestOn, type Cell, type ParameterMap } from '../data/parameter_map';
 import { CLASS_NAMES } from '../data/regimes';
 import { el } from '../dom';
@@ -8,7 +8,7 @@ import type { StationInfo } from '../engine/protocol';
 import { Chart, type Frame, type Range } from '../figure/chart';
 import { ColourBar } from '../figure/colour_bar';
 import { textSize, theme, type Picture } from '../figure/figure';
-import { colourAt, mixed } from '../figure/palette';
+import { attractorColour, colourAt, mixed } from '../figure/palette';
 import { SvgPen, type Pen } from '../figure/pen';
 import { CONFIDENCE_NAMES, type Theme } from '../figure/theme';
 import { labelled, parameterMeasure, readable, shown, type Measure, type Scales, type Units } from '../model/units';
@@ -18,12 +18,22 @@ import type { Table } from './panel';
 export interface ParameterMapSubject {
   readonly map: ParameterMap;
   readonly quantity: string;
+  /// Lines where regimes, or attractors, meet.
+  readonly lines: boolean;
   readonly station: number;
   readonly stations: readonly StationInfo[];
   readonly units: Units;
   readonly scales: Scales;
   /// SI units of the two parameters.
   readonly unitsOfAxes: readonly [string, string];
+}
+
+/// What the legend of a map names.
+export interface MapEntry {
+  readonly text: string;
+  /// How many points, or which share of them.
+  readonly count: string;
+  colour(colours: Theme): string;
 }
 
 export interface ParameterMapListener {
@@ -68,8 +78,8 @@ export class ParameterMapView {
   show(subject: ParameterMapSubject): void {
     const changed = this.subject?.map !== subject.map;
     this.subject = subject;
-    const { quantity, station, units, scales } = subject;
-    const key = JSON.stringify([quantity, station, units, scales.symbol]);
+    const { quantity, lines, station, units, scales } = subject;
+    const key = JSON.stringify([quantity, lines, station, units, scales.symbol]);
     if (!changed && key === this.drawn) return;
     this.drawn = key;
     this.refresh();
@@ -128,7 +138,9 @@ export class ParameterMapView {
     const confidence = CONFIDENCE_NAMES[diagram.confidence(point)];
     const exponent = diagram.exponent(point).value;
     const number = this.numbers?.numbers[point];
+    const { attractors } = map;
     const parts = [
+      attractors.length > 0 && `attractor ${map.attractorOf(point) || 'not told'} of ${attractors.length}`,
       confidence && `confidence ${confidence}`,
       readable(reason),
       Number.isFinite(exponent) ? `exponent ${shown(exponent, 7)} per revolution` : '',
@@ -147,7 +159,7 @@ export class ParameterMapView {
   picture(): Picture {
     const box = this.chart.root.getBoundingClientRect();
     const [width, upper] = [Math.floor(box.width), Math.floor(box.height)];
-    const keys = this.regimeKeys();
+    const keys = this.keys();
     const line = Math.ceil(textSize() * 2);
     const below = this.numbers ? ColourBar.height : line * (1 + (placeKeys(keys, width).at(-1)?.line ?? 0));
     const { map } = this.subject!;
@@ -207,19 +219,28 @@ export class ParameterMapView {
       const number = numbers.numbers[point]!;
       return Number.isNaN(number) ? undefined : colourAt(numbers.palette, partOf(numbers, number), colours);
     }
+    if (this.subject!.quantity === ATTRACTOR.id) return attractorColour(this.subject!.map.attractorOf(point), colours);
     if (this.subject!.quantity !== REGIME.id) return undefined;
     const strength = STRENGTH[diagram.confidence(point)] ?? 1;
     return mixed(colours.paper, colours.classes[diagram.classes[point]!]!, strength);
   }
 
-  /// Neighbours of one colour in a row make one piece, which reaches a little under the next: no seam is seen.
   private draw(pen: Pen, frame: Frame, colours: Theme): void {
     if (!this.subject) return;
-    const { map } = this.subject;
+    const { map, lines } = this.subject;
     const [mx, my] = this.measures();
     const x = Array.from(map.x.edges, (edge) => frame.x(edge * mx.factor));
     const y = Array.from(map.y.edges, (edge) => frame.y(edge * my.factor));
-    const seam = frame.ratio;
+    this.drawCells(pen, x, y, frame.ratio, colours);
+    if (!lines) return;
+    pen.strokeStyle = colours.ink;
+    pen.lineWidth = frame.ratio;
+    drawBoundaries(pen, map, x, y);
+  }
+
+  /// Neighbours of one colour in a row make one piece, which reaches a little under the next: no seam is seen.
+  private drawCells(pen: Pen, x: readonly number[], y: readonly number[], seam: number, colours: Theme): void {
+    const { map } = this.subject!;
     for (let row = 0; row < map.rows; row++)
       for (let column = 0, next; column < map.columns; column = next) {
         const colour = this.colourAt(column, row, colours);
@@ -246,22 +267,41 @@ export class ParameterMapView {
     return counts;
   }
 
-  private regimeKeys(): readonly Key[] {
-    return this.counts().flatMap((count, kind) =>
-      count === 0
-        ? []
-        : [
-            {
-              ...{ sign: '\u25a0', kind: `class-${kind}`, text: CLASS_NAMES[kind]! },
-              draw: (pen: Pen, x: number, y: number, size: number, colours: Theme) => {
-                pen.fillStyle = colours.classes[kind]!;
-                pen.beginPath();
-                pen.rect(x - 0.5 * size, y - 0.5 * size, size, size);
-                pen.fill();
-              },
-            },
-          ],
-    );
+  /// Names of what there is, with how many points it has, and their colours: attractors, or regimes.
+  entries(): readonly MapEntry[] {
+    const { map, quantity } = this.subject!;
+    if (quantity !== ATTRACTOR.id)
+      return this.counts().flatMap((count, kind) =>
+        count === 0
+          ? []
+          : [{ text: CLASS_NAMES[kind]!, count: String(count), colour: (colours: Theme) => colours.classes[kind]! }],
+      );
+    const percent = (share: number) => `${(100 * share).toFixed(1)} %`;
+    const told = map.attractors.reduce((sum, { starts }) => sum + starts, 0);
+    const others = map.diagram.known - told;
+    return [
+      ...map.attractors.map(({ name, share, error }, i) => ({
+        text: name,
+        count: `${percent(share)} \u00b1 ${percent(error)}`,
+        colour: (colours: Theme) => attractorColour(i + 1, colours),
+      })),
+      ...(others > 0
+        ? [{ text: 'not told', count: String(others), colour: (colours: Theme) => attractorColour(0, colours) }]
+        : []),
+    ];
+  }
+
+  private keys(): readonly Key[] {
+    const shares = this.subject!.quantity === ATTRACTOR.id;
+    return this.entries().map(({ text, count, colour }) => ({
+      ...{ sign: '\u25a0', kind: '', text: shares ? `${text} (${count})` : text },
+      draw: (pen: Pen, x: number, y: number, size: number, colours: Theme) => {
+        pen.fillStyle = colour(colours);
+        pen.beginPath();
+        pen.rect(x - 0.5 * size, y - 0.5 * size, size, size);
+        pen.fill();
+      },
+    }));
   }
 
   private placeMarks(): void {
@@ -348,6 +388,28 @@ export class ParameterMapView {
     event.preventDefault();
     action();
   }
+}
+
+/// Lines where cells of two kinds meet.
+function drawBoundaries(pen: Pen, map: ParameterMap, x: readonly number[], y: readonly number[]): void {
+  const kinds = Float64Array.from({ length: map.columns * map.rows }, (_, i) =>
+    map.kindOf(map.point({ column: i % map.columns, row: Math.floor(i / map.columns) })),
+  );
+  // Where nothing is known there is no boundary.
+  const differ = (one: number, other: number) => kinds[one]! < kinds[other]! || kinds[one]! > kinds[other]!;
+  const line = (fromX: number, fromY: number, toX: number, toY: number) => {
+    pen.moveTo(fromX, fromY);
+    pen.lineTo(toX, toY);
+  };
+  pen.beginPath();
+  for (let row = 0; row < map.rows; row++)
+    for (let column = 0; column < map.columns; column++) {
+      const cell = row * map.columns + column;
+      const [left, right, low, high] = [x[column]!, x[column + 1]!, y[row]!, y[row + 1]!];
+      if (column + 1 < map.columns && differ(cell, cell + 1)) line(right, low, right, high);
+      if (row + 1 < map.rows && differ(cell, cell + map.columns)) line(left, high, right, high);
+    }
+  pen.stroke();
 }
 
 /// The frame around the cell of a setting, and the line that its cut runs along.

@@ -1,8 +1,8 @@
 // The card of a map: what it shows, what is under the cursor, and along which parameter it is cut.
-import { mapQuantitiesOf } from '../data/map_quantities';
+import { ATTRACTOR, mapQuantitiesOf, REGIME } from '../data/map_quantities';
 import type { Cell } from '../data/parameter_map';
-import { CLASS_NAMES } from '../data/regimes';
-import { el, Segments, select, setChoices } from '../dom';
+import { theme } from '../figure/figure';
+import { button, el, Segments, select, setChoices } from '../dom';
 import { fileName, saveMenu } from './panel';
 import { ParameterMapView, type ParameterMapSubject, type Spot } from './parameter_map';
 
@@ -10,6 +10,7 @@ export interface ParameterMapCardListener {
   /// A cell was chosen; `settled` when the pointer let go.
   cell(cell: Cell, settled: boolean): void;
   mapQuantity(id: string): void;
+  mapLines(shown: boolean): void;
   station(index: number): void;
   /// The cut is to run along this parameter.
   parameter(name: string): void;
@@ -33,6 +34,7 @@ export class ParameterMapCard {
   private readonly quantity: HTMLSelectElement;
   private readonly station: HTMLSelectElement;
   private readonly cut: Segments;
+  private readonly lines: HTMLButtonElement;
   private readonly place = el('span', { class: 'map-place' });
   private readonly verdict = el('strong', { class: 'verdict' });
   private readonly rest = el('span', { class: 'map-rest' });
@@ -59,6 +61,12 @@ export class ParameterMapCard {
       'x',
       (value) => listener.parameter(this.subject!.map[value as 'x' | 'y'].parameter),
     );
+    this.lines = button(
+      'boundaries',
+      'Boundaries: lines where regimes, or attractors, meet',
+      () => listener.mapLines(!this.subject!.lines),
+      { 'aria-pressed': 'false' },
+    );
     const name = () => fileName('whirl', this.subject?.name ?? '', 'map', this.subject?.quantity ?? '');
     const figure = { root: this.map.root, redraw: () => this.map.refresh(), picture: () => this.map.picture() };
     this.root = el(
@@ -73,8 +81,8 @@ export class ParameterMapCard {
           { class: 'tools' },
           this.quantity,
           this.station,
-          el('span', { class: 'over' }, 'cut'),
-          this.cut.root,
+          this.lines,
+          el('span', { class: 'tool-pair' }, el('span', { class: 'over' }, 'cut'), this.cut.root),
           saveMenu(
             'Map',
             name,
@@ -97,7 +105,7 @@ export class ParameterMapCard {
     this.subject = subject;
     if (!subject) return;
     const { map, stations, station, quantity, along } = subject;
-    const choices = mapQuantitiesOf(map.diagram);
+    const choices = mapQuantitiesOf(map);
     if (fresh)
       setChoices(
         this.quantity,
@@ -114,10 +122,11 @@ export class ParameterMapCard {
     this.cut.rename('x', `along ${map.x.parameter}`);
     this.cut.rename('y', `along ${map.y.parameter}`);
     this.cut.value = along === map.x.parameter ? 'x' : along === map.y.parameter ? 'y' : '';
+    this.lines.setAttribute('aria-pressed', String(subject.lines));
     this.status.textContent = subject.status;
     this.root.classList.toggle('stale', subject.stale);
     this.map.show(subject);
-    this.showLegend(quantity === 'regime');
+    this.showLegend(quantity === REGIME.id || quantity === ATTRACTOR.id);
     this.tell();
   }
 
@@ -140,22 +149,14 @@ export class ParameterMapCard {
   private showLegend(shown: boolean): void {
     this.legend.hidden = !shown;
     if (!shown) return;
+    const faint = this.subject!.quantity === REGIME.id;
     this.legend.replaceChildren(
-      ...this.map
-        .counts()
-        .flatMap((count, kind) =>
-          count === 0
-            ? []
-            : [
-                el(
-                  'span',
-                  { class: `legend-entry class-${kind}` },
-                  `${CLASS_NAMES[kind]} `,
-                  el('span', { class: 'count' }, String(count)),
-                ),
-              ],
-        ),
-      el('span', { class: 'legend-note key-confidence' }, 'faint: confidence fair or low'),
+      ...this.map.entries().map(({ text, count, colour }) => {
+        const sign = el('span', { class: 'swatch' });
+        sign.style.background = colour(theme());
+        return el('span', { class: 'legend-entry swatched' }, sign, `${text} `, el('span', { class: 'count' }, count));
+      }),
+      ...(faint ? [el('span', { class: 'legend-note key-confidence' }, 'faint: confidence fair or low')] : []),
     );
   }
 }
