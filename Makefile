@@ -62,6 +62,7 @@ soak: test sanitize clang ## what takes longer: long fuzzing, all tests under th
 	scripts/fuzz.sh $(BUILD)/fuzz 1800
 	tests/soak/kills.sh $(BUILD)/whirl tests/cli/good.yaml 1000
 	tests/soak/shards.sh $(BUILD)/whirl cases 1000
+	tests/mpi.sh tests/soak/ranks.sh $(BUILD)/whirl cases 300
 	tests/memory/no_memory.py $(BUILD)/whirl $(BUILD)/tests/libfailing_malloc.so tests/cli/good.yaml tests/memory/units.xml 0
 	tests/soak/long_points.sh $(BUILD)/whirl tests/cli/good.yaml 10
 	WHIRL_SOAK=1 ctest --test-dir $(BUILD) --timeout 7200 -j $(JOBS) -R 'verdicts|grazes|readings|model_points|faults|changes'

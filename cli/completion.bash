@@ -134,4 +134,4 @@ _whirl() {
     esac
 }
 
-complete -F _whirl whirl
+complete -F _whirl whirl whirl-mpi

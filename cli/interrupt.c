@@ -62,6 +62,14 @@ void interrupt_after(double seconds) {
     setitimer(ITIMER_REAL, &timer, NULL);
 }
 
+int interrupt_signal(void) {
+    return received;
+}
+
+void interrupt_pass_on(int number) {
+    on_announcement(number);
+}
+
 const char *interrupt_text(void) {
     if (received == SIGALRM) return "the time of --max-time is over";
     return received ? strsignal(received) : "interrupted";

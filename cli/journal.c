@@ -52,9 +52,18 @@ static int find_finished(const journal_wish *wish, const char *path, const whirl
 
 // ---------------------------------------------------------------- what there is
 
+/// A rank asks for room for its share of the points, whichever are dealt to it. Of what others have it takes what is
+/// carried, for it may be the one to go on with that; the first one takes all.
+static bool is_for_rank(const run_journal *journal, size_t batch, size_t slot) {
+    const whirl_share *rank = &journal->wish->owner.share, share = {rank->number + 1, rank->count};
+    if (!journal->journal) return whirl_share_has(&journal->study, &share, batch, slot);
+    return journal->study.batches[batch % journal->study.batch_count].carry != WHIRL_CARRY_NONE;
+}
+
 static bool is_of_share(const void *context, size_t batch, size_t slot) {
     const run_journal *journal = context;
-    return whirl_share_has(&journal->study, &journal->wish->share, batch, slot);
+    return journal->wish->owner.is_rank ? is_for_rank(journal, batch, slot)
+                                        : whirl_share_has(&journal->study, &journal->wish->owner.share, batch, slot);
 }
 
 /// Points of all tables that the journal is for.
@@ -100,12 +109,13 @@ static void remove_leftovers(const char *output) {
 
 /// Whether a journal has points that a run without --resume would pass over: of other shards it has none.
 static bool is_in_the_way(const journal_wish *wish, const journal_name *name) {
-    return name->share.count != wish->share.count || name->share.number == wish->share.number;
+    const whirl_share *own = &wish->owner.share, *other = &name->owner.share;
+    return name->owner.is_rank || other->count != own->count || other->number == own->number;
 }
 
 /// Complains of a journal that stands in the way of a run that begins, or that another run is writing.
 static bool is_free(const journal_wish *wish, const journal_names *there) {
-    const bool alone = wish->resume && !wish->merge && wish->share.count == 0;
+    const bool alone = wish->resume && !wish->merge && wish->owner.share.count == 0;
     for (size_t i = 0; i < there->count; i++) {
         const char *path = there->items[i].path;
         if (!wish->resume && is_in_the_way(wish, &there->items[i])) {
@@ -114,7 +124,7 @@ static bool is_free(const journal_wish *wish, const journal_names *there) {
                      path);
             return false;
         }
-        if (alone && there->items[i].share.count > 0 && whirl_journal_in_use(path)) {
+        if (alone && there->items[i].owner.share.count > 0 && whirl_journal_in_use(path)) {
             complain("another run is writing %s", path);
             return false;
         }
@@ -142,10 +152,11 @@ static int open_own(run_journal *journal, const whirl_result *outline) {
     const whirl_journal_part part = {is_of_share, journal};
     if (is_there(journal->path)) {
         const whirl_status status = whirl_journal_resume_part(journal->path, outline, &part, &journal->journal);
-        if (status.code == WHIRL_OK && wish->share.count == 0) remove_leftovers(wish->output);
+        if (status.code == WHIRL_OK && wish->owner.share.count == 0) remove_leftovers(wish->output);
         return complain_of(&status);
     }
-    if (!wish->force && !gives_way(wish, outline) && !output_is_free(wish->output)) return EXIT_FAILED;
+    const bool may_begin = wish->force || wish->owner.is_rank || gives_way(wish, outline);
+    if (!may_begin && !output_is_free(wish->output)) return EXIT_FAILED;
     const whirl_status status = whirl_journal_begin_part(journal->path, outline, &part, &journal->journal);
     return complain_of(&status);
 }
@@ -179,7 +190,7 @@ static int open_with(run_journal *journal, const whirl_result *outline, journal_
     size_t others = 0;
     if (!is_free(wish, there)) return EXIT_BAD_INPUT;
     // A shard of an array goes on in the same way whether it was begun or not.
-    if (wish->resume && empty && (wish->share.count == 0 || is_there(wish->output))) {
+    if (wish->resume && empty && (wish->owner.share.count == 0 || is_there(wish->output))) {
         const int outcome = find_finished(wish, journal->path, outline, finished);
         if (outcome == EXIT_DONE && !wish->quiet)
             complain("there is nothing to %s: '%s' is complete", wish->merge ? "merge" : "resume", wish->output);
@@ -196,7 +207,7 @@ int open_journal(const journal_wish *wish, const whirl_case *object, run_journal
     whirl_result *outline;
     *journal = (run_journal){.wish = wish};
     *finished = NULL;
-    if (!name_journal(wish->output, wish->share, journal->path)) return EXIT_FAILED;
+    if (!name_journal(wish->output, wish->owner, journal->path)) return EXIT_FAILED;
     whirl_status status = whirl_case_study(object, &journal->study);
     if (status.code == WHIRL_OK) status = whirl_case_outline(object, &outline);
     if (status.code != WHIRL_OK) return complain_of(&status);
@@ -213,6 +224,37 @@ int open_journal(const journal_wish *wish, const whirl_case *object, run_journal
     return outcome;
 }
 
+// ---------------------------------------------------------------- ranks
+
+/// Taking from the journal of the first rank also proves that both are of the same study, in the same folder.
+int open_rank_journal(const journal_wish *wish, const whirl_case *object, const journal_names *there,
+                      run_journal *journal) {
+    whirl_result *outline = NULL;
+    *journal = (run_journal){.wish = wish};
+    if (!name_journal(wish->output, wish->owner, journal->path)) return EXIT_FAILED;
+    whirl_status status = whirl_case_study(object, &journal->study);
+    if (status.code == WHIRL_OK) status = whirl_case_outline(object, &outline);
+    if (status.code != WHIRL_OK) return complain_of(&status);
+    const int opened = open_own(journal, outline);
+    for (size_t i = 0; i < there->count && opened == EXIT_DONE && status.code == WHIRL_OK; i++)
+        if (strcmp(there->items[i].path, journal->path) != 0)
+            status = whirl_journal_take(journal->journal, there->items[i].path);
+    whirl_result_free(outline);
+    return opened == EXIT_DONE ? complain_of(&status) : opened;
+}
+
+whirl_status take_rank_journals(run_journal *journal, int ranks) {
+    char path[JOURNAL_NAME_SIZE];
+    whirl_status status = whirl_ok();
+    for (int i = 1; i < ranks && status.code == WHIRL_OK; i++) {
+        const journal_owner owner = {.share = {(size_t)i, (size_t)ranks}, .is_rank = true};
+        if (!name_journal(journal->wish->output, owner, path)) return whirl_fail(WHIRL_IO_ERROR, "a name is too long");
+        status = whirl_journal_take(journal->journal, path);
+        add_journal_name(&journal->taken, path, owner);
+    }
+    return status;
+}
+
 // ---------------------------------------------------------------- ending
 
 /// Closes the journal; gives how many points it has.
@@ -225,6 +267,21 @@ static size_t close_journal(run_journal *journal, whirl_status *status) {
     return points;
 }
 
+void abandon_journal(run_journal *journal) {
+    if (!journal->journal) return;
+    const whirl_status status =
+        journal->wish->resume ? whirl_journal_close(journal->journal) : whirl_journal_remove(journal->journal);
+    if (status.code != WHIRL_OK) complain("%s", status.message);
+    journal->journal = NULL;
+    free_journal_names(&journal->taken);
+}
+
+int close_rank_journal(run_journal *journal) {
+    whirl_status status = whirl_ok();
+    if (journal->journal) close_journal(journal, &status);
+    return status.code == WHIRL_OK ? EXIT_DONE : EXIT_FAILED;
+}
+
 void leave_journal(run_journal *journal) {
     whirl_status status;
     if (!journal->journal) return;
@@ -235,7 +292,7 @@ void leave_journal(run_journal *journal) {
 }
 
 int close_shard(run_journal *journal) {
-    const whirl_share share = journal->wish->share;
+    const whirl_share share = journal->wish->owner.share;
     whirl_status status;
     const size_t points = close_journal(journal, &status);
     if (status.code == WHIRL_OK && !journal->wish->quiet)

@@ -8,7 +8,7 @@
 /// What a run asks of its journal.
 typedef struct journal_wish {
     const char *output;
-    whirl_share share;
+    journal_owner owner;
     bool resume; ///< go on from what is there
     bool merge;  ///< ... from journals only, of shards that may still be at work
     bool force;  ///< there may be a result already
@@ -30,6 +30,21 @@ typedef struct run_journal {
 ///
 /// There may be nothing left to do: then `finished` is the result that is there, complete, and there is no journal.
 int open_journal(const journal_wish *wish, const whirl_case *object, run_journal *journal, whirl_result **finished);
+
+/// The same for a rank but the first one, when the first has opened the journal of the whole: `there` are the journals
+/// that there were before any rank began its own.
+int open_rank_journal(const journal_wish *wish, const whirl_case *object, const journal_names *there,
+                      run_journal *journal);
+
+/// Closes the journal of a rank whose study is not begun, for another one could not open its own; what was made for it
+/// goes.
+void abandon_journal(run_journal *journal);
+
+/// Closes a rank's journal; gives the exit status.
+int close_rank_journal(run_journal *journal);
+
+/// Takes what the other ones of so many ranks have kept, when they have closed their journals.
+whirl_status take_rank_journals(run_journal *journal, int ranks);
 
 /// Closes the journal of a run that ended early, and says what of it is kept.
 void leave_journal(run_journal *journal);

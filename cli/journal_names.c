@@ -7,9 +7,13 @@
 
 #include "command.h"
 
-bool name_journal(const char *output, whirl_share share, char path[JOURNAL_NAME_SIZE]) {
+/// What stands between "RESULT.h5.journal" and the numbers, by whether it is a rank's.
+static const char *const endings[] = {".shard-", ".rank-"};
+
+bool name_journal(const char *output, journal_owner owner, char path[JOURNAL_NAME_SIZE]) {
     char ending[64] = "";
-    if (share.count > 0) snprintf(ending, sizeof ending, ".shard-%zu-of-%zu", share.number, share.count);
+    if (owner.share.count > 0)
+        snprintf(ending, sizeof ending, "%s%zu-of-%zu", endings[owner.is_rank], owner.share.number, owner.share.count);
     if (snprintf(path, JOURNAL_NAME_SIZE, "%s.journal%s", output, ending) < JOURNAL_NAME_SIZE) return true;
     complain("the name of the result is too long");
     return false;
@@ -33,26 +37,21 @@ bool read_share(const char *text, const char *between, whirl_share *share) {
 }
 
 /// Reads what stands behind "RESULT.h5.journal"; false where that is no end of a journal's name.
-static bool read_ending(const char *ending, whirl_share *share) {
-    static const char shard[] = ".shard-";
-    *share = (whirl_share){0};
+static bool read_ending(const char *ending, journal_owner *owner) {
+    *owner = (journal_owner){.is_rank = false};
     if (*ending == '\0') return true;
-    return strncmp(ending, shard, strlen(shard)) == 0 && read_share(ending + strlen(shard), "-of-", share);
+    owner->is_rank = strncmp(ending, endings[true], strlen(endings[true])) == 0;
+    const char *word = endings[owner->is_rank];
+    return strncmp(ending, word, strlen(word)) == 0 && read_share(ending + strlen(word), "-of-", &owner->share);
 }
 
-static char *join(const char *folder, const char *name) {
-    const size_t size = strlen(folder) + strlen(name) + 1;
-    char *path = malloc(size);
-    if (path) snprintf(path, size, "%s%s", folder, name);
-    return path;
-}
-
-static void add(journal_names *names, const char *folder, const char *name, whirl_share share) {
+void add_journal_name(journal_names *names, const char *path, journal_owner owner) {
+    for (size_t i = 0; i < names->count; i++)
+        if (strcmp(names->items[i].path, path) == 0) return;
     journal_name *items = realloc(names->items, (names->count + 1) * sizeof *items);
     if (!items) return;
     names->items = items;
-    items[names->count] = (journal_name){.share = share};
-    items[names->count].path = join(folder, name);
+    items[names->count] = (journal_name){.path = strdup(path), .owner = owner};
     if (items[names->count].path) names->count++;
 }
 
@@ -70,10 +69,13 @@ journal_names find_journals(const char *output) {
     snprintf(pattern, sizeof pattern, "%s.journal", output + length);
     DIR *list = opendir(length ? folder : ".");
     for (const struct dirent *entry; list && (entry = readdir(list)) != NULL;) {
-        whirl_share share;
-        if (strncmp(entry->d_name, pattern, strlen(pattern)) == 0 &&
-            read_ending(entry->d_name + strlen(pattern), &share))
-            add(&names, folder, entry->d_name, share);
+        journal_owner owner;
+        char path[2 * JOURNAL_NAME_SIZE];
+        if (strncmp(entry->d_name, pattern, strlen(pattern)) != 0 ||
+            !read_ending(entry->d_name + strlen(pattern), &owner))
+            continue;
+        snprintf(path, sizeof path, "%s%s", folder, entry->d_name);
+        add_journal_name(&names, path, owner);
     }
     if (list) closedir(list);
     if (names.count > 1) qsort(names.items, names.count, sizeof *names.items, by_path);

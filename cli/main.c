@@ -1,6 +1,8 @@
 /// whirl COMMAND ...: finds the command and hands over.
 #include "command.h"
 #include "guard.h"
+#include "ranks.h"
+#include "together.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -124,9 +126,12 @@ static int whirl(int argc, char **argv) {
     if (read != EXIT_DONE) return read;
     const command *const found = find_command(chosen.name);
     if (!found) return EXIT_BAD_INPUT;
-    return run_command_by_name(found, argc - chosen.index, argv + chosen.index);
+    // What does not compute is done by one.
+    const bool is_needed = ranks_number() == 0 || found == &run_command;
+    return is_needed ? run_command_by_name(found, argc - chosen.index, argv + chosen.index) : EXIT_DONE;
 }
 
 int main(int argc, char **argv) {
-    guard_leave(whirl(argc, argv));
+    ranks_begin(&argc, &argv);
+    guard_leave(ranks_end(whirl(argc, argv), together_look));
 }

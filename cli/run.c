@@ -1,7 +1,7 @@
 /// whirl run: computes the study of a case, or a share of it.
 #include "command.h"
 
-#include "cores.h"
+#include "ranks.h"
 #include "study.h"
 
 enum { KEY_RESUME = KEY_STUDY_OWN, KEY_SHARD };
@@ -12,7 +12,7 @@ static const struct argp_option options[] = {
     {.name = "threads",
      .key = KEY_THREADS,
      .arg = "N",
-     .doc = "Compute on N threads (default: all cores); the result is the same for every N"},
+     .doc = "Compute on N threads (default: all cores, or a rank's part of them); the result is the same for every N"},
     {.name = "json",
      .key = KEY_JSON,
      .doc = "Print the points as one JSON document on standard output; a result file is then written only with -o"},
@@ -41,6 +41,10 @@ static void check_arguments(study_arguments *arguments, const struct argp_state 
         bad_argument(state, "--resume needs the name of the result, -o RESULT.h5");
     if (arguments->json && arguments->share.count > 0)
         bad_argument(state, "--json cannot be with --shard: what a shard computes is printed by 'whirl merge'");
+    if (ranks_count() > 1 && arguments->share.count > 0)
+        bad_argument(state, "--shard cannot be with several ranks: points are dealt out to them");
+    if (ranks_count() > 1 && arguments->json && !arguments->output)
+        bad_argument(state, "several ranks need the name of the result, -o RESULT.h5");
     if (!arguments->json) name_output(arguments);
 }
 
@@ -71,7 +75,7 @@ static int run(int argc, char **argv) {
                "a result "
                "and not a failure.",
     };
-    study_arguments arguments = {.given.threads = available_cores()};
+    study_arguments arguments = {.given.threads = ranks_threads()};
     return study_command(&argp, argc, argv, &arguments);
 }
 

@@ -2,6 +2,7 @@
 #include "study.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <time.h>
 #include <unistd.h>
@@ -11,7 +12,9 @@
 #include "journal.h"
 #include "output.h"
 #include "progress.h"
+#include "ranks.h"
 #include "summary.h"
+#include "together.h"
 
 enum { PATH_SIZE = 4096 };
 
@@ -40,27 +43,41 @@ static void tell_of_stop(const whirl_status *status) {
         complain("%s", status->message);
 }
 
+/// Gives the exit status of a run. That of a rank which ended for another one's sake is told by that one.
+static int outcome_of(const whirl_status *status, const together *all) {
+    if (all->failed) return EXIT_UNFINISHED;
+    if (status->code != WHIRL_STOPPED) return complain_of(status);
+    tell_of_stop(status);
+    return EXIT_UNFINISHED;
+}
+
 /// Whatever the exit status, there may be a result, of what was done until a stop.
-static int compute(const study_arguments *arguments, const whirl_case *object, const run_journal *journal,
+static int compute(const study_arguments *arguments, const whirl_case *object, run_journal *journal,
                    whirl_result **result) {
     enum { LITTLE = 1 };
+    const bool alone = ranks_count() == 1, whole = alone && !arguments->merge && arguments->share.count == 0;
     progress_view view = progress_begin();
-    const whirl_run_options how = {
+    together all = {.failed = false};
+    whirl_run_options how = {
         .threads = arguments->given.threads,
         .progress = arguments->quiet ? NULL : progress_show,
         .context = &view,
         .stop = interrupt_watch(),
         .keeper = journal->journal ? whirl_journal_keeper(journal->journal) : NULL,
         // What comes from journals, or goes there and nowhere else, need not be in memory as well.
-        .memory = arguments->merge || arguments->share.count > 0 ? LITTLE : 0,
+        .memory = whole ? 0 : LITTLE,
         .share = arguments->share,
         .gather = arguments->merge,
     };
-    const whirl_status status = whirl_case_run(object, &how, result);
-    progress_end(&view);
-    if (status.code != WHIRL_STOPPED) return complain_of(&status);
-    tell_of_stop(&status);
-    return EXIT_UNFINISHED;
+    int outcome = alone ? EXIT_DONE : together_begin(&all, object, journal, how.threads, how.progress ? &view : NULL);
+    if (outcome == EXIT_DONE) {
+        if (!alone) together_join(&all, &how);
+        const whirl_status status = whirl_case_run(object, &how, result);
+        progress_end(&view);
+        outcome = outcome_of(&status, &all);
+    }
+    together_free(&all);
+    return outcome;
 }
 
 // ---------------------------------------------------------------- how it was computed
@@ -136,15 +153,31 @@ static int deliver(const study_arguments *arguments, const whirl_result *result,
 
 static int deliver_with_facts(const study_arguments *arguments, whirl_result *result, const char *started,
                               run_journal *journal) {
-    char finished[32], threads[16];
+    char finished[32], threads[16], ranks[16];
     now_text(finished, sizeof finished);
     snprintf(threads, sizeof threads, "%d", arguments->given.threads);
-    const char *const facts[][2] = {
-        {"command line", arguments->command_line}, {"started", started}, {"finished", finished}, {"threads", threads}};
-    const whirl_status status = add_facts(result, facts, sizeof facts / sizeof *facts);
+    snprintf(ranks, sizeof ranks, "%d", ranks_count());
+    const char *const facts[][2] = {{"command line", arguments->command_line},
+                                    {"started", started},
+                                    {"finished", finished},
+                                    {"threads", threads},
+                                    {"ranks", ranks}};
+    const size_t count = sizeof facts / sizeof *facts - (ranks_count() == 1);
+    const whirl_status status = add_facts(result, facts, count);
     if (status.code == WHIRL_OK) return deliver(arguments, result, journal);
     leave_journal(journal);
     return complain_of(&status);
+}
+
+/// The part of a rank that is not the first: its journal is all there is.
+static int contribute(const study_arguments *arguments, const whirl_case *object, run_journal *journal) {
+    whirl_result *part = NULL;
+    int outcome = compute(arguments, object, journal, &part);
+    whirl_result_free(part);
+    const int closed = close_rank_journal(journal);
+    if (closed != EXIT_DONE) outcome = closed;
+    together_leave(outcome);
+    return outcome;
 }
 
 /// Computes, or takes what journals have, and delivers; of a shard the journal is all there is.
@@ -153,6 +186,7 @@ static int compute_and_deliver(const study_arguments *arguments, const whirl_cas
     whirl_result *result = NULL;
     now_text(started, sizeof started);
     const int outcome = compute(arguments, object, journal, &result);
+    if (outcome != EXIT_DONE && outcome != EXIT_UNFINISHED) together_leave(outcome);
     int delivered = EXIT_DONE;
     if (!result || (arguments->share.count > 0 && outcome != EXIT_DONE))
         leave_journal(journal);
@@ -166,9 +200,26 @@ static int compute_and_deliver(const study_arguments *arguments, const whirl_cas
 
 // ---------------------------------------------------------------- the whole
 
+/// After a refusal: tasks that were started side by side without knowing it stand in each other's way. What starts them
+/// may run something else than a study in each, so that their number alone is no reason to refuse.
+static void tell_of_tasks(const study_arguments *arguments) {
+    static const char *const names[] = {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}; // of Open MPI, of MPICH and Slurm
+    for (size_t i = 0; i < sizeof names / sizeof *names && arguments->share.count == 0; i++) {
+        const char *tasks = getenv(names[i]);
+        if (!tasks || strtol(tasks, NULL, 10) < 2) continue;
+        complain(
+            "this is one of %s tasks that know nothing of each other: 'whirl-mpi run' computes one study with all of "
+            "them, and so does --shard",
+            tasks);
+        return;
+    }
+}
+
 static int open_and_compute(const study_arguments *arguments, const whirl_case *object) {
+    const bool first = ranks_number() == 0;
+    const whirl_share rank = {(size_t)ranks_number(), (size_t)ranks_count()};
     const journal_wish wish = {.output = arguments->output,
-                               .share = arguments->share,
+                               .owner = {first ? arguments->share : rank, !first},
                                .resume = arguments->resume || arguments->merge,
                                .merge = arguments->merge,
                                .force = arguments->force,
@@ -177,11 +228,13 @@ static int open_and_compute(const study_arguments *arguments, const whirl_case *
                                .others = arguments->journals};
     run_journal journal = {.journal = NULL};
     whirl_result *finished = NULL;
-    int outcome = arguments->output ? open_journal(&wish, object, &journal, &finished) : EXIT_DONE;
+    bool all_done = false;
+    int outcome = arguments->output ? open_together(&wish, object, &journal, &finished, &all_done) : EXIT_DONE;
+    if (outcome != EXIT_DONE && ranks_count() == 1) tell_of_tasks(arguments);
     if (outcome == EXIT_DONE && finished)
         outcome = show(arguments, finished);
-    else if (outcome == EXIT_DONE)
-        outcome = compute_and_deliver(arguments, object, &journal);
+    else if (outcome == EXIT_DONE && !all_done)
+        outcome = first ? compute_and_deliver(arguments, object, &journal) : contribute(arguments, object, &journal);
     whirl_result_free(finished);
     return outcome;
 }
@@ -194,6 +247,7 @@ static int carry_out(const study_arguments *arguments) {
     int outcome = load(arguments, &object);
     if (outcome == EXIT_DONE && arguments->output && !output_is_writable(arguments->output, arguments->given.path))
         outcome = EXIT_FAILED;
+    outcome = ranks_agree(outcome);
     if (outcome == EXIT_DONE) {
         keep_private(arguments->given.path);
         outcome = open_and_compute(arguments, object);

@@ -1,9 +1,12 @@
-# `cmake --install`: the command, libwhirl shared and static, headers, pkg-config and CMake package files, the man page,
+# `cmake --install`: the commands, libwhirl shared and static, headers, pkg-config and CMake package files, the man page,
 # bash completion and the cases.
 include(CMakePackageConfigHelpers)
 
 set_target_properties(whirl_shared PROPERTIES EXPORT_NAME whirl)
 install(TARGETS whirl RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+if(TARGET whirl-mpi)
+  install(TARGETS whirl-mpi RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()
 install(TARGETS whirl_shared EXPORT whirlTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(TARGETS whirl_static ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY include/whirl ${PROJECT_BINARY_DIR}/include/whirl DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
@@ -14,6 +17,9 @@ install(FILES src/base/vector.h src/base/elementary.h src/rotor/assembly.h src/r
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/whirl/element)
 install(FILES docs/whirl.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES cli/completion.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME whirl)
+if(TARGET whirl-mpi)
+  install(FILES cli/completion.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME whirl-mpi)
+endif()
 # The explorer's template, where `make explorer` has built it.
 install(FILES ${PROJECT_BINARY_DIR}/explorer/template.html DESTINATION ${CMAKE_INSTALL_DATADIR}/whirl
         RENAME explorer.html OPTIONAL)

@@ -22,6 +22,8 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 mkdir "$folder/bin" "$folder/work"
 ln -s "$whirl" "$folder/bin/whirl"
+# Beside it, where it was built: what mpirun starts.
+if [ -e "$whirl-mpi" ]; then ln -s "$whirl-mpi" "$folder/bin/whirl-mpi"; fi
 PATH=$folder/bin:$PATH
 cd "$folder/work" || exit 1
 

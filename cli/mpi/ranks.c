@@ -1,0 +1,300 @@
+// The processes that mpirun or srun have started.
+#define _GNU_SOURCE // sched_getaffinity, on_exit; NOLINT(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp)
+#include "ranks.h"
+
+#include <mpi.h>
+#include <pthread.h>
+#include <sched.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
+
+#include "command.h"
+#include "cores.h"
+
+/// How all ranks came out.
+typedef struct outcome {
+    int failure; ///< the worst exit status of a failure, 0 where there is none
+    int teller;  ///< the first rank that has it
+    int first;   ///< exit status of the first rank
+} outcome;
+
+/// There is one MPI in a process.
+static struct {
+    int count, number;
+    int64_t words[RANKS_WORDS]; ///< of the first rank
+    pthread_mutex_t lock, asking;
+    pthread_t answerer; ///< of the first rank
+    volatile bool leaving;
+    FILE *told; ///< what this rank would have printed, where it is not the first one
+    char *text;
+    size_t text_size;
+    bool over; ///< all ranks know how they came out
+    outcome end;
+} ranks = {.count = 1, .lock = PTHREAD_MUTEX_INITIALIZER, .asking = PTHREAD_MUTEX_INITIALIZER};
+
+/// Calls of MPI are made by one thread at a time (MPI_THREAD_SERIALIZED).
+static void lock(void) {
+    pthread_mutex_lock(&ranks.lock);
+}
+
+static void unlock(void) {
+    pthread_mutex_unlock(&ranks.lock);
+}
+
+int ranks_count(void) {
+    return ranks.count;
+}
+
+int ranks_number(void) {
+    return ranks.number;
+}
+
+static void rest(long microseconds) {
+    nanosleep(&(struct timespec){.tv_nsec = 1000 * microseconds}, NULL);
+}
+
+void ranks_rest(void) {
+    rest(2000);
+}
+
+/// Waits without keeping a core busy, as MPI_Wait does: others on the same computer may be computing.
+static void await(MPI_Request *request, ranks_meanwhile meanwhile) {
+    for (;;) {
+        int done;
+        lock();
+        MPI_Test(request, &done, MPI_STATUS_IGNORE);
+        unlock();
+        if (done) return;
+        if (meanwhile) meanwhile();
+        ranks_rest();
+    }
+}
+
+// ---------------------------------------------------------------- numbers that all see
+
+// They lie with the first rank, and the others ask for them by messages. One-sided communication would do without an
+// answerer where the network reaches into memory by itself; elsewhere MPI emulates it by such messages, too, and that
+// of Open MPI 4.1 does not survive all of it.
+
+enum { TAG_QUESTION = 1, TAG_ANSWER };
+
+typedef struct question {
+    int64_t word, amount, is_raised;
+} question;
+
+enum { QUESTION_SIZE = sizeof(question) / sizeof(int64_t) };
+
+/// Changes a number of the first rank; gives what it was before.
+static int64_t change(const question *asked) {
+    int64_t *word = &ranks.words[asked->word];
+    const int64_t before = *word;
+    if (!asked->is_raised) *word += asked->amount;
+    if (asked->is_raised && before < asked->amount) *word = asked->amount;
+    return before;
+}
+
+static void answer_all(void) {
+    MPI_Status from;
+    int waiting;
+    MPI_Iprobe(MPI_ANY_SOURCE, TAG_QUESTION, MPI_COMM_WORLD, &waiting, &from);
+    while (waiting) {
+        question asked;
+        MPI_Recv(&asked, QUESTION_SIZE, MPI_INT64_T, from.MPI_SOURCE, TAG_QUESTION, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+        const int64_t before = change(&asked);
+        MPI_Send(&before, 1, MPI_INT64_T, from.MPI_SOURCE, TAG_ANSWER, MPI_COMM_WORLD);
+        MPI_Iprobe(MPI_ANY_SOURCE, TAG_QUESTION, MPI_COMM_WORLD, &waiting, &from);
+    }
+}
+
+/// A thread of the first rank, all of whose others may be computing.
+static void *answer(void *unused) {
+    while (!ranks.leaving) {
+        lock();
+        answer_all();
+        unlock();
+        rest(300);
+    }
+    return unused;
+}
+
+/// One question of a rank at a time.
+static int64_t ask(const question *asked) {
+    int64_t before = 0;
+    MPI_Request requests[2];
+    pthread_mutex_lock(&ranks.asking);
+    lock();
+    MPI_Irecv(&before, 1, MPI_INT64_T, 0, TAG_ANSWER, MPI_COMM_WORLD, &requests[0]);
+    MPI_Isend(asked, QUESTION_SIZE, MPI_INT64_T, 0, TAG_QUESTION, MPI_COMM_WORLD, &requests[1]);
+    for (int done = 0; !done;) {
+        MPI_Testall(2, requests, &done, MPI_STATUSES_IGNORE);
+        unlock();
+        if (!done) rest(50);
+        lock();
+    }
+    unlock();
+    pthread_mutex_unlock(&ranks.asking);
+    return before;
+}
+
+static int64_t change_for_all(size_t word, int64_t amount, bool is_raised) {
+    const question asked = {(int64_t)word, amount, is_raised};
+    if (ranks.number > 0) return ask(&asked);
+    lock();
+    const int64_t before = change(&asked);
+    unlock();
+    return before;
+}
+
+int64_t ranks_add(size_t word, int64_t amount) {
+    return change_for_all(word, amount, false);
+}
+
+void ranks_raise(size_t word, int64_t value) {
+    change_for_all(word, value, true);
+}
+
+// ---------------------------------------------------------------- all together
+
+static bool is_failure(int status) {
+    return status != EXIT_DONE && status != EXIT_UNFINISHED;
+}
+
+static int agree(int status, ranks_meanwhile meanwhile) {
+    // With the rank in the second place, of which MPI_MAXLOC gives the lowest that has the largest number.
+    const int own[2][2] = {{is_failure(status) ? status : 0, ranks.number},
+                           {ranks.number == 0 ? status : 0, ranks.number}};
+    int worst[2][2];
+    if (ranks.count == 1) return status;
+    if (!ranks.over) {
+        MPI_Request request;
+        lock();
+        MPI_Iallreduce(own, worst, 2, MPI_2INT, MPI_MAXLOC, MPI_COMM_WORLD, &request);
+        unlock();
+        await(&request, meanwhile);
+        ranks.end = (outcome){worst[0][0], worst[0][1], worst[1][0]};
+        ranks.over = ranks.end.failure != 0;
+    }
+    return ranks.end.failure ? ranks.end.failure : ranks.end.first;
+}
+
+int ranks_agree(int status) {
+    return agree(status, NULL);
+}
+
+void ranks_share(void *bytes, size_t size) {
+    enum { PIECE = 1 << 30 }; // counts of MPI are whole numbers of 32 bits
+    for (size_t at = 0; at < size && ranks.count > 1; at += PIECE) {
+        MPI_Request request;
+        const size_t left = size - at;
+        lock();
+        MPI_Ibcast((char *)bytes + at, (int)(left < PIECE ? left : PIECE), MPI_BYTE, 0, MPI_COMM_WORLD, &request);
+        unlock();
+        await(&request, NULL);
+    }
+}
+
+/// Cores are shared by the ranks that may use them; 16 cores for 4 ranks are 4 each, whether they are bound or not.
+static int part_of_cores(void) {
+    cpu_set_t own, *all = NULL;
+    MPI_Comm neighbours;
+    int count = 0;
+    double part = 0.0;
+    CPU_ZERO(&own);
+    if (sched_getaffinity(0, sizeof own, &own) != 0) return 1;
+    MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &neighbours);
+    MPI_Comm_size(neighbours, &count);
+    all = calloc((size_t)count, sizeof *all);
+    if (all) {
+        MPI_Allgather(&own, sizeof own, MPI_BYTE, all, sizeof own, MPI_BYTE, neighbours);
+        for (int core = 0; core < CPU_SETSIZE; core++) {
+            int users = 0;
+            for (int i = 0; i < count; i++) users += CPU_ISSET(core, &all[i]) != 0;
+            part += CPU_ISSET(core, &own) ? 1.0 / users : 0.0;
+        }
+    }
+    free(all);
+    MPI_Comm_free(&neighbours);
+    return part < 1.0 ? 1 : (int)(part + 1e-9);
+}
+
+static int default_threads;
+
+int ranks_threads(void) {
+    return default_threads;
+}
+
+static int find_threads(void) {
+    const char *wanted = getenv("OMP_NUM_THREADS");
+    const long count = wanted ? strtol(wanted, NULL, 10) : 0;
+    const int part = ranks.count > 1 ? part_of_cores() : available_cores();
+    return count >= 1 && count <= 1024 ? (int)count : part;
+}
+
+// ---------------------------------------------------------------- beginning and ending
+
+static void hold_back_output(void) {
+    FILE *nowhere = fopen("/dev/null", "w");
+    ranks.told = open_memstream(&ranks.text, &ranks.text_size);
+    // Of the C library's streams alone: what a sanitizer has to say is said.
+    if (nowhere) stdout = nowhere;
+    if (ranks.told) stderr = ranks.told;
+}
+
+/// What a rank that failed would have printed; all else is the first rank's to tell.
+static void tell(void) {
+    if (!ranks.told) return;
+    fflush(ranks.told);
+    if (ranks.end.failure && ranks.end.teller == ranks.number && ranks.text)
+        dprintf(2, "%.*s", (int)ranks.text_size, ranks.text);
+}
+
+/// Nobody asks any more.
+static void end_answers(void) {
+    MPI_Request request;
+    lock();
+    MPI_Ibarrier(MPI_COMM_WORLD, &request);
+    unlock();
+    await(&request, NULL);
+    ranks.leaving = true;
+    if (ranks.number == 0) pthread_join(ranks.answerer, NULL);
+}
+
+int ranks_end(int status, ranks_meanwhile meanwhile) {
+    static bool ended;
+    if (ended) return status;
+    ended = true;
+    fflush(stdout);
+    const int common = agree(status, meanwhile);
+    tell();
+    if (ranks.count > 1) end_answers();
+    MPI_Finalize();
+    return common;
+}
+
+/// argp ends the program by itself.
+static void end_by_exit(int status, void *unused) {
+    (void)unused;
+    (void)ranks_end(status, NULL);
+}
+
+void ranks_begin(int *argc, char ***argv) {
+    int provided = MPI_THREAD_SINGLE;
+    MPI_Init_thread(argc, argv, MPI_THREAD_SERIALIZED, &provided);
+    MPI_Comm_size(MPI_COMM_WORLD, &ranks.count);
+    MPI_Comm_rank(MPI_COMM_WORLD, &ranks.number);
+    default_threads = find_threads();
+    on_exit(end_by_exit, NULL);
+    if (ranks.count == 1) return;
+    if (provided < MPI_THREAD_SERIALIZED) {
+        if (ranks.number == 0) complain("this MPI does not let threads call it in turn (MPI_THREAD_SERIALIZED)");
+        MPI_Abort(MPI_COMM_WORLD, EXIT_FAILED);
+    }
+    if (ranks.number > 0) {
+        hold_back_output();
+    } else if (pthread_create(&ranks.answerer, NULL, answer, NULL) != 0) {
+        complain("no memory for a thread");
+        MPI_Abort(MPI_COMM_WORLD, EXIT_FAILED);
+    }
+}

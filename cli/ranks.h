@@ -1,0 +1,45 @@
+/// Processes that compute one study together, the ranks of MPI: in `whirl` there is one (alone/ranks.c), in `whirl-mpi`
+/// as many as mpirun or srun start (mpi/ranks.c).
+///
+/// The first one speaks for all: what others print is held back, and told only of a rank whose failure ends them all.
+#ifndef CLI_RANKS_H
+#define CLI_RANKS_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+/// Before anything else; ends the program where it cannot be.
+void ranks_begin(int *argc, char ***argv);
+
+/// Called now and then while a rank waits for others.
+typedef void (*ranks_meanwhile)(void);
+
+/// After everything else: gives the exit status of all ranks. That is the worst one of a failure, else the first
+/// rank's.
+int ranks_end(int status, ranks_meanwhile meanwhile);
+
+int ranks_count(void);
+int ranks_number(void); ///< from 0
+
+/// Threads that a rank may well use: its part of the cores of its computer, or OMP_NUM_THREADS.
+int ranks_threads(void);
+
+/// Waits for all ranks; gives the worst outcome of any (an exit status). When that is a failure, all ranks are to end.
+int ranks_agree(int outcome);
+
+/// Waits for all ranks; bytes of the first one become those of all.
+void ranks_share(void *bytes, size_t size);
+
+/// Numbers that all ranks see at any time, 0 at the beginning; any thread may ask.
+enum { RANKS_WORDS = 32 };
+
+/// Adds to a number; gives what it was before.
+int64_t ranks_add(size_t word, int64_t amount);
+
+/// Makes a number at least so large.
+void ranks_raise(size_t word, int64_t value);
+
+/// Some milliseconds of rest for one who waits.
+void ranks_rest(void);
+
+#endif

@@ -1,0 +1,197 @@
+#include "together.h"
+
+#include <signal.h>
+#include <stdlib.h>
+
+#include "command.h"
+#include "interrupt.h"
+#include "ranks.h"
+
+/// The numbers that all ranks see; before these, how many pieces of each pass are dealt out.
+enum {
+    WORD_STOP = 2 * WHIRL_MAX_BATCHES, ///< the signal that came to one of the ranks
+    WORD_FAILED,                       ///< one of them has failed
+    WORD_LEFT,                         ///< ranks that are done
+    WORD_THREADS,                      ///< of all ranks
+    WORD_DONE ///< the first of what is done: points, confirmations, revolutions, those recalled
+};
+
+enum { DONE_POINTS, DONE_CONFIRMED, DONE_REVOLUTIONS, DONE_RECALLED, DONE_NUMBERS };
+
+_Static_assert(WORD_DONE + DONE_NUMBERS <= RANKS_WORDS, "the ranks see fewer numbers");
+
+// ---------------------------------------------------------------- opening
+
+int open_together(const journal_wish *wish, const whirl_case *object, run_journal *journal, whirl_result **finished,
+                  bool *all_done) {
+    const int number = ranks_number(), count = ranks_count();
+    journal_names there = {0};
+    int outcome = EXIT_DONE;
+    *finished = NULL;
+    if (number == 0) outcome = open_journal(wish, object, journal, finished);
+    *all_done = *finished != NULL;
+    outcome = ranks_agree(outcome);
+    if (count == 1 || outcome != EXIT_DONE) return outcome;
+    ranks_share(all_done, sizeof *all_done);
+    if (number > 0) there = find_journals(wish->output);
+    // Nobody begins a journal before all have looked.
+    ranks_agree(EXIT_DONE);
+    if (number > 0 && !*all_done) outcome = open_rank_journal(wish, object, &there, journal);
+    free_journal_names(&there);
+    outcome = ranks_agree(outcome);
+    if (outcome != EXIT_DONE) abandon_journal(journal);
+    return outcome;
+}
+
+// ---------------------------------------------------------------- what there is to do
+
+static int make_known(together *t, const whirl_case *object) {
+    whirl_result *outline = NULL;
+    size_t size = 0;
+    const whirl_status status = whirl_case_outline(object, &outline);
+    if (status.code != WHIRL_OK) return complain_of(&status);
+    t->batch_count = outline->table_count;
+    for (size_t i = 0; i < 2 * t->batch_count; i++) size += t->slots[i] = outline->tables[i % t->batch_count].count;
+    whirl_result_free(outline);
+    t->all_known = calloc(size + 1, 1);
+    const whirl_status made = t->all_known ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points", size);
+    for (size_t i = 0, at = 0; t->all_known && i < 2 * t->batch_count; at += t->slots[i++])
+        t->known[i] = t->all_known + at;
+    return complain_of(&made);
+}
+
+/// The first rank's journal has all that is known.
+static void share_known(together *t) {
+    size_t size = 0, points = 0, known = 0;
+    for (size_t i = 0; i < 2 * t->batch_count; size += t->slots[i++])
+        for (size_t slot = 0; slot < t->slots[i] && ranks_number() == 0; slot++) {
+            t->known[i][slot] = whirl_journal_has(t->journal->journal, i, slot);
+            points += i < t->batch_count;
+            known += i < t->batch_count && t->known[i][slot];
+        }
+    t->known_share = points > 0 ? (double)known / (double)points : 0.0;
+    ranks_share(t->all_known, size);
+}
+
+int together_begin(together *t, const whirl_case *object, run_journal *journal, int threads, progress_view *view) {
+    *t = (together){.journal = journal, .view = view, .threads = threads};
+    ranks_add(WORD_THREADS, threads);
+    const int outcome = ranks_agree(make_known(t, object));
+    if (outcome == EXIT_DONE) share_known(t);
+    return outcome;
+}
+
+void together_free(together *t) {
+    free(t->all_known);
+    t->all_known = NULL;
+}
+
+// ---------------------------------------------------------------- dealing
+
+static bool open_point(void *context, size_t batch, size_t slot) {
+    const together *t = context;
+    return !t->known[batch][slot];
+}
+
+/// A quarter of what this rank's threads will do of what is left, one piece by one in the end.
+static size_t claim(void *context, size_t batch, size_t count, size_t *first) {
+    together *t = context;
+    const int64_t all = (int64_t)count, left = all - t->dealt[batch];
+    const int64_t part = left * t->threads / (4 * (int64_t)t->dealer.threads);
+    const int64_t wanted = part > 1 ? part : 1;
+    const int64_t before = ranks_add(batch, wanted);
+    t->dealt[batch] = before + wanted < all ? before + wanted : all;
+    *first = (size_t)before;
+    return before < all ? (size_t)(t->dealt[batch] - before) : 0;
+}
+
+// ---------------------------------------------------------------- while they compute
+
+void together_look(void) {
+    const int signal_number = interrupt_signal();
+    if (signal_number) ranks_raise(WORD_STOP, signal_number);
+}
+
+/// Signals come to all ranks wherever they arrive, and a failure ends all.
+static void look(together *t) {
+    together_look();
+    const int64_t stop = ranks_add(WORD_STOP, 0);
+    if (stop && !interrupt_signal()) interrupt_pass_on((int)stop);
+    if (ranks_add(WORD_FAILED, 0)) {
+        t->failed = true;
+        interrupt_pass_on(SIGTERM);
+    }
+}
+
+/// Adds what a number has grown by since it was told; gives that of all ranks.
+static int64_t tell(together *t, size_t number, int64_t now) {
+    const int64_t more = now - t->told[number];
+    t->told[number] = now;
+    return ranks_add(WORD_DONE + number, more) + more;
+}
+
+/// What all ranks have done.
+static void add_up(together *t) {
+    const whirl_progress *own = &t->own;
+    const size_t points = own->stage == WHIRL_STAGE_CONFIRM ? DONE_CONFIRMED : DONE_POINTS;
+    t->shown = *own;
+    t->shown.points_done = (size_t)tell(t, points, (int64_t)own->points_done);
+    t->shown.revolutions_done = (double)tell(t, DONE_REVOLUTIONS, (int64_t)own->revolutions_done);
+    t->shown.revolutions_recalled = (double)tell(t, DONE_RECALLED, (int64_t)own->revolutions_recalled);
+}
+
+/// What the first rank has gathered was not all known before.
+static void show_gathered(together *t) {
+    t->shown = t->own;
+    if (t->own.stage <= WHIRL_STAGE_CONFIRM) t->shown.revolutions_recalled = t->known_share * t->own.revolutions_done;
+}
+
+static void show(together *t) {
+    look(t);
+    if (t->gathered)
+        show_gathered(t);
+    else
+        add_up(t);
+    if (t->view && t->own.points_total > 0) progress_show(t->view, &t->shown);
+}
+
+static void on_progress(void *context, const whirl_progress *own) {
+    together *t = context;
+    t->own = *own;
+    show(t);
+}
+
+// ---------------------------------------------------------------- gathering
+
+static whirl_status gather(void *context) {
+    enum { SELDOM = 100 }; // rests of some milliseconds
+    together *t = context;
+    for (int rests = 0; ranks_add(WORD_LEFT, 0) < ranks_count() - 1 && !t->failed; rests++) {
+        look(t);
+        if (rests % SELDOM == 0) show(t);
+        ranks_rest();
+    }
+    look(t);
+    if (t->failed) return whirl_fail(WHIRL_IO_ERROR, "another rank has failed");
+    t->gathered = true;
+    return take_rank_journals(t->journal, ranks_count());
+}
+
+void together_leave(int outcome) {
+    together_look();
+    if (outcome == EXIT_DONE || outcome == EXIT_UNFINISHED)
+        ranks_add(WORD_LEFT, 1);
+    else
+        ranks_raise(WORD_FAILED, 1);
+}
+
+void together_join(together *t, whirl_run_options *how) {
+    t->dealer = (whirl_dealer){.threads = (int)ranks_add(WORD_THREADS, 0),
+                               .open = open_point,
+                               .claim = claim,
+                               .gather = ranks_number() == 0 ? gather : NULL,
+                               .context = t};
+    how->dealer = &t->dealer;
+    how->progress = on_progress;
+    how->context = t;
+}

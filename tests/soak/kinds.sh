@@ -1,0 +1,26 @@
+# Studies of all kinds, in the folder where one is, with the results of runs that nobody disturbed (whole-NAME.h5) and how
+# long those took (span[NAME], milliseconds). Read by scripts that kill them: these have $whirl, $cases, $tests (tests/cli)
+# and fail.
+# shellcheck shell=bash disable=SC2154
+
+# Points one by one, along a line and in a plane; carried up and down, and confirmed; refined; confirmed and followed; at
+# rest; along branches and on tori.
+kinds=(plain map carry refined followed modes branch tori)
+sed -e 's/points: 5/points: 2000/' -e 's/, spectrum//' "$tests/good.yaml" >plain.yaml
+sed -e 's/  sweep: .*/  map: {x: {parameter: omega, from: 1, to: 4, points: 60}, y: {parameter: kappa, from: 5, to: 20, points: 20}}/' \
+    plain.yaml >map.yaml
+sed -e 's/start: state/start: carry, direction: both/' -e 's/points: 2000/points: 300/' \
+    -e 's/^study:/study:\n  confirm: yes/' plain.yaml >carry.yaml
+sed -e 's/points: 2000/points: 100/' plain.yaml >refined.yaml
+sed -e 's/from: 1.0, to: 0.1, points: 512/from: 0.28, to: 0.1, points: 10/' -e '/detail:/d' \
+    -e 's/transient: 1100, record: 100/transient: 100, record: 400/' -e 's/revolution: 1024/revolution: 256/' \
+    "$cases/paper.yaml" >followed.yaml
+sed 's/points: 9/points: 41/' "$tests/modes.yaml" >modes.yaml
+cp "$tests/branch.yaml" "$tests/tori.yaml" .
+declare -A span
+for name in "${kinds[@]}"; do
+    refine=$([ $name = refined ] && echo --refine=1e5)
+    before=$(date +%s%N)
+    "$whirl" run $name.yaml -q $refine -o whole-$name.h5 >log 2>&1 || fail "the undisturbed run: $(cat log)"
+    span[$name]=$((($(date +%s%N) - before) / 1000000))
+done
