@@ -1,0 +1,134 @@
+#include "motion.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "bounds.h"
+
+/// Sections of one orbit differ by less than this share of its largest displacement; the bounds and means of a motion
+/// that is not periodic, from record to record, by less than this share of its extent.
+static const double one_orbit = 1e-3, one_cloud = 0.2;
+
+// ---------------------------------------------------------------- reading
+
+/// The last rows of the section: those of one period.
+static void read_section(const whirl_table *table, size_t point, const whirl_field *field, motion *m) {
+    for (size_t s = 0; s < m->stations; s++) {
+        const double *from = whirl_table_field(table, point, field->name, s);
+        for (size_t k = 0; k < m->rows; k++)
+            for (size_t c = 0; c < 2; c++)
+                m->section[(k * m->stations + s) * 2 + c] =
+                    from ? from[(field->rows - m->rows + k) * field->columns + c] : (double)NAN;
+    }
+}
+
+motion *motion_read(const whirl_table *table, size_t point) {
+    const whirl_verdict verdict = whirl_table_verdict(table, point);
+    const whirl_field *section = whirl_layout_field(&table->layout, "poincare/section");
+    const whirl_field *mean = whirl_layout_field(&table->layout, "orbit/mean");
+    const size_t stations = section ? section->repeat : mean ? mean->repeat : 0, period = (size_t)verdict.period;
+    const bool has_rows = section && verdict.regime == WHIRL_PERIODIC && period >= 1 && period <= section->rows;
+    const size_t rows = has_rows ? period : 0;
+    motion *m = malloc(sizeof *m + (2 * rows + BOUNDS) * stations * sizeof(double));
+    if (!m) return NULL;
+    *m = (motion){.regime = verdict.regime, .period = verdict.period, .stations = stations, .rows = rows};
+    m->section = (double *)(m + 1);
+    m->bounds = m->section + 2 * rows * stations;
+    m->compared = mean != NULL;
+    if (has_rows) read_section(table, point, section, m);
+    m->placed = mean && bounds_read(table, point, stations, m->bounds);
+    return m;
+}
+
+// ---------------------------------------------------------------- orbits
+
+/// The largest difference of a station's place between row i of one section and row k of the other.
+static double row_distance(const motion *a, size_t i, const motion *b, size_t k) {
+    const size_t columns = 2 * a->stations;
+    double away = 0.0;
+    for (size_t c = 0; c < columns; c++) {
+        const double difference = fabs(a->section[i * columns + c] - b->section[k * columns + c]);
+        if (!(difference <= away)) away = difference; // NaN is kept
+        if (isnan(difference)) return (double)NAN;
+    }
+    return away;
+}
+
+static double largest_place(const motion *m) {
+    double size = 0.0;
+    for (size_t i = 0; i < 2 * m->rows * m->stations; i++) size = fmax(size, fabs(m->section[i]));
+    return size;
+}
+
+/// Whether the sections of two orbits agree, whichever revolution they begin with.
+static bool are_one_orbit(const motion *a, const motion *b) {
+    const double size = fmax(largest_place(a), largest_place(b));
+    for (size_t skip = 0; skip < a->rows; skip++) {
+        size_t agreeing = 0;
+        while (agreeing < a->rows &&
+               row_distance(a, agreeing, b, (agreeing + skip) % a->rows) <= one_orbit * size) // NaN: no
+            agreeing++;
+        if (agreeing == a->rows) return true;
+    }
+    return false;
+}
+
+/// The largest distance of a row of one section from the nearest one of the other.
+static double farthest_row(const motion *a, const motion *b) {
+    double farthest = 0.0;
+    for (size_t i = 0; i < a->rows; i++) {
+        double nearest = (double)INFINITY;
+        for (size_t k = 0; k < b->rows; k++) nearest = fmin(nearest, row_distance(a, i, b, k));
+        farthest = fmax(farthest, nearest);
+    }
+    return farthest;
+}
+
+// ---------------------------------------------------------------- all others
+
+static double bounds_distance(const motion *a, const motion *b) {
+    double away = 0.0;
+    for (size_t i = 0; i < a->stations * BOUNDS; i++) away = fmax(away, fabs(a->bounds[i] - b->bounds[i]));
+    return away;
+}
+
+/// From the least to the largest x, and y, of any station.
+static double extent(const motion *m) {
+    double size = 0.0;
+    for (size_t i = 0; i < m->stations * BOUNDS; i++)
+        if (i % BOUNDS >= 2 && i % BOUNDS < 4) size = fmax(size, m->bounds[i + 2] - m->bounds[i]);
+    return size;
+}
+
+/// The same, or a hundredth of the largest displacement of a motion that hardly moves.
+static double size_of(const motion *m) {
+    double far = 0.0;
+    for (size_t i = 0; i < m->stations * BOUNDS; i++) far = fmax(far, fabs(m->bounds[i]));
+    return fmax(extent(m), 0.01 * far);
+}
+
+// ---------------------------------------------------------------- both
+
+bool motion_is_same(const motion *a, const motion *b) {
+    if (a->regime != b->regime || a->period != b->period) return false;
+    if (a->regime == WHIRL_DIVERGING) return true;
+    if (a->rows > 0 && a->rows == b->rows) return are_one_orbit(a, b);
+    if (!a->compared) return true;
+    return a->placed && b->placed && bounds_distance(a, b) <= one_cloud * fmax(extent(a), extent(b));
+}
+
+/// Whether an orbit may change into the other one where it loses its stability: its period stays or is multiplied.
+static bool may_be_one_branch(const motion *a, const motion *b) {
+    if (a->rows == 0 || b->rows == 0) return true;
+    return a->rows % b->rows == 0 || b->rows % a->rows == 0;
+}
+
+double motion_distance(const motion *a, const motion *b) {
+    if (a->regime == WHIRL_DIVERGING || b->regime == WHIRL_DIVERGING)
+        return a->regime == b->regime ? 0.0 : (double)INFINITY;
+    if (!a->placed || !b->placed || a->stations != b->stations || !may_be_one_branch(a, b)) return (double)INFINITY;
+    const double away =
+        a->rows > 0 && b->rows > 0 ? fmax(farthest_row(a, b), farthest_row(b, a)) : bounds_distance(a, b);
+    const double size = fmax(size_of(a), size_of(b));
+    return size > 0.0 ? away / size : away > 0.0 ? (double)INFINITY : 0.0;
+}
