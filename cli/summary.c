@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "phases.h"
+#include "summary_starts.h"
 #include "summary_tori.h"
 
 enum { LONGEST_LIST = 12, MAX_VERDICTS = WHIRL_MAX_PERIOD + 8, VERDICT_SIZE = 96 };
@@ -103,21 +104,32 @@ static void print_failed_exponents(const whirl_table *table, size_t point) {
            whirl_table_number(table, point, "exponents/sum_exact", 0));
 }
 
-static void print_point(const whirl_result *result, const whirl_table *table) {
-    if (!whirl_table_done(table, 0)) {
+static void print_point(const whirl_result *result, const whirl_table *table, size_t point) {
+    if (!whirl_table_done(table, point)) {
         printf("%s: not computed\n", table->name);
         return;
     }
-    const whirl_verdict verdict = whirl_table_verdict(table, 0);
+    const whirl_verdict verdict = whirl_table_verdict(table, point);
     if (has_verdicts(table))
         print_verdict(table->name, &verdict);
     else
         printf("%s: no verdict, as the analyses have no regime\n", table->name);
     if (verdict.regime == WHIRL_DIVERGING) return;
-    print_failed_exponents(table, 0);
-    print_rubs(result, table, 0);
-    print_radii(result, table, 0);
-    print_synchronous(result, table, 0);
+    print_failed_exponents(table, point);
+    print_rubs(result, table, point);
+    print_radii(result, table, point);
+    print_synchronous(result, table, point);
+}
+
+/// The one point of a response, or every attractor that its starts lead to.
+static void print_response(const whirl_result *result, const whirl_table *table) {
+    const size_t count = table->attractors ? table->count : 1;
+    for (size_t point = 0; point < count; point++) {
+        print_point(result, table, point);
+        summarize_share(table, point, "  ");
+        if (table->attractors) putchar('\n');
+    }
+    summarize_starts(result, table);
 }
 
 // ---------------------------------------------------------------- machines at rest
@@ -195,9 +207,11 @@ static void print_heading(const whirl_table *table) {
     const size_t planned = whirl_table_planned(table);
     printf("%s of %s", table->name, table->parameter);
     if (table->row > 0)
-        printf(" and %s: %zu x %zu points\n", table->second, table->row, planned / table->row);
+        printf(" and %s: %zu x %zu points", table->second, table->row, planned / table->row);
     else
-        printf(": %zu point%s\n", planned, plural((double)planned));
+        printf(": %zu point%s", planned, plural((double)planned));
+    if (table->source) printf(", %zu starts each", table->source->starts);
+    putchar('\n');
 }
 
 static void print_at_rest(const whirl_result *result, const whirl_table *table) {
@@ -274,7 +288,9 @@ static void print_list(const whirl_result *result, const whirl_table *table) {
                    fmax(verdict.exponent.error, 1e-4)); // not below what the digits show
         else if (verdict.exponents_failed)
             printf(" %-28s", "exponents failed");
-        puts(rubs(result, table, point) ? "  rub" : "");
+        fputs(rubs(result, table, point) ? "  rub" : "", stdout);
+        summarize_share(table, point, "  ");
+        putchar('\n');
     }
 }
 
@@ -332,7 +348,9 @@ static bool print_windows(const whirl_result *result, const whirl_table *table) 
         int length = snprintf(range, sizeof range, "%.6g", a);
         if (one->last > one->first) length += snprintf(range + length, sizeof range - (size_t)length, " to %.6g", b);
         snprintf(range + length, sizeof range - (size_t)length, "%s%s", *unit.name ? " " : "", unit.name);
-        printf("  %-24s %s%s\n", range, one->name, table->branch[one->first] < 0 ? ", from the last value on" : "");
+        printf("  %-24s %s%s", range, one->name, table->branch[one->first] < 0 ? ", from the last value on" : "");
+        if (table->attractors) printf(", attractor %zu", table->attractors[one->first].number);
+        putchar('\n');
     }
     return count <= LONGEST_LIST;
 }
@@ -420,17 +438,7 @@ void summarize_end(const whirl_result *result, const char *parameter, double fir
                gap, unit.name);
 }
 
-void summarize_result(const whirl_result *result) {
-    size_t done, total;
-    puts(result->title[0] ? result->title : result->case_name);
-    const char *const keyphasor = whirl_result_keyphasor(result);
-    if (*keyphasor) tell_keyphasor(keyphasor, whirl_result_clock(result));
-    if (whirl_result_partial(result, &done, &total)) {
-        if (done < total)
-            printf("partial: stopped after %zu of %zu point%s\n", done, total, plural((double)total));
-        else
-            puts("partial: stopped when all points were done, before all were confirmed or refined");
-    }
+static void print_tables(const whirl_result *result) {
     for (size_t i = 0; i < result->table_count; i++) {
         const whirl_table *const table = &result->tables[i];
         if (table->integrate.chosen) printf("method auto took %s for the %s\n", table->integrate.method, table->name);
@@ -440,8 +448,8 @@ void summarize_result(const whirl_result *result) {
             continue;
         }
         if (table->parameter[0] == '\0' && planned == 1) {
-            print_point(result, table);
-            print_refinement(table);
+            print_response(result, table);
+            print_refinement(table->source ? table->source : table);
             continue;
         }
         print_heading(table);
@@ -456,9 +464,27 @@ void summarize_result(const whirl_result *result) {
         else
             print_counts(result, table);
         print_attractors(table);
-        print_refinement(table);
+        summarize_starts(result, table);
+        print_refinement(table->source ? table->source : table);
         print_jumps(result, table);
     }
+}
+
+void summarize_result(const whirl_result *result) {
+    size_t done, total;
+    whirl_result *view;
+    puts(result->title[0] ? result->title : result->case_name);
+    const char *const keyphasor = whirl_result_keyphasor(result);
+    if (*keyphasor) tell_keyphasor(keyphasor, whirl_result_clock(result));
+    if (whirl_result_partial(result, &done, &total)) {
+        if (done < total)
+            printf("partial: stopped after %zu of %zu point%s\n", done, total, plural((double)total));
+        else
+            puts("partial: stopped when all points were done, before all were confirmed or refined");
+    }
+    const whirl_status status = whirl_result_by_attractor(result, &view);
+    print_tables(status.code == WHIRL_OK ? view : result);
+    whirl_result_view_free(view);
 }
 
 /// What a batch along branches may find.
@@ -477,7 +503,8 @@ void summarize_study(const whirl_study *study) {
         const char *const name = batch->integrate.method;
         const whirl_method *method = NULL;
         const int steps = batch->integrate.steps_per_revolution;
-        const double points = (double)batch->count * (batch->carry == WHIRL_CARRY_BOTH ? 2 : 1);
+        const size_t copies = batch->starts > 1 ? batch->starts : batch->carry == WHIRL_CARRY_BOTH ? 2 : 1;
+        const double points = (double)batch->count * (double)copies;
         const double revolutions = (double)batch->record.transient + batch->record.record;
         printf("  %s", batch->name);
         if (batch->parameter[0]) printf(" of %s", batch->parameter);
@@ -490,7 +517,11 @@ void summarize_study(const whirl_study *study) {
             print_room(batch);
             continue;
         }
-        printf(": %.0f point%s, %.0f revolution%s each", points, plural(points), revolutions, plural(revolutions));
+        if (batch->starts > 1)
+            printf(": %zu point%s from %zu starts each, %.0f revolution%s a start", batch->count,
+                   plural((double)batch->count), batch->starts, revolutions, plural(revolutions));
+        else
+            printf(": %.0f point%s, %.0f revolution%s each", points, plural(points), revolutions, plural(revolutions));
         if (whirl_method_find(name, &method).code == WHIRL_OK && method->adaptive) {
             printf(" by %s%s%s\n", name, batch->integrate.chosen ? " (chosen by auto)" : "",
                    batch->confirm ? ", confirmed at a tolerance 16 times smaller" : "");

@@ -16,12 +16,24 @@ extern "C" {
 /// Blocks that a run left with its keeper, for they are many (whirl_run_options.memory).
 typedef struct whirl_kept_blocks whirl_kept_blocks;
 
+/// One of the attractors at a place of a study, where several starts a place were followed.
+typedef struct whirl_coexisting {
+    size_t place;        ///< whirl_table_place
+    size_t number;       ///< of the attractor along the study, from 1
+    size_t first;        ///< point of the table, the first that came to rest on it
+    size_t starts;       ///< that did
+    size_t of;           ///< starts of the place that are done, with a verdict or without
+    size_t beside;       ///< attractors of the place, this one included
+    double share, error; ///< of the starts that are done, and its standard error were these drawn at random
+} whirl_coexisting;
+
 /// The points of one batch.
 typedef struct whirl_table {
     char name[WHIRL_NAME_SIZE];      ///< "response", "sweep", "map", "basin", "detail"
     char parameter[WHIRL_NAME_SIZE]; ///< what varies, or ""
     char second[WHIRL_NAME_SIZE];    ///< what varies besides, in a map, whose points have it in the field "map/second"
     size_t row;                      ///< points of a row of a map, along the parameter, by whirl_table_slot; else 0
+    size_t starts;                   ///< of every place: all places from the first start, then from the next; or 0
     size_t count;
     /// Points of the study, of which a file that was written too early has `count`; 0: count.
     size_t planned;
@@ -39,6 +51,9 @@ typedef struct whirl_table {
     whirl_analysis_set analyses;
     whirl_integrate_options integrate;
     whirl_record_options record;
+    const struct whirl_table *source; ///< of a view (whirl_result_by_attractor): whose points these are, or NULL
+    size_t *chosen;                   ///< [count] which of them
+    whirl_coexisting *attractors;     ///< [count] what they came to rest on
 } whirl_table;
 
 /// A named parameter of the case with the value that the run used, in SI.
@@ -107,6 +122,11 @@ size_t whirl_table_slot(const whirl_table *table, size_t point);
 /// The value of the second parameter at a point of a map or of curves, in SI; NaN where there is none.
 double whirl_table_second(const whirl_table *table, size_t point);
 
+/// Places of the study in its parameters, which has one point or `starts` of them at each; and the place of a point,
+/// from 0, in the order of the values.
+size_t whirl_table_places(const whirl_table *table);
+size_t whirl_table_place(const whirl_table *table, size_t point);
+
 /// How many points of the table the study has, done or not.
 size_t whirl_table_planned(const whirl_table *table);
 
@@ -165,6 +185,41 @@ typedef struct whirl_attractor {
 /// there are; at most `most` are written. WHIRL_NO_MEMORY.
 whirl_status whirl_table_attractors(const whirl_table *table, size_t *labels, whirl_attractor *attractors, size_t most,
                                     size_t *count);
+
+/// The attractors of all places of a table.
+typedef struct whirl_coexistence {
+    size_t places;
+    size_t attractors;       ///< that have a number of their own
+    size_t count;            ///< of items
+    whirl_coexisting *items; ///< [count] by place, then by number
+    size_t *labels; ///< [table->count] the number of the attractor of every point; 0: not done, or without a verdict
+} whirl_coexistence;
+
+/// Tells apart the attractors that the starts of every place of a table lead to, as whirl_table_attractors does, and
+/// gives them numbers along the study, 1 for the one that most starts of all places lead to. Attractors of neighbouring
+/// places (along a sweep; along rows and columns of a map) have one number where each is the nearest of the other and
+/// they differ by less than half of the larger one's extent: two periodic motions by the largest distance of a point of
+/// one section from the nearest of the other, so that a motion goes on through a doubling of its period (but not where
+/// neither period is a multiple of the other); others by
+/// their means and bounds. Places where nothing has a verdict are passed over. No two of one place have one number. An
+/// attractor that no start of a place in between met goes on under another number. Needs the analyses "poincare" and
+/// "orbit". WHIRL_NO_MEMORY. Freed by whirl_coexistence_free.
+whirl_status whirl_table_coexistence(const whirl_table *table, whirl_coexistence *found);
+void whirl_coexistence_free(whirl_coexistence *found);
+
+/// What a point of the table came to rest on; NULL where that is not told. Borrowed.
+const whirl_coexisting *whirl_coexistence_at(const whirl_coexistence *found, const whirl_table *table, size_t point);
+
+/// The share of the starts from which an attractor is missed by all `starts` of a place with a chance of one in twenty:
+/// 1 - 0.05^(1/starts).
+double whirl_missed_share(size_t starts);
+
+/// A result in whose tables with several starts a place every attractor stands once: attractor by attractor along the
+/// study, with the number in `branch`, and the block of the first start that came to rest on it; of a map the one
+/// attractor of every place that most starts lead to. All else is borrowed from the result. WHIRL_NO_MEMORY. Freed by
+/// whirl_result_view_free.
+whirl_status whirl_result_by_attractor(const whirl_result *result, whirl_result **view);
+void whirl_result_view_free(whirl_result *view);
 
 /// A unit in which numbers are shown: `size` of it in SI. "" and 1 for plain numbers.
 typedef struct whirl_unit {

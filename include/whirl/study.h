@@ -45,6 +45,10 @@ typedef struct whirl_batch {
     size_t row;                   ///< points of a row of a map, along the first parameter; else 0
     double second_bounds[2];
     double second_value; ///< of the machine that is asked for; of the batch itself that of the case
+    /// Starts of every point, 0 or 1 for that of its machine alone. The table has all points from the first start, then
+    /// all from the next. Not of carried batches, nor of branches and machines at rest.
+    size_t starts;
+    size_t start; ///< which of them the machine shall have that is asked for, from 0; of the batch itself 0
     whirl_carry carry;
     /// Every motion is computed once more from the same start with errors of a step 16 times smaller (twice the steps
     /// of a fixed-step method), and its verdict is set beside the first: needs the analysis "regime".
@@ -181,8 +185,8 @@ typedef struct whirl_run_options {
     const whirl_dealer *dealer; ///< NULL: all points are this run's, or its share
 } whirl_run_options;
 
-/// The machine of a point of a batch, by its index in `values` (0 where nothing varies). Errors as those of
-/// study->machine.
+/// The machine of a point of a batch, by its index in `values` (0 where nothing varies); from start s that of the index
+/// plus s times the count. Errors as those of study->machine.
 whirl_status whirl_study_machine(const whirl_study *study, const whirl_batch *batch, size_t point,
                                  whirl_machine *machine);
 
@@ -191,6 +195,16 @@ whirl_status whirl_study_machine(const whirl_study *study, const whirl_batch *ba
 /// one method. The choice is a pure function of the study. Runs, outlines and verifications do it by themselves. Errors
 /// as those of the machines.
 whirl_status whirl_study_choose_methods(whirl_study *study);
+
+enum {
+    WHIRL_MAX_STARTS = 65536, ///< of a point
+    WHIRL_MAX_RANGES = 32     ///< coordinates in which starts may differ
+};
+
+/// A number of the sequence of Halton (Numerische Mathematik 2, 1960, eq. 1): the digits of `index` in base p mirrored
+/// at the point, where p is prime number `coordinate` (0: 2, 1: 3, ..., below WHIRL_MAX_RANGES). From 0 to 1; several
+/// coordinates of rising indices fill their cube evenly.
+double whirl_halton(size_t index, size_t coordinate);
 
 /// How orbits along the branches of a batch that traces them are found. A method "auto" is to be settled before.
 whirl_orbit_options whirl_batch_orbits(const whirl_batch *batch);

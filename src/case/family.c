@@ -22,7 +22,8 @@ static whirl_status make_start(const case_content *content, const whirl_batch *b
     const whirl_system *system = whirl_rotor_system(m->rotor);
     m->start = calloc(system->dimension, sizeof *m->start);
     if (!m->start) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine");
-    return plan_start_state(&content->plan, plan_batch(&content->plan, batch->name), v, m->rotor, m->start);
+    return plan_start_state(&content->plan, plan_batch(&content->plan, batch->name), batch->start, v, m->rotor,
+                            m->start);
 }
 
 static whirl_status make_member(const case_content *content, const whirl_batch *batch, double value, member *m) {

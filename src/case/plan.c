@@ -437,7 +437,11 @@ static bool check_all(case_reader *reader, valuation *v, const plan_parts *parts
     good = settings_check(reader, v, &parts->detail) && good;
     good = settings_check(reader, v, &parts->branch) && good;
     good = settings_check(reader, v, &parts->curves) && good;
+    good = (!settings_find(&parts->study, "starts") || settings_check(reader, v, &parts->starts)) && good;
     for (size_t i = 0; i < result->start_count; i++) good = settings_check(reader, v, &result->starts[i].state) && good;
+    for (size_t i = 0; i < result->range_count; i++)
+        good = settings_check(reader, v, &result->ranges[i].low) &&
+               settings_check(reader, v, &result->ranges[i].high) && good;
     return good;
 }
 
@@ -446,8 +450,19 @@ static void finish_traced(valuation *v, const plan_parts *parts, whirl_batch *ba
     choose_analyses(batch, batch->analyses, false);
 }
 
+/// Points in detail have but the first start.
+static void take_starts(case_reader *reader, valuation *v, const plan_parts *parts, whirl_batch *batch) {
+    if (!settings_find(&parts->study, "starts") || strcmp(batch->name, "detail") == 0) return;
+    batch->starts = (size_t)settings_number(v, &parts->starts, "count");
+    if (batch->count > SCHEMA_MAX_POINTS / batch->starts)
+        problem_at(reader->problems, place_of(&parts->starts, "count"),
+                   "is %zu at %zu points, expected at most %d starts in all", batch->starts, batch->count,
+                   SCHEMA_MAX_POINTS);
+}
+
 static void finish_points(case_reader *reader, valuation *v, const plan_parts *parts, whirl_batch *batch) {
     settings_take(v, &parts->study, whirl_batch_members(), batch);
+    take_starts(reader, v, parts, batch);
     if (strcmp(batch->name, "detail") == 0) {
         batch->record = detail_options(v, parts, &batch->record);
         check_detail(reader, parts, &batch->record);
@@ -491,10 +506,16 @@ static double state_scale(const whirl_rotor *rotor, const char *key) {
     return key[0] == 'v' ? length * whirl_rotor_clock(rotor) : length;
 }
 
+/// A number of a state in the scales of the machine.
+static double scaled_setting(const whirl_rotor *rotor, valuation *v, const setting *given) {
+    double number = NAN;
+    valuation_number(v, &given->value, &number);
+    return given->scaled ? number / state_scale(rotor, given->key->name) : number;
+}
+
 static double state_number(const whirl_rotor *rotor, valuation *v, const setting_list *state, const char *key) {
     const setting *given = settings_find(state, key);
-    const double number = settings_number(v, state, key);
-    return given && given->scaled ? number / state_scale(rotor, key) : number;
+    return given ? scaled_setting(rotor, v, given) : settings_number(v, state, key);
 }
 
 /// The coordinates of a station that a state may be said of, by index from 0; NULL past the last.
@@ -504,12 +525,9 @@ static const whirl_member *coordinate_at(size_t index) {
     return NULL;
 }
 
-whirl_status plan_start_state(const study_plan *plan, size_t batch, valuation *v, const whirl_rotor *rotor,
-                              double *state) {
+static whirl_status initial_state(const study_plan *plan, valuation *v, const whirl_rotor *rotor, double *state) {
     const whirl_system *system = whirl_rotor_system(rotor);
     const whirl_member *coordinate;
-    memset(state, 0, system->dimension * sizeof *state);
-    if (batch < plan->batch_count && plan->rest[batch]) return whirl_ok();
     for (size_t i = 0; i < plan->start_count; i++) {
         const plan_start *start = &plan->starts[i];
         for (size_t k = 0; (coordinate = coordinate_at(k)) != NULL; k++) {
@@ -524,21 +542,72 @@ whirl_status plan_start_state(const study_plan *plan, size_t batch, valuation *v
     return whirl_ok();
 }
 
+/// Puts a further start, from 1, in the place of what the ranges name.
+static whirl_status start_in_ranges(const study_plan *plan, size_t start, valuation *v, const whirl_rotor *rotor,
+                                    double *state) {
+    const whirl_system *system = whirl_rotor_system(rotor);
+    size_t which = 0;
+    for (size_t i = 0; i < plan->range_count; i++) {
+        const plan_range *range = &plan->ranges[i];
+        for (size_t k = 0; k < range->low.count; k++, which++) {
+            const setting *one = &range->low.items[k];
+            const double low = scaled_setting(rotor, v, one), high = scaled_setting(rotor, v, &range->high.items[k]);
+            const whirl_member *coordinate = whirl_member_find(whirl_probe_members(), one->key->name);
+            const double at = low + whirl_halton(start, which) * (high - low);
+            if (!coordinate || !isfinite(at))
+                return whirl_fail(WHIRL_BAD_INPUT, "the range of %s of station %.63s has no finite value",
+                                  one->key->name, range->low.place->key);
+            state[(size_t)whirl_member_number(coordinate, &system->probes[range->station])] = at;
+        }
+    }
+    return whirl_ok();
+}
+
+whirl_status plan_start_state(const study_plan *plan, size_t batch, size_t start, valuation *v,
+                              const whirl_rotor *rotor, double *state) {
+    memset(state, 0, whirl_rotor_system(rotor)->dimension * sizeof *state);
+    const bool rest = batch < plan->batch_count && plan->rest[batch];
+    const whirl_status status = rest ? whirl_ok() : initial_state(plan, v, rotor, state);
+    return status.code == WHIRL_OK && start > 0 ? start_in_ranges(plan, start, v, rotor, state) : status;
+}
+
 whirl_status plan_check_speed(const whirl_batch *batch, double speed) {
     if (speed > 0.0 || strcmp(batch->name, schema_modes.name) == 0) return whirl_ok();
     return whirl_fail(WHIRL_BAD_INPUT, "speed is %g rad/s, expected a number above 0", speed);
 }
 
 /// Refuses places and velocities along an axis that the station does not move along.
-static void check_axes(case_reader *reader, const machine_parts *machine, const plan_start *start) {
-    const setting *moves = settings_find(&machine->stations.items[start->station], "moves");
+static void check_axes(case_reader *reader, const machine_parts *machine, size_t station, const setting_list *state) {
+    const setting *moves = settings_find(&machine->stations.items[station], "moves");
     const whirl_member *coordinate;
     for (size_t k = 0; moves && moves->word && (coordinate = coordinate_at(k)) != NULL; k++) {
         const char *key = coordinate->key.name, *axis = key + strlen(key) - 1;
-        const setting *given = settings_find(&start->state, key);
-        if (given && !strstr(moves->word, axis) && reader_reports(reader, key, start->state.place->key))
+        const setting *given = settings_find(state, key);
+        if (given && !strstr(moves->word, axis) && reader_reports(reader, key, state->place->key))
             problem_at_key(reader->problems, given->place, "moves along %s alone, expected no %s", moves->word, key);
     }
+}
+
+/// Refuses ends of ranges that are not in order, and starts that would lie outside of a bearing.
+static void check_range(case_reader *reader, valuation *v, const machine_parts *machine, const whirl_rotor *rotor,
+                        const plan_range *range, const setting_list *initial) {
+    const double clearance = whirl_rotor_system(rotor)->probes[range->station].clearance;
+    double radius = 0.0; // of the coordinates that the initial state says, then of the furthest corner
+    for (int k = 0; k < 2; k++)
+        if (initial && !settings_find(&range->low, k ? "y" : "x"))
+            radius = hypot(radius, state_number(rotor, v, initial, k ? "y" : "x"));
+    check_axes(reader, machine, range->station, &range->low);
+    for (size_t k = 0; k < range->low.count; k++) {
+        const setting *one = &range->low.items[k], *other = &range->high.items[k];
+        const double low = scaled_setting(rotor, v, one), high = scaled_setting(rotor, v, other);
+        if (one->key->name[0] != 'v') radius = hypot(radius, fmax(fabs(low), fabs(high)));
+        if (low < high || !reader_reports(reader, one->key->name, range->low.place->key)) continue;
+        problem_at(reader->problems, other->place, "is %.10g after %.10g, expected the lower end first", high, low);
+    }
+    if (clearance > 0 && radius >= clearance && reader_reports(reader, "range", range->low.place->key))
+        problem_at_key(reader->problems, range->low.place,
+                       "starts up to %.4g clearances from the centre of its bearing, expected less than 1",
+                       radius / clearance);
 }
 
 void plan_check_start(case_reader *reader, const study_plan *plan, size_t batch, valuation *v,
@@ -546,7 +615,7 @@ void plan_check_start(case_reader *reader, const study_plan *plan, size_t batch,
     const whirl_system *const system = whirl_rotor_system(rotor);
     for (size_t i = 0; i < plan->start_count && !plan->rest[batch]; i++) {
         const plan_start *start = &plan->starts[i];
-        check_axes(reader, machine, start);
+        check_axes(reader, machine, start->station, &start->state);
         const double clearance = system->probes[start->station].clearance;
         const double radius =
             hypot(state_number(rotor, v, &start->state, "x"), state_number(rotor, v, &start->state, "y"));
@@ -554,5 +623,11 @@ void plan_check_start(case_reader *reader, const study_plan *plan, size_t batch,
         problem_at_key(reader->problems, start->state.place,
                        "starts %.4g clearances from the centre of its bearing, expected less than 1",
                        radius / clearance);
+    }
+    for (size_t i = 0; i < plan->range_count && plan->batches[batch].starts > 1; i++) {
+        const setting_list *initial = NULL;
+        for (size_t k = 0; k < plan->start_count && !plan->rest[batch]; k++)
+            if (plan->starts[k].station == plan->ranges[i].station) initial = &plan->starts[k].state;
+        check_range(reader, v, machine, rotor, &plan->ranges[i], initial);
     }
 }

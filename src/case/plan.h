@@ -11,6 +11,12 @@ typedef struct plan_start {
     setting_list state;
 } plan_start;
 
+/// The ranges in which starts of one station lie: both ends have the same keys.
+typedef struct plan_range {
+    size_t station;
+    setting_list low, high;
+} plan_range;
+
 typedef struct study_plan {
     size_t batch_count;
     whirl_batch batches[WHIRL_MAX_BATCHES]; ///< values are the arena's
@@ -25,6 +31,8 @@ typedef struct study_plan {
     double end;             ///< that the steps of the sweep do not meet, NaN where they do
     size_t start_count;
     plan_start *starts;
+    size_t range_count;
+    plan_range *ranges; ///< of further starts, in the order of the file
 } study_plan;
 
 /// A list of numbers, each with its place.
@@ -46,7 +54,7 @@ typedef struct axis_parts {
 
 /// Reads `study:` in two steps. First what can be read without values, and everything that is wrong with it ...
 typedef struct plan_parts {
-    setting_list study, integrate, keep, detail, branch, curves, map;
+    setting_list study, integrate, keep, detail, branch, curves, map, starts;
     const char *resting;      ///< "modes" or "unbalance", of which `sweep` is then; NULL: motions are followed
     bool branches, swept_too; ///< branches are traced; and there is a sweep
     axis_parts sweep;         ///< what is swept, along which branches go, or what varies along the rows of a map
@@ -65,9 +73,10 @@ void plan_read_parts(case_reader *reader, const file_node *where, const machine_
 /// ... then the batches, with the parameters' values. Call it when nothing is wrong so far.
 void plan_make(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result);
 
-/// The state [dimension] that the points of a batch start from, in the scales of the machine.
-whirl_status plan_start_state(const study_plan *plan, size_t batch, valuation *v, const whirl_rotor *rotor,
-                              double *state);
+/// The state [dimension] that the points of a batch start from, in the scales of the machine: the first of their starts
+/// is the initial state, the others lie in the ranges.
+whirl_status plan_start_state(const study_plan *plan, size_t batch, size_t start, valuation *v,
+                              const whirl_rotor *rotor, double *state);
 
 /// The index of the batch of that name, `batch_count` where there is none.
 size_t plan_batch(const study_plan *plan, const char *name);

@@ -187,7 +187,7 @@ static const setting *find_kind(case_reader *reader, const setting_list *study) 
 
 /// What has no meaning where no motion is told of: of machines at rest, and of branches alone, whose motions settle.
 static void check_lone_keys(case_reader *reader, const plan_parts *parts, const char *kind, bool settles) {
-    static const char *const others[] = {"keep", "analyze", "detail", "confirm", "integrate"};
+    static const char *const others[] = {"keep", "analyze", "detail", "confirm", "starts", "integrate"};
     for (size_t i = 0; i < sizeof others / sizeof *others - settles; i++) {
         const setting *given = settings_find(&parts->study, others[i]);
         if (given)
@@ -323,9 +323,20 @@ static void read_detail(case_reader *reader, plan_parts *parts) {
 
 // ---------------------------------------------------------------- initial state
 
+/// The station that a member of a mapping names; the count of all, after a problem, where it names none.
+static size_t find_station(case_reader *reader, const file_node *member, const machine_parts *machine) {
+    char advice[WHY_SIZE];
+    const size_t station = named_find(&machine->stations, member->key);
+    if (station == machine->stations.count && reader_reports(reader, "station", member->key)) {
+        machine_advise(machine, member->key, false, advice);
+        problem_at_key(reader->problems, member, "is no station, %s", advice);
+    }
+    return station;
+}
+
 static void read_initial(case_reader *reader, const file_node *where, const machine_parts *machine,
                          study_plan *result) {
-    char shown[SHOWN_SIZE], advice[WHY_SIZE];
+    char shown[SHOWN_SIZE];
     if (node_is_null(where)) return;
     if (where->kind != NODE_MAPPING) {
         problem_at(reader->problems, where, "is %s, expected names of stations with x, y, vx, vy",
@@ -336,17 +347,55 @@ static void read_initial(case_reader *reader, const file_node *where, const mach
     reader->no_memory = reader->no_memory || !result->starts;
     if (!result->starts) return;
     for (const file_node *member = where->first; member; member = member->next) {
-        const size_t station = named_find(&machine->stations, member->key);
-        if (station == machine->stations.count) {
-            if (!reader_reports(reader, "station", member->key)) continue;
-            machine_advise(machine, member->key, false, advice);
-            problem_at_key(reader->problems, member, "is no station, %s", advice);
-            continue;
-        }
+        const size_t station = find_station(reader, member, machine);
+        if (station == machine->stations.count) continue;
         plan_start *start = &result->starts[result->start_count++];
         start->station = station;
         settings_read(reader, member, &schema_initial, &start->state);
     }
+}
+
+// ---------------------------------------------------------------- several starts
+
+/// Studies whose points have one start each.
+static void check_starts(case_reader *reader, const plan_parts *parts, const setting *given) {
+    if (parts->map.group == &schema_basin)
+        problem_at_key(reader->problems, given->place, "has no meaning with basin, whose points are starts");
+    if (parts->sweep.keys.group == &schema_sweep && strcmp(settings_word(&parts->sweep.keys, "start"), "carry") == 0)
+        problem_at_key(reader->problems, given->place,
+                       "stands beside start: carry, expected one of the two: carried points have one start each");
+}
+
+static void read_ranges(case_reader *reader, const file_node *where, const machine_parts *machine, study_plan *result) {
+    char shown[SHOWN_SIZE];
+    size_t count = 0;
+    if (where->kind != NODE_MAPPING || !where->first) {
+        problem_at(reader->problems, where, "is %s, expected names of stations with ranges: {%s: {x: [-1, 1]}}",
+                   where->kind == NODE_MAPPING ? "empty" : node_shown(where, shown),
+                   machine->stations.count > 0 ? machine->stations.names[0] : "disc");
+        return;
+    }
+    result->ranges = arena_take(reader->arena, (where->count + 1) * sizeof *result->ranges);
+    reader->no_memory = reader->no_memory || !result->ranges;
+    for (const file_node *member = where->first; result->ranges && member; member = member->next) {
+        const size_t station = find_station(reader, member, machine);
+        if (station == machine->stations.count) continue;
+        plan_range *range = &result->ranges[result->range_count++];
+        range->station = station;
+        settings_read_ranges(reader, member, &schema_initial, &range->low, &range->high);
+        count += range->low.count;
+    }
+    if (count > WHIRL_MAX_RANGES)
+        problem_at(reader->problems, where, "has %zu ranges, expected at most %d", count, WHIRL_MAX_RANGES);
+}
+
+static void read_starts(case_reader *reader, const machine_parts *machine, plan_parts *parts, study_plan *result) {
+    const setting *given = settings_find(&parts->study, "starts");
+    read_part(reader, &parts->study, "starts", &schema_starts, &parts->starts);
+    if (!given) return;
+    check_starts(reader, parts, given);
+    const setting *within = settings_find(&parts->starts, "within");
+    if (within) read_ranges(reader, within->place, machine, result);
 }
 
 // ---------------------------------------------------------------- analyses and method
@@ -416,6 +465,7 @@ void plan_read_parts(case_reader *reader, const file_node *where, const machine_
     if (initial) read_initial(reader, initial->place, machine, result);
     read_kind(reader, parts);
     read_branch(reader, parts);
+    read_starts(reader, machine, parts, result);
     read_part(reader, &parts->study, "integrate", &schema_integrate, &parts->integrate);
     read_part(reader, &parts->study, "keep", &schema_keep, &parts->keep);
     read_analyses(reader, parts);

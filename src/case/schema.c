@@ -59,6 +59,9 @@ static const whirl_key study_keys[] = {
      "synchronous response about where the machine rests, likewise: see unbalance", ""},
     {"initial", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
      "names of stations with the state they start from; zero where absent", ""},
+    {"starts", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
+     "several starts of every point of a response, sweep or map, to see which motions exist side by side: see starts",
+     ""},
     {"integrate", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "", "how and how long: see integrate", ""},
     {"keep", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "", "how much of waveforms and spectra: see keep", ""},
     {"analyze", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
@@ -127,6 +130,17 @@ static const whirl_key detail_keys[] = {
     {"at", "", "", WHIRL_KEY_NUMBER, true, "", WHIRL_ANY, NULL, "a list of values of the swept parameter", ""},
 };
 
+static const whirl_key starts_keys[] = {
+    {"count", "", "1", WHIRL_KEY_WHOLE, true, "", WHIRL_FROM_TO(2, WHIRL_MAX_STARTS), NULL,
+     "starts of every point; the first is the initial state itself, the others fill the ranges evenly, by the sequence "
+     "of "
+     "Halton: the same at every point",
+     ""},
+    {"within", "", "", WHIRL_KEY_CHOICE, true, "", WHIRL_ANY, "",
+     "names of stations with ranges of the coordinates of initial, such as x: [-1, 1]; what is not named is as there",
+     ""},
+};
+
 // Parts whose keys are members of the structs that they fill.
 typedef const whirl_member *(*table)(void);
 static const table of_batch[] = {whirl_batch_members, NULL};
@@ -156,6 +170,7 @@ const whirl_group schema_branch =
     GROUP("branch", "branches of periodic orbits and equilibria along one parameter", branch_keys, of_options);
 const whirl_group schema_curves = GROUP("curves", "curves of special points over two parameters", curves_keys, NULL);
 const whirl_group schema_initial = PART("initial", "the state that a station starts from", of_probe);
+const whirl_group schema_starts = GROUP("starts", "several starts of every point", starts_keys, NULL);
 const whirl_group schema_integrate = PART("integrate", "how the motion is integrated, and how long", of_options);
 const whirl_group schema_keep = PART("keep", "how much of waveforms and spectra is kept", of_options);
 const whirl_group schema_detail = GROUP("detail", "values that are computed at length", detail_keys, of_options);
@@ -168,9 +183,9 @@ const char *schema_scaled_unit(const whirl_key *key) {
 
 const whirl_group *const *whirl_case_groups(void) {
     static const whirl_group *const groups[] = {
-        &schema_case,    &schema_rotor,     &schema_study, &schema_response,  &schema_sweep,  &schema_map,
-        &schema_basin,   &schema_axis,      &schema_modes, &schema_unbalance, &schema_branch, &schema_curves,
-        &schema_initial, &schema_integrate, &schema_keep,  &schema_detail,    NULL,
+        &schema_case,    &schema_rotor,  &schema_study,     &schema_response,  &schema_sweep,  &schema_map,
+        &schema_basin,   &schema_axis,   &schema_modes,     &schema_unbalance, &schema_branch, &schema_curves,
+        &schema_initial, &schema_starts, &schema_integrate, &schema_keep,      &schema_detail, NULL,
     };
     return groups;
 }

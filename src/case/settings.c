@@ -228,6 +228,42 @@ void settings_read(case_reader *reader, const file_node *where, const whirl_grou
     }
 }
 
+static void add_range(case_reader *reader, const file_node *where, const whirl_key *key, setting_list *low,
+                      setting_list *high) {
+    char shown[SHOWN_SIZE];
+    if (where->kind == NODE_LIST && where->count == 2) {
+        add_setting(reader, where->first, key, low);
+        add_setting(reader, where->first->next, key, high);
+    } else {
+        problem_at(reader->problems, where, "is %s, expected the two ends of a range: [-1, 1]",
+                   node_shown(where, shown));
+    }
+}
+
+void settings_read_ranges(case_reader *reader, const file_node *where, const whirl_group *group, setting_list *low,
+                          setting_list *high) {
+    char shown[SHOWN_SIZE];
+    const char *names[SETTINGS_MAX];
+    const size_t most = key_names(group, names) + 1;
+    *low = *high = (setting_list){.name = group->name, .group = group, .place = where};
+    low->items = arena_take(reader->arena, 2 * most * sizeof *low->items);
+    if (!low->items) {
+        reader->no_memory = true;
+        return;
+    }
+    high->items = low->items + most;
+    if (where->kind != NODE_MAPPING)
+        problem_at(reader->problems, where, "is %s, expected ranges of coordinates: {x: [-1, 1]}",
+                   node_shown(where, shown));
+    for (const file_node *member = where->kind == NODE_MAPPING ? where->first : NULL; member; member = member->next) {
+        const whirl_key *key = whirl_group_key(group, member->key);
+        if (!key)
+            report_unknown(reader, member, group);
+        else if (!settings_find(low, key->name))
+            add_range(reader, member, key, low, high);
+    }
+}
+
 // ---------------------------------------------------------------- use
 
 const setting *settings_find(const setting_list *settings, const char *key) {

@@ -30,6 +30,11 @@ typedef struct setting_list {
 /// missing and wrong keys. Numbers whose unit is "" and parts of the file are left to the caller: only `place` is set.
 void settings_read(case_reader *reader, const file_node *where, const whirl_group *group, setting_list *result);
 
+/// Reads a mapping whose every value is a list of two numbers: the lower ends and the upper ends, in lists with the
+/// same keys.
+void settings_read_ranges(case_reader *reader, const file_node *where, const whirl_group *group, setting_list *low,
+                          setting_list *high);
+
 /// Whether a key that is absent stands there misspelt, which has been said.
 bool settings_misspelt(const setting_list *settings, const char *key);
 

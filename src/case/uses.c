@@ -48,6 +48,8 @@ void whirl_case_uses(const whirl_case *object, whirl_case_use_fn see, void *cont
     for (size_t i = 0; i < machine->stations.count; i++) see_list(&w, &machine->stations.items[i]);
     for (size_t i = 0; i < machine->element_count; i++) see_list(&w, &machine->elements[i]);
     for (size_t i = 0; i < plan->start_count; i++) see_list(&w, &plan->starts[i].state);
+    for (size_t i = 0; i < plan->range_count; i++) see_list(&w, &plan->ranges[i].low);
+    for (size_t i = 0; i < plan->range_count; i++) see_list(&w, &plan->ranges[i].high);
 }
 
 /// Whether an expression depends on a parameter, itself or by others that it names.

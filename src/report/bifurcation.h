@@ -9,6 +9,8 @@
 #include "figures.h"
 #include "regimes.h"
 
+enum { MOST_KINDS = (int)CLASS_COUNT > (int)ATTRACTOR_COLOURS ? (int)CLASS_COUNT : (int)ATTRACTOR_COLOURS };
+
 /// What is drawn of a station, and what the panels share.
 typedef struct bifurcation {
     const whirl_result *result;
@@ -17,7 +19,9 @@ typedef struct bifurcation {
     size_t station;
     const char *data; ///< file of the section
     span parameter, x, y, exponent, radius;
-    bool rub, confidence, present[CLASS_COUNT], both;
+    bool rub, confidence, both;
+    bool present[MOST_KINDS]; ///< kinds of points
+    size_t attractors; ///< that have a strip or a colour; 0 where every place has one start, and kinds are regimes
     const shown_units *units;
     double length, value; ///< what displacements and values of the parameter are multiplied by to be shown
     double share;         ///< largest share of the time in contact, with a margin
@@ -25,6 +29,12 @@ typedef struct bifurcation {
     double clearance;     ///< of the bearing, 0 where there is none or it changes
     bool ratios;          ///< the points have equal ratios: the axis is logarithmic
 } bifurcation;
+
+/// Kinds of points: classes of regimes, or attractors where several starts lead to them.
+size_t bifurcation_kinds(const bifurcation *of);
+size_t bifurcation_kind(const bifurcation *of, size_t point);
+const char *bifurcation_kind_colour(const bifurcation *of, size_t kind);
+void bifurcation_kind_name(const bifurcation *of, size_t kind, char text[WHIRL_NAME_SIZE]);
 
 /// Fills in ranges and flags from result, table, machine, station, units, length and value.
 void bifurcation_survey(bifurcation *of);

@@ -54,17 +54,18 @@ whirl_status bifurcation_write_section(const drawing *to, const bifurcation *of,
     dot *dots = malloc((rows + 1) * sizeof *dots);
     fprintf(file.stream, "# parameter (SI)  x  y (lengths in %.10g m); dots that coincide in print stand once\n",
             of->result->length_scale);
-    for (int kind = 0; kind < CLASS_COUNT && dots; kind++) {
+    for (size_t kind = 0; kind < bifurcation_kinds(of) && dots; kind++) {
+        char kind_name[WHIRL_NAME_SIZE];
         if (!of->present[kind]) continue;
+        bifurcation_kind_name(of, kind, kind_name);
         for (int branch = 1; branch >= (of->both ? -1 : 1); branch -= 2) {
-            fprintf(file.stream, "\n\n# %s%s\n", regime_class_name((regime_class)kind),
+            fprintf(file.stream, "\n\n# %s%s\n", kind_name,
                     of->both ? branch > 0 ? ", from the first value on" : ", from the last value on" : "");
             fprintf(file.stream, "nan nan nan\n"); // keeps the count of the blocks where a block is empty
             for (size_t i = 0; i < of->table->count; i++) {
                 if (!whirl_table_done(of->table, i)) continue;
-                const whirl_verdict verdict = whirl_table_verdict(of->table, i);
                 const int side = of->table->branch[i] < 0 ? -1 : 1;
-                if ((int)regime_class_of(&verdict) == kind && side == branch) write_dots(file.stream, of, i, dots);
+                if (bifurcation_kind(of, i) == kind && side == branch) write_dots(file.stream, of, i, dots);
             }
         }
     }
@@ -85,7 +86,11 @@ static void write_sweep_line(FILE *data, const bifurcation *of, size_t point) {
         fprintf(data, " %.7g", own * max_radius(of->table, point, s));
     double low, high;
     bifurcation_edges(of, point, &low, &high);
-    fprintf(data, " %.10g %.10g\n", low, high);
+    fprintf(data, " %.10g %.10g", low, high);
+    if (of->table->attractors)
+        fprintf(data, " %zu %.6g %.3g", of->table->attractors[point].number, 100.0 * of->table->attractors[point].share,
+                100.0 * of->table->attractors[point].error);
+    fputc('\n', data);
 }
 
 whirl_status bifurcation_write_sweep(const drawing *to, const bifurcation *of) {
@@ -98,21 +103,24 @@ whirl_status bifurcation_write_sweep(const drawing *to, const bifurcation *of) {
     for (size_t s = 0; s < of->result->station_count; s++)
         fprintf(file.stream, "  largest radius of station %zu (%.10g m)", s + 1, of->result->length_scale);
     fputs("  half-way to the points beside it (SI), below and above", file.stream);
+    if (of->table->attractors) fputs("  attractor  share of the starts (%)  its error", file.stream);
     fprintf(file.stream, "\n# classes:");
     for (int kind = 0; kind < CLASS_COUNT; kind++)
         fprintf(file.stream, " %d %s;", kind, regime_class_name((regime_class)kind));
     fputc('\n', file.stream);
     for (int branch = 1; branch >= (of->both ? -1 : 1); branch -= 2) {
         bool any = false;
-        size_t before = 0;
+        size_t before = 0, last = 0;
         for (size_t i = 0; i < of->table->count; i++) {
             if ((of->table->branch[i] < 0 ? -1 : 1) != branch) continue;
             if (!whirl_table_done(of->table, i)) continue;
             const size_t slot = whirl_table_slot(of->table, i);
-            if (any && slot != before + 1) fputc('\n', file.stream);
+            if (any && (slot != before + 1 || of->table->branch[i] != of->table->branch[last]))
+                fputc('\n', file.stream);
             write_sweep_line(file.stream, of, i);
             any = true;
             before = slot;
+            last = i;
         }
         fputs("\n\n", file.stream);
     }

@@ -34,19 +34,28 @@ void bifurcation_write_rub_bands(FILE *script, const bifurcation *of) {
     }
 }
 
+/// Where the strip of an interval lies in its panel: one above the other for both branches, and for attractors.
+static void strip_limits(const bifurcation *of, const regime_interval *interval, double *bottom, double *top) {
+    const double count = of->attractors > 0 ? (double)of->attractors : of->both ? 2.0 : 1.0;
+    const bool lower = of->both && interval->branch < 0;
+    const double place = of->attractors > 0 ? (double)((interval->branch - 1) % ATTRACTOR_COLOURS) : lower ? 1.0 : 0.0;
+    *top = 1.0 - place / count;
+    *bottom = *top - (of->attractors > 1 ? 0.85 : 1.0) / count;
+}
+
 /// The regime of every point as a strip, the branch from the first value on above that from the last.
 static void write_regime_panel(FILE *script, const bifurcation *of) {
     const size_t most = of->table->count;
     regime_interval *intervals = malloc((most + 1) * sizeof *intervals);
     const size_t count = intervals ? regime_intervals(of->table, of->result->contact_count, intervals, most) : 0;
     for (size_t i = 0; i < count; i++) {
-        double low, high;
+        double low, high, bottom, top;
         band_limits(of, intervals[i].first, intervals[i].last, &low, &high);
-        const double bottom = of->both && intervals[i].branch >= 0 ? 0.5 : 0.0;
+        strip_limits(of, &intervals[i], &bottom, &top);
         fprintf(script,
                 "set object %zu rectangle from %.8g, graph %.3f to %.8g, graph %.3f front fillcolor rgb '%s' "
                 "fillstyle solid noborder\n",
-                1000 + i, low, bottom, high, bottom + (of->both ? 0.5 : 1.0), regime_class_colour(intervals[i].kind));
+                1000 + i, low, bottom, high, top, regime_class_colour(intervals[i].kind));
     }
     if (of->both)
         fprintf(script,
@@ -82,10 +91,24 @@ static void write_confidence_panel(FILE *script, const bifurcation *of) {
     fputs("\nunset y2tics\nset ytics nomirror font small_font\n", script);
 }
 
+static bool has_class(const bifurcation *of, regime_class wanted) {
+    for (size_t i = 0; i < of->table->count; i++) {
+        const whirl_verdict verdict = whirl_table_verdict(of->table, i);
+        if (regime_class_of(&verdict) == wanted) return true;
+    }
+    return false;
+}
+
+static int count_classes(const bifurcation *of) {
+    int count = 0;
+    for (int kind = 0; kind < CLASS_COUNT; kind++) count += has_class(of, (regime_class)kind);
+    return count;
+}
+
 static int key_entries(const bifurcation *of) {
     int count = of->rub + (of->both ? 2 : 0);
-    for (int kind = 0; kind < CLASS_COUNT; kind++) count += of->present[kind];
-    return count;
+    for (size_t kind = 0; kind < bifurcation_kinds(of); kind++) count += of->present[kind];
+    return count + (of->attractors > 0 ? count_classes(of) : 0);
 }
 
 static int key_columns(const bifurcation *of) {
@@ -103,9 +126,16 @@ static void write_key(FILE *script, const bifurcation *of) {
         "font small_font\n",
         key_rows(of), of->both ? "-4" : "-2");
     fputs("plot ", script);
-    for (int kind = 0; kind < CLASS_COUNT; kind++)
+    for (size_t kind = 0; kind < bifurcation_kinds(of); kind++) {
+        char name[WHIRL_NAME_SIZE];
+        bifurcation_kind_name(of, kind, name);
         if (of->present[kind])
             fprintf(script, "keyentry with points pointtype 7 pointsize 0.4 linecolor rgb '%s' title '%s', \\\n  ",
+                    bifurcation_kind_colour(of, kind), name);
+    }
+    for (int kind = 0; kind < CLASS_COUNT; kind++)
+        if (of->attractors > 0 && has_class(of, (regime_class)kind))
+            fprintf(script, "keyentry with boxes fillstyle solid 1 noborder linecolor rgb '%s' title '%s', \\\n  ",
                     regime_class_colour((regime_class)kind), regime_class_name((regime_class)kind));
     if (of->rub)
         fputs("keyentry with boxes fillstyle solid 1 noborder linecolor rgb '#EBCFAE' title 'rub', \\\n  ", script);
@@ -128,9 +158,9 @@ static void write_axis_label(FILE *script, const char *expression) {
 }
 
 /// Regimes that have few dots, or dots in doubt, which shall be seen.
-static bool has_large_dots(int kind) {
-    return kind == CLASS_UNDETERMINED || kind == CLASS_P1 || kind == CLASS_P2 || kind == CLASS_P4 ||
-           kind == CLASS_OTHER_PERIOD;
+static bool has_large_dots(const bifurcation *of, size_t kind) {
+    return of->attractors > 0 || kind == CLASS_UNDETERMINED || kind == CLASS_P1 || kind == CLASS_P2 ||
+           kind == CLASS_P4 || kind == CLASS_OTHER_PERIOD;
 }
 
 /// The dots of coordinate `column` of the section.
@@ -144,7 +174,7 @@ static void write_section_panel(FILE *script, const bifurcation *of, char coordi
     else
         fputs("unset key\nplot ", script);
     int index = 0;
-    for (int kind = 0; kind < CLASS_COUNT; kind++) {
+    for (size_t kind = 0; kind < bifurcation_kinds(of); kind++) {
         if (!of->present[kind]) continue;
         for (int branch = 1; branch >= (of->both ? -1 : 1); branch -= 2)
             fprintf(script,
@@ -152,10 +182,10 @@ static void write_section_panel(FILE *script, const bifurcation *of, char coordi
                     "linecolor rgb '%s' "
                     "notitle",
                     index ? ", \\\n  " : "", of->data, index, column, branch > 0 ? 7 : 2,
-                    branch < 0             ? "2.5*dot_size"
-                    : has_large_dots(kind) ? "2*dot_size"
-                                           : "dot_size",
-                    regime_class_colour((regime_class)kind)),
+                    branch < 0                 ? "2.5*dot_size"
+                    : has_large_dots(of, kind) ? "2*dot_size"
+                                               : "dot_size",
+                    bifurcation_kind_colour(of, kind)),
                 index++;
     }
     fputc('\n', script);
@@ -236,6 +266,19 @@ static void write_rub_panel(FILE *script, const bifurcation *of) {
     write_line_panel(script, of, 6, "100", "with lines linestyle 1");
 }
 
+/// The share of the starts that lead to each attractor, with its standard error.
+static void write_share_panel(FILE *script, const bifurcation *of) {
+    const size_t column = 9 + of->result->station_count;
+    write_axis_label(script, "\"share of\\nstarts (%)\"");
+    write_range(script, (span){-4.0, 104.0}, 5);
+    fprintf(script,
+            "plot 'sweep.dat' using (value*$1):($%zu-$%zu):(0):(2*$%zu):(attractor_colour($%zu)) with vectors nohead "
+            "linewidth 0.5 linecolor rgb variable notitle, \\\n"
+            "  'sweep.dat' using (value*$1):%zu:(attractor_colour($%zu)) with points pointtype 7 pointsize 3*dot_size "
+            "linecolor rgb variable notitle\n",
+            column + 1, column + 2, column + 2, column, column + 1, column);
+}
+
 typedef void (*panel_writer)(FILE *script, const bifurcation *of);
 
 static void write_x_panel(FILE *script, const bifurcation *of) {
@@ -254,7 +297,12 @@ void bifurcation_write_panels(FILE *script, const bifurcation *of) {
     } all[] = {
         {write_x_panel, 3.0, true},
         {write_y_panel, 3.0, true},
-        {write_regime_panel, of->both ? 0.44 : 0.3, true},
+        {write_regime_panel,
+         of->attractors > 1 ? 0.2 * (double)of->attractors
+         : of->both         ? 0.44
+                            : 0.3,
+         true},
+        {write_share_panel, 1.1, of->attractors > 0},
         {write_confidence_panel, 0.62, of->confidence},
         {write_exponent_panel, 1.9, true},
         {write_radius_panel, 1.3, true},

@@ -73,9 +73,26 @@ static double value_beside(const bifurcation *of, size_t i, int side) {
     return of->ratios ? at * pow(there / at, 1.0 / apart) : at + (there - at) / apart;
 }
 
+/// The value at a place of the study; NaN where there is none.
+static double place_value(const whirl_table *all, size_t place) {
+    if (!all->slots && place < whirl_table_places(all)) return all->values[place];
+    for (size_t i = 0; all->slots && i < all->count; i++)
+        if (whirl_table_place(all, i) == place) return all->values[i];
+    return NAN;
+}
+
+/// The same of an attractor that is not there further on: the study has points beside it all the same.
+static double value_of_study(const bifurcation *of, size_t i, int side) {
+    const whirl_table *const table = of->table;
+    if (!table->source || (side < 0 && table->slots[i] == 0)) return NAN;
+    return place_value(table->source, side < 0 ? table->slots[i] - 1 : table->slots[i] + 1);
+}
+
 void bifurcation_edges(const bifurcation *of, size_t i, double *low, double *high) {
     const double at = of->table->values[i];
     double before = value_beside(of, i, -1), after = value_beside(of, i, 1);
+    if (isnan(before)) before = value_of_study(of, i, -1);
+    if (isnan(after)) after = value_of_study(of, i, 1);
     if (isnan(before)) before = isnan(after) ? at - 1.0 : mirrored(of, at, after);
     if (isnan(after)) after = mirrored(of, at, before);
     *low = fmin(middle(of, at, before), middle(of, at, after));
@@ -94,14 +111,43 @@ static machine_walls lasting_walls(const bifurcation *of) {
     return walls;
 }
 
+size_t bifurcation_kinds(const bifurcation *of) {
+    return of->attractors > 0 ? of->attractors : CLASS_COUNT;
+}
+
+size_t bifurcation_kind(const bifurcation *of, size_t point) {
+    if (of->attractors > 0) return (of->table->attractors[point].number - 1) % ATTRACTOR_COLOURS;
+    const whirl_verdict verdict = whirl_table_verdict(of->table, point);
+    return (size_t)regime_class_of(&verdict);
+}
+
+const char *bifurcation_kind_colour(const bifurcation *of, size_t kind) {
+    return of->attractors > 0 ? attractor_colour(kind + 1) : regime_class_colour((regime_class)kind);
+}
+
+void bifurcation_kind_name(const bifurcation *of, size_t kind, char text[WHIRL_NAME_SIZE]) {
+    if (of->attractors == 0)
+        snprintf(text, WHIRL_NAME_SIZE, "%s", regime_class_name((regime_class)kind));
+    else
+        snprintf(text, WHIRL_NAME_SIZE, "attractor %zu", kind + 1);
+}
+
+/// Attractors with colours of their own.
+static size_t count_attractors(const whirl_table *table) {
+    size_t most = 0;
+    for (size_t i = 0; table->attractors && i < table->count; i++)
+        if (table->attractors[i].number > most) most = table->attractors[i].number;
+    return most < ATTRACTOR_COLOURS ? most : ATTRACTOR_COLOURS;
+}
+
 void bifurcation_survey(bifurcation *of) {
     const whirl_table *table = of->table;
+    of->attractors = count_attractors(table);
     span parameter = span_empty(), x = span_empty(), y = span_empty(), radius = span_empty();
     for (size_t i = 0; i < table->count; i++) {
         if (!whirl_table_done(table, i)) continue;
         const numbers section = point_section(table, i, of->station);
-        const whirl_verdict verdict = whirl_table_verdict(table, i);
-        of->present[regime_class_of(&verdict)] = true;
+        of->present[bifurcation_kind(of, i)] = true;
         of->both |= table->branch[i] < 0;
         span_widen(&parameter, of->value * table->values[i]);
         const double length = units_length(of->units, table, i);
@@ -132,5 +178,5 @@ void bifurcation_survey(bifurcation *of) {
     of->radius = span_with_margin(radius, 0.08, 1e-6 * of->length);
     of->exponent = exponent_span(table);
     of->rub = has_rub(table, of->result->contact_count);
-    of->confidence = whirl_layout_field(&table->layout, "regime/confidence") != NULL;
+    of->confidence = of->attractors == 0 && whirl_layout_field(&table->layout, "regime/confidence") != NULL;
 }

@@ -24,7 +24,12 @@ static void write_colour_function(FILE *script) {
     fputs("colours = '", script);
     for (int kind = 0; kind < CLASS_COUNT; kind++)
         fprintf(script, "%s0x%s", kind ? " " : "", regime_class_colour((regime_class)kind) + 1);
-    fputs("'\ncolour(class) = int(word(colours, int(class) + 1))\n"
+    fputs("'\nattractor_colours = '", script);
+    for (size_t k = 1; k <= ATTRACTOR_COLOURS; k++)
+        fprintf(script, "%s0x%s", k > 1 ? " " : "", attractor_colour(k) + 1);
+    fprintf(script, "'\nattractor_colour(number) = int(word(attractor_colours, int(number - 1) %% %d + 1))\n",
+            ATTRACTOR_COLOURS);
+    fputs("colour(class) = int(word(colours, int(class) + 1))\n"
           "trust_colour(level) = int(word('0xD55E00 0xA8A8A8 0xDCDCDC', int(level) + 1))\n",
           script);
 }
@@ -74,18 +79,20 @@ static whirl_status draw_station(const drawing *to, bifurcation *of) {
     snprintf(what->data[0], sizeof what->data[0], "%.190s.dat", what->stem);
     snprintf(what->data[1], sizeof what->data[1], "sweep.dat");
     snprintf(what->title, sizeof what->title, "Bifurcation diagram of %s over %s", station, of->table->parameter);
-    snprintf(
-        what->caption, sizeof what->caption,
-        "Poincar\u00e9 section of %s (one dot a revolution) over %s, coloured by regime.%s Below: the regime%s%s, the "
-        "largest Lyapunov exponent with its standard error, %s%s%s%s.",
-        station, of->table->parameter, of->rub ? " Shaded: the rotor rubs." : "",
-        of->both ? " (upper strip: followed from the first value on; lower strip: from the last)" : "",
-        !of->confidence ? ""
-        : of->both      ? ", how far it can be trusted (bars: from the first value on; lines: from the last)"
-                        : ", how far it can be trusted",
-        of->clearance > 0.0 ? "largest eccentricity ratio" : "largest radius",
-        of->gap > 0.0 ? " (dashed: the gap to the stator)" : "", of->rub ? ", share of the time in contact" : "",
-        of->both ? " (blue: from the first value on; orange: from the last)" : "");
+    snprintf(what->caption, sizeof what->caption,
+             "Poincar\u00e9 section of %s (one dot a revolution) over %s, coloured by %s.%s Below: the regime%s%s, the "
+             "largest Lyapunov exponent with its standard error, %s%s%s%s.",
+             station, of->table->parameter, of->attractors > 0 ? "the attractor that starts lead to" : "regime",
+             of->rub ? " Shaded: the rotor rubs." : "",
+             of->attractors > 0 ? " (a strip an attractor, the first at the top) and the share of the starts"
+             : of->both         ? " (upper strip: followed from the first value on; lower strip: from the last)"
+                                : "",
+             !of->confidence ? ""
+             : of->both      ? ", how far it can be trusted (bars: from the first value on; lines: from the last)"
+                             : ", how far it can be trusted",
+             of->clearance > 0.0 ? "largest eccentricity ratio" : "largest radius",
+             of->gap > 0.0 ? " (dashed: the gap to the stator)" : "", of->rub ? ", share of the time in contact" : "",
+             of->both ? " (blue: from the first value on; orange: from the last)" : "");
     of->data = what->data[0];
     const whirl_status status = bifurcation_write_section(to, of, what->data[0]);
     return status.code == WHIRL_OK ? write_script(to, of, what) : status;

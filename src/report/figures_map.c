@@ -10,10 +10,7 @@
 #include "regimes.h"
 #include "typeset.h"
 
-// Okabe and Ito's colours, in an order in which neighbours differ in lightness, too.
-static const char *const attractor_colours[] = {"#0072B2", "#E69F00", "#56B4E9", "#009E73",
-                                                "#CC79A7", "#D55E00", "#F0E442", "#000000"};
-enum { COLOURS = sizeof attractor_colours / sizeof *attractor_colours };
+enum { COLOURS = ATTRACTOR_COLOURS };
 
 /// A map that is drawn.
 typedef struct map_drawing {
@@ -77,7 +74,21 @@ static double radius_of(const map_drawing *map, size_t point, size_t station) {
 
 static const map_quantity regimes = {"map-regime", "Regimes", "", "", "", regime_of, false};
 
+static double beside_of(const map_drawing *map, size_t point, size_t station) {
+    (void)station;
+    return map->table->attractors ? (double)map->table->attractors[point].beside : (double)NAN;
+}
+
+static double share_of(const map_drawing *map, size_t point, size_t station) {
+    (void)station;
+    return map->table->attractors ? 100.0 * map->table->attractors[point].share : (double)NAN;
+}
+
 static const map_quantity quantities[] = {
+    {"map-attractors", "Attractors side by side", "attractors that the starts lead to", RISING,
+     "set cbrange [1:(most > 2 ? most : 2)]\nset cbtics 1\n", beside_of, false},
+    {"map-share", "Share of the starts that lead to the attractor shown", "share of the starts (%)", RISING,
+     "set cbrange [0:100]\n", share_of, false},
     {"map-period", "Period of periodic motions", "{/:Italic k} of P-{/:Italic k}", RISING,
      "set logscale cb 2\nset cbrange [1:(most > 2 ? most : 2)]\n", period_of, false},
     {"map-exponent", "Largest Lyapunov exponent", "largest exponent per revolution", AROUND_ZERO,
@@ -95,7 +106,7 @@ static double attractor_of(const map_drawing *map, size_t point, size_t station)
     (void)station;
     const size_t label = map->labels[point];
     if (label == 0) return NAN;
-    return (double)strtoul(attractor_colours[(label - 1) % COLOURS] + 1, NULL, 16);
+    return (double)strtoul(attractor_colour(label) + 1, NULL, 16);
 }
 
 static const map_quantity attractors = {"basins", "Basins of attraction", "", "", "", attractor_of, false};
@@ -221,7 +232,7 @@ static whirl_status draw_basins(const map_drawing *map) {
     FILE *script = file.stream;
     write_plane(script, map, what);
     for (size_t k = 0; k < count && k < COLOURS; k++) {
-        fprintf(script, ", \\\n  NaN with boxes linecolor rgb '%s' ", attractor_colours[k]);
+        fprintf(script, ", \\\n  NaN with boxes linecolor rgb '%s' ", attractor_colour(k + 1));
         put_attractor_title(script, map->table, &map->attractors[k]);
     }
     fputc('\n', script);

@@ -381,19 +381,45 @@ static bool dump_member(const char *before, const char *key, json_t *value, FILE
     return document_write(true, value, stream) && named;
 }
 
-static bool dump_points(const char *key, const whirl_result *result, const whirl_table *table, FILE *stream) {
+// Where every point has several starts: which one this is, where it lies, and what it came to rest on, null where that
+// is not told.
+static void put_start(bool *well, json_t *object, const whirl_result *result, const whirl_table *table, size_t point,
+                      const whirl_coexistence *found) {
+    json_t *start = json_object();
+    const double number = whirl_table_number(table, point, "starts/number", 0);
+    document_put(well, start, "number", json_integer(isfinite(number) ? (json_int_t)number : 0));
+    for (size_t s = 0; s < result->station_count; ++s) {
+        const double *state = whirl_table_field(table, point, "starts/state", s);
+        if (state) document_put(well, start, result->stations[s].name, numbers_array(well, state, 4));
+    }
+    document_put(well, object, "start", start);
+    const size_t label = found->labels[point];
+    document_put(well, object, "attractor", label > 0 ? json_integer((json_int_t)label) : json_null());
+}
+
+static bool dump_table(const char *key, const whirl_result *result, const whirl_table *table,
+                       const whirl_coexistence *found, FILE *stream) {
     fprintf(stream, ",\n\"%s\": [", key);
     bool first = true;
     for (size_t point = 0; point < table->count; ++point) {
         bool well = true;
         if (!whirl_table_done(table, point)) continue;
         json_t *object = point_object(&well, result, table, point);
+        if (found->labels) put_start(&well, object, result, table, point, found);
         fputs(first ? "\n" : ",\n", stream);
         if (!document_write(well, object, stream)) return false;
         first = false;
     }
     fputs("\n]", stream);
     return true;
+}
+
+static bool dump_points(const char *key, const whirl_result *result, const whirl_table *table, FILE *stream) {
+    whirl_coexistence found = {.labels = NULL};
+    if (table->starts > 1 && whirl_table_coexistence(table, &found).code != WHIRL_OK) return false;
+    const bool well = dump_table(key, result, table, &found, stream);
+    whirl_coexistence_free(&found);
+    return well;
 }
 
 enum { MOST_JUMPS = 1000 };
@@ -422,7 +448,8 @@ static bool dump_jumps(const whirl_result *result, FILE *stream) {
     json_t *object = json_object();
     for (size_t t = 0; t < result->table_count; ++t) {
         const whirl_table *table = &result->tables[t];
-        if (strcmp(table->name, "sweep") == 0) document_put(&well, object, table->name, jumps_of(&well, result, table));
+        if (strcmp(table->name, "sweep") == 0 && table->starts <= 1)
+            document_put(&well, object, table->name, jumps_of(&well, result, table));
     }
     return dump_member(",\n", "jumps", object, stream) && well;
 }
@@ -449,10 +476,38 @@ static json_t *attractors_of(bool *well, const whirl_table *table) {
     return array;
 }
 
+// Attractors of all places of a table with several starts, place by place.
+static json_t *coexisting_of(bool *well, const whirl_result *result, const whirl_table *table) {
+    json_t *array = json_array();
+    whirl_coexistence found;
+    if (whirl_table_coexistence(table, &found).code != WHIRL_OK) *well = false;
+    for (size_t k = 0; *well && k < found.count; ++k) {
+        const whirl_coexisting *at = &found.items[k];
+        const whirl_verdict verdict = whirl_table_verdict(table, at->first);
+        json_t *one = json_object();
+        document_put(well, one, "parameters", point_parameters(well, result, table, at->first));
+        document_put(well, one, "attractor", json_integer((json_int_t)at->number));
+        document_put(well, one, "first", json_integer((json_int_t)whirl_table_slot(table, at->first) + 1));
+        document_put(well, one, "regime", document_text(whirl_regime_name(verdict.regime)));
+        document_put(well, one, "period", json_integer(verdict.period));
+        document_put(well, one, "starts", json_integer((json_int_t)at->starts));
+        document_put(well, one, "of", json_integer((json_int_t)at->of));
+        document_put(well, one, "share", document_number(at->share));
+        document_put(well, one, "error", document_number(at->error));
+        document_append(well, array, one);
+    }
+    whirl_coexistence_free(&found);
+    return array;
+}
+
 static bool dump_attractors(const whirl_result *result, FILE *stream) {
     bool well = true;
     const whirl_table *basin = whirl_result_table(result, "basin");
-    return !basin || (dump_member(",\n", "attractors", attractors_of(&well, basin), stream) && well);
+    if (basin) return dump_member(",\n", "attractors", attractors_of(&well, basin), stream) && well;
+    for (size_t t = 0; t < result->table_count; ++t)
+        if (result->tables[t].starts > 1)
+            return dump_member(",\n", "attractors", coexisting_of(&well, result, &result->tables[t]), stream) && well;
+    return true;
 }
 
 // The version that computed the result, where it says so.
@@ -503,7 +558,7 @@ static bool dump_head(const whirl_result *result, FILE *stream) {
 static whirl_status check_names(const whirl_result *result) {
     static const char *const taken[] = {"whirl",       "title",      "case",      "speed",          "length_scale",
                                         "force_scale", "partial",    "table",     "points",         "parameters",
-                                        "jumps",       "integrated", "keyphasor", "keyphasor_rate", ""};
+                                        "jumps",       "integrated", "keyphasor", "keyphasor_rate", "attractors"};
     for (size_t t = 0; t < result->table_count; ++t)
         for (size_t i = 0; i < sizeof taken / sizeof *taken; ++i)
             if (strcmp(result->tables[t].name, taken[i]) == 0 || strpbrk(result->tables[t].name, "\"\\\n"))

@@ -50,6 +50,13 @@ static bool has_figures(const page *to, size_t result, bool diagrams) {
     return found;
 }
 
+/// Whether places of the study have several starts.
+static bool has_starts(const whirl_result *result) {
+    for (size_t i = 0; i < result->table_count; i++)
+        if (result->tables[i].source && result->tables[i].count > 0) return true;
+    return false;
+}
+
 static void write_result_contents(const page *to, size_t r) {
     const whirl_result *result = to->results[r];
     const whirl_table *sweep = whirl_result_table(result, "sweep");
@@ -61,7 +68,8 @@ static void write_result_contents(const page *to, size_t r) {
     if (whirl_result_table(result, "branch"))
         write_entry(to->stream, "branches", r + 1, "Where and why motions change");
     if (whirl_result_table(result, "tori")) write_entry(to->stream, "tori", r + 1, "Quasi-periodic motions");
-    if (whirl_result_table(result, "basin")) write_entry(to->stream, "attractors", r + 1, "Attractors");
+    if (whirl_result_table(result, "basin") || has_starts(result))
+        write_entry(to->stream, "attractors", r + 1, "Attractors");
     if (detail_table(result) && detail_table(result)->count > 0)
         write_entry(to->stream, "points", r + 1, "Points in detail");
     if (has_figures(to, r, true)) write_entry(to->stream, "diagrams", r + 1, page_diagrams_title(result));
@@ -89,6 +97,7 @@ static void write_result(const page *to, size_t result) {
     page_branches(to, result);
     page_tori(to, result);
     page_attractors(to, result);
+    page_starts(to, result);
     page_critical(to, result);
     page_jumps(to, result);
     page_points(to, result);

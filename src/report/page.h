@@ -40,6 +40,7 @@ void page_tori(const page *to, size_t result);               ///< quasi-periodic
 void page_critical(const page *to, size_t result);           ///< critical speeds and thresholds of stability
 void page_jumps(const page *to, size_t result);              ///< where neighbours of one regime differ
 void page_attractors(const page *to, size_t result);         ///< of a basin
+void page_starts(const page *to, size_t result);             ///< attractors of places with several starts
 void page_points(const page *to, size_t result);             ///< the table of points
 const char *page_diagrams_title(const whirl_result *result); ///< what its diagrams over parameters are; static text
 void page_figures(const page *to, size_t result);

@@ -13,6 +13,7 @@ static void write_jump(const page *to, size_t index, const whirl_table *table, c
     regime_name(&verdict, name, sizeof name);
     fputs("<tr><th scope=\"row\">", to->stream);
     html_printf(to->stream, "%.5g to %.5g", table->values[jump->from] / unit, table->values[jump->to] / unit);
+    if (table->attractors) html_printf(to->stream, ", attractor %zu", table->attractors[jump->from].number);
     fputs(table->branch[jump->from] < 0 ? " <span class=\"soft\">(from the last value)</span></th><td>" : "</th><td>",
           to->stream);
     html_text(to->stream, name);

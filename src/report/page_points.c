@@ -33,6 +33,7 @@ static void write_range(FILE *stream, const shown_table *of, size_t first, size_
 static void write_interval(FILE *stream, const shown_table *of, const regime_interval *interval, bool branches) {
     fputs("<tr><td class=\"whole\">", stream);
     write_range(stream, of, interval->first, interval->last);
+    if (of->table->attractors) html_printf(stream, ", attractor %zu", of->table->attractors[interval->first].number);
     if (branches) fputs(interval->branch < 0 ? " <span class=\"soft\">(from the last value)</span>" : "", stream);
     fputs("</td><td class=\"whole\">", stream);
     write_swatch(stream, interval->kind);
@@ -146,6 +147,7 @@ static void write_value(const point_page *to, size_t point, size_t rows) {
         html_printf(to->stream, "%.6g", to->table->values[point] / to->unit);
     else
         html_text(to->stream, to->table->name);
+    if (to->table->attractors) html_printf(to->stream, ", attractor %zu", to->table->attractors[point].number);
     fputs("</th>", to->stream);
 }
 

@@ -31,7 +31,9 @@ static void describe_plane(const shown_units *units, const whirl_table *table, c
 static void describe_points(const shown_units *units, const whirl_table *table, char *text, size_t size) {
     char label[UNIT_LABEL_SIZE];
     char count[48];
-    if (whirl_table_planned(table) > table->count)
+    if (table->source)
+        snprintf(count, sizeof count, "%zu points, %zu starts each", whirl_table_places(table), table->source->starts);
+    else if (whirl_table_planned(table) > table->count)
         snprintf(count, sizeof count, "%zu of %zu points", table->count, whirl_table_planned(table));
     else
         snprintf(count, sizeof count, "%zu point%s", table->count, table->count == 1 ? "" : "s");
@@ -43,6 +45,12 @@ static void describe_points(const shown_units *units, const whirl_table *table, 
     const double unit = units_parameter(units, table->parameter).size;
     if (table->row > 0) {
         describe_plane(units, table, count, text, size);
+        return;
+    }
+    if (table->source) {
+        const whirl_table *all = table->source;
+        snprintf(text, size, "%s from %.6g to %.6g, %s", label, all->values[0] / unit,
+                 all->values[all->count - 1] / unit, count);
         return;
     }
     size_t forward = 0;
@@ -69,7 +77,7 @@ static void write_tables(FILE *stream, const whirl_result *result, const shown_u
     for (size_t t = 0; t < result->table_count; t++) {
         const whirl_table *table = &result->tables[t];
         char points[512];
-        if (table->count == 0) continue;
+        if (table->count == 0 && !table->source) continue;
         describe_points(units, table, points, sizeof points);
         fputs("<tr><th>", stream);
         html_text(stream, table->name);

@@ -44,6 +44,13 @@ const char *regime_class_colour(regime_class kind) {
     return classes[kind].colour;
 }
 
+const char *attractor_colour(size_t number) {
+    // Okabe and Ito's colours, in an order in which neighbours differ in lightness, too.
+    static const char *const colours[ATTRACTOR_COLOURS] = {"#0072B2", "#E69F00", "#56B4E9", "#009E73",
+                                                           "#CC79A7", "#D55E00", "#F0E442", "#000000"};
+    return colours[(number - 1) % ATTRACTOR_COLOURS];
+}
+
 void regime_name(const whirl_verdict *verdict, char *text, size_t size) {
     if (verdict->regime == WHIRL_PERIODIC)
         snprintf(text, size, "P-%d", verdict->period);

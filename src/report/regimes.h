@@ -28,6 +28,11 @@ const char *regime_class_name(regime_class kind);
 /// (explorer/tests/colours.test.mjs). Static text.
 const char *regime_class_colour(regime_class kind);
 
+enum { ATTRACTOR_COLOURS = 8 };
+
+/// The colour of an attractor by its number, from 1; those beyond ATTRACTOR_COLOURS begin anew. Static text.
+const char *attractor_colour(size_t number);
+
 /// "P-1", "P-8", "quasi-periodic", "chaotic", ...: what neighbouring points must share to make an interval.
 void regime_name(const whirl_verdict *verdict, char *text, size_t size);
 

@@ -17,6 +17,8 @@ typedef struct report {
     claim_outcome *outcomes;
     figure_list figures;
     shown_units *units;
+    whirl_result **views; ///< [count] in which every attractor stands once
+    size_t count;
 } report;
 
 static void report_free(report *made) {
@@ -25,6 +27,8 @@ static void report_free(report *made) {
     free(made->outcomes);
     free(made->figures.items);
     free(made->units);
+    for (size_t r = 0; made->views && r < made->count; r++) whirl_result_view_free(made->views[r]);
+    free((void *)made->views);
 }
 
 /// A folder name for every result, no two alike.
@@ -132,6 +136,14 @@ static whirl_status make(report *made, const whirl_result *const *results, const
     return status.code == WHIRL_OK ? drawn : status;
 }
 
+/// What is shown of results.
+static whirl_status view_results(report *made, const whirl_result *const *results) {
+    whirl_status status = whirl_ok();
+    for (size_t r = 0; r < made->count && status.code == WHIRL_OK; r++)
+        status = whirl_result_by_attractor(results[r], &made->views[r]);
+    return status;
+}
+
 whirl_status whirl_report_write(const whirl_result *const *results, const char *const *names, size_t count,
                                 const char *directory, const whirl_report_options *options) {
     static const whirl_report_options none = {0};
@@ -145,12 +157,15 @@ whirl_status whirl_report_write(const whirl_result *const *results, const char *
         .paths = calloc(count + 1, sizeof *made.paths),
         .outcomes = calloc(claims * count + 1, sizeof *made.outcomes),
         .units = calloc(count + 1, sizeof *made.units),
+        .views = calloc(count + 1, sizeof(whirl_result *)),
+        .count = count,
     };
     status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a report of %zu results", count);
-    if (made.folders && made.paths && made.outcomes && made.units) {
+    if (made.folders && made.paths && made.outcomes && made.units && made.views) status = view_results(&made, results);
+    if (status.code == WHIRL_OK) {
         for (size_t r = 0; r < count; r++) made.units[r] = units_shown(results[r], &choice);
         name_folders(&made, names, count);
-        status = make(&made, results, names, count, directory, options);
+        status = make(&made, (const whirl_result *const *)made.views, names, count, directory, options);
     }
     report_free(&made);
     return status;

@@ -135,7 +135,10 @@ void units_parameter_label(const shown_units *units, const char *name, char *lab
 
 void units_point_label(const shown_units *units, const whirl_table *table, size_t point, char *label, size_t size) {
     if (!*table->parameter) {
-        snprintf(label, size, "%s", table->name);
+        if (table->attractors)
+            snprintf(label, size, "%s, attractor %zu", table->name, table->attractors[point].number);
+        else
+            snprintf(label, size, "%s", table->name);
         return;
     }
     const whirl_unit unit = units_parameter(units, table->parameter);

@@ -259,6 +259,39 @@ static void write_options(FILE *stream, const whirl_result *result, const whirl_
     }
 }
 
+/// A line for each attractor of each place; none where there is no memory to tell them apart.
+static void write_attractors(FILE *stream, const whirl_result *result, const whirl_table *table,
+                             const whirl_field *unused) {
+    static const char *const headings[] = {"attractor", "verdict", "starts", "of", "share", "error", "first point"};
+    (void)unused;
+    line row = {stream, false};
+    whirl_coexistence found;
+    put_cell(&row, "place");
+    if (*table->parameter) put_parameter_heading(&row, result, table->parameter);
+    if (table->row > 0) put_parameter_heading(&row, result, table->second);
+    for (size_t i = 0; i < sizeof headings / sizeof *headings; ++i) put_cell(&row, headings[i]);
+    end_line(&row);
+    if (whirl_table_coexistence(table, &found).code != WHIRL_OK) return;
+    for (size_t i = 0; i < found.count; ++i) {
+        const whirl_coexisting *one = &found.items[i];
+        const whirl_verdict verdict = whirl_table_verdict(table, one->first);
+        char name[WHIRL_NAME_SIZE];
+        whirl_verdict_name(&verdict, name, sizeof name);
+        put_count_cell(&row, one->place + 1);
+        if (*table->parameter) put_value_cell(&row, result, table->parameter, table->values[one->first]);
+        if (table->row > 0) put_value_cell(&row, result, table->second, whirl_table_second(table, one->first));
+        put_count_cell(&row, one->number);
+        put_cell(&row, name);
+        put_count_cell(&row, one->starts);
+        put_count_cell(&row, one->of);
+        put_number_cell(&row, one->share);
+        put_number_cell(&row, one->error);
+        put_count_cell(&row, whirl_table_slot(table, one->first) + 1);
+        end_line(&row);
+    }
+    whirl_coexistence_free(&found);
+}
+
 typedef void (*write_fn)(FILE *stream, const whirl_result *result, const whirl_table *table, const whirl_field *field);
 
 /// One file DIR/name.csv, whole or not at all.
@@ -277,6 +310,10 @@ static whirl_status export_file(const char *folder, const char *name, write_fn w
 static whirl_status export_table(const char *folder, const whirl_result *result, const whirl_table *table) {
     whirl_status status = export_file(folder, table->name, write_points, result, table, NULL);
     const whirl_layout *layout = &table->layout;
+    char attractors[WHIRL_NAME_SIZE + 16];
+    snprintf(attractors, sizeof attractors, "%s-attractors", table->name);
+    if (table->starts > 1 && status.code == WHIRL_OK)
+        status = export_file(folder, attractors, write_attractors, result, table, NULL);
     for (size_t i = 0; i < layout->field_count && status.code == WHIRL_OK; ++i) {
         const whirl_field *field = &layout->fields[i];
         char name[2 * WHIRL_NAME_SIZE + 8];

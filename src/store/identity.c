@@ -59,6 +59,7 @@ static void put_points(FILE *out, const whirl_table *table) {
         fprintf(out, ", %s from %s to %s (%08x)", table->parameter, exact(table->values[0], first),
                 exact(table->values[table->count - 1], last), (unsigned)sum);
     if (table->row > 0) fprintf(out, ", in rows of %zu, each with a %s of its own", table->row, table->second);
+    if (table->starts > 1) fprintf(out, ", from %zu starts each", table->starts);
     fputc('\n', out);
 }
 

@@ -6,6 +6,7 @@
 #include "format.h"
 #include "h5file.h"
 #include "items.h"
+#include "whirl/study.h"
 
 #include <limits.h>
 #include <stdlib.h>
@@ -299,9 +300,20 @@ static void get_blocks(whirl_status *status, hid_t group, shape points, whirl_ta
     free(block);
 }
 
+/// How many starts every place has.
+static void get_starts(whirl_status *status, hid_t group, whirl_table *table) {
+    const size_t planned = whirl_table_planned(table);
+    if (status->code != WHIRL_OK || !whirl_layout_field(&table->layout, "starts/number")) return;
+    table->starts = (size_t)get_whole_attribute(status, group, "starts", 1, WHIRL_MAX_STARTS);
+    if (status->code == WHIRL_OK && planned % table->starts != 0)
+        *status =
+            whirl_fail(WHIRL_BAD_INPUT, "/%s has %zu points from %zu starts each, expected as many from every one",
+                       table->name, planned, table->starts);
+}
+
 /// The second parameter of a map, and how long its rows are, which it is made of; they are those of its datasets.
 static void get_plane(whirl_status *status, hid_t group, shape points, whirl_table *table) {
-    const size_t planned = whirl_table_planned(table);
+    const size_t planned = whirl_table_places(table);
     const bool is_map = whirl_layout_field(&table->layout, "map/second");
     if (status->code == WHIRL_OK && points.rank == 2 && !is_map)
         *status = whirl_fail(WHIRL_BAD_INPUT, "/%s has rows of points, expected a list", table->name);
@@ -335,6 +347,7 @@ static void get_table(whirl_status *status, hid_t file, const whirl_result *resu
     get_numbers(status, group, "values", table->values, points);
     get_branch(status, group, points, table);
     get_slots(status, group, points, table);
+    get_starts(status, group, table);
     get_plane(status, group, points, table);
     get_length_scales(status, group, result, points, table);
     for (size_t i = 0; status->code == WHIRL_OK && i < layout->field_count; ++i) {

@@ -128,10 +128,12 @@ static si_unit si_of(const char *unit, const whirl_result *result, const whirl_t
     return (si_unit){1.0, unit};
 }
 
-/// How the points of a table lie in its datasets: those of a map that is whole in the rows and columns of its axes.
+/// How the points of a table lie in its datasets: those of a map that is whole in the rows and columns of its axes,
+/// unless it has several starts a place.
 static shape shape_of(const whirl_table *table) {
     const size_t row = table->row;
-    if (row == 0 || table->count != table->planned || table->count % row != 0) return list_of(table->count);
+    if (row == 0 || table->starts > 1 || table->count != table->planned || table->count % row != 0)
+        return list_of(table->count);
     return (shape){2, {table->count / row, row}};
 }
 
@@ -257,7 +259,31 @@ static void put_places(whirl_status *status, hid_t group, const whirl_table *tab
     free(numbers);
 }
 
-/// The attractor of every start of a basin, from 1; for people, as verdicts in words are.
+/// Of every point of a table with several starts the attractor, its share of the starts of the place, and the standard
+/// error of that; for people, as verdicts in words are.
+static void put_shares(whirl_status *status, hid_t group, const whirl_table *whole, const finished *own) {
+    const size_t count = own->table.count;
+    whirl_coexistence found;
+    *status = whirl_table_coexistence(whole, &found);
+    if (status->code != WHIRL_OK) return;
+    int64_t *labels = calloc(count + 1, sizeof *labels);
+    double *shares = calloc(2 * count + 1, sizeof *shares), *errors = shares ? shares + count : NULL;
+    if (!labels || !shares) *status = whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points", count);
+    for (size_t i = 0; i < count && status->code == WHIRL_OK; ++i) {
+        const whirl_coexisting *one = whirl_coexistence_at(&found, whole, own->points[i]);
+        labels[i] = (int64_t)found.labels[own->points[i]];
+        shares[i] = one ? one->share : (double)NAN;
+        errors[i] = one ? one->error : (double)NAN;
+    }
+    if (status->code == WHIRL_OK) put_wholes(status, group, "attractor", labels, list_of(count));
+    if (status->code == WHIRL_OK) put_numbers(status, group, "share", shares, list_of(count));
+    if (status->code == WHIRL_OK) put_numbers(status, group, "share_error", errors, list_of(count));
+    free(labels);
+    free(shares);
+    whirl_coexistence_free(&found);
+}
+
+/// The attractor of every start of a basin, from 1; likewise.
 static void put_attractors(whirl_status *status, hid_t group, const whirl_table *whole, const finished *own) {
     size_t *labels = calloc(whole->count + 1, sizeof *labels), count;
     int64_t *numbers = calloc(own->table.count + 1, sizeof *numbers);
@@ -309,6 +335,7 @@ static void put_points(whirl_status *status, hid_t group, const whirl_result *re
     if (status->code == WHIRL_OK) put_fields(status, group, result, whole, &own);
     if (whirl_layout_has_verdict(&whole->layout)) put_verdicts(status, group, whole, &own);
     if (status->code == WHIRL_OK && strcmp(whole->name, "basin") == 0) put_attractors(status, group, whole, &own);
+    if (status->code == WHIRL_OK && whole->starts > 1) put_shares(status, group, whole, &own);
     finished_free(&own);
 }
 
@@ -321,6 +348,7 @@ static void put_table(whirl_status *status, hid_t file, const whirl_result *resu
         put_text_attribute(status, group, "second", table->second);
         put_whole_attribute(status, group, "row", (int64_t)table->row);
     }
+    if (table->starts > 1) put_whole_attribute(status, group, "starts", (int64_t)table->starts);
     put_analyses(status, group, table->analyses);
     put_texts_attribute(status, group, "fields",
                         texts_of(layout->fields[0].name, sizeof *layout->fields, layout->field_count));

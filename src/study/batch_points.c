@@ -6,10 +6,11 @@
 
 whirl_status whirl_study_machine(const whirl_study *study, const whirl_batch *batch, size_t point,
                                  whirl_machine *machine) {
-    const double value = batch->values ? batch->values[point] : (double)NAN;
-    if (!batch->second_values) return study->machine(study->family, batch, value, machine);
     whirl_batch own = *batch;
-    own.second_value = batch->second_values[point];
+    const size_t index = batch->starts > 1 ? point % batch->count : point;
+    const double value = batch->values ? batch->values[index] : (double)NAN;
+    if (batch->starts > 1) own.start = point / batch->count;
+    if (batch->second_values) own.second_value = batch->second_values[index];
     return study->machine(study->family, &own, value, machine);
 }
 

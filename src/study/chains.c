@@ -271,7 +271,8 @@ static bool next(void *context, whirl_task *task) {
     if (!link) return false;
     const size_t slot = current_slot(link);
     const double *carried = carried_start(c, slot);
-    w->status = whirl_study_machine(c->run->study, c->batch, slot % c->batch->count, &link->machine);
+    const size_t point = c->batch->starts > 1 ? slot : slot % c->batch->count;
+    w->status = whirl_study_machine(c->run->study, c->batch, point, &link->machine);
     if (w->status.code == WHIRL_OK && c->pass->copy > 0) {
         carried = link->start = pass_copy_start(c->run, c->pass, slot);
         if (!carried) w->status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a state");
@@ -287,7 +288,7 @@ static bool next(void *context, whirl_task *task) {
 }
 
 /// The block of a point, or the verdict at the second tolerance.
-static whirl_status analyze(const worker *w, size_t slot, const whirl_record *record) {
+static whirl_status analyze(const worker *w, size_t slot, const whirl_machine *machine, const whirl_record *record) {
     const chains *c = w->chains;
     const pass *p = c->pass;
     double *block = block_of(w, slot);
@@ -295,6 +296,7 @@ static whirl_status analyze(const worker *w, size_t slot, const whirl_record *re
     const double spent = p->round > 0 ? refine_spent(&c->table->layout, block) + c->weight * record->revolutions : 0.0;
     const whirl_status status = whirl_analyze(record, &p->record, c->batch->analyses, &c->table->layout, block);
     map_note(c->batch, slot % c->batch->count, &c->table->layout, block);
+    starts_note(c->batch, slot, machine, &c->table->layout, block);
     refine_note(&c->table->layout, block, p, spent);
     return status;
 }
@@ -306,7 +308,7 @@ static whirl_status done(void *context, const whirl_task *task, whirl_record *re
     const size_t slot = current_slot(link);
     const bool bounded = record->motion == WHIRL_BOUNDED;
     for (size_t i = 0; i < c->run->dimension; i++) w->end[i] = bounded ? record->end[i] : (double)NAN;
-    whirl_status status = analyze(w, slot, record);
+    whirl_status status = analyze(w, slot, &link->machine, record);
     const kept_point point = kept_at(w, slot);
     if (status.code == WHIRL_OK) status = keeper_keep(c->run->keeper, &point);
     // What a motion that settled or diverged did not have to run counts as done.

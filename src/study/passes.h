@@ -93,8 +93,9 @@ void *keeper_saved(const whirl_keeper *keeper, size_t batch, size_t slot, double
 
 // ---------------------------------------------------------------- passes.c
 
-/// One or two tables' worth of points: carried in both directions they are there twice.
+/// How often all points are in the table: once from every start; carried in both directions twice.
 static inline size_t batch_copies(const whirl_batch *batch) {
+    if (batch->starts > 1) return batch->starts;
     return batch->carry == WHIRL_CARRY_BOTH ? 2 : 1;
 }
 
@@ -143,6 +144,15 @@ whirl_status map_add_field(const whirl_batch *batch, whirl_layout *layout);
 
 /// Notes it in the block of a point, by its index in the batch.
 void map_note(const whirl_batch *batch, size_t point, const whirl_layout *layout, double *block);
+
+// ---------------------------------------------------------------- starts.c
+
+/// The fields "starts/number" and "starts/state" of a batch with several starts. WHIRL_BAD_INPUT when it has too many.
+whirl_status starts_add_fields(const whirl_batch *batch, size_t stations, whirl_layout *layout);
+
+/// Notes the start of a point, and the state [dimension] that it is, in its block.
+void starts_note(const whirl_batch *batch, size_t slot, const whirl_machine *machine, const whirl_layout *layout,
+                 double *block);
 
 // ---------------------------------------------------------------- refine_fields.c
 

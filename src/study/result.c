@@ -35,6 +35,7 @@ const whirl_table *whirl_result_table(const whirl_result *result, const char *na
 
 const double *whirl_table_block(const whirl_table *table, size_t point) {
     if (point >= table->count) return NULL;
+    if (table->source) return whirl_table_block(table->source, table->chosen[point]);
     if (table->kept) return kept_block(table, point);
     return table->blocks ? table->blocks + point * table->layout.size : NULL;
 }
@@ -62,6 +63,17 @@ size_t whirl_table_slot(const whirl_table *table, size_t point) {
     return table->slots && point < table->count ? table->slots[point] : point;
 }
 
+size_t whirl_table_places(const whirl_table *table) {
+    const size_t planned = whirl_table_planned(table);
+    if (table->source) return whirl_table_places(table->source);
+    return table->starts > 1 ? planned / table->starts : planned;
+}
+
+size_t whirl_table_place(const whirl_table *table, size_t point) {
+    const size_t places = whirl_table_places(table);
+    return places > 0 ? whirl_table_slot(table, point) % places : 0;
+}
+
 double whirl_table_number(const whirl_table *table, size_t point, const char *field, size_t which) {
     const double *numbers = whirl_table_field(table, point, field, which);
     return numbers ? *numbers : (double)NAN;
@@ -73,6 +85,7 @@ double whirl_table_second(const whirl_table *table, size_t point) {
 }
 
 size_t whirl_table_planned(const whirl_table *table) {
+    if (table->source) return table->planned;
     return table->planned > table->count ? table->planned : table->count;
 }
 
@@ -83,7 +96,7 @@ bool whirl_table_done(const whirl_table *table, size_t point) {
 bool whirl_result_partial(const whirl_result *result, size_t *done, size_t *total) {
     *done = *total = 0;
     for (size_t i = 0; i < result->table_count; ++i) {
-        const whirl_table *table = &result->tables[i];
+        const whirl_table *table = result->tables[i].source ? result->tables[i].source : &result->tables[i];
         *total += whirl_table_planned(table);
         for (size_t point = 0; point < table->count; ++point) *done += whirl_table_done(table, point);
     }

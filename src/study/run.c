@@ -19,6 +19,12 @@ static whirl_status check_study(const whirl_study *study) {
         const whirl_batch *batch = &study->batches[i];
         if (batch->count == 0)
             return whirl_fail(WHIRL_BAD_INPUT, "batch '%s' has no points, expected at least one", batch->name);
+        const bool moving = !whirl_analysis_is_traced(batch->analyses) && !whirl_analysis_is_resting(batch->analyses);
+        if (batch->starts > 1 && (batch->carry != WHIRL_CARRY_NONE || !moving || batch->starts > WHIRL_MAX_STARTS))
+            return whirl_fail(WHIRL_BAD_INPUT,
+                              "batch '%s' has %zu starts, expected up to %d, and of motions that are "
+                              "not carried",
+                              batch->name, batch->starts, WHIRL_MAX_STARTS);
         const bool judged = !whirl_analysis_is_traced(batch->analyses);
         if (judged && (batch->confirm || study_is_refined(study)) && !has_regime(batch))
             return whirl_fail(WHIRL_BAD_INPUT, "verdicts of the %s cannot be %s: the analysis 'regime' is not chosen",

@@ -26,7 +26,9 @@ static whirl_status make_table(const whirl_study *study, const whirl_batch *batc
     whirl_status status = whirl_study_machine(study, batch, 0, &machine);
     if (status.code != WHIRL_OK) return status;
     status = whirl_layout_new(machine.system, &batch->integrate, &batch->record, batch->analyses, &table->layout);
+    const size_t stations = machine.system->probe_count;
     if (machine.release) machine.release(machine.owner);
+    if (status.code == WHIRL_OK) status = starts_add_fields(batch, stations, &table->layout);
     if (status.code == WHIRL_OK) status = map_add_field(batch, &table->layout);
     if (status.code == WHIRL_OK && study_is_refined(study) && !whirl_analysis_is_traced(batch->analyses))
         status = refine_add_fields(&table->layout);
@@ -35,6 +37,7 @@ static whirl_status make_table(const whirl_study *study, const whirl_batch *batc
     memcpy(table->parameter, batch->parameter, sizeof table->parameter);
     if (batch->second_values) memcpy(table->second, batch->second, sizeof table->second);
     table->row = batch->row;
+    table->starts = batch->starts > 1 ? batch->starts : 0;
     table->count = batch_slots(batch);
     table->analyses = batch->analyses;
     table->integrate = batch->integrate;

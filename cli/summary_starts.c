@@ -1,0 +1,99 @@
+#include "summary_starts.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { MOST_RANGES = 6, MOST_ATTRACTORS = 12 };
+
+static const char *plural(size_t count) {
+    return count == 1 ? "" : "s";
+}
+
+void summarize_share(const whirl_table *table, size_t point, const char *before) {
+    if (!table->attractors) return;
+    const whirl_coexisting *one = &table->attractors[point];
+    printf("%sattractor %zu, %.3g %% +- %.2g %% of the starts", before, one->number, 100.0 * one->share,
+           100.0 * one->error);
+}
+
+/// "attractor 2: at 5 points, 3.1 % to 12.5 % of the starts". Those of one number stand together.
+static void print_attractors(const whirl_table *table) {
+    size_t told = 0;
+    for (size_t i = 0; i < table->count;) {
+        const whirl_coexisting *one = &table->attractors[i];
+        double low = 1.0, high = 0.0;
+        size_t points = 0;
+        for (; i < table->count && table->attractors[i].number == one->number; i++, points++) {
+            low = fmin(low, table->attractors[i].share);
+            high = fmax(high, table->attractors[i].share);
+        }
+        if (told++ >= MOST_ATTRACTORS) continue;
+        printf("  attractor %zu: at %zu point%s, %.3g %%", one->number, points, plural(points), 100.0 * low);
+        if (high > low) printf(" to %.3g %%", 100.0 * high);
+        puts(" of the starts");
+    }
+    if (told > MOST_ATTRACTORS) printf("  and %zu more\n", told - MOST_ATTRACTORS);
+}
+
+/// Attractors of every place [places], to be freed; NULL without memory.
+static size_t *count_beside(const whirl_table *table, size_t places) {
+    size_t *beside = calloc(places + 1, sizeof *beside);
+    for (size_t i = 0; beside && i < table->count; i++)
+        beside[table->attractors[i].place] = table->attractors[i].beside;
+    return beside;
+}
+
+static void print_range(const whirl_result *view, const whirl_table *table, size_t first, size_t last) {
+    const whirl_unit unit = whirl_result_unit(view, table->parameter);
+    const double *values = table->source->values; // the first start has every place in its order, but in partial files
+    double ends[2] = {NAN, NAN};
+    for (size_t i = 0; i < table->source->count; i++) {
+        const size_t place = whirl_table_place(table->source, i);
+        if (place == first) ends[0] = values[i] / unit.size;
+        if (place == last) ends[1] = values[i] / unit.size;
+    }
+    printf(first == last ? " %.6g" : " %.6g to %.6g", ends[0], ends[1]);
+    printf("%s%s", *unit.name ? " " : "", unit.name);
+}
+
+/// "several side by side at 7 of 41 points: 0.29 to 0.31, 0.498"; of a map how many alone.
+static void print_coexisting(const whirl_result *view, const whirl_table *table) {
+    const size_t places = whirl_table_planned(table);
+    size_t several = 0, ranges = 0, *beside = count_beside(table, places);
+    for (size_t place = 0; beside && place < places; place++) several += beside[place] > 1;
+    if (several == 0 || places == 1) {
+        free(beside);
+        return;
+    }
+    printf("  several attractors side by side at %zu of %zu points", several, places);
+    for (size_t place = 0; place < places && table->row == 0; place++) {
+        if (beside[place] < 2) continue;
+        size_t last = place;
+        while (last + 1 < places && beside[last + 1] > 1) last++;
+        if (ranges++ < MOST_RANGES) {
+            fputs(ranges == 1 ? ":" : ",", stdout);
+            print_range(view, table, place, last);
+        }
+        place = last;
+    }
+    if (ranges > MOST_RANGES) printf(" and %zu more ranges", ranges - MOST_RANGES);
+    putchar('\n');
+    free(beside);
+}
+
+void summarize_starts(const whirl_result *view, const whirl_table *table) {
+    size_t done = 0, untold = 0;
+    if (!table->attractors) return;
+    const whirl_table *source = table->source;
+    if (table->row == 0 && whirl_table_planned(table) > 1) print_attractors(table);
+    print_coexisting(view, table);
+    for (size_t i = 0; i < source->count; i++) {
+        done += whirl_table_done(source, i);
+        untold += whirl_table_done(source, i) && whirl_table_verdict(source, i).regime == WHIRL_UNDETERMINED;
+    }
+    if (untold > 0) printf("  without a verdict: %zu of %zu starts: a longer transient may tell\n", untold, done);
+    printf("  %zu starts a point miss an attractor that %.2g %% of all lead to with a chance of 5 %%\n", source->starts,
+           100.0 * whirl_missed_share(source->starts));
+}

@@ -1,0 +1,296 @@
+// Attractors that exist side by side, at every place of a study that has several starts a place, and how they go on
+// from place to place. Each has a number along the study: neighbours have one number where each is the nearest of the
+// other, and the motion has changed by less than half of its extent.
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "attractors.h"
+
+/// Motions that are further from each other, over their extent, do not go on as one another.
+static const double farthest = 0.5;
+
+/// While they are found.
+typedef struct search {
+    const whirl_table *table;
+    size_t places;
+    size_t *points;     ///< [table->count] by place, then by start
+    size_t *first;      ///< [places + 1] of them, of every place
+    size_t *of;         ///< [table->count] index of its attractor in its place
+    size_t *begins;     ///< [places + 1] of the attractors of every place
+    size_t count, room; ///< attractors of all places
+    whirl_coexisting *items;
+    motion **motions; ///< [count]
+    size_t *parent;   ///< [count] attractors with one number hang together
+    size_t *next;     ///< [count] rings of these
+    size_t *sizes;    ///< [count] of the rings, at their roots
+} search;
+
+// ---------------------------------------------------------------- places
+
+/// Counts the points of every place, and lists them.
+static bool list_points(search *s) {
+    const whirl_table *table = s->table;
+    s->points = calloc(table->count + 1, sizeof *s->points);
+    s->first = calloc(s->places + 2, sizeof *s->first);
+    s->begins = calloc(s->places + 1, sizeof *s->begins);
+    s->of = calloc(table->count + 1, sizeof *s->of);
+    if (!s->points || !s->first || !s->begins || !s->of) return false;
+    for (size_t i = 0; i < table->count; i++) s->first[whirl_table_place(table, i) + 2]++;
+    for (size_t k = 2; k <= s->places + 1; k++) s->first[k] += s->first[k - 1];
+    for (size_t i = 0; i < table->count; i++) s->points[s->first[whirl_table_place(table, i) + 1]++] = i;
+    return true;
+}
+
+/// Room for as many attractors as a place may have.
+static bool make_room(search *s) {
+    if (s->count + MOST_ATTRACTORS <= s->room) return true;
+    const size_t room = 2 * s->room + MOST_ATTRACTORS;
+    whirl_coexisting *items = realloc(s->items, room * sizeof *items);
+    if (items) s->items = items;
+    motion **motions = realloc(s->motions, room * sizeof(motion *));
+    if (motions) s->motions = motions;
+    if (items && motions) s->room = room;
+    return items && motions;
+}
+
+static whirl_status tell_place(search *s, size_t place) {
+    told_apart told;
+    if (!make_room(s)) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the attractors of %zu places", s->places);
+    const size_t *points = s->points + s->first[place], count = s->first[place + 1] - s->first[place];
+    const whirl_status status = attractors_tell(s->table, points, count, s->of, &told);
+    s->begins[place] = s->count;
+    for (size_t k = 0; k < told.count; k++) {
+        const whirl_attractor *one = &told.found[k];
+        s->items[s->count] = (whirl_coexisting){.place = place,
+                                                .first = one->first,
+                                                .starts = one->points,
+                                                .of = told.done,
+                                                .beside = told.count,
+                                                .share = one->share,
+                                                .error = one->error};
+        s->motions[s->count++] = told.motions[k];
+    }
+    return status;
+}
+
+// ---------------------------------------------------------------- neighbours
+
+/// Two attractors at neighbouring places, each the nearest of the other.
+typedef struct pair {
+    size_t a, b;
+    double distance;
+} pair;
+
+typedef struct pairs {
+    pair *items;
+    size_t count, room;
+} pairs;
+
+/// The nearest to an attractor among those of a place; the count of all where there is none near enough.
+static size_t nearest(const search *s, size_t of, size_t place, double *distance) {
+    size_t found = s->count;
+    *distance = farthest;
+    for (size_t k = s->begins[place]; k < s->begins[place + 1]; k++) {
+        const double away = motion_distance(s->motions[of], s->motions[k]);
+        if (!(away < *distance)) continue;
+        *distance = away;
+        found = k;
+    }
+    return found;
+}
+
+static bool add_pair(pairs *all, pair one) {
+    if (all->count == all->room) {
+        const size_t room = 2 * all->room + 64;
+        pair *items = realloc(all->items, room * sizeof *items);
+        if (!items) return false;
+        all->items = items;
+        all->room = room;
+    }
+    all->items[all->count++] = one;
+    return true;
+}
+
+static bool pair_places(const search *s, size_t place, size_t other, pairs *all) {
+    for (size_t a = s->begins[place]; a < s->begins[place + 1]; a++) {
+        double distance, back;
+        const size_t b = nearest(s, a, other, &distance);
+        if (b < s->count && nearest(s, b, place, &back) == a && !add_pair(all, (pair){a, b, distance})) return false;
+    }
+    return true;
+}
+
+/// The next place at which any attractor is told, by steps and before `end`; `end` where there is none.
+static size_t next_place(const search *s, size_t place, size_t step, size_t end) {
+    for (place += step; place < end; place += step)
+        if (s->begins[place] < s->begins[place + 1]) return place;
+    return end;
+}
+
+/// Along the sweep; along rows and columns of a map. Places at which no motion has a verdict are passed over.
+static bool pair_neighbours(const search *s, pairs *all) {
+    const size_t row = s->table->row > 0 ? s->table->row : s->places;
+    for (size_t place = 0; place < s->places; place++) {
+        if (s->begins[place] == s->begins[place + 1]) continue;
+        const size_t end = (place / row + 1) * row, beside = next_place(s, place, 1, end < s->places ? end : s->places);
+        const size_t above = next_place(s, place, row, s->places);
+        if (beside < end && beside < s->places && !pair_places(s, place, beside, all)) return false;
+        if (above < s->places && !pair_places(s, place, above, all)) return false;
+    }
+    return true;
+}
+
+static int by_distance(const void *left, const void *right) {
+    const pair *a = left, *b = right;
+    if (a->distance != b->distance) return a->distance < b->distance ? -1 : 1;
+    if (a->a != b->a) return a->a < b->a ? -1 : 1;
+    return (a->b > b->b) - (a->b < b->b);
+}
+
+// ---------------------------------------------------------------- one number
+
+static size_t root_of(search *s, size_t k) {
+    while (s->parent[k] != k) k = s->parent[k] = s->parent[s->parent[k]];
+    return k;
+}
+
+/// Whether a place has attractors of both. Around a cusp the surface of attractors over two parameters folds over:
+/// there two of one place would come to have one number.
+static bool share_a_place(search *s, size_t small, size_t large) {
+    size_t k = small;
+    do {
+        const size_t place = s->items[k].place;
+        for (size_t i = s->begins[place]; i < s->begins[place + 1]; i++)
+            if (root_of(s, i) == large) return true;
+        k = s->next[k];
+    } while (k != small);
+    return false;
+}
+
+static void join(search *s, const pair *one) {
+    size_t a = root_of(s, one->a), b = root_of(s, one->b);
+    if (a == b) return;
+    if (s->sizes[a] < s->sizes[b] || (s->sizes[a] == s->sizes[b] && a > b)) {
+        const size_t larger = b;
+        b = a;
+        a = larger;
+    }
+    if (share_a_place(s, b, a)) return;
+    s->parent[b] = a;
+    s->sizes[a] += s->sizes[b];
+    const size_t after = s->next[a];
+    s->next[a] = s->next[b];
+    s->next[b] = after;
+}
+
+/// The closest neighbours first.
+static whirl_status join_neighbours(search *s) {
+    pairs all = {.items = NULL};
+    s->parent = calloc(3 * (s->count + 1), sizeof *s->parent);
+    const bool memory = s->parent && pair_neighbours(s, &all);
+    if (memory) {
+        s->next = s->parent + s->count;
+        s->sizes = s->next + s->count;
+        for (size_t k = 0; k < s->count; k++) s->parent[k] = s->next[k] = k, s->sizes[k] = 1;
+        if (all.count > 0) qsort(all.items, all.count, sizeof *all.items, by_distance);
+        for (size_t i = 0; i < all.count; i++) join(s, &all.items[i]);
+    }
+    free(all.items);
+    return memory ? whirl_ok()
+                  : whirl_fail(WHIRL_NO_MEMORY, "no memory to compare the attractors of %zu places", s->places);
+}
+
+/// What numbers are given by.
+typedef struct weight {
+    size_t root, starts;
+} weight;
+
+static int by_starts(const void *left, const void *right) {
+    const weight *a = left, *b = right;
+    if (a->starts != b->starts) return a->starts < b->starts ? 1 : -1;
+    return (a->root > b->root) - (a->root < b->root);
+}
+
+/// From 1, by all starts that led there; `most` is how many there are.
+static whirl_status give_numbers(search *s, size_t *most) {
+    weight *weights = calloc(s->count + 1, sizeof *weights);
+    size_t *numbers = calloc(s->count + 1, sizeof *numbers);
+    *most = 0;
+    if (weights && numbers) {
+        // A root may be any of its attractors: the first one stands for all.
+        for (size_t k = s->count; k-- > 0;) weights[root_of(s, k)].root = k;
+        for (size_t k = 0; k < s->count; k++) weights[root_of(s, k)].starts += s->items[k].starts;
+        qsort(weights, s->count, sizeof *weights, by_starts);
+        while (*most < s->count && weights[*most].starts > 0) {
+            numbers[root_of(s, weights[*most].root)] = *most + 1;
+            ++*most;
+        }
+        for (size_t k = 0; k < s->count; k++) s->items[k].number = numbers[root_of(s, k)];
+    }
+    const bool memory = weights && numbers;
+    free(weights);
+    free(numbers);
+    return memory ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for the numbers of %zu attractors", s->count);
+}
+
+// ---------------------------------------------------------------- the whole
+
+static int by_number(const void *left, const void *right) {
+    const whirl_coexisting *a = left, *b = right;
+    if (a->place != b->place) return a->place < b->place ? -1 : 1;
+    return (a->number > b->number) - (a->number < b->number);
+}
+
+static void take_labels(const search *s, size_t *labels) {
+    for (size_t i = 0; i < s->table->count; i++) {
+        const size_t place = whirl_table_place(s->table, i), which = s->of[i];
+        labels[i] = which < MOST_ATTRACTORS ? s->items[s->begins[place] + which].number : 0;
+    }
+}
+
+static whirl_status find(search *s, whirl_coexistence *found) {
+    whirl_status status = whirl_ok();
+    found->labels = calloc(s->table->count + 1, sizeof *found->labels);
+    if (!found->labels || !list_points(s))
+        return whirl_fail(WHIRL_NO_MEMORY, "no memory for the attractors of %zu points", s->table->count);
+    for (size_t place = 0; place < s->places && status.code == WHIRL_OK; place++) status = tell_place(s, place);
+    s->begins[s->places] = s->count;
+    if (status.code == WHIRL_OK) status = join_neighbours(s);
+    if (status.code == WHIRL_OK) status = give_numbers(s, &found->attractors);
+    if (status.code != WHIRL_OK) return status;
+    take_labels(s, found->labels);
+    qsort(s->items, s->count, sizeof *s->items, by_number);
+    found->items = s->items;
+    found->count = s->count;
+    s->items = NULL;
+    return status;
+}
+
+whirl_status whirl_table_coexistence(const whirl_table *table, whirl_coexistence *found) {
+    search s = {.table = table, .places = whirl_table_places(table)};
+    *found = (whirl_coexistence){.places = s.places};
+    const whirl_status status = find(&s, found);
+    for (size_t k = 0; k < s.count; k++) free(s.motions[k]);
+    free(s.points);
+    free(s.first);
+    free(s.of);
+    free(s.begins);
+    free(s.items);
+    free(s.motions);
+    free(s.parent);
+    if (status.code != WHIRL_OK) whirl_coexistence_free(found);
+    return status;
+}
+
+const whirl_coexisting *whirl_coexistence_at(const whirl_coexistence *found, const whirl_table *table, size_t point) {
+    if (point >= table->count || found->labels[point] == 0) return NULL;
+    const whirl_coexisting wanted = {.place = whirl_table_place(table, point), .number = found->labels[point]};
+    return bsearch(&wanted, found->items, found->count, sizeof *found->items, by_number);
+}
+
+void whirl_coexistence_free(whirl_coexistence *found) {
+    free(found->items);
+    free(found->labels);
+    *found = (whirl_coexistence){.places = 0};
+}

@@ -1,0 +1,44 @@
+// Several starts of every point: how they are spread, and what is noted of them in the blocks.
+#include "passes.h"
+
+double whirl_halton(size_t index, size_t coordinate) {
+    static const unsigned char primes[WHIRL_MAX_RANGES] = {2,  3,  5,  7,   11,  13,  17,  19,  23,  29, 31,
+                                                           37, 41, 43, 47,  53,  59,  61,  67,  71,  73, 79,
+                                                           83, 89, 97, 101, 103, 107, 109, 113, 127, 131};
+    const size_t base = primes[coordinate % WHIRL_MAX_RANGES];
+    double mirrored = 0.0, place = 1.0;
+    for (; index > 0; index /= base) {
+        place /= (double)base;
+        mirrored += place * (double)(index % base);
+    }
+    return mirrored;
+}
+
+static const char *const number_field = "starts/number", *const state_field = "starts/state";
+
+whirl_status starts_add_fields(const whirl_batch *batch, size_t stations, whirl_layout *layout) {
+    if (batch->starts <= 1) return whirl_ok();
+    if (layout->field_count + 2 > WHIRL_MAX_FIELDS)
+        return whirl_fail(WHIRL_BAD_INPUT, "the chosen analyses have more than %d fields", WHIRL_MAX_FIELDS - 2);
+    study_add_field(layout, number_field, "1", "number of the start, from 1");
+    study_add_field(layout, state_field, "length", "x, y, vx, vy (where the motion began)");
+    whirl_field *field = &layout->fields[layout->field_count - 1];
+    field->extent = WHIRL_PER_STATION;
+    field->repeat = stations;
+    field->columns = 4;
+    layout->size += 4 * stations - 1;
+    return whirl_ok();
+}
+
+void starts_note(const whirl_batch *batch, size_t slot, const whirl_machine *machine, const whirl_layout *layout,
+                 double *block) {
+    const whirl_field *number = whirl_layout_field(layout, number_field);
+    const whirl_field *state = whirl_layout_field(layout, state_field);
+    if (batch->starts <= 1 || !number || !state) return;
+    block[number->offset] = (double)(slot / batch->count + 1);
+    for (size_t s = 0; s < state->repeat; s++) {
+        const whirl_probe *probe = &machine->system->probes[s];
+        const size_t coordinates[] = {probe->x, probe->y, probe->vx, probe->vy};
+        for (size_t c = 0; c < 4; c++) block[state->offset + 4 * s + c] = machine->start[coordinates[c]];
+    }
+}
