@@ -33,8 +33,12 @@ void ranks_share(void *bytes, size_t size);
 /// Numbers that all ranks see at any time, 0 at the beginning; any thread may ask.
 enum { RANKS_WORDS = 32 };
 
-/// Adds to a number; gives what it was before.
+/// Adds to a number; gives what it was before. Of a rank but the first a question takes a millisecond or two.
 int64_t ranks_add(size_t word, int64_t amount);
+
+/// Adds to neighbouring numbers in one question, `count` of them from a word on; gives what they are then.
+enum { RANKS_MOST = 8 };
+void ranks_add_all(size_t word, size_t count, int64_t *amounts);
 
 /// Makes a number at least so large.
 void ranks_raise(size_t word, int64_t value);

@@ -2,6 +2,7 @@
 
 #include <signal.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "command.h"
 #include "interrupt.h"
@@ -9,16 +10,13 @@
 
 /// The numbers that all ranks see; before these, how many pieces of each pass are dealt out.
 enum {
-    WORD_STOP = 2 * WHIRL_MAX_BATCHES, ///< the signal that came to one of the ranks
-    WORD_FAILED,                       ///< one of them has failed
-    WORD_LEFT,                         ///< ranks that are done
+    WORD_LEFT = 2 * WHIRL_MAX_BATCHES, ///< ranks that are done
     WORD_THREADS,                      ///< of all ranks
-    WORD_DONE ///< the first of what is done: points, confirmations, revolutions, those recalled
+    WORD_SHARED                        ///< the first of what they tell one another now and then
 };
 
-enum { DONE_POINTS, DONE_CONFIRMED, DONE_REVOLUTIONS, DONE_RECALLED, DONE_NUMBERS };
-
-_Static_assert(WORD_DONE + DONE_NUMBERS <= RANKS_WORDS, "the ranks see fewer numbers");
+_Static_assert((int)WORD_SHARED + (int)SHARED_NUMBERS <= (int)RANKS_WORDS, "the ranks see fewer numbers");
+_Static_assert((int)SHARED_NUMBERS <= (int)RANKS_MOST, "they tell fewer at once");
 
 // ---------------------------------------------------------------- opening
 
@@ -108,36 +106,30 @@ static size_t claim(void *context, size_t batch, size_t count, size_t *first) {
 // ---------------------------------------------------------------- while they compute
 
 void together_look(void) {
-    const int signal_number = interrupt_signal();
-    if (signal_number) ranks_raise(WORD_STOP, signal_number);
+    const int number = interrupt_signal();
+    if (number) ranks_raise(WORD_SHARED + SHARED_STOP, number);
 }
 
-/// Signals come to all ranks wherever they arrive, and a failure ends all.
-static void look(together *t) {
-    together_look();
-    const int64_t stop = ranks_add(WORD_STOP, 0);
-    if (stop && !interrupt_signal()) interrupt_pass_on((int)stop);
-    if (ranks_add(WORD_FAILED, 0)) {
-        t->failed = true;
-        interrupt_pass_on(SIGTERM);
-    }
-}
-
-/// Adds what a number has grown by since it was told; gives that of all ranks.
-static int64_t tell(together *t, size_t number, int64_t now) {
-    const int64_t more = now - t->told[number];
-    t->told[number] = now;
-    return ranks_add(WORD_DONE + number, more) + more;
-}
-
-/// What all ranks have done.
-static void add_up(together *t) {
+/// Tells the others what this rank has done since it last did, and hears of all. Signals come to all ranks wherever
+/// they arrive, and a failure ends all.
+static void exchange(together *t) {
     const whirl_progress *own = &t->own;
-    const size_t points = own->stage == WHIRL_STAGE_CONFIRM ? DONE_CONFIRMED : DONE_POINTS;
+    int64_t now[SHARED_NUMBERS], all[SHARED_NUMBERS];
+    memcpy(now, t->told, sizeof now);
+    now[own->stage == WHIRL_STAGE_CONFIRM ? SHARED_CONFIRMED : SHARED_POINTS] = (int64_t)own->points_done;
+    now[SHARED_REVOLUTIONS] = (int64_t)own->revolutions_done;
+    now[SHARED_RECALLED] = (int64_t)own->revolutions_recalled;
+    for (size_t i = 0; i < SHARED_NUMBERS; i++) all[i] = t->gathered ? 0 : now[i] - t->told[i];
+    together_look();
+    ranks_add_all(WORD_SHARED, SHARED_NUMBERS, all);
+    memcpy(t->told, now, sizeof now);
     t->shown = *own;
-    t->shown.points_done = (size_t)tell(t, points, (int64_t)own->points_done);
-    t->shown.revolutions_done = (double)tell(t, DONE_REVOLUTIONS, (int64_t)own->revolutions_done);
-    t->shown.revolutions_recalled = (double)tell(t, DONE_RECALLED, (int64_t)own->revolutions_recalled);
+    t->shown.points_done = (size_t)all[own->stage == WHIRL_STAGE_CONFIRM ? SHARED_CONFIRMED : SHARED_POINTS];
+    t->shown.revolutions_done = (double)all[SHARED_REVOLUTIONS];
+    t->shown.revolutions_recalled = (double)all[SHARED_RECALLED];
+    t->failed = t->failed || all[SHARED_FAILED] > 0;
+    if (t->failed) interrupt_pass_on(SIGTERM);
+    if (all[SHARED_STOP] > 0 && !interrupt_signal()) interrupt_pass_on((int)all[SHARED_STOP]);
 }
 
 /// What the first rank has gathered was not all known before.
@@ -147,16 +139,15 @@ static void show_gathered(together *t) {
 }
 
 static void show(together *t) {
-    look(t);
-    if (t->gathered)
-        show_gathered(t);
-    else
-        add_up(t);
+    exchange(t);
+    if (t->gathered) show_gathered(t);
     if (t->view && t->own.points_total > 0) progress_show(t->view, &t->shown);
 }
 
 static void on_progress(void *context, const whirl_progress *own) {
+    const double seldom = 0.5; // seconds: other ranks than the first wait for an answer
     together *t = context;
+    if (ranks_number() > 0 && own->seconds < t->own.seconds + seldom) return;
     t->own = *own;
     show(t);
 }
@@ -167,11 +158,10 @@ static whirl_status gather(void *context) {
     enum { SELDOM = 100 }; // rests of some milliseconds
     together *t = context;
     for (int rests = 0; ranks_add(WORD_LEFT, 0) < ranks_count() - 1 && !t->failed; rests++) {
-        look(t);
         if (rests % SELDOM == 0) show(t);
         ranks_rest();
     }
-    look(t);
+    exchange(t);
     if (t->failed) return whirl_fail(WHIRL_IO_ERROR, "another rank has failed");
     t->gathered = true;
     return take_rank_journals(t->journal, ranks_count());
@@ -182,7 +172,7 @@ void together_leave(int outcome) {
     if (outcome == EXIT_DONE || outcome == EXIT_UNFINISHED)
         ranks_add(WORD_LEFT, 1);
     else
-        ranks_raise(WORD_FAILED, 1);
+        ranks_raise(WORD_SHARED + SHARED_FAILED, 1);
 }
 
 void together_join(together *t, whirl_run_options *how) {

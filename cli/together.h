@@ -8,6 +8,17 @@
 #include "journal.h"
 #include "progress.h"
 
+/// What ranks tell one another; the first two, too, when they come about.
+enum {
+    SHARED_STOP,   ///< the signal that came to one of them, or 0
+    SHARED_FAILED, ///< one of them has failed
+    SHARED_POINTS,
+    SHARED_CONFIRMED,
+    SHARED_REVOLUTIONS,
+    SHARED_RECALLED, ///< revolutions
+    SHARED_NUMBERS
+};
+
 /// A rank at its part.
 typedef struct together {
     run_journal *journal;
@@ -21,7 +32,7 @@ typedef struct together {
     double known_share;                          ///< of the points
     int64_t dealt[2 * WHIRL_MAX_BATCHES];        ///< pieces, when this rank last took some
     whirl_progress own, shown;                   ///< of this rank, of all ranks
-    int64_t told[4];                             ///< what all know of this one, as the numbers that they see
+    int64_t told[SHARED_NUMBERS];                ///< what all know of this one, as the numbers that they see
     bool gathered;
     bool failed; ///< another rank did, and tells it
 } together;

@@ -41,6 +41,10 @@ int64_t ranks_add(size_t word, int64_t amount) {
     return before;
 }
 
+void ranks_add_all(size_t word, size_t count, int64_t *amounts) {
+    for (size_t i = 0; i < count; i++) amounts[i] += ranks_add(word + i, amounts[i]);
+}
+
 void ranks_raise(size_t word, int64_t value) {
     if (words[word] < value) words[word] = value;
 }

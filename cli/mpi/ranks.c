@@ -80,79 +80,96 @@ static void await(MPI_Request *request, ranks_meanwhile meanwhile) {
 
 enum { TAG_QUESTION = 1, TAG_ANSWER };
 
+/// What is to be done with the numbers from a word on.
 typedef struct question {
-    int64_t word, amount, is_raised;
+    int64_t word, count, is_raised;
+    int64_t amounts[RANKS_MOST];
 } question;
 
 enum { QUESTION_SIZE = sizeof(question) / sizeof(int64_t) };
 
-/// Changes a number of the first rank; gives what it was before.
-static int64_t change(const question *asked) {
-    int64_t *word = &ranks.words[asked->word];
-    const int64_t before = *word;
-    if (!asked->is_raised) *word += asked->amount;
-    if (asked->is_raised && before < asked->amount) *word = asked->amount;
-    return before;
-}
-
-static void answer_all(void) {
-    MPI_Status from;
-    int waiting;
-    MPI_Iprobe(MPI_ANY_SOURCE, TAG_QUESTION, MPI_COMM_WORLD, &waiting, &from);
-    while (waiting) {
-        question asked;
-        MPI_Recv(&asked, QUESTION_SIZE, MPI_INT64_T, from.MPI_SOURCE, TAG_QUESTION, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
-        const int64_t before = change(&asked);
-        MPI_Send(&before, 1, MPI_INT64_T, from.MPI_SOURCE, TAG_ANSWER, MPI_COMM_WORLD);
-        MPI_Iprobe(MPI_ANY_SOURCE, TAG_QUESTION, MPI_COMM_WORLD, &waiting, &from);
+/// Changes numbers of the first rank; gives what they were before.
+static void change(const question *asked, int64_t before[RANKS_MOST]) {
+    for (int64_t i = 0; i < asked->count; i++) {
+        int64_t *word = &ranks.words[asked->word + i];
+        before[i] = *word;
+        if (!asked->is_raised) *word += asked->amounts[i];
+        if (asked->is_raised && *word < asked->amounts[i]) *word = asked->amounts[i];
     }
 }
 
-/// A thread of the first rank, all of whose others may be computing.
+/// Whether there was a question.
+static bool answer_one(void) {
+    MPI_Status from;
+    int waiting;
+    MPI_Iprobe(MPI_ANY_SOURCE, TAG_QUESTION, MPI_COMM_WORLD, &waiting, &from);
+    if (!waiting) return false;
+    question asked;
+    int64_t before[RANKS_MOST] = {0};
+    MPI_Recv(&asked, QUESTION_SIZE, MPI_INT64_T, from.MPI_SOURCE, TAG_QUESTION, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+    change(&asked, before);
+    MPI_Send(before, RANKS_MOST, MPI_INT64_T, from.MPI_SOURCE, TAG_ANSWER, MPI_COMM_WORLD);
+    return true;
+}
+
+/// A thread of the first rank, all of whose others may be computing. It looks more seldom while nobody asks.
 static void *answer(void *unused) {
-    while (!ranks.leaving) {
+    const long shortest = 100, longest = 2000; // microseconds
+    for (long pause = shortest; !ranks.leaving; rest(pause)) {
+        pause = 2 * pause < longest ? 2 * pause : longest;
         lock();
-        answer_all();
+        while (answer_one()) pause = shortest;
         unlock();
-        rest(300);
     }
     return unused;
 }
 
 /// One question of a rank at a time.
-static int64_t ask(const question *asked) {
-    int64_t before = 0;
+static void ask(const question *asked, int64_t before[RANKS_MOST]) {
     MPI_Request requests[2];
     pthread_mutex_lock(&ranks.asking);
     lock();
-    MPI_Irecv(&before, 1, MPI_INT64_T, 0, TAG_ANSWER, MPI_COMM_WORLD, &requests[0]);
+    MPI_Irecv(before, RANKS_MOST, MPI_INT64_T, 0, TAG_ANSWER, MPI_COMM_WORLD, &requests[0]);
     MPI_Isend(asked, QUESTION_SIZE, MPI_INT64_T, 0, TAG_QUESTION, MPI_COMM_WORLD, &requests[1]);
     for (int done = 0; !done;) {
         MPI_Testall(2, requests, &done, MPI_STATUSES_IGNORE);
         unlock();
-        if (!done) rest(50);
+        if (!done) rest(100);
         lock();
     }
     unlock();
     pthread_mutex_unlock(&ranks.asking);
-    return before;
 }
 
-static int64_t change_for_all(size_t word, int64_t amount, bool is_raised) {
-    const question asked = {(int64_t)word, amount, is_raised};
-    if (ranks.number > 0) return ask(&asked);
+static void change_for_all(const question *asked, int64_t before[RANKS_MOST]) {
+    if (ranks.number > 0) {
+        ask(asked, before);
+        return;
+    }
     lock();
-    const int64_t before = change(&asked);
+    change(asked, before);
     unlock();
-    return before;
 }
 
 int64_t ranks_add(size_t word, int64_t amount) {
-    return change_for_all(word, amount, false);
+    const question asked = {.word = (int64_t)word, .count = 1, .amounts = {amount}};
+    int64_t before[RANKS_MOST];
+    change_for_all(&asked, before);
+    return before[0];
+}
+
+void ranks_add_all(size_t word, size_t count, int64_t *amounts) {
+    question asked = {.word = (int64_t)word, .count = (int64_t)count};
+    int64_t before[RANKS_MOST];
+    for (size_t i = 0; i < count; i++) asked.amounts[i] = amounts[i];
+    change_for_all(&asked, before);
+    for (size_t i = 0; i < count; i++) amounts[i] += before[i];
 }
 
 void ranks_raise(size_t word, int64_t value) {
-    change_for_all(word, value, true);
+    const question asked = {.word = (int64_t)word, .count = 1, .is_raised = true, .amounts = {value}};
+    int64_t before[RANKS_MOST];
+    change_for_all(&asked, before);
 }
 
 // ---------------------------------------------------------------- all together
