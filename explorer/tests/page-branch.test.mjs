@@ -216,8 +216,9 @@ test(
     // Each branch at this value in turn, then the motion.
     const seen = [];
     for (let i = 0; i < 12; i++) {
+      const before = page.url();
       await page.keyboard.press('o');
-      await page.waitForTimeout(600);
+      await page.waitForFunction((url) => location.href !== url, before);
       const orbit = new URL(page.url()).hash.match(/orbit=(\d+)/)?.[1];
       if (orbit === undefined) break;
       seen.push(Number(orbit));

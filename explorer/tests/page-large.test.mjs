@@ -74,6 +74,110 @@ function largePage(points, rows) {
   return pathToFileURL(path).href;
 }
 
+/// A page with a map of `side` x `side` cells: stripes of P-1 to P-4 with a disc of chaos.
+function largeMap(side) {
+  const axis = Float64Array.from({ length: side }, (_, i) => 1 + i / (side - 1));
+  const cells = { length: side * side };
+  const away = (cell) => Math.hypot((cell % side) / side - 0.5, Math.floor(cell / side) / side - 0.5);
+  const scalar = (name, of) => ({
+    name,
+    unit: '1',
+    meaning: '',
+    extent: 'point',
+    repeat: 1,
+    rows: 1,
+    columns: 1,
+    data: base64(Float32Array.from(cells, (_, cell) => of(cell))),
+  });
+  const run = {
+    name: 'map',
+    title: 'Large map',
+    case_name: 'map.yaml',
+    case_text: '',
+    speed: 1,
+    length_scale: 1,
+    force_scale: 1,
+    parameters: [
+      { name: 'a', unit: '1', text: '', value: 1.5 },
+      { name: 'b', unit: '1', text: '', value: 1.5 },
+    ],
+    stations: [{ name: 'disc', clearance: 0, gap: 0 }],
+    contacts: [],
+    facts: [],
+    tables: [
+      {
+        name: 'map',
+        parameter: 'a',
+        points: side * side,
+        count: side * side,
+        method: 'map',
+        steps_per_revolution: 1,
+        transient: 500,
+        record: 1,
+        map: { second: 'b', columns: side, rows: side, x: base64(axis), y: base64(axis) },
+        fields: [
+          scalar('regime/code', (cell) => (away(cell) < 0.3 ? 3 : 1)),
+          scalar('regime/period', (cell) => (away(cell) < 0.3 ? 0 : 1 + (cell % 4))),
+          scalar('regime/confidence', () => 2),
+          scalar('lyapunov/largest', (cell) => 0.3 - away(cell)),
+        ],
+      },
+    ],
+  };
+  const path = join(folder, `map-${side}.html`);
+  const page = readFileSync(template, 'utf8')
+    .replace(/(id="whirl-(worker|core)">)[^<]*/g, '$1')
+    .replace('@WHIRL-RUNS@', () => JSON.stringify([run]));
+  writeFileSync(path, page);
+  return pathToFileURL(path).href;
+}
+
+test('a map of a million cells appears, and each of them can be seen', { timeout: 300_000 }, async (context) => {
+  const side = 1000;
+  const address = largeMap(side);
+  const card = '.parameter-map-card';
+  await (await open('about:blank')).close();
+  const began = Date.now();
+  const { page, complaints, close } = await open(address);
+  await page.waitForSelector(`${card} .legend-entry`, { timeout: 60_000 });
+  const first = Date.now() - began;
+  // Every kind has as many cells as were made.
+  let chaotic = 0;
+  for (let cell = 0; cell < side * side; cell++)
+    chaotic += Math.hypot((cell % side) / side - 0.5, Math.floor(cell / side) / side - 0.5) < 0.3;
+  const entries = await page.$$eval(`${card} .legend-entry`, (all) => all.map(({ textContent }) => textContent));
+  assert.ok(entries.includes(`chaotic ${chaotic}`), entries.join());
+  // The wheel goes to single cells: what is told of three neighbours is what was made.
+  const overlay = await page.$(`${card} .overlay`);
+  await overlay.focus();
+  const box = await overlay.boundingBox();
+  const [x, y] = [box.x + box.width * 0.02, box.y + box.height * 0.5];
+  await page.mouse.move(x, y);
+  const times = [];
+  for (let i = 0; i < 40; i++) {
+    const start = Date.now();
+    await page.mouse.wheel(0, -80);
+    await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+    times.push(Date.now() - start);
+  }
+  assert.ok(await page.isVisible(`${card} button:has-text("whole")`));
+  const told = new Set();
+  for (const part of [0.1, 0.35, 0.6, 0.9]) {
+    await page.mouse.move(box.x + box.width * part, y);
+    const place = await page.textContent('.map-place');
+    const column = Math.round((Number(/^a (\S+), /.exec(place)[1]) - 1) * (side - 1));
+    assert.equal(await page.textContent('.map-told .verdict'), `P-${1 + (column % 4)}`);
+    told.add(column);
+  }
+  assert.equal(told.size, 4);
+  await page.click(`${card} button:has-text("whole")`);
+  assert.ok(await page.isHidden(`${card} button:has-text("whole")`));
+  times.sort((a, b) => a - b);
+  context.diagnostic(`a million cells: first picture ${first} ms, a frame of zooming ${times[20]} ms (median)`);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
 for (const [points, rows, most] of [
   [512, 100, 10_000],
   [4096, 200, 30_000],

@@ -14,11 +14,14 @@
 static const char mark[] = "@WHIRL-RUNS@";
 
 /// What a browser takes in at once: more points of a table, more cells of a map, more of its section, or more numbers
-/// of machines at rest, or of orbits' nodes, are thinned evenly.
+/// of machines at rest, or of orbits' nodes, are thinned evenly. Maps of more than the cells that are told in full have
+/// the numbers alone that are most looked at.
 enum {
     MOST_POINTS = 1 << 16,
-    MOST_CELLS = 1 << 14,
+    MOST_CELLS = 1 << 20,
+    MOST_CELLS_IN_FULL = 1 << 14,
     MOST_SECTION = 1 << 20,
+    LEAST_ROWS = 8, ///< of the section of such a map, else it has none
     MOST_AT_REST = 1 << 22,
     MOST_NUMBERED = 127, ///< attractors that the page tells apart
     MOST_NODES = 1 << 20,
@@ -132,6 +135,7 @@ typedef struct selection {
     const whirl_table *table;
     size_t stride, count;
     bool sections, resting;
+    bool lean; ///< a map that is not told in full
 } selection;
 
 /// The first chosen point from one on; the table's count where there is none.
@@ -140,6 +144,7 @@ static size_t chosen_from(const selection *chosen, size_t point) {
     for (; point < table->count; point++) {
         const size_t slot = table->row ? whirl_table_slot(table, point) : point;
         const size_t row = table->row ? slot / table->row : 0;
+        if (table->row && !whirl_table_done(table, point)) continue;
         if ((slot - row * table->row) % chosen->stride == 0 && row % chosen->stride == 0) break;
     }
     return point;
@@ -172,6 +177,7 @@ static selection select_cells(const whirl_table *table, bool sections) {
     selection chosen = {.table = table, .stride = 1, .sections = sections};
     while (thinned(table->row, chosen.stride) * thinned(rows, chosen.stride) > MOST_CELLS) chosen.stride++;
     for (size_t p = first_chosen(&chosen); p < table->count; p = next_chosen(&chosen, p)) chosen.count++;
+    chosen.lean = chosen.count > MOST_CELLS_IN_FULL;
     return chosen;
 }
 
@@ -182,34 +188,72 @@ static selection select_points(const whirl_table *table, bool sections) {
     const size_t fitting = MOST_AT_REST / (table->layout.size + 1) + 1;
     const size_t room = resting && fitting < MOST_POINTS ? fitting : MOST_POINTS;
     const size_t stride = thinned(table->count, room);
-    return (selection){table, stride ? stride : 1, thinned(table->count, stride ? stride : 1), sections, resting};
+    return (selection){.table = table,
+                       .stride = stride ? stride : 1,
+                       .count = thinned(table->count, stride ? stride : 1),
+                       .sections = sections,
+                       .resting = resting};
+}
+
+/// Columns and rows that a map has in the page.
+typedef struct page_grid {
+    size_t columns, rows;
+} page_grid;
+
+static page_grid grid_of(const selection *chosen) {
+    const whirl_table *table = chosen->table;
+    return (page_grid){thinned(table->row, chosen->stride),
+                       thinned(thinned(whirl_table_planned(table), table->row), chosen->stride)};
+}
+
+/// The cell of a point, row after row.
+static size_t cell_of(const selection *chosen, page_grid grid, size_t point) {
+    const size_t row = chosen->table->row, slot = whirl_table_slot(chosen->table, point);
+    return slot / row / chosen->stride * grid.columns + slot % row / chosen->stride;
+}
+
+static void write_float64(FILE *stream, const char *key, const double *values, size_t count) {
+    member(stream, ',', key);
+    fputc('"', stream);
+    base64 to = {.stream = stream};
+    for (size_t i = 0; i < count; i++) base64_float64(&to, values[i]);
+    base64_end(&to);
+    fputc('"', stream);
+}
+
+/// The values along both axes, NaN where no point tells; false without memory.
+static bool write_axes(FILE *stream, const selection *chosen, page_grid grid) {
+    double *x = malloc((grid.columns + grid.rows + 1) * sizeof *x), *y = x ? x + grid.columns : NULL;
+    if (!x) return false;
+    for (size_t i = 0; i < grid.columns + grid.rows; i++) x[i] = (double)NAN;
+    for (size_t p = first_chosen(chosen); p < chosen->table->count; p = next_chosen(chosen, p)) {
+        const size_t cell = cell_of(chosen, grid, p);
+        x[cell % grid.columns] = chosen->table->values[p];
+        y[cell / grid.columns] = whirl_table_second(chosen->table, p);
+    }
+    write_float64(stream, "x", x, grid.columns);
+    write_float64(stream, "y", y, grid.rows);
+    free(x);
+    return true;
 }
 
 /// The second parameter of a map, its columns and rows in the page, and of every point its cell among these, row after
-/// row, and the value of the second parameter.
-static void write_cells(FILE *stream, const selection *chosen) {
-    const whirl_table *table = chosen->table;
-    if (!table->row) return;
-    const size_t columns = thinned(table->row, chosen->stride);
-    const size_t rows = thinned(thinned(whirl_table_planned(table), table->row), chosen->stride);
+/// row, where that is not its number.
+static bool write_cells(FILE *stream, const selection *chosen) {
+    const page_grid grid = grid_of(chosen);
     member(stream, ',', "map");
-    text_member(stream, '{', "second", table->second);
-    fprintf(stream, ",\"columns\":%zu,\"rows\":%zu", columns, rows);
-    member(stream, ',', "cells");
-    char before = '[';
-    for (size_t p = first_chosen(chosen); p < table->count; p = next_chosen(chosen, p), before = ',') {
-        const size_t slot = whirl_table_slot(table, p);
-        const size_t row = slot / table->row / chosen->stride;
-        fprintf(stream, "%c%zu", before, row * columns + slot % table->row / chosen->stride);
+    text_member(stream, '{', "second", chosen->table->second);
+    fprintf(stream, ",\"columns\":%zu,\"rows\":%zu", grid.columns, grid.rows);
+    const bool well = write_axes(stream, chosen, grid);
+    if (chosen->count < grid.columns * grid.rows) {
+        member(stream, ',', "cells");
+        char before = '[';
+        for (size_t p = first_chosen(chosen); p < chosen->table->count; p = next_chosen(chosen, p), before = ',')
+            fprintf(stream, "%c%zu", before, cell_of(chosen, grid, p));
+        fputs(end_of_list(chosen), stream);
     }
-    fputs(end_of_list(chosen), stream);
-    member(stream, ',', "seconds");
-    fputc('"', stream);
-    base64 seconds = {.stream = stream};
-    for (size_t p = first_chosen(chosen); p < table->count; p = next_chosen(chosen, p))
-        base64_float64(&seconds, whirl_table_second(table, p));
-    base64_end(&seconds);
-    fputs("\"}", stream);
+    fputc('}', stream);
+    return well;
 }
 
 enum { MOST_ATTRACTORS = 64 };
@@ -249,24 +293,21 @@ static void write_attractors(FILE *stream, const selection *chosen) {
     free(labels);
 }
 
+/// A number of every chosen point.
+static void write_chosen(FILE *stream, const char *key, const selection *chosen, const double *values) {
+    member(stream, ',', key);
+    fputc('"', stream);
+    base64 to = {.stream = stream};
+    for (size_t p = first_chosen(chosen); p < chosen->table->count; p = next_chosen(chosen, p))
+        base64_float64(&to, values[p]);
+    base64_end(&to);
+    fputc('"', stream);
+}
+
+/// Where points lie that are no cells.
 static void write_values(FILE *stream, const selection *chosen) {
     const whirl_table *table = chosen->table;
-    member(stream, ',', "values");
-    fputc('"', stream);
-    base64 values = {.stream = stream};
-    for (size_t p = first_chosen(chosen); p < table->count; p = next_chosen(chosen, p))
-        base64_float64(&values, table->values[p]);
-    base64_end(&values);
-    fputc('"', stream);
-    if (table->length_scales) {
-        member(stream, ',', "length_scales");
-        fputc('"', stream);
-        base64 scales = {.stream = stream};
-        for (size_t p = first_chosen(chosen); p < table->count; p = next_chosen(chosen, p))
-            base64_float64(&scales, table->length_scales[p]);
-        base64_end(&scales);
-        fputc('"', stream);
-    }
+    write_chosen(stream, "values", chosen, table->values);
     member(stream, ',', "branch");
     char before = '[';
     for (size_t p = first_chosen(chosen); p < table->count; p = next_chosen(chosen, p), before = ',')
@@ -290,7 +331,7 @@ static void tell_attractor(const whirl_table *table, size_t point, char *text, s
 
 static void write_verdicts(FILE *stream, const selection *chosen) {
     const whirl_table *table = chosen->table;
-    if (!whirl_layout_has_verdict(&table->layout)) return;
+    if (!whirl_layout_has_verdict(&table->layout) || chosen->lean) return; // regimes and periods tell
     member(stream, ',', "verdicts");
     char before = '[';
     for (size_t p = first_chosen(chosen); p < table->count; p = next_chosen(chosen, p), before = ',') {
@@ -315,7 +356,18 @@ typedef struct kept_part {
     size_t first_row, rows, columns;
 } kept_part;
 
+/// What a map that is not told in full has of its cells.
+static bool is_looked_at_most(const whirl_field *field) {
+    static const char *const names[] = {"regime/code",     "regime/period",    "regime/confidence", "lyapunov/largest",
+                                        "regime/exponent", "orbit/max_radius", "rub/share"};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+        if (strcmp(field->name, names[i]) == 0) return true;
+    return false;
+}
+
 static kept_part part_of(const whirl_field *field, const selection *chosen) {
+    const bool section = strcmp(field->name, "poincare/section") == 0 && chosen->count <= MOST_SECTION / LEAST_ROWS;
+    if (chosen->lean && !section && !is_looked_at_most(field)) return (kept_part){0};
     if (field->rows == 1 || chosen->resting) return (kept_part){0, field->rows, field->columns};
     if (strncmp(field->name, "torus/section_", strlen("torus/section_")) == 0) return (kept_part){0, field->rows, 2};
     if (strcmp(field->name, "trace/section") == 0) return (kept_part){0, field->rows, 2};
@@ -433,7 +485,8 @@ static void write_orbits(FILE *stream, const whirl_table *table) {
     fputc('"', stream);
 }
 
-static void write_table(FILE *stream, const whirl_table *table, bool sections) {
+static bool write_table(FILE *stream, const whirl_table *table, bool sections) {
+    bool well = true;
     const selection chosen = select_points(table, sections && table->count > 0);
     text_member(stream, '{', "name", table->name);
     text_member(stream, ',', "parameter", table->parameter);
@@ -443,17 +496,22 @@ static void write_table(FILE *stream, const whirl_table *table, bool sections) {
     script_members(stream, whirl_integrate_members(), &table->integrate);
     script_members(stream, whirl_record_members(), &table->record);
     if (whirl_analysis_is_traced(table->analyses)) script_members(stream, whirl_trace_members(), &table->record.trace);
-    write_values(stream, &chosen);
-    write_cells(stream, &chosen);
+    if (table->length_scales) write_chosen(stream, "length_scales", &chosen, table->length_scales);
+    if (table->row)
+        well = write_cells(stream, &chosen);
+    else
+        write_values(stream, &chosen);
     write_attractors(stream, &chosen);
     write_verdicts(stream, &chosen);
     write_critical(stream, table);
     write_fields(stream, &chosen);
     write_orbits(stream, table);
     fputc('}', stream);
+    return well;
 }
 
-static void write_run(FILE *stream, const whirl_result *result, const char *name) {
+static bool write_run(FILE *stream, const whirl_result *result, const char *name) {
+    bool well = true;
     text_member(stream, '{', "name", name);
     text_member(stream, ',', "title", result->title);
     text_member(stream, ',', "case_name", result->case_name);
@@ -468,22 +526,25 @@ static void write_run(FILE *stream, const whirl_result *result, const char *name
     fputc('[', stream);
     for (size_t t = 0; t < result->table_count; t++) {
         if (t > 0) fputc(',', stream);
-        write_table(stream, &result->tables[t], t == 0);
+        well = write_table(stream, &result->tables[t], t == 0) && well;
     }
     fputs("]}", stream);
+    return well;
 }
 
-/// The template up to `place`, the runs, and what follows the mark.
-static void write_page(FILE *stream, const char *page, const char *place, const whirl_result *const *results,
+/// The template up to `place`, the runs, and what follows the mark; false without memory.
+static bool write_page(FILE *stream, const char *page, const char *place, const whirl_result *const *results,
                        const char *const *names, size_t count) {
+    bool well = true;
     fwrite(page, 1, (size_t)(place - page), stream);
     fputc('[', stream);
     for (size_t r = 0; r < count; r++) {
         if (r > 0) fputs(",\n", stream);
-        write_run(stream, results[r], names[r]);
+        well = write_run(stream, results[r], names[r]) && well;
     }
     fputc(']', stream);
     fputs(place + strlen(mark), stream);
+    return well;
 }
 
 whirl_status explorer_write(const char *template_path, const whirl_result *const *results, const char *const *names,
@@ -496,8 +557,9 @@ whirl_status explorer_write(const char *template_path, const whirl_result *const
         report_file file = {0};
         status = report_file_open(&file, directory, "explorer.html");
         if (status.code == WHIRL_OK) {
-            write_page(file.stream, page, place, results, names, count);
+            const bool well = write_page(file.stream, page, place, results, names, count);
             status = report_file_close(&file);
+            if (!well) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the axes of a map");
         }
     } else
         status = unreadable(template_path, "has no place for results: it is no template of the explorer");

@@ -1,7 +1,7 @@
 // A diagram: points along one parameter with what is known of each, from a stored run or from the engine.
 import type { Field, Layout, SweepPoints, Verdict } from '../engine/protocol';
-import { regimeClass, UNDETERMINED } from './regimes';
-import { float32Of, float64Of, type StoredTable } from './run';
+import { regimeClass, regimeName, UNDETERMINED } from './regimes';
+import { float32Of, float64Of, type StoredMap, type StoredTable } from './run';
 
 /// Numbers of every point: [points][rows].
 export interface Column {
@@ -16,6 +16,14 @@ const SECTION = 'poincare/section';
 
 function columnKey(field: string, which: number, column: number): string {
   return `${field} ${which} ${column}`;
+}
+
+const NO_VERDICT = ['', ''] as const;
+
+/// Values of the points of a map along its rows.
+function valuesOfCells({ columns, x, cells }: StoredMap, count: number): Float64Array {
+  const values = float64Of(x);
+  return Float64Array.from({ length: count }, (_, point) => values[(cells?.[point] ?? point) % columns]!);
 }
 
 export class Diagram {
@@ -43,7 +51,7 @@ export class Diagram {
     this.done = new Uint8Array(values.length);
     this.provisional = new Uint8Array(values.length);
     this.lengthScales = new Float64Array(values.length).fill(NaN);
-    this.verdicts = Array.from({ length: values.length }, () => ['', ''] as const);
+    this.verdicts = new Array<typeof NO_VERDICT>(values.length).fill(NO_VERDICT);
   }
 
   get count(): number {
@@ -59,8 +67,10 @@ export class Diagram {
 
   /// A stored table, whose lengths are in units of `lengthScale` [m] where its points have none of their own.
   static stored(table: StoredTable, lengthScale: number): Diagram {
-    const made = new Diagram(table.parameter, float64Of(table.values), Int8Array.from(table.branch));
-    made.done.set(table.done);
+    const values = table.map ? valuesOfCells(table.map, table.count) : float64Of(table.values ?? '');
+    const made = new Diagram(table.parameter, values, Int8Array.from(table.branch ?? { length: table.count }));
+    if (table.done) made.done.set(table.done);
+    else made.done.fill(1);
     if (table.length_scales) made.lengthScales.set(float64Of(table.length_scales));
     else made.lengthScales.fill(lengthScale);
     for (const stored of table.fields) {
@@ -78,6 +88,7 @@ export class Diagram {
     }
     table.verdicts?.forEach((verdict, point) => (made.verdicts[point] = verdict));
     for (let point = 0; point < made.count; point++) made.classify(point);
+    if (!table.verdicts && table.map) made.nameVerdicts();
     return made;
   }
 
@@ -251,6 +262,17 @@ export class Diagram {
       }
     }
     return best;
+  }
+
+  /// By regimes and periods alone; the same text for all that have the same.
+  private nameVerdicts(): void {
+    const names = new Map<number, readonly [string, string]>();
+    for (let point = 0; point < this.count; point++) {
+      const [code, period] = [this.number(point, 'regime/code'), this.number(point, 'regime/period')];
+      const key = 8 * period + code;
+      if (!names.has(key)) names.set(key, [regimeName(code, period), '']);
+      this.verdicts[point] = names.get(key)!;
+    }
   }
 
   private classify(point: number): void {

@@ -68,9 +68,13 @@ function axisOf(parameter: string, values: Float64Array): MapAxis {
 
 /// The cell of an axis that a value is nearest to.
 export function nearestOn({ values, edges }: MapAxis, value: number): number {
-  let i = 0;
-  while (i + 1 < values.length && value > edges[i + 1]!) i++;
-  return i;
+  let [low, high] = [0, values.length - 1];
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (value > edges[middle + 1]!) low = middle + 1;
+    else high = middle;
+  }
+  return low;
 }
 
 export class ParameterMap {
@@ -89,22 +93,18 @@ export class ParameterMap {
     private readonly attractor: readonly number[],
   ) {
     const { columns, rows } = map;
-    const seconds = float64Of(map.seconds);
-    const [x, y] = [new Float64Array(columns).fill(NaN), new Float64Array(rows).fill(NaN)];
-    map.cells.forEach((cell, point) => {
-      x[cell % columns] = diagram.values[point]!;
-      if (Number.isFinite(seconds[point])) y[Math.floor(cell / columns)] = seconds[point]!;
-    });
+    const [x, y] = [float64Of(map.x), float64Of(map.y)];
     const falls = (values: Float64Array) => {
       const known = values.filter(Number.isFinite);
       return known.length > 1 && known[0]! > known.at(-1)!;
     };
     const [back, down] = [falls(x), falls(y)];
     this.points = new Int32Array(columns * rows).fill(-1);
-    map.cells.forEach((cell, point) => {
+    for (let point = 0; point < diagram.count; point++) {
+      const cell = map.cells?.[point] ?? point;
       const [column, row] = [cell % columns, Math.floor(cell / columns)];
       this.points[(down ? rows - 1 - row : row) * columns + (back ? columns - 1 - column : column)] = point;
-    });
+    }
     this.x = axisOf(diagram.parameter, x);
     this.y = axisOf(map.second, y);
   }
@@ -157,7 +157,12 @@ export class ParameterMap {
 
   /// The point of a cell that is done; -1 where there is none.
   point({ column, row }: Cell): number {
-    const point = this.points[row * this.columns + column] ?? -1;
+    return this.pointAt(row * this.columns + column);
+  }
+
+  /// By the number of the cell, row after row.
+  pointAt(cell: number): number {
+    const point = this.points[cell] ?? -1;
     return point >= 0 && this.diagram.done[point] ? point : -1;
   }
 

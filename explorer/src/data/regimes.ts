@@ -31,3 +31,9 @@ export function regimeClass(code: number, period: number): number {
       return UNDETERMINED;
   }
 }
+
+/// "P-3", "chaotic"; "" where there is none.
+export function regimeName(code: number, period: number): string {
+  if (Number.isNaN(code)) return '';
+  return code === 1 ? `P-${period}` : CLASS_NAMES[regimeClass(code, period)]!;
+}

@@ -6,16 +6,17 @@ export interface StoredField extends Omit<Field, 'offset'> {
   readonly data: string;
 }
 
-/// What the table of a map has besides, whose cells lie row after row, along the parameter of the table.
+/// What the table of a map has in place of values, whose cells lie row after row, along the parameter of the table.
 export interface StoredMap {
   /// The second parameter, which changes from row to row.
   readonly second: string;
   readonly columns: number;
   readonly rows: number;
-  /// The cell of every point.
-  readonly cells: readonly number[];
-  /// The second parameter of every point in SI, float64, little-endian, base64; NaN of points that are not done.
-  readonly seconds: string;
+  /// The values along both axes in SI, float64, little-endian, base64; NaN where no point is.
+  readonly x: string;
+  readonly y: string;
+  /// The cell of every point, where that is not its number.
+  readonly cells?: readonly number[];
 }
 
 /// A motion that several starts of a basin came to rest on.
@@ -40,17 +41,17 @@ export interface StoredTable {
   readonly steps_per_revolution: number;
   readonly transient: number;
   readonly record: number;
-  /// float64, little-endian, base64.
-  readonly values: string;
+  /// float64, little-endian, base64; not of maps, as the next two but one.
+  readonly values?: string;
   /// float64 as well: metres per unit of length of every point, where the parameter changes them.
   readonly length_scales?: string;
   readonly map?: StoredMap;
   /// Of a basin; and of every point the number of its own, from 1, or 0 where none is told.
   readonly attractors?: readonly Attractor[];
   readonly attractor?: readonly number[];
-  readonly branch: readonly number[];
-  readonly done: readonly number[];
-  /// Name and reason of every point's verdict.
+  readonly branch?: readonly number[];
+  readonly done?: readonly number[];
+  /// Name and reason of every point's verdict; not of large maps.
   readonly verdicts?: readonly (readonly [string, string])[];
   /// Of machines at rest, what was located between points: kind, value, speed, frequency, damping ratio, direction.
   readonly critical?: readonly (readonly (number | null)[])[];

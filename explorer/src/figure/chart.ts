@@ -117,6 +117,12 @@ export class Chart implements Figure {
     return this.plot ? this.plot.valToPos(value, 'y') : NaN;
   }
 
+  /// Whether a value is in the range that is shown.
+  isSeen(value: number, axis: 'x' | 'y'): boolean {
+    const [low, high] = axis === 'x' ? this.xRange : this.yRange;
+    return value >= low && value <= high;
+  }
+
   /// Left edge and width of the plotting area in CSS pixels.
   get area(): { readonly left: number; readonly width: number } {
     const ratio = window.devicePixelRatio || 1;

@@ -331,7 +331,7 @@ export class Session {
     const table = machine.run?.tables.find((each) => each.map);
     if (!map || !table) return '';
     const thinned = table.count < table.points ? ` (of ${table.points} points in the run)` : '';
-    const missing = table.count - map.diagram.known;
+    const missing = map.columns * map.rows - map.diagram.known;
     return (
       `Stored run: ${map.columns} by ${map.rows} points over ${map.x.parameter} and ${map.y.parameter}${thinned}` +
       `${missing > 0 ? `, ${missing} of them not computed` : ''}.`

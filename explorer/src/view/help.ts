@@ -7,6 +7,7 @@ const KEYS: readonly (readonly [string, string])[] = [
   ['O', 'the orbit of the next branch at the value of the cursor; after the last one the motion'],
   ['Arrows on a map', 'from cell to cell, with Shift ten; Home, End, Page Up and Page Down go to its borders'],
   ['C on a map', 'the diagram is the column of the cursor in place of its row, and back'],
+  ['+ \u2212 on a map', 'a smaller or larger part of it, about the cursor; so does the wheel, and Shift and drag'],
   ['Page Up, Page Down', 'a twentieth of the range'],
   ['Home, End', 'to the ends of the range'],
   ['+ \u2212', 'zoom in and out about the cursor; the wheel does the same. Finer points are then computed in the view'],

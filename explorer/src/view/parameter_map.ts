@@ -1,11 +1,12 @@
 // A map over two parameters: its cells in the colours of regimes or of a quantity, the cells of settings A and B, and
 // what hands and keys do on them.
 import { ATTRACTOR, mapNumbersOf, partOf, REGIME, type MapNumbers } from '../data/map_quantities';
-import { nearestOn, type Cell, type ParameterMap } from '../data/parameter_map';
+import type { Cell, ParameterMap } from '../data/parameter_map';
 import { CLASS_NAMES } from '../data/regimes';
 import { el } from '../dom';
 import type { StationInfo } from '../engine/protocol';
 import { Chart, type Frame, type Range } from '../figure/chart';
+import { drawCells, type Sheet } from '../figure/cells';
 import { ColourBar } from '../figure/colour_bar';
 import { textSize, theme, type Picture } from '../figure/figure';
 import { attractorColour, colourAt, mixed } from '../figure/palette';
@@ -13,6 +14,7 @@ import { SvgPen, type Pen } from '../figure/pen';
 import { CONFIDENCE_NAMES, type Theme } from '../figure/theme';
 import { labelled, parameterMeasure, readable, shown, type Measure, type Scales, type Units } from '../model/units';
 import { placeKeys, sketchKeys, type Key } from './rest_subject';
+import { MapWindow } from './map_window';
 import type { Table } from './panel';
 
 export interface ParameterMapSubject {
@@ -43,6 +45,8 @@ export interface ParameterMapListener {
   hover(cell: Cell | undefined): void;
   /// The cut is to run along the other parameter.
   turn(): void;
+  /// All of the map is seen, or a part of it.
+  zoomed(part: boolean): void;
 }
 
 /// A place in the plane of the two parameters, in SI.
@@ -50,6 +54,12 @@ export type Spot = readonly [number, number];
 
 /// How much of a regime's colour is left, by confidence: low, fair, high.
 const STRENGTH = [0.4, 0.75, 1];
+
+/// Colours of numbers.
+const SHADES = 256;
+
+/// By which a key zooms.
+const ZOOM = 1.5;
 
 export class ParameterMapView {
   readonly root: HTMLElement;
@@ -59,6 +69,8 @@ export class ParameterMapView {
   private subject: ParameterMapSubject | undefined;
   private numbers: MapNumbers | undefined;
   private drawn = '';
+  private window: MapWindow | undefined;
+  private readonly brush = el('div', { class: 'map-brush', hidden: true });
   private spot: Spot = [NaN, NaN];
 
   constructor(private readonly listener: ParameterMapListener) {
@@ -69,6 +81,7 @@ export class ParameterMapView {
     const { overlay } = this.chart;
     this.marks = { a: new CellMark('a', this.chart), b: new CellMark('b', this.chart) };
     new ResizeObserver(() => this.placeMarks()).observe(overlay);
+    overlay.append(this.brush);
     overlay.tabIndex = 0;
     overlay.setAttribute('role', 'slider');
     overlay.addEventListener('keydown', (event) => this.key(event));
@@ -78,6 +91,7 @@ export class ParameterMapView {
   show(subject: ParameterMapSubject): void {
     const changed = this.subject?.map !== subject.map;
     this.subject = subject;
+    if (changed) this.window = new MapWindow(subject.map.x, subject.map.y);
     const { quantity, lines, station, units, scales } = subject;
     const key = JSON.stringify([quantity, lines, station, units, scales.symbol]);
     if (!changed && key === this.drawn) return;
@@ -98,11 +112,24 @@ export class ParameterMapView {
       map.y.logarithmic,
       map.x.logarithmic,
     );
-    const range = (edges: Float64Array, { factor }: Measure): Range => [edges[0]! * factor, edges.at(-1)! * factor];
-    this.chart.show(range(map.x.edges, x), range(map.y.edges, y));
-    this.chart.redraw();
     this.bar.show(this.numbers);
+    this.look();
+  }
+
+  /// After the window has changed.
+  private look(): void {
+    const [x, y] = this.measures();
+    const range = ([low, high]: Range, { factor }: Measure): Range => [low * factor, high * factor];
+    this.chart.show(range(this.window!.x.shown, x), range(this.window!.y.shown, y));
+    this.chart.redraw();
     this.placeMarks();
+    this.listener.zoomed(this.window!.zoomed);
+  }
+
+  /// Shows all of the map again.
+  unzoom(): void {
+    this.window?.reset();
+    if (this.subject) this.look();
   }
 
   /// Where settings A and B are, and along which parameter the cut of the active one runs ("": along none).
@@ -211,52 +238,43 @@ export class ParameterMapView {
     return [parameterMeasure(unitsOfAxes[0], units), parameterMeasure(unitsOfAxes[1], units)];
   }
 
-  /// The colour of a point; undefined leaves its cell blank.
-  private colourOf(point: number, colours: Theme): string | undefined {
-    const { diagram } = this.subject!.map;
+  /// Gives the colour of a point; undefined leaves its cell blank. Numbers have one of so many colours.
+  private colouring(colours: Theme): (point: number) => string | undefined {
+    const { map, quantity } = this.subject!;
+    const { diagram } = map;
     const { numbers } = this;
     if (numbers) {
-      const number = numbers.numbers[point]!;
-      return Number.isNaN(number) ? undefined : colourAt(numbers.palette, partOf(numbers, number), colours);
+      const palette = Array.from({ length: SHADES }, (_, i) => colourAt(numbers.palette, i / (SHADES - 1), colours));
+      return (point) => {
+        const part = Math.min(1, Math.max(0, partOf(numbers, numbers.numbers[point]!)));
+        return palette[Math.round(part * (SHADES - 1))]; // NaN has none
+      };
     }
-    if (this.subject!.quantity === ATTRACTOR.id) return attractorColour(this.subject!.map.attractorOf(point), colours);
-    if (this.subject!.quantity !== REGIME.id) return undefined;
-    const strength = STRENGTH[diagram.confidence(point)] ?? 1;
-    return mixed(colours.paper, colours.classes[diagram.classes[point]!]!, strength);
+    if (quantity === ATTRACTOR.id) return (point) => attractorColour(map.attractorOf(point), colours);
+    if (quantity !== REGIME.id) return () => undefined;
+    const strong = colours.classes.map((colour) => STRENGTH.map((part) => mixed(colours.paper, colour, part)));
+    return (point) =>
+      strong[diagram.classes[point]!]![diagram.confidence(point)] ?? colours.classes[diagram.classes[point]!];
   }
 
   private draw(pen: Pen, frame: Frame, colours: Theme): void {
     if (!this.subject) return;
     const { map, lines } = this.subject;
     const [mx, my] = this.measures();
-    const x = Array.from(map.x.edges, (edge) => frame.x(edge * mx.factor));
-    const y = Array.from(map.y.edges, (edge) => frame.y(edge * my.factor));
-    this.drawCells(pen, x, y, frame.ratio, colours);
-    if (!lines) return;
-    pen.strokeStyle = colours.ink;
-    pen.lineWidth = frame.ratio;
-    drawBoundaries(pen, map, x, y);
-  }
-
-  /// Neighbours of one colour in a row make one piece, which reaches a little under the next: no seam is seen.
-  private drawCells(pen: Pen, x: readonly number[], y: readonly number[], seam: number, colours: Theme): void {
-    const { map } = this.subject!;
-    for (let row = 0; row < map.rows; row++)
-      for (let column = 0, next; column < map.columns; column = next) {
-        const colour = this.colourAt(column, row, colours);
-        for (next = column + 1; next < map.columns && this.colourAt(next, row, colours) === colour;) next++;
-        if (!colour) continue;
-        const [under, above] = [next < map.columns ? seam : 0, row + 1 < map.rows ? seam : 0];
-        pen.fillStyle = colour;
-        pen.beginPath();
-        pen.rect(x[column]!, y[row + 1]! - above, x[next]! - x[column]! + under, y[row]! - y[row + 1]! + above);
-        pen.fill();
-      }
-  }
-
-  private colourAt(column: number, row: number, colours: Theme): string | undefined {
-    const point = this.subject!.map.point({ column, row });
-    return point < 0 ? undefined : this.colourOf(point, colours);
+    const colourOf = this.colouring(colours);
+    const sheet: Sheet = {
+      columns: map.columns,
+      rows: map.rows,
+      x: Array.from(map.x.edges, (edge) => frame.x(edge * mx.factor)),
+      y: Array.from(map.y.edges, (edge) => frame.y(edge * my.factor)),
+      colour: (cell) => {
+        const point = map.pointAt(cell);
+        return point < 0 ? undefined : colourOf(point);
+      },
+      kind: lines ? (cell) => map.kindOf(map.pointAt(cell)) : undefined,
+      ink: colours.ink,
+    };
+    drawCells(pen, sheet, frame);
   }
 
   /// How many points have a regime.
@@ -320,33 +338,63 @@ export class ParameterMapView {
 
   // ---------------------------------------------------------------- hands and keys
 
-  private cellAt(event: PointerEvent): Cell {
-    const { map } = this.subject!;
+  /// Both values under the pointer.
+  private spotAt(event: MouseEvent): Spot {
     const box = this.chart.overlay.getBoundingClientRect();
     const [x, y] = this.measures();
-    return {
-      column: nearestOn(map.x, this.chart.valueAt(event.clientX - box.left) / x.factor),
-      row: nearestOn(map.y, this.chart.heightAt(event.clientY - box.top) / y.factor),
-    };
+    return [
+      this.chart.valueAt(event.clientX - box.left) / x.factor,
+      this.chart.heightAt(event.clientY - box.top) / y.factor,
+    ];
+  }
+
+  private cellAt(event: MouseEvent): Cell {
+    return this.subject!.map.nearest(...this.spotAt(event));
+  }
+
+  private showBrush(from: Spot, to: Spot): void {
+    const [mx, my] = this.measures();
+    const across = [from[0], to[0]].map((value) => this.chart.placeOf(value * mx.factor)).sort((a, b) => a - b);
+    const up = [from[1], to[1]].map((value) => this.chart.heightOf(value * my.factor)).sort((a, b) => a - b);
+    this.brush.hidden = false;
+    outline(this.brush, across as [number, number], up as [number, number]);
+  }
+
+  private zoom(by: number, spot: Spot): void {
+    this.window!.zoom(by, spot);
+    this.look();
   }
 
   private listen(overlay: HTMLElement): void {
     let last: Cell | undefined;
+    let brushed: Spot | undefined;
+    overlay.addEventListener('wheel', (event) => this.wheel(event), { passive: false });
     overlay.addEventListener('pointerdown', (event) => {
       if (event.button !== 0 || !this.subject || !event.isPrimary) return;
       overlay.setPointerCapture(event.pointerId);
       overlay.focus({ preventScroll: true });
       event.preventDefault();
+      if (event.shiftKey) {
+        brushed = this.spotAt(event);
+        return;
+      }
       last = this.cellAt(event);
       this.go(last, false);
     });
     overlay.addEventListener('pointermove', (event) => {
       if (!this.subject || !event.isPrimary) return;
+      if (brushed) {
+        this.showBrush(brushed, this.spotAt(event));
+        return;
+      }
       const cell = this.cellAt(event);
       if (!last) this.listener.hover(event.buttons === 0 ? cell : undefined);
       else if (cell.column !== last.column || cell.row !== last.row) this.go((last = cell), false);
     });
     const end = (event: PointerEvent) => {
+      if (brushed && event.type === 'pointerup') this.seeBrushed(brushed, this.spotAt(event));
+      brushed = undefined;
+      this.brush.hidden = true;
       if (!last || !event.isPrimary) return;
       const cell = last;
       last = undefined;
@@ -357,10 +405,28 @@ export class ParameterMapView {
     overlay.addEventListener('pointerleave', () => this.listener.hover(undefined));
   }
 
+  private seeBrushed(from: Spot, to: Spot): void {
+    this.window!.x.brush(from[0], to[0]);
+    this.window!.y.brush(from[1], to[1]);
+    this.look();
+  }
+
+  private wheel(event: WheelEvent): void {
+    // The page scrolls until the map is in use.
+    if (!this.subject || document.activeElement !== this.chart.overlay) return;
+    event.preventDefault();
+    this.zoom(Math.exp(Math.max(-80, Math.min(80, event.deltaY)) / 300), this.spotAt(event));
+  }
+
   /// Keys may come faster than frames: the next one goes on from here.
   private go(cell: Cell, settled: boolean): void {
     const { map } = this.subject!;
     this.spot = [map.x.values[cell.column]!, map.y.values[cell.row]!];
+    if (this.window!.zoomed) {
+      this.window!.x.follow(cell.column);
+      this.window!.y.follow(cell.row);
+      this.look();
+    }
     this.listener.hover(undefined);
     this.listener.cell(cell, settled);
   }
@@ -382,34 +448,15 @@ export class ParameterMapView {
       Home: () => to(0, cell.row),
       End: () => to(columns - 1, cell.row),
       c: () => this.listener.turn(),
+      '+': () => this.zoom(1 / ZOOM, this.spot),
+      '=': () => this.zoom(1 / ZOOM, this.spot),
+      '-': () => this.zoom(ZOOM, this.spot),
     };
     const action = actions[event.key] ?? actions[event.key.toLowerCase()];
     if (!action) return;
     event.preventDefault();
     action();
   }
-}
-
-/// Lines where cells of two kinds meet.
-function drawBoundaries(pen: Pen, map: ParameterMap, x: readonly number[], y: readonly number[]): void {
-  const kinds = Float64Array.from({ length: map.columns * map.rows }, (_, i) =>
-    map.kindOf(map.point({ column: i % map.columns, row: Math.floor(i / map.columns) })),
-  );
-  // Where nothing is known there is no boundary.
-  const differ = (one: number, other: number) => kinds[one]! < kinds[other]! || kinds[one]! > kinds[other]!;
-  const line = (fromX: number, fromY: number, toX: number, toY: number) => {
-    pen.moveTo(fromX, fromY);
-    pen.lineTo(toX, toY);
-  };
-  pen.beginPath();
-  for (let row = 0; row < map.rows; row++)
-    for (let column = 0; column < map.columns; column++) {
-      const cell = row * map.columns + column;
-      const [left, right, low, high] = [x[column]!, x[column + 1]!, y[row]!, y[row + 1]!];
-      if (column + 1 < map.columns && differ(cell, cell + 1)) line(right, low, right, high);
-      if (row + 1 < map.rows && differ(cell, cell + map.columns)) line(left, high, right, high);
-    }
-  pen.stroke();
 }
 
 /// The frame around the cell of a setting, and the line that its cut runs along.
@@ -436,9 +483,10 @@ class CellMark {
   place(map: ParameterMap, [mx, my]: readonly [Measure, Measure]): void {
     const [x, y] = this.spot ?? [NaN, NaN];
     const inside = x >= map.x.edges[0]! && x <= map.x.edges.at(-1)! && y >= map.y.edges[0]! && y <= map.y.edges.at(-1)!;
-    this.frame.hidden = !inside;
+    const [seenX, seenY] = [this.chart.isSeen(x * mx.factor, 'x'), this.chart.isSeen(y * my.factor, 'y')];
+    this.frame.hidden = !inside || !seenX || !seenY;
     const axis = map.axis(this.along);
-    this.line.hidden = !inside || !axis;
+    this.line.hidden = !inside || !axis || !(axis === map.x ? seenY : seenX);
     if (!inside) return;
     const { column, row } = map.nearest(x, y);
     const across = [column, column + 1].map((i) => this.chart.placeOf(map.x.edges[i]! * mx.factor)) as [number, number];

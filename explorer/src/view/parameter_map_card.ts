@@ -35,6 +35,7 @@ export class ParameterMapCard {
   private readonly station: HTMLSelectElement;
   private readonly cut: Segments;
   private readonly lines: HTMLButtonElement;
+  private readonly whole = button('whole', 'The whole map', () => this.map.unzoom(), { hidden: true });
   private readonly place = el('span', { class: 'map-place' });
   private readonly verdict = el('strong', { class: 'verdict' });
   private readonly rest = el('span', { class: 'map-rest' });
@@ -47,6 +48,9 @@ export class ParameterMapCard {
       hover: (cell) => {
         this.hovered = cell;
         this.tell();
+      },
+      zoomed: (part) => {
+        this.whole.hidden = !part;
       },
       turn: () => listener.parameter(this.subject!.map.across(this.subject!.along).parameter),
     });
@@ -82,6 +86,7 @@ export class ParameterMapCard {
           this.quantity,
           this.station,
           this.lines,
+          this.whole,
           el('span', { class: 'tool-pair' }, el('span', { class: 'over' }, 'cut'), this.cut.root),
           saveMenu(
             'Map',

@@ -81,6 +81,74 @@ static void large_tables_are_thinned(void **state) {
     whirl_result_free(result);
 }
 
+/// A map of so many columns and rows, with a regime and a number of no great interest in every cell.
+static whirl_result *map_of(size_t columns, size_t rows) {
+    static const char *const names[] = {"map/second", "regime/code", "made/number"};
+    whirl_result *result = calloc(1, sizeof *result);
+    whirl_table *table = calloc(1, sizeof *table);
+    assert_true(result && table);
+    const size_t count = columns * rows, size = sizeof names / sizeof *names;
+    *table = (whirl_table){.name = "map", .parameter = "a", .second = "b", .row = columns, .count = count};
+    table->layout = (whirl_layout){.field_count = size, .size = size};
+    for (size_t f = 0; f < size; f++) {
+        table->layout.fields[f] = (whirl_field){
+            .unit = "1", .meaning = "", .extent = WHIRL_PER_POINT, .rows = 1, .columns = 1, .repeat = 1, .offset = f};
+        snprintf(table->layout.fields[f].name, WHIRL_NAME_SIZE, "%s", names[f]);
+    }
+    table->values = calloc(count, sizeof *table->values);
+    table->branch = calloc(count, sizeof *table->branch);
+    table->blocks = calloc(count * size, sizeof *table->blocks);
+    assert_true(table->values && table->branch && table->blocks);
+    for (size_t i = 0; i < count; i++) table->values[i] = (double)(i % columns);
+    for (size_t i = 0; i < count; i++) table->blocks[i * size] = (double)(i / columns);
+    result->case_text = calloc(1, 1);
+    result->tables = table;
+    result->table_count = 1;
+    return result;
+}
+
+/// Small maps have all numbers; larger ones, up to a million cells, all cells with the numbers looked at most; still
+/// larger ones every second column and row.
+static void maps_are_leaner_and_then_thinned(void **state) {
+    static const struct {
+        size_t columns, rows, stride;
+        bool lean;
+    } maps[] = {{128, 128, 1, false}, {129, 128, 1, true}, {1024, 1024, 1, true}, {1025, 1024, 2, true}};
+    (void)state;
+    for (size_t i = 0; i < sizeof maps / sizeof *maps; i++) {
+        whirl_result *result = map_of(maps[i].columns, maps[i].rows);
+        char *page = page_of(result), there[64];
+        const size_t columns = (maps[i].columns - 1) / maps[i].stride + 1,
+                     rows = (maps[i].rows - 1) / maps[i].stride + 1;
+        snprintf(there, sizeof there, "\"columns\":%zu,\"rows\":%zu,\"x\":\"", columns, rows);
+        assert_non_null(strstr(page, there));
+        assert_int_equal(decoded_size(page, "\"x\":\""), columns * sizeof(double));
+        assert_int_equal(decoded_size(page, "\"y\":\""), rows * sizeof(double));
+        assert_null(strstr(page, "\"cells\""));
+        const char *regimes = strstr(page, "\"regime/code\"");
+        assert_non_null(regimes);
+        assert_int_equal(decoded_size(regimes, "\"data\":\""), columns * rows * sizeof(float));
+        assert_int_equal(strstr(page, "\"made/number\"") == NULL, maps[i].lean);
+        free(page);
+        whirl_result_free(result);
+    }
+}
+
+/// A map with a hole says which cells its points are.
+static void maps_with_holes_tell_their_cells(void **state) {
+    (void)state;
+    whirl_result *result = map_of(3, 2);
+    result->tables[0].done = calloc(6, 1);
+    assert_non_null(result->tables[0].done);
+    memset(result->tables[0].done, 1, 6);
+    result->tables[0].done[2] = result->tables[0].done[4] = 0;
+    char *page = page_of(result);
+    assert_non_null(strstr(page, "\"points\":6,\"count\":4"));
+    assert_non_null(strstr(page, "\"cells\":[0,1,3,5]"));
+    free(page);
+    whirl_result_free(result);
+}
+
 /// A point more than there is room for: every second point stays, but all that was located between them.
 static void critical_speeds_are_never_thinned(void **state) {
     (void)state;
@@ -171,8 +239,9 @@ static void orbits_are_thinned(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(large_tables_are_thinned),
-                                       cmocka_unit_test(critical_speeds_are_never_thinned),
-                                       cmocka_unit_test(orbits_are_thinned)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(large_tables_are_thinned), cmocka_unit_test(critical_speeds_are_never_thinned),
+        cmocka_unit_test(maps_are_leaner_and_then_thinned), cmocka_unit_test(maps_with_holes_tell_their_cells),
+        cmocka_unit_test(orbits_are_thinned)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
