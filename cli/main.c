@@ -126,9 +126,9 @@ static int whirl(int argc, char **argv) {
     if (read != EXIT_DONE) return read;
     const command *const found = find_command(chosen.name);
     if (!found) return EXIT_BAD_INPUT;
-    // What does not compute is done by one.
-    const bool is_needed = ranks_number() == 0 || found == &run_command;
-    return is_needed ? run_command_by_name(found, argc - chosen.index, argv + chosen.index) : EXIT_DONE;
+    if (found != &run_command) ranks_dismiss();
+    return ranks_number() < ranks_count() ? run_command_by_name(found, argc - chosen.index, argv + chosen.index)
+                                          : EXIT_DONE;
 }
 
 int main(int argc, char **argv) {

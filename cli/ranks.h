@@ -21,6 +21,9 @@ int ranks_end(int status, ranks_meanwhile meanwhile);
 int ranks_count(void);
 int ranks_number(void); ///< from 0
 
+/// What follows is work for one: the first rank goes on as if there were no others, and these have only to end.
+void ranks_dismiss(void);
+
 /// Threads that a rank may well use: its part of the cores of its computer, or OMP_NUM_THREADS.
 int ranks_threads(void);
 

@@ -23,6 +23,8 @@ int ranks_number(void) {
     return 0;
 }
 
+void ranks_dismiss(void) {}
+
 int ranks_threads(void) {
     return available_cores();
 }

@@ -30,7 +30,8 @@ static struct {
     FILE *told; ///< what this rank would have printed, where it is not the first one
     char *text;
     size_t text_size;
-    bool over; ///< all ranks know how they came out
+    bool dismissed; ///< the first rank works alone
+    bool over;      ///< all ranks know how they came out
     outcome end;
 } ranks = {.count = 1, .lock = PTHREAD_MUTEX_INITIALIZER, .asking = PTHREAD_MUTEX_INITIALIZER};
 
@@ -44,7 +45,11 @@ static void unlock(void) {
 }
 
 int ranks_count(void) {
-    return ranks.count;
+    return ranks.dismissed ? 1 : ranks.count;
+}
+
+void ranks_dismiss(void) {
+    ranks.dismissed = true;
 }
 
 int ranks_number(void) {
@@ -197,7 +202,7 @@ static int agree(int status, ranks_meanwhile meanwhile) {
 }
 
 int ranks_agree(int status) {
-    return agree(status, NULL);
+    return ranks.dismissed ? status : agree(status, NULL);
 }
 
 void ranks_share(void *bytes, size_t size) {

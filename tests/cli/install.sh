@@ -17,6 +17,7 @@ done
 library=$(dirname "$(find "$prefix" -name libwhirl.so)")
 [ -e "$library/libwhirl.a" ] || { echo "not installed: libwhirl.a"; exit 1; }
 "$prefix/bin/whirl" check "$prefix/share/whirl/cases/rigid-rotor.yaml" >/dev/null
+if [ -e "$build/whirl-mpi" ]; then "$prefix/bin/whirl-mpi" --version >/dev/null; fi
 
 cat >program.c <<'END'
 #include <stdio.h>
