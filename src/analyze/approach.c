@@ -89,7 +89,7 @@ void approach_archive(approach *a, archive *to) {
     archive_count(to, &revolutions, LONGEST);
     if (revolutions == 0 || !to->sound) return;
     if (!a->orbit) {
-        a->orbit = shot_new(a->system, revolutions, a->system->turns ? a->system->turns : (double[1]){0.0});
+        a->orbit = shot_new(a->system, revolutions, NULL);
         if (!a->orbit || !make_room(a, a->orbit->kept)) to->sound = false;
     }
     if (!to->sound) return;

@@ -265,7 +265,8 @@ static whirl_status admit_new(whirl_recorder *r) {
         return whirl_fail(WHIRL_NO_MEMORY, "no memory to record %d revolutions", r->options->record);
     }
     r->motions[r->count++] = m;
-    return r->used + lanes_needed(r, m) <= r->lane_count ? enter_lanes(r, m) : whirl_ok();
+    // One that was saved while it waited for its orbit goes on waiting.
+    return !m->shot && r->used + lanes_needed(r, m) <= r->lane_count ? enter_lanes(r, m) : whirl_ok();
 }
 
 /// Fills free lanes: first with motions that wait, then with new ones.

@@ -19,7 +19,7 @@ shot *shot_new(const whirl_system *system, size_t revolutions, const double *x) 
     s->values = (whirl_multiplier *)(s + 1);
     s->nodes = (double *)(s->values + n);
     s->factors = s->nodes + revolutions * d;
-    memcpy(s->nodes, x, d * sizeof *x);
+    if (x) memcpy(s->nodes, x, d * sizeof *x);
     return s;
 }
 

@@ -23,7 +23,7 @@ typedef struct shot {
     bool flies, done; ///< it is under way, or has come to its end
 } shot;
 
-/// A shot from the state x [dimension]; NULL without memory.
+/// A shot from the state x [dimension], or for one that is read (NULL); NULL without memory.
 shot *shot_new(const whirl_system *system, size_t revolutions, const double *x);
 
 /// Goes over what was found; the shot was made for the same system and as many revolutions.
