@@ -66,24 +66,30 @@ static bool is_of_share(const void *context, size_t batch, size_t slot) {
                                         : whirl_share_has(&journal->study, &journal->wish->owner.share, batch, slot);
 }
 
-/// Points of all tables that the journal is for.
-static size_t count_points(const run_journal *journal, const whirl_result *outline) {
+/// "7 of 12 points" that the journal is for; of refined maps it is not known beforehand how many there will be.
+static void points_text(const run_journal *journal, const whirl_result *outline, char *text, size_t size) {
+    const size_t found = whirl_journal_look(journal->journal).points;
     size_t count = 0;
-    for (size_t i = 0; i < outline->table_count; i++)
+    bool known = true;
+    for (size_t i = 0; i < outline->table_count; i++) {
+        known = known && outline->tables[i].refine == 0;
         for (size_t slot = 0; slot < outline->tables[i].count; slot++) count += is_of_share(journal, i, slot);
-    return count;
+    }
+    if (known)
+        snprintf(text, size, "%zu of %zu points", found, count);
+    else
+        snprintf(text, size, "%zu points", found);
 }
 
 static void tell_what_was_found(const run_journal *journal, const whirl_result *outline, size_t others) {
     const whirl_journal_found found = whirl_journal_look(journal->journal);
-    char beside[64] = "";
+    char beside[64] = "", points[64];
+    points_text(journal, outline, points, sizeof points);
     if (others > 0) snprintf(beside, sizeof beside, " and %zu other journal%s", others, others == 1 ? "" : "s");
     if (found.damaged > 0)
         complain("'%s'%s %s damaged in %zu place%s; what is lost there is computed again", journal->path, beside,
                  others > 0 ? "are" : "is", found.damaged, found.damaged == 1 ? "" : "s");
-    if (!journal->wish->quiet)
-        complain("going on from '%s'%s: %zu of %zu points are there", journal->path, beside, found.points,
-                 count_points(journal, outline));
+    if (!journal->wish->quiet) complain("going on from '%s'%s: %s are there", journal->path, beside, points);
 }
 
 /// Removes RESULT.h5.tmp-PROCESS, half results of runs that were killed while they wrote: who holds the journal's lock

@@ -64,9 +64,12 @@ void progress_show(void *view_pointer, const whirl_progress *progress) {
         return;
     }
     const int tenth = (int)(10 * done_share(progress));
-    // A run may begin anew: a round of refinement, another method.
-    const bool goes_on = progress->round == view->round && progress->seconds >= view->seconds;
+    // A run may begin anew: a round of refinement, another method; and a map may turn out to need more points.
+    const bool more = progress->stage == view->stage && view->points > 0 && progress->points_total > view->points;
+    const bool goes_on = progress->round == view->round && progress->seconds >= view->seconds && !more;
     view->seconds = progress->seconds;
+    view->stage = progress->stage;
+    view->points = progress->points_total;
     if (goes_on && tenth <= view->last_tenth) return;
     view->round = progress->round;
     view->last_tenth = tenth;

@@ -10,7 +10,9 @@ typedef struct progress_view {
     bool terminal;
     double seconds; ///< of the run, when it was last shown
     int round;      ///< of refinement, and
-    int last_tenth; ///< of the run or the round that a plain line was written for
+    whirl_stage stage;
+    size_t points;  ///< of the stage: more than before where a map is refined further
+    int last_tenth; ///< of the run, the round or these points that a plain line was written for
     bool drawn;     ///< a bar stands on the current line
 } progress_view;
 

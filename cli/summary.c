@@ -207,7 +207,7 @@ static void print_heading(const whirl_table *table) {
     const size_t planned = whirl_table_planned(table);
     printf("%s of %s", table->name, table->parameter);
     if (table->row > 0)
-        printf(" and %s: %zu x %zu points", table->second, table->row, planned / table->row);
+        printf(" and %s: %zu x %zu points", table->second, table->row, whirl_table_rows(table));
     else
         printf(": %zu point%s", planned, plural((double)planned));
     if (table->source) printf(", %zu starts each", table->source->starts);
@@ -299,14 +299,14 @@ typedef struct verdict_counts {
     char names[MAX_VERDICTS][VERDICT_SIZE];
 } verdict_counts;
 
-static void count_verdict(verdict_counts *tally, const whirl_verdict *verdict) {
+static void count_verdict(verdict_counts *tally, const whirl_verdict *verdict, size_t weight) {
     char name[VERDICT_SIZE];
     short_name(verdict, name, sizeof name);
     size_t i = 0;
     while (i < tally->count && strcmp(tally->names[i], name) != 0) i++;
     if (i == MAX_VERDICTS) return;
     if (i == tally->count) memcpy(tally->names[tally->count++], name, sizeof name);
-    tally->of[i]++;
+    tally->of[i] += weight;
 }
 
 /// Neighbouring points of one verdict.
@@ -355,18 +355,45 @@ static bool print_windows(const whirl_result *result, const whirl_table *table) 
     return count <= LONGEST_LIST;
 }
 
-/// Verdicts in the order in which the sweep meets them, with their ranges where these are few.
+/// How many points each stands for [count]: of a refined map those of its grid; else 1. NULL without memory.
+static size_t *weights_of(const whirl_table *table) {
+    const size_t grid = whirl_table_grid(table);
+    size_t *weights = calloc(table->count + 1, sizeof *weights);
+    size_t *cover = weights && table->refine > 0 ? calloc(grid + 1, sizeof *cover) : NULL;
+    if (cover) whirl_table_cover(table, cover);
+    for (size_t i = 0; cover && i < grid; i++) weights[cover[i]] += cover[i] < table->count;
+    for (size_t i = 0; weights && !cover && i < table->count; i++) weights[i] = 1;
+    free(cover);
+    return weights;
+}
+
+/// "refined from squares of 16: 5210 of 66049 points computed (7.9 %), 612 revolutions each; all would have taken about
+/// 4.04e+07 revolutions".
+static void print_grid(const whirl_table *table) {
+    size_t done = 0;
+    if (table->refine == 0) return;
+    for (size_t point = 0; point < table->count; point++) done += whirl_table_done(table, point);
+    const double each = whirl_table_revolutions(table), grid = (double)table->grid;
+    printf("  refined from squares of %zu: %zu of %zu points computed (%.1f %%), %.0f revolutions each; all would have "
+           "taken about %.3g revolutions\n",
+           table->refine, done, table->grid, 100.0 * (double)done / grid, each, each * grid);
+}
+
+/// Verdicts in the order in which the sweep meets them, with their ranges where these are few; in a refined map those
+/// of its grid, told or computed.
 static void print_counts(const whirl_result *result, const whirl_table *table) {
     verdict_counts tally = {.count = 0};
-    size_t rubbing = 0, failed = 0, sure[WHIRL_HIGH + 1] = {0};
-    for (size_t point = 0; point < table->count; point++) {
+    size_t rubbing = 0, failed = 0, sure[WHIRL_HIGH + 1] = {0}, *weights = weights_of(table);
+    for (size_t point = 0; weights && point < table->count; point++) {
         if (!whirl_table_done(table, point)) continue;
+        const size_t weight = weights[point];
         const whirl_verdict verdict = whirl_table_verdict(table, point);
-        if (has_verdicts(table)) count_verdict(&tally, &verdict);
-        rubbing += rubs(result, table, point);
-        failed += verdict.exponents_failed;
-        sure[verdict.confidence]++;
+        if (has_verdicts(table)) count_verdict(&tally, &verdict, weight);
+        rubbing += rubs(result, table, point) ? weight : 0;
+        failed += verdict.exponents_failed ? weight : 0;
+        sure[verdict.confidence] += weight;
     }
+    free(weights);
     const bool listed = !has_verdicts(table) || (table->row == 0 && print_windows(result, table));
     for (size_t i = 0; i < tally.count && !listed; i++) printf("  %6zu  %s\n", tally.of[i], tally.names[i]);
     if (result->contact_count > 0) printf("  %6zu  with rub\n", rubbing);
@@ -393,8 +420,9 @@ static void print_attractors(const whirl_table *table) {
                plural((double)found[k].points), 100.0 * found[k].share, 100.0 * found[k].error);
     }
     if (count > SHOWN) printf("  and %zu more\n", count - SHOWN);
-    size_t done = 0, told = 0;
-    for (size_t i = 0; i < table->count; i++) done += whirl_table_done(table, i);
+    size_t done = 0, told = 0, *weights = weights_of(table);
+    for (size_t i = 0; weights && i < table->count; i++) done += whirl_table_done(table, i) ? weights[i] : 0;
+    free(weights);
     for (size_t k = 0; k < count && k < SHOWN; k++) told += found[k].points;
     if (count <= SHOWN && told < done)
         printf("  without a verdict: %zu start%s, %.1f %%: a longer transient may tell\n", done - told,
@@ -453,6 +481,7 @@ static void print_tables(const whirl_result *result) {
             continue;
         }
         print_heading(table);
+        print_grid(table);
         if (strcmp(table->name, "sweep") == 0 && table->count > 0)
             summarize_end(result, table->parameter, table->values[0]);
         if (whirl_analysis_has(table->analyses, "torus"))
@@ -509,6 +538,7 @@ void summarize_study(const whirl_study *study) {
         printf("  %s", batch->name);
         if (batch->parameter[0]) printf(" of %s", batch->parameter);
         if (batch->row > 0) printf(" and %s", batch->second);
+        if (batch->refine > 0) printf(", refined from squares of %zu", batch->refine);
         if (whirl_analysis_is_resting(batch->analyses)) {
             printf(": %.0f point%s about where the machine rests\n", points, plural(points));
             continue;
@@ -521,7 +551,8 @@ void summarize_study(const whirl_study *study) {
             printf(": %zu point%s from %zu starts each, %.0f revolution%s a start", batch->count,
                    plural((double)batch->count), batch->starts, revolutions, plural(revolutions));
         else
-            printf(": %.0f point%s, %.0f revolution%s each", points, plural(points), revolutions, plural(revolutions));
+            printf(": %s%.0f point%s, %.0f revolution%s each", batch->refine > 0 ? "at most " : "", points,
+                   plural(points), revolutions, plural(revolutions));
         if (whirl_method_find(name, &method).code == WHIRL_OK && method->adaptive) {
             printf(" by %s%s%s\n", name, batch->integrate.chosen ? " (chosen by auto)" : "",
                    batch->confirm ? ", confirmed at a tolerance 16 times smaller" : "");

@@ -88,6 +88,7 @@ static void sample(whirl_batch *batch, size_t count, double *values) {
     batch->values = values;
     if (batch->second_values) batch->second_values = values + count;
     if (batch->row > 0) batch->row = count;
+    batch->refine = 0; // these points, and no others
     batch->count = count;
 }
 

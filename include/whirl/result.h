@@ -34,6 +34,11 @@ typedef struct whirl_table {
     char second[WHIRL_NAME_SIZE];    ///< what varies besides, in a map, whose points have it in the field "map/second"
     size_t row;                      ///< points of a row of a map, along the parameter, by whirl_table_slot; else 0
     size_t starts;                   ///< of every place: all places from the first start, then from the next; or 0
+    /// Of a map that was refined: points of the finest grid, of which slots are the indices, and how many of them apart
+    /// corners of first squares stand along either axis. A square was halved while its points differed; its points have
+    /// in the field "map/width" how many points of the grid, from itself on along both axes, they stand for: 1 for
+    /// itself alone, or the width of a square that begins there, whose corners agree (whirl_table_cover). Both 0: none.
+    size_t grid, refine;
     size_t count;
     /// Points of the study, of which a file that was written too early has `count`; 0: count.
     size_t planned;
@@ -127,8 +132,20 @@ double whirl_table_second(const whirl_table *table, size_t point);
 size_t whirl_table_places(const whirl_table *table);
 size_t whirl_table_place(const whirl_table *table, size_t point);
 
-/// How many points of the table the study has, done or not.
+/// How many points of the table the study has, done or not; of a map that is being refined as far as is known.
 size_t whirl_table_planned(const whirl_table *table);
+
+/// Points of the grid of a map: all of a refined one's, whether they are computed or not; of other tables the same as
+/// whirl_table_planned. How many rows of it there are; 0 where it is no map.
+size_t whirl_table_grid(const whirl_table *table);
+size_t whirl_table_rows(const whirl_table *table);
+
+/// The point that stands for each point of the grid, cover [whirl_table_grid]: itself where it is done, else the first
+/// corner of the square around it; whirl_table.count where neither is there.
+void whirl_table_cover(const whirl_table *table, size_t *cover);
+
+/// Revolutions that motions of a table took, on the average of the points that are done; NaN where it has no verdicts.
+double whirl_table_revolutions(const whirl_table *table);
 
 /// Whether a point is done. Only the results of runs that were stopped have points that are not; a file has but those
 /// that are.
@@ -172,7 +189,7 @@ whirl_status whirl_table_jumps(const whirl_table *table, whirl_jump *jumps, size
 /// A motion that several points of a table came to rest on.
 typedef struct whirl_attractor {
     size_t first;        ///< point of the table, the first that did
-    size_t points;       ///< that did
+    size_t points;       ///< that did; of a refined table points of its grid (whirl_table_cover)
     double share, error; ///< of the points that are done, and its standard error were these drawn at random
 } whirl_attractor;
 

@@ -43,6 +43,10 @@ typedef struct whirl_batch {
     char second[WHIRL_NAME_SIZE]; ///< the second parameter of curves and maps, else ""
     const double *second_values;  ///< [count] of a map; borrowed; else NULL
     size_t row;                   ///< points of a row of a map, along the first parameter; else 0
+    /// Width of the first squares of a map that is refined, in points, a power of two: only their corners are computed,
+    /// and what squares need that are halved where verdicts differ (whirl_table.refine); needs the analysis "regime".
+    /// 0: all points are computed.
+    size_t refine;
     double second_bounds[2];
     double second_value; ///< of the machine that is asked for; of the batch itself that of the case
     /// Starts of every point, 0 or 1 for that of its machine alone. The table has all points from the first start, then
@@ -62,6 +66,10 @@ typedef struct whirl_batch {
 const whirl_member *whirl_batch_members(void);
 
 enum { WHIRL_MAX_BATCHES = 5 };
+
+enum {
+    WHIRL_MAX_SQUARE = 1024 ///< largest whirl_batch.refine
+};
 
 enum {
     WHIRL_MAX_ROUNDS = 6 ///< of refinement
@@ -88,13 +96,15 @@ typedef struct whirl_study {
 } whirl_study;
 
 /// A share of a study for one of several runs that compute it together. Points are dealt out one by one, but carried
-/// sweeps go whole, up and down each, and so do 8 neighbours at rest; all branches go to the first share.
+/// sweeps go whole, up and down each, and so do 8 neighbours at rest; all branches go to the first share. Of a refined
+/// map first squares are dealt out; points on edges between two are of both shares, with the same bits.
 typedef struct whirl_share {
     size_t number; ///< from 1 to count
     size_t count;  ///< 0: there are no shares
 } whirl_share;
 
-/// Whether a point, which a keeper knows by this batch and slot, is of a share; all are where there are none.
+/// Whether a point, which a keeper knows by this batch and slot, is of a share, or may be where a map is refined; all
+/// are where there are none.
 bool whirl_share_has(const whirl_study *study, const whirl_share *share, size_t batch, size_t slot);
 
 /// What a run is at. Every stage has points of its own.
@@ -108,8 +118,8 @@ typedef enum whirl_stage {
 /// How far a run has come.
 typedef struct whirl_progress {
     whirl_stage stage;
-    int round; ///< of refinement, from 1; else 0
-    size_t points_done, points_total;
+    int round;                                  ///< of refinement, from 1; else 0
+    size_t points_done, points_total;           ///< the total grows while a map is refined, and that of revolutions
     double revolutions_done, revolutions_total; ///< those at n times the steps of the study count n times
     double revolutions_recalled;                ///< of those done, what a keeper knew from an earlier run
     double seconds;                             ///< since the start
@@ -209,7 +219,8 @@ double whirl_halton(size_t index, size_t coordinate);
 /// How orbits along the branches of a batch that traces them are found. A method "auto" is to be settled before.
 whirl_orbit_options whirl_batch_orbits(const whirl_batch *batch);
 
-/// Revolutions of all points without refinement, as a budget counts them: at n times the steps of the study n times.
+/// Revolutions of all points without refinement, as a budget counts them: at n times the steps of the study n times. Of
+/// a refined map the corners of its first squares count, which are all that is known before it runs.
 double whirl_study_revolutions(const whirl_study *study);
 
 /// The result of a study before any point is computed: its tables without blocks. The rest of it is empty (see

@@ -265,6 +265,23 @@ static void fill_map(const double *x, size_t columns, const double *y, size_t ro
         }
 }
 
+/// The width of the first squares of a map that is refined, else 0.
+static size_t map_refine(case_reader *reader, valuation *v, const plan_parts *parts) {
+    char shown[SHOWN_SIZE];
+    const setting *given = settings_find(&parts->map, "refine");
+    if (!given) return 0;
+    const size_t width = (size_t)settings_number(v, &parts->map, "refine");
+    if ((width & (width - 1)) != 0)
+        problem_at(reader->problems, given->place, "is %s, expected a power of two: 2, 4, 8, 16, ...",
+                   node_shown(given->place, shown));
+    if (!whirl_analysis_has(parts->analyses, whirl_analysis_of_verdicts()))
+        problem_at_key(reader->problems, given->place, "needs the analysis %s, by whose verdicts it goes",
+                       whirl_analysis_of_verdicts());
+    const setting *starts = settings_find(&parts->study, "starts");
+    if (starts) problem_at_key(reader->problems, given->place, "stands beside starts, expected one of the two");
+    return width;
+}
+
 static void make_map(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result) {
     size_t columns, rows;
     const double *x = axis_values(reader, v, &parts->sweep, &columns);
@@ -290,6 +307,7 @@ static void make_map(case_reader *reader, valuation *v, const plan_parts *parts,
     snprintf(batch->second, sizeof batch->second, "%.63s", parts->across.parameter->name);
     batch->count = count;
     batch->row = columns;
+    batch->refine = map_refine(reader, v, parts);
     batch->values = values;
     batch->second_values = values + count;
 }

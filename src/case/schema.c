@@ -106,6 +106,10 @@ static const whirl_key map_keys[] = {
     {"y", "", "", WHIRL_KEY_CHOICE, true, "", WHIRL_ANY, "", "the parameter from row to row, and its values", ""},
     {"start", "", "", WHIRL_KEY_CHOICE, false, "state", WHIRL_ANY, "rest|state",
      "rest: every point from zero; state: from the initial state", ""},
+    {"refine", "", "1", WHIRL_KEY_WHOLE, false, "", WHIRL_FROM_TO(2, WHIRL_MAX_SQUARE), NULL,
+     "every so many points along both axes are computed first, a power of two, then squares between them are halved "
+     "where verdicts differ; absent: all points are computed",
+     ""},
 };
 
 // Without a parameter there is one point, of the machine as it stands.

@@ -18,6 +18,8 @@ typedef struct map_drawing {
     const whirl_table *table;
     map_cells cells;
     const size_t *labels;                ///< [count] attractors of a basin; NULL: it is none
+    long *kinds;                         ///< [cells] another one for every regime and period, or attractor; 0 for none
+    bool bordered;                       ///< some of them meet
     whirl_attractor attractors[COLOURS]; ///< those of most starts
     size_t attractor_count;              ///< of all
 } map_drawing;
@@ -121,14 +123,33 @@ static void put_attractor_title(FILE *script, const whirl_table *table, const wh
 
 // ---------------------------------------------------------------- figures
 
-/// The numbers of all cells [planned], NaN where there is none.
+/// The number of a square that was not divided: the mean of its corners'.
+static double square_number(const map_drawing *map, const double *of, size_t point, size_t width) {
+    const map_cells *cells = &map->cells;
+    const size_t slot = whirl_table_slot(map->table, point), x = slot % cells->columns, y = slot / cells->columns;
+    const size_t right = x + width < cells->columns ? x + width : cells->columns - 1;
+    const size_t top = y + width < cells->rows ? y + width : cells->rows - 1;
+    const size_t corners[] = {slot, y * cells->columns + right, top * cells->columns + x, top * cells->columns + right};
+    double sum = 0.0;
+    for (size_t i = 0; i < 4; i++) {
+        const size_t corner = cells->cover[corners[i]];
+        sum += corner < map->table->count ? of[corner] : (double)NAN;
+    }
+    return 0.25 * sum;
+}
+
+/// The numbers of all cells, NaN where there is none; NULL without memory.
 static double *cell_numbers(const map_drawing *map, const map_quantity *what, size_t station) {
-    const size_t planned = map->cells.columns * map->cells.rows;
-    double *cells = malloc((planned + 1) * sizeof *cells);
-    for (size_t i = 0; cells && i < planned; i++) cells[i] = NAN;
-    for (size_t i = 0; cells && i < map->table->count; i++) {
-        if (!whirl_table_done(map->table, i)) continue;
-        cells[whirl_table_slot(map->table, i)] = what->of(map, i, station);
+    const whirl_table *table = map->table;
+    const size_t count = table->count, grid = map->cells.columns * map->cells.rows;
+    double *cells = malloc((count + grid + 1) * sizeof *cells), *of = cells + grid;
+    if (!cells) return NULL;
+    for (size_t i = 0; i < count; i++) of[i] = whirl_table_done(table, i) ? what->of(map, i, station) : (double)NAN;
+    for (size_t slot = 0; slot < grid; slot++) {
+        const size_t point = map->cells.cover[slot];
+        const double width = point < count ? whirl_table_number(table, point, "map/width", 0) : (double)NAN;
+        const bool mixed = *what->palette && width > 1.0;
+        cells[slot] = point == count ? (double)NAN : mixed ? square_number(map, of, point, (size_t)width) : of[point];
     }
     return cells;
 }
@@ -145,14 +166,28 @@ static whirl_status write_cells(const map_drawing *map, const char *name, const 
         fprintf(file.stream, "# %s and %s of a cell's middle, its edges (some reach under the next cells), %s\n",
                 map->table->parameter, map->table->second, *what->palette ? what->title : "colour");
         for (size_t slot = 0; slot < map->cells.columns * map->cells.rows; slot++) span_widen(range, cells[slot]);
-        for (size_t row = 0; row < map->cells.rows; row++)
-            for (size_t column = 0; column < map->cells.columns; column++)
-                if (!isnan(cells[row * map->cells.columns + column]))
-                    map_cells_put(file.stream, &map->cells, column, row, cells);
+        map_cells_write(file.stream, &map->cells, cells);
         status = report_file_close(&file);
     }
     free(cells);
     return status;
+}
+
+/// Where regimes meet.
+static whirl_status write_borders(const map_drawing *map, const char *name) {
+    report_file file;
+    const whirl_status status = report_file_open(&file, map->to->folder, name);
+    if (status.code != WHIRL_OK) return status;
+    fprintf(file.stream, "# lines along which regimes meet: %s and %s\n", map->table->parameter, map->table->second);
+    map_cells_write_borders(file.stream, &map->cells, map->kinds);
+    return report_file_close(&file);
+}
+
+/// The data files of a figure.
+static whirl_status write_data(const map_drawing *map, const figure *of, const map_quantity *what, size_t station,
+                               span *range) {
+    const whirl_status status = write_cells(map, of->data[0], what, station, range);
+    return status.code == WHIRL_OK && *of->data[1] ? write_borders(map, of->data[1]) : status;
 }
 
 static void write_axes(FILE *script, const map_drawing *map) {
@@ -176,9 +211,17 @@ static figure *add_figure(const map_drawing *map, const char *stem, const char *
     figure *what = figure_add(map->to->list, map->to->index, name);
     if (!what) return NULL;
     snprintf(what->data[0], sizeof what->data[0], "%.190s.dat", what->stem);
+    if (map->bordered) snprintf(what->data[1], sizeof what->data[1], "%.180s-borders.dat", what->stem);
     snprintf(what->title, sizeof what->title, "%s%s%s over %s and %s", title, *station ? " of " : "", station,
              table->parameter, table->second);
     return what;
+}
+
+/// Goes on with a plot: lines where regimes meet.
+static void write_border_plot(FILE *script, const figure *what) {
+    if (*what->data[1])
+        fprintf(script, ", \\\n  '%s' using 1:2 with lines linewidth 0.4 linecolor rgb '#80404040' notitle",
+                what->data[1]);
 }
 
 /// The panel, with cells of which each has a colour; what else is plotted, for the key, follows.
@@ -191,18 +234,24 @@ static void write_plane(FILE *script, const map_drawing *map, const figure *what
           "font small_font\nset style fill solid 1 noborder\n",
           script);
     fprintf(script, "plot '%s' using 1:2:3:4:5:6:7 with boxxyerror linecolor rgb variable notitle", what->data[0]);
+    write_border_plot(script, what);
 }
 
 static whirl_status draw_regimes(const map_drawing *map) {
     report_file file;
     span range;
+    char refined[160] = "";
+    if (map->table->refine > 0)
+        snprintf(refined, sizeof refined,
+                 " %zu points were computed, where regimes meet; a square whose corners agree is of their regime.",
+                 map->table->count);
     figure *what = add_figure(map, regimes.stem, regimes.title, "");
     if (!what) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the list of figures");
     snprintf(what->caption, sizeof what->caption,
              "Regimes over %s and %s, a cell a point (%zu by %zu). The paler a cell, the less its verdict can be "
-             "trusted: fair and low confidence are mixed with white.",
-             map->table->parameter, map->table->second, map->cells.columns, map->cells.rows);
-    whirl_status status = write_cells(map, what->data[0], &regimes, 0, &range);
+             "trusted: fair and low confidence are mixed with white.%s",
+             map->table->parameter, map->table->second, map->cells.columns, map->cells.rows, refined);
+    whirl_status status = write_data(map, what, &regimes, 0, &range);
     if (status.code == WHIRL_OK) status = script_begin(&file, map->to, what, 12.0, 10.5, 7.0);
     if (status.code != WHIRL_OK) return status;
     FILE *script = file.stream;
@@ -221,7 +270,7 @@ static whirl_status draw_basins(const map_drawing *map) {
     const size_t count = map->attractor_count;
     figure *what = add_figure(map, attractors.stem, attractors.title, "");
     if (!what) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the list of figures");
-    whirl_status status = write_cells(map, what->data[0], &attractors, 0, &range);
+    whirl_status status = write_data(map, what, &attractors, 0, &range);
     snprintf(
         what->caption, sizeof what->caption,
         "Motions that starts over %s and %s come to rest on: %zu attractor%s, told apart by their sections. In the "
@@ -259,7 +308,7 @@ static whirl_status draw_quantity(const map_drawing *map, const map_quantity *qu
     snprintf(what->caption, sizeof what->caption, "%s%s%s over %s and %s%s.", quantity->title, *name ? " of " : "",
              name, map->table->parameter, map->table->second,
              quantity->of == period_of ? "; other motions are left white" : "");
-    whirl_status status = write_cells(map, what->data[0], quantity, station, &range);
+    whirl_status status = write_data(map, what, quantity, station, &range);
     if (status.code == WHIRL_OK) status = script_begin(&file, map->to, what, 12.0, 10.0, 7.0);
     if (status.code != WHIRL_OK) return status;
     FILE *script = file.stream;
@@ -270,7 +319,9 @@ static whirl_status draw_quantity(const map_drawing *map, const map_quantity *qu
     fputs("set xlabel parameter_label\nset ylabel second_label\nset cblabel number_label\nset tics out\n"
           "set style fill solid 1 noborder\nset colorbox user origin screen 0.83, graph 0 size screen 0.03, graph 1\n",
           script);
-    fprintf(script, "plot '%s' using 1:2:3:4:5:6:7 with boxxyerror linecolor palette notitle\n", what->data[0]);
+    fprintf(script, "plot '%s' using 1:2:3:4:5:6:7 with boxxyerror linecolor palette notitle", what->data[0]);
+    write_border_plot(script, what);
+    fputc('\n', script);
     script_end(script);
     return report_file_close(&file);
 }
@@ -294,6 +345,24 @@ static whirl_status draw_all(const map_drawing *map) {
     return status;
 }
 
+static long kind_of(const map_drawing *map, size_t point) {
+    if (point == map->table->count) return 0;
+    if (map->labels) return (long)map->labels[point];
+    const whirl_verdict verdict = whirl_table_verdict(map->table, point);
+    return 1 + (long)verdict.regime * (WHIRL_MAX_PERIOD + 1) + verdict.period;
+}
+
+/// What borders lie between; none where nothing is judged.
+static bool make_kinds(map_drawing *map) {
+    const size_t cells = map->cells.columns * map->cells.rows;
+    map->kinds = calloc(cells + 1, sizeof *map->kinds);
+    if (!map->kinds) return false;
+    const bool judged = map->labels || whirl_layout_has_verdict(&map->table->layout);
+    for (size_t i = 0; i < cells && judged; i++) map->kinds[i] = kind_of(map, map->cells.cover[i]);
+    map->bordered = map_cells_write_borders(NULL, &map->cells, map->kinds);
+    return true;
+}
+
 static whirl_status draw_table(const drawing *to, const whirl_table *table, bool basin) {
     map_drawing map = {.to = to, .table = table};
     size_t *labels = basin ? calloc(table->count, sizeof *labels) : NULL;
@@ -302,8 +371,10 @@ static whirl_status draw_table(const drawing *to, const whirl_table *table, bool
         status =
             basin ? whirl_table_attractors(table, labels, map.attractors, COLOURS, &map.attractor_count) : whirl_ok();
     map.labels = labels;
+    if (status.code == WHIRL_OK && !make_kinds(&map)) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a map");
     if (status.code == WHIRL_OK) status = draw_all(&map);
     free(labels);
+    free(map.kinds);
     map_cells_free(&map.cells);
     return status;
 }

@@ -353,6 +353,8 @@ static json_t *point_object(bool *well, const whirl_result *result, const whirl_
         put_stations(well, object, "stations", station_trace, result, table, point);
         return object;
     }
+    if (table->refine > 0)
+        document_put(well, object, "width", document_number(whirl_table_number(table, point, "map/width", 0)));
     put_verdict(well, object, table, point);
     put_refinement(well, object, table, point);
     put_lyapunov(well, object, table, point);
@@ -510,6 +512,23 @@ static bool dump_attractors(const whirl_result *result, FILE *stream) {
     return true;
 }
 
+// Of a refined map: points of its grid and of a row of it, those that were computed, every how many of them first, and
+// their revolutions on the average.
+static bool dump_refined(const whirl_result *result, FILE *stream) {
+    bool well = true;
+    const whirl_table *table = result->table_count ? &result->tables[0] : NULL;
+    size_t done = 0;
+    if (!table || table->refine == 0) return true;
+    for (size_t i = 0; i < table->count; ++i) done += whirl_table_done(table, i);
+    json_t *object = json_object();
+    document_put(&well, object, "from", json_integer((json_int_t)table->refine));
+    document_put(&well, object, "computed", json_integer((json_int_t)done));
+    document_put(&well, object, "grid", json_integer((json_int_t)table->grid));
+    document_put(&well, object, "row", json_integer((json_int_t)table->row));
+    document_put(&well, object, "revolutions", document_number(whirl_table_revolutions(table)));
+    return dump_member(",\n", "refined", object, stream) && well;
+}
+
 // The version that computed the result, where it says so.
 static const char *version_of(const whirl_result *result) {
     for (size_t i = 0; i < result->fact_count; ++i)
@@ -556,9 +575,9 @@ static bool dump_head(const whirl_result *result, FILE *stream) {
 
 // Names of tables become keys beside these.
 static whirl_status check_names(const whirl_result *result) {
-    static const char *const taken[] = {"whirl",       "title",      "case",      "speed",          "length_scale",
-                                        "force_scale", "partial",    "table",     "points",         "parameters",
-                                        "jumps",       "integrated", "keyphasor", "keyphasor_rate", "attractors"};
+    static const char *const taken[] = {
+        "whirl",  "title",      "case",  "speed",      "length_scale", "force_scale",    "partial",    "table",
+        "points", "parameters", "jumps", "integrated", "keyphasor",    "keyphasor_rate", "attractors", "refined"};
     for (size_t t = 0; t < result->table_count; ++t)
         for (size_t i = 0; i < sizeof taken / sizeof *taken; ++i)
             if (strcmp(result->tables[t].name, taken[i]) == 0 || strpbrk(result->tables[t].name, "\"\\\n"))
@@ -574,7 +593,7 @@ whirl_status whirl_result_write_json(const whirl_result *result, FILE *stream) {
     if (result->table_count == 0) fputs(",\n\"points\": []", stream);
     for (size_t i = 0; well && i < result->table_count; ++i)
         well = dump_points(i == 0 ? "points" : result->tables[i].name, result, &result->tables[i], stream);
-    well = well && dump_jumps(result, stream) && dump_attractors(result, stream);
+    well = well && dump_jumps(result, stream) && dump_attractors(result, stream) && dump_refined(result, stream);
     fputs("}\n", stream);
     if (fflush(stream) != 0 || ferror(stream))
         return whirl_fail(WHIRL_IO_ERROR, "cannot write JSON: %s", strerror(errno ? errno : EIO));

@@ -41,30 +41,56 @@ static void read_axes(const map_cells *map, const shown_units *units, const whir
     }
 }
 
-/// Cells without a value stand evenly between those that have one, or beyond.
-static void fill_gaps(double *values, size_t count) {
-    size_t known = SIZE_MAX, before = SIZE_MAX;
-    for (size_t i = 0; i < count; i++) {
+/// Whether the values that are there have equal ratios from column to column, or row to row, and no equal differences.
+static bool are_ratios(const double *values, size_t first, size_t last) {
+    const double steps = (double)(last - first), ratio = values[last] / values[first];
+    bool ratios = ratio > 0.0, differences = true;
+    for (size_t i = first; i <= last; i++) {
+        const double share = (double)(i - first) / steps;
+        const double even = values[first] + share * (values[last] - values[first]);
         if (isnan(values[i])) continue;
-        for (size_t k = known == SIZE_MAX ? i : known + 1; k < i; k++)
-            values[k] = values[known] + (values[i] - values[known]) * (double)(k - known) / (double)(i - known);
+        ratios = ratios && fabs(log(values[i] / values[first]) - share * log(ratio)) < 1e-6 * fabs(log(ratio)) / steps;
+        differences = differences && fabs(values[i] - even) < 1e-3 * fabs(values[last] - values[first]) / steps;
+    }
+    return ratios && !differences;
+}
+
+/// What stands between or beyond two values, `share` of the way from one to the other.
+static double between(double a, double b, double share, bool ratios) {
+    return ratios ? a * pow(b / a, share) : a + share * (b - a);
+}
+
+/// Cells without a value stand evenly between those that have one, or beyond; by ratios where the values do.
+static void fill_gaps(double *values, size_t count) {
+    size_t first = 0, last = count - 1;
+    while (first < last && isnan(values[first])) first++;
+    while (last > first && isnan(values[last])) last--;
+    if (first == last) { // or none at all
+        const double only = isnan(values[first]) ? 0.0 : values[first];
+        for (size_t k = 0; k < count; k++) values[k] = only + (double)k - (double)first;
+        return;
+    }
+    const bool ratios = are_ratios(values, first, last);
+    size_t before = first, known = first;
+    for (size_t i = first + 1; i <= last; i++) {
+        if (isnan(values[i])) continue;
         before = known;
         known = i;
+        for (size_t k = before + 1; k < i; k++)
+            values[k] = between(values[before], values[i], (double)(k - before) / (double)(i - before), ratios);
     }
-    const double step = before == SIZE_MAX ? 1.0 : (values[known] - values[before]) / (double)(known - before);
-    for (size_t k = known == SIZE_MAX ? count : known + 1; k < count; k++)
-        values[k] = values[known] + step * (double)(k - known);
-    size_t first = 0;
-    while (first < count && isnan(values[first])) first++;
-    const double early = first + 1 < count ? values[first + 1] - values[first] : 1.0;
-    for (size_t k = 0; k < first && first < count; k++) values[k] = values[first] - early * (double)(first - k);
+    for (size_t k = last + 1; k < count; k++)
+        values[k] = between(values[last - 1], values[last], (double)(k - last + 1), ratios);
+    for (size_t k = first; k-- > 0;) values[k] = between(values[k + 2], values[k + 1], 2.0, ratios);
 }
 
 bool map_cells_make(const shown_units *units, const whirl_table *table, map_cells *map) {
-    const size_t columns = table->row, rows = whirl_table_planned(table) / table->row;
-    *map = (map_cells){.columns = columns, .rows = rows};
+    const size_t columns = table->row, rows = whirl_table_rows(table);
+    *map = (map_cells){.columns = columns, .rows = rows, .refined = table->refine > 0};
     double *x = map->memory = calloc(2 * (columns + rows) + 2, sizeof *x);
-    if (!x) return false;
+    map->cover = calloc(columns * rows + 1, sizeof *map->cover);
+    if (!x || !map->cover) return false;
+    whirl_table_cover(table, map->cover);
     double *y = x + columns;
     map->x = y + rows;
     map->y = map->x + columns + 1;
@@ -80,21 +106,92 @@ bool map_cells_make(const shown_units *units, const whirl_table *table, map_cell
 
 void map_cells_free(map_cells *map) {
     free(map->memory);
+    free(map->cover);
     map->memory = NULL;
+    map->cover = NULL;
 }
+
+// ---------------------------------------------------------------- writing
 
 /// An edge that reaches under the next cell, which is drawn later: nothing shines through between the two.
 static double reach(const double *edges, bool next) {
     return next ? edges[1] + 0.5 * (edges[2] - edges[1]) : edges[1];
 }
 
-void map_cells_put(FILE *stream, const map_cells *map, size_t column, size_t row, const double *values) {
-    const size_t slot = row * map->columns + column;
-    const double *x = map->x + column, *y = map->y + row;
-    const bool beside = column + 1 < map->columns && !isnan(values[slot + 1]);
-    const bool above = row + 1 < map->rows && !isnan(values[slot + map->columns]);
-    const bool across = beside && above && !isnan(values[slot + map->columns + 1]);
+/// The cells of a row from one column to another, its end not included, that have one value.
+typedef struct run {
+    size_t row, begin, end;
+} run;
+
+/// Whether all cells above have a value.
+static bool is_covered(const map_cells *map, const run *r, const double *values) {
+    if (r->row + 1 == map->rows) return false;
+    for (size_t i = r->begin; i < r->end; i++)
+        if (isnan(values[(r->row + 1) * map->columns + i])) return false;
+    return true;
+}
+
+static void write_run(FILE *stream, const map_cells *map, const run *r, const double *values) {
+    const size_t next = r->row * map->columns + r->end;
+    const double *x = map->x + r->end - 1, *y = map->y + r->row, left = map->x[r->begin];
+    const bool beside = r->end < map->columns && !isnan(values[next]), above = is_covered(map, r, values);
+    const bool across = beside && above && !isnan(values[next + map->columns]);
     const double right = reach(x, beside && (across || !above)), up = reach(y, above && (across || !beside));
-    fprintf(stream, "%.10g %.10g %.10g %.10g %.10g %.10g %.10g\n", 0.5 * (x[0] + x[1]), 0.5 * (y[0] + y[1]),
-            fmin(x[0], right), fmax(x[0], right), fmin(y[0], up), fmax(y[0], up), values[slot]);
+    fprintf(stream, "%.10g %.10g %.10g %.10g %.10g %.10g %.10g\n", 0.5 * (left + x[1]), 0.5 * (y[0] + y[1]),
+            fmin(left, right), fmax(left, right), fmin(y[0], up), fmax(y[0], up), values[next - 1]);
+}
+
+void map_cells_write(FILE *stream, const map_cells *map, const double *values) {
+    for (size_t row = 0; row < map->rows; row++) {
+        const double *own = values + row * map->columns;
+        for (run r = {.row = row}; r.begin < map->columns; r.begin = r.end) {
+            for (r.end = r.begin + 1; map->refined && r.end < map->columns && own[r.end] == own[r.begin];) r.end++;
+            if (!isnan(own[r.begin])) write_run(stream, map, &r, values);
+        }
+    }
+}
+
+/// Where the cells on both sides of a line meet: those of column `at` - 1 and `at` where it stands, else of rows.
+typedef struct border {
+    const map_cells *map;
+    const long *labels;
+    bool stands;
+    size_t at;
+} border;
+
+static bool is_crossed(const border *b, size_t along) {
+    const size_t columns = b->map->columns;
+    const size_t after = b->stands ? along * columns + b->at : b->at * columns + along;
+    const long one = b->labels[after - (b->stands ? 1 : columns)], other = b->labels[after];
+    return one != 0 && other != 0 && one != other;
+}
+
+static void write_piece(FILE *stream, const border *b, size_t begin, size_t end) {
+    const double *edges = b->stands ? b->map->y : b->map->x, here = b->stands ? b->map->x[b->at] : b->map->y[b->at];
+    if (b->stands)
+        fprintf(stream, "%.10g %.10g\n%.10g %.10g\n\n", here, edges[begin], here, edges[end]);
+    else
+        fprintf(stream, "%.10g %.10g\n%.10g %.10g\n\n", edges[begin], here, edges[end], here);
+}
+
+/// Whether there is any of it.
+static bool write_border(FILE *stream, const border *b) {
+    const size_t count = b->stands ? b->map->rows : b->map->columns;
+    bool any = false;
+    for (size_t begin = 0, end; begin < count; begin = end) {
+        const bool crossed = is_crossed(b, begin);
+        for (end = begin + 1; end < count && is_crossed(b, end) == crossed;) end++;
+        if (crossed && stream) write_piece(stream, b, begin, end);
+        any = any || crossed;
+    }
+    return any;
+}
+
+bool map_cells_write_borders(FILE *stream, const map_cells *map, const long *labels) {
+    border b = {.map = map, .labels = labels, .stands = true};
+    bool any = false;
+    for (b.at = 1; b.at < map->columns; b.at++) any = write_border(stream, &b) || any;
+    b.stands = false;
+    for (b.at = 1; b.at < map->rows; b.at++) any = write_border(stream, &b) || any;
+    return any;
 }

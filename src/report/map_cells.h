@@ -1,4 +1,4 @@
-/// Cells of a map: every point stands for the part of the plane that is nearest to it.
+/// Cells of a map: every point of its grid stands for the part of the plane that is nearest to it.
 #ifndef REPORT_MAP_CELLS_H
 #define REPORT_MAP_CELLS_H
 
@@ -13,15 +13,22 @@ typedef struct map_cells {
     size_t columns, rows;
     double *x, *y;           ///< [columns + 1], [rows + 1] edges, in shown units
     bool x_ratios, y_ratios; ///< the axes are logarithmic
-    double *memory;          ///< of the edges
+    bool refined;
+    size_t *cover;  ///< [rows][columns] the point of the table that stands for a cell (whirl_table_cover)
+    double *memory; ///< of the edges
 } map_cells;
 
 /// Lays out the cells of a table with rows; of a partial one, too. False without memory. Freed by map_cells_free.
 bool map_cells_make(const shown_units *units, const whirl_table *table, map_cells *cells);
 void map_cells_free(map_cells *cells);
 
-/// Writes a line: the middle of a cell, its edges and its value, one of values [rows][columns]. Some edges reach under
-/// cells that come later in the order of rows and have a value, too.
-void map_cells_put(FILE *stream, const map_cells *cells, size_t column, size_t row, const double *values);
+/// Writes cells that have one of the values [rows][columns], a line each: its middle, its edges and the value. Some
+/// edges reach under cells that come later in the order of rows and have a value, too. In a refined map neighbours of
+/// one value in a row are one.
+void map_cells_write(FILE *stream, const map_cells *cells, const double *values);
+
+/// Writes where cells of different labels [rows][columns] meet, as lines; nothing beside cells without one (0). False
+/// where they meet nowhere. NULL for the stream: nothing is written.
+bool map_cells_write_borders(FILE *stream, const map_cells *cells, const long *labels);
 
 #endif

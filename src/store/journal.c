@@ -115,13 +115,20 @@ static bool is_for(const whirl_journal *journal, size_t batch, size_t slot) {
     return !part->has || part->has(part->context, batch, slot);
 }
 
-/// Room for all points; the state of a rotor has four numbers a station.
+/// Whether a point is sure to be computed: of a refined map these are the corners of its first squares.
+static bool is_sure(const whirl_table *table, size_t slot) {
+    const size_t row = table->row, w = table->refine;
+    return w == 0 || (slot % row % w == 0 && slot / row % w == 0);
+}
+
+/// Room for all points that are sure; the state of a rotor has four numbers a station.
 static whirl_status reserve(const whirl_journal *journal, const whirl_result *outline) {
     uint64_t size = start_of(journal);
     for (size_t i = 0; i < outline->table_count; ++i) {
         const whirl_table *table = &outline->tables[i];
         const size_t frame = frame_size(table->layout.size, 4 * outline->station_count);
-        for (size_t slot = 0; slot < table->count; ++slot) size += is_for(journal, i, slot) ? frame : 0;
+        for (size_t slot = 0; slot < table->count; ++slot)
+            size += is_sure(table, slot) && is_for(journal, i, slot) ? frame : 0;
     }
     if (size < journal->end) size = journal->end;
     const int reason = journal_file_reserve(&journal->file, size);

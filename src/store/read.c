@@ -246,25 +246,34 @@ static void get_length_scales(whirl_status *status, hid_t group, const whirl_res
     table->length_scales = NULL;
 }
 
+/// Of a refined map, the points of its grid.
+static void get_grid(whirl_status *status, hid_t group, whirl_table *table) {
+    const int64_t most = (int64_t)1 << 28; // all of them are looked at where the map is drawn
+    const bool refined =
+        whirl_layout_field(&table->layout, "map/width") && whirl_layout_field(&table->layout, "map/second");
+    if (status->code != WHIRL_OK || !refined) return;
+    table->refine = (size_t)get_whole_attribute(status, group, "refine", 2, WHIRL_MAX_SQUARE);
+    table->grid = (size_t)get_whole_attribute(status, group, "grid", 1, most);
+}
+
 /// Which points of the study these are. NULL where they are all.
 static void get_slots(whirl_status *status, hid_t group, shape points, whirl_table *table) {
     int64_t *places = take(status, table->count, sizeof *places), before = 0;
     table->slots = take(status, table->count, sizeof *table->slots);
     const int64_t most = (int64_t)1 << 48; // tables of all sizes can be summed
     const int64_t planned = get_whole_attribute(status, group, "points", (int64_t)table->count, most);
+    const int64_t last = table->grid > 0 ? (int64_t)table->grid : planned;
     get_wholes(status, group, "point", places, points);
     for (size_t i = 0; status->code == WHIRL_OK && i < table->count; before = places[i++]) {
-        if (places[i] <= before || places[i] > planned)
+        if (places[i] <= before || places[i] > last)
             *status = whirl_fail(WHIRL_BAD_INPUT, "/%s/point holds %lld, expected %lld to %lld", table->name,
-                                 (long long)places[i], (long long)before + 1, (long long)planned);
+                                 (long long)places[i], (long long)before + 1, (long long)last);
         table->slots[i] = (size_t)places[i] - 1;
     }
     free(places);
     if (status->code != WHIRL_OK) return;
-    if ((size_t)planned > table->count) {
-        table->planned = (size_t)planned;
-        return;
-    }
+    if ((size_t)planned > table->count) table->planned = (size_t)planned;
+    if (table->planned > 0 || table->grid > 0) return;
     free(table->slots);
     table->slots = NULL;
 }
@@ -313,9 +322,9 @@ static void get_starts(whirl_status *status, hid_t group, whirl_table *table) {
 
 /// The second parameter of a map, and how long its rows are, which it is made of; they are those of its datasets.
 static void get_plane(whirl_status *status, hid_t group, shape points, whirl_table *table) {
-    const size_t planned = whirl_table_places(table);
+    const size_t planned = table->grid > 0 ? table->grid : whirl_table_places(table);
     const bool is_map = whirl_layout_field(&table->layout, "map/second");
-    if (status->code == WHIRL_OK && points.rank == 2 && !is_map)
+    if (status->code == WHIRL_OK && points.rank == 2 && (!is_map || table->grid > 0))
         *status = whirl_fail(WHIRL_BAD_INPUT, "/%s has rows of points, expected a list", table->name);
     if (status->code != WHIRL_OK || !is_map) return;
     get_text_attribute(status, group, "second", table->second, sizeof table->second);
@@ -346,6 +355,7 @@ static void get_table(whirl_status *status, hid_t file, const whirl_result *resu
     field_words *words = take_values(status, table);
     get_numbers(status, group, "values", table->values, points);
     get_branch(status, group, points, table);
+    get_grid(status, group, table);
     get_slots(status, group, points, table);
     get_starts(status, group, table);
     get_plane(status, group, points, table);

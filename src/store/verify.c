@@ -103,7 +103,8 @@ static whirl_status compare_slots(const comparison *with, const whirl_result *th
     for (size_t i = 0; i < there->table_count; ++i) {
         const whirl_table *own = &with->tables[i], *found = &there->tables[i];
         const size_t planned = whirl_table_planned(found);
-        if (planned != own->planned) return differs(with->path, own, planned < own->planned ? planned : own->planned);
+        if (planned != own->planned || found->grid != own->grid || found->refine != own->refine)
+            return differs(with->path, own, planned < own->planned ? planned : own->planned);
         for (size_t point = 0; point < own->count; ++point)
             if (whirl_table_slot(own, point) != whirl_table_slot(found, point) || !whirl_table_done(found, point) ||
                 !same_number(whirl_result_length_scale(with->result, own, point),

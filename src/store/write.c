@@ -132,8 +132,8 @@ static si_unit si_of(const char *unit, const whirl_result *result, const whirl_t
 /// unless it has several starts a place.
 static shape shape_of(const whirl_table *table) {
     const size_t row = table->row;
-    if (row == 0 || table->starts > 1 || table->count != table->planned || table->count % row != 0)
-        return list_of(table->count);
+    const bool plain = row > 0 && table->refine == 0 && table->starts <= 1;
+    if (!plain || table->count != table->planned || table->count % row != 0) return list_of(table->count);
     return (shape){2, {table->count / row, row}};
 }
 
@@ -349,6 +349,10 @@ static void put_table(whirl_status *status, hid_t file, const whirl_result *resu
         put_whole_attribute(status, group, "row", (int64_t)table->row);
     }
     if (table->starts > 1) put_whole_attribute(status, group, "starts", (int64_t)table->starts);
+    if (table->refine > 0) {
+        put_whole_attribute(status, group, "refine", (int64_t)table->refine);
+        put_whole_attribute(status, group, "grid", (int64_t)table->grid);
+    }
     put_analyses(status, group, table->analyses);
     put_texts_attribute(status, group, "fields",
                         texts_of(layout->fields[0].name, sizeof *layout->fields, layout->field_count));

@@ -59,13 +59,32 @@ void attractors_free(told_apart *told) {
     told->count = 0;
 }
 
+/// Points of a refined table count as many as they stand for.
+static whirl_status weigh(const whirl_table *table, const size_t *of, told_apart *told) {
+    const size_t grid = whirl_table_grid(table);
+    size_t *cover = calloc(grid + 1, sizeof *cover);
+    if (!cover) return whirl_fail(WHIRL_NO_MEMORY, "no memory to count %zu points", grid);
+    whirl_table_cover(table, cover);
+    told->done = 0;
+    for (size_t k = 0; k < told->count; k++) told->found[k].points = 0;
+    for (size_t i = 0; i < grid; i++) {
+        if (cover[i] == table->count) continue;
+        told->done++;
+        if (of[cover[i]] < MOST_ATTRACTORS) told->found[of[cover[i]]].points++;
+    }
+    take_shares(told);
+    free(cover);
+    return whirl_ok();
+}
+
 whirl_status whirl_table_attractors(const whirl_table *table, size_t *labels, whirl_attractor *attractors, size_t most,
                                     size_t *count) {
     told_apart told;
     size_t *of = malloc((table->count + 1) * sizeof *of), number[MOST_ATTRACTORS + 1] = {0};
     *count = 0;
     if (!of) return whirl_fail(WHIRL_NO_MEMORY, "no memory to tell the attractors of %zu points apart", table->count);
-    const whirl_status status = attractors_tell(table, NULL, table->count, of, &told);
+    whirl_status status = attractors_tell(table, NULL, table->count, of, &told);
+    if (status.code == WHIRL_OK && table->refine > 0) status = weigh(table, of, &told);
     if (status.code == WHIRL_OK) {
         *count = told.count;
         qsort(told.found, told.count, sizeof *told.found, by_points);

@@ -219,7 +219,7 @@ static chain *take_unknown(worker *w) {
         if (!link) return link;
         while (link->done < link->length && recall(w, link)) {
         }
-        const bool gathering = w->chains->run->gathering;
+        const bool gathering = w->chains->run->gathering && !w->chains->pass->anew;
         if (link->done < link->length && !gathering) return link;
         leave(w->chains, link, gathering);
     }

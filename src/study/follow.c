@@ -24,7 +24,7 @@ static bool is_near_an_end(const whirl_batch *batch, const whirl_table *table, s
     const size_t first = slot / batch->count * batch->count, place = slot - first;
     const size_t low = place > REACH ? place - REACH : 0;
     for (size_t i = low; i <= place + REACH && i < batch->count; i++)
-        if (!is_chaotic(table, first + i)) return true;
+        if (whirl_table_done(table, first + i) && !is_chaotic(table, first + i)) return true;
     return false;
 }
 

@@ -3,10 +3,13 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "passes.h"
+
 struct whirl_kept_blocks {
     const whirl_keeper *keeper;
     size_t batch, dimension;
     size_t point;     ///< whose block is in memory, `count` of the table for none
+    double *widths;   ///< [count] of the points of a refined map, in the end; else NULL
     double *end;      ///< [dimension] asked for with the block
     double numbers[]; ///< [layout.size] the block, and then the end
 };
@@ -15,9 +18,24 @@ whirl_status kept_new(whirl_table *table, const whirl_keeper *keeper, size_t bat
     const size_t size = table->layout.size;
     whirl_kept_blocks *kept = table->kept = malloc(sizeof *kept + (size + dimension) * sizeof(double));
     if (!kept) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a point");
-    *kept = (whirl_kept_blocks){keeper, batch, dimension, table->count, NULL};
+    *kept = (whirl_kept_blocks){.keeper = keeper, .batch = batch, .dimension = dimension, .point = table->count};
     kept->end = kept->numbers + size;
     return whirl_ok();
+}
+
+void kept_free(whirl_kept_blocks *kept) {
+    if (kept) free(kept->widths);
+    free(kept);
+}
+
+whirl_status kept_make_widths(const whirl_table *table, size_t count) {
+    table->kept->widths = calloc(count + 1, sizeof *table->kept->widths);
+    table->kept->point = table->count;
+    return table->kept->widths ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points", count);
+}
+
+void kept_note_width(const whirl_table *table, size_t point, double width) {
+    table->kept->widths[point] = width;
 }
 
 const double *kept_block(const whirl_table *table, size_t point) {
@@ -25,11 +43,14 @@ const double *kept_block(const whirl_table *table, size_t point) {
     const whirl_keeper *keeper = kept->keeper;
     const size_t size = table->layout.size;
     if (kept->point == point) return kept->numbers;
+    const size_t slot = table->slots ? table->slots[point] : point;
     kept->point = table->count;
     if (table->done && !table->done[point])
         for (size_t i = 0; i < size; i++) kept->numbers[i] = NAN;
-    else if (!keeper->recall(keeper->context, kept->batch, point, kept->numbers, size, kept->end, kept->dimension))
+    else if (!keeper->recall(keeper->context, kept->batch, slot, kept->numbers, size, kept->end, kept->dimension))
         return NULL;
+    else if (kept->widths)
+        kept->numbers[whirl_layout_field(&table->layout, MAP_WIDTH)->offset] = kept->widths[point];
     kept->point = point;
     return kept->numbers;
 }

@@ -4,8 +4,16 @@
 
 #include "whirl/study.h"
 
-/// Leaves the blocks of the table of that batch with the keeper; states have `dimension` numbers. Freed by free.
+/// Leaves the blocks of the table of that batch with the keeper; states have `dimension` numbers. Freed by
+/// kept_free.
 whirl_status kept_new(whirl_table *table, const whirl_keeper *keeper, size_t batch, size_t dimension);
+
+void kept_free(whirl_kept_blocks *kept);
+
+/// Room for the widths of the points of a refined map, as many as there will be, and one of them: their blocks were
+/// kept before these were known, and are given with them from then on. WHIRL_NO_MEMORY.
+whirl_status kept_make_widths(const whirl_table *table, size_t count);
+void kept_note_width(const whirl_table *table, size_t point, double width);
 
 /// The block of a point, NULL where the keeper does not know it; of one that is not done, NaN.
 const double *kept_block(const whirl_table *table, size_t point);

@@ -5,6 +5,9 @@
 #include "tracker.h"
 #include "whirl/study.h"
 
+/// What is known of a map that is refined (refined_map.h).
+typedef struct refined_map refined_map;
+
 /// What all passes share.
 typedef struct study_run {
     const whirl_study *study;
@@ -14,11 +17,12 @@ typedef struct study_run {
     size_t dimension;
     double *ends[WHIRL_MAX_BATCHES]; ///< [count][dimension] where every point ended, NaN where it diverged, of batches
                                      ///< that are carried or may be followed; else NULL
-    whirl_share share;               ///< of the points that are computed and confirmed; all zero: all of them
-    const whirl_dealer *dealer;      ///< NULL: points are not dealt out
-    bool gathering;                  ///< points that the keeper does not know are left out
-    bool traced;                     ///< branches and tori are as far as this run takes them
-    double deadline;                 ///< what is under way then is given up (clock_seconds); 0: there is none
+    refined_map *refined[WHIRL_MAX_BATCHES]; ///< of batches that are refined maps, else NULL
+    whirl_share share;                       ///< of the points that are computed and confirmed; all zero: all of them
+    const whirl_dealer *dealer;              ///< NULL: points are not dealt out
+    bool gathering;                          ///< points that the keeper does not know are left out
+    bool traced;                             ///< branches and tori are as far as this run takes them
+    double deadline;                         ///< what is under way then is given up (clock_seconds); 0: there is none
     tracker tracker;
 } study_run;
 
@@ -27,6 +31,7 @@ typedef struct pass {
     size_t batch;
     int round;       ///< of refinement; 0: the study itself
     bool confirming; ///< the points are there; their motions are computed at the second tolerance
+    bool anew;       ///< its points are computed where the keeper does not know them, though others are gathered
     int copy;        ///< the points are there; copies of their motions go on, from 1; 0: this is none of these
     whirl_integrate_options integrate;
     whirl_record_options record;
@@ -138,7 +143,11 @@ void tables_blank(whirl_result *result);
 
 // ---------------------------------------------------------------- batch_points.c
 
-/// The field of the second parameter's value, "map/second", in the layout of a batch that has such values.
+/// The field of the width that a point of a refined map stands for.
+#define MAP_WIDTH "map/width"
+
+/// The field of the second parameter's value, "map/second", in the layout of a batch that has such values; and of a
+/// refined map the width.
 /// WHIRL_BAD_INPUT when it has too many fields.
 whirl_status map_add_field(const whirl_batch *batch, whirl_layout *layout);
 

@@ -54,12 +54,12 @@ static int compare_options(const pass *a, const pass *b) {
 /// Whether the point is in doubt and there is something to be done about it.
 static bool is_candidate(const study_run *run, size_t batch, size_t slot, int round, candidate *found) {
     const whirl_batch *own = &run->study->batches[batch];
-    if (!whirl_layout_has_verdict(&run->result->tables[batch].layout)) return false;
-    whirl_verdict verdict = whirl_table_verdict(&run->result->tables[batch], slot);
+    const whirl_table *table = &run->result->tables[batch];
+    if (!whirl_layout_has_verdict(&table->layout) || !whirl_table_done(table, slot)) return false;
+    whirl_verdict verdict = whirl_table_verdict(table, slot);
     if (verdict.regime != WHIRL_UNDETERMINED && verdict.confidence != WHIRL_LOW) return false;
     if (verdict.advice.remedy == WHIRL_NO_REMEDY) return false;
-    if (refine_noted(&run->result->tables[batch].layout, block_of(run, batch, slot))[REFINE_ROUNDS] == round)
-        return false;
+    if (refine_noted(&table->layout, block_of(run, batch, slot))[REFINE_ROUNDS] == round) return false;
     const pass last = last_pass(run, batch, slot, round);
     *found = (candidate){.slot = slot, .next = last};
     // The samples of a waveform stay as they are, whatever the steps.

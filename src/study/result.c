@@ -16,7 +16,7 @@ void whirl_result_free(whirl_result *result) {
         free(result->tables[i].branch);
         free(result->tables[i].blocks);
         free(result->tables[i].done);
-        free(result->tables[i].kept);
+        kept_free(result->tables[i].kept);
     }
     free(result->tables);
     free(result->case_text);
@@ -87,6 +87,15 @@ double whirl_table_second(const whirl_table *table, size_t point) {
 size_t whirl_table_planned(const whirl_table *table) {
     if (table->source) return table->planned;
     return table->planned > table->count ? table->planned : table->count;
+}
+
+size_t whirl_table_grid(const whirl_table *table) {
+    return table->grid > 0 ? table->grid : whirl_table_planned(table);
+}
+
+size_t whirl_table_rows(const whirl_table *table) {
+    const size_t places = table->grid > 0 ? table->grid : whirl_table_places(table);
+    return table->row > 0 ? places / table->row : 0;
 }
 
 bool whirl_table_done(const whirl_table *table, size_t point) {

@@ -4,11 +4,25 @@
 #include <stdlib.h>
 
 #include "passes.h"
+#include "refined_map.h"
 
 static bool has_regime(const whirl_batch *batch) {
     whirl_analysis_set regime = 0;
     whirl_analysis_add(&regime, whirl_analysis_of_verdicts());
     return (batch->analyses & regime) != 0;
+}
+
+static whirl_status check_refined_map(const whirl_batch *batch) {
+    if (batch->refine == 0) return whirl_ok();
+    if (batch->refine < 2 || batch->refine > WHIRL_MAX_SQUARE || (batch->refine & (batch->refine - 1)) != 0)
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "the %s is refined from squares of %zu points, expected a power of two up to %d", batch->name,
+                          batch->refine, WHIRL_MAX_SQUARE);
+    if (batch->starts > 1)
+        return whirl_fail(WHIRL_BAD_INPUT, "the %s is refined, but has several starts a point", batch->name);
+    if (batch->row == 0 || batch->count % batch->row != 0 || batch->carry != WHIRL_CARRY_NONE)
+        return whirl_fail(WHIRL_BAD_INPUT, "the %s is refined, but is no map", batch->name);
+    return whirl_ok();
 }
 
 static whirl_status check_study(const whirl_study *study) {
@@ -26,9 +40,11 @@ static whirl_status check_study(const whirl_study *study) {
                               "not carried",
                               batch->name, batch->starts, WHIRL_MAX_STARTS);
         const bool judged = !whirl_analysis_is_traced(batch->analyses);
-        if (judged && (batch->confirm || study_is_refined(study)) && !has_regime(batch))
+        if (judged && (batch->confirm || study_is_refined(study) || batch->refine > 0) && !has_regime(batch))
             return whirl_fail(WHIRL_BAD_INPUT, "verdicts of the %s cannot be %s: the analysis 'regime' is not chosen",
                               batch->name, batch->confirm ? "confirmed" : "refined");
+        const whirl_status refined = check_refined_map(batch);
+        if (refined.code != WHIRL_OK) return refined;
     }
     return whirl_ok();
 }
@@ -72,11 +88,20 @@ typedef struct stage {
     whirl_stage name;
     size_t pass_count, points;
     double revolutions;
-    pass passes[WHIRL_MAX_BATCHES];
+    pass passes[2 * WHIRL_MAX_BATCHES];
 } stage;
 
 static void free_stage(const stage *s) {
     for (size_t i = 0; i < s->pass_count; i++) free(s->passes[i].slots);
+}
+
+static void add_pass(const study_run *run, const pass *p, stage *s) {
+    s->points += p->count;
+    s->revolutions += (double)p->count * pass_revolutions(run, p);
+    if (p->count > 0)
+        s->passes[s->pass_count++] = *p;
+    else
+        free(p->slots);
 }
 
 /// The passes over the points, or over those that are confirmed; of the run's share. Freed by free_stage.
@@ -89,13 +114,12 @@ static whirl_status plan_stage(const study_run *run, whirl_stage name, stage *s)
         if ((confirming && !batch->confirm) || (run->traced && whirl_analysis_is_traced(batch->analyses))) continue;
         pass own = {.batch = i, .integrate = batch->integrate, .record = batch->record, .count = batch_slots(batch)};
         if (confirming) own = pass_confirming(&own);
+        pass late = own;
         status = share_pass(run, &own);
-        s->points += own.count;
-        s->revolutions += (double)own.count * pass_revolutions(run, &own);
-        if (own.count > 0)
-            s->passes[s->pass_count++] = own;
-        else
-            free(own.slots);
+        add_pass(run, &own, s);
+        if (!confirming || !run->refined[i] || status.code != WHIRL_OK) continue;
+        status = refined_late_pass(run, &late);
+        add_pass(run, &late, s);
     }
     return status;
 }
@@ -109,10 +133,13 @@ double whirl_study_revolutions(const whirl_study *study) {
 }
 
 static whirl_status run_stage(study_run *run, stage *s) {
-    if (s->points == 0) return whirl_ok();
+    // Of refined maps first squares are dealt out, not points.
+    const bool deals = run->dealer && s->name == WHIRL_STAGE_COMPUTE;
+    if (s->points == 0 && !deals) return whirl_ok();
     for (size_t i = 0; i < s->pass_count && s->name == WHIRL_STAGE_CONFIRM; i++) share_confirmed(run, &s->passes[i]);
     tracker_stage(&run->tracker, s->name, s->points);
-    const whirl_status status = passes_work(run, s->passes, s->pass_count);
+    whirl_status status = passes_work(run, s->passes, s->pass_count);
+    if (status.code == WHIRL_OK && s->name == WHIRL_STAGE_COMPUTE) status = refined_maps_work(run);
     return status.code == WHIRL_OK ? passes_outcome(run) : status;
 }
 
@@ -125,14 +152,26 @@ static whirl_status run_stages_of_all(study_run *run, bool confirmed) {
     return status;
 }
 
+/// What is confirmed once the points are there: of refined maps there are more than were known.
+static whirl_status plan_again(study_run *run, stage *again) {
+    const double before = again->revolutions;
+    free_stage(again);
+    const whirl_status status = plan_stage(run, WHIRL_STAGE_CONFIRM, again);
+    tracker_add(&run->tracker, again->revolutions - before, 0);
+    return status;
+}
+
 /// The points and their confirmations, or what is known of them.
 static whirl_status run_points(study_run *run, const whirl_run_options *options) {
     stage points, again;
-    whirl_status status = plan_stage(run, WHIRL_STAGE_COMPUTE, &points);
+    whirl_status status = refined_maps_new(run);
+    if (status.code != WHIRL_OK) return status;
+    status = plan_stage(run, WHIRL_STAGE_COMPUTE, &points);
     const whirl_status planned = plan_stage(run, WHIRL_STAGE_CONFIRM, &again);
     if (status.code == WHIRL_OK) status = planned;
     tracker_begin(&run->tracker, options, points.revolutions + again.revolutions);
     if (status.code == WHIRL_OK) status = run_stage(run, &points);
+    if (status.code == WHIRL_OK) status = plan_again(run, &again);
     if (status.code == WHIRL_OK) status = run_stage(run, &again);
     free_stage(&points);
     free_stage(&again);
@@ -192,6 +231,11 @@ whirl_status whirl_study_run(const whirl_study *study, const whirl_run_options *
     if (status.code == WHIRL_OK) status = make_ends(&run);
     if (status.code == WHIRL_OK) status = tables_fill(&run, options->memory);
     if (status.code == WHIRL_OK) status = run_stages(&run, options);
+    if (status.code == WHIRL_OK || status.code == WHIRL_STOPPED) {
+        const whirl_status ended = refined_maps_end(&run);
+        if (ended.code != WHIRL_OK) status = ended;
+    }
+    refined_maps_free(&run);
     for (size_t i = 0; i < WHIRL_MAX_BATCHES; i++) free(run.ends[i]);
     if (status.code == WHIRL_STOPPED || (status.code == WHIRL_OK && (run.share.count > 0 || run.dealer))) {
         tables_blank(run.result);

@@ -2,6 +2,7 @@
 #include <stdlib.h>
 
 #include "passes.h"
+#include "refined_map.h"
 #include "resting.h"
 
 /// Points of a batch that stay together.
@@ -13,6 +14,7 @@ static size_t piece_of(const whirl_batch *batch) {
 
 bool whirl_share_has(const whirl_study *study, const whirl_share *share, size_t batch, size_t slot) {
     const whirl_batch *own = &study->batches[batch % study->batch_count];
+    if (own->refine > 0) return refined_share_has(own, share, slot);
     return share->count == 0 || slot / piece_of(own) % share->count + 1 == share->number;
 }
 
@@ -44,6 +46,7 @@ static bool is_own(const study_run *run, const pass *p, size_t slot) {
 whirl_status share_pass(const study_run *run, pass *p) {
     const size_t length = pass_chain_length(p, &run->study->batches[p->batch]), all = p->count / length;
     size_t chains = 0;
+    if (run->study->batches[p->batch].refine > 0) return refined_pass(run, p);
     if (run->share.count == 0 && !run->dealer) return whirl_ok();
     p->slots = calloc(all + 1, sizeof *p->slots);
     if (!p->slots) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points", p->count);

@@ -38,6 +38,8 @@ static whirl_status make_table(const whirl_study *study, const whirl_batch *batc
     if (batch->second_values) memcpy(table->second, batch->second, sizeof table->second);
     table->row = batch->row;
     table->starts = batch->starts > 1 ? batch->starts : 0;
+    table->refine = batch->refine;
+    table->grid = batch->refine > 0 ? batch->count : 0;
     table->count = batch_slots(batch);
     table->analyses = batch->analyses;
     table->integrate = batch->integrate;

@@ -57,6 +57,14 @@ void tracker_recall(tracker *t, double revolutions, size_t points) {
     }
 }
 
+void tracker_add(tracker *t, double revolutions, size_t points) {
+#pragma omp critical(whirl_tracker)
+    {
+        t->progress.revolutions_total += revolutions;
+        t->progress.points_total += points;
+    }
+}
+
 void tracker_lack(tracker *t, double revolutions, size_t points) {
 #pragma omp critical(whirl_tracker)
     {

@@ -30,6 +30,9 @@ bool tracker_advance(tracker *tracker, double revolutions, size_t points);
 /// Adds a point that needs no computing.
 void tracker_recall(tracker *tracker, double revolutions, size_t points);
 
+/// Adds what there is to do besides, as has turned out.
+void tracker_add(tracker *tracker, double revolutions, size_t points);
+
 /// Takes back what there might have been to do and is not there.
 void tracker_lack(tracker *tracker, double revolutions, size_t points);
 

@@ -7,7 +7,11 @@
 
 #include "whirl/study.h"
 
-enum { MOST_SLOTS = 128, MOST_PASSES = 4 * (WHIRL_MAX_ROUNDS + 1), BLOCK = 512, MOST_DIMENSION = 4 };
+#ifndef KEEPER_SLOTS
+#define KEEPER_SLOTS 128 // a test that needs more says so
+#endif
+
+enum { MOST_SLOTS = KEEPER_SLOTS, MOST_PASSES = 4 * (WHIRL_MAX_ROUNDS + 1), BLOCK = 512, MOST_DIMENSION = 4 };
 
 /// `limit` is how many points it takes before it fails, -1: all.
 typedef struct memory_keeper {

@@ -1,0 +1,45 @@
+// What the points of a map stand for: where it was refined, most of its grid was not computed.
+#include <math.h>
+
+#include "passes.h"
+
+/// Half-open, so that every point of the grid is of one square; the last column and row are of those that end there.
+static size_t end_of(size_t begin, double width, size_t points) {
+    const double end = (double)begin + width;
+    return end + 1.0 < (double)points ? (size_t)end : points;
+}
+
+/// Lessens *left, the points of the grid that squares can stand for besides: more there are not in a file that is
+/// sound.
+static void cover_square(const whirl_table *table, size_t point, double width, size_t *left, size_t *cover) {
+    const size_t slot = whirl_table_slot(table, point), columns = table->row, rows = whirl_table_rows(table);
+    const size_t right = end_of(slot % columns, width, columns), top = end_of(slot / columns, width, rows);
+    const size_t area = (right - slot % columns) * (top - slot / columns);
+    if (area > *left) return;
+    *left -= area;
+    for (size_t y = slot / columns; y < top; y++)
+        for (size_t x = slot % columns; x < right; x++) cover[y * columns + x] = point;
+}
+
+void whirl_table_cover(const whirl_table *table, size_t *cover) {
+    const size_t grid = whirl_table_grid(table);
+    size_t left = grid;
+    for (size_t i = 0; i < grid; i++) cover[i] = table->count;
+    for (size_t i = 0; i < table->count && table->refine > 0; i++) {
+        const double width = whirl_table_number(table, i, MAP_WIDTH, 0);
+        if (whirl_table_done(table, i) && width > 1.0) cover_square(table, i, width, &left, cover);
+    }
+    for (size_t i = 0; i < table->count; i++)
+        if (whirl_table_done(table, i)) cover[whirl_table_slot(table, i)] = i;
+}
+
+double whirl_table_revolutions(const whirl_table *table) {
+    double sum = 0.0;
+    size_t done = 0;
+    for (size_t i = 0; i < table->count; i++) {
+        if (!whirl_table_done(table, i)) continue;
+        sum += whirl_table_number(table, i, "regime/revolutions", 0);
+        done++;
+    }
+    return done > 0 ? sum / (double)done : (double)NAN;
+}

@@ -1,0 +1,261 @@
+#include "refined_map.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "alike.h"
+#include "kept.h"
+#include "squares.h"
+
+struct refined_map {
+    const whirl_table *table;
+    squares plane;
+    unsigned char *asked; ///< [slots] points of the run's share, computed or to be
+    unsigned char *late;  ///< [slots] those of them that shares did not ask for; NULL before all these are gathered
+    double *widths;       ///< [slots] of squares that are not divided, at their first corners; of other points 1
+    unsigned char *known; ///< [slots] those of them that were done when squares were looked at last
+    alike *labels;
+    unsigned char *own; ///< [first squares] 1 for those of the run's share, or that were dealt to it
+};
+
+static squares plane_of(const whirl_batch *batch) {
+    return (squares){.columns = batch->row, .rows = batch->count / batch->row, .width = batch->refine};
+}
+
+size_t refined_first_points(const whirl_batch *batch) {
+    const squares plane = plane_of(batch);
+    size_t count = 0;
+    for (size_t slot = 0; slot < batch->count; slot++) count += squares_is_corner(&plane, slot);
+    return count;
+}
+
+bool refined_share_has(const whirl_batch *batch, const whirl_share *share, size_t slot) {
+    const squares plane = plane_of(batch);
+    const size_t count = squares_count(&plane);
+    if (share->count == 0) return true;
+    for (size_t i = share->number - 1; i < count; i += share->count)
+        if (squares_has(&plane, i, slot)) return true;
+    return false;
+}
+
+// ---------------------------------------------------------------- making
+
+static bool differ(const void *context, size_t a, size_t b) {
+    const refined_map *map = context;
+    return !alike_are(map->labels, a, b);
+}
+
+/// What all own first squares need, as far as known points tell.
+static whirl_status ask_all(const refined_map *map, unsigned char *asked) {
+    const size_t count = squares_count(&map->plane);
+    for (size_t i = 0; i < count; i++)
+        if (map->own[i] && !squares_ask(&map->plane, i, asked))
+            return whirl_fail(WHIRL_NO_MEMORY, "no memory to refine a map");
+    return whirl_ok();
+}
+
+/// The first squares of the run's share; where they are dealt out, none yet.
+static void share_squares(const study_run *run, refined_map *map) {
+    const whirl_share *share = &run->share;
+    const size_t count = squares_count(&map->plane);
+    for (size_t i = 0; i < count && !run->dealer; i++)
+        map->own[i] = share->count == 0 || i % share->count + 1 == share->number;
+}
+
+static whirl_status make_map(const study_run *run, size_t batch, refined_map **out) {
+    const whirl_table *table = &run->result->tables[batch];
+    refined_map *map = *out = calloc(1, sizeof *map);
+    if (!map) return whirl_fail(WHIRL_NO_MEMORY, "no memory to refine a map");
+    map->table = table;
+    map->plane = plane_of(&run->study->batches[batch]);
+    map->plane.alone = run->share.count > 0 || run->dealer || run->gathering;
+    map->plane.differ = differ;
+    map->plane.context = map;
+    map->asked = calloc(table->count, 1);
+    map->plane.known = map->known = calloc(table->count, 1);
+    map->widths = calloc(table->count, sizeof *map->widths);
+    map->labels = alike_new(table);
+    map->own = calloc(squares_count(&map->plane), 1);
+    if (!map->asked || !map->known || !map->widths || !map->labels || !map->own)
+        return whirl_fail(WHIRL_NO_MEMORY, "no memory to refine a map of %zu points", table->count);
+    share_squares(run, map);
+    return ask_all(map, map->asked);
+}
+
+void refined_maps_free(study_run *run) {
+    for (size_t i = 0; i < WHIRL_MAX_BATCHES; i++) {
+        refined_map *map = run->refined[i];
+        if (!map) continue;
+        free(map->asked);
+        free(map->known);
+        free(map->late);
+        free(map->own);
+        free(map->widths);
+        alike_free(map->labels);
+        free(map);
+        run->refined[i] = NULL;
+    }
+}
+
+whirl_status refined_maps_new(study_run *run) {
+    whirl_status status = whirl_ok();
+    refined_maps_free(run);
+    for (size_t i = 0; i < run->study->batch_count && status.code == WHIRL_OK; i++)
+        if (run->study->batches[i].refine > 0) status = make_map(run, i, &run->refined[i]);
+    return status;
+}
+
+// ---------------------------------------------------------------- rounds
+
+/// A pass over the points of one list that are not in another (NULL: none is).
+static whirl_status take_points(const refined_map *map, const unsigned char *points, const unsigned char *without,
+                                pass *p) {
+    p->count = 0;
+    p->slots = calloc(map->table->count + 1, sizeof *p->slots);
+    if (!p->slots) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points", map->table->count);
+    for (size_t slot = 0; slot < map->table->count; slot++)
+        if (points[slot] && !(without && without[slot])) p->slots[p->count++] = slot;
+    return whirl_ok();
+}
+
+whirl_status refined_pass(const study_run *run, pass *p) {
+    const refined_map *map = run->refined[p->batch];
+    if (map) return take_points(map, map->asked, map->late, p);
+    p->count = refined_first_points(&run->study->batches[p->batch]); // before a run
+    return whirl_ok();
+}
+
+whirl_status refined_late_pass(const study_run *run, pass *p) {
+    const refined_map *map = run->refined[p->batch];
+    p->anew = true;
+    p->count = 0;
+    return map->late ? take_points(map, map->late, NULL, p) : whirl_ok();
+}
+
+/// What is known has made squares ask for these points.
+static whirl_status plan_round(refined_map *map, pass *p) {
+    unsigned char *asked = calloc(map->table->count, 1);
+    if (!asked) return whirl_fail(WHIRL_NO_MEMORY, "no memory to refine a map");
+    for (size_t slot = 0; slot < map->table->count; slot++)
+        map->known[slot] = map->asked[slot] && map->table->done[slot];
+    whirl_status status = ask_all(map, asked);
+    if (status.code == WHIRL_OK) status = take_points(map, asked, map->asked, p);
+    for (size_t slot = 0; status.code == WHIRL_OK && slot < map->table->count; slot++) {
+        if (map->late && asked[slot] && !map->asked[slot]) map->late[slot] = 1;
+        map->asked[slot] |= asked[slot];
+    }
+    free(asked);
+    return status;
+}
+
+static whirl_status refine(study_run *run, size_t batch) {
+    const whirl_batch *own = &run->study->batches[batch];
+    whirl_status status = whirl_ok();
+    bool more = true;
+    while (status.code == WHIRL_OK && more) {
+        pass p = {.batch = batch, .integrate = own->integrate, .record = own->record};
+        p.anew = run->refined[batch]->late != NULL;
+        status = plan_round(run->refined[batch], &p);
+        // A run that shall end has these before it still: without them it would seem to be done.
+        if (status.code == WHIRL_OK) tracker_add(&run->tracker, (double)p.count * pass_revolutions(run, &p), p.count);
+        more = p.count > 0 && !atomic_load(&run->tracker.halt);
+        if (status.code == WHIRL_OK && more) status = passes_work(run, &p, 1);
+        free(p.slots);
+    }
+    return status;
+}
+
+/// After what first squares have asked for alone, in shares: what they ask for together.
+static whirl_status refine_together(study_run *run, size_t batch) {
+    refined_map *map = run->refined[batch];
+    map->plane.alone = false;
+    map->late = calloc(map->table->count, 1);
+    return map->late ? refine(run, batch) : whirl_fail(WHIRL_NO_MEMORY, "no memory to refine a map");
+}
+
+/// Takes first squares as they are dealt out, until none is left or the run shall end.
+static whirl_status refine_dealt(study_run *run, size_t batch) {
+    refined_map *map = run->refined[batch];
+    const whirl_dealer *dealer = run->dealer;
+    whirl_status status = whirl_ok();
+    size_t first = 0, taken = 1;
+    while (status.code == WHIRL_OK && taken > 0 && !atomic_load(&run->tracker.halt)) {
+        taken = dealer->claim(dealer->context, batch, squares_count(&map->plane), &first);
+        for (size_t i = first; i < first + taken; i++) map->own[i] = 1;
+        if (taken > 0) status = refine(run, batch);
+    }
+    return status;
+}
+
+/// Whether all points that were gathered are there.
+static bool has_gathered(const study_run *run) {
+    const whirl_progress *progress = &run->tracker.progress;
+    return run->gathering && progress->points_done == progress->points_total;
+}
+
+/// The widths follow from the points as they are now: what is done to them later changes no square.
+static whirl_status note_widths(refined_map *map) {
+    const size_t count = squares_count(&map->plane);
+    for (size_t slot = 0; slot < map->table->count; slot++) map->widths[slot] = 1.0;
+    for (size_t i = 0; i < count; i++)
+        if (map->own[i] && !squares_widths(&map->plane, i, map->widths))
+            return whirl_fail(WHIRL_NO_MEMORY, "no memory to refine a map");
+    return whirl_ok();
+}
+
+whirl_status refined_maps_work(study_run *run) {
+    whirl_status status = whirl_ok();
+    for (size_t i = 0; i < run->study->batch_count && status.code == WHIRL_OK; i++) {
+        if (!run->refined[i]) continue;
+        status = run->dealer ? refine_dealt(run, i) : refine(run, i);
+        if (status.code == WHIRL_OK && has_gathered(run)) status = refine_together(run, i);
+        if (status.code == WHIRL_OK) status = note_widths(run->refined[i]);
+    }
+    return status;
+}
+
+// ---------------------------------------------------------------- the table at last
+
+/// Moves what stands at a slot to the front.
+static void move_point(whirl_table *table, size_t to, size_t from) {
+    const size_t size = table->layout.size;
+    table->slots[to] = from;
+    table->values[to] = table->values[from];
+    table->branch[to] = table->branch[from];
+    table->done[to] = table->done[from];
+    if (table->blocks) memmove(table->blocks + to * size, table->blocks + from * size, size * sizeof *table->blocks);
+}
+
+static void note_width(const whirl_table *table, size_t point, double width) {
+    const whirl_field *field = whirl_layout_field(&table->layout, MAP_WIDTH);
+    if (table->blocks)
+        table->blocks[point * table->layout.size + field->offset] = width;
+    else
+        kept_note_width(table, point, width);
+}
+
+static whirl_status compact(refined_map *map, whirl_table *table) {
+    size_t count = 0;
+    for (size_t slot = 0; slot < table->count; slot++) count += map->asked[slot];
+    table->slots = calloc(count + 1, sizeof *table->slots);
+    whirl_status status = table->slots ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points", count);
+    if (status.code == WHIRL_OK && table->kept) status = kept_make_widths(table, count);
+    if (status.code != WHIRL_OK) return status;
+    size_t point = 0;
+    for (size_t slot = 0; slot < table->count; slot++) {
+        if (!map->asked[slot]) continue;
+        move_point(table, point, slot);
+        note_width(table, point++, map->widths[slot]);
+    }
+    table->count = count;
+    double *blocks = table->blocks ? realloc(table->blocks, (count * table->layout.size + 1) * sizeof *blocks) : NULL;
+    if (blocks) table->blocks = blocks;
+    return status;
+}
+
+whirl_status refined_maps_end(study_run *run) {
+    whirl_status status = whirl_ok();
+    for (size_t i = 0; i < run->study->batch_count && status.code == WHIRL_OK; i++)
+        if (run->refined[i]) status = compact(run->refined[i], &run->result->tables[i]);
+    return status;
+}
