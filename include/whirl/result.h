@@ -194,12 +194,13 @@ typedef struct whirl_attractor {
 } whirl_attractor;
 
 /// Tells apart the attractors of a table whose machines are all the same, as those of a basin are: points have one
-/// attractor that have one regime and period and, where it is periodic, sections that agree to a thousandth of the
-/// largest displacement, whichever revolution they begin with; where not, means and bounds that agree to a fifth of the
-/// extent. All that diverge have one. Needs the analyses "poincare" and "orbit" for that; without them regimes and
-/// periods count alone. Writes the attractor of every point to labels [count] (NULL: not wanted), from 1, that of most
-/// points first; 0 for points that are not done or without a verdict, and beyond 64 attractors. *count is how many
-/// there are; at most `most` are written. WHIRL_NO_MEMORY.
+/// attractor that have one regime and, where it is periodic, sections that agree to a thousandth of the largest
+/// displacement, whichever revolution they begin with (one period may be a multiple of the other: a motion that has not
+/// quite come to its orbit may seem to have one); where not, means and bounds that agree to a fifth of the extent. All
+/// that diverge have one. Needs the analyses "poincare" and "orbit" for that; without them regimes and periods count
+/// alone. Writes the attractor of every point to labels [count] (NULL: not wanted), from 1, that of most points first;
+/// 0 for points that are not done or without a verdict, and beyond 64 attractors. *count is how many there are; at most
+/// `most` are written. WHIRL_NO_MEMORY.
 whirl_status whirl_table_attractors(const whirl_table *table, size_t *labels, whirl_attractor *attractors, size_t most,
                                     size_t *count);
 

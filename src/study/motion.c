@@ -60,15 +60,21 @@ static double largest_place(const motion *m) {
     return size;
 }
 
-/// Whether the sections of two orbits agree, whichever revolution they begin with.
+/// Whether an orbit may change into the other one where it loses its stability: its period stays or is multiplied.
+static bool may_be_one_branch(const motion *a, const motion *b) {
+    if (a->rows == 0 || b->rows == 0) return true;
+    return a->rows % b->rows == 0 || b->rows % a->rows == 0;
+}
+
+/// Whether the sections of two orbits agree, whichever revolution they begin with. A motion that has not quite come to
+/// an orbit may seem to have a multiple of its period.
 static bool are_one_orbit(const motion *a, const motion *b) {
     const double size = fmax(largest_place(a), largest_place(b));
-    for (size_t skip = 0; skip < a->rows; skip++) {
-        size_t agreeing = 0;
-        while (agreeing < a->rows &&
-               row_distance(a, agreeing, b, (agreeing + skip) % a->rows) <= one_orbit * size) // NaN: no
-            agreeing++;
-        if (agreeing == a->rows) return true;
+    const size_t rows = a->rows > b->rows ? a->rows : b->rows;
+    for (size_t skip = 0; skip < rows && may_be_one_branch(a, b); skip++) {
+        size_t i = 0;
+        while (i < rows && row_distance(a, i % a->rows, b, (i + skip) % b->rows) <= one_orbit * size) i++; // NaN: no
+        if (i == rows) return true;
     }
     return false;
 }
@@ -110,17 +116,12 @@ static double size_of(const motion *m) {
 // ---------------------------------------------------------------- both
 
 bool motion_is_same(const motion *a, const motion *b) {
-    if (a->regime != b->regime || a->period != b->period) return false;
+    if (a->regime != b->regime) return false;
     if (a->regime == WHIRL_DIVERGING) return true;
-    if (a->rows > 0 && a->rows == b->rows) return are_one_orbit(a, b);
+    if (a->rows > 0 && b->rows > 0) return are_one_orbit(a, b);
+    if (a->period != b->period) return false;
     if (!a->compared) return true;
     return a->placed && b->placed && bounds_distance(a, b) <= one_cloud * fmax(extent(a), extent(b));
-}
-
-/// Whether an orbit may change into the other one where it loses its stability: its period stays or is multiplied.
-static bool may_be_one_branch(const motion *a, const motion *b) {
-    if (a->rows == 0 || b->rows == 0) return true;
-    return a->rows % b->rows == 0 || b->rows % a->rows == 0;
 }
 
 double motion_distance(const motion *a, const motion *b) {

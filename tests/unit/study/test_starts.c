@@ -154,6 +154,22 @@ static void motions_of_a_place_are_told_apart(void **state) {
     drop(&table);
 }
 
+/// An orbit of 2 revolutions that is told as one of 4, whose sections agree, is the same; one of 3 is none of them.
+static void multiples_of_an_orbit_are_the_same(void **state) {
+    static const size_t labels[] = {1, 1, 2, 3};
+    whirl_table table = make(1, 4, 0);
+    (void)state;
+    orbit(&table, 0, 2, 1.0, 0.1, 0);
+    orbit(&table, 1, 2, 1.0, 0.1, 1);
+    *field(&table, 1, "regime/period") = 4.0;
+    orbit(&table, 2, 4, 1.0, 0.1, 0);
+    orbit(&table, 3, 3, 1.0, 0.1, 0);
+    whirl_coexistence found = tell(&table);
+    for (size_t i = 0; i < 4; i++) assert_int_equal(labels[i], found.labels[i]);
+    whirl_coexistence_free(&found);
+    drop(&table);
+}
+
 // ---------------------------------------------------------------- along a sweep
 
 enum { PLACES = 6 };
@@ -329,12 +345,19 @@ static void missed_shares(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(halton_is_as_published),          cmocka_unit_test(halton_fills_boxes),
-        cmocka_unit_test(coordinates_have_primes),         cmocka_unit_test(motions_of_a_place_are_told_apart),
-        cmocka_unit_test(attractors_go_on_along_a_sweep),  cmocka_unit_test(the_nearest_goes_on),
-        cmocka_unit_test(periods_are_multiplied),          cmocka_unit_test(partial_tables_have_their_places),
-        cmocka_unit_test(two_of_a_place_have_two_numbers), cmocka_unit_test(maps_are_followed_along_both_axes),
-        cmocka_unit_test(views_have_attractors_once),      cmocka_unit_test(missed_shares),
+        cmocka_unit_test(halton_is_as_published),
+        cmocka_unit_test(halton_fills_boxes),
+        cmocka_unit_test(coordinates_have_primes),
+        cmocka_unit_test(motions_of_a_place_are_told_apart),
+        cmocka_unit_test(multiples_of_an_orbit_are_the_same),
+        cmocka_unit_test(attractors_go_on_along_a_sweep),
+        cmocka_unit_test(the_nearest_goes_on),
+        cmocka_unit_test(periods_are_multiplied),
+        cmocka_unit_test(partial_tables_have_their_places),
+        cmocka_unit_test(two_of_a_place_have_two_numbers),
+        cmocka_unit_test(maps_are_followed_along_both_axes),
+        cmocka_unit_test(views_have_attractors_once),
+        cmocka_unit_test(missed_shares),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
