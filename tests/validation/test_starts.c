@@ -1,0 +1,387 @@
+// Motions side by side: which attractors there are at every point of a study with several starts, and how many starts
+// lead to each, against brute force that knows nothing of whirl: equations of its own, RK4, starts by digits of its
+// own, and kinds of motions by how they return.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "support_check.h"
+#include "whirl/case.h"
+#include "whirl/study.h"
+
+static const double pi = 3.14159265358979323846;
+
+/// The digits of a number in base 2 or 3, mirrored at the point.
+static double mirrored(int number, int base) {
+    int value = 0, size = 1;
+    for (; number > 0; number /= base, size *= base) value = value * base + number % base;
+    return (double)value / size;
+}
+
+// ---------------------------------------------------------------- brute force
+
+enum { MOST_STATE = 8, LONGEST = 16, SEEN = 64 };
+
+/// A forced system in time tau of period 2 pi, [v, a] = f(tau, [x, v]).
+typedef struct brute {
+    void (*rate)(double parameter, double cosine, double sine, const double *x, double *dx);
+    double parameter;
+    int dimension, steps, transient;
+} brute;
+
+/// What a motion came to: its period in revolutions, 0 where it does not return, and the section over the last of them.
+typedef struct outcome {
+    int period;
+    double section[SEEN][2], mean;
+} outcome;
+
+static void rk4_step(const brute *b, int step, double *x) {
+    const double h = 2.0 * pi / b->steps;
+    double k[4][MOST_STATE], at[MOST_STATE];
+    for (int stage = 0; stage < 4; stage++) {
+        const double part = stage == 0 ? 0.0 : stage == 3 ? 1.0 : 0.5, t = h * (step + part);
+        for (int i = 0; i < b->dimension; i++) at[i] = x[i] + (stage ? part * h * k[stage - 1][i] : 0.0);
+        b->rate(b->parameter, cos(t), sin(t), at, k[stage]);
+    }
+    for (int i = 0; i < b->dimension; i++) x[i] += h / 6.0 * (k[0][i] + 2.0 * (k[1][i] + k[2][i]) + k[3][i]);
+}
+
+/// The least number of revolutions after which the section returns.
+static int period_of(const outcome *o, double tolerance) {
+    for (int n = 0; n < SEEN; n++) assert_true(isfinite(o->section[n][0]) && isfinite(o->section[n][1]));
+    for (int k = 1; k <= LONGEST; k++) {
+        double away = 0.0;
+        for (int n = 0; n + k < SEEN; n++)
+            for (int c = 0; c < 2; c++) away = fmax(away, fabs(o->section[n + k][c] - o->section[n][c]));
+        if (away < tolerance) return k;
+    }
+    return 0;
+}
+
+/// Where a motion from x has come to after the transient.
+static outcome follow(const brute *b, double *x, double tolerance) {
+    outcome o = {.mean = 0.0};
+    for (int n = 0; n < b->transient + SEEN; n++) {
+        for (int step = 0; step < b->steps; step++) {
+            rk4_step(b, step, x);
+            if (n >= b->transient) o.mean += x[0] / (b->steps * SEEN);
+        }
+        if (n < b->transient) continue;
+        o.section[n - b->transient][0] = x[0];
+        o.section[n - b->transient][1] = x[1];
+    }
+    o.period = period_of(&o, tolerance);
+    return o;
+}
+
+// ---------------------------------------------------------------- two wells
+
+// D2 of the validation problems: x'' + .3 x' - x + x^3 = F cos(1.2 t); here in tau = 1.2 t.
+static const double speed = 1.2, damping = 0.3;
+
+static void duffing(double force, double cosine, double sine, const double *x, double *dx) {
+    (void)sine;
+    dx[0] = x[1];
+    dx[1] = (force * cosine + x[0] - x[0] * x[0] * x[0] - damping * speed * x[1]) / (speed * speed);
+}
+
+static void duffing_rate(const void *model, double t, const double *forcing, const double *x, double *dx) {
+    (void)forcing;
+    duffing(*(const double *)model, cos(t), sin(t), x, dx);
+}
+
+static const whirl_probe probe = {.name = "mass", .x = 0, .y = 0, .vx = 1, .vy = 1};
+
+typedef struct oscillator {
+    double force, start[2];
+    whirl_system system;
+} oscillator;
+
+static void place_start(size_t start, double *x) {
+    x[0] = -1.6 + 3.2 * mirrored((int)start + 1, 2);
+    x[1] = (-1.0 + 2.0 * mirrored((int)start + 1, 3)) / speed;
+}
+
+static whirl_status machine_at(const void *family, const whirl_batch *batch, double value, whirl_machine *machine) {
+    oscillator *own = malloc(sizeof *own);
+    (void)family;
+    assert_non_null(own);
+    own->force = value;
+    place_start(batch->start, own->start);
+    own->system = (whirl_system){.model = &own->force,
+                                 .dimension = 2,
+                                 .period = 2.0 * pi,
+                                 .rhs = duffing_rate,
+                                 .probe_count = 1,
+                                 .probes = &probe};
+    *machine = (whirl_machine){.system = &own->system, .start = own->start, .owner = own, .release = free};
+    return whirl_ok();
+}
+
+enum { STARTS = 64 };
+
+/// A motion in each well up to .29, whose period doubles once and twice; chaos about both from .5 on.
+static const double forces[] = {0.18, 0.2, 0.22, 0.24, 0.26, 0.28, 0.29, 0.5, 0.52};
+enum { FORCES = sizeof forces / sizeof *forces };
+
+static whirl_result *run_wells(void) {
+    static const char *const analyses[] = {"poincare", "orbit", "regime"};
+    whirl_study study = {.batch_count = 1, .machine = machine_at};
+    whirl_batch *batch = &study.batches[0];
+    whirl_result *result;
+    const whirl_run_options options = {.threads = 2};
+    *batch = (whirl_batch){.name = "sweep", .parameter = "F", .count = FORCES, .values = forces, .starts = STARTS};
+    batch->integrate = whirl_integrate_default();
+    strcpy(batch->integrate.method, "dop853");
+    batch->integrate.rtol = 1e-9;
+    batch->record = whirl_record_default();
+    batch->record.transient = 500;
+    batch->record.record = 100;
+    batch->record.settle = true;
+    for (size_t i = 0; i < 3; i++) assert_true(whirl_analysis_add(&batch->analyses, analyses[i]));
+    whirl_analysis_needs(batch->analyses, &batch->record);
+    require_ok(whirl_study_run(&study, &options, &result));
+    return result;
+}
+
+/// Kinds of motions: 3 times the period (0: none), and which well: 0 both, 1 the right one, 2 the left one.
+enum { KINDS = 3 * (LONGEST + 1) };
+
+static int kind_of(const outcome *o) {
+    return 3 * o->period + (o->mean > 0.3 ? 1 : o->mean < -0.3 ? 2 : 0);
+}
+
+static int kind_of_point(const whirl_table *table, size_t point) {
+    const whirl_verdict verdict = whirl_table_verdict(table, point);
+    const double mean = *whirl_table_field(table, point, "orbit/mean", 0);
+    return 3 * (verdict.regime == WHIRL_PERIODIC ? verdict.period : 0) + (mean > 0.3 ? 1 : mean < -0.3 ? 2 : 0);
+}
+
+/// The kind that brute force comes to with so many steps.
+static int brute_kind(size_t place, size_t start, int steps) {
+    const brute b = {duffing, forces[place], 2, steps, 500};
+    double x[MOST_STATE];
+    place_start(start, x);
+    const outcome o = follow(&b, x, 1e-5);
+    return kind_of(&o);
+}
+
+/// Compares the attractors of a place with the kinds of motions that brute force comes to. Starts that it takes
+/// elsewhere with twice the steps it is not sure of.
+static void compare_wells(const whirl_table *table, const whirl_coexistence *found, size_t place) {
+    int counts[KINDS] = {0}, kinds = 0, different = 0, sure = 0;
+    double largest = 0.0;
+    for (size_t start = 0; start < STARTS; start++) {
+        const int kind = brute_kind(place, start, 400), again = brute_kind(place, start, 800);
+        kinds += counts[kind]++ == 0;
+        sure += kind == again;
+        different += kind == again && kind != kind_of_point(table, start * FORCES + place);
+    }
+    size_t attractors = 0;
+    for (size_t k = 0; k < found->count; k++) {
+        const whirl_coexisting *one = &found->items[k];
+        if (one->place != place) continue;
+        const double share = (double)counts[kind_of_point(table, one->first)] / STARTS;
+        largest = fmax(largest, fabs(one->share - share) - one->error);
+        attractors++;
+    }
+    check_within("starts", words("D2, F = %g: attractors", forces[place]), (double)kinds, (double)attractors, 0.0);
+    check_within(
+        "starts",
+        words("D2, F = %g: of %d starts that brute force is sure of come to another kind", forces[place], sure), 0.0,
+        (double)different, 1.0);
+    check_holds("starts", words("D2, F = %g: shares are within their standard errors", forces[place]), largest <= 0.0);
+}
+
+/// Attractors, their kinds and their shares at every point; and one number goes on in each well.
+static void wells_are_told_apart(void **state) {
+    whirl_coexistence found;
+    (void)state;
+    whirl_result *result = run_wells();
+    const whirl_table *table = &result->tables[0];
+    require_ok(whirl_table_coexistence(table, &found));
+    for (size_t place = 0; place < FORCES; place++) compare_wells(table, &found, place);
+    bool kept = true;
+    for (size_t i = 0; i < table->count; i++) {
+        const size_t place = whirl_table_place(table, i), label = found.labels[i];
+        if (forces[place] > 0.3 || label == 0) continue;
+        const whirl_coexisting *one = whirl_coexistence_at(&found, table, i);
+        const double mean = *whirl_table_field(table, i, "orbit/mean", 0);
+        for (size_t k = 0; k < table->count && forces[whirl_table_place(table, k)] < 0.3; k++) {
+            const double other = *whirl_table_field(table, k, "orbit/mean", 0);
+            if (found.labels[k] == label) kept = kept && mean * other > 0.0;
+        }
+        kept = kept && one->beside == 2;
+    }
+    check_holds("starts", "D2, F = .18 to .29: each well has a number of its own, through the doublings", kept);
+    whirl_coexistence_free(&found);
+    whirl_result_free(result);
+}
+
+// ---------------------------------------------------------------- the paper's rotor
+
+/// Capone's force of the short bearing on a journal at (x, y), without its coefficient.
+static void film(double x, double y, double vx, double vy, double *fx, double *fy) {
+    const double a = x - 2.0 * vy, b = y + 2.0 * vx, q = 1.0 - x * x - y * y, c = sqrt(a * a + b * b);
+    const double p = x * b - y * a, u = x * a + y * b;
+    *fx = *fy = 0.0;
+    if (c == 0.0) return; // at rest in the middle, where the motions begin
+    const double g = (pi + 2.0 * atan(p / (c * sqrt(q)))) / sqrt(q), v = (2.0 + p * g / c) / q;
+    const double s = u * c / (c * c - u * u);
+    *fx = (3.0 * x * v * c + g * b - 2.0 * s * a) / q;
+    *fy = (3.0 * y * v * c - g * a - 2.0 * s * b) / q;
+}
+
+/// The calibrated reading (cases/paper.yaml): disc and journal, in clearances and tau = omega t; x1, y1, x2, y2.
+static void paper_rotor(double r_k, double cosine, double sine, const double *x, double *dx) {
+    const double w = 0.2, disc = 420.0, journal = 50.0, omega = 650.0, gravity = 10.584 / (omega * omega * 2e-4);
+    const double cos2 = cosine * cosine - sine * sine, sin2 = 2.0 * sine * cosine;
+    const double along = r_k + 1.0 + (r_k - 1.0) * cos2, across = (r_k - 1.0) * sin2;
+    const double dx1 = x[0] - x[2], dy1 = x[1] - x[3], *v = x + 4;
+    const double spring[2] = {along * dx1 + across * dy1, along * dy1 + across * dx1};
+    const double radius = hypot(x[0], x[1]);
+    const double push = radius > 1.2 ? 10.0 * journal / (w * w * disc) * (1.0 - 1.2 / radius) : 0.0;
+    double pull[2];
+    film(x[2], x[3], v[2], v[3], &pull[0], &pull[1]);
+    memcpy(dx, v, 4 * sizeof *dx);
+    for (int i = 0; i < 2; i++) {
+        const double weight = i == 1 ? gravity : 0.0;
+        dx[4 + i] = -4300.0 / (disc * omega) * v[i] - journal / (2.0 * disc * w * w) * spring[i] +
+                    0.08 * (i ? sine : cosine) - weight - push * (x[i] + (i ? 0.1 : -0.1) * x[1 - i]);
+        dx[6 + i] =
+            -9300.0 / (2.0 * journal * omega) * v[2 + i] + spring[i] / (4.0 * w * w) - 0.0042 * pull[i] - weight;
+    }
+}
+
+/// One of the motions at a ratio of stiffness: after how many revolutions it returns, and between which bounds the
+/// largest x of its section lies; and a transient after which the others are told from it.
+typedef struct ratio {
+    double r_k;
+    int period, transient;
+    double low, high;
+    const char *what;
+} ratio;
+
+static const ratio ratios[] = {{0.300123, 4, 1000, -2.0, 0.2534, "other P-4"},
+                               {0.498, 5, 1000, 0.3, 2.0, "P-5"},
+                               {0.58, 1, 300, -2.0, 2.0, "P-1"}};
+enum { RATIOS = sizeof ratios / sizeof *ratios, PAPER_STARTS = 64 };
+
+static const char *const paper_study = "study:\n"
+                                       "  sweep: {parameter: r_k, values: [0.300123, 0.498, 0.58]}\n"
+                                       "  starts: {count: 64, within: {disc: {x: [-1.1, 1.1], y: [-1.1, 1.1]}}}\n"
+                                       "  integrate: {method: dop853, rtol: 1e-6, transient: 8000, record: 100}\n"
+                                       "  analyze: [poincare, regime, lyapunov, orbit, rub, floquet]\n";
+
+/// cases/paper.yaml with another study.
+static whirl_case *paper_case(void) {
+    FILE *stream = fopen(WHIRL_CASES "/paper.yaml", "r");
+    char *text = calloc(1, 1 << 16), line[512];
+    whirl_case *object;
+    assert_true(stream && text);
+    while (fgets(line, sizeof line, stream) && strncmp(line, "study:", 6) != 0) strcat(text, line);
+    strcat(text, paper_study);
+    (void)fclose(stream);
+    require_ok(whirl_case_parse(text, strlen(text), "paper.yaml", NULL, &object));
+    free(text);
+    return object;
+}
+
+/// Whether a motion is one of those that are looked for.
+static bool is_sought(const ratio *at, int period, double largest) {
+    return period == at->period && largest > at->low && largest < at->high;
+}
+
+static bool brute_is_sought(const ratio *at, size_t start) {
+    const brute b = {paper_rotor, at->r_k, 8, 256, at->transient};
+    double x[MOST_STATE] = {0.0}, largest = -9.0;
+    if (start > 0) {
+        x[0] = -1.1 + 2.2 * mirrored((int)start, 2);
+        x[1] = -1.1 + 2.2 * mirrored((int)start, 3);
+    }
+    const outcome o = follow(&b, x, 1e-4);
+    for (int n = 0; n < SEEN; n++) largest = fmax(largest, o.section[n][0]);
+    return is_sought(at, o.period, largest);
+}
+
+static bool point_is_sought(const ratio *at, const whirl_table *table, size_t point) {
+    const whirl_verdict verdict = whirl_table_verdict(table, point);
+    const whirl_field *field = whirl_layout_field(&table->layout, "poincare/section");
+    const double *section = whirl_table_field(table, point, "poincare/section", 0);
+    double largest = -9.0;
+    for (size_t row = 0; row < field->rows; row++) largest = fmax(largest, section[row * field->columns]);
+    return is_sought(at, verdict.regime == WHIRL_PERIODIC ? verdict.period : 0, largest);
+}
+
+/// The equations of this file are those of the case: slopes at a few states.
+static void equations_agree(const whirl_study *study) {
+    double largest = 0.0;
+    for (size_t place = 0; place < RATIOS; place++) {
+        whirl_machine machine;
+        require_ok(whirl_study_machine(study, &study->batches[0], place, &machine));
+        for (int n = 0; n < 16; n++) {
+            double x[8], dx[8], own[8], forcing[WHIRL_MAX_FORCING];
+            const double t = 2.0 * pi * mirrored(n + 1, 2);
+            for (int i = 0; i < 8; i++) x[i] = (i < 2 ? 1.6 : 0.9) * (mirrored(7 * n + i + 1, 3) - 0.5);
+            machine.system->forcing(machine.system->model, t, forcing);
+            machine.system->rhs(machine.system->model, t, forcing, x, dx);
+            paper_rotor(ratios[place].r_k, cos(t), sin(t), x, own);
+            for (int i = 0; i < 8; i++) largest = fmax(largest, fabs(dx[i] - own[i]) / fmax(1.0, fabs(own[i])));
+        }
+        machine.release(machine.owner);
+    }
+    check_within("starts", "the paper's rotor: slopes by equations of the test's own", 0.0, largest, 1e-12);
+}
+
+/// How many of the starts lead to the motion of a place: by whirl, and by brute force. A start near the boundary of
+/// two basins, which are folded into each other, goes where the errors of a method take it: shares are what can be
+/// compared, by their standard errors.
+static void compare_shares(const whirl_table *table, size_t place) {
+    const ratio *at = &ratios[place];
+    double shares[2] = {0.0, 0.0}, variance = 0.0;
+    for (size_t start = 0; start < PAPER_STARTS; start++) {
+        shares[0] += (double)brute_is_sought(at, start) / PAPER_STARTS;
+        shares[1] += (double)point_is_sought(at, table, start * RATIOS + place) / PAPER_STARTS;
+    }
+    for (int i = 0; i < 2; i++) variance += shares[i] * (1.0 - shares[i]) / PAPER_STARTS;
+    check_within("starts", words("paper, r_k = %g: share of the %s (two standard errors)", at->r_k, at->what),
+                 shares[0], shares[1], 2.0 * sqrt(variance));
+}
+
+/// Two motions side by side, which continuation knows (the manual's changes of the paper's rotor), and what leads to
+/// them.
+static void the_paper_has_its_motions(void **state) {
+    whirl_case *object = paper_case();
+    whirl_study study;
+    whirl_result *result;
+    whirl_coexistence found;
+    const whirl_run_options options = {.threads = 2};
+    size_t attractors[RATIOS] = {0};
+    (void)state;
+    require_ok(whirl_case_study(object, &study));
+    equations_agree(&study);
+    require_ok(whirl_study_run(&study, &options, &result));
+    require_ok(whirl_table_coexistence(&result->tables[0], &found));
+    for (size_t k = 0; k < found.count; k++) attractors[found.items[k].place]++;
+    for (size_t place = 0; place < RATIOS; place++) {
+        check_within("starts", words("paper, r_k = %g: attractors", ratios[place].r_k), 2.0, (double)attractors[place],
+                     0.0);
+        compare_shares(&result->tables[0], place);
+    }
+    whirl_coexistence_free(&found);
+    whirl_result_free(result);
+    whirl_case_free(object);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(wells_are_told_apart),
+                                       cmocka_unit_test(the_paper_has_its_motions)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
