@@ -44,7 +44,8 @@ export class Diagram {
     readonly parameter: string,
     /// [count] in SI; the value of a point that is not done stands here too.
     readonly values: Float64Array,
-    /// [count] +1 carried from the first value on, -1 from the last, 0 not carried.
+    /// [count] +1 carried from the first value on, -1 from the last, 0 not carried; where starts lead to several
+    /// attractors, the number of the attractor.
     readonly branch: Int8Array,
   ) {
     this.classes = new Uint8Array(values.length).fill(UNDETERMINED);

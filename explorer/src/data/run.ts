@@ -35,6 +35,9 @@ export interface StoredTable {
   /// Points of the table, and how many of them are in the page.
   readonly points: number;
   readonly count: number;
+  /// Of a table in which every attractor of a place stands once: starts of every place, and how many places there are.
+  readonly starts?: number;
+  readonly places?: number;
   readonly method: string;
   /// Whether `method: auto` took it.
   readonly method_chosen: boolean;

@@ -345,6 +345,11 @@ export class Session {
         ? `every ${Math.round(table.points / table.count)}th of ${table.points} points`
         : `${diagram.count} points`;
     if (this.atRest) return `Stored run: ${part} of a machine at rest.`;
+    if (table.starts)
+      return (
+        `Stored run: ${table.places} points from ${table.starts} starts each; ` +
+        (table.map ? 'of every point the attractor that most lead to.' : `all ${diagram.count} of their attractors.`)
+      );
     if (table.name === 'branch') return `Stored run: ${part} along branches of orbits, stable or not.`;
     const done = diagram.known < diagram.count ? `, ${diagram.known} of them computed` : '';
     return (

@@ -379,7 +379,8 @@ export class MapView {
     const { diagram } = subject ?? {};
     if (!subject || !diagram) return;
     const factor = parameterMeasure(subject.unit, subject.units).factor;
-    for (const branch of [1, 0, -1]) {
+    // The attractor of most starts comes last, and stands over the others.
+    for (const branch of [...new Set(diagram.branch)].sort((a, b) => b - a)) {
       const mine = order.filter((point) => diagram.branch[point] === branch && diagram.done[point]);
       const place = (i: number) => frame.x(diagram.values[mine[i]!]! * factor);
       for (let i = 0; i < mine.length; i++) {
