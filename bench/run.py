@@ -3,12 +3,14 @@
 table and the picture of docs/benchmarks.md.
 
     bench/run.py BUILD [--docs FOLDER] [--rounds N] [--seconds S] [--core N] [--no-study]
+    bench/run.py BUILD --adaptive | --overhung | --branches | --map
 
 Every round runs every program once, in turn, so that a noisy computer is noisy for all; the best round of each counts.
 Speeds are by the processor time of the program; of the whole diagram the clock is told, too. A program that is not
 there is left out with a line that says so; one that ends in another state fails the run.
 """
 import argparse
+import csv
 import os
 import pathlib
 import re
@@ -532,6 +534,96 @@ def measure_branches(options):
                            sentence=branch_sentence(best, errors))
 
 
+MAP = """
+## A map
+
+`bench/map.yaml`, 16 x 16 points over the ratio of stiffness and the unbalance, each followed over 220 revolutions of
+transient and 20 recorded, with sections, bounds of the disc, and over 130 of them a second motion for the largest
+exponent: 370 revolutions a point by adaptive methods at rtol 1e-6. Processor time of one core, the best of {rounds}
+alternating rounds; load average {before:.2f} before, {after:.2f} after. Every program proved first that it does the
+same: the mean of x1 over the first five sections of four points agrees to 1e-5.
+
+{table}
+
+- *whirl run*: the command, from case file to result file, with its verdicts, contact statistics and 64 samples a
+  revolution besides.
+- *Boost.odeint, Numba*: compiled loops over one machine after the other; *Octave*: `lsode`, 4 of the points over 10
+  revolutions, scaled.
+"""
+
+MAP_REVOLUTIONS, MAP_POINTS, MAP_FOUR = 370, 256, 85
+MAP_OCTAVE = (8, 2, 16)  # transient, record, and revolutions with those of the second motion
+
+
+def run_map(options, case, folder):
+    """Processor seconds of `whirl run` over a map."""
+    used = processor_seconds_of_children()
+    subprocess.run(on_cores(options.core, [str(options.build / "whirl"), "run", str(case), "-q", "--force",
+                                           "--threads=1", "-o", os.path.join(folder, "map.h5")]), check=True)
+    return processor_seconds_of_children() - used
+
+
+def map_proof(options, folder):
+    """Mean of x1 over the first five sections of four points, by whirl."""
+    case = pathlib.Path(folder) / "proof.yaml"
+    case.write_text((HERE / "map.yaml").read_text().replace("transient: 220, record: 20", "transient: 0, record: 5"))
+    run_map(options, case, folder)
+    subprocess.run([str(options.build / "whirl"), "export", os.path.join(folder, "map.h5"), "--csv", folder],
+                   check=True, capture_output=True)
+    with open(os.path.join(folder, "map-poincare-section.csv"), newline="", encoding="utf-8") as file:
+        found = [float(line["x [0.2 mm]"]) for line in csv.DictReader(file)
+                 if line["station"] == "disc" and (int(line["point"]) - 1) % MAP_FOUR == 0]
+    return sum(found) / len(found)
+
+
+def map_peers(options):
+    """Commands of the peers that are there."""
+    found = {}
+    odeint, python = options.build / "bench" / "bench_map_odeint", python_with("numba")
+    octave = shutil.which("octave-cli")
+    if odeint.exists():
+        found["Boost.odeint dopri5"] = [str(odeint)]
+    if python:
+        found["Numba dopri5"] = [python, str(HERE / "map_numba.py")]
+    if octave:
+        found["Octave lsode"] = [octave, "--norc", "--no-history", "--quiet", str(HERE / "map_octave.m")]
+    return found
+
+
+def map_seconds(options, command, transient, record, stride):
+    """Seconds a point, and the mean of x1 over the recorded sections."""
+    words = [*command, str(transient), str(record), str(stride)]
+    done = subprocess.run(on_cores(options.core, words), capture_output=True, text=True, check=True)
+    return tuple(float(word) for word in done.stdout.split("\t")[1:3])
+
+
+def measure_map(options):
+    before, best = os.getloadavg()[0], {}
+    peers = map_peers(options)
+    with tempfile.TemporaryDirectory() as folder:
+        proof = map_proof(options, folder)
+        for name, command in peers.items():
+            mean = map_seconds(options, command, 0, 5, MAP_FOUR)[1]
+            if not abs(mean - proof) < 1e-5:
+                sys.exit(f"bench: {name} has a mean of {mean:.9f}, whirl {proof:.9f}")
+        for number in range(options.study_rounds):
+            say(f"the map, round {number + 1} of {options.study_rounds}, load {os.getloadavg()[0]:.2f}")
+            spent = {"whirl run": run_map(options, HERE / "map.yaml", folder) / MAP_POINTS}
+            for name, command in peers.items():
+                if name == "Octave lsode":
+                    transient, record, revolutions = MAP_OCTAVE
+                    scale = MAP_REVOLUTIONS / revolutions
+                    spent[name] = scale * map_seconds(options, command, transient, record, MAP_FOUR)[0]
+                else:
+                    spent[name] = map_seconds(options, command, 220, 20, 1)[0]
+            best = {name: min(seconds, best.get(name, seconds)) for name, seconds in spent.items()}
+    lines = ["| program | ms a point | revolutions/s a core | of whirl's time |", "|---|---:|---:|---:|"]
+    for name, seconds in sorted(best.items(), key=lambda item: item[1]):
+        lines.append(f"| {name} | {short(1e3 * seconds)} | {short(MAP_REVOLUTIONS / seconds)} | "
+                     f"{short(seconds / best['whirl run'])} |")
+    return MAP.format(rounds=options.study_rounds, before=before, after=os.getloadavg()[0], table="\n".join(lines))
+
+
 OVERHUNG = """
 ## A rotor of finite elements
 
@@ -687,6 +779,7 @@ def arguments():
     parser.add_argument("--adaptive", action="store_true", help="measure the adaptive methods only, and print")
     parser.add_argument("--overhung", action="store_true", help="measure the rotor of finite elements only, and print")
     parser.add_argument("--branches", action="store_true", help="measure continuation of orbits only, and print")
+    parser.add_argument("--map", action="store_true", help="measure a map only, and print")
     return parser.parse_args()
 
 
@@ -703,6 +796,9 @@ def main():
     if options.overhung:
         say(wrapped(measure_overhung(options)))
         return
+    if options.map:
+        say(wrapped(measure_map(options)))
+        return
     before = os.getloadavg()[0]
     best = measure(programs(options.build), options)
     studies = {} if options.no_study else measure_studies(options)
@@ -710,7 +806,7 @@ def main():
                        compilers=", ".join(compilers(options.build)), before=before, after=os.getloadavg()[0],
                        ratios="\n".join(key_ratios(best)), speed="\n".join(speed_table(best)),
                        stations="\n".join(station_table(best)))
-    page += measure_adaptive(options) + measure_overhung(options) + measure_branches(options)
+    page += measure_adaptive(options) + measure_overhung(options) + measure_branches(options) + measure_map(options)
     if studies:
         page += STUDY.format(rounds=options.study_rounds, study="\n".join(study_table(best, studies)))
     page = wrapped(page)
