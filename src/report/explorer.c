@@ -173,7 +173,7 @@ static size_t thinned(size_t count, size_t stride) {
 
 /// Of a map as many points as there is room for: its columns and rows are thinned alike.
 static selection select_cells(const whirl_table *table, bool sections) {
-    const size_t rows = thinned(whirl_table_planned(table), table->row);
+    const size_t rows = thinned(whirl_table_grid(table), table->row);
     selection chosen = {.table = table, .stride = 1, .sections = sections};
     while (thinned(table->row, chosen.stride) * thinned(rows, chosen.stride) > MOST_CELLS) chosen.stride++;
     for (size_t p = first_chosen(&chosen); p < table->count; p = next_chosen(&chosen, p)) chosen.count++;
@@ -203,7 +203,7 @@ typedef struct page_grid {
 static page_grid grid_of(const selection *chosen) {
     const whirl_table *table = chosen->table;
     return (page_grid){thinned(table->row, chosen->stride),
-                       thinned(thinned(whirl_table_planned(table), table->row), chosen->stride)};
+                       thinned(thinned(whirl_table_grid(table), table->row), chosen->stride)};
 }
 
 /// The cell of a point, row after row.
