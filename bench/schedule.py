@@ -9,7 +9,7 @@ The costs are the revolutions that every point of the map took ("regime/revoluti
 finer: each of its points costs what the nearest one measured did, so that dear points lie together as they do in a map.
 
 A rank of one thread asks the first rank for its next points: a P-th of its part of those that are left (as far as it
-knows, from its last answer), one in the end; whirl-mpi takes a quarter. The first rank answers one question after the
+knows, from its last answer), one in the end; whirl-mpi takes an eighth. The first rank answers one question after the
 other. Efficiency is the work of all points over what the ranks could have done until the last one ends.
 """
 import argparse
@@ -67,7 +67,7 @@ def main():
     parser.add_argument("table")
     parser.add_argument("--points", type=int, default=10**6)
     parser.add_argument("--rate", type=float, default=23500.0, help="revolutions a second of a core")
-    parser.add_argument("--part", type=int, default=4, help="of a rank's part of what is left, which it is dealt")
+    parser.add_argument("--part", type=int, default=8, help="of a rank's part of what is left, which it is dealt")
     parser.add_argument("--latency", type=float, default=2e-3, help="seconds of a question, waiting included")
     parser.add_argument("--service", type=float, default=5e-6, help="seconds of the first rank for one answer")
     options = parser.parse_args()

@@ -91,11 +91,11 @@ static bool open_point(void *context, size_t batch, size_t slot) {
     return !t->known[batch][slot];
 }
 
-/// A quarter of what this rank's threads will do of what is left, one piece by one in the end.
+/// An eighth of what this rank's threads will do of what is left, one piece by one in the end.
 static size_t claim(void *context, size_t batch, size_t count, size_t *first) {
     together *t = context;
     const int64_t all = (int64_t)count, left = all - t->dealt[batch];
-    const int64_t part = left * t->threads / (4 * (int64_t)t->dealer.threads);
+    const int64_t part = left * t->threads / (8 * (int64_t)t->dealer.threads);
     const int64_t wanted = part > 1 ? part : 1;
     const int64_t before = ranks_add(batch, wanted);
     t->dealt[batch] = before + wanted < all ? before + wanted : all;
