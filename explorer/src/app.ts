@@ -11,9 +11,9 @@ import { assignmentTexts, readAddress, writeAddress, type Address, type Computat
 import { troubleOf, type SideModel } from './model/side';
 import { parameterMeasure, written, type Units } from './model/units';
 import { Watches } from './model/watches';
-import type { Cell } from './data/parameter_map';
 import type { MapCardListener } from './view/map_card';
 import { Page } from './view/page';
+import type { Spot } from './view/parameter_map';
 import type { PaneListener } from './view/pane';
 import type { ParameterMapCardListener } from './view/parameter_map_card';
 import type { RestListener } from './view/rest';
@@ -127,7 +127,8 @@ export class App {
     const { station, parameter } = this.cardListener();
     return {
       ...{ station, parameter },
-      cell: (cell, settled) => this.cell(cell, settled),
+      cell: (spot, settled) => this.cell(spot, settled),
+      refine: (part) => this.session.refineMap(part),
       mapQuantity: (id) => this.change({ mapQuantity: id }),
       mapLines: (shown) => this.change({ mapLines: shown }),
     };
@@ -177,6 +178,7 @@ export class App {
     this.watches.endAll();
     for (const side of Object.values(session.sides)) side.forget();
     session.sights.open();
+    session.refineMap(undefined);
     session.sides.a.choice = session.address.a;
     if (session.address.b) session.sides.b.choice = session.address.b;
     const { machine } = session;
@@ -290,13 +292,13 @@ export class App {
   }
 
   /// The motion at a cell of the map.
-  private cell({ column, row }: Cell, settled: boolean): void {
+  private cell([x, y]: Spot, settled: boolean): void {
     const { session } = this;
     const { map, side } = session;
     if (!map) return;
     session.place(side, [
-      [map.x.parameter, map.x.values[column]!],
-      [map.y.parameter, map.y.values[row]!],
+      [map.x.parameter, x],
+      [map.y.parameter, y],
     ]);
     this.watches.end(session.active);
     void this.refreshSide(side, settled);

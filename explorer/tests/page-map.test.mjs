@@ -1,7 +1,7 @@
 // Maps in the explorer: what is told of a cell is what the result holds of it, a click computes its motion, keys walk
 // from cell to cell, and the diagram is the row or column of the cursor.
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
+import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { closeBrowser, command, folder, makePage, open, saved, settled } from './browser.mjs';
@@ -231,6 +231,96 @@ test('quantities have colours and a bar, and can be taken away', { timeout: 300_
     assert.ok(!/NaN|Infinity/.test(svg));
     await page.waitForFunction((mq) => new URLSearchParams(location.hash.slice(1)).get('mq') === mq, id);
   }
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('finer cells are computed where one looks, and are those of a run there', { timeout: 300_000 }, async () => {
+  const { page, complaints, close } = await opened();
+  const box = await (await page.$(`${CARD} .overlay`)).boundingBox();
+  const at = (right, up) => [box.x + box.width * right, box.y + box.height * (1 - up)];
+  await page.keyboard.down('Shift');
+  await page.mouse.move(...at(0.3, 0.05));
+  await page.mouse.down();
+  await page.mouse.move(...at(0.55, 0.35));
+  await page.mouse.up();
+  await page.keyboard.up('Shift');
+  const finer = (text) => page.waitForSelector(`${CARD} button:text-is("${text}")`, { timeout: 60_000 });
+  await (await finer('finer')).click();
+  // The first grid cuts every cell in two both ways; it is done when the next one begins.
+  await page.waitForFunction(
+    () => {
+      const [, columns, , known] =
+        /frame: (\d+) by (\d+) cells, (\d+) of them/.exec(document.querySelector('.map-status').textContent) ?? [];
+      return Number(columns) >= 20 && Number(known) > 0;
+    },
+    undefined,
+    { timeout: 120_000 },
+  );
+  await (await finer('stop')).click();
+  await finer('finer');
+  const status = () => page.textContent('.map-status');
+  assert.match(await status(), /each from 300 \+ 60 revolutions; no result holds them\.$/);
+  const stopped = await status();
+  const cells = [];
+  for (const [right, up] of [
+    [0.1, 0.1],
+    [0.5, 0.3],
+    [0.7, 0.6],
+    [0.9, 0.8],
+  ]) {
+    await page.mouse.click(...at(right, up));
+    const own = await told(page);
+    // What the motion itself gives: the pane shows the one before until the engine has read the new setting.
+    await page.waitForFunction((name) => document.querySelector('.pane-a .verdict').textContent === name, own.verdict, {
+      timeout: 60_000,
+    });
+    const verdict = await settled(page);
+    assert.match(own.rest, /^computed in this page; confidence /);
+    assert.equal(own.verdict, verdict);
+    const [, omega] = /^omega (\S+) /.exec(own.place);
+    const hash = await page.waitForFunction((wanted) => {
+      const value = Number(new URLSearchParams(location.hash.slice(1)).get('at'));
+      return Number(value.toPrecision(6)) === wanted && location.hash;
+    }, Number(omega));
+    const now = new URLSearchParams((await hash.jsonValue()).slice(1));
+    cells.push({
+      omega: Number(now.get('at')),
+      e: Number(/^e=(\S+) m$/.exec(now.get('set'))[1]),
+      verdict,
+      exponent: number(/exponent (\S+) per revolution$/.exec(own.rest)[1]),
+    });
+  }
+  assert.equal(await status(), stopped);
+  // A run of the command at these very values; what is chaotic keeps to them only with the same last bits.
+  const list = (key) => cells.map((cell) => cell[key]).join(', ');
+  writeFileSync(
+    join(folder, 'finer.yaml'),
+    CASE.replace(/x: .*/, `x: {parameter: omega, values: [${list('omega')}]}`).replace(
+      / y: .*/,
+      ` y: {parameter: e, values: [${list('e')}]}`,
+    ),
+  );
+  process.env.WHIRL_ISA = 'simd128'; // as the page
+  try {
+    command('run', 'finer.yaml', '-q', '-o', 'finer.h5');
+  } finally {
+    delete process.env.WHIRL_ISA;
+  }
+  command('export', 'finer.h5', '--csv', 'finer');
+  const run = cellsOf(readFileSync(join(folder, 'finer', 'map.csv'), 'utf8'));
+  for (const { omega, e, verdict, exponent } of cells) {
+    const same = (row) =>
+      Math.abs(Number(row['omega [rad/s]']) - omega) < 1e-12 && Math.abs(Number(row['e [m]']) - e) < 1e-12;
+    const mine = run.find(same);
+    assert.equal(mine.verdict, verdict);
+    near(Number(mine['lyapunov/largest [1/revolution]']), exponent);
+  }
+  // They are drawn wherever one looks, and take no part in what is saved of the run.
+  await page.click(`${CARD} button:text-is("whole")`);
+  const svg = (await saved(page, CARD, 'svg')).bytes.toString('utf8');
+  assert.match(svg, /stroke-dasharray/);
+  assert.equal((await csvOf(page, CARD)).length, points.length);
   assert.deepEqual(complaints, []);
   await close();
 });

@@ -77,6 +77,13 @@ export function nearestOn({ values, edges }: MapAxis, value: number): number {
   return low;
 }
 
+/// The same number for points of one regime and period; NaN of none.
+export function regimeKind(diagram: Diagram, point: number): number {
+  if (point < 0) return NaN;
+  const kind = diagram.classes[point]!;
+  return kind <= OTHER_PERIODS ? diagram.number(point, 'regime/period') : -kind;
+}
+
 export class ParameterMap {
   readonly x: MapAxis;
   readonly y: MapAxis;
@@ -133,8 +140,7 @@ export class ParameterMap {
   kindOf(point: number): number {
     if (point < 0) return NaN;
     if (this.attractors.length > 0) return this.attractorOf(point);
-    const period = this.diagram.number(point, 'regime/period');
-    return this.diagram.classes[point]! <= OTHER_PERIODS ? period : -this.diagram.classes[point]!;
+    return regimeKind(this.diagram, point);
   }
 
   get columns(): number {

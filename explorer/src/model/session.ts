@@ -6,10 +6,11 @@ import { Diagram } from '../data/diagram';
 import type { OrbitOfBranch } from '../data/orbit';
 import { ParameterMap } from '../data/parameter_map';
 import { AtRest } from '../data/rest';
-import type { Run } from '../data/run';
+import type { Run, StoredTable } from '../data/run';
 import type { CaseInfo, Engine, OrbitRequest, Setting, StationInfo, SweepProgress } from '../engine/protocol';
 import { machinesOf, scalesOf, type Machine } from './machine';
 import { cutOf, plainText, plainValue, type Cut } from './map_cut';
+import { canRefine, MapRefinement, type MapPart } from './map_refinement';
 import { firstValue, plannedRange, sweptParameter } from './original';
 import { assignmentTexts, computationOptions, readAddress, type Address, type Side } from './setting';
 import { SideModel, troubleOf } from './side';
@@ -20,8 +21,8 @@ type Range = readonly [number, number];
 
 export type SideName = 'a' | 'b';
 
-/// What is to be drawn anew: all, a side, or the points that the diagram has gained.
-export type Change = 'all' | SideName | 'grow';
+/// What is to be drawn anew: all, a side, the points that the diagram has gained, or those that the map has.
+export type Change = 'all' | SideName | 'grow' | 'map';
 
 export interface SessionListener {
   changed(what: Change): void;
@@ -49,6 +50,7 @@ export class Session {
       }
     | undefined;
   private readonly maps = new Map<Machine, ParameterMap | undefined>();
+  private refined: MapRefinement | undefined;
   /// Of the cut of a map that the first sight shows.
   private cutKey = '';
   /// By the names of their machines.
@@ -62,7 +64,7 @@ export class Session {
   constructor(
     runs: readonly Run[],
     public engine: Engine | undefined,
-    listener: SessionListener,
+    private readonly listener: SessionListener,
   ) {
     this.machines = machinesOf(runs, engine !== undefined);
     this.address = readAddress(location.hash, unitsFor(1));
@@ -80,6 +82,7 @@ export class Session {
   /// The engine is gone; what it has found stays.
   lose(): void {
     this.sights.stop();
+    this.refined?.stop();
     this.engine = undefined;
     for (const side of Object.values(this.sides)) side.lose();
   }
@@ -115,6 +118,34 @@ export class Session {
     const { machine } = this;
     if (!this.maps.has(machine)) this.maps.set(machine, ParameterMap.of(machine.run));
     return this.maps.get(machine);
+  }
+
+  /// Finer cells of the map that were computed; undefined where there are none.
+  get refinement(): MapRefinement | undefined {
+    return this.refined?.map === this.map ? this.refined : undefined;
+  }
+
+  /// Computes finer cells of a part of the map in place of other ones; without a part no more are computed. They are of
+  /// the machine as it stands, by the method of the run.
+  refineMap(part: MapPart | undefined): void {
+    const { map, engine, mapTable: table } = this;
+    this.refined?.stop();
+    if (!map || !table || !engine || !part || !canRefine(part)) return;
+    const { text, caseName } = this.machine;
+    const { computation } = this.address;
+    const { transient = table.transient, record = table.record } = computation;
+    const setting = { text, name: caseName, options: { method: table.method, ...computationOptions(computation) } };
+    const shorter = transient + record < table.transient + table.record;
+    this.refined = new MapRefinement(
+      engine,
+      { map, part, setting, unit: this.unitOf(map.y.parameter), revolutions: [transient, record], shorter },
+      () => this.listener.changed('map'),
+    );
+    this.listener.changed('map');
+  }
+
+  private get mapTable(): StoredTable | undefined {
+    return this.machine.run?.tables.find((each) => each.map);
   }
 
   /// The value that a side gives a parameter, in SI.
@@ -327,8 +358,8 @@ export class Session {
 
   /// What the map of the machine is, in a sentence.
   get mapText(): string {
-    const { map, machine } = this;
-    const table = machine.run?.tables.find((each) => each.map);
+    const { map } = this;
+    const { mapTable: table } = this;
     if (!map || !table) return '';
     const thinned = table.count < table.points ? ` (of ${table.points} points in the run)` : '';
     const missing = map.columns * map.rows - map.diagram.known;

@@ -99,7 +99,8 @@ export class Page {
       return;
     }
     if (changes.has('all')) this.showAll();
-    else if (changes.has('grow')) this.card.grow();
+    else if (changes.has('map')) this.showMap();
+    if (!changes.has('all') && changes.has('grow')) this.card.grow();
     for (const name of this.session.shownSides()) if (changes.has('all') || changes.has(name)) this.showPane(name);
     this.showCursors();
     this.showCells();
@@ -136,7 +137,7 @@ export class Page {
 
   private showMap(): void {
     const { session } = this;
-    const { map, address, station, stations, scales } = session;
+    const { map, address, station, stations, scales, refinement } = session;
     this.card.root.classList.toggle('below-map', map !== undefined);
     if (!map) {
       this.mapCard.show(undefined);
@@ -151,7 +152,12 @@ export class Page {
       lines: address.mapLines,
       unitsOfAxes: [session.unitOf(x), session.unitOf(y)],
       along: address.parameter,
-      status: session.mapText + (stale ? ' Other parameters have been changed since: the map does not know.' : ''),
+      live: refinement?.grids ?? [],
+      refining: session.engine && (refinement?.busy ?? false),
+      status:
+        session.mapText +
+        (stale ? ' Other parameters have been changed since: the map does not know.' : '') +
+        (refinement ? ` ${refinement.text}` : ''),
       name: shortName(session.machine),
     });
   }

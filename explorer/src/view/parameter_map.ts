@@ -1,7 +1,9 @@
 // A map over two parameters: its cells in the colours of regimes or of a quantity, the cells of settings A and B, and
 // what hands and keys do on them.
 import { ATTRACTOR, mapNumbersOf, partOf, REGIME, type MapNumbers } from '../data/map_quantities';
-import type { Cell, ParameterMap } from '../data/parameter_map';
+import type { MapGrid } from '../data/map_grid';
+import { regimeKind, type Cell, type MapAxis, type ParameterMap } from '../data/parameter_map';
+import type { Diagram } from '../data/diagram';
 import { CLASS_NAMES } from '../data/regimes';
 import { el } from '../dom';
 import type { StationInfo } from '../engine/protocol';
@@ -12,6 +14,7 @@ import { textSize, theme, type Picture } from '../figure/figure';
 import { attractorColour, colourAt, mixed } from '../figure/palette';
 import { SvgPen, type Pen } from '../figure/pen';
 import { CONFIDENCE_NAMES, type Theme } from '../figure/theme';
+import { cellsBetween, type MapPart } from '../model/map_refinement';
 import { labelled, parameterMeasure, readable, shown, type Measure, type Scales, type Units } from '../model/units';
 import { placeKeys, sketchKeys, type Key } from './rest_subject';
 import { MapWindow } from './map_window';
@@ -28,6 +31,8 @@ export interface ParameterMapSubject {
   readonly scales: Scales;
   /// SI units of the two parameters.
   readonly unitsOfAxes: readonly [string, string];
+  /// Finer cells that were computed on the spot, coarse to fine.
+  readonly live: readonly MapGrid[];
 }
 
 /// What the legend of a map names.
@@ -39,14 +44,34 @@ export interface MapEntry {
 }
 
 export interface ParameterMapListener {
-  /// A cell was chosen; `settled` when the pointer let go.
-  cell(cell: Cell, settled: boolean): void;
+  /// A cell was chosen, whose values these are; `settled` when the pointer let go.
+  cell(spot: Spot, settled: boolean): void;
   /// The pointer is over a cell and presses nothing, or has left the map.
-  hover(cell: Cell | undefined): void;
+  hover(spot: Spot | undefined): void;
   /// The cut is to run along the other parameter.
   turn(): void;
   /// All of the map is seen, or a part of it.
   zoomed(part: boolean): void;
+}
+
+/// Cells that lie over others: those of the run, or finer ones.
+type Grid = ParameterMap | MapGrid;
+
+/// A cell where it is drawn.
+interface Found {
+  readonly grid: Grid;
+  readonly cell: Cell;
+  readonly live: boolean;
+}
+
+/// Of the size of a cell: what differs less is the same value, but for the last digits of a text.
+const SAME = 1e-6;
+
+/// Whether a place has the values of the cell, which finer cells may have at a corner.
+function isOwn({ grid, cell }: Found, [x, y]: Spot): boolean {
+  const meets = ({ values, edges }: MapAxis, i: number, value: number) =>
+    Math.abs(value - values[i]!) <= SAME * (edges[i + 1]! - edges[i]!);
+  return meets(grid.x, cell.column, x) && meets(grid.y, cell.row, y);
 }
 
 /// A place in the plane of the two parameters, in SI.
@@ -69,6 +94,8 @@ export class ParameterMapView {
   private subject: ParameterMapSubject | undefined;
   private numbers: MapNumbers | undefined;
   private drawn = '';
+  /// Points of the finer cells that are drawn.
+  private liveDrawn = 0;
   private window: MapWindow | undefined;
   private readonly brush = el('div', { class: 'map-brush', hidden: true });
   private spot: Spot = [NaN, NaN];
@@ -94,17 +121,21 @@ export class ParameterMapView {
     if (changed) this.window = new MapWindow(subject.map.x, subject.map.y);
     const { quantity, lines, station, units, scales } = subject;
     const key = JSON.stringify([quantity, lines, station, units, scales.symbol]);
-    if (!changed && key === this.drawn) return;
-    this.drawn = key;
-    this.refresh();
+    const known = subject.live.reduce((sum, { diagram }) => sum + diagram.known, 0);
+    const grown = known !== this.liveDrawn;
+    this.liveDrawn = known;
+    if (changed || key !== this.drawn) {
+      this.drawn = key;
+      this.refresh();
+    } else if (grown) this.chart.redraw();
   }
 
   /// After colours have changed.
   refresh(): void {
     const { subject } = this;
     if (!subject) return;
-    const { map, quantity, station, stations, units, scales } = subject;
-    this.numbers = mapNumbersOf(map.diagram, quantity, station, stations, units, scales.symbol);
+    const { map } = subject;
+    this.numbers = this.numbersOf(map.diagram);
     const [x, y] = this.measures();
     this.chart.setAxes(
       labelled(map.x.parameter, x.unit),
@@ -140,40 +171,76 @@ export class ParameterMapView {
     this.placeMarks();
   }
 
+  /// The cells of the map that are seen.
+  get part(): MapPart {
+    const { x, y } = this.subject!.map;
+    return { across: cellsBetween(x, this.window!.x.shown), up: cellsBetween(y, this.window!.y.shown) };
+  }
+
+  /// Where the active setting is; undefined before there is one.
+  get cursor(): Spot | undefined {
+    return this.subject && Number.isFinite(this.spot[0] + this.spot[1]) ? this.spot : undefined;
+  }
+
   /// The cell of the active setting.
   get cell(): Cell | undefined {
     const [x, y] = this.spot;
     return this.subject && Number.isFinite(x + y) ? this.subject.map.nearest(x, y) : undefined;
   }
 
-  /// "r_k 0.6, rho 0.08".
-  placeText({ column, row }: Cell): string {
-    const { map } = this.subject!;
-    const [x, y] = this.measures();
-    const text = (name: string, value: number, { factor, unit }: Measure) =>
-      `${name} ${shown(value * factor, 6)} ${unit}`.trim();
-    return `${text(map.x.parameter, map.x.values[column]!, x)}, ${text(map.y.parameter, map.y.values[row]!, y)}`;
+  /// Finer cells that are drawn: of what they are told one by one.
+  private get live(): readonly MapGrid[] {
+    const { live, quantity } = this.subject!;
+    return quantity === ATTRACTOR.id ? [] : live;
   }
 
-  /// Name and confidence of the verdict of a cell, the reason, and numbers.
-  told(cell: Cell): { readonly verdict: string; readonly kind: number; readonly rest: string } {
+  /// The cell whose own values a place has, else the finest one that is drawn there.
+  private find([x, y]: Spot): Found {
     const { map } = this.subject!;
-    const { diagram } = map;
-    const point = map.point(cell);
+    const all: Found[] = [{ grid: map, cell: map.nearest(x, y), live: false }];
+    for (const grid of this.live) {
+      const cell = grid.at(x, y);
+      if (cell) all.push({ grid, cell, live: true });
+    }
+    return all.find((found) => isOwn(found, [x, y])) ?? all.at(-1)!;
+  }
+
+  /// The values of the finest cell at a place.
+  private middleOf(spot: Spot): Spot {
+    const { grid, cell } = this.find(spot);
+    return [grid.x.values[cell.column]!, grid.y.values[cell.row]!];
+  }
+
+  /// "r_k 0.6, rho 0.08".
+  placeText(spot: Spot): string {
+    const { map } = this.subject!;
+    const [x, y] = this.measures();
+    const [atX, atY] = this.middleOf(spot);
+    const text = (name: string, value: number, { factor, unit }: Measure) =>
+      `${name} ${shown(value * factor, 6)} ${unit}`.trim();
+    return `${text(map.x.parameter, atX, x)}, ${text(map.y.parameter, atY, y)}`;
+  }
+
+  /// Name and confidence of the verdict of the cell at a place, the reason, and numbers.
+  told(spot: Spot): { readonly verdict: string; readonly kind: number; readonly rest: string } {
+    const { map } = this.subject!;
+    const { grid, cell, live } = this.find(spot);
+    const { diagram } = grid;
+    const point = grid.pointAt(cell.row * grid.columns + cell.column);
     if (point < 0) return { verdict: 'not computed', kind: -1, rest: '' };
     const [name, reason] = diagram.verdicts[point]!;
     const confidence = CONFIDENCE_NAMES[diagram.confidence(point)];
     const exponent = diagram.exponent(point).value;
-    const number = this.numbers?.numbers[point];
+    const numbers = live ? this.numbersOf(diagram) : this.numbers;
+    const number = numbers?.numbers[point];
     const { attractors } = map;
     const parts = [
-      attractors.length > 0 && `attractor ${map.attractorOf(point) || 'not told'} of ${attractors.length}`,
+      live && 'computed in this page',
+      !live && attractors.length > 0 && `attractor ${map.attractorOf(point) || 'not told'} of ${attractors.length}`,
       confidence && `confidence ${confidence}`,
       readable(reason),
       Number.isFinite(exponent) ? `exponent ${shown(exponent, 7)} per revolution` : '',
-      number !== undefined && this.subject!.quantity !== 'exponent'
-        ? `${this.numbers!.label}: ${shown(number, 7)}`
-        : '',
+      number !== undefined && this.subject!.quantity !== 'exponent' ? `${numbers!.label}: ${shown(number, 7)}` : '',
     ];
     return { verdict: name, kind: diagram.classes[point]!, rest: parts.filter((part) => part).join('; ') };
   }
@@ -238,15 +305,23 @@ export class ParameterMapView {
     return [parameterMeasure(unitsOfAxes[0], units), parameterMeasure(unitsOfAxes[1], units)];
   }
 
-  /// Gives the colour of a point; undefined leaves its cell blank. Numbers have one of so many colours.
-  private colouring(colours: Theme): (point: number) => string | undefined {
+  /// The numbers of points that the map shows; undefined of regimes and attractors.
+  private numbersOf(diagram: Diagram): MapNumbers | undefined {
+    const { quantity, station, stations, units, scales } = this.subject!;
+    return mapNumbersOf(diagram, quantity, station, stations, units, scales.symbol);
+  }
+
+  /// Gives the colour of a point; undefined leaves its cell blank. Numbers have one of so many colours, those of finer
+  /// cells by the bar of the map.
+  private colouring(grid: Grid, colours: Theme): (point: number) => string | undefined {
     const { map, quantity } = this.subject!;
-    const { diagram } = map;
-    const { numbers } = this;
-    if (numbers) {
-      const palette = Array.from({ length: SHADES }, (_, i) => colourAt(numbers.palette, i / (SHADES - 1), colours));
+    const { diagram } = grid;
+    const { numbers: bar } = this;
+    if (bar) {
+      const numbers = grid === map ? bar.numbers : this.numbersOf(diagram)?.numbers;
+      const palette = Array.from({ length: SHADES }, (_, i) => colourAt(bar.palette, i / (SHADES - 1), colours));
       return (point) => {
-        const part = Math.min(1, Math.max(0, partOf(numbers, numbers.numbers[point]!)));
+        const part = Math.min(1, Math.max(0, partOf(bar, numbers?.[point] ?? NaN)));
         return palette[Math.round(part * (SHADES - 1))]; // NaN has none
       };
     }
@@ -259,22 +334,56 @@ export class ParameterMapView {
 
   private draw(pen: Pen, frame: Frame, colours: Theme): void {
     if (!this.subject) return;
-    const { map, lines } = this.subject;
+    const { map } = this.subject;
+    this.drawGrid(map, pen, frame, colours);
+    const { live } = this;
+    for (const grid of live) this.drawGrid(grid, pen, frame, colours);
+    if (live[0]) this.outlineLive(live[0], pen, frame, colours);
+  }
+
+  private drawGrid(grid: Grid, pen: Pen, frame: Frame, colours: Theme): void {
+    const { map, lines } = this.subject!;
     const [mx, my] = this.measures();
-    const colourOf = this.colouring(colours);
+    const colourOf = this.colouring(grid, colours);
+    // Nothing of the cells below is seen through finer ones.
+    const blank = grid === map ? undefined : colours.paper;
+    const kindOf = (point: number) => (grid === map ? map.kindOf(point) : regimeKind(grid.diagram, point));
     const sheet: Sheet = {
-      columns: map.columns,
-      rows: map.rows,
-      x: Array.from(map.x.edges, (edge) => frame.x(edge * mx.factor)),
-      y: Array.from(map.y.edges, (edge) => frame.y(edge * my.factor)),
+      columns: grid.columns,
+      rows: grid.rows,
+      x: Array.from(grid.x.edges, (edge) => frame.x(edge * mx.factor)),
+      y: Array.from(grid.y.edges, (edge) => frame.y(edge * my.factor)),
       colour: (cell) => {
-        const point = map.pointAt(cell);
-        return point < 0 ? undefined : colourOf(point);
+        const point = grid.pointAt(cell);
+        return point < 0 ? undefined : (colourOf(point) ?? blank);
       },
-      kind: lines ? (cell) => map.kindOf(map.pointAt(cell)) : undefined,
+      kind: lines ? (cell) => kindOf(grid.pointAt(cell)) : undefined,
       ink: colours.ink,
     };
     drawCells(pen, sheet, frame);
+  }
+
+  /// Dashes around the cells that no result holds, as far as they are seen.
+  private outlineLive({ x, y }: MapGrid, pen: Pen, frame: Frame, colours: Theme): void {
+    const [mx, my] = this.measures();
+    const seen = (value: number, first: number, size: number) =>
+      Math.min(first + size - frame.ratio, Math.max(first + frame.ratio, value));
+    const across = (edge: number) => seen(frame.x(edge * mx.factor), frame.left, frame.width);
+    const up = (edge: number) => seen(frame.y(edge * my.factor), frame.top, frame.height);
+    const [left, right, bottom, top] = [
+      across(x.edges[0]!),
+      across(x.edges.at(-1)!),
+      up(y.edges[0]!),
+      up(y.edges.at(-1)!),
+    ];
+    pen.save();
+    pen.strokeStyle = colours.ink;
+    pen.lineWidth = 2 * frame.ratio;
+    pen.setLineDash([6 * frame.ratio, 4 * frame.ratio]);
+    pen.beginPath();
+    pen.rect(left, top, right - left, bottom - top);
+    pen.stroke();
+    pen.restore();
   }
 
   /// How many points have a regime.
@@ -288,9 +397,10 @@ export class ParameterMapView {
   /// Names of what there is, with how many points it has, and their colours: attractors, or regimes.
   entries(): readonly MapEntry[] {
     const { map, quantity } = this.subject!;
+    const finer = new Set(this.live.flatMap(({ diagram }) => [...diagram.classes.filter((_, i) => diagram.done[i])]));
     if (quantity !== ATTRACTOR.id)
       return this.counts().flatMap((count, kind) =>
-        count === 0
+        count === 0 && !finer.has(kind)
           ? []
           : [{ text: CLASS_NAMES[kind]!, count: String(count), colour: (colours: Theme) => colours.classes[kind]! }],
       );
@@ -326,14 +436,17 @@ export class ParameterMapView {
     if (!this.subject) return;
     const { map } = this.subject;
     const measures = this.measures();
-    for (const mark of Object.values(this.marks)) mark.place(map, measures);
+    for (const mark of Object.values(this.marks)) mark.place(map, (spot) => this.find(spot), measures);
     const slider = this.chart.overlay;
     const { cell } = this;
     slider.setAttribute('aria-label', `Cell of the map over ${map.x.parameter} and ${map.y.parameter}`);
     slider.setAttribute('aria-valuemin', '1');
     slider.setAttribute('aria-valuemax', String(map.columns * map.rows));
     slider.setAttribute('aria-valuenow', String(cell ? cell.row * map.columns + cell.column + 1 : 1));
-    slider.setAttribute('aria-valuetext', cell ? `${this.placeText(cell)}: ${this.told(cell).verdict}` : '');
+    slider.setAttribute(
+      'aria-valuetext',
+      this.cursor ? `${this.placeText(this.cursor)}: ${this.told(this.cursor).verdict}` : '',
+    );
   }
 
   // ---------------------------------------------------------------- hands and keys
@@ -348,8 +461,9 @@ export class ParameterMapView {
     ];
   }
 
-  private cellAt(event: MouseEvent): Cell {
-    return this.subject!.map.nearest(...this.spotAt(event));
+  /// The values of the cell under the pointer.
+  private cellAt(event: MouseEvent): Spot {
+    return this.middleOf(this.spotAt(event));
   }
 
   private showBrush(from: Spot, to: Spot): void {
@@ -366,7 +480,7 @@ export class ParameterMapView {
   }
 
   private listen(overlay: HTMLElement): void {
-    let last: Cell | undefined;
+    let last: Spot | undefined;
     let brushed: Spot | undefined;
     overlay.addEventListener('wheel', (event) => this.wheel(event), { passive: false });
     overlay.addEventListener('pointerdown', (event) => {
@@ -389,7 +503,7 @@ export class ParameterMapView {
       }
       const cell = this.cellAt(event);
       if (!last) this.listener.hover(event.buttons === 0 ? cell : undefined);
-      else if (cell.column !== last.column || cell.row !== last.row) this.go((last = cell), false);
+      else if (cell[0] !== last[0] || cell[1] !== last[1]) this.go((last = cell), false);
     });
     const end = (event: PointerEvent) => {
       if (brushed && event.type === 'pointerup') this.seeBrushed(brushed, this.spotAt(event));
@@ -419,25 +533,26 @@ export class ParameterMapView {
   }
 
   /// Keys may come faster than frames: the next one goes on from here.
-  private go(cell: Cell, settled: boolean): void {
-    const { map } = this.subject!;
-    this.spot = [map.x.values[cell.column]!, map.y.values[cell.row]!];
+  private go(spot: Spot, settled: boolean): void {
+    this.spot = spot;
     if (this.window!.zoomed) {
-      this.window!.x.follow(cell.column);
-      this.window!.y.follow(cell.row);
+      const { column, row } = this.subject!.map.nearest(...spot);
+      this.window!.x.follow(column);
+      this.window!.y.follow(row);
       this.look();
     }
     this.listener.hover(undefined);
-    this.listener.cell(cell, settled);
+    this.listener.cell(spot, settled);
   }
 
   private key(event: KeyboardEvent): void {
     const { cell } = this;
     if (!this.subject || !cell || event.ctrlKey || event.metaKey || event.altKey) return;
-    const { columns, rows } = this.subject.map;
+    const { columns, rows, x, y } = this.subject.map;
+    const within = (i: number, count: number) => Math.min(count - 1, Math.max(0, i));
     const many = event.shiftKey ? 10 : 1;
     const to = (column: number, row: number) =>
-      this.go({ column: Math.min(columns - 1, Math.max(0, column)), row: Math.min(rows - 1, Math.max(0, row)) }, true);
+      this.go([x.values[within(column, columns)]!, y.values[within(row, rows)]!], true);
     const actions: Record<string, () => void> = {
       ArrowLeft: () => to(cell.column - many, cell.row),
       ArrowRight: () => to(cell.column + many, cell.row),
@@ -480,7 +595,7 @@ class CellMark {
     this.along = along;
   }
 
-  place(map: ParameterMap, [mx, my]: readonly [Measure, Measure]): void {
+  place(map: ParameterMap, find: (spot: Spot) => Found, [mx, my]: readonly [Measure, Measure]): void {
     const [x, y] = this.spot ?? [NaN, NaN];
     const inside = x >= map.x.edges[0]! && x <= map.x.edges.at(-1)! && y >= map.y.edges[0]! && y <= map.y.edges.at(-1)!;
     const [seenX, seenY] = [this.chart.isSeen(x * mx.factor, 'x'), this.chart.isSeen(y * my.factor, 'y')];
@@ -488,11 +603,19 @@ class CellMark {
     const axis = map.axis(this.along);
     this.line.hidden = !inside || !axis || !(axis === map.x ? seenY : seenX);
     if (!inside) return;
-    const { column, row } = map.nearest(x, y);
-    const across = [column, column + 1].map((i) => this.chart.placeOf(map.x.edges[i]! * mx.factor)) as [number, number];
-    const up = [row + 1, row].map((i) => this.chart.heightOf(map.y.edges[i]! * my.factor)) as [number, number];
-    outline(this.frame, across, up);
+    const { grid, cell } = find([x, y]);
+    const { column, row } = cell;
+    const across = [column, column + 1].map((i) => this.chart.placeOf(grid.x.edges[i]! * mx.factor)) as [
+      number,
+      number,
+    ];
+    const up = [row + 1, row].map((i) => this.chart.heightOf(grid.y.edges[i]! * my.factor)) as [number, number];
     const { width, height } = this.chart.overlay.getBoundingClientRect();
+    const within = ([low, high]: readonly [number, number], size: number): [number, number] => [
+      Math.max(0, low),
+      Math.min(size, high),
+    ];
+    outline(this.frame, within(across, width), within(up, height)); // a cell at the border is seen in part
     if (axis) outline(this.line, axis === map.x ? [0, width] : across, axis === map.x ? up : [0, height]);
   }
 }

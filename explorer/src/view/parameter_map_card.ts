@@ -1,16 +1,18 @@
 // The card of a map: what it shows, what is under the cursor, and along which parameter it is cut.
 import { ATTRACTOR, mapQuantitiesOf, REGIME } from '../data/map_quantities';
-import type { Cell } from '../data/parameter_map';
 import { theme } from '../figure/figure';
 import { button, el, Segments, select, setChoices } from '../dom';
 import { fileName, saveMenu } from './panel';
+import { canRefine, FINE, type MapPart } from '../model/map_refinement';
 import { ParameterMapView, type ParameterMapSubject, type Spot } from './parameter_map';
 
 export interface ParameterMapCardListener {
-  /// A cell was chosen; `settled` when the pointer let go.
-  cell(cell: Cell, settled: boolean): void;
+  /// A cell was chosen, whose values these are; `settled` when the pointer let go.
+  cell(spot: Spot, settled: boolean): void;
   mapQuantity(id: string): void;
   mapLines(shown: boolean): void;
+  /// Finer cells are to be computed of a part; undefined: no more of them.
+  refine(part: MapPart | undefined): void;
   station(index: number): void;
   /// The cut is to run along this parameter.
   parameter(name: string): void;
@@ -21,6 +23,8 @@ export interface ParameterMapCardSubject extends ParameterMapSubject {
   readonly along: string;
   /// What the map is of, in a sentence.
   readonly status: string;
+  /// Finer cells are being computed; undefined where none can be.
+  readonly refining: boolean | undefined;
   /// The map is not of the present parameters.
   readonly stale: boolean;
   readonly name: string;
@@ -30,12 +34,13 @@ export class ParameterMapCard {
   readonly root: HTMLElement;
   readonly map: ParameterMapView;
   private subject: ParameterMapCardSubject | undefined;
-  private hovered: Cell | undefined;
+  private hovered: Spot | undefined;
   private readonly quantity: HTMLSelectElement;
   private readonly station: HTMLSelectElement;
   private readonly cut: Segments;
   private readonly lines: HTMLButtonElement;
   private readonly whole = button('whole', 'The whole map', () => this.map.unzoom(), { hidden: true });
+  private readonly finer: HTMLButtonElement;
   private readonly place = el('span', { class: 'map-place' });
   private readonly verdict = el('strong', { class: 'verdict' });
   private readonly rest = el('span', { class: 'map-rest' });
@@ -44,13 +49,14 @@ export class ParameterMapCard {
 
   constructor(listener: ParameterMapCardListener) {
     this.map = new ParameterMapView({
-      cell: (cell, settled) => listener.cell(cell, settled),
-      hover: (cell) => {
-        this.hovered = cell;
+      cell: (spot, settled) => listener.cell(spot, settled),
+      hover: (spot) => {
+        this.hovered = spot;
         this.tell();
       },
       zoomed: (part) => {
         this.whole.hidden = !part;
+        this.allowFiner();
       },
       turn: () => listener.parameter(this.subject!.map.across(this.subject!.along).parameter),
     });
@@ -71,6 +77,7 @@ export class ParameterMapCard {
       () => listener.mapLines(!this.subject!.lines),
       { 'aria-pressed': 'false' },
     );
+    this.finer = button('finer', '', () => listener.refine(this.subject!.refining ? undefined : this.map.part));
     const name = () => fileName('whirl', this.subject?.name ?? '', 'map', this.subject?.quantity ?? '');
     const figure = { root: this.map.root, redraw: () => this.map.refresh(), picture: () => this.map.picture() };
     this.root = el(
@@ -87,6 +94,7 @@ export class ParameterMapCard {
           this.station,
           this.lines,
           this.whole,
+          this.finer,
           el('span', { class: 'tool-pair' }, el('span', { class: 'over' }, 'cut'), this.cut.root),
           saveMenu(
             'Map',
@@ -128,9 +136,11 @@ export class ParameterMapCard {
     this.cut.rename('y', `along ${map.y.parameter}`);
     this.cut.value = along === map.x.parameter ? 'x' : along === map.y.parameter ? 'y' : '';
     this.lines.setAttribute('aria-pressed', String(subject.lines));
+    this.finer.textContent = subject.refining ? 'stop' : 'finer';
     this.status.textContent = subject.status;
     this.root.classList.toggle('stale', subject.stale);
     this.map.show(subject);
+    this.allowFiner();
     this.showLegend(quantity === REGIME.id || quantity === ATTRACTOR.id);
     this.tell();
   }
@@ -140,12 +150,28 @@ export class ParameterMapCard {
     this.tell();
   }
 
+  /// Finer cells are computed of few, and of what is told of each alone.
+  private allowFiner(): void {
+    const { refining, quantity } = this.subject!;
+    this.finer.hidden = refining === undefined;
+    if (refining === undefined) return;
+    const why = refining
+      ? 'Computes no more cells'
+      : quantity === ATTRACTOR.id
+        ? 'Attractors are told by all starts of the run; another quantity has finer cells'
+        : canRefine(this.map.part)
+          ? 'Computes finer cells of what is seen, in this page'
+          : `Zoom in: finer cells are computed of at most ${FINE} by ${FINE}`;
+    this.finer.title = why;
+    this.finer.disabled = !refining && (quantity === ATTRACTOR.id || !canRefine(this.map.part));
+  }
+
   /// What is known of the cell under the pointer, else of that of the setting.
   private tell(): void {
-    const cell = this.subject && (this.hovered ?? this.map.cell);
-    if (!cell) return;
-    const { verdict, kind, rest } = this.map.told(cell);
-    this.place.textContent = `${this.map.placeText(cell)}:`;
+    const spot = this.subject && (this.hovered ?? this.map.cursor);
+    if (!spot) return;
+    const { verdict, kind, rest } = this.map.told(spot);
+    this.place.textContent = `${this.map.placeText(spot)}:`;
     this.verdict.textContent = verdict;
     this.verdict.className = kind < 0 ? 'verdict' : `verdict class-${kind}`;
     this.rest.textContent = rest;

@@ -1,0 +1,136 @@
+// A part of a map computed on the spot: finer cells in place of those that are seen, coarse to fine, until it is
+// stopped.
+import { MapGrid, type Cells } from '../data/map_grid';
+import type { MapAxis, ParameterMap } from '../data/parameter_map';
+import type { Engine, Setting } from '../engine/protocol';
+import { plainText } from './map_cut';
+import { coarseToFine } from './recompute';
+import { troubleOf } from './side';
+
+/// Cells along each axis: at least of the finest grid, and at most of the part of the map.
+export const FINE = 64;
+
+/// The cells that are seen.
+export interface MapPart {
+  readonly across: Cells;
+  readonly up: Cells;
+}
+
+/// Whether a part has few enough cells.
+export function canRefine({ across, up }: MapPart): boolean {
+  return [across, up].every(([first, end]) => end > first && end - first <= FINE);
+}
+
+/// Into how many parts cells of an axis are cut, grid after grid; a coarser one where the other axis goes on.
+function partsOf([first, end]: Cells): number[] {
+  const parts = [2];
+  while ((end - first) * parts.at(-1)! < FINE) parts.push(2 * parts.at(-1)!);
+  return parts;
+}
+
+export interface MapRefinementWish {
+  readonly map: ParameterMap;
+  readonly part: MapPart;
+  readonly setting: Setting;
+  /// SI unit of the second parameter.
+  readonly unit: string;
+  /// Of every motion: before the record, and in it.
+  readonly revolutions: readonly [number, number];
+  /// Motions of the map have more.
+  readonly shorter: boolean;
+}
+
+export class MapRefinement {
+  /// Coarse to fine; the last one may be under way.
+  readonly grids: MapGrid[] = [];
+  busy = true;
+  /// What went wrong, "" where nothing did.
+  trouble = '';
+  private readonly abort = new AbortController();
+
+  constructor(
+    private readonly engine: Engine,
+    readonly wish: MapRefinementWish,
+    private readonly changed: () => void,
+  ) {
+    void this.run();
+  }
+
+  get map(): ParameterMap {
+    return this.wish.map;
+  }
+
+  /// Ends the computation; what is there stays.
+  stop(): void {
+    this.abort.abort();
+  }
+
+  /// What its cells are, for the reader.
+  get text(): string {
+    const { revolutions, shorter } = this.wish;
+    const grid = this.grids.at(-1);
+    const fewer = shorter ? ', fewer than in the run: its verdict has less confidence' : '';
+    if (this.trouble || !grid) return this.trouble && `Finer cells: ${this.trouble}.`;
+    const { columns, rows, diagram } = grid;
+    return (
+      `In the dashed frame: ${columns} by ${rows} cells, ${diagram.known} of them computed in this page, each from ` +
+      `${revolutions.join(' + ')} revolutions${fewer}; no result holds them.`
+    );
+  }
+
+  private get over(): boolean {
+    return this.abort.signal.aborted || this.trouble !== '';
+  }
+
+  private async run(): Promise<void> {
+    const { map, part } = this.wish;
+    const [columns, rows] = [partsOf(part.across), partsOf(part.up)];
+    for (let i = 0; i < Math.max(columns.length, rows.length) && !this.over; i++) {
+      const finest = (parts: number[]) => parts[Math.min(i, parts.length - 1)]!;
+      const grid = MapGrid.over(map.x, part.across, finest(columns), map.y, part.up, finest(rows));
+      this.grids.push(grid);
+      await this.fill(grid);
+    }
+    this.busy = false;
+    this.changed();
+  }
+
+  /// As many rows at a time as there are workers, spread over all.
+  private async fill(grid: MapGrid): Promise<void> {
+    const rows = coarseToFine(grid.rows);
+    const work = async () => {
+      for (let row = rows.shift(); row !== undefined && !this.over; row = rows.shift()) await this.row(grid, row);
+    };
+    await Promise.all(Array.from({ length: this.engine.workers }, work));
+  }
+
+  private async row(grid: MapGrid, row: number): Promise<void> {
+    const { setting, unit } = this.wish;
+    const assignment = `${grid.y.parameter}=${plainText(grid.y.values[row]!, unit)}`;
+    const outcome = await this.engine.sweep(
+      {
+        setting: { ...setting, assignments: [assignment] },
+        parameter: grid.x.parameter,
+        values: grid.x.values,
+      },
+      {
+        layout: (layout) => grid.expect(layout),
+        points: (points) => {
+          grid.take(row, points);
+          this.changed();
+        },
+      },
+      { priority: 6, signal: this.abort.signal },
+    );
+    if (!outcome.ok && outcome.why !== 'stale') this.trouble ||= troubleOf(outcome);
+  }
+}
+
+/// The cells of an axis that are seen between two values.
+export function cellsBetween({ edges }: MapAxis, [low, high]: readonly [number, number]): Cells {
+  const slack = 1e-9 * (edges.at(-1)! - edges[0]!);
+  let [first, end] = [0, edges.length - 1];
+  while (first < end && edges[first + 1]! <= low + slack) first++;
+  while (end > first && edges[end - 1]! >= high - slack) end--;
+  return [first, end];
+}
