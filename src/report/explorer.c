@@ -171,11 +171,13 @@ static size_t thinned(size_t count, size_t stride) {
     return count ? (count - 1) / stride + 1 : 0;
 }
 
-/// Of a map as many points as there is room for: its columns and rows are thinned alike.
+/// Of a map as many points as there is room for: its columns and rows are thinned alike, so that those of squares that
+/// were not divided stay, too.
 static selection select_cells(const whirl_table *table, bool sections) {
-    const size_t rows = thinned(whirl_table_grid(table), table->row);
+    const size_t rows = whirl_table_rows(table);
     selection chosen = {.table = table, .stride = 1, .sections = sections};
-    while (thinned(table->row, chosen.stride) * thinned(rows, chosen.stride) > MOST_CELLS) chosen.stride++;
+    while (thinned(table->row, chosen.stride) * thinned(rows, chosen.stride) > MOST_CELLS)
+        chosen.stride += table->refine > 0 ? chosen.stride : 1;
     for (size_t p = first_chosen(&chosen); p < table->count; p = next_chosen(&chosen, p)) chosen.count++;
     chosen.lean = chosen.count > MOST_CELLS_IN_FULL;
     return chosen;
@@ -202,8 +204,7 @@ typedef struct page_grid {
 
 static page_grid grid_of(const selection *chosen) {
     const whirl_table *table = chosen->table;
-    return (page_grid){thinned(table->row, chosen->stride),
-                       thinned(thinned(whirl_table_grid(table), table->row), chosen->stride)};
+    return (page_grid){thinned(table->row, chosen->stride), thinned(whirl_table_rows(table), chosen->stride)};
 }
 
 /// The cell of a point, row after row.
@@ -237,6 +238,19 @@ static bool write_axes(FILE *stream, const selection *chosen, page_grid grid) {
     return true;
 }
 
+/// Of every point of a refined map the cells along both axes, from its own on, that it stands for.
+static void write_widths(FILE *stream, const selection *chosen) {
+    const whirl_table *table = chosen->table;
+    char before = '[';
+    if (table->refine == 0) return;
+    member(stream, ',', "widths");
+    for (size_t p = first_chosen(chosen); p < table->count; p = next_chosen(chosen, p), before = ',') {
+        const double width = whirl_table_number(table, p, "map/width", 0) / (double)chosen->stride;
+        fprintf(stream, "%c%.0f", before, width > 1.0 ? fmin(width, (double)table->refine) : 1.0);
+    }
+    fputs(end_of_list(chosen), stream);
+}
+
 /// The second parameter of a map, its columns and rows in the page, and of every point its cell among these, row after
 /// row, where that is not its number.
 static bool write_cells(FILE *stream, const selection *chosen) {
@@ -252,6 +266,7 @@ static bool write_cells(FILE *stream, const selection *chosen) {
             fprintf(stream, "%c%zu", before, cell_of(chosen, grid, p));
         fputs(end_of_list(chosen), stream);
     }
+    write_widths(stream, chosen);
     fputc('}', stream);
     return well;
 }

@@ -87,7 +87,9 @@ export function regimeKind(diagram: Diagram, point: number): number {
 export class ParameterMap {
   readonly x: MapAxis;
   readonly y: MapAxis;
-  /// By cell, row after row: the point of the diagram, -1 where there is none.
+  /// By cell, row after row: the point of the diagram that was computed there, and the one that stands for the cell,
+  /// which differ where a map is refined; -1 where there is none.
+  private readonly own: Int32Array;
   private readonly points: Int32Array;
 
   private constructor(
@@ -106,12 +108,24 @@ export class ParameterMap {
       return known.length > 1 && known[0]! > known.at(-1)!;
     };
     const [back, down] = [falls(x), falls(y)];
+    const at = (column: number, row: number) =>
+      (down ? rows - 1 - row : row) * columns + (back ? columns - 1 - column : column);
+    this.own = new Int32Array(columns * rows).fill(-1);
     this.points = new Int32Array(columns * rows).fill(-1);
+    // The last column and row are of the squares that end there.
+    const end = (first: number, width: number, count: number) => (first + width + 1 < count ? first + width : count);
     for (let point = 0; point < diagram.count; point++) {
       const cell = map.cells?.[point] ?? point;
       const [column, row] = [cell % columns, Math.floor(cell / columns)];
-      this.points[(down ? rows - 1 - row : row) * columns + (back ? columns - 1 - column : column)] = point;
+      this.own[at(column, row)] = point;
+      const width = map.widths?.[point] ?? 1;
+      if (width === 1) continue;
+      for (let y = row; y < end(row, width, rows); y++)
+        for (let x = column; x < end(column, width, columns); x++) this.points[at(x, y)] = point;
     }
+    this.own.forEach((point, cell) => {
+      if (point >= 0) this.points[cell] = point;
+    });
     this.x = axisOf(diagram.parameter, x);
     this.y = axisOf(map.second, y);
   }
@@ -161,6 +175,11 @@ export class ParameterMap {
     return parameter === this.y.parameter ? this.x : this.y;
   }
 
+  /// Whether the point of a cell was computed there, and does not only stand for it.
+  isComputed({ column, row }: Cell): boolean {
+    return this.own[row * this.columns + column]! >= 0;
+  }
+
   /// The point of a cell that is done; -1 where there is none.
   point({ column, row }: Cell): number {
     return this.pointAt(row * this.columns + column);
@@ -184,7 +203,10 @@ export class ParameterMap {
       ? Array.from({ length: columns }, (_, column) => ({ column, row: index }))
       : Array.from({ length: rows }, (_, row) => ({ column: index, row }));
     const axis = isRow ? this.x : this.y;
-    const there = cells.map((cell, i) => ({ point: this.point(cell), value: axis.values[i]! }));
+    const there = cells.map((cell, i) => ({
+      point: this.isComputed(cell) ? this.point(cell) : -1,
+      value: axis.values[i]!,
+    }));
     const known = there.filter(({ point }) => point >= 0);
     return this.diagram.part(
       known.map(({ point }) => point),

@@ -17,6 +17,8 @@ export interface StoredMap {
   readonly y: string;
   /// The cell of every point, where that is not its number.
   readonly cells?: readonly number[];
+  /// Of a refined map: how many cells along both axes, from its own on, every point stands for.
+  readonly widths?: readonly number[];
 }
 
 /// A motion that several starts of a basin came to rest on.

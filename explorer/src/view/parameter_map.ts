@@ -229,6 +229,8 @@ export class ParameterMapView {
     const point = grid.pointAt(cell.row * grid.columns + cell.column);
     if (point < 0) return { verdict: 'not computed', kind: -1, rest: '' };
     const [name, reason] = diagram.verdicts[point]!;
+    const kind = diagram.classes[point]!;
+    if (!map.isComputed(cell)) return { verdict: name, kind, rest: 'not computed; the corners of its square agree' };
     const confidence = CONFIDENCE_NAMES[diagram.confidence(point)];
     const exponent = diagram.exponent(point).value;
     const numbers = live ? this.numbersOf(diagram) : this.numbers;
@@ -275,7 +277,7 @@ export class ParameterMapView {
     for (let row = 0; row < map.rows; row++)
       for (let column = 0; column < map.columns; column++) {
         const point = map.point({ column, row });
-        if (point < 0) continue;
+        if (point < 0 || !map.isComputed({ column, row })) continue;
         const { value, error } = diagram.exponent(point);
         rows.push([
           map.x.values[column]! * x.factor,

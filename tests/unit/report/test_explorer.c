@@ -149,6 +149,33 @@ static void maps_with_holes_tell_their_cells(void **state) {
     whirl_result_free(result);
 }
 
+/// One square of a refined map that was not divided, cut off above: its corners are in the page, in a grid of all
+/// cells.
+static void refined_maps_tell_their_squares(void **state) {
+    static const size_t corners[] = {0, 4, 10, 14};
+    (void)state;
+    whirl_result *result = map_of(5, 3);
+    whirl_table *table = &result->tables[0];
+    strcpy(table->layout.fields[2].name, "map/width");
+    table->refine = 4;
+    table->grid = 15;
+    table->count = 4;
+    table->slots = calloc(4, sizeof *table->slots);
+    assert_non_null(table->slots);
+    for (size_t i = 0; i < 4; i++) {
+        table->slots[i] = corners[i];
+        table->values[i] = (double)(corners[i] % 5);
+        table->blocks[3 * i] = (double)(corners[i] / 5);
+        table->blocks[3 * i + 2] = i == 0 ? 4 : 1;
+    }
+    char *page = page_of(result);
+    assert_non_null(strstr(page, "\"columns\":5,\"rows\":3,\"x\":\""));
+    assert_int_equal(decoded_size(page, "\"y\":\""), 3 * sizeof(double));
+    assert_non_null(strstr(page, "\"cells\":[0,4,10,14],\"widths\":[4,1,1,1]}"));
+    free(page);
+    whirl_result_free(result);
+}
+
 /// A point more than there is room for: every second point stays, but all that was located between them.
 static void critical_speeds_are_never_thinned(void **state) {
     (void)state;
@@ -240,8 +267,8 @@ static void orbits_are_thinned(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(large_tables_are_thinned), cmocka_unit_test(critical_speeds_are_never_thinned),
+        cmocka_unit_test(large_tables_are_thinned),         cmocka_unit_test(critical_speeds_are_never_thinned),
         cmocka_unit_test(maps_are_leaner_and_then_thinned), cmocka_unit_test(maps_with_holes_tell_their_cells),
-        cmocka_unit_test(orbits_are_thinned)};
+        cmocka_unit_test(refined_maps_tell_their_squares),  cmocka_unit_test(orbits_are_thinned)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
