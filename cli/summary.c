@@ -376,7 +376,7 @@ static void print_grid(const whirl_table *table) {
     const double each = whirl_table_revolutions(table), grid = (double)table->grid;
     printf("  refined from squares of %zu: %zu of %zu points computed (%.1f %%), %.0f revolutions each; all would have "
            "taken about %.3g revolutions\n",
-           table->refine, done, table->grid, 100.0 * (double)done / grid, each, each * grid);
+           table->refine, done, table->grid, 100.0 * (double)done / grid, each, whirl_table_grid_revolutions(table));
 }
 
 /// Verdicts in the order in which the sweep meets them, with their ranges where these are few; in a refined map those

@@ -147,6 +147,10 @@ void whirl_table_cover(const whirl_table *table, size_t *cover);
 /// Revolutions that motions of a table took, on the average of the points that are done; NaN where it has no verdicts.
 double whirl_table_revolutions(const whirl_table *table);
 
+/// Those that all points of the grid of a refined map would have taken, if each takes as many as the one that stands
+/// for it; NaN where that cannot be told, or there is no memory.
+double whirl_table_grid_revolutions(const whirl_table *table);
+
 /// Whether a point is done. Only the results of runs that were stopped have points that are not; a file has but those
 /// that are.
 bool whirl_table_done(const whirl_table *table, size_t point);

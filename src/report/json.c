@@ -512,8 +512,8 @@ static bool dump_attractors(const whirl_result *result, FILE *stream) {
     return true;
 }
 
-// Of a refined map: points of its grid and of a row of it, those that were computed, every how many of them first, and
-// their revolutions on the average.
+// Of a refined map: points of its grid and of a row of it, those that were computed, every how many of them first,
+// their revolutions on the average, and about how many all of the grid would have taken.
 static bool dump_refined(const whirl_result *result, FILE *stream) {
     bool well = true;
     const whirl_table *table = result->table_count ? &result->tables[0] : NULL;
@@ -526,6 +526,7 @@ static bool dump_refined(const whirl_result *result, FILE *stream) {
     document_put(&well, object, "grid", json_integer((json_int_t)table->grid));
     document_put(&well, object, "row", json_integer((json_int_t)table->row));
     document_put(&well, object, "revolutions", document_number(whirl_table_revolutions(table)));
+    document_put(&well, object, "grid_revolutions", document_number(whirl_table_grid_revolutions(table)));
     return dump_member(",\n", "refined", object, stream) && well;
 }
 

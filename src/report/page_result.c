@@ -35,7 +35,7 @@ static void describe_refinement(const whirl_table *table, char *text, size_t siz
     if (table->refine == 0) return;
     snprintf(text + used, size - used,
              ", refined from squares of %zu: %.1f %% of all, %.0f revolutions each; all would have taken about %.3g",
-             table->refine, 100.0 * (double)table->count / grid, each, each * grid);
+             table->refine, 100.0 * (double)table->count / grid, each, whirl_table_grid_revolutions(table));
 }
 
 static void describe_points(const shown_units *units, const whirl_table *table, char *text, size_t size) {

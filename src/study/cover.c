@@ -1,5 +1,6 @@
 // What the points of a map stand for: where it was refined, most of its grid was not computed.
 #include <math.h>
+#include <stdlib.h>
 
 #include "passes.h"
 
@@ -42,4 +43,19 @@ double whirl_table_revolutions(const whirl_table *table) {
         done++;
     }
     return done > 0 ? sum / (double)done : (double)NAN;
+}
+
+double whirl_table_grid_revolutions(const whirl_table *table) {
+    const size_t grid = whirl_table_grid(table);
+    size_t *cover = calloc(grid + 1, sizeof *cover), *cells = calloc(table->count + 1, sizeof *cells);
+    double sum = cover && cells ? 0.0 : (double)NAN;
+    if (cover && cells) {
+        whirl_table_cover(table, cover);
+        for (size_t i = 0; i < grid; i++) cells[cover[i]]++;
+        for (size_t i = 0; i < table->count; i++)
+            if (cells[i] > 0) sum += (double)cells[i] * whirl_table_number(table, i, "regime/revolutions", 0);
+    }
+    free(cover);
+    free(cells);
+    return sum;
 }
