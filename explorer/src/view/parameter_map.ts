@@ -230,7 +230,8 @@ export class ParameterMapView {
     if (point < 0) return { verdict: 'not computed', kind: -1, rest: '' };
     const [name, reason] = diagram.verdicts[point]!;
     const kind = diagram.classes[point]!;
-    if (!map.isComputed(cell)) return { verdict: name, kind, rest: 'not computed; the corners of its square agree' };
+    if (!live && !map.isComputed(cell))
+      return { verdict: name, kind, rest: 'not computed; the corners of its square agree' };
     const confidence = CONFIDENCE_NAMES[diagram.confidence(point)];
     const exponent = diagram.exponent(point).value;
     const numbers = live ? this.numbersOf(diagram) : this.numbers;
@@ -244,7 +245,7 @@ export class ParameterMapView {
       Number.isFinite(exponent) ? `exponent ${shown(exponent, 7)} per revolution` : '',
       number !== undefined && this.subject!.quantity !== 'exponent' ? `${numbers!.label}: ${shown(number, 7)}` : '',
     ];
-    return { verdict: name, kind: diagram.classes[point]!, rest: parts.filter((part) => part).join('; ') };
+    return { verdict: name, kind, rest: parts.filter((part) => part).join('; ') };
   }
 
   focus(): void {
