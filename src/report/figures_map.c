@@ -142,8 +142,9 @@ static double square_number(const map_drawing *map, const double *of, size_t poi
 static double *cell_numbers(const map_drawing *map, const map_quantity *what, size_t station) {
     const whirl_table *table = map->table;
     const size_t count = table->count, grid = map->cells.columns * map->cells.rows;
-    double *cells = malloc((count + grid + 1) * sizeof *cells), *of = cells + grid;
+    double *cells = malloc((count + grid + 1) * sizeof *cells);
     if (!cells) return NULL;
+    double *of = cells + grid;
     for (size_t i = 0; i < count; i++) of[i] = whirl_table_done(table, i) ? what->of(map, i, station) : (double)NAN;
     for (size_t slot = 0; slot < grid; slot++) {
         const size_t point = map->cells.cover[slot];

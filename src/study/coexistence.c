@@ -171,7 +171,7 @@ static bool share_a_place(search *s, size_t small, size_t large) {
 static void join(search *s, const pair *one) {
     size_t a = root_of(s, one->a), b = root_of(s, one->b);
     if (a == b) return;
-    if (s->sizes[a] < s->sizes[b] || (s->sizes[a] == s->sizes[b] && a > b)) {
+    if (s->sizes[a] < s->sizes[b] || (a > b && s->sizes[a] == s->sizes[b])) {
         const size_t larger = b;
         b = a;
         a = larger;
