@@ -19,6 +19,7 @@ typedef struct memory_keeper {
     int kept, recalled, limit;
     bool known[MOST_PASSES][MOST_SLOTS];
     double blocks[MOST_PASSES][MOST_SLOTS][BLOCK], ends[MOST_PASSES][MOST_SLOTS][MOST_DIMENSION];
+    whirl_keeper keeper; ///< of a run whose result may ask it for blocks
 } memory_keeper;
 
 static inline whirl_status memory_keep(void *context, size_t pass, size_t slot, const double *block, size_t size,

@@ -154,10 +154,10 @@ static void expect_same(const whirl_result *one, const whirl_result *other) {
 }
 
 static whirl_result *run_with(const plane *s, memory_keeper *memory, whirl_run_options options, whirl_code expected) {
-    const whirl_keeper keeper = {.keep = memory_keep, .recall = memory_recall, .context = memory};
     whirl_result *result;
+    memory->keeper = (whirl_keeper){.keep = memory_keep, .recall = memory_recall, .context = memory};
     options.threads = 2;
-    options.keeper = &keeper;
+    options.keeper = &memory->keeper;
     memory->kept = memory->recalled = 0;
     assert_int_equal(whirl_study_run(&s->study, &options, &result).code, expected);
     return result;
