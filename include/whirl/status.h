@@ -16,13 +16,18 @@ typedef enum whirl_code {
     WHIRL_MISSING_PROGRAM    ///< an outside program (gnuplot) is not installed
 } whirl_code;
 
-enum { WHIRL_MESSAGE_SIZE = 400 };
+enum {
+    WHIRL_MESSAGE_SIZE = 400,   ///< bytes of a message at most, with the zero byte at its end
+    WHIRL_MESSAGES_KEPT = 4096, ///< how many different messages of the process last
+};
 
-/// Outcome of a call. `message` is one English sentence without a final newline; empty when all is well.
-/// Returned by value; owns nothing.
+/// Outcome of a call, returned by value; owns nothing. `message` is one English sentence without a final newline, ""
+/// when all is well, and never NULL in what the library returns. The text lies in the library and is not freed. It
+/// stays until calls of the process, on any thread, have failed in WHIRL_MESSAGES_KEPT other ways (equal sentences
+/// count once, from their latest use): whoever keeps a message beyond further calls copies it.
 typedef struct whirl_status {
     whirl_code code;
-    char message[WHIRL_MESSAGE_SIZE];
+    const char *message;
 } whirl_status;
 
 /// The status of success.

@@ -1,19 +1,70 @@
 #include "whirl/status.h"
 
+#include <pthread.h>
 #include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
 #include <stdio.h>
+#include <string.h>
+
+// ---------------------------------------------------------------- where messages lie
+
+/// The latest messages of the process, those of all threads. Equal ones share a place: a method that fails a thousand
+/// times in one way, and is tried again, drives no other message out.
+static struct {
+    uint64_t given;                     ///< how many messages were asked for
+    uint64_t used[WHIRL_MESSAGES_KEPT]; ///< of these, the latest with this text; 0 where there is none
+    uint64_t hash[WHIRL_MESSAGES_KEPT]; ///< of the text
+    char text[WHIRL_MESSAGES_KEPT][WHIRL_MESSAGE_SIZE];
+} latest;
+static pthread_mutex_t latest_lock = PTHREAD_MUTEX_INITIALIZER;
+
+/// FNV-1a (Fowler, Noll, Vo; draft-eastlake-fnv).
+static uint64_t hash_of(const char *text) {
+    uint64_t hash = 0xCBF29CE484222325U;
+    for (; *text; text++) hash = (hash ^ (unsigned char)*text) * 0x100000001B3U;
+    return hash;
+}
+
+/// Whether a text is there, and its place, else that of the text that was not used for the longest time.
+static bool find(const char *text, uint64_t hash, size_t *place) {
+    *place = 0;
+    for (size_t i = 0; i < WHIRL_MESSAGES_KEPT; i++) {
+        if (latest.used[i] < latest.used[*place]) *place = i;
+        if (latest.hash[i] != hash || latest.used[i] == 0 || strcmp(latest.text[i], text) != 0) continue;
+        *place = i;
+        return true;
+    }
+    return false;
+}
+
+static const char *keep(const char text[WHIRL_MESSAGE_SIZE]) {
+    const uint64_t hash = hash_of(text);
+    size_t place;
+    pthread_mutex_lock(&latest_lock);
+    if (!find(text, hash, &place)) { // one that is there may be read at this moment, and is left alone
+        latest.hash[place] = hash;
+        memcpy(latest.text[place], text, strlen(text) + 1);
+    }
+    latest.used[place] = ++latest.given;
+    pthread_mutex_unlock(&latest_lock);
+    return latest.text[place];
+}
+
+// ---------------------------------------------------------------- statuses
 
 whirl_status whirl_ok(void) {
-    return (whirl_status){.code = WHIRL_OK};
+    return (whirl_status){.code = WHIRL_OK, .message = ""};
 }
 
 whirl_status whirl_fail(whirl_code code, const char *format, ...) {
-    whirl_status status = {.code = code};
+    char text[WHIRL_MESSAGE_SIZE];
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(status.message, sizeof status.message, format, arguments);
+    vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
-    return status;
+    return (whirl_status){.code = code, .message = keep(text)};
 }
 
 const char *whirl_code_text(whirl_code code) {

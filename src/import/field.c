@@ -12,7 +12,7 @@ bool field_good(const import_reader *reader) {
 
 void field_refuse(field_section *section, const char *key, const value *at, const char *format, ...) {
     import_reader *const reader = section->reader;
-    char place[PLACE_SIZE], said[WHIRL_MESSAGE_SIZE], line[16] = "";
+    char place[PLACE_SIZE], said[WHIRL_MESSAGE_SIZE], whole[2 * WHIRL_MESSAGE_SIZE], line[16] = "";
     va_list arguments;
     if (!field_good(reader)) return;
     va_start(arguments, format);
@@ -21,8 +21,10 @@ void field_refuse(field_section *section, const char *key, const value *at, cons
     const int number = at ? at->line : section->table->line;
     if (number > 0) snprintf(line, sizeof line, "%d:", number);
     snprintf(place, sizeof place, "[%.80s]%s%.60s", section->name, key ? " " : "", key ? key : "");
-    reader->status = whirl_fail(WHIRL_BAD_INPUT, "%.100s:%s %s: %s", reader->file, line, place, said);
-    whirl_make_plain(reader->status.message);
+    snprintf(whole, sizeof whole, "%.100s:%s %s: %s", reader->file, line, place, said);
+    whole[WHIRL_MESSAGE_SIZE - 1] = '\0'; // before it is made plain: the cut may go through a letter
+    whirl_make_plain(whole);
+    reader->status = whirl_fail(WHIRL_BAD_INPUT, "%s", whole);
 }
 
 void *field_memory(import_reader *reader, size_t size) {

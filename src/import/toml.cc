@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <climits>
+#include <cstdio>
 #include <exception>
 #include <new>
 #include <stdexcept>
@@ -82,11 +83,12 @@ value *copy(memory_arena *arena, value *parent, const std::string_view *key, con
 /// Where a file is no TOML, in the library's words.
 whirl_status refuse(const char *name, const toml::parse_error &error) {
     const std::string_view said = error.description();
-    whirl_status status = whirl_fail(WHIRL_BAD_INPUT, "%.120s:%u: is no TOML: %.*s", name,
-                                     static_cast<unsigned>(error.source().begin.line),
-                                     static_cast<int>(std::min<size_t>(said.size(), 200)), said.data());
-    whirl_make_plain(status.message);
-    return status;
+    char whole[WHIRL_MESSAGE_SIZE];
+    std::snprintf(whole, sizeof whole, "%.120s:%u: is no TOML: %.*s", name,
+                  static_cast<unsigned>(error.source().begin.line),
+                  static_cast<int>(std::min<size_t>(said.size(), 200)), said.data());
+    whirl_make_plain(whole);
+    return whirl_fail(WHIRL_BAD_INPUT, "%s", whole);
 }
 
 whirl_status read(memory_arena *arena, std::string_view text, const char *name, value **root) {

@@ -72,7 +72,7 @@ whirl_status passes_outcome(const study_run *run) {
         [WHIRL_STAGE_REFINE] = "stopped after %zu of %zu points of a round of refinement",
     };
     const whirl_progress *progress = &run->tracker.progress;
-    if (run->tracker.status.code != WHIRL_OK) return run->tracker.status;
+    if (run->tracker.error.code != WHIRL_OK) return first_error_status(&run->tracker.error);
     if (run->tracker.options->gather && progress->points_done < progress->points_total)
         return whirl_fail(WHIRL_STOPPED,
                           progress->stage == WHIRL_STAGE_CONFIRM ? "%zu of %zu points are confirmed so far"

@@ -114,7 +114,7 @@ bool rows_recall(rows *r, size_t count) {
 
 void rows_close(rows *r) {
     const size_t left = r->room - r->count;
-    const bool ended = !r->left_out && r->run->tracker.status.code == WHIRL_OK && !atomic_load(&r->run->tracker.halt);
+    const bool ended = !r->left_out && r->run->tracker.error.code == WHIRL_OK && !atomic_load(&r->run->tracker.halt);
     if (r->machine.release) r->machine.release(r->machine.owner);
     r->table->planned = ended ? 0 : r->table->count;
     r->table->count = r->count;

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "first_error.h"
 #include "rows.h"
 #include "settled.h"
 
@@ -15,7 +16,7 @@ typedef struct tori {
     size_t *points; ///< [count] rows of the branches at which tori begin
     size_t count;
     bool ended; ///< one was stopped, or the table is full: no more are added
-    whirl_status status;
+    first_error error;
 } tori;
 
 /// The branch of tori that begins at one point.
@@ -25,7 +26,7 @@ typedef struct leg {
     whirl_torus_branch *found;
     whirl_torus_view **views; ///< [found->count]
     double end;               ///< where nothing was found
-    whirl_status status;
+    first_error error;
 } leg;
 
 // ---------------------------------------------------------------- where tori begin
@@ -164,11 +165,13 @@ static whirl_status follow(tori *all, leg *one) {
 /// The leg from one of the points; nothing where another one ends there, or a stop was asked for.
 static void work(tori *all, leg *one) {
     bool needed;
-    one->status = whirl_table_trace(all->branches, all->points[one->which], &one->start);
-    if (one->status.code != WHIRL_OK) return;
+    whirl_status status = whirl_table_trace(all->branches, all->points[one->which], &one->start);
+    first_error_note(&one->error, &status);
+    if (status.code != WHIRL_OK) return;
 #pragma omp critical(whirl_tori)
     needed = !all->ended && !is_taken(&all->rows, &one->start.point);
-    if (needed && !atomic_load(&all->rows.run->tracker.halt)) one->status = follow(all, one);
+    if (needed && !atomic_load(&all->rows.run->tracker.halt)) status = follow(all, one);
+    first_error_note(&one->error, &status);
 }
 
 // ---------------------------------------------------------------- rows
@@ -210,11 +213,13 @@ static whirl_status add_rows(tori *all, const leg *one) {
 static void add(tori *all, const leg *one) {
     const bool halted = atomic_load(&all->rows.run->tracker.halt) && !one->found;
 #pragma omp critical(whirl_tori)
-    if (all->status.code == WHIRL_OK && !all->ended) {
-        all->status = one->status;
+    if (all->error.code == WHIRL_OK && !all->ended) {
+        all->error = one->error;
         all->ended = halted;
-        if (all->status.code == WHIRL_OK && !halted && !is_taken(&all->rows, &one->start.point))
-            all->status = add_rows(all, one);
+        if (all->error.code == WHIRL_OK && !halted && !is_taken(&all->rows, &one->start.point)) {
+            const whirl_status added = add_rows(all, one);
+            first_error_note(&all->error, &added);
+        }
         all->rows.next++;
     }
 }
@@ -225,7 +230,7 @@ static void trace_tori(tori *all) {
     const size_t first = all->rows.next - 1, end = all->count;
 #pragma omp parallel for ordered schedule(dynamic) num_threads(all->rows.run->threads)
     for (size_t which = first; which < end; which++) {
-        leg one = {.which = which, .status = {.code = WHIRL_OK}};
+        leg one = {.which = which};
         work(all, &one);
 #pragma omp ordered
         add(all, &one);
@@ -234,13 +239,16 @@ static void trace_tori(tori *all) {
 }
 
 whirl_status tori_work(study_run *run, const pass *p) {
-    tori all = {.branches = whirl_result_table(run->result, "branch"), .status = whirl_ok()};
-    all.status = rows_open(&all.rows, run, p);
-    const bool wanted = all.status.code == WHIRL_OK && !all.rows.left_out;
-    if (wanted) all.status = collect(&all);
-    if (wanted && all.status.code == WHIRL_OK) trace_tori(&all);
+    tori all = {.branches = whirl_result_table(run->result, "branch")};
+    whirl_status status = rows_open(&all.rows, run, p);
+    const bool wanted = status.code == WHIRL_OK && !all.rows.left_out;
+    if (wanted) status = collect(&all);
+    if (wanted && status.code == WHIRL_OK) {
+        trace_tori(&all);
+        status = first_error_status(&all.error);
+    }
     rows_close(&all.rows);
     free(all.points);
-    if (all.status.code != WHIRL_OK && all.status.code != WHIRL_STOPPED) tracker_fail(&run->tracker, &all.status);
+    if (status.code != WHIRL_OK && status.code != WHIRL_STOPPED) tracker_fail(&run->tracker, &status);
     return whirl_ok();
 }

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "first_error.h"
 #include "rows.h"
 #include "settled.h"
 
@@ -13,7 +14,7 @@ typedef struct leg {
     double value;
     int direction;
     whirl_branch *branch; ///< what was found
-    whirl_status status;
+    first_error error;    ///< why nothing was
 } leg;
 
 enum { MOST_LEGS = 2 };
@@ -113,9 +114,11 @@ static void follow(rows *r, size_t count, leg legs[MOST_LEGS]) {
     options.found = rows_found;
     options.context = r;
 #pragma omp parallel for schedule(dynamic) num_threads(r->run->threads)
-    for (size_t i = 0; i < count; i++)
-        legs[i].status =
+    for (size_t i = 0; i < count; i++) {
+        const whirl_status status =
             whirl_branch_follow(&family, legs[i].orbit, legs[i].value, legs[i].direction, &options, &legs[i].branch);
+        first_error_note(&legs[i].error, &status);
+    }
 }
 
 /// Adds the points of the branches that were found; legs that could not be followed are left out.
@@ -124,8 +127,8 @@ static whirl_status add_found(rows *r, size_t count, size_t parent, const leg le
     for (size_t i = 0; i < count && status.code == WHIRL_OK; i++) {
         if (legs[i].branch)
             status = rows_add(r, legs[i].branch, r->next + i, parent);
-        else if (legs[i].status.code == WHIRL_NO_MEMORY)
-            status = legs[i].status;
+        else if (legs[i].error.code == WHIRL_NO_MEMORY)
+            status = first_error_status(&legs[i].error);
     }
     return status;
 }
@@ -148,7 +151,7 @@ static whirl_status follow_both(rows *r, size_t count, leg legs[MOST_LEGS]) {
     // A branch that closes is all there is: the other direction leads along the same one.
     if (legs[0].branch && legs[0].branch->end == WHIRL_END_CLOSED) count = 1;
     for (size_t i = 0; i < count; i++)
-        if (!legs[i].branch) return legs[i].status;
+        if (!legs[i].branch) return first_error_status(&legs[i].error);
     return add_found(r, count, 0, legs);
 }
 
@@ -270,9 +273,11 @@ static void follow_curve(rows *r, const whirl_branch_point *start, leg legs[MOST
     options.found = rows_found;
     options.context = r;
 #pragma omp parallel for schedule(dynamic) num_threads(r->run->threads)
-    for (int i = 0; i < MOST_LEGS; i++)
-        legs[i].status = whirl_curve_follow(&plane, start, r->batch->second_value, i == 0 ? 1 : -1, bounds, &options,
-                                            &legs[i].branch);
+    for (int i = 0; i < MOST_LEGS; i++) {
+        const whirl_status status = whirl_curve_follow(&plane, start, r->batch->second_value, i == 0 ? 1 : -1, bounds,
+                                                       &options, &legs[i].branch);
+        first_error_note(&legs[i].error, &status);
+    }
 }
 
 /// The curve through a special point; none where it cannot be followed.

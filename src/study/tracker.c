@@ -76,7 +76,7 @@ void tracker_lack(tracker *t, double revolutions, size_t points) {
 void tracker_fail(tracker *t, const whirl_status *status) {
 #pragma omp critical(whirl_tracker)
     {
-        if (t->status.code == WHIRL_OK) t->status = *status;
+        first_error_note(&t->error, status);
         atomic_store(&t->halt, true);
     }
 }

@@ -5,13 +5,14 @@
 #include <stdatomic.h>
 #include <stdbool.h>
 
+#include "first_error.h"
 #include "whirl/study.h"
 
 typedef struct tracker {
     const whirl_run_options *options;
     whirl_progress progress;
-    whirl_status status; ///< the first error of any thread
-    atomic_bool halt;    ///< no further work
+    first_error error; ///< of any thread
+    atomic_bool halt;  ///< no further work
     double started, reported;
 } tracker;
 
