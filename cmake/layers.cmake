@@ -74,8 +74,8 @@ function(whirl_library)
   add_library(whirl_shared SHARED ${objects})
   add_library(whirl_static STATIC ${objects})
   foreach(kind shared static)
-    set_target_properties(whirl_${kind} PROPERTIES OUTPUT_NAME whirl VERSION ${PROJECT_VERSION}
-                          SOVERSION ${PROJECT_VERSION_MAJOR})
+    set_target_properties(whirl_${kind} PROPERTIES OUTPUT_NAME whirl VERSION ${WHIRL_ABI}.${PROJECT_VERSION}
+                          SOVERSION ${WHIRL_ABI})
     target_include_directories(whirl_${kind} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
                                $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include> $<INSTALL_INTERFACE:include>)
     target_link_libraries(whirl_${kind} PRIVATE ${libraries} m)

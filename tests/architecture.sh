@@ -81,7 +81,7 @@ only_in base 'Eigen/'
 # ---- the library
 
 while read -r header line text; do
-    fail "include/whirl/$header:$line has no comment: $text"
+    fail "$header:$line has no comment: $text"
 done < <(awk '
     FNR == 1 { commented = 0; depth = 0 }
     { file = FILENAME; sub(".*/", "", file) }
@@ -94,7 +94,7 @@ done < <(awk '
     }
     /^$/ { commented = 0 }
     { depth += gsub(/\{/, "{") - gsub(/\}/, "}"); if (depth < 0 || /extern "C"/) depth = 0 }
-' include/whirl/*.h)
+' include/whirl/*.h cmake/version.h.in)
 
 if [ -n "$library" ] && [ -e "$library" ]; then
     exported=$(nm -D --defined-only "$library" | awk '{print $3}')
@@ -102,7 +102,7 @@ if [ -n "$library" ] && [ -e "$library" ]; then
     [ -z "$foreign" ] || fail "libwhirl.so exports: $foreign"
     # Each function of the headers is there, and nothing that no header declares.
     declared=$({
-        sed -E 's,//.*,,' include/whirl/*.h | grep -v typedef | grep -oE '\bwhirl_[a-z0-9_]+\(' | tr -d '('
+        sed -E 's,//.*,,' include/whirl/*.h cmake/version.h.in | grep -v typedef | grep -oE '\bwhirl_[a-z0-9_]+\(' | tr -d '('
         sed -nE 's/^#define [a-z_]+ (whirl_[a-z_]+)$/\1/p' src/rotor/assembly.h src/rotor/element.h
     } | sort -u)
     missing=$(comm -23 <(echo "$declared") <(sort -u <<<"$exported"))

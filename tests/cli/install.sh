@@ -51,7 +51,7 @@ expect "pkg-config, static" ./static
 cat >CMakeLists.txt <<'END'
 cmake_minimum_required(VERSION 3.25)
 project(consumer C)
-find_package(whirl 0.1 REQUIRED COMPONENTS static)
+find_package(whirl 0.2 REQUIRED COMPONENTS static)
 add_executable(with_shared program.c)
 target_link_libraries(with_shared PRIVATE whirl::whirl)
 add_executable(with_static program.c)

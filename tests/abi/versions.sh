@@ -1,0 +1,27 @@
+#!/bin/bash
+# Every file that says the version says that of CMakeLists.txt:  versions.sh ROOT WHIRL
+set -u
+cd "$1" || exit 1
+version=$(sed -n 's/^project(whirl VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
+minor=${version%.*}
+failures=0
+
+says() { # FILE VERSION SED-EXPRESSION: all that it prints is the version
+    local found
+    found=$(sed -nE "$3" "$1" | sort -u)
+    [ "$found" = "$2" ] && return
+    echo "FAILED: $1 says '$found', expected $2"
+    failures=$((failures + 1))
+}
+says CITATION.cff "$version" 's/^version: *//p'
+says explorer/package.json "$version" 's/^ *"version": "(.*)",$/\1/p'
+says <(head -12 explorer/package-lock.json) "$version" 's/^ *"version": "(.*)",$/\1/p'
+says docs/whirl.1 "$version" 's/^\.TH WHIRL 1 "" "whirl ([^"]*)".*/\1/p'
+says <(grep -m 1 '^## ' CHANGELOG.md) "$version" 's/^## ([0-9.]+).*/\1/p'
+for document in docs/user-guide.md docs/elements.md; do
+    says $document "$minor" 's/.*find_package\(whirl ([0-9.]+).*/\1/p'
+done
+says docs/user-guide.md "$version" 's/.*\{"whirl": "([^"]*)".*/\1/p'
+says <("$2" --version) "$version" 's/^whirl //p'
+[ $failures -eq 0 ] && echo "version $version everywhere"
+exit $((failures > 0))
