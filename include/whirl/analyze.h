@@ -26,9 +26,9 @@ extern "C" {
 
 /// What is followed of small disturbances while a motion is watched.
 typedef enum whirl_growth {
-    WHIRL_GROWTH_NONE = 0,
-    WHIRL_GROWTH_LARGEST, ///< one, by a second trajectory, which any system has
-    WHIRL_GROWTH_ALL      ///< as many as the state has coordinates, by the system's Jacobian
+    WHIRL_GROWTH_NONE = 0, ///< none
+    WHIRL_GROWTH_LARGEST,  ///< one, by a second trajectory, which any system has
+    WHIRL_GROWTH_ALL       ///< as many as the state has coordinates, by the system's Jacobian
 } whirl_growth;
 
 /// Most revolutions that cases and result files may say.
@@ -58,6 +58,7 @@ size_t whirl_trace_torus_nodes(const whirl_trace_options *options);
 /// part.
 const whirl_member *whirl_trace_members(void);
 
+/// What is recorded of a motion, and how long.
 typedef struct whirl_record_options {
     int transient; ///< revolutions that pass before anything is recorded, >= 0
     int record;    ///< revolutions recorded, >= 1
@@ -123,15 +124,15 @@ typedef enum whirl_orbit_search {
 
 /// The periodic orbit of a motion that has come to rest.
 typedef struct whirl_record_orbit {
-    whirl_orbit_search search;
-    int period;              ///< revolutions after which it closes
-    double residual;         ///< by which it fails to close, over its largest coordinate
-    double distance;         ///< of the motion's last state from it, over the size of the motion
-    double modulus;          ///< of the largest multiplier
-    size_t multiplier_count; ///< coordinates that do not turn on and on; 0: no orbit was found
-    double *multipliers;     ///< [dimension][2] real and imaginary parts, by falling modulus
-    double volume;           ///< sum of ln|multiplier| by the divergence along the orbit; NaN where it is not known
-    double revolutions;      ///< that Newton's method took, with all disturbances
+    whirl_orbit_search search; ///< what became of the search
+    int period;                ///< revolutions after which it closes
+    double residual;           ///< by which it fails to close, over its largest coordinate
+    double distance;           ///< of the motion's last state from it, over the size of the motion
+    double modulus;            ///< of the largest multiplier
+    size_t multiplier_count;   ///< coordinates that do not turn on and on; 0: no orbit was found
+    double *multipliers;       ///< [dimension][2] real and imaginary parts, by falling modulus
+    double volume;             ///< sum of ln|multiplier| by the divergence along the orbit; NaN where it is not known
+    double revolutions;        ///< that Newton's method took, with all disturbances
     /// Revolution after which the motion was set upon the orbit: the record holds its revolutions again and again, and
     /// growths by its multipliers. 0: the motion ran all its way.
     double set_at;
@@ -140,12 +141,12 @@ typedef struct whirl_record_orbit {
 /// What was gathered of one motion. Lengths in the system's own; one block, freed by whirl_record_free.
 /// After a divergence only `diverged_at`, `motion`, `steps` and `end` mean anything.
 typedef struct whirl_record {
-    size_t dimension, probe_count, contact_count;
-    const whirl_probe *probes; ///< of the system; borrowed
-    const double *turns;       ///< of the system; borrowed. Sections hold 0 for what turns
-    size_t repeats;            ///< of the system
-    double period;
-    whirl_motion motion;
+    size_t dimension, probe_count, contact_count; ///< of the system
+    const whirl_probe *probes;                    ///< of the system; borrowed
+    const double *turns;                          ///< of the system; borrowed. Sections hold 0 for what turns
+    size_t repeats;                               ///< of the system
+    double period;                                ///< of the system
+    whirl_motion motion;                          ///< whether it stayed within its bounds
     double revolutions; ///< that were integrated: fewer than asked for where the motion settled or diverged
     double diverged_at; ///< revolution (counted from 1) in which the motion left its bounds, 0 where it did not
 
@@ -162,8 +163,8 @@ typedef struct whirl_record {
     size_t samples_per_revolution; ///< whose ends are at t = period/samples_per_revolution, ..., period
     double *waveform;              ///< [probe_count][2][sample_count] x, then y, of every probe
 
-    double *low,
-        *high; ///< [dimension] bounds of every coordinate over the record; in lanes as whirl_ensemble_seen has them
+    /// [dimension] Bounds of every coordinate over the record; in lanes as whirl_ensemble_seen has them.
+    double *low, *high;
     /// What was watched over the record: radii sqrt(x^2 + y^2); `backward`, the share of the time that x vy - y vx < 0
     /// (whirl against the rotation, about (0, 0)); normal forces in the model's unit.
     WHIRL_WATCHED_ARRAYS
@@ -171,14 +172,14 @@ typedef struct whirl_record {
     double *end; ///< [dimension] the last state; after a divergence that at the beginning of the revolution in which it
                  ///< left
 
-    whirl_step_quality steps;
+    whirl_step_quality steps; ///< of a fixed-step method
     whirl_record_orbit orbit; ///< unsought where the options do not ask for it
 } whirl_record;
 
 /// Called after every revolution of a motion; false asks for a stop.
 typedef struct whirl_monitor {
-    bool (*revolution_done)(void *context);
-    void *context;
+    bool (*revolution_done)(void *context); ///< false asks for a stop
+    void *context;                          ///< handed to the function; borrowed
 } whirl_monitor;
 
 /// Integrates from `start` [dimension] and records. The record belongs to the caller.
@@ -187,6 +188,8 @@ typedef struct whirl_monitor {
 whirl_status whirl_record_motion(const whirl_system *system, const whirl_integrate_options *integrate,
                                  const whirl_record_options *options, const double *start, const whirl_monitor *monitor,
                                  whirl_record **record);
+
+/// Frees a record; NULL is none.
 void whirl_record_free(whirl_record *record);
 
 /// What recording would gather of a motion that stays on an orbit, stable or not, from its first node on: each segment
@@ -200,17 +203,17 @@ whirl_status whirl_record_along(const whirl_system *system, const whirl_orbit *o
 
 /// A motion to be recorded among many. `system` and `start` [dimension] are borrowed until the motion is done.
 typedef struct whirl_task {
-    const whirl_system *system;
-    const double *start;
-    void *tag; ///< the source's own
+    const whirl_system *system; ///< of the machine
+    const double *start;        ///< [dimension]
+    void *tag;                  ///< the source's own
 } whirl_task;
 
 /// The state of a motion under way between two revolutions, as bytes.
 typedef struct whirl_motion_state {
-    const whirl_task *task;
-    double revolutions; ///< that were computed
-    void *bytes;
-    size_t size;
+    const whirl_task *task; ///< whose motion it is; borrowed
+    double revolutions;     ///< that were computed
+    void *bytes;            ///< [size]
+    size_t size;            ///< of the bytes
 } whirl_motion_state;
 
 /// Saves motions under way, so that a later run can take them up where they were. No bit of a record depends on it.
@@ -232,7 +235,7 @@ typedef struct whirl_task_source {
     whirl_status (*done)(void *context, const whirl_task *task, whirl_record *record);
     /// Takes back a motion that did not finish because the work ended early.
     void (*abandon)(void *context, const whirl_task *task);
-    void *context;
+    void *context;                   ///< handed to every function; borrowed
     const whirl_motion_saver *saver; ///< or NULL; called with `context`
 } whirl_task_source;
 
@@ -257,13 +260,15 @@ whirl_status whirl_recorder_new(const whirl_system *system, const whirl_integrat
 /// Carries the motions under way over a revolution, new ones of the source included. *turned is how many that were: 0
 /// when the source has none left. After an error the recorder can only be freed.
 whirl_status whirl_recorder_revolve(whirl_recorder *recorder, size_t *turned);
+
+/// Frees a recorder; NULL is none.
 void whirl_recorder_free(whirl_recorder *recorder);
 
 // ---------------------------------------------------------------- single analyses, for any record
 
 /// A mean with its standard error.
 typedef struct whirl_estimate {
-    double value, error;
+    double value, error; ///< the mean, its standard error
 } whirl_estimate;
 
 /// Largest Lyapunov exponent per revolution (natural logarithm): the mean growth of a disturbance over the watched
@@ -281,12 +286,13 @@ bool whirl_lyapunov_spectrum(const whirl_record *record, whirl_estimate *exponen
 /// them sum to zero or more, the next one in part. Exponents within 3 errors of zero, and within 0.002, count as zero.
 double whirl_kaplan_yorke(const whirl_estimate *exponents, size_t count);
 
+/// What kind of motion a record is of.
 typedef enum whirl_regime {
-    WHIRL_UNDETERMINED = 0,
-    WHIRL_PERIODIC,
-    WHIRL_QUASI_PERIODIC,
-    WHIRL_CHAOTIC,
-    WHIRL_DIVERGING
+    WHIRL_UNDETERMINED = 0, ///< the evidence does not decide
+    WHIRL_PERIODIC,         ///< it returns after some revolutions: P-k
+    WHIRL_QUASI_PERIODIC,   ///< it has frequencies of its own
+    WHIRL_CHAOTIC,          ///< small disturbances grow
+    WHIRL_DIVERGING         ///< it left its bounds
 } whirl_regime;
 
 /// The longest period that is told.
@@ -297,7 +303,7 @@ typedef enum whirl_confidence { WHIRL_LOW = 0, WHIRL_FAIR, WHIRL_HIGH } whirl_co
 
 /// What would make a verdict more certain.
 typedef enum whirl_remedy {
-    WHIRL_NO_REMEDY = 0,
+    WHIRL_NO_REMEDY = 0,    ///< nothing is to be done
     WHIRL_LONGER_TRANSIENT, ///< the motion has not settled: a run of `factor` times as many revolutions
     WHIRL_LONGER_WATCH,     ///< more points of the section would tell: `factor` times as many revolutions watched
     WHIRL_TIGHTER,          ///< the tolerance decides: errors of a step smaller by `factor`
@@ -305,15 +311,16 @@ typedef enum whirl_remedy {
     WHIRL_OTHER_START       ///< the motion stays on an unstable one: another start, beside it (no option of a run does)
 } whirl_remedy;
 
+/// What to do for a verdict that is more certain.
 typedef struct whirl_advice {
-    whirl_remedy remedy;
-    double factor; ///< above 1 where there is a remedy but another start, else 1
+    whirl_remedy remedy; ///< what is to be changed
+    double factor;       ///< above 1 where there is a remedy but another start, else 1
 } whirl_advice;
 
 /// A verdict with the evidence it rests on.
 typedef struct whirl_verdict {
-    whirl_regime regime;
-    int period; ///< k of P-k for a periodic motion, else 0
+    whirl_regime regime; ///< the kind of motion
+    int period;          ///< k of P-k for a periodic motion, else 0
     int curves; ///< closed curves of a quasi-periodic motion's section, 0 where that may be a surface, and else
     /// Of a quasi-periodic motion: 2 for closed curves, and without curves where a phase forces it that fits no
     /// revolution; 3 where the section is a surface and a second exponent is zero
@@ -325,11 +332,11 @@ typedef struct whirl_verdict {
     whirl_confidence agreement;  ///< what the evidence of this record would be worth, were no step ever wrong
     whirl_advice advice;         ///< what would settle it
     bool confirmed;              ///< whether it was compared with a verdict at another tolerance, namely
-    whirl_regime other_regime;
-    int other_period;
+    whirl_regime other_regime;   ///< of the verdict at the other tolerance
+    int other_period;            ///< k of P-k there, else 0
     double followed; ///< revolutions that copies of a chaotic motion were followed beyond its end, all together
     whirl_regime later_regime; ///< what they were then: the first of these that is not chaotic
-    int later_period;
+    int later_period;          ///< k of P-k then, else 0
     // evidence
     whirl_estimate exponent; ///< largest, per revolution
     bool exponents_failed;   ///< all disturbances were followed, and the sum of their growth is wrong: none counts
@@ -349,7 +356,7 @@ typedef struct whirl_verdict {
     /// Of an undetermined motion that drifts evenly along a closed curve: revolutions once round it; NaN for others.
     double round;
     whirl_orbit_search orbit; ///< what became of the search for the orbit of a motion that returns, and of that orbit
-    int orbit_period;
+    int orbit_period;         ///< revolutions after which that orbit closes
     double orbit_residual, orbit_distance, orbit_modulus; ///< as whirl_record_orbit has them; NaN where there is none
     double step_growth; ///< whirl_step_quality.growth; NaN for methods with a tolerance
     double step_error;  ///< whirl_step_quality.error
@@ -392,6 +399,7 @@ void whirl_verdict_reason(const whirl_verdict *verdict, char *text, size_t size)
 /// bytes.
 void whirl_verdict_advice(const whirl_verdict *verdict, char *text, size_t size);
 
+/// The most lines that are told of a spectrum.
 enum { WHIRL_MAX_LINES = 16 };
 
 /// A line of a spectrum. Amplitudes are zero to peak.
@@ -418,14 +426,16 @@ typedef struct whirl_spectrum {
     size_t count;                       ///< orders 0 .. highest
     double resolution;                  ///< orders between two bins
     double *x, *y, *forward, *backward; ///< [count] amplitudes, zero to peak; one block, freed by whirl_spectrum_free
-    size_t line_count;
-    whirl_line lines[WHIRL_MAX_LINES]; ///< interpolated peaks, largest first
-    whirl_synchronous synchronous;     ///< NaN where there are fewer than 3 samples a revolution
+    size_t line_count;                  ///< of lines
+    whirl_line lines[WHIRL_MAX_LINES];  ///< interpolated peaks, largest first
+    whirl_synchronous synchronous;      ///< NaN where there are fewer than 3 samples a revolution
 } whirl_spectrum;
 
 /// Spectrum of probe `probe` up to `highest_order`. WHIRL_BAD_INPUT when the record has no waveform.
 whirl_status whirl_spectrum_new(const whirl_record *record, size_t probe, double highest_order,
                                 whirl_spectrum **spectrum);
+
+/// Frees a spectrum; NULL is none.
 void whirl_spectrum_free(whirl_spectrum *spectrum);
 
 // ---------------------------------------------------------------- analyses by name, and their fields
@@ -435,31 +445,32 @@ void whirl_spectrum_free(whirl_spectrum *spectrum);
 typedef struct whirl_field {
     char name[WHIRL_NAME_SIZE]; ///< "analysis/quantity", as "lyapunov/largest"
     const char *unit; ///< "length", "force", "1", "revolution", "1/revolution", "order"; "length" is the case's scale
-    const char *meaning; ///< one line; for columns their names, separated by ", "
-    whirl_extent extent;
-    size_t rows, columns;
-    size_t repeat; ///< 1, or the number of stations or contacts
-    size_t offset; ///< of the first number in the block; the next repetition follows after rows * columns
+    const char *meaning;  ///< one line; for columns their names, separated by ", "
+    whirl_extent extent;  ///< what it stands once for
+    size_t rows, columns; ///< of the array
+    size_t repeat;        ///< 1, or the number of stations or contacts
+    size_t offset;        ///< of the first number in the block; the next repetition follows after rows * columns
 } whirl_field;
 
+/// The most fields of a block.
 enum { WHIRL_MAX_FIELDS = 160 };
 
 /// The fields of a point's block.
 typedef struct whirl_layout {
-    size_t field_count;
-    whirl_field fields[WHIRL_MAX_FIELDS];
-    size_t size; ///< doubles of the block
+    size_t field_count;                   ///< of fields
+    whirl_field fields[WHIRL_MAX_FIELDS]; ///< in the order of the block
+    size_t size;                          ///< doubles of the block
 } whirl_layout;
 
 /// An analysis as it describes itself.
 typedef struct whirl_analysis {
     const char *name;    ///< as written in a case file: "poincare", "spectrum", ...
     const char *meaning; ///< one line
-    const char *source;
-    bool usual;   ///< computed where a case does not say which
-    bool kept;    ///< of waveforms that are kept: computed exactly where some are (whirl_analysis_fit)
-    bool resting; ///< of a machine at rest, whose motion is not followed: chosen by a study of its name, alone
-    bool traced;  ///< of points of branches, or of tori: chosen by a study's part `branch`, alone
+    const char *source;  ///< author, year; "" where there is nothing to cite
+    bool usual;          ///< computed where a case does not say which
+    bool kept;           ///< of waveforms that are kept: computed exactly where some are (whirl_analysis_fit)
+    bool resting;        ///< of a machine at rest, whose motion is not followed: chosen by a study of its name, alone
+    bool traced;         ///< of points of branches, or of tori: chosen by a study's part `branch`, alone
 } whirl_analysis;
 
 /// All analyses; static, ended by an entry whose name is NULL.
@@ -506,6 +517,8 @@ whirl_status whirl_layout_known(whirl_layout *layout);
 /// revolutions and nodes are not more than there is room for. WHIRL_BAD_INPUT with what is wrong.
 whirl_status whirl_layout_check(const whirl_layout *layout, whirl_analysis_set set,
                                 const whirl_record_options *options);
+
+/// The same of a block.
 whirl_status whirl_block_check(const whirl_layout *layout, const double *block, const whirl_record_options *options);
 
 /// Whether blocks hold a verdict.
@@ -525,21 +538,22 @@ typedef enum whirl_critical_kind {
     WHIRL_RECOVERY            ///< ... regains it
 } whirl_critical_kind;
 
+/// A critical speed, or a threshold of stability.
 typedef struct whirl_critical {
-    whirl_critical_kind kind;
-    double value;            ///< of the parameter, in SI
-    double speed;            ///< of the shaft there, rad/s
-    double frequency, ratio; ///< of the mode, rad/s, and its damping ratio
-    double direction;        ///< of its whirl
+    whirl_critical_kind kind; ///< which of these
+    double value;             ///< of the parameter, in SI
+    double speed;             ///< of the shaft there, rad/s
+    double frequency, ratio;  ///< of the mode, rad/s, and its damping ratio
+    double direction;         ///< of its whirl
 } whirl_critical;
 
 /// A machine at rest: what analyses of it are made of.
 typedef struct whirl_resting {
-    const whirl_system *system;
-    const double *start;      ///< [dimension] where its equilibrium is looked for
-    double clock, speed;      ///< rad/s: of the system's time, and of the shaft
-    const whirl_modes *modes; ///< of it, where they are asked for, else NULL
-    size_t critical_count;
+    const whirl_system *system;     ///< of the machine
+    const double *start;            ///< [dimension] where its equilibrium is looked for
+    double clock, speed;            ///< rad/s: of the system's time, and of the shaft
+    const whirl_modes *modes;       ///< of it, where they are asked for, else NULL
+    size_t critical_count;          ///< of critical
     const whirl_critical *critical; ///< what lies between the point before and this one
 } whirl_resting;
 
@@ -551,10 +565,10 @@ whirl_status whirl_analyze_resting(const whirl_resting *point, const whirl_recor
 /// A point of a branch, as it stands among those of a study.
 typedef struct whirl_trace {
     const whirl_system *system; ///< of its machine
-    whirl_branch_point point;
-    size_t branch; ///< which it is of, from 1 in the order in which they were found
-    size_t parent; ///< along which that one begins; 0: at a motion that settled, or at rest
-    double end;    ///< whirl_branch_end at its last point, else NaN
+    whirl_branch_point point;   ///< the orbit there and what happens at it
+    size_t branch;              ///< which it is of, from 1 in the order in which they were found
+    size_t parent;              ///< along which that one begins; 0: at a motion that settled, or at rest
+    double end;                 ///< whirl_branch_end at its last point, else NaN
 } whirl_trace;
 
 /// Fills `block` [layout->size] of the analysis "trace" with a point. WHIRL_BAD_INPUT where an orbit has more

@@ -17,7 +17,7 @@ extern "C" {
 
 /// Something wrong in a file. Lines and columns count from 1; 0 where there is no place (a --set on the command line).
 typedef struct whirl_problem {
-    int line, column;
+    int line, column;  ///< where, from 1
     char key[128];     ///< path of the key, "rotor.stations.disc.mass"; items of a list count from 1
     char message[256]; ///< "is -3 kg, expected a number above 0 kg"
     /// The line of the file, or what stands around the place in a long one; safe to show on a terminal; "" where there
@@ -28,9 +28,9 @@ typedef struct whirl_problem {
 
 /// A list of problems, all that were found; starts as {0}. Freed by whirl_problems_free.
 typedef struct whirl_problems {
-    size_t count, capacity;
-    whirl_problem *items;
-    char file[256];
+    size_t count, capacity; ///< problems, and how many there is room for
+    whirl_problem *items;   ///< [count]
+    char file[256];         ///< of the case
 } whirl_problems;
 
 /// "paper.yaml:12:7: rotor.stations.disc.mass: is -3 kg, expected ...". Writes at most `size` bytes.
@@ -49,6 +49,8 @@ whirl_status whirl_case_load(const char *path, whirl_problems *problems, whirl_c
 /// The same from memory; `name` stands for the file in messages. Never runs long and never crashes, whatever the bytes.
 whirl_status whirl_case_parse(const char *text, size_t length, const char *name, whirl_problems *problems,
                               whirl_case **out);
+
+/// Frees a case; NULL is none.
 void whirl_case_free(whirl_case *object);
 
 /// Sets a parameter ("r_k=0.45", "omega=6000 rpm", "c== 2*0.1e-3") or a key of the case: of a station ("disc.mass=41
@@ -96,12 +98,13 @@ whirl_status whirl_case_run(const whirl_case *object, const whirl_run_options *o
 
 /// A key of the case whose value is an expression with a parameter.
 typedef struct whirl_use {
-    const char *parameter;
-    const whirl_key *key;
-    char path[128]; ///< of the key, as in whirl_problem
-    bool alone;     ///< the parameter alone stands there ("= c")
+    const char *parameter; ///< its name
+    const whirl_key *key;  ///< where it is used
+    char path[128];        ///< of the key, as in whirl_problem
+    bool alone;            ///< the parameter alone stands there ("= c")
 } whirl_use;
 
+/// Is told of every use.
 typedef void (*whirl_case_use_fn)(void *context, const whirl_use *use);
 
 /// Tells of every use of every parameter in rotor, stations, elements and initial states.

@@ -13,49 +13,53 @@
 extern "C" {
 #endif
 
+/// The most lines of a spectrum that a claim names.
 enum { WHIRL_MAX_CLAIM_LINES = 8 };
 
 /// What somebody (a paper, a measurement) says of a point or of a range of a parameter. What is not said is not
 /// compared.
 typedef struct whirl_claim {
-    char where[WHIRL_NAME_SIZE]; ///< "Fig. 4"
-    char says[400];              ///< in words
-    double from, to;             ///< value or range of the parameter; from = to for one point
-    bool has_regime;
-    whirl_regime regime;
-    int period; ///< 0: any
-    int curves; ///< closed curves of a quasi-periodic section; 0: any
-    bool has_contact, contact;
-    size_t line_count;
+    char where[WHIRL_NAME_SIZE];         ///< "Fig. 4"
+    char says[400];                      ///< in words
+    double from, to;                     ///< value or range of the parameter; from = to for one point
+    bool has_regime;                     ///< whether it says a regime
+    whirl_regime regime;                 ///< that it says
+    int period;                          ///< 0: any
+    int curves;                          ///< closed curves of a quasi-periodic section; 0: any
+    bool has_contact, contact;           ///< whether it speaks of contact, and what it says
+    size_t line_count;                   ///< of lines
     double lines[WHIRL_MAX_CLAIM_LINES]; ///< orders that the spectrum shows
     bool only_lines;                     ///< and no others
-    bool has_band;
-    double band[2]; ///< orders between which the large lines below the running speed lie
-    bool has_whirl;
-    char whirl[WHIRL_NAME_SIZE]; ///< "forward", "backward"
+    bool has_band;                       ///< whether it says a band
+    double band[2];                      ///< orders between which the large lines below the running speed lie
+    bool has_whirl;                      ///< whether it says a direction
+    char whirl[WHIRL_NAME_SIZE];         ///< "forward", "backward"
 } whirl_claim;
 
 /// A list of claims with where they come from.
 typedef struct whirl_claims {
-    char source[400];
-    char parameter[WHIRL_NAME_SIZE];
-    char station[WHIRL_NAME_SIZE]; ///< whose spectrum is meant
-    size_t count;
-    whirl_claim *items;
+    char source[400];                ///< the paper or measurement
+    char parameter[WHIRL_NAME_SIZE]; ///< that the claims speak of
+    char station[WHIRL_NAME_SIZE];   ///< whose spectrum is meant
+    size_t count;                    ///< of items
+    whirl_claim *items;              ///< [count]
 } whirl_claims;
 
 /// Reads a claims file (YAML, see cases/paper-claims.yaml). Problems as for cases. Freed by whirl_claims_free.
 whirl_status whirl_claims_load(const char *path, whirl_problems *problems, whirl_claims **claims);
+
+/// Frees claims; NULL is none.
 void whirl_claims_free(whirl_claims *claims);
 
 /// The groups of keys of a claims file, as whirl_case_groups for cases; static, ended by NULL.
 const whirl_group *const *whirl_claims_groups(void);
 
+/// How a claim stands beside what is found.
 typedef enum whirl_agreement {
-    WHIRL_NOT_COMPARED = 0,
-    WHIRL_AGREES,
-    WHIRL_AGREES_PARTLY,
-    WHIRL_DISAGREES
+    WHIRL_NOT_COMPARED = 0, ///< the result has nothing to compare
+    WHIRL_AGREES,           ///< in all that is said
+    WHIRL_AGREES_PARTLY,    ///< in some of it, or along some of the range
+    WHIRL_DISAGREES         ///< in nothing
 } whirl_agreement;
 
 /// Sets a claim beside a result: agreement, and what was found in words (at most `size` bytes).

@@ -12,6 +12,7 @@
 extern "C" {
 #endif
 
+/// What may stand for a key.
 typedef enum whirl_key_kind {
     WHIRL_KEY_NUMBER = 0, ///< a quantity with a unit (SI inside), or a plain number where unit is "1"
     WHIRL_KEY_WHOLE,      ///< a whole number
@@ -22,25 +23,27 @@ typedef enum whirl_key_kind {
     WHIRL_KEY_NAME        ///< a name of what `choices` says: "shafts" or "materials"
 } whirl_key_kind;
 
+/// Sizes of what cases say.
 enum {
-    WHIRL_MAX_LIST = 32,
+    WHIRL_MAX_LIST = 32, ///< numbers of a list at most
     WHIRL_NAME_SIZE = 64 ///< bytes of a name of a station, parameter, method, ... with its end
 };
 
 /// A range: bounds are in the unit of the key; -INFINITY and INFINITY where there is none.
 typedef struct whirl_range {
-    double low, high;
+    double low, high;         ///< the bounds
     bool low_open, high_open; ///< the bound itself is excluded
 } whirl_range;
 
+/// A key of a case file as it describes itself.
 typedef struct whirl_key {
-    const char *name;   ///< as written in a case file
-    const char *symbol; ///< as in the literature, "" where there is none
-    const char *unit;   ///< UDUNITS spelling of the SI unit ("N s/m"), "1" for a plain number, "" for words
-    whirl_key_kind kind;
-    bool required;
+    const char *name;     ///< as written in a case file
+    const char *symbol;   ///< as in the literature, "" where there is none
+    const char *unit;     ///< UDUNITS spelling of the SI unit ("N s/m"), "1" for a plain number, "" for words
+    whirl_key_kind kind;  ///< what may stand for it
+    bool required;        ///< it has no default
     const char *fallback; ///< default as text in `unit` ("0", "rk4"); "" where it is required or has none
-    whirl_range range;
+    whirl_range range;    ///< of the number
     /// Words of a choice, separated by '|'; "" where the meaning says what may stand; what a name is of; NULL for other
     /// kinds.
     const char *choices;
@@ -51,12 +54,16 @@ typedef struct whirl_key {
 /// Ranges for the tables.
 #define WHIRL_ANY                                                                                                      \
     { -INFINITY, INFINITY, false, false }
+/// Above 0.
 #define WHIRL_POSITIVE                                                                                                 \
     { 0.0, INFINITY, true, false }
+/// 0 and above.
 #define WHIRL_NOT_NEGATIVE                                                                                             \
     { 0.0, INFINITY, false, false }
+/// Both bounds included.
 #define WHIRL_FROM_TO(low, high)                                                                                       \
     { low, high, false, false }
+/// The lower bound excluded.
 #define WHIRL_ABOVE_TO(low, high)                                                                                      \
     { low, high, true, false }
 
@@ -72,10 +79,10 @@ typedef enum whirl_member_type {
 /// A member of a struct as it describes itself: an option of a run, a number of a station. What owns the struct has
 /// one table, ended by a member without a part; cases, results, journals and exports walk it.
 typedef struct whirl_member {
-    const char *name; ///< as results and programs have it; NULL where an earlier one has the same place
-    whirl_member_type type;
-    size_t offset;    ///< in the struct
-    const char *part; ///< the group of a case file where its key stands; "" where no case says it
+    const char *name;       ///< as results and programs have it; NULL where an earlier one has the same place
+    whirl_member_type type; ///< of what lies there
+    size_t offset;          ///< in the struct
+    const char *part;       ///< the group of a case file where its key stands; "" where no case says it
     /// With unit, range and meaning also where no case says it. A flag is set by "yes", "true" and its own name. No
     /// default: it stays as it is where a case does not say it.
     whirl_key key;
@@ -84,11 +91,11 @@ typedef struct whirl_member {
 
 /// A group of keys: an element, the station, a part of the study.
 typedef struct whirl_group {
-    const char *name;    ///< as written in a case file
-    const char *meaning; ///< one line
-    const char *source;  ///< "" where there is nothing to cite
-    const whirl_key *keys;
-    size_t key_count;
+    const char *name;      ///< as written in a case file
+    const char *meaning;   ///< one line
+    const char *source;    ///< "" where there is nothing to cite
+    const whirl_key *keys; ///< [key_count]
+    size_t key_count;      ///< of keys
     /// Name of the key that is meant when a scalar stands in place of the mapping (`gravity: 9.81 m/s2`), or NULL.
     const char *shorthand;
     /// Tables whose members of this part stand here too, behind the keys, ended by NULL; or NULL.

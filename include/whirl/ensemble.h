@@ -31,6 +31,8 @@ bool whirl_ensemble_takes(const whirl_system *system, const whirl_integrate_opti
 /// whirl_integrator_new. Freed by whirl_ensemble_free.
 whirl_status whirl_ensemble_new(const whirl_system *system, const whirl_integrate_options *options, size_t lanes,
                                 whirl_ensemble **ensemble);
+
+/// Frees an ensemble; NULL is none.
 void whirl_ensemble_free(whirl_ensemble *ensemble);
 
 /// Room for `lanes` (at least 1) machines of any method and of any system with as many coordinates, probes and contacts
@@ -79,18 +81,23 @@ whirl_status whirl_ensemble_load(whirl_ensemble *ensemble, size_t lane, const wh
 /// Empties a lane. What a lane without a machine holds means nothing until one is loaded.
 void whirl_ensemble_unload(whirl_ensemble *ensemble, size_t lane);
 
-/// Sets or gives the state x [dimension] of a lane.
+/// Sets the state x [dimension] of a lane.
 void whirl_ensemble_place(whirl_ensemble *ensemble, size_t lane, const double *x);
+
+/// Gives the state x [dimension] of a lane.
 void whirl_ensemble_state(const whirl_ensemble *ensemble, size_t lane, double *x);
 
 /// Moves a machine with its state and all that was observed of it to another lane, whose own is lost; the lane that it
 /// leaves is empty.
 void whirl_ensemble_move(whirl_ensemble *ensemble, size_t from, size_t to);
 
-/// All that a lane has between revolutions, observed numbers included: numbers [whirl_ensemble_numbers]. Restored into
-/// a lane that the same machine was loaded into, of an ensemble with the same options.
+/// How many numbers a lane has between revolutions, observed ones included.
 size_t whirl_ensemble_numbers(const whirl_ensemble *ensemble);
+
+/// Saves them: numbers [whirl_ensemble_numbers].
 void whirl_ensemble_save(const whirl_ensemble *ensemble, size_t lane, double *numbers);
+
+/// Restores them into a lane that the same machine was loaded into, of an ensemble with the same options.
 void whirl_ensemble_restore(whirl_ensemble *ensemble, size_t lane, const double *numbers);
 
 /// Bounded, diverged by the options' limit, or stuck where an adaptive method could not go on.
@@ -101,8 +108,8 @@ typedef struct whirl_ensemble_observe {
     bool extremes; ///< gather what whirl_ensemble_seen gives, for all lanes
     /// Called after every `stride` steps (0: never), for samples of waveforms.
     size_t stride;
-    void (*sample)(void *context);
-    void *context;
+    void (*sample)(void *context); ///< sees the ensemble as it is then
+    void *context;                 ///< handed to sample; borrowed
     /// [count] the lanes that are observed: of the others nothing is gathered, or what means nothing, and by adaptive
     /// methods it then costs nothing. NULL: all.
     const bool *lanes;
@@ -123,6 +130,8 @@ typedef struct whirl_ensemble_seen {
     double *low, *high; ///< [dimension] bounds of every coordinate; rk4: of velocities at every fourth step
     WHIRL_WATCHED_ARRAYS
 } whirl_ensemble_seen;
+
+/// Writes what was observed of a lane into the arrays of `seen`.
 void whirl_ensemble_read(const whirl_ensemble *ensemble, size_t lane, const whirl_ensemble_seen *seen);
 
 /// The same of a motion that the caller follows: nothing is seen of it yet, and contacts that are closed at x

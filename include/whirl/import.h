@@ -12,10 +12,10 @@ extern "C" {
 
 /// A case made of a rotor file. Starts as {0}; freed by whirl_imported_free.
 typedef struct whirl_imported {
-    char *text; ///< the case, ready for whirl_case_parse; it says in comments what the notes say
-    size_t length;
-    size_t note_count;
-    char **notes; ///< what could not be taken over, or was chosen: a sentence each, safe to show on a terminal
+    char *text;        ///< the case, ready for whirl_case_parse; it says in comments what the notes say
+    size_t length;     ///< bytes of the text
+    size_t note_count; ///< of notes
+    char **notes;      ///< what could not be taken over, or was chosen: a sentence each, safe to show on a terminal
 } whirl_imported;
 
 /// Reads a rotor that ROSS has saved (Rotor.save, TOML or JSON, versions up to 2.3: github.com/petrobras/ross): shaft,

@@ -13,10 +13,12 @@
 extern "C" {
 #endif
 
+/// Bounds of options.
 enum {
     WHIRL_MAX_STEPS = 1 << 24 ///< of a revolution, and samples of one: what cases and result files may say
 };
 
+/// By what method, and how finely, motions are computed.
 typedef struct whirl_integrate_options {
     /// A name of whirl_method_at(). "auto": studies choose for each of their batches (whirl_study_choose_methods);
     /// integrators, ensembles and recorders that are given it as it stands take dop853.
@@ -39,10 +41,10 @@ whirl_integrate_options whirl_integrate_default(void);
 
 /// A method as it describes itself.
 typedef struct whirl_method {
-    const char *name;
-    const char *meaning;
-    bool adaptive; ///< uses rtol and atol, and finds the zeros of the switching functions
-    bool follows;  ///< takes disturbances along (whirl_integrator_follow), as many as there are coordinates
+    const char *name;    ///< as written in a case file
+    const char *meaning; ///< one line
+    bool adaptive;       ///< uses rtol and atol, and finds the zeros of the switching functions
+    bool follows;        ///< takes disturbances along (whirl_integrator_follow), as many as there are coordinates
     /// Takes one along, and needs to: its steps and orders are chosen so abruptly that a second trajectory would differ
     /// by them, not by a small disturbance.
     bool follows_one;
@@ -60,10 +62,11 @@ bool whirl_method_is_adaptive(const char *name);
 /// Called at the end of each of the steps_per_revolution equal parts of a revolution: t in (0, period], x the state.
 typedef void (*whirl_observe_fn)(void *observer, double t, const double *x);
 
+/// How a revolution went.
 typedef enum whirl_motion {
-    WHIRL_BOUNDED = 0,
-    WHIRL_DIVERGED, ///< not finite, or beyond the limit: a result, not a failure
-    WHIRL_STUCK     ///< the solver could not go on (step size underflow, endless switching)
+    WHIRL_BOUNDED = 0, ///< within the limit
+    WHIRL_DIVERGED,    ///< not finite, or beyond the limit: a result, not a failure
+    WHIRL_STUCK        ///< the solver could not go on (step size underflow, endless switching)
 } whirl_motion;
 
 /// A method with its workspace for one system; not to be shared between threads.
@@ -107,6 +110,7 @@ whirl_status whirl_integrator_follow(whirl_integrator *integrator, size_t most);
 whirl_motion whirl_integrator_carry(whirl_integrator *integrator, double *x, whirl_disturbances *disturbances,
                                     whirl_observe_fn observe, void *observer);
 
+/// Frees an integrator; NULL is none.
 void whirl_integrator_free(whirl_integrator *integrator);
 
 // ---------------------------------------------------------------- which method

@@ -46,6 +46,8 @@ typedef struct whirl_journal_part {
 /// The same for a part of the points: room on the disk is asked for these.
 whirl_status whirl_journal_begin_part(const char *path, const whirl_result *outline, const whirl_journal_part *part,
                                       whirl_journal **journal);
+
+/// Opens a part that is there and goes on with it, as whirl_journal_resume.
 whirl_status whirl_journal_resume_part(const char *path, const whirl_result *outline, const whirl_journal_part *part,
                                        whirl_journal **journal);
 
@@ -65,6 +67,8 @@ typedef struct whirl_journal_found {
     size_t damaged; ///< places where the file is not what was written
     bool torn;      ///< the last record was cut off, as a kill leaves it
 } whirl_journal_found;
+
+/// What a journal held when it was resumed, and what was taken from others since.
 whirl_journal_found whirl_journal_look(const whirl_journal *journal);
 
 /// Whether a point is in the journal, which a keeper knows by this batch and slot.

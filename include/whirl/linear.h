@@ -40,17 +40,19 @@ typedef struct whirl_modes {
     /// 0, or the period of coefficients that turn with the shaft: then lambda is a Floquet exponent, whose imaginary
     /// part is known modulo 2 pi over it and is given between 0 and half of that, and shapes are those at t = 0.
     double period;
-    size_t dimension, count, real_count;
-    double *rest;      ///< [dimension] the equilibrium, or where the periodic motion is at t = 0
-    whirl_mode *modes; ///< [count] by rising imaginary part
-    double *vectors;   ///< [count][dimension][2] their shapes, real and imaginary parts; 0 of what turns on and on
-    double *reals;     ///< [real_count] eigenvalues without frequency, overdamped ones and free motions, largest first
-    double growth;     ///< the largest real part of all but free motions: stable below 0
+    size_t dimension, count, real_count; ///< of the state, of the modes, of the real eigenvalues
+    double *rest;                        ///< [dimension] the equilibrium, or where the periodic motion is at t = 0
+    whirl_mode *modes;                   ///< [count] by rising imaginary part
+    double *vectors; ///< [count][dimension][2] their shapes, real and imaginary parts; 0 of what turns on and on
+    double *reals;   ///< [real_count] eigenvalues without frequency, overdamped ones and free motions, largest first
+    double growth;   ///< the largest real part of all but free motions: stable below 0
 } whirl_modes;
 
 /// The modes of a system, whose search for an equilibrium begins at start [dimension]. WHIRL_BAD_INPUT where none is
 /// found, or coefficients turn with a phase that never fits revolutions. Freed by whirl_modes_free.
 whirl_status whirl_modes_new(const whirl_system *system, const double *start, whirl_modes **modes);
+
+/// Frees modes; NULL is none.
 void whirl_modes_free(whirl_modes *modes);
 
 /// Which mode of `to` each of `from` has become, partner [from->count], SIZE_MAX where there is none left: by

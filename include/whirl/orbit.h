@@ -24,6 +24,7 @@ enum {
     WHIRL_MAX_SEGMENTS = 1024 ///< most segments of an orbit
 };
 
+/// How orbits are found.
 typedef struct whirl_orbit_options {
     whirl_integrate_options integrate; ///< method: rk4, dop853 or rodas5p; "auto" is dop853
     int segments;     ///< of a revolution; of an orbit with a time of its own, of all of it. At least 1
@@ -38,7 +39,7 @@ whirl_orbit_options whirl_orbit_default(void);
 /// A Floquet multiplier, by which a small disturbance changes over the orbit's period; of an equilibrium an eigenvalue
 /// of its Jacobian, by which disturbances grow in the system's unit of time.
 typedef struct whirl_multiplier {
-    double real, imaginary;
+    double real, imaginary; ///< its parts
 } whirl_multiplier;
 
 /// One station's or coupling's contact along an orbit, by the switching function whose zeros are where it begins and
@@ -52,7 +53,7 @@ typedef struct whirl_touch {
 
 /// An orbit; freed by whirl_orbit_free.
 typedef struct whirl_orbit {
-    size_t dimension;
+    size_t dimension;     ///< of the system
     size_t revolutions;   ///< after which it closes; 0: it has a time of its own
     double period;        ///< in the system's unit of time; 0: it is an equilibrium
     size_t segment_count; ///< of all of it
@@ -62,7 +63,7 @@ typedef struct whirl_orbit {
     /// orbit with a time of its own has one that is 1, for shifts along itself; where all others lie within the unit
     /// circle, it is stable.
     size_t multiplier_count;
-    whirl_multiplier *multipliers;
+    whirl_multiplier *multipliers; ///< [dimension] by falling modulus
     /// Sum of ln|multiplier| by the divergence along the orbit (Liouville) and the saltations; NaN where the system
     /// gives no divergence or the motion slides along a switch; of equilibria their sum. Small multipliers agree with
     /// it.
@@ -71,7 +72,7 @@ typedef struct whirl_orbit {
         unstable; ///< multipliers beyond the unit circle, the one that is 1 by itself left out; eigenvalues that grow
     double *low;  ///< [dimension] bounds of every coordinate
     double *high; ///< [dimension]
-    size_t touch_count;
+    size_t touch_count;   ///< of touches
     whirl_touch *touches; ///< [touch_count] of the switching functions at which contacts begin
 } whirl_orbit;
 
@@ -96,6 +97,8 @@ whirl_status whirl_orbit_rest(const whirl_system *system, const double *start, c
 /// An orbit of the sizes of another (dimension, revolutions, period, segments, multipliers, touches), all other numbers
 /// of it 0; NULL without memory. Freed by whirl_orbit_free.
 whirl_orbit *whirl_orbit_new(const whirl_orbit *like);
+
+/// Frees an orbit; NULL is none.
 void whirl_orbit_free(whirl_orbit *orbit);
 
 /// The same orbit once more; NULL without memory. Freed by whirl_orbit_free.
@@ -121,13 +124,14 @@ whirl_status whirl_orbit_observe(const whirl_system *system, const whirl_orbit *
 
 // ---------------------------------------------------------------- all stable orbits
 
+/// How the orbits of a machine are collected.
 typedef struct whirl_collect_options {
-    whirl_orbit_options orbit;
-    size_t starts;            ///< motions that are followed
-    const double *low, *high; ///< [dimension] of the box that the starts fill evenly; borrowed
-    size_t settle;            ///< revolutions before an orbit is looked for, for the first time
-    size_t most_revolutions;  ///< after which a motion is given up
-    size_t longest;           ///< most revolutions of an orbit, 1 to WHIRL_MAX_ORBIT
+    whirl_orbit_options orbit; ///< how each is found
+    size_t starts;             ///< motions that are followed
+    const double *low, *high;  ///< [dimension] of the box that the starts fill evenly; borrowed
+    size_t settle;             ///< revolutions before an orbit is looked for, for the first time
+    size_t most_revolutions;   ///< after which a motion is given up
+    size_t longest;            ///< most revolutions of an orbit, 1 to WHIRL_MAX_ORBIT
 } whirl_collect_options;
 
 /// 64 starts in the box, 500 revolutions, at most 16000, orbits of up to 32.
@@ -135,7 +139,7 @@ whirl_collect_options whirl_collect_default(const double *low, const double *hig
 
 /// The stable orbits of a machine that motions lead to; freed by whirl_collection_free.
 typedef struct whirl_collection {
-    size_t count;
+    size_t count;         ///< of orbits
     whirl_orbit **orbits; ///< [count] no two of them are the same motion; each of its least number of revolutions
     size_t *reached;      ///< [count] by how many motions each was reached
     size_t elsewhere;     ///< motions that came to none: they go on in a torus or in chaos, or settle too slowly
@@ -149,6 +153,8 @@ typedef struct whirl_collection {
 /// gives no Jacobian; WHIRL_NO_MEMORY.
 whirl_status whirl_orbit_collect(const whirl_system *system, const whirl_collect_options *options,
                                  whirl_collection **collection);
+
+/// Frees a collection with its orbits; NULL is none.
 void whirl_collection_free(whirl_collection *collection);
 
 // ---------------------------------------------------------------- branches
@@ -162,7 +168,7 @@ typedef struct whirl_family {
 
 /// What happens at a point of a branch.
 typedef enum whirl_special {
-    WHIRL_REGULAR = 0,
+    WHIRL_REGULAR = 0,    ///< nothing
     WHIRL_FOLD,           ///< the branch turns back: a multiplier is 1
     WHIRL_BRANCHING,      ///< another branch crosses it (a symmetry breaks): a multiplier is 1
     WHIRL_DOUBLING,       ///< a branch of twice the period begins: a multiplier is -1
@@ -183,8 +189,8 @@ typedef struct whirl_branch_point {
     /// the loss of it is sudden. NaN where it is not known: of other points, near a third or a fourth of a turn, on
     /// curves.
     double criticality;
-    size_t touch; ///< at a graze, which of the orbit's touches
-    whirl_orbit *orbit;
+    size_t touch;       ///< at a graze, which of the orbit's touches
+    whirl_orbit *orbit; ///< the orbit there; of the branch
 } whirl_branch_point;
 
 /// Why a branch ends.
@@ -199,19 +205,20 @@ typedef enum whirl_branch_end {
 
 /// A branch, in the order in which it was followed; freed by whirl_branch_free.
 typedef struct whirl_branch {
-    size_t count;
+    size_t count;               ///< of points
     whirl_branch_point *points; ///< [count]
-    whirl_branch_end end;
+    whirl_branch_end end;       ///< why it ends
 } whirl_branch;
 
+/// How a branch is followed.
 typedef struct whirl_branch_options {
-    whirl_orbit_options orbit;
-    double from, to;   ///< bounds of the parameter
-    double step;       ///< first, in the branch's own length: 1 is to - from, or a change of the orbit by its own size
-    double least_step; ///< by which it must get on
-    double most_step;
-    size_t most_points;
-    bool special; ///< locate special points
+    whirl_orbit_options orbit; ///< how its orbits are found
+    double from, to;           ///< bounds of the parameter
+    double step;        ///< first, in the branch's own length: 1 is to - from, or a change of the orbit by its own size
+    double least_step;  ///< by which it must get on
+    double most_step;   ///< longest
+    size_t most_points; ///< of the branch
+    bool special;       ///< locate special points
     /// Called with every point as it is found; false ends the branch with it. May be NULL.
     bool (*found)(void *context, const whirl_branch_point *point);
     void *context; ///< borrowed
@@ -225,6 +232,8 @@ whirl_branch_options whirl_branch_default(double from, double to);
 /// there is no such orbit near the given one, and where bounds and steps make no sense; WHIRL_NO_MEMORY.
 whirl_status whirl_branch_follow(const whirl_family *family, const whirl_orbit *start, double value, int direction,
                                  const whirl_branch_options *options, whirl_branch **branch);
+
+/// Frees a branch with its orbits; NULL is none.
 void whirl_branch_free(whirl_branch *branch);
 
 /// The first orbit of the branch that a doubling, branching or Hopf point leads to, at a distance of `step` (as in
@@ -237,6 +246,7 @@ whirl_status whirl_branch_switch(const whirl_family *family, const whirl_branch_
 
 /// Machines that differ by two parameters.
 typedef struct whirl_plane {
+    /// Makes the machine of two values.
     whirl_status (*machine)(const void *context, double value, double second, whirl_machine *machine);
     const void *context; ///< borrowed
 } whirl_plane;

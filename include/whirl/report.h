@@ -13,6 +13,7 @@
 extern "C" {
 #endif
 
+/// What a report is made of, and with what.
 typedef struct whirl_report_options {
     const whirl_claims *claims; ///< NULL: none
     const char *gnuplot;        ///< program; NULL: "gnuplot" on the PATH
@@ -24,7 +25,7 @@ typedef struct whirl_report_options {
 } whirl_report_options;
 
 /// Writes DIR/report.html, DIR/explorer.html (all results in one page that computes on), and for every result
-/// DIR/<name>/ with figures (PNG, PDF), their gnuplot scripts and data. `names` [count] become folder names.
+/// DIR/NAME/ with figures (PNG, PDF), their gnuplot scripts and data. `names` [count] become folder names.
 /// WHIRL_MISSING_PROGRAM when gnuplot is not there: scripts and data are written all the same.
 whirl_status whirl_report_write(const whirl_result *const *results, const char *const *names, size_t count,
                                 const char *directory, const whirl_report_options *options);

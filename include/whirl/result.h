@@ -39,7 +39,7 @@ typedef struct whirl_table {
     /// in the field "map/width" how many points of the grid, from itself on along both axes, they stand for: 1 for
     /// itself alone, or the width of a square that begins there, whose corners agree (whirl_table_cover). Both 0: none.
     size_t grid, refine;
-    size_t count;
+    size_t count; ///< points of which there is a block
     /// Points of the study, of which a file that was written too early has `count`; 0: count.
     size_t planned;
     size_t *slots;  ///< [count] which of them these are, from 0, rising; NULL: the first ones
@@ -52,49 +52,51 @@ typedef struct whirl_table {
     whirl_kept_blocks *kept; ///< NULL, or where the blocks are
     /// [count] 1 for points that are done, 0 for those that a run did not come to; NULL: all are done.
     unsigned char *done;
-    whirl_layout layout;
-    whirl_analysis_set analyses;
-    whirl_integrate_options integrate;
-    whirl_record_options record;
-    const struct whirl_table *source; ///< of a view (whirl_result_by_attractor): whose points these are, or NULL
-    size_t *chosen;                   ///< [count] which of them
-    whirl_coexisting *attractors;     ///< [count] what they came to rest on
+    whirl_layout layout;               ///< of a block
+    whirl_analysis_set analyses;       ///< that were computed
+    whirl_integrate_options integrate; ///< by which motions were computed
+    whirl_record_options record;       ///< what was recorded
+    const struct whirl_table *source;  ///< of a view (whirl_result_by_attractor): whose points these are, or NULL
+    size_t *chosen;                    ///< [count] which of them
+    whirl_coexisting *attractors;      ///< [count] what they came to rest on
 } whirl_table;
 
 /// A named parameter of the case with the value that the run used, in SI.
 typedef struct whirl_parameter {
-    char name[WHIRL_NAME_SIZE];
+    char name[WHIRL_NAME_SIZE]; ///< as in the case
     char unit[WHIRL_NAME_SIZE]; ///< SI unit, "1" for a plain number
     char text[128];             ///< as the case (or --set) gave it
-    double value;
+    double value;               ///< in SI
 } whirl_parameter;
 
 /// A fact about the run: version, git revision, compiler, flags, libraries, host, start, end, threads.
 typedef struct whirl_fact {
-    char name[WHIRL_NAME_SIZE];
-    char value[256];
+    char name[WHIRL_NAME_SIZE]; ///< "version", "compiler", ...
+    char value[256];            ///< in words
 } whirl_fact;
 
+/// A result: a study with every number, and how it was computed.
 typedef struct whirl_result {
-    char title[256];
-    char *case_text; ///< the case file, byte for byte; "" when there was none
-    char case_name[256];
-    double speed;        ///< of the shaft, rad/s; revolutions and orders are those of whirl_result_clock
-    double length_scale; ///< m per unit of length, of the case as it stands; see whirl_result_length_scale
-    double force_scale;  ///< N per unit of force; 1 for rotors
-    size_t parameter_count;
-    whirl_parameter *parameters;
-    size_t station_count;
-    whirl_probe *stations; ///< names, state indices, bearing clearances and stator gaps (in length scales)
-    size_t contact_count;
+    char title[256];             ///< of the case
+    char *case_text;             ///< the case file, byte for byte; "" when there was none
+    char case_name[256];         ///< of its file
+    double speed;                ///< of the shaft, rad/s; revolutions and orders are those of whirl_result_clock
+    double length_scale;         ///< m per unit of length, of the case as it stands; see whirl_result_length_scale
+    double force_scale;          ///< N per unit of force; 1 for rotors
+    size_t parameter_count;      ///< of parameters
+    whirl_parameter *parameters; ///< [parameter_count]
+    size_t station_count;        ///< of stations
+    whirl_probe *stations;       ///< names, state indices, bearing clearances and stator gaps (in length scales)
+    size_t contact_count;        ///< of contacts
     char (*contacts)[WHIRL_NAME_SIZE]; ///< names
-    size_t fact_count;
-    whirl_fact *facts;
-    size_t table_count;
-    whirl_table *tables;
+    size_t fact_count;                 ///< of facts
+    whirl_fact *facts;                 ///< [fact_count] how it was computed
+    size_t table_count;                ///< of tables
+    whirl_table *tables;               ///< [table_count]
     bool partial; ///< the run was stopped: points are missing, or some are not confirmed or refined as they should be
 } whirl_result;
 
+/// Frees a result; NULL is none.
 void whirl_result_free(whirl_result *result);
 
 /// The table of that name, or NULL.
@@ -127,17 +129,20 @@ size_t whirl_table_slot(const whirl_table *table, size_t point);
 /// The value of the second parameter at a point of a map or of curves, in SI; NaN where there is none.
 double whirl_table_second(const whirl_table *table, size_t point);
 
-/// Places of the study in its parameters, which has one point or `starts` of them at each; and the place of a point,
-/// from 0, in the order of the values.
+/// Places of the study in its parameters, which has one point or `starts` of them at each.
 size_t whirl_table_places(const whirl_table *table);
+
+/// The place of a point, from 0, in the order of the values.
 size_t whirl_table_place(const whirl_table *table, size_t point);
 
 /// How many points of the table the study has, done or not; of a map that is being refined as far as is known.
 size_t whirl_table_planned(const whirl_table *table);
 
 /// Points of the grid of a map: all of a refined one's, whether they are computed or not; of other tables the same as
-/// whirl_table_planned. How many rows of it there are; 0 where it is no map.
+/// whirl_table_planned.
 size_t whirl_table_grid(const whirl_table *table);
+
+/// Rows of the grid of a map; 0 where a table is no map.
 size_t whirl_table_rows(const whirl_table *table);
 
 /// The point that stands for each point of the grid, cover [whirl_table_grid]: itself where it is done, else the first
@@ -210,7 +215,7 @@ whirl_status whirl_table_attractors(const whirl_table *table, size_t *labels, wh
 
 /// The attractors of all places of a table.
 typedef struct whirl_coexistence {
-    size_t places;
+    size_t places;           ///< of the table
     size_t attractors;       ///< that have a number of their own
     size_t count;            ///< of items
     whirl_coexisting *items; ///< [count] by place, then by number
@@ -227,6 +232,8 @@ typedef struct whirl_coexistence {
 /// attractor that no start of a place in between met goes on under another number. Needs the analyses "poincare" and
 /// "orbit". WHIRL_NO_MEMORY. Freed by whirl_coexistence_free.
 whirl_status whirl_table_coexistence(const whirl_table *table, whirl_coexistence *found);
+
+/// Frees what was found; the struct itself is the caller's.
 void whirl_coexistence_free(whirl_coexistence *found);
 
 /// What a point of the table came to rest on; NULL where that is not told. Borrowed.
@@ -241,12 +248,14 @@ double whirl_missed_share(size_t starts);
 /// attractor of every place that most starts lead to. All else is borrowed from the result. WHIRL_NO_MEMORY. Freed by
 /// whirl_result_view_free.
 whirl_status whirl_result_by_attractor(const whirl_result *result, whirl_result **view);
+
+/// Frees a view and nothing that it borrowed; NULL is none.
 void whirl_result_view_free(whirl_result *view);
 
 /// A unit in which numbers are shown: `size` of it in SI. "" and 1 for plain numbers.
 typedef struct whirl_unit {
-    char name[WHIRL_NAME_SIZE];
-    double size;
+    char name[WHIRL_NAME_SIZE]; ///< as it is written
+    double size;                ///< of it in SI
 } whirl_unit;
 
 /// The unit in which the case (or --set) wrote a parameter: "rpm" of 2 pi/60 rad/s where it says "6000 rpm"; first the

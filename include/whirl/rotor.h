@@ -20,18 +20,21 @@
 extern "C" {
 #endif
 
+/// Bounds of a design.
 enum {
-    WHIRL_MAX_STATIONS = 256, ///< those of the design and the nodes of its shafts
-    WHIRL_MAX_ELEMENTS = 1024,
-    WHIRL_MAX_SHAFTS = 16,
-    WHIRL_MAX_MATERIALS = 64
+    WHIRL_MAX_STATIONS = 256,  ///< those of the design and the nodes of its shafts
+    WHIRL_MAX_ELEMENTS = 1024, ///< of a design, segments of shafts too
+    WHIRL_MAX_SHAFTS = 16,     ///< of finite elements
+    WHIRL_MAX_MATERIALS = 64   ///< with names
 };
 
 /// The keys of a station (mass, damping, eccentricity, ...).
 const whirl_group *whirl_station_keys(void);
 
-/// The keys of a shaft of finite elements (material, mesh_to, modes, ...) and of a material (modulus, density, ...).
+/// The keys of a shaft of finite elements (material, mesh_to, modes, ...).
 const whirl_group *whirl_shaft_keys(void);
+
+/// The keys of a material (modulus, density, ...).
 const whirl_group *whirl_material_keys(void);
 
 /// The keys of all elements, in the order in which they act; static, ended by NULL.
@@ -44,9 +47,9 @@ const whirl_group *whirl_element_group(const char *name);
 /// a choice, a name, a station, two stations "disc, journal", or a list of numbers "1e7, 1.2e7" in the key's SI unit.
 /// Where text is not NULL it counts. Borrowed.
 typedef struct whirl_setting {
-    const char *key;
-    double number;
-    const char *text;
+    const char *key;  ///< its name
+    double number;    ///< in the SI unit
+    const char *text; ///< a word, else NULL
 } whirl_setting;
 
 /// A list of stations and elements, being written.
@@ -56,9 +59,11 @@ typedef struct whirl_design whirl_design;
 /// unit of time: linear analyses are for it, motions that revolutions are counted of are not.
 whirl_status whirl_design_new(double speed, double length_scale, whirl_design **design);
 
-/// Adds a material ("steel" is known by itself), or a shaft, whose material must be there already; stations on it and
-/// its segments come later. Names and errors as below.
+/// Adds a material ("steel" is known by itself). Names and errors as of whirl_design_station.
 whirl_status whirl_design_material(whirl_design *design, const char *name, const whirl_setting *settings, size_t count);
+
+/// Adds a shaft, whose material must be there already; stations on it and its segments come later. Names and errors as
+/// of whirl_design_station.
 whirl_status whirl_design_shaft(whirl_design *design, const char *name, const whirl_setting *settings, size_t count);
 
 /// Adds a station; its name must be new, a word of letters, digits, '_' and '-', and not "ground".
@@ -84,26 +89,28 @@ const whirl_element_type *whirl_run_up_type(void);
 /// already. The first segment of a design without shafts adds one called "shaft". Errors as above.
 whirl_status whirl_design_element(whirl_design *design, const char *kind, const whirl_setting *settings, size_t count);
 
+/// Frees a design; NULL is none.
 void whirl_design_free(whirl_design *design);
 
 /// What a rotor makes of a shaft of finite elements.
 typedef struct whirl_shaft_summary {
-    char name[WHIRL_NAME_SIZE];
-    double length, mass; ///< m, kg
-    size_t nodes, elements;
-    bool reduced;
-    size_t modes, all_modes;  ///< kept in a plane, and how many there are between its stations
-    double highest;           ///< rad/s of the highest mode that is kept; 0 where none is
-    size_t compared;          ///< natural frequencies of the free shaft that were compared, at most three
-    double frequency_error;   ///< the worst of these, over that of the full model
-    double flexibility_error; ///< the worst displacement of a station by a force on one, over the largest of the full
-                              ///< model; each of them stands on a spring as stiff as the shaft is there
+    char name[WHIRL_NAME_SIZE]; ///< of the shaft
+    double length, mass;        ///< m, kg
+    size_t nodes, elements;     ///< of its mesh
+    bool reduced;               ///< to a few modes
+    size_t modes, all_modes;    ///< kept in a plane, and how many there are between its stations
+    double highest;             ///< rad/s of the highest mode that is kept; 0 where none is
+    size_t compared;            ///< natural frequencies of the free shaft that were compared, at most three
+    double frequency_error;     ///< the worst of these, over that of the full model
+    double flexibility_error;   ///< the worst displacement of a station by a force on one, over the largest of the full
+                                ///< model; each of them stands on a spring as stiff as the shaft is there
 } whirl_shaft_summary;
 
 /// Tells of all shafts, at most WHIRL_MAX_SHAFTS, how far the reduced ones differ from their full models. Errors as
 /// whirl_rotor_new.
 whirl_status whirl_design_shafts(const whirl_design *design, whirl_shaft_summary out[WHIRL_MAX_SHAFTS], size_t *count);
 
+/// A rotor that was built of a design.
 typedef struct whirl_rotor whirl_rotor;
 
 /// Index of an element in the order in which a design was given them; none.
@@ -118,6 +125,8 @@ whirl_status whirl_rotor_check(const whirl_design *design, whirl_rotor_tell *tel
 
 /// Builds the rotor. The design is not kept. WHIRL_BAD_INPUT for a design that is no machine (no station, ...).
 whirl_status whirl_rotor_new(const whirl_design *design, whirl_rotor **rotor);
+
+/// Frees a rotor; NULL is none.
 void whirl_rotor_free(whirl_rotor *rotor);
 
 /// The rotor as a system of first order; borrowed, lives as long as the rotor. One probe a station.

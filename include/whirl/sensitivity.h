@@ -16,6 +16,7 @@
 extern "C" {
 #endif
 
+/// Derivatives by parameters of a case.
 typedef struct whirl_sensitivity whirl_sensitivity;
 
 /// Builds machines of the study at `value` of the batch's parameter (whose name may be changed in a copy of the batch
@@ -26,6 +27,8 @@ typedef struct whirl_sensitivity whirl_sensitivity;
 /// by one thread at a time.
 whirl_status whirl_sensitivity_new(const whirl_study *study, const whirl_batch *batch, double value, double reach,
                                    whirl_sensitivity **out);
+
+/// Frees them; NULL is none.
 void whirl_sensitivity_free(whirl_sensitivity *sensitivity);
 
 /// The machine at the value itself; borrowed.

@@ -6,8 +6,9 @@
 extern "C" {
 #endif
 
+/// What kind of failure a call ended with.
 typedef enum whirl_code {
-    WHIRL_OK = 0,
+    WHIRL_OK = 0,            ///< all is well
     WHIRL_BAD_INPUT,         ///< the case, the options or the arguments are wrong; the caller can mend them
     WHIRL_NO_MEMORY,         ///< an allocation failed
     WHIRL_IO_ERROR,          ///< a file could not be read or written
@@ -16,6 +17,7 @@ typedef enum whirl_code {
     WHIRL_MISSING_PROGRAM    ///< an outside program (gnuplot) is not installed
 } whirl_code;
 
+/// Sizes of messages.
 enum {
     WHIRL_MESSAGE_SIZE = 400,   ///< bytes of a message at most, with the zero byte at its end
     WHIRL_MESSAGES_KEPT = 4096, ///< how many different messages of the process last
@@ -26,8 +28,8 @@ enum {
 /// stays until calls of the process, on any thread, have failed in WHIRL_MESSAGES_KEPT other ways (equal sentences
 /// count once, from their latest use): whoever keeps a message beyond further calls copies it.
 typedef struct whirl_status {
-    whirl_code code;
-    const char *message;
+    whirl_code code;     ///< what kind of failure, or WHIRL_OK
+    const char *message; ///< one sentence, or ""
 } whirl_status;
 
 /// The status of success.

@@ -37,40 +37,43 @@ typedef enum whirl_carry {
 typedef struct whirl_batch {
     char name[WHIRL_NAME_SIZE];      ///< "response", "sweep", "map", "basin", "detail", "branch", "curves", "tori"
     char parameter[WHIRL_NAME_SIZE]; ///< what varies; "" for a single point
-    size_t count;
-    const double *values;         ///< [count] of the parameter, in SI; borrowed; NULL when nothing varies
-    double bounds[2];             ///< of the parameter, where branches are traced
-    char second[WHIRL_NAME_SIZE]; ///< the second parameter of curves and maps, else ""
-    const double *second_values;  ///< [count] of a map; borrowed; else NULL
-    size_t row;                   ///< points of a row of a map, along the first parameter; else 0
+    size_t count;                    ///< of points
+    const double *values;            ///< [count] of the parameter, in SI; borrowed; NULL when nothing varies
+    double bounds[2];                ///< of the parameter, where branches are traced
+    char second[WHIRL_NAME_SIZE];    ///< the second parameter of curves and maps, else ""
+    const double *second_values;     ///< [count] of a map; borrowed; else NULL
+    size_t row;                      ///< points of a row of a map, along the first parameter; else 0
     /// Width of the first squares of a map that is refined, in points, a power of two: only their corners are computed,
     /// and what squares need that are halved where verdicts differ (whirl_table.refine); needs the analysis "regime".
     /// 0: all points are computed.
     size_t refine;
-    double second_bounds[2];
-    double second_value; ///< of the machine that is asked for; of the batch itself that of the case
+    double second_bounds[2]; ///< of the second parameter of curves
+    double second_value;     ///< of the machine that is asked for; of the batch itself that of the case
     /// Starts of every point, 0 or 1 for that of its machine alone. The table has all points from the first start, then
     /// all from the next. Not of carried batches, nor of branches and machines at rest.
     size_t starts;
-    size_t start; ///< which of them the machine shall have that is asked for, from 0; of the batch itself 0
-    whirl_carry carry;
+    size_t start;      ///< which of them the machine shall have that is asked for, from 0; of the batch itself 0
+    whirl_carry carry; ///< whether points start where their neighbours end
     /// Every motion is computed once more from the same start with errors of a step 16 times smaller (twice the steps
     /// of a fixed-step method), and its verdict is set beside the first: needs the analysis "regime".
     bool confirm;
-    whirl_integrate_options integrate;
-    whirl_record_options record;
-    whirl_analysis_set analyses;
+    whirl_integrate_options integrate; ///< by what method
+    whirl_record_options record;       ///< what is recorded of each
+    whirl_analysis_set analyses;       ///< what is said of each
 } whirl_batch;
 
 /// Its members that are said of a study (part "study"); static, ended by one without a part.
 const whirl_member *whirl_batch_members(void);
 
+/// The most batches of a study.
 enum { WHIRL_MAX_BATCHES = 5 };
 
+/// Bounds of refined maps.
 enum {
     WHIRL_MAX_SQUARE = 1024 ///< largest whirl_batch.refine
 };
 
+/// Bounds of refinement.
 enum {
     WHIRL_MAX_ROUNDS = 6 ///< of refinement
 };
@@ -85,10 +88,11 @@ typedef struct whirl_budget {
     double seconds; ///< ... or time; points that are not done within it are left as they were
 } whirl_budget;
 
+/// Batches of points of one family of machines.
 typedef struct whirl_study {
-    whirl_budget refine;
-    size_t batch_count;
-    whirl_batch batches[WHIRL_MAX_BATCHES];
+    whirl_budget refine;                    ///< what may be spent on points in doubt
+    size_t batch_count;                     ///< of batches
+    whirl_batch batches[WHIRL_MAX_BATCHES]; ///< in the order in which they are computed
     /// Makes the machine for a value of the batch's parameter; called from several threads at once.
     /// All machines of a study have the same dimension, probes and contacts.
     whirl_status (*machine)(const void *family, const whirl_batch *batch, double value, whirl_machine *machine);
@@ -117,7 +121,7 @@ typedef enum whirl_stage {
 
 /// How far a run has come.
 typedef struct whirl_progress {
-    whirl_stage stage;
+    whirl_stage stage;                          ///< what it is at
     int round;                                  ///< of refinement, from 1; else 0
     size_t points_done, points_total;           ///< the total grows while a map is refined, and that of revolutions
     double revolutions_done, revolutions_total; ///< those at n times the steps of the study count n times
@@ -128,9 +132,9 @@ typedef struct whirl_progress {
 /// The state of a point under way, after so many revolutions.
 typedef struct whirl_kept_state {
     size_t batch, slot; ///< as a keeper knows the point
-    double revolutions;
-    const void *bytes;
-    size_t size;
+    double revolutions; ///< that are behind it
+    const void *bytes;  ///< [size]
+    size_t size;        ///< of the bytes
 } whirl_kept_state;
 
 /// Keeps finished points outside of a run, so that a later run of the same study can go on from them (a journal, see
@@ -147,7 +151,7 @@ typedef struct whirl_keeper {
     bool (*recall)(void *context, size_t batch, size_t slot, double *block, size_t size, double *end, size_t dimension);
     /// Called a few times a second, so that what was kept may be brought to safety. May be NULL. An error ends the run.
     whirl_status (*tend)(void *context);
-    void *context;
+    void *context; ///< handed to every function; borrowed
     /// Takes the states of the motions that thread `worker` has under way, in place of those that it gave before: so
     /// that long points need not begin anew. Called every few seconds. May be NULL. What cannot be kept is no error.
     void (*save)(void *context, size_t worker, const whirl_kept_state *states, size_t count);
@@ -173,14 +177,15 @@ typedef struct whirl_dealer {
     /// or not, and goes on with what needs them all. An error ends the run. NULL: another run gathers, and this one
     /// ends with its points and a partial result.
     whirl_status (*gather)(void *context);
-    void *context;
+    void *context; ///< handed to every function; borrowed
 } whirl_dealer;
 
+/// How a study is run. All zero: on all cores, silently.
 typedef struct whirl_run_options {
     int threads; ///< 0: all cores
     /// Called a few times a second from one thread at a time, and at the end. May be NULL.
     void (*progress)(void *context, const whirl_progress *progress);
-    void *context;
+    void *context;              ///< handed to progress; borrowed
     const volatile bool *stop;  ///< NULL, or becomes true when the run shall end early
     const whirl_keeper *keeper; ///< NULL: every point is computed
     /// Bytes of a table's blocks from which on they are left with the keeper, if there is one, which must then live as
@@ -206,6 +211,7 @@ whirl_status whirl_study_machine(const whirl_study *study, const whirl_batch *ba
 /// as those of the machines.
 whirl_status whirl_study_choose_methods(whirl_study *study);
 
+/// Bounds of starts.
 enum {
     WHIRL_MAX_STARTS = 65536, ///< of a point
     WHIRL_MAX_RANGES = 32     ///< coordinates in which starts may differ

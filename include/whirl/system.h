@@ -16,6 +16,7 @@
 extern "C" {
 #endif
 
+/// Bounds of systems.
 enum {
     WHIRL_MAX_FORCING = 256,   ///< most values that depend on time alone
     WHIRL_MAX_SWITCHES = 4096, ///< most switching functions
@@ -28,8 +29,8 @@ enum {
 /// `x` and `y` index the state; `vx` and `vy` their derivatives. For a system with one coordinate set y = x and vy =
 /// vx.
 typedef struct whirl_probe {
-    char name[WHIRL_NAME_SIZE];
-    size_t x, y, vx, vy;
+    char name[WHIRL_NAME_SIZE]; ///< of the station
+    size_t x, y, vx, vy;        ///< indices of coordinates
     /// Clearance of the journal bearing here in the state's units of length, 0 where there is none:
     /// radius / clearance is the eccentricity ratio.
     double clearance;
@@ -46,6 +47,7 @@ const whirl_member *whirl_probe_members(void);
 /// The form of a system that runs in vector lanes; private to the library.
 typedef struct whirl_lanes whirl_lanes;
 
+/// A system: all that integrators and analyses know of a machine.
 typedef struct whirl_system {
     size_t dimension; ///< length of x
     double period;    ///< of the forcing, and from one Poincare section to the next, in units of t ("one revolution")
@@ -53,6 +55,7 @@ typedef struct whirl_system {
     /// Optional: the values that depend on time alone (cos t, sin t, ...), so that an integrator may tabulate them.
     /// Writes `forcing_count` numbers. NULL when forcing_count is 0.
     size_t forcing_count;
+    /// Writes these values at t.
     void (*forcing)(const void *model, double t, double *forcing);
 
     /// The right-hand side. t runs from 0 to period in every revolution; `forcing` holds the values at t.
@@ -75,6 +78,7 @@ typedef struct whirl_system {
     /// Optional: switching functions, smooth in (t, x), whose zeros are where rhs is not smooth (contact,
     /// release, slip reversal). Writes `switch_count` values. Integrators with root finding stop there.
     size_t switch_count;
+    /// Writes these values.
     void (*switches)(const void *model, double t, const double *x, double *values);
 
     /// Optional: the right-hand side with its laws held on given sides of the switches: sides [switch_count], each -1
@@ -105,9 +109,10 @@ typedef struct whirl_system {
     /// Optional: unilateral contacts. Writes for each of `contact_count` the normal force, 0 while open,
     /// in the model's unit of force; rotors give newtons.
     size_t contact_count;
+    /// Writes these forces [contact_count].
     void (*contacts)(const void *model, const double *x, double *normal_force);
 
-    size_t probe_count;
+    size_t probe_count;        ///< of probes
     const whirl_probe *probes; ///< borrowed; lives as long as the system
 
     const void *model; ///< handed to every function; borrowed
@@ -117,10 +122,10 @@ typedef struct whirl_system {
 
 /// One of a family of machines, with the state it starts from. `release(owner)` frees all of it.
 typedef struct whirl_machine {
-    const whirl_system *system;
-    const double *start; ///< [system->dimension]
-    void *owner;
-    void (*release)(void *owner);
+    const whirl_system *system;   ///< how it moves
+    const double *start;          ///< [system->dimension]
+    void *owner;                  ///< of the system and the start
+    void (*release)(void *owner); ///< frees them; may be NULL
     double clock, speed; ///< rad/s: of the system's time (whirl_rotor_clock), and of the shaft; for machines at rest
 } whirl_machine;
 

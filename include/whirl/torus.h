@@ -17,12 +17,14 @@
 extern "C" {
 #endif
 
+/// Bounds of what tori are found with.
 enum {
-    WHIRL_LEAST_TORUS_NODES = 5,
-    WHIRL_MOST_TORUS_NODES = 1023,
+    WHIRL_LEAST_TORUS_NODES = 5,    ///< of a curve
+    WHIRL_MOST_TORUS_NODES = 1023,  ///< of a curve
     WHIRL_LEAST_TORUS_SECTIONS = 64 ///< from which a torus is found
 };
 
+/// How tori are found.
 typedef struct whirl_torus_options {
     whirl_integrate_options integrate; ///< method: rk4, dop853 or rodas5p; "auto" is dop853
     double tolerance; ///< by which the equation may fail at nodes, over the largest coordinate of the nodes
@@ -38,7 +40,7 @@ whirl_torus_options whirl_torus_default(void);
 
 /// A torus; freed by whirl_torus_free.
 typedef struct whirl_torus {
-    size_t dimension;
+    size_t dimension;   ///< of the system
     size_t revolutions; ///< k, from one section to the next
     size_t node_count;  ///< odd
     double *nodes;      ///< [node_count][dimension] the curve at t = 0, at equal angles 2 pi j/node_count
@@ -76,6 +78,7 @@ typedef struct whirl_torus {
 whirl_status whirl_torus_find(const whirl_system *system, const double *points, size_t count, size_t revolutions,
                               double rotation, const whirl_torus_options *options, whirl_torus **torus);
 
+/// Frees a torus; NULL is none.
 void whirl_torus_free(whirl_torus *torus);
 
 /// The curve at an angle theta, rad: x [dimension]; turning coordinates as nodes have them.
@@ -90,8 +93,8 @@ whirl_status whirl_torus_observe(const whirl_system *system, const whirl_torus *
 
 /// What a torus shows of every coordinate; NaN where that turns on and on. Freed by whirl_torus_view_free.
 typedef struct whirl_torus_view {
-    size_t dimension, revolutions;
-    double *low, *high; ///< [dimension] bounds of the motion
+    size_t dimension, revolutions; ///< of the system, and from one section to the next
+    double *low, *high;            ///< [dimension] bounds of the motion
     /// [revolutions][dimension] bounds of the closed curve in which the sections at the beginning of each of its
     /// revolutions lie.
     double *section_low, *section_high;
@@ -102,6 +105,8 @@ typedef struct whirl_torus_view {
 /// polynomials through them, between instants of parabolas. Errors as whirl_torus_observe; WHIRL_NO_MEMORY.
 whirl_status whirl_torus_look(const whirl_system *system, const whirl_torus *torus, const whirl_torus_options *options,
                               whirl_torus_view **view);
+
+/// Frees a view; NULL is none.
 void whirl_torus_view_free(whirl_torus_view *view);
 
 /// The strongest line of a coordinate among those at |i + rotation|/revolutions, in units of the speed, up to 32 of
@@ -112,12 +117,13 @@ whirl_status whirl_torus_line(const whirl_system *system, const whirl_torus *tor
 
 // ---------------------------------------------------------------- branches
 
+/// How a branch of tori is followed.
 typedef struct whirl_torus_branch_options {
-    whirl_torus_options torus;
-    double from, to; ///< bounds of the parameter
-    double step;     ///< first, in the branch's own length: 1 is to - from, or a change of the curve by its own size
-    double least_step, most_step;
-    size_t most_points;
+    whirl_torus_options torus; ///< how each is found
+    double from, to;           ///< bounds of the parameter
+    double step; ///< first, in the branch's own length: 1 is to - from, or a change of the curve by its own size
+    double least_step, most_step; ///< shortest and longest
+    size_t most_points;           ///< of the branch
     /// Called with every torus as it is found, which stays the branch's; false ends the branch with it. May be NULL.
     bool (*found)(void *context, double value, const whirl_torus *torus);
     void *context; ///< borrowed
@@ -133,9 +139,10 @@ whirl_torus_branch_options whirl_torus_branch_default(double from, double to);
 whirl_status whirl_torus_begin(const whirl_family *family, const whirl_branch_point *point, double step,
                                const whirl_torus_branch_options *options, whirl_torus **torus, double *value);
 
+/// A point of a branch of tori.
 typedef struct whirl_torus_point {
-    double value; ///< of the parameter
-    whirl_torus *torus;
+    double value;       ///< of the parameter
+    whirl_torus *torus; ///< of the branch
 } whirl_torus_point;
 
 /// Why a branch of tori ends.
@@ -150,9 +157,9 @@ typedef enum whirl_torus_end {
 
 /// A branch of tori, in the order in which it was followed; freed by whirl_torus_branch_free.
 typedef struct whirl_torus_branch {
-    size_t count;
+    size_t count;              ///< of points
     whirl_torus_point *points; ///< [count]
-    whirl_torus_end end;
+    whirl_torus_end end;       ///< why it ends
     /// Value of the parameter to which the last two tori point: where the radius of one that shrinks vanishes, its
     /// square falling evenly, or where a rough one near a resonance locks, the square of the distance of its rotation
     /// number from that falling evenly. NaN where they point nowhere.
@@ -165,6 +172,8 @@ typedef struct whirl_torus_branch {
 /// whirl_branch_follow.
 whirl_status whirl_torus_follow(const whirl_family *family, const whirl_torus *start, double value, int direction,
                                 const whirl_torus_branch_options *options, whirl_torus_branch **branch);
+
+/// Frees a branch with its tori; NULL is none.
 void whirl_torus_branch_free(whirl_torus_branch *branch);
 
 #ifdef __cplusplus

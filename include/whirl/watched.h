@@ -9,10 +9,10 @@ typedef enum whirl_extent { WHIRL_PER_POINT = 0, WHIRL_PER_STATION, WHIRL_PER_CO
 
 /// What is made of the values of all instants.
 typedef enum whirl_fold {
-    WHIRL_LARGEST = 0,
-    WHIRL_SMALLEST,
-    WHIRL_MEAN, ///< until a record is closed their sum
-    WHIRL_SUM
+    WHIRL_LARGEST = 0, ///< the largest of them
+    WHIRL_SMALLEST,    ///< the smallest
+    WHIRL_MEAN,        ///< until a record is closed their sum
+    WHIRL_SUM          ///< their sum
 } whirl_fold;
 
 /// X(array, extent, columns, fold, square, name, unit, meaning): an array [stations or contacts][columns] and its
@@ -26,14 +26,17 @@ typedef enum whirl_fold {
     X(mean, WHIRL_PER_STATION, 2, WHIRL_MEAN, false, "mean", "length", "x, y")                                         \
     X(backward, WHIRL_PER_STATION, 1, WHIRL_MEAN, false, "backward", "1",                                              \
       "share of the time of whirl against the rotation")
+/// The same of contacts.
 #define WHIRL_WATCHED_OF_CONTACTS(X)                                                                                   \
     X(contact_share, WHIRL_PER_CONTACT, 1, WHIRL_MEAN, false, "share", "1", "share of the time in contact")            \
     X(contact_number, WHIRL_PER_CONTACT, 1, WHIRL_SUM, false, "number", "1", "times that contact began")               \
     X(contact_force, WHIRL_PER_CONTACT, 1, WHIRL_LARGEST, false, "max_force", "force", "largest normal force")
+/// All of both.
 #define WHIRL_WATCHED(X) WHIRL_WATCHED_OF_STATIONS(X) WHIRL_WATCHED_OF_CONTACTS(X)
 
 /// Their arrays as members of a struct.
 #define WHIRL_WATCHED_ARRAY(array, ...) double *array;
+/// All of these members.
 #define WHIRL_WATCHED_ARRAYS WHIRL_WATCHED(WHIRL_WATCHED_ARRAY)
 
 /// Numbers of one of them.
