@@ -4,6 +4,7 @@
 # processor is asked when the program runs.
 set_property(GLOBAL PROPERTY WHIRL_LAYERS "")
 
+include(cmake/exports.cmake)
 include(cmake/whirlKernels.cmake)
 
 function(whirl_layer name)
@@ -80,7 +81,7 @@ function(whirl_library)
                                $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include> $<INSTALL_INTERFACE:include>)
     target_link_libraries(whirl_${kind} PRIVATE ${libraries} m)
   endforeach()
-  # Only whirl_* is exported: private names have no such prefix.
-  target_link_options(whirl_shared PRIVATE -Wl,--version-script=${PROJECT_SOURCE_DIR}/cmake/exports.map)
-  set_target_properties(whirl_shared PROPERTIES LINK_DEPENDS ${PROJECT_SOURCE_DIR}/cmake/exports.map)
+  whirl_exports(${PROJECT_BINARY_DIR}/exports.map)
+  target_link_options(whirl_shared PRIVATE -Wl,--version-script=${PROJECT_BINARY_DIR}/exports.map)
+  set_target_properties(whirl_shared PROPERTIES LINK_DEPENDS ${PROJECT_BINARY_DIR}/exports.map)
 endfunction()

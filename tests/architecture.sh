@@ -97,7 +97,7 @@ done < <(awk '
 ' include/whirl/*.h cmake/version.h.in)
 
 if [ -n "$library" ] && [ -e "$library" ]; then
-    exported=$(nm -D --defined-only "$library" | awk '{print $3}')
+    exported=$(nm -D --defined-only --without-symbol-versions "$library" | awk '$2 != "A" {print $3}')
     foreign=$(grep -v '^whirl_' <<<"$exported")
     [ -z "$foreign" ] || fail "libwhirl.so exports: $foreign"
     # Each function of the headers is there, and nothing that no header declares.

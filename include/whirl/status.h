@@ -1,4 +1,6 @@
 /// Errors as values: every call that can fail returns a status with a sentence a person can act on.
+///
+/// Stable interface: docs/abi.md says for how long.
 #ifndef WHIRL_STATUS_H
 #define WHIRL_STATUS_H
 

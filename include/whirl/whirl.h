@@ -1,5 +1,9 @@
 /// whirl: nonlinear dynamics of rotating machines. Includes everything.
 ///
+/// Headers that say "Stable interface" serve programs that were compiled with the headers of another version. All
+/// others have structs that grow: a program that uses them runs with libraries of the same minor version, and the
+/// dynamic linker refuses others (docs/abi.md).
+///
 ///     case -> rotor -> integrate -> analyze -> study -> result -> report
 #ifndef WHIRL_H
 #define WHIRL_H

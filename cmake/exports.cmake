@@ -1,0 +1,45 @@
+# What libwhirl.so exports, from the headers themselves: the functions of headers that say "Stable interface" have the
+# version WHIRL_<ABI>, all others that of the minor version, for a program that was compiled with its headers and would be
+# met by another one is refused by the dynamic linker instead (docs/abi.md). Nothing else is seen from outside.
+
+# Appends the names of the functions that a header declares.
+function(whirl_declared header names)
+  file(READ ${header} text)
+  string(REGEX REPLACE "//[^\n]*|typedef[^\n]*" "" text "${text}")
+  string(REGEX MATCHALL "whirl_[a-z0-9_]+\\(" found "${text}")
+  # What elements of one's own call has short names in the sources.
+  string(REGEX MATCHALL "#define [a-z_]+ whirl_[a-z_]+\n" renamed "${text}")
+  string(REGEX REPLACE "#define [a-z_]+ |\n" "" renamed "${renamed}")
+  string(REPLACE "(" "" found "${found}")
+  set(${names} ${${names}} ${found} ${renamed} PARENT_SCOPE)
+endfunction()
+
+# The lines of a version script for these names.
+function(whirl_version_node name names out)
+  list(REMOVE_DUPLICATES names)
+  list(SORT names)
+  list(JOIN names ";\n    " lines)
+  set(${out} "${name} {\n  global:\n    ${lines};\n" PARENT_SCOPE)
+endfunction()
+
+# Writes the version script of the linker. Headers that change are read again.
+function(whirl_exports script)
+  file(GLOB headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/include/whirl/*.h)
+  list(APPEND headers ${PROJECT_SOURCE_DIR}/cmake/version.h.in ${PROJECT_SOURCE_DIR}/src/rotor/assembly.h
+       ${PROJECT_SOURCE_DIR}/src/rotor/element.h)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${headers})
+  set(stable "")
+  set(others "")
+  foreach(header ${headers})
+    file(STRINGS ${header} says REGEX "^/// Stable interface")
+    if(says)
+      whirl_declared(${header} stable)
+    else()
+      whirl_declared(${header} others)
+    endif()
+  endforeach()
+  list(REMOVE_ITEM others ${stable})
+  whirl_version_node(WHIRL_${WHIRL_ABI} "${stable}" first)
+  whirl_version_node(WHIRL_${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} "${others}" second)
+  file(CONFIGURE OUTPUT ${script} CONTENT "${first}  local:\n    *;\n};\n\n${second}};\n" @ONLY)
+endfunction()
