@@ -22,11 +22,11 @@ declare -A below=(
     [linear]="system.h integrate.h linear.h"
     [orbit]="system.h ensemble.h integrate.h linear.h orbit.h torus.h"
     [analyze]="system.h ensemble.h integrate.h linear.h orbit.h analyze.h"
-    [study]="system.h ensemble.h integrate.h linear.h orbit.h analyze.h result.h study.h sensitivity.h verify.h"
-    [case]="system.h ensemble.h rotor.h integrate.h analyze.h result.h study.h case.h claims.h"
-    [store]="system.h integrate.h analyze.h result.h study.h journal.h"
+    [study]="system.h ensemble.h integrate.h linear.h orbit.h analyze.h result.h handles.h study.h sensitivity.h verify.h"
+    [case]="system.h ensemble.h rotor.h integrate.h analyze.h result.h study.h case.h claims.h job.h"
+    [store]="system.h integrate.h analyze.h result.h handles.h study.h journal.h"
     [import]="system.h rotor.h import.h"
-    [report]="system.h integrate.h analyze.h result.h study.h verify.h case.h claims.h report.h"
+    [report]="system.h integrate.h analyze.h result.h handles.h study.h verify.h case.h claims.h job.h report.h"
 )
 for folder in src/*/; do
     layer=$(basename "$folder")

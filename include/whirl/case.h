@@ -6,6 +6,7 @@
 #include <stddef.h>
 
 #include "whirl/descriptor.h"
+#include "whirl/job.h"
 #include "whirl/result.h"
 #include "whirl/rotor.h"
 #include "whirl/status.h"
@@ -38,9 +39,6 @@ void whirl_problem_text(const whirl_problems *problems, size_t index, char *text
 /// Frees the list, not the struct, which is empty afterwards.
 void whirl_problems_free(whirl_problems *problems);
 
-/// A parsed case: immutable but for whirl_case_set and whirl_case_refine, safe to share between threads afterwards.
-typedef struct whirl_case whirl_case;
-
 /// Reads and checks a case file. WHIRL_BAD_INPUT when anything is wrong: `problems` then lists all of it (at most 100).
 /// Files above 1 MiB, aliases, and nesting deeper than 32 are refused. A file that cannot be read at all (missing, a
 /// directory) is WHIRL_BAD_INPUT with a sentence and without problems. `problems` may be NULL.
@@ -50,24 +48,11 @@ whirl_status whirl_case_load(const char *path, whirl_problems *problems, whirl_c
 whirl_status whirl_case_parse(const char *text, size_t length, const char *name, whirl_problems *problems,
                               whirl_case **out);
 
-/// Frees a case; NULL is none.
-void whirl_case_free(whirl_case *object);
-
-/// Sets a parameter ("r_k=0.45", "omega=6000 rpm", "c== 2*0.1e-3") or a key of the case: of a station ("disc.mass=41
-/// kg"), an element ("film.clearance=0.1 mm"; "film[2].clearance" where there are several), the study
-/// ("integrate.transient=5000"), or by its path ("rotor.speed=650"). A key is changed in the text of the case, which a
-/// result then holds. The whole case is checked again: WHIRL_BAD_INPUT (nearest name named) leaves it as it was. The
-/// parameter that a sweep varies is refused, unless the ends of the sweep or the values of its detail depend on it.
-whirl_status whirl_case_set(whirl_case *object, const char *assignment);
-
 /// The same, of the parameter that a sweep varies, too: for programs that vary another one than the case does.
 whirl_status whirl_case_assign(whirl_case *object, const char *assignment);
 
 /// What the study of the case may spend on points in doubt (whirl_study.refine); nothing where it is not called.
 void whirl_case_refine(whirl_case *object, whirl_budget budget);
-
-/// The title that the case gives itself, "" where it has none; borrowed.
-const char *whirl_case_title(const whirl_case *object);
 
 /// Value of a parameter in SI. WHIRL_BAD_INPUT for an unknown name.
 whirl_status whirl_case_parameter(const whirl_case *object, const char *name, double *value);
@@ -87,10 +72,6 @@ whirl_status whirl_case_study(const whirl_case *object, whirl_study *study);
 /// Fills the parts of a result that the case knows: title, text, scales (of every point of its tables, too),
 /// parameters, stations, contacts.
 whirl_status whirl_case_describe_result(const whirl_case *object, whirl_result *result);
-
-/// The result of the case's study before any point is computed (whirl_study_outline), described, provenance included.
-/// Freed by whirl_result_free.
-whirl_status whirl_case_outline(const whirl_case *object, whirl_result **outline);
 
 /// Runs the case's study and describes the result, provenance included: the whole way in one call.
 /// Errors as whirl_study_run; stopped, it gives a partial result too.

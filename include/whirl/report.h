@@ -30,6 +30,11 @@ typedef struct whirl_report_options {
 whirl_status whirl_report_write(const whirl_result *const *results, const char *const *names, size_t count,
                                 const char *directory, const whirl_report_options *options);
 
+/// Writes DIRECTORY/explorer.html alone: the template (whirl_report_options.explorer) with the results in the place of
+/// its mark. The directory is there. WHIRL_BAD_INPUT with a sentence for a template that cannot be read or has no mark.
+whirl_status whirl_explorer_write(const char *template_path, const whirl_result *const *results,
+                                  const char *const *names, size_t count, const char *directory);
+
 #ifdef __cplusplus
 }
 #endif

@@ -7,6 +7,7 @@
 #include <stdio.h>
 
 #include "whirl/analyze.h"
+#include "whirl/handles.h"
 #include "whirl/status.h"
 
 #ifdef __cplusplus
@@ -28,7 +29,7 @@ typedef struct whirl_coexisting {
 } whirl_coexisting;
 
 /// The points of one batch.
-typedef struct whirl_table {
+struct whirl_table {
     char name[WHIRL_NAME_SIZE];      ///< "response", "sweep", "map", "basin", "detail"
     char parameter[WHIRL_NAME_SIZE]; ///< what varies, or ""
     char second[WHIRL_NAME_SIZE];    ///< what varies besides, in a map, whose points have it in the field "map/second"
@@ -59,7 +60,7 @@ typedef struct whirl_table {
     const struct whirl_table *source;  ///< of a view (whirl_result_by_attractor): whose points these are, or NULL
     size_t *chosen;                    ///< [count] which of them
     whirl_coexisting *attractors;      ///< [count] what they came to rest on
-} whirl_table;
+};
 
 /// A named parameter of the case with the value that the run used, in SI.
 typedef struct whirl_parameter {
@@ -76,7 +77,7 @@ typedef struct whirl_fact {
 } whirl_fact;
 
 /// A result: a study with every number, and how it was computed.
-typedef struct whirl_result {
+struct whirl_result {
     char title[256];             ///< of the case
     char *case_text;             ///< the case file, byte for byte; "" when there was none
     char case_name[256];         ///< of its file
@@ -94,13 +95,7 @@ typedef struct whirl_result {
     size_t table_count;                ///< of tables
     whirl_table *tables;               ///< [table_count]
     bool partial; ///< the run was stopped: points are missing, or some are not confirmed or refined as they should be
-} whirl_result;
-
-/// Frees a result; NULL is none.
-void whirl_result_free(whirl_result *result);
-
-/// The table of that name, or NULL.
-const whirl_table *whirl_result_table(const whirl_result *result, const char *name);
+};
 
 /// The block [layout.size] of a point; NULL in an outline, and where it was kept and is lost. Borrowed; from a table
 /// whose blocks are kept only until another point is asked for, by one thread at a time.
@@ -113,21 +108,12 @@ const double *whirl_table_field(const whirl_table *table, size_t point, const ch
 /// The first of these numbers; NaN where the table has no such field.
 double whirl_table_number(const whirl_table *table, size_t point, const char *field, size_t which);
 
-/// The length scale of a point, m per unit of length: of all its lengths. That of the result for a table NULL.
-double whirl_result_length_scale(const whirl_result *result, const whirl_table *table, size_t point);
-
 /// rad/s of the phase by which sections are taken: a revolution is a turn of it, and orders are multiples of its rate.
 /// The speed of the shaft, or what the fact "keyphasor rate" says, of the case as it stands.
 double whirl_result_clock(const whirl_result *result);
 
 /// The element whose phase that is ("force at disc"), "" for the shaft; borrowed.
 const char *whirl_result_keyphasor(const whirl_result *result);
-
-/// Which point of the study a point is: its own index, but in a result that was read and is partial.
-size_t whirl_table_slot(const whirl_table *table, size_t point);
-
-/// The value of the second parameter at a point of a map or of curves, in SI; NaN where there is none.
-double whirl_table_second(const whirl_table *table, size_t point);
 
 /// Places of the study in its parameters, which has one point or `starts` of them at each.
 size_t whirl_table_places(const whirl_table *table);
@@ -155,10 +141,6 @@ double whirl_table_revolutions(const whirl_table *table);
 /// Those that all points of the grid of a refined map would have taken, if each takes as many as the one that stands
 /// for it; NaN where that cannot be told, or there is no memory.
 double whirl_table_grid_revolutions(const whirl_table *table);
-
-/// Whether a point is done. Only the results of runs that were stopped have points that are not; a file has but those
-/// that are.
-bool whirl_table_done(const whirl_table *table, size_t point);
 
 /// Counts the points of the study in all tables and those that are done; true when the result is partial.
 bool whirl_result_partial(const whirl_result *result, size_t *done, size_t *total);
@@ -267,32 +249,22 @@ whirl_unit whirl_result_unit(const whirl_result *result, const char *parameter);
 /// length scale, else m, mm or um by the length scale's size.
 whirl_unit whirl_result_length_unit(const whirl_result *result);
 
+/// What one unit of a field's numbers is in SI: of "length" and "force" the scales of the result, of revolutions and
+/// orders what its clock says, of any other unit itself. NaN for lengths where the parameter of the table changes the
+/// scale (whirl_result_length_scale); a table NULL has the scale of the result.
+whirl_unit whirl_result_si(const whirl_result *result, const whirl_table *table, const char *unit);
+
 /// The value of a fact, "" where there is none of that name. Borrowed.
 const char *whirl_result_fact(const whirl_result *result, const char *name);
-
-/// Appends a fact; a name that is there already gets the new value.
-whirl_status whirl_result_add_fact(whirl_result *result, const char *name, const char *value);
 
 /// Appends the facts of this build and host: version, revision, compiler, flags, libraries, host, processor,
 /// instruction set.
 whirl_status whirl_result_add_provenance(whirl_result *result);
 
-/// Writes the result as an HDF5 file: to a temporary name beside `path`, synced, then renamed, so that no half
-/// file is ever left. Points that are not done are left out. The layout of the file is described in
-/// docs/result-file.md.
-whirl_status whirl_result_write(const whirl_result *result, const char *path);
-
-/// Reads a file of whirl_result_write back and compares all of it with the result, numbers bit for bit. WHIRL_IO_ERROR
-/// that names what differs.
-whirl_status whirl_result_verify(const whirl_result *result, const char *path);
-
 /// Whether two results are of the same case and study, with the same parameters: what either found does not matter.
 /// When not, writes the first difference in at most `size` bytes ("line 5 of the case was 'a' and is 'b'"). Of a
 /// partial file it cannot be told, for it has not all points.
 bool whirl_result_same_study(const whirl_result *earlier, const whirl_result *later, char *difference, size_t size);
-
-/// Reads a file of whirl_result_write. WHIRL_BAD_INPUT with a sentence for a file that is not one.
-whirl_status whirl_result_read(const char *path, whirl_result **result);
 
 /// Writes every table as CSV files into the directory `path` (made when missing): one file with a line a point,
 /// and one file a field that has rows. Units stand in the headings.

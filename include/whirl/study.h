@@ -142,7 +142,7 @@ typedef struct whirl_kept_state {
 /// than once, `batch` tells the passes apart: it is the batch's index plus batch_count times the pass, which is four
 /// times the round of refinement, one more at the second tolerance, two and three more for copies of chaotic motions
 /// that are followed; there `block` is shorter. All functions are called by one thread at a time.
-typedef struct whirl_keeper {
+struct whirl_keeper {
     /// Takes a finished point: its block [size] and, in pass 0, the state [dimension] that a carried point starts from,
     /// all NaN where the motion diverged. An error ends the run.
     whirl_status (*keep)(void *context, size_t batch, size_t slot, const double *block, size_t size, const double *end,
@@ -157,7 +157,7 @@ typedef struct whirl_keeper {
     void (*save)(void *context, size_t worker, const whirl_kept_state *states, size_t count);
     /// Asked when a point is begun: the state furthest on that was saved of it, to be freed by free, or NULL.
     void *(*saved)(void *context, size_t batch, size_t slot, double *revolutions, size_t *size);
-} whirl_keeper;
+};
 
 /// Deals out the points of a study among several runs that compute it together, at the same time and each with a keeper
 /// of its own. Points are dealt in pieces: a point and its confirmation one by one, carried sweeps whole, up and down

@@ -1,4 +1,4 @@
-#include "explorer.h"
+#include "whirl/report.h"
 
 #include <errno.h>
 #include <math.h>
@@ -562,8 +562,8 @@ static bool write_page(FILE *stream, const char *page, const char *place, const 
     return well;
 }
 
-whirl_status explorer_write(const char *template_path, const whirl_result *const *results, const char *const *names,
-                            size_t count, const char *directory) {
+whirl_status whirl_explorer_write(const char *template_path, const whirl_result *const *results,
+                                  const char *const *names, size_t count, const char *directory) {
     char *page;
     whirl_status status = read_template(template_path, &page);
     if (status.code != WHIRL_OK) return status;

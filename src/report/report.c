@@ -3,7 +3,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "explorer.h"
 #include "figures.h"
 #include "gnuplot.h"
 #include "machine_at.h"
@@ -132,7 +131,7 @@ static whirl_status make(report *made, const whirl_result *const *results, const
     if (options->claims) compare(made, results, count, options->claims);
     status = write_page(made, results, names, count, directory, options);
     if (status.code == WHIRL_OK && options->explorer)
-        status = explorer_write(options->explorer, results, names, count, directory);
+        status = whirl_explorer_write(options->explorer, results, names, count, directory);
     return status.code == WHIRL_OK ? drawn : status;
 }
 

@@ -112,22 +112,6 @@ static void put_analyses(whirl_status *status, hid_t group, whirl_analysis_set s
     put_texts_attribute(status, group, "analyses", texts_of(names[0], WHIRL_NAME_SIZE, count));
 }
 
-typedef struct si_unit {
-    double factor;
-    const char *unit;
-} si_unit;
-
-/// What one unit of a field is in SI; NaN where it is not the same at all points.
-static si_unit si_of(const char *unit, const whirl_result *result, const whirl_table *table) {
-    const double two_pi = 2.0 * acos(-1.0), clock = whirl_result_clock(result);
-    if (strcmp(unit, "length") == 0) return (si_unit){table->length_scales ? (double)NAN : result->length_scale, "m"};
-    if (strcmp(unit, "force") == 0) return (si_unit){result->force_scale, "N"};
-    if (strcmp(unit, "revolution") == 0) return (si_unit){two_pi / clock, "s"};
-    if (strcmp(unit, "1/revolution") == 0) return (si_unit){clock / two_pi, "1/s"};
-    if (strcmp(unit, "order") == 0) return (si_unit){clock / two_pi, "Hz"};
-    return (si_unit){1.0, unit};
-}
-
 /// How the points of a table lie in its datasets: those of a map that is whole in the rows and columns of its axes,
 /// unless it has several starts a place.
 static shape shape_of(const whirl_table *table) {
@@ -153,10 +137,10 @@ static void begin_field(whirl_status *status, column *out, hid_t group, const wh
     column_of_numbers(status, out, group, field->name, points, dimensions, rank);
     (void)format_dimension_names(field, points, names);
     put_texts_attribute(status, out->dataset, "dimensions", texts_of(names[0], WHIRL_NAME_SIZE, (size_t)rank));
-    const si_unit si = si_of(field->unit, result, table);
+    const whirl_unit si = whirl_result_si(result, table, field->unit);
     put_text_attribute(status, out->dataset, "unit", field->unit);
-    put_number_attribute(status, out->dataset, "SI_factor", si.factor);
-    put_text_attribute(status, out->dataset, "SI_unit", si.unit);
+    put_number_attribute(status, out->dataset, "SI_factor", si.size);
+    put_text_attribute(status, out->dataset, "SI_unit", si.name);
     put_text_attribute(status, out->dataset, "meaning", field->meaning);
     put_column_names(status, out->dataset, field);
     put_text_attribute(status, out->dataset, "extent", format_extents[field->extent]);

@@ -93,3 +93,16 @@ whirl_unit whirl_result_length_unit(const whirl_result *result) {
     while (i < 2 && scale < 0.0999 * units[i].size) i++;
     return units[i];
 }
+
+whirl_unit whirl_result_si(const whirl_result *result, const whirl_table *table, const char *unit) {
+    const double two_pi = 2.0 * acos(-1.0), clock = whirl_result_clock(result);
+    const double length = table && table->length_scales ? (double)NAN : result->length_scale;
+    whirl_unit si = {.size = 1.0};
+    if (strcmp(unit, "length") == 0) return (whirl_unit){"m", length};
+    if (strcmp(unit, "force") == 0) return (whirl_unit){"N", result->force_scale};
+    if (strcmp(unit, "revolution") == 0) return (whirl_unit){"s", two_pi / clock};
+    if (strcmp(unit, "1/revolution") == 0) return (whirl_unit){"1/s", clock / two_pi};
+    if (strcmp(unit, "order") == 0) return (whirl_unit){"Hz", clock / two_pi};
+    snprintf(si.name, sizeof si.name, "%s", unit);
+    return si;
+}

@@ -11,8 +11,9 @@
 
 #include <cmocka.h>
 
+#include "whirl/report.h"
+
 #include "../read_all.h"
-#include "explorer.h"
 
 /// One point more than fit, with a section of more rows than fit: every second point stays, and the last 2^20/count
 /// rows.
@@ -60,7 +61,7 @@ static char *page_of(const whirl_result *result) {
     assert_non_null(template);
     fputs("@WHIRL-RUNS@", template);
     fclose(template);
-    assert_int_equal(explorer_write(path, &result, names, 1, folder).code, WHIRL_OK);
+    assert_int_equal(whirl_explorer_write(path, &result, names, 1, folder).code, WHIRL_OK);
     unlink(path);
     snprintf(path, sizeof path, "%s/explorer.html", folder);
     char *page = read_all(path);

@@ -1,0 +1,149 @@
+/// Results through handles: pointers, functions and plain numbers alone.
+///
+/// For programs that are not compiled against the other headers (Python, Julia, MATLAB, ...), with whirl/job.h: no
+/// struct of the library crosses these functions by its members but whirl_status, so that structs may grow. Texts are
+/// UTF-8. What is returned by pointer is borrowed from the handle that it was asked of, and lives as long as that one.
+///
+///     table = whirl_result_table(result, "sweep");
+///     radius = whirl_table_column(table, whirl_table_field_index(table, "orbit/max_radius"), shape, &stride);
+///
+/// Stable interface: docs/abi.md says for how long.
+#ifndef WHIRL_HANDLES_H
+#define WHIRL_HANDLES_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "whirl/status.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/// What a run found (whirl/result.h).
+typedef struct whirl_result whirl_result;
+
+/// The points of one part of a study, in a result.
+typedef struct whirl_table whirl_table;
+
+/// Where finished points are kept (whirl/study.h, whirl/journal.h).
+typedef struct whirl_keeper whirl_keeper;
+
+// ---------------------------------------------------------------- results
+
+/// Reads a file of whirl_result_write. WHIRL_BAD_INPUT with a sentence for a file that is not one.
+whirl_status whirl_result_read(const char *path, whirl_result **result);
+
+/// Writes the result as an HDF5 file: to a temporary name beside `path`, synced, then renamed, so that no half
+/// file is ever left. Points that are not done are left out. The layout of the file is described in
+/// docs/result-file.md.
+whirl_status whirl_result_write(const whirl_result *result, const char *path);
+
+/// Reads a file of whirl_result_write back and compares all of it with the result, numbers bit for bit. WHIRL_IO_ERROR
+/// that names what differs.
+whirl_status whirl_result_verify(const whirl_result *result, const char *path);
+
+/// Frees a result and all that belongs to it; NULL is none.
+void whirl_result_free(whirl_result *result);
+
+/// Appends a fact; a name that is there already gets the new value.
+whirl_status whirl_result_add_fact(whirl_result *result, const char *name, const char *value);
+
+const char *whirl_result_title(const whirl_result *result);     ///< The title of the case, "" where it has none.
+const char *whirl_result_case_name(const whirl_result *result); ///< The name of the case file.
+const char *whirl_result_case_text(const whirl_result *result); ///< The case file, byte for byte.
+double whirl_result_speed(const whirl_result *result);          ///< Of the shaft, rad/s.
+double whirl_result_force_scale(const whirl_result *result);    ///< N per unit of force.
+bool whirl_result_is_partial(const whirl_result *result);       ///< Whether the run was stopped before its end.
+
+/// What a result has lists of.
+typedef enum whirl_list {
+    WHIRL_LIST_PARAMETERS = 0, ///< texts "unit" and "text", number "value" in SI
+    WHIRL_LIST_STATIONS,       ///< numbers as whirl_probe_members names them ("clearance", "gap", "x", ...)
+    WHIRL_LIST_CONTACTS,       ///< names alone
+    WHIRL_LIST_FACTS,          ///< text "value"
+    WHIRL_LIST_TABLES          ///< names alone; see whirl_result_table
+} whirl_list;
+
+size_t whirl_result_count(const whirl_result *result, whirl_list list); ///< Items of a list.
+
+/// The name of an item; NULL where there is none of that index.
+const char *whirl_result_name(const whirl_result *result, whirl_list list, size_t index);
+
+/// A text of an item, by the names above; NULL where there is none.
+const char *whirl_result_text(const whirl_result *result, whirl_list list, size_t index, const char *what);
+
+/// A number of an item, by the names above; NaN where there is none.
+double whirl_result_number(const whirl_result *result, whirl_list list, size_t index, const char *what);
+
+/// The unit in which the case wrote a parameter, as whirl_result_unit says ("" : that of lengths, as
+/// whirl_result_length_unit): its name, at most `size` bytes; gives its size in SI.
+double whirl_result_shown_unit(const whirl_result *result, const char *parameter, char *name, size_t size);
+
+// ---------------------------------------------------------------- tables
+
+/// The table of that name, or NULL.
+const whirl_table *whirl_result_table(const whirl_result *result, const char *name);
+
+const char *whirl_table_name(const whirl_table *table);      ///< "sweep", "map", ...
+const char *whirl_table_parameter(const whirl_table *table); ///< What varies, or "".
+const char *whirl_table_varied(const whirl_table *table);    ///< What varies besides, in a map or curves, or "".
+
+size_t whirl_table_points(const whirl_table *table); ///< Points, done or not (whirl_table_done).
+
+/// Whether a point is done. Only the results of runs that were stopped have points that are not; a file has but those
+/// that are.
+bool whirl_table_done(const whirl_table *table, size_t point);
+
+/// Which point of the study a point is: its own index, but in a result that was read and is partial.
+size_t whirl_table_slot(const whirl_table *table, size_t point);
+
+/// Points of a row of a map whose points all are there, row by row along the parameter, in one list; else 0.
+size_t whirl_table_row(const whirl_table *table);
+
+/// [whirl_table_points] the parameter in SI, NaN where nothing varies.
+const double *whirl_table_values(const whirl_table *table);
+
+/// The value of the second parameter at a point of a map or of curves, in SI; NaN where there is none.
+double whirl_table_second(const whirl_table *table, size_t point);
+
+/// The length scale of a point, m per unit of length: of all its lengths. That of the result for a table NULL.
+double whirl_result_length_scale(const whirl_result *result, const whirl_table *table, size_t point);
+
+/// [whirl_table_points] +1 carried from the first value on, -1 from the last, 0 not carried.
+const int *whirl_table_branch(const whirl_table *table);
+
+size_t whirl_table_field_count(const whirl_table *table); ///< Fields of a point.
+
+/// The index of the field of that name; whirl_table_field_count where there is none.
+size_t whirl_table_field_index(const whirl_table *table, const char *name);
+
+const char *whirl_table_field_name(const whirl_table *table, size_t field);    ///< "orbit/max_radius"
+const char *whirl_table_field_unit(const whirl_table *table, size_t field);    ///< As in whirl_field.
+const char *whirl_table_field_meaning(const whirl_table *table, size_t field); ///< One line.
+const char *whirl_table_field_extent(const whirl_table *table, size_t field);  ///< "point", "station" or "contact"
+
+/// What one unit of a field is in SI, and the name of that in at most `size` bytes ("m"): NaN for lengths where the
+/// parameter changes the scale (whirl_result_length_scale).
+double whirl_table_field_si(const whirl_result *result, const whirl_table *table, size_t field, char *name,
+                            size_t size);
+
+/// Where the numbers of a field lie: those of a point, `shape` = {stations or contacts (1: it is of the point), rows,
+/// columns}, one after the other, and those of the next point `stride` doubles on. NULL where the table's blocks are
+/// not in memory (whirl_table_copy).
+const double *whirl_table_column(const whirl_table *table, size_t field, size_t shape[3], size_t *stride);
+
+/// Copies the numbers of a field, all points, into numbers [points][shape]. WHIRL_IO_ERROR where a block is lost.
+whirl_status whirl_table_copy(const whirl_table *table, size_t field, double *numbers);
+
+/// The verdict on a point in words ("P-2") and why, each at most `size` bytes; both "" where the table has none.
+void whirl_table_words(const whirl_table *table, size_t point, char *name, char *reason, size_t size);
+
+/// An option of the table's integration or record by index from 0: its name, and its value as text ("dop853", "1e-9").
+/// NULL past the last.
+const char *whirl_table_option(const whirl_table *table, size_t index, char *text, size_t size);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,218 @@
+// Results through accessors: see whirl/handles.h.
+#include "whirl/handles.h"
+
+#include "whirl/result.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+// ---------------------------------------------------------------- results
+
+const char *whirl_result_title(const whirl_result *result) {
+    return result->title;
+}
+
+const char *whirl_result_case_name(const whirl_result *result) {
+    return result->case_name;
+}
+
+const char *whirl_result_case_text(const whirl_result *result) {
+    return result->case_text ? result->case_text : "";
+}
+
+double whirl_result_speed(const whirl_result *result) {
+    return result->speed;
+}
+
+double whirl_result_force_scale(const whirl_result *result) {
+    return result->force_scale;
+}
+
+bool whirl_result_is_partial(const whirl_result *result) {
+    size_t done, total;
+    return whirl_result_partial(result, &done, &total);
+}
+
+size_t whirl_result_count(const whirl_result *result, whirl_list list) {
+    switch (list) {
+    case WHIRL_LIST_PARAMETERS:
+        return result->parameter_count;
+    case WHIRL_LIST_STATIONS:
+        return result->station_count;
+    case WHIRL_LIST_CONTACTS:
+        return result->contact_count;
+    case WHIRL_LIST_FACTS:
+        return result->fact_count;
+    case WHIRL_LIST_TABLES:
+        return result->table_count;
+    }
+    return 0;
+}
+
+const char *whirl_result_name(const whirl_result *result, whirl_list list, size_t index) {
+    if (index >= whirl_result_count(result, list)) return NULL;
+    switch (list) {
+    case WHIRL_LIST_PARAMETERS:
+        return result->parameters[index].name;
+    case WHIRL_LIST_STATIONS:
+        return result->stations[index].name;
+    case WHIRL_LIST_CONTACTS:
+        return result->contacts[index];
+    case WHIRL_LIST_FACTS:
+        return result->facts[index].name;
+    case WHIRL_LIST_TABLES:
+        return result->tables[index].name;
+    }
+    return NULL;
+}
+
+const char *whirl_result_text(const whirl_result *result, whirl_list list, size_t index, const char *what) {
+    if (index >= whirl_result_count(result, list)) return NULL;
+    if (list == WHIRL_LIST_FACTS && strcmp(what, "value") == 0) return result->facts[index].value;
+    if (list != WHIRL_LIST_PARAMETERS) return NULL;
+    if (strcmp(what, "unit") == 0) return result->parameters[index].unit;
+    return strcmp(what, "text") == 0 ? result->parameters[index].text : NULL;
+}
+
+double whirl_result_number(const whirl_result *result, whirl_list list, size_t index, const char *what) {
+    if (index >= whirl_result_count(result, list)) return NAN;
+    if (list == WHIRL_LIST_PARAMETERS && strcmp(what, "value") == 0) return result->parameters[index].value;
+    const whirl_member *member = list == WHIRL_LIST_STATIONS ? whirl_member_find(whirl_probe_members(), what) : NULL;
+    return member && member->type != WHIRL_MEMBER_WORD ? whirl_member_number(member, &result->stations[index])
+                                                       : (double)NAN;
+}
+
+double whirl_result_shown_unit(const whirl_result *result, const char *parameter, char *name, size_t size) {
+    const whirl_unit unit = *parameter ? whirl_result_unit(result, parameter) : whirl_result_length_unit(result);
+    snprintf(name, size, "%s", unit.name);
+    return unit.size;
+}
+
+// ---------------------------------------------------------------- tables
+
+const char *whirl_table_name(const whirl_table *table) {
+    return table->name;
+}
+
+const char *whirl_table_parameter(const whirl_table *table) {
+    return table->parameter;
+}
+
+const char *whirl_table_varied(const whirl_table *table) {
+    return table->second;
+}
+
+size_t whirl_table_points(const whirl_table *table) {
+    return table->count;
+}
+
+size_t whirl_table_row(const whirl_table *table) {
+    const bool plain = table->row > 0 && table->refine == 0 && table->starts <= 1;
+    return plain && table->count == whirl_table_planned(table) && table->count % table->row == 0 ? table->row : 0;
+}
+
+const double *whirl_table_values(const whirl_table *table) {
+    return table->values;
+}
+
+const int *whirl_table_branch(const whirl_table *table) {
+    return table->branch;
+}
+
+// ---------------------------------------------------------------- fields
+
+static const whirl_field *field_at(const whirl_table *table, size_t field) {
+    return field < table->layout.field_count ? &table->layout.fields[field] : NULL;
+}
+
+size_t whirl_table_field_count(const whirl_table *table) {
+    return table->layout.field_count;
+}
+
+size_t whirl_table_field_index(const whirl_table *table, const char *name) {
+    size_t field = 0;
+    while (field < table->layout.field_count && strcmp(table->layout.fields[field].name, name) != 0) field++;
+    return field;
+}
+
+const char *whirl_table_field_name(const whirl_table *table, size_t field) {
+    const whirl_field *found = field_at(table, field);
+    return found ? found->name : NULL;
+}
+
+const char *whirl_table_field_unit(const whirl_table *table, size_t field) {
+    const whirl_field *found = field_at(table, field);
+    return found ? found->unit : NULL;
+}
+
+const char *whirl_table_field_meaning(const whirl_table *table, size_t field) {
+    const whirl_field *found = field_at(table, field);
+    return found ? found->meaning : NULL;
+}
+
+const char *whirl_table_field_extent(const whirl_table *table, size_t field) {
+    static const char *const extents[] = {
+        [WHIRL_PER_POINT] = "point", [WHIRL_PER_STATION] = "station", [WHIRL_PER_CONTACT] = "contact"};
+    const whirl_field *found = field_at(table, field);
+    return found ? extents[found->extent] : NULL;
+}
+
+double whirl_table_field_si(const whirl_result *result, const whirl_table *table, size_t field, char *name,
+                            size_t size) {
+    const whirl_field *found = field_at(table, field);
+    const whirl_unit si = found ? whirl_result_si(result, table, found->unit) : (whirl_unit){.size = NAN};
+    snprintf(name, size, "%s", si.name);
+    return si.size;
+}
+
+const double *whirl_table_column(const whirl_table *table, size_t field, size_t shape[3], size_t *stride) {
+    const whirl_field *found = field_at(table, field);
+    if (!found) return NULL;
+    shape[0] = found->repeat;
+    shape[1] = found->rows;
+    shape[2] = found->columns;
+    *stride = table->layout.size;
+    return table->blocks && !table->source ? table->blocks + found->offset : NULL;
+}
+
+whirl_status whirl_table_copy(const whirl_table *table, size_t field, double *numbers) {
+    const whirl_field *found = field_at(table, field);
+    if (!found) return whirl_fail(WHIRL_BAD_INPUT, "the table '%s' has no field number %zu", table->name, field);
+    const size_t size = found->repeat * found->rows * found->columns;
+    for (size_t point = 0; point < table->count; point++) {
+        const double *block = whirl_table_block(table, point);
+        if (!block) return whirl_fail(WHIRL_IO_ERROR, "point %zu of the table '%s' is lost", point + 1, table->name);
+        memcpy(numbers + point * size, block + found->offset, size * sizeof *numbers);
+    }
+    return whirl_ok();
+}
+
+void whirl_table_words(const whirl_table *table, size_t point, char *name, char *reason, size_t size) {
+    if (size > 0) name[0] = reason[0] = '\0';
+    if (!whirl_layout_has_verdict(&table->layout) || !whirl_table_done(table, point)) return;
+    const whirl_verdict verdict = whirl_table_verdict(table, point);
+    whirl_verdict_name(&verdict, name, size);
+    whirl_verdict_reason(&verdict, reason, size);
+}
+
+/// The member with a name that stands `*index` such members on; *index is what is left where there are fewer.
+static const whirl_member *named_member(const whirl_member *member, size_t *index) {
+    for (; member->part; member++)
+        if (member->name && (*index)-- == 0) return member;
+    return NULL;
+}
+
+const char *whirl_table_option(const whirl_table *table, size_t index, char *text, size_t size) {
+    char value[WHIRL_NAME_SIZE];
+    const void *object = &table->integrate;
+    const whirl_member *member = named_member(whirl_integrate_members(), &index);
+    if (!member) {
+        object = &table->record;
+        member = named_member(whirl_record_members(), &index);
+    }
+    if (!member) return NULL;
+    whirl_member_text(member, object, value);
+    snprintf(text, size, "%s", value);
+    return member->name;
+}
