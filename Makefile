@@ -16,7 +16,7 @@ SCRIPTS   = $(shell git ls-files --cached --others --exclude-standard 'explorer/
 PRETTIER  = explorer/node_modules/.bin/prettier --log-level warn
 FUZZERS   = $(patsubst tests/fuzz/%.c,%,$(wildcard tests/fuzz/fuzz_*.c))
 
-.PHONY: all help test check sanitize paper explorer gallery bench soak install format lint asan tsan clang fuzz clean
+.PHONY: all help test check sanitize paper explorer gallery docs bench soak install format lint asan tsan clang fuzz clean
 .DEFAULT_GOAL := all
 
 all:            ## build/whirl
@@ -37,7 +37,7 @@ EXPLORER = scripts/explorer.sh $(if $(CI),,--if-possible) $(BUILD)/explorer
 
 test:           ## everything is built, run and proved (about 11 minutes on two cores, 5 more where packages are missing)
 	@echo "make test: about 11 minutes on two cores, and 5 more for packages where they are missing"
-	@$(INSTALL) build report test explorer browser
+	@$(INSTALL) build report test explorer browser docs
 	cmake --preset release -DWHIRL_TESTS=ON
 	cmake --build $(BUILD) --parallel $(JOBS)
 	$(EXPLORER)
@@ -124,6 +124,12 @@ gallery: explorer ## explorers of the example cases: build/gallery
 	scripts/gallery.sh $(BUILD)
 
 # ---------------------------------------------------------------- the rest
+
+docs: dependencies-build-report-docs ## the documentation as a site that needs no network: build/docs (some three minutes)
+	@$(CONFIGURE)
+	@$(COMPILE)
+	docs/site/build.py $(BUILD)
+	@echo "The site is $(BUILD)/docs/index.html"
 
 bench: dependencies-build-report-bench ## measured speed beside other programs; writes docs/benchmarks.md and its picture
 	cmake --preset release -DWHIRL_BENCH=ON

@@ -4,7 +4,7 @@
 #   scripts/install-dependencies.sh [--check] GROUP...
 #
 # Groups: build (library and command), report (figures), test (all tests), explorer (the page), browser (its tests), lint,
-# bench.
+# bench, docs (the site and its tutorials).
 # --check only says what is missing, with exit status 1.
 set -euo pipefail
 
@@ -22,6 +22,9 @@ declare -A packages=(
     # dpkg-dev unpacks the sources of libyaml, muParser, UDUNITS and expat, which emscripten compiles.
     [explorer]="emscripten nodejs npm dpkg-dev"
     [browser]="chromium-headless-shell firefox-esr"
+    # The tutorials, whose code the tests run too, are in Python and Octave.
+    [docs]="python3-sphinx python3-myst-parser python3-breathe doxygen furo libjs-mathjax fonts-mathjax
+            python3-nbformat python3-nbclient python3-ipykernel python3-matplotlib python3-h5py octave gnuplot-nox"
     [lint]="clang-format clang-tidy cppcheck nodejs npm"
     # The programs that are measured beside whirl; none of them is needed for whirl itself.
     [bench]="libgsl-dev libboost-dev octave python3 python3-numba python3-scipy"
@@ -37,14 +40,14 @@ fi
 wanted=()
 for group in "$@"; do
     if [ -z "${packages[$group]:-}" ]; then
-        say "there is no group '$group', expected one of: build report test explorer browser lint bench"
+        say "there is no group '$group', expected one of: build report test explorer browser docs lint bench"
         exit 2
     fi
     read -r -d '' -a names <<<"${packages[$group]}" || true
     wanted+=("${names[@]}")
 done
 if [ ${#wanted[@]} -eq 0 ]; then
-    say "name at least one group: build report test explorer browser lint bench"
+    say "name at least one group: build report test explorer browser docs lint bench"
     exit 2
 fi
 

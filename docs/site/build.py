@@ -1,0 +1,180 @@
+#!/usr/bin/python3
+"""The documentation site:  build.py BUILD [--without-runs]
+
+Lays the Markdown of the repository out in BUILD/docs-work/source as it lies here, adds the pages that are made of other
+things (headers, cases, programs, the man page), runs the tutorials, and lets Sphinx make BUILD/docs of it. Needs no
+network. --without-runs shows the tutorials without what their cells print, which is quick.
+"""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import headers
+import pages
+import tutorials
+
+ROOT = Path(__file__).resolve().parents[2]
+MATHJAX = Path("/usr/share/javascript/mathjax")
+MATHJAX_PARTS = ["MathJax.js", "config/TeX-AMS_CHTML.js", "extensions", "jax/element", "jax/input/TeX",
+                 "jax/output/CommonHTML", "fonts/HTML-CSS/TeX/woff"]
+PARTS = {
+    "Using whirl": ["docs/user-guide", "docs/tutorials/README", "docs/gallery", "docs/cluster", "docs/elements"],
+    "Reference": ["docs/reference/keys", "docs/whirl", "api/index", "api/python", "docs/result-file", "docs/journal",
+                  "cases/index", "examples/index"],
+    "What it rests on": ["docs/theory", "docs/verification-manual", "docs/benchmarks"],
+    "The project": ["ARCHITECTURE", "CONTRIBUTING", "CHANGELOG"],
+}
+
+
+def write(path, text):
+    """Leaves a file alone that holds the text, so that Sphinx reads again only what has changed."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    if not path.exists() or path.read_text() != text:
+        path.write_text(text)
+
+
+def adapted(text):
+    """Markdown of a forge as that of the site: formulas, and links to what is a page here."""
+    text = text.replace("```math\n", "```{math}\n")
+    text = re.sub(r"\]\(((?:\.\./)*cases/[\w-]+)\.yaml\)", r"](\1.md)", text)
+    text = re.sub(r"\]\(((?:\.\./)*(?:examples|cases))/?\)", r"](\1/index.md)", text)
+    return re.sub(r"\]\(((?:\.\./)*examples/[\w-]+)\.c\)", r"](\1.md)", text)
+
+
+def lay_out_markdown(source):
+    for path in [*ROOT.glob("*.md"), *ROOT.glob("docs/*.md"), *ROOT.glob("docs/reference/*.md")]:
+        name = path.relative_to(ROOT)
+        if str(name) != "README.md":
+            write(source / name, adapted(path.read_text()))
+    for name in ("docs/images", "examples/slurm"):
+        shutil.copytree(ROOT / name, source / name, dirs_exist_ok=True)
+    for name in ("LICENSE", "CITATION.cff"):
+        shutil.copy(ROOT / name, source)
+    write(source / "docs/whirl.md", pages.manual_page((ROOT / "docs/whirl.1").read_text()))
+
+
+def lay_out_listings(source):
+    for folder, suffix, page, title, words in (
+            ("cases", "yaml", pages.case_page, "Example cases", "Every case that comes with whirl."),
+            ("examples", "c", pages.program_page, "Example programs", "Complete programs against the library.")):
+        names = []
+        for path in sorted(ROOT.glob(f"{folder}/*.{suffix}")):
+            write(source / folder / f"{path.stem}.md", page(path))
+            shutil.copy(path, source / folder)
+            names.append(path.stem)
+        write(source / folder / "index.md", pages.contents(title, words, names))
+
+
+def lay_out_gallery(build, source):
+    """The explorers that `make gallery` has built, beside the cases they are of."""
+    explorers = {path.stem: path for path in (build / "gallery").glob("*.html")}
+
+    def links(case):
+        names = [name for name in (case[1], f"{case[1]}-linear") if name in explorers]
+        words = [f"[{word}](gallery/{name}.html)" for word, name in zip(("explorer", "modes and response"), names)]
+        return f"{case[0]} ({', '.join(words)})" if words else case[0]
+
+    (source / "docs/gallery").mkdir(exist_ok=True)
+    for path in explorers.values():
+        shutil.copy(path, source / "docs/gallery")
+    text = re.sub(r"\[cases/([\w-]+)\.yaml\]\([^)]*\)", links, (ROOT / "docs/gallery.md").read_text())
+    write(source / "docs/gallery.md", adapted(text))
+
+
+def lay_out_reference(work, source):
+    headers.run_doxygen(ROOT / "include/whirl", work / "doxygen")
+    (source / "api").mkdir(exist_ok=True)
+    names = headers.write_pages(work / "doxygen/xml", source / "api")
+    write(source / "api/index.md", pages.contents(
+        "The C library", "One page a public header, `#include <whirl/whirl.h>` has them all. What fails gives a "
+        "`whirl_status` with a sentence.", names))
+    return lay_out_python(source)
+
+
+def lay_out_python(source):
+    """The Python reference, where the package is."""
+    package = ROOT / "bindings/python/whirl"
+    if not package.is_dir():
+        return []
+    names = sorted(path.stem for path in package.glob("*.py") if not path.stem.startswith("_"))
+    modules = ["whirl"] + [f"whirl.{name}" for name in names]
+    text = "The Python package\n==================\n\n"
+    for module in modules:
+        text += f"{module}\n{'-' * len(module)}\n\n.. automodule:: {module}\n   :members:\n   :undoc-members:\n\n"
+    write(source / "api/python.rst", text)
+    return modules
+
+
+def lay_out_tutorials(source, runs):
+    """In the order in which their list names them."""
+    text = (ROOT / "docs/tutorials/README.md").read_text()
+    names = re.findall(r"\]\(([\w-]+)\.md\)", text)
+    folder = source / "docs/tutorials"
+    folder.mkdir(parents=True, exist_ok=True)
+    for name in names:
+        notebook = tutorials.read_notebook(adapted((ROOT / f"docs/tutorials/{name}.md").read_text()))
+        if runs:
+            print(f"running {name}", flush=True)
+            tutorials.execute(notebook)
+        write(folder / f"{name}.md", tutorials.page(notebook, folder, name))
+    entries = "\n".join(names)
+    write(folder / "README.md", f"{adapted(text)}\n```{{toctree}}\n:hidden:\n\n{entries}\n```\n")
+
+
+def lay_out_front(source):
+    """README is the front page; the parts of the site hang on it."""
+    text = adapted((ROOT / "README.md").read_text())
+    listed = {name for names in PARTS.values() for name in names}
+    others = [f"docs/{path.stem}" for path in sorted(source.glob("docs/*.md")) if f"docs/{path.stem}" not in listed]
+    for title, names in PARTS.items():
+        there = [name for name in names if list(source.glob(f"{name}.*"))]
+        entries = "\n".join(there + (others if title == "Reference" else []))
+        text += f"\n```{{toctree}}\n:hidden:\n:caption: {title}\n\n{entries}\n```\n"
+    write(source / "index.md", text)
+
+
+def lay_out_static(source):
+    for part in MATHJAX_PARTS:
+        target = source / "static/mathjax" / part
+        target.parent.mkdir(parents=True, exist_ok=True)
+        if (MATHJAX / part).is_dir():
+            shutil.copytree(MATHJAX / part, target, dirs_exist_ok=True)
+        else:
+            shutil.copy(MATHJAX / part, target)
+    shutil.copy(ROOT / "docs/site/site.css", source / "static")
+    shutil.copy(ROOT / "docs/site/conf.py", source)
+
+
+def version():
+    found = re.search(r"project\(whirl\s+VERSION ([0-9.]+)", (ROOT / "CMakeLists.txt").read_text())
+    return found[1] if found else ""
+
+
+def main():
+    build = Path(sys.argv[1]).resolve()
+    runs = "--without-runs" not in sys.argv
+    work = build / ("docs-work" if runs else "docs-quick")
+    source = work / "source"
+    shutil.rmtree(source, ignore_errors=True)
+    tutorials.environment(build)
+    sys.path.insert(0, str(ROOT / "bindings/python"))
+    lay_out_markdown(source)
+    lay_out_listings(source)
+    lay_out_gallery(build, source)
+    lay_out_reference(work, source)
+    lay_out_tutorials(source, runs)
+    lay_out_front(source)
+    lay_out_static(source)
+    os.environ.update(WHIRL_VERSION=version(), WHIRL_DOXYGEN_XML=str(work / "doxygen/xml"))
+    site = build / "docs" if runs else work / "site"
+    shutil.rmtree(site, ignore_errors=True)
+    command = [sys.executable, "-m", "sphinx", "-W", "--keep-going", "-q", "-d", str(work / "doctrees"), str(source), str(site)]
+    return subprocess.run(command).returncode
+
+
+if __name__ == "__main__":
+    sys.exit(main())

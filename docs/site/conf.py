@@ -1,0 +1,42 @@
+"""How Sphinx makes the site of what build.py has laid out."""
+
+import os
+
+project = "whirl"
+author = "The whirl developers"
+copyright = author
+release = os.environ.get("WHIRL_VERSION", "")
+version = release
+root_doc = "index"
+extensions = ["myst_parser", "breathe", "sphinx.ext.mathjax", "sphinx.ext.autodoc", "sphinx.ext.napoleon"]
+source_suffix = {".md": "markdown", ".rst": "restructuredtext"}
+exclude_patterns = ["static"]
+
+myst_enable_extensions = ["dollarmath", "html_image"]
+myst_heading_anchors = 4
+myst_update_mathjax = False
+
+# Debian's MathJax, of which build.py copies what formulas need: no network is asked.
+mathjax_path = "mathjax/MathJax.js?config=TeX-AMS_CHTML"
+mathjax2_config = {"messageStyle": "none", "showMathMenu": False, "CommonHTML": {"linebreaks": {"automatic": True}}}
+
+breathe_projects = {"whirl": os.environ.get("WHIRL_DOXYGEN_XML", "doxygen/xml")}
+breathe_default_project = "whirl"
+breathe_domain_by_extension = {"h": "c"}
+
+autodoc_member_order = "bysource"
+autodoc_typehints = "description"
+autodoc_typehints_description_target = "documented"
+
+smartquotes = False
+c_extra_keywords = ["bool"]  # "imaginary" is the name of a member
+
+html_theme = "furo"
+html_title = f"whirl {release}".strip()
+html_static_path = ["static"]
+html_css_files = ["site.css"]
+html_copy_source = False
+html_show_sphinx = False
+html_theme_options = {"navigation_with_keys": True}
+pygments_style = "friendly"
+pygments_dark_style = "monokai"

@@ -1,0 +1,56 @@
+#!/usr/bin/python3
+"""Links and pictures of a site lead somewhere, and it loads nothing from elsewhere:  check_site.py SITE"""
+
+import sys
+from html.parser import HTMLParser
+from pathlib import Path
+from urllib.parse import unquote, urlsplit
+
+LOADS = {("script", "src"), ("img", "src"), ("link", "href"), ("iframe", "src")}
+
+
+class Page(HTMLParser):
+    """What a page has to go to, what it links to and what it loads."""
+
+    def __init__(self, path):
+        super().__init__()
+        self.places, self.links, self.loaded = {""}, [], []
+        self.feed(path.read_text(encoding="utf-8"))
+
+    def handle_starttag(self, tag, attributes):
+        for name, value in attributes:
+            if name in ("id", "name") and value:
+                self.places.add(value)
+            if value and (tag, name) in LOADS:
+                self.loaded.append(value)
+            elif value and (tag, name) == ("a", "href"):
+                self.links.append(value)
+
+
+def problems(site, pages):
+    for path, page in pages.items():
+        for target in page.links + page.loaded:
+            parts = urlsplit(target)
+            if parts.scheme or parts.netloc:
+                if target in page.loaded and parts.scheme != "data":
+                    yield f"{path.relative_to(site)} loads {target}"
+                continue
+            there = (path.parent / unquote(parts.path)).resolve() if parts.path else path
+            if not there.is_file():
+                yield f"{path.relative_to(site)}: no file {target}"
+            elif there in pages and unquote(parts.fragment) not in pages[there].places:
+                yield f"{path.relative_to(site)}: no place {target}"
+
+
+def main():
+    site = Path(sys.argv[1]).resolve()
+    # Explorers are pages of their own, with tests of their own.
+    pages = {path: Page(path) for path in site.rglob("*.html") if "_downloads" not in path.parts}
+    found = sorted(set(problems(site, pages)))
+    print("\n".join(found))
+    print(f"{len(pages)} pages, {sum(len(page.links) for page in pages.values())} links, {len(found)} problems")
+    return 1 if found or len(pages) < 20 else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
