@@ -66,13 +66,14 @@ static bool is_of_share(const void *context, size_t batch, size_t slot) {
                                         : whirl_share_has(&journal->study, &journal->wish->owner.share, batch, slot);
 }
 
-/// "7 of 12 points" that the journal is for; of refined maps it is not known beforehand how many there will be.
+/// "7 of 12 points" that the journal is for; of refined maps and with starts from neighbours it is not known beforehand
+/// how many there will be.
 static void points_text(const run_journal *journal, const whirl_result *outline, char *text, size_t size) {
     const size_t found = whirl_journal_look(journal->journal).points;
     size_t count = 0;
     bool known = true;
     for (size_t i = 0; i < outline->table_count; i++) {
-        known = known && outline->tables[i].refine == 0;
+        known = known && outline->tables[i].refine == 0 && outline->tables[i].neighbours == 0;
         for (size_t slot = 0; slot < outline->tables[i].count; slot++) count += is_of_share(journal, i, slot);
     }
     if (known)

@@ -28,13 +28,17 @@ static double done_share(const whirl_progress *progress) {
     return progress->revolutions_total > 0 ? fmin(progress->revolutions_done / progress->revolutions_total, 1) : 0;
 }
 
-/// "37 %, 190 of 521 points, 5310 revolutions/s, 1:04 min left"; "refining, round 2: ..." where that is done.
+/// "37 %, 190 of 521 points, 5310 revolutions/s, 1:04 min left"; "refining, round 2: ..." and "from neighbours,
+/// round 2: ..." where that is done.
 static void state_text(const whirl_progress *progress, char *text, size_t size) {
     const double computed = progress->revolutions_done - progress->revolutions_recalled;
     const double rate = progress->seconds > 0 ? computed / progress->seconds : 0;
-    char left[32] = "?", round[32] = "";
+    char left[32] = "?", round[48] = "";
     if (rate > 0) duration_text((progress->revolutions_total - progress->revolutions_done) / rate, left, sizeof left);
-    if (progress->round > 0) snprintf(round, sizeof round, "refining, round %d: ", progress->round);
+    if (progress->round > 0)
+        snprintf(round, sizeof round,
+                 "%s, round %d: ", progress->stage == WHIRL_STAGE_NEIGHBOURS ? "from neighbours" : "refining",
+                 progress->round);
     snprintf(text, size, "%s%3.0f %%, %zu of %zu points%s, %.0f revolutions/s, %s left", round,
              floor(100 * done_share(progress)), progress->points_done, progress->points_total,
              progress->stage == WHIRL_STAGE_CONFIRM ? " confirmed" : "", rate, left);

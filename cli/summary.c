@@ -202,6 +202,13 @@ static void print_peaks(const whirl_result *result, const whirl_table *table) {
     }
 }
 
+/// Motions of a table with several starts that began where those of neighbours ended.
+static size_t count_from_neighbours(const whirl_table *table) {
+    size_t count = 0;
+    for (size_t i = 0; i < table->source->count; i++) count += whirl_table_from_neighbour(table->source, i);
+    return count;
+}
+
 /// "sweep of r_k: 512 points", "map of r_k and rho: 32 x 16 points".
 static void print_heading(const whirl_table *table) {
     const size_t planned = whirl_table_planned(table);
@@ -211,6 +218,8 @@ static void print_heading(const whirl_table *table) {
     else
         printf(": %zu point%s", planned, plural((double)planned));
     if (table->source) printf(", %zu starts each", table->source->starts);
+    if (table->source && table->source->neighbours > 0)
+        printf(" and %zu from neighbours", count_from_neighbours(table));
     putchar('\n');
 }
 
@@ -526,6 +535,14 @@ static void print_room(const whirl_batch *batch) {
         printf("%.0f value%s on\n", points, plural(points));
 }
 
+/// ": 25 points from 48 starts each, and from neighbours in up to 20 rounds, 8100 revolutions a start".
+static void print_starts(const whirl_batch *batch, double revolutions) {
+    printf(": %zu point%s from %zu starts each, ", batch->count, plural((double)batch->count), batch->starts);
+    if (batch->neighbours > 0)
+        printf("and from neighbours in up to %zu round%s, ", batch->neighbours, plural((double)batch->neighbours));
+    printf("%.0f revolution%s a start", revolutions, plural(revolutions));
+}
+
 void summarize_study(const whirl_study *study) {
     for (size_t i = 0; i < study->batch_count; i++) {
         const whirl_batch *const batch = &study->batches[i];
@@ -548,8 +565,7 @@ void summarize_study(const whirl_study *study) {
             continue;
         }
         if (batch->starts > 1)
-            printf(": %zu point%s from %zu starts each, %.0f revolution%s a start", batch->count,
-                   plural((double)batch->count), batch->starts, revolutions, plural(revolutions));
+            print_starts(batch, revolutions);
         else
             printf(": %s%.0f point%s, %.0f revolution%s each", batch->refine > 0 ? "at most " : "", points,
                    plural(points), revolutions, plural(revolutions));

@@ -14,25 +14,33 @@ static const char *plural(size_t count) {
 void summarize_share(const whirl_table *table, size_t point, const char *before) {
     if (!table->attractors) return;
     const whirl_coexisting *one = &table->attractors[point];
+    if (one->starts == 0) {
+        printf("%sattractor %zu, found from a neighbour: 0 of %zu starts", before, one->number, one->of);
+        return;
+    }
     printf("%sattractor %zu, %.3g %% +- %.2g %% of the starts", before, one->number, 100.0 * one->share,
            100.0 * one->error);
 }
 
-/// "attractor 2: at 5 points, 3.1 % to 12.5 % of the starts". Those of one number stand together.
+/// "attractor 2: at 5 points, 0 % to 12.5 % of the starts; at 2 found from neighbours alone". Those of one number stand
+/// together.
 static void print_attractors(const whirl_table *table) {
     size_t told = 0;
     for (size_t i = 0; i < table->count;) {
         const whirl_coexisting *one = &table->attractors[i];
         double low = 1.0, high = 0.0;
-        size_t points = 0;
+        size_t points = 0, met = 0;
         for (; i < table->count && table->attractors[i].number == one->number; i++, points++) {
             low = fmin(low, table->attractors[i].share);
             high = fmax(high, table->attractors[i].share);
+            met += table->attractors[i].starts > 0;
         }
         if (told++ >= MOST_ATTRACTORS) continue;
         printf("  attractor %zu: at %zu point%s, %.3g %%", one->number, points, plural(points), 100.0 * low);
         if (high > low) printf(" to %.3g %%", 100.0 * high);
-        puts(" of the starts");
+        fputs(" of the starts", stdout);
+        if (met < points) printf("; at %zu found from neighbours alone", points - met);
+        putchar('\n');
     }
     if (told > MOST_ATTRACTORS) printf("  and %zu more\n", told - MOST_ATTRACTORS);
 }

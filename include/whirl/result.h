@@ -17,12 +17,16 @@ extern "C" {
 /// Blocks that a run left with its keeper, for they are many (whirl_run_options.memory).
 typedef struct whirl_kept_blocks whirl_kept_blocks;
 
+enum {
+    WHIRL_MAX_NEIGHBOUR_STARTS = 16 ///< starts of a place from neighbours
+};
+
 /// One of the attractors at a place of a study, where several starts a place were followed.
 typedef struct whirl_coexisting {
     size_t place;        ///< whirl_table_place
     size_t number;       ///< of the attractor along the study, from 1
     size_t first;        ///< point of the table, the first that came to rest on it
-    size_t starts;       ///< that did
+    size_t starts;       ///< that did; 0: only those from neighbours did, which do not count
     size_t of;           ///< starts of the place that are done, with a verdict or without
     size_t beside;       ///< attractors of the place, this one included
     double share, error; ///< of the starts that are done, and its standard error were these drawn at random
@@ -35,6 +39,9 @@ struct whirl_table {
     char second[WHIRL_NAME_SIZE];    ///< what varies besides, in a map, whose points have it in the field "map/second"
     size_t row;                      ///< points of a row of a map, along the parameter, by whirl_table_slot; else 0
     size_t starts;                   ///< of every place: all places from the first start, then from the next; or 0
+    /// Rounds, at most, of starts from the ends of neighbours' motions (whirl_batch.neighbours), of which places of the
+    /// study have any number: their slots go on as those of further starts, and are not all there. Both 0: none.
+    size_t neighbours, places;
     /// Of a map that was refined: points of the finest grid, of which slots are the indices, and how many of them apart
     /// corners of first squares stand along either axis. A square was halved while its points differed; its points have
     /// in the field "map/width" how many points of the grid, from itself on along both axes, they stand for: 1 for
@@ -120,6 +127,9 @@ size_t whirl_table_places(const whirl_table *table);
 
 /// The place of a point, from 0, in the order of the values.
 size_t whirl_table_place(const whirl_table *table, size_t point);
+
+/// Whether the motion of a point began at the end of a neighbour's.
+bool whirl_table_from_neighbour(const whirl_table *table, size_t point);
 
 /// How many points of the table the study has, done or not; of a map that is being refined as far as is known.
 size_t whirl_table_planned(const whirl_table *table);
@@ -211,8 +221,8 @@ typedef struct whirl_coexistence {
 /// one section from the nearest of the other, so that a motion goes on through a doubling of its period (but not where
 /// neither period is a multiple of the other); others by
 /// their means and bounds. Places where nothing has a verdict are passed over. No two of one place have one number. An
-/// attractor that no start of a place in between met goes on under another number. Needs the analyses "poincare" and
-/// "orbit". WHIRL_NO_MEMORY. Freed by whirl_coexistence_free.
+/// attractor that no start of a place in between met goes on under another number. Motions from neighbours are told
+/// with the others, but count in no share. Needs the analyses "poincare" and "orbit". WHIRL_NO_MEMORY. Freed by whirl_coexistence_free.
 whirl_status whirl_table_coexistence(const whirl_table *table, whirl_coexistence *found);
 
 /// Frees what was found; the struct itself is the caller's.

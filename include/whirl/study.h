@@ -52,6 +52,11 @@ typedef struct whirl_batch {
     /// Starts of every point, 0 or 1 for that of its machine alone. The table has all points from the first start, then
     /// all from the next. Not of carried batches, nor of branches and machines at rest.
     size_t starts;
+    /// Rounds, at most, in which every place is started, besides, from where motions of its neighbours (along a sweep;
+    /// along rows and columns of a map) ended: one each on all attractors that none of its own motions has come to and
+    /// from which it was not started before, up to WHIRL_MAX_NEIGHBOUR_STARTS in all. They end once no place lacks any.
+    /// The table has these points after all others; they count in no share. 0: none. Only beside several starts.
+    size_t neighbours;
     size_t start;      ///< which of them the machine shall have that is asked for, from 0; of the batch itself 0
     whirl_carry carry; ///< whether points start where their neighbours end
     /// Every motion is computed once more from the same start with errors of a step 16 times smaller (twice the steps
@@ -115,6 +120,7 @@ bool whirl_share_has(const whirl_study *study, const whirl_share *share, size_t 
 typedef enum whirl_stage {
     WHIRL_STAGE_COMPUTE = 0, ///< the points of the study
     WHIRL_STAGE_CONFIRM,     ///< ... at the second tolerance; the revolutions of both stages are told together
+    WHIRL_STAGE_NEIGHBOURS,  ///< starts from neighbours; every round has revolutions and seconds of its own
     WHIRL_STAGE_FOLLOW,      ///< copies of chaotic motions that may be on their way, with revolutions of their own
     WHIRL_STAGE_REFINE       ///< points in doubt; every round has revolutions and seconds of its own
 } whirl_stage;
@@ -122,7 +128,7 @@ typedef enum whirl_stage {
 /// How far a run has come.
 typedef struct whirl_progress {
     whirl_stage stage;                          ///< what it is at
-    int round;                                  ///< of refinement, from 1; else 0
+    int round;                                  ///< of refinement, or of starts from neighbours, from 1; else 0
     size_t points_done, points_total;           ///< the total grows while a map is refined, and that of revolutions
     double revolutions_done, revolutions_total; ///< those at n times the steps of the study count n times
     double revolutions_recalled;                ///< of those done, what a keeper knew from an earlier run
@@ -201,7 +207,7 @@ typedef struct whirl_run_options {
 } whirl_run_options;
 
 /// The machine of a point of a batch, by its index in `values` (0 where nothing varies); from start s that of the index
-/// plus s times the count. Errors as those of study->machine.
+/// plus s times the count; that of a start from a neighbour has the first start. Errors as those of study->machine.
 whirl_status whirl_study_machine(const whirl_study *study, const whirl_batch *batch, size_t point,
                                  whirl_machine *machine);
 
@@ -226,7 +232,8 @@ double whirl_halton(size_t index, size_t coordinate);
 whirl_orbit_options whirl_batch_orbits(const whirl_batch *batch);
 
 /// Revolutions of all points without refinement, as a budget counts them: at n times the steps of the study n times. Of
-/// a refined map the corners of its first squares count, which are all that is known before it runs.
+/// a refined map the corners of its first squares count, which are all that is known before it runs; starts from
+/// neighbours count none.
 double whirl_study_revolutions(const whirl_study *study);
 
 /// The result of a study before any point is computed: its tables without blocks. The rest of it is empty (see

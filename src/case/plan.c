@@ -468,19 +468,45 @@ static void finish_traced(valuation *v, const plan_parts *parts, whirl_batch *ba
     choose_analyses(batch, batch->analyses, false);
 }
 
-/// Points in detail have but the first start.
-static void take_starts(case_reader *reader, valuation *v, const plan_parts *parts, whirl_batch *batch) {
-    if (!settings_find(&parts->study, "starts") || strcmp(batch->name, "detail") == 0) return;
-    batch->starts = (size_t)settings_number(v, &parts->starts, "count");
-    if (batch->count > SCHEMA_MAX_POINTS / batch->starts)
-        problem_at(reader->problems, place_of(&parts->starts, "count"),
-                   "is %zu at %zu points, expected at most %d starts in all", batch->starts, batch->count,
-                   SCHEMA_MAX_POINTS);
+/// The initial state, and all combinations of the values of a grid; more than WHIRL_MAX_STARTS where there are too
+/// many.
+static size_t count_grid(const study_plan *plan) {
+    size_t count = 1;
+    for (size_t i = 0; i < plan->range_count; i++)
+        for (size_t k = 0; plan->ranges[i].points && k < plan->ranges[i].low.count; k++)
+            if (count <= WHIRL_MAX_STARTS) count *= plan->ranges[i].points[k];
+    return count + 1;
 }
 
-static void finish_points(case_reader *reader, valuation *v, const plan_parts *parts, whirl_batch *batch) {
+/// Refuses more starts than a point or a study may have, and neighbours of a single point.
+static void check_starts(case_reader *reader, const plan_parts *parts, const file_node *place,
+                         const whirl_batch *batch) {
+    const bool beside = batch->neighbours > 0;
+    const size_t all = batch->starts + (beside ? WHIRL_MAX_NEIGHBOUR_STARTS : 0);
+    if (batch->starts > WHIRL_MAX_STARTS)
+        problem_at(reader->problems, place, "has more than the %d starts that a point may have", WHIRL_MAX_STARTS);
+    else if ((double)batch->count * (double)all > SCHEMA_MAX_POINTS)
+        problem_at(reader->problems, place, "is %zu at %zu points%s, expected at most %d starts in all", batch->starts,
+                   batch->count, beside ? " with up to 16 from neighbours at each" : "", SCHEMA_MAX_POINTS);
+    if (beside && batch->count <= 1)
+        problem_at(reader->problems, place_of(&parts->starts, "neighbours"),
+                   "has no meaning with one point, which has no neighbours");
+}
+
+/// Points in detail have but the first start.
+static void take_starts(case_reader *reader, valuation *v, const plan_parts *parts, const study_plan *plan,
+                        whirl_batch *batch) {
+    if (!settings_find(&parts->study, "starts") || strcmp(batch->name, "detail") == 0) return;
+    const setting *grid = settings_find(&parts->starts, "grid");
+    batch->starts = grid ? count_grid(plan) : (size_t)settings_number(v, &parts->starts, "count");
+    batch->neighbours = (size_t)settings_number(v, &parts->starts, "neighbours");
+    check_starts(reader, parts, grid ? grid->place : place_of(&parts->starts, "count"), batch);
+}
+
+static void finish_points(case_reader *reader, valuation *v, const plan_parts *parts, const study_plan *plan,
+                          whirl_batch *batch) {
     settings_take(v, &parts->study, whirl_batch_members(), batch);
-    take_starts(reader, v, parts, batch);
+    take_starts(reader, v, parts, plan, batch);
     if (strcmp(batch->name, "detail") == 0) {
         batch->record = detail_options(v, parts, &batch->record);
         check_detail(reader, parts, &batch->record);
@@ -512,7 +538,7 @@ void plan_make(case_reader *reader, valuation *v, const plan_parts *parts, study
         if (whirl_analysis_is_traced(batch->analyses))
             finish_traced(v, parts, batch);
         else
-            finish_points(reader, v, parts, batch);
+            finish_points(reader, v, parts, result, batch);
     }
 }
 
@@ -560,18 +586,27 @@ static whirl_status initial_state(const study_plan *plan, valuation *v, const wh
     return whirl_ok();
 }
 
+/// Where in a range, from 0 to 1, a further start lies, from 1: number `which` of all ranges. *rest counts the starts
+/// of a grid in those that follow, whose first range changes from start to start.
+static double place_in_range(const plan_range *range, size_t k, size_t start, size_t which, size_t *rest) {
+    if (!range->points) return whirl_halton(start, which);
+    const size_t count = range->points[k], at = *rest % count;
+    *rest /= count;
+    return count > 1 ? (double)at / (double)(count - 1) : 0.5;
+}
+
 /// Puts a further start, from 1, in the place of what the ranges name.
 static whirl_status start_in_ranges(const study_plan *plan, size_t start, valuation *v, const whirl_rotor *rotor,
                                     double *state) {
     const whirl_system *system = whirl_rotor_system(rotor);
-    size_t which = 0;
+    size_t which = 0, rest = start - 1;
     for (size_t i = 0; i < plan->range_count; i++) {
         const plan_range *range = &plan->ranges[i];
         for (size_t k = 0; k < range->low.count; k++, which++) {
             const setting *one = &range->low.items[k];
             const double low = scaled_setting(rotor, v, one), high = scaled_setting(rotor, v, &range->high.items[k]);
             const whirl_member *coordinate = whirl_member_find(whirl_probe_members(), one->key->name);
-            const double at = low + whirl_halton(start, which) * (high - low);
+            const double at = low + place_in_range(range, k, start, which, &rest) * (high - low);
             if (!coordinate || !isfinite(at))
                 return whirl_fail(WHIRL_BAD_INPUT, "the range of %s of station %.63s has no finite value",
                                   one->key->name, range->low.place->key);

@@ -15,6 +15,7 @@ typedef struct plan_start {
 typedef struct plan_range {
     size_t station;
     setting_list low, high;
+    size_t *points; ///< [low.count] values of a grid in each, 0 where none was read; NULL: starts fill them evenly
 } plan_range;
 
 typedef struct study_plan {

@@ -389,13 +389,78 @@ static void read_ranges(case_reader *reader, const file_node *where, const machi
         problem_at(reader->problems, where, "has %zu ranges, expected at most %d", count, WHIRL_MAX_RANGES);
 }
 
+/// How many values of a range a grid has; 0 after a problem.
+static size_t read_points(case_reader *reader, const file_node *where, const plan_range *range, const char *name) {
+    const whirl_key key = {
+        .name = name, .unit = "1", .kind = WHIRL_KEY_WHOLE, .range = WHIRL_FROM_TO(1, WHIRL_MAX_STARTS - 1)};
+    const file_node *station = node_member(where, range->low.place->key);
+    const file_node *given = station ? node_member(station, name) : NULL;
+    char shown[SHOWN_SIZE];
+    number_formula read;
+    if (station && station->kind != NODE_MAPPING) return 0; // said already
+    if (!given) {
+        problem_at_key(reader->problems, where, "has no number for %s of %s, expected one for every range of within",
+                       name, range->low.place->key);
+        return 0;
+    }
+    if (!formula_read(reader, given, &key, &read)) return 0;
+    if (!read.expression) return (size_t)read.number;
+    problem_at(reader->problems, given, "is %s, expected a whole number, no expression", node_shown(given, shown));
+    return 0;
+}
+
+/// What a grid names must have a range.
+static void check_grid(case_reader *reader, const file_node *where, const file_node *within) {
+    char shown[SHOWN_SIZE];
+    for (const file_node *station = where->first; station; station = station->next) {
+        const file_node *ranges = node_member(within, station->key);
+        if (!ranges) problem_at_key(reader->problems, station, "has no ranges in within");
+        if (station->kind != NODE_MAPPING)
+            problem_at(reader->problems, station, "is %s, expected numbers of values: {x: 5}",
+                       node_shown(station, shown));
+        for (const file_node *one = ranges ? station->first : NULL; one; one = one->next)
+            if (one->key && !node_member(ranges, one->key))
+                problem_at_key(reader->problems, one, "has no range in within");
+    }
+}
+
+/// Numbers of values for all ranges.
+static void read_grid(case_reader *reader, const file_node *where, const file_node *within, study_plan *result) {
+    char shown[SHOWN_SIZE];
+    if (where->kind != NODE_MAPPING || !where->first) {
+        problem_at(reader->problems, where, "is %s, expected names of stations with numbers of values: {disc: {x: 5}}",
+                   where->kind == NODE_MAPPING ? "empty" : node_shown(where, shown));
+        return;
+    }
+    if (within && within->kind == NODE_MAPPING) check_grid(reader, where, within);
+    for (size_t i = 0; i < result->range_count; i++) {
+        plan_range *range = &result->ranges[i];
+        range->points = arena_take(reader->arena, (range->low.count + 1) * sizeof *range->points);
+        reader->no_memory = reader->no_memory || !range->points;
+        for (size_t k = 0; range->points && k < range->low.count; k++)
+            range->points[k] = read_points(reader, where, range, range->low.items[k].key->name);
+    }
+}
+
+/// Either says how many starts there are.
+static void check_number_of_starts(case_reader *reader, const plan_parts *parts) {
+    const setting *count = settings_find(&parts->starts, "count"), *grid = settings_find(&parts->starts, "grid");
+    if (count && grid) problem_at_key(reader->problems, grid->place, "stands beside count, expected one of the two");
+    const bool misspelt = settings_misspelt(&parts->starts, "count") || settings_misspelt(&parts->starts, "grid");
+    if (!count && !grid && !misspelt && parts->starts.place->kind == NODE_MAPPING)
+        problem_missing(reader->problems, parts->starts.place, "count",
+                        "is missing, expected the starts of every point, or a grid");
+}
+
 static void read_starts(case_reader *reader, const machine_parts *machine, plan_parts *parts, study_plan *result) {
     const setting *given = settings_find(&parts->study, "starts");
     read_part(reader, &parts->study, "starts", &schema_starts, &parts->starts);
     if (!given) return;
     check_starts(reader, parts, given);
-    const setting *within = settings_find(&parts->starts, "within");
+    const setting *within = settings_find(&parts->starts, "within"), *grid = settings_find(&parts->starts, "grid");
     if (within) read_ranges(reader, within->place, machine, result);
+    check_number_of_starts(reader, parts);
+    if (grid) read_grid(reader, grid->place, within ? within->place : NULL, result);
 }
 
 // ---------------------------------------------------------------- analyses and method

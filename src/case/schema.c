@@ -135,13 +135,21 @@ static const whirl_key detail_keys[] = {
 };
 
 static const whirl_key starts_keys[] = {
-    {"count", "", "1", WHIRL_KEY_WHOLE, true, "", WHIRL_FROM_TO(2, WHIRL_MAX_STARTS), NULL,
+    {"count", "", "1", WHIRL_KEY_WHOLE, false, "", WHIRL_FROM_TO(2, WHIRL_MAX_STARTS), NULL,
      "starts of every point; the first is the initial state itself, the others fill the ranges evenly, by the sequence "
      "of "
      "Halton: the same at every point",
      ""},
+    {"grid", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
+     "in place of count: numbers of values of the coordinates of within, such as x: 5, from one end of the range to "
+     "the other; every point has the initial state itself besides",
+     ""},
     {"within", "", "", WHIRL_KEY_CHOICE, true, "", WHIRL_ANY, "",
      "names of stations with ranges of the coordinates of initial, such as x: [-1, 1]; what is not named is as there",
+     ""},
+    {"neighbours", "", "1", WHIRL_KEY_WHOLE, false, "0", WHIRL_FROM_TO(0, 100000), NULL,
+     "rounds, at most, in which points of a sweep or map start from where motions of their neighbours ended, on "
+     "attractors that they lack; such starts count in no share",
      ""},
 };
 

@@ -266,7 +266,8 @@ static void write_rub_panel(FILE *script, const bifurcation *of) {
     write_line_panel(script, of, 6, "100", "with lines linestyle 1");
 }
 
-/// The share of the starts that lead to each attractor, with its standard error.
+/// The share of the starts that lead to each attractor, with its standard error; circles where it is 0, for those that
+/// were found from neighbours.
 static void write_share_panel(FILE *script, const bifurcation *of) {
     const size_t column = 9 + of->result->station_count;
     write_axis_label(script, "\"share of\\nstarts (%)\"");
@@ -274,9 +275,11 @@ static void write_share_panel(FILE *script, const bifurcation *of) {
     fprintf(script,
             "plot 'sweep.dat' using (value*$1):($%zu-$%zu):(0):(2*$%zu):(attractor_colour($%zu)) with vectors nohead "
             "linewidth 0.5 linecolor rgb variable notitle, \\\n"
-            "  'sweep.dat' using (value*$1):%zu:(attractor_colour($%zu)) with points pointtype 7 pointsize 3*dot_size "
-            "linecolor rgb variable notitle\n",
-            column + 1, column + 2, column + 2, column, column + 1, column);
+            "  'sweep.dat' using (value*$1):($%zu > 0 ? $%zu : 1/0):(attractor_colour($%zu)) with points pointtype 7 "
+            "pointsize 3*dot_size linecolor rgb variable notitle, \\\n"
+            "  'sweep.dat' using (value*$1):($%zu > 0 ? 1/0 : $%zu):(attractor_colour($%zu)) with points pointtype 6 "
+            "pointsize 0.6 linecolor rgb variable notitle\n",
+            column + 1, column + 2, column + 2, column, column + 1, column + 1, column, column + 1, column + 1, column);
 }
 
 typedef void (*panel_writer)(FILE *script, const bifurcation *of);

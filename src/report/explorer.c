@@ -335,11 +335,16 @@ static void write_values(FILE *stream, const selection *chosen) {
     fputs(end_of_list(chosen), stream);
 }
 
-/// "...; attractor 2, 4.2 % +- 2.9 % of 48 starts".
+/// "...; attractor 2, 4.2 % +- 2.9 % of 48 starts", "...; attractor 3, found from a neighbour: 0 of 48 starts".
 static void tell_attractor(const whirl_table *table, size_t point, char *text, size_t size) {
     const size_t used = strlen(text);
     if (!table->attractors) return;
     const whirl_coexisting *one = &table->attractors[point];
+    if (one->starts == 0) {
+        snprintf(text + used, size - used, "%sattractor %zu, found from a neighbour: 0 of %zu starts", used ? "; " : "",
+                 one->number, one->of);
+        return;
+    }
     snprintf(text + used, size - used, "%sattractor %zu, %.2g %% +- %.2g %% of %zu starts", used ? "; " : "",
              one->number, 100.0 * one->share, 100.0 * one->error, one->of);
 }

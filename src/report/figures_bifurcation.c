@@ -69,6 +69,16 @@ static whirl_status write_script(const drawing *to, const bifurcation *of, const
     return report_file_close(&file);
 }
 
+/// What the strips of regimes stand for, and what there is below them for attractors alone.
+static const char *strips_of(const bifurcation *of) {
+    if (of->attractors == 0)
+        return of->both ? " (upper strip: followed from the first value on; lower strip: from the last)" : "";
+    if (of->table->source->neighbours == 0)
+        return " (a strip an attractor, the first at the top) and the share of the starts";
+    return " (a strip an attractor, the first at the top) and the share of the starts (circles: found from neighbours "
+           "alone)";
+}
+
 static whirl_status draw_station(const drawing *to, bifurcation *of) {
     const char *station = to->result->stations[of->station].name;
     char stem[STEM_SIZE];
@@ -83,10 +93,7 @@ static whirl_status draw_station(const drawing *to, bifurcation *of) {
              "Poincar\u00e9 section of %s (one dot a revolution) over %s, coloured by %s.%s Below: the regime%s%s, the "
              "largest Lyapunov exponent with its standard error, %s%s%s%s.",
              station, of->table->parameter, of->attractors > 0 ? "the attractor that starts lead to" : "regime",
-             of->rub ? " Shaded: the rotor rubs." : "",
-             of->attractors > 0 ? " (a strip an attractor, the first at the top) and the share of the starts"
-             : of->both         ? " (upper strip: followed from the first value on; lower strip: from the last)"
-                                : "",
+             of->rub ? " Shaded: the rotor rubs." : "", strips_of(of),
              !of->confidence ? ""
              : of->both      ? ", how far it can be trusted (bars: from the first value on; lines: from the last)"
                              : ", how far it can be trusted",

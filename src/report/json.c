@@ -383,13 +383,17 @@ static bool dump_member(const char *before, const char *key, json_t *value, FILE
     return document_write(true, value, stream) && named;
 }
 
-// Where every point has several starts: which one this is, where it lies, and what it came to rest on, null where that
-// is not told.
+// Where every point has several starts: which one this is, the place of the neighbour from which it is, where it lies,
+// and what it came to rest on, null where that is not told.
 static void put_start(bool *well, json_t *object, const whirl_result *result, const whirl_table *table, size_t point,
                       const whirl_coexistence *found) {
     json_t *start = json_object();
     const double number = whirl_table_number(table, point, "starts/number", 0);
     document_put(well, start, "number", json_integer(isfinite(number) ? (json_int_t)number : 0));
+    if (table->neighbours > 0) {
+        const double neighbour = whirl_table_number(table, point, "starts/neighbour", 0);
+        document_put(well, start, "neighbour", neighbour > 0.0 ? json_integer((json_int_t)neighbour) : json_null());
+    }
     for (size_t s = 0; s < result->station_count; ++s) {
         const double *state = whirl_table_field(table, point, "starts/state", s);
         if (state) document_put(well, start, result->stations[s].name, numbers_array(well, state, 4));

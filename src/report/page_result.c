@@ -38,11 +38,22 @@ static void describe_refinement(const whirl_table *table, char *text, size_t siz
              table->refine, 100.0 * (double)table->count / grid, each, whirl_table_grid_revolutions(table));
 }
 
+/// "25 points, 48 starts each and 3 from neighbours".
+static void describe_starts(const whirl_table *view, char *text, size_t size) {
+    const whirl_table *table = view->source;
+    const size_t all = table->count;
+    size_t beside = 0;
+    snprintf(text, size, "%zu points, %zu starts each", whirl_table_places(view), table->starts);
+    for (size_t i = 0; i < all; i++) beside += whirl_table_from_neighbour(table, i);
+    const size_t used = strlen(text);
+    if (table->neighbours > 0) snprintf(text + used, size - used, " and %zu from neighbours", beside);
+}
+
 static void describe_points(const shown_units *units, const whirl_table *table, char *text, size_t size) {
     char label[UNIT_LABEL_SIZE];
     char count[160];
     if (table->source)
-        snprintf(count, sizeof count, "%zu points, %zu starts each", whirl_table_places(table), table->source->starts);
+        describe_starts(table, count, sizeof count);
     else if (whirl_table_planned(table) > table->count)
         snprintf(count, sizeof count, "%zu of %zu points", table->count, whirl_table_planned(table));
     else

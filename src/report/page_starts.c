@@ -40,10 +40,12 @@ static void write_attractor(const shown_view *to, size_t first, size_t end) {
     const whirl_table *table = to->table;
     const whirl_coexisting *one = &table->attractors[first];
     double low = one->share, high = one->share, error = one->error;
+    size_t met = 0;
     for (size_t i = first; i < end; i++) {
         low = fmin(low, table->attractors[i].share);
         high = fmax(high, table->attractors[i].share);
         error = fmax(error, table->attractors[i].error);
+        met += table->attractors[i].starts > 0;
     }
     fprintf(to->stream,
             "<tr><th scope=\"row\"><span class=\"swatch\" style=\"background:%s\"></span>%zu</th><td class=\"wide\">",
@@ -56,7 +58,9 @@ static void write_attractor(const shown_view *to, size_t first, size_t end) {
         html_printf(to->stream, "%.5g", table->values[first] / to->unit);
     fprintf(to->stream, "</td><td class=\"number\">%zu</td><td class=\"number\">%.3g", end - first, 100.0 * low);
     if (high > low) fprintf(to->stream, " to %.3g", 100.0 * high);
-    fprintf(to->stream, "&nbsp;%%</td><td class=\"number\">%.2g&nbsp;%%</td></tr>\n", 100.0 * error);
+    fputs("&nbsp;%", to->stream);
+    if (met < end - first) fprintf(to->stream, "<br>(at %zu from neighbours)", end - first - met);
+    fprintf(to->stream, "</td><td class=\"number\">%.2g&nbsp;%%</td></tr>\n", 100.0 * error);
 }
 
 static void write_attractors(const shown_view *to, const char *label) {
@@ -122,6 +126,11 @@ static void write_sentences(const shown_view *to) {
     fprintf(to->stream,
             "<p>Every point was started from %zu states: the initial state and %zu that fill their ranges. ",
             source->starts, source->starts - 1);
+    if (source->neighbours > 0)
+        fputs(
+            "Where a neighbouring point had an attractor that none of these led to, it was started from the end of the "
+            "motion there besides: what was found so alone has a share of 0. ",
+            to->stream);
     write_side_by_side(to, whirl_table_places(source));
     if (untold > 0) fprintf(to->stream, "%zu of %zu starts have no verdict. ", untold, done);
     fprintf(to->stream,

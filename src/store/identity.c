@@ -47,7 +47,9 @@ static void put_budget(FILE *out, const whirl_result *outline) {
 }
 
 /// Which points a refined map has follows from what was found: the corners of its first squares tell what it is of.
+/// So do the starts that are not from neighbours.
 static bool is_planned(const whirl_table *table, size_t point) {
+    if (whirl_table_from_neighbour(table, point)) return false;
     if (table->refine == 0) return true;
     const size_t slot = whirl_table_slot(table, point), x = slot % table->row, y = slot / table->row;
     return (x % table->refine == 0 || x + 1 == table->row) &&
@@ -57,18 +59,22 @@ static bool is_planned(const whirl_table *table, size_t point) {
 static void put_points(FILE *out, const whirl_table *table) {
     char first[NUMBER_SIZE], last[NUMBER_SIZE];
     uint32_t sum = 0;
+    size_t count = 0, end = 0;
     for (size_t i = 0; i < table->count; ++i) {
         if (!is_planned(table, i)) continue;
+        ++count;
+        end = i;
         char both[NUMBER_SIZE + 8];
         const int length = snprintf(both, sizeof both, "%a %d;", table->values[i], table->branch[i]);
         sum = crc32c(sum, both, (size_t)length);
     }
-    fprintf(out, "points of the %s\t%zu", table->name, table->refine > 0 ? table->grid : table->count);
+    fprintf(out, "points of the %s\t%zu", table->name, table->refine > 0 ? table->grid : count);
     if (table->parameter[0] && table->count > 0)
         fprintf(out, ", %s from %s to %s (%08x)", table->parameter, exact(table->values[0], first),
-                exact(table->values[table->count - 1], last), (unsigned)sum);
+                exact(table->values[end], last), (unsigned)sum);
     if (table->row > 0) fprintf(out, ", in rows of %zu, each with a %s of its own", table->row, table->second);
     if (table->starts > 1) fprintf(out, ", from %zu starts each", table->starts);
+    if (table->neighbours > 0) fprintf(out, ", and from neighbours in up to %zu rounds", table->neighbours);
     if (table->refine > 0) fprintf(out, ", refined from squares of %zu", table->refine);
     fputc('\n', out);
 }

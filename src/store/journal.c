@@ -115,9 +115,11 @@ static bool is_for(const whirl_journal *journal, size_t batch, size_t slot) {
     return !part->has || part->has(part->context, batch, slot);
 }
 
-/// Whether a point is sure to be computed: of a refined map these are the corners of its first squares.
+/// Whether a point is sure to be computed: of a refined map these are the corners of its first squares; starts from
+/// neighbours may be none.
 static bool is_sure(const whirl_table *table, size_t slot) {
     const size_t row = table->row, w = table->refine;
+    if (whirl_table_from_neighbour(table, slot)) return false;
     return w == 0 || (slot % row % w == 0 && slot / row % w == 0);
 }
 

@@ -262,7 +262,8 @@ static void get_slots(whirl_status *status, hid_t group, shape points, whirl_tab
     table->slots = take(status, table->count, sizeof *table->slots);
     const int64_t most = (int64_t)1 << 48; // tables of all sizes can be summed
     const int64_t planned = get_whole_attribute(status, group, "points", (int64_t)table->count, most);
-    const int64_t last = table->grid > 0 ? (int64_t)table->grid : planned;
+    const int64_t room = (int64_t)(table->places * (table->starts + WHIRL_MAX_NEIGHBOUR_STARTS));
+    const int64_t last = table->grid > 0 ? (int64_t)table->grid : room > 0 ? room : planned;
     get_wholes(status, group, "point", places, points);
     for (size_t i = 0; status->code == WHIRL_OK && i < table->count; before = places[i++]) {
         if (places[i] <= before || places[i] > last)
@@ -273,7 +274,7 @@ static void get_slots(whirl_status *status, hid_t group, shape points, whirl_tab
     free(places);
     if (status->code != WHIRL_OK) return;
     if ((size_t)planned > table->count) table->planned = (size_t)planned;
-    if (table->planned > 0 || table->grid > 0) return;
+    if (table->planned > 0 || table->grid > 0 || table->places > 0) return;
     free(table->slots);
     table->slots = NULL;
 }
@@ -311,10 +312,19 @@ static void get_blocks(whirl_status *status, hid_t group, shape points, whirl_ta
 
 /// How many starts every place has.
 static void get_starts(whirl_status *status, hid_t group, whirl_table *table) {
-    const size_t planned = whirl_table_planned(table);
+    const int64_t most = (int64_t)1 << 28;
     if (status->code != WHIRL_OK || !whirl_layout_field(&table->layout, "starts/number")) return;
     table->starts = (size_t)get_whole_attribute(status, group, "starts", 1, WHIRL_MAX_STARTS);
-    if (status->code == WHIRL_OK && planned % table->starts != 0)
+    if (!whirl_layout_field(&table->layout, "starts/neighbour")) return;
+    table->neighbours = (size_t)get_whole_attribute(status, group, "neighbours", 1, INT_MAX);
+    table->places = (size_t)get_whole_attribute(status, group, "places", 1, most);
+}
+
+/// Every place has as many starts, and some from neighbours where there may be any.
+static void check_starts(whirl_status *status, const whirl_table *table) {
+    const size_t planned = whirl_table_planned(table), own = table->places * table->starts;
+    if (status->code != WHIRL_OK || table->starts == 0) return;
+    if (table->places > 0 ? planned < own : planned % table->starts != 0)
         *status =
             whirl_fail(WHIRL_BAD_INPUT, "/%s has %zu points from %zu starts each, expected as many from every one",
                        table->name, planned, table->starts);
@@ -356,8 +366,9 @@ static void get_table(whirl_status *status, hid_t file, const whirl_result *resu
     get_numbers(status, group, "values", table->values, points);
     get_branch(status, group, points, table);
     get_grid(status, group, table);
-    get_slots(status, group, points, table);
     get_starts(status, group, table);
+    get_slots(status, group, points, table);
+    check_starts(status, table);
     get_plane(status, group, points, table);
     get_length_scales(status, group, result, points, table);
     for (size_t i = 0; status->code == WHIRL_OK && i < layout->field_count; ++i) {

@@ -103,7 +103,8 @@ static whirl_status compare_slots(const comparison *with, const whirl_result *th
     for (size_t i = 0; i < there->table_count; ++i) {
         const whirl_table *own = &with->tables[i], *found = &there->tables[i];
         const size_t planned = whirl_table_planned(found);
-        if (planned != own->planned || found->grid != own->grid || found->refine != own->refine)
+        if (planned != own->planned || found->grid != own->grid || found->refine != own->refine ||
+            found->neighbours != own->neighbours || found->places != own->places)
             return differs(with->path, own, planned < own->planned ? planned : own->planned);
         for (size_t point = 0; point < own->count; ++point)
             if (whirl_table_slot(own, point) != whirl_table_slot(found, point) || !whirl_table_done(found, point) ||

@@ -333,6 +333,10 @@ static void put_table(whirl_status *status, hid_t file, const whirl_result *resu
         put_whole_attribute(status, group, "row", (int64_t)table->row);
     }
     if (table->starts > 1) put_whole_attribute(status, group, "starts", (int64_t)table->starts);
+    if (table->neighbours > 0) {
+        put_whole_attribute(status, group, "neighbours", (int64_t)table->neighbours);
+        put_whole_attribute(status, group, "places", (int64_t)table->places);
+    }
     if (table->refine > 0) {
         put_whole_attribute(status, group, "refine", (int64_t)table->refine);
         put_whole_attribute(status, group, "grid", (int64_t)table->grid);

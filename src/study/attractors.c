@@ -25,7 +25,7 @@ static whirl_status join(const whirl_table *table, size_t point, told_apart *tol
         told->found[k] = (whirl_attractor){.first = point};
         told->motions[told->count++] = own;
     }
-    if (k < MOST_ATTRACTORS) told->found[k].points++;
+    if (k < MOST_ATTRACTORS) told->found[k].points += !whirl_table_from_neighbour(table, point);
     *which = k;
     return whirl_ok();
 }
@@ -33,9 +33,9 @@ static whirl_status join(const whirl_table *table, size_t point, told_apart *tol
 /// The standard error of a share is that of as many starts drawn at random.
 static void take_shares(told_apart *told) {
     for (size_t k = 0; k < told->count; k++) {
-        const double share = (double)told->found[k].points / (double)told->done;
+        const double share = told->done > 0 ? (double)told->found[k].points / (double)told->done : 0.0;
         told->found[k].share = share;
-        told->found[k].error = sqrt(share * (1.0 - share) / (double)told->done);
+        told->found[k].error = told->done > 0 ? sqrt(share * (1.0 - share) / (double)told->done) : 0.0;
     }
 }
 
@@ -47,7 +47,7 @@ whirl_status attractors_tell(const whirl_table *table, const size_t *points, siz
         const size_t point = points ? points[i] : i;
         of[point] = MOST_ATTRACTORS;
         if (!whirl_table_done(table, point)) continue;
-        told->done++;
+        told->done += !whirl_table_from_neighbour(table, point);
         status = join(table, point, told, &of[point]);
     }
     take_shares(told);

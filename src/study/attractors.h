@@ -8,7 +8,7 @@ enum { MOST_ATTRACTORS = 64 };
 
 /// Attractors in the order in which the points come to them, with a motion on each.
 typedef struct told_apart {
-    size_t done; ///< points that are done
+    size_t done; ///< points that are done, without those from neighbours, which count nowhere here
     size_t count;
     whirl_attractor found[MOST_ATTRACTORS];
     motion *motions[MOST_ATTRACTORS];

@@ -9,7 +9,8 @@ whirl_status whirl_study_machine(const whirl_study *study, const whirl_batch *ba
     whirl_batch own = *batch;
     const size_t index = batch->starts > 1 ? point % batch->count : point;
     const double value = batch->values ? batch->values[index] : (double)NAN;
-    if (batch->starts > 1) own.start = point / batch->count;
+    // Motions from neighbours begin from a state of their own.
+    if (batch->starts > 1) own.start = point / batch->count < batch->starts ? point / batch->count : 0;
     if (batch->second_values) own.second_value = batch->second_values[index];
     return study->machine(study->family, &own, value, machine);
 }

@@ -54,7 +54,7 @@ static whirl_status view_table(const whirl_table *source, whirl_table *view) {
     *view = *source;
     const whirl_status status = whirl_table_coexistence(source, &found);
     view->source = source;
-    view->starts = 0;
+    view->starts = view->neighbours = view->places = 0;
     view->slots = view->chosen = NULL;
     view->values = view->length_scales = view->blocks = NULL;
     view->branch = NULL;

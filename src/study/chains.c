@@ -132,8 +132,11 @@ static void drop(chain *link) {
     free(link);
 }
 
-/// Where a carried point starts from: the end of the one before it, NULL where there is none or it diverged.
+/// Where a point starts from that goes on from another one's end: a carried one from the one before it, NULL where
+/// there is none or it diverged; one from a neighbour from the motion there.
 static const double *carried_start(const chains *c, size_t slot) {
+    const size_t origin = pass_origin(c->run, c->pass->batch, slot);
+    if (origin != slot) return c->ends + origin * c->run->dimension;
     if (c->batch->carry == WHIRL_CARRY_NONE) return NULL;
     const size_t first = slot / c->batch->count * c->batch->count;
     const bool reverse = c->table->branch[slot] < 0;
@@ -283,20 +286,23 @@ static bool next(void *context, whirl_task *task) {
     }
     w->under_way++;
     link->begun = clock_seconds();
-    *task = (whirl_task){link->machine.system, carried ? carried : link->machine.start, link};
+    link->from = carried ? carried : link->machine.start;
+    *task = (whirl_task){link->machine.system, link->from, link};
     return true;
 }
 
 /// The block of a point, or the verdict at the second tolerance.
-static whirl_status analyze(const worker *w, size_t slot, const whirl_machine *machine, const whirl_record *record) {
+static whirl_status analyze(const worker *w, const chain *link, const whirl_record *record) {
     const chains *c = w->chains;
     const pass *p = c->pass;
+    const size_t slot = current_slot(link);
+    const beginning start = {slot, pass_origin(c->run, p->batch, slot), link->from};
     double *block = block_of(w, slot);
     if (pass_is_beside(p)) return whirl_analyze(record, &p->record, compared(p, c->batch), &c->other, w->other);
     const double spent = p->round > 0 ? refine_spent(&c->table->layout, block) + c->weight * record->revolutions : 0.0;
     const whirl_status status = whirl_analyze(record, &p->record, c->batch->analyses, &c->table->layout, block);
     map_note(c->batch, slot % c->batch->count, &c->table->layout, block);
-    starts_note(c->batch, slot, machine, &c->table->layout, block);
+    starts_note(c->batch, &start, link->machine.system, &c->table->layout, block);
     refine_note(&c->table->layout, block, p, spent);
     return status;
 }
@@ -308,7 +314,7 @@ static whirl_status done(void *context, const whirl_task *task, whirl_record *re
     const size_t slot = current_slot(link);
     const bool bounded = record->motion == WHIRL_BOUNDED;
     for (size_t i = 0; i < c->run->dimension; i++) w->end[i] = bounded ? record->end[i] : (double)NAN;
-    whirl_status status = analyze(w, slot, &link->machine, record);
+    whirl_status status = analyze(w, link, record);
     const kept_point point = kept_at(w, slot);
     if (status.code == WHIRL_OK) status = keeper_keep(c->run->keeper, &point);
     // What a motion that settled or diverged did not have to run counts as done.

@@ -15,6 +15,7 @@ typedef struct chain {
     double begun;              ///< when the point under way was (clock_seconds)
     whirl_machine machine;     ///< of the point under way
     double *start;             ///< of a copy under way
+    const double *from;        ///< [dimension] where the motion under way began
 } chain;
 
 /// The chains of one pass, shared by all threads.

@@ -204,11 +204,13 @@ static whirl_status join_neighbours(search *s) {
 /// What numbers are given by.
 typedef struct weight {
     size_t root, starts;
+    bool there; ///< there may be no start that leads to it, but those from neighbours
 } weight;
 
 static int by_starts(const void *left, const void *right) {
     const weight *a = left, *b = right;
     if (a->starts != b->starts) return a->starts < b->starts ? 1 : -1;
+    if (a->there != b->there) return a->there ? -1 : 1;
     return (a->root > b->root) - (a->root < b->root);
 }
 
@@ -220,9 +222,12 @@ static whirl_status give_numbers(search *s, size_t *most) {
     if (weights && numbers) {
         // A root may be any of its attractors: the first one stands for all.
         for (size_t k = s->count; k-- > 0;) weights[root_of(s, k)].root = k;
-        for (size_t k = 0; k < s->count; k++) weights[root_of(s, k)].starts += s->items[k].starts;
+        for (size_t k = 0; k < s->count; k++) {
+            weights[root_of(s, k)].starts += s->items[k].starts;
+            weights[root_of(s, k)].there = true;
+        }
         qsort(weights, s->count, sizeof *weights, by_starts);
-        while (*most < s->count && weights[*most].starts > 0) {
+        while (*most < s->count && weights[*most].there) {
             numbers[root_of(s, weights[*most].root)] = *most + 1;
             ++*most;
         }

@@ -1,6 +1,7 @@
 #include "kept.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
 
 #include "passes.h"
@@ -8,7 +9,7 @@
 struct whirl_kept_blocks {
     const whirl_keeper *keeper;
     size_t batch, dimension;
-    size_t point;     ///< whose block is in memory, `count` of the table for none
+    size_t point;     ///< whose block is in memory, SIZE_MAX for none
     double *widths;   ///< [count] of the points of a refined map, in the end; else NULL
     double *end;      ///< [dimension] asked for with the block
     double numbers[]; ///< [layout.size] the block, and then the end
@@ -18,7 +19,7 @@ whirl_status kept_new(whirl_table *table, const whirl_keeper *keeper, size_t bat
     const size_t size = table->layout.size;
     whirl_kept_blocks *kept = table->kept = malloc(sizeof *kept + (size + dimension) * sizeof(double));
     if (!kept) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a point");
-    *kept = (whirl_kept_blocks){.keeper = keeper, .batch = batch, .dimension = dimension, .point = table->count};
+    *kept = (whirl_kept_blocks){.keeper = keeper, .batch = batch, .dimension = dimension, .point = SIZE_MAX};
     kept->end = kept->numbers + size;
     return whirl_ok();
 }
@@ -28,10 +29,14 @@ void kept_free(whirl_kept_blocks *kept) {
     free(kept);
 }
 
-whirl_status kept_make_widths(const whirl_table *table, size_t count) {
-    table->kept->widths = calloc(count + 1, sizeof *table->kept->widths);
-    table->kept->point = table->count;
-    return table->kept->widths ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points", count);
+void kept_forget(whirl_kept_blocks *kept) {
+    kept->point = SIZE_MAX;
+}
+
+whirl_status kept_make_widths(const whirl_table *table) {
+    table->kept->widths = calloc(table->count + 1, sizeof *table->kept->widths);
+    kept_forget(table->kept);
+    return table->kept->widths ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points", table->count);
 }
 
 void kept_note_width(const whirl_table *table, size_t point, double width) {
@@ -44,7 +49,7 @@ const double *kept_block(const whirl_table *table, size_t point) {
     const size_t size = table->layout.size;
     if (kept->point == point) return kept->numbers;
     const size_t slot = table->slots ? table->slots[point] : point;
-    kept->point = table->count;
+    kept_forget(kept);
     if (table->done && !table->done[point])
         for (size_t i = 0; i < size; i++) kept->numbers[i] = NAN;
     else if (!keeper->recall(keeper->context, kept->batch, slot, kept->numbers, size, kept->end, kept->dimension))

@@ -10,9 +10,12 @@ whirl_status kept_new(whirl_table *table, const whirl_keeper *keeper, size_t bat
 
 void kept_free(whirl_kept_blocks *kept);
 
-/// Room for the widths of the points of a refined map, as many as there will be, and one of them: their blocks were
-/// kept before these were known, and are given with them from then on. WHIRL_NO_MEMORY.
-whirl_status kept_make_widths(const whirl_table *table, size_t count);
+/// After points of the table have come to other places.
+void kept_forget(whirl_kept_blocks *kept);
+
+/// Room for the widths of the points of a refined map, and one of them: their blocks were kept before these were known,
+/// and are given with them from then on. WHIRL_NO_MEMORY.
+whirl_status kept_make_widths(const whirl_table *table);
 void kept_note_width(const whirl_table *table, size_t point, double width);
 
 /// The block of a point, NULL where the keeper does not know it; of one that is not done, NaN.

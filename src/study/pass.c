@@ -34,6 +34,11 @@ size_t pass_number(const study_run *run, const pass *p) {
     return p->batch + run->study->batch_count * (kinds * (size_t)p->round + kind);
 }
 
+size_t pass_origin(const study_run *run, size_t batch, size_t slot) {
+    const size_t *origins = run->origins[batch];
+    return origins && origins[slot] > 0 ? origins[slot] - 1 : slot;
+}
+
 bool pass_time_is_over(const study_run *run) {
     return run->deadline > 0.0 && clock_seconds() > run->deadline;
 }

@@ -68,6 +68,7 @@ whirl_status passes_outcome(const study_run *run) {
     static const char *const formats[] = {
         [WHIRL_STAGE_COMPUTE] = "stopped after %zu of %zu points",
         [WHIRL_STAGE_CONFIRM] = "stopped after %zu of %zu points were confirmed",
+        [WHIRL_STAGE_NEIGHBOURS] = "stopped after %zu of %zu motions of a round of starts from neighbours",
         [WHIRL_STAGE_FOLLOW] = "stopped after %zu of %zu copies of chaotic motions were followed",
         [WHIRL_STAGE_REFINE] = "stopped after %zu of %zu points of a round of refinement",
     };

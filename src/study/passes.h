@@ -18,11 +18,14 @@ typedef struct study_run {
     double *ends[WHIRL_MAX_BATCHES]; ///< [count][dimension] where every point ended, NaN where it diverged, of batches
                                      ///< that are carried or may be followed; else NULL
     refined_map *refined[WHIRL_MAX_BATCHES]; ///< of batches that are refined maps, else NULL
-    whirl_share share;                       ///< of the points that are computed and confirmed; all zero: all of them
-    const whirl_dealer *dealer;              ///< NULL: points are not dealt out
-    bool gathering;                          ///< points that the keeper does not know are left out
-    bool traced;                             ///< branches and tori are as far as this run takes them
-    double deadline;                         ///< what is under way then is given up (clock_seconds); 0: there is none
+    /// [slots] of batches with starts from neighbours: 1 + the slot at whose end a motion begins, 0 for all others; or
+    /// NULL.
+    size_t *origins[WHIRL_MAX_BATCHES];
+    whirl_share share;          ///< of the points that are computed and confirmed; all zero: all of them
+    const whirl_dealer *dealer; ///< NULL: points are not dealt out
+    bool gathering;             ///< points that the keeper does not know are left out
+    bool traced;                ///< branches and tori are as far as this run takes them
+    double deadline;            ///< what is under way then is given up (clock_seconds); 0: there is none
     tracker tracker;
 } study_run;
 
@@ -75,6 +78,9 @@ size_t pass_number(const study_run *run, const pass *p);
 /// Where the copy of a point begins [dimension], to be freed; NULL without memory.
 double *pass_copy_start(const study_run *run, const pass *p, size_t slot);
 
+/// The slot at whose end the motion of a start from a neighbour begins; the slot itself for all others.
+size_t pass_origin(const study_run *run, size_t batch, size_t slot);
+
 /// Whether the deadline is past.
 bool pass_time_is_over(const study_run *run);
 
@@ -104,10 +110,15 @@ static inline size_t batch_copies(const whirl_batch *batch) {
     return batch->carry == WHIRL_CARRY_BOTH ? 2 : 1;
 }
 
-/// Slots of a batch's table: its points, or as many as its branches may have.
+/// Points of a batch that are known beforehand, or as many as its branches may have.
 static inline size_t batch_slots(const whirl_batch *batch) {
     return whirl_analysis_is_traced(batch->analyses) ? (size_t)batch->record.trace.points
                                                      : batch->count * batch_copies(batch);
+}
+
+/// Slots of a batch's table: there may be starts from neighbours besides.
+static inline size_t batch_room(const whirl_batch *batch) {
+    return batch_slots(batch) + (batch->neighbours > 0 ? batch->count * WHIRL_MAX_NEIGHBOUR_STARTS : 0);
 }
 
 /// Whether points in doubt are done again.
@@ -138,6 +149,9 @@ whirl_status tables_new(const whirl_study *study, whirl_result **result);
 /// Makes the blocks, or leaves those of tables of `memory` bytes or more (0: 256 MB) with the keeper.
 whirl_status tables_fill(const study_run *run, size_t memory);
 
+/// Leaves the wanted [count] slots of a table alone, which know what slots they were. WHIRL_NO_MEMORY.
+whirl_status table_close_up(whirl_table *table, const unsigned char *wanted);
+
 /// Sets the blocks of points that are not done to NaN.
 void tables_blank(whirl_result *result);
 
@@ -156,12 +170,20 @@ void map_note(const whirl_batch *batch, size_t point, const whirl_layout *layout
 
 // ---------------------------------------------------------------- starts.c
 
-/// The fields "starts/number" and "starts/state" of a batch with several starts. WHIRL_BAD_INPUT when it has too many.
+/// The fields "starts/number" and "starts/state" of a batch with several starts, and "starts/neighbour" where they may
+/// be from neighbours. WHIRL_BAD_INPUT when it has too many.
 whirl_status starts_add_fields(const whirl_batch *batch, size_t stations, whirl_layout *layout);
 
-/// Notes the start of a point, and the state [dimension] that it is, in its block.
-void starts_note(const whirl_batch *batch, size_t slot, const whirl_machine *machine, const whirl_layout *layout,
-                 double *block);
+/// How a motion began: from a state [dimension], which is where that of the slot `origin` ended, but for the slot
+/// itself.
+typedef struct beginning {
+    size_t slot, origin;
+    const double *state;
+} beginning;
+
+/// Notes the start of a point in its block.
+void starts_note(const whirl_batch *batch, const beginning *start, const whirl_system *system,
+                 const whirl_layout *layout, double *block);
 
 // ---------------------------------------------------------------- refine_fields.c
 

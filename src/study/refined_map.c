@@ -216,16 +216,6 @@ whirl_status refined_maps_work(study_run *run) {
 
 // ---------------------------------------------------------------- the table at last
 
-/// Moves what stands at a slot to the front.
-static void move_point(whirl_table *table, size_t to, size_t from) {
-    const size_t size = table->layout.size;
-    table->slots[to] = from;
-    table->values[to] = table->values[from];
-    table->branch[to] = table->branch[from];
-    table->done[to] = table->done[from];
-    if (table->blocks) memmove(table->blocks + to * size, table->blocks + from * size, size * sizeof *table->blocks);
-}
-
 static void note_width(const whirl_table *table, size_t point, double width) {
     const whirl_field *field = whirl_layout_field(&table->layout, MAP_WIDTH);
     if (table->blocks)
@@ -234,22 +224,11 @@ static void note_width(const whirl_table *table, size_t point, double width) {
         kept_note_width(table, point, width);
 }
 
-static whirl_status compact(refined_map *map, whirl_table *table) {
-    size_t count = 0;
-    for (size_t slot = 0; slot < table->count; slot++) count += map->asked[slot];
-    table->slots = calloc(count + 1, sizeof *table->slots);
-    whirl_status status = table->slots ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points", count);
-    if (status.code == WHIRL_OK && table->kept) status = kept_make_widths(table, count);
-    if (status.code != WHIRL_OK) return status;
-    size_t point = 0;
-    for (size_t slot = 0; slot < table->count; slot++) {
-        if (!map->asked[slot]) continue;
-        move_point(table, point, slot);
-        note_width(table, point++, map->widths[slot]);
-    }
-    table->count = count;
-    double *blocks = table->blocks ? realloc(table->blocks, (count * table->layout.size + 1) * sizeof *blocks) : NULL;
-    if (blocks) table->blocks = blocks;
+static whirl_status compact(const refined_map *map, whirl_table *table) {
+    whirl_status status = table_close_up(table, map->asked);
+    if (status.code == WHIRL_OK && table->kept) status = kept_make_widths(table);
+    for (size_t point = 0; status.code == WHIRL_OK && point < table->count; point++)
+        note_width(table, point, map->widths[table->slots[point]]);
     return status;
 }
 

@@ -66,12 +66,17 @@ size_t whirl_table_slot(const whirl_table *table, size_t point) {
 size_t whirl_table_places(const whirl_table *table) {
     const size_t planned = whirl_table_planned(table);
     if (table->source) return whirl_table_places(table->source);
+    if (table->places > 0) return table->places;
     return table->starts > 1 ? planned / table->starts : planned;
 }
 
 size_t whirl_table_place(const whirl_table *table, size_t point) {
     const size_t places = whirl_table_places(table);
     return places > 0 ? whirl_table_slot(table, point) % places : 0;
+}
+
+bool whirl_table_from_neighbour(const whirl_table *table, size_t point) {
+    return table->places > 0 && whirl_table_slot(table, point) >= table->places * table->starts;
 }
 
 double whirl_table_number(const whirl_table *table, size_t point, const char *field, size_t which) {

@@ -3,6 +3,7 @@
 #include <omp.h>
 #include <stdlib.h>
 
+#include "neighbours.h"
 #include "passes.h"
 #include "refined_map.h"
 
@@ -43,6 +44,9 @@ static whirl_status check_study(const whirl_study *study) {
         if (judged && (batch->confirm || study_is_refined(study) || batch->refine > 0) && !has_regime(batch))
             return whirl_fail(WHIRL_BAD_INPUT, "verdicts of the %s cannot be %s: the analysis 'regime' is not chosen",
                               batch->name, batch->confirm ? "confirmed" : "refined");
+        if (batch->neighbours > 0 && (batch->starts <= 1 || batch->count <= 1))
+            return whirl_fail(WHIRL_BAD_INPUT,
+                              "batch '%s' has starts from neighbours, expected several points and starts", batch->name);
         const whirl_status refined = check_refined_map(batch);
         if (refined.code != WHIRL_OK) return refined;
     }
@@ -65,7 +69,7 @@ whirl_status whirl_study_outline(const whirl_study *study, whirl_result **out) {
 
 // ---------------------------------------------------------------- stages
 
-/// Where the points of carried batches end.
+/// Where the points of batches end from which others go on.
 static whirl_status make_ends(study_run *run) {
     const whirl_study *study = run->study;
     whirl_machine machine;
@@ -76,7 +80,8 @@ static whirl_status make_ends(study_run *run) {
     for (size_t i = 0; i < study->batch_count; i++) {
         const whirl_batch *batch = &study->batches[i];
         if (whirl_analysis_is_traced(batch->analyses)) continue;
-        if (batch->carry == WHIRL_CARRY_NONE && !batch->confirm && !study_is_refined(study)) continue;
+        const bool carries = batch->carry != WHIRL_CARRY_NONE || batch->neighbours > 0;
+        if (!carries && !batch->confirm && !study_is_refined(study)) continue;
         run->ends[i] = calloc(run->result->tables[i].count * run->dimension, sizeof *run->ends[i]);
         if (!run->ends[i]) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the ends of carried points");
     }
@@ -147,7 +152,8 @@ static whirl_status run_stage(study_run *run, stage *s) {
 static whirl_status run_stages_of_all(study_run *run, bool confirmed) {
     double unlimited = (double)INFINITY;
     size_t followed;
-    whirl_status status = confirmed ? follow_points(run, 0, &unlimited, &followed) : whirl_ok();
+    whirl_status status = neighbours_work(run);
+    if (status.code == WHIRL_OK && confirmed) status = follow_points(run, 0, &unlimited, &followed);
     if (status.code == WHIRL_OK && study_is_refined(run->study)) status = refine_points(run);
     return status;
 }
@@ -232,10 +238,12 @@ whirl_status whirl_study_run(const whirl_study *study, const whirl_run_options *
     if (status.code == WHIRL_OK) status = tables_fill(&run, options->memory);
     if (status.code == WHIRL_OK) status = run_stages(&run, options);
     if (status.code == WHIRL_OK || status.code == WHIRL_STOPPED) {
-        const whirl_status ended = refined_maps_end(&run);
+        whirl_status ended = refined_maps_end(&run);
+        if (ended.code == WHIRL_OK) ended = neighbours_end(&run);
         if (ended.code != WHIRL_OK) status = ended;
     }
     refined_maps_free(&run);
+    neighbours_free(&run);
     for (size_t i = 0; i < WHIRL_MAX_BATCHES; i++) free(run.ends[i]);
     if (status.code == WHIRL_STOPPED || (status.code == WHIRL_OK && (run.share.count > 0 || run.dealer))) {
         tables_blank(run.result);

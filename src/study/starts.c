@@ -14,12 +14,13 @@ double whirl_halton(size_t index, size_t coordinate) {
     return mirrored;
 }
 
-static const char *const number_field = "starts/number", *const state_field = "starts/state";
+static const char *const number_field = "starts/number", *const state_field = "starts/state",
+                         *const neighbour_field = "starts/neighbour";
 
 whirl_status starts_add_fields(const whirl_batch *batch, size_t stations, whirl_layout *layout) {
     if (batch->starts <= 1) return whirl_ok();
-    if (layout->field_count + 2 > WHIRL_MAX_FIELDS)
-        return whirl_fail(WHIRL_BAD_INPUT, "the chosen analyses have more than %d fields", WHIRL_MAX_FIELDS - 2);
+    if (layout->field_count + 3 > WHIRL_MAX_FIELDS)
+        return whirl_fail(WHIRL_BAD_INPUT, "the chosen analyses have more than %d fields", WHIRL_MAX_FIELDS - 3);
     study_add_field(layout, number_field, "1", "number of the start, from 1");
     study_add_field(layout, state_field, "length", "x, y, vx, vy (where the motion began)");
     whirl_field *field = &layout->fields[layout->field_count - 1];
@@ -27,18 +28,24 @@ whirl_status starts_add_fields(const whirl_batch *batch, size_t stations, whirl_
     field->repeat = stations;
     field->columns = 4;
     layout->size += 4 * stations - 1;
+    if (batch->neighbours > 0)
+        study_add_field(layout, neighbour_field, "1",
+                        "place, from 1, of the neighbour at the end of whose motion this one began; 0: none");
     return whirl_ok();
 }
 
-void starts_note(const whirl_batch *batch, size_t slot, const whirl_machine *machine, const whirl_layout *layout,
-                 double *block) {
+void starts_note(const whirl_batch *batch, const beginning *start, const whirl_system *system,
+                 const whirl_layout *layout, double *block) {
     const whirl_field *number = whirl_layout_field(layout, number_field);
     const whirl_field *state = whirl_layout_field(layout, state_field);
+    const whirl_field *neighbour = whirl_layout_field(layout, neighbour_field);
     if (batch->starts <= 1 || !number || !state) return;
-    block[number->offset] = (double)(slot / batch->count + 1);
+    block[number->offset] = (double)(start->slot / batch->count + 1);
     for (size_t s = 0; s < state->repeat; s++) {
-        const whirl_probe *probe = &machine->system->probes[s];
+        const whirl_probe *probe = &system->probes[s];
         const size_t coordinates[] = {probe->x, probe->y, probe->vx, probe->vy};
-        for (size_t c = 0; c < 4; c++) block[state->offset + 4 * s + c] = machine->start[coordinates[c]];
+        for (size_t c = 0; c < 4; c++) block[state->offset + 4 * s + c] = start->state[coordinates[c]];
     }
+    if (neighbour)
+        block[neighbour->offset] = start->origin == start->slot ? 0.0 : (double)(start->origin % batch->count + 1);
 }

@@ -11,7 +11,7 @@ static void fill_values(whirl_table *table, const whirl_batch *batch) {
     const bool traced = whirl_analysis_is_traced(batch->analyses);
     for (size_t slot = 0; traced && slot < table->count; slot++) table->values[slot] = NAN;
     if (traced) return;
-    for (size_t copy = 0; copy < batch_copies(batch); copy++)
+    for (size_t copy = 0; copy < batch_room(batch) / batch->count; copy++)
         for (size_t k = 0; k < batch->count; k++) {
             const size_t slot = copy * batch->count + k;
             table->values[slot] = batch->values ? batch->values[k] : NAN;
@@ -38,9 +38,11 @@ static whirl_status make_table(const whirl_study *study, const whirl_batch *batc
     if (batch->second_values) memcpy(table->second, batch->second, sizeof table->second);
     table->row = batch->row;
     table->starts = batch->starts > 1 ? batch->starts : 0;
+    table->neighbours = batch->neighbours;
+    table->places = batch->neighbours > 0 ? batch->count : 0;
     table->refine = batch->refine;
     table->grid = batch->refine > 0 ? batch->count : 0;
-    table->count = batch_slots(batch);
+    table->count = batch_room(batch);
     table->analyses = batch->analyses;
     table->integrate = batch->integrate;
     table->record = batch->record;
@@ -77,6 +79,30 @@ whirl_status tables_fill(const study_run *run, size_t memory) {
         status = large && may_leave(run, i) ? kept_new(table, run->keeper, i, dimension) : make_blocks(table);
     }
     return status;
+}
+
+/// Moves what stands at a slot to the front.
+static void move_point(whirl_table *table, size_t to, size_t from) {
+    const size_t size = table->layout.size;
+    table->slots[to] = from;
+    table->values[to] = table->values[from];
+    table->branch[to] = table->branch[from];
+    table->done[to] = table->done[from];
+    if (table->blocks) memmove(table->blocks + to * size, table->blocks + from * size, size * sizeof *table->blocks);
+}
+
+whirl_status table_close_up(whirl_table *table, const unsigned char *wanted) {
+    size_t count = 0, point = 0;
+    for (size_t slot = 0; slot < table->count; slot++) count += wanted[slot];
+    table->slots = calloc(count + 1, sizeof *table->slots);
+    if (!table->slots) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points", count);
+    for (size_t slot = 0; slot < table->count; slot++)
+        if (wanted[slot]) move_point(table, point++, slot);
+    table->count = count;
+    if (table->kept) kept_forget(table->kept);
+    double *blocks = table->blocks ? realloc(table->blocks, (count * table->layout.size + 1) * sizeof *blocks) : NULL;
+    if (blocks) table->blocks = blocks;
+    return whirl_ok();
 }
 
 void tables_blank(whirl_result *result) {

@@ -22,6 +22,11 @@ void tracker_round(tracker *t, int round, size_t points, double revolutions) {
     t->reported = 0.0;
 }
 
+void tracker_neighbours(tracker *t, int round, size_t points, double revolutions) {
+    tracker_round(t, round, points, revolutions);
+    t->progress.stage = WHIRL_STAGE_NEIGHBOURS;
+}
+
 void tracker_follow(tracker *t, int round, size_t motions, double revolutions) {
     tracker_round(t, round, motions, revolutions);
     t->progress.stage = WHIRL_STAGE_FOLLOW;

@@ -22,6 +22,9 @@ void tracker_begin(tracker *tracker, const whirl_run_options *options, double re
 void tracker_stage(tracker *tracker, whirl_stage stage, size_t points);
 void tracker_round(tracker *tracker, int round, size_t points, double revolutions);
 
+/// Begins a round of starts from neighbours.
+void tracker_neighbours(tracker *tracker, int round, size_t points, double revolutions);
+
 /// Begins to follow motions; of round 0, or in a round of refinement.
 void tracker_follow(tracker *tracker, int round, size_t motions, double revolutions);
 

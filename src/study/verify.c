@@ -48,7 +48,7 @@ static whirl_status run_levels(const whirl_study *study, const whirl_integrate_o
         whirl_batch *batch = &all.batches[i];
         *batch = study->batches[0];
         batch->carry = WHIRL_CARRY_NONE;
-        batch->starts = 0; // the first start of every point
+        batch->starts = batch->neighbours = 0; // the first start of every point
         batch->confirm = false;
         batch->integrate = levels[i];
         batch->record.waveform = batch->record.spectra = false;

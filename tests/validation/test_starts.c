@@ -12,74 +12,10 @@
 
 #include <cmocka.h>
 
+#include "support_brute.h"
 #include "support_check.h"
 #include "whirl/case.h"
 #include "whirl/study.h"
-
-static const double pi = 3.14159265358979323846;
-
-/// The digits of a number in base 2 or 3, mirrored at the point.
-static double mirrored(int number, int base) {
-    int value = 0, size = 1;
-    for (; number > 0; number /= base, size *= base) value = value * base + number % base;
-    return (double)value / size;
-}
-
-// ---------------------------------------------------------------- brute force
-
-enum { MOST_STATE = 8, LONGEST = 16, SEEN = 64 };
-
-/// A forced system in time tau of period 2 pi, [v, a] = f(tau, [x, v]).
-typedef struct brute {
-    void (*rate)(double parameter, double cosine, double sine, const double *x, double *dx);
-    double parameter;
-    int dimension, steps, transient;
-} brute;
-
-/// What a motion came to: its period in revolutions, 0 where it does not return, and the section over the last of them.
-typedef struct outcome {
-    int period;
-    double section[SEEN][2], mean;
-} outcome;
-
-static void rk4_step(const brute *b, int step, double *x) {
-    const double h = 2.0 * pi / b->steps;
-    double k[4][MOST_STATE], at[MOST_STATE];
-    for (int stage = 0; stage < 4; stage++) {
-        const double part = stage == 0 ? 0.0 : stage == 3 ? 1.0 : 0.5, t = h * (step + part);
-        for (int i = 0; i < b->dimension; i++) at[i] = x[i] + (stage ? part * h * k[stage - 1][i] : 0.0);
-        b->rate(b->parameter, cos(t), sin(t), at, k[stage]);
-    }
-    for (int i = 0; i < b->dimension; i++) x[i] += h / 6.0 * (k[0][i] + 2.0 * (k[1][i] + k[2][i]) + k[3][i]);
-}
-
-/// The least number of revolutions after which the section returns.
-static int period_of(const outcome *o, double tolerance) {
-    for (int n = 0; n < SEEN; n++) assert_true(isfinite(o->section[n][0]) && isfinite(o->section[n][1]));
-    for (int k = 1; k <= LONGEST; k++) {
-        double away = 0.0;
-        for (int n = 0; n + k < SEEN; n++)
-            for (int c = 0; c < 2; c++) away = fmax(away, fabs(o->section[n + k][c] - o->section[n][c]));
-        if (away < tolerance) return k;
-    }
-    return 0;
-}
-
-/// Where a motion from x has come to after the transient.
-static outcome follow(const brute *b, double *x, double tolerance) {
-    outcome o = {.mean = 0.0};
-    for (int n = 0; n < b->transient + SEEN; n++) {
-        for (int step = 0; step < b->steps; step++) {
-            rk4_step(b, step, x);
-            if (n >= b->transient) o.mean += x[0] / (b->steps * SEEN);
-        }
-        if (n < b->transient) continue;
-        o.section[n - b->transient][0] = x[0];
-        o.section[n - b->transient][1] = x[1];
-    }
-    o.period = period_of(&o, tolerance);
-    return o;
-}
 
 // ---------------------------------------------------------------- two wells
 
@@ -105,8 +41,8 @@ typedef struct oscillator {
 } oscillator;
 
 static void place_start(size_t start, double *x) {
-    x[0] = -1.6 + 3.2 * mirrored((int)start + 1, 2);
-    x[1] = (-1.0 + 2.0 * mirrored((int)start + 1, 3)) / speed;
+    x[0] = -1.6 + 3.2 * brute_mirrored((int)start + 1, 2);
+    x[1] = (-1.0 + 2.0 * brute_mirrored((int)start + 1, 3)) / speed;
 }
 
 static whirl_status machine_at(const void *family, const whirl_batch *batch, double value, whirl_machine *machine) {
@@ -169,7 +105,7 @@ static int brute_kind(size_t place, size_t start, int steps) {
     const brute b = {duffing, forces[place], 2, steps, 500};
     double x[MOST_STATE];
     place_start(start, x);
-    const outcome o = follow(&b, x, 1e-5);
+    const outcome o = brute_follow(&b, x, 1e-5);
     return kind_of(&o);
 }
 
@@ -227,39 +163,6 @@ static void wells_are_told_apart(void **state) {
 
 // ---------------------------------------------------------------- the paper's rotor
 
-/// Capone's force of the short bearing on a journal at (x, y), without its coefficient.
-static void film(double x, double y, double vx, double vy, double *fx, double *fy) {
-    const double a = x - 2.0 * vy, b = y + 2.0 * vx, q = 1.0 - x * x - y * y, c = sqrt(a * a + b * b);
-    const double p = x * b - y * a, u = x * a + y * b;
-    *fx = *fy = 0.0;
-    if (c == 0.0) return; // at rest in the middle, where the motions begin
-    const double g = (pi + 2.0 * atan(p / (c * sqrt(q)))) / sqrt(q), v = (2.0 + p * g / c) / q;
-    const double s = u * c / (c * c - u * u);
-    *fx = (3.0 * x * v * c + g * b - 2.0 * s * a) / q;
-    *fy = (3.0 * y * v * c - g * a - 2.0 * s * b) / q;
-}
-
-/// The calibrated reading (cases/paper.yaml): disc and journal, in clearances and tau = omega t; x1, y1, x2, y2.
-static void paper_rotor(double r_k, double cosine, double sine, const double *x, double *dx) {
-    const double w = 0.2, disc = 420.0, journal = 50.0, omega = 650.0, gravity = 10.584 / (omega * omega * 2e-4);
-    const double cos2 = cosine * cosine - sine * sine, sin2 = 2.0 * sine * cosine;
-    const double along = r_k + 1.0 + (r_k - 1.0) * cos2, across = (r_k - 1.0) * sin2;
-    const double dx1 = x[0] - x[2], dy1 = x[1] - x[3], *v = x + 4;
-    const double spring[2] = {along * dx1 + across * dy1, along * dy1 + across * dx1};
-    const double radius = hypot(x[0], x[1]);
-    const double push = radius > 1.2 ? 10.0 * journal / (w * w * disc) * (1.0 - 1.2 / radius) : 0.0;
-    double pull[2];
-    film(x[2], x[3], v[2], v[3], &pull[0], &pull[1]);
-    memcpy(dx, v, 4 * sizeof *dx);
-    for (int i = 0; i < 2; i++) {
-        const double weight = i == 1 ? gravity : 0.0;
-        dx[4 + i] = -4300.0 / (disc * omega) * v[i] - journal / (2.0 * disc * w * w) * spring[i] +
-                    0.08 * (i ? sine : cosine) - weight - push * (x[i] + (i ? 0.1 : -0.1) * x[1 - i]);
-        dx[6 + i] =
-            -9300.0 / (2.0 * journal * omega) * v[2 + i] + spring[i] / (4.0 * w * w) - 0.0042 * pull[i] - weight;
-    }
-}
-
 /// One of the motions at a ratio of stiffness: after how many revolutions it returns, and between which bounds the
 /// largest x of its section lies; and a transient after which the others are told from it.
 typedef struct ratio {
@@ -280,33 +183,19 @@ static const char *const paper_study = "study:\n"
                                        "  integrate: {method: dop853, rtol: 1e-6, transient: 8000, record: 100}\n"
                                        "  analyze: [poincare, regime, lyapunov, orbit, rub, floquet]\n";
 
-/// cases/paper.yaml with another study.
-static whirl_case *paper_case(void) {
-    FILE *stream = fopen(WHIRL_CASES "/paper.yaml", "r");
-    char *text = calloc(1, 1 << 16), line[512];
-    whirl_case *object;
-    assert_true(stream && text);
-    while (fgets(line, sizeof line, stream) && strncmp(line, "study:", 6) != 0) strcat(text, line);
-    strcat(text, paper_study);
-    (void)fclose(stream);
-    require_ok(whirl_case_parse(text, strlen(text), "paper.yaml", NULL, &object));
-    free(text);
-    return object;
-}
-
 /// Whether a motion is one of those that are looked for.
 static bool is_sought(const ratio *at, int period, double largest) {
     return period == at->period && largest > at->low && largest < at->high;
 }
 
 static bool brute_is_sought(const ratio *at, size_t start) {
-    const brute b = {paper_rotor, at->r_k, 8, 256, at->transient};
+    const brute b = {brute_paper_rotor, at->r_k, 8, 256, at->transient};
     double x[MOST_STATE] = {0.0}, largest = -9.0;
     if (start > 0) {
-        x[0] = -1.1 + 2.2 * mirrored((int)start, 2);
-        x[1] = -1.1 + 2.2 * mirrored((int)start, 3);
+        x[0] = -1.1 + 2.2 * brute_mirrored((int)start, 2);
+        x[1] = -1.1 + 2.2 * brute_mirrored((int)start, 3);
     }
-    const outcome o = follow(&b, x, 1e-4);
+    const outcome o = brute_follow(&b, x, 1e-4);
     for (int n = 0; n < SEEN; n++) largest = fmax(largest, o.section[n][0]);
     return is_sought(at, o.period, largest);
 }
@@ -328,11 +217,11 @@ static void equations_agree(const whirl_study *study) {
         require_ok(whirl_study_machine(study, &study->batches[0], place, &machine));
         for (int n = 0; n < 16; n++) {
             double x[8], dx[8], own[8], forcing[WHIRL_MAX_FORCING];
-            const double t = 2.0 * pi * mirrored(n + 1, 2);
-            for (int i = 0; i < 8; i++) x[i] = (i < 2 ? 1.6 : 0.9) * (mirrored(7 * n + i + 1, 3) - 0.5);
+            const double t = 2.0 * pi * brute_mirrored(n + 1, 2);
+            for (int i = 0; i < 8; i++) x[i] = (i < 2 ? 1.6 : 0.9) * (brute_mirrored(7 * n + i + 1, 3) - 0.5);
             machine.system->forcing(machine.system->model, t, forcing);
             machine.system->rhs(machine.system->model, t, forcing, x, dx);
-            paper_rotor(ratios[place].r_k, cos(t), sin(t), x, own);
+            brute_paper_rotor(ratios[place].r_k, cos(t), sin(t), x, own);
             for (int i = 0; i < 8; i++) largest = fmax(largest, fabs(dx[i] - own[i]) / fmax(1.0, fabs(own[i])));
         }
         machine.release(machine.owner);
@@ -358,7 +247,7 @@ static void compare_shares(const whirl_table *table, size_t place) {
 /// Two motions side by side, which continuation knows (the manual's changes of the paper's rotor), and what leads to
 /// them.
 static void the_paper_has_its_motions(void **state) {
-    whirl_case *object = paper_case();
+    whirl_case *object = brute_paper_case(paper_study);
     whirl_study study;
     whirl_result *result;
     whirl_coexistence found;
