@@ -81,7 +81,7 @@ _whirl_options() {
     verify) echo '--points= --method= --revolutions= --set= --threads= --json --quiet --help' ;;
     report) echo '-o --output= --claims= --gnuplot= --explorer= --units= --quiet --help' ;;
     show) echo '--json --help' ;;
-    export) echo '--csv= --help' ;;
+    export) echo '--csv= --mat= --npz= --force --help' ;;
     check) echo '--set= --help' ;;
     describe | help) echo '--help' ;;
     *) echo '--help --version' ;;
@@ -108,7 +108,7 @@ _whirl() {
         esac
         return
         ;;
-    --csv) _whirl_files "$word"; return ;;
+    --csv | --mat | --npz) _whirl_files "$word"; return ;;
     --claims) _whirl_files "$word" yaml yml; return ;;
     --explorer) mapfile -t COMPREPLY < <(compgen -f -- "$word"); return ;;
     --gnuplot) mapfile -t COMPREPLY < <(compgen -c -- "$word"); return ;;

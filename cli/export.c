@@ -1,17 +1,24 @@
-/// whirl export: a result as CSV.
+/// whirl export: a result as CSV, as a MAT file or as an archive of NumPy.
 #include "command.h"
 
 #include <stdio.h>
+#include <sys/stat.h>
 
 #include "files.h"
 #include "output.h"
 
+enum { KEY_FORCE = 0x100 };
+
 typedef struct export_arguments {
-    const char *result, *csv;
+    const char *result, *csv, *mat, *npz;
+    bool force;
 } export_arguments;
 
 static const struct argp_option options[] = {
     {.name = "csv", .key = 'c', .arg = "DIR", .doc = "Folder for the CSV files; it is made when it is not there"},
+    {.name = "mat", .key = 'm', .arg = "FILE", .doc = "MAT file for MATLAB and Octave"},
+    {.name = "npz", .key = 'n', .arg = "FILE", .doc = "Archive for numpy.load"},
+    {.name = "force", .key = KEY_FORCE, .doc = "Replace a file that is there"},
     {0},
 };
 
@@ -21,37 +28,80 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     case 'c':
         arguments->csv = argument;
         return 0;
+    case 'm':
+        arguments->mat = argument;
+        return 0;
+    case 'n':
+        arguments->npz = argument;
+        return 0;
+    case KEY_FORCE:
+        arguments->force = true;
+        return 0;
     case ARGP_KEY_ARG:
         if (arguments->result) bad_argument(state, "takes one result, '%s' is one too many", argument);
         arguments->result = argument;
         return 0;
     case ARGP_KEY_END:
         require_option(state, arguments->result, "RESULT.h5");
-        require_option(state, arguments->csv, "--csv DIR");
+        if (!arguments->mat && !arguments->npz) require_option(state, arguments->csv, "--csv DIR, --mat FILE or --npz FILE");
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;
     }
 }
 
-static int run(int argc, char **argv) {
-    static const struct argp argp = {
-        .options = options,
-        .parser = parse,
-        .args_doc = "RESULT.h5 --csv DIR",
-        .doc = "Writes every table of a result as CSV files, units in the headings.",
-    };
-    export_arguments arguments = {0};
-    const int read = read_arguments(&argp, argc, argv, 0, &arguments);
-    if (read != EXIT_DONE) return read;
-    if (!output_may_be_folder(arguments.csv)) return EXIT_FAILED;
-    keep_private(arguments.result);
+/// Whether a file may be made there; complains if not.
+static bool may_write(const char *path, const export_arguments *arguments) {
+    struct stat there, result;
+    if (!path || stat(path, &there) != 0) return true;
+    if (stat(arguments->result, &result) == 0 && there.st_dev == result.st_dev && there.st_ino == result.st_ino) {
+        complain("'%s' is the result itself, expected another file", path);
+        return false;
+    }
+    if (!arguments->force && S_ISREG(there.st_mode))
+        complain("'%s' is there already and is kept: add --force to replace it", path);
+    return arguments->force || !S_ISREG(there.st_mode);
+}
+
+static int export_csv(const export_arguments *arguments) {
     whirl_result *result = NULL;
-    const int outcome = load_result(arguments.result, &result);
+    const int outcome = load_result(arguments->result, &result);
     if (outcome != EXIT_DONE) return outcome;
-    const whirl_status status = whirl_result_export_csv(result, arguments.csv);
+    const whirl_status status = whirl_result_export_csv(result, arguments->csv);
     whirl_result_free(result);
     return complain_of(&status);
 }
 
-const command export_command = {"export", "write a result as CSV", run};
+/// The file as it stands, once all but its numbers has been found to be a result.
+static int export_file(const char *result, const char *path, whirl_status (*write)(const char *, const char *)) {
+    whirl_result *outline = NULL;
+    const int outcome = load_outline(result, &outline);
+    if (outcome != EXIT_DONE) return outcome;
+    whirl_result_free(outline);
+    const whirl_status status = write(result, path);
+    return complain_of(&status);
+}
+
+static int run(int argc, char **argv) {
+    static const struct argp argp = {
+        .options = options,
+        .parser = parse,
+        .args_doc = "RESULT.h5 --csv DIR\nRESULT.h5 --mat FILE\nRESULT.h5 --npz FILE",
+        .doc = "Writes every table of a result as CSV files, units in the headings; or all of it as a MAT file for "
+               "MATLAB and Octave, or as an archive for NumPy.",
+    };
+    export_arguments arguments = {0};
+    const int read = read_arguments(&argp, argc, argv, 0, &arguments);
+    if (read != EXIT_DONE) return read;
+    if (arguments.csv && !output_may_be_folder(arguments.csv)) return EXIT_FAILED;
+    if (!may_write(arguments.mat, &arguments) || !may_write(arguments.npz, &arguments)) return EXIT_FAILED;
+    keep_private(arguments.result);
+    int outcome = arguments.csv ? export_csv(&arguments) : EXIT_DONE;
+    if (outcome == EXIT_DONE && arguments.mat)
+        outcome = export_file(arguments.result, arguments.mat, whirl_result_export_mat);
+    if (outcome == EXIT_DONE && arguments.npz)
+        outcome = export_file(arguments.result, arguments.npz, whirl_result_export_npz);
+    return outcome;
+}
+
+const command export_command = {"export", "write a result for spreadsheets, MATLAB, Octave or NumPy", run};

@@ -40,15 +40,23 @@ static bool is_case(const char *path) {
     return strncmp(head, "whirl:", 6) == 0 || strstr(head, "\nwhirl:");
 }
 
-int load_result(const char *path, whirl_result **result) {
+static int load(const char *path, whirl_status (*read)(const char *, whirl_result **), whirl_result **result) {
     *result = NULL;
     if (is_case(path)) {
         complain("'%s' is a case, expected a result: 'whirl run %s' computes it", path, path);
         return EXIT_BAD_INPUT;
     }
-    const whirl_status status = whirl_result_read(path, result);
+    const whirl_status status = read(path, result);
     complain_of(&status);
     return status.code == WHIRL_OK ? EXIT_DONE : status.code == WHIRL_NO_MEMORY ? EXIT_FAILED : EXIT_BAD_INPUT;
+}
+
+int load_result(const char *path, whirl_result **result) {
+    return load(path, whirl_result_read, result);
+}
+
+int load_outline(const char *path, whirl_result **outline) {
+    return load(path, whirl_result_read_outline, outline);
 }
 
 /// A file beside `path` that does not have its name yet, with the text; gives the reason why not, or 0.

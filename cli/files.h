@@ -12,6 +12,9 @@ bool is_result_for_case(const char *path);
 /// Reads a result; gives the exit status, after complaining of what cannot be read. A case is named for what it is.
 int load_result(const char *path, whirl_result **result);
 
+/// The same without the numbers of points.
+int load_outline(const char *path, whirl_result **outline);
+
 /// Writes a case, whole or not at all; one that is there is kept unless `force`. Gives the exit status, after a
 /// complaint.
 int write_case(const char *path, bool force, const char *text);

@@ -13,12 +13,12 @@ declare -A packages=(
     # that link it statically.
     [build]="build-essential cmake ninja-build pkg-config git libsundials-dev libhdf5-dev libyaml-dev
              libudunits2-dev libexpat1-dev libmuparser-dev libjansson-dev libeigen3-dev
-             libtomlplusplus-dev"
+             libtomlplusplus-dev libmatio-dev libminizip-dev"
     [report]="gnuplot-nox"
     # clang with its run time: the fuzz target, and a second compiler that must agree; libomp-dev is its OpenMP.
     # auto-07p, which needs gfortran, is a program that is run beside the tests and never linked.
     [test]="libcmocka-dev liblapacke-dev libopenblas-dev clang libclang-rt-14-dev libomp-dev valgrind
-            python3-h5py auto-07p gfortran libopenmpi-dev openmpi-bin abigail-tools"
+            python3-h5py python3-scipy auto-07p gfortran libopenmpi-dev openmpi-bin abigail-tools"
     # dpkg-dev unpacks the sources of libyaml, muParser, UDUNITS and expat, which emscripten compiles.
     [explorer]="emscripten nodejs npm dpkg-dev"
     [browser]="chromium-headless-shell firefox-esr"

@@ -280,6 +280,16 @@ bool whirl_result_same_study(const whirl_result *earlier, const whirl_result *la
 /// and one file a field that has rows. Units stand in the headings.
 whirl_status whirl_result_export_csv(const whirl_result *result, const char *path);
 
+/// Writes the result file `result` as a MAT file of version 5, compressed, which MATLAB and Octave load: a variable for
+/// every group of the result file (docs/result-file.md), its numbers to the bit. `path` appears whole or not at all, and
+/// replaces what is there. WHIRL_BAD_INPUT where `result` is damaged, WHIRL_IO_ERROR where either file fails or a
+/// variable would have more than the 2 GB that such a file may hold.
+whirl_status whirl_result_export_mat(const char *result, const char *path);
+
+/// Writes the result file `result` as an archive for numpy.load: an array for every dataset, by its name
+/// ("sweep/orbit/max_radius"), and one for every attribute ("sweep/orbit/max_radius@unit"). As above, without a limit.
+whirl_status whirl_result_export_npz(const char *result, const char *path);
+
 /// Reads all of a file but the numbers of its points, whose tables then have no blocks. Errors as whirl_result_read.
 whirl_status whirl_result_read_outline(const char *path, whirl_result **outline);
 
