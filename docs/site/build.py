@@ -31,10 +31,8 @@ PARTS = {
 
 
 def write(path, text):
-    """Leaves a file alone that holds the text, so that Sphinx reads again only what has changed."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    if not path.exists() or path.read_text() != text:
-        path.write_text(text)
+    path.write_text(text)
 
 
 def adapted(text):
@@ -159,7 +157,9 @@ def main():
     runs = "--without-runs" not in sys.argv
     work = build / ("docs-work" if runs else "docs-quick")
     source = work / "source"
-    shutil.rmtree(source, ignore_errors=True)
+    # What an earlier build left of a page may stand against what is there now.
+    for earlier in (source, work / "doctrees"):
+        shutil.rmtree(earlier, ignore_errors=True)
     tutorials.environment(build)
     sys.path.insert(0, str(ROOT / "bindings/python"))
     lay_out_markdown(source)

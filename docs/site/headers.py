@@ -35,7 +35,8 @@ def blocks_of(paragraph):
     for child in paragraph:
         inner = "".join(child.itertext())
         if child.tag in ("programlisting", "verbatim"):
-            yield from (" ".join(words.split()), "::\n\n" + indented(code_text(child).rstrip()))
+            code = child.text if child.tag == "verbatim" else "".join(map(code_text, child))
+            yield from (" ".join(words.split()), "::\n\n" + indented(code.rstrip()))
             words = ""
         else:
             words += f"``{inner}``" if child.tag == "computeroutput" else inner
