@@ -37,14 +37,14 @@ EXPLORER = scripts/explorer.sh $(if $(CI),,--if-possible) $(BUILD)/explorer
 
 test:           ## everything is built, run and proved (about 11 minutes on two cores, 5 more where packages are missing)
 	@echo "make test: about 11 minutes on two cores, and 5 more for packages where they are missing"
-	@$(INSTALL) build report test explorer browser docs
+	@$(INSTALL) build report python test explorer browser docs
 	cmake --preset release -DWHIRL_TESTS=ON
 	cmake --build $(BUILD) --parallel $(JOBS)
 	$(EXPLORER)
 	ctest --test-dir $(BUILD) -j $(JOBS)
 
 check:          ## the tests of daily work, under a minute once things are built
-	@$(INSTALL) --check build report test
+	@$(INSTALL) --check build report python test
 	cmake --preset release -DWHIRL_TESTS=ON
 	cmake --build $(BUILD) --parallel $(JOBS)
 	ctest --test-dir $(BUILD) -j $(JOBS) -L 'unit|cli' -LE slow --output-on-failure
@@ -140,16 +140,18 @@ install: all    ## into PREFIX (/usr/local)
 	cmake --build $(BUILD) --parallel $(JOBS)
 	cmake --install $(BUILD) --prefix $(abspath $(PREFIX))
 
-format: dependencies-lint ## the sources, by clang-format and prettier
+format: dependencies-lint ## the sources, by clang-format, prettier and black
 	clang-format -i $(SOURCES)
 	scripts/node-packages.sh
 	$(PRETTIER) --write $(SCRIPTS)
+	black --quiet bindings/python
 
 lint: dependencies-build-test-lint ## formats, long lines, clang-tidy and cppcheck, without changing anything
 	cmake --preset release -DWHIRL_TESTS=ON
 	cmake --build $(BUILD) --target build_revision
 	scripts/node-packages.sh
 	$(PRETTIER) --check $(SCRIPTS)
+	black --quiet --check bindings/python
 	scripts/long-lines.sh
 	scripts/lint.sh $(BUILD) $(SOURCES)
 

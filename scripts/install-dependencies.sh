@@ -3,8 +3,8 @@
 #
 #   scripts/install-dependencies.sh [--check] GROUP...
 #
-# Groups: build (library and command), report (figures), test (all tests), explorer (the page), browser (its tests), lint,
-# bench, docs (the site and its tutorials).
+# Groups: build (library and command), report (figures), python (its package, with what its figures and tables need),
+# test (all tests), explorer (the page), browser (its tests), docs (the site and its tutorials), lint, bench.
 # --check only says what is missing, with exit status 1.
 set -euo pipefail
 
@@ -15,6 +15,8 @@ declare -A packages=(
              libudunits2-dev libexpat1-dev libmuparser-dev libjansson-dev libeigen3-dev
              libtomlplusplus-dev libmatio-dev libminizip-dev"
     [report]="gnuplot-nox"
+    [python]="python3-cffi python3-numpy python3-h5py python3-matplotlib python3-pandas python3-xarray python3-tqdm
+              python3-pip python3-setuptools python3-wheel python3-pytest"
     # clang with its run time: the fuzz target, and a second compiler that must agree; libomp-dev is its OpenMP.
     # auto-07p, which needs gfortran, is a program that is run beside the tests and never linked.
     [test]="libcmocka-dev liblapacke-dev libopenblas-dev clang libclang-rt-14-dev libomp-dev valgrind
@@ -25,7 +27,7 @@ declare -A packages=(
     # The tutorials, whose code the tests run too, are in Python and Octave.
     [docs]="python3-sphinx python3-myst-parser python3-breathe doxygen furo libjs-mathjax fonts-mathjax
             python3-nbformat python3-nbclient python3-ipykernel python3-matplotlib python3-h5py octave gnuplot-nox"
-    [lint]="clang-format clang-tidy cppcheck nodejs npm"
+    [lint]="clang-format clang-tidy cppcheck nodejs npm black"
     # The programs that are measured beside whirl; none of them is needed for whirl itself.
     [bench]="libgsl-dev libboost-dev octave python3 python3-numba python3-scipy"
 )
@@ -40,14 +42,14 @@ fi
 wanted=()
 for group in "$@"; do
     if [ -z "${packages[$group]:-}" ]; then
-        say "there is no group '$group', expected one of: build report test explorer browser docs lint bench"
+        say "there is no group '$group', expected one of: build report python test explorer browser docs lint bench"
         exit 2
     fi
     read -r -d '' -a names <<<"${packages[$group]}" || true
     wanted+=("${names[@]}")
 done
 if [ ${#wanted[@]} -eq 0 ]; then
-    say "name at least one group: build report test explorer browser docs lint bench"
+    say "name at least one group: build report python test explorer browser docs lint bench"
     exit 2
 fi
 

@@ -22,7 +22,7 @@ MATHJAX = Path("/usr/share/javascript/mathjax")
 MATHJAX_PARTS = ["MathJax.js", "config/TeX-AMS_CHTML.js", "extensions", "jax/element", "jax/input/TeX",
                  "jax/output/CommonHTML", "fonts/HTML-CSS/TeX/woff"]
 PARTS = {
-    "Using whirl": ["docs/user-guide", "docs/tutorials/README", "docs/gallery", "docs/cluster", "docs/elements"],
+    "Using whirl": ["docs/user-guide", "docs/python", "docs/tutorials/README", "docs/gallery", "docs/cluster", "docs/elements"],
     "Reference": ["docs/reference/keys", "docs/whirl", "api/index", "api/python", "docs/result-file", "docs/journal",
                   "cases/index", "examples/index"],
     "What it rests on": ["docs/theory", "docs/verification-manual", "docs/benchmarks"],
@@ -102,7 +102,9 @@ def lay_out_python(source):
     modules = ["whirl"] + [f"whirl.{name}" for name in names]
     text = "The Python package\n==================\n\n"
     for module in modules:
-        text += f"{module}\n{'-' * len(module)}\n\n.. automodule:: {module}\n   :members:\n   :undoc-members:\n\n"
+        text += f"{module}\n{'-' * len(module)}\n\n.. automodule:: {module}\n"
+        # What the package itself has comes from its modules, and is described there.
+        text += "\n" if module == "whirl" else "   :members:\n   :undoc-members:\n\n"
     write(source / "api/python.rst", text)
     return modules
 

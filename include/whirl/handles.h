@@ -130,7 +130,7 @@ double whirl_table_field_si(const whirl_result *result, const whirl_table *table
 
 /// Where the numbers of a field lie: those of a point, `shape` = {stations or contacts (1: it is of the point), rows,
 /// columns}, one after the other, and those of the next point `stride` doubles on. NULL where the table's blocks are
-/// not in memory (whirl_table_copy).
+/// not in memory (whirl_table_copy), as in an outline.
 const double *whirl_table_column(const whirl_table *table, size_t field, size_t shape[3], size_t *stride);
 
 /// Copies the numbers of a field, all points, into numbers [points][shape]. WHIRL_IO_ERROR where a block is lost.

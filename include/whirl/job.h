@@ -75,8 +75,7 @@ whirl_status whirl_job_threads(whirl_job *job, int threads);
 /// Who is told of progress; NULL: nobody.
 void whirl_job_progress(whirl_job *job, whirl_job_progress_fn tell, void *context);
 
-/// Where finished points are kept (whirl_journal_keeper); NULL: nowhere. Must live as long as the job, and as long as
-/// a result whose blocks are left there (whirl_table_column).
+/// Where finished points are kept (whirl_journal_keeper); NULL: nowhere. Must live as long as the job runs.
 void whirl_job_keep(whirl_job *job, const whirl_keeper *keeper);
 
 /// Asks a run to end early, and those after it. May be called from any thread and from a signal handler.

@@ -222,7 +222,8 @@ typedef struct whirl_coexistence {
 /// neither period is a multiple of the other); others by
 /// their means and bounds. Places where nothing has a verdict are passed over. No two of one place have one number. An
 /// attractor that no start of a place in between met goes on under another number. Motions from neighbours are told
-/// with the others, but count in no share. Needs the analyses "poincare" and "orbit". WHIRL_NO_MEMORY. Freed by whirl_coexistence_free.
+/// with the others, but count in no share. Needs the analyses "poincare" and "orbit". WHIRL_NO_MEMORY. Freed by
+/// whirl_coexistence_free.
 whirl_status whirl_table_coexistence(const whirl_table *table, whirl_coexistence *found);
 
 /// Frees what was found; the struct itself is the caller's.

@@ -2,6 +2,7 @@
 #include "whirl/job.h"
 #include "whirl/case.h"
 
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -111,7 +112,8 @@ whirl_status whirl_job_run(whirl_job *job, whirl_result **result) {
                                        .progress = job->tell ? pass_on : NULL,
                                        .context = job,
                                        .stop = &job->stop,
-                                       .keeper = job->keeper};
+                                       .keeper = job->keeper,
+                                       .memory = SIZE_MAX};
     *result = NULL;
     return whirl_case_run(job->object, &options, result);
 }

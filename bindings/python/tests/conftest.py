@@ -1,0 +1,58 @@
+import os
+import pathlib
+import subprocess
+
+import pytest
+
+import whirl
+
+ROOT = pathlib.Path(__file__).parents[3]
+GOOD = ROOT / "tests/cli/good.yaml"
+COMMAND = os.environ.get("WHIRL", str(ROOT / "build/whirl"))
+
+MAP = """
+whirl: 1
+parameters: {omega: 100 rad/s, kappa: 10, c: 0.2 mm}
+rotor:
+  speed: = omega
+  length_scale: = c
+  stations:
+    disc: {mass: 4 kg, damping: 20 N.s/m, eccentricity: = 0.1*c}
+  elements:
+    - shaft: {between: [disc, ground], k1: 100 kN/m, k2: 100 kN/m}
+    - rub: {at: disc, gap: = 1.2*c, stiffness: = kappa*1e6, friction: 0.1}
+study:
+  map:
+    x: {parameter: omega, from: 50 rad/s, to: 400 rad/s, points: 5}
+    y: {parameter: c, values: [0.1 mm, 0.15 mm, 0.2 mm]}
+  integrate: {method: rk4, steps_per_revolution: 64, transient: 20, record: 10}
+  analyze: [poincare, regime, orbit]
+"""
+
+
+def command(*words, **more):
+    """The command, whose failure fails the test."""
+    return subprocess.run([COMMAND, *map(str, words)], check=True, capture_output=True, text=True, **more)
+
+
+@pytest.fixture(scope="session")
+def good():
+    """The result of the small case, computed here."""
+    return whirl.run(whirl.Case(GOOD), threads=2, progress=False)
+
+
+@pytest.fixture(scope="session")
+def good_file(tmp_path_factory):
+    """... and by the command."""
+    path = tmp_path_factory.mktemp("good") / "good.h5"
+    command("run", GOOD, "-o", path, "-q", "--threads", 1)
+    return path
+
+
+@pytest.fixture(scope="session")
+def map_files(tmp_path_factory):
+    """A case with a map, and its result by the command."""
+    folder = tmp_path_factory.mktemp("map")
+    (folder / "map.yaml").write_text(MAP)
+    command("run", folder / "map.yaml", "-o", folder / "map.h5", "-q")
+    return folder / "map.yaml", folder / "map.h5"

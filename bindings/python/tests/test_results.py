@@ -1,0 +1,183 @@
+"""Results in memory and in files are one, and are those of the command, bit for bit."""
+
+import gc
+import importlib.util
+import weakref
+
+import h5py
+import numpy as np
+import pytest
+
+import whirl
+
+
+def same(one, other):
+    """Equal to the bit, NaN included."""
+    one, other = np.ascontiguousarray(one), np.ascontiguousarray(other)
+    return one.shape == other.shape and one.dtype == other.dtype and one.tobytes() == other.tobytes()
+
+
+def check_same(memory, file, path):
+    """All of a result in memory beside a file, through this package and through h5py alone."""
+    assert list(memory.tables) == list(file.tables)
+    assert memory.parameters == file.parameters and memory.stations == file.stations
+    assert memory.contacts == file.contacts and memory.case_text == file.case_text
+    assert (memory.speed, memory.length_scale, memory.force_scale) == (file.speed, file.length_scale, file.force_scale)
+    with h5py.File(path) as plain:
+        for name, table in memory.tables.items():
+            other, group = file.tables[name], plain[name]
+            assert len(table) > 3 and list(table) == list(other)
+            for field in table:
+                np.testing.assert_equal(vars(table.fields[field]), vars(other.fields[field]))  # NaN is equal to NaN
+            assert table.options == other.options
+            assert same(table.values, group["values"][()]) and same(other.values, group["values"][()])
+            assert np.array_equal(table.branch, group["branch"][()])
+            assert np.array_equal(table.point, group["point"][()])
+            assert same(table.length_scale, group["length_scale"][()])
+            assert np.array_equal(table.verdicts, group["verdict/name"].asstr()[()])
+            assert np.array_equal(other.reasons, table.reasons)
+            for field in table:
+                assert same(table[field], group[field][()]), field
+                assert same(other[field], group[field][()]), field
+
+
+def test_run_gives_the_bits_of_the_command(good, good_file):
+    check_same(good, whirl.open(good_file), good_file)
+
+
+def test_maps_have_two_dimensions(map_files):
+    case, path = map_files
+    result = whirl.run(case, progress=False)
+    check_same(result, whirl.open(path), path)
+    table = result["map"]
+    assert table.shape == (3, 5) and table.second == "c" and table["orbit/max_radius"].shape == (3, 5, 1)
+    assert np.allclose(table.second_values[:, 0], [0.1e-3, 0.15e-3, 0.2e-3], rtol=1e-15)
+    radius, unit = table.si("orbit/max_radius")
+    assert unit == "m" and same(radius[0], table["orbit/max_radius"][0] * table.second_values[0, 0])
+
+
+def test_read_checks_the_file(good_file, tmp_path):
+    check_same(whirl.read(good_file), whirl.open(good_file), good_file)
+    data = bytearray(good_file.read_bytes())
+    data[len(data) // 2] ^= 0x40
+    (tmp_path / "broken.h5").write_bytes(data)
+    with pytest.raises(whirl.Error):
+        whirl.read(tmp_path / "broken.h5")
+
+
+def test_saved_results_are_files_of_the_command(good, good_file, tmp_path):
+    good.save(tmp_path / "saved.h5")
+    check_same(good, whirl.open(tmp_path / "saved.h5"), good_file)
+    assert whirl.open(tmp_path / "saved.h5").facts["program"] == "Python"
+    whirl.open(good_file).save(tmp_path / "copied.h5")
+    assert (tmp_path / "copied.h5").read_bytes() == good_file.read_bytes()
+
+
+def test_arrays_are_not_copied_and_outlive_their_result(good_file):
+    result = whirl.read(good_file)
+    radius, again = result["sweep"]["orbit/max_radius"], result["sweep"]["orbit/max_radius"]
+    assert radius.ctypes.data == again.ctypes.data and not radius.flags.writeable and not radius.flags.owndata
+    expected, gone = radius.copy(), weakref.ref(result)
+    del result, again
+    gc.collect()
+    assert gone() is None
+    rubbish = [whirl.read(good_file)["sweep"].values for _ in range(20)]  # what was freed would be written over
+    assert len(rubbish) == 20 and same(radius, expected)
+
+
+def test_opening_reads_no_field(good_file, tmp_path):
+    """A file whose numbers are damaged opens; only reading these numbers fails."""
+    path = tmp_path / "damaged.h5"
+    path.write_bytes(good_file.read_bytes())
+    with h5py.File(path) as file:
+        dataset = file["sweep/poincare/section"]
+        place = dataset.id.get_chunk_info(0).byte_offset
+    data = bytearray(path.read_bytes())
+    data[place + 100] ^= 1
+    path.write_bytes(data)
+    table = whirl.open(path)["sweep"]
+    assert len(table.values) == 5 and table["orbit/max_radius"].shape == (5, 1)
+    with pytest.raises(whirl.FileFailure, match="damaged.h5' is damaged or was changed"):
+        table["poincare/section"]
+
+
+@pytest.mark.parametrize("place", ["stations", "sweep", "sweep/values", "sweep/orbit", "parameters/name"])
+def test_files_that_lack_something_are_refused_in_a_sentence(good_file, tmp_path, place):
+    path = tmp_path / "lacks.h5"
+    path.write_bytes(good_file.read_bytes())
+    with h5py.File(path, "r+") as file:
+        del file[place]
+    with pytest.raises(whirl.Error, match="lacks.h5"):
+        result = whirl.open(path)
+        for table in result.tables.values():
+            [table[field] for field in table]
+        result.stations, result.parameters, table.values
+
+
+def test_names_that_are_not_there(good):
+    with pytest.raises(KeyError, match="did you mean 'orbit/max_radius'"):
+        good["sweep"]["orbit/maxradius"]
+    with pytest.raises(KeyError, match="expected one of: sweep"):
+        good["map"]
+    with pytest.raises(whirl.BadInput, match="of an outline has no numbers"):
+        good.case.outline()["sweep"]["orbit/max_radius"]
+    with pytest.raises(whirl.BadInput, match="expected one of: disc"):
+        good["sweep"].station("disk")
+
+
+@pytest.mark.parametrize("data", [b"", b"no HDF5", None])
+def test_other_files_are_refused(tmp_path, data):
+    path = tmp_path / "x.h5"
+    if data is not None:
+        path.write_bytes(data)
+    for reader in (whirl.open, whirl.read):
+        with pytest.raises(whirl.Error, match="x.h5"):
+            reader(path)
+
+
+def test_files_of_other_programs_are_refused(tmp_path):
+    with h5py.File(tmp_path / "x.h5", "w") as file:
+        file["numbers"] = [1.0]
+    with pytest.raises(whirl.BadInput, match="is no result of whirl"):
+        whirl.open(tmp_path / "x.h5")
+
+
+def test_pandas(good):
+    pytest.importorskip("pandas")
+    table = good["sweep"]
+    frame = table.to_pandas()
+    assert list(frame.columns[:4]) == ["point", "omega", "branch", "verdict"]
+    assert same(frame["omega"].to_numpy(), table.values)
+    assert same(frame["orbit/mean disc y"].to_numpy(), table["orbit/mean"][:, 0, 1])
+    assert frame.attrs["units"]["orbit/max_radius disc"] == "length" and frame.attrs["units"]["omega"] == "rad/s"
+
+
+def test_xarray(good, map_files):
+    pytest.importorskip("xarray")
+    data = good["sweep"].to_xarray()
+    assert data["poincare/section"].dims[:2] == ("point", "station")
+    assert list(data["poincare/section column"].values) == ["x", "y", "vx", "vy"]
+    table = whirl.open(map_files[1])["map"]
+    lazy = table.to_xarray()
+    assert lazy["orbit/max_radius"].dims == ("y", "x", "station")
+    assert lazy.x.attrs == {"unit": "rad/s", "parameter": "omega"}
+    radius = lazy["orbit/max_radius"].sel(x=50, station="disc")
+    assert float(radius[0]) == table["orbit/max_radius"][0, 0, 0]
+    if importlib.util.find_spec("dask"):
+        assert not isinstance(lazy["orbit/max_radius"].data, np.ndarray)
+
+
+def test_a_notebook_shows_something(good, monkeypatch):
+    monkeypatch.setattr("whirl.result.find_template", lambda: None)
+    assert "<td>sweep</td><td>5</td><td>omega</td>" in good._repr_html_()
+
+
+def test_the_explorer_holds_the_result(good, good_file, tmp_path):
+    (tmp_path / "empty.html").write_text("<html></html>")
+    with pytest.raises(whirl.BadInput, match="has no place for results"):
+        good.explorer(template=tmp_path / "empty.html")
+    (tmp_path / "template.html").write_text("<html>@WHIRL-RUNS@</html>")
+    page = good.explorer(template=tmp_path / "template.html")
+    assert good.title in page and len(page) > 1000
+    whirl.open(good_file).explorer(tmp_path / "page.html", template=tmp_path / "template.html")
+    assert good.title in (tmp_path / "page.html").read_text()

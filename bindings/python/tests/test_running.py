@@ -1,0 +1,108 @@
+"""Runs: progress, journals, and Ctrl-C."""
+
+import os
+import subprocess
+import sys
+import warnings
+
+import numpy as np
+import pytest
+from conftest import GOOD
+
+import whirl
+
+
+def test_progress_is_told():
+    seen = []
+    whirl.run(whirl.Case(GOOD), progress=lambda *about: seen.append(about))
+    stage, done, total, revolutions, all_revolutions = seen[-1]
+    assert stage == "compute" and done == total == 5 and revolutions == all_revolutions > 0
+
+
+def test_threads_change_no_bit(good):
+    one = whirl.run(whirl.Case(GOOD), threads=1, progress=False)
+    for field in good["sweep"]:
+        assert one["sweep"][field].tobytes() == good["sweep"][field].tobytes(), field
+
+
+def test_threads_are_a_number():
+    for threads in (-1, 2000, 10**12):
+        with pytest.raises(whirl.BadInput, match="threads is .*, expected 0"):
+            whirl.run(whirl.Case(GOOD), threads=threads, progress=False)
+
+
+def test_what_progress_raises_ends_the_run():
+    def tell(*about):
+        raise RuntimeError("enough")
+
+    with pytest.raises(RuntimeError, match="enough"):
+        whirl.run(whirl.Case(GOOD), progress=tell)
+
+
+def stopped_run(tmp_path, *more):
+    """A run in a program of its own that gets Ctrl-C once some points are done; how that ended."""
+    program = f"""
+import os, signal, sys, warnings, whirl
+case = whirl.Case({str(GOOD)!r}).set("integrate.transient", 20000).set("sweep.points", 400)
+def tell(stage, done, *more):
+    if done > 20: os.kill(os.getpid(), signal.SIGINT)
+with warnings.catch_warnings(record=True) as said:
+    warnings.simplefilter("always")
+    result = whirl.run(case, threads=2, progress=tell, {', '.join(more)})
+print(result.partial, len(result["sweep"].values), said[0].message if said else "")
+result.save("part.h5")
+"""
+    return subprocess.run([sys.executable, "-c", program], cwd=tmp_path, capture_output=True, text=True, timeout=120)
+
+
+def test_ctrl_c_gives_what_is_done(tmp_path):
+    ended = stopped_run(tmp_path)
+    assert ended.returncode == 0, ended.stderr
+    partial, count, said = ended.stdout.split(maxsplit=2)
+    assert partial == "True" and 20 <= int(count) < 400
+    assert said.startswith("stopped after") and "the result is partial" in said
+    part = whirl.open(tmp_path / "part.h5")
+    assert part.partial and len(part["sweep"].values) == int(count)
+
+
+def test_a_journal_goes_on(tmp_path):
+    ended = stopped_run(tmp_path, "journal='kept.journal'")
+    assert ended.returncode == 0, ended.stderr
+    assert (tmp_path / "kept.journal").exists()
+    case = whirl.Case(GOOD).set("integrate.transient", 20000).set("sweep.points", 400)
+    with pytest.raises(whirl.BadInput):  # it is not written over
+        whirl.run(case, journal=tmp_path / "kept.journal", progress=False)
+    part = whirl.open(tmp_path / "part.h5")["sweep"]
+    whole = whirl.run(case, journal=tmp_path / "kept.journal", resume=True, progress=False)["sweep"]
+    assert not (tmp_path / "kept.journal").exists() and len(whole.values) == 400
+    chosen = part.point - 1
+    for field in part:
+        assert whole[field][chosen].tobytes() == part[field].tobytes(), field
+
+
+def test_sentences_stay_whatever_fails_later():
+    with pytest.raises(whirl.BadInput) as first:
+        whirl.Case(GOOD).set("nothing", 1)
+    for i in range(100):
+        with pytest.raises(whirl.BadInput):
+            whirl.Case(text=f"whirl: {i + 2}")
+    assert "nothing" in str(first.value)
+
+
+def test_no_warning_where_all_is_done():
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert not whirl.run(whirl.Case(GOOD), progress=False).partial
+
+
+def test_importing_takes_no_other_package():
+    program = (
+        "import sys, whirl; print([m for m in ('numpy', 'h5py', 'pandas', 'matplotlib', 'cffi') if m in sys.modules])"
+    )
+    out = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True, env=os.environ)
+    assert out.stdout.strip() == "[]"
+
+
+def test_outlines_have_parameters_and_values():
+    outline = whirl.Case(GOOD).outline()
+    assert np.allclose(outline["sweep"].values, [1.0, 1.75, 2.5, 3.25, 4.0])

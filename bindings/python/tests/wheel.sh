@@ -1,0 +1,25 @@
+#!/bin/bash
+# The wheel that pip makes carries the library, is small, and computes where nothing else of whirl is:
+#   wheel.sh PACKAGE LIBRARY ROOT
+set -euo pipefail
+package=$1 library=$2 root=$3
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+unset WHIRL_LIBRARY PYTHONPATH
+
+# pip builds in the folder of the sources: a copy of it.
+cp -r "$package" "$work/package"
+WHIRL_BUILT=$library WHIRL_EXPLORER=$work/none /usr/bin/python3 -m pip --quiet --disable-pip-version-check wheel \
+    --no-build-isolation --no-deps --no-index -w "$work" "$work/package"
+wheel=$(echo "$work"/whirl-*-py3-none-*.whl)
+size=$(stat -c %s "$wheel")
+[ "$size" -lt 10000000 ] || { echo "$wheel has $size bytes, expected less than 10 MB"; exit 1; }
+/usr/bin/python3 -m pip --quiet --disable-pip-version-check install --no-deps --no-index --target "$work/installed" "$wheel"
+cd "$work"
+PYTHONPATH=$work/installed /usr/bin/python3 - "$root/tests/cli/good.yaml" <<'END'
+import sys, whirl, whirl._library
+assert "_native" in whirl._library._places()[0], whirl._library._places()
+result = whirl.run(sys.argv[1], progress=False)
+assert len(result["sweep"].values) == 5
+END
+echo "$(basename "$wheel"): $size bytes"

@@ -1,0 +1,56 @@
+"""whirl: nonlinear dynamics of rotating machines.
+
+>>> import whirl
+>>> result = whirl.run(whirl.Case("paper.yaml"))     # or whirl.open("paper.h5")
+>>> result.plot.bifurcation()
+
+Everything is computed by the library libwhirl; numbers are those of the command ``whirl``, bit for bit.
+"""
+
+from importlib import import_module
+
+_HOMES = {
+    "Case": "case",
+    "Result": "result",
+    "Table": "result",
+    "Field": "result",
+    "Station": "result",
+    "Parameter": "result",
+    "open": "result",
+    "read": "result",
+    "run": "running",
+    "Error": "errors",
+    "BadInput": "errors",
+    "OutOfMemory": "errors",
+    "FileFailure": "errors",
+    "NumericalFailure": "errors",
+    "MissingProgram": "errors",
+    "Stopped": "errors",
+}
+_MODULES = ("plot", "signals", "systems")
+
+__all__ = [*_HOMES, *_MODULES, "library_version"]
+__version__ = "0.2.0"
+
+
+def __getattr__(name):
+    """Modules are imported when they are first asked for, so that ``import whirl`` takes no time."""
+    if name in _HOMES:
+        value = getattr(import_module("." + _HOMES[name], __name__), name)
+    elif name in _MODULES:
+        value = import_module("." + name, __name__)
+    else:
+        raise AttributeError(f"module 'whirl' has no attribute '{name}'")
+    globals()[name] = value
+    return value
+
+
+def __dir__():
+    return sorted([*globals(), *__all__])
+
+
+def library_version():
+    """The version of libwhirl that computes, such as "0.2.0"."""
+    from ._library import lib, text
+
+    return text(lib.whirl_version())

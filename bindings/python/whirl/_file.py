@@ -1,0 +1,172 @@
+"""A result in a file, of which nothing is read before it is asked for."""
+
+import functools
+import os
+
+import h5py
+import numpy as np
+
+from . import errors
+
+
+def _word(value):
+    return value.decode("utf-8", "replace") if isinstance(value, bytes) else str(value)
+
+
+def _words(dataset):
+    return [_word(value) for value in dataset[()]]
+
+
+def _plain(value):
+    if isinstance(value, bytes):
+        return _word(value)
+    return value.item() if hasattr(value, "item") and np.ndim(value) == 0 else value
+
+
+def _guarded(own):
+    """A class whose methods say in a sentence that the file is not what it should be, whatever h5py stumbles over."""
+
+    def guard(method):
+        @functools.wraps(method)
+        def guarded(self, *arguments):
+            try:
+                return method(self, *arguments)
+            except errors.Error:
+                raise
+            except (KeyError, TypeError, ValueError, AttributeError, IndexError, RuntimeError, OSError) as failure:
+                raise errors.FileFailure(
+                    f"the result '{self.path}' is damaged or was changed ({failure}): whirl.read() says what is wrong"
+                ) from failure
+
+        return guarded
+
+    for name, member in list(vars(own).items()):
+        if isinstance(member, property):
+            setattr(own, name, property(guard(member.fget)))
+        elif callable(member):
+            setattr(own, name, guard(member))
+    return own
+
+
+@_guarded
+class FileSource:
+    """A file of `whirl run` through h5py. It stays open; `close` closes it."""
+
+    def __init__(self, path):
+        self.path = os.fspath(path)
+        try:
+            self.file = h5py.File(self.path, "r")
+        except OSError as failure:
+            reason = os.strerror(failure.errno) if failure.errno else "it is no HDF5 file"
+            raise errors.BadInput(f"cannot read the result '{self.path}': {reason}") from None
+        if _word(self.file.attrs.get("format", b"")) != "whirl result":
+            self.file.close()
+            raise errors.BadInput(f"'{self.path}' is no result of whirl: its attribute 'format' is not 'whirl result'")
+        version = int(self.file.attrs["format_version"])
+        if version != 2:
+            self.file.close()
+            raise errors.BadInput(f"'{self.path}' has format {version} of results, expected 2: compute it again")
+
+    title = property(lambda self: _word(self.file.attrs["title"]))
+    case_name = property(lambda self: _word(self.file["case"].attrs["name"]))
+    case_text = property(lambda self: _words(self.file["case/text"])[0])
+    speed = property(lambda self: float(self.file["case"].attrs["speed"]))
+    force_scale = property(lambda self: float(self.file["case"].attrs["force_scale"]))
+    length_scale = property(lambda self: float(self.file["case"].attrs["length_scale"]))
+    partial = property(lambda self: bool(self.file.attrs["partial"]))
+
+    def parameters(self):
+        group = self.file["parameters"]
+        return list(
+            zip(_words(group["name"]), group["value"][()].tolist(), _words(group["unit"]), _words(group["text"]))
+        )
+
+    def stations(self):
+        group = self.file["stations"]
+        names = _words(group["name"])
+        columns = {what: group[what][()].tolist() for what in group if what != "name"}
+        return [
+            dict(name=name, **{what: column[i] for what, column in columns.items()}) for i, name in enumerate(names)
+        ]
+
+    def contacts(self):
+        return _words(self.file["contacts/name"])
+
+    def facts(self):
+        return {name: _word(value) for name, value in self.file["provenance"].attrs.items()}
+
+    def tables(self):
+        return {name: FileTable(self.path, self.file[name], name) for name in map(_word, self.file.attrs["tables"])}
+
+    def close(self):
+        self.file.close()
+
+    def bytes(self):
+        """How large the file is."""
+        return os.path.getsize(self.path)
+
+    def library_result(self):
+        """The handle of the library, which reads and checks all of the file for it."""
+        from ._memory import MemorySource
+
+        return MemorySource.read(self.path).handle
+
+
+@_guarded
+class FileTable:
+    """A table of a result file."""
+
+    def __init__(self, path, group, name):
+        self.path, self.group, self.name = path, group, name
+        self.parameter = _word(group.attrs["parameter"])
+        self.second = _word(group.attrs.get("second", b""))
+        self.shape = group["values"].shape
+
+    def values(self):
+        return self.group["values"][()]
+
+    def branch(self):
+        return self.group["branch"][()]
+
+    def point(self):
+        return self.group["point"][()]
+
+    def length_scale(self):
+        return self.group["length_scale"][()]
+
+    def fields(self):
+        return [self._field(_word(name)) for name in self.group.attrs["fields"]]
+
+    def _field(self, name):
+        about = self.group[name].attrs
+        return dict(
+            name=name,
+            unit=_word(about["unit"]),
+            meaning=_word(about["meaning"]),
+            extent=_word(about["extent"]),
+            repeat=int(about["repeat"]),
+            rows=int(about["rows"]),
+            columns=int(about["columns"]),
+            si_factor=float(about["SI_factor"]),
+            si_unit=_word(about["SI_unit"]),
+            column_names=[_word(column) for column in about.get("column_names", [])],
+        )
+
+    def dataset(self, field):
+        """The field where it lies; slices of it are read from the file."""
+        return self.group[field.name]
+
+    def verdict_dataset(self):
+        return self.group["verdict/name"]
+
+    def numbers(self, _index, field):
+        return self.group[field.name][()]
+
+    def words(self):
+        if "verdict" not in self.group:
+            return np.full(self.shape, ""), np.full(self.shape, "")
+        return tuple(self.group["verdict"][what].asstr("utf-8")[()].astype(str) for what in ("name", "reason"))
+
+    def options(self):
+        about = ("parameter", "second", "points", "analyses", "fields", "row", "grid", "refine", "starts")
+        return {name: _plain(value) for name, value in self.group.attrs.items() if name not in about}

@@ -1,0 +1,76 @@
+/* What this package calls of libwhirl, in the words that cffi reads. The test python.declarations compiles this file
+   behind the library's own headers, so that no declaration can differ from the one there. */
+typedef struct whirl_case whirl_case;
+typedef struct whirl_job whirl_job;
+typedef struct whirl_result whirl_result;
+typedef struct whirl_table whirl_table;
+typedef struct whirl_journal whirl_journal;
+typedef struct whirl_keeper whirl_keeper;
+
+const char *whirl_version(void);
+whirl_status whirl_version_check(int major, int minor, int patch);
+
+whirl_status whirl_case_check(const char *text, size_t length, const char *name, char *problems, size_t size,
+                              whirl_case **out);
+const char *whirl_case_text(const whirl_case *object, size_t *length);
+const char *whirl_case_title(const whirl_case *object);
+whirl_status whirl_case_set(whirl_case *object, const char *assignment);
+whirl_status whirl_case_spend(whirl_case *object, double revolutions, double seconds);
+whirl_status whirl_case_outline(const whirl_case *object, whirl_result **outline);
+void whirl_case_free(whirl_case *object);
+
+typedef void (*whirl_job_progress_fn)(void *context, const char *stage, double points_done, double points_total,
+                                      double revolutions_done, double revolutions_total, double seconds);
+whirl_status whirl_job_new(const whirl_case *object, whirl_job **job);
+void whirl_job_free(whirl_job *job);
+whirl_status whirl_job_threads(whirl_job *job, int threads);
+void whirl_job_progress(whirl_job *job, whirl_job_progress_fn tell, void *context);
+void whirl_job_keep(whirl_job *job, const whirl_keeper *keeper);
+void whirl_job_stop(whirl_job *job);
+whirl_status whirl_job_run(whirl_job *job, whirl_result **result);
+
+whirl_status whirl_journal_begin(const char *path, const whirl_result *outline, whirl_journal **journal);
+whirl_status whirl_journal_resume(const char *path, const whirl_result *outline, whirl_journal **journal);
+const whirl_keeper *whirl_journal_keeper(whirl_journal *journal);
+whirl_status whirl_journal_close(whirl_journal *journal);
+whirl_status whirl_journal_remove(whirl_journal *journal);
+
+whirl_status whirl_result_read(const char *path, whirl_result **result);
+whirl_status whirl_result_write(const whirl_result *result, const char *path);
+whirl_status whirl_result_verify(const whirl_result *result, const char *path);
+whirl_status whirl_result_add_fact(whirl_result *result, const char *name, const char *value);
+whirl_status whirl_explorer_write(const char *template_path, const whirl_result *const *results,
+                                  const char *const *names, size_t count, const char *directory);
+void whirl_result_free(whirl_result *result);
+const char *whirl_result_title(const whirl_result *result);
+const char *whirl_result_case_name(const whirl_result *result);
+const char *whirl_result_case_text(const whirl_result *result);
+double whirl_result_speed(const whirl_result *result);
+double whirl_result_force_scale(const whirl_result *result);
+double whirl_result_length_scale(const whirl_result *result, const whirl_table *table, size_t point);
+bool whirl_result_is_partial(const whirl_result *result);
+size_t whirl_result_count(const whirl_result *result, whirl_list list);
+const char *whirl_result_name(const whirl_result *result, whirl_list list, size_t index);
+const char *whirl_result_text(const whirl_result *result, whirl_list list, size_t index, const char *what);
+double whirl_result_number(const whirl_result *result, whirl_list list, size_t index, const char *what);
+const whirl_table *whirl_result_table(const whirl_result *result, const char *name);
+
+const char *whirl_table_parameter(const whirl_table *table);
+const char *whirl_table_varied(const whirl_table *table);
+size_t whirl_table_points(const whirl_table *table);
+size_t whirl_table_row(const whirl_table *table);
+size_t whirl_table_slot(const whirl_table *table, size_t point);
+bool whirl_table_done(const whirl_table *table, size_t point);
+const double *whirl_table_values(const whirl_table *table);
+const int *whirl_table_branch(const whirl_table *table);
+size_t whirl_table_field_count(const whirl_table *table);
+const char *whirl_table_field_name(const whirl_table *table, size_t field);
+const char *whirl_table_field_unit(const whirl_table *table, size_t field);
+const char *whirl_table_field_meaning(const whirl_table *table, size_t field);
+const char *whirl_table_field_extent(const whirl_table *table, size_t field);
+double whirl_table_field_si(const whirl_result *result, const whirl_table *table, size_t field, char *name,
+                            size_t size);
+const double *whirl_table_column(const whirl_table *table, size_t field, size_t shape[3], size_t *stride);
+whirl_status whirl_table_copy(const whirl_table *table, size_t field, double *numbers);
+void whirl_table_words(const whirl_table *table, size_t point, char *name, char *reason, size_t size);
+const char *whirl_table_option(const whirl_table *table, size_t index, char *text, size_t size);

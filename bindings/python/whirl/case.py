@@ -1,0 +1,166 @@
+"""Cases: one YAML text that describes a rotor, its parameters and a study."""
+
+import json
+import re
+from pathlib import Path
+
+from . import errors
+from ._library import BAD_INPUT, check, ffi, lib, path_bytes, text
+
+_PROBLEMS = 1 << 16
+_PLAIN = re.compile(r"[A-Za-z0-9_=][A-Za-z0-9_ .+*/()^=-]*\Z")
+
+
+def _scalar(value):
+    """A YAML scalar: plain where that is safe, else in the quotes of JSON, which YAML reads too."""
+    if value is None:
+        return "null"
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, str):
+        plain = _PLAIN.match(value) and value == value.strip()
+        return value if plain else json.dumps(value, ensure_ascii=False)
+    if hasattr(value, "item"):  # a NumPy number
+        value = value.item()
+    if isinstance(value, (int, float)):
+        return repr(value)
+    raise TypeError(f"{value!r} cannot stand in a case: expected a text, a number, a list or a dict")
+
+
+def _flow(value):
+    """A value on one line."""
+    if isinstance(value, dict):
+        return "{" + ", ".join(f"{_scalar(str(key))}: {_flow(item)}" for key, item in value.items()) + "}"
+    if isinstance(value, (list, tuple)) or type(value).__name__ == "ndarray":
+        return "[" + ", ".join(_flow(item) for item in value) + "]"
+    return _scalar(value)
+
+
+def _block(mapping, indent=0):
+    """A mapping over several lines, down to where mappings fit on one."""
+    lines = []
+    for key, value in mapping.items():
+        head = " " * indent + _scalar(str(key)) + ":"
+        if isinstance(value, dict) and any(isinstance(item, (dict, list)) for item in value.values()):
+            lines += [head, _block(value, indent + 2)]
+        elif isinstance(value, list) and value and all(isinstance(item, dict) for item in value):
+            lines += [head, *(" " * (indent + 2) + "- " + _item(item) for item in value)]
+        else:
+            lines.append(f"{head} {_flow(value)}")
+    return "\n".join(lines)
+
+
+def _item(mapping):
+    """An element of a list: {"shaft": {...}} as ``shaft: {...}``."""
+    if len(mapping) == 1:
+        ((key, value),) = mapping.items()
+        return f"{_scalar(str(key))}: {_flow(value)}"
+    return _flow(mapping)
+
+
+class Case:
+    """A rotor, its parameters and a study, as a case file describes them.
+
+    Parameters
+    ----------
+    source : str, path or dict, optional
+        Name of a case file, or what it would say as a dict of dicts, lists, texts and numbers.
+    text : str, optional
+        The text of a case, in the place of ``source``.
+    name : str, optional
+        Stands for the file in messages.
+
+    Raises
+    ------
+    BadInput
+        With the place, what was found and what is expected; ``problems`` lists all that is wrong.
+
+    Examples
+    --------
+    >>> case = whirl.Case("paper.yaml")
+    >>> case.set("r_k", 0.5)
+    >>> result = whirl.run(case)
+    """
+
+    def __init__(self, source=None, *, text=None, name=None):
+        if (source is None) == (text is None):
+            raise TypeError("Case() takes a file, a dict, or text=..., one of them")
+        if isinstance(source, dict):
+            text, name = _block({"whirl": 1, **source}) + "\n", name or "case.yaml"
+        elif source is not None:
+            name = name or str(source)
+            try:
+                text = Path(source).read_bytes()
+            except OSError as failure:
+                raise errors.BadInput(f"cannot read the case {name}: {failure.strerror}") from None
+        self._handle = self._check(text.encode() if isinstance(text, str) else bytes(text), name or "case.yaml")
+        self.name = name or "case.yaml"
+
+    @staticmethod
+    def _check(data, name):
+        problems, out = ffi.new("char[]", _PROBLEMS), ffi.new("whirl_case **")
+        status = lib.whirl_case_check(data, len(data), path_bytes(name), problems, _PROBLEMS, out)
+        if status.code == BAD_INPUT:
+            found = text(problems).splitlines()
+            raise errors.BadInput(text(status.message) if len(found) < 2 else "\n".join(found), found)
+        check(status)
+        return ffi.gc(out[0], lib.whirl_case_free)
+
+    @property
+    def text(self):
+        """The text of the case as it is now, as :meth:`set` changed it."""
+        length = ffi.new("size_t *")
+        found = lib.whirl_case_text(self._handle, length)
+        return ffi.buffer(found, length[0])[:].decode("utf-8", "replace")
+
+    @property
+    def title(self):
+        """The title that the case gives itself, "" where it has none."""
+        return text(lib.whirl_case_title(self._handle))
+
+    @property
+    def parameters(self):
+        """dict of str to :class:`Parameter`: the parameters with the values that a run would use."""
+        return self.outline().parameters
+
+    def set(self, name, value):
+        """Sets a parameter, or a key of the case by its path, as ``--set NAME=VALUE`` of the command does.
+
+        Parameters
+        ----------
+        name : str
+            "r_k", "disc.mass", "integrate.transient", "rotor.speed", ...
+        value : str or number
+            "6000 rpm", "= 2*c", or a plain number in the unit of the parameter as it stands in SI.
+
+        Raises
+        ------
+        BadInput
+            The case is then as it was.
+        """
+        check(
+            lib.whirl_case_set(self._handle, f"{name}={value if isinstance(value, str) else _scalar(value)}".encode())
+        )
+        return self
+
+    def spend(self, revolutions=0.0, seconds=0.0):
+        """Lets runs do points in doubt again, within so many revolutions or seconds; without any number as many
+        revolutions as the study itself (``--refine`` of the command)."""
+        check(lib.whirl_case_spend(self._handle, revolutions, seconds))
+        return self
+
+    def outline(self):
+        """The :class:`Result` before any point is computed: parameters, stations, the values of every table."""
+        from .result import Result
+        from ._memory import MemorySource
+
+        out = ffi.new("whirl_result **")
+        check(lib.whirl_case_outline(self._handle, out))
+        return Result(MemorySource(out[0], computed=False))
+
+    def copy(self):
+        """Another case of the same text."""
+        return Case(text=self.text, name=self.name)
+
+    def __repr__(self):
+        return f"<whirl.Case {self.name!r}: {self.title}>"

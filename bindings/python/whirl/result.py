@@ -1,0 +1,450 @@
+"""Results: the tables of a study with every number, in memory or in a file, in one way."""
+
+import html
+import os
+import shutil
+import tempfile
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+import numpy as np
+
+from . import errors
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """A named parameter of the case with the value that the run used."""
+
+    name: str
+    value: float  #: in SI
+    unit: str  #: of SI, "1" for a plain number
+    text: str  #: as the case wrote it
+
+    def __float__(self):
+        return self.value
+
+
+@dataclass(frozen=True)
+class Station:
+    """A place of the machine whose motion is observed."""
+
+    name: str
+    clearance: float  #: of the bearing there, in length scales; 0: none
+    gap: float  #: radius at which it touches a stator, in length scales; 0: none
+    x: int  #: index of the coordinate in the state
+    y: int
+    vx: int
+    vy: int
+    shaft: int = 0  #: number of the shaft of finite elements it lies on, from 1; 0: none
+    position: float = 0.0  #: along that shaft, m
+
+
+@dataclass(frozen=True)
+class Field:
+    """What an analysis says of every point of a table."""
+
+    name: str  #: "orbit/max_radius"
+    unit: str  #: "length" and "force" (in the scales of the result), "1", "revolution", "order", ...
+    meaning: str
+    extent: str  #: "point", "station" or "contact": what it stands once for
+    repeat: int
+    rows: int
+    columns: int
+    si_factor: float  #: times a number gives SI; NaN for lengths where the parameter changes the scale
+    si_unit: str
+    column_names: list
+
+    @property
+    def dimensions(self):
+        """Names of the dimensions behind those of the points."""
+        sizes = (self.extent, self.extent != "point"), ("row", self.rows != 1), ("column", self.columns != 1)
+        return tuple(name for name, there in sizes if there)
+
+
+class Table(Mapping):
+    """The points of one part of a study: ``table["orbit/max_radius"]`` is an array of a field, points first.
+
+    Arrays of a result in memory are read-only views of the library's own numbers, which live as long as they do; those
+    of a file are read when they are asked for. Numbers are in the scaling of the result (:meth:`si` converts). A map
+    whose points are all there has two dimensions of points, rows and columns.
+    """
+
+    def __init__(self, result, source):
+        self._result, self._source = result, source
+        self.name = source.name
+        self.parameter = source.parameter  #: what varies, "" for a single point
+        self.second = source.second  #: what varies besides, in a map or curves, else ""
+        self.shape = source.shape  #: (points,), or (rows, columns) of a whole map
+
+    @cached_property
+    def fields(self):
+        """dict of str to :class:`Field`, in the order of the file."""
+        return {about["name"]: Field(**about) for about in self._source.fields()}
+
+    @cached_property
+    def values(self):
+        """The parameter at every point, in SI; NaN where nothing varies."""
+        return self._source.values()
+
+    @cached_property
+    def second_values(self):
+        """The second parameter at every point of a map, in SI; of curves "trace/second"; None where there is none."""
+        name = "map/second" if "map/second" in self.fields else "trace/second" if self.second else None
+        return self[name] if name in self.fields else None
+
+    @cached_property
+    def branch(self):
+        """+1 at points carried from the first value on, -1 from the last, 0 not carried."""
+        return self._source.branch()
+
+    @cached_property
+    def point(self):
+        """Which point of the study each is, from 1: all of them, but where the run was stopped."""
+        return self._source.point()
+
+    @cached_property
+    def length_scale(self):
+        """m per unit of length at every point."""
+        return self._source.length_scale()
+
+    @cached_property
+    def _words(self):
+        return self._source.words()
+
+    @property
+    def verdicts(self):
+        """The verdict on every point in words ("P-2", "chaotic", ...); "" without the analysis regime."""
+        return self._words[0]
+
+    @property
+    def reasons(self):
+        """Why, in a sentence from the evidence."""
+        return self._words[1]
+
+    @cached_property
+    def options(self):
+        """How the points were computed: method, tolerances, revolutions, ..."""
+        return self._source.options()
+
+    def _field(self, name):
+        if name in self.fields:
+            return self.fields[name]
+        from difflib import get_close_matches
+
+        near = get_close_matches(name, self.fields, 1)
+        raise KeyError(
+            f"the table '{self.name}' has no field '{name}'" + (f", did you mean '{near[0]}'?" if near else "")
+        )
+
+    def __getitem__(self, name):
+        field = self._field(name)
+        return self._source.numbers(list(self.fields).index(name), field)
+
+    def __iter__(self):
+        return iter(self.fields)
+
+    def __len__(self):
+        return len(self.fields)
+
+    def __contains__(self, name):
+        return name in self.fields
+
+    def unit(self, name):
+        """The unit of a field's numbers as they stand: "length", "force", "1", "order", ..."""
+        return self._field(name).unit
+
+    def si(self, name):
+        """The numbers of a field in SI, and the name of the unit: ``radius, unit = table.si("orbit/max_radius")``."""
+        field, numbers = self._field(name), self[name]
+        factor = np.asarray(field.si_factor)
+        if np.isnan(factor):
+            factor = self.length_scale.reshape(self.shape + (1,) * (numbers.ndim - len(self.shape)))
+        return numbers * factor, field.si_unit
+
+    def at(self, value):
+        """Index of the point whose parameter is nearest to a value in SI."""
+        return int(np.nanargmin(np.abs(self.values.ravel() - value)))
+
+    def station(self, name):
+        """Index of a station by its name, or by its index."""
+        names = [station.name for station in self._result.stations]
+        if isinstance(name, (int, np.integer)) and 0 <= name < len(names):
+            return int(name)
+        if name in names:
+            return names.index(name)
+        raise errors.BadInput(f"there is no station '{name}', expected one of: {', '.join(names)}")
+
+    def to_pandas(self):
+        """A DataFrame with a line a point: the parameters, the verdict, and every field of one row.
+
+        Names are those of the CSV files without units ("orbit/max_radius disc", "orbit/mean disc x");
+        ``frame.attrs["units"]`` has the unit of every column.
+        """
+        import pandas as pd
+
+        columns, units = {"point": self.point.ravel(), self.parameter or "value": self.values.ravel()}, {}
+        if self.second_values is not None:
+            columns[self.second] = self.second_values.ravel()
+        columns["branch"] = self.branch.ravel()
+        if "regime/code" in self.fields:
+            columns["verdict"] = self.verdicts.ravel()
+        for name, field in self.fields.items():
+            if field.rows == 1 and name != "map/second":
+                columns.update(self._columns(name, field, units))
+        frame = pd.DataFrame(columns)
+        frame.attrs["units"] = {
+            **{name: self._result.parameter_unit(name) for name in (self.parameter, self.second) if name},
+            **units,
+        }
+        return frame
+
+    def _columns(self, name, field, units):
+        """One-dimensional columns of a field of one row."""
+        numbers = self[name].reshape(int(np.prod(self.shape)), field.repeat, field.columns)
+        owners = {"station": [s.name for s in self._result.stations], "contact": self._result.contacts, "point": [""]}
+        parts = (
+            field.column_names if field.columns > 1 and field.column_names else [str(i) for i in range(field.columns)]
+        )
+        found = {}
+        for i in range(field.repeat):
+            for k in range(field.columns):
+                words = [name, owners[field.extent][i], parts[k] if field.columns > 1 else ""]
+                title = " ".join(word for word in words if word)
+                found[title] = numbers[:, i, k]
+                units[title] = field.unit
+        return found
+
+    def to_xarray(self):
+        """A Dataset with the fields by their names, dimensions as in the file, units as attributes.
+
+        Fields of a file stay there until they are used, where dask is installed.
+        """
+        import xarray as xr
+
+        whole_map = len(self.shape) == 2
+        dims = ("y", "x") if whole_map else ("point",)
+        data, coords = {}, self._coordinates(dims)
+        for name, field in self.fields.items():
+            own = tuple(d if d in ("station", "contact") else f"{name} {d}" for d in field.dimensions)
+            about = {
+                "unit": field.unit,
+                "SI_factor": field.si_factor,
+                "SI_unit": field.si_unit,
+                "meaning": field.meaning,
+            }
+            data[name] = (dims + own, self._lazy(name, field), about)
+            if field.columns > 1 and field.column_names:
+                coords[f"{name} column"] = field.column_names
+        if "regime/code" in self.fields:
+            data["verdict"] = (dims, self._lazy_verdicts())
+        return xr.Dataset(data, coords, {"title": self._result.title, "table": self.name, **self.options})
+
+    def _coordinates(self, dims):
+        names = [station.name for station in self._result.stations]
+        coords = {"station": names, "contact": self._result.contacts}
+        if len(dims) == 2:
+            about = [
+                {"unit": self._result.parameter_unit(name), "parameter": name} for name in (self.parameter, self.second)
+            ]
+            coords["x"] = ("x", self.values[0], about[0])
+            coords["y"] = ("y", self.second_values[:, 0], about[1])
+        elif self.parameter:
+            coords[self.parameter] = (dims, self.values, {"unit": self._result.parameter_unit(self.parameter)})
+        return coords
+
+    def _lazy(self, name, field):
+        dataset = getattr(self._source, "dataset", None)
+        if dataset is None:
+            return self[name]
+        try:
+            import dask.array as da
+        except ImportError:
+            return self[name]
+        return da.from_array(dataset(field))
+
+    def _lazy_verdicts(self):
+        dataset = getattr(self._source, "verdict_dataset", None)
+        try:
+            import dask.array as da
+        except ImportError:
+            dataset = None
+        if dataset is None:
+            return self.verdicts
+        words = da.from_array(dataset())
+        return words.map_blocks(np.char.decode, "utf-8", dtype=f"U{words.dtype.itemsize}")
+
+    def __repr__(self):
+        size = " x ".join(map(str, self.shape))
+        return (
+            f"<whirl.Table '{self.name}': {size} points over {self.parameter or 'nothing'}, {len(self.fields)} fields>"
+        )
+
+
+class Result:
+    """What a run found, with the case it came from and how it was computed."""
+
+    def __init__(self, source):
+        self._source = source
+
+    title = property(lambda self: self._source.title, doc="The title of the case.")
+    case_name = property(lambda self: self._source.case_name, doc="The name of the case file.")
+    case_text = property(lambda self: self._source.case_text, doc="The case file, byte for byte.")
+    speed = property(lambda self: self._source.speed, doc="Of the shaft, rad/s, of the case as it stands.")
+    length_scale = property(lambda self: self._source.length_scale, doc="m per unit of length.")
+    force_scale = property(lambda self: self._source.force_scale, doc="N per unit of force.")
+    partial = property(lambda self: self._source.partial, doc="Whether the run was stopped before its end.")
+
+    @cached_property
+    def parameters(self):
+        """dict of str to :class:`Parameter`."""
+        return {name: Parameter(name, *rest) for name, *rest in self._source.parameters()}
+
+    @cached_property
+    def stations(self):
+        """list of :class:`Station`, in the order of the station dimension of fields."""
+        return [Station(**about) for about in self._source.stations()]
+
+    @cached_property
+    def contacts(self):
+        """list of str: names of the contacts, in the order of the contact dimension of fields."""
+        return self._source.contacts()
+
+    @cached_property
+    def facts(self):
+        """dict of str to str: how, where and with what it was computed."""
+        return self._source.facts()
+
+    @cached_property
+    def tables(self):
+        """dict of str to :class:`Table`: "sweep", "map", "branch", ..."""
+        return {name: Table(self, table) for name, table in self._source.tables().items()}
+
+    @property
+    def case(self):
+        """The case, ready to be run again or changed."""
+        from .case import Case
+
+        return Case(text=self.case_text, name=self.case_name)
+
+    def parameter_unit(self, name):
+        """The SI unit of a parameter, "1" for what is none."""
+        return self.parameters[name].unit if name in self.parameters else "1"
+
+    def __getitem__(self, name):
+        if name in self.tables:
+            return self.tables[name]
+        raise KeyError(f"the result has no table '{name}', expected one of: {', '.join(self.tables)}")
+
+    @cached_property
+    def plot(self):
+        """Figures in Matplotlib as the report draws them: ``result.plot.bifurcation()``, ..."""
+        from .plot import Plots
+
+        return Plots(self)
+
+    def save(self, path):
+        """Writes the result as the file that `whirl run` writes: to another name first, so that none is left half."""
+        if hasattr(self._source, "write"):
+            self._source.write(path)
+        elif not os.path.exists(path) or not os.path.samefile(self._source.path, path):
+            shutil.copyfile(self._source.path, f"{os.fspath(path)}.tmp")
+            os.replace(f"{os.fspath(path)}.tmp", path)
+
+    def close(self):
+        """Closes the file of a result that was opened; nothing more can be read then."""
+        getattr(self._source, "close", lambda: None)()
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_exception):
+        self.close()
+
+    def explorer(self, path=None, template=None):
+        """The explorer: a page that shows the result and computes on in the browser.
+
+        Parameters
+        ----------
+        path : path, optional
+            The page to write; without it its text is returned.
+        template : path, optional
+            The explorer's template; that of the package or of the system where it is not given.
+        """
+        from ._library import check, ffi, lib, path_bytes
+
+        template = template or find_template()
+        if template is None:
+            raise errors.BadInput(
+                "the explorer's template was not found: 'make explorer' builds it, WHIRL_EXPLORER may say where it is"
+            )
+        handle, name = self._source.library_result(), ffi.new("char[]", Path(self.case_name or "result").stem.encode())
+        with tempfile.TemporaryDirectory() as folder:
+            check(
+                lib.whirl_explorer_write(
+                    path_bytes(template),
+                    ffi.new("whirl_result *[]", [handle]),
+                    ffi.new("char *[]", [name]),
+                    1,
+                    path_bytes(folder),
+                )
+            )
+            page = Path(folder) / "explorer.html"
+            if path is None:
+                return page.read_text(encoding="utf-8")
+            shutil.copyfile(page, path)
+
+    def _repr_html_(self):
+        """In a notebook: the explorer, where its template is there and the page is not too large; else a table."""
+        if find_template() is not None and self._source.bytes() <= _LARGEST_SHOWN:
+            return (
+                f'<iframe srcdoc="{html.escape(self.explorer())}" width="100%" height="720" style="border: 0" '
+                f'title="{html.escape(self.title)}"></iframe>'
+            )
+        lines = (
+            f"<tr><td>{html.escape(table.name)}</td><td>{' x '.join(map(str, table.shape))}</td>"
+            f"<td>{html.escape(table.parameter)}</td></tr>"
+            for table in self.tables.values()
+        )
+        return (
+            f"<p><b>{html.escape(self.title or self.case_name)}</b>{' (partial)' if self.partial else ''}</p>"
+            f"<table><tr><th>table</th><th>points</th><th>over</th></tr>{''.join(lines)}</table>"
+        )
+
+    def __repr__(self):
+        tables = ", ".join(f"{t.name} ({' x '.join(map(str, t.shape))})" for t in self.tables.values())
+        return f"<whirl.Result {self.title!r}: {tables}{', partial' if self.partial else ''}>"
+
+
+_LARGEST_SHOWN = 64 << 20  # bytes of a result: notebooks keep the page in their file
+
+
+def find_template():
+    """The explorer's template: as WHIRL_EXPLORER says, in the package, or where the system has it; None."""
+    places = (
+        os.environ.get("WHIRL_EXPLORER"),
+        Path(__file__).parent / "_native" / "explorer.html",
+        "/usr/local/share/whirl/explorer.html",
+        "/usr/share/whirl/explorer.html",
+    )
+    return next((place for place in places if place and os.path.exists(place)), None)
+
+
+def open(path):  # noqa: A001 (whirl.open reads as one says it)
+    """Opens a result file. Nothing but its outline is read before it is asked for, however large it is.
+
+    The file is read by h5py as it stands. For files of strangers there is :func:`read`, which has libwhirl check every
+    part of it first.
+    """
+    from ._file import FileSource
+
+    return Result(FileSource(path))
+
+
+def read(path):
+    """Reads all of a result file into memory, checked by the library before a number of it is believed."""
+    from ._memory import MemorySource
+
+    return Result(MemorySource.read(path))
