@@ -60,7 +60,7 @@ void whirl_case_free(whirl_case *object);
 typedef struct whirl_job whirl_job;
 
 /// Is told how far a run has come, a few times a second from one thread at a time, and at the end. `stage` says what is
-/// being done, in a word: "compute", "confirm", "follow", "refine". The rest is as in whirl_progress.
+/// being done, in a word: "compute", "confirm", "neighbours", "follow", "refine". The rest is as in whirl_progress.
 typedef void (*whirl_job_progress_fn)(void *context, const char *stage, double points_done, double points_total,
                                       double revolutions_done, double revolutions_total, double seconds);
 

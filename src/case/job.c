@@ -99,7 +99,8 @@ static void pass_on(void *context, const whirl_progress *progress) {
     static const char *const stages[] = {[WHIRL_STAGE_COMPUTE] = "compute",
                                          [WHIRL_STAGE_CONFIRM] = "confirm",
                                          [WHIRL_STAGE_FOLLOW] = "follow",
-                                         [WHIRL_STAGE_REFINE] = "refine"};
+                                         [WHIRL_STAGE_REFINE] = "refine",
+                                         [WHIRL_STAGE_NEIGHBOURS] = "neighbours"};
     const whirl_job *job = context;
     const size_t stage = (size_t)progress->stage;
     job->tell(job->context, stage < sizeof stages / sizeof *stages ? stages[stage] : "compute",
