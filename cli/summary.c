@@ -364,16 +364,22 @@ static bool print_windows(const whirl_result *result, const whirl_table *table) 
     return count <= LONGEST_LIST;
 }
 
-/// How many points each stands for [count]: of a refined map those of its grid; else 1. NULL without memory.
-static size_t *weights_of(const whirl_table *table) {
+/// How many points of the grid of a refined map each of its points stands for [count]; NULL where points stand for
+/// themselves. False without memory.
+static bool weights_of(const whirl_table *table, size_t **weights) {
     const size_t grid = whirl_table_grid(table);
-    size_t *weights = calloc(table->count + 1, sizeof *weights);
-    size_t *cover = weights && table->refine > 0 ? calloc(grid + 1, sizeof *cover) : NULL;
+    *weights = NULL;
+    if (table->refine == 0) return true;
+    size_t *own = *weights = calloc(table->count + 1, sizeof *own), *cover = calloc(grid + 1, sizeof *cover);
     if (cover) whirl_table_cover(table, cover);
-    for (size_t i = 0; cover && i < grid; i++) weights[cover[i]] += cover[i] < table->count;
-    for (size_t i = 0; weights && !cover && i < table->count; i++) weights[i] = 1;
+    for (size_t i = 0; own && cover && i < grid; i++) own[cover[i]] += cover[i] < table->count;
+    const bool made = own && cover;
     free(cover);
-    return weights;
+    return made;
+}
+
+static size_t weight_of(const size_t *weights, size_t point) {
+    return weights ? weights[point] : 1;
 }
 
 /// "refined from squares of 16: 5210 of 66049 points computed (7.9 %), 612 revolutions each; all would have taken about
@@ -392,10 +398,11 @@ static void print_grid(const whirl_table *table) {
 /// of its grid, told or computed.
 static void print_counts(const whirl_result *result, const whirl_table *table) {
     verdict_counts tally = {.count = 0};
-    size_t rubbing = 0, failed = 0, sure[WHIRL_HIGH + 1] = {0}, *weights = weights_of(table);
-    for (size_t point = 0; weights && point < table->count; point++) {
+    size_t rubbing = 0, failed = 0, sure[WHIRL_HIGH + 1] = {0}, *weights;
+    const bool weighed = weights_of(table, &weights);
+    for (size_t point = 0; weighed && point < table->count; point++) {
         if (!whirl_table_done(table, point)) continue;
-        const size_t weight = weights[point];
+        const size_t weight = weight_of(weights, point);
         const whirl_verdict verdict = whirl_table_verdict(table, point);
         if (has_verdicts(table)) count_verdict(&tally, &verdict, weight);
         rubbing += rubs(result, table, point) ? weight : 0;
@@ -429,8 +436,9 @@ static void print_attractors(const whirl_table *table) {
                plural((double)found[k].points), 100.0 * found[k].share, 100.0 * found[k].error);
     }
     if (count > SHOWN) printf("  and %zu more\n", count - SHOWN);
-    size_t done = 0, told = 0, *weights = weights_of(table);
-    for (size_t i = 0; weights && i < table->count; i++) done += whirl_table_done(table, i) ? weights[i] : 0;
+    size_t done = 0, told = 0, *weights;
+    const bool weighed = weights_of(table, &weights);
+    for (size_t i = 0; weighed && i < table->count; i++) done += whirl_table_done(table, i) ? weight_of(weights, i) : 0;
     free(weights);
     for (size_t k = 0; k < count && k < SHOWN; k++) told += found[k].points;
     if (count <= SHOWN && told < done)

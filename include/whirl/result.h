@@ -21,6 +21,9 @@ enum {
     WHIRL_MAX_NEIGHBOUR_STARTS = 16 ///< starts of a place from neighbours
 };
 
+/// Arrays that lie in nameless files, of which the system keeps in memory what it has room for.
+typedef struct whirl_room whirl_room;
+
 /// One of the attractors at a place of a study, where several starts a place were followed.
 typedef struct whirl_coexisting {
     size_t place;        ///< whirl_table_place
@@ -67,6 +70,7 @@ struct whirl_table {
     const struct whirl_table *source;  ///< of a view (whirl_result_by_attractor): whose points these are, or NULL
     size_t *chosen;                    ///< [count] which of them
     whirl_coexisting *attractors;      ///< [count] what they came to rest on
+    whirl_room *room;                  ///< NULL, or what those of these arrays lie in that a run made large
 };
 
 /// A named parameter of the case with the value that the run used, in SI.

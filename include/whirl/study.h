@@ -65,6 +65,7 @@ typedef struct whirl_batch {
     whirl_integrate_options integrate; ///< by what method
     whirl_record_options record;       ///< what is recorded of each
     whirl_analysis_set analyses;       ///< what is said of each
+    const whirl_room *room;            ///< NULL, or what large values lie in; borrowed
 } whirl_batch;
 
 /// Its members that are said of a study (part "study"); static, ended by one without a part.

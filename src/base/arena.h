@@ -4,8 +4,11 @@
 
 #include <stddef.h>
 
+#include "room.h"
+
 typedef struct memory_arena {
     struct arena_chunk *chunks; ///< newest first
+    whirl_room *room;           ///< of what is large
 } memory_arena;
 
 /// `size` zeroed bytes, aligned for any object; NULL when memory ran out. Lives until arena_free.

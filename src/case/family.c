@@ -71,5 +71,7 @@ whirl_status whirl_case_study(const whirl_case *object, whirl_study *study) {
     *study = (whirl_study){
         .batch_count = plan->batch_count, .machine = case_machine, .family = object, .refine = object->refine};
     memcpy(study->batches, plan->batches, sizeof study->batches);
+    for (size_t i = 0; i < study->batch_count; i++) study->batches[i].room = object->content.arena.room;
+    room_rest(object->content.arena.room);
     return whirl_ok();
 }

@@ -297,6 +297,7 @@ static void make_map(case_reader *reader, valuation *v, const plan_parts *parts,
     reader->no_memory = reader->no_memory || !values;
     if (!values) return;
     fill_map(x, columns, y, rows, values, values + count);
+    room_rest(reader->arena->room);
     result->rest[result->batch_count] = strcmp(settings_word(&parts->map, "start"), "rest") == 0;
     result->first_place = end_place(&parts->sweep, false);
     result->last_place = end_place(&parts->sweep, true);

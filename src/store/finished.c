@@ -2,36 +2,53 @@
 
 #include <stdlib.h>
 
-whirl_status finished_points(const whirl_table *whole, finished *out) {
-    size_t count = 0;
-    for (size_t i = 0; i < whole->count; ++i) count += whirl_table_done(whole, i);
-    *out = (finished){.table = *whole};
+#include "room.h"
+
+static void copy_point(const whirl_table *whole, size_t from, finished *out) {
     whirl_table *table = &out->table;
-    // The first owns all: points, slots, values, scales and branches of one block.
-    size_t *points = out->points = malloc(count * (2 * sizeof(size_t) + 2 * sizeof(double) + sizeof(int)) + 1);
+    const size_t at = table->count++;
+    out->points[at] = from;
+    table->slots[at] = whirl_table_slot(whole, from);
+    table->values[at] = whole->values[from];
+    if (whole->length_scales) table->length_scales[at] = whole->length_scales[from];
+    table->branch[at] = whole->branch[from];
+}
+
+/// The first of its arrays owns all: points, slots, values, scales and branches of one block.
+static whirl_status copy_finished(const whirl_table *whole, size_t count, finished *out) {
+    const size_t bytes = 2 * sizeof(size_t) + 2 * sizeof(double) + sizeof(int);
+    whirl_table *table = &out->table;
+    size_t *points = out->points = room_take(&out->room, count, bytes, ROOM_LEAST);
     if (!points) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points", count);
     table->slots = points + count;
     table->values = (double *)(table->slots + count);
     if (whole->length_scales) table->length_scales = table->values + count;
     table->branch = (int *)(table->values + 2 * count);
-    table->blocks = NULL;
-    table->kept = NULL;
-    table->done = NULL;
     table->count = 0;
-    table->planned = whirl_table_planned(whole);
     for (size_t i = 0; i < whole->count; ++i) {
-        if (!whirl_table_done(whole, i)) continue;
-        const size_t at = table->count++;
-        points[at] = i;
-        table->slots[at] = whirl_table_slot(whole, i);
-        table->values[at] = whole->values[i];
-        if (whole->length_scales) table->length_scales[at] = whole->length_scales[i];
-        table->branch[at] = whole->branch[i];
+        room_pass(out->room, i);
+        room_pass(whole->room, i);
+        if (whirl_table_done(whole, i)) copy_point(whole, i, out);
     }
     return whirl_ok();
 }
 
-void finished_free(finished *points) {
-    free(points->points);
-    points->points = NULL;
+whirl_status finished_points(const whirl_table *whole, finished *out) {
+    size_t count = 0;
+    for (size_t i = 0; i < whole->count; ++i) {
+        room_pass(whole->room, i);
+        count += whirl_table_done(whole, i);
+    }
+    *out = (finished){.table = *whole};
+    whirl_table *table = &out->table;
+    table->blocks = NULL;
+    table->kept = NULL;
+    table->done = NULL;
+    table->planned = whirl_table_planned(whole);
+    return count == whole->count ? whirl_ok() : copy_finished(whole, count, out);
+}
+
+void finished_free(finished *own) {
+    room_drop(&own->room, own->points);
+    own->points = NULL;
 }

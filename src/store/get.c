@@ -301,16 +301,29 @@ static void read_chunk(hid_t dataset, int rank, hsize_t *chunk) {
     if (creation >= 0) H5Pclose(creation);
 }
 
+/// Of a column that is laid, whose dataset is to be of this kind.
+static void open_column(whirl_status *status, column *from, hid_t parent, const char *name, hid_t kind, hid_t memory) {
+    hsize_t chunk[SHAPE_MAX_RANK] = {1, 1};
+    size_t dimensions[SHAPE_MAX_RANK];
+    for (int i = 0; i < from->rank; ++i) dimensions[i] = (size_t)from->dimensions[i];
+    from->dataset = get_dataset(status, parent, name);
+    check_kind(status, from->dataset, kind);
+    if (status->code == WHIRL_OK) check_dimensions(status, from->dataset, dimensions, from->rank);
+    if (status->code != WHIRL_OK) return;
+    from->type = H5Tcopy(memory);
+    read_chunk(from->dataset, from->rank, chunk);
+    if (!column_buffer(from, chunk)) *status = whirl_fail(WHIRL_NO_MEMORY, "no memory to read %s", name);
+}
+
 void column_open(whirl_status *status, column *from, hid_t parent, const char *name, shape points,
                  const size_t *dimensions, int rank) {
-    hsize_t chunk[SHAPE_MAX_RANK] = {1, 1};
     column_lay(from, points, dimensions, rank, sizeof(double));
-    from->dataset = get_dataset(status, parent, name);
-    check_kind(status, from->dataset, H5T_IEEE_F64LE);
-    if (status->code == WHIRL_OK) check_dimensions(status, from->dataset, dimensions, rank);
-    if (status->code != WHIRL_OK) return;
-    read_chunk(from->dataset, rank, chunk);
-    if (!column_buffer(from, chunk)) *status = whirl_fail(WHIRL_NO_MEMORY, "no memory to read %s", name);
+    open_column(status, from, parent, name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE);
+}
+
+void column_open_wholes(whirl_status *status, column *from, hid_t parent, const char *name, shape points) {
+    column_lay(from, points, points.sizes, points.rank, sizeof(int64_t));
+    open_column(status, from, parent, name, H5T_STD_I64LE, H5T_NATIVE_INT64);
 }
 
 /// Reads the points from `done` on into the buffer.
@@ -320,13 +333,13 @@ static void fill_column(whirl_status *status, column *from) {
     column_box(from, left < room ? left : room, first, count);
     const hid_t file = H5Dget_space(from->dataset), memory = H5Screate_simple(from->rank, count, NULL);
     if (H5Sselect_hyperslab(file, H5S_SELECT_SET, first, NULL, count, NULL) < 0 ||
-        H5Dread(from->dataset, H5T_NATIVE_DOUBLE, memory, file, H5P_DEFAULT, from->buffer) < 0)
+        H5Dread(from->dataset, from->type, memory, file, H5P_DEFAULT, from->buffer) < 0)
         fail_library(status, from->dataset, "");
     H5Sclose(memory);
     H5Sclose(file);
 }
 
-void column_get(whirl_status *status, column *from, double *numbers) {
+void column_get(whirl_status *status, column *from, void *numbers) {
     if (status->code != WHIRL_OK || from->size == 0) return;
     if (from->gathered == 0) fill_column(status, from);
     if (status->code != WHIRL_OK) return;
@@ -338,6 +351,7 @@ void column_get(whirl_status *status, column *from, double *numbers) {
 
 void column_close(column *from) {
     close_dataset(from->dataset);
+    if (from->type >= 0) H5Tclose(from->type);
     free(from->buffer);
 }
 

@@ -9,6 +9,7 @@
 #include "crc32c.h"
 #include "isa.h"
 #include "number.h"
+#include "room.h"
 
 enum { SHOWN = 90 };
 
@@ -61,6 +62,7 @@ static void put_points(FILE *out, const whirl_table *table) {
     uint32_t sum = 0;
     size_t count = 0, end = 0;
     for (size_t i = 0; i < table->count; ++i) {
+        room_pass(table->room, i);
         if (!is_planned(table, i)) continue;
         ++count;
         end = i;

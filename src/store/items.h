@@ -49,11 +49,12 @@ typedef struct column {
     unsigned char *buffer;
 } column;
 
-/// Begins a dataset of doubles, whose group ("group/name") is made, or of texts of at most `size` bytes, ends included.
-/// The first of its dimensions are those of the points. The dataset is open for its attributes until column_end, which
-/// is to be called also after a failure.
+/// Begins a dataset of doubles, whose group ("group/name") is made, of whole numbers (int64_t), one a point, or of
+/// texts of at most `size` bytes, ends included. The first of its dimensions are those of the points. The dataset is
+/// open for its attributes until column_end, which is to be called also after a failure.
 void column_of_numbers(whirl_status *status, column *out, hid_t parent, const char *name, shape points,
                        const size_t *dimensions, int rank);
+void column_of_wholes(whirl_status *status, column *out, hid_t parent, const char *name, shape points);
 void column_of_texts(whirl_status *status, column *out, hid_t parent, const char *name, shape points, size_t size);
 
 /// Appends a point.
@@ -94,13 +95,14 @@ void get_texts(whirl_status *status, hid_t parent, const char *name, char *first
 void get_wholes(whirl_status *status, hid_t parent, const char *name, int64_t *values, shape of);
 void get_numbers(whirl_status *status, hid_t parent, const char *name, double *values, shape of);
 
-/// Opens a dataset of doubles that has exactly these dimensions, to be read by points; column_close also after a
-/// failure.
+/// Opens a dataset of doubles that has exactly these dimensions, or of whole numbers (int64_t), one a point, to be read
+/// by points; column_close also after a failure.
 void column_open(whirl_status *status, column *from, hid_t parent, const char *name, shape points,
                  const size_t *dimensions, int rank);
+void column_open_wholes(whirl_status *status, column *from, hid_t parent, const char *name, shape points);
 
 /// The next point's numbers.
-void column_get(whirl_status *status, column *from, double *numbers);
+void column_get(whirl_status *status, column *from, void *numbers);
 void column_close(column *from);
 
 /// The only text of a dataset, of at most `most` bytes without its end; to be freed.

@@ -13,6 +13,7 @@
 #include "journal_frame.h"
 #include "journal_header.h"
 #include "journal_scan.h"
+#include "room.h"
 #include "underway.h"
 
 enum { MOST_BATCHES = 128 };
@@ -23,7 +24,7 @@ static const double sync_interval = 5.0;
 /// Where the payloads of the points of a pass over a batch lie in the file; 0: not there.
 typedef struct batch_index {
     size_t count;
-    uint64_t *offset; ///< [count], NULL where the pass has none yet
+    uint64_t *offset; ///< [count], NULL where the pass has none yet; in the journal's room
 } batch_index;
 
 struct whirl_journal {
@@ -40,6 +41,8 @@ struct whirl_journal {
     size_t batch_count; ///< of the study; passes beyond the first have indices of their own (whirl_keeper)
     size_t points;      ///< of the first pass
     batch_index batches[MOST_BATCHES];
+    whirl_room *room;
+    size_t looks; ///< at the index
     whirl_journal_found found;
     underway *states; ///< of points under way; NULL: none are kept
 };
@@ -53,17 +56,20 @@ static uint64_t start_of(const whirl_journal *journal) {
 static void free_journal(whirl_journal *journal) {
     if (!journal) return;
     journal_file_close(&journal->file);
-    for (size_t i = 0; i < MOST_BATCHES; ++i) free(journal->batches[i].offset);
+    for (size_t i = 0; i < MOST_BATCHES; ++i) room_drop(&journal->room, journal->batches[i].offset);
     underway_close(journal->states);
     free(journal->pending);
     free(journal->identity.text);
     free(journal);
 }
 
+static batch_index new_index(whirl_journal *journal, size_t count) {
+    return (batch_index){count, room_take(&journal->room, count, sizeof(uint64_t), ROOM_LEAST)};
+}
+
 static whirl_status make_index(whirl_journal *journal, const whirl_result *outline) {
     for (size_t i = 0; i < outline->table_count; ++i) {
-        const size_t count = outline->tables[i].count;
-        journal->batches[i] = (batch_index){count, calloc(count ? count : 1, sizeof(uint64_t))};
+        journal->batches[i] = new_index(journal, outline->tables[i].count);
         if (!journal->batches[i].offset) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a journal");
     }
     journal->batch_count = outline->table_count;
@@ -76,7 +82,8 @@ static uint64_t *place_of(whirl_journal *journal, uint64_t batch, uint64_t slot)
     batch_index *index = &journal->batches[batch];
     const size_t count = journal->batches[batch % journal->batch_count].count;
     if (slot >= count) return NULL;
-    if (!index->offset) *index = (batch_index){count, calloc(count, sizeof(uint64_t))};
+    if (!index->offset) *index = new_index(journal, count);
+    room_pass(journal->room, journal->looks++);
     return index->offset ? &index->offset[slot] : NULL;
 }
 

@@ -206,6 +206,12 @@ void column_of_numbers(whirl_status *status, column *out, hid_t parent, const ch
     begin_column(status, out, parent, name, H5T_IEEE_F64LE);
 }
 
+void column_of_wholes(whirl_status *status, column *out, hid_t parent, const char *name, shape points) {
+    column_lay(out, points, points.sizes, points.rank, sizeof(int64_t));
+    if (status->code == WHIRL_OK) out->type = H5Tcopy(H5T_NATIVE_INT64);
+    begin_column(status, out, parent, name, H5T_STD_I64LE);
+}
+
 void column_of_texts(whirl_status *status, column *out, hid_t parent, const char *name, shape points, size_t size) {
     column_lay(out, points, points.sizes, points.rank, size);
     if (status->code == WHIRL_OK) out->type = text_type(size - 1, H5T_CSET_ASCII);

@@ -6,6 +6,7 @@
 #include "format.h"
 #include "h5file.h"
 #include "items.h"
+#include "room.h"
 #include "whirl/study.h"
 
 #include <limits.h>
@@ -207,42 +208,74 @@ static void get_field_names(whirl_status *status, hid_t group, const char *table
     }
 }
 
+/// The same, of a table's own.
+static void *take_array(whirl_status *status, whirl_table *table, size_t count, size_t size) {
+    if (status->code != WHIRL_OK) return NULL;
+    void *array = room_take(&table->room, count, size, ROOM_LEAST);
+    if (!array) *status = whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu x %zu bytes", count, size);
+    return array;
+}
+
+/// Numbers of the points that are read one after the other; column_close also after a failure.
+static column open_numbers(whirl_status *status, hid_t group, const char *name, shape points) {
+    column from;
+    column_open(status, &from, group, name, points, points.sizes, points.rank);
+    return from;
+}
+
+static column open_wholes(whirl_status *status, hid_t group, const char *name, shape points) {
+    column from;
+    column_open_wholes(status, &from, group, name, points);
+    return from;
+}
+
 /// Values of the parameter, and behind them in the same memory the words of the fields.
-static field_words *take_values(whirl_status *status, whirl_table *table) {
+static field_words *get_values(whirl_status *status, hid_t group, shape points, whirl_table *table) {
     const size_t numbers = table->count * sizeof(double);
-    table->values = take(status, 1, numbers + table->layout.field_count * sizeof(field_words) + 1);
+    table->values = take_array(status, table, 1, numbers + table->layout.field_count * sizeof(field_words) + 1);
+    column from = open_numbers(status, group, "values", points);
+    for (size_t i = 0; status->code == WHIRL_OK && i < table->count; ++i) {
+        room_pass(table->room, i);
+        column_get(status, &from, &table->values[i]);
+    }
+    column_close(&from);
     return table->values ? (field_words *)((char *)table->values + numbers) : NULL;
 }
 
 static void get_branch(whirl_status *status, hid_t group, shape points, whirl_table *table) {
-    int64_t *branch = take(status, table->count, sizeof *branch);
-    table->branch = take(status, table->count, sizeof *table->branch);
-    get_wholes(status, group, "branch", branch, points);
+    table->branch = take_array(status, table, table->count, sizeof *table->branch);
+    column from = open_wholes(status, group, "branch", points);
     for (size_t i = 0; status->code == WHIRL_OK && i < table->count; ++i) {
-        if (branch[i] < -1 || branch[i] > 1)
+        int64_t branch = 0;
+        room_pass(table->room, i);
+        column_get(status, &from, &branch);
+        if (branch < -1 || branch > 1)
             *status = whirl_fail(WHIRL_BAD_INPUT, "/%s/branch holds %lld, expected -1, 0 or 1", table->name,
-                                 (long long)branch[i]);
+                                 (long long)branch);
         else
-            table->branch[i] = (int)branch[i];
+            table->branch[i] = (int)branch;
     }
-    free(branch);
+    column_close(&from);
 }
 
 /// Kept where a point has another than the case.
 static void get_length_scales(whirl_status *status, hid_t group, const whirl_result *result, shape points,
                               whirl_table *table) {
-    double *scales = table->length_scales = take(status, table->count, sizeof *scales);
+    double *scales = table->length_scales = take_array(status, table, table->count, sizeof *scales);
     bool changes = false;
-    get_numbers(status, group, "length_scale", scales, points);
+    column from = open_numbers(status, group, "length_scale", points);
     for (size_t i = 0; status->code == WHIRL_OK && i < table->count; ++i) {
+        room_pass(table->room, i);
+        column_get(status, &from, &scales[i]);
         const bool own = scales[i] != result->length_scale;
         changes = changes || own;
         if (own && !(scales[i] > 0.0))
             *status = whirl_fail(WHIRL_BAD_INPUT, "/%s/length_scale holds %g, expected lengths above 0", table->name,
                                  scales[i]);
     }
+    column_close(&from);
     if (changes) return;
-    free(scales);
+    room_drop(&table->room, scales);
     table->length_scales = NULL;
 }
 
@@ -258,24 +291,27 @@ static void get_grid(whirl_status *status, hid_t group, whirl_table *table) {
 
 /// Which points of the study these are. NULL where they are all.
 static void get_slots(whirl_status *status, hid_t group, shape points, whirl_table *table) {
-    int64_t *places = take(status, table->count, sizeof *places), before = 0;
-    table->slots = take(status, table->count, sizeof *table->slots);
+    table->slots = take_array(status, table, table->count, sizeof *table->slots);
     const int64_t most = (int64_t)1 << 48; // tables of all sizes can be summed
     const int64_t planned = get_whole_attribute(status, group, "points", (int64_t)table->count, most);
     const int64_t room = (int64_t)(table->places * (table->starts + WHIRL_MAX_NEIGHBOUR_STARTS));
     const int64_t last = table->grid > 0 ? (int64_t)table->grid : room > 0 ? room : planned;
-    get_wholes(status, group, "point", places, points);
-    for (size_t i = 0; status->code == WHIRL_OK && i < table->count; before = places[i++]) {
-        if (places[i] <= before || places[i] > last)
+    int64_t before = 0, place = 0;
+    column from = open_wholes(status, group, "point", points);
+    for (size_t i = 0; status->code == WHIRL_OK && i < table->count; ++i) {
+        room_pass(table->room, i);
+        before = place;
+        column_get(status, &from, &place);
+        if (status->code == WHIRL_OK && (place <= before || place > last))
             *status = whirl_fail(WHIRL_BAD_INPUT, "/%s/point holds %lld, expected %lld to %lld", table->name,
-                                 (long long)places[i], (long long)before + 1, (long long)last);
-        table->slots[i] = (size_t)places[i] - 1;
+                                 (long long)place, (long long)before + 1, (long long)last);
+        table->slots[i] = (size_t)place - 1;
     }
-    free(places);
+    column_close(&from);
     if (status->code != WHIRL_OK) return;
     if ((size_t)planned > table->count) table->planned = (size_t)planned;
     if (table->planned > 0 || table->grid > 0 || table->places > 0) return;
-    free(table->slots);
+    room_drop(&table->room, table->slots);
     table->slots = NULL;
 }
 
@@ -362,8 +398,7 @@ static void get_table(whirl_status *status, hid_t file, const whirl_result *resu
     get_field_names(status, group, table->name, layout);
     const shape points = get_shape(status, group, "values", how->limit / sizeof(double));
     table->count = shape_count(points);
-    field_words *words = take_values(status, table);
-    get_numbers(status, group, "values", table->values, points);
+    field_words *words = get_values(status, group, points, table);
     get_branch(status, group, points, table);
     get_grid(status, group, table);
     get_starts(status, group, table);

@@ -7,6 +7,7 @@
 #include "format.h"
 #include "identity.h"
 #include "read.h"
+#include "room.h"
 
 bool whirl_result_same_study(const whirl_result *earlier, const whirl_result *later, char *difference, size_t size) {
     char *was = NULL, *is = NULL;
@@ -106,11 +107,14 @@ static whirl_status compare_slots(const comparison *with, const whirl_result *th
         if (planned != own->planned || found->grid != own->grid || found->refine != own->refine ||
             found->neighbours != own->neighbours || found->places != own->places)
             return differs(with->path, own, planned < own->planned ? planned : own->planned);
-        for (size_t point = 0; point < own->count; ++point)
+        for (size_t point = 0; point < own->count; ++point) {
+            room_pass(own->room, point);
+            room_pass(found->room, point);
             if (whirl_table_slot(own, point) != whirl_table_slot(found, point) || !whirl_table_done(found, point) ||
                 !same_number(whirl_result_length_scale(with->result, own, point),
                              whirl_result_length_scale(there, found, point)))
-                return differs(with->path, own, own->slots[point]);
+                return differs(with->path, own, whirl_table_slot(own, point));
+        }
     }
     return whirl_ok();
 }
@@ -124,9 +128,9 @@ static whirl_status compare_block(void *context, const whirl_table *there, size_
     const whirl_table *written = &with->result->tables[index], *own = &with->tables[index];
     const size_t size = written->layout.size;
     if (point >= own->count || there->layout.size != size) return differs(with->path, written, point);
-    const double *expected = whirl_table_block(written, with->parts[index].points[point]);
+    const double *expected = whirl_table_block(written, finished_point(&with->parts[index], point));
     const bool same = expected && memcmp(expected, block, size * sizeof *block) == 0;
-    return same ? whirl_ok() : differs(with->path, written, with->tables[index].slots[point]);
+    return same ? whirl_ok() : differs(with->path, written, whirl_table_slot(own, point));
 }
 
 /// All but the numbers.

@@ -4,6 +4,7 @@
 #include "format.h"
 #include "h5file.h"
 #include "items.h"
+#include "room.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -149,6 +150,46 @@ static void begin_field(whirl_status *status, column *out, hid_t group, const wh
     put_whole_attribute(status, out->dataset, "columns", (int64_t)field->columns);
 }
 
+/// What a number of a point is taken from.
+typedef struct point_source {
+    const whirl_result *result;
+    const finished *own;
+    const size_t *labels; ///< [points of the whole table] attractors
+} point_source;
+
+typedef double (*number_of)(const point_source *from, size_t at);
+typedef int64_t (*whole_of)(const point_source *from, size_t at);
+
+/// Datasets of a number a point.
+static void put_each_number(whirl_status *status, hid_t group, const char *name, number_of number,
+                            const point_source *from) {
+    const shape points = shape_of(&from->own->table);
+    column out;
+    if (status->code != WHIRL_OK) return;
+    column_of_numbers(status, &out, group, name, points, points.sizes, points.rank);
+    for (size_t at = 0; status->code == WHIRL_OK && at < from->own->table.count; ++at) {
+        const double value = number(from, at);
+        room_pass(from->own->table.room, at);
+        room_pass(from->own->room, at);
+        column_put(status, &out, &value);
+    }
+    column_end(status, &out);
+}
+
+static void put_each_whole(whirl_status *status, hid_t group, const char *name, whole_of whole,
+                           const point_source *from) {
+    column out;
+    if (status->code != WHIRL_OK) return;
+    column_of_wholes(status, &out, group, name, shape_of(&from->own->table));
+    for (size_t at = 0; status->code == WHIRL_OK && at < from->own->table.count; ++at) {
+        const int64_t value = whole(from, at);
+        room_pass(from->own->table.room, at);
+        room_pass(from->own->room, at);
+        column_put(status, &out, &value);
+    }
+    column_end(status, &out);
+}
+
 /// The numbers of all fields: one pass over the points, for their blocks may lie on disk.
 static void put_fields(whirl_status *status, hid_t group, const whirl_result *result, const whirl_table *whole,
                        const finished *own) {
@@ -157,9 +198,10 @@ static void put_fields(whirl_status *status, hid_t group, const whirl_result *re
     for (size_t i = 0; i < layout->field_count; ++i)
         begin_field(status, &columns[i], group, result, &own->table, &layout->fields[i]);
     for (size_t at = 0; status->code == WHIRL_OK && at < own->table.count; ++at) {
-        const double *block = whirl_table_block(whole, own->points[at]);
+        const double *block = whirl_table_block(whole, finished_point(own, at));
         if (!block)
-            *status = whirl_fail(WHIRL_IO_ERROR, "point %zu of the %s is lost", own->points[at] + 1, whole->name);
+            *status =
+                whirl_fail(WHIRL_IO_ERROR, "point %zu of the %s is lost", finished_point(own, at) + 1, whole->name);
         for (size_t i = 0; block && i < layout->field_count; ++i)
             column_put(status, &columns[i], block + layout->fields[i].offset);
     }
@@ -185,7 +227,7 @@ static void put_verdicts(whirl_status *status, hid_t group, const whirl_table *w
     column names, reasons;
     if (status->code != WHIRL_OK) return;
     for (size_t i = 0; i < own->table.count; ++i) {
-        put_into_words(whole, own->points[i], &words);
+        put_into_words(whole, finished_point(own, i), &words);
         const size_t name = strlen(words.name), reason = strlen(words.reason);
         if (name > longest_name) longest_name = name;
         if (reason > longest_reason) longest_reason = reason;
@@ -194,7 +236,7 @@ static void put_verdicts(whirl_status *status, hid_t group, const whirl_table *w
     column_of_texts(status, &names, verdicts, "name", shape_of(&own->table), longest_name + 1);
     column_of_texts(status, &reasons, verdicts, "reason", shape_of(&own->table), longest_reason + 1);
     for (size_t i = 0; status->code == WHIRL_OK && i < own->table.count; ++i) {
-        put_into_words(whole, own->points[i], &words);
+        put_into_words(whole, finished_point(own, i), &words);
         column_put(status, &names, words.name);
         column_put(status, &reasons, words.reason);
     }
@@ -229,18 +271,21 @@ static whirl_status check_layout(const whirl_table *table) {
     return whirl_ok();
 }
 
-/// Branches, and which points of the study these are, from 1.
-static void put_places(whirl_status *status, hid_t group, const whirl_table *table) {
-    int64_t *numbers = malloc((table->count ? table->count : 1) * sizeof *numbers);
-    if (!numbers) {
-        *status = whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points", table->count);
-        return;
-    }
-    for (size_t i = 0; i < table->count; ++i) numbers[i] = table->branch[i];
-    put_wholes(status, group, "branch", numbers, shape_of(table));
-    for (size_t i = 0; i < table->count; ++i) numbers[i] = (int64_t)table->slots[i] + 1;
-    put_wholes(status, group, "point", numbers, shape_of(table));
-    free(numbers);
+static double value_of(const point_source *from, size_t at) {
+    return from->own->table.values[at];
+}
+
+static double length_scale_of(const point_source *from, size_t at) {
+    return whirl_result_length_scale(from->result, &from->own->table, at);
+}
+
+static int64_t branch_of(const point_source *from, size_t at) {
+    return from->own->table.branch[at];
+}
+
+/// Which point of the study it is, from 1.
+static int64_t place_of(const point_source *from, size_t at) {
+    return (int64_t)whirl_table_slot(&from->own->table, at) + 1;
 }
 
 /// Of every point of a table with several starts the attractor, its share of the starts of the place, and the standard
@@ -254,8 +299,8 @@ static void put_shares(whirl_status *status, hid_t group, const whirl_table *who
     double *shares = calloc(2 * count + 1, sizeof *shares), *errors = shares ? shares + count : NULL;
     if (!labels || !shares) *status = whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points", count);
     for (size_t i = 0; i < count && status->code == WHIRL_OK; ++i) {
-        const whirl_coexisting *one = whirl_coexistence_at(&found, whole, own->points[i]);
-        labels[i] = (int64_t)found.labels[own->points[i]];
+        const whirl_coexisting *one = whirl_coexistence_at(&found, whole, finished_point(own, i));
+        labels[i] = (int64_t)found.labels[finished_point(own, i)];
         shares[i] = one ? one->share : (double)NAN;
         errors[i] = one ? one->error : (double)NAN;
     }
@@ -267,28 +312,17 @@ static void put_shares(whirl_status *status, hid_t group, const whirl_table *who
     whirl_coexistence_free(&found);
 }
 
+static int64_t label_of(const point_source *from, size_t at) {
+    return (int64_t)from->labels[finished_point(from->own, at)];
+}
+
 /// The attractor of every start of a basin, from 1; likewise.
 static void put_attractors(whirl_status *status, hid_t group, const whirl_table *whole, const finished *own) {
     size_t *labels = calloc(whole->count + 1, sizeof *labels), count;
-    int64_t *numbers = calloc(own->table.count + 1, sizeof *numbers);
-    *status = labels && numbers ? whirl_table_attractors(whole, labels, NULL, 0, &count)
-                                : whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points", whole->count);
-    for (size_t i = 0; i < own->table.count && status->code == WHIRL_OK; ++i)
-        numbers[i] = (int64_t)labels[own->points[i]];
-    if (status->code == WHIRL_OK) put_wholes(status, group, "attractor", numbers, shape_of(&own->table));
+    *status = labels ? whirl_table_attractors(whole, labels, NULL, 0, &count)
+                     : whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points", whole->count);
+    put_each_whole(status, group, "attractor", label_of, &(point_source){.own = own, .labels = labels});
     free(labels);
-    free(numbers);
-}
-
-static void put_length_scales(whirl_status *status, hid_t group, const whirl_result *result, const whirl_table *table) {
-    double *scales = malloc((table->count + 1) * sizeof *scales);
-    if (!scales) {
-        *status = whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points", table->count);
-        return;
-    }
-    for (size_t i = 0; i < table->count; ++i) scales[i] = whirl_result_length_scale(result, table, i);
-    put_numbers(status, group, "length_scale", scales, shape_of(table));
-    free(scales);
 }
 
 /// The values along the axes of a whole map, whose points have a dimension for each: "x" of its columns, "y" of its
@@ -301,7 +335,8 @@ static void put_axes(whirl_status *status, hid_t group, const whirl_table *whole
         *status = whirl_fail(WHIRL_NO_MEMORY, "no memory for an axis of %zu values", plane.sizes[0]);
         return;
     }
-    for (size_t i = 0; i < plane.sizes[0]; ++i) up[i] = whirl_table_second(whole, own->points[i * plane.sizes[1]]);
+    for (size_t i = 0; i < plane.sizes[0]; ++i)
+        up[i] = whirl_table_second(whole, finished_point(own, i * plane.sizes[1]));
     put_numbers(status, group, "x", own->table.values, list_of(plane.sizes[1]));
     put_numbers(status, group, "y", up, list_of(plane.sizes[0]));
     free(up);
@@ -312,10 +347,12 @@ static void put_points(whirl_status *status, hid_t group, const whirl_result *re
     *status = finished_points(whole, &own);
     if (status->code != WHIRL_OK) return;
     put_whole_attribute(status, group, "points", (int64_t)own.table.planned);
-    put_numbers(status, group, "values", own.table.values, shape_of(&own.table));
+    const point_source from = {.result = result, .own = &own};
+    put_each_number(status, group, "values", value_of, &from);
     put_axes(status, group, whole, &own);
-    put_places(status, group, &own.table);
-    if (status->code == WHIRL_OK) put_length_scales(status, group, result, &own.table);
+    put_each_whole(status, group, "branch", branch_of, &from);
+    put_each_whole(status, group, "point", place_of, &from);
+    put_each_number(status, group, "length_scale", length_scale_of, &from);
     if (status->code == WHIRL_OK) put_fields(status, group, result, whole, &own);
     if (whirl_layout_has_verdict(&whole->layout)) put_verdicts(status, group, whole, &own);
     if (status->code == WHIRL_OK && strcmp(whole->name, "basin") == 0) put_attractors(status, group, whole, &own);

@@ -60,6 +60,7 @@ static whirl_status view_table(const whirl_table *source, whirl_table *view) {
     view->branch = NULL;
     view->done = NULL;
     view->kept = NULL;
+    view->room = NULL;
     if (status.code != WHIRL_OK) return status;
     view->attractors = found.items;
     view->count = view->row > 0 ? keep_largest(found.items, found.count) : found.count;

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "clock.h"
+#include "room.h"
 
 // ---------------------------------------------------------------- making
 
@@ -80,6 +81,7 @@ typedef struct worker {
     double pending, last; ///< revolutions not yet told to the tracker, and when it was last told
     size_t number;        ///< of the thread
     double save_at;       ///< when motions under way are saved next
+    size_t finished;      ///< points
 } worker;
 
 /// Seconds after which a motion is saved, and saved again.
@@ -170,7 +172,7 @@ static void set_beside(const worker *w, size_t slot) {
 }
 
 /// After a point was computed or recalled: what its pass is about stands in w->end or in w->other.
-static void finish_point(const worker *w, chain *link) {
+static void finish_point(worker *w, chain *link) {
     chains *c = w->chains;
     const size_t slot = current_slot(link);
     if (pass_is_beside(c->pass)) {
@@ -182,6 +184,9 @@ static void finish_point(const worker *w, chain *link) {
         c->table->done[slot] = 1;
     }
     link->done++;
+    room_pass(c->batch->room, w->finished);
+    room_pass(c->table->room, w->finished);
+    room_pass(c->run->room, w->finished++);
 }
 
 // ---------------------------------------------------------------- points that are kept
@@ -204,7 +209,7 @@ static kept_point kept_at(const worker *w, size_t slot) {
 }
 
 /// Takes the next point of a chain from the keeper, where that knows it.
-static bool recall(const worker *w, chain *link) {
+static bool recall(worker *w, chain *link) {
     chains *c = w->chains;
     const kept_point point = kept_at(w, current_slot(link));
     if (!keeper_recall(c->run->keeper, &point)) return false;

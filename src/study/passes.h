@@ -15,6 +15,7 @@ typedef struct study_run {
     const whirl_keeper *keeper; ///< or NULL
     int threads;
     size_t dimension;
+    whirl_room *room;                ///< of large arrays below
     double *ends[WHIRL_MAX_BATCHES]; ///< [count][dimension] where every point ended, NaN where it diverged, of batches
                                      ///< that are carried or may be followed; else NULL
     refined_map *refined[WHIRL_MAX_BATCHES]; ///< of batches that are refined maps, else NULL

@@ -2,6 +2,7 @@
 #include "whirl/result.h"
 
 #include "kept.h"
+#include "room.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -10,13 +11,11 @@
 void whirl_result_free(whirl_result *result) {
     if (!result) return;
     for (size_t i = 0; i < result->table_count; ++i) {
-        free(result->tables[i].slots);
-        free(result->tables[i].values);
-        free(result->tables[i].length_scales);
-        free(result->tables[i].branch);
-        free(result->tables[i].blocks);
-        free(result->tables[i].done);
-        kept_free(result->tables[i].kept);
+        whirl_table *table = &result->tables[i];
+        void *const arrays[] = {table->slots,  table->values, table->length_scales,
+                                table->branch, table->blocks, table->done};
+        for (size_t k = 0; k < sizeof arrays / sizeof *arrays; ++k) room_drop(&table->room, arrays[k]);
+        kept_free(table->kept);
     }
     free(result->tables);
     free(result->case_text);
@@ -36,6 +35,7 @@ const whirl_table *whirl_result_table(const whirl_result *result, const char *na
 const double *whirl_table_block(const whirl_table *table, size_t point) {
     if (point >= table->count) return NULL;
     if (table->source) return whirl_table_block(table->source, table->chosen[point]);
+    room_pass(table->room, point);
     if (table->kept) return kept_block(table, point);
     return table->blocks ? table->blocks + point * table->layout.size : NULL;
 }
@@ -112,7 +112,10 @@ bool whirl_result_partial(const whirl_result *result, size_t *done, size_t *tota
     for (size_t i = 0; i < result->table_count; ++i) {
         const whirl_table *table = result->tables[i].source ? result->tables[i].source : &result->tables[i];
         *total += whirl_table_planned(table);
-        for (size_t point = 0; point < table->count; ++point) *done += whirl_table_done(table, point);
+        for (size_t point = 0; point < table->count; ++point) {
+            room_pass(table->room, point);
+            *done += whirl_table_done(table, point);
+        }
     }
     return result->partial || *done < *total;
 }

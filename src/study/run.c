@@ -6,6 +6,7 @@
 #include "neighbours.h"
 #include "passes.h"
 #include "refined_map.h"
+#include "room.h"
 
 static bool has_regime(const whirl_batch *batch) {
     whirl_analysis_set regime = 0;
@@ -82,7 +83,8 @@ static whirl_status make_ends(study_run *run) {
         if (whirl_analysis_is_traced(batch->analyses)) continue;
         const bool carries = batch->carry != WHIRL_CARRY_NONE || batch->neighbours > 0;
         if (!carries && !batch->confirm && !study_is_refined(study)) continue;
-        run->ends[i] = calloc(run->result->tables[i].count * run->dimension, sizeof *run->ends[i]);
+        run->ends[i] =
+            room_take(&run->room, run->result->tables[i].count * run->dimension, sizeof *run->ends[i], ROOM_LEAST);
         if (!run->ends[i]) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the ends of carried points");
     }
     return whirl_ok();
@@ -244,7 +246,7 @@ whirl_status whirl_study_run(const whirl_study *study, const whirl_run_options *
     }
     refined_maps_free(&run);
     neighbours_free(&run);
-    for (size_t i = 0; i < WHIRL_MAX_BATCHES; i++) free(run.ends[i]);
+    for (size_t i = 0; i < WHIRL_MAX_BATCHES; i++) room_drop(&run.room, run.ends[i]);
     if (status.code == WHIRL_STOPPED || (status.code == WHIRL_OK && (run.share.count > 0 || run.dealer))) {
         tables_blank(run.result);
         run.result->partial = true;

@@ -1,11 +1,13 @@
 // The tables of a study's result, empty: values, branches, and a slot a point.
 #include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "kept.h"
 #include "passes.h"
+#include "room.h"
 
 static void fill_values(whirl_table *table, const whirl_batch *batch) {
     const bool traced = whirl_analysis_is_traced(batch->analyses);
@@ -14,6 +16,8 @@ static void fill_values(whirl_table *table, const whirl_batch *batch) {
     for (size_t copy = 0; copy < batch_room(batch) / batch->count; copy++)
         for (size_t k = 0; k < batch->count; k++) {
             const size_t slot = copy * batch->count + k;
+            room_pass(batch->room, k);
+            room_pass(table->room, k);
             table->values[slot] = batch->values ? batch->values[k] : NAN;
             if (batch->carry != WHIRL_CARRY_NONE)
                 table->branch[slot] = copy == 1 || batch->carry == WHIRL_CARRY_REVERSE ? -1 : 1;
@@ -46,16 +50,21 @@ static whirl_status make_table(const whirl_study *study, const whirl_batch *batc
     table->analyses = batch->analyses;
     table->integrate = batch->integrate;
     table->record = batch->record;
-    table->values = calloc(table->count, sizeof *table->values);
-    table->branch = calloc(table->count, sizeof *table->branch);
+    table->values = room_take(&table->room, table->count, sizeof *table->values, ROOM_LEAST);
+    table->branch = room_take(&table->room, table->count, sizeof *table->branch, ROOM_LEAST);
     if (!table->values || !table->branch)
         return whirl_fail(WHIRL_NO_MEMORY, "no memory for the values of %zu points", table->count);
     fill_values(table, batch);
+    room_rest(table->room);
     return whirl_ok();
 }
 
-static whirl_status make_blocks(whirl_table *table) {
-    table->blocks = calloc(table->count * table->layout.size + 1, sizeof *table->blocks);
+/// Blocks of `large` bytes need not be in memory; those of a table that is closed up in the end (table_close_up) take
+/// no more of it than they use.
+static whirl_status make_blocks(whirl_table *table, size_t large) {
+    const bool closed_up = table->refine > 0 || table->neighbours > 0;
+    const size_t least = closed_up ? PTRDIFF_MAX : large > ROOM_LEAST ? large : ROOM_LEAST;
+    table->blocks = room_take(&table->room, table->count * table->layout.size + 1, sizeof *table->blocks, least);
     return table->blocks ? whirl_ok()
                          : whirl_fail(WHIRL_NO_MEMORY, "no memory for the results of %zu points", table->count);
 }
@@ -67,16 +76,16 @@ static bool may_leave(const study_run *run, size_t batch) {
 }
 
 whirl_status tables_fill(const study_run *run, size_t memory) {
-    const size_t most = (memory > 0 ? memory : (size_t)256 << 20) / sizeof(double);
+    const size_t bytes = memory > 0 ? memory : (size_t)256 << 20, most = bytes / sizeof(double);
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < run->result->table_count && status.code == WHIRL_OK; i++) {
         whirl_table *table = &run->result->tables[i];
-        table->done = calloc(table->count, sizeof *table->done);
+        table->done = room_take(&table->room, table->count, sizeof *table->done, ROOM_LEAST);
         if (!table->done) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points", table->count);
         const bool large = table->count >= most / (table->layout.size + 1);
         // Beside points at rest no state is kept.
         const size_t dimension = whirl_analysis_is_resting(table->analyses) ? 0 : run->dimension;
-        status = large && may_leave(run, i) ? kept_new(table, run->keeper, i, dimension) : make_blocks(table);
+        status = large && may_leave(run, i) ? kept_new(table, run->keeper, i, dimension) : make_blocks(table, bytes);
     }
     return status;
 }

@@ -1,0 +1,77 @@
+#define _DEFAULT_SOURCE // madvise; NOLINT(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp)
+#include "room.h"
+
+#include <fcntl.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+/// One array.
+struct whirl_room {
+    whirl_room *next;
+    void *array;
+    size_t bytes;
+};
+
+/// A file that nobody sees and that is gone with its descriptor; -1 where it cannot be made.
+static int nameless_file(void) {
+    char path[4096];
+    const char *wanted = getenv("TMPDIR"), *folder = wanted && *wanted ? wanted : "/var/tmp";
+    if (snprintf(path, sizeof path, "%s/whirl-XXXXXX", folder) >= (int)sizeof path) return -1;
+    const int file = mkstemp(path);
+    if (file >= 0) unlink(path);
+    return file;
+}
+
+/// Zeros, whose place on the disk is reserved: a page that finds none when it is written would end the program. NULL
+/// where there is no room for them.
+static void *map_file(size_t bytes) {
+    const int file = nameless_file();
+    if (file < 0) return NULL;
+    void *array = MAP_FAILED;
+    if (posix_fallocate(file, 0, (off_t)bytes) == 0)
+        array = mmap(NULL, bytes, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+    close(file);
+    return array == MAP_FAILED ? NULL : array;
+}
+
+void *room_map(whirl_room **room, size_t count, size_t size) {
+    if (count == 0 || count > PTRDIFF_MAX / size) return NULL;
+    whirl_room *one = malloc(sizeof *one);
+    void *array = one ? map_file(count * size) : NULL;
+    if (!array) {
+        free(one);
+        return NULL;
+    }
+    *one = (whirl_room){*room, array, count * size};
+    *room = one;
+    return array;
+}
+
+void *room_take(whirl_room **room, size_t count, size_t size, size_t least) {
+    void *array = count >= least / size ? room_map(room, count, size) : NULL;
+    return array ? array : calloc(count > 0 ? count : 1, size);
+}
+
+void room_drop(whirl_room **room, void *array) {
+    whirl_room **link = room;
+    while (*link && (*link)->array != array) link = &(*link)->next;
+    whirl_room *one = *link;
+    if (!one) {
+        free(array);
+        return;
+    }
+    *link = one->next;
+    munmap(one->array, one->bytes);
+    free(one);
+}
+
+void room_rest(const whirl_room *room) {
+    for (const whirl_room *one = room; one; one = one->next) madvise(one->array, one->bytes, MADV_DONTNEED);
+}
+
+void room_free(whirl_room *room) {
+    while (room) room_drop(&room, room->array);
+}
