@@ -11,23 +11,25 @@
 
 #include "machines.h"
 
-enum { MOTIONS = 5, TRANSIENT = 20, RECORD = 10 };
+enum { MOTIONS = 5, CROWD = 24, TRANSIENT = 20, RECORD = 10, SAVES = 512 };
 
-/// A source of MOTIONS motions, which keeps their records, and their states after the save number `wanted`.
+/// A source of motions, which keeps their records, and their states after the save number `wanted`.
 typedef struct motions {
-    whirl_rotor *rotors[MOTIONS];
+    whirl_rotor *rotors[CROWD];
     double start[8];
-    whirl_task tasks[MOTIONS];
-    whirl_record *records[MOTIONS];
-    size_t given;
+    whirl_task tasks[CROWD];
+    whirl_record *records[CROWD];
+    size_t count, given;
     int calls, wanted; ///< saves so far; the one that is kept, -1: none
-    void *states[MOTIONS];
-    size_t sizes[MOTIONS];
+    void *states[CROWD];
+    size_t sizes[CROWD];
+    double turned[CROWD]; ///< revolutions at the last save
+    bool waited[SAVES];   ///< whether a motion had not gone on since the save before
 } motions;
 
 static bool next(void *context, whirl_task *task) {
     motions *m = context;
-    if (m->given == MOTIONS) return false;
+    if (m->given == m->count) return false;
     *task = m->tasks[m->given++];
     return true;
 }
@@ -49,9 +51,12 @@ static bool always(void *context) {
 
 static void save(void *context, const whirl_motion_state *states, size_t count) {
     motions *m = context;
-    if (m->calls++ != m->wanted) return;
+    const int call = m->calls++;
     for (size_t i = 0; i < count; i++) {
         const ptrdiff_t number = (const whirl_task *)states[i].task->tag - m->tasks;
+        if (call > 0 && call < SAVES && states[i].revolutions == m->turned[number]) m->waited[call] = true;
+        m->turned[number] = states[i].revolutions;
+        if (call != m->wanted) continue;
         m->states[number] = malloc(states[i].size);
         assert_non_null(m->states[number]);
         memcpy(m->states[number], states[i].bytes, states[i].size);
@@ -68,17 +73,21 @@ static void *saved(void *context, const whirl_task *task, size_t *size) {
     return bytes;
 }
 
-static void prepare(motions *m) {
-    *m = (motions){.start = {0, -0.1, 0, -0.1}, .wanted = -1};
-    for (size_t i = 0; i < MOTIONS; i++) {
+static void prepare_some(motions *m, size_t count) {
+    *m = (motions){.start = {0, -0.1, 0, -0.1}, .count = count, .wanted = -1};
+    for (size_t i = 0; i < count; i++) {
         // With rub and without.
-        m->rotors[i] = paper_rotor(1.0 - 0.2 * (double)i);
+        m->rotors[i] = paper_rotor(1.0 - (double)i / (double)count);
         m->tasks[i] = (whirl_task){whirl_rotor_system(m->rotors[i]), m->start, &m->tasks[i]};
     }
 }
 
+static void prepare(motions *m) {
+    prepare_some(m, MOTIONS);
+}
+
 static void forget(motions *m) {
-    for (size_t i = 0; i < MOTIONS; i++) {
+    for (size_t i = 0; i < m->count; i++) {
         whirl_rotor_free(m->rotors[i]);
         whirl_record_free(m->records[i]);
         free(m->states[i]);
@@ -179,38 +188,64 @@ static void side_by_side(void **state) {
     every_moment("dop853", moments, sizeof moments / sizeof *moments);
 }
 
-/// On the way to orbits: before one is looked for, while motions wait for it, once it is found and on it.
-static void looking_for_orbits(void **state) {
+static whirl_record_options options_of_orbits(void) {
     whirl_record_options options = options_of(WHIRL_GROWTH_LARGEST, true);
-    motions whole, first, second;
-    (void)state;
     options.transient = 400;
     options.orbits = true;
+    return options;
+}
+
+/// The same motions and orbits where all is saved at this moment and taken up.
+static void expect_same_orbits_after(const motions *whole, const char *method, const whirl_record_options *options,
+                                     int wanted) {
+    motions first, second;
+    prepare_some(&first, whole->count);
+    prepare_some(&second, whole->count);
+    first.wanted = wanted;
+    record(&first, method, options);
+    for (size_t i = 0; i < whole->count; i++) {
+        second.states[i] = first.states[i];
+        second.sizes[i] = first.sizes[i];
+        first.states[i] = NULL;
+    }
+    record(&second, method, options);
+    for (size_t i = 0; i < whole->count; i++) {
+        const whirl_record_orbit *a = &whole->records[i]->orbit, *b = &second.records[i]->orbit;
+        expect_same_records(whole->records[i], second.records[i]);
+        assert_true(a->set_at == b->set_at && a->residual == b->residual && a->revolutions == b->revolutions);
+        expect_same(a->multipliers, b->multipliers, 2 * a->multiplier_count);
+    }
+    forget(&first);
+    forget(&second);
+}
+
+/// On the way to orbits: before one is looked for, once it is found and on it.
+static void looking_for_orbits(void **state) {
+    const whirl_record_options options = options_of_orbits();
+    motions whole;
+    (void)state;
     prepare(&whole);
     record(&whole, "rk4", &options);
     size_t ended = 0;
     for (size_t i = 0; i < MOTIONS; i++) ended += whole.records[i]->orbit.set_at > 0.0;
     assert_true(ended > 0);
-    for (int wanted = 24; wanted < 64; wanted += 3) {
-        prepare(&first);
-        prepare(&second);
-        first.wanted = wanted;
-        record(&first, "rk4", &options);
-        for (size_t i = 0; i < MOTIONS; i++) {
-            second.states[i] = first.states[i];
-            second.sizes[i] = first.sizes[i];
-            first.states[i] = NULL;
-        }
-        record(&second, "rk4", &options);
-        for (size_t i = 0; i < MOTIONS; i++) {
-            const whirl_record_orbit *a = &whole.records[i]->orbit, *b = &second.records[i]->orbit;
-            expect_same_records(whole.records[i], second.records[i]);
-            assert_true(a->set_at == b->set_at && a->residual == b->residual && a->revolutions == b->revolutions);
-            expect_same(a->multipliers, b->multipliers, 2 * a->multiplier_count);
-        }
-        forget(&first);
-        forget(&second);
-    }
+    for (int wanted = 24; wanted < 64; wanted += 3) expect_same_orbits_after(&whole, "rk4", &options, wanted);
+    forget(&whole);
+}
+
+/// At moments at which motions wait for what Newton's method finds: by dop853 they do while many others go on.
+static void waiting_for_orbits(void **state) {
+    enum { EVERY = 48 };
+    whirl_record_options options = options_of_orbits();
+    motions whole;
+    int moments = 0;
+    (void)state;
+    options.growth = WHIRL_GROWTH_NONE;
+    prepare_some(&whole, CROWD);
+    record(&whole, "dop853", &options);
+    for (int call = 0; call < SAVES; call++)
+        if (whole.waited[call] && moments++ % EVERY == 0) expect_same_orbits_after(&whole, "dop853", &options, call);
+    assert_true(moments > 0);
     forget(&whole);
 }
 
@@ -249,9 +284,8 @@ static void states_that_do_not_fit(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(side_by_side),
-        cmocka_unit_test(looking_for_orbits),
-        cmocka_unit_test(one_after_the_other),
+        cmocka_unit_test(side_by_side),           cmocka_unit_test(looking_for_orbits),
+        cmocka_unit_test(waiting_for_orbits),     cmocka_unit_test(one_after_the_other),
         cmocka_unit_test(states_that_do_not_fit),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
