@@ -1,5 +1,6 @@
-/// Memory of a run of many points with all the paper's analyses, journal, result file and its verification included:
-/// measured at two sizes, and what that means for a million points.
+#define _DEFAULT_SOURCE // wait4; NOLINT(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp)
+/// Memory of many points, measured at two sizes: of a run with all the paper's analyses, journal, result file and its
+/// verification included, and what that means for a million points; of a merge, which does not grow with their number.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -39,7 +40,7 @@ static const char case_text[] =
     "  analyze: [poincare, regime, lyapunov, spectrum, orbit, rub]\n";
 
 typedef struct places {
-    char folder[64], study[96], result[96], journal[96];
+    char folder[64], study[96], result[96], journal[96], shard[128];
 } places;
 
 static void must(whirl_status status) {
@@ -67,46 +68,138 @@ static void run(const places *at) {
     whirl_case_free(object);
 }
 
-/// The largest resident size in bytes of a process that runs a sweep of `points`.
-static double resident(const places *at, size_t points) {
-    struct rusage used;
-    int outcome;
+static void write_case(const places *at, const char *text, size_t points) {
     FILE *stream = fopen(at->study, "w");
     assert_non_null(stream);
-    fprintf(stream, case_text, points);
+    fprintf(stream, text, points);
     fclose(stream);
+}
+
+/// The largest resident size in bytes of a process that does this.
+static double resident(void (*work)(const places *), const places *at) {
+    struct rusage used;
+    int outcome;
     const pid_t child = fork();
     if (child == 0) {
-        run(at);
+        work(at);
         _exit(0);
     }
-    assert_true(child > 0 && waitpid(child, &outcome, 0) == child);
+    assert_true(child > 0 && wait4(child, &outcome, 0, &used) == child);
     assert_true(WIFEXITED(outcome) && WEXITSTATUS(outcome) == 0);
-    remove(at->result);
-    // The largest of all children so far: the larger run is to come last.
-    assert_int_equal(getrusage(RUSAGE_CHILDREN, &used), 0);
     return (double)used.ru_maxrss * 1024.0;
 }
 
-static void a_million_points_fit(void **state) {
-    enum { FEW = 2000, MANY = 12000 };
+static places make_places(void) {
     places at;
-    (void)state;
     strcpy(at.folder, "/tmp/whirl-memory-XXXXXX");
     assert_non_null(mkdtemp(at.folder));
     snprintf(at.study, sizeof at.study, "%s/many.yaml", at.folder);
     snprintf(at.result, sizeof at.result, "%s/many.h5", at.folder);
     snprintf(at.journal, sizeof at.journal, "%s/many.h5.journal", at.folder);
-    const double few = resident(&at, FEW), many = resident(&at, MANY);
+    snprintf(at.shard, sizeof at.shard, "%s/many.h5.journal.shard-1-of-1", at.folder);
+    return at;
+}
+
+static void remove_places(const places *at) {
+    remove(at->study);
+    remove(at->result);
+    rmdir(at->folder);
+}
+
+static void a_million_points_fit(void **state) {
+    enum { FEW = 2000, MANY = 12000 };
+    const places at = make_places();
+    (void)state;
+    write_case(&at, case_text, FEW);
+    const double few = resident(run, &at);
+    write_case(&at, case_text, MANY);
+    const double many = resident(run, &at);
     const double point = (many - few) / (MANY - FEW), table = 256e6;
-    remove(at.study);
-    rmdir(at.folder);
+    remove_places(&at);
     printf("%d points: %.0f MB, %d points: %.0f MB: %.0f bytes a point\n", FEW, few / 1e6, MANY, many / 1e6, point);
     // A table stays in memory as long as it is smaller than this.
     assert_true(few + 1e6 * point + table < 2e9);
 }
 
+// ---------------------------------------------------------------- merging
+
+static const char map_text[] = "whirl: 1\n"
+                               "parameters: {omega: 1 rad/s, kappa: 10}\n"
+                               "rotor:\n"
+                               "  speed: = omega\n"
+                               "  length_scale: 1 m\n"
+                               "  stations: {disc: {mass: 1 kg, damping: 0.2 N.s/m, eccentricity: 0.9 m}}\n"
+                               "  elements: [shaft: {between: [disc, ground], k1: = kappa, k2: 1 N/m}]\n"
+                               "study:\n"
+                               "  map:\n"
+                               "    x: {parameter: omega, from: 1, to: 4, points: 700}\n"
+                               "    y: {parameter: kappa, from: 5, to: 20, points: %zu}\n"
+                               "  integrate: {method: rk4, transient: 10, record: 10}\n"
+                               "  analyze: [regime]\n";
+
+static whirl_case *load(const places *at, whirl_result **outline) {
+    whirl_problems problems = {0};
+    whirl_case *object;
+    must(whirl_case_load(at->study, &problems, &object));
+    must(whirl_case_outline(object, outline));
+    return object;
+}
+
+/// The journal of a shard that has all points; what they are costs nothing to compute.
+static void fill_shard(const places *at) {
+    enum { DIMENSION = 4 };
+    static double block[4096];
+    const double end[DIMENSION] = {0};
+    whirl_result *outline;
+    whirl_journal *journal;
+    whirl_case *object = load(at, &outline);
+    must(whirl_journal_begin(at->shard, outline, &journal));
+    const whirl_keeper *keeper = whirl_journal_keeper(journal);
+    const whirl_table *table = outline->tables;
+    assert_true(table->layout.size <= sizeof block / sizeof *block);
+    for (size_t i = 0; i < table->count; i++)
+        must(keeper->keep(keeper->context, 0, i, block, table->layout.size, end, DIMENSION));
+    whirl_result_free(outline);
+    must(whirl_journal_close(journal));
+    whirl_case_free(object);
+}
+
+/// What `whirl merge` does.
+static void merge(const places *at) {
+    whirl_result *outline, *result;
+    whirl_journal *journal;
+    whirl_case *object = load(at, &outline);
+    must(whirl_journal_begin(at->journal, outline, &journal));
+    whirl_result_free(outline);
+    must(whirl_journal_take(journal, at->shard));
+    must(whirl_journal_discard(at->shard));
+    const whirl_run_options options = {.keeper = whirl_journal_keeper(journal), .memory = 1, .gather = true};
+    must(whirl_case_run(object, &options, &result));
+    must(whirl_result_write(result, at->result));
+    must(whirl_result_verify(result, at->result));
+    whirl_result_free(result);
+    must(whirl_journal_remove(journal));
+    whirl_case_free(object);
+}
+
+/// From so many points on that whole chunks of the result are under way at both sizes: 131072 numbers are one. What
+/// every point had of its own at the time of writing would be 12 MB more.
+static void a_merge_does_not_grow(void **state) {
+    enum { ROW = 700, FEW = 200, MANY = 400 };
+    const places at = make_places();
+    (void)state;
+    write_case(&at, map_text, FEW);
+    resident(fill_shard, &at);
+    const double few = resident(merge, &at);
+    write_case(&at, map_text, MANY);
+    resident(fill_shard, &at);
+    const double many = resident(merge, &at);
+    remove_places(&at);
+    printf("a merge of %d points: %.1f MB, of %d points: %.1f MB\n", FEW * ROW, few / 1e6, MANY * ROW, many / 1e6);
+    assert_true(many - few < 5e6);
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(a_million_points_fit)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(a_million_points_fit), cmocka_unit_test(a_merge_does_not_grow)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
