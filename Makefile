@@ -16,7 +16,7 @@ SCRIPTS   = $(shell git ls-files --cached --others --exclude-standard 'explorer/
 PRETTIER  = explorer/node_modules/.bin/prettier --log-level warn
 FUZZERS   = $(patsubst tests/fuzz/%.c,%,$(wildcard tests/fuzz/fuzz_*.c))
 
-.PHONY: all help test check sanitize paper explorer gallery docs bench soak install format lint asan tsan clang fuzz clean
+.PHONY: all help test check sanitize paper explorer gallery docs bench soak install packages format lint asan tsan clang fuzz clean
 .DEFAULT_GOAL := all
 
 all:            ## build/whirl
@@ -154,6 +154,11 @@ lint: dependencies-build-test-lint ## formats, long lines, clang-tidy and cppche
 	black --quiet --check bindings/python
 	scripts/long-lines.sh
 	scripts/lint.sh $(BUILD) $(SOURCES)
+
+packages: all   ## Debian packages of HEAD in build/package, with lintian; scripts/package-check.sh tries them
+	@$(INSTALL) build package explorer
+	$(EXPLORER)
+	JOBS=$(JOBS) scripts/package.sh $(BUILD)/package $(wildcard $(BUILD)/explorer/template.html)
 
 clean:          ## removes what was built
 	rm -rf $(BUILD)

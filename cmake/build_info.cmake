@@ -33,12 +33,12 @@ set(folder ${PROJECT_BINARY_DIR}/build_info)
 set(BUILD_COMPILER "${CMAKE_C_COMPILER_ID} ${CMAKE_C_COMPILER_VERSION}")
 set(BUILD_TYPE "${CMAKE_BUILD_TYPE}")
 
-# Flags that shape the code; warnings do not.
+# Flags that shape the code; warnings do not, nor does the name of the folder that packages are built in.
 string(TOUPPER "${CMAKE_BUILD_TYPE}" kind)
 get_directory_property(options COMPILE_OPTIONS)
 separate_arguments(given UNIX_COMMAND "${CMAKE_C_FLAGS} ${CMAKE_C_FLAGS_${kind}}")
 set(flags ${given} ${options})
-list(FILTER flags EXCLUDE REGEX "^-W|:-W")
+list(FILTER flags EXCLUDE REGEX "^-W|:-W|^-f[a-z]+-prefix-map=")
 list(JOIN flags " " BUILD_FLAGS)
 string(REPLACE "\\" "\\\\" BUILD_FLAGS "${BUILD_FLAGS}")
 string(REPLACE "\"" "\\\"" BUILD_FLAGS "${BUILD_FLAGS}")

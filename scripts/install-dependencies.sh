@@ -4,7 +4,8 @@
 #   scripts/install-dependencies.sh [--check] GROUP...
 #
 # Groups: build (library and command), report (figures), python (its package, with what its figures and tables need),
-# test (all tests), explorer (the page), browser (its tests), docs (the site and its tutorials), lint, bench.
+# test (all tests), explorer (the page), browser (its tests), docs (the site and its tutorials), lint,
+# package (Debian packages), bench.
 # --check only says what is missing, with exit status 1.
 set -euo pipefail
 
@@ -20,7 +21,8 @@ declare -A packages=(
     # clang with its run time: the fuzz target, and a second compiler that must agree; libomp-dev is its OpenMP.
     # auto-07p, which needs gfortran, is a program that is run beside the tests and never linked.
     [test]="libcmocka-dev liblapacke-dev libopenblas-dev clang libclang-rt-14-dev libomp-dev valgrind
-            python3-h5py python3-scipy auto-07p gfortran libopenmpi-dev openmpi-bin abigail-tools"
+            python3-h5py python3-scipy auto-07p gfortran libopenmpi-dev openmpi-bin abigail-tools
+            musl-tools"
     # dpkg-dev unpacks the sources of libyaml, muParser, UDUNITS and expat, which emscripten compiles.
     [explorer]="emscripten nodejs npm dpkg-dev"
     [browser]="chromium-headless-shell firefox-esr"
@@ -28,6 +30,8 @@ declare -A packages=(
     [docs]="python3-sphinx python3-myst-parser python3-breathe doxygen furo libjs-mathjax fonts-mathjax
             python3-nbformat python3-nbclient python3-ipykernel python3-matplotlib python3-h5py octave gnuplot-nox"
     [lint]="clang-format clang-tidy cppcheck nodejs npm black"
+    # What `make packages` builds Debian packages with; mmdebstrap makes the fresh system in which they are tried.
+    [package]="debhelper dpkg-dev lintian mmdebstrap"
     # The programs that are measured beside whirl; none of them is needed for whirl itself.
     [bench]="libgsl-dev libboost-dev octave python3 python3-numba python3-scipy"
 )
@@ -42,14 +46,14 @@ fi
 wanted=()
 for group in "$@"; do
     if [ -z "${packages[$group]:-}" ]; then
-        say "there is no group '$group', expected one of: build report python test explorer browser docs lint bench"
+        say "there is no group '$group', expected one of: build report python test explorer browser docs lint package bench"
         exit 2
     fi
     read -r -d '' -a names <<<"${packages[$group]}" || true
     wanted+=("${names[@]}")
 done
 if [ ${#wanted[@]} -eq 0 ]; then
-    say "name at least one group: build report python test explorer browser docs lint bench"
+    say "name at least one group: build report python test explorer browser docs lint package bench"
     exit 2
 fi
 

@@ -80,6 +80,38 @@ only_in import 'toml'
 only_in study 'omp\.h'
 only_in base 'Eigen/'
 
+# ---- the operating system: what is not of the C standard, each need in one place of the library (docs/portability.md)
+
+system_only_in() { # HEADER FILE...: no other file of src includes it, and these do
+    local header=$1 file
+    shift
+    while read -r file; do
+        case " $* " in *" ${file#src/} "*) ;; *) fail "$file meets <$header>, which belongs in $*" ;; esac
+    done < <(grep -rl "#include <$header>" src)
+    for file in "$@"; do
+        grep -q "#include <$header>" "src/$file" || fail "src/$file does not use <$header> any more: mend this test"
+    done
+}
+files="store/bytes.c store/atomic_file.c store/journal_file.c report/report_file.c" # reading, writing, keeping
+process=report/gnuplot.c
+system_only_in pthread.h base/lock.h
+system_only_in time.h base/clock.c
+# shellcheck disable=SC2086 # they are several
+system_only_in fcntl.h $files $process
+# shellcheck disable=SC2086
+system_only_in sys/stat.h $files $process
+# shellcheck disable=SC2086
+system_only_in unistd.h $files $process store/underway.c store/h5driver.c
+system_only_in dirent.h store/underway.c
+system_only_in sys/file.h store/journal_file.c
+system_only_in sys/wait.h $process
+system_only_in sys/utsname.h study/provenance.c
+known='assert|complex|ctype|errno|float|inttypes|limits|math|setjmp|stdalign|stdarg|stdatomic|stdbool|stddef|stdint|stdio|stdlib|string'
+known+='|pthread|time|fcntl|sys/stat|unistd|dirent|sys/file|sys/wait|sys/utsname|immintrin|emmintrin|omp|jansson|yaml|udunits2|muParserDLL|matio|zip'
+while read -r line; do
+    [ -n "$line" ] && fail "$line: a system header that this test does not know"
+done < <(grep -rE '#include <[a-z0-9_A-Z/]+\.h>' src --include=*.c --include=*.h | grep -vE "<($known)\.h>|<(hdf5|H5[A-Za-z]*|cvodes/|nvector/|sun[a-z]*/)")
+
 # ---- the library
 
 while read -r header line text; do

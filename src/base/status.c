@@ -1,12 +1,13 @@
 #include "whirl/status.h"
 
-#include <pthread.h>
 #include <stdarg.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>
+
+#include "lock.h"
 
 // ---------------------------------------------------------------- where messages lie
 
@@ -18,7 +19,7 @@ static struct {
     uint64_t hash[WHIRL_MESSAGES_KEPT]; ///< of the text
     char text[WHIRL_MESSAGES_KEPT][WHIRL_MESSAGE_SIZE];
 } latest;
-static pthread_mutex_t latest_lock = PTHREAD_MUTEX_INITIALIZER;
+static lock latest_lock = LOCK_OPEN;
 
 /// FNV-1a (Fowler, Noll, Vo; draft-eastlake-fnv).
 static uint64_t hash_of(const char *text) {
@@ -42,13 +43,13 @@ static bool find(const char *text, uint64_t hash, size_t *place) {
 static const char *keep(const char text[WHIRL_MESSAGE_SIZE]) {
     const uint64_t hash = hash_of(text);
     size_t place;
-    pthread_mutex_lock(&latest_lock);
+    lock_take(&latest_lock);
     if (!find(text, hash, &place)) { // one that is there may be read at this moment, and is left alone
         latest.hash[place] = hash;
         memcpy(latest.text[place], text, strlen(text) + 1);
     }
     latest.used[place] = ++latest.given;
-    pthread_mutex_unlock(&latest_lock);
+    lock_leave(&latest_lock);
     return latest.text[place];
 }
 

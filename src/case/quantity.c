@@ -8,18 +8,18 @@
 #include <ctype.h>
 #include <errno.h>
 #include <math.h>
-#include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <udunits2.h>
 
 #include "exhausted.h"
+#include "lock.h"
 #include "problem.h"
 
 enum { LONGEST_NUMBER = 60, LONGEST_UNIT = 60 };
 
-static pthread_mutex_t units_lock = PTHREAD_MUTEX_INITIALIZER;
+static lock units_lock = LOCK_OPEN;
 static ut_system *units; // guarded by units_lock
 
 /// UDUNITS-2 tells a lack of memory by errno alone, and its lexer sets errno back: what failed for it is noted at once.
@@ -265,11 +265,11 @@ static bool read_quantity(const char *text, const char *expected, quantity *resu
     }
     bool done = true;
     if (*end == ' ') {
-        pthread_mutex_lock(&units_lock);
+        lock_take(&units_lock);
         no_memory = false;
         done = read_unit(text, end + strspn(end, " "), expected, result, why);
         if (no_memory) errno = ENOMEM;
-        pthread_mutex_unlock(&units_lock);
+        lock_leave(&units_lock);
     } else if (*end) {
         snprintf(why, WHY_SIZE, "is %s, expected %s, with a space before the unit", shown, expectation);
         done = false;
@@ -290,7 +290,7 @@ bool quantity_read(const char *text, const char *expected, quantity *result, cha
 }
 
 static bool fits_unit(const char *unit_text, const char *expected, char why[WHY_SIZE]) {
-    pthread_mutex_lock(&units_lock);
+    lock_take(&units_lock);
     bool fits = true;
     no_memory = false;
     ut_unit *unit = units_ready() ? ut_parse(units, unit_text, UT_ASCII) : NULL;
@@ -304,7 +304,7 @@ static bool fits_unit(const char *unit_text, const char *expected, char why[WHY_
     ut_free(unit);
     ut_free(wanted);
     if (no_memory) errno = ENOMEM;
-    pthread_mutex_unlock(&units_lock);
+    lock_leave(&units_lock);
     return fits;
 }
 
@@ -320,11 +320,11 @@ bool quantity_unit_powers(const char *unit_text, double powers[UNIT_BASES]) {
     char text[256];
     for (size_t i = 0; i < UNIT_BASES; i++) powers[i] = 0.0;
     if (!unit_text[0] || strcmp(unit_text, "1") == 0) return true;
-    pthread_mutex_lock(&units_lock);
+    lock_take(&units_lock);
     ut_unit *unit = units_ready() ? ut_parse(units, unit_text, UT_ASCII) : NULL;
     const int length = unit ? ut_format(unit, text, sizeof text, UT_ASCII | UT_DEFINITION) : -1;
     ut_free(unit);
-    pthread_mutex_unlock(&units_lock);
+    lock_leave(&units_lock);
     if (length < 0 || (size_t)length >= sizeof text) return false;
     powers_of(text, powers);
     return true;

@@ -22,6 +22,8 @@ for document in docs/user-guide.md docs/elements.md; do
     says $document "$minor" 's/.*find_package\(whirl ([0-9.]+).*/\1/p'
 done
 says docs/user-guide.md "$version" 's/.*\{"whirl": "([^"]*)".*/\1/p'
+says debian/changelog "$version" '1s/.*\((.*)\).*/\1/p'
+says debian/libwhirl1.symbols "$minor" 's/.*WHIRL_([0-9.]*\.[0-9.]*) .*/\1/p'
 says <("$2" --version) "$version" 's/^whirl //p'
 [ $failures -eq 0 ] && echo "version $version everywhere"
 exit $((failures > 0))

@@ -1,0 +1,20 @@
+/// A lock around what all threads of a process share.
+#ifndef BASE_LOCK_H
+#define BASE_LOCK_H
+
+#include <pthread.h>
+
+typedef pthread_mutex_t lock;
+
+/// What a static lock begins as.
+#define LOCK_OPEN PTHREAD_MUTEX_INITIALIZER
+
+static inline void lock_take(lock *taken) {
+    pthread_mutex_lock(taken);
+}
+
+static inline void lock_leave(lock *left) {
+    pthread_mutex_unlock(left);
+}
+
+#endif

@@ -1,0 +1,40 @@
+#!/bin/bash
+# The core (rotors, integrators, linear analyses, orbits, analyses: C without files, threads or processes) compiles
+# against musl, warnings being errors, and a program that is linked with it statically computes what it should:
+#   musl.sh ROOT BUILD
+# What needs libraries that are there for glibc alone stays out: C++ (matrix.cc), SUNDIALS, OpenMP and all that reads and
+# writes files (docs/portability.md).
+set -euo pipefail
+root=$(realpath "$1")
+build=$(realpath "$2")
+if ! command -v musl-gcc >/dev/null; then
+    echo "musl-gcc is missing (package musl-tools)${CI:-: skipped}"
+    [ -z "${CI:-}" ] && exit 77
+    exit 1
+fi
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+
+compile() { # SOURCE INSTRUCTIONS [LAYER]
+    local layer=${1#"$root/src/"}
+    musl-gcc -std=c17 -O1 -D_POSIX_C_SOURCE=200809L -D_XOPEN_SOURCE=700 -DWHIRL_PORTABLE -DVECTOR_ISA="$2" \
+        -ffp-contract=off -fno-math-errno -fno-trapping-math -Wall -Wextra -Werror -I"$root/include" \
+        -I"$build/include" -I"$root/src/base" -I"$root/src/${3:-${layer%%/*}}" -c "$1" -o "$(tr / _ <<<"$1")_$2.o"
+}
+export -f compile
+export root build
+for layer in base rotor integrate linear orbit analyze; do
+    printf 'compile %s 0\n' "$root/src/$layer"/*.c
+    for kernel in "$root/src/$layer"/{kernels,elements}/*.c; do
+        [ ! -e "$kernel" ] || printf 'compile %s\n' "$kernel 0" "$kernel 1"
+    done
+done | grep -v '/cvode.c ' >commands
+echo "compile $root/explorer/core/no_cvode.c 0 integrate" >>commands
+tr '\n' '\0' <commands | xargs -0 -P "$(nproc)" -I {} bash -c '{}'
+ar rcs libcore.a ./*.o
+musl-gcc -std=c17 -static -I"$root/include" -I"$build/include" "$root/tests/portability/core.c" -L. -lcore -lm -o core
+file=$(readelf -d core 2>&1 || true)
+if grep -q NEEDED <<<"$file"; then echo "the program is not static"; exit 1; fi
+./core
+echo "$(grep -c . commands) files were compiled against musl"
