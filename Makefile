@@ -125,7 +125,7 @@ gallery: explorer ## explorers of the example cases: build/gallery
 
 # ---------------------------------------------------------------- the rest
 
-docs: dependencies-build-report-docs ## the documentation as a site that needs no network: build/docs (some three minutes)
+docs: dependencies-build-report-python-docs ## the documentation as a site that needs no network: build/docs (some three minutes)
 	@$(CONFIGURE)
 	@$(COMPILE)
 	docs/site/build.py $(BUILD)

@@ -6,6 +6,7 @@ things (headers, cases, programs, the man page), runs the tutorials, and lets Sp
 network. --without-runs shows the tutorials without what their cells print, which is quick.
 """
 
+import importlib
 import os
 import re
 import shutil
@@ -22,7 +23,8 @@ MATHJAX = Path("/usr/share/javascript/mathjax")
 MATHJAX_PARTS = ["MathJax.js", "config/TeX-AMS_CHTML.js", "extensions", "jax/element", "jax/input/TeX",
                  "jax/output/CommonHTML", "fonts/HTML-CSS/TeX/woff"]
 PARTS = {
-    "Using whirl": ["docs/user-guide", "docs/python", "docs/tutorials/README", "docs/gallery", "docs/cluster", "docs/elements"],
+    "Using whirl": ["docs/user-guide", "docs/tutorials/README", "docs/gallery", "docs/python", "docs/cluster",
+                    "docs/elements"],
     "Reference": ["docs/reference/keys", "docs/whirl", "api/index", "api/python", "docs/result-file", "docs/journal",
                   "cases/index", "examples/index"],
     "What it rests on": ["docs/theory", "docs/verification-manual", "docs/benchmarks"],
@@ -90,23 +92,21 @@ def lay_out_reference(work, source):
     write(source / "api/index.md", pages.contents(
         "The C library", "One page a public header, `#include <whirl/whirl.h>` has them all. What fails gives a "
         "`whirl_status` with a sentence.", names))
-    return lay_out_python(source)
+    lay_out_python(source)
 
 
 def lay_out_python(source):
-    """The Python reference, where the package is."""
+    """The Python reference, where the package is: what `whirl` itself offers, then the modules that it names."""
     package = ROOT / "bindings/python/whirl"
     if not package.is_dir():
-        return []
-    names = sorted(path.stem for path in package.glob("*.py") if not path.stem.startswith("_"))
-    modules = ["whirl"] + [f"whirl.{name}" for name in names]
+        return
+    sys.path.insert(0, str(package.parent))
+    modules = ["whirl", *(f"whirl.{name}" for name in importlib.import_module("whirl").__all__
+                          if (package / f"{name}.py").exists() or (package / name).is_dir())]
     text = "The Python package\n==================\n\n"
     for module in modules:
-        text += f"{module}\n{'-' * len(module)}\n\n.. automodule:: {module}\n"
-        # What the package itself has comes from its modules, and is described there.
-        text += "\n" if module == "whirl" else "   :members:\n   :undoc-members:\n\n"
+        text += f"{module}\n{'-' * len(module)}\n\n.. automodule:: {module}\n   :members:\n   :undoc-members:\n\n"
     write(source / "api/python.rst", text)
-    return modules
 
 
 def lay_out_tutorials(source, runs):
@@ -163,7 +163,6 @@ def main():
     for earlier in (source, work / "doctrees"):
         shutil.rmtree(earlier, ignore_errors=True)
     tutorials.environment(build)
-    sys.path.insert(0, str(ROOT / "bindings/python"))
     lay_out_markdown(source)
     lay_out_listings(source)
     lay_out_gallery(build, source)
