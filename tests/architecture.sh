@@ -97,17 +97,18 @@ process=report/gnuplot.c
 system_only_in pthread.h base/lock.h
 system_only_in time.h base/clock.c
 # shellcheck disable=SC2086 # they are several
-system_only_in fcntl.h $files $process
+system_only_in fcntl.h $files $process base/room.c
 # shellcheck disable=SC2086
 system_only_in sys/stat.h $files $process
 # shellcheck disable=SC2086
-system_only_in unistd.h $files $process store/underway.c store/h5driver.c
+system_only_in unistd.h $files $process store/underway.c store/h5driver.c base/room.c
 system_only_in dirent.h store/underway.c
 system_only_in sys/file.h store/journal_file.c
 system_only_in sys/wait.h $process
+system_only_in sys/mman.h base/room.c
 system_only_in sys/utsname.h study/provenance.c
 known='assert|complex|ctype|errno|float|inttypes|limits|math|setjmp|stdalign|stdarg|stdatomic|stdbool|stddef|stdint|stdio|stdlib|string'
-known+='|pthread|time|fcntl|sys/stat|unistd|dirent|sys/file|sys/wait|sys/utsname|immintrin|emmintrin|omp|jansson|yaml|udunits2|muParserDLL|matio|zip'
+known+='|pthread|time|fcntl|sys/stat|unistd|dirent|sys/file|sys/wait|sys/mman|sys/utsname|immintrin|emmintrin|omp|jansson|yaml|udunits2|muParserDLL|matio|zip'
 while read -r line; do
     [ -n "$line" ] && fail "$line: a system header that this test does not know"
 done < <(grep -rE '#include <[a-z0-9_A-Z/]+\.h>' src --include=*.c --include=*.h | grep -vE "<($known)\.h>|<(hdf5|H5[A-Za-z]*|cvodes/|nvector/|sun[a-z]*/)")
