@@ -37,7 +37,7 @@ EXPLORER = scripts/explorer.sh $(if $(CI),,--if-possible) $(BUILD)/explorer
 
 test:           ## everything is built, run and proved (about 11 minutes on two cores, 5 more where packages are missing)
 	@echo "make test: about 11 minutes on two cores, and 5 more for packages where they are missing"
-	@$(INSTALL) build report python test explorer browser docs
+	@$(INSTALL) build report python test explorer browser docs octave
 	cmake --preset release -DWHIRL_TESTS=ON
 	cmake --build $(BUILD) --parallel $(JOBS)
 	$(EXPLORER)

@@ -4,8 +4,8 @@
 #   scripts/install-dependencies.sh [--check] GROUP...
 #
 # Groups: build (library and command), report (figures), python (its package, with what its figures and tables need),
-# test (all tests), explorer (the page), browser (its tests), docs (the site and its tutorials), lint,
-# package (Debian packages), bench.
+# test (all tests), explorer (the page), browser (its tests), docs (the site and its tutorials), octave (its tests
+# and the gateway), lint, package (Debian packages), bench.
 # --check only says what is missing, with exit status 1.
 set -euo pipefail
 
@@ -29,6 +29,8 @@ declare -A packages=(
     # The tutorials, whose code the tests run too, are in Python and Octave.
     [docs]="python3-sphinx python3-myst-parser python3-breathe doxygen furo libjs-mathjax fonts-mathjax
             python3-nbformat python3-nbclient python3-ipykernel python3-matplotlib python3-h5py octave gnuplot-nox"
+    # Tests draw figures with fonts of their own.
+    [octave]="octave octave-dev fonts-freefont-otf gnuplot-nox"
     [lint]="clang-format clang-tidy cppcheck nodejs npm black"
     # What `make packages` builds Debian packages with; mmdebstrap makes the fresh system in which they are tried.
     [package]="debhelper dpkg-dev lintian mmdebstrap"
@@ -46,14 +48,14 @@ fi
 wanted=()
 for group in "$@"; do
     if [ -z "${packages[$group]:-}" ]; then
-        say "there is no group '$group', expected one of: build report python test explorer browser docs lint package bench"
+        say "there is no group '$group', expected one of: build report python test explorer browser docs octave lint package bench"
         exit 2
     fi
     read -r -d '' -a names <<<"${packages[$group]}" || true
     wanted+=("${names[@]}")
 done
 if [ ${#wanted[@]} -eq 0 ]; then
-    say "name at least one group: build report python test explorer browser docs lint package bench"
+    say "name at least one group: build report python test explorer browser docs octave lint package bench"
     exit 2
 fi
 

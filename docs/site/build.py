@@ -23,7 +23,8 @@ MATHJAX = Path("/usr/share/javascript/mathjax")
 MATHJAX_PARTS = ["MathJax.js", "config/TeX-AMS_CHTML.js", "extensions", "jax/element", "jax/input/TeX",
                  "jax/output/CommonHTML", "fonts/HTML-CSS/TeX/woff"]
 PARTS = {
-    "Using whirl": ["docs/user-guide", "docs/tutorials/README", "docs/gallery", "docs/python", "docs/cluster",
+    "Using whirl": ["docs/user-guide", "docs/tutorials/README", "docs/gallery", "docs/python", "docs/octave",
+                    "docs/cluster",
                     "docs/elements"],
     "Reference": ["docs/reference/keys", "docs/whirl", "api/index", "api/python", "docs/result-file", "docs/journal",
                   "cases/index", "examples/index"],

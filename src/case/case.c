@@ -419,6 +419,17 @@ whirl_status whirl_case_parameter(const whirl_case *object, const char *name, do
     return status;
 }
 
+whirl_status whirl_case_element(const whirl_case *object, const char *element, whirl_rotor **rotor) {
+    valuation v;
+    *rotor = NULL;
+    const int before = exhausted_watch();
+    whirl_status status = valuation_open(&v, &object->content.parameters, NULL, 0);
+    if (status.code == WHIRL_OK) status = machine_build_element(&object->content.machine, &v, element, rotor);
+    if (status.code != WHIRL_OK && exhausted(before)) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for an element");
+    valuation_close(&v);
+    return status;
+}
+
 whirl_status whirl_case_rotor(const whirl_case *object, const char *name, double value, whirl_rotor **rotor) {
     const given_value given = {name, value};
     valuation v;

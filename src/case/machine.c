@@ -2,6 +2,7 @@
 
 #include <ctype.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "problem.h"
@@ -290,6 +291,47 @@ whirl_status machine_build(const machine_parts *machine, valuation *v, whirl_rot
     whirl_design *design;
     *rotor = NULL;
     whirl_status status = make_design(machine, v, &design);
+    if (status.code == WHIRL_OK) status = whirl_rotor_new(design, rotor);
+    whirl_design_free(design);
+    return status;
+}
+
+/// Index of an element by its kind and its number among these, "film[2]"; the count of elements where there is none.
+static size_t find_element(const machine_parts *machine, const char *element) {
+    const size_t length = strcspn(element, "[");
+    size_t wanted = 1;
+    if (element[length]) {
+        char *end;
+        wanted = strtoul(element + length + 1, &end, 10);
+        if (wanted == 0 || strcmp(end, "]") != 0) return machine->element_count;
+    }
+    for (size_t i = 0; i < machine->element_count; i++)
+        if (strlen(machine->elements[i].name) == length && strncmp(machine->elements[i].name, element, length) == 0 &&
+            --wanted == 0)
+            return i;
+    return machine->element_count;
+}
+
+static whirl_status no_element(const machine_parts *machine, const char *element) {
+    const char *names[WHIRL_MAX_ELEMENTS];
+    char advice[WHY_SIZE], shown[SHOWN_SIZE];
+    for (size_t i = 0; i < machine->element_count; i++) names[i] = machine->elements[i].name;
+    describe_names(element, names, machine->element_count, advice);
+    return whirl_fail(WHIRL_BAD_INPUT, "the case has no element %s, %s", text_shown(element, shown),
+                      machine->element_count ? advice : "for it has none at all");
+}
+
+whirl_status machine_build_element(const machine_parts *machine, valuation *v, const char *element,
+                                   whirl_rotor **rotor) {
+    const whirl_setting mass = {.key = "mass", .number = 1.0};
+    const size_t index = find_element(machine, element);
+    whirl_design *design;
+    *rotor = NULL;
+    if (index == machine->element_count) return no_element(machine, element);
+    whirl_status status = new_design(machine, v, &design);
+    for (size_t i = 0; i < machine->stations.count && status.code == WHIRL_OK; i++)
+        status = whirl_design_station(design, machine->stations.names[i], &mass, 1);
+    if (status.code == WHIRL_OK) status = add_element(machine, index, v, design);
     if (status.code == WHIRL_OK) status = whirl_rotor_new(design, rotor);
     whirl_design_free(design);
     return status;

@@ -32,6 +32,10 @@ void machine_settle(valuation *v, machine_parts *machine);
 /// Builds a rotor with the values of `valuation`.
 whirl_status machine_build(const machine_parts *machine, valuation *v, whirl_rotor **rotor);
 
+/// Builds what whirl_case_element gives.
+whirl_status machine_build_element(const machine_parts *machine, valuation *v, const char *element,
+                                   whirl_rotor **rotor);
+
 /// Tells of its shafts, as whirl_design_shafts does.
 whirl_status machine_shafts(const machine_parts *machine, valuation *v, whirl_shaft_summary *out, size_t *count);
 

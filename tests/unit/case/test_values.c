@@ -100,6 +100,29 @@ static void rotors_follow_the_parameters(void **state) {
     whirl_case_free(object);
 }
 
+static void elements_stand_alone(void **state) {
+    (void)state;
+    whirl_case *object = parse_good(good_case);
+    whirl_rotor *rotor;
+    double rates[8];
+    const double x[8] = {1e-3, 0.0, 0.0, 0.0, 0.3, -0.2, 0.1, 0.0};
+    // The stator pushes the disc back by k (x - gap), and nothing else acts on it or on the journal.
+    assert_int_equal(whirl_case_element(object, "rub", &rotor).code, WHIRL_OK);
+    assert_int_equal(whirl_rotor_rates(rotor, 0.1, x, rates).code, WHIRL_OK);
+    assert_true(fabs(rates[4] + 10e6 * (1e-3 - 1.2 * 2e-4)) < 1e-6);
+    for (size_t i = 0; i < 4; i++) assert_true(fabs(rates[i] - x[4 + i]) < 1e-16);
+    assert_true(rates[6] == 0.0 && rates[7] == 0.0);
+    whirl_rotor_free(rotor);
+    static const char *const wrong[] = {"rubb", "rub[2]", "rub[0]", "rub[1", "rub[1]x", "rub[", ""};
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        assert_int_equal(whirl_case_element(object, wrong[i], &rotor).code, WHIRL_BAD_INPUT);
+        assert_null(rotor);
+    }
+    assert_int_equal(whirl_case_element(object, "rub[1]", &rotor).code, WHIRL_OK);
+    whirl_rotor_free(rotor);
+    whirl_case_free(object);
+}
+
 static void parameters_are_set(void **state) {
     (void)state;
     // The ends of the sweep follow from kappa, so that setting it has a meaning.
@@ -626,6 +649,7 @@ int main(void) {
         cmocka_unit_test(quantities_are_in_si),
         cmocka_unit_test(expressions_are_in_si),
         cmocka_unit_test(rotors_follow_the_parameters),
+        cmocka_unit_test(elements_stand_alone),
         cmocka_unit_test(parameters_are_set),
         cmocka_unit_test(set_numbers_keep_their_unit),
         cmocka_unit_test(wrong_settings_leave_the_case_as_it_was),

@@ -1,0 +1,12 @@
+function force = whirl_element(name, machine, t, x)
+% WHIRL_ELEMENT  The forces of one element of a case on the stations.
+%   F = WHIRL_ELEMENT(NAME, M, T, X) are the forces in N, x and y of every station, of the element NAME ('film', or
+%   'film[2]' for the second film of the case) in the state X (as of WHIRL_RHS) at T: an oil film or a rub for a script
+%   that has equations of its own. Gravity gives the force on 1 kg.
+%
+%   See also WHIRL_MACHINE, WHIRL_RHS.
+if nargin ~= 4
+    error('whirl:badInput', 'whirl_element takes the name of an element, a machine, t and x');
+end
+force = whirl_mex('element', number_of(machine), name, t, x);
+end

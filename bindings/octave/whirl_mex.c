@@ -1,0 +1,174 @@
+/* The gateway of whirl_machine, whirl_rhs and whirl_element, for mkoctfile --mex and MATLAB's mex alike.
+ *
+ * Machines live here, by number, until they are cleared or the gateway is: MATLAB holds no pointers. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "mex.h"
+#include "whirl/whirl.h"
+
+enum { MOST_MACHINES = 64, MOST_ELEMENTS = 16, WORD = 256 };
+
+typedef struct machine {
+    whirl_case *given;
+    whirl_rotor *rotor;
+    size_t elements;
+    char names[MOST_ELEMENTS][WORD];
+    whirl_rotor *alone[MOST_ELEMENTS]; /* an element each, built when it is first asked for */
+} machine;
+
+static machine machines[MOST_MACHINES];
+
+static void clear(machine *one) {
+    for (size_t i = 0; i < one->elements; ++i) whirl_rotor_free(one->alone[i]);
+    whirl_rotor_free(one->rotor);
+    whirl_case_free(one->given);
+    memset(one, 0, sizeof *one);
+}
+
+static void clear_all(void) {
+    for (size_t i = 0; i < MOST_MACHINES; ++i) clear(&machines[i]);
+}
+
+/* Errors end the call by a jump, so nothing may be held when they are raised. */
+static void check(whirl_status status) {
+    char message[WHIRL_MESSAGE_SIZE];
+    if (status.code == WHIRL_OK) return;
+    snprintf(message, sizeof message, "%s", status.message);
+    mexErrMsgIdAndTxt(status.code == WHIRL_BAD_INPUT ? "whirl:badInput" : "whirl:failed", "%s", message);
+}
+
+static void word_of(const mxArray *array, const char *what, char word[WORD]) {
+    if (!mxIsChar(array) || mxGetString(array, word, WORD) != 0)
+        mexErrMsgIdAndTxt("whirl:badInput", "%s is no text of at most %d characters", what, WORD - 1);
+}
+
+static machine *machine_of(const mxArray *array) {
+    const double number = mxIsDouble(array) && mxGetNumberOfElements(array) == 1 ? mxGetScalar(array) : 0.0;
+    if (!(number >= 1.0 && number <= MOST_MACHINES) || number != floor(number) || !machines[(int)number - 1].rotor)
+        mexErrMsgIdAndTxt("whirl:badInput", "there is no such machine: it was cleared, or is not of whirl_machine");
+    return &machines[(int)number - 1];
+}
+
+/* ---------------------------------------------------------------- machines */
+
+static machine *free_place(void) {
+    for (size_t i = 0; i < MOST_MACHINES; ++i)
+        if (!machines[i].rotor) return &machines[i];
+    mexErrMsgIdAndTxt("whirl:failed", "there are %d machines already: clear some by whirl_machine('clear')",
+                      MOST_MACHINES);
+    return NULL;
+}
+
+static void set_all(machine *one, int count, const mxArray *const settings[]) {
+    for (int i = 0; i < count; ++i) {
+        char word[WORD];
+        word_of(settings[i], "a setting", word);
+        const whirl_status status = whirl_case_assign(one->given, word);
+        if (status.code != WHIRL_OK) clear(one);
+        check(status);
+    }
+}
+
+/* id = whirl_mex('machine', text, name, 'r_k=0.5', ...) */
+static void make(mxArray *out[], int count, const mxArray *in[]) {
+    char name[WORD], problems[2000];
+    machine *one = free_place();
+    if (count < 2 || !mxIsChar(in[0])) mexErrMsgIdAndTxt("whirl:badInput", "the case is no text");
+    for (int i = 1; i < count; ++i) word_of(in[i], "a setting", name);
+    word_of(in[1], "the name of the case", name);
+    char *text = mxArrayToString(in[0]);
+    const whirl_status read = whirl_case_check(text, strlen(text), name, problems, sizeof problems, &one->given);
+    mxFree(text);
+    if (read.code == WHIRL_BAD_INPUT && problems[0]) mexErrMsgIdAndTxt("whirl:badInput", "%s", problems);
+    check(read);
+    set_all(one, count - 2, in + 2);
+    const whirl_status built = whirl_case_rotor(one->given, NULL, 0.0, &one->rotor);
+    if (built.code != WHIRL_OK) clear(one);
+    check(built);
+    out[0] = mxCreateDoubleScalar((double)(one - machines + 1));
+}
+
+/* s = whirl_mex('about', id) */
+static void about(mxArray *out[], int count, const mxArray *in[]) {
+    const char *names[] = {"stations", "dimension", "speed", "clock", "length_scale"};
+    if (count != 1) mexErrMsgIdAndTxt("whirl:badInput", "expected a machine");
+    const whirl_rotor *rotor = machine_of(in[0])->rotor;
+    const whirl_system *system = whirl_rotor_system(rotor);
+    mxArray *stations = mxCreateCellMatrix(system->probe_count, 1);
+    for (size_t i = 0; i < system->probe_count; ++i) mxSetCell(stations, i, mxCreateString(system->probes[i].name));
+    out[0] = mxCreateStructMatrix(1, 1, 5, names);
+    mxSetField(out[0], 0, "stations", stations);
+    mxSetField(out[0], 0, "dimension", mxCreateDoubleScalar((double)system->dimension));
+    mxSetField(out[0], 0, "speed", mxCreateDoubleScalar(whirl_rotor_speed(rotor)));
+    mxSetField(out[0], 0, "clock", mxCreateDoubleScalar(whirl_rotor_clock(rotor)));
+    mxSetField(out[0], 0, "length_scale", mxCreateDoubleScalar(whirl_rotor_length_scale(rotor)));
+}
+
+/* ---------------------------------------------------------------- rates and forces */
+
+static const double *numbers_of(const mxArray *array, const char *what, size_t count) {
+    if (!mxIsDouble(array) || mxIsComplex(array) || mxIsSparse(array) || mxGetNumberOfElements(array) != count)
+        mexErrMsgIdAndTxt("whirl:badInput", "%s is not of %u real numbers (double)", what, (unsigned)count);
+    return mxGetPr(array);
+}
+
+/* Rates of all states by `rotor`, as a column. */
+static mxArray *rates(const whirl_rotor *rotor, const mxArray *t, const mxArray *x) {
+    const size_t dimension = whirl_rotor_system(rotor)->dimension;
+    const double time = numbers_of(t, "t", 1)[0], *state = numbers_of(x, "x", dimension);
+    mxArray *out = mxCreateDoubleMatrix(dimension, 1, mxREAL);
+    check(whirl_rotor_rates(rotor, time, state, mxGetPr(out)));
+    return out;
+}
+
+/* dxdt = whirl_mex('rhs', id, t, x) */
+static void rhs(mxArray *out[], int count, const mxArray *in[]) {
+    if (count != 3) mexErrMsgIdAndTxt("whirl:badInput", "expected a machine, t and x");
+    out[0] = rates(machine_of(in[0])->rotor, in[1], in[2]);
+}
+
+static const whirl_rotor *element_of(machine *one, const char *name) {
+    for (size_t i = 0; i < one->elements; ++i)
+        if (strcmp(one->names[i], name) == 0) return one->alone[i];
+    if (one->elements == MOST_ELEMENTS)
+        mexErrMsgIdAndTxt("whirl:failed", "a machine takes %d elements alone, no more", MOST_ELEMENTS);
+    check(whirl_case_element(one->given, name, &one->alone[one->elements]));
+    snprintf(one->names[one->elements], WORD, "%s", name);
+    return one->alone[one->elements++];
+}
+
+/* f = whirl_mex('element', id, name, t, x) */
+static void element(mxArray *out[], int count, const mxArray *in[]) {
+    char name[WORD];
+    if (count != 4) mexErrMsgIdAndTxt("whirl:badInput", "expected a machine, the name of an element, t and x");
+    word_of(in[1], "the name of an element", name);
+    mxArray *all = rates(element_of(machine_of(in[0]), name), in[2], in[3]);
+    const size_t half = mxGetNumberOfElements(all) / 2;
+    out[0] = mxCreateDoubleMatrix(half, 1, mxREAL);
+    memcpy(mxGetPr(out[0]), mxGetPr(all) + half, half * sizeof(double));
+    mxDestroyArray(all);
+}
+
+void mexFunction(int out_count, mxArray *out[], int count, const mxArray *in[]) {
+    char word[WORD];
+    (void)out_count;
+    mexAtExit(clear_all);
+    if (count < 1) mexErrMsgIdAndTxt("whirl:badInput", "this is the gateway of whirl_machine, whirl_rhs and whirl_element");
+    word_of(in[0], "the first argument", word);
+    if (strcmp(word, "machine") == 0)
+        make(out, count - 1, in + 1);
+    else if (strcmp(word, "about") == 0)
+        about(out, count - 1, in + 1);
+    else if (strcmp(word, "rhs") == 0)
+        rhs(out, count - 1, in + 1);
+    else if (strcmp(word, "element") == 0)
+        element(out, count - 1, in + 1);
+    else if (strcmp(word, "clear") == 0 && count == 2)
+        clear(machine_of(in[1]));
+    else if (strcmp(word, "clear") == 0)
+        clear_all();
+    else
+        mexErrMsgIdAndTxt("whirl:badInput", "unknown: %s", word);
+}

@@ -1,0 +1,32 @@
+function result = whirl_read(file)
+% WHIRL_READ  Reads a result of whirl.
+%   RESULT = WHIRL_READ(FILE) is a struct with all that is in a result file (.h5), to the bit, or in a MAT file
+%   that 'whirl export --mat' made of one:
+%
+%     result.sweep.values                           the parameter, in SI
+%     result.sweep.orbit.max_radius                 [points][stations]
+%     result.sweep.orbit.about.max_radius.unit      'length': in length scales
+%     result.sweep.orbit.about.max_radius.SI_factor what makes metres of it
+%     result.sweep.verdict.name                     verdicts in words
+%     result.sweep.regime.confidence                and how sure they are
+%     result.sweep.attributes.parameter             what varies
+%     result.stations.name, result.parameters.name, .value, .unit
+%
+%   Errors: whirl:badInput for a file that is no result, whirl:noCommand where the command is not found.
+%
+%   See also WHIRL_RUN, WHIRL_PLOT_BIFURCATION.
+if nargin ~= 1 || ~ischar(file)
+    error('whirl:badInput', 'whirl_read takes the name of a file');
+end
+if numel(file) > 4 && strcmp(file(end - 3:end), '.mat')
+    if ~exist(file, 'file')
+        error('whirl:badInput', 'there is no file %s', file);
+    end
+    result = load(file);
+    return
+end
+copy = [tempname() '.mat'];
+call(['export ' quoted(file) ' --mat ' quoted(copy)], false);
+result = load(copy);
+delete(copy);
+end

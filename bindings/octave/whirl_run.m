@@ -1,0 +1,69 @@
+function result = whirl_run(given_case, varargin)
+% WHIRL_RUN  Runs the study of a case and reads its result.
+%   RESULT = WHIRL_RUN(CASE) computes the case file CASE, or the text of a case, and gives what WHIRL_READ gives.
+%
+%   RESULT = WHIRL_RUN(CASE, NAME, VALUE, ...) sets parameters or keys of the case first, as the command's --set:
+%   a number or a text, WHIRL_RUN('rig.yaml', 'kappa', 12, 'omega', '600 rpm'). These names are options:
+%
+%     'output'    name of the result file to keep; one that is there is replaced (default: none is kept)
+%     'threads'   number of threads (default: all cores)
+%     'progress'  true or false: what the command says is shown (default: true)
+%
+%   Errors: whirl:badInput with the sentences of the command, whirl:failed, whirl:noCommand. A run that was stopped
+%   gives a partial result and the warning whirl:unfinished.
+%
+%   See also WHIRL_READ, WHIRL_MACHINE.
+if nargin < 1 || ~ischar(given_case) || mod(numel(varargin), 2) ~= 0
+    error('whirl:badInput', 'whirl_run takes a case and pairs of names and values');
+end
+output = '';
+shown = true;
+arguments = '';
+for i = 1:2:numel(varargin)
+    name = varargin{i};
+    value = varargin{i + 1};
+    if strcmp(name, 'output')
+        output = value;
+    elseif strcmp(name, 'progress')
+        shown = value;
+    elseif strcmp(name, 'threads')
+        arguments = [arguments ' --threads=' sprintf('%d', value)];
+    else
+        arguments = [arguments ' --set ' quoted(setting(name, value))];
+    end
+end
+kept = ~isempty(output);
+if ~kept
+    output = [tempname() '.h5'];
+end
+file = given_case;
+written = any(given_case == 10);
+if written
+    file = [tempname() '.yaml'];
+    stream = fopen(file, 'w');
+    fwrite(stream, given_case);
+    fclose(stream);
+end
+if ~shown
+    arguments = [arguments ' --quiet'];
+end
+try
+    status = call(['run ' quoted(file) ' --force -o ' quoted(output) arguments], shown);
+    result = whirl_read(output);
+catch problem
+    remove(written, file);
+    remove(~kept, output);
+    rethrow(problem);
+end
+remove(written, file);
+remove(~kept, output);
+if status == 3
+    warning('whirl:unfinished', 'the run ended before its last point');
+end
+end
+
+function remove(wanted, file)
+if wanted && exist(file, 'file')
+    delete(file);
+end
+end
