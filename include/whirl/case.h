@@ -63,10 +63,10 @@ whirl_status whirl_case_speed(const whirl_case *object, const char *name, double
 /// The rotor with parameter `name` at `value` (name NULL: as the case says). Freed by whirl_rotor_free. Thread-safe.
 whirl_status whirl_case_rotor(const whirl_case *object, const char *name, double value, whirl_rotor **rotor);
 
-/// One element of the case alone: the stations of the case, each a free mass of 1 kg, on which that element acts, so that
-/// their accelerations (whirl_rotor_rates) are its forces in N; gravity's are those on 1 kg. `element` is its kind
-/// ("film"), or "film[2]" for the second of that kind. WHIRL_BAD_INPUT where there is no such element, or where it needs
-/// what free masses do not have (tilts, shafts of finite elements). Freed by whirl_rotor_free.
+/// One element of the case alone: the stations of the case, each a free mass of 1 kg, on which that element acts, so
+/// that their accelerations (whirl_rotor_rates) are its forces in N; gravity's are those on 1 kg. `element` is its kind
+/// ("film"), or "film[2]" for the second of that kind. WHIRL_BAD_INPUT where there is no such element, or where it
+/// needs what free masses do not have (tilts, shafts of finite elements). Freed by whirl_rotor_free.
 whirl_status whirl_case_element(const whirl_case *object, const char *element, whirl_rotor **rotor);
 
 /// Its shafts of finite elements with the parameters as they are, as whirl_design_shafts tells of them.

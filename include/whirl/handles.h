@@ -101,6 +101,13 @@ size_t whirl_table_slot(const whirl_table *table, size_t point);
 /// Points of a row of a map whose points all are there, row by row along the parameter, in one list; else 0.
 size_t whirl_table_row(const whirl_table *table);
 
+/// Points of the grid of a map: all of a refined one's, whether they are computed or not; of other tables the same as
+/// the points that the study has.
+size_t whirl_table_grid(const whirl_table *table);
+
+/// Rows of the grid of a map; 0 where a table is no map.
+size_t whirl_table_rows(const whirl_table *table);
+
 /// [whirl_table_points] the parameter in SI, NaN where nothing varies.
 const double *whirl_table_values(const whirl_table *table);
 

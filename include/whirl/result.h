@@ -138,13 +138,6 @@ bool whirl_table_from_neighbour(const whirl_table *table, size_t point);
 /// How many points of the table the study has, done or not; of a map that is being refined as far as is known.
 size_t whirl_table_planned(const whirl_table *table);
 
-/// Points of the grid of a map: all of a refined one's, whether they are computed or not; of other tables the same as
-/// whirl_table_planned.
-size_t whirl_table_grid(const whirl_table *table);
-
-/// Rows of the grid of a map; 0 where a table is no map.
-size_t whirl_table_rows(const whirl_table *table);
-
 /// The point that stands for each point of the grid, cover [whirl_table_grid]: itself where it is done, else the first
 /// corner of the square around it; whirl_table.count where neither is there.
 void whirl_table_cover(const whirl_table *table, size_t *cover);
@@ -286,8 +279,8 @@ bool whirl_result_same_study(const whirl_result *earlier, const whirl_result *la
 whirl_status whirl_result_export_csv(const whirl_result *result, const char *path);
 
 /// Writes the result file `result` as a MAT file of version 5, compressed, which MATLAB and Octave load: a variable for
-/// every group of the result file (docs/result-file.md), its numbers to the bit. `path` appears whole or not at all, and
-/// replaces what is there. WHIRL_BAD_INPUT where `result` is damaged, WHIRL_IO_ERROR where either file fails or a
+/// every group of the result file (docs/result-file.md), its numbers to the bit. `path` appears whole or not at all,
+/// and replaces what is there. WHIRL_BAD_INPUT where `result` is damaged, WHIRL_IO_ERROR where either file fails or a
 /// variable would have more than the 2 GB that such a file may hold.
 whirl_status whirl_result_export_mat(const char *result, const char *path);
 

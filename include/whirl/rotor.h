@@ -142,9 +142,9 @@ const char *whirl_rotor_keyphasor(const whirl_rotor *rotor);
 
 double whirl_rotor_length_scale(const whirl_rotor *rotor); ///< m
 
-/// The equations of motion in SI, for programs that integrate on their own: x and dxdt are [4 stations], x and y of every
-/// station in m, then their derivatives by t in m/s; t in s. WHIRL_BAD_INPUT for a rotor with other states (tilts, phases
-/// that turn, nodes of shafts).
+/// The equations of motion in SI, for programs that integrate on their own: x and dxdt are [4 stations], x and y of
+/// every station in m, then their derivatives by t in m/s; t in s. WHIRL_BAD_INPUT for a rotor with other states
+/// (tilts, phases that turn, nodes of shafts).
 whirl_status whirl_rotor_rates(const whirl_rotor *rotor, double t, const double *x, double *dxdt);
 
 /// Names of the contacts ("rub at disc"), as many as the system's contact_count; borrowed.

@@ -121,6 +121,9 @@ class FileTable:
         self.parameter = _word(group.attrs["parameter"])
         self.second = _word(group.attrs.get("second", b""))
         self.shape = group["values"].shape
+        row = int(group.attrs.get("row", 0))
+        points = int(group.attrs["grid"] if "grid" in group.attrs and group.attrs["grid"] else group.attrs["points"])
+        self.grid = (points // row, row) if row else None
 
     def values(self):
         return self.group["values"][()]

@@ -59,6 +59,8 @@ const char *whirl_table_parameter(const whirl_table *table);
 const char *whirl_table_varied(const whirl_table *table);
 size_t whirl_table_points(const whirl_table *table);
 size_t whirl_table_row(const whirl_table *table);
+size_t whirl_table_grid(const whirl_table *table);
+size_t whirl_table_rows(const whirl_table *table);
 size_t whirl_table_slot(const whirl_table *table, size_t point);
 bool whirl_table_done(const whirl_table *table, size_t point);
 const double *whirl_table_values(const whirl_table *table);

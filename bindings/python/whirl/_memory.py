@@ -128,6 +128,8 @@ class MemoryTable:
         done = np.fromiter((lib.whirl_table_done(self.handle, i) for i in range(count)), bool, count)
         self._chosen = None if done.all() else np.flatnonzero(done)
         self._count = count
+        rows = lib.whirl_table_rows(self.handle)
+        self.grid = (rows, lib.whirl_table_grid(self.handle) // rows) if rows else None
         row = lib.whirl_table_row(self.handle)
         whole = row > 0 and self._chosen is None
         self.shape = (count // row, row) if whole else (count if self._chosen is None else len(self._chosen),)

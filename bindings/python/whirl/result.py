@@ -78,6 +78,7 @@ class Table(Mapping):
         self.parameter = source.parameter  #: what varies, "" for a single point
         self.second = source.second  #: what varies besides, in a map or curves, else ""
         self.shape = source.shape  #: (points,), or (rows, columns) of a whole map
+        self.grid = source.grid  #: (rows, columns) of a map, also where points are missing or it is refined; else None
 
     @cached_property
     def fields(self):

@@ -1,0 +1,146 @@
+"""Figures show the numbers of the tables, in the units of the case."""
+
+import numpy as np
+import pytest
+from conftest import ROOT, command
+
+import whirl
+
+plt = pytest.importorskip("matplotlib.pyplot")
+
+
+@pytest.fixture(autouse=True)
+def closed_figures():
+    yield
+    plt.close("all")
+
+
+@pytest.fixture(scope="module")
+def branches(tmp_path_factory):
+    path = tmp_path_factory.mktemp("branch") / "branch.h5"
+    command("run", ROOT / "tests/cli/branch.yaml", "-o", path, "-q")
+    return whirl.open(path)
+
+
+def points_of(ax):
+    """All points of the lines, sorted."""
+    drawn = np.concatenate([np.column_stack(line.get_data()) for line in ax.get_lines()])
+    return drawn[np.lexsort(drawn.T)]
+
+
+def test_a_diagram_has_all_points_of_its_sections(good):
+    ax = good.plot.bifurcation(coordinate="y")
+    section = good["sweep"]["poincare/section"][:, 0, :, 1]
+    expected = np.column_stack([np.repeat(good["sweep"].values, section.shape[1]), section.ravel()])
+    assert np.array_equal(points_of(ax), expected[np.lexsort(expected.T)])
+    assert (ax.get_xlabel(), ax.get_ylabel()) == ("omega / rad/s", "y of disc / m")
+
+
+def test_lengths_and_parameters_are_in_the_units_of_the_case():
+    case = whirl.Case(text=MILLIMETRES)
+    result = whirl.run(case, progress=False)
+    ax = result.plot.bifurcation()
+    assert (ax.get_xlabel(), ax.get_ylabel()) == ("speed / rpm", "x of disc / mm")
+    table = result["sweep"]
+    drawn = points_of(ax)
+    assert np.allclose(np.unique(drawn[:, 0]), [600.0, 900.0, 1200.0], rtol=1e-12)
+    lengths = np.sort((table["poincare/section"][:, 0, :, 0] * 0.2).ravel())
+    assert np.allclose(np.sort(drawn[:, 1]), lengths, rtol=1e-12, atol=1e-15)
+
+
+MILLIMETRES = """
+whirl: 1
+parameters: {speed: 600 rpm, c: 0.2 mm}
+rotor:
+  speed: = speed
+  length_scale: = c
+  stations:
+    disc: {mass: 4 kg, damping: 20 N.s/m, eccentricity: = 0.1*c}
+  elements:
+    - shaft: {between: [disc, ground], k1: 100 kN/m, k2: 100 kN/m}
+study:
+  sweep: {parameter: speed, from: 600 rpm, to: 1200 rpm, points: 3}
+  integrate: {method: rk4, steps_per_revolution: 64, transient: 20, record: 10}
+  analyze: [poincare]
+"""
+
+
+def test_axes_and_styles_are_taken(good):
+    _, own = plt.subplots()
+    ax = good.plot.bifurcation(ax=own, color="red", marker="x")
+    assert ax is own and {line.get_color() for line in ax.get_lines()} == {"red"}
+    assert ax.get_lines()[0].get_marker() == "x"
+
+
+def test_exponents(good):
+    line = good.plot.lyapunov().get_lines()[0]
+    assert np.array_equal(line.get_ydata(), good["sweep"]["lyapunov/largest"])
+
+
+def test_a_section_by_index_and_by_value(good):
+    for point in (2, 2.6):
+        line = good.plot.poincare(point).get_lines()[0]
+        assert np.array_equal(line.get_xydata(), good["sweep"]["poincare/section"][2, 0, :, :2])
+    assert good.plot.poincare(2).get_title().startswith("omega = 2.5 rad/s: ")
+    with pytest.raises(whirl.BadInput, match="has no point 5, expected 0 to 4"):
+        good.plot.poincare(5)
+
+
+def test_a_full_spectrum_has_backward_lines_below_zero(good):
+    lines = good["sweep"]["spectrum/lines"][1, 0]
+    lines = lines[np.isfinite(lines[:, 0])]
+    forward, backward = good.plot.spectrum(1).collections
+    ends = np.array([path[1] for path in forward.get_segments()])
+    assert np.array_equal(ends, lines[:, [0, 3]])
+    ends = np.array([path[1] for path in backward.get_segments()])
+    assert np.array_equal(ends, lines[:, [0, 4]] * [-1, 1])
+
+
+def test_branches_are_dashed_where_they_are_unstable(branches):
+    table = branches["branch"]
+    ax = branches.plot.branches()
+    unstable = table["trace/unstable"] > 0
+    dashed = np.concatenate([line.get_xdata() for line in ax.get_lines() if line.get_linestyle() == "--"])
+    solid = np.concatenate([line.get_xdata() for line in ax.get_lines() if line.get_linestyle() == "-"])
+    assert set(table.values[unstable]) <= set(dashed) and set(table.values[~unstable]) <= set(solid)
+    marked = sum(len(collection.get_offsets()) for collection in ax.collections)
+    assert marked == np.count_nonzero(table["trace/special"]) > 3
+
+
+def test_maps_show_regimes_and_numbers(map_files):
+    result = whirl.open(map_files[1])
+    table = result["map"]
+    ax = result.plot.map("orbit/max_radius")
+    drawn = np.asarray(ax.collections[0].get_array()).reshape(3, 5)
+    assert np.allclose(drawn, table["orbit/max_radius"][:, :, 0] * table.length_scale * 1e3, rtol=1e-12)
+    assert ax.get_ylabel() == "c / mm"
+    colours = result.plot.map().collections[0].get_facecolor().reshape(3, 5, 4)
+    from whirl.plot import REGIMES, classes
+
+    names = np.array(list(REGIMES))[classes(table)]
+    for name in np.unique(names):
+        expected = [int(REGIMES[name][i : i + 2], 16) / 255 for i in (1, 3, 5)]
+        assert np.allclose(colours[names == name][:, :3], expected)
+
+
+def test_refined_maps_are_filled(map_files, tmp_path):
+    text = (
+        map_files[0]
+        .read_text()
+        .replace("points: 5", "points: 17")
+        .replace("transient: 20", "transient: 400")
+        .replace("values: [0.1 mm, 0.15 mm, 0.2 mm]}", "from: 0.1 mm, to: 0.2 mm, points: 9}")
+    )
+    whole = whirl.run(whirl.Case(text=text), progress=False)
+    refined = whirl.run(whirl.Case(text=text.replace("  integrate", "    refine: 4\n  integrate")), progress=False)
+    assert refined["map"].grid == whole["map"].shape == (9, 17) and len(refined["map"].values) < 153
+    colours = [r.plot.map().collections[0].get_facecolor() for r in (whole, refined)]
+    same = (colours[0] == colours[1]).all(axis=1).mean()
+    assert same > 0.9  # the squares that were not halved have the colour of their corner
+
+
+def test_what_was_not_analysed_is_said(good):
+    with pytest.raises(whirl.BadInput, match="has no map"):
+        good.plot.map()
+    with pytest.raises(whirl.BadInput, match="'trace/high': add branch"):
+        good.plot.branches("sweep")

@@ -1,0 +1,396 @@
+"""Figures in Matplotlib as the report draws them, fit for a paper.
+
+Every function takes the axes to draw into, or makes a figure; it returns the axes, and passes further keywords on to
+Matplotlib. Lengths and parameters are in the units in which the case wrote them.
+"""
+
+import re
+
+import numpy as np
+
+from .errors import BadInput
+
+# Of the report and the explorer: told apart by readers of any colour vision.
+REGIMES = {
+    "P-1": "#366EFB",
+    "P-2": "#1FBADD",
+    "P-4": "#1D7257",
+    "other P-k": "#664406",
+    "quasi-periodic": "#CC0892",
+    "chaotic": "#000000",
+    "undetermined": "#9A9F95",
+    "diverged": "#FB8D41",
+}
+_UNDETERMINED, _PERIODIC, _QUASI_PERIODIC, _CHAOTIC, _DIVERGED = range(5)
+_OPACITY = (0.4, 0.7, 1.0)  # of low, fair and high confidence
+_SPECIAL = {
+    1: ("fold", "s"),
+    2: ("crossing", "D"),
+    3: ("period doubling", "^"),
+    4: ("Neimark-Sacker", "o"),
+    5: ("Hopf", "v"),
+    6: ("grazing", "x"),
+}
+_SMALLER = (("m", 1.0), ("mm", 1e-3), ("um", 1e-6))
+_SHOWN = {"um": "µm", "rad": "rad", "1": ""}
+
+
+def _axes(ax):
+    if ax is not None:
+        return ax
+    import matplotlib.pyplot as plt
+
+    return plt.subplots(figsize=(7.0, 4.2), layout="constrained")[1]
+
+
+def classes(table):
+    """The class of every point's verdict, as an index into :data:`REGIMES`."""
+    code, period = (np.nan_to_num(table[name]).astype(int) for name in ("regime/code", "regime/period"))
+    found = np.full(code.shape, 6)
+    found[code == _QUASI_PERIODIC], found[code == _CHAOTIC], found[code == _DIVERGED] = 4, 5, 7
+    periodic = code == _PERIODIC
+    found[periodic] = 3
+    for index, k in enumerate((1, 2, 4)):
+        found[periodic & (period == k)] = index
+    return found
+
+
+class Plots:
+    """Figures of a result: ``result.plot.bifurcation()``."""
+
+    def __init__(self, result):
+        self._result = result
+
+    # ---------------------------------------------------------------- what is drawn, and its units
+
+    def _table(self, table, needs, analysis):
+        """The table of that name, or the first that has a field."""
+        tables = self._result.tables
+        if table is not None:
+            chosen = self._result[table]
+            if needs not in chosen:
+                raise BadInput(f"the table '{table}' has no '{needs}': add {analysis} to what the case analyses")
+            return chosen
+        for candidate in tables.values():
+            if needs in candidate and candidate.name != "detail":
+                return candidate
+        raise BadInput(f"no table of the result has '{needs}': add {analysis} to what the case analyses")
+
+    def _unit(self, name):
+        """The unit in which the case wrote a parameter: its name and its size in SI."""
+        result = self._result
+        said = re.fullmatch(r"(.+?) = (\S+) .*", result.facts.get(f"unit of {name}", ""))
+        if said:
+            return said[1], float(said[2])
+        parameter = result.parameters.get(name)
+        if parameter is None or parameter.unit == "1":
+            return "", 1.0
+        written = re.fullmatch(r"\s*([-+0-9.eE]+)\s*([A-Za-z].*?)\s*", parameter.text)
+        try:
+            number = float(written[1]) if written else 0.0
+        except ValueError:
+            number = 0.0
+        if number == 0.0 or parameter.unit == "K":
+            return parameter.unit, 1.0
+        return written[2], parameter.value / number
+
+    def _length(self, table):
+        """What a length of the table is in the unit of lengths, for every point, and that unit's name."""
+        scale = self._result.length_scale
+        for name, parameter in self._result.parameters.items():
+            if parameter.unit == "m" and abs(parameter.value - scale) <= 1e-12 * scale:
+                unit, size = self._unit(name)
+                break
+        else:
+            unit, size = next((u for u in _SMALLER[:2] if scale >= 0.0999 * u[1]), _SMALLER[2])
+        return table.length_scale.ravel() / size, _SHOWN.get(unit, unit)
+
+    def _parameter(self, table, second=False):
+        """Values of the parameter in its unit, and a label."""
+        name = table.second if second else table.parameter
+        unit, size = self._unit(name)
+        values = table.second_values if second else table.values
+        return values / size, f"{name} / {_SHOWN.get(unit, unit)}" if unit else name or "point"
+
+    def _station(self, table, station):
+        """Its index and its name; the first one where none is named."""
+        index = table.station(station if station is not None else 0)
+        return index, self._result.stations[index].name
+
+    # ---------------------------------------------------------------- along a parameter
+
+    def bifurcation(self, table=None, station=None, coordinate="x", ax=None, **style):
+        """Sections over the parameter, a point a revolution, in the colours of their regimes.
+
+        Parameters
+        ----------
+        table : str, optional
+            "sweep", ...; the first that has sections.
+        station : str or int, optional
+            Whose; the first one.
+        coordinate : str
+            "x" or "y".
+        ax : matplotlib.axes.Axes, optional
+            Where to draw.
+        style
+            For ``Axes.plot``.
+        """
+        table, ax = self._table(table, "poincare/section", "poincare"), _axes(ax)
+        index, name = self._station(table, station)
+        factors, unit = self._length(table)
+        section = table["poincare/section"].reshape((-1,) + table["poincare/section"].shape[len(table.shape) :])
+        sizes = section[:, index, :, {"x": 0, "y": 1}[coordinate]] * factors[:, None]
+        values, label = self._parameter(table)
+        places = np.broadcast_to(values.ravel()[:, None], sizes.shape)
+        style = {
+            "marker": ".",
+            "markersize": 1.2,
+            "markeredgewidth": 0,
+            "linestyle": "none",
+            "rasterized": True,
+            **style,
+        }
+        kinds = classes(table).ravel() if "regime/code" in table else None
+        if kinds is None or "color" in style:
+            ax.plot(places.ravel(), sizes.ravel(), **{"color": "black", **style})
+        else:
+            for kind in np.unique(kinds):
+                title = list(REGIMES)[kind]
+                own = {"color": REGIMES[title], "label": title, **style}
+                ax.plot(places[kinds == kind].ravel(), sizes[kinds == kind].ravel(), **own)
+            ax.legend(loc="best", frameon=False, fontsize="small", **_large_markers())
+        ax.set(xlabel=label, ylabel=f"{coordinate} of {name} / {unit}")
+        return ax
+
+    def lyapunov(self, table=None, ax=None, **style):
+        """The largest Lyapunov exponent over the parameter, with its error as a band."""
+        table, ax = self._table(table, "lyapunov/largest", "lyapunov"), _axes(ax)
+        values, label = self._parameter(table)
+        order = np.argsort(values.ravel(), kind="stable")
+        at, size = values.ravel()[order], table["lyapunov/largest"].ravel()[order]
+        error = table["lyapunov/error"].ravel()[order]
+        (line,) = ax.plot(at, size, **{"color": "black", "linewidth": 0.8, **style})
+        ax.fill_between(at, size - error, size + error, color=line.get_color(), alpha=0.2, linewidth=0)
+        ax.axhline(0.0, color="0.6", linewidth=0.6, zorder=0)
+        ax.set(xlabel=label, ylabel="largest exponent / (1/revolution)")
+        return ax
+
+    def branches(self, table="branch", station=None, coordinate="x", ax=None, **style):
+        """Branches of orbits: the largest displacement, stable solid, unstable dashed, special points by their kinds."""
+        table, ax = self._table(table, "trace/high", "branch"), _axes(ax)
+        index, name = self._station(table, station)
+        factors, unit = self._length(table)
+        values, label = self._parameter(table)
+        highs = table["trace/high"][:, index, {"x": 0, "y": 1}[coordinate]] * factors
+        number, stable = table["trace/number"], table["trace/unstable"] == 0
+        colours = [f"C{i % 10}" for i in range(int(number.max()))] if len(number) else []
+        for branch in np.unique(number).astype(int):
+            own = np.flatnonzero(number == branch)
+            for first, last in _runs(stable[own]):
+                piece = own[first : last + 2]  # up to the point where stability has changed
+                line = "-" if stable[own[first]] else "--"
+                ax.plot(values[piece], highs[piece], **{"linestyle": line, "color": colours[branch - 1], **style})
+        self._special(ax, table, values, highs)
+        ax.set(xlabel=label, ylabel=f"largest {coordinate} of {name} / {unit}")
+        return ax
+
+    @staticmethod
+    def _special(ax, table, values, highs):
+        """Marks of special points with their values, and what the marks mean."""
+        special = table["trace/special"]
+        for kind, (title, marker) in _SPECIAL.items():
+            chosen = np.flatnonzero(special == kind)
+            if len(chosen) == 0:
+                continue
+            look = {"color": "black"} if marker == "x" else {"facecolor": "white", "edgecolor": "black"}
+            ax.scatter(values[chosen], highs[chosen], marker=marker, s=28, zorder=3, label=title, **look)
+            for point in chosen:
+                place = (values[point], highs[point])
+                text = f"{values[point]:.6g}"
+                ax.annotate(text, place, xytext=(4, 4), textcoords="offset points", fontsize="x-small")
+        if (special > 0).any():
+            ax.legend(loc="best", frameon=False, fontsize="small")
+
+    # ---------------------------------------------------------------- one point
+
+    def poincare(self, point, table=None, station=None, ax=None, **style):
+        """The section of a point: where the station is once a revolution.
+
+        ``point`` is an index, or the value of the parameter in SI, of which the nearest point is taken.
+        """
+        table, ax = self._table(table, "poincare/section", "poincare"), _axes(ax)
+        index, name = self._station(table, station)
+        at = _index(table, point)
+        factors, unit = self._length(table)
+        section = table["poincare/section"].reshape((-1,) + table["poincare/section"].shape[len(table.shape) :])[
+            at, index
+        ]
+        ax.plot(
+            section[:, 0] * factors[at], section[:, 1] * factors[at], **{"marker": ".", "ls": "none", "c": "k", **style}
+        )
+        ax.set(xlabel=f"x of {name} / {unit}", ylabel=f"y of {name} / {unit}", aspect="equal")
+        ax.set_title(self._title(table, at), fontsize="medium")
+        return ax
+
+    def spectrum(self, point, table=None, station=None, full=True, ax=None, **style):
+        """The lines of a point's spectrum over the order: forward and backward whirl, or x alone (``full=False``)."""
+        table, ax = self._table(table, "spectrum/lines", "spectrum"), _axes(ax)
+        index, name = self._station(table, station)
+        at = _index(table, point)
+        factors, unit = self._length(table)
+        lines = table["spectrum/lines"].reshape((-1,) + table["spectrum/lines"].shape[len(table.shape) :])[at, index]
+        lines = lines[np.isfinite(lines[:, 0])]
+        order, amplitudes = lines[:, 0], lines[:, 1:] * factors[at]
+        style = {"color": "black", "linewidth": 1.2, **style}
+        if full:
+            ax.vlines(order, 0.0, amplitudes[:, 2], **style)
+            ax.vlines(-order, 0.0, amplitudes[:, 3], **style)
+            ax.axvline(0.0, color="0.6", linewidth=0.6, zorder=0)
+        else:
+            ax.vlines(order, 0.0, amplitudes[:, 0], **style)
+        ax.set(xlabel="order, backward below 0" if full else "order", ylabel=f"amplitude of {name} / {unit}")
+        ax.set_ylim(bottom=0.0)
+        ax.set_title(self._title(table, at), fontsize="medium")
+        return ax
+
+    def _title(self, table, at):
+        values, label = self._parameter(table)
+        verdict = table.verdicts.ravel()[at] if "regime/code" in table else ""
+        where = f"{label.split(' / ')[0]} = {values.ravel()[at]:.6g}" + (
+            f" {label.split(' / ')[1]}" if " / " in label else ""
+        )
+        return f"{where}: {verdict}" if verdict else where
+
+    # ---------------------------------------------------------------- planes
+
+    def map(self, field=None, table=None, which=0, ax=None, **style):
+        """Regimes over two parameters, paler where confidence is low; or a field's numbers.
+
+        Parameters
+        ----------
+        field : str, optional
+            "orbit/max_radius", "lyapunov/largest", ...; regimes without it.
+        table : str, optional
+            "map" or "basin"; the first that has two parameters.
+        which : int or str
+            Station or contact of the field.
+        """
+        table = self._plane(table)
+        if "regime/code" not in table and field is None:
+            raise BadInput(f"the table '{table.name}' has no verdicts: add regime to what the case analyses")
+        ax, cover = _axes(ax), _cover(table)
+        (x, xlabel), (y, ylabel) = self._parameter(table), self._parameter(table, second=True)
+        x, y = _axis(x, cover, 0), _axis(y, cover, 1)
+        if field is None:
+            self._regimes(ax, x, y, table, cover, style)
+        else:
+            numbers, name = self._numbers(table, field, which)
+            mesh = ax.pcolormesh(x, y, _spread(numbers, cover), **{"rasterized": True, "shading": "nearest", **style})
+            ax.figure.colorbar(mesh, ax=ax, label=name)
+        ax.set(xlabel=xlabel, ylabel=ylabel)
+        return ax
+
+    def _plane(self, table):
+        if table is not None:
+            return self._result[table]
+        for candidate in self._result.tables.values():
+            if candidate.name in ("map", "basin"):
+                return candidate
+        raise BadInput("the result has no map: 'study: {map: {x: ..., y: ...}}' in a case computes one")
+
+    def _numbers(self, table, field, which):
+        about, numbers = table.fields.get(field), table[field]
+        if about.extent == "station":
+            index, name = self._station(table, which)
+        else:
+            index = self._result.contacts.index(which) if isinstance(which, str) else which
+            name = self._result.contacts[index] if about.extent == "contact" else ""
+        numbers = numbers.reshape(int(np.prod(table.shape)), -1)[:, index if about.extent != "point" else 0]
+        unit = "" if about.unit == "1" else about.unit
+        if about.unit == "length":
+            factors, unit = self._length(table)
+            numbers = numbers * factors
+        title = about.meaning.split(" (")[0] + (f", {name}" if name else "")
+        return numbers, f"{title} / {unit}" if unit else title
+
+    @staticmethod
+    def _regimes(ax, x, y, table, cover, style):
+        from matplotlib.colors import to_rgba_array
+        from matplotlib.patches import Patch
+
+        kinds, confidence = classes(table).ravel(), np.nan_to_num(table["regime/confidence"]).ravel().astype(int)
+        colours = to_rgba_array(list(REGIMES.values()))[kinds]
+        colours[:, 3] = np.take(_OPACITY, confidence)
+        cells = np.where((cover >= 0)[..., None], colours[cover], 0.0)
+        mesh = ax.pcolormesh(x, y, cover, **{"rasterized": True, "shading": "nearest", **style})
+        mesh.set_array(None)  # colours of their own for the cells; Matplotlib before 3.7 takes none in pcolormesh
+        mesh.set_facecolor(cells.reshape(-1, 4))
+        shown = [Patch(color=list(REGIMES.values())[k], label=list(REGIMES)[k]) for k in np.unique(kinds)]
+        ax.legend(handles=shown, loc="center left", bbox_to_anchor=(1.01, 0.5), frameon=False, fontsize="small")
+
+
+def _large_markers():
+    """Pixels of a diagram are too small for a legend."""
+    from matplotlib.legend_handler import HandlerLine2D
+
+    class Larger(HandlerLine2D):
+        def create_artists(self, *arguments):
+            artists = super().create_artists(*arguments)
+            for artist in artists:
+                artist.set_marker("o")
+                artist.set_markersize(4)
+            return artists
+
+    from matplotlib.lines import Line2D
+
+    return {"handler_map": {Line2D: Larger(numpoints=1)}}
+
+
+def _index(table, point):
+    """The index of a point; a float is a value of the parameter in SI."""
+    at = table.at(point) if isinstance(point, (float, np.floating)) else int(point)
+    if not 0 <= at < int(np.prod(table.shape)):
+        raise BadInput(f"the table '{table.name}' has no point {at}, expected 0 to {int(np.prod(table.shape)) - 1}")
+    return at
+
+
+def _runs(flags):
+    """First and last index of every run of equal flags."""
+    if len(flags) == 0:
+        return []
+    ends = np.flatnonzero(np.diff(flags.astype(int)))
+    return list(zip(np.concatenate(([0], ends + 1)), np.concatenate((ends, [len(flags) - 1]))))
+
+
+def _cover(table):
+    """The point that stands for each cell of the grid [rows][columns], -1 where none is there: of a refined map the
+    first corner of the square around it (docs/result-file.md)."""
+    if len(table.shape) == 2:
+        return np.arange(np.prod(table.shape)).reshape(table.shape)
+    slot, row = table.point - 1, table.grid[1]
+    found = np.full(table.grid, -1)
+    width = table["map/width"].astype(int) if "map/width" in table else np.ones(len(slot), int)
+    for i in np.flatnonzero(width > 1):
+        r, c = divmod(slot[i], row)
+        ends = r + width[i] + (r + width[i] >= found.shape[0] - 1), c + width[i] + (c + width[i] >= row - 1)
+        found[r : ends[0], c : ends[1]] = i
+    found.flat[slot] = np.arange(len(slot))
+    return found
+
+
+def _axis(values, cover, along):
+    """Values along one axis of a grid, those that no point has between their neighbours."""
+    if values.ndim == 2:
+        return values[0] if along == 0 else values[:, 0]
+    count = cover.shape[1] if along == 0 else cover.shape[0]
+    known = np.full(count, np.nan)
+    rows, columns = np.nonzero(cover >= 0)
+    own = cover[rows, columns]
+    first = np.unique(own, return_index=True)[1]  # a point lies at the first cell that it stands for
+    known[(columns if along == 0 else rows)[first]] = values[own[first]]
+    places = np.flatnonzero(np.isfinite(known))
+    return np.interp(np.arange(count), places, known[places])
+
+
+def _spread(numbers, cover):
+    return np.where(cover >= 0, numbers[cover], np.nan)
