@@ -43,7 +43,8 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
         return 0;
     case ARGP_KEY_END:
         require_option(state, arguments->result, "RESULT.h5");
-        if (!arguments->mat && !arguments->npz) require_option(state, arguments->csv, "--csv DIR, --mat FILE or --npz FILE");
+        if (!arguments->mat && !arguments->npz)
+            require_option(state, arguments->csv, "--csv DIR, --mat FILE or --npz FILE");
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;

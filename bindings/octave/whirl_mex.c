@@ -155,7 +155,8 @@ void mexFunction(int out_count, mxArray *out[], int count, const mxArray *in[]) 
     char word[WORD];
     (void)out_count;
     mexAtExit(clear_all);
-    if (count < 1) mexErrMsgIdAndTxt("whirl:badInput", "this is the gateway of whirl_machine, whirl_rhs and whirl_element");
+    if (count < 1)
+        mexErrMsgIdAndTxt("whirl:badInput", "this is the gateway of whirl_machine, whirl_rhs and whirl_element");
     word_of(in[0], "the first argument", word);
     if (strcmp(word, "machine") == 0)
         make(out, count - 1, in + 1);
