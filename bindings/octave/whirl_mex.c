@@ -1,9 +1,11 @@
 /* The gateway of whirl_machine, whirl_rhs and whirl_element, for mkoctfile --mex and MATLAB's mex alike.
  *
- * Machines live here, by number, until they are cleared or the gateway is: MATLAB holds no pointers. */
+ * Machines live here until they are cleared or the gateway is. MATLAB holds no pointers but numbers, and none of them
+ * is given twice: that of a machine which was cleared is never another one's. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+#include <time.h>
 
 #include "mex.h"
 #include "whirl/whirl.h"
@@ -11,6 +13,7 @@
 enum { MOST_MACHINES = 64, MOST_ELEMENTS = 16, WORD = 256 };
 
 typedef struct machine {
+    double number;
     whirl_case *given;
     whirl_rotor *rotor;
     size_t elements;
@@ -19,6 +22,15 @@ typedef struct machine {
 } machine;
 
 static machine machines[MOST_MACHINES];
+
+/* A gateway that was cleared, and is there again, goes on beyond its earlier numbers: they begin with the microseconds
+ * of the clock, and no machine is made in one. */
+static double next_number(void) {
+    static double last;
+    struct timespec now = {0};
+    if (last == 0.0 && timespec_get(&now, TIME_UTC)) last = 1e6 * (double)now.tv_sec + (double)(now.tv_nsec / 1000);
+    return ++last;
+}
 
 static void clear(machine *one) {
     for (size_t i = 0; i < one->elements; ++i) whirl_rotor_free(one->alone[i]);
@@ -46,9 +58,10 @@ static void word_of(const mxArray *array, const char *what, char word[WORD]) {
 
 static machine *machine_of(const mxArray *array) {
     const double number = mxIsDouble(array) && mxGetNumberOfElements(array) == 1 ? mxGetScalar(array) : 0.0;
-    if (!(number >= 1.0 && number <= MOST_MACHINES) || number != floor(number) || !machines[(int)number - 1].rotor)
-        mexErrMsgIdAndTxt("whirl:badInput", "there is no such machine: it was cleared, or is not of whirl_machine");
-    return &machines[(int)number - 1];
+    for (size_t i = 0; i < MOST_MACHINES; ++i)
+        if (machines[i].rotor && machines[i].number == number) return &machines[i];
+    mexErrMsgIdAndTxt("whirl:badInput", "there is no such machine: it was cleared, or is not of whirl_machine");
+    return NULL;
 }
 
 /* ---------------------------------------------------------------- machines */
@@ -87,7 +100,8 @@ static void make(mxArray *out[], int count, const mxArray *in[]) {
     const whirl_status built = whirl_case_rotor(one->given, NULL, 0.0, &one->rotor);
     if (built.code != WHIRL_OK) clear(one);
     check(built);
-    out[0] = mxCreateDoubleScalar((double)(one - machines + 1));
+    one->number = next_number();
+    out[0] = mxCreateDoubleScalar(one->number);
 }
 
 /* s = whirl_mex('about', id) */

@@ -54,6 +54,12 @@ end
 wrong(@() whirl_machine(case_text), '64 machines');
 whirl_machine('clear', m);
 wrong(@() whirl_rhs(m, t, x), 'no such machine');
+whirl_machine(case_text, 'kappa', 100);   % takes the place of the cleared one, and not its name
+wrong(@() whirl_rhs(m, t, x), 'no such machine');
+whirl_machine('clear');
+clear whirl_mex;
+whirl_machine(case_text);
+wrong(@() whirl_rhs(m, t, x), 'no such machine');
 whirl_machine('clear');
 
 % The example: the film's force in a script's own equations gives the motion of whirl's equations. Both go by ode45 to
