@@ -14,7 +14,7 @@ command -v node >/dev/null || skip "node is missing (scripts/install-dependencie
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-sources=(explorer/tests/engine/units_probe.c src/case/{quantity,problem,node,tree,source}.c src/base/{arena,utf8,status,descriptor}.c)
+sources=(explorer/tests/engine/units_probe.c src/case/{quantity,problem,node,tree,source}.c src/base/{arena,room,utf8,status,descriptor}.c)
 options=(-std=c17 -O1 -ffp-contract=off -D_POSIX_C_SOURCE=200809L -D_XOPEN_SOURCE=700 -Isrc/case -Isrc/base -Iinclude
     -I"$build/include")
 ${CC:-cc} "${options[@]}" "${sources[@]}" -o "$work/library" -ludunits2 -lyaml -lm

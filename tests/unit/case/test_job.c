@@ -145,7 +145,10 @@ static void a_stopped_job_says_so(void **state) {
     (void)state;
     whirl_job *job;
     whirl_result *result;
-    whirl_case *object = parse_edited("transient: 20", "transient: 200000");
+    // So many points that a run cannot end before it looks whether it shall.
+    char *text = edited(good_case, "points: 5", "points: 5000"),
+         *longer = edited(text, "transient: 20", "transient: 200000");
+    whirl_case *object = parse_good(longer);
     assert_int_equal(whirl_job_new(object, &job).code, WHIRL_OK);
     assert_int_equal(whirl_job_threads(job, -1).code, WHIRL_BAD_INPUT);
     assert_int_equal(whirl_job_threads(job, 1).code, WHIRL_OK);
@@ -155,6 +158,8 @@ static void a_stopped_job_says_so(void **state) {
     whirl_result_free(result);
     whirl_job_free(job);
     whirl_case_free(object);
+    free(longer);
+    free(text);
 }
 
 static void note_end(void *context, const char *stage, double done, double total, double revolutions, double all,
