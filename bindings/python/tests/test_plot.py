@@ -86,6 +86,16 @@ def test_a_section_by_index_and_by_value(good):
         good.plot.poincare(5)
 
 
+def test_an_orbit_passes_through_its_sections():
+    text = MILLIMETRES.replace("  analyze: [poincare]", "  keep: {waveform: 4}\n  analyze: [poincare, waveform]")
+    result = whirl.run(whirl.Case(text=text), progress=False)
+    path, marks = result.plot.orbit(1).get_lines()
+    samples = result["sweep"]["waveform/samples"][1, 0]
+    assert np.allclose(path.get_xydata(), samples * 0.2, rtol=1e-12) and len(marks.get_xdata()) == 4
+    from_path = np.abs(marks.get_xydata()[:, None] - path.get_xydata()[None]).max(axis=2).min(axis=1)
+    assert (from_path[:-1] < 1e-12).all()  # the last revolution ends one sample beyond the path
+
+
 def test_a_full_spectrum_has_backward_lines_below_zero(good):
     lines = good["sweep"]["spectrum/lines"][1, 0]
     lines = lines[np.isfinite(lines[:, 0])]

@@ -63,7 +63,7 @@ class Plots:
 
     # ---------------------------------------------------------------- what is drawn, and its units
 
-    def _table(self, table, needs, analysis):
+    def _table(self, table, needs, analysis, every=False):
         """The table of that name, or the first that has a field."""
         tables = self._result.tables
         if table is not None:
@@ -72,7 +72,7 @@ class Plots:
                 raise BadInput(f"the table '{table}' has no '{needs}': add {analysis} to what the case analyses")
             return chosen
         for candidate in tables.values():
-            if needs in candidate and candidate.name != "detail":
+            if needs in candidate and (every or candidate.name != "detail"):
                 return candidate
         raise BadInput(f"no table of the result has '{needs}': add {analysis} to what the case analyses")
 
@@ -138,7 +138,7 @@ class Plots:
         table, ax = self._table(table, "poincare/section", "poincare"), _axes(ax)
         index, name = self._station(table, station)
         factors, unit = self._length(table)
-        section = table["poincare/section"].reshape((-1,) + table["poincare/section"].shape[len(table.shape) :])
+        section = _flat(table, "poincare/section")
         sizes = section[:, index, :, {"x": 0, "y": 1}[coordinate]] * factors[:, None]
         values, label = self._parameter(table)
         places = np.broadcast_to(values.ravel()[:, None], sizes.shape)
@@ -222,12 +222,28 @@ class Plots:
         index, name = self._station(table, station)
         at = _index(table, point)
         factors, unit = self._length(table)
-        section = table["poincare/section"].reshape((-1,) + table["poincare/section"].shape[len(table.shape) :])[
-            at, index
-        ]
+        section = _flat(table, "poincare/section")[at, index]
         ax.plot(
             section[:, 0] * factors[at], section[:, 1] * factors[at], **{"marker": ".", "ls": "none", "c": "k", **style}
         )
+        ax.set(xlabel=f"x of {name} / {unit}", ylabel=f"y of {name} / {unit}", aspect="equal")
+        ax.set_title(self._title(table, at), fontsize="medium")
+        return ax
+
+    def orbit(self, point, table=None, station=None, ax=None, **style):
+        """The path of a station at a point, with a mark at every revolution where sections were taken."""
+        table, ax = self._table(table, "waveform/samples", "waveform", every=True), _axes(ax)
+        index, name = self._station(table, station)
+        at = _index(table, point)
+        factors, unit = self._length(table)
+        path = _flat(table, "waveform/samples")[at, index] * factors[at]
+        ax.plot(path[:, 0], path[:, 1], **{"color": "black", "linewidth": 0.8, **style})
+        if "poincare/section" in table:
+            revolutions = max(1, len(path) // int(table.options["samples_per_revolution"]))
+            marks = _flat(table, "poincare/section")[at, index, -revolutions:, :2] * factors[at]
+            ax.plot(
+                marks[:, 0], marks[:, 1], linestyle="none", marker="o", markersize=3, color=REGIMES["quasi-periodic"]
+            )
         ax.set(xlabel=f"x of {name} / {unit}", ylabel=f"y of {name} / {unit}", aspect="equal")
         ax.set_title(self._title(table, at), fontsize="medium")
         return ax
@@ -238,7 +254,7 @@ class Plots:
         index, name = self._station(table, station)
         at = _index(table, point)
         factors, unit = self._length(table)
-        lines = table["spectrum/lines"].reshape((-1,) + table["spectrum/lines"].shape[len(table.shape) :])[at, index]
+        lines = _flat(table, "spectrum/lines")[at, index]
         lines = lines[np.isfinite(lines[:, 0])]
         order, amplitudes = lines[:, 0], lines[:, 1:] * factors[at]
         style = {"color": "black", "linewidth": 1.2, **style}
@@ -352,6 +368,12 @@ def _index(table, point):
     if not 0 <= at < int(np.prod(table.shape)):
         raise BadInput(f"the table '{table.name}' has no point {at}, expected 0 to {int(np.prod(table.shape)) - 1}")
     return at
+
+
+def _flat(table, field):
+    """A field with its points in one list, also of a map."""
+    numbers = table[field]
+    return numbers.reshape((-1,) + numbers.shape[len(table.shape) :])
 
 
 def _runs(flags):
