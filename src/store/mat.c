@@ -108,12 +108,12 @@ static matvar_t *text_variable(const char *text, size_t width) {
 
 /// Where element `at`, counted with the last index fastest, lies when the first one is.
 static size_t by_columns(const stored_array *array, size_t at) {
-    size_t place = 0, index[SHAPE_MAX_RANK];
+    size_t place = 0, stride = array->count;
     for (int i = array->rank - 1; i >= 0; --i) {
-        index[i] = at % array->sizes[i];
+        stride /= array->sizes[i];
+        place += at % array->sizes[i] * stride;
         at /= array->sizes[i];
     }
-    for (int i = array->rank - 1; i >= 0; --i) place = place * array->sizes[i] + index[i];
     return place;
 }
 
