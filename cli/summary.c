@@ -209,12 +209,22 @@ static size_t count_from_neighbours(const whirl_table *table) {
     return count;
 }
 
+/// " and rho: 32 x 16 points", ", rho and sigma: 32 x 16 x 3 points".
+static void print_axes(const whirl_table *table) {
+    const size_t planes = whirl_table_planes(table);
+    const bool stacked = table->plane > 0;
+    printf("%s%s%s%s: %zu x %zu", stacked ? ", " : " and ", table->second, stacked ? " and " : "", table->third,
+           table->row, whirl_table_rows(table));
+    if (stacked) printf(" x %zu", planes);
+    fputs(" points", stdout);
+}
+
 /// "sweep of r_k: 512 points", "map of r_k and rho: 32 x 16 points".
 static void print_heading(const whirl_table *table) {
     const size_t planned = whirl_table_planned(table);
     printf("%s of %s", table->name, table->parameter);
     if (table->row > 0)
-        printf(" and %s: %zu x %zu points", table->second, table->row, whirl_table_rows(table));
+        print_axes(table);
     else
         printf(": %zu point%s", planned, plural((double)planned));
     if (table->source) printf(", %zu starts each", table->source->starts);
@@ -562,7 +572,8 @@ void summarize_study(const whirl_study *study) {
         const double revolutions = (double)batch->record.transient + batch->record.record;
         printf("  %s", batch->name);
         if (batch->parameter[0]) printf(" of %s", batch->parameter);
-        if (batch->row > 0) printf(" and %s", batch->second);
+        if (batch->row > 0) printf("%s%s", batch->plane > 0 ? ", " : " and ", batch->second);
+        if (batch->plane > 0) printf(" and %s", batch->third);
         if (batch->refine > 0) printf(", refined from squares of %zu", batch->refine);
         if (whirl_analysis_is_resting(batch->analyses)) {
             printf(": %.0f point%s about where the machine rests\n", points, plural(points));

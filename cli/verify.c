@@ -78,16 +78,19 @@ static const whirl_batch *find_batch(const whirl_study *study, const char *name)
     return NULL;
 }
 
-/// `count` of the batch's points, the first and the last among them; `values` [2 count].
+/// `count` of the batch's points, the first and the last among them; `values` [3 count].
 static void sample(whirl_batch *batch, size_t count, double *values) {
     for (size_t i = 0; i < count; i++) {
         const size_t at = count > 1 ? i * (batch->count - 1) / (count - 1) : 0;
         values[i] = batch->values[at];
         if (batch->second_values) values[count + i] = batch->second_values[at];
+        if (batch->third_values) values[2 * count + i] = batch->third_values[at];
     }
     batch->values = values;
     if (batch->second_values) batch->second_values = values + count;
+    if (batch->third_values) batch->third_values = values + 2 * count;
     if (batch->row > 0) batch->row = count;
+    if (batch->plane > 0) batch->plane = count;
     batch->refine = 0; // these points, and no others
     batch->count = count;
 }
@@ -157,6 +160,7 @@ static void print_run(const whirl_verification *v, const whirl_verify_point *poi
     whirl_verdict_name(&run->verdict, verdict, sizeof verdict);
     if (m == 0 && level == 0 && *v->parameter) snprintf(value, sizeof value, "%.6g", point->value / unit);
     if (m == 0 && level == 1 && *v->second) snprintf(value, sizeof value, "%.6g", point->second);
+    if (m == 0 && level == 2 && *v->third) snprintf(value, sizeof value, "%.6g", point->third);
     const char *method = level == 0                                 ? v->integrate[m][0].method
                          : level == 1 && v->integrate[m][0].located ? "located"
                                                                     : "";
@@ -202,9 +206,10 @@ static void print_verdicts(const whirl_verify_point *point) {
 static void print_table(const whirl_verification *v, const whirl_unit *unit) {
     char named[WHIRL_NAME_SIZE + 4] = "";
     if (*unit->name) snprintf(named, sizeof named, " (%s)", unit->name);
-    printf("%s%s%s%s%s%s: %zu point%s by %s and %s; differences in length scales after %d revolutions\n\n", v->table,
-           *v->parameter ? " of " : "", v->parameter, named, *v->second ? " and, below it, " : "", v->second, v->count,
-           v->count == 1 ? "" : "s", v->integrate[0][0].method, v->integrate[1][0].method, v->revolutions);
+    printf("%s%s%s%s%s%s%s%s: %zu point%s by %s and %s; differences in length scales after %d revolutions\n\n",
+           v->table, *v->parameter ? " of " : "", v->parameter, named, *v->second ? " and, below it, " : "", v->second,
+           *v->third ? " and " : "", v->third, v->count, v->count == 1 ? "" : "s", v->integrate[0][0].method,
+           v->integrate[1][0].method, v->revolutions);
     printf("%10s  %-11s  %-11s %10s %9s %8s %9s  %s\n", v->parameter, "method", "tolerance", "difference", "order",
            "section", "exponent", "verdict");
     size_t agreed = 0;
@@ -256,7 +261,7 @@ static int verify_case(const verify_arguments *arguments) {
     whirl_case *object = NULL;
     whirl_study study;
     whirl_verification *verification = NULL;
-    double *const values = malloc((size_t)2 * MOST_POINTS * sizeof *values);
+    double *const values = malloc((size_t)3 * MOST_POINTS * sizeof *values);
     int outcome = load_case(&arguments->given, &object);
     if (!values) {
         complain("%s", whirl_code_text(WHIRL_NO_MEMORY));

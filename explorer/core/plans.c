@@ -47,10 +47,10 @@ EXPORTED plan *explorer_plan_new(const whirl_case *object, const char *batch, co
     }
     p->object = object;
     p->batch = *found;
-    p->batch.values = p->batch.second_values = NULL;
+    p->batch.values = p->batch.second_values = p->batch.third_values = NULL;
     p->batch.count = 1;
-    p->batch.row = p->batch.refine = 0;
-    *p->batch.second = '\0'; // of a map: the case has its value
+    p->batch.row = p->batch.plane = p->batch.refine = 0;
+    *p->batch.second = *p->batch.third = '\0'; // of a map: the case has their values
     p->batch.carry = WHIRL_CARRY_NONE;
     if (parameter) snprintf(p->batch.parameter, sizeof p->batch.parameter, "%s", parameter);
     return p;

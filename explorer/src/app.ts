@@ -128,6 +128,7 @@ export class App {
     return {
       ...{ station, parameter },
       cell: (spot, settled) => this.cell(spot, settled),
+      plane: (index) => this.toPlane(index),
       refine: (part) => this.session.refineMap(part),
       mapQuantity: (id) => this.change({ mapQuantity: id }),
       mapLines: (shown) => this.change({ mapLines: shown }),
@@ -300,9 +301,21 @@ export class App {
       [map.x.parameter, x],
       [map.y.parameter, y],
     ]);
+    session.enterPlane(side);
     this.watches.end(session.active);
     void this.refreshSide(side, settled);
     this.later(session.active);
+  }
+
+  /// The active side goes to another plane of the map.
+  private toPlane(index: number): void {
+    const { session } = this;
+    const { planes, side } = session;
+    if (!planes?.parameter) return;
+    session.place(side, [[planes.parameter, planes.values[index]!]]);
+    this.watches.end(session.active);
+    this.later('all');
+    void this.refreshSide(side, true);
   }
 
   /// The orbit of a point of the branches takes the place of a motion.

@@ -88,6 +88,7 @@ const whirl_table *whirl_result_table(const whirl_result *result, const char *na
 const char *whirl_table_name(const whirl_table *table);      ///< "sweep", "map", ...
 const char *whirl_table_parameter(const whirl_table *table); ///< What varies, or "".
 const char *whirl_table_varied(const whirl_table *table);    ///< What varies besides, in a map or curves, or "".
+const char *whirl_table_stacked(const whirl_table *table);   ///< What varies from plane to plane of a map, or "".
 
 size_t whirl_table_points(const whirl_table *table); ///< Points, done or not (whirl_table_done).
 
@@ -105,14 +106,21 @@ size_t whirl_table_row(const whirl_table *table);
 /// the points that the study has.
 size_t whirl_table_grid(const whirl_table *table);
 
-/// Rows of the grid of a map; 0 where a table is no map.
+/// Rows of the grid of a map, in each of its planes; 0 where a table is no map.
 size_t whirl_table_rows(const whirl_table *table);
+
+/// Planes of a map, 1 where it has no third parameter: its points follow each other row by row, plane by plane. 0 where
+/// a table is no map.
+size_t whirl_table_planes(const whirl_table *table);
 
 /// [whirl_table_points] the parameter in SI, NaN where nothing varies.
 const double *whirl_table_values(const whirl_table *table);
 
 /// The value of the second parameter at a point of a map or of curves, in SI; NaN where there is none.
 double whirl_table_second(const whirl_table *table, size_t point);
+
+/// The value of the third parameter at a point of a map with planes, in SI; NaN where there is none.
+double whirl_table_third(const whirl_table *table, size_t point);
 
 /// The length scale of a point, m per unit of length: of all its lengths. That of the result for a table NULL.
 double whirl_result_length_scale(const whirl_result *result, const whirl_table *table, size_t point);

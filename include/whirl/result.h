@@ -41,6 +41,8 @@ struct whirl_table {
     char parameter[WHIRL_NAME_SIZE]; ///< what varies, or ""
     char second[WHIRL_NAME_SIZE];    ///< what varies besides, in a map, whose points have it in the field "map/second"
     size_t row;                      ///< points of a row of a map, along the parameter, by whirl_table_slot; else 0
+    char third[WHIRL_NAME_SIZE];     ///< what varies from plane to plane of a map (field "map/third"), or ""
+    size_t plane;                    ///< points of such a plane, row after row; else 0
     size_t starts;                   ///< of every place: all places from the first start, then from the next; or 0
     /// Rounds, at most, of starts from the ends of neighbours' motions (whirl_batch.neighbours), of which places of the
     /// study have any number: their slots go on as those of further starts, and are not all there. Both 0: none.
@@ -213,7 +215,7 @@ typedef struct whirl_coexistence {
 
 /// Tells apart the attractors that the starts of every place of a table lead to, as whirl_table_attractors does, and
 /// gives them numbers along the study, 1 for the one that most starts of all places lead to. Attractors of neighbouring
-/// places (along a sweep; along rows and columns of a map) have one number where each is the nearest of the other and
+/// places (along a sweep; along all axes of a map) have one number where each is the nearest of the other and
 /// they differ by less than half of the larger one's extent: two periodic motions by the largest distance of a point of
 /// one section from the nearest of the other, so that a motion goes on through a doubling of its period (but not where
 /// neither period is a multiple of the other); others by

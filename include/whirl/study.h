@@ -34,6 +34,7 @@ typedef enum whirl_carry {
 /// the analysis "torus" follows the tori that begin at Neimark-Sacker points of the batch of that name, "branch".
 ///
 /// A batch of a map has a second parameter, too, with a value at every point: the points of its rows follow each other.
+/// With a third one it is a stack of such maps, plane after plane.
 typedef struct whirl_batch {
     char name[WHIRL_NAME_SIZE];      ///< "response", "sweep", "map", "basin", "detail", "branch", "curves", "tori"
     char parameter[WHIRL_NAME_SIZE]; ///< what varies; "" for a single point
@@ -43,17 +44,22 @@ typedef struct whirl_batch {
     char second[WHIRL_NAME_SIZE];    ///< the second parameter of curves and maps, else ""
     const double *second_values;     ///< [count] of a map; borrowed; else NULL
     size_t row;                      ///< points of a row of a map, along the first parameter; else 0
+    char third[WHIRL_NAME_SIZE];     ///< the third parameter of a map with planes, else ""
+    const double *third_values;      ///< [count] of such a map; borrowed; else NULL
+    size_t plane;                    ///< points of one of its planes; else 0
     /// Width of the first squares of a map that is refined, in points, a power of two: only their corners are computed,
-    /// and what squares need that are halved where verdicts differ (whirl_table.refine); needs the analysis "regime".
+    /// and what squares need that are halved where verdicts differ (whirl_table.refine); needs the analysis "regime",
+    /// and one plane only.
     /// 0: all points are computed.
     size_t refine;
     double second_bounds[2]; ///< of the second parameter of curves
     double second_value;     ///< of the machine that is asked for; of the batch itself that of the case
+    double third_value;      ///< the same of the third parameter of a map
     /// Starts of every point, 0 or 1 for that of its machine alone. The table has all points from the first start, then
     /// all from the next. Not of carried batches, nor of branches and machines at rest.
     size_t starts;
     /// Rounds, at most, in which every place is started, besides, from where motions of its neighbours (along a sweep;
-    /// along rows and columns of a map) ended: one each on all attractors that none of its own motions has come to and
+    /// along all axes of a map) ended: one each on all attractors that none of its own motions has come to and
     /// from which it was not started before, up to WHIRL_MAX_NEIGHBOUR_STARTS in all. They end once no place lacks any.
     /// The table has these points after all others; they count in no share. 0: none. Only beside several starts.
     size_t neighbours;

@@ -38,6 +38,7 @@ typedef struct whirl_verify_run {
 typedef struct whirl_verify_point {
     double value;  ///< of the parameter, NaN when nothing varies
     double second; ///< of the second parameter of a map or basin, else NaN
+    double third;  ///< of the third parameter of a map, else NaN
     whirl_verify_run runs[WHIRL_VERIFY_METHODS][WHIRL_VERIFY_LEVELS]; ///< by method, then by tolerance
     /// By the states of the three levels: the order in the step of a fixed-step method, the power of the tolerance of
     /// an adaptive one. NaN where rounding (differences below 1e-13 of the state) or chaos (above 0.1) leaves nothing
@@ -52,6 +53,7 @@ typedef struct whirl_verify_point {
 typedef struct whirl_verification {
     char table[WHIRL_NAME_SIZE], parameter[WHIRL_NAME_SIZE]; ///< whose points they are, and what varies
     char second[WHIRL_NAME_SIZE];                            ///< of a map or basin, else ""
+    char third[WHIRL_NAME_SIZE];                             ///< of a map with planes, else ""
     int revolutions;                                         ///< after which states are compared
     whirl_integrate_options integrate[WHIRL_VERIFY_METHODS][WHIRL_VERIFY_LEVELS]; ///< by what they were computed
     size_t count;                                                                 ///< of points

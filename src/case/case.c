@@ -26,9 +26,12 @@ static void check_machine_at(case_reader *reader, case_content *content, size_t 
     valuation v;
     whirl_rotor *rotor = NULL;
     const whirl_batch *batch = &content->plan.batches[index];
-    const double value = batch->values[point], second = batch->second_values ? batch->second_values[point] : NAN;
-    const given_value given[] = {{batch->parameter, value}, {batch->second, second}};
-    whirl_status status = valuation_open(&v, &content->parameters, given, batch->second_values ? 2 : 1);
+    const double *const values[] = {batch->values, batch->second_values, batch->third_values};
+    const char *const names[] = {batch->parameter, batch->second, batch->third};
+    given_value given[3];
+    size_t count = 0;
+    for (; count < 3 && values[count]; count++) given[count] = (given_value){names[count], values[count][point]};
+    whirl_status status = valuation_open(&v, &content->parameters, given, count);
     if (status.code == WHIRL_OK) status = machine_build(&content->machine, &v, &rotor);
     if (status.code == WHIRL_OK) status = plan_check_speed(batch, whirl_rotor_speed(rotor));
     if (status.code == WHIRL_OK) plan_check_start(reader, &content->plan, index, &v, &content->machine, rotor);
@@ -36,10 +39,9 @@ static void check_machine_at(case_reader *reader, case_content *content, size_t 
     valuation_close(&v);
     reader->no_memory = reader->no_memory || status.code == WHIRL_NO_MEMORY;
     if (status.code == WHIRL_OK) return;
-    char other[WHIRL_NAME_SIZE + 40] = "";
-    if (batch->second_values) snprintf(other, sizeof other, " and %s = %.10g", batch->second, second);
-    problem_at(reader->problems, where, "gives no machine at %s = %.10g%s: %s", batch->parameter, value, other,
-               status.message);
+    char at[3 * (WHIRL_NAME_SIZE + 32)] = "";
+    given_text(given, count, at, sizeof at);
+    problem_at(reader->problems, where, "gives no machine at %s: %s", at, status.message);
 }
 
 /// The ends of a sweep, or the corners of a map, stand for all of it; what fails between them fails while running.
@@ -56,8 +58,12 @@ static void check_ends(case_reader *reader, case_content *content) {
             check_machine_at(reader, content, b, plan->first_place, 0);
             check_machine_at(reader, content, b, plan->last_place, row - 1);
             if (batch->row == 0 || reader->problems->count > 0) continue;
-            check_machine_at(reader, content, b, plan->across_place, batch->count - row);
-            check_machine_at(reader, content, b, plan->across_place, batch->count - 1);
+            const size_t plane = batch->plane > 0 ? batch->plane : batch->count;
+            check_machine_at(reader, content, b, plan->across_place, plane - row);
+            check_machine_at(reader, content, b, plan->across_place, plane - 1);
+            if (batch->plane == 0) continue;
+            check_machine_at(reader, content, b, plan->planes_place, batch->count - plane);
+            check_machine_at(reader, content, b, plan->planes_place, batch->count - 1);
             continue;
         }
         for (size_t i = 0; i < batch->count && i < affordable; i++) check_machine_at(reader, content, b, places[i], i);
@@ -66,9 +72,9 @@ static void check_ends(case_reader *reader, case_content *content) {
 
 /// The machines of a basin differ in where they start, and in nothing else.
 static void check_basin(case_reader *reader, const case_content *content, const plan_parts *parts) {
-    const axis_parts *const axes[] = {&parts->sweep, &parts->across};
+    const axis_parts *const axes[] = {&parts->sweep, &parts->across, &parts->planes};
     if (!parts->map.group || strcmp(parts->map.group->name, "basin") != 0) return;
-    for (size_t i = 0; i < 2; i++) {
+    for (size_t i = 0; i < 3 && axes[i]->parameter; i++) {
         const setting *use = case_machine_use(content, axes[i]->parameter->name);
         if (!use) continue;
         char path[PATH_SIZE];
@@ -285,7 +291,8 @@ static whirl_status without_file(const whirl_problems *problems, const whirl_sta
 /// The values that a batch gives to a parameter; NULL where it does not vary it.
 static const double *values_of(const whirl_batch *batch, const char *name) {
     if (strcmp(batch->parameter, name) == 0) return batch->values;
-    return strcmp(batch->second, name) == 0 ? batch->second_values : NULL;
+    if (strcmp(batch->second, name) == 0) return batch->second_values;
+    return strcmp(batch->third, name) == 0 ? batch->third_values : NULL;
 }
 
 /// A parameter that is swept takes its values from the study alone, unless these depend on it.

@@ -81,26 +81,33 @@ static whirl_status describe_sweep(const case_content *content, whirl_result *re
     const size_t index = parameters_find(&content->parameters, sweep->parameter);
     if (index == content->parameters.count) return whirl_ok();
     const size_t other = parameters_find(&content->parameters, sweep->second);
+    const size_t third = parameters_find(&content->parameters, sweep->third);
     const char *const unit = known_unit(content, index), *const gap = *unit ? " " : "";
     char text[4 * WHIRL_NAME_SIZE];
     whirl_status status = describe_unit(sweep->parameter, plan->unit, unit, result);
     if (status.code == WHIRL_OK && other < content->parameters.count)
         status = describe_unit(sweep->second, plan->second_unit, known_unit(content, other), result);
+    if (status.code == WHIRL_OK && third < content->parameters.count)
+        status = describe_unit(sweep->third, plan->third_unit, known_unit(content, third), result);
     if (isnan(plan->end) || status.code != WHIRL_OK) return status;
     snprintf(text, sizeof text, "%.17g%s%s, short of %.17g%s%s", sweep->values[sweep->count - 1], gap, unit, plan->end,
              gap, unit);
     return whirl_result_add_fact(result, "sweep ends at", text);
 }
 
-/// The length scale at a point of a table, which may have a second parameter; that of the case as it stands where the
-/// point is not there yet.
+/// The length scale at a point of a table, which may have a second parameter, and a third; that of the case as it
+/// stands where the point is not there yet.
 static whirl_status scale_at(const case_content *content, const whirl_table *table, const char *second, size_t point,
                              double *scale) {
     const number_formula *formula = &settings_find(&content->machine.rotor, "length_scale")->value;
-    const given_value given[] = {{table->parameter, table->values[point]}, {second, whirl_table_second(table, point)}};
+    const given_value given[] = {{table->parameter, table->values[point]},
+                                 {second, whirl_table_second(table, point)},
+                                 {table->third, whirl_table_third(table, point)}};
     valuation v;
-    if (isnan(given[0].value)) return whirl_ok();
-    whirl_status status = valuation_open(&v, &content->parameters, given, isnan(given[1].value) ? 1 : 2);
+    size_t count = 0;
+    while (count < 3 && !isnan(given[count].value)) count++;
+    if (count == 0) return whirl_ok();
+    whirl_status status = valuation_open(&v, &content->parameters, given, count);
     if (status.code == WHIRL_OK) status = valuation_number(&v, formula, scale);
     valuation_close(&v);
     return status;
@@ -114,7 +121,8 @@ static whirl_status describe_scales(const case_content *content, const whirl_res
     const char *second = batch < content->plan.batch_count ? content->plan.batches[batch].second : "";
     if (!*table->parameter || !expression ||
         !(case_depends(content, expression, table->parameter) ||
-          (*second && case_depends(content, expression, second))))
+          (*second && case_depends(content, expression, second)) ||
+          (*table->third && case_depends(content, expression, table->third))))
         return whirl_ok();
     double *scales = malloc((table->count + 1) * sizeof *scales);
     whirl_status status =

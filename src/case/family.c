@@ -26,10 +26,20 @@ static whirl_status make_start(const case_content *content, const whirl_batch *b
                             m->start);
 }
 
+/// The values that a batch gives to parameters; how many.
+static size_t list_given(const whirl_batch *batch, double value, given_value given[3]) {
+    given[0] = (given_value){batch->parameter, value};
+    given[1] = (given_value){batch->second, batch->second_value};
+    given[2] = (given_value){batch->third, batch->third_value};
+    size_t count = 0;
+    while (count < 3 && *given[count].name) count++;
+    return count;
+}
+
 static whirl_status make_member(const case_content *content, const whirl_batch *batch, double value, member *m) {
     valuation v;
-    const given_value given[] = {{batch->parameter, value}, {batch->second, batch->second_value}};
-    const size_t count = *batch->second ? 2 : *batch->parameter ? 1 : 0;
+    given_value given[3];
+    const size_t count = list_given(batch, value, given);
     whirl_status status = valuation_open(&v, &content->parameters, given, count);
     if (status.code == WHIRL_OK) status = machine_build(&content->machine, &v, &m->rotor);
     if (status.code == WHIRL_OK) status = plan_check_speed(batch, whirl_rotor_speed(m->rotor));
@@ -48,10 +58,10 @@ whirl_status case_machine(const void *family, const whirl_batch *batch, double v
     if (status.code != WHIRL_OK) {
         release(m);
         if (status.code == WHIRL_NO_MEMORY || !batch->parameter[0]) return status;
-        if (!batch->second[0])
-            return whirl_fail(status.code, "at %s = %.10g: %.300s", batch->parameter, value, status.message);
-        return whirl_fail(status.code, "at %s = %.10g and %s = %.10g: %.300s", batch->parameter, value, batch->second,
-                          batch->second_value, status.message);
+        char at[3 * (WHIRL_NAME_SIZE + 32)];
+        given_value given[3];
+        given_text(given, list_given(batch, value, given), at, sizeof at);
+        return whirl_fail(status.code, "at %s: %.300s", at, status.message);
     }
     *machine = (whirl_machine){.system = whirl_rotor_system(m->rotor),
                                .start = m->start,

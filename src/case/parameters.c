@@ -444,6 +444,15 @@ static whirl_status take_given(valuation *v, const given_value *given, size_t co
     return whirl_ok();
 }
 
+void given_text(const given_value *given, size_t count, char *text, size_t size) {
+    *text = '\0';
+    for (size_t i = 0, used = 0; i < count && used < size; i++) {
+        const char *before = i == 0 ? "" : i + 1 == count ? " and " : ", ";
+        snprintf(text + used, size - used, "%s%s = %.10g", before, given[i].name, given[i].value);
+        used += strlen(text + used);
+    }
+}
+
 whirl_status valuation_open(valuation *v, const parameter_table *parameters, const given_value *given, size_t count) {
     *v = (valuation){.parameters = parameters, .culprit = PARAMETERS_MAX};
     whirl_status status = take_given(v, given, count);

@@ -123,6 +123,9 @@ typedef struct given_value {
     double value;
 } given_value;
 
+/// "a = 1, b = 2 and c = 3", of any that are given.
+void given_text(const given_value *given, size_t count, char *text, size_t size);
+
 /// Evaluates all parameters with those `given` [count] at their values, the others as the case has them.
 /// WHIRL_BAD_INPUT when there is none of such a name, or one has no finite value. Closed by valuation_close, after a
 /// failure too.

@@ -256,13 +256,36 @@ static void make_sweep(case_reader *reader, valuation *v, const plan_parts *part
     batch->values = values;
 }
 
-/// Every point of a map, row after row.
-static void fill_map(const double *x, size_t columns, const double *y, size_t rows, double *values, double *second) {
-    for (size_t j = 0; j < rows; j++)
-        for (size_t i = 0; i < columns; i++) {
-            *values++ = x[i];
-            *second++ = y[j];
-        }
+/// An axis of a map, with its values. One without a parameter has one place.
+typedef struct map_side {
+    const axis_parts *parts;
+    const double *values;
+    size_t count;
+} map_side;
+
+/// The values of all axes, and how many points there are in all; 0 where a value or the number is wrong.
+static size_t map_sides(case_reader *reader, valuation *v, const plan_parts *parts, map_side sides[3]) {
+    const axis_parts *const axes[] = {&parts->sweep, &parts->across, &parts->planes};
+    char text[80] = "";
+    double points = 1.0;
+    bool good = true;
+    for (size_t i = 0; i < 3; i++) {
+        sides[i] = (map_side){.parts = axes[i], .count = 1};
+        if (!axes[i]->parameter) continue;
+        sides[i].values = axis_values(reader, v, axes[i], &sides[i].count);
+        good = good && sides[i].values;
+        points *= (double)sides[i].count;
+        snprintf(text + strlen(text), sizeof text - strlen(text), "%s%zu", i ? " x " : "", sides[i].count);
+    }
+    if (!good) return 0;
+    if (points <= SCHEMA_MAX_POINTS) return (size_t)points;
+    problem_at(reader->problems, parts->map.place, "has %s points, expected at most %d", text, SCHEMA_MAX_POINTS);
+    return 0;
+}
+
+/// The value of an axis at every point of a map, of which the axis goes on every `step` points.
+static void fill_side(const map_side *side, size_t step, double *values, size_t points) {
+    for (size_t i = 0; i < points; i++) values[i] = side->values[i / step % side->count];
 }
 
 /// The width of the first squares of a map that is refined, else 0.
@@ -277,40 +300,40 @@ static size_t map_refine(case_reader *reader, valuation *v, const plan_parts *pa
     if (!whirl_analysis_has(parts->analyses, whirl_analysis_of_verdicts()))
         problem_at_key(reader->problems, given->place, "needs the analysis %s, by whose verdicts it goes",
                        whirl_analysis_of_verdicts());
-    const setting *starts = settings_find(&parts->study, "starts");
-    if (starts) problem_at_key(reader->problems, given->place, "stands beside starts, expected one of the two");
+    if (settings_find(&parts->study, "starts"))
+        problem_at_key(reader->problems, given->place, "stands beside starts, expected one of the two");
+    if (parts->planes.parameter)
+        problem_at_key(reader->problems, given->place, "stands beside z, expected one of the two");
     return width;
 }
 
 static void make_map(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result) {
-    size_t columns, rows;
-    const double *x = axis_values(reader, v, &parts->sweep, &columns);
-    const double *y = axis_values(reader, v, &parts->across, &rows);
-    if (!x || !y) return;
-    if (columns > SCHEMA_MAX_POINTS / rows) {
-        problem_at(reader->problems, parts->map.place, "has %zu x %zu points, expected at most %d", columns, rows,
-                   SCHEMA_MAX_POINTS);
-        return;
-    }
-    const size_t count = columns * rows;
-    double *values = arena_take(reader->arena, 2 * count * sizeof *values);
-    reader->no_memory = reader->no_memory || !values;
+    map_side sides[3];
+    const size_t count = map_sides(reader, v, parts, sides), axes = parts->planes.parameter ? 3 : 2;
+    double *values = count > 0 ? arena_take(reader->arena, axes * count * sizeof *values) : NULL;
+    reader->no_memory = reader->no_memory || (count > 0 && !values);
     if (!values) return;
-    fill_map(x, columns, y, rows, values, values + count);
+    for (size_t i = 0, step = 1; i < axes; step *= sides[i++].count)
+        fill_side(&sides[i], step, values + i * count, count);
     room_rest(reader->arena->room);
     result->rest[result->batch_count] = strcmp(settings_word(&parts->map, "start"), "rest") == 0;
     result->first_place = end_place(&parts->sweep, false);
     result->last_place = end_place(&parts->sweep, true);
     result->across_place = end_place(&parts->across, true);
-    result->end = missed_end(v, &parts->sweep, x[columns - 1]);
+    result->end = missed_end(v, &parts->sweep, sides[0].values[sides[0].count - 1]);
     whirl_batch *batch = add_batch(result, parts->map.group->name, parts->map.place);
     snprintf(batch->parameter, sizeof batch->parameter, "%.63s", parts->sweep.parameter->name);
     snprintf(batch->second, sizeof batch->second, "%.63s", parts->across.parameter->name);
     batch->count = count;
-    batch->row = columns;
+    batch->row = sides[0].count;
     batch->refine = map_refine(reader, v, parts);
     batch->values = values;
     batch->second_values = values + count;
+    if (axes < 3) return;
+    result->planes_place = end_place(&parts->planes, true);
+    snprintf(batch->third, sizeof batch->third, "%.63s", parts->planes.parameter->name);
+    batch->plane = sides[0].count * sides[1].count;
+    batch->third_values = values + 2 * count;
 }
 
 static void make_detail(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result) {
@@ -450,6 +473,7 @@ size_t plan_batch(const study_plan *plan, const char *name) {
 static bool check_all(case_reader *reader, valuation *v, const plan_parts *parts, const study_plan *result) {
     bool good = settings_check(reader, v, &parts->sweep.keys);
     good = settings_check(reader, v, &parts->across.keys) && good;
+    good = settings_check(reader, v, &parts->planes.keys) && good;
     good = settings_check(reader, v, &parts->map) && good;
     good = settings_check(reader, v, &parts->integrate) && good;
     good = settings_check(reader, v, &parts->keep) && good;
@@ -523,6 +547,7 @@ void plan_make(case_reader *reader, valuation *v, const plan_parts *parts, study
     check_analyses(reader, parts, &record);
     result->unit = parts->sweep.written;
     result->second_unit = parts->across.written;
+    result->third_unit = parts->planes.written;
     result->end = NAN;
     if (parts->across.parameter)
         make_map(reader, v, parts, result);

@@ -27,8 +27,10 @@ typedef struct study_plan {
     const file_node *const *places[WHIRL_MAX_BATCHES];
     const file_node *first_place, *last_place; ///< of the ends of the sweep
     const file_node *across_place;             ///< of the last value from row to row of a map
+    const file_node *planes_place;             ///< ... from plane to plane
     whirl_unit unit;        ///< in which the sweep writes its values, where the parameter has another one; size 0: none
     whirl_unit second_unit; ///< the same of the second parameter of a map
+    whirl_unit third_unit;  ///< ... and of the third
     double end;             ///< that the steps of the sweep do not meet, NaN where they do
     size_t start_count;
     plan_start *starts;
@@ -60,6 +62,7 @@ typedef struct plan_parts {
     bool branches, swept_too; ///< branches are traced; and there is a sweep
     axis_parts sweep;         ///< what is swept, along which branches go, or what varies along the rows of a map
     axis_parts across;        ///< what varies from row to row of a map, else without a parameter
+    axis_parts planes;        ///< what varies from plane to plane of a map, else without a parameter
     formula_list at;          ///< of the detail
     number_formula low, high; ///< bounds of branches, where they are given
     formula_list begins;      ///< values at which branches begin, empty: at the first bound

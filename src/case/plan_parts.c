@@ -147,7 +147,7 @@ static void read_sweep(case_reader *reader, plan_parts *parts) {
 static void read_map_axis(case_reader *reader, const setting_list *map, const char *key, axis_parts *axis) {
     char shown[SHOWN_SIZE];
     const setting *given = settings_find(map, key);
-    if (!given) return; // said already
+    if (!given) return; // said already, or there is one plane
     if (given->place->kind == NODE_MAPPING) {
         settings_read(reader, given->place, &schema_axis, &axis->keys);
         read_axis(reader, axis);
@@ -157,13 +157,21 @@ static void read_map_axis(case_reader *reader, const setting_list *map, const ch
     }
 }
 
+/// Every axis of a map has a parameter of its own.
+static void check_other_axis(case_reader *reader, const axis_parts *axis, const axis_parts *other, const char *key) {
+    if (axis->parameter && axis->parameter == other->parameter)
+        problem_at(reader->problems, settings_find(&axis->keys, "parameter")->place,
+                   "is %s, which varies along %s already, expected another parameter", axis->parameter->name, key);
+}
+
 static void read_map(case_reader *reader, const whirl_group *group, plan_parts *parts) {
     read_part(reader, &parts->study, group->name, group, &parts->map);
     read_map_axis(reader, &parts->map, "x", &parts->sweep);
     read_map_axis(reader, &parts->map, "y", &parts->across);
-    if (parts->across.parameter && parts->across.parameter == parts->sweep.parameter)
-        problem_at(reader->problems, settings_find(&parts->across.keys, "parameter")->place,
-                   "is %s, which varies along x already, expected another parameter", parts->across.parameter->name);
+    read_map_axis(reader, &parts->map, "z", &parts->planes);
+    check_other_axis(reader, &parts->across, &parts->sweep, "x");
+    check_other_axis(reader, &parts->planes, &parts->sweep, "x");
+    check_other_axis(reader, &parts->planes, &parts->across, "y");
 }
 
 /// What a study is of: one point, points along a parameter or two, or machines at rest. The first that is given counts.

@@ -104,6 +104,8 @@ static const whirl_key axis_keys[] = {AXIS_KEYS(true)};
 static const whirl_key map_keys[] = {
     {"x", "", "", WHIRL_KEY_CHOICE, true, "", WHIRL_ANY, "", "the parameter along its rows, and its values", ""},
     {"y", "", "", WHIRL_KEY_CHOICE, true, "", WHIRL_ANY, "", "the parameter from row to row, and its values", ""},
+    {"z", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
+     "the parameter from plane to plane, and its values; absent: there is one plane", ""},
     {"start", "", "", WHIRL_KEY_CHOICE, false, "state", WHIRL_ANY, "rest|state",
      "rest: every point from zero; state: from the initial state", ""},
     {"refine", "", "1", WHIRL_KEY_WHOLE, false, "", WHIRL_FROM_TO(2, WHIRL_MAX_SQUARE), NULL,

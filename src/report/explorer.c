@@ -128,9 +128,9 @@ static void write_facts(FILE *stream, const whirl_result *result) {
 
 // ---------------------------------------------------------------- tables
 
-/// The points of a table that go into the page: every `stride`-th, of a map those of every `stride`-th column and row.
-/// Sections are those of the first table, the diagram; the page computes the motion of any other point itself. Of
-/// machines at rest it has all that is known, and of branches all points.
+/// The points of a table that go into the page: every `stride`-th, of a map those of every `stride`-th column and row
+/// of all planes. Sections are those of the first table, the diagram; the page computes the motion of any other point
+/// itself. Of machines at rest it has all that is known, and of branches all points.
 typedef struct selection {
     const whirl_table *table;
     size_t stride, count;
@@ -143,9 +143,10 @@ static size_t chosen_from(const selection *chosen, size_t point) {
     const whirl_table *table = chosen->table;
     for (; point < table->count; point++) {
         const size_t slot = table->row ? whirl_table_slot(table, point) : point;
-        const size_t row = table->row ? slot / table->row : 0;
+        const size_t column = table->row ? slot % table->row : point;
+        const size_t row = table->row ? slot / table->row % whirl_table_rows(table) : 0;
         if (table->row && !whirl_table_done(table, point)) continue;
-        if ((slot - row * table->row) % chosen->stride == 0 && row % chosen->stride == 0) break;
+        if (column % chosen->stride == 0 && row % chosen->stride == 0) break;
     }
     return point;
 }
@@ -174,9 +175,10 @@ static size_t thinned(size_t count, size_t stride) {
 /// Of a map as many points as there is room for: its columns and rows are thinned alike, so that those of squares that
 /// were not divided stay, too.
 static selection select_cells(const whirl_table *table, bool sections) {
-    const size_t rows = whirl_table_rows(table);
+    const size_t rows = whirl_table_rows(table), planes = whirl_table_planes(table);
     selection chosen = {.table = table, .stride = 1, .sections = sections};
-    while (thinned(table->row, chosen.stride) * thinned(rows, chosen.stride) > MOST_CELLS)
+    while (thinned(table->row, chosen.stride) * thinned(rows, chosen.stride) * planes > MOST_CELLS &&
+           chosen.stride < table->row + rows)
         chosen.stride += table->refine > 0 ? chosen.stride : 1;
     for (size_t p = first_chosen(&chosen); p < table->count; p = next_chosen(&chosen, p)) chosen.count++;
     chosen.lean = chosen.count > MOST_CELLS_IN_FULL;
@@ -197,20 +199,22 @@ static selection select_points(const whirl_table *table, bool sections) {
                        .resting = resting};
 }
 
-/// Columns and rows that a map has in the page.
+/// Columns and rows that a map has in the page, in each of its planes.
 typedef struct page_grid {
-    size_t columns, rows;
+    size_t columns, rows, planes;
 } page_grid;
 
 static page_grid grid_of(const selection *chosen) {
     const whirl_table *table = chosen->table;
-    return (page_grid){thinned(table->row, chosen->stride), thinned(whirl_table_rows(table), chosen->stride)};
+    return (page_grid){thinned(table->row, chosen->stride), thinned(whirl_table_rows(table), chosen->stride),
+                       whirl_table_planes(table)};
 }
 
-/// The cell of a point, row after row.
+/// The cell of a point, row after row, plane after plane.
 static size_t cell_of(const selection *chosen, page_grid grid, size_t point) {
-    const size_t row = chosen->table->row, slot = whirl_table_slot(chosen->table, point);
-    return slot / row / chosen->stride * grid.columns + slot % row / chosen->stride;
+    const size_t row = chosen->table->row, rows = whirl_table_rows(chosen->table);
+    const size_t slot = whirl_table_slot(chosen->table, point), plane = slot / row / rows;
+    return (plane * grid.rows + slot / row % rows / chosen->stride) * grid.columns + slot % row / chosen->stride;
 }
 
 static void write_float64(FILE *stream, const char *key, const double *values, size_t count) {
@@ -224,16 +228,20 @@ static void write_float64(FILE *stream, const char *key, const double *values, s
 
 /// The values along both axes, NaN where no point tells; false without memory.
 static bool write_axes(FILE *stream, const selection *chosen, page_grid grid) {
-    double *x = malloc((grid.columns + grid.rows + 1) * sizeof *x), *y = x ? x + grid.columns : NULL;
+    const size_t count = grid.columns + grid.rows + grid.planes;
+    double *x = malloc(count * sizeof *x);
     if (!x) return false;
-    for (size_t i = 0; i < grid.columns + grid.rows; i++) x[i] = (double)NAN;
+    double *y = x + grid.columns, *z = y + grid.rows;
+    for (size_t i = 0; i < count; i++) x[i] = (double)NAN;
     for (size_t p = first_chosen(chosen); p < chosen->table->count; p = next_chosen(chosen, p)) {
         const size_t cell = cell_of(chosen, grid, p);
         x[cell % grid.columns] = chosen->table->values[p];
-        y[cell / grid.columns] = whirl_table_second(chosen->table, p);
+        y[cell / grid.columns % grid.rows] = whirl_table_second(chosen->table, p);
+        z[cell / grid.columns / grid.rows] = whirl_table_third(chosen->table, p);
     }
     write_float64(stream, "x", x, grid.columns);
     write_float64(stream, "y", y, grid.rows);
+    if (chosen->table->plane > 0) write_float64(stream, "z", z, grid.planes);
     free(x);
     return true;
 }
@@ -251,15 +259,16 @@ static void write_widths(FILE *stream, const selection *chosen) {
     fputs(end_of_list(chosen), stream);
 }
 
-/// The second parameter of a map, its columns and rows in the page, and of every point its cell among these, row after
-/// row, where that is not its number.
+/// The second parameter of a map, and the third, its columns and rows in the page, and of every point its cell among
+/// these, row after row, plane after plane, where that is not its number.
 static bool write_cells(FILE *stream, const selection *chosen) {
     const page_grid grid = grid_of(chosen);
     member(stream, ',', "map");
     text_member(stream, '{', "second", chosen->table->second);
+    if (chosen->table->plane > 0) text_member(stream, ',', "third", chosen->table->third);
     fprintf(stream, ",\"columns\":%zu,\"rows\":%zu", grid.columns, grid.rows);
     const bool well = write_axes(stream, chosen, grid);
-    if (chosen->count < grid.columns * grid.rows) {
+    if (chosen->count < grid.columns * grid.rows * grid.planes) {
         member(stream, ',', "cells");
         char before = '[';
         for (size_t p = first_chosen(chosen); p < chosen->table->count; p = next_chosen(chosen, p), before = ',')

@@ -19,7 +19,7 @@ typedef struct figure {
     size_t station;
     char stem[STEM_SIZE];    ///< file name without ending; STEM.gp, STEM.png, STEM.pdf
     char data[3][STEM_SIZE]; ///< names of the data files, "" where there are fewer
-    char title[200];
+    char title[280];
     char caption[700];
     bool drawn;
 } figure;

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "figures.h"
-#include "map_cells.h"
+#include "map_planes.h"
 #include "quantities.h"
 #include "regimes.h"
 #include "typeset.h"
@@ -16,9 +16,9 @@ enum { COLOURS = ATTRACTOR_COLOURS };
 typedef struct map_drawing {
     const drawing *to;
     const whirl_table *table;
-    map_cells cells;
+    map_planes planes;
     const size_t *labels;                ///< [count] attractors of a basin; NULL: it is none
-    long *kinds;                         ///< [cells] another one for every regime and period, or attractor; 0 for none
+    long *kinds;                         ///< [planes][cells] another for every regime and period, or attractor, or 0
     bool bordered;                       ///< some of them meet
     whirl_attractor attractors[COLOURS]; ///< those of most starts
     size_t attractor_count;              ///< of all
@@ -124,8 +124,8 @@ static void put_attractor_title(FILE *script, const whirl_table *table, const wh
 // ---------------------------------------------------------------- figures
 
 /// The number of a square that was not divided: the mean of its corners'.
-static double square_number(const map_drawing *map, const double *of, size_t point, size_t width) {
-    const map_cells *cells = &map->cells;
+static double square_number(const map_drawing *map, const map_cells *cells, const double *of, size_t point,
+                            size_t width) {
     const size_t slot = whirl_table_slot(map->table, point), x = slot % cells->columns, y = slot / cells->columns;
     const size_t right = x + width < cells->columns ? x + width : cells->columns - 1;
     const size_t top = y + width < cells->rows ? y + width : cells->rows - 1;
@@ -138,39 +138,47 @@ static double square_number(const map_drawing *map, const double *of, size_t poi
     return 0.25 * sum;
 }
 
-/// The numbers of all cells, NaN where there is none; NULL without memory.
-static double *cell_numbers(const map_drawing *map, const map_quantity *what, size_t station) {
-    const whirl_table *table = map->table;
-    const size_t count = table->count, grid = map->cells.columns * map->cells.rows;
-    double *cells = malloc((count + grid + 1) * sizeof *cells);
-    if (!cells) return NULL;
-    double *of = cells + grid;
-    for (size_t i = 0; i < count; i++) of[i] = whirl_table_done(table, i) ? what->of(map, i, station) : (double)NAN;
-    for (size_t slot = 0; slot < grid; slot++) {
-        const size_t point = map->cells.cover[slot];
-        const double width = point < count ? whirl_table_number(table, point, "map/width", 0) : (double)NAN;
+/// The numbers of all cells of a plane, by those of all points; NaN where there is none.
+static void fill_cells(const map_drawing *map, const map_cells *cells, const map_quantity *what, const double *of,
+                       double *values) {
+    const size_t count = map->table->count;
+    for (size_t slot = 0; slot < cells->columns * cells->rows; slot++) {
+        const size_t point = cells->cover[slot];
+        const double width = point < count ? whirl_table_number(map->table, point, "map/width", 0) : (double)NAN;
         const bool mixed = *what->palette && width > 1.0;
-        cells[slot] = point == count ? (double)NAN : mixed ? square_number(map, of, point, (size_t)width) : of[point];
+        values[slot] = point == count ? (double)NAN
+                       : mixed        ? square_number(map, cells, of, point, (size_t)width)
+                                      : of[point];
     }
-    return cells;
 }
 
 /// Cells with the number of a quantity. Those without one are left out; *range bounds the others'.
 static whirl_status write_cells(const map_drawing *map, const char *name, const map_quantity *what, size_t station,
                                 span *range) {
     report_file file;
-    double *cells = cell_numbers(map, what, station);
-    if (!cells) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a map");
+    const whirl_table *table = map->table;
+    const size_t count = table->count, grid = map->planes.cells[0].columns * map->planes.cells[0].rows;
+    double *values = malloc((count + grid + 1) * sizeof *values);
+    if (!values) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a map");
+    double *of = values + grid;
+    for (size_t i = 0; i < count; i++) of[i] = whirl_table_done(table, i) ? what->of(map, i, station) : (double)NAN;
     whirl_status status = report_file_open(&file, map->to->folder, name);
     *range = span_empty();
     if (status.code == WHIRL_OK) {
         fprintf(file.stream, "# %s and %s of a cell's middle, its edges (some reach under the next cells), %s\n",
-                map->table->parameter, map->table->second, *what->palette ? what->title : "colour");
-        for (size_t slot = 0; slot < map->cells.columns * map->cells.rows; slot++) span_widen(range, cells[slot]);
-        map_cells_write(file.stream, &map->cells, cells);
+                table->parameter, table->second, *what->palette ? what->title : "colour");
+        for (size_t k = 0; k < map->planes.count; k++) {
+            bool any = false;
+            if (k > 0) fputs("\n\n", file.stream);
+            fill_cells(map, &map->planes.cells[k], what, of, values);
+            for (size_t slot = 0; slot < grid; slot++) span_widen(range, values[slot]);
+            for (size_t slot = 0; slot < grid; slot++) any = any || !isnan(values[slot]);
+            map_cells_write(file.stream, &map->planes.cells[k], values);
+            if (!any) fputs("NaN NaN NaN NaN NaN NaN NaN\n", file.stream);
+        }
         status = report_file_close(&file);
     }
-    free(cells);
+    free(values);
     return status;
 }
 
@@ -180,7 +188,12 @@ static whirl_status write_borders(const map_drawing *map, const char *name) {
     const whirl_status status = report_file_open(&file, map->to->folder, name);
     if (status.code != WHIRL_OK) return status;
     fprintf(file.stream, "# lines along which regimes meet: %s and %s\n", map->table->parameter, map->table->second);
-    map_cells_write_borders(file.stream, &map->cells, map->kinds);
+    for (size_t k = 0; k < map->planes.count; k++) {
+        const map_cells *cells = &map->planes.cells[k];
+        if (k > 0) fputs("\n", file.stream); // one more line stands behind every piece
+        if (!map_cells_write_borders(file.stream, cells, map->kinds + k * cells->columns * cells->rows))
+            fputs("NaN NaN\n\n", file.stream);
+    }
     return report_file_close(&file);
 }
 
@@ -198,11 +211,12 @@ static void write_axes(FILE *script, const map_drawing *map) {
     script_label(script, "parameter_label", label);
     typeset_parameter(map->to->units, table->second, label, sizeof label);
     script_label(script, "second_label", label);
-    const double *x = map->cells.x, *y = map->cells.y;
-    fprintf(script, "set xrange [%.10g:%.10g]\nset yrange [%.10g:%.10g]\n", fmin(x[0], x[map->cells.columns]),
-            fmax(x[0], x[map->cells.columns]), fmin(y[0], y[map->cells.rows]), fmax(y[0], y[map->cells.rows]));
-    if (map->cells.x_ratios) fputs("set logscale x\n", script);
-    if (map->cells.y_ratios) fputs("set logscale y\n", script);
+    const map_cells *cells = &map->planes.cells[0];
+    const double *x = cells->x, *y = cells->y;
+    fprintf(script, "set xrange [%.10g:%.10g]\nset yrange [%.10g:%.10g]\n", fmin(x[0], x[cells->columns]),
+            fmax(x[0], x[cells->columns]), fmin(y[0], y[cells->rows]), fmax(y[0], y[cells->rows]));
+    if (cells->x_ratios) fputs("set logscale x\n", script);
+    if (cells->y_ratios) fputs("set logscale y\n", script);
 }
 
 static figure *add_figure(const map_drawing *map, const char *stem, const char *title, const char *station) {
@@ -213,35 +227,83 @@ static figure *add_figure(const map_drawing *map, const char *stem, const char *
     if (!what) return NULL;
     snprintf(what->data[0], sizeof what->data[0], "%.190s.dat", what->stem);
     if (map->bordered) snprintf(what->data[1], sizeof what->data[1], "%.180s-borders.dat", what->stem);
-    snprintf(what->title, sizeof what->title, "%s%s%s over %s and %s", title, *station ? " of " : "", station,
-             table->parameter, table->second);
+    snprintf(what->title, sizeof what->title, "%s%s%s over %s%s%s%s%s", title, *station ? " of " : "", station,
+             table->parameter, *table->third ? ", " : " and ", table->second, *table->third ? " and " : "",
+             table->third);
     return what;
 }
 
-/// Goes on with a plot: lines where regimes meet.
-static void write_border_plot(FILE *script, const figure *what) {
+/// The plot of plane k: cells of colours as gnuplot is told, and lines where regimes meet.
+static void write_plane(FILE *script, const map_drawing *map, const figure *what, const char *colours, size_t k) {
+    char index[40] = "";
+    if (map->planes.count > 1) snprintf(index, sizeof index, " index %zu", k);
+    fprintf(script, "plot '%s'%s using 1:2:3:4:5:6:7 with boxxyerror linecolor %s notitle", what->data[0], index,
+            colours);
     if (*what->data[1])
-        fprintf(script, ", \\\n  '%s' using 1:2 with lines linewidth 0.4 linecolor rgb '#80404040' notitle",
-                what->data[1]);
+        fprintf(script, ", \\\n  '%s'%s using 1:2 with lines linewidth 0.4 linecolor rgb '#80404040' notitle",
+                what->data[1], index);
 }
 
-/// The panel, with cells of which each has a colour; what else is plotted, for the key, follows.
-static void write_plane(FILE *script, const map_drawing *map, const figure *what) {
+/// Writes the lines of the key: goes on with a plot.
+typedef void (*key_writer)(FILE *script, const map_drawing *map);
+
+/// Of several panels the key has one of its own, as wide as all.
+static void write_key_panel(FILE *script, const map_drawing *map, key_writer put_key) {
+    script_panel(script, 0.085, 0.985, 0.055, 0.91);
+    fputs("set border 0\nunset tics\nunset xlabel\nunset ylabel\nunset label 2\nplot NaN notitle", script);
+    put_key(script, map);
+    fputs("\nset border 31 linewidth 0.5 linecolor rgb '#303030'\nset tics out scale 0.4 font small_font textcolor rgb "
+          "'#000000'\n"
+          "set xtics nomirror\nset ytics nomirror\nunset key\n",
+          script);
+}
+
+/// The panels, with cells of which each has a colour.
+static void write_planes(FILE *script, const map_drawing *map, const figure *what, key_writer put_key) {
+    const bool one = map->planes.count == 1;
     write_axes(script, map);
     script_loop(script);
-    script_panel(script, 0.13, 0.97, 0.11, 0.90);
-    fputs("set xlabel parameter_label\nset ylabel second_label\nset tics out\n"
-          "set key at screen 0.55, screen 0.995*top center top horizontal maxrows 2 Left reverse samplen 1 "
-          "font small_font\nset style fill solid 1 noborder\n",
-          script);
-    fprintf(script, "plot '%s' using 1:2:3:4:5:6:7 with boxxyerror linecolor rgb variable notitle", what->data[0]);
-    write_border_plot(script, what);
+    fprintf(script,
+            "set tics out\nset key at screen %s, screen 0.995*top center top horizontal maxrows 2 Left reverse "
+            "samplen 1 font small_font\nset style fill solid 1 noborder\n",
+            one ? "0.55" : "0.53");
+    if (!one) write_key_panel(script, map, put_key);
+    const double height = map_planes_height(&map->planes, 1.0); // of several, cm
+    const map_area area =
+        one ? (map_area){0.13, 0.97, 0.11, 0.90} : (map_area){0.085, 1.0, 0.7 / height, 1.0 - 1.3 / height};
+    for (size_t k = 0; k < map->planes.count; k++) {
+        map_planes_panel(script, &map->planes, k, area);
+        write_plane(script, map, what, "rgb variable", k);
+        if (one) put_key(script, map);
+        fputc('\n', script);
+    }
+}
+
+static void put_regimes(FILE *script, const map_drawing *map) {
+    (void)map;
+    for (int kind = 0; kind < CLASS_COUNT; kind++)
+        fprintf(script, ", \\\n  NaN with boxes linecolor rgb '%s' title '%s'", regime_class_colour((regime_class)kind),
+                regime_class_name((regime_class)kind));
+}
+
+static void put_attractors(FILE *script, const map_drawing *map) {
+    for (size_t k = 0; k < map->attractor_count && k < COLOURS; k++) {
+        fprintf(script, ", \\\n  NaN with boxes linecolor rgb '%s' ", attractor_colour(k + 1));
+        put_attractor_title(script, map->table, &map->attractors[k]);
+    }
+}
+
+/// The beginning of a figure's script, as large as its panels need.
+static whirl_status begin_script(report_file *file, const map_drawing *map, const figure *what, double height) {
+    return script_begin(file, map->to, what, map->planes.count > 1 ? 17.5 : 12.0,
+                        map_planes_height(&map->planes, height), 7.0);
 }
 
 static whirl_status draw_regimes(const map_drawing *map) {
     report_file file;
     span range;
-    char refined[160] = "";
+    char refined[160] = "", planes[160];
+    map_planes_note(&map->planes, planes, sizeof planes);
     if (map->table->refine > 0)
         snprintf(refined, sizeof refined,
                  " %zu points were computed, where regimes meet; a square whose corners agree is of their regime.",
@@ -250,18 +312,13 @@ static whirl_status draw_regimes(const map_drawing *map) {
     if (!what) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the list of figures");
     snprintf(what->caption, sizeof what->caption,
              "Regimes over %s and %s, a cell a point (%zu by %zu). The paler a cell, the less its verdict can be "
-             "trusted: fair and low confidence are mixed with white.%s",
-             map->table->parameter, map->table->second, map->cells.columns, map->cells.rows, refined);
+             "trusted: fair and low confidence are mixed with white.%s%s",
+             map->table->parameter, map->table->second, map->table->row, whirl_table_rows(map->table), refined, planes);
     whirl_status status = write_data(map, what, &regimes, 0, &range);
-    if (status.code == WHIRL_OK) status = script_begin(&file, map->to, what, 12.0, 10.5, 7.0);
+    if (status.code == WHIRL_OK) status = begin_script(&file, map, what, 10.5);
     if (status.code != WHIRL_OK) return status;
-    FILE *script = file.stream;
-    write_plane(script, map, what);
-    for (int kind = 0; kind < CLASS_COUNT; kind++)
-        fprintf(script, ", \\\n  NaN with boxes linecolor rgb '%s' title '%s'", regime_class_colour((regime_class)kind),
-                regime_class_name((regime_class)kind));
-    fputc('\n', script);
-    script_end(script);
+    write_planes(file.stream, map, what, put_regimes);
+    script_end(file.stream);
     return report_file_close(&file);
 }
 
@@ -269,24 +326,20 @@ static whirl_status draw_basins(const map_drawing *map) {
     report_file file;
     span range;
     const size_t count = map->attractor_count;
+    char planes[160];
+    map_planes_note(&map->planes, planes, sizeof planes);
     figure *what = add_figure(map, attractors.stem, attractors.title, "");
     if (!what) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the list of figures");
     whirl_status status = write_data(map, what, &attractors, 0, &range);
     snprintf(
         what->caption, sizeof what->caption,
         "Motions that starts over %s and %s come to rest on: %zu attractor%s, told apart by their sections. In the "
-        "key their shares of all starts; starts without a verdict are left white.",
-        map->table->parameter, map->table->second, count, count == 1 ? "" : "s");
-    if (status.code == WHIRL_OK) status = script_begin(&file, map->to, what, 12.0, 10.5, 7.0);
+        "key their shares of all starts; starts without a verdict are left white.%s",
+        map->table->parameter, map->table->second, count, count == 1 ? "" : "s", planes);
+    if (status.code == WHIRL_OK) status = begin_script(&file, map, what, 10.5);
     if (status.code != WHIRL_OK) return status;
-    FILE *script = file.stream;
-    write_plane(script, map, what);
-    for (size_t k = 0; k < count && k < COLOURS; k++) {
-        fprintf(script, ", \\\n  NaN with boxes linecolor rgb '%s' ", attractor_colour(k + 1));
-        put_attractor_title(script, map->table, &map->attractors[k]);
-    }
-    fputc('\n', script);
-    script_end(script);
+    write_planes(file.stream, map, what, put_attractors);
+    script_end(file.stream);
     return report_file_close(&file);
 }
 
@@ -302,27 +355,37 @@ static void write_colour_bar(FILE *script, const map_drawing *map, const map_qua
 static whirl_status draw_quantity(const map_drawing *map, const map_quantity *quantity, size_t station) {
     report_file file;
     span range;
+    char planes[160];
     const char *name = quantity->per_station ? map->to->result->stations[station].name : "";
     figure *what = add_figure(map, quantity->stem, quantity->title, name);
     if (!what) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the list of figures");
     what->station = station;
-    snprintf(what->caption, sizeof what->caption, "%s%s%s over %s and %s%s.", quantity->title, *name ? " of " : "",
+    map_planes_note(&map->planes, planes, sizeof planes);
+    snprintf(what->caption, sizeof what->caption, "%s%s%s over %s and %s%s.%s", quantity->title, *name ? " of " : "",
              name, map->table->parameter, map->table->second,
-             quantity->of == period_of ? "; other motions are left white" : "");
+             quantity->of == period_of ? "; other motions are left white" : "", planes);
     whirl_status status = write_data(map, what, quantity, station, &range);
-    if (status.code == WHIRL_OK) status = script_begin(&file, map->to, what, 12.0, 10.0, 7.0);
+    if (status.code == WHIRL_OK) status = begin_script(&file, map, what, 10.0);
     if (status.code != WHIRL_OK) return status;
     FILE *script = file.stream;
     write_axes(script, map);
     write_colour_bar(script, map, quantity, range);
     script_loop(script);
-    script_panel(script, 0.13, 0.80, 0.11, 0.96);
-    fputs("set xlabel parameter_label\nset ylabel second_label\nset cblabel number_label\nset tics out\n"
-          "set style fill solid 1 noborder\nset colorbox user origin screen 0.83, graph 0 size screen 0.03, graph 1\n",
-          script);
-    fprintf(script, "plot '%s' using 1:2:3:4:5:6:7 with boxxyerror linecolor palette notitle", what->data[0]);
-    write_border_plot(script, what);
-    fputc('\n', script);
+    fputs("set cblabel number_label\nset tics out\nset style fill solid 1 noborder\n", script);
+    const bool one = map->planes.count == 1;
+    const double height = map_planes_height(&map->planes, 1.0); // of several, cm
+    const map_area area =
+        one ? (map_area){0.13, 0.80, 0.11, 0.96} : (map_area){0.085, 0.89, 0.7 / height, 1.0 - 0.6 / height};
+    for (size_t k = 0; k < map->planes.count; k++) {
+        map_planes_panel(script, &map->planes, k, area);
+        if (k == 0)
+            fprintf(script, "set colorbox user origin screen %s, %s 0.03, %s\n", one ? "0.83" : "0.89",
+                    one ? "graph 0 size screen" : "screen 0.1 size screen", one ? "graph 1" : "screen 0.8");
+        else
+            fputs("unset colorbox\n", script);
+        write_plane(script, map, what, "palette", k);
+        fputc('\n', script);
+    }
     script_end(script);
     return report_file_close(&file);
 }
@@ -355,12 +418,16 @@ static long kind_of(const map_drawing *map, size_t point) {
 
 /// What borders lie between; none where nothing is judged.
 static bool make_kinds(map_drawing *map) {
-    const size_t cells = map->cells.columns * map->cells.rows;
-    map->kinds = calloc(cells + 1, sizeof *map->kinds);
+    const size_t count = map->planes.cells[0].columns * map->planes.cells[0].rows;
+    map->kinds = calloc(map->planes.count * count + 1, sizeof *map->kinds);
     if (!map->kinds) return false;
     const bool judged = map->labels || whirl_layout_has_verdict(&map->table->layout);
-    for (size_t i = 0; i < cells && judged; i++) map->kinds[i] = kind_of(map, map->cells.cover[i]);
-    map->bordered = map_cells_write_borders(NULL, &map->cells, map->kinds);
+    for (size_t k = 0; k < map->planes.count && judged; k++) {
+        const map_cells *cells = &map->planes.cells[k];
+        long *kinds = map->kinds + k * count;
+        for (size_t i = 0; i < count; i++) kinds[i] = kind_of(map, cells->cover[i]);
+        map->bordered = map_cells_write_borders(NULL, cells, kinds) || map->bordered;
+    }
     return true;
 }
 
@@ -368,7 +435,7 @@ static whirl_status draw_table(const drawing *to, const whirl_table *table, bool
     map_drawing map = {.to = to, .table = table};
     size_t *labels = basin ? calloc(table->count, sizeof *labels) : NULL;
     whirl_status status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a map");
-    if (map_cells_make(to->units, table, &map.cells) && (labels || !basin))
+    if (map_planes_make(to->units, table, &map.planes) && (labels || !basin))
         status =
             basin ? whirl_table_attractors(table, labels, map.attractors, COLOURS, &map.attractor_count) : whirl_ok();
     map.labels = labels;
@@ -376,7 +443,7 @@ static whirl_status draw_table(const drawing *to, const whirl_table *table, bool
     if (status.code == WHIRL_OK) status = draw_all(&map);
     free(labels);
     free(map.kinds);
-    map_cells_free(&map.cells);
+    map_planes_free(&map.planes);
     return status;
 }
 

@@ -29,6 +29,7 @@ static json_t *point_parameters(bool *well, const whirl_result *result, const wh
     }
     if (*table->parameter) document_put(well, object, table->parameter, document_number(table->values[point]));
     if (table->row > 0) document_put(well, object, table->second, document_number(whirl_table_second(table, point)));
+    if (table->plane > 0) document_put(well, object, table->third, document_number(whirl_table_third(table, point)));
     return object;
 }
 

@@ -29,15 +29,20 @@ static void find_edges(const double *values, size_t count, bool ratios, double *
 }
 
 /// The values along both axes, by the points that are there; of columns and rows without any point those beside.
-static void read_axes(const map_cells *map, const shown_units *units, const whirl_table *table, double *x, double *y) {
+static void read_axes(map_cells *map, const shown_units *units, const whirl_table *table, double *x, double *y) {
     const double across = units_parameter(units, table->parameter).size;
     const double up = units_parameter(units, table->second).size;
     for (size_t i = 0; i < map->columns; i++) x[i] = NAN;
     for (size_t i = 0; i < map->rows; i++) y[i] = NAN;
+    map->z = NAN;
+    if (map->columns == 0 || map->rows == 0) return;
     for (size_t i = 0; i < table->count; i++) {
         const size_t slot = whirl_table_slot(table, i);
         x[slot % map->columns] = table->values[i] / across;
-        if (whirl_table_done(table, i)) y[slot / map->columns] = whirl_table_second(table, i) / up;
+        if (!whirl_table_done(table, i)) continue;
+        y[slot / map->columns % map->rows] = whirl_table_second(table, i) / up;
+        if (table->plane > 0 && slot / table->plane == map->plane)
+            map->z = whirl_table_third(table, i) / units_parameter(units, table->third).size;
     }
 }
 
@@ -84,13 +89,14 @@ static void fill_gaps(double *values, size_t count) {
     for (size_t k = first; k-- > 0;) values[k] = between(values[k + 2], values[k + 1], 2.0, ratios);
 }
 
-bool map_cells_make(const shown_units *units, const whirl_table *table, map_cells *map) {
+bool map_cells_make(const shown_units *units, const whirl_table *table, size_t plane, map_cells *map) {
     const size_t columns = table->row, rows = whirl_table_rows(table);
-    *map = (map_cells){.columns = columns, .rows = rows, .refined = table->refine > 0};
+    *map = (map_cells){.plane = plane, .columns = columns, .rows = rows, .refined = table->refine > 0};
     double *x = map->memory = calloc(2 * (columns + rows) + 2, sizeof *x);
-    map->cover = calloc(columns * rows + 1, sizeof *map->cover);
-    if (!x || !map->cover) return false;
-    whirl_table_cover(table, map->cover);
+    map->cover_of_planes = calloc(columns * rows * whirl_table_planes(table) + 1, sizeof *map->cover);
+    if (!x || !map->cover_of_planes) return false;
+    whirl_table_cover(table, map->cover_of_planes);
+    map->cover = map->cover_of_planes + plane * columns * rows;
     double *y = x + columns;
     map->x = y + rows;
     map->y = map->x + columns + 1;
@@ -106,9 +112,9 @@ bool map_cells_make(const shown_units *units, const whirl_table *table, map_cell
 
 void map_cells_free(map_cells *map) {
     free(map->memory);
-    free(map->cover);
+    free(map->cover_of_planes);
     map->memory = NULL;
-    map->cover = NULL;
+    map->cover = map->cover_of_planes = NULL;
 }
 
 // ---------------------------------------------------------------- writing

@@ -14,18 +14,29 @@ static void write_row(FILE *stream, const char *term, const char *text) {
     fputs("</dd>\n", stream);
 }
 
-/// "r_k from 1 to 0.1 by rho from 0.04 to 0.12: 61 by 33, 2013 points".
+/// Appends "r_k from 1 to 0.1".
+static void describe_axis(const shown_units *units, const char *parameter, double first, double last, char *text,
+                          size_t size) {
+    const size_t used = strlen(text);
+    const double unit = units_parameter(units, parameter).size;
+    char label[UNIT_LABEL_SIZE];
+    units_parameter_label(units, parameter, label, sizeof label);
+    snprintf(text + used, size - used, "%s from %.6g to %.6g", label, first / unit, last / unit);
+}
+
+/// "r_k from 1 to 0.1 by rho from 0.04 to 0.12: 61 by 33, 2013 points"; "... in 3 planes, sigma from 1 to 2: ...".
 static void describe_plane(const shown_units *units, const whirl_table *table, const char *count, char *text,
                            size_t size) {
-    char across[UNIT_LABEL_SIZE], up[UNIT_LABEL_SIZE];
-    units_parameter_label(units, table->parameter, across, sizeof across);
-    units_parameter_label(units, table->second, up, sizeof up);
-    const double one = units_parameter(units, table->parameter).size,
-                 other = units_parameter(units, table->second).size;
     const size_t last = table->count - 1;
-    snprintf(text, size, "%s from %.6g to %.6g by %s from %.6g to %.6g: %zu by %zu, %s", across, table->values[0] / one,
-             table->values[last] / one, up, whirl_table_second(table, 0) / other,
-             whirl_table_second(table, last) / other, table->row, whirl_table_rows(table), count);
+    *text = '\0';
+    describe_axis(units, table->parameter, table->values[0], table->values[last], text, size);
+    snprintf(text + strlen(text), size - strlen(text), " by ");
+    describe_axis(units, table->second, whirl_table_second(table, 0), whirl_table_second(table, last), text, size);
+    if (table->plane > 0) {
+        snprintf(text + strlen(text), size - strlen(text), " in %zu planes, ", whirl_table_planes(table));
+        describe_axis(units, table->third, whirl_table_third(table, 0), whirl_table_third(table, last), text, size);
+    }
+    snprintf(text + strlen(text), size - strlen(text), ": %zu by %zu, %s", table->row, whirl_table_rows(table), count);
 }
 
 /// Appends ", refined from squares of 16: 7.9 % of all, 612 revolutions each; all would have taken about 4.04e+07".

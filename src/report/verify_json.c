@@ -24,6 +24,7 @@ static json_t *point_object(bool *well, const whirl_verification *v, size_t inde
     json_t *object = json_object(), *runs = json_array(), *order = json_object();
     if (*v->parameter) document_put(well, object, "value", document_number(point->value));
     if (*v->second) document_put(well, object, "second", document_number(point->second));
+    if (*v->third) document_put(well, object, "third", document_number(point->third));
     document_put(well, object, "agreed", json_boolean(point->agreed));
     document_put(well, object, "exponent_spread", document_number(point->exponent_spread));
     for (int m = 0; m < WHIRL_VERIFY_METHODS; ++m)

@@ -114,6 +114,7 @@ static void put_point_headings(line *row, const whirl_result *result, const whir
     put_cell(row, "point");
     if (*table->parameter) put_parameter_heading(row, result, table->parameter);
     if (table->row > 0) put_parameter_heading(row, result, table->second);
+    if (table->plane > 0) put_parameter_heading(row, result, table->third);
     put_cell(row, "branch");
 }
 
@@ -134,6 +135,7 @@ static void put_point_cells(line *row, const whirl_result *result, const whirl_t
     put_count_cell(row, whirl_table_slot(table, point) + 1);
     if (*table->parameter) put_value_cell(row, result, table->parameter, table->values[point]);
     if (table->row > 0) put_value_cell(row, result, table->second, whirl_table_second(table, point));
+    if (table->plane > 0) put_value_cell(row, result, table->third, whirl_table_third(table, point));
     put_cell(row, branch);
 }
 
@@ -269,6 +271,7 @@ static void write_attractors(FILE *stream, const whirl_result *result, const whi
     put_cell(&row, "place");
     if (*table->parameter) put_parameter_heading(&row, result, table->parameter);
     if (table->row > 0) put_parameter_heading(&row, result, table->second);
+    if (table->plane > 0) put_parameter_heading(&row, result, table->third);
     for (size_t i = 0; i < sizeof headings / sizeof *headings; ++i) put_cell(&row, headings[i]);
     end_line(&row);
     if (whirl_table_coexistence(table, &found).code != WHIRL_OK) return;
@@ -280,6 +283,7 @@ static void write_attractors(FILE *stream, const whirl_result *result, const whi
         put_count_cell(&row, one->place + 1);
         if (*table->parameter) put_value_cell(&row, result, table->parameter, table->values[one->first]);
         if (table->row > 0) put_value_cell(&row, result, table->second, whirl_table_second(table, one->first));
+        if (table->plane > 0) put_value_cell(&row, result, table->third, whirl_table_third(table, one->first));
         put_count_cell(&row, one->number);
         put_cell(&row, name);
         put_count_cell(&row, one->starts);

@@ -35,12 +35,10 @@ int format_dimensions(const whirl_field *field, shape points, size_t dimensions[
 }
 
 int format_dimension_names(const whirl_field *field, shape points, char names[SHAPE_MAX_RANK][WHIRL_NAME_SIZE]) {
+    static const char *const axes[SHAPE_AXES] = {"z", "y", "x"};
     const char *found[SHAPE_MAX_RANK] = {"point"};
-    int rank = 1;
-    if (points.rank == 2) {
-        found[0] = "y";
-        found[rank++] = "x";
-    }
+    int rank = points.rank;
+    for (int i = 0; rank > 1 && i < rank; ++i) found[i] = axes[SHAPE_AXES - rank + i];
     if (field->extent != WHIRL_PER_POINT) found[rank++] = format_extents[field->extent];
     if (field->rows != 1) found[rank++] = "row";
     if (field->columns != 1) found[rank++] = "column";

@@ -237,12 +237,18 @@ static int rank_of(hid_t dataset) {
 shape get_shape(whirl_status *status, hid_t parent, const char *name, size_t most) {
     const hid_t dataset = get_dataset(status, parent, name);
     if (dataset < 0) return list_of(0);
-    hsize_t sizes[2] = {0, 1};
-    const int rank = rank_of(dataset) == 2 ? 2 : 1;
-    const bool well = dataset_extent(dataset, sizes, rank) && (sizes[1] == 0 || sizes[0] <= most / sizes[1]);
+    hsize_t sizes[SHAPE_MAX_RANK] = {0};
+    const int found = rank_of(dataset);
+    shape of = {.rank = found >= 1 && found <= SHAPE_AXES ? found : 1};
+    bool well = dataset_extent(dataset, sizes, of.rank);
+    for (int i = 0; well && i < of.rank; ++i) {
+        of.sizes[i] = (size_t)sizes[i];
+        most = sizes[i] > 0 ? most / of.sizes[i] : most;
+        well = most > 0 || sizes[i] == 0;
+    }
     if (!well) fail_get(status, parent, name, "is not a list of a sensible length");
     H5Dclose(dataset);
-    return well ? (shape){rank, {(size_t)sizes[0], (size_t)sizes[1]}} : list_of(0);
+    return well ? of : list_of(0);
 }
 
 size_t get_length(whirl_status *status, hid_t parent, const char *name, size_t most) {
@@ -329,8 +335,7 @@ void column_open_wholes(whirl_status *status, column *from, hid_t parent, const 
 /// Reads the points from `done` on into the buffer.
 static void fill_column(whirl_status *status, column *from) {
     hsize_t first[SHAPE_MAX_RANK], count[SHAPE_MAX_RANK];
-    const size_t all = (size_t)from->dimensions[0] * from->width, left = all - from->done, room = column_room(from);
-    column_box(from, left < room ? left : room, first, count);
+    column_box(from, column_room(from), first, count);
     const hid_t file = H5Dget_space(from->dataset), memory = H5Screate_simple(from->rank, count, NULL);
     if (H5Sselect_hyperslab(file, H5S_SELECT_SET, first, NULL, count, NULL) < 0 ||
         H5Dread(from->dataset, from->type, memory, file, H5P_DEFAULT, from->buffer) < 0)

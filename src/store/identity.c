@@ -75,6 +75,7 @@ static void put_points(FILE *out, const whirl_table *table) {
         fprintf(out, ", %s from %s to %s (%08x)", table->parameter, exact(table->values[0], first),
                 exact(table->values[end], last), (unsigned)sum);
     if (table->row > 0) fprintf(out, ", in rows of %zu, each with a %s of its own", table->row, table->second);
+    if (table->plane > 0) fprintf(out, ", in planes of %zu, each with a %s of its own", table->plane, table->third);
     if (table->starts > 1) fprintf(out, ", from %zu starts each", table->starts);
     if (table->neighbours > 0) fprintf(out, ", and from neighbours in up to %zu rounds", table->neighbours);
     if (table->refine > 0) fprintf(out, ", refined from squares of %zu", table->refine);

@@ -30,20 +30,22 @@ void put_whole_attribute(whirl_status *status, hid_t object, const char *name, i
 hid_t put_group(whirl_status *status, hid_t parent, const char *name);
 void close_group(hid_t group);
 
-/// Datasets [count] or [rows][columns], chunked and with Fletcher32 checksums. A count of 0 is allowed.
+/// Datasets [count], [rows][columns] or [planes][rows][columns], chunked and with Fletcher32 checksums. A count of 0 is
+/// allowed.
 void put_texts(whirl_status *status, hid_t parent, const char *name, texts list);
 void put_wholes(whirl_status *status, hid_t parent, const char *name, const int64_t *values, shape of);
 void put_numbers(whirl_status *status, hid_t parent, const char *name, const double *values, shape of);
 
 void close_dataset(hid_t dataset);
 
-/// A dataset [points][...] or, of points in rows and columns, [rows][columns][...] that is written, or read, one point
+/// A dataset [points][...] or, of points of a map, [planes][rows][columns][...] that is written, or read, one point
 /// after the other: a chunk at a time is in memory.
 typedef struct column {
     hid_t dataset, type; ///< the type in memory
     int rank;
     hsize_t dimensions[SHAPE_MAX_RANK];
-    size_t width;                ///< points of a row; 1 in a list
+    int axes;                    ///< dimensions of the points
+    int divided;                 ///< the last of them of which a chunk has not all
     size_t size;                 ///< bytes of a point
     size_t most, gathered, done; ///< points: of a chunk, in the buffer, and before it
     unsigned char *buffer;
@@ -88,8 +90,8 @@ shape get_shape(whirl_status *status, hid_t parent, const char *name, size_t mos
 /// Length of a one-dimensional dataset, at most `most`.
 size_t get_length(whirl_status *status, hid_t parent, const char *name, size_t most);
 
-/// All values of datasets [count] or, of numbers, [rows][columns]. Texts of at most `size` bytes, end included, go to
-/// places `stride` bytes apart.
+/// All values of datasets [count] or, of numbers, [rows][columns] and so on. Texts of at most `size` bytes, end
+/// included, go to places `stride` bytes apart.
 void get_texts(whirl_status *status, hid_t parent, const char *name, char *first, size_t size, size_t stride,
                size_t count);
 void get_wholes(whirl_status *status, hid_t parent, const char *name, int64_t *values, shape of);
@@ -113,10 +115,11 @@ char *get_long_text(whirl_status *status, hid_t parent, const char *name, size_t
 /// Sets the dimensions of a column, and the bytes of a point of `element` bytes a value.
 void column_lay(column *of, shape points, const size_t *dimensions, int rank, size_t element);
 
-/// Takes a buffer for chunks of these dimensions; false without memory. A piece of a row has no other rows with it.
+/// Takes a buffer for chunks of these dimensions; false without memory. A piece of a row has no other rows with it, and
+/// one of a plane no other planes.
 bool column_buffer(column *of, const hsize_t *chunk);
 
-/// Points that go from or to the file at a time, from `done` on: whole rows, or what a row has left of a chunk.
+/// Points that go from or to the file at a time, from `done` on: those of a chunk, or what is left of what it divides.
 size_t column_room(const column *of);
 
 /// The place of so many points in the dataset, from `done` on.

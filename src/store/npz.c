@@ -69,7 +69,7 @@ static void to_characters(whirl_status *status, stored_array *texts) {
 /// The header of an .npy file; gives its length.
 static size_t npy_header(const stored_array *array, char text[256]) {
     static const char magic[8] = {'\x93', 'N', 'U', 'M', 'P', 'Y', 1, 0};
-    char type[32], sizes[128] = "";
+    char type[32], sizes[160] = "";
     snprintf(type, sizeof type,
              array->kind == STORED_TEXTS     ? "<U%zu"
              : array->kind == STORED_NUMBERS ? "<f8"

@@ -1,10 +1,12 @@
 // The messages of object headers that whirl's files have: see plain.h.
 #include "plain.h"
 
+#include "shape.h"
+
 #include <string.h>
 
 enum {
-    MOST_RANK = 5,
+    MOST_RANK = SHAPE_MAX_RANK,
     LEAST_CHUNK = 1 << 21, ///< bytes that a chunk may have in any file: a table without points has chunks all the same
     MOST_PAGE_BITS = 10,   ///< chunks whose places lie in one page: 2^10, as HDF5 has it
     FLETCHER = 4           ///< bytes of the checksum behind a chunk

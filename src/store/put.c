@@ -144,7 +144,8 @@ static hid_t make_dataset(whirl_status *status, hid_t parent, const char *name, 
 
 static void put_list(whirl_status *status, hid_t parent, const char *name, hid_t file_type, hid_t memory_type, shape of,
                      const void *values) {
-    const hsize_t dimensions[2] = {of.sizes[0], of.sizes[1]};
+    hsize_t dimensions[SHAPE_AXES];
+    for (int i = 0; i < of.rank; ++i) dimensions[i] = of.sizes[i];
     const hid_t dataset = make_dataset(status, parent, name, file_type, dimensions, of.rank);
     if (status->code == WHIRL_OK && shape_count(of) > 0 &&
         H5Dwrite(dataset, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0)

@@ -366,11 +366,31 @@ static void check_starts(whirl_status *status, const whirl_table *table) {
                        table->name, planned, table->starts);
 }
 
+/// Whole planes of whole rows, where a map has planes.
+static void get_planes(whirl_status *status, hid_t group, size_t planned, whirl_table *table) {
+    if (status->code != WHIRL_OK || !whirl_layout_field(&table->layout, "map/third") || table->grid > 0) return;
+    get_text_attribute(status, group, "third", table->third, sizeof table->third);
+    table->plane = (size_t)get_whole_attribute(status, group, "plane", 1, planned > 0 ? (int64_t)planned : 1);
+    if (status->code == WHIRL_OK && (planned % table->plane != 0 || table->plane % table->row != 0))
+        *status =
+            whirl_fail(WHIRL_BAD_INPUT, "/%s has %zu points in planes of %zu and rows of %zu, expected whole ones",
+                       table->name, planned, table->plane, table->row);
+}
+
+/// Whether the datasets of a map have its rows, and its planes.
+static void check_rows(whirl_status *status, shape points, size_t planned, const whirl_table *table) {
+    const size_t row = points.sizes[points.rank - 1], plane = points.rank == 3 ? points.sizes[1] * row : 0;
+    if (status->code != WHIRL_OK || points.rank == 1) return;
+    if (row != table->row || plane != table->plane || planned != table->count)
+        *status = whirl_fail(WHIRL_BAD_INPUT, "/%s has rows of %zu points, and %zu in a plane, expected %zu and %zu",
+                             table->name, row, plane, table->row, table->plane);
+}
+
 /// The second parameter of a map, and how long its rows are, which it is made of; they are those of its datasets.
 static void get_plane(whirl_status *status, hid_t group, shape points, whirl_table *table) {
     const size_t planned = table->grid > 0 ? table->grid : whirl_table_places(table);
     const bool is_map = whirl_layout_field(&table->layout, "map/second");
-    if (status->code == WHIRL_OK && points.rank == 2 && (!is_map || table->grid > 0))
+    if (status->code == WHIRL_OK && points.rank > 1 && (!is_map || table->grid > 0))
         *status = whirl_fail(WHIRL_BAD_INPUT, "/%s has rows of points, expected a list", table->name);
     if (status->code != WHIRL_OK || !is_map) return;
     get_text_attribute(status, group, "second", table->second, sizeof table->second);
@@ -378,9 +398,8 @@ static void get_plane(whirl_status *status, hid_t group, shape points, whirl_tab
     if (status->code == WHIRL_OK && planned % table->row != 0)
         *status = whirl_fail(WHIRL_BAD_INPUT, "/%s has %zu points in rows of %zu, expected whole rows", table->name,
                              planned, table->row);
-    if (status->code == WHIRL_OK && points.rank == 2 && (points.sizes[1] != table->row || planned != table->count))
-        *status = whirl_fail(WHIRL_BAD_INPUT, "/%s has rows of %zu points, expected %zu", table->name, points.sizes[1],
-                             table->row);
+    get_planes(status, group, planned, table);
+    check_rows(status, points, planned, table);
 }
 
 static void get_table(whirl_status *status, hid_t file, const whirl_result *result, const reading *how, size_t index) {

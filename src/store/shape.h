@@ -4,20 +4,25 @@
 
 #include <stddef.h>
 
-enum { SHAPE_MAX_RANK = 5 }; ///< of a dataset: rows and columns of points, stations, rows, columns
+enum {
+    SHAPE_AXES = 3,                 ///< of points: planes, rows and columns
+    SHAPE_MAX_RANK = SHAPE_AXES + 3 ///< of a dataset: those, stations, rows, columns
+};
 
-/// How values lie: in a list, or in rows and columns, one row after the other.
+/// How values lie: in a list, or in rows and columns, one row after the other, or in planes of these.
 typedef struct shape {
-    int rank; ///< 1 or 2
-    size_t sizes[2];
+    int rank; ///< 1 to SHAPE_AXES
+    size_t sizes[SHAPE_AXES];
 } shape;
 
 static inline shape list_of(size_t count) {
-    return (shape){1, {count, 1}};
+    return (shape){1, {count}};
 }
 
 static inline size_t shape_count(shape of) {
-    return of.sizes[0] * of.sizes[1];
+    size_t count = 1;
+    for (int i = 0; i < of.rank; ++i) count *= of.sizes[i];
+    return count;
 }
 
 #endif

@@ -113,13 +113,14 @@ static void put_analyses(whirl_status *status, hid_t group, whirl_analysis_set s
     put_texts_attribute(status, group, "analyses", texts_of(names[0], WHIRL_NAME_SIZE, count));
 }
 
-/// How the points of a table lie in its datasets: those of a map that is whole in the rows and columns of its axes,
+/// How the points of a table lie in its datasets: those of a map that is whole by its axes, planes, rows and columns,
 /// unless it has several starts a place.
 static shape shape_of(const whirl_table *table) {
-    const size_t row = table->row;
-    const bool plain = row > 0 && table->refine == 0 && table->starts <= 1;
-    if (!plain || table->count != table->planned || table->count % row != 0) return list_of(table->count);
-    return (shape){2, {table->count / row, row}};
+    const size_t row = table->row, plane = table->plane > 0 ? table->plane : table->count;
+    const bool plain = row > 0 && table->refine == 0 && table->starts <= 1 && table->count == table->planned;
+    if (!plain || plane == 0 || table->count % plane != 0 || plane % row != 0) return list_of(table->count);
+    if (table->plane > 0) return (shape){3, {table->count / plane, plane / row, row}};
+    return (shape){2, {plane / row, row}};
 }
 
 static void put_column_names(whirl_status *status, hid_t dataset, const whirl_field *field) {
@@ -325,21 +326,26 @@ static void put_attractors(whirl_status *status, hid_t group, const whirl_table 
     free(labels);
 }
 
+/// The values that the second or third parameter takes at points that many apart.
+static void put_axis(whirl_status *status, hid_t group, const char *name, const whirl_table *whole, const finished *own,
+                     double (*value)(const whirl_table *table, size_t point), size_t count, size_t step) {
+    if (status->code != WHIRL_OK) return;
+    double *values = malloc((count + 1) * sizeof *values);
+    if (!values) *status = whirl_fail(WHIRL_NO_MEMORY, "no memory for an axis of %zu values", count);
+    for (size_t i = 0; values && i < count; ++i) values[i] = value(whole, finished_point(own, i * step));
+    put_numbers(status, group, name, values, list_of(count));
+    free(values);
+}
+
 /// The values along the axes of a whole map, whose points have a dimension for each: "x" of its columns, "y" of its
-/// rows. For people: readers of this library take the values of the points.
+/// rows, "z" of its planes. For people: readers of this library take the values of the points.
 static void put_axes(whirl_status *status, hid_t group, const whirl_table *whole, const finished *own) {
-    const shape plane = shape_of(&own->table);
-    if (status->code != WHIRL_OK || plane.rank != 2) return;
-    double *up = malloc((plane.sizes[0] + 1) * sizeof *up);
-    if (!up) {
-        *status = whirl_fail(WHIRL_NO_MEMORY, "no memory for an axis of %zu values", plane.sizes[0]);
-        return;
-    }
-    for (size_t i = 0; i < plane.sizes[0]; ++i)
-        up[i] = whirl_table_second(whole, finished_point(own, i * plane.sizes[1]));
-    put_numbers(status, group, "x", own->table.values, list_of(plane.sizes[1]));
-    put_numbers(status, group, "y", up, list_of(plane.sizes[0]));
-    free(up);
+    const shape map = shape_of(&own->table);
+    if (map.rank < 2) return;
+    const size_t row = map.sizes[map.rank - 1], rows = map.sizes[map.rank - 2];
+    put_numbers(status, group, "x", own->table.values, list_of(row));
+    put_axis(status, group, "y", whole, own, whirl_table_second, rows, row);
+    if (map.rank == 3) put_axis(status, group, "z", whole, own, whirl_table_third, map.sizes[0], row * rows);
 }
 
 static void put_points(whirl_status *status, hid_t group, const whirl_result *result, const whirl_table *whole) {
@@ -368,6 +374,10 @@ static void put_table(whirl_status *status, hid_t file, const whirl_result *resu
     if (table->row > 0) {
         put_text_attribute(status, group, "second", table->second);
         put_whole_attribute(status, group, "row", (int64_t)table->row);
+    }
+    if (table->plane > 0) {
+        put_text_attribute(status, group, "third", table->third);
+        put_whole_attribute(status, group, "plane", (int64_t)table->plane);
     }
     if (table->starts > 1) put_whole_attribute(status, group, "starts", (int64_t)table->starts);
     if (table->neighbours > 0) {

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "attractors.h"
+#include "axes.h"
 
 /// Motions that are further from each other, over their extent, do not go on as one another.
 static const double farthest = 0.5;
@@ -121,23 +122,24 @@ static bool pair_places(const search *s, size_t place, size_t other, pairs *all)
     return true;
 }
 
-/// The next place at which any attractor is told, by steps and before `end`; `end` where there is none.
-static size_t next_place(const search *s, size_t place, size_t step, size_t end) {
-    for (place += step; place < end; place += step)
+/// The next place along an axis at which any attractor is told; `places` where there is none.
+static size_t next_place(const search *s, size_t place, const map_axis *axis) {
+    for (size_t at = place / axis->step % axis->count + 1; at < axis->count; at++) {
+        place += axis->step;
         if (s->begins[place] < s->begins[place + 1]) return place;
-    return end;
+    }
+    return s->places;
 }
 
-/// Along the sweep; along rows and columns of a map. Places at which no motion has a verdict are passed over.
+/// Along the sweep; along all axes of a map. Places at which no motion has a verdict are passed over.
 static bool pair_neighbours(const search *s, pairs *all) {
-    const size_t row = s->table->row > 0 ? s->table->row : s->places;
-    for (size_t place = 0; place < s->places; place++) {
-        if (s->begins[place] == s->begins[place + 1]) continue;
-        const size_t end = (place / row + 1) * row, beside = next_place(s, place, 1, end < s->places ? end : s->places);
-        const size_t above = next_place(s, place, row, s->places);
-        if (beside < end && beside < s->places && !pair_places(s, place, beside, all)) return false;
-        if (above < s->places && !pair_places(s, place, above, all)) return false;
-    }
+    map_axis axes[MAP_AXES];
+    const size_t count = map_axes_of(s->table, axes);
+    for (size_t place = 0; place < s->places; place++)
+        for (size_t i = 0; i < count && s->begins[place] < s->begins[place + 1]; i++) {
+            const size_t next = next_place(s, place, &axes[i]);
+            if (next < s->places && !pair_places(s, place, next, all)) return false;
+        }
     return true;
 }
 

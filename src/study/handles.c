@@ -103,6 +103,10 @@ const char *whirl_table_varied(const whirl_table *table) {
     return table->second;
 }
 
+const char *whirl_table_stacked(const whirl_table *table) {
+    return table->third;
+}
+
 size_t whirl_table_points(const whirl_table *table) {
     return table->count;
 }

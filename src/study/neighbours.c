@@ -6,6 +6,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "axes.h"
+
 /// What is known of the attractors before a round.
 typedef struct survey {
     const whirl_table *table;
@@ -18,14 +20,16 @@ typedef struct survey {
 
 // ---------------------------------------------------------------- what a place lacks
 
-/// Those beside a place: along a sweep, or along the row and the column of a map.
-static size_t list_beside(const whirl_table *table, size_t place, size_t beside[4]) {
-    const size_t row = table->row > 0 ? table->row : table->places;
+/// Those beside a place: along a sweep, or along all axes of a map.
+static size_t list_beside(const whirl_table *table, size_t place, size_t beside[2 * MAP_AXES]) {
+    map_axis axes[MAP_AXES];
+    const size_t count_axes = map_axes_of(table, axes);
     size_t count = 0;
-    if (place % row > 0) beside[count++] = place - 1;
-    if (place % row + 1 < row) beside[count++] = place + 1;
-    if (place >= row) beside[count++] = place - row;
-    if (place + row < table->places) beside[count++] = place + row;
+    for (size_t i = 0; i < count_axes; i++) {
+        const size_t step = axes[i].step, at = place / step % axes[i].count;
+        if (at > 0) beside[count++] = place - step;
+        if (at + 1 < axes[i].count) beside[count++] = place + step;
+    }
     return count;
 }
 
@@ -64,7 +68,7 @@ static bool is_asked(const survey *s, size_t place, size_t before, size_t number
 
 /// Asks for starts of a place: one for every attractor of its neighbours that it lacks.
 static void ask_place(const survey *s, size_t place) {
-    size_t beside[4];
+    size_t beside[2 * MAP_AXES];
     const size_t count = list_beside(s->table, place, beside), before = count_asked(s, place);
     for (size_t i = 0; i < count; i++)
         for (size_t k = s->first[beside[i]]; k < s->first[beside[i] + 1]; k++) {

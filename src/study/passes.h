@@ -161,12 +161,12 @@ void tables_blank(whirl_result *result);
 /// The field of the width that a point of a refined map stands for.
 #define MAP_WIDTH "map/width"
 
-/// The field of the second parameter's value, "map/second", in the layout of a batch that has such values; and of a
-/// refined map the width.
+/// The fields of the second and third parameters' values, "map/second" and "map/third", in the layout of a batch that
+/// has such values; and of a refined map the width.
 /// WHIRL_BAD_INPUT when it has too many fields.
 whirl_status map_add_field(const whirl_batch *batch, whirl_layout *layout);
 
-/// Notes it in the block of a point, by its index in the batch.
+/// Notes them in the block of a point, by its index in the batch.
 void map_note(const whirl_batch *batch, size_t point, const whirl_layout *layout, double *block);
 
 // ---------------------------------------------------------------- starts.c

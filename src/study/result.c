@@ -89,6 +89,10 @@ double whirl_table_second(const whirl_table *table, size_t point) {
     return whirl_table_number(table, point, traced ? "trace/second" : "map/second", 0);
 }
 
+double whirl_table_third(const whirl_table *table, size_t point) {
+    return whirl_table_number(table, point, "map/third", 0);
+}
+
 size_t whirl_table_planned(const whirl_table *table) {
     if (table->source) return table->planned;
     return table->planned > table->count ? table->planned : table->count;
@@ -100,7 +104,13 @@ size_t whirl_table_grid(const whirl_table *table) {
 
 size_t whirl_table_rows(const whirl_table *table) {
     const size_t places = table->grid > 0 ? table->grid : whirl_table_places(table);
-    return table->row > 0 ? places / table->row : 0;
+    if (table->row == 0) return 0;
+    return (table->plane > 0 ? table->plane : places) / table->row;
+}
+
+size_t whirl_table_planes(const whirl_table *table) {
+    if (table->row == 0) return 0;
+    return table->plane > 0 ? whirl_table_places(table) / table->plane : 1;
 }
 
 bool whirl_table_done(const whirl_table *table, size_t point) {

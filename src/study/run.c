@@ -24,6 +24,7 @@ static whirl_status check_refined_map(const whirl_batch *batch) {
         return whirl_fail(WHIRL_BAD_INPUT, "the %s is refined, but has several starts a point", batch->name);
     if (batch->row == 0 || batch->count % batch->row != 0 || batch->carry != WHIRL_CARRY_NONE)
         return whirl_fail(WHIRL_BAD_INPUT, "the %s is refined, but is no map", batch->name);
+    if (batch->plane > 0) return whirl_fail(WHIRL_BAD_INPUT, "the %s is refined, but has several planes", batch->name);
     return whirl_ok();
 }
 

@@ -267,9 +267,11 @@ whirl_status whirl_study_verify(const whirl_study *study, const whirl_verify_opt
     v->revolutions = options->revolutions;
     v->count = batch->count;
     if (batch->second_values) memcpy(v->second, batch->second, sizeof v->second);
+    if (batch->third_values) memcpy(v->third, batch->third, sizeof v->third);
     for (size_t i = 0; i < v->count; i++) {
         v->points[i].value = batch->values ? batch->values[i] : (double)NAN;
         v->points[i].second = batch->second_values ? batch->second_values[i] : (double)NAN;
+        v->points[i].third = batch->third_values ? batch->third_values[i] : (double)NAN;
     }
     for (int m = 0; m < WHIRL_VERIFY_METHODS; m++) v->integrate[m][0] = batch->integrate;
     status = second_method(batch->integrate.method, options->method, v->integrate[1][0].method);

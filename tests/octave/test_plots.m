@@ -55,4 +55,10 @@ assert(double(get(handle, 'cdata')), double(map.map.regime.code));
 assert(size(map.map.regime.code), [7 9]);
 assert(numel(unique(map.map.regime.code)) > 1);
 draw('map.png');
+third = strrep(strrep(long, 'eccentricity: 0.9 m', 'eccentricity: = e'), 'kappa: 10', sprintf('kappa: 10\n  e: 0.9 m'));
+planes = whirl_run(regexprep(third, '  sweep: [^\n]*', ...
+  ['  map: {x: {parameter: omega, from: 1.0, to: 4.0, points: 9}, y: {parameter: kappa, from: 5, to: 20, points: 7}, ' ...
+   'z: {parameter: e, values: [0.8, 0.9]}}']), 'progress', false);
+handle = whirl_plot_map(planes, 2);
+assert(double(get(handle, 'cdata')), double(map.map.regime.code));
 disp('all well');

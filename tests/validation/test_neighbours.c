@@ -52,7 +52,7 @@ static whirl_status spring_at(const void *family, const whirl_batch *batch, doub
     hard_spring *own = malloc(sizeof *own);
     (void)family;
     assert_non_null(own);
-    *own = (hard_spring){.speed = value, .force = batch->second_value};
+    *own = (hard_spring){.speed = value, .force = batch->third_values ? batch->third_value : batch->second_value};
     for (int i = 0; i < 2 && batch->start > 0; i++) own->start[i] = brute_mirrored((int)batch->start, i ? 3 : 2) - 0.5;
     own->system = (whirl_system){
         .model = own, .dimension = 2, .period = 2.0 * pi, .rhs = hardening_rate, .probe_count = 1, .probes = &probe};
@@ -68,18 +68,22 @@ static void plane_of_springs(double *values, double *seconds) {
     }
 }
 
-static whirl_result *run_springs(size_t rounds) {
+/// Of a stacked map every plane has one row, and the forces change from plane to plane.
+static whirl_result *run_springs(size_t rounds, bool stacked) {
     static const char *const analyses[] = {"poincare", "orbit", "regime"};
-    static double values[PLACES], seconds[PLACES];
+    static double values[PLACES], seconds[PLACES], nothing[PLACES];
     whirl_study study = {.batch_count = 1, .machine = spring_at};
     whirl_batch *batch = &study.batches[0];
     whirl_result *result;
     const whirl_run_options options = {.threads = 2};
     plane_of_springs(values, seconds);
     *batch = (whirl_batch){.name = "map", .parameter = "w", .count = PLACES, .values = values};
-    strcpy(batch->second, "F");
-    batch->second_values = seconds;
+    strcpy(batch->second, stacked ? "none" : "F");
+    batch->second_values = stacked ? nothing : seconds;
     batch->row = SPEEDS;
+    if (stacked) strcpy(batch->third, "F");
+    batch->third_values = stacked ? seconds : NULL;
+    batch->plane = stacked ? SPEEDS : 0;
     batch->starts = FEW;
     batch->neighbours = rounds;
     batch->integrate = whirl_integrate_default();
@@ -158,7 +162,7 @@ static void the_upper_orbit_is_followed_to_its_fold(void **state) {
     whirl_coexistence found;
     (void)state;
     follow_springs(seen);
-    whirl_result *result = run_springs(1000), *one = run_springs(1), *none = run_springs(0);
+    whirl_result *result = run_springs(1000, false), *one = run_springs(1, false), *none = run_springs(0, false);
     require_ok(whirl_table_coexistence(&result->tables[0], &found));
     const tally all = compare_springs(&result->tables[0], &found, seen);
     check_within("neighbours",
@@ -182,6 +186,29 @@ static void the_upper_orbit_is_followed_to_its_fold(void **state) {
     whirl_result_free(none);
     whirl_result_free(one);
     whirl_result_free(result);
+}
+
+/// Neighbours from plane to plane are what neighbours from row to row are.
+static void planes_are_neighbours(void **state) {
+    whirl_coexistence one, other;
+    (void)state;
+    whirl_result *rows = run_springs(2, false), *planes = run_springs(2, true);
+    const whirl_table *a = &rows->tables[0], *b = &planes->tables[0];
+    require_ok(whirl_table_coexistence(a, &one));
+    require_ok(whirl_table_coexistence(b, &other));
+    assert_int_equal(LEVELS, whirl_table_planes(b));
+    assert_true(a->count == b->count && a->count > (size_t)PLACES * FEW && one.count == other.count);
+    assert_int_equal(one.attractors, other.attractors);
+    for (size_t i = 0; i < a->count; i++)
+        assert_true(whirl_table_slot(a, i) == whirl_table_slot(b, i) && one.labels[i] == other.labels[i] &&
+                    whirl_table_second(a, i) == whirl_table_third(b, i) &&
+                    section_distance(a, i, whirl_table_field(b, i, "poincare/section", 0)) == 0.0);
+    for (size_t k = 0; k < one.count; k++)
+        assert_true(one.items[k].number == other.items[k].number && one.items[k].share == other.items[k].share);
+    whirl_coexistence_free(&one);
+    whirl_coexistence_free(&other);
+    whirl_result_free(rows);
+    whirl_result_free(planes);
 }
 
 // ---------------------------------------------------------------- the paper's rotor
@@ -291,6 +318,7 @@ static void the_rubbing_orbit_is_followed(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(the_upper_orbit_is_followed_to_its_fold),
+                                       cmocka_unit_test(planes_are_neighbours),
                                        cmocka_unit_test(the_rubbing_orbit_is_followed)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

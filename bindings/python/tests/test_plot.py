@@ -133,6 +133,20 @@ def test_maps_show_regimes_and_numbers(map_files):
         assert np.allclose(colours[names == name][:, :3], expected)
 
 
+def test_a_plane_of_a_map_is_drawn(map_files):
+    case = map_files[0].read_text().replace("  integrate", "    z: {parameter: kappa, values: [5, 10]}\n  integrate")
+    result = whirl.run(whirl.Case(text=case), progress=False)
+    table = result["map"]
+    for plane in (0, 1):
+        ax = result.plot.map("orbit/max_radius", plane=plane)
+        drawn = np.asarray(ax.collections[0].get_array()).reshape(3, 5)
+        expected = (table["orbit/max_radius"][..., 0] * table.length_scale)[plane]
+        assert np.allclose(drawn, expected * 1e3, rtol=1e-12)
+        assert ax.get_title() == f"kappa = {5 * (plane + 1)}"
+    with pytest.raises(whirl.BadInput, match="has 2 planes, from 0, and no plane 2"):
+        result.plot.map(plane=2)
+
+
 def test_refined_maps_are_filled(map_files, tmp_path):
     text = (
         map_files[0]

@@ -56,6 +56,26 @@ def test_maps_have_two_dimensions(map_files):
     assert unit == "m" and same(radius[0], table["orbit/max_radius"][0] * table.second_values[0, 0])
 
 
+def test_planes_are_a_dimension(map_files, tmp_path):
+    case = (
+        map_files[0].read_text().replace("c: 0.2 mm}", "c: 0.2 mm, f: 0.1}").replace("friction: 0.1", "friction: = f")
+    )
+    case = case.replace("  integrate", "    z: {parameter: f, values: [0.3, 0.1]}\n  integrate")
+    result = whirl.run(whirl.Case(text=case), progress=False)
+    result.save(tmp_path / "planes.h5")
+    check_same(result, whirl.open(tmp_path / "planes.h5"), tmp_path / "planes.h5")
+    plane = whirl.run(whirl.Case(map_files[0]), progress=False)["map"]
+    for table in (result["map"], whirl.open(tmp_path / "planes.h5")["map"]):
+        assert table.shape == (2, 3, 5) and table.grid == (3, 5) and table.planes == 2 and table.third == "f"
+        assert same(table["orbit/max_radius"][1], plane["orbit/max_radius"])  # f = 0.1
+        array = table.to_xarray()
+        assert array["orbit/max_radius"].dims == ("z", "y", "x", "station")
+        assert list(array.z.values) == [0.3, 0.1] and array.z.attrs["parameter"] == "f"
+        assert same(np.asarray(array.y.values), plane.second_values[:, 0])
+        assert same(np.asarray(array.x.values), plane.values[0])
+        assert list(table.to_pandas()["f"]) == [0.3] * 15 + [0.1] * 15
+
+
 def test_read_checks_the_file(good_file, tmp_path):
     check_same(whirl.read(good_file), whirl.open(good_file), good_file)
     data = bytearray(good_file.read_bytes())

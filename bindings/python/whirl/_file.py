@@ -120,10 +120,13 @@ class FileTable:
         self.path, self.group, self.name = path, group, name
         self.parameter = _word(group.attrs["parameter"])
         self.second = _word(group.attrs.get("second", b""))
+        self.third = _word(group.attrs.get("third", b""))
         self.shape = group["values"].shape
         row = int(group.attrs.get("row", 0))
         points = int(group.attrs["grid"] if "grid" in group.attrs and group.attrs["grid"] else group.attrs["points"])
-        self.grid = (points // row, row) if row else None
+        plane = int(group.attrs.get("plane", points))
+        self.grid = (plane // row, row) if row else None
+        self.planes = points // plane if row else 0
 
     def values(self):
         return self.group["values"][()]
@@ -171,5 +174,6 @@ class FileTable:
         return tuple(self.group["verdict"][what].asstr("utf-8")[()].astype(str) for what in ("name", "reason"))
 
     def options(self):
-        about = ("parameter", "second", "points", "analyses", "fields", "row", "grid", "refine", "starts")
+        axes = ("parameter", "second", "third", "row", "plane", "grid")
+        about = axes + ("points", "analyses", "fields", "refine", "starts")
         return {name: _plain(value) for name, value in self.group.attrs.items() if name not in about}

@@ -57,10 +57,12 @@ const whirl_table *whirl_result_table(const whirl_result *result, const char *na
 
 const char *whirl_table_parameter(const whirl_table *table);
 const char *whirl_table_varied(const whirl_table *table);
+const char *whirl_table_stacked(const whirl_table *table);
 size_t whirl_table_points(const whirl_table *table);
 size_t whirl_table_row(const whirl_table *table);
 size_t whirl_table_grid(const whirl_table *table);
 size_t whirl_table_rows(const whirl_table *table);
+size_t whirl_table_planes(const whirl_table *table);
 size_t whirl_table_slot(const whirl_table *table, size_t point);
 bool whirl_table_done(const whirl_table *table, size_t point);
 const double *whirl_table_values(const whirl_table *table);

@@ -124,15 +124,19 @@ class MemoryTable:
         self.name = name
         self.parameter = text(lib.whirl_table_parameter(self.handle))
         self.second = text(lib.whirl_table_varied(self.handle))
+        self.third = text(lib.whirl_table_stacked(self.handle))
         count = lib.whirl_table_points(self.handle)
         done = np.fromiter((lib.whirl_table_done(self.handle, i) for i in range(count)), bool, count)
         self._chosen = None if done.all() else np.flatnonzero(done)
         self._count = count
         rows = lib.whirl_table_rows(self.handle)
-        self.grid = (rows, lib.whirl_table_grid(self.handle) // rows) if rows else None
-        row = lib.whirl_table_row(self.handle)
-        whole = row > 0 and self._chosen is None
-        self.shape = (count // row, row) if whole else (count if self._chosen is None else len(self._chosen),)
+        self.planes = lib.whirl_table_planes(self.handle)
+        self.grid = (rows, lib.whirl_table_grid(self.handle) // (rows * self.planes)) if rows else None
+        whole = lib.whirl_table_row(self.handle) > 0 and self._chosen is None
+        if whole:
+            self.shape = (self.planes,) * bool(self.third) + self.grid
+        else:
+            self.shape = (count if self._chosen is None else len(self._chosen),)
 
     def _pick(self, lent):
         """Those of the points that are done, in the shape of the table."""

@@ -279,7 +279,7 @@ class Plots:
 
     # ---------------------------------------------------------------- planes
 
-    def map(self, field=None, table=None, which=0, ax=None, **style):
+    def map(self, field=None, table=None, which=0, plane=0, ax=None, **style):
         """Regimes over two parameters, paler where confidence is low; or a field's numbers.
 
         Parameters
@@ -290,11 +290,15 @@ class Plots:
             "map" or "basin"; the first that has two parameters.
         which : int or str
             Station or contact of the field.
+        plane : int
+            Of a map over three parameters, from 0 in the order of the third one's values.
         """
         table = self._plane(table)
+        if not 0 <= plane < table.planes:
+            raise BadInput(f"the table '{table.name}' has {table.planes} planes, from 0, and no plane {plane}")
         if "regime/code" not in table and field is None:
             raise BadInput(f"the table '{table.name}' has no verdicts: add regime to what the case analyses")
-        ax, cover = _axes(ax), _cover(table)
+        ax, cover = _axes(ax), _cover(table, plane)
         (x, xlabel), (y, ylabel) = self._parameter(table), self._parameter(table, second=True)
         x, y = _axis(x, cover, 0), _axis(y, cover, 1)
         if field is None:
@@ -304,6 +308,12 @@ class Plots:
             mesh = ax.pcolormesh(x, y, _spread(numbers, cover), **{"rasterized": True, "shading": "nearest", **style})
             ax.figure.colorbar(mesh, ax=ax, label=name)
         ax.set(xlabel=xlabel, ylabel=ylabel)
+        if table.third:
+            unit, size = self._unit(table.third)
+            value = table.third_values.ravel()[cover[cover >= 0][:1]] / size
+            ax.set_title(
+                " ".join([f"{table.third} =", *(f"{each:.6g}" for each in value), _SHOWN.get(unit, unit)]).strip()
+            )
         return ax
 
     def _plane(self, table):
@@ -384,26 +394,27 @@ def _runs(flags):
     return list(zip(np.concatenate(([0], ends + 1)), np.concatenate((ends, [len(flags) - 1]))))
 
 
-def _cover(table):
-    """The point that stands for each cell of the grid [rows][columns], -1 where none is there: of a refined map the
+def _cover(table, plane=0):
+    """The point that stands for each cell of a plane [rows][columns], -1 where none is there: of a refined map the
     first corner of the square around it (docs/result-file.md)."""
-    if len(table.shape) == 2:
-        return np.arange(np.prod(table.shape)).reshape(table.shape)
-    slot, row = table.point - 1, table.grid[1]
-    found = np.full(table.grid, -1)
+    if len(table.shape) > 1:
+        return np.arange(np.prod(table.shape)).reshape((-1, *table.grid))[plane]
+    slot, (rows, row) = table.point - 1, table.grid
+    found = np.full((rows * table.planes, row), -1)
     width = table["map/width"].astype(int) if "map/width" in table else np.ones(len(slot), int)
     for i in np.flatnonzero(width > 1):
         r, c = divmod(slot[i], row)
         ends = r + width[i] + (r + width[i] >= found.shape[0] - 1), c + width[i] + (c + width[i] >= row - 1)
         found[r : ends[0], c : ends[1]] = i
     found.flat[slot] = np.arange(len(slot))
-    return found
+    return found[plane * rows : (plane + 1) * rows]
 
 
 def _axis(values, cover, along):
     """Values along one axis of a grid, those that no point has between their neighbours."""
-    if values.ndim == 2:
-        return values[0] if along == 0 else values[:, 0]
+    if values.ndim > 1:
+        plane = values.reshape((-1, *values.shape[-2:]))[0]
+        return plane[0] if along == 0 else plane[:, 0]
     count = cover.shape[1] if along == 0 else cover.shape[0]
     known = np.full(count, np.nan)
     rows, columns = np.nonzero(cover >= 0)

@@ -69,7 +69,8 @@ class Table(Mapping):
 
     Arrays of a result in memory are read-only views of the library's own numbers, which live as long as they do; those
     of a file are read when they are asked for. Numbers are in the scaling of the result (:meth:`si` converts). A map
-    whose points are all there has two dimensions of points, rows and columns.
+    whose points are all there has two dimensions of points, rows and columns; with a third parameter, planes before
+    these.
     """
 
     def __init__(self, result, source):
@@ -77,8 +78,10 @@ class Table(Mapping):
         self.name = source.name
         self.parameter = source.parameter  #: what varies, "" for a single point
         self.second = source.second  #: what varies besides, in a map or curves, else ""
-        self.shape = source.shape  #: (points,), or (rows, columns) of a whole map
+        self.third = source.third  #: what varies from plane to plane of a map, else ""
+        self.shape = source.shape  #: (points,), or ([planes,] rows, columns) of a whole map
         self.grid = source.grid  #: (rows, columns) of a map, also where points are missing or it is refined; else None
+        self.planes = source.planes  #: of a map, 1 where it has no third parameter; 0 of other tables
 
     @cached_property
     def fields(self):
@@ -95,6 +98,11 @@ class Table(Mapping):
         """The second parameter at every point of a map, in SI; of curves "trace/second"; None where there is none."""
         name = "map/second" if "map/second" in self.fields else "trace/second" if self.second else None
         return self[name] if name in self.fields else None
+
+    @cached_property
+    def third_values(self):
+        """The third parameter at every point of a map with planes, in SI; None where there is none."""
+        return self["map/third"] if "map/third" in self.fields else None
 
     @cached_property
     def branch(self):
@@ -189,15 +197,17 @@ class Table(Mapping):
         columns, units = {"point": self.point.ravel(), self.parameter or "value": self.values.ravel()}, {}
         if self.second_values is not None:
             columns[self.second] = self.second_values.ravel()
+        if self.third_values is not None:
+            columns[self.third] = self.third_values.ravel()
         columns["branch"] = self.branch.ravel()
         if "regime/code" in self.fields:
             columns["verdict"] = self.verdicts.ravel()
         for name, field in self.fields.items():
-            if field.rows == 1 and name != "map/second":
+            if field.rows == 1 and name not in ("map/second", "map/third"):
                 columns.update(self._columns(name, field, units))
         frame = pd.DataFrame(columns)
         frame.attrs["units"] = {
-            **{name: self._result.parameter_unit(name) for name in (self.parameter, self.second) if name},
+            **{name: self._result.parameter_unit(name) for name in (self.parameter, self.second, self.third) if name},
             **units,
         }
         return frame
@@ -225,8 +235,7 @@ class Table(Mapping):
         """
         import xarray as xr
 
-        whole_map = len(self.shape) == 2
-        dims = ("y", "x") if whole_map else ("point",)
+        dims = ("z", "y", "x")[-len(self.shape) :] if len(self.shape) > 1 else ("point",)
         data, coords = {}, self._coordinates(dims)
         for name, field in self.fields.items():
             own = tuple(d if d in ("station", "contact") else f"{name} {d}" for d in field.dimensions)
@@ -246,12 +255,13 @@ class Table(Mapping):
     def _coordinates(self, dims):
         names = [station.name for station in self._result.stations]
         coords = {"station": names, "contact": self._result.contacts}
-        if len(dims) == 2:
-            about = [
-                {"unit": self._result.parameter_unit(name), "parameter": name} for name in (self.parameter, self.second)
-            ]
-            coords["x"] = ("x", self.values[0], about[0])
-            coords["y"] = ("y", self.second_values[:, 0], about[1])
+        if len(dims) > 1:
+            names = self.parameter, self.second, self.third
+            values = self.values, self.second_values, self.third_values
+            for along, axis in enumerate(reversed(dims)):
+                own = np.moveaxis(values[along], -1 - along, 0).reshape(self.shape[-1 - along], -1)[:, 0]
+                about = {"unit": self._result.parameter_unit(names[along]), "parameter": names[along]}
+                coords[axis] = (axis, own, about)
         elif self.parameter:
             coords[self.parameter] = (dims, self.values, {"unit": self._result.parameter_unit(self.parameter)})
         return coords

@@ -84,6 +84,13 @@ export function regimeKind(diagram: Diagram, point: number): number {
   return kind <= OTHER_PERIODS ? diagram.number(point, 'regime/period') : -kind;
 }
 
+/// A plane of a map with several.
+export interface MapPlane {
+  /// The third parameter, and its value there.
+  readonly parameter: string;
+  readonly value: number;
+}
+
 export class ParameterMap {
   readonly x: MapAxis;
   readonly y: MapAxis;
@@ -92,10 +99,13 @@ export class ParameterMap {
   private readonly own: Int32Array;
   private readonly points: Int32Array;
 
-  private constructor(
-    /// All points, along the first parameter.
+  constructor(
+    /// All points of all planes, along the first parameter.
     readonly diagram: Diagram,
     map: StoredMap,
+    /// Which plane of the stored map this is, from 0, and where it lies; undefined where there is one.
+    index: number,
+    readonly plane: MapPlane | undefined,
     /// Of a basin, those of most starts first; else none.
     readonly attractors: readonly Attractor[],
     /// Of every point its number among them, from 1; 0: none is told.
@@ -115,7 +125,8 @@ export class ParameterMap {
     // The last column and row are of the squares that end there.
     const end = (first: number, width: number, count: number) => (first + width + 1 < count ? first + width : count);
     for (let point = 0; point < diagram.count; point++) {
-      const cell = map.cells?.[point] ?? point;
+      const cell = (map.cells?.[point] ?? point) - index * columns * rows;
+      if (cell < 0 || cell >= columns * rows) continue;
       const [column, row] = [cell % columns, Math.floor(cell / columns)];
       this.own[at(column, row)] = point;
       const width = map.widths?.[point] ?? 1;
@@ -128,20 +139,6 @@ export class ParameterMap {
     });
     this.x = axisOf(diagram.parameter, x);
     this.y = axisOf(map.second, y);
-  }
-
-  /// The map of a run; undefined where it has none.
-  static of(run: Run | undefined): ParameterMap | undefined {
-    const table: StoredTable | undefined = run?.tables.find(({ map, count }) => map !== undefined && count > 0);
-    return (
-      table?.map &&
-      new ParameterMap(
-        Diagram.stored(table, run!.length_scale),
-        table.map,
-        table.attractors ?? [],
-        table.attractor ?? [],
-      )
-    );
   }
 
   /// The number of a point's attractor; 0: none is told.
@@ -180,6 +177,11 @@ export class ParameterMap {
     return this.own[row * this.columns + column]! >= 0;
   }
 
+  /// The points of its cells that were computed.
+  get computed(): readonly number[] {
+    return Array.from(this.own).filter((point) => point >= 0 && this.diagram.done[point]);
+  }
+
   /// The point of a cell that is done; -1 where there is none.
   point({ column, row }: Cell): number {
     return this.pointAt(row * this.columns + column);
@@ -213,5 +215,63 @@ export class ParameterMap {
       along,
       Float64Array.from(known, ({ value }) => value),
     );
+  }
+}
+
+/// The planes of a map over three parameters, or the only one of a map over two.
+export class MapPlanes {
+  private readonly made = new Map<number, ParameterMap>();
+
+  private constructor(
+    private readonly diagram: Diagram,
+    private readonly table: StoredTable,
+    private readonly map: StoredMap,
+    /// The third parameter, "" where there is none, and its values, rising.
+    readonly parameter: string,
+    readonly values: Float64Array,
+    /// Where the plane of each value stands among those that are stored.
+    private readonly places: readonly number[],
+  ) {}
+
+  /// The map of a run; undefined where it has none.
+  static of(run: Run | undefined): MapPlanes | undefined {
+    const table: StoredTable | undefined = run?.tables.find(({ map, count }) => map !== undefined && count > 0);
+    if (!table?.map) return undefined;
+    const { map } = table;
+    const stored = map.z === undefined ? Float64Array.of(NaN) : float64Of(map.z);
+    if (map.z !== undefined) fillGaps(stored);
+    const places = Array.from(stored.keys()).sort((one, other) => stored[one]! - stored[other]!);
+    const values = Float64Array.from(places, (place) => stored[place]!);
+    return new MapPlanes(Diagram.stored(table, run!.length_scale), table, map, map.third ?? '', values, places);
+  }
+
+  get count(): number {
+    return this.values.length;
+  }
+
+  /// The plane whose value is nearest.
+  nearest(value: number): number {
+    let best = 0;
+    this.values.forEach((each, i) => {
+      if (Math.abs(each - value) < Math.abs(this.values[best]! - value)) best = i;
+    });
+    return best;
+  }
+
+  at(index: number): ParameterMap {
+    const { table, parameter, values } = this;
+    const plane = parameter ? { parameter, value: values[index]! } : undefined;
+    const known =
+      this.made.get(index) ??
+      new ParameterMap(
+        this.diagram,
+        this.map,
+        this.places[index]!,
+        plane,
+        table.attractors ?? [],
+        table.attractor ?? [],
+      );
+    this.made.set(index, known);
+    return known;
   }
 }

@@ -6,10 +6,14 @@ export interface StoredField extends Omit<Field, 'offset'> {
   readonly data: string;
 }
 
-/// What the table of a map has in place of values, whose cells lie row after row, along the parameter of the table.
+/// What the table of a map has in place of values, whose cells lie row after row, along the parameter of the table, and
+/// plane after plane.
 export interface StoredMap {
   /// The second parameter, which changes from row to row.
   readonly second: string;
+  /// The third one, which changes from plane to plane, and its values, as those below; absent where there is one plane.
+  readonly third?: string;
+  readonly z?: string;
   readonly columns: number;
   readonly rows: number;
   /// The values along both axes in SI, float64, little-endian, base64; NaN where no point is.

@@ -27,18 +27,39 @@ export function plainValue(text: string, unit: string): number | undefined {
   return number !== '' && of === plain && Number.isFinite(Number(number)) ? Number(number) : undefined;
 }
 
-/// The cut along a parameter nearest to where the other one has a value, which `text` assigns; without one the case
-/// does.
-export function cutOf(map: ParameterMap, along: string, value: number, text: string | undefined, unit: string): Cut {
+/// Where a machine is in the space of a map.
+export interface MapPlace {
+  /// Texts that are assigned; parameters without one have the value of the case.
+  readonly assignments: ReadonlyMap<string, string>;
+  /// The value that a parameter has, in SI.
+  valueOf(parameter: string): number;
+  /// Its SI unit.
+  unitOf(parameter: string): string;
+}
+
+/// The cut along a parameter nearest to where the machine is: all others of the map are held.
+export function cutOf(map: ParameterMap, along: string, place: MapPlace): Cut {
   const { parameter, values } = map.across(along);
-  const index = nearestOn(map.across(along), value);
-  const there = values[index]!;
-  const of = `${parameter} = ${plainText(Number(there.toPrecision(6)), unit)}`;
-  const meets = Math.abs(value - there) <= SAME * Math.abs(there);
-  const assignments = !meets
-    ? [`${parameter}=${plainText(there, unit)}`]
-    : text === undefined
-      ? []
-      : [`${parameter}=${text}`];
-  return { key: `${along} ${index} ${assignments.join()}`, diagram: () => map.cut(along, index), of, assignments };
+  const index = nearestOn(map.across(along), place.valueOf(parameter));
+  const held = [{ parameter, value: values[index]! }, ...(map.plane ? [map.plane] : [])];
+  const texts = new Map<string, string>();
+  for (const { parameter: name, value } of held) {
+    const text = place.assignments.get(name);
+    const meets = Math.abs(place.valueOf(name) - value) <= SAME * Math.abs(value);
+    if (!meets) texts.set(name, plainText(value, place.unitOf(name)));
+    else if (text !== undefined) texts.set(name, text);
+  }
+  // In the order in which the reader made them.
+  const order = [...place.assignments.keys(), ...texts.keys()].filter((name, i, all) => all.indexOf(name) === i);
+  const assignments = order.flatMap((name) => (texts.has(name) ? [`${name}=${texts.get(name)!}`] : []));
+  const of = held.map(({ parameter: name, value }) => {
+    const shown = plainText(Number(value.toPrecision(6)), place.unitOf(name));
+    return `${name} = ${shown}`;
+  });
+  return {
+    key: `${along} ${index} ${map.plane?.value ?? ''} ${assignments.join()}`,
+    diagram: () => map.cut(along, index),
+    of: of.join(' and '),
+    assignments,
+  };
 }

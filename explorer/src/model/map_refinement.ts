@@ -109,7 +109,7 @@ export class MapRefinement {
     const assignment = `${grid.y.parameter}=${plainText(grid.y.values[row]!, unit)}`;
     const outcome = await this.engine.sweep(
       {
-        setting: { ...setting, assignments: [assignment] },
+        setting: { ...setting, assignments: [...(setting.assignments ?? []), assignment] },
         parameter: grid.x.parameter,
         values: grid.x.values,
       },

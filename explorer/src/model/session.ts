@@ -4,7 +4,7 @@ import { Branches } from '../data/branches';
 import { Tori } from '../data/tori';
 import { Diagram } from '../data/diagram';
 import type { OrbitOfBranch } from '../data/orbit';
-import { ParameterMap } from '../data/parameter_map';
+import { MapPlanes, type ParameterMap } from '../data/parameter_map';
 import { AtRest } from '../data/rest';
 import type { Run, StoredTable } from '../data/run';
 import type { CaseInfo, Engine, OrbitRequest, Setting, StationInfo, SweepProgress } from '../engine/protocol';
@@ -49,7 +49,7 @@ export class Session {
         readonly tori: Tori | undefined;
       }
     | undefined;
-  private readonly maps = new Map<Machine, ParameterMap | undefined>();
+  private readonly maps = new Map<Machine, MapPlanes | undefined>();
   private refined: MapRefinement | undefined;
   /// Of the cut of a map that the first sight shows.
   private cutKey = '';
@@ -113,11 +113,22 @@ export class Session {
     return this.resting.get(machine);
   }
 
-  /// The map that is stored of the machine; undefined where there is none.
-  get map(): ParameterMap | undefined {
+  /// The planes of the map that is stored of the machine; undefined where there is none.
+  get planes(): MapPlanes | undefined {
     const { machine } = this;
-    if (!this.maps.has(machine)) this.maps.set(machine, ParameterMap.of(machine.run));
+    if (!this.maps.has(machine)) this.maps.set(machine, MapPlanes.of(machine.run));
     return this.maps.get(machine);
+  }
+
+  /// Which of them is nearest to where the active side is.
+  get plane(): number {
+    const { planes, side } = this;
+    return planes?.parameter ? planes.nearest(this.valueOf(side, planes.parameter)) : 0;
+  }
+
+  /// The plane of the map that the active side is in; undefined where there is no map.
+  get map(): ParameterMap | undefined {
+    return this.planes?.at(this.plane);
   }
 
   /// Finer cells of the map that were computed; undefined where there are none.
@@ -134,7 +145,10 @@ export class Session {
     const { text, caseName } = this.machine;
     const { computation } = this.address;
     const { transient = table.transient, record = table.record } = computation;
-    const setting = { text, name: caseName, options: { method: table.method, ...computationOptions(computation) } };
+    const { plane } = map;
+    const assignments = plane ? [`${plane.parameter}=${plainText(plane.value, this.unitOf(plane.parameter))}`] : [];
+    const options = { method: table.method, ...computationOptions(computation) };
+    const setting = { text, name: caseName, options, assignments };
     const shorter = transient + record < table.transient + table.record;
     this.refined = new MapRefinement(
       engine,
@@ -180,9 +194,11 @@ export class Session {
     const { map, side } = this;
     const { parameter } = this.address;
     if (!map?.axis(parameter)) return undefined;
-    const other = map.across(parameter).parameter;
-    const text = side.choice.assignments.get(other);
-    return cutOf(map, parameter, this.valueOf(side, other), text, this.unitOf(other));
+    return cutOf(map, parameter, {
+      assignments: side.choice.assignments,
+      valueOf: (name) => this.valueOf(side, name),
+      unitOf: (name) => this.unitOf(name),
+    });
   }
 
   /// Shows the cut that the active side is at in place of another.
@@ -329,6 +345,14 @@ export class Session {
       [x.parameter, x.values[column]!],
       [y.parameter, y.values[row]!],
     ]);
+    this.enterPlane(a);
+  }
+
+  /// Gives a side the third parameter of the plane that is shown, unless it has it.
+  enterPlane(side: SideModel): void {
+    const plane = this.map?.plane;
+    if (plane && !(Math.abs(this.valueOf(side, plane.parameter) - plane.value) <= 1e-9 * Math.abs(plane.value)))
+      this.place(side, [[plane.parameter, plane.value]]);
   }
 
   /// The first sight: the stored diagram, or an empty one over the range of the sweep.
@@ -362,9 +386,12 @@ export class Session {
     const { mapTable: table } = this;
     if (!map || !table) return '';
     const thinned = table.count < table.points ? ` (of ${table.points} points in the run)` : '';
-    const missing = map.columns * map.rows - map.diagram.known;
+    const planes = this.planes!.count;
+    const missing = map.columns * map.rows * planes - map.diagram.known;
+    const over = `${map.x.parameter} and ${map.y.parameter}`;
+    const third = map.plane ? ` in each of ${planes} planes of ${map.plane.parameter}` : '';
     return (
-      `Stored run: ${map.columns} by ${map.rows} points over ${map.x.parameter} and ${map.y.parameter}${thinned}` +
+      `Stored run: ${map.columns} by ${map.rows} points over ${over}${third}${thinned}` +
       `${missing > 0 ? `, ${missing} of them not computed` : ''}.`
     );
   }

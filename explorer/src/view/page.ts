@@ -137,16 +137,20 @@ export class Page {
 
   private showMap(): void {
     const { session } = this;
-    const { map, address, station, stations, scales, refinement } = session;
+    const { map, planes, plane, address, station, stations, scales, refinement } = session;
     this.card.root.classList.toggle('below-map', map !== undefined);
     if (!map) {
       this.mapCard.show(undefined);
       return;
     }
     const [x, y] = [map.x.parameter, map.y.parameter];
-    const stale = Array.from(session.side.choice.assignments.keys()).some((name) => name !== x && name !== y);
+    const stale = Array.from(session.side.choice.assignments.keys()).some(
+      (name) => ![x, y, map.plane?.parameter].includes(name),
+    );
     this.mapCard.show({
-      ...{ map, station, stations, scales, stale },
+      ...{ map, plane, station, stations, scales, stale },
+      planes: planes!,
+      unitOfPlanes: session.unitOf(planes!.parameter),
       units: address.units,
       quantity: address.mapQuantity || firstQuantityOf(map),
       lines: address.mapLines,

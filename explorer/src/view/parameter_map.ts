@@ -2,7 +2,7 @@
 // what hands and keys do on them.
 import { ATTRACTOR, mapNumbersOf, partOf, REGIME, type MapNumbers } from '../data/map_quantities';
 import type { MapGrid } from '../data/map_grid';
-import { regimeKind, type Cell, type MapAxis, type ParameterMap } from '../data/parameter_map';
+import { regimeKind, type Cell, type MapAxis, type MapPlanes, type ParameterMap } from '../data/parameter_map';
 import type { Diagram } from '../data/diagram';
 import { CLASS_NAMES } from '../data/regimes';
 import { el } from '../dom';
@@ -22,6 +22,8 @@ import type { Table } from './panel';
 
 export interface ParameterMapSubject {
   readonly map: ParameterMap;
+  /// All its planes, with the same axes.
+  readonly planes: MapPlanes;
   readonly quantity: string;
   /// Lines where regimes, or attractors, meet.
   readonly lines: boolean;
@@ -117,8 +119,8 @@ export class ParameterMapView {
 
   show(subject: ParameterMapSubject): void {
     const changed = this.subject?.map !== subject.map;
+    if (this.subject?.planes !== subject.planes) this.window = new MapWindow(subject.map.x, subject.map.y);
     this.subject = subject;
-    if (changed) this.window = new MapWindow(subject.map.x, subject.map.y);
     const { quantity, lines, station, units, scales } = subject;
     const key = JSON.stringify([quantity, lines, station, units, scales.symbol]);
     const known = subject.live.reduce((sum, { diagram }) => sum + diagram.known, 0);
@@ -283,6 +285,7 @@ export class ParameterMapView {
         rows.push([
           map.x.values[column]! * x.factor,
           map.y.values[row]! * y.factor,
+          ...(map.plane ? [map.plane.value] : []),
           diagram.verdicts[point]![0],
           CONFIDENCE_NAMES[diagram.confidence(point)] ?? '',
           value,
@@ -294,6 +297,7 @@ export class ParameterMapView {
       heading: [
         labelled(map.x.parameter, x.unit),
         labelled(map.y.parameter, y.unit),
+        ...(map.plane ? [`${map.plane.parameter} (SI)`] : []),
         ...['verdict', 'confidence', 'exponent per revolution', 'its error'],
         ...more,
       ],
@@ -389,11 +393,11 @@ export class ParameterMapView {
     pen.restore();
   }
 
-  /// How many points have a regime.
+  /// How many points of the plane have a regime.
   counts(): readonly number[] {
     const counts = CLASS_NAMES.map(() => 0);
-    const { diagram } = this.subject!.map;
-    diagram.classes.forEach((kind, point) => (counts[kind]! += diagram.done[point]!));
+    const { map } = this.subject!;
+    for (const point of map.computed) counts[map.diagram.classes[point]!]!++;
     return counts;
   }
 

@@ -4,6 +4,7 @@ import { theme } from '../figure/figure';
 import { button, el, Segments, select, setChoices } from '../dom';
 import { fileName, saveMenu } from './panel';
 import { canRefine, FINE, type MapPart } from '../model/map_refinement';
+import { parameterMeasure } from '../model/units';
 import { ParameterMapView, type ParameterMapSubject, type Spot } from './parameter_map';
 
 export interface ParameterMapCardListener {
@@ -11,6 +12,8 @@ export interface ParameterMapCardListener {
   cell(spot: Spot, settled: boolean): void;
   mapQuantity(id: string): void;
   mapLines(shown: boolean): void;
+  /// Another plane is to be shown, by its number among those of rising values.
+  plane(index: number): void;
   /// Finer cells are to be computed of a part; undefined: no more of them.
   refine(part: MapPart | undefined): void;
   station(index: number): void;
@@ -21,6 +24,9 @@ export interface ParameterMapCardListener {
 export interface ParameterMapCardSubject extends ParameterMapSubject {
   /// Along which the cut runs; neither of the two where it is another parameter.
   readonly along: string;
+  /// Which of its planes is shown, and the SI unit of the third parameter.
+  readonly plane: number;
+  readonly unitOfPlanes: string;
   /// What the map is of, in a sentence.
   readonly status: string;
   /// Finer cells are being computed; undefined where none can be.
@@ -46,6 +52,9 @@ export class ParameterMapCard {
   private readonly rest = el('span', { class: 'map-rest' });
   private readonly legend = el('div', { class: 'legend' });
   private readonly status = el('p', { class: 'map-status' });
+  private readonly slider = el('input', { type: 'range', min: 0, step: 1 });
+  private readonly planeText = el('span', { class: 'plane-value' });
+  private readonly planes = el('label', { class: 'planes', hidden: true }, this.planeText, this.slider);
 
   constructor(listener: ParameterMapCardListener) {
     this.map = new ParameterMapView({
@@ -78,6 +87,7 @@ export class ParameterMapCard {
       { 'aria-pressed': 'false' },
     );
     this.finer = button('finer', '', () => listener.refine(this.subject!.refining ? undefined : this.map.part));
+    this.slider.addEventListener('input', () => listener.plane(Number(this.slider.value)));
     const name = () => fileName('whirl', this.subject?.name ?? '', 'map', this.subject?.quantity ?? '');
     const figure = { root: this.map.root, redraw: () => this.map.refresh(), picture: () => this.map.picture() };
     this.root = el(
@@ -104,6 +114,7 @@ export class ParameterMapCard {
           ),
         ),
       ),
+      this.planes,
       this.map.root,
       this.legend,
       el('p', { class: 'map-told' }, this.place, this.verdict, this.rest),
@@ -114,7 +125,7 @@ export class ParameterMapCard {
   /// undefined: there is no map.
   show(subject: ParameterMapCardSubject | undefined): void {
     this.root.hidden = subject === undefined;
-    const fresh = subject?.map !== this.subject?.map;
+    const fresh = subject?.planes !== this.subject?.planes;
     this.subject = subject;
     if (!subject) return;
     const { map, stations, station, quantity, along } = subject;
@@ -139,6 +150,7 @@ export class ParameterMapCard {
     this.finer.textContent = subject.refining ? 'stop' : 'finer';
     this.status.textContent = subject.status;
     this.root.classList.toggle('stale', subject.stale);
+    this.showPlanes(subject);
     this.map.show(subject);
     this.allowFiner();
     this.showLegend(quantity === REGIME.id || quantity === ATTRACTOR.id);
@@ -148,6 +160,18 @@ export class ParameterMapCard {
   setCursors(a: Spot, b: Spot | undefined, active: 'a' | 'b', along: string): void {
     this.map.setCursors(a, b, active, along);
     this.tell();
+  }
+
+  private showPlanes({ planes, plane, units, unitOfPlanes }: ParameterMapCardSubject): void {
+    this.planes.hidden = planes.count < 2;
+    if (this.planes.hidden) return;
+    const { factor, unit } = parameterMeasure(unitOfPlanes, units);
+    const value = `${Number((planes.values[plane]! * factor).toPrecision(6))}${unit ? ` ${unit}` : ''}`;
+    this.planeText.textContent = `${planes.parameter} = ${value}`;
+    this.slider.max = String(planes.count - 1);
+    this.slider.value = String(plane);
+    this.slider.setAttribute('aria-label', `Plane of the map, by ${planes.parameter}`);
+    this.slider.setAttribute('aria-valuetext', value);
   }
 
   /// Finer cells are computed of few, and of what is told of each alone.

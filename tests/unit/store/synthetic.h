@@ -98,19 +98,29 @@ static inline void synthetic_append(whirl_layout *layout, const char *name, size
     layout->size += rows;
 }
 
-/// Makes a map of a table: so many points in rows, all of them with so many numbers more.
-static inline void synthetic_map(whirl_table *table, size_t row, size_t rows, size_t numbers) {
+/// Makes a map of a table: so many points in rows, and rows in planes, all of them with so many numbers more.
+static inline void synthetic_planes(whirl_table *table, size_t row, size_t rows, size_t planes, size_t numbers) {
     free(table->values), free(table->branch), free(table->blocks);
     snprintf(table->name, sizeof table->name, "map");
     snprintf(table->second, sizeof table->second, "rho");
     table->row = row;
     synthetic_append(&table->layout, "map/second", 1);
+    if (planes > 0) synthetic_append(&table->layout, "map/third", 1);
+    if (planes > 0) snprintf(table->third, sizeof table->third, "sigma");
+    table->plane = planes > 0 ? row * rows : 0;
     if (numbers > 0) synthetic_append(&table->layout, "made/long", numbers);
-    synthetic_fill(table, row * rows);
-    for (size_t i = 0; i < row * rows; ++i) {
+    const size_t count = row * rows * (planes > 0 ? planes : 1);
+    synthetic_fill(table, count);
+    for (size_t i = 0; i < count; ++i) {
         table->values[i] = 0.1 * (double)(i % row);
-        synthetic_set(table, i, "map/second", 0.5 * (double)(i / row));
+        synthetic_set(table, i, "map/second", 0.5 * (double)(i / row % rows));
+        if (planes > 0) synthetic_set(table, i, "map/third", 7.0 * (double)(i / row / rows));
     }
+}
+
+/// The same without planes.
+static inline void synthetic_map(whirl_table *table, size_t row, size_t rows, size_t numbers) {
+    synthetic_planes(table, row, rows, 0, numbers);
 }
 
 /// Fields of every extent and shape: [3][2], [3], [2], a single number, and one without rows.

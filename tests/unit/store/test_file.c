@@ -189,16 +189,18 @@ static void reads_large_tables(void **state) {
     whirl_result_free(read);
 }
 
-/// Maps of points in rows and columns, whose chunks are several rows, one row, or pieces of a row, the last of which is
-/// shorter.
+/// Maps of points in rows and columns, and planes of these, whose chunks are several planes, one plane, several rows,
+/// one row, or pieces of a row, the last of which is shorter.
 static void reads_maps(void **state) {
     static const struct {
-        size_t row, rows, numbers;
-    } maps[] = {{5, 3, 0}, {5, 7, 1 << 15}, {7, 3, 1 << 16}, {1, 4, 3}, {4, 1, 1 << 16}};
+        size_t row, rows, planes, numbers;
+    } maps[] = {{5, 3, 0, 0},       {5, 7, 0, 1 << 15}, {7, 3, 0, 1 << 16}, {1, 4, 0, 3},       {4, 1, 0, 1 << 16},
+                {5, 3, 4, 0},       {5, 3, 7, 1 << 11}, {5, 3, 7, 1 << 13}, {5, 7, 3, 1 << 15}, {7, 3, 2, 1 << 16},
+                {1, 1, 5, 1 << 15}, {4, 1, 3, 1 << 15}, {1, 4, 1, 1 << 15}};
     fixture *f = *state;
     for (size_t i = 0; i < sizeof maps / sizeof *maps; ++i) {
         whirl_result *made = synthetic_result(), *read = NULL;
-        synthetic_map(&made->tables[0], maps[i].row, maps[i].rows, maps[i].numbers);
+        synthetic_planes(&made->tables[0], maps[i].row, maps[i].rows, maps[i].planes, maps[i].numbers);
         check(whirl_result_write(made, f->path));
         check(whirl_result_verify(made, f->path));
         check(whirl_result_read(f->path, &read));
