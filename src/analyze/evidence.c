@@ -20,7 +20,7 @@ evidence evidence_gather(const whirl_record *record) {
         e.growth_count = record->growth_count - aligning;
         e.second = second_exponent(record);
     }
-    e.returns = recurrence_find(&e.points, record->record_count, e.size);
+    e.returns = recurrence_find(&e.points, record->record_count, e.size, recurrence_tolerance);
     e.averages = regularity_find(&e.points, e.size);
     return e;
 }

@@ -23,7 +23,8 @@ bool orbits_pay(size_t dimension, const whirl_record_options *options, size_t k,
 
 size_t orbits_settled_period(const whirl_record *record, const whirl_record_options *options) {
     const section points = {record->section_count, record->dimension, record->section};
-    const recurrence returns = recurrence_find(&points, record->record_count, motion_size(record));
+    const recurrence returns =
+        recurrence_find(&points, record->record_count, motion_size(record), recurrence_tolerance);
     const size_t k = (size_t)returns.period, repeats = record->turns ? record->repeats : 1;
     const bool settled = returns.distance <= recurrence_tolerance && repeats > 0;
     if (!settled) return 0;

@@ -34,25 +34,25 @@ static double settling_trend(const section *all, size_t k, double size) {
 enum { SHORT_PERIOD = 64, FEWEST_RETURNS = 4 };
 
 /// The period up to 64 that returns within the tolerance, or best.
-static void try_short_periods(const section *all, double size, recurrence *found) {
+static void try_short_periods(const section *all, double size, double tolerance, recurrence *found) {
     for (size_t k = 1; k <= SHORT_PERIOD && k + FEWEST_RETURNS <= found->window; k++) {
         const double distance = return_distance(all, all->count - found->window, found->window, k) / size;
         found->longest = (int)k;
         if (found->period > 0 && !(distance < found->distance)) continue;
         found->period = (int)k;
         found->distance = distance;
-        if (distance <= recurrence_tolerance) break;
+        if (distance <= tolerance) break;
     }
 }
 
 /// A longer period that returns within the tolerance, where none up to 64 does.
-static void try_long_periods(const section *all, double size, recurrence *found) {
+static void try_long_periods(const section *all, double size, double tolerance, recurrence *found) {
     for (size_t k = SHORT_PERIOD + 1; k <= WHIRL_MAX_PERIOD && 3 * k <= all->count; k++) {
         const size_t window = 3 * k > found->window ? 3 * k : found->window, last = all->count - 1;
         found->longest = (int)k;
-        if (section_distance(all, last - k, last) > recurrence_tolerance * size) continue;
+        if (section_distance(all, last - k, last) > tolerance * size) continue;
         const double distance = return_distance(all, all->count - window, window, k) / size;
-        if (!(distance <= recurrence_tolerance)) continue;
+        if (!(distance <= tolerance)) continue;
         found->window = window;
         found->period = (int)k;
         found->distance = distance;
@@ -60,14 +60,14 @@ static void try_long_periods(const section *all, double size, recurrence *found)
     }
 }
 
-recurrence recurrence_find(const section *all, size_t record_count, double size) {
+recurrence recurrence_find(const section *all, size_t record_count, double size, double tolerance) {
     // Short records borrow from the revolutions watched before them, so that every period up to 64 is seen twice.
     enum { SHORTEST_WINDOW = 2 * SHORT_PERIOD };
     size_t window = record_count > SHORTEST_WINDOW ? record_count : SHORTEST_WINDOW;
     if (window > all->count) window = all->count;
     recurrence found = {.window = window, .distance = NAN, .separation = INFINITY, .trend = NAN};
-    try_short_periods(all, size, &found);
-    if (found.distance > recurrence_tolerance) try_long_periods(all, size, &found);
+    try_short_periods(all, size, tolerance, &found);
+    if (found.distance > tolerance) try_long_periods(all, size, tolerance, &found);
     if (found.period > 0) {
         const size_t first = all->count - found.window;
         found.separation = divisor_distance(all, first, found.window, (size_t)found.period) / size;

@@ -38,10 +38,10 @@ typedef struct recurrence {
     double trend;      ///< largest |z(n+k) - z(n)| in the last quarter of the section over that in the first
 } recurrence;
 
-/// A motion returns when it comes back within this share of its size.
+/// A computed motion returns when it comes back within this share of its size.
 static const double recurrence_tolerance = 1e-6;
 
-recurrence recurrence_find(const section *all, size_t record_count, double size);
+recurrence recurrence_find(const section *all, size_t record_count, double size, double tolerance);
 
 /// A drift shows its curve, and averages over both halves agree, once it has gone round so often (halves of 5.5 rounds
 /// still differ).
@@ -77,8 +77,11 @@ closed_curves curves_find(const section *all);
 
 // ---------------------------------------------------------------- zero_one.c
 
+/// Points that it takes at least.
+enum { ZERO_ONE_FEWEST = 100 };
+
 /// K of the 0-1 test for chaos over the last 4000 points: near 1 in chaos, near 0 for regular motion (below 0 too).
-/// `size` is that of the motion. NaN for fewer than 100 points, or where nothing moves.
+/// `size` is that of the motion. NaN for fewer points, or where nothing moves.
 double zero_one_test(const section *all, double size);
 
 // ---------------------------------------------------------------- correlation.c

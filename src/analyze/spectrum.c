@@ -1,5 +1,7 @@
 // Amplitude spectra in orders of the running speed, and the full spectrum of x + iy, which tells forward from
 // backward whirl. The record holds whole revolutions, so whole orders and their fractions 1/record lie on bins.
+#include "spectrum.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,8 +12,7 @@
 
 static const double pi = 3.141592653589793238463;
 
-/// Bins 0 ... of a record up to an order, below half the sampling frequency.
-static size_t bin_count(size_t revolutions, size_t samples_per_revolution, double highest_order) {
+size_t spectrum_bins(size_t revolutions, size_t samples_per_revolution, double highest_order) {
     const double last_whole = (double)((revolutions * samples_per_revolution - 1) / 2);
     const double wanted = floor(highest_order * (double)revolutions * (1.0 + 1e-12));
     return (size_t)fmin(wanted, last_whole) + 1;
@@ -61,18 +62,19 @@ static double largest_of(const double *samples, size_t count) {
     return largest;
 }
 
-/// The spectrum of two coordinates [2][count], of `turn` samples a revolution. false: no memory.
-static bool analyse(const double *samples, size_t count, size_t turn, size_t bins, whirl_spectrum *spectrum) {
+/// Into a spectrum with room for its bins, of `turn` samples a revolution. false: no memory.
+static bool analyse(const double *of_x, const double *of_y, size_t count, size_t turn, size_t bins,
+                    whirl_spectrum *spectrum) {
     double *x = malloc((3 * count + bins) * sizeof *x);
     if (!x) return false;
     double *y = x + count, *window = y + count, *power = window + count;
     hann_window(count, window);
-    const bool moves_x = window_samples(samples, window, count, x);
-    const bool moves_y = window_samples(samples + count, window, count, y);
+    const bool moves_x = window_samples(of_x, window, count, x);
+    const bool moves_y = window_samples(of_y, window, count, y);
     wave_transform *wave = moves_x || moves_y ? wave_transform_new(x, y, count, 0.5 * (double)count) : NULL;
     if (wave) {
         fill(spectrum, wave, bins, power);
-        spectrum->synchronous = synchronous_part(wave, turn, largest_of(samples, 2 * count));
+        spectrum->synchronous = synchronous_part(wave, turn, fmax(largest_of(of_x, count), largest_of(of_y, count)));
     }
     const bool done = wave || (!moves_x && !moves_y);
     wave_transform_free(wave);
@@ -93,36 +95,36 @@ static whirl_spectrum *empty_spectrum(size_t bins, double resolution) {
     return spectrum;
 }
 
-static whirl_status check(const whirl_record *record, size_t probe, double highest_order) {
-    if (record->sample_count == 0) return whirl_fail(WHIRL_BAD_INPUT, "the record holds no samples of a waveform");
-    if (probe >= record->probe_count) {
-        return whirl_fail(WHIRL_BAD_INPUT, "there is no probe %zu, the record has %zu", probe, record->probe_count);
-    }
+whirl_status spectrum_of(const double *x, const double *y, size_t count, size_t samples_per_revolution,
+                         double highest_order, whirl_spectrum **spectrum) {
+    *spectrum = NULL;
     if (!(highest_order > 0.0)) {
         return whirl_fail(WHIRL_BAD_INPUT, "the highest order is %g, expected a number above 0", highest_order);
     }
+    const size_t revolutions = count / samples_per_revolution;
+    const size_t kept = spectrum_bins(revolutions, samples_per_revolution, highest_order);
+    // Two bins more, so that a line at the highest order has a right side.
+    const size_t bins = spectrum_bins(revolutions, samples_per_revolution, highest_order + 2.0 / (double)revolutions);
+
+    whirl_spectrum *made = empty_spectrum(kept, 1.0 / (double)revolutions);
+    if (!made || !analyse(x, y, count, samples_per_revolution, bins, made)) {
+        whirl_spectrum_free(made);
+        return whirl_fail(WHIRL_NO_MEMORY, "no memory for the spectrum of %zu samples", count);
+    }
+    *spectrum = made;
     return whirl_ok();
 }
 
 whirl_status whirl_spectrum_new(const whirl_record *record, size_t probe, double highest_order,
                                 whirl_spectrum **spectrum) {
     *spectrum = NULL;
-    const whirl_status status = check(record, probe, highest_order);
-    if (status.code != WHIRL_OK) return status;
-    const size_t count = record->sample_count;
-    const size_t revolutions = count / record->samples_per_revolution;
-    const size_t kept = bin_count(revolutions, record->samples_per_revolution, highest_order);
-    // Two bins more, so that a line at the highest order has a right side.
-    const size_t bins =
-        bin_count(revolutions, record->samples_per_revolution, highest_order + 2.0 / (double)revolutions);
-
-    whirl_spectrum *made = empty_spectrum(kept, 1.0 / (double)revolutions);
-    if (!made || !analyse(record->waveform + 2 * probe * count, count, record->samples_per_revolution, bins, made)) {
-        whirl_spectrum_free(made);
-        return whirl_fail(WHIRL_NO_MEMORY, "no memory for the spectrum of %zu samples", count);
+    if (record->sample_count == 0) return whirl_fail(WHIRL_BAD_INPUT, "the record holds no samples of a waveform");
+    if (probe >= record->probe_count) {
+        return whirl_fail(WHIRL_BAD_INPUT, "there is no probe %zu, the record has %zu", probe, record->probe_count);
     }
-    *spectrum = made;
-    return whirl_ok();
+    const double *x = record->waveform + 2 * probe * record->sample_count;
+    return spectrum_of(x, x + record->sample_count, record->sample_count, record->samples_per_revolution, highest_order,
+                       spectrum);
 }
 
 void whirl_spectrum_free(whirl_spectrum *spectrum) {
@@ -136,35 +138,38 @@ static size_t most_lines(const block_shape *shape) {
 
 static size_t kept_bins(const block_shape *shape) {
     if (!shape->options->spectra) return 0;
-    return bin_count((size_t)shape->options->record, shape->samples_per_revolution, shape->options->highest_order);
+    return spectrum_bins((size_t)shape->options->record, shape->samples_per_revolution, shape->options->highest_order);
 }
 
-enum { LINES, AMPLITUDE, SYNCHRONOUS, LAG, FIELD_COUNT, COLUMNS = 5 };
+enum { LINES, AMPLITUDE, SYNCHRONOUS, LAG, FIELD_COUNT };
 
 static const field_plan fields[FIELD_COUNT] = {
-    [LINES] = {"lines", "length", "order, x, y, forward, backward", WHIRL_PER_STATION, COLUMNS, most_lines},
-    [AMPLITUDE] = {"amplitude", "length", "order, x, y, forward, backward", WHIRL_PER_STATION, COLUMNS, kept_bins},
+    [LINES] = {"lines", "length", "order, x, y, forward, backward", WHIRL_PER_STATION, SPECTRUM_COLUMNS, most_lines},
+    [AMPLITUDE] = {"amplitude", "length", "order, x, y, forward, backward", WHIRL_PER_STATION, SPECTRUM_COLUMNS,
+                   kept_bins},
     [SYNCHRONOUS] = {"synchronous", "length", "x, y, forward, backward", WHIRL_PER_STATION, 4, NULL},
     [LAG] = {"synchronous_lag", "deg", "x, y, forward, backward", WHIRL_PER_STATION, 4, NULL},
 };
 
 static double *put_row(double *out, const whirl_line *line) {
-    const double row[COLUMNS] = {line->order, line->x, line->y, line->forward, line->backward};
-    for (size_t c = 0; c < COLUMNS; c++) *out++ = row[c];
+    const double row[SPECTRUM_COLUMNS] = {line->order, line->x, line->y, line->forward, line->backward};
+    for (size_t c = 0; c < SPECTRUM_COLUMNS; c++) *out++ = row[c];
     return out;
 }
 
-static void put_spectrum(const whirl_spectrum *spectrum, const block_view *view, size_t station) {
-    double *lines = view_numbers(view, LINES, station);
+void spectrum_rows(const whirl_spectrum *spectrum, double *lines, double *bins) {
     for (size_t l = 0; l < spectrum->line_count; l++) lines = put_row(lines, &spectrum->lines[l]);
-    memcpy(view_numbers(view, SYNCHRONOUS, station), spectrum->synchronous.amplitude, 4 * sizeof(double));
-    memcpy(view_numbers(view, LAG, station), spectrum->synchronous.lag, 4 * sizeof(double));
-    double *amplitude = view_numbers(view, AMPLITUDE, station);
-    for (size_t k = 0; k < spectrum->count && amplitude; k++) {
+    for (size_t k = 0; k < spectrum->count && bins; k++) {
         const whirl_line bin = {(double)k * spectrum->resolution, spectrum->x[k], spectrum->y[k], spectrum->forward[k],
                                 spectrum->backward[k]};
-        amplitude = put_row(amplitude, &bin);
+        bins = put_row(bins, &bin);
     }
+}
+
+static void put_spectrum(const whirl_spectrum *spectrum, const block_view *view, size_t station) {
+    spectrum_rows(spectrum, view_numbers(view, LINES, station), view_numbers(view, AMPLITUDE, station));
+    memcpy(view_numbers(view, SYNCHRONOUS, station), spectrum->synchronous.amplitude, 4 * sizeof(double));
+    memcpy(view_numbers(view, LAG, station), spectrum->synchronous.lag, 4 * sizeof(double));
 }
 
 static whirl_status compute(const whirl_record *record, const whirl_record_options *options, const block_view *view) {

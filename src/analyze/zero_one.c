@@ -8,7 +8,7 @@
 
 #include "section.h"
 
-enum { MOST_POINTS = 4000, FEWEST_POINTS = 100, FREQUENCIES = 25, MOST_LAGS = 50 };
+enum { MOST_POINTS = 4000, FREQUENCIES = 25, MOST_LAGS = 50 };
 
 static const double pi = 3.141592653589793238463;
 
@@ -99,7 +99,7 @@ static double median(double *values, size_t count) {
 double zero_one_test(const section *all, double size) {
     const section points = section_tail(all, MOST_POINTS);
     double u[MOST_POINTS], growth[FREQUENCIES];
-    if (points.count < FEWEST_POINTS || !observe(&points, size, u)) return NAN;
+    if (points.count < ZERO_ONE_FEWEST || !observe(&points, size, u)) return NAN;
     for (size_t i = 0; i < FREQUENCIES; i++) {
         const double turn = fmod((double)(i + 1) * 0.6180339887498949, 1.0); // spread evenly, the same in every run
         growth[i] = growth_at(u, points.count, pi / 5.0 * (1.0 + 3.0 * turn));

@@ -1,0 +1,151 @@
+// Signals by the angle of the shaft: sections and samples at equal angles between pulses.
+//
+// When the shaft is at an angle is a monotone cubic through the pulses (Fritsch and Carlson 1980, SIAM J. Numer. Anal.
+// 17, 238); what the signals are then is a polynomial through the samples around (Fyfe and Munck 1997, Mech. Syst.
+// Signal Process. 11, 187).
+#include <math.h>
+
+#include "signal_check.h"
+
+static const double two_pi = 6.283185307179586476925;
+
+// ---------------------------------------------------------------- the angle
+
+/// Time a revolution takes at pulse k: the slope of the parabola through it and its neighbours, held where the cubics
+/// stay monotone however unlike the revolutions are.
+static double slope_at(const double *instants, size_t pulses, size_t k) {
+    if (pulses == 2) return instants[1] - instants[0];
+    const size_t middle = k == 0 ? 1 : k == pulses - 1 ? pulses - 2 : k;
+    const double before = instants[middle] - instants[middle - 1], after = instants[middle + 1] - instants[middle];
+    const double slope = 0.5 * (before + after) + (after - before) * ((double)k - (double)middle);
+    const double least = k < middle ? before : k > middle ? after : fmin(before, after);
+    return fmin(fmax(slope, 0.0), 3.0 * least);
+}
+
+/// When the shaft has turned by a part from 0 to 1 of the revolution after pulse k.
+static double instant_at(const double *instants, size_t pulses, size_t k, double part) {
+    if (part == 0.0 || part == 1.0) return instants[k + (part == 1.0)];
+    const double length = instants[k + 1] - instants[k], rest = 1.0 - part;
+    const double begins = slope_at(instants, pulses, k), ends = slope_at(instants, pulses, k + 1);
+    const double later = part * (length * part * (1.0 + 2.0 * rest) + begins * rest * rest - ends * part * rest);
+    return fmin(fmax(instants[k] + later, instants[k]), instants[k + 1]);
+}
+
+// ---------------------------------------------------------------- the signals
+
+/// Samples whose weighted sum is a polynomial's value at an instant.
+typedef struct stencil {
+    size_t first, nodes;
+    double weights[WHIRL_SIGNALS_HIGHEST_ORDER + 1];
+} stencil;
+
+/// The last sample that is not after an instant.
+static size_t sample_before(const double *time, size_t count, double instant) {
+    size_t low = 0, high = count;
+    while (high - low > 1) {
+        const size_t middle = low + (high - low) / 2;
+        if (time[middle] <= instant)
+            low = middle;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+/// Lagrange's polynomial through the order + 1 samples around an instant, as many on either side where they are there.
+static stencil stencil_at(const double *time, size_t count, double instant, int order) {
+    const size_t before = sample_before(time, count, instant), side = (size_t)order / 2;
+    stencil s = {.first = before > side ? before - side : 0, .nodes = (size_t)order + 1};
+    if (s.first > count - s.nodes) s.first = count - s.nodes;
+    const double *t = time + s.first;
+    for (size_t i = 0; i < s.nodes; i++) {
+        s.weights[i] = 1.0;
+        for (size_t j = 0; j < s.nodes; j++)
+            if (j != i) s.weights[i] *= (instant - t[j]) / (t[i] - t[j]);
+    }
+    return s;
+}
+
+static double stencil_sum(const stencil *s, const double *values) {
+    double sum = 0.0;
+    for (size_t i = 0; i < s->nodes; i++) sum += s->weights[i] * values[s->first + i];
+    return sum;
+}
+
+static whirl_status check(const double *time, const double *values, size_t count, size_t channels,
+                          const double *instants, size_t pulses, int order) {
+    if (order < 1 || order > WHIRL_SIGNALS_HIGHEST_ORDER || order % 2 == 0)
+        return whirl_fail(WHIRL_BAD_INPUT, "the order of interpolation is %d, expected 1, 3, 5, 7 or 9", order);
+    const whirl_status status = signal_check_turns(time, count, (size_t)order + 1, instants, pulses);
+    return status.code == WHIRL_OK ? signal_check_channels(values, count, channels, 1) : status;
+}
+
+whirl_status whirl_signals_section(const double *time, const double *values, size_t count, size_t channels,
+                                   const double *instants, size_t pulses, double phase, int order, double *section,
+                                   size_t *points) {
+    *points = 0;
+    const whirl_status status = check(time, values, count, channels, instants, pulses, order);
+    if (status.code != WHIRL_OK) return status;
+    if (!(phase >= 0.0 && phase < two_pi))
+        return whirl_fail(WHIRL_BAD_INPUT, "the phase of the section is %g rad, expected 0 or more and below 2 pi",
+                          phase);
+    const double part = phase / two_pi;
+    *points = part > 0.0 ? pulses - 1 : pulses;
+    for (size_t k = 0; k < *points; k++) {
+        const double instant = part > 0.0 ? instant_at(instants, pulses, k, part) : instants[k];
+        const stencil s = stencil_at(time, count, instant, order);
+        for (size_t c = 0; c < channels; c++) section[k * channels + c] = stencil_sum(&s, values + c * count);
+    }
+    return whirl_ok();
+}
+
+whirl_status whirl_signals_samples(const double *time, size_t count, const double *instants, size_t pulses,
+                                   size_t *samples) {
+    *samples = 0;
+    const whirl_status status = signal_check_turns(time, count, 2, instants, pulses);
+    if (status.code != WHIRL_OK) return status;
+    size_t most = 8;
+    for (size_t k = 0; k + 1 < pulses; k++) {
+        const size_t between = sample_before(time, count, instants[k + 1]) - sample_before(time, count, instants[k]);
+        most = between > most ? between : most;
+    }
+    *samples = most + most % 2;
+    return whirl_ok();
+}
+
+whirl_status whirl_signals_resample(const double *time, const double *values, size_t count, size_t channels,
+                                    const double *instants, size_t pulses, size_t samples, int order,
+                                    double *resampled) {
+    const whirl_status status = check(time, values, count, channels, instants, pulses, order);
+    if (status.code != WHIRL_OK) return status;
+    const size_t revolutions = pulses - 1;
+    if (samples < 3 || samples > WHIRL_SIGNALS_MOST / channels / revolutions)
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "there are to be %zu samples a revolution, expected at least 3 and at most %d numbers in all",
+                          samples, WHIRL_SIGNALS_MOST);
+    for (size_t at = 0; at < revolutions * samples; at++) {
+        const double part = (double)(at % samples + 1) / (double)samples;
+        const double instant = instant_at(instants, pulses, at / samples, part);
+        const stencil s = stencil_at(time, count, instant, order);
+        for (size_t c = 0; c < channels; c++)
+            resampled[c * revolutions * samples + at] = stencil_sum(&s, values + c * count);
+    }
+    return whirl_ok();
+}
+
+whirl_status whirl_signals_axes(const double *u, const double *v, size_t count, double first, double second, double *x,
+                                double *y) {
+    whirl_status status = signal_check_channels(u, count, 1, 1);
+    if (status.code == WHIRL_OK) status = signal_check_channels(v, count, 1, 1);
+    if (status.code != WHIRL_OK) return status;
+    const double across = sin(second - first);
+    if (!(fabs(across) > 0.01))
+        return whirl_fail(WHIRL_BAD_INPUT, "the probes stand at %g and %g rad, expected two that are not in one line",
+                          first, second);
+    for (size_t i = 0; i < count; i++) {
+        const double a = u[i], b = v[i];
+        x[i] = (a * sin(second) - b * sin(first)) / across;
+        y[i] = (b * cos(first) - a * cos(second)) / across;
+    }
+    return whirl_ok();
+}

@@ -1,0 +1,93 @@
+// Measured signals: the analyses of computed motions over plain arrays.
+#include "whirl/signals.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "section.h"
+#include "signal_check.h"
+#include "spectrum.h"
+
+_Static_assert((int)WHIRL_SIGNALS_COLUMNS == (int)SPECTRUM_COLUMNS, "rows are handed on as they are");
+_Static_assert((int)WHIRL_SIGNALS_LINES >= (int)WHIRL_MAX_LINES, "callers have room for all lines");
+
+// ---------------------------------------------------------------- spectra
+
+size_t whirl_signals_orders(size_t count, size_t samples, double highest_order) {
+    if (samples < 3 || count < samples || count % samples != 0 || !(highest_order > 0.0)) return 0;
+    return spectrum_bins(count / samples, samples, highest_order);
+}
+
+static whirl_status check_turned(const double *x, const double *y, size_t count, size_t samples) {
+    if (samples < 3)
+        return whirl_fail(WHIRL_BAD_INPUT, "there are %zu samples a revolution, expected 3 or more", samples);
+    if (count % samples != 0)
+        return whirl_fail(WHIRL_BAD_INPUT, "there are %zu samples, expected whole revolutions of %zu", count, samples);
+    if (count / samples < WHIRL_SIGNALS_FEWEST_REVOLUTIONS)
+        return whirl_fail(WHIRL_BAD_INPUT, "there are %zu revolutions, expected at least %d for a spectrum",
+                          count / samples, WHIRL_SIGNALS_FEWEST_REVOLUTIONS);
+    const whirl_status status = signal_check_channels(x, count, 1, 1);
+    return status.code == WHIRL_OK && y ? signal_check_channels(y, count, 1, 1) : status;
+}
+
+whirl_status whirl_signals_spectrum(const double *x, const double *y, size_t count, size_t samples,
+                                    double highest_order, double *orders, double *lines, size_t *line_count,
+                                    double *synchronous) {
+    *line_count = 0;
+    whirl_status status = check_turned(x, y, count, samples);
+    if (status.code != WHIRL_OK) return status;
+    double *nothing = y ? NULL : calloc(count, sizeof *nothing);
+    if (!y && !nothing) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the spectrum of %zu samples", count);
+    whirl_spectrum *spectrum;
+    status = spectrum_of(x, y ? y : nothing, count, samples, highest_order, &spectrum);
+    free(nothing);
+    if (status.code != WHIRL_OK) return status;
+    *line_count = spectrum->line_count;
+    spectrum_rows(spectrum, lines, orders);
+    memcpy(synchronous, spectrum->synchronous.amplitude, sizeof spectrum->synchronous.amplitude);
+    memcpy(synchronous + 4, spectrum->synchronous.lag, sizeof spectrum->synchronous.lag);
+    whirl_spectrum_free(spectrum);
+    return whirl_ok();
+}
+
+// ---------------------------------------------------------------- sections
+
+whirl_status whirl_signals_size(const double *values, size_t count, size_t channels, double *size) {
+    const whirl_status status = signal_check_channels(values, count, channels, 1);
+    if (status.code != WHIRL_OK) return status;
+    double squares = 0.0;
+    for (size_t c = 0; c < channels; c++) {
+        double low = INFINITY, high = -INFINITY;
+        for (size_t i = 0; i < count; i++) {
+            low = fmin(low, values[c * count + i]);
+            high = fmax(high, values[c * count + i]);
+        }
+        squares += 0.25 * (high - low) * (high - low);
+    }
+    *size = sqrt(squares);
+    return whirl_ok();
+}
+
+whirl_status whirl_signals_zero_one(const double *points, size_t count, size_t dimension, double size, double *k) {
+    whirl_status status = signal_check_points(points, count, dimension, ZERO_ONE_FEWEST);
+    if (status.code == WHIRL_OK) status = signal_check_size(size);
+    if (status.code != WHIRL_OK) return status;
+    const section all = {count, dimension, points};
+    *k = zero_one_test(&all, size);
+    return whirl_ok();
+}
+
+whirl_status whirl_signals_returns(const double *points, size_t count, size_t dimension, double size, double tolerance,
+                                   int *period, double *distance) {
+    enum { FEWEST_POINTS = 5, MOST_POINTS = 20000 }; // every period is compared over all points
+    whirl_status status = signal_check_points(points, count, dimension, FEWEST_POINTS);
+    if (status.code == WHIRL_OK) status = signal_check_size(size);
+    if (status.code != WHIRL_OK) return status;
+    if (!(tolerance >= 0.0)) return whirl_fail(WHIRL_BAD_INPUT, "the tolerance is %g, expected 0 or more", tolerance);
+    const section all = {count, dimension, points}, last = section_tail(&all, MOST_POINTS);
+    const recurrence found = recurrence_find(&last, last.count, size, tolerance);
+    *period = found.period;
+    *distance = found.distance;
+    return whirl_ok();
+}
