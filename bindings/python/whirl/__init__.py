@@ -27,7 +27,7 @@ _HOMES = {
     "MissingProgram": "errors",
     "Stopped": "errors",
 }
-_MODULES = ("plot",)
+_MODULES = ("plot", "signals")
 
 __all__ = [*_HOMES, *_MODULES, "library_version"]
 __version__ = "0.2.0"

@@ -78,3 +78,29 @@ const double *whirl_table_column(const whirl_table *table, size_t field, size_t 
 whirl_status whirl_table_copy(const whirl_table *table, size_t field, double *numbers);
 void whirl_table_words(const whirl_table *table, size_t point, char *name, char *reason, size_t size);
 const char *whirl_table_option(const whirl_table *table, size_t index, char *text, size_t size);
+
+whirl_status whirl_signals_threshold(const double *voltage, size_t count, double *threshold, double *hysteresis);
+whirl_status whirl_signals_pulses(const double *time, const double *voltage, size_t count, double threshold,
+                                  double hysteresis, bool rising, double *instants, size_t *pulses);
+whirl_status whirl_signals_speed(const double *instants, size_t pulses, double *speed);
+whirl_status whirl_signals_section(const double *time, const double *values, size_t count, size_t channels,
+                                   const double *instants, size_t pulses, double phase, int order, double *section,
+                                   size_t *points);
+whirl_status whirl_signals_samples(const double *time, size_t count, const double *instants, size_t pulses,
+                                   size_t *samples);
+whirl_status whirl_signals_resample(const double *time, const double *values, size_t count, size_t channels,
+                                    const double *instants, size_t pulses, size_t samples, int order,
+                                    double *resampled);
+whirl_status whirl_signals_axes(const double *u, const double *v, size_t count, double first, double second, double *x,
+                                double *y);
+size_t whirl_signals_orders(size_t count, size_t samples, double highest_order);
+whirl_status whirl_signals_spectrum(const double *x, const double *y, size_t count, size_t samples,
+                                    double highest_order, double *orders, double *lines, size_t *line_count,
+                                    double *synchronous);
+whirl_status whirl_signals_size(const double *values, size_t count, size_t channels, double *size);
+whirl_status whirl_signals_zero_one(const double *points, size_t count, size_t dimension, double size, double *k);
+whirl_status whirl_signals_returns(const double *points, size_t count, size_t dimension, double size, double tolerance,
+                                   int *period, double *distance);
+whirl_status whirl_signals_recurrence(const double *points, size_t count, size_t dimension, double radius,
+                                      size_t shortest, double *rate, double *determinism, double *laminarity,
+                                      size_t *longest);

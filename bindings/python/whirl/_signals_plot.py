@@ -1,0 +1,80 @@
+"""Figures of measured signals, in the manner of whirl.plot."""
+
+import numpy as np
+
+from .plot import _SHOWN, REGIMES, _axes
+
+
+class Plots:
+    """Figures of a record: ``record.plot.orbit()``.
+
+    Every function takes the axes to draw into, or makes a figure; it returns the axes, and passes further keywords on to
+    Matplotlib.
+    """
+
+    def __init__(self, record):
+        self._record = record
+
+    def _label(self, what):
+        unit = _SHOWN.get(self._record.unit, self._record.unit)
+        return f"{what} / {unit}" if unit else what
+
+    def speed(self, ax=None, **style):
+        """The speed between pulses over time: in rpm where time is in seconds."""
+        record, ax = self._record, _axes(ax)
+        seconds = record.time_unit == "s"
+        middles = 0.5 * (record.pulses[1:] + record.pulses[:-1])
+        speed = record.speed * (30.0 / np.pi if seconds else 1.0)
+        ax.plot(middles, speed, **{"color": "black", "linewidth": 0.8, **style})
+        unit = "rpm" if seconds else f"(rad/{record.time_unit})"
+        ax.set(xlabel=f"time / {record.time_unit}", ylabel=f"speed / {unit}")
+        return ax
+
+    def orbit(self, revolutions=4, x=0, y=1, ax=None, **style):
+        """The path of the last revolutions, with a mark at every pulse."""
+        record, ax = self._record, _axes(ax)
+        path = record.displacements(x, y)
+        inside = (record.time >= record.pulses[-1 - min(revolutions, len(record.speed))]) & (
+            record.time <= record.pulses[-1]
+        )
+        ax.plot(*path[:, inside], **{"color": "black", "linewidth": 0.8, **style})
+        marks = self._marks(x, y)[-revolutions - 1 :]
+        ax.plot(*marks.T, linestyle="none", marker="o", markersize=4, color=REGIMES["quasi-periodic"])
+        ax.set(xlabel=self._label("x"), ylabel=self._label("y"), aspect="equal")
+        return ax
+
+    def _marks(self, x, y, phase=0.0):
+        """The section of two probes along x and y."""
+        record = self._record
+        section = np.ascontiguousarray(record.section(phase)[:, [record.channel(x), record.channel(y)]].T)
+        return (section if record.angles is None else record._turned(section, x, y)).T
+
+    def section(self, phase=0.0, x=0, y=1, ax=None, **style):
+        """The section of two probes: where the shaft is once a revolution."""
+        ax = _axes(ax)
+        ax.plot(*self._marks(x, y, phase).T, **{"marker": ".", "ls": "none", "c": "k", **style})
+        ax.set(xlabel=self._label("x"), ylabel=self._label("y"), aspect="equal")
+        return ax
+
+    def spectrum(self, channel=0, highest_order=10.0, ax=None, **style):
+        """The order spectrum of a channel."""
+        record, ax = self._record, _axes(ax)
+        index = record.channel(channel)
+        spectrum = record.spectrum(highest_order)
+        ax.plot(spectrum.orders, spectrum.amplitude[index], **{"color": "black", "linewidth": 0.8, **style})
+        ax.set(xlabel="order", ylabel=self._label(f"amplitude of {record.names[index]}"))
+        ax.set_xlim(0.0, spectrum.orders[-1])
+        ax.set_ylim(bottom=0.0)
+        return ax
+
+    def full_spectrum(self, highest_order=5.0, x=0, y=1, ax=None, **style):
+        """The full spectrum of two probes: forward whirl at orders above 0, backward whirl below."""
+        spectrum, ax = self._record.full_spectrum(highest_order, x, y), _axes(ax)
+        style = {"color": "black", "linewidth": 0.8, **style}
+        ax.plot(spectrum.orders, spectrum.forward, **style)
+        ax.plot(-spectrum.orders, spectrum.backward, **style)
+        ax.axvline(0.0, color="0.6", linewidth=0.6, zorder=0)
+        ax.set(xlabel="order, backward below 0", ylabel=self._label("amplitude"))
+        ax.set_xlim(-spectrum.orders[-1], spectrum.orders[-1])
+        ax.set_ylim(bottom=0.0)
+        return ax

@@ -1,0 +1,432 @@
+"""Measured signals: the analyses that whirl makes of computed motions, of what was measured at a machine.
+
+>>> time, a, b, keyphasor = numpy.loadtxt("measured.csv", delimiter=",", skiprows=1, unpack=True)
+>>> record = whirl.signals.Record(time, a, b, keyphasor=keyphasor, angles=numpy.radians([45, 135]), unit="um")
+>>> record.section()                          # [revolutions][channels]
+>>> record.full_spectrum().lines              # order, x, y, forward, backward
+>>> record.plot.full_spectrum()
+
+Everything is computed by libwhirl (``whirl/signals.h`` says how). Signals keep their unit, time has any; angles are in
+rad. Gaps, times that do not grow and signals that are too short raise :class:`whirl.BadInput` with one sentence; samples,
+channels and pulses are counted from 0.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple, Optional, Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ._library import check, ffi, lib
+from .errors import BadInput
+
+_LINES, _COLUMNS = 16, 5  # WHIRL_SIGNALS_LINES, WHIRL_SIGNALS_COLUMNS
+
+
+class Spectrum(NamedTuple):
+    """Order spectra of all channels; amplitudes are zero to peak, in the unit of the signals."""
+
+    orders: np.ndarray  #: [orders] multiples of the speed, 1/revolutions apart
+    amplitude: np.ndarray  #: [channels][orders]
+    lines: tuple  #: of every channel an array [lines][2]: order and amplitude of sinusoids, largest first
+    synchronous: np.ndarray  #: [channels] amplitude once a revolution
+    lag: np.ndarray  #: [channels] degrees by which its peak comes after the pulse, NaN where there is none
+
+
+class FullSpectrum(NamedTuple):
+    """The full spectrum of two probes: x, y and the circular motions forward (with the rotation) and backward."""
+
+    orders: np.ndarray  #: [orders] multiples of the speed, 1/revolutions apart
+    x: np.ndarray  #: [orders] amplitudes, zero to peak
+    y: np.ndarray  #: [orders]
+    forward: np.ndarray  #: [orders]
+    backward: np.ndarray  #: [orders]
+    lines: np.ndarray  #: [lines][5] order, x, y, forward, backward of sinusoids, largest first
+    synchronous: np.ndarray  #: [4] amplitudes once a revolution of x, y, forward, backward
+    lag: np.ndarray  #: [4] their lags behind the pulse, degrees, as ``spectrum/synchronous_lag`` of a result
+
+
+class Recurrence(NamedTuple):
+    """How points come back."""
+
+    period: int  #: the smallest number of steps after which all return within the tolerance; else that of the nearest
+    distance: float  #: largest distance of a point from that so many steps later, over the size of the motion
+    rate: float  #: share of the pairs of points that are within the radius
+    determinism: float  #: share of these pairs in diagonal lines; NaN without any
+    laminarity: float  #: share of the near points in vertical lines
+    longest: int  #: points of the longest diagonal line, the main diagonal apart
+
+
+# ---------------------------------------------------------------- arrays
+
+
+def _numbers(values: ArrayLike, what: str, dimensions: int = 1) -> np.ndarray:
+    """Doubles side by side in memory; what is masked is a gap."""
+    try:
+        numbers = np.ma.filled(np.ma.asarray(values, dtype=float), np.nan)
+    except (TypeError, ValueError) as failure:
+        raise BadInput(f"{what}: {failure}, expected numbers") from None
+    if numbers.ndim != dimensions:
+        raise BadInput(f"{what} has the shape {numbers.shape}, expected {dimensions} dimension{'s'[: dimensions - 1]}")
+    return np.ascontiguousarray(numbers)
+
+
+def _at(numbers: np.ndarray):
+    """The library's pointer to an array, which has to live on."""
+    return ffi.cast("double *", numbers.ctypes.data)
+
+
+def _size(value, what: str) -> int:
+    """A count that the library can be told."""
+    if not 0 <= int(value) < 1 << 63:
+        raise BadInput(f"{what} is {value}, expected 0 or more")
+    return int(value)
+
+
+def _points(points: ArrayLike) -> np.ndarray:
+    """Points [count][dimension]; numbers alone are points of one coordinate."""
+    points = np.asarray(points) if not np.ma.isMaskedArray(points) else points
+    return _numbers(points if points.ndim > 1 else points.reshape(-1, 1), "the section", 2)
+
+
+def _size_of(points: np.ndarray, size: Optional[float]) -> float:
+    return motion_size(points.T) if size is None else float(size)
+
+
+# ---------------------------------------------------------------- functions of arrays
+
+
+def find_pulses(
+    time: ArrayLike,
+    voltage: ArrayLike,
+    threshold: Optional[float] = None,
+    hysteresis: Optional[float] = None,
+    edge: str = "rising",
+) -> np.ndarray:
+    """Instants of a keyphasor's pulses, interpolated between samples.
+
+    Parameters
+    ----------
+    time, voltage : array_like
+        [count] of the samples.
+    threshold : float, optional
+        Voltage that an edge passes; halfway between the least and the largest one.
+    hysteresis : float, optional
+        By how much the voltage goes back beyond the threshold before another pulse counts; a fifth of the range.
+    edge : str
+        "rising" or "falling".
+    """
+    time, voltage = _numbers(time, "time"), _numbers(voltage, "the keyphasor")
+    if time.shape != voltage.shape:
+        raise BadInput(f"the keyphasor has {voltage.size} samples, time has {time.size}")
+    if edge not in ("rising", "falling"):
+        raise BadInput(f"the edge is '{edge}', expected 'rising' or 'falling'")
+    if threshold is None or hysteresis is None:
+        levels = ffi.new("double[2]")
+        check(lib.whirl_signals_threshold(_at(voltage), voltage.size, levels, levels + 1))
+        threshold = levels[0] if threshold is None else threshold
+        hysteresis = levels[1] if hysteresis is None else hysteresis
+    instants, found = np.empty(time.size // 2 + 1), ffi.new("size_t *")
+    levels = float(threshold), float(hysteresis)
+    check(lib.whirl_signals_pulses(_at(time), _at(voltage), time.size, *levels, edge == "rising", _at(instants), found))
+    return instants[: found[0]].copy()
+
+
+def motion_size(channels: ArrayLike) -> float:
+    """Half the diagonal of the bounds of channels [channels][count]: what distances are compared with."""
+    channels, size = _numbers(channels, "the channels", 2), ffi.new("double *")
+    check(lib.whirl_signals_size(_at(channels), channels.shape[1], channels.shape[0], size))
+    return size[0]
+
+
+def zero_one(points: ArrayLike, size: Optional[float] = None) -> float:
+    """K of the 0-1 test for chaos (Gottwald and Melbourne 2009) of a section: near 1 in chaos, near 0 in regular motion.
+
+    Parameters
+    ----------
+    points : array_like
+        [count] or [count][dimension], 100 at least, of which the last 4000 are looked at.
+    size : float, optional
+        Of the motion (:func:`motion_size`); that of the points.
+
+    Returns
+    -------
+    float
+        NaN where the points spread by less than 1e-6 of the size.
+    """
+    points, k = _points(points), ffi.new("double *")
+    check(lib.whirl_signals_zero_one(_at(points), *points.shape, _size_of(points, size), k))
+    return k[0]
+
+
+def recurrence(
+    points: ArrayLike,
+    size: Optional[float] = None,
+    radius: float = 0.1,
+    tolerance: float = 0.05,
+    shortest: int = 2,
+) -> Recurrence:
+    """How the points of a section come back (Marwan, Romano, Thiel and Kurths 2007).
+
+    Parameters
+    ----------
+    points : array_like
+        [count] or [count][dimension], 5 to 20 000.
+    size : float, optional
+        Of the motion (:func:`motion_size`); that of the points.
+    radius : float
+        Within which points are near each other, over the size.
+    tolerance : float
+        Within which a period returns, over the size; it has to be above the noise. Computed motions have 1e-6.
+    shortest : int
+        Points of a line that counts, 2 at least.
+    """
+    points = _points(points)
+    size, period, numbers = _size_of(points, size), ffi.new("int *"), ffi.new("double[4]")
+    longest, shortest = ffi.new("size_t *"), _size(shortest, "the shortest line")
+    check(lib.whirl_signals_returns(_at(points), *points.shape, size, float(tolerance), period, numbers))
+    radius = float(radius) * size
+    lines = numbers + 1, numbers + 2, numbers + 3, longest
+    check(lib.whirl_signals_recurrence(_at(points), *points.shape, radius, shortest, *lines))
+    return Recurrence(period[0], *numbers, longest[0])
+
+
+def _spectrum(x: np.ndarray, y: Optional[np.ndarray], samples: int, highest_order: float):
+    """Rows of orders and of lines, and the synchronous part [2][4], of turned signals [count]."""
+    count = lib.whirl_signals_orders(x.size, samples, highest_order)
+    orders, lines, synchronous = np.empty((count, _COLUMNS)), np.empty((_LINES, _COLUMNS)), np.empty((2, 4))
+    found, second = ffi.new("size_t *"), ffi.NULL if y is None else _at(y)
+    arrays = _at(orders), _at(lines), found, _at(synchronous)
+    check(lib.whirl_signals_spectrum(_at(x), second, x.size, samples, highest_order, *arrays))
+    return orders, lines[: found[0]], synchronous
+
+
+# ---------------------------------------------------------------- a record
+
+
+class Record:
+    """Channels that were sampled at the same instants, and the pulses of the shaft.
+
+    Parameters
+    ----------
+    time : float or array_like
+        Samples a unit of time, the first one at 0; or the times [count] of the samples, which may be uneven.
+    channels : array_like
+        [count] each; of two probes of a plane x, then y.
+    keyphasor : array_like, optional
+        [count] voltage with a pulse a revolution, of which ``threshold``, ``hysteresis`` and ``edge`` say more
+        (:func:`find_pulses`).
+    pulses : array_like, optional
+        In its place: the times of the pulses, one a revolution, within those of the samples.
+    angles : array_like, optional
+        [channels] rad from the x axis in the sense of rotation at which probes stand: 0 and pi/2 in turn without it.
+    names : sequence of str, optional
+        Of the channels; those of Series, else "x", "y" and numbers, or the angles of the probes in degrees.
+    unit : str
+        Of the channels, for figures.
+    time_unit : str
+        Of time, for figures.
+    """
+
+    def __init__(
+        self,
+        time: "float | ArrayLike",
+        *channels: ArrayLike,
+        keyphasor: Optional[ArrayLike] = None,
+        pulses: Optional[ArrayLike] = None,
+        threshold: Optional[float] = None,
+        hysteresis: Optional[float] = None,
+        edge: str = "rising",
+        angles: Optional[ArrayLike] = None,
+        names: Optional[Sequence[str]] = None,
+        unit: str = "",
+        time_unit: str = "s",
+    ):
+        if not channels:
+            raise BadInput("there is no channel, expected at least one")
+        self.angles = None if angles is None else _numbers(angles, "angles")  #: [channels] rad, or None
+        if self.angles is not None and len(self.angles) != len(channels):
+            raise BadInput(f"there are {len(self.angles)} angles, expected one for each of {len(channels)} channels")
+        self.names = _names(channels, names, self.angles)
+        self.channels = _stacked(channels, self.names)  #: [channels][count]
+        self.time = _times(time, self.channels.shape[1])  #: [count]
+        self.unit, self.time_unit = unit, time_unit
+        if (keyphasor is None) == (pulses is None):
+            raise BadInput("expected either a keyphasor or pulses")
+        #: [pulses] instants at which the shaft has turned once more
+        self.pulses = (
+            _numbers(pulses, "pulses")
+            if keyphasor is None
+            else find_pulses(self.time, keyphasor, threshold, hysteresis, edge)
+        )
+        self.speed = np.empty(max(0, len(self.pulses) - 1))  #: [pulses - 1] mean between them, rad per unit of time
+        check(lib.whirl_signals_speed(_at(self.pulses), len(self.pulses), _at(self.speed)))
+
+    @property
+    def size(self) -> float:
+        """Half the diagonal of the bounds of all channels, with which the analyses of sections compare."""
+        return motion_size(self.channels)
+
+    @property
+    def plot(self) -> "Plots":
+        """Figures, in the manner of ``result.plot``."""
+        from ._signals_plot import Plots
+
+        return Plots(self)
+
+    def __repr__(self) -> str:
+        return f"<{len(self.names)} channels of {self.time.size} samples, {len(self.speed)} revolutions>"
+
+    def channel(self, name: "str | int") -> int:
+        """The index of a channel by its name or number."""
+        if isinstance(name, str):
+            if name not in self.names:
+                raise BadInput(f"there is no channel '{name}', expected one of: {', '.join(self.names)}")
+            return self.names.index(name)
+        if not 0 <= name < len(self.names):
+            raise BadInput(f"there is no channel {name}, expected 0 to {len(self.names) - 1}")
+        return int(name)
+
+    def _sampled(self):
+        """What the library wants to know first."""
+        count = self.channels.shape[1]
+        return _at(self.time), _at(self.channels), count, len(self.names), _at(self.pulses), len(self.pulses)
+
+    # ---------------------------------------------------------------- by the angle
+
+    def section(self, phase: float = 0.0, order: int = 7) -> np.ndarray:
+        """The section [revolutions][channels]: all channels at every pulse, or at an angle after it.
+
+        Parameters
+        ----------
+        phase : float
+            rad after the pulse, 0 to 2 pi. Above 0 the last pulse, which no other one follows, has no point.
+        order : int
+            Of the polynomials between samples: 1 (straight lines), 3, 5, 7 or 9.
+        """
+        points, found = np.empty((len(self.pulses), len(self.names))), ffi.new("size_t *")
+        check(lib.whirl_signals_section(*self._sampled(), float(phase), int(order), _at(points), found))
+        return points[: found[0]]
+
+    def resample(self, samples: Optional[int] = None, order: int = 7) -> np.ndarray:
+        """The channels at equal angles [channels][revolutions][samples] (order tracking).
+
+        Sample j stands 2 pi (j + 1)/samples after the pulse of its revolution. ``resample().mean(axis=1)`` is the
+        average over all revolutions.
+
+        Parameters
+        ----------
+        samples : int, optional
+            Of a revolution; as many as lose none of the record's. With fewer, what is above the order samples/2 folds to
+            lower ones.
+        order : int
+            Of the polynomials between samples: 1, 3, 5, 7 or 9.
+        """
+        time, values, count, channels, pulses, pulse_count = self._sampled()
+        if samples is None:
+            enough = ffi.new("size_t *")
+            check(lib.whirl_signals_samples(time, count, pulses, pulse_count, enough))
+            samples = enough[0]
+        samples = _size(samples, "samples")
+        if channels * len(self.speed) * samples > 1_000_000_000:  # as the library has it, before memory is asked for
+            raise BadInput(f"{samples} samples of {len(self.speed)} revolutions are too many")
+        turned = np.empty((channels, len(self.speed), samples))
+        check(lib.whirl_signals_resample(*self._sampled(), samples, int(order), _at(turned)))
+        return turned
+
+    def displacements(self, x: "str | int" = 0, y: "str | int" = 1) -> np.ndarray:
+        """Displacements [2][count] along x and y, from two probes of a plane at their angles."""
+        pair = self.channels[[self.channel(x), self.channel(y)]]
+        return pair if self.angles is None else self._turned(pair, x, y)
+
+    def _turned(self, pair: np.ndarray, x, y) -> np.ndarray:
+        first, second = (float(self.angles[self.channel(name)]) for name in (x, y))
+        out = np.empty_like(pair)
+        check(lib.whirl_signals_axes(_at(pair[0]), _at(pair[1]), pair[0].size, first, second, _at(out[0]), _at(out[1])))
+        return out
+
+    # ---------------------------------------------------------------- spectra
+
+    def spectrum(self, highest_order: float = 10.0, samples: Optional[int] = None, order: int = 7) -> Spectrum:
+        """Order spectra of all channels: Hann window over all revolutions, means removed.
+
+        ``samples`` and ``order`` as in :meth:`resample`. Needs 4 revolutions.
+        """
+        turned = self.resample(samples, order)
+        made = [_spectrum(channel.ravel(), None, turned.shape[2], float(highest_order)) for channel in turned]
+        rows, lines, synchronous = zip(*made)
+        return Spectrum(
+            rows[0][:, 0],
+            np.stack([row[:, 1] for row in rows]),
+            tuple(line[:, :2] for line in lines),
+            np.array([part[0, 0] for part in synchronous]),
+            np.array([part[1, 0] for part in synchronous]),
+        )
+
+    def full_spectrum(
+        self,
+        highest_order: float = 10.0,
+        x: "str | int" = 0,
+        y: "str | int" = 1,
+        samples: Optional[int] = None,
+        order: int = 7,
+    ) -> FullSpectrum:
+        """The full spectrum of two probes of a plane, at their angles: forward and backward whirl.
+
+        ``samples`` and ``order`` as in :meth:`resample`. Needs 4 revolutions.
+        """
+        turned = self.resample(samples, order)
+        samples = turned.shape[2]
+        pair = turned[[self.channel(x), self.channel(y)]].reshape(2, -1)
+        pair = pair if self.angles is None else self._turned(pair, x, y)
+        rows, lines, synchronous = _spectrum(pair[0], pair[1], samples, float(highest_order))
+        return FullSpectrum(*rows.T, lines, *synchronous)
+
+    # ---------------------------------------------------------------- sections
+
+    def zero_one(self, phase: float = 0.0, order: int = 7) -> float:
+        """K of the 0-1 test for chaos of the section (:func:`zero_one`), which needs 100 revolutions.
+
+        A section of a periodic motion holds noise alone, which looks like chaos to the test: see first whether
+        :meth:`recurrence` finds a period.
+        """
+        return zero_one(self.section(phase, order), self.size)
+
+    def recurrence(
+        self, radius: float = 0.1, tolerance: float = 0.05, shortest: int = 2, phase: float = 0.0, order: int = 7
+    ) -> Recurrence:
+        """How the section comes back (:func:`recurrence`): period in revolutions, and recurrence quantified."""
+        return recurrence(self.section(phase, order), self.size, radius, tolerance, shortest)
+
+
+def _names(channels, names, angles) -> list:
+    if names is not None:
+        names = [str(name) for name in names]
+        if len(names) != len(channels) or len(set(names)) != len(names):
+            raise BadInput(f"there are the names {', '.join(names)}, expected {len(channels)} different ones")
+        return names
+    usual = ["x", "y"] + [str(i) for i in range(2, len(channels))]
+    if angles is not None:
+        usual = [f"{degrees:.4g}°" for degrees in np.degrees(angles)]
+    own = [str(getattr(channel, "name", None) or usual[i]) for i, channel in enumerate(channels)]
+    return own if len(set(own)) == len(own) else [str(i) for i in range(len(channels))]
+
+
+def _stacked(channels, names) -> np.ndarray:
+    arrays = [_numbers(channel, f"channel '{name}'") for channel, name in zip(channels, names)]
+    for array, name in zip(arrays, names):
+        if array.size != arrays[0].size:
+            raise BadInput(f"channel '{name}' has {array.size} samples, '{names[0]}' has {arrays[0].size}")
+    return np.stack(arrays)
+
+
+def _times(time, count: int) -> np.ndarray:
+    if np.ndim(time) > 0:
+        time = _numbers(time, "time")
+        if time.size != count:
+            raise BadInput(f"time has {time.size} samples, the channels have {count}")
+        return time
+    if not (float(time) > 0.0 and np.isfinite(float(time))):
+        raise BadInput(f"the rate is {time}, expected samples a unit of time, above 0")
+    return np.arange(count) / float(time)
