@@ -122,8 +122,8 @@ whirl_status whirl_signals_zero_one(const double *points, size_t count, size_t d
 
 /// After how many revolutions the points come back: the smallest *period up to 64 (128 where three of them are there)
 /// whose largest return distance |z(n + period) - z(n)|, over `size` > 0, is *distance <= tolerance; where none is, the
-/// period up to 64 of the smallest distance, which is above the tolerance then. The tolerance >= 0 has to be above the
-/// noise. WHIRL_BAD_INPUT for fewer than 5 points.
+/// period up to 64 of the smallest distance, which is above the tolerance then. The last 20000 points are looked at.
+/// The tolerance >= 0 has to be above the noise. WHIRL_BAD_INPUT for fewer than 5 points.
 whirl_status whirl_signals_returns(const double *points, size_t count, size_t dimension, double size, double tolerance,
                                    int *period, double *distance);
 

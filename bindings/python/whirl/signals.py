@@ -2,7 +2,7 @@
 
 >>> time, a, b, keyphasor = numpy.loadtxt("measured.csv", delimiter=",", skiprows=1, unpack=True)
 >>> record = whirl.signals.Record(time, a, b, keyphasor=keyphasor, angles=numpy.radians([45, 135]), unit="um")
->>> record.section()                          # [revolutions][channels]
+>>> record.section()                          # [points][channels], a point a pulse
 >>> record.full_spectrum().lines              # order, x, y, forward, backward
 >>> record.plot.full_spectrum()
 
@@ -29,7 +29,7 @@ class Spectrum(NamedTuple):
 
     orders: np.ndarray  #: [orders] multiples of the speed, 1/revolutions apart
     amplitude: np.ndarray  #: [channels][orders]
-    lines: tuple  #: of every channel an array [lines][2]: order and amplitude of sinusoids, largest first
+    lines: tuple  #: arrays [lines][2], one a channel, of the order and amplitude of sinusoids, largest first
     synchronous: np.ndarray  #: [channels] amplitude once a revolution
     lag: np.ndarray  #: [channels] degrees by which its peak comes after the pulse, NaN where there is none
 
@@ -50,7 +50,9 @@ class FullSpectrum(NamedTuple):
 class Recurrence(NamedTuple):
     """How points come back."""
 
-    period: int  #: the smallest number of steps after which all return within the tolerance; else that of the nearest
+    #: the smallest number of steps, up to 64 (128 where there are three times as many points), after which all points
+    #: return within the tolerance; else that of the nearest return
+    period: int
     distance: float  #: largest distance of a point from that so many steps later, over the size of the motion
     rate: float  #: share of the pairs of points that are within the radius
     determinism: float  #: share of these pairs in diagonal lines; NaN without any
@@ -77,11 +79,15 @@ def _at(numbers: np.ndarray):
     return ffi.cast("double *", numbers.ctypes.data)
 
 
-def _size(value, what: str) -> int:
-    """A count that the library can be told."""
-    if not 0 <= int(value) < 1 << 63:
-        raise BadInput(f"{what} is {value}, expected 0 or more")
-    return int(value)
+def _whole(value, what: str) -> int:
+    """A number that the library can be told as an int or a size."""
+    try:
+        whole = int(value)
+    except (TypeError, ValueError, OverflowError):
+        whole = -1
+    if not 0 <= whole < 1 << 31:
+        raise BadInput(f"{what} is {value}, expected a whole number from 0 on")
+    return whole
 
 
 def _points(points: ArrayLike) -> np.ndarray:
@@ -184,7 +190,7 @@ def recurrence(
     """
     points = _points(points)
     size, period, numbers = _size_of(points, size), ffi.new("int *"), ffi.new("double[4]")
-    longest, shortest = ffi.new("size_t *"), _size(shortest, "the shortest line")
+    longest, shortest = ffi.new("size_t *"), _whole(shortest, "the shortest line")
     check(lib.whirl_signals_returns(_at(points), *points.shape, size, float(tolerance), period, numbers))
     radius = float(radius) * size
     lines = numbers + 1, numbers + 2, numbers + 3, longest
@@ -296,7 +302,7 @@ class Record:
     # ---------------------------------------------------------------- by the angle
 
     def section(self, phase: float = 0.0, order: int = 7) -> np.ndarray:
-        """The section [revolutions][channels]: all channels at every pulse, or at an angle after it.
+        """The section [points][channels]: all channels at every pulse, or at an angle after it.
 
         Parameters
         ----------
@@ -306,7 +312,7 @@ class Record:
             Of the polynomials between samples: 1 (straight lines), 3, 5, 7 or 9.
         """
         points, found = np.empty((len(self.pulses), len(self.names))), ffi.new("size_t *")
-        check(lib.whirl_signals_section(*self._sampled(), float(phase), int(order), _at(points), found))
+        check(lib.whirl_signals_section(*self._sampled(), float(phase), _whole(order, "the order"), _at(points), found))
         return points[: found[0]]
 
     def resample(self, samples: Optional[int] = None, order: int = 7) -> np.ndarray:
@@ -328,11 +334,11 @@ class Record:
             enough = ffi.new("size_t *")
             check(lib.whirl_signals_samples(time, count, pulses, pulse_count, enough))
             samples = enough[0]
-        samples = _size(samples, "samples")
+        samples = _whole(samples, "samples")
         if channels * len(self.speed) * samples > 1_000_000_000:  # as the library has it, before memory is asked for
             raise BadInput(f"{samples} samples of {len(self.speed)} revolutions are too many")
         turned = np.empty((channels, len(self.speed), samples))
-        check(lib.whirl_signals_resample(*self._sampled(), samples, int(order), _at(turned)))
+        check(lib.whirl_signals_resample(*self._sampled(), samples, _whole(order, "the order"), _at(turned)))
         return turned
 
     def displacements(self, x: "str | int" = 0, y: "str | int" = 1) -> np.ndarray:

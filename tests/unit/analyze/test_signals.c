@@ -2,6 +2,7 @@
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -474,6 +475,65 @@ static void strange_signals_are_answered(void **state) {
     assert_ok(whirl_signals_spectrum(v, v, 40, 10, 5.0, NULL, &lines[0][0], &found, synchronous));
 }
 
+/// A number of a sequence (Numerical Recipes' quick one): mostly ordinary, at times a gap, an infinity or a huge one.
+static double any_number(uint32_t *seed) {
+    *seed = *seed * 1664525U + 1013904223U;
+    const uint32_t kind = *seed >> 20;
+    *seed = *seed * 1664525U + 1013904223U;
+    const double ordinary = (double)*seed / 4294967296.0 - 0.5;
+    return kind == 0 ? (double)NAN : kind == 1 ? (double)INFINITY : kind < 40 ? ordinary * 1e100 : ordinary;
+}
+
+static double *any_numbers(uint32_t *seed, size_t count, bool growing) {
+    double *numbers = malloc((count + !count) * sizeof *numbers), at = 0.0; // no room beyond them
+    assert_non_null(numbers);
+    for (size_t i = 0; i < count; i++) {
+        const double number = any_number(seed);
+        at += growing ? fabs(number) : 0.0;
+        numbers[i] = growing ? at : number;
+    }
+    return numbers;
+}
+
+/// Arrays of all sizes, with whatever in them, have an answer or a sentence. That none is read or written beyond its
+/// end is seen by the sanitizers.
+static void any_arrays_have_an_answer(void **state) {
+    (void)state;
+    uint32_t seed = 20;
+    size_t answered[12] = {0};
+    for (size_t round = 0; round < 3000; round++) {
+        const size_t count = round % 41, many = 1 + round % 3, pulse_count = round % 7, samples = round % 19;
+        double *time = any_numbers(&seed, count, round % 5 > 0), *signal = any_numbers(&seed, many * count, false);
+        double *pulse = any_numbers(&seed, pulse_count, round % 4 > 0), numbers[16 * 5 + 8];
+        double *result = malloc((many * pulse_count * samples + count + pulse_count * many + 2) * sizeof *result);
+        size_t found;
+        int period;
+        assert_non_null(result);
+        for (size_t k = 0; k < pulse_count; k++) pulse[k] *= 0.1 * (double)count;
+        const double size = any_number(&seed), level = any_number(&seed);
+        const whirl_status said[] = {
+            whirl_signals_threshold(signal, count, numbers, numbers + 1),
+            whirl_signals_pulses(time, signal, count, level, size, round % 2 == 0, result, &found),
+            whirl_signals_speed(pulse, pulse_count, result),
+            whirl_signals_section(time, signal, count, many, pulse, pulse_count, level, (int)(round % 11), result,
+                                  &found),
+            whirl_signals_samples(time, count, pulse, pulse_count, &found),
+            whirl_signals_resample(time, signal, count, many, pulse, pulse_count, samples, (int)(round % 11), result),
+            whirl_signals_axes(signal, signal, count, size, level, result, result),
+            whirl_signals_spectrum(signal, NULL, count, samples, size * 10.0, NULL, numbers, &found, numbers + 80),
+            whirl_signals_size(signal, count, many, numbers),
+            whirl_signals_zero_one(signal, many * count, 1, fabs(size), numbers),
+            whirl_signals_returns(signal, count, many, fabs(size), fabs(level), &period, numbers),
+            whirl_signals_recurrence(signal, count, many, size, samples, numbers, numbers + 1, numbers + 2, &found)};
+        for (size_t i = 0; i < sizeof said / sizeof *said; i++) {
+            assert_true(said[i].code == WHIRL_OK || (said[i].code == WHIRL_BAD_INPUT && *said[i].message));
+            answered[i] += said[i].code == WHIRL_OK;
+        }
+        free(time), free(signal), free(pulse), free(result);
+    }
+    for (size_t i = 0; i < 12; i++) assert_true(answered[i] > 20);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(pulses_of_a_run_up),
@@ -492,6 +552,7 @@ int main(void) {
         cmocka_unit_test(pulses_that_are_none_are_refused),
         cmocka_unit_test(sizes_that_mean_nothing_are_refused),
         cmocka_unit_test(strange_signals_are_answered),
+        cmocka_unit_test(any_arrays_have_an_answer),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
