@@ -17,7 +17,7 @@ declare -A packages=(
              libtomlplusplus-dev libmatio-dev libminizip-dev"
     [report]="gnuplot-nox"
     [python]="python3-cffi python3-numpy python3-h5py python3-matplotlib python3-pandas python3-xarray python3-tqdm
-              python3-pip python3-setuptools python3-wheel python3-pytest"
+              python3-pip python3-setuptools python3-wheel python3-pytest python3-numba"
     # clang with its run time: the fuzz target, and a second compiler that must agree; libomp-dev is its OpenMP.
     # auto-07p, which needs gfortran, is a program that is run beside the tests and never linked.
     [test]="libcmocka-dev liblapacke-dev libopenblas-dev clang libclang-rt-14-dev libomp-dev valgrind

@@ -24,6 +24,7 @@ declare -A below=(
     [analyze]="system.h ensemble.h integrate.h linear.h orbit.h analyze.h signals.h"
     [study]="system.h ensemble.h integrate.h linear.h orbit.h analyze.h result.h handles.h study.h sensitivity.h verify.h"
     [case]="system.h ensemble.h rotor.h integrate.h analyze.h result.h study.h case.h claims.h job.h"
+    [user]="system.h integrate.h analyze.h result.h handles.h study.h case.h job.h user_system.h"
     [store]="system.h integrate.h analyze.h result.h handles.h study.h journal.h"
     [import]="system.h rotor.h import.h"
     [report]="system.h integrate.h analyze.h result.h handles.h study.h verify.h case.h claims.h job.h report.h"
@@ -36,7 +37,7 @@ for folder in src/*/; do
         *" $header "*) ;;
         *) fail "$file includes whirl/$header, which is not below $layer" ;;
         esac
-    done < <(grep -roE '#include "whirl/[a-z]+\.h"' "$folder" | sed -E 's,#include "whirl/([^"]*)",\1,')
+    done < <(grep -roE '#include "whirl/[a-z_]+\.h"' "$folder" | sed -E 's,#include "whirl/([^"]*)",\1,')
     while IFS=: read -r file header; do
         [ -e "$folder$header" ] || [ -e "$(dirname "$file")/$header" ] || [ -e "src/base/$header" ] ||
             [ -e "cmake/$header.in" ] ||

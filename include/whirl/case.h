@@ -83,6 +83,12 @@ whirl_status whirl_case_describe_result(const whirl_case *object, whirl_result *
 /// Errors as whirl_study_run; stopped, it gives a partial result too.
 whirl_status whirl_case_run(const whirl_case *object, const whirl_run_options *options, whirl_result **result);
 
+/// Runs the study of something that has one, as whirl_case_run.
+typedef whirl_status whirl_job_run_fn(const void *subject, const whirl_run_options *options, whirl_result **result);
+
+/// A job of any such subject, which must outlive it (whirl_job_new). WHIRL_NO_MEMORY. Freed by whirl_job_free.
+whirl_status whirl_job_of(whirl_job_run_fn *run, const void *subject, whirl_job **job);
+
 /// A key of the case whose value is an expression with a parameter.
 typedef struct whirl_use {
     const char *parameter; ///< its name

@@ -29,6 +29,7 @@
 #include "whirl/study.h"
 #include "whirl/system.h"
 #include "whirl/torus.h"
+#include "whirl/user_system.h"
 #include "whirl/verify.h"
 #include "whirl/version.h"
 #include "whirl/watched.h"

@@ -56,7 +56,8 @@ whirl_status whirl_case_spend(whirl_case *object, double revolutions, double sec
 enum { MAX_THREADS = 1024 };
 
 struct whirl_job {
-    const whirl_case *object;
+    whirl_job_run_fn *run;
+    const void *subject;
     int threads;
     const whirl_keeper *keeper;
     whirl_job_progress_fn tell;
@@ -64,11 +65,20 @@ struct whirl_job {
     volatile bool stop;
 };
 
-whirl_status whirl_job_new(const whirl_case *object, whirl_job **job) {
+whirl_status whirl_job_of(whirl_job_run_fn *run, const void *subject, whirl_job **job) {
     *job = calloc(1, sizeof **job);
     if (!*job) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a run");
-    (*job)->object = object;
+    (*job)->run = run;
+    (*job)->subject = subject;
     return whirl_ok();
+}
+
+static whirl_status run_case(const void *subject, const whirl_run_options *options, whirl_result **result) {
+    return whirl_case_run(subject, options, result);
+}
+
+whirl_status whirl_job_new(const whirl_case *object, whirl_job **job) {
+    return whirl_job_of(run_case, object, job);
 }
 
 void whirl_job_free(whirl_job *job) {
@@ -116,5 +126,5 @@ whirl_status whirl_job_run(whirl_job *job, whirl_result **result) {
                                        .keeper = job->keeper,
                                        .memory = SIZE_MAX};
     *result = NULL;
-    return whirl_case_run(job->object, &options, result);
+    return job->run(job->subject, &options, result);
 }

@@ -27,7 +27,7 @@ _HOMES = {
     "MissingProgram": "errors",
     "Stopped": "errors",
 }
-_MODULES = ("plot", "signals")
+_MODULES = ("plot", "signals", "systems")
 
 __all__ = [*_HOMES, *_MODULES, "library_version"]
 __version__ = "0.2.0"

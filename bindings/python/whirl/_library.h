@@ -29,6 +29,33 @@ void whirl_job_keep(whirl_job *job, const whirl_keeper *keeper);
 void whirl_job_stop(whirl_job *job);
 whirl_status whirl_job_run(whirl_job *job, whirl_result **result);
 
+typedef struct whirl_user_system whirl_user_system;
+typedef int (*whirl_user_rates_fn)(double t, const double *x, const double *p, double *dxdt, void *context);
+typedef int (*whirl_user_lanes_fn)(size_t count, size_t row, const double *t, const double *x, const double *p,
+                                   double *dxdt, void *context);
+typedef int (*whirl_user_tangent_fn)(double t, const double *x, const double *p, const double *dx, double *ddxdt,
+                                     void *context);
+whirl_status whirl_user_system_new(const char *title, size_t dimension, whirl_user_system **out);
+void whirl_user_system_free(whirl_user_system *system);
+whirl_status whirl_user_system_parameter(whirl_user_system *system, const char *name, double value, const char *unit,
+                                         const char *text);
+whirl_status whirl_user_system_start(whirl_user_system *system, size_t index, double value);
+whirl_status whirl_user_system_station(whirl_user_system *system, const char *name, size_t x, size_t y, size_t vx,
+                                       size_t vy);
+whirl_status whirl_user_system_oscillates(whirl_user_system *system, size_t displacements);
+whirl_status whirl_user_system_rates(whirl_user_system *system, whirl_user_rates_fn rates, void *context);
+whirl_status whirl_user_system_lanes(whirl_user_system *system, whirl_user_lanes_fn rates, void *context);
+whirl_status whirl_user_system_tangent(whirl_user_system *system, whirl_user_tangent_fn tangent, void *context);
+whirl_status whirl_user_system_period(whirl_user_system *system, double period);
+whirl_status whirl_user_system_speed(whirl_user_system *system, const char *parameter);
+whirl_status whirl_user_system_kinked(whirl_user_system *system);
+whirl_status whirl_user_system_vary(whirl_user_system *system, const char *parameter, const double *values,
+                                    size_t count);
+whirl_status whirl_user_system_analyze(whirl_user_system *system, const char *analysis);
+whirl_status whirl_user_system_set(whirl_user_system *system, const char *option, const char *value);
+whirl_status whirl_job_of_user_system(const whirl_user_system *system, whirl_job **job);
+whirl_status whirl_user_system_outline(const whirl_user_system *system, whirl_result **outline);
+
 whirl_status whirl_journal_begin(const char *path, const whirl_result *outline, whirl_journal **journal);
 whirl_status whirl_journal_resume(const char *path, const whirl_result *outline, whirl_journal **journal);
 const whirl_keeper *whirl_journal_keeper(whirl_journal *journal);

@@ -45,13 +45,14 @@ class _Bar:
 
 
 @contextmanager
-def _journal(case, path, resume):
-    """The keeper of a journal at ``path``; afterwards it is closed, and removed where all is done."""
+def _journal(describe, path, resume):
+    """The keeper of a journal at ``path``, of what ``describe`` gives the outline; afterwards it is closed, and removed
+    where all is done."""
     if path is None:
         yield ffi.NULL, lambda: None
         return
     outline, out = ffi.new("whirl_result **"), ffi.new("whirl_journal **")
-    check(lib.whirl_case_outline(case._handle, outline))
+    check(describe(outline))
     try:
         begin = lib.whirl_journal_resume if resume and os.path.exists(path) else lib.whirl_journal_begin
         check(begin(path_bytes(path), outline[0], out))
@@ -149,9 +150,21 @@ def run(case, *, threads=0, progress=None, journal=None, resume=False):
         With the library's sentence.
     """
     case = case if isinstance(case, Case) else Case(case)
+    return compute(
+        lambda out: lib.whirl_job_new(case._handle, out),
+        lambda out: lib.whirl_case_outline(case._handle, out),
+        threads=threads,
+        progress=progress,
+        journal=journal,
+        resume=resume,
+    )
+
+
+def compute(new_job, describe, *, threads, progress, journal, resume):
+    """The result of a job that ``new_job`` makes, and of which ``describe`` gives the outline; the rest as for run."""
     started, outcome = _now(), {}
     out = ffi.new("whirl_job **")
-    check(lib.whirl_job_new(case._handle, out))
+    check(new_job(out))
     job = ffi.gc(out[0], lib.whirl_job_free)
     check(lib.whirl_job_threads(job, max(-1, min(int(threads), 1 << 30))))
     bar = _Bar() if progress is True or (progress is None and sys.stderr.isatty()) else None
@@ -159,7 +172,7 @@ def run(case, *, threads=0, progress=None, journal=None, resume=False):
     told = _teller(tell, job, outcome) if tell else ffi.NULL
     lib.whirl_job_progress(job, told, ffi.NULL)
     try:
-        with _journal(case, journal, resume) as (keeper, ended):
+        with _journal(describe, journal, resume) as (keeper, ended):
             lib.whirl_job_keep(job, keeper)
             _wait(job, outcome)
             result = _finish(outcome, started, threads)

@@ -1,0 +1,223 @@
+"""Systems of one's own: every way to give the slopes leads to the closed form, and what goes wrong is said."""
+
+import os
+import shutil
+
+import numpy as np
+import pytest
+from conftest import ROOT
+
+import whirl
+from whirl.systems import System, compile_c, signature
+
+ZETA, OMEGAS = 0.04, np.linspace(0.4, 1.9, 7)
+OPTIONS = {"method": "dop853", "rtol": 1e-10, "atol": 1e-12, "transient": 300, "record": 50, "settle": False}
+PARAMETERS = {"omega": 1.3, "F": 0.7}
+C_ONE = """
+int rates(double t, const double *x, const double *p, double *dxdt, void *context) {
+    (void)context;
+    dxdt[0] = x[1];
+    dxdt[1] = p[1] * cos(p[0] * t) - 2.0 * 0.04 * x[1] - x[0];
+    return 0;
+}
+"""
+C_LANES = """
+int rates(size_t count, size_t row, const double *t, const double *x, const double *p, double *dxdt, void *context) {
+    (void)context;
+    for (size_t i = 0; i < count; i++) {
+        dxdt[i] = x[row + i];
+        dxdt[row + i] = p[row + i] * cos(p[i] * t[i]) - 2.0 * 0.04 * x[row + i] - x[i];
+    }
+    return 0;
+}
+"""
+compiler = pytest.mark.skipif(not shutil.which("cc") and not os.environ.get("CI"), reason="there is no C compiler")
+
+
+def oscillator(t, x, p):
+    return np.array([x[1], p.F * np.cos(p.omega * t) - 2 * ZETA * x[1] - x[0]])
+
+
+def check_sweep(result, omegas=OMEGAS, velocity=2):
+    """The section of the steady motion is that of the closed form at the end of a period, Re(A) and Re(i omega A)."""
+    table = result["sweep"]
+    amplitude = PARAMETERS["F"] / (1 - omegas**2 + 2j * ZETA * omegas)
+    assert list(table.verdicts) == ["P-1"] * len(omegas)
+    assert np.abs(table["poincare/section"][:, 0, -1, 0] - amplitude.real).max() < 1e-8
+    assert np.abs(table["poincare/section"][:, 0, -1, velocity] - (1j * omegas * amplitude).real).max() < 1e-8
+    assert np.array_equal(table.values, omegas)
+
+
+def test_a_python_function_is_a_system(tmp_path):
+    system = System(oscillator, [0.3, 0], PARAMETERS, speed="omega", units={"omega": "rad/s"}, title="Linear")
+    result = system.sweep("omega", OMEGAS[2:4], **{**OPTIONS, "rtol": 1e-9})
+    check_sweep(result, OMEGAS[2:4], velocity=1)  # of the phase plane
+    assert result.title == "Linear" and result.parameters["omega"].unit == "rad/s"
+    result.save(tmp_path / "linear.h5")
+    again = whirl.open(tmp_path / "linear.h5")
+    assert np.array_equal(again["sweep"]["poincare/section"], result["sweep"]["poincare/section"])
+    assert again.plot.bifurcation().get_xlabel().startswith("omega")
+
+
+def test_lanes_of_python_have_the_bits_of_one_machine():
+    make = {"speed": "omega", "displacements": 1}
+    many = System(oscillator, [0.3, 0], PARAMETERS, lanes=True, **make)
+    check_sweep(many.sweep("omega", OMEGAS, **OPTIONS))
+    quick = {**OPTIONS, "rtol": 1e-7, "transient": 5, "record": 5}
+    sections = [
+        System(oscillator, [0.3, 0], PARAMETERS, lanes=lanes, **make).sweep("omega", OMEGAS, **quick)["sweep"]
+        for lanes in (False, True)
+    ]
+    difference = sections[0]["poincare/section"] - sections[1]["poincare/section"]
+    assert np.abs(difference).max() < 1e-12  # NumPy's cosine of an array may round otherwise than that of a number
+
+
+@compiler
+def test_compiled_functions_are_systems():
+    one, lanes = compile_c(C_ONE), compile_c(C_LANES)
+    alone = System(one, [0.3, 0], PARAMETERS, speed="omega").sweep("omega", OMEGAS, **OPTIONS)
+    check_sweep(alone, velocity=1)
+    make = {"speed": "omega", "displacements": 1}
+    each = System(one, [0.3, 0], PARAMETERS, **make).sweep("omega", OMEGAS, threads=2, **OPTIONS)
+    many = System(lanes, [0.3, 0], PARAMETERS, lanes=True, **make).sweep("omega", OMEGAS, threads=1, **OPTIONS)
+    check_sweep(each)
+    check_sweep(many)
+    # A compiler may fuse products with sums in one of the two and not in the other.
+    assert np.abs(each["sweep"]["poincare/section"] - many["sweep"]["poincare/section"]).max() < 1e-11
+
+
+@compiler
+def test_text_that_does_not_compile_is_refused():
+    with pytest.raises(whirl.BadInput, match="does not compile:(.|\n)*1:"):
+        compile_c("int rates(double t) { return thing; }")
+    with pytest.raises(whirl.BadInput, match="defines no function 'slopes'"):
+        compile_c(C_ONE, "slopes")
+
+
+def test_numba_functions_are_systems():
+    numba = pytest.importorskip("numba") if not os.environ.get("CI") else __import__("numba")
+
+    @numba.cfunc(signature())
+    def rates(t, x, p, out, context):
+        state, values, slopes = numba.carray(x, 2), numba.carray(p, 2), numba.carray(out, 2)
+        slopes[0] = state[1]
+        slopes[1] = values[1] * np.cos(values[0] * t) - 2 * ZETA * state[1] - state[0]
+        return 0
+
+    @numba.cfunc(signature(lanes=True))
+    def lanes(count, row, t, x, p, out, context):
+        time, state = numba.carray(t, count), numba.carray(x, (2, row))
+        values, slopes = numba.carray(p, (2, row)), numba.carray(out, (2, row))
+        for i in range(count):
+            slopes[0, i] = state[1, i]
+            slopes[1, i] = values[1, i] * np.cos(values[0, i] * time[i]) - 2 * ZETA * state[1, i] - state[0, i]
+        return 0
+
+    check_sweep(System(rates, [0.3, 0], PARAMETERS, speed="omega").sweep("omega", OMEGAS, **OPTIONS), velocity=1)
+    system = System(lanes, [0.3, 0], PARAMETERS, speed="omega", displacements=1, lanes=True)
+    check_sweep(system.sweep("omega", OMEGAS, **OPTIONS))
+
+
+def test_exponents_follow_a_derivative_or_differences():
+    def tangent(t, x, p, dx):
+        return [dx[1], -2 * ZETA * dx[1] - dx[0]]
+
+    for given in (None, tangent):
+        system = System(oscillator, [0.3, 0], PARAMETERS, speed="omega", tangent=given)
+        result = system.response(analyze=["exponents"], **{**OPTIONS, "rtol": 1e-8, "record": 20, "transient": 20})
+        sum_of_all = result["response"]["exponents/values"].sum()
+        assert abs(sum_of_all + 2 * ZETA * 2 * np.pi / 1.3) < 1e-7
+
+
+def test_the_rotor_of_a_case_is_a_system():
+    """The Jeffcott rotor without rub of the tests' case, written by hand: the motion is that of the case."""
+    text = """
+whirl: 1
+parameters: {omega: 1.5 rad/s}
+rotor:
+  speed: = omega
+  length_scale: 1 m
+  stations:
+    disc: {mass: 1 kg, damping: 0.2 N.s/m, eccentricity: 0.3 m}
+  elements:
+    - shaft: {between: [disc, ground], k1: 1 N/m, k2: 1 N/m}
+    - gravity: 0.5 m/s2
+study:
+  sweep: {parameter: omega, from: 0.7, to: 2.1, points: 5}
+  integrate: {method: dop853, rtol: 1e-10, transient: 150, record: 50}
+  analyze: [poincare, regime, lyapunov, orbit]
+"""
+
+    def rotor(t, x, p):
+        q, v, turn = x[:2], x[2:], p.omega * t
+        unbalance = 0.3 * p.omega**2 * np.array([np.cos(turn), np.sin(turn)])
+        weight = np.zeros_like(q)
+        weight[1] = -0.5
+        return np.concatenate([v, unbalance + weight - 0.2 * v - q])
+
+    system = System(
+        rotor, [0, 0, 0, 0], {"omega": 1.5}, speed="omega", displacements=2, lanes=True, stations={"disc": (0, 1)}
+    )
+    case = whirl.run(whirl.Case(text=text), progress=False)["sweep"]
+    own = system.sweep("omega", case.values, **OPTIONS)["sweep"]
+    section, expected = own["poincare/section"][:, 0, -1], case["poincare/section"][:, 0, -1]
+    assert np.abs(section[:, :2] - expected[:, :2]).max() < 1e-8
+    # Velocities of a rotor are by the angle that it has turned, those of a system by its own time.
+    assert np.abs(section[:, 2:] / case.values[:, None] - expected[:, 2:]).max() < 1e-8
+    assert np.abs(own["orbit/max_radius"] - case["orbit/max_radius"]).max() < 1e-8
+    assert list(own.verdicts) == list(case.verdicts)
+
+
+def test_maps_have_two_parameters():
+    system = System(oscillator, [0.3, 0], PARAMETERS, speed="omega", displacements=1, lanes=True)
+    table = system.map(("omega", OMEGAS), ("F", [0.3, 0.7]), **OPTIONS)["map"]
+    assert table.shape == (2, 7) and table.second == "F"
+    amplitude = 0.7 / (1 - OMEGAS**2 + 2j * ZETA * OMEGAS)
+    assert np.abs(table["poincare/section"][1, :, 0, -1, 0] - amplitude.real).max() < 1e-8
+
+
+def test_what_a_function_raises_comes_through():
+    def fails(t, x, p):
+        if t > 1:
+            raise ZeroDivisionError("by hand")
+        return oscillator(t, x, p)
+
+    for more in ({}, {"displacements": 1}, {"displacements": 1, "lanes": True}):
+        function = (lambda t, x, p: fails(t.max(), x, p)) if more.get("lanes") else fails
+        with pytest.raises(ZeroDivisionError, match="by hand"):
+            System(function, [0.3, 0], PARAMETERS, speed="omega", **more).sweep("omega", OMEGAS, **OPTIONS)
+    with pytest.raises(whirl.BadInput, match=r"slopes of shape \(3,\), expected \(2,\)"):
+        System(lambda t, x, p: [0, 0, 0], [0.3, 0], PARAMETERS, speed="omega").response(**OPTIONS)
+
+
+def test_what_is_wrong_is_said():
+    def make(**more):
+        return System(oscillator, [0.3, 0], PARAMETERS, **more)
+
+    for words, build in [
+        ("give one of both", lambda: make()),
+        ("give one of both", lambda: make(speed="omega", period=1)),
+        ("no parameter omgea, did you mean omega", lambda: make(speed="omgea")),
+        ("period is -1", lambda: make(period=-1)),
+        ("expected a function", lambda: System(3.5, [0], {}, period=1)),
+        ("no coordinate 5", lambda: make(period=1, stations={"s": (0, 5)})),
+        ("no parameter c that has a unit", lambda: make(period=1, units={"c": "m"})),
+        ("as a word of Python", lambda: System(oscillator, [0, 0], {"lambda": 1}, period=1)),
+        ("0 coordinates", lambda: System(oscillator, [], {}, period=1)),
+        ("no option rtoll, did you mean rtol", lambda: make(period=1).response(rtoll=1)),
+        ("no analysis poincar", lambda: make(period=1).response(analyze=["poincar"])),
+        ("is 1 after 2", lambda: make(period=1).sweep("F", [1, 2, 1])),
+    ]:
+        with pytest.raises(whirl.BadInput, match=words):
+            build()
+
+
+@compiler
+def test_the_documentation_is_true():
+    text = (ROOT / "docs/python.md").read_text().split("\n## Systems of your own\n")[1].split("\n## ")[0]
+    names = {}
+    for block in text.split("```python\n")[1:]:
+        exec(block.split("```")[0], names)
+    assert names["motion"]["response"].verdicts[0] == "P-5"
+    assert len(names["result"]["sweep"].values) == 64 and len(names["fine"]["sweep"].values) == 512
+    assert {"P-1", "P-2", "chaotic"} <= set(names["fine"]["sweep"].verdicts)

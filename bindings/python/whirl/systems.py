@@ -1,0 +1,335 @@
+"""Systems of one's own: slopes by a Python callable, a Numba ``cfunc``, a function of C or its text.
+
+>>> def duffing(t, x, p):
+...     return x[1], p.gamma * np.cos(p.omega * t) - 0.3 * x[1] + x[0] - x[0] ** 3
+>>> system = whirl.systems.System(duffing, [1, 0], {"gamma": 0.3, "omega": 1.2}, speed="omega")
+>>> result = system.sweep("gamma", np.linspace(0.2, 0.65, 200))
+>>> result.plot.bifurcation()
+
+Such a system gets the analyses, verdicts, files and figures of a rotor.
+"""
+
+import ctypes
+import os
+import shlex
+import shutil
+import subprocess
+import tempfile
+from collections import namedtuple
+from collections.abc import Mapping, Sequence
+from keyword import iskeyword
+from pathlib import Path
+
+import numpy as np
+
+from . import errors
+from ._library import check, ffi, lib
+from .running import compute
+
+_ONE = "int(double, const double *, const double *, double *, void *)"
+_MANY = "int(size_t, size_t, const double *, const double *, const double *, double *, void *)"
+_TANGENT = "int(double, const double *, const double *, const double *, double *, void *)"
+
+
+def signature(lanes=False):
+    """The signature of a Numba ``cfunc`` for slopes: of one machine, or of many in lanes.
+
+    One machine: ``f(t, x, p, slopes, context)``; many: ``f(count, row, t, x, p, slopes, context)``, where number k of
+    machine i is at ``[k * row + i]``. Pointers become arrays by ``numba.carray(x, n)``; 0 is returned.
+    """
+    from numba import types
+
+    pointer, void = types.CPointer(types.float64), types.voidptr
+    if lanes:
+        return types.int32(types.uint64, types.uint64, pointer, pointer, pointer, pointer, void)
+    return types.int32(types.float64, pointer, pointer, pointer, void)
+
+
+class CFunction:
+    """A function of C that was compiled from its text; see :func:`compile_c`."""
+
+    def __init__(self, library, name, folder):
+        self._library, self._folder = library, folder  # both live as long as the function
+        try:
+            self.address = ctypes.cast(getattr(library, name), ctypes.c_void_p).value
+        except AttributeError:
+            raise errors.BadInput(f"the C text defines no function '{name}'") from None
+
+
+def compile_c(source, name="rates", flags=("-O3", "-march=native")):
+    """Compiles the text of a C function with the system's compiler (``$CC``, or ``cc``).
+
+    Parameters
+    ----------
+    source : str
+        ``int rates(double t, const double *x, const double *p, double *dxdt, void *context) {...}``, which returns 0,
+        or the form for lanes (:func:`signature`). ``math.h`` and ``stddef.h`` are included before it.
+    name : str
+        Of the function.
+    flags : sequence of str
+        For the compiler.
+
+    Returns
+    -------
+    CFunction
+
+    Raises
+    ------
+    BadInput
+        With what the compiler said.
+    MissingProgram
+        Where there is no compiler.
+    """
+    compiler = shlex.split(os.environ.get("CC", "cc"))
+    if not shutil.which(compiler[0]):
+        raise errors.MissingProgram(f"there is no C compiler '{compiler[0]}' (CC names another)")
+    folder = tempfile.TemporaryDirectory(prefix="whirl-")
+    text, library = Path(folder.name) / "system.c", Path(folder.name) / "system.so"
+    text.write_text("#include <math.h>\n#include <stddef.h>\n#line 1\n" + source)
+    words = [*compiler, "-std=c17", "-shared", "-fPIC", *flags, str(text), "-o", str(library), "-lm"]
+    told = subprocess.run(words, capture_output=True, text=True)
+    if told.returncode != 0:
+        raise errors.BadInput(f"the C text does not compile:\n{told.stderr.strip()}")
+    return CFunction(ctypes.CDLL(str(library)), name, folder)
+
+
+def _address(function):
+    """Where a compiled function lies; None of Python callables."""
+    if isinstance(function, int):
+        return function
+    if isinstance(function, ctypes._CFuncPtr):
+        return ctypes.cast(function, ctypes.c_void_p).value
+    if isinstance(function, ffi.CData):
+        return int(ffi.cast("intptr_t", function))
+    return getattr(function, "address", None)
+
+
+class System:
+    """A system dx/dt = f(t, x, p) with a period in t, which is called a revolution.
+
+    Parameters
+    ----------
+    rates : callable, Numba cfunc, CFunction, ctypes or cffi pointer, or address
+        A Python callable ``f(t, x, p)`` gives the slopes, a sequence; x is an array, p has the parameters by their names
+        (``p.gamma``). Anything compiled has the form of :func:`signature`.
+    start : sequence of float
+        The state that motions start from.
+    parameters : mapping of str to float
+        In SI, in the order in which compiled functions see them.
+    speed : str, optional
+        The parameter that is the angular frequency of what forces the system: the period is 2 pi over it.
+    period : float, optional
+        ... or the period itself. One of both is given.
+    lanes : bool
+        Whether ``rates`` takes many machines at once: a Python callable is then given t [count], x [n][count] and
+        parameters [count]; a compiled one has ``signature(lanes=True)``.
+    displacements : int
+        The first so many coordinates are displacements whose slopes are the next so many. Machines then go side by side,
+        which is what makes ``lanes`` quick.
+    stations : mapping of str to pairs, optional
+        Pairs of coordinates that are looked at together: ``{"disc": (0, 1)}``. The first two without it.
+    tangent : optional
+        The derivative of the slopes applied to a disturbance: ``f(t, x, p, dx)``, or compiled with one more pointer
+        after p. Differences are taken without it.
+    kinked : bool
+        Whether slopes have kinks (contacts, friction).
+    units : mapping of str to str, optional
+        Of parameters, as UDUNITS has them.
+    title : str
+        For results.
+    """
+
+    def __init__(
+        self,
+        rates,
+        start,
+        parameters: Mapping[str, float] | None = None,
+        *,
+        speed: str | None = None,
+        period: float | None = None,
+        lanes: bool = False,
+        displacements: int = 0,
+        stations: Mapping[str, Sequence[int]] | None = None,
+        tangent=None,
+        kinked: bool = False,
+        units: Mapping[str, str] | None = None,
+        title: str = "",
+    ):
+        if (speed is None) == (period is None):
+            raise errors.BadInput("a system has a period, or a parameter that is its speed: give one of both")
+        self.start = np.array(start, dtype=float).ravel()
+        self.parameters = {str(name): float(value) for name, value in (parameters or {}).items()}
+        self.speed, self.period, self.lanes, self.displacements = speed, period, bool(lanes), int(displacements)
+        self.stations, self.kinked, self.title = dict(stations or {}), bool(kinked), str(title)
+        self.units, self.rates, self.tangent = dict(units or {}), rates, tangent
+        unknown = set(self.units) - set(self.parameters)
+        if unknown:
+            raise errors.BadInput(f"there is no parameter {sorted(unknown)[0]} that has a unit")
+        for what, function in (("rates", rates), ("tangent", tangent)):
+            if function is not None and _address(function) is None and not callable(function):
+                raise errors.BadInput(f"{what} is {function!r}, expected a function")
+        if _address(rates) is None and any(iskeyword(name) for name in self.parameters):
+            raise errors.BadInput("a parameter is called as a word of Python, which p cannot have as an attribute")
+        self._build({}, [], {})[0]  # what is wrong is said here
+
+    # ---------------------------------------------------------------- functions
+
+    def _state(self, pointer, rows, count=None):
+        size = rows if count is None else rows * count
+        values = np.frombuffer(ffi.buffer(pointer, 8 * size), float) if size else np.empty(0)
+        return values if count is None else values.reshape(rows, count)
+
+    def _python_rates(self, raised):
+        n, names = len(self.start), namedtuple("Parameters", self.parameters)
+        many, function, count_p = self.lanes, self.rates, len(self.parameters)
+
+        def keep(kind, value, trace):
+            raised.setdefault("value", value)
+
+        def put(slopes, to, shape):
+            found = np.asarray(slopes, dtype=float)
+            if found.shape != shape:
+                raise errors.BadInput(f"rates gave slopes of shape {found.shape}, expected {shape}")
+            to[...] = found
+
+        @ffi.callback(_ONE, onerror=keep, error=1)
+        def one(t, x, p, out, _context):
+            state, values = self._state(x, n), self._state(p, count_p)
+            if many:
+                slopes = function(np.array([t]), state.reshape(n, 1), names(*values.reshape(count_p, 1)))
+                put(slopes, self._state(out, n, 1), (n, 1))
+            else:
+                put(function(t, state, names(*values)), self._state(out, n), (n,))
+            return 0
+
+        @ffi.callback(_MANY, onerror=keep, error=1)
+        def lanes(count, row, t, x, p, out, _context):
+            times, states = self._state(t, count), self._state(x, n, row)[:, :count]
+            values = names(*self._state(p, count_p, row)[:, :count])
+            put(function(times, states, values), self._state(out, n, row)[:, :count], (n, count))
+            return 0
+
+        return lanes if many else one
+
+    def _python_tangent(self, raised):
+        n, names, count_p = len(self.start), namedtuple("Parameters", self.parameters), len(self.parameters)
+
+        def keep(kind, value, trace):
+            raised.setdefault("value", value)
+
+        @ffi.callback(_TANGENT, onerror=keep, error=1)
+        def tangent(t, x, p, dx, out, _context):
+            slopes = np.asarray(
+                self.tangent(t, self._state(x, n), names(*self._state(p, count_p)), self._state(dx, n)), dtype=float
+            )
+            if slopes.shape != (n,):
+                raise errors.BadInput(f"tangent gave an array of shape {slopes.shape}, expected ({n},)")
+            self._state(out, n)[...] = slopes
+            return 0
+
+        return tangent
+
+    def _put_functions(self, handle, raised):
+        """Hands over the functions; gives what must live as long as they are called."""
+        address = _address(self.rates)
+        rates = self._python_rates(raised) if address is None else ffi.cast("void *", address)
+        if self.lanes:
+            check(lib.whirl_user_system_lanes(handle, ffi.cast("whirl_user_lanes_fn", rates), ffi.NULL))
+        else:
+            check(lib.whirl_user_system_rates(handle, ffi.cast("whirl_user_rates_fn", rates), ffi.NULL))
+        if self.tangent is None:
+            return rates, None
+        address = _address(self.tangent)
+        tangent = self._python_tangent(raised) if address is None else ffi.cast("void *", address)
+        check(lib.whirl_user_system_tangent(handle, ffi.cast("whirl_user_tangent_fn", tangent), ffi.NULL))
+        return rates, tangent
+
+    # ---------------------------------------------------------------- runs
+
+    def _build(self, vary, analyze, options):
+        """The library's system, with what it borrows: (handle, functions, raised)."""
+        out, raised = ffi.new("whirl_user_system **"), {}
+        check(lib.whirl_user_system_new(self.title.encode(), len(self.start), out))
+        handle = ffi.gc(out[0], lib.whirl_user_system_free)
+        for name, value in self.parameters.items():
+            unit = self.units.get(name, "1")
+            text = f"{value:.17g}" + (f" {unit}" if unit != "1" else "")
+            check(lib.whirl_user_system_parameter(handle, name.encode(), value, unit.encode(), text.encode()))
+        for index, value in enumerate(self.start):
+            check(lib.whirl_user_system_start(handle, index, value))
+        check(lib.whirl_user_system_oscillates(handle, max(self.displacements, 0)))
+        for name, (x, y) in self.stations.items():
+            velocities = (x + self.displacements, y + self.displacements)
+            check(lib.whirl_user_system_station(handle, str(name).encode(), int(x), int(y), *map(int, velocities)))
+        if self.speed is not None:
+            check(lib.whirl_user_system_speed(handle, self.speed.encode()))
+        else:
+            check(lib.whirl_user_system_period(handle, float(self.period)))
+        if self.kinked:
+            check(lib.whirl_user_system_kinked(handle))
+        for name, values in vary.items():
+            values = np.ascontiguousarray(values, dtype=float).ravel()
+            pointer = ffi.cast("double *", values.ctypes.data)
+            check(lib.whirl_user_system_vary(handle, name.encode(), pointer, len(values)))
+        for name in analyze:
+            check(lib.whirl_user_system_analyze(handle, name.encode()))
+        for name, value in options.items():
+            word = {True: "yes", False: "no"}.get(value, value) if isinstance(value, bool) else value
+            check(lib.whirl_user_system_set(handle, name.encode(), str(word).encode()))
+        return handle, self._put_functions(handle, raised), raised
+
+    def run(self, vary=None, analyze=(), *, threads=None, progress=None, journal=None, resume=False, **options):
+        """Computes motions of the system.
+
+        Parameters
+        ----------
+        vary : mapping of str to sequences of float, optional
+            Parameters that vary, up to three: a sweep, a map, a map with planes.
+        analyze : sequence of str
+            "poincare", "regime", "lyapunov", "orbit" without it; also "spectrum", "exponents", "floquet", "waveform", ...
+        threads : int, optional
+            0: all cores, which is what compiled functions have without it; Python callables have one.
+        options
+            Those of case files: ``method="dop853"``, ``rtol=1e-8``, ``transient=500``, ``record=100``,
+            ``confirm=True``, ``carry="up"``, ...
+
+        Returns
+        -------
+        Result
+            With the table "response", "sweep" or "map".
+
+        Raises
+        ------
+        BadInput, OutOfMemory, FileFailure, NumericalFailure
+            With the library's sentence; what a Python callable raises comes through.
+        """
+        if threads is None:
+            threads = 1 if _address(self.rates) is None or (self.tangent and _address(self.tangent) is None) else 0
+        handle, functions, raised = self._build(vary or {}, analyze, options)
+        try:
+            return compute(
+                lambda out: lib.whirl_job_of_user_system(handle, out),
+                lambda out: lib.whirl_user_system_outline(handle, out),
+                threads=threads,
+                progress=progress,
+                journal=journal,
+                resume=resume,
+            )
+        except errors.Error:
+            if "value" in raised:
+                raise raised["value"] from None
+            raise
+        finally:
+            del functions
+
+    def response(self, **more):
+        """One motion, with the parameters as they are; see :meth:`run`."""
+        return self.run(**more)
+
+    def sweep(self, parameter, values, **more):
+        """Motions along a parameter; see :meth:`run`."""
+        return self.run({parameter: values}, **more)
+
+    def map(self, x, y, z=None, **more):
+        """Motions over two parameters or three, each (name, values): rows along x; see :meth:`run`."""
+        return self.run(dict([x, y] + ([z] if z else [])), **more)

@@ -1,0 +1,394 @@
+// A machine of a user's system: one alone, and many side by side.
+//
+// All machines of a study have the period of the system as it stands, so that they go in step: the time of one whose
+// own period is T times longer runs T times faster, and velocities, where the system says which they are, are those by
+// the common time.
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "isa.h"
+#include "user.h"
+#include "vector.h"
+
+enum {
+    BLOCK = 8192,     ///< numbers of lanes that are handed over at a time, for each of state, parameters and slopes
+    MOST_LANES = 512, ///< among them
+    MOST_IN_LANES = 256
+};
+
+typedef struct member {
+    const whirl_user_system *from;
+    double scale;       ///< T
+    double *parameters; ///< [parameter_count]
+    double *start;      ///< [dimension]
+    size_t *groups;     ///< [displacements + 1]
+    whirl_system system;
+    struct whirl_lanes lanes;
+} member;
+
+// ---------------------------------------------------------------- slopes of some machines
+
+/// Machines side by side in the user's own units: number k of machine i at [k * row + i].
+typedef struct block {
+    size_t count, row;
+    double t[MOST_LANES], scale[MOST_LANES];
+    double x[BLOCK], p[BLOCK], slopes[BLOCK];
+} block;
+
+/// Notes what a function gave where it is no success, and when.
+static bool note(const whirl_user_system *from, int code, double t) {
+    int expected = 0;
+    if (code == 0) return true;
+    if (atomic_compare_exchange_strong(&from->failure->code, &expected, code)) {
+        from->failure->time = t;
+        atomic_store(&from->failure->told, 1);
+    }
+    return false;
+}
+
+static bool slopes_of_each(const whirl_user_system *from, block *b) {
+    double x[USER_MOST_STATES], p[USER_MOST_PARAMETERS], slopes[USER_MOST_STATES];
+    for (size_t i = 0; i < b->count; i++) {
+        for (size_t k = 0; k < from->dimension; k++) x[k] = b->x[k * b->row + i];
+        for (size_t k = 0; k < from->parameter_count; k++) p[k] = b->p[k * b->row + i];
+        if (!note(from, from->rates(b->t[i], x, p, slopes, from->context), b->t[i])) return false;
+        for (size_t k = 0; k < from->dimension; k++) b->slopes[k * b->row + i] = slopes[k];
+    }
+    return true;
+}
+
+/// The slopes of a block; not a number once a function has failed.
+static void take_slopes(const whirl_user_system *from, block *b) {
+    bool good = atomic_load(&from->failure->code) == 0;
+    if (good && from->lanes)
+        good = note(from, from->lanes(b->count, b->row, b->t, b->x, b->p, b->slopes, from->context), b->t[0]);
+    else if (good)
+        good = slopes_of_each(from, b);
+    for (size_t k = 0; !good && k < from->dimension; k++)
+        for (size_t i = 0; i < b->count; i++) b->slopes[k * b->row + i] = NAN;
+}
+
+// ---------------------------------------------------------------- one machine
+
+/// What a coordinate by the common time is multiplied by to be that of the user, as 1 or 1/T.
+static bool is_velocity(const whirl_user_system *from, size_t k) {
+    return k >= from->displacements && k < 2 * from->displacements;
+}
+
+/// The slopes by the user's own time in those by the common one.
+static void to_common(const whirl_user_system *from, double scale, const double *x, const double *slopes,
+                      double *dxdt) {
+    for (size_t k = 0; k < from->dimension; k++) dxdt[k] = scale * slopes[k];
+    for (size_t k = 0; k < from->displacements; k++) {
+        dxdt[k] = x[from->displacements + k];
+        dxdt[from->displacements + k] *= scale;
+    }
+}
+
+static void to_own(const member *own, const double *x, double *out) {
+    for (size_t k = 0; k < own->from->dimension; k++) out[k] = is_velocity(own->from, k) ? x[k] / own->scale : x[k];
+}
+
+static bool own_slopes(const member *own, double t, const double *x, double *slopes) {
+    const whirl_user_system *from = own->from;
+    if (atomic_load(&from->failure->code) != 0) return false;
+    const int code = from->lanes ? from->lanes(1, 1, &t, x, own->parameters, slopes, from->context)
+                                 : from->rates(t, x, own->parameters, slopes, from->context);
+    return note(from, code, t);
+}
+
+static void rhs(const void *model, double s, const double *forcing, const double *x, double *dxdt) {
+    const member *own = model;
+    double user[USER_MOST_STATES], slopes[USER_MOST_STATES];
+    (void)forcing;
+    to_own(own, x, user);
+    const bool good = own_slopes(own, own->scale * s, user, slopes);
+    for (size_t k = 0; !good && k < own->from->dimension; k++) slopes[k] = NAN;
+    to_common(own->from, own->scale, x, slopes, dxdt);
+}
+
+static double length_of(const double *x, size_t count) {
+    double sum = 0.0;
+    for (size_t k = 0; k < count; k++) sum += x[k] * x[k];
+    return sqrt(sum);
+}
+
+/// How far along a disturbance of that length differences are taken: a third of the digits of the state.
+static double difference_step(double size, double length) {
+    return length > 0.0 ? 6.06e-6 * fmax(size, 1e-3) / length : 1.0;
+}
+
+/// The derivative along d, both in the user's own units, by differences to both sides.
+static bool own_difference(const member *own, double t, const double *x, const double *d, double *out) {
+    double beside[USER_MOST_STATES], lower[USER_MOST_STATES];
+    const size_t n = own->from->dimension;
+    const double step = difference_step(length_of(x, n), length_of(d, n));
+    for (size_t k = 0; k < n; k++) beside[k] = x[k] - step * d[k];
+    if (!own_slopes(own, t, beside, lower)) return false;
+    for (size_t k = 0; k < n; k++) beside[k] = x[k] + step * d[k];
+    if (!own_slopes(own, t, beside, out)) return false;
+    for (size_t k = 0; k < n; k++) out[k] = (out[k] - lower[k]) / (2.0 * step);
+    return true;
+}
+
+static void tangent(const void *model, double s, const double *forcing, const double *x, const double *sides,
+                    size_t count, const double *dx, double *ddxdt) {
+    const member *own = model;
+    const whirl_user_system *from = own->from;
+    double user[USER_MOST_STATES], along[USER_MOST_STATES], slopes[USER_MOST_STATES];
+    const double t = own->scale * s;
+    (void)forcing, (void)sides;
+    to_own(own, x, user);
+    for (size_t i = 0; i < count; i++, dx += from->dimension, ddxdt += from->dimension) {
+        to_own(own, dx, along);
+        const bool good =
+            from->tangent ? note(from, from->tangent(t, user, own->parameters, along, slopes, from->tangent_context), t)
+                          : own_difference(own, t, user, along, slopes);
+        for (size_t k = 0; !good && k < from->dimension; k++) slopes[k] = NAN;
+        to_common(from, own->scale, dx, slopes, ddxdt);
+    }
+}
+
+// ---------------------------------------------------------------- many side by side
+
+static void time_alone(const void *model, double s, double *forcing) {
+    (void)model;
+    *forcing = s;
+}
+
+/// Lanes of a view, from `first` on, as many as a block holds.
+typedef struct part {
+    const lanes_view *view;
+    const whirl_user_system *from;
+    size_t first, row; ///< the row of the view
+} part;
+
+static const double *row_of(const part *p, const void *rows, size_t set, size_t size, size_t k) {
+    return (const double *)rows + (set * size + k) * p->row + p->first;
+}
+
+/// A coordinate of the state (set 0) or a disturbance, by the common time.
+static const double *coordinate(const part *p, size_t set, size_t k) {
+    const size_t d = p->from->displacements, n = p->from->dimension;
+    return k < d ? row_of(p, p->view->q, set, d, k) : row_of(p, p->view->v, set, n - d, k - d);
+}
+
+static void begin_block(const part *p, block *b) {
+    const double *s = row_of(p, p->view->forcing, 0, 0, 0);
+    memcpy(b->scale, row_of(p, p->view->numbers, 0, 0, 0), b->count * sizeof *b->scale);
+    for (size_t i = 0; i < b->count; i++) b->t[i] = b->scale[i] * s[i];
+    for (size_t k = 0; k < p->from->parameter_count; k++)
+        memcpy(b->p + k * b->row, row_of(p, p->view->numbers, 0, 0, k + 1), b->count * sizeof *b->p);
+}
+
+/// The state, `step` [count] times a disturbance beside it (set above 0), in the user's own units.
+static void fill_states(const part *p, size_t set, double sign, const double *step, block *b) {
+    for (size_t k = 0; k < p->from->dimension; k++) {
+        const double *x = coordinate(p, 0, k), *d = coordinate(p, set, k);
+        const bool velocity = is_velocity(p->from, k);
+        for (size_t i = 0; i < b->count; i++) {
+            const double value = set > 0 ? x[i] + sign * step[i] * d[i] : x[i];
+            b->x[k * b->row + i] = velocity ? value / b->scale[i] : value;
+        }
+    }
+}
+
+/// Writes the slopes of velocities and of what follows them, times `factor` [count] where there is one, and adds them
+/// to what stands there if wanted.
+static void put_slopes(const part *p, size_t set, double sign, const double *factor, bool add, const block *b) {
+    const size_t d = p->from->displacements, n = p->from->dimension;
+    for (size_t k = d; k < n; k++) {
+        double *to = (double *)p->view->a + (set * (n - d) + k - d) * p->row + p->first;
+        for (size_t i = 0; i < b->count; i++) {
+            const double scale = is_velocity(p->from, k) ? b->scale[i] * b->scale[i] : b->scale[i];
+            const double slope = scale * b->slopes[k * b->row + i] * (factor ? sign * factor[i] : 1.0);
+            to[i] = add ? to[i] + slope : slope;
+        }
+    }
+}
+
+/// The derivative along a disturbance by differences, lane by lane with a step of its own.
+static void flow_beside(const part *p, size_t set, block *b) {
+    double step[MOST_LANES], half[MOST_LANES], size[MOST_LANES], length[MOST_LANES];
+    memset(size, 0, sizeof size);
+    memset(length, 0, sizeof length);
+    for (size_t k = 0; k < p->from->dimension; k++) {
+        const double *x = coordinate(p, 0, k), *d = coordinate(p, set, k);
+        for (size_t i = 0; i < b->count; i++) {
+            const double unit = is_velocity(p->from, k) ? 1.0 / b->scale[i] : 1.0;
+            size[i] += x[i] * unit * x[i] * unit;
+            length[i] += d[i] * unit * d[i] * unit;
+        }
+    }
+    for (size_t i = 0; i < b->count; i++) {
+        step[i] = difference_step(sqrt(size[i]), sqrt(length[i]));
+        half[i] = 0.5 / step[i];
+    }
+    fill_states(p, set, -1.0, step, b);
+    take_slopes(p->from, b);
+    put_slopes(p, set, -1.0, half, false, b);
+    fill_states(p, set, 1.0, step, b);
+    take_slopes(p->from, b);
+    put_slopes(p, set, 1.0, half, true, b);
+}
+
+/// The derivative along a disturbance by the user's own function, one lane at a time.
+static void flow_along(const part *p, size_t set, block *b) {
+    double x[MOST_IN_LANES], d[MOST_IN_LANES], q[USER_MOST_PARAMETERS], out[MOST_IN_LANES];
+    const whirl_user_system *from = p->from;
+    for (size_t i = 0; i < b->count; i++) {
+        for (size_t k = 0; k < from->dimension; k++) {
+            const double unit = is_velocity(from, k) ? 1.0 / b->scale[i] : 1.0;
+            x[k] = coordinate(p, 0, k)[i] * unit;
+            d[k] = coordinate(p, set, k)[i] * unit;
+        }
+        for (size_t k = 0; k < from->parameter_count; k++) q[k] = b->p[k * b->row + i];
+        const bool good = atomic_load(&from->failure->code) == 0 &&
+                          note(from, from->tangent(b->t[i], x, q, d, out, from->tangent_context), b->t[i]);
+        for (size_t k = 0; k < from->dimension; k++) b->slopes[k * b->row + i] = good ? out[k] : (double)NAN;
+    }
+    put_slopes(p, set, 1.0, NULL, false, b);
+}
+
+static void flow(const lanes_view *view, size_t lanes) {
+    const member *model = view->model;
+    const whirl_user_system *from = model->from;
+    const size_t all = view->vectors * lanes;
+    const size_t most = BLOCK / (from->dimension > from->parameter_count ? from->dimension : from->parameter_count);
+    block b;
+    b.row = most < MOST_LANES ? most : MOST_LANES;
+    for (part p = {.view = view, .from = from, .row = view->stride * lanes}; p.first < all; p.first += b.row) {
+        b.count = all - p.first < b.row ? all - p.first : b.row;
+        begin_block(&p, &b);
+        fill_states(&p, 0, 0.0, NULL, &b);
+        take_slopes(from, &b);
+        put_slopes(&p, 0, 1.0, NULL, false, &b);
+        for (size_t set = 1; set <= view->tangents; set++)
+            if (from->tangent)
+                flow_along(&p, set, &b);
+            else
+                flow_beside(&p, set, &b);
+        for (size_t i = 0; view->divergence && i < b.count; i++) ((double *)view->divergence)[p.first + i] = NAN;
+    }
+}
+
+// One for every instruction set: they differ by their lanes alone.
+#define OF_ISA(name, lanes_there)                                                                                      \
+    static void flow_##name(const lanes_view *view) {                                                                  \
+        flow(view, lanes_there);                                                                                       \
+    }                                                                                                                  \
+    static void times_##name(const void *model, size_t stride, size_t vectors, const void *t, void *forcing) {         \
+        (void)model, (void)stride;                                                                                     \
+        memcpy(forcing, t, vectors *(lanes_there) * sizeof(double));                                                   \
+    }
+OF_ISA(scalar, 1)
+OF_ISA(128, 2)
+#if VECTOR_X86
+OF_ISA(fma, 1)
+OF_ISA(avx2, 4)
+OF_ISA(avx512, 8)
+#endif
+
+static void lane_numbers(const void *model, double *out) {
+    const member *own = model;
+    *out++ = own->scale;
+    memcpy(out, own->parameters, own->from->parameter_count * sizeof *out);
+}
+
+static bool lane_alike(const void *one, const void *other) {
+    return ((const member *)one)->from == ((const member *)other)->from;
+}
+
+static size_t lane_part(const void *model, size_t *places) {
+    (void)places;
+    return 1 + ((const member *)model)->from->parameter_count;
+}
+
+static void lane_depends(const void *model, bool *table) {
+    const whirl_user_system *from = ((const member *)model)->from;
+    for (size_t i = 0; i < (from->dimension - from->displacements) * from->dimension; i++) table[i] = true;
+}
+
+static void fill_lanes(member *own) {
+    static lanes_flow *const flows[VECTOR_ISAS] = EVERY_ISA(, flow);
+    static lanes_forcing *const times[VECTOR_ISAS] = EVERY_ISA(, times);
+    static lanes_switches *const no_switches[VECTOR_ISAS];
+    static lanes_contacts *const no_contacts[VECTOR_ISAS];
+    static const size_t no_places[1];
+    const size_t d = own->from->displacements;
+    for (size_t i = 0; i <= d; i++) own->groups[i] = i;
+    own->lanes = (struct whirl_lanes){.degrees = d,
+                                      .states = own->from->dimension - 2 * d,
+                                      .number_count = 1 + own->from->parameter_count,
+                                      .numbers = lane_numbers,
+                                      .alike = lane_alike,
+                                      .places = no_places,
+                                      .part = lane_part,
+                                      .depends = lane_depends,
+                                      .group_count = d,
+                                      .groups = own->groups,
+                                      .modulated = true,
+                                      .flow = flows,
+                                      .switches = no_switches,
+                                      .forcing = times,
+                                      .contacts = no_contacts};
+    own->system.lanes = &own->lanes;
+}
+
+// ---------------------------------------------------------------- a machine
+
+static void release(void *owner) {
+    member *own = owner;
+    free(own->parameters);
+    free(own->start);
+    free(own->groups);
+    free(own);
+}
+
+static whirl_status make(member *own, const double *parameters) {
+    const whirl_user_system *from = own->from;
+    double values[USER_MOST_PARAMETERS], period, common;
+    for (size_t k = 0; k < from->parameter_count; k++) values[k] = from->parameters[k].value;
+    whirl_status status = user_period(from, values, &common);
+    if (status.code == WHIRL_OK) status = user_period(from, parameters, &period);
+    if (status.code != WHIRL_OK) return status;
+    own->scale = period / common;
+    own->parameters = malloc((from->parameter_count + 1) * sizeof *own->parameters);
+    own->start = malloc(from->dimension * sizeof *own->start);
+    own->groups = calloc(from->displacements + 1, sizeof *own->groups);
+    if (!own->parameters || !own->start || !own->groups) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine");
+    memcpy(own->parameters, parameters, from->parameter_count * sizeof *parameters);
+    for (size_t k = 0; k < from->dimension; k++)
+        own->start[k] = is_velocity(from, k) ? from->start[k] * own->scale : from->start[k];
+    own->system = (whirl_system){.dimension = from->dimension,
+                                 .period = common,
+                                 .forcing_count = 1,
+                                 .forcing = time_alone,
+                                 .rhs = rhs,
+                                 .kinked = from->kinked,
+                                 .tangent = tangent,
+                                 .probe_count = from->station_count,
+                                 .probes = from->stations,
+                                 .model = own};
+    if (from->displacements > 0 && from->dimension <= MOST_IN_LANES) fill_lanes(own);
+    return status;
+}
+
+whirl_status user_machine(const whirl_user_system *system, const double *parameters, whirl_machine *machine) {
+    member *own = calloc(1, sizeof *own);
+    if (!own) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine");
+    own->from = system;
+    const whirl_status status = make(own, parameters);
+    if (status.code != WHIRL_OK) {
+        release(own);
+        return status;
+    }
+    *machine = (whirl_machine){.system = &own->system,
+                               .start = own->start,
+                               .owner = own,
+                               .release = release,
+                               .clock = 2.0 * acos(-1.0) / own->system.period / own->scale,
+                               .speed = 2.0 * acos(-1.0) / own->system.period / own->scale};
+    return status;
+}

@@ -1,0 +1,214 @@
+// The study of a user's system, and what a result says of it.
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "user.h"
+#include "whirl/case.h"
+
+/// A system with what a run of it needs: its one station, where it has none, and the values of all points.
+typedef struct prepared {
+    whirl_user_system system; ///< borrows all of the user's
+    whirl_probe station;
+    whirl_study study;
+    double *values; ///< [axes][count]
+} prepared;
+
+static whirl_status machine_at(const void *family, const whirl_batch *batch, double value, whirl_machine *machine) {
+    const whirl_user_system *system = family;
+    const double varied[USER_AXES] = {value, batch->second_value, batch->third_value};
+    double parameters[USER_MOST_PARAMETERS] = {0};
+    for (size_t k = 0; k < system->parameter_count; k++) parameters[k] = system->parameters[k].value;
+    for (size_t i = 0; i < system->axis_count && i < USER_AXES; i++) parameters[system->axes[i].parameter] = varied[i];
+    return user_machine(system, parameters, machine);
+}
+
+// ---------------------------------------------------------------- a study
+
+static whirl_status check(const whirl_user_system *system) {
+    if (!system->rates && !system->lanes)
+        return whirl_fail(WHIRL_BAD_INPUT, "the system has no function for its slopes");
+    for (size_t i = 0; i < system->station_count && system->displacements > 0; i++) {
+        const whirl_probe *one = &system->stations[i];
+        const size_t d = system->displacements;
+        if (one->x >= d || one->y >= d || one->vx != d + one->x || one->vy != d + one->y)
+            return whirl_fail(WHIRL_BAD_INPUT,
+                              "station %s is of coordinates %zu and %zu, expected displacements, 0 to %zu, with their "
+                              "velocities",
+                              one->name, one->x, one->y, d - 1);
+    }
+    if (system->carry != WHIRL_CARRY_NONE && system->axis_count != 1)
+        return whirl_fail(WHIRL_BAD_INPUT, "carry needs a sweep, of one parameter that varies");
+    return whirl_ok();
+}
+
+/// Of the first two coordinates, or displacements.
+static whirl_probe first_station(const whirl_user_system *system) {
+    const size_t d = system->displacements, n = d > 0 ? d : system->dimension;
+    whirl_probe one = {.name = "state", .x = 0, .y = n > 1 ? 1 : 0};
+    one.vx = d + one.x;
+    one.vy = d + one.y;
+    return one;
+}
+
+/// Every point of the study, the first axis fastest.
+static whirl_status fill_values(prepared *p, whirl_batch *batch) {
+    const whirl_user_system *system = &p->system;
+    double count = 1.0;
+    for (size_t i = 0; i < system->axis_count; i++) count *= (double)system->axes[i].count;
+    if (count > 1e7) return whirl_fail(WHIRL_BAD_INPUT, "the study has %.0f points, expected at most 10000000", count);
+    batch->count = (size_t)count;
+    if (system->axis_count == 0) return whirl_ok();
+    p->values = malloc(system->axis_count * batch->count * sizeof *p->values);
+    if (!p->values) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the values of %zu points", batch->count);
+    for (size_t i = 0, step = 1; i < system->axis_count; step *= system->axes[i++].count)
+        for (size_t k = 0; k < batch->count; k++)
+            p->values[i * batch->count + k] = system->axes[i].values[k / step % system->axes[i].count];
+    return whirl_ok();
+}
+
+static void name_axes(const prepared *p, whirl_batch *batch) {
+    const user_axis *axes = p->system.axes;
+    const whirl_parameter *names = p->system.parameters;
+    const size_t count = p->system.axis_count;
+    if (count > 0) memcpy(batch->parameter, names[axes[0].parameter].name, sizeof batch->parameter);
+    batch->values = p->values;
+    if (count < 2) return;
+    memcpy(batch->second, names[axes[1].parameter].name, sizeof batch->second);
+    batch->second_values = p->values + batch->count;
+    batch->row = axes[0].count;
+    if (count < 3) return;
+    memcpy(batch->third, names[axes[2].parameter].name, sizeof batch->third);
+    batch->third_values = p->values + 2 * batch->count;
+    batch->plane = axes[0].count * axes[1].count;
+}
+
+/// "up" is along rising values, in whatever order they stand.
+static whirl_carry carry_of(const whirl_user_system *system) {
+    const user_axis *axis = &system->axes[0];
+    const bool falls = system->axis_count > 0 && axis->values[axis->count - 1] < axis->values[0];
+    if (system->carry == WHIRL_CARRY_FORWARD && falls) return WHIRL_CARRY_REVERSE;
+    return system->carry == WHIRL_CARRY_REVERSE && falls ? WHIRL_CARRY_FORWARD : system->carry;
+}
+
+/// Freed by its values alone.
+static whirl_status prepare(const whirl_user_system *system, prepared *p) {
+    static const char *const usual[] = {"poincare", "regime", "lyapunov", "orbit"};
+    static const char *const names[] = {"response", "sweep", "map", "map"};
+    *p = (prepared){.system = *system, .station = first_station(system)};
+    whirl_batch *batch = &p->study.batches[0];
+    whirl_status status = check(system);
+    if (status.code != WHIRL_OK) return status;
+    if (system->station_count == 0) {
+        p->system.stations = &p->station;
+        p->system.station_count = 1;
+    }
+    *batch = system->options;
+    snprintf(batch->name, sizeof batch->name, "%s", names[system->axis_count]);
+    status = fill_values(p, batch);
+    if (status.code != WHIRL_OK) return status;
+    name_axes(p, batch);
+    batch->carry = carry_of(system);
+    batch->integrate = system->integrate;
+    batch->record = system->record;
+    batch->analyses = system->analyses;
+    for (size_t i = 0; system->analyses == 0 && i < sizeof usual / sizeof *usual; i++)
+        whirl_analysis_add(&batch->analyses, usual[i]);
+    whirl_analysis_needs(batch->analyses, &batch->record);
+    p->study.batch_count = 1;
+    p->study.machine = machine_at;
+    p->study.family = &p->system;
+    return status;
+}
+
+// ---------------------------------------------------------------- a result
+
+static whirl_status describe(const whirl_user_system *system, whirl_result *result) {
+    double values[USER_MOST_PARAMETERS], period;
+    for (size_t k = 0; k < system->parameter_count; k++) values[k] = system->parameters[k].value;
+    whirl_status status = user_period(system, values, &period);
+    if (status.code != WHIRL_OK) return status;
+    snprintf(result->title, sizeof result->title, "%s", system->title);
+    result->speed = 2.0 * acos(-1.0) / period;
+    result->length_scale = result->force_scale = 1.0;
+    result->parameters = calloc(system->parameter_count + 1, sizeof *result->parameters);
+    result->stations = calloc(system->station_count, sizeof *result->stations);
+    result->contacts = calloc(1, sizeof *result->contacts);
+    if (!result->parameters || !result->stations || !result->contacts)
+        return whirl_fail(WHIRL_NO_MEMORY, "no memory for the parameters of a result");
+    if (system->parameter_count > 0)
+        memcpy(result->parameters, system->parameters, system->parameter_count * sizeof *result->parameters);
+    memcpy(result->stations, system->stations, system->station_count * sizeof *result->stations);
+    result->parameter_count = system->parameter_count;
+    result->station_count = system->station_count;
+    status = whirl_result_add_fact(result, "system", "a function of the user's own");
+    return status.code == WHIRL_OK ? whirl_result_add_provenance(result) : status;
+}
+
+/// Velocities in sections are those by the user's own time again.
+static whirl_status restore_velocities(const whirl_user_system *system, whirl_table *table) {
+    const whirl_field *section = whirl_layout_field(&table->layout, "poincare/section");
+    double parameters[USER_MOST_PARAMETERS] = {0}, common, period;
+    if (!section || section->columns != 4 || system->displacements == 0 || !table->blocks) return whirl_ok();
+    for (size_t k = 0; k < system->parameter_count; k++) parameters[k] = system->parameters[k].value;
+    whirl_status status = user_period(system, parameters, &common);
+    for (size_t i = 0; i < table->count && status.code == WHIRL_OK; i++) {
+        const double varied[USER_AXES] = {table->values[i], whirl_table_second(table, i), whirl_table_third(table, i)};
+        double *numbers = table->blocks + i * table->layout.size + section->offset;
+        for (size_t k = 0; k < system->axis_count && k < USER_AXES; k++)
+            parameters[system->axes[k].parameter] = varied[k];
+        if (!whirl_table_done(table, i)) continue;
+        status = user_period(system, parameters, &period);
+        for (size_t n = 0; n < section->repeat * section->rows; n++)
+            for (size_t k = 2; k < 4; k++) numbers[4 * n + k] /= period / common;
+    }
+    return status;
+}
+
+/// What became of the functions: a result of slopes that failed is none.
+static whirl_status outcome(const whirl_user_system *system, whirl_status status, whirl_result **result) {
+    const int code = atomic_load(&system->failure->code);
+    if (code != 0)
+        status = whirl_fail(WHIRL_NUMERICAL_FAILURE, "a function of the system gave %d at t = %.10g, expected 0", code,
+                            atomic_load(&system->failure->told) ? system->failure->time : (double)NAN);
+    if (*result && code == 0) {
+        whirl_status described = describe(system, *result);
+        if (described.code == WHIRL_OK) described = restore_velocities(system, &(*result)->tables[0]);
+        if (described.code == WHIRL_OK) return status;
+        status = described;
+    }
+    whirl_result_free(*result);
+    *result = NULL;
+    return status;
+}
+
+static whirl_status run(const void *subject, const whirl_run_options *options, whirl_result **result) {
+    prepared p;
+    *result = NULL;
+    whirl_status status = prepare(subject, &p);
+    atomic_store(&p.system.failure->code, 0);
+    atomic_store(&p.system.failure->told, 0);
+    if (status.code == WHIRL_OK) {
+        status = whirl_study_run(&p.study, options, result);
+        status = outcome(&p.system, status, result);
+    }
+    free(p.values);
+    return status;
+}
+
+whirl_status whirl_user_system_outline(const whirl_user_system *system, whirl_result **outline) {
+    prepared p;
+    *outline = NULL;
+    whirl_status status = prepare(system, &p);
+    if (status.code == WHIRL_OK) {
+        status = whirl_study_outline(&p.study, outline);
+        status = outcome(&p.system, status, outline);
+    }
+    free(p.values);
+    return status;
+}
+
+whirl_status whirl_job_of_user_system(const whirl_user_system *system, whirl_job **job) {
+    return whirl_job_of(run, system, job);
+}

@@ -1,0 +1,59 @@
+/// What a user's system consists of.
+#ifndef USER_USER_H
+#define USER_USER_H
+
+#include <stdatomic.h>
+#include <stdbool.h>
+
+#include "lanes.h"
+#include "whirl/study.h"
+#include "whirl/user_system.h"
+
+enum {
+    USER_MOST_STATES = 4096,
+    USER_MOST_PARAMETERS = 256,
+    USER_AXES = 3 ///< of a study
+};
+
+typedef struct user_axis {
+    size_t parameter, count;
+    double *values; ///< [count]
+} user_axis;
+
+/// What failed first: no motion is computed after that.
+typedef struct user_failure {
+    atomic_int code; ///< that a function gave; 0: none failed
+    atomic_int told; ///< one thread writes the time
+    double time;
+} user_failure;
+
+struct whirl_user_system {
+    char title[256];
+    size_t dimension, displacements;
+    double *start; ///< [dimension]
+    size_t parameter_count, station_count, axis_count;
+    whirl_parameter *parameters; ///< [parameter_count]
+    whirl_probe *stations;       ///< [station_count]
+    whirl_user_rates_fn rates;
+    whirl_user_lanes_fn lanes;
+    whirl_user_tangent_fn tangent;
+    void *context, *tangent_context;
+    double period;
+    size_t speed; ///< index of the parameter that is the angular frequency; parameter_count or beyond: `period` counts
+    bool kinked;
+    user_axis axes[USER_AXES];
+    whirl_carry carry;
+    whirl_analysis_set analyses;
+    whirl_integrate_options integrate;
+    whirl_record_options record;
+    whirl_batch options; ///< of which whirl_batch_members alone count
+    user_failure *failure;
+};
+
+/// The period of the system with these parameters [parameter_count]. WHIRL_BAD_INPUT where it is no number above 0.
+whirl_status user_period(const whirl_user_system *system, const double *parameters, double *period);
+
+/// A machine of the system with these parameters, for whirl_study.machine.
+whirl_status user_machine(const whirl_user_system *system, const double *parameters, whirl_machine *machine);
+
+#endif
