@@ -264,6 +264,12 @@ whirl_unit whirl_result_length_unit(const whirl_result *result);
 /// scale (whirl_result_length_scale); a table NULL has the scale of the result.
 whirl_unit whirl_result_si(const whirl_result *result, const whirl_table *table, const char *unit);
 
+/// The same of a field's numbers: of the second and third parameters of a map their own units.
+whirl_unit whirl_field_si(const whirl_result *result, const whirl_table *table, const whirl_field *field);
+
+/// The SI unit of a parameter, "1" of plain numbers and of what is no parameter. Borrowed.
+const char *whirl_result_parameter_unit(const whirl_result *result, const char *parameter);
+
 /// The value of a fact, "" where there is none of that name. Borrowed.
 const char *whirl_result_fact(const whirl_result *result, const char *name);
 

@@ -5,12 +5,12 @@
 #include "whirl/system.h"
 
 // The range comes last: some tools expand it to its parts before they count arguments.
-#define PROBE(TYPE, field, symbol, part, fallback, meaning, ...)                                                       \
-    MEMBER(whirl_probe, TYPE, #field, field, part, false, #field, symbol, "1", WHIRL_KEY_NUMBER, false, fallback,      \
+#define PROBE(TYPE, field, symbol, unit, part, fallback, meaning, ...)                                                 \
+    MEMBER(whirl_probe, TYPE, #field, field, part, false, #field, symbol, unit, WHIRL_KEY_NUMBER, false, fallback,     \
            __VA_ARGS__, NULL, meaning, "")
 /// Where a case says a state, its keys are those of the coordinates.
-#define COORDINATE(field, symbol, meaning) PROBE(INDEX, field, symbol, "initial", "0", meaning, WHIRL_ANY)
-#define LENGTH(field, meaning) PROBE(NUMBER, field, "", "", "", meaning, WHIRL_NOT_NEGATIVE)
+#define COORDINATE(field, symbol, meaning) PROBE(INDEX, field, symbol, "1", "initial", "0", meaning, WHIRL_ANY)
+#define LENGTH(field, meaning) PROBE(NUMBER, field, "", "length", "", "", meaning, WHIRL_NOT_NEGATIVE)
 #define PLACE "displacement in length scales, or with a unit of length"
 #define RATE "velocity in length scales per radian of rotation, or with a unit of m/s"
 
@@ -22,8 +22,8 @@ const whirl_member *whirl_probe_members(void) {
         COORDINATE(y, "y", PLACE),
         COORDINATE(vx, "x'", RATE),
         COORDINATE(vy, "y'", RATE),
-        PROBE(INDEX, shaft, "", "", "", "number of the shaft of finite elements, from 1; 0: on none", WHIRL_ANY),
-        PROBE(NUMBER, position, "", "", "", "place along that shaft, m", WHIRL_ANY),
+        PROBE(INDEX, shaft, "", "1", "", "", "number of the shaft of finite elements, from 1; 0: on none", WHIRL_ANY),
+        PROBE(NUMBER, position, "", "m", "", "", "place along that shaft, m", WHIRL_ANY),
         {.part = NULL},
     };
     return members;

@@ -31,10 +31,11 @@ hid_t put_group(whirl_status *status, hid_t parent, const char *name);
 void close_group(hid_t group);
 
 /// Datasets [count], [rows][columns] or [planes][rows][columns], chunked and with Fletcher32 checksums. A count of 0 is
-/// allowed.
+/// allowed. Numbers have their unit in an attribute, whole numbers 1.
 void put_texts(whirl_status *status, hid_t parent, const char *name, texts list);
 void put_wholes(whirl_status *status, hid_t parent, const char *name, const int64_t *values, shape of);
-void put_numbers(whirl_status *status, hid_t parent, const char *name, const double *values, shape of);
+void put_numbers(whirl_status *status, hid_t parent, const char *name, const double *values, shape of,
+                 const char *unit);
 
 void close_dataset(hid_t dataset);
 
@@ -55,7 +56,7 @@ typedef struct column {
 /// texts of at most `size` bytes, ends included. The first of its dimensions are those of the points. The dataset is
 /// open for its attributes until column_end, which is to be called also after a failure.
 void column_of_numbers(whirl_status *status, column *out, hid_t parent, const char *name, shape points,
-                       const size_t *dimensions, int rank);
+                       const size_t *dimensions, int rank, const char *unit);
 void column_of_wholes(whirl_status *status, column *out, hid_t parent, const char *name, shape points);
 void column_of_texts(whirl_status *status, column *out, hid_t parent, const char *name, shape points, size_t size);
 

@@ -142,14 +142,16 @@ static hid_t make_dataset(whirl_status *status, hid_t parent, const char *name, 
     return dataset;
 }
 
+/// `unit` NULL: texts have none.
 static void put_list(whirl_status *status, hid_t parent, const char *name, hid_t file_type, hid_t memory_type, shape of,
-                     const void *values) {
+                     const void *values, const char *unit) {
     hsize_t dimensions[SHAPE_AXES];
     for (int i = 0; i < of.rank; ++i) dimensions[i] = of.sizes[i];
     const hid_t dataset = make_dataset(status, parent, name, file_type, dimensions, of.rank);
     if (status->code == WHIRL_OK && shape_count(of) > 0 &&
         H5Dwrite(dataset, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0)
         fail_put(status, name);
+    if (unit) put_text_attribute(status, dataset, "unit", unit);
     close_dataset(dataset);
 }
 
@@ -166,17 +168,18 @@ void put_texts(whirl_status *status, hid_t parent, const char *name, texts list)
         return;
     }
     const hid_t type = text_type(size - 1, H5T_CSET_ASCII);
-    put_list(status, parent, name, type, type, list_of(list.count), packed);
+    put_list(status, parent, name, type, type, list_of(list.count), packed, NULL);
     H5Tclose(type);
     free(packed);
 }
 
 void put_wholes(whirl_status *status, hid_t parent, const char *name, const int64_t *values, shape of) {
-    put_list(status, parent, name, H5T_STD_I64LE, H5T_NATIVE_INT64, of, values);
+    put_list(status, parent, name, H5T_STD_I64LE, H5T_NATIVE_INT64, of, values, "1");
 }
 
-void put_numbers(whirl_status *status, hid_t parent, const char *name, const double *values, shape of) {
-    put_list(status, parent, name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, of, values);
+void put_numbers(whirl_status *status, hid_t parent, const char *name, const double *values, shape of,
+                 const char *unit) {
+    put_list(status, parent, name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, of, values, unit);
 }
 
 /// The group in which `name` ("rub/share") lies. HDF5 could make it on its own, but then with the time of day in it.
@@ -200,17 +203,19 @@ static void begin_column(whirl_status *status, column *out, hid_t parent, const 
 }
 
 void column_of_numbers(whirl_status *status, column *out, hid_t parent, const char *name, shape points,
-                       const size_t *dimensions, int rank) {
+                       const size_t *dimensions, int rank, const char *unit) {
     column_lay(out, points, dimensions, rank, sizeof(double));
     put_group_above(status, parent, name);
     if (status->code == WHIRL_OK) out->type = H5Tcopy(H5T_NATIVE_DOUBLE);
     begin_column(status, out, parent, name, H5T_IEEE_F64LE);
+    put_text_attribute(status, out->dataset, "unit", unit);
 }
 
 void column_of_wholes(whirl_status *status, column *out, hid_t parent, const char *name, shape points) {
     column_lay(out, points, points.sizes, points.rank, sizeof(int64_t));
     if (status->code == WHIRL_OK) out->type = H5Tcopy(H5T_NATIVE_INT64);
     begin_column(status, out, parent, name, H5T_STD_I64LE);
+    put_text_attribute(status, out->dataset, "unit", "1");
 }
 
 void column_of_texts(whirl_status *status, column *out, hid_t parent, const char *name, shape points, size_t size) {

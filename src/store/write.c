@@ -47,7 +47,7 @@ static void put_parameters(whirl_status *status, hid_t file, const whirl_result 
     for (size_t i = 0; i < count; ++i) values[i] = parameters[i].value;
     const hid_t group = put_group(status, file, "parameters");
     put_texts(status, group, "name", texts_of(count ? parameters->name : "", stride, count));
-    put_numbers(status, group, "value", values, list_of(count));
+    put_numbers(status, group, "value", values, list_of(count), "/parameters/unit");
     put_texts(status, group, "unit", texts_of(count ? parameters->unit : "", stride, count));
     put_texts(status, group, "text", texts_of(count ? parameters->text : "", stride, count));
     close_group(group);
@@ -68,7 +68,7 @@ static void put_stations(whirl_status *status, hid_t file, const whirl_result *r
         for (size_t i = 0; i < count; ++i) numbers[i] = whirl_member_number(member, &result->stations[i]);
         for (size_t i = 0; i < count; ++i) wholes[i] = (int64_t)numbers[i];
         if (member->type == WHIRL_MEMBER_NUMBER)
-            put_numbers(status, group, member->name, numbers, list_of(count));
+            put_numbers(status, group, member->name, numbers, list_of(count), member->key.unit);
         else
             put_wholes(status, group, member->name, wholes, list_of(count));
     }
@@ -136,11 +136,10 @@ static void begin_field(whirl_status *status, column *out, hid_t group, const wh
     size_t dimensions[SHAPE_MAX_RANK];
     char names[SHAPE_MAX_RANK][WHIRL_NAME_SIZE];
     const int rank = format_dimensions(field, points, dimensions);
-    column_of_numbers(status, out, group, field->name, points, dimensions, rank);
+    column_of_numbers(status, out, group, field->name, points, dimensions, rank, field->unit);
     (void)format_dimension_names(field, points, names);
     put_texts_attribute(status, out->dataset, "dimensions", texts_of(names[0], WHIRL_NAME_SIZE, (size_t)rank));
-    const whirl_unit si = whirl_result_si(result, table, field->unit);
-    put_text_attribute(status, out->dataset, "unit", field->unit);
+    const whirl_unit si = whirl_field_si(result, table, field);
     put_number_attribute(status, out->dataset, "SI_factor", si.size);
     put_text_attribute(status, out->dataset, "SI_unit", si.name);
     put_text_attribute(status, out->dataset, "meaning", field->meaning);
@@ -162,12 +161,12 @@ typedef double (*number_of)(const point_source *from, size_t at);
 typedef int64_t (*whole_of)(const point_source *from, size_t at);
 
 /// Datasets of a number a point.
-static void put_each_number(whirl_status *status, hid_t group, const char *name, number_of number,
+static void put_each_number(whirl_status *status, hid_t group, const char *name, const char *unit, number_of number,
                             const point_source *from) {
     const shape points = shape_of(&from->own->table);
     column out;
     if (status->code != WHIRL_OK) return;
-    column_of_numbers(status, &out, group, name, points, points.sizes, points.rank);
+    column_of_numbers(status, &out, group, name, points, points.sizes, points.rank, unit);
     for (size_t at = 0; status->code == WHIRL_OK && at < from->own->table.count; ++at) {
         const double value = number(from, at);
         room_pass(from->own->table.room, at);
@@ -306,8 +305,8 @@ static void put_shares(whirl_status *status, hid_t group, const whirl_table *who
         errors[i] = one ? one->error : (double)NAN;
     }
     if (status->code == WHIRL_OK) put_wholes(status, group, "attractor", labels, list_of(count));
-    if (status->code == WHIRL_OK) put_numbers(status, group, "share", shares, list_of(count));
-    if (status->code == WHIRL_OK) put_numbers(status, group, "share_error", errors, list_of(count));
+    if (status->code == WHIRL_OK) put_numbers(status, group, "share", shares, list_of(count), "1");
+    if (status->code == WHIRL_OK) put_numbers(status, group, "share_error", errors, list_of(count), "1");
     free(labels);
     free(shares);
     whirl_coexistence_free(&found);
@@ -328,24 +327,30 @@ static void put_attractors(whirl_status *status, hid_t group, const whirl_table 
 
 /// The values that the second or third parameter takes at points that many apart.
 static void put_axis(whirl_status *status, hid_t group, const char *name, const whirl_table *whole, const finished *own,
-                     double (*value)(const whirl_table *table, size_t point), size_t count, size_t step) {
+                     const char *unit, double (*value)(const whirl_table *table, size_t point), size_t count,
+                     size_t step) {
     if (status->code != WHIRL_OK) return;
     double *values = malloc((count + 1) * sizeof *values);
     if (!values) *status = whirl_fail(WHIRL_NO_MEMORY, "no memory for an axis of %zu values", count);
     for (size_t i = 0; values && i < count; ++i) values[i] = value(whole, finished_point(own, i * step));
-    put_numbers(status, group, name, values, list_of(count));
+    put_numbers(status, group, name, values, list_of(count), unit);
     free(values);
 }
 
 /// The values along the axes of a whole map, whose points have a dimension for each: "x" of its columns, "y" of its
 /// rows, "z" of its planes. For people: readers of this library take the values of the points.
-static void put_axes(whirl_status *status, hid_t group, const whirl_table *whole, const finished *own) {
+static void put_axes(whirl_status *status, hid_t group, const whirl_result *result, const whirl_table *whole,
+                     const finished *own) {
     const shape map = shape_of(&own->table);
     if (map.rank < 2) return;
     const size_t row = map.sizes[map.rank - 1], rows = map.sizes[map.rank - 2];
-    put_numbers(status, group, "x", own->table.values, list_of(row));
-    put_axis(status, group, "y", whole, own, whirl_table_second, rows, row);
-    if (map.rank == 3) put_axis(status, group, "z", whole, own, whirl_table_third, map.sizes[0], row * rows);
+    put_numbers(status, group, "x", own->table.values, list_of(row),
+                whirl_result_parameter_unit(result, whole->parameter));
+    put_axis(status, group, "y", whole, own, whirl_result_parameter_unit(result, whole->second), whirl_table_second,
+             rows, row);
+    if (map.rank == 3)
+        put_axis(status, group, "z", whole, own, whirl_result_parameter_unit(result, whole->third), whirl_table_third,
+                 map.sizes[0], row * rows);
 }
 
 static void put_points(whirl_status *status, hid_t group, const whirl_result *result, const whirl_table *whole) {
@@ -354,11 +359,11 @@ static void put_points(whirl_status *status, hid_t group, const whirl_result *re
     if (status->code != WHIRL_OK) return;
     put_whole_attribute(status, group, "points", (int64_t)own.table.planned);
     const point_source from = {.result = result, .own = &own};
-    put_each_number(status, group, "values", value_of, &from);
-    put_axes(status, group, whole, &own);
+    put_each_number(status, group, "values", whirl_result_parameter_unit(result, whole->parameter), value_of, &from);
+    put_axes(status, group, result, whole, &own);
     put_each_whole(status, group, "branch", branch_of, &from);
     put_each_whole(status, group, "point", place_of, &from);
-    put_each_number(status, group, "length_scale", length_scale_of, &from);
+    put_each_number(status, group, "length_scale", "m", length_scale_of, &from);
     if (status->code == WHIRL_OK) put_fields(status, group, result, whole, &own);
     if (whirl_layout_has_verdict(&whole->layout)) put_verdicts(status, group, whole, &own);
     if (status->code == WHIRL_OK && strcmp(whole->name, "basin") == 0) put_attractors(status, group, whole, &own);

@@ -165,7 +165,7 @@ const char *whirl_table_field_extent(const whirl_table *table, size_t field) {
 double whirl_table_field_si(const whirl_result *result, const whirl_table *table, size_t field, char *name,
                             size_t size) {
     const whirl_field *found = field_at(table, field);
-    const whirl_unit si = found ? whirl_result_si(result, table, found->unit) : (whirl_unit){.size = NAN};
+    const whirl_unit si = found ? whirl_field_si(result, table, found) : (whirl_unit){.size = NAN};
     snprintf(name, size, "%s", si.name);
     return si.size;
 }

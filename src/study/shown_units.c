@@ -106,3 +106,18 @@ whirl_unit whirl_result_si(const whirl_result *result, const whirl_table *table,
     snprintf(si.name, sizeof si.name, "%s", unit);
     return si;
 }
+
+const char *whirl_result_parameter_unit(const whirl_result *result, const char *parameter) {
+    for (size_t i = 0; i < result->parameter_count; i++)
+        if (strcmp(result->parameters[i].name, parameter) == 0) return result->parameters[i].unit;
+    return "1";
+}
+
+whirl_unit whirl_field_si(const whirl_result *result, const whirl_table *table, const whirl_field *field) {
+    whirl_unit si = whirl_result_si(result, table, field->unit);
+    const char *parameter = NULL;
+    if (table && strcmp(field->name, "map/second") == 0) parameter = table->second;
+    if (table && strcmp(field->name, "map/third") == 0) parameter = table->third;
+    if (parameter) snprintf(si.name, sizeof si.name, "%s", whirl_result_parameter_unit(result, parameter));
+    return si;
+}
