@@ -33,7 +33,7 @@ declare -A packages=(
     [octave]="octave octave-dev fonts-freefont-otf gnuplot-nox"
     [lint]="clang-format clang-tidy cppcheck nodejs npm black"
     # What `make packages` builds Debian packages with; mmdebstrap makes the fresh system in which they are tried.
-    [package]="debhelper dpkg-dev lintian mmdebstrap"
+    [package]="debhelper dh-python dpkg-dev lintian mmdebstrap"
     # The programs that are measured beside whirl; none of them is needed for whirl itself.
     [bench]="libgsl-dev libboost-dev octave python3 python3-numba python3-scipy"
 )
