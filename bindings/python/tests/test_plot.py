@@ -133,6 +133,40 @@ def test_maps_show_regimes_and_numbers(map_files):
         assert np.allclose(colours[names == name][:, :3], expected)
 
 
+def test_machines_at_rest_are_drawn(tmp_path):
+    modes = whirl.run(whirl.Case(ROOT / "tests/cli/modes.yaml"), progress=False)
+    ax = modes.plot.campbell()
+    table = modes["modes"]
+    rpm = 2 * np.pi / 60
+    frequency = table["modes/frequency"]
+    drawn = points_of(ax)
+    expected = np.column_stack([np.repeat(table.values, frequency.shape[1]) / rpm, frequency.ravel() / rpm])
+    once = np.column_stack([table.values / rpm, table.values / rpm])
+    expected = np.concatenate([expected, once])
+    assert np.allclose(drawn, expected[np.lexsort(expected.T)], rtol=1e-12)
+    assert (ax.get_xlabel(), ax.get_ylabel()) == ("omega / rpm", "damped frequency / rpm")
+    # Both springs are in tune with the speed where it is their own frequency: sqrt(k/m).
+    critical = np.sort(np.concatenate([c.get_offsets()[:, 0] for c in ax.collections]))
+    assert np.allclose(critical, np.sqrt([80e3 / 2, 200e3 / 2]) / rpm, rtol=1e-9)
+    text = (ROOT / "tests/cli/modes.yaml").read_text()
+    text = text.split("study:")[0] + "study:\n  unbalance: {parameter: omega, from: 500 rpm, to: 1500 rpm, points: 5}\n"
+    above, below = whirl.run(whirl.Case(text=text), progress=False).plot.bode()
+    speed, amplitude = above.get_lines()[0].get_data()
+    turns = speed * rpm
+    assert np.allclose(amplitude, 0.01 * turns**2 / np.abs(80e3 / 2 - turns**2), rtol=1e-9)  # e r^2/(1 - r^2), mm
+    assert above.get_ylabel() == "amplitude of disc / mm" and below.get_ylabel() == "lag / degrees"
+
+
+def test_a_waterfall_has_the_lines_of_all_spectra(good):
+    ax = good.plot.waterfall(full=False)
+    lines = good["sweep"]["spectrum/lines"][:, 0]
+    large = lines[:, :, 1] > 1e-3 * np.nanmax(lines[:, :, 1])
+    offsets = ax.collections[0].get_offsets()
+    assert len(offsets) == large.sum() > 5
+    assert np.allclose(np.sort(offsets[:, 0]), np.sort(lines[:, :, 0][large]))
+    assert np.allclose(np.sort(ax.collections[0].get_array()), np.sort(lines[:, :, 1][large]))
+
+
 def test_a_plane_of_a_map_is_drawn(map_files):
     case = map_files[0].read_text().replace("  integrate", "    z: {parameter: kappa, values: [5, 10]}\n  integrate")
     result = whirl.run(whirl.Case(text=case), progress=False)

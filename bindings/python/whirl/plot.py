@@ -55,6 +55,12 @@ def classes(table):
     return found
 
 
+def _degrees():
+    from matplotlib.ticker import MaxNLocator
+
+    return MaxNLocator(steps=[1, 1.5, 3, 4.5, 9, 10])
+
+
 class Plots:
     """Figures of a result: ``result.plot.bifurcation()``."""
 
@@ -211,6 +217,84 @@ class Plots:
         if (special > 0).any():
             ax.legend(loc="best", frameon=False, fontsize="small")
 
+    # ---------------------------------------------------------------- machines at rest
+
+    def _speed(self, table):
+        """The unit of speeds: that of the parameter where it is one, else rad/s; its name and its size in SI."""
+        parameter = self._result.parameters.get(table.parameter)
+        if parameter is None or parameter.unit not in ("rad/s", "rad.s-1", "rad s-1"):
+            return "rad/s", 1.0
+        return self._unit(table.parameter)
+
+    def campbell(self, table=None, ax=None, **style):
+        """Natural frequencies over the parameter, in the unit of speeds: forward blue, backward vermilion.
+
+        Critical speeds (circles) and thresholds of stability (crosses) have their values beside them; the dashed line
+        is once a revolution.
+        """
+        table, ax = self._table(table, "modes/frequency", "modes"), _axes(ax)
+        values, label = self._parameter(table)
+        unit, size = self._speed(table)
+        frequency, direction = table["modes/frequency"] / size, table["modes/direction"]
+        places = np.broadcast_to(values[:, None], frequency.shape)
+        for title, colour, marker, of in (
+            ("forward", "#0072B2", "^", direction > 0.05),
+            ("backward", "#D55E00", "v", direction < -0.05),
+            ("neither", "#606060", "o", np.abs(direction) <= 0.05),
+        ):
+            of = of & np.isfinite(frequency)
+            if of.any():
+                own = {"linestyle": "none", "marker": marker, "markersize": 3, "color": colour, "label": title, **style}
+                ax.plot(places[of], frequency[of], **own)
+        ax.plot(values, table["modes/speed"] / size, color="0.6", linewidth=0.8, linestyle="--", label="1X", zorder=0)
+        self._critical(ax, table, size)
+        ax.set(xlabel=label, ylabel=f"damped frequency / {unit}")
+        # Modes far above all speeds would press the others together.
+        once = 2.0 * np.nanmax(table["modes/speed"]) / size
+        ax.set_ylim(0.0, min(ax.get_ylim()[1], once) if once > 0.0 else None)
+        ax.legend(loc="best", frameon=False, fontsize="small")
+        return ax
+
+    def _critical(self, ax, table, size):
+        """Marks of critical speeds and thresholds, with their values."""
+        _, own = self._unit(table.parameter)
+        rows = table["modes/critical"].reshape(-1, 6)
+        rows = rows[np.isfinite(rows[:, 1]) & (rows[:, 0] > 0)]
+        for title, marker, chosen in (("critical speed", "o", rows[:, 0] == 1), ("threshold", "x", rows[:, 0] > 1)):
+            at, height = rows[chosen, 1] / own, rows[chosen, 3] / size
+            if len(at) == 0:
+                continue
+            look = {"facecolor": "none", "edgecolor": "black"} if marker == "o" else {"color": "#CC0000"}
+            ax.scatter(at, height, marker=marker, s=36, zorder=3, label=title, **look)
+            for place in zip(at, height):
+                text = f"{place[0]:.5g}"
+                ax.annotate(text, place, xytext=(5, -8), textcoords="offset points", fontsize="x-small")
+
+    def bode(self, table=None, station=None, ax=None, **style):
+        """The response to unbalance: amplitude along x and y over the parameter, and its lag below.
+
+        ``ax`` is a pair of axes; the pair is returned.
+        """
+        table = self._table(table, "unbalance/amplitude", "unbalance")
+        if ax is None:
+            import matplotlib.pyplot as plt
+
+            ax = plt.subplots(2, sharex=True, figsize=(7.0, 5.6), layout="constrained")[1]
+        above, below = ax
+        index, name = self._station(table, station)
+        factors, unit = self._length(table)
+        values, label = self._parameter(table)
+        for axis, colour in enumerate(("#0072B2", "#D55E00")):
+            own = {"color": colour, "linewidth": 1.0, "label": "xy"[axis], **style}
+            above.plot(values, table["unbalance/amplitude"][:, index, axis] * factors, **own)
+            below.plot(values, table["unbalance/lag"][:, index, axis], **own)
+        above.set(ylabel=f"amplitude of {name} / {unit}")
+        above.set_ylim(bottom=0.0)
+        above.legend(loc="best", frameon=False, fontsize="small")
+        below.set(xlabel=label, ylabel="lag / degrees")
+        below.yaxis.set_major_locator(_degrees())
+        return above, below
+
     # ---------------------------------------------------------------- one point
 
     def poincare(self, point, table=None, station=None, ax=None, **style):
@@ -267,6 +351,33 @@ class Plots:
         ax.set(xlabel="order, backward below 0" if full else "order", ylabel=f"amplitude of {name} / {unit}")
         ax.set_ylim(bottom=0.0)
         ax.set_title(self._title(table, at), fontsize="medium")
+        return ax
+
+    def waterfall(self, table=None, station=None, full=True, highest_order=None, ax=None, **style):
+        """The lines of all spectra over order and parameter: the darker, the larger, to a thousandth of the largest."""
+        table, ax = self._table(table, "spectrum/lines", "spectrum"), _axes(ax)
+        index, name = self._station(table, station)
+        factors, unit = self._length(table)
+        values, label = self._parameter(table)
+        lines = _flat(table, "spectrum/lines")[:, index]
+        order = lines[:, :, 0]
+        sides = ((order, lines[:, :, 2]), (-order, lines[:, :, 3])) if full else ((order, lines[:, :, 1]),)
+        places = np.broadcast_to(values.ravel()[:, None], order.shape)
+        at = np.concatenate([side[0].ravel() for side in sides])
+        height = np.concatenate([places.ravel()] * len(sides))
+        size = np.concatenate([(side[1] * factors[:, None]).ravel() for side in sides])
+        keep = np.isfinite(at) & (size > 1e-3 * np.nanmax(size))
+        if highest_order is not None:
+            keep &= np.abs(at) <= highest_order
+        first = np.argsort(size[keep], kind="stable")  # the largest above all others
+        drawn = ax.scatter(
+            at[keep][first],
+            height[keep][first],
+            c=size[keep][first],
+            **{"s": 6, "norm": "log", "cmap": "viridis_r", "linewidths": 0, "rasterized": True, **style},
+        )
+        ax.figure.colorbar(drawn, ax=ax, label=f"amplitude of {name} / {unit}")
+        ax.set(xlabel="order, backward below 0" if full else "order", ylabel=label)
         return ax
 
     def _title(self, table, at):
