@@ -7,6 +7,8 @@
     ```yaml     (octave) that begins with "# file: NAME" ("% file: NAME") writes that file
     all others  are shown
 
+Pictures of images/tutorials stand in the text for whoever reads it as it is; a notebook draws them itself.
+
 Runs every tutorial in a fresh folder with BUILD/whirl on the PATH, and says which cell fails. build.py puts what cells
 print and draw into the site.
 """
@@ -24,6 +26,7 @@ from nbclient.exceptions import CellExecutionError
 
 ROOT = Path(__file__).resolve().parents[2]
 FENCE = re.compile(r"^```(python|sh|octave|yaml)\n(.*?)^```\n", re.MULTILINE | re.DOTALL)
+PICTURE = re.compile(r"^!\[[^\]]*\]\(\.\./images/tutorials/[^)]*\)\n", re.MULTILINE)
 COLOUR = re.compile(r"\x1b\[[0-9;]*m")
 MAGIC = {"python": "", "sh": "%%bash -e\n", "octave": "%%script octave-cli --no-gui --quiet\n"}
 
@@ -40,7 +43,7 @@ def read_notebook(text):
     """The notebook of a tutorial."""
     notebook = nbformat.v4.new_notebook()
     notebook.metadata.kernelspec = {"name": "python3", "display_name": "Python 3", "language": "python"}
-    begin = 0
+    text, begin = PICTURE.sub("", text), 0
 
     def add_words(words):
         if words.strip():
