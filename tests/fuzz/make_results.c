@@ -50,5 +50,9 @@ int main(int count, char **arguments) {
     failed |= write_one(result, arguments[1], "map");
     failed |= write_traced(arguments[1], "branch", "trace") | write_traced(arguments[1], "tori", "torus");
     whirl_result_free(result);
+    result = synthetic_result();
+    synthetic_planes(&result->tables[0], 2, 2, 2, 0);
+    failed |= write_one(result, arguments[1], "planes");
+    whirl_result_free(result);
     return failed;
 }
