@@ -3,6 +3,7 @@
 import os
 import shutil
 import subprocess
+import sys
 import sysconfig
 from pathlib import Path
 
@@ -35,11 +36,13 @@ def built_library():
 
 
 class BuildWithLibrary(build_py):
-    """The package's modules, and the library and the explorer's template beside them."""
+    """The package's modules, and its declarations, the library and the explorer's template beside them."""
 
     def run(self):
         super().run()
-        native = Path(self.build_lib) / "whirl" / "_native"
+        package = Path(self.build_lib) / "whirl"
+        subprocess.run([sys.executable, HERE / "whirl" / "_declare.py", package / "_declarations.py"], check=True)
+        native = package / "_native"
         native.mkdir(parents=True, exist_ok=True)
         shutil.copyfile(built_library(), native / SONAME)
         if shutil.which("strip"):

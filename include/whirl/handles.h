@@ -99,6 +99,13 @@ bool whirl_table_done(const whirl_table *table, size_t point);
 /// Which point of the study a point is: its own index, but in a result that was read and is partial.
 size_t whirl_table_slot(const whirl_table *table, size_t point);
 
+/// Places of the study in its parameters, which has one point, or one from each of several starts, at each; of a
+/// refined map all of its grid, whether they are computed or not.
+size_t whirl_table_places(const whirl_table *table);
+
+/// The place of a point, from 0, in the order of the values: of a map row by row, plane by plane.
+size_t whirl_table_place(const whirl_table *table, size_t point);
+
 /// Points of a row of a map whose points all are there, row by row along the parameter, in one list; else 0.
 size_t whirl_table_row(const whirl_table *table);
 
@@ -153,6 +160,13 @@ whirl_status whirl_table_copy(const whirl_table *table, size_t field, double *nu
 
 /// The verdict on a point in words ("P-2") and why, each at most `size` bytes; both "" where the table has none.
 void whirl_table_words(const whirl_table *table, size_t point, char *name, char *reason, size_t size);
+
+/// What the points of a basin, or of a table with several starts a place, came to rest on: of every point the number of
+/// its attractor, from 1 for that of most starts (0: not done, or without a verdict); the share of the starts, of the
+/// basin or of the place, that lead to it (NaN: not told); and the standard error of the share, were the starts drawn
+/// at random. Each [whirl_table_points], or NULL: not wanted. 0 and NaN for all points of other tables.
+/// WHIRL_NO_MEMORY.
+whirl_status whirl_table_attractor_numbers(const whirl_table *table, size_t *numbers, double *shares, double *errors);
 
 /// An option of the table's integration or record by index from 0: its name, and its value as text ("dop853", "1e-9").
 /// NULL past the last.

@@ -128,12 +128,6 @@ double whirl_result_clock(const whirl_result *result);
 /// The element whose phase that is ("force at disc"), "" for the shaft; borrowed.
 const char *whirl_result_keyphasor(const whirl_result *result);
 
-/// Places of the study in its parameters, which has one point or `starts` of them at each.
-size_t whirl_table_places(const whirl_table *table);
-
-/// The place of a point, from 0, in the order of the values.
-size_t whirl_table_place(const whirl_table *table, size_t point);
-
 /// Whether the motion of a point began at the end of a neighbour's.
 bool whirl_table_from_neighbour(const whirl_table *table, size_t point);
 

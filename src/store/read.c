@@ -388,7 +388,7 @@ static void check_rows(whirl_status *status, shape points, size_t planned, const
 
 /// The second parameter of a map, and how long its rows are, which it is made of; they are those of its datasets.
 static void get_plane(whirl_status *status, hid_t group, shape points, whirl_table *table) {
-    const size_t planned = table->grid > 0 ? table->grid : whirl_table_places(table);
+    const size_t planned = whirl_table_places(table);
     const bool is_map = whirl_layout_field(&table->layout, "map/second");
     if (status->code == WHIRL_OK && points.rank > 1 && (!is_map || table->grid > 0))
         *status = whirl_fail(WHIRL_BAD_INPUT, "/%s has rows of points, expected a list", table->name);

@@ -154,7 +154,8 @@ static void begin_field(whirl_status *status, column *out, hid_t group, const wh
 typedef struct point_source {
     const whirl_result *result;
     const finished *own;
-    const size_t *labels; ///< [points of the whole table] attractors
+    const size_t *attractors;            ///< [points of the whole table] their numbers,
+    const double *shares, *share_errors; ///< and the shares of the starts
 } point_source;
 
 typedef double (*number_of)(const point_source *from, size_t at);
@@ -288,41 +289,32 @@ static int64_t place_of(const point_source *from, size_t at) {
     return (int64_t)whirl_table_slot(&from->own->table, at) + 1;
 }
 
-/// Of every point of a table with several starts the attractor, its share of the starts of the place, and the standard
-/// error of that; for people, as verdicts in words are.
-static void put_shares(whirl_status *status, hid_t group, const whirl_table *whole, const finished *own) {
-    const size_t count = own->table.count;
-    whirl_coexistence found;
-    *status = whirl_table_coexistence(whole, &found);
-    if (status->code != WHIRL_OK) return;
-    int64_t *labels = calloc(count + 1, sizeof *labels);
-    double *shares = calloc(2 * count + 1, sizeof *shares), *errors = shares ? shares + count : NULL;
-    if (!labels || !shares) *status = whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points", count);
-    for (size_t i = 0; i < count && status->code == WHIRL_OK; ++i) {
-        const whirl_coexisting *one = whirl_coexistence_at(&found, whole, finished_point(own, i));
-        labels[i] = (int64_t)found.labels[finished_point(own, i)];
-        shares[i] = one ? one->share : (double)NAN;
-        errors[i] = one ? one->error : (double)NAN;
-    }
-    if (status->code == WHIRL_OK) put_wholes(status, group, "attractor", labels, list_of(count));
-    if (status->code == WHIRL_OK) put_numbers(status, group, "share", shares, list_of(count), "1");
-    if (status->code == WHIRL_OK) put_numbers(status, group, "share_error", errors, list_of(count), "1");
-    free(labels);
-    free(shares);
-    whirl_coexistence_free(&found);
+static int64_t attractor_of(const point_source *from, size_t at) {
+    return (int64_t)from->attractors[finished_point(from->own, at)];
 }
 
-static int64_t label_of(const point_source *from, size_t at) {
-    return (int64_t)from->labels[finished_point(from->own, at)];
+static double share_of(const point_source *from, size_t at) {
+    return from->shares[finished_point(from->own, at)];
 }
 
-/// The attractor of every start of a basin, from 1; likewise.
+static double share_error_of(const point_source *from, size_t at) {
+    return from->share_errors[finished_point(from->own, at)];
+}
+
+/// Of every point of a basin, or of a table with several starts a place, the attractor, its share of the starts, and
+/// the standard error of that; for people, as verdicts in words are.
 static void put_attractors(whirl_status *status, hid_t group, const whirl_table *whole, const finished *own) {
-    size_t *labels = calloc(whole->count + 1, sizeof *labels), count;
-    *status = labels ? whirl_table_attractors(whole, labels, NULL, 0, &count)
-                     : whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points", whole->count);
-    put_each_whole(status, group, "attractor", label_of, &(point_source){.own = own, .labels = labels});
-    free(labels);
+    const size_t count = whole->count;
+    size_t *attractors = calloc(count + 1, sizeof *attractors);
+    double *shares = calloc(2 * count + 1, sizeof *shares), *errors = shares ? shares + count : NULL;
+    *status = attractors && shares ? whirl_table_attractor_numbers(whole, attractors, shares, errors)
+                                   : whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points", count);
+    const point_source from = {.own = own, .attractors = attractors, .shares = shares, .share_errors = errors};
+    put_each_whole(status, group, "attractor", attractor_of, &from);
+    put_each_number(status, group, "share", "1", share_of, &from);
+    put_each_number(status, group, "share_error", "1", share_error_of, &from);
+    free(attractors);
+    free(shares);
 }
 
 /// The values that the second or third parameter takes at points that many apart.
@@ -366,8 +358,8 @@ static void put_points(whirl_status *status, hid_t group, const whirl_result *re
     put_each_number(status, group, "length_scale", "m", length_scale_of, &from);
     if (status->code == WHIRL_OK) put_fields(status, group, result, whole, &own);
     if (whirl_layout_has_verdict(&whole->layout)) put_verdicts(status, group, whole, &own);
-    if (status->code == WHIRL_OK && strcmp(whole->name, "basin") == 0) put_attractors(status, group, whole, &own);
-    if (status->code == WHIRL_OK && whole->starts > 1) put_shares(status, group, whole, &own);
+    const bool attractors = whole->starts > 1 || strcmp(whole->name, "basin") == 0;
+    if (status->code == WHIRL_OK && attractors) put_attractors(status, group, whole, &own);
     finished_free(&own);
 }
 

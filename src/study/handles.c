@@ -1,10 +1,12 @@
 // Results through accessors: see whirl/handles.h.
 #include "whirl/handles.h"
 
+#include "attractors.h"
 #include "whirl/result.h"
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 // ---------------------------------------------------------------- results
@@ -198,6 +200,47 @@ void whirl_table_words(const whirl_table *table, size_t point, char *name, char 
     const whirl_verdict verdict = whirl_table_verdict(table, point);
     whirl_verdict_name(&verdict, name, size);
     whirl_verdict_reason(&verdict, reason, size);
+}
+
+/// Of a basin, in which all starts are one place.
+static whirl_status number_basin(const whirl_table *table, size_t *numbers, double *shares, double *errors) {
+    size_t *labels = numbers ? numbers : malloc((table->count + 1) * sizeof *labels), count;
+    whirl_attractor found[MOST_ATTRACTORS];
+    whirl_status status = labels ? whirl_table_attractors(table, labels, found, MOST_ATTRACTORS, &count)
+                                 : whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points", table->count);
+    for (size_t i = 0; i < table->count && status.code == WHIRL_OK; i++) {
+        const whirl_attractor *one = labels[i] > 0 ? &found[labels[i] - 1] : NULL;
+        if (shares) shares[i] = one ? one->share : (double)NAN;
+        if (errors) errors[i] = one ? one->error : (double)NAN;
+    }
+    if (!numbers) free(labels);
+    return status;
+}
+
+/// Of a table with several starts a place.
+static whirl_status number_places(const whirl_table *table, size_t *numbers, double *shares, double *errors) {
+    whirl_coexistence found;
+    const whirl_status status = whirl_table_coexistence(table, &found);
+    if (status.code != WHIRL_OK) return status;
+    for (size_t i = 0; i < table->count; i++) {
+        const whirl_coexisting *one = whirl_coexistence_at(&found, table, i);
+        if (numbers) numbers[i] = found.labels[i];
+        if (shares) shares[i] = one ? one->share : (double)NAN;
+        if (errors) errors[i] = one ? one->error : (double)NAN;
+    }
+    whirl_coexistence_free(&found);
+    return status;
+}
+
+whirl_status whirl_table_attractor_numbers(const whirl_table *table, size_t *numbers, double *shares, double *errors) {
+    if (table->starts > 1) return number_places(table, numbers, shares, errors);
+    if (strcmp(table->name, "basin") == 0) return number_basin(table, numbers, shares, errors);
+    for (size_t i = 0; i < table->count; i++) {
+        if (numbers) numbers[i] = 0;
+        if (shares) shares[i] = (double)NAN;
+        if (errors) errors[i] = (double)NAN;
+    }
+    return whirl_ok();
 }
 
 /// The member with a name that stands `*index` such members on; *index is what is left where there are fewer.

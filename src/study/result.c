@@ -66,6 +66,7 @@ size_t whirl_table_slot(const whirl_table *table, size_t point) {
 size_t whirl_table_places(const whirl_table *table) {
     const size_t planned = whirl_table_planned(table);
     if (table->source) return whirl_table_places(table->source);
+    if (table->grid > 0) return table->grid;
     if (table->places > 0) return table->places;
     return table->starts > 1 ? planned / table->starts : planned;
 }
@@ -103,9 +104,8 @@ size_t whirl_table_grid(const whirl_table *table) {
 }
 
 size_t whirl_table_rows(const whirl_table *table) {
-    const size_t places = table->grid > 0 ? table->grid : whirl_table_places(table);
     if (table->row == 0) return 0;
-    return (table->plane > 0 ? table->plane : places) / table->row;
+    return (table->plane > 0 ? table->plane : whirl_table_places(table)) / table->row;
 }
 
 size_t whirl_table_planes(const whirl_table *table) {

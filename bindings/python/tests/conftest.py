@@ -29,6 +29,35 @@ study:
   analyze: [poincare, regime, orbit]
 """
 
+# A rotor above its critical speed, which turns within its stator or leans on it all around, as it starts.
+SEVERAL = """
+whirl: 1
+parameters: {omega: 220 rad/s, x0: 0, y0: 0, c: 0.2 mm, kappa: 10}
+rotor:
+  speed: = omega
+  length_scale: = c
+  stations:
+    disc: {mass: 4 kg, damping: 20 N.s/m, eccentricity: = 0.1*c}
+  elements:
+    - shaft: {between: [disc, ground], k1: 100 kN/m, k2: 100 kN/m}
+    - rub: {at: disc, gap: = 1.2*c, stiffness: = kappa*1e5, friction: 0}
+study:
+  integrate: {method: dop853, rtol: 1e-8, transient: 400, record: 40}
+  analyze: [poincare, regime, lyapunov, orbit, rub, floquet]
+"""
+BASIN = """
+  initial: {disc: {x: = x0, y: = y0, vx: = -y0, vy: = x0}}
+  basin: {x: {parameter: x0, from: -2, to: 2, points: 9}, y: {parameter: y0, from: -1, to: 2, points: 4}}
+"""
+STARTS = "  starts: {count: 8, neighbours: 4, within: {disc: {x: [-2, 2], vy: [-2, 2]}}}\n"
+SWEEP = STARTS + "  sweep: {parameter: omega, values: [120, 180, 220, 260]}\n"
+PLANE = (
+    STARTS
+    + """
+  map: {x: {parameter: omega, values: [120, 180, 220]}, y: {parameter: kappa, values: [10, 12]}}
+"""
+)
+
 
 def command(*words, **more):
     """The command, whose failure fails the test."""
@@ -56,3 +85,25 @@ def map_files(tmp_path_factory):
     (folder / "map.yaml").write_text(MAP)
     command("run", folder / "map.yaml", "-o", folder / "map.h5", "-q")
     return folder / "map.yaml", folder / "map.h5"
+
+
+def compute(text):
+    return whirl.run(whirl.Case(text=text), progress=False)
+
+
+@pytest.fixture(scope="session")
+def basin():
+    """Starts of one machine that lead to two motions."""
+    return compute(SEVERAL + BASIN)
+
+
+@pytest.fixture(scope="session")
+def starts():
+    """Several starts of every point of a sweep."""
+    return compute(SEVERAL + SWEEP)
+
+
+@pytest.fixture(scope="session")
+def starts_map():
+    """... and of a map."""
+    return compute(SEVERAL + PLANE)

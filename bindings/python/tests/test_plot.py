@@ -2,11 +2,12 @@
 
 import numpy as np
 import pytest
-from conftest import ROOT, command
+from conftest import GOOD, ROOT, command
 
 import whirl
 
 plt = pytest.importorskip("matplotlib.pyplot")
+to_rgba = pytest.importorskip("matplotlib.colors").to_rgba
 
 
 @pytest.fixture(autouse=True)
@@ -131,6 +132,54 @@ def test_maps_show_regimes_and_numbers(map_files):
     for name in np.unique(names):
         expected = [int(REGIMES[name][i : i + 2], 16) / 255 for i in (1, 3, 5)]
         assert np.allclose(colours[names == name][:, :3], expected)
+
+
+def test_a_basin_shows_its_attractors(basin):
+    table = basin["basin"]
+    ax = basin.plot.map()
+    number = table.attractors.max()
+    titles = [text.get_text() for text in ax.get_legend().get_texts()]
+    assert titles[0] == f"1: {table.verdicts[table.attractors == 1][0]} ({100 * (table.attractors == 1).mean():.3g} %)"
+    assert len(titles) == number == 2
+    cells = ax.collections[0].get_facecolor().reshape(*table.shape, 4)
+    for of in (1, 2):
+        assert np.allclose(cells[table.attractors == of], to_rgba(whirl.plot.attractor_colour(of)))
+
+
+def test_shares_of_starts_are_drawn(starts):
+    table = starts["sweep"]
+    ax = starts.plot.shares()
+    drawn = points_of(ax)
+    told = np.column_stack([table.values, 100 * table.shares, table.attractors])[table.attractors > 0]
+    expected = np.unique(told, axis=0)[:, :2]
+    assert np.array_equal(drawn, expected[np.lexsort(expected.T)])
+    with pytest.raises(whirl.BadInput, match="several starts"):
+        whirl.Case(GOOD).outline().plot.shares()
+
+
+def test_starts_are_drawn_once_an_attractor(starts):
+    table = starts["sweep"]
+    ax = starts.plot.bifurcation()
+    lines = {line.get_label(): line.get_xdata() for line in ax.get_lines()}
+    for number in range(1, table.attractors.max() + 1):
+        places = np.unique(table.values[table.attractors == number])
+        assert np.array_equal(np.unique(lines[str(number)]), places)
+        assert len(lines[str(number)]) == len(places) * table["poincare/section"].shape[2]
+
+
+def test_a_map_shows_what_most_starts_lead_to(starts_map):
+    table = starts_map["map"]
+    code, period = table["regime/code"].astype(int), table["regime/period"].astype(int)
+    cells = starts_map.plot.map().collections[0].get_facecolor().reshape(*table.grid, 4)
+    seen = 0
+    for place in range(cells[..., 0].size):
+        own = (table.place == place) & np.isfinite(table.shares)
+        best = own & (table.shares == table.shares[own].max())
+        if len(set(zip(code[best], period[best]))) == 1 and code[best][0] == 1:
+            name = {1: "P-1", 2: "P-2", 4: "P-4"}.get(period[best][0], "other P-k")
+            assert np.allclose(cells.reshape(-1, 4)[place, :3], to_rgba(whirl.plot.REGIMES[name])[:3])
+            seen += 1
+    assert seen >= 3
 
 
 def test_machines_at_rest_are_drawn(tmp_path):

@@ -76,6 +76,63 @@ def test_planes_are_a_dimension(map_files, tmp_path):
         assert list(table.to_pandas()["f"]) == [0.3] * 15 + [0.1] * 15
 
 
+def share_of(hits):
+    return hits.mean(), np.sqrt(hits.mean() * (1 - hits.mean()) / hits.size)
+
+
+def test_attractors_of_a_basin(basin):
+    table = basin["basin"]
+    number = table.attractors
+    assert number.shape == table.shape == (4, 9)
+    assert set(np.unique(number)) == {1, 2} and (number == 1).sum() > (number == 2).sum()
+    for of in (1, 2):
+        share, error = share_of(number == of)
+        assert np.allclose(table.shares[number == of], share, rtol=1e-14)
+        assert np.allclose(table.share_errors[number == of], error, rtol=1e-14)
+        assert len(set(table.verdicts[number == of])) == 1
+    # Both are synchronous circles, in closed form: (k + contact - m w^2 + i d w) r = e m w^2, in clearances.
+    radius, forced = table["orbit/max_radius"][..., 0], 4 * 220**2
+    inertia = 1e5 - forced + 20j * 220
+    assert np.allclose(radius[number == 2], abs(0.1 * forced / inertia), rtol=1e-6)
+    leans = radius[number == 1]
+    assert np.allclose(abs(inertia + 1e6 * (1 - 1.2 / leans)) * leans, 0.1 * forced, rtol=1e-6)
+
+
+@pytest.mark.parametrize("name", ["starts", "starts_map"])
+def test_attractors_of_several_starts(name, request):
+    result = request.getfixturevalue(name)
+    (table,) = result.tables.values()
+    number, own = table.attractors, table["starts/neighbour"] == 0  # those from neighbours are no sample
+    assert number.max() >= 2 and table.place.max() == (3 if name == "starts" else 5)
+    for place in np.unique(table.place):
+        here = table.place == place
+        for of in np.unique(number[here & (number > 0)]):
+            share, error = share_of(number[here & own] == of)
+            assert np.allclose(table.shares[here & (number == of)], share, rtol=1e-14)
+            assert np.allclose(table.share_errors[here & (number == of)], error, rtol=1e-14, atol=1e-15)
+    assert np.isnan(table.shares[number == 0]).all()
+
+
+@pytest.mark.parametrize("name", ["basin", "starts", "starts_map"])
+def test_attractors_in_files(name, request, tmp_path):
+    result = request.getfixturevalue(name)
+    result.save(tmp_path / "a.h5")
+    with whirl.open(tmp_path / "a.h5") as opened:
+        for table in result.tables.values():
+            of = opened[table.name]
+            assert (of.grid, of.planes) == (table.grid, table.planes)
+            for what in ("place", "attractors", "shares", "share_errors"):
+                assert np.array_equal(getattr(of, what), getattr(table, what), equal_nan=True), what
+            frame = of.to_pandas()
+            assert np.array_equal(frame["attractor"], table.attractors.ravel())
+            assert "share" in of.to_xarray()
+
+
+def test_other_tables_have_no_attractors(good):
+    table = good["sweep"]
+    assert not table.has_attractors and table.attractors is None and table.shares is None
+
+
 def test_read_checks_the_file(good_file, tmp_path):
     check_same(whirl.read(good_file), whirl.open(good_file), good_file)
     data = bytearray(good_file.read_bytes())

@@ -17,7 +17,8 @@ size=$(stat -c %s "$wheel")
 /usr/bin/python3 -m pip --quiet --disable-pip-version-check install --no-deps --no-index --target "$work/installed" "$wheel"
 cd "$work"
 PYTHONPATH=$work/installed /usr/bin/python3 - "$root/tests/cli/good.yaml" <<'END'
-import sys, whirl, whirl._library
+import sys, whirl, whirl._declarations, whirl._library
+assert whirl._library.ffi is whirl._declarations.ffi
 assert "_native" in whirl._library._places()[0], whirl._library._places()
 result = whirl.run(sys.argv[1], progress=False)
 assert len(result["sweep"].values) == 5

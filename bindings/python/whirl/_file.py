@@ -123,10 +123,21 @@ class FileTable:
         self.third = _word(group.attrs.get("third", b""))
         self.shape = group["values"].shape
         row = int(group.attrs.get("row", 0))
-        points = int(group.attrs["grid"] if "grid" in group.attrs and group.attrs["grid"] else group.attrs["points"])
-        plane = int(group.attrs.get("plane", points))
+        self._places = self._count_places()
+        plane = int(group.attrs.get("plane", self._places))
         self.grid = (plane // row, row) if row else None
-        self.planes = points // plane if row else 0
+        self.planes = self._places // plane if row else 0
+
+    def _count_places(self):
+        """Places of the study, docs/result-file.md: points of the grid of a refined map; starts stand at one place."""
+        about = self.group.attrs
+        for name in ("grid", "places"):
+            if about.get(name):
+                return int(about[name])
+        return int(about["points"]) // int(about.get("starts", 1))
+
+    def place(self):
+        return (self.point() - 1) % self._places
 
     def values(self):
         return self.group["values"][()]
@@ -172,6 +183,11 @@ class FileTable:
         if "verdict" not in self.group:
             return np.full(self.shape, ""), np.full(self.shape, "")
         return tuple(self.group["verdict"][what].asstr("utf-8")[()].astype(str) for what in ("name", "reason"))
+
+    def attractors(self):
+        shares = (self.group[name][()] if name in self.group else None for name in ("share", "share_error"))
+        unknown = np.full(self.shape, np.nan)  # files of 0.1 have no shares of basins
+        return self.group["attractor"][()], *(unknown if share is None else share for share in shares)
 
     def options(self):
         axes = ("parameter", "second", "third", "row", "plane", "grid")

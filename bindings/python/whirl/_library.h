@@ -86,6 +86,8 @@ const char *whirl_table_parameter(const whirl_table *table);
 const char *whirl_table_varied(const whirl_table *table);
 const char *whirl_table_stacked(const whirl_table *table);
 size_t whirl_table_points(const whirl_table *table);
+size_t whirl_table_places(const whirl_table *table);
+size_t whirl_table_place(const whirl_table *table, size_t point);
 size_t whirl_table_row(const whirl_table *table);
 size_t whirl_table_grid(const whirl_table *table);
 size_t whirl_table_rows(const whirl_table *table);
@@ -104,6 +106,7 @@ double whirl_table_field_si(const whirl_result *result, const whirl_table *table
 const double *whirl_table_column(const whirl_table *table, size_t field, size_t shape[3], size_t *stride);
 whirl_status whirl_table_copy(const whirl_table *table, size_t field, double *numbers);
 void whirl_table_words(const whirl_table *table, size_t point, char *name, char *reason, size_t size);
+whirl_status whirl_table_attractor_numbers(const whirl_table *table, size_t *numbers, double *shares, double *errors);
 const char *whirl_table_option(const whirl_table *table, size_t index, char *text, size_t size);
 
 whirl_status whirl_signals_threshold(const double *voltage, size_t count, double *threshold, double *hysteresis);

@@ -131,7 +131,7 @@ class MemoryTable:
         self._count = count
         rows = lib.whirl_table_rows(self.handle)
         self.planes = lib.whirl_table_planes(self.handle)
-        self.grid = (rows, lib.whirl_table_grid(self.handle) // (rows * self.planes)) if rows else None
+        self.grid = (rows, lib.whirl_table_places(self.handle) // (rows * self.planes)) if rows else None
         whole = lib.whirl_table_row(self.handle) > 0 and self._chosen is None
         if whole:
             self.shape = (self.planes,) * bool(self.third) + self.grid
@@ -154,6 +154,10 @@ class MemoryTable:
     def point(self):
         slots = (lib.whirl_table_slot(self.handle, i) + 1 for i in range(self._count))
         return self._pick(np.fromiter(slots, np.int64, self._count))
+
+    def place(self):
+        places = (lib.whirl_table_place(self.handle, i) for i in range(self._count))
+        return self._pick(np.fromiter(places, np.int64, self._count))
 
     def length_scale(self):
         scales = (lib.whirl_result_length_scale(self.result, self.handle, i) for i in range(self._count))
@@ -208,6 +212,20 @@ class MemoryTable:
             names.append(text(name))
             reasons.append(text(reason))
         return np.array(names, dtype=str).reshape(self.shape), np.array(reasons, dtype=str).reshape(self.shape)
+
+    def attractors(self):
+        if not self.computed:
+            raise errors.BadInput(f"the table '{self.name}' of an outline has no attractors: run the case")
+        numbers, shares, share_errors = np.zeros(self._count, np.uintp), np.zeros(self._count), np.zeros(self._count)
+        check(
+            lib.whirl_table_attractor_numbers(
+                self.handle,
+                ffi.cast("size_t *", ffi.from_buffer(numbers)),
+                ffi.cast("double *", ffi.from_buffer(shares)),
+                ffi.cast("double *", ffi.from_buffer(share_errors)),
+            )
+        )
+        return self._pick(numbers.astype(np.int64)), self._pick(shares), self._pick(share_errors)
 
     def options(self):
         options, value = {}, ffi.new("char[64]")

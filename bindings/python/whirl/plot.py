@@ -5,6 +5,7 @@ Matplotlib. Lengths and parameters are in the units in which the case wrote them
 """
 
 import re
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -21,6 +22,9 @@ REGIMES = {
     "undetermined": "#9A9F95",
     "diverged": "#FB8D41",
 }
+# Of attractors, over and over: Okabe and Ito's colours, in an order in which neighbours differ in lightness, too.
+ATTRACTORS = ("#0072B2", "#E69F00", "#56B4E9", "#009E73", "#CC79A7", "#D55E00", "#F0E442", "#000000")
+_NO_ATTRACTOR = "#9A9F95"
 _UNDETERMINED, _PERIODIC, _QUASI_PERIODIC, _CHAOTIC, _DIVERGED = range(5)
 _OPACITY = (0.4, 0.7, 1.0)  # of low, fair and high confidence
 _SPECIAL = {
@@ -53,6 +57,24 @@ def classes(table):
     for index, k in enumerate((1, 2, 4)):
         found[periodic & (period == k)] = index
     return found
+
+
+def attractor_colour(number):
+    """The colour of an attractor by its number, from 1; 0 is none."""
+    return ATTRACTORS[(number - 1) % len(ATTRACTORS)] if number > 0 else _NO_ATTRACTOR
+
+
+def _attractor_titles(table):
+    """dict of int to str: what each attractor is called in a legend, where the starts of all places are taken
+    together: "1: P-5 (31 %)" of a basin, "1" where its verdict and share change from place to place."""
+    numbers = table.attractors.ravel()
+    first = dict(zip(*np.unique(numbers, return_index=True)))
+    titles = {}
+    for number, at in sorted(first.items(), key=lambda item: item[0] or np.inf):  # 0 last
+        told = table.name == "basin" and "regime/code" in table
+        words = f": {table.verdicts.ravel()[at]} ({100.0 * table.shares.ravel()[at]:.3g} %)" if told else ""
+        titles[int(number)] = f"{number}{words}" if number > 0 else "no verdict"
+    return titles
 
 
 def _degrees():
@@ -126,7 +148,8 @@ class Plots:
     # ---------------------------------------------------------------- along a parameter
 
     def bifurcation(self, table=None, station=None, coordinate="x", ax=None, **style):
-        """Sections over the parameter, a point a revolution, in the colours of their regimes.
+        """Sections over the parameter, a point a revolution, in the colours of their regimes; where points have several
+        starts, every attractor once, in a colour of its own.
 
         Parameters
         ----------
@@ -156,17 +179,46 @@ class Plots:
             "rasterized": True,
             **style,
         }
-        kinds = classes(table).ravel() if "regime/code" in table else None
+        chosen = _once(table)
+        kinds = _kinds(table)
         if kinds is None or "color" in style:
-            ax.plot(places.ravel(), sizes.ravel(), **{"color": "black", **style})
+            ax.plot(places[chosen].ravel(), sizes[chosen].ravel(), **{"color": "black", **style})
         else:
-            for kind in np.unique(kinds):
-                title = list(REGIMES)[kind]
-                own = {"color": REGIMES[title], "label": title, **style}
-                ax.plot(places[kinds == kind].ravel(), sizes[kinds == kind].ravel(), **own)
-            ax.legend(loc="best", frameon=False, fontsize="small", **_large_markers())
+            for kind, colour, title in kinds.shown:
+                of = chosen[kinds.of[chosen] == kind]
+                ax.plot(places[of].ravel(), sizes[of].ravel(), **{"color": colour, "label": title, **style})
+            ax.legend(loc="best", frameon=False, fontsize="small", title=kinds.title, **_large_markers())
         ax.set(xlabel=label, ylabel=f"{coordinate} of {name} / {unit}")
         return ax
+
+    def shares(self, table=None, ax=None, **style):
+        """Of several starts a point, the share that leads to each attractor, with its standard error; open circles where
+        it is 0: an attractor that was found from a neighbour alone."""
+        table, ax = self._starts(table), _axes(ax)
+        values, label = self._parameter(table)
+        at, number = _once(table), table.attractors.ravel()
+        share, error = 100.0 * table.shares.ravel(), 100.0 * table.share_errors.ravel()
+        for kind in np.unique(number[at]):
+            of = at[(number[at] == kind) & np.isfinite(share[at])]
+            if kind == 0 or len(of) == 0:
+                continue
+            own = {"color": attractor_colour(kind), "linestyle": "none", "marker": "o", "markersize": 3, **style}
+            held, found = of[share[of] > 0], of[share[of] == 0]
+            ax.errorbar(values.ravel()[held], share[held], error[held], label=str(kind), elinewidth=0.6, **own)
+            ax.plot(values.ravel()[found], share[found], **{**own, "markerfacecolor": "none"})
+        ax.set(xlabel=label, ylabel="share of the starts / %")
+        ax.legend(loc="best", frameon=False, fontsize="small", title="attractor")
+        return ax
+
+    def _starts(self, table):
+        """The table of that name, or the first, that has several starts a place."""
+        tables = self._result.tables if table is None else {table: self._result[table]}
+        for candidate in tables.values():
+            if candidate.has_attractors and candidate.name != "basin":
+                return candidate
+        raise BadInput(
+            "no points have several starts: 'study: {starts: {count: ..., within: ...}}' in a case gives them"
+        )
 
     def lyapunov(self, table=None, ax=None, **style):
         """The largest Lyapunov exponent over the parameter, with its error as a band."""
@@ -391,7 +443,8 @@ class Plots:
     # ---------------------------------------------------------------- planes
 
     def map(self, field=None, table=None, which=0, plane=0, ax=None, **style):
-        """Regimes over two parameters, paler where confidence is low; or a field's numbers.
+        """Regimes over two parameters, paler where confidence is low; or a field's numbers. Of a basin the attractors
+        that its starts lead to. Where points have several starts, what most of them lead to.
 
         Parameters
         ----------
@@ -407,13 +460,14 @@ class Plots:
         table = self._plane(table)
         if not 0 <= plane < table.planes:
             raise BadInput(f"the table '{table.name}' has {table.planes} planes, from 0, and no plane {plane}")
-        if "regime/code" not in table and field is None:
+        kinds = _kinds(table, attractors=table.name == "basin") if field is None else None
+        if kinds is None and field is None:
             raise BadInput(f"the table '{table.name}' has no verdicts: add regime to what the case analyses")
         ax, cover = _axes(ax), _cover(table, plane)
         (x, xlabel), (y, ylabel) = self._parameter(table), self._parameter(table, second=True)
         x, y = _axis(x, cover, 0), _axis(y, cover, 1)
         if field is None:
-            self._regimes(ax, x, y, table, cover, style)
+            self._regimes(ax, x, y, kinds, cover, style)
         else:
             numbers, name = self._numbers(table, field, which)
             mesh = ax.pcolormesh(x, y, _spread(numbers, cover), **{"rasterized": True, "shading": "nearest", **style})
@@ -451,19 +505,54 @@ class Plots:
         return numbers, f"{title} / {unit}" if unit else title
 
     @staticmethod
-    def _regimes(ax, x, y, table, cover, style):
+    def _regimes(ax, x, y, kinds, cover, style):
         from matplotlib.colors import to_rgba_array
         from matplotlib.patches import Patch
 
-        kinds, confidence = classes(table).ravel(), np.nan_to_num(table["regime/confidence"]).ravel().astype(int)
-        colours = to_rgba_array(list(REGIMES.values()))[kinds]
-        colours[:, 3] = np.take(_OPACITY, confidence)
-        cells = np.where((cover >= 0)[..., None], colours[cover], 0.0)
+        colours = to_rgba_array([colour for _, colour, _ in kinds.shown])
+        rank = {kind: i for i, (kind, _, _) in enumerate(kinds.shown)}
+        cells = colours[[rank[kind] for kind in kinds.of]]
+        cells[:, 3] = kinds.opacity
+        cells = np.where((cover >= 0)[..., None], cells[cover], 0.0)
         mesh = ax.pcolormesh(x, y, cover, **{"rasterized": True, "shading": "nearest", **style})
         mesh.set_array(None)  # colours of their own for the cells; Matplotlib before 3.7 takes none in pcolormesh
         mesh.set_facecolor(cells.reshape(-1, 4))
-        shown = [Patch(color=list(REGIMES.values())[k], label=list(REGIMES)[k]) for k in np.unique(kinds)]
-        ax.legend(handles=shown, loc="center left", bbox_to_anchor=(1.01, 0.5), frameon=False, fontsize="small")
+        there = np.unique(kinds.of[cover[cover >= 0]])
+        shown = [Patch(color=colour, label=title) for kind, colour, title in kinds.shown if kind in there]
+        look = {"loc": "center left", "bbox_to_anchor": (1.01, 0.5), "frameon": False, "fontsize": "small"}
+        ax.legend(handles=shown, title=kinds.title, **look)
+
+
+@dataclass(frozen=True)
+class _Kinds:
+    """What points are told apart by in a figure: regimes or attractors."""
+
+    of: np.ndarray  #: [points]
+    opacity: np.ndarray  #: [points]
+    shown: list  #: (kind, colour, title) of those that are there, in the order of a legend
+    title: str = None
+
+
+def _kinds(table, attractors=None):
+    """Those of a table, attractors where it has any unless it is said; None where there are neither."""
+    if table.has_attractors if attractors is None else attractors:
+        numbers = table.attractors.ravel()
+        shown = [(number, attractor_colour(number), title) for number, title in _attractor_titles(table).items()]
+        return _Kinds(numbers, np.ones(len(numbers)), shown, "attractor")
+    if "regime/code" not in table:
+        return None
+    kinds, confidence = classes(table).ravel(), np.nan_to_num(table["regime/confidence"]).ravel().astype(int)
+    shown = [(kind, list(REGIMES.values())[kind], list(REGIMES)[kind]) for kind in np.unique(kinds)]
+    return _Kinds(kinds, np.take(_OPACITY, confidence), shown)
+
+
+def _once(table):
+    """Points to be drawn: all, but of several starts of a place the first that leads to each attractor."""
+    if not table.has_attractors or table.name == "basin":
+        return np.arange(int(np.prod(table.shape)))
+    number = table.attractors
+    pairs = np.column_stack([table.place, np.where(number > 0, number, -1 - np.arange(len(number)))])
+    return np.sort(np.unique(pairs, axis=0, return_index=True)[1])
 
 
 def _large_markers():
@@ -507,17 +596,20 @@ def _runs(flags):
 
 def _cover(table, plane=0):
     """The point that stands for each cell of a plane [rows][columns], -1 where none is there: of a refined map the
-    first corner of the square around it (docs/result-file.md)."""
+    first corner of the square around it (docs/result-file.md), of several starts one that goes where most do."""
     if len(table.shape) > 1:
         return np.arange(np.prod(table.shape)).reshape((-1, *table.grid))[plane]
-    slot, (rows, row) = table.point - 1, table.grid
+    slot, (rows, row) = table.place, table.grid
     found = np.full((rows * table.planes, row), -1)
     width = table["map/width"].astype(int) if "map/width" in table else np.ones(len(slot), int)
     for i in np.flatnonzero(width > 1):
         r, c = divmod(slot[i], row)
         ends = r + width[i] + (r + width[i] >= found.shape[0] - 1), c + width[i] + (c + width[i] >= row - 1)
         found[r : ends[0], c : ends[1]] = i
-    found.flat[slot] = np.arange(len(slot))
+    order = np.arange(len(slot))
+    if table.has_attractors and table.name != "basin":  # what most starts of the place lead to is put there last
+        order = np.lexsort((-order, np.nan_to_num(table.shares, nan=-1.0)))
+    found.flat[slot[order]] = order
     return found[plane * rows : (plane + 1) * rows]
 
 

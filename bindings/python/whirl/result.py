@@ -115,6 +115,11 @@ class Table(Mapping):
         return self._source.point()
 
     @cached_property
+    def place(self):
+        """Where in the study each point is, from 0, row by row and plane by plane of a map: one for several starts."""
+        return self._source.place()
+
+    @cached_property
     def length_scale(self):
         """m per unit of length at every point."""
         return self._source.length_scale()
@@ -132,6 +137,32 @@ class Table(Mapping):
     def reasons(self):
         """Why, in a sentence from the evidence."""
         return self._words[1]
+
+    @cached_property
+    def _attractors(self):
+        return self._source.attractors() if self.has_attractors else (None, None, None)
+
+    @property
+    def has_attractors(self):
+        """Whether the points are different starts of one machine: a basin, or several starts a place."""
+        return self.name == "basin" or "starts/number" in self.fields
+
+    @property
+    def attractors(self):
+        """The number of the attractor that every point came to rest on, from 1, that of most starts; 0 without a
+        verdict. None where :attr:`has_attractors` is not true."""
+        return self._attractors[0]
+
+    @property
+    def shares(self):
+        """Of the starts (of the basin, or of the point's place), those that lead to the attractor of the point: 0 to 1,
+        NaN where it has none. None where :attr:`has_attractors` is not true."""
+        return self._attractors[1]
+
+    @property
+    def share_errors(self):
+        """The standard errors of :attr:`shares`, were the starts drawn at random."""
+        return self._attractors[2]
 
     @cached_property
     def options(self):
@@ -202,6 +233,8 @@ class Table(Mapping):
         columns["branch"] = self.branch.ravel()
         if "regime/code" in self.fields:
             columns["verdict"] = self.verdicts.ravel()
+        if self.has_attractors:
+            columns.update(attractor=self.attractors.ravel(), share=self.shares.ravel())
         for name, field in self.fields.items():
             if field.rows == 1 and name not in ("map/second", "map/third"):
                 columns.update(self._columns(name, field, units))
@@ -250,6 +283,8 @@ class Table(Mapping):
                 coords[f"{name} column"] = field.column_names
         if "regime/code" in self.fields:
             data["verdict"] = (dims, self._lazy_verdicts())
+        if self.has_attractors:
+            data["attractor"], data["share"] = (dims, self.attractors), (dims, self.shares)
         return xr.Dataset(data, coords, {"title": self._result.title, "table": self.name, **self.options})
 
     def _coordinates(self, dims):
