@@ -34,6 +34,9 @@ typedef struct whirl_keeper whirl_keeper;
 /// Reads a file of whirl_result_write. WHIRL_BAD_INPUT with a sentence for a file that is not one.
 whirl_status whirl_result_read(const char *path, whirl_result **result);
 
+/// Reads all of a file but the numbers of its points, whose tables then have no blocks. Errors as whirl_result_read.
+whirl_status whirl_result_read_outline(const char *path, whirl_result **outline);
+
 /// Writes the result as an HDF5 file: to a temporary name beside `path`, synced, then renamed, so that no half
 /// file is ever left. Points that are not done are left out. The layout of the file is described in
 /// docs/result-file.md.
@@ -76,9 +79,24 @@ const char *whirl_result_text(const whirl_result *result, whirl_list list, size_
 /// A number of an item, by the names above; NaN where there is none.
 double whirl_result_number(const whirl_result *result, whirl_list list, size_t index, const char *what);
 
-/// The unit in which the case wrote a parameter, as whirl_result_unit says ("" : that of lengths, as
-/// whirl_result_length_unit): its name, at most `size` bytes; gives its size in SI.
+/// Chooses the units in which figures show the result's numbers, in the words of `units` in a case: "um, rpm, Hz, p-p".
+/// "" takes the choice back, also the case's own. WHIRL_BAD_INPUT for words that are no units.
+whirl_status whirl_result_show_in(whirl_result *result, const char *units);
+
+/// The unit in which figures show a parameter: its name, at most `size` bytes ("" of plain numbers); gives its size in
+/// SI.
 double whirl_result_shown_unit(const whirl_result *result, const char *parameter, char *name, size_t size);
+
+/// What lengths in the scale of the case are multiplied by in figures, and the name of the unit that makes them so, at
+/// most `size` bytes. Sets `*over` where that is the symbol of a length which they are divided by ("x / c").
+double whirl_result_shown_length(const whirl_result *result, char *name, size_t size, bool *over);
+
+/// What amplitudes, which results hold zero to peak, are multiplied by besides, and how they are counted ("p-p", ""
+/// where nobody asked).
+double whirl_result_shown_amplitude(const whirl_result *result, char *name, size_t size);
+
+/// The unit of frequencies in Hz, and its name; 0 and "" for orders of the running speed.
+double whirl_result_shown_frequency(const whirl_result *result, char *name, size_t size);
 
 // ---------------------------------------------------------------- tables
 

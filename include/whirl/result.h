@@ -290,9 +290,6 @@ whirl_status whirl_result_export_mat(const char *result, const char *path);
 /// ("sweep/orbit/max_radius"), and one for every attribute ("sweep/orbit/max_radius@unit"). As above, without a limit.
 whirl_status whirl_result_export_npz(const char *result, const char *path);
 
-/// Reads all of a file but the numbers of its points, whose tables then have no blocks. Errors as whirl_result_read.
-whirl_status whirl_result_read_outline(const char *path, whirl_result **outline);
-
 /// Writes the points as one JSON document ({"points": [...]}) as the user guide describes.
 whirl_status whirl_result_write_json(const whirl_result *result, FILE *stream);
 

@@ -24,6 +24,7 @@
 #include "whirl/result.h"
 #include "whirl/rotor.h"
 #include "whirl/sensitivity.h"
+#include "whirl/shown.h"
 #include "whirl/signals.h"
 #include "whirl/status.h"
 #include "whirl/study.h"

@@ -22,7 +22,7 @@ typedef struct bifurcation {
     bool rub, confidence, both;
     bool present[MOST_KINDS]; ///< kinds of points
     size_t attractors; ///< that have a strip or a colour; 0 where every place has one start, and kinds are regimes
-    const shown_units *units;
+    const whirl_shown_units *units;
     double length, value; ///< what displacements and values of the parameter are multiplied by to be shown
     double share;         ///< largest share of the time in contact, with a margin
     double gap;           ///< radius at which the station touches a stator, 0 where none is near or it changes

@@ -33,7 +33,7 @@ static void write_dots(FILE *data, const bifurcation *of, size_t point, dot *dot
     const numbers section = point_section(of->table, point, of->station);
     const size_t share = MOST_DOTS / (of->table->count + 1), most = share > LEAST_DOTS ? share : LEAST_DOTS;
     const size_t count = section.rows < most ? section.rows : most;
-    const double length = units_length(of->units, of->table, point), own = length / of->length;
+    const double length = whirl_shown_length(of->units, of->table, point), own = length / of->length;
     for (size_t k = 0; k < count; k++) {
         const size_t row = section.rows - count + k;
         dots[k] = (dot){cell(length * section.at[4 * row], of->x), cell(length * section.at[4 * row + 1], of->y), row};
@@ -81,7 +81,7 @@ static void write_sweep_line(FILE *data, const bifurcation *of, size_t point) {
     fprintf(data, "%.10g %d %d %.6g %.3g %.6g", of->table->values[point], (int)regime_class_of(&verdict),
             (int)verdict.confidence, exponent.value, exponent.error,
             rub_share(of->table, point, of->result->contact_count));
-    const double own = units_length(of->units, of->table, point) / of->length;
+    const double own = whirl_shown_length(of->units, of->table, point) / of->length;
     for (size_t s = 0; s < of->result->station_count; s++)
         fprintf(data, " %.7g", own * max_radius(of->table, point, s));
     double low, high;

@@ -150,7 +150,7 @@ void bifurcation_survey(bifurcation *of) {
         of->present[bifurcation_kind(of, i)] = true;
         of->both |= table->branch[i] < 0;
         span_widen(&parameter, of->value * table->values[i]);
-        const double length = units_length(of->units, table, i);
+        const double length = whirl_shown_length(of->units, table, i);
         span_widen(&radius, length * max_radius(table, i, of->station));
         of->share = fmax(of->share, 1.1 * rub_share(table, i, of->result->contact_count));
         for (size_t k = 0; k < section.rows; k++) {
@@ -170,7 +170,8 @@ void bifurcation_survey(bifurcation *of) {
     of->parameter = of->ratios ? parameter : span_with_margin(parameter, 0.012, 0.0);
     of->x = span_with_margin(x, 0.04, 1e-6 * of->length);
     of->y = span_with_margin(y, 0.04, 1e-6 * of->length);
-    const machine_walls walls = units_one_length(of->units, table) ? lasting_walls(of) : (machine_walls){0.0, 0.0};
+    const machine_walls walls =
+        whirl_shown_one_length(of->units, table) ? lasting_walls(of) : (machine_walls){0.0, 0.0};
     of->gap = of->length * walls.gap;
     of->clearance = of->length * walls.clearance;
     if (of->gap > 2.0 * radius.high) of->gap = 0.0; // so far off that the radius would be a line at the bottom

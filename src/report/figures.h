@@ -36,10 +36,10 @@ figure *figure_add(figure_list *list, size_t result, const char *stem);
 /// What figures are made from and where they go.
 typedef struct drawing {
     const whirl_result *result;
-    size_t index;              ///< of the result
-    const shown_units *units;  ///< of its numbers
-    const whirl_case *machine; ///< that it is of (machine_at.h), or NULL
-    const char *folder;        ///< where its files go
+    size_t index;                   ///< of the result
+    const whirl_shown_units *units; ///< of its numbers
+    const whirl_case *machine;      ///< that it is of (machine_at.h), or NULL
+    const char *folder;             ///< where its files go
     figure_list *list;
 } drawing;
 

@@ -36,7 +36,7 @@ static void write_colour_function(FILE *script) {
 
 /// What stands at the axes, and what the numbers of the data files are multiplied by.
 static void write_labels(FILE *script, const bifurcation *of) {
-    const shown_units units = typeset_units(of->units);
+    const whirl_shown_units units = typeset_units(of->units);
     char label[TYPESET_SIZE];
     typeset_parameter(of->units, of->table->parameter, label, sizeof label);
     script_label(script, "parameter_label", label);
@@ -116,7 +116,7 @@ whirl_status draw_bifurcations(const drawing *to) {
                           .station = s,
                           .units = to->units,
                           .length = to->units->length,
-                          .value = 1.0 / units_parameter(to->units, table->parameter).size};
+                          .value = 1.0 / whirl_shown_parameter(to->units, table->parameter).size};
         bifurcation_survey(&of);
         if (s == 0) status = bifurcation_write_sweep(to, &of);
         if (status.code == WHIRL_OK) status = draw_station(to, &of);

@@ -68,7 +68,7 @@ static void write_at(FILE *stream, const drawing *to, const whirl_table *table, 
     const bool forced = point_number(table, point, "trace/revolutions") > 0.0;
     const double *at = forced ? whirl_table_field(table, point, "trace/section", station) + 4 * line
                               : whirl_table_field(table, point, line == 0 ? "trace/high" : "trace/low", station);
-    const double own = units_length(to->units, table, point) / to->units->length;
+    const double own = whirl_shown_length(to->units, table, point) / to->units->length;
     fprintf(stream, "%.10g %.9g %.9g %.9g %.0f %d\n", table->values[point], own * at[0], own * at[1],
             multiplier_of(table, point), point_number(table, point, "trace/special"), line == 0);
 }
@@ -203,8 +203,8 @@ static whirl_status write_script(const drawing *to, const whirl_table *table, co
     const whirl_status status = script_begin(&file, to, what, 12.0, 14.5, 7.0);
     if (status.code != WHIRL_OK) return status;
     FILE *script = file.stream;
-    const shown_units units = typeset_units(to->units);
-    const double value = 1.0 / units_parameter(to->units, table->parameter).size;
+    const whirl_shown_units units = typeset_units(to->units);
+    const double value = 1.0 / whirl_shown_parameter(to->units, table->parameter).size;
     const span range = range_of(to, table);
     char label[TYPESET_SIZE];
     typeset_parameter(to->units, table->parameter, label, sizeof label);
@@ -295,7 +295,8 @@ static whirl_status draw_curves(const drawing *to, const whirl_table *table) {
     typeset_parameter(to->units, second, label, sizeof label);
     script_label(script, "second_label", label);
     fprintf(script, "curves = '%s'\nvalue = %.15g\nsecond = %.15g\n", what->data[0],
-            1.0 / units_parameter(to->units, table->parameter).size, 1.0 / units_parameter(to->units, second).size);
+            1.0 / whirl_shown_parameter(to->units, table->parameter).size,
+            1.0 / whirl_shown_parameter(to->units, second).size);
     script_loop(script);
     script_panel(script, 0.13, 0.96, 0.11, 0.92);
     fputs("set xlabel parameter_label\nset ylabel second_label\n"

@@ -65,7 +65,7 @@ static double contact_of(const map_drawing *map, size_t point, size_t station) {
 }
 
 static double radius_of(const map_drawing *map, size_t point, size_t station) {
-    return units_length(map->to->units, map->table, point) * max_radius(map->table, point, station);
+    return whirl_shown_length(map->to->units, map->table, point) * max_radius(map->table, point, station);
 }
 
 // Viridis and a blue-white-vermilion scale: both are read alike by all kinds of colour vision.
@@ -344,7 +344,7 @@ static whirl_status draw_basins(const map_drawing *map) {
 }
 
 static void write_colour_bar(FILE *script, const map_drawing *map, const map_quantity *quantity, span range) {
-    const shown_units units = typeset_units(map->to->units);
+    const whirl_shown_units units = typeset_units(map->to->units);
     char label[TYPESET_SIZE];
     snprintf(label, sizeof label, "%s", quantity->label);
     if (quantity->per_station) units_length_label(&units, "largest radius", label, sizeof label);

@@ -30,7 +30,7 @@ typedef struct subject {
     size_t turn;         ///< samples of the waveform a revolution
     span x, y;           ///< of the orbit, or of the section where there is no waveform; as shown
     double size;         ///< of the motion: the larger side of its box; as shown
-    const shown_units *units;
+    const whirl_shown_units *units;
     /// What numbers of the result are multiplied by to be shown: displacements, amplitudes, orders (NaN: they stay
     /// orders).
     double length, amplitude, order;
@@ -41,9 +41,9 @@ static double order_size(const subject *of) {
 }
 
 static subject subject_of(const drawing *to, const whirl_table *table, size_t point, size_t station) {
-    const shown_units *units = to->units;
+    const whirl_shown_units *units = to->units;
     subject of = {.result = to->result, .table = table, .point = point, .station = station, .units = units};
-    of.length = units_length(units, table, point);
+    of.length = whirl_shown_length(units, table, point);
     of.amplitude = of.length * units->amplitude;
     of.order = units_order(units, machine_clock(to->machine, to->result, table, point));
     of.walls = machine_walls_at(to->machine, to->result, table, point, station);
@@ -453,7 +453,7 @@ static double figure_height(const subject *of) {
 
 /// What stands at the axes, and what the numbers of the data files are multiplied by.
 static void write_labels(FILE *script, const subject *of) {
-    const shown_units units = typeset_units(of->units);
+    const whirl_shown_units units = typeset_units(of->units);
     char text[TYPESET_SIZE];
     units_length_label(&units, "{/:Italic x}", text, sizeof text);
     script_label(script, "x_label", text);
@@ -509,7 +509,7 @@ static whirl_status draw_point(const drawing *to, const subject *of) {
     char point[UNIT_LABEL_SIZE], verdict_text[LABEL_SIZE], stem[STEM_SIZE], panels[280];
     const char *station = of->result->stations[of->station].name;
     const whirl_verdict verdict = whirl_table_verdict(of->table, of->point);
-    const whirl_unit unit = units_parameter(of->units, of->table->parameter);
+    const whirl_unit unit = whirl_shown_parameter(of->units, of->table->parameter);
     units_point_label(of->units, of->table, of->point, point, sizeof point);
     whirl_verdict_name(&verdict, verdict_text, sizeof verdict_text);
     if (*of->table->parameter)

@@ -17,7 +17,7 @@ typedef struct frequency_unit {
 } frequency_unit;
 
 static frequency_unit unit_of(const drawing *to, const whirl_table *table, const char *speeds) {
-    const whirl_unit unit = units_parameter(to->units, table->parameter);
+    const whirl_unit unit = whirl_shown_parameter(to->units, table->parameter);
     frequency_unit found = {.size = two_pi, .name = "Hz", .of_speed = true};
     for (size_t point = 0; point < table->count; point++) {
         const double *speed = whirl_table_field(table, point, speeds, 0);
@@ -31,7 +31,7 @@ static frequency_unit unit_of(const drawing *to, const whirl_table *table, const
 }
 
 static double shown_value(const drawing *to, const whirl_table *table, size_t point) {
-    return table->values[point] / units_parameter(to->units, table->parameter).size;
+    return table->values[point] / whirl_shown_parameter(to->units, table->parameter).size;
 }
 
 static void write_parameter_label(FILE *script, const drawing *to, const whirl_table *table) {
@@ -91,7 +91,7 @@ static whirl_status write_critical(const drawing *to, const whirl_table *table, 
     const whirl_status status = report_file_open(&file, to->folder, name);
     if (status.code != WHIRL_OK) return status;
     const size_t count = gather_critical(table, MOST, rows);
-    const double size = units_parameter(to->units, table->parameter).size;
+    const double size = whirl_shown_parameter(to->units, table->parameter).size;
     const double first = shown_value(to, table, 0);
     // gnuplot falls over labels of which none is a number: kind 0 stands below the axis and is never seen.
     fprintf(file.stream,
@@ -399,7 +399,7 @@ static whirl_status write_response(const drawing *to, const whirl_table *table, 
         const double *lag = whirl_table_field(table, point, "unbalance/probe_lag", station);
         const double *rest = whirl_table_field(table, point, "unbalance/rest", station);
         const double *axes = whirl_table_field(table, point, "unbalance/axes", station);
-        const double length = units_length(to->units, table, point), amplitude = length * to->units->amplitude;
+        const double length = whirl_shown_length(to->units, table, point), amplitude = length * to->units->amplitude;
         fprintf(file.stream, "%.10g %.8g %.8g %.8g %.8g %.8g %.8g %.8g %.8g\n", shown_value(to, table, point),
                 amplitude * probe[0], lag[0], amplitude * probe[1], lag[1], length * rest[0], length * rest[1],
                 amplitude * axes[0], amplitude * axes[1]);
@@ -413,7 +413,7 @@ static void write_centre_ranges(FILE *script, const drawing *to, const whirl_tab
     double size = 0.0;
     for (size_t point = 0; point < table->count; point++) {
         const double *rest = whirl_table_field(table, point, "unbalance/rest", station);
-        const double length = units_length(to->units, table, point);
+        const double length = whirl_shown_length(to->units, table, point);
         if (!whirl_table_done(table, point) || !rest) continue;
         span_widen(&x, length * rest[0]);
         span_widen(&y, length * rest[1]);
@@ -432,7 +432,7 @@ static void write_polar_ranges(FILE *script, const drawing *to, const whirl_tabl
     for (size_t point = 0; point < table->count; point++) {
         const double *probe = whirl_table_field(table, point, "unbalance/probe", station);
         const double *lag = whirl_table_field(table, point, "unbalance/probe_lag", station);
-        const double size = units_length(to->units, table, point) * to->units->amplitude;
+        const double size = whirl_shown_length(to->units, table, point) * to->units->amplitude;
         for (size_t i = 0; i < 2 && probe && whirl_table_done(table, point); i++) {
             span_widen(&x, size * probe[i] * cos(lag[i] * two_pi / 360.0));
             span_widen(&y, -size * probe[i] * sin(lag[i] * two_pi / 360.0));
@@ -493,7 +493,7 @@ static whirl_status draw_response(const drawing *to, const whirl_table *table, s
     report_file file;
     if (status.code == WHIRL_OK) status = script_begin(&file, to, what, 17.5, 9.5, 7.0);
     if (status.code != WHIRL_OK) return status;
-    const shown_units units = typeset_units(to->units);
+    const whirl_shown_units units = typeset_units(to->units);
     write_parameter_label(file.stream, to, table);
     units_amplitude_label(&units, "amplitude", label, sizeof label);
     script_label(file.stream, "amplitude_label", label);

@@ -85,7 +85,7 @@ typedef enum choice { ALL = -1, UNSTABLE = 0, STABLE = 1 } choice;
 /// Those of one branch and one line of its section; pieces that are stable, or not, meet where that changes.
 static void write_line(FILE *stream, const drawing *to, const whirl_table *table, whirl_tori own, size_t station,
                        size_t line, choice which) {
-    const double length = units_length(to->units, table, own.first) / to->units->length;
+    const double length = whirl_shown_length(to->units, table, own.first) / to->units->length;
     const size_t count = own.last - own.first + 3;
     band now, before = {.value = NAN};
     bool open = false;
@@ -145,7 +145,7 @@ void tori_plot_bands(FILE *script, int column, bool keyed) {
 /// The larger amplitude of both coordinates of a station's second line, in the case's own length scale.
 static double amplitude_of(const drawing *to, const whirl_table *table, size_t point, size_t station) {
     const double *amplitude = whirl_table_field(table, point, "torus/amplitude", station);
-    return units_length(to->units, table, point) / to->units->length * fmax(amplitude[0], amplitude[1]);
+    return whirl_shown_length(to->units, table, point) / to->units->length * fmax(amplitude[0], amplitude[1]);
 }
 
 static void write_point(FILE *stream, const drawing *to, const whirl_table *table, size_t point) {
@@ -281,7 +281,7 @@ static whirl_status write_script(const drawing *to, const whirl_table *table, co
     report_file file;
     const whirl_status status = script_begin(&file, to, what, 12.0, 14.5, 7.0);
     if (status.code != WHIRL_OK) return status;
-    const shown_units units = typeset_units(to->units);
+    const whirl_shown_units units = typeset_units(to->units);
     const span range = rotations_of(table, own);
     char label[TYPESET_SIZE];
     typeset_parameter(to->units, table->parameter, label, sizeof label);
@@ -289,8 +289,8 @@ static whirl_status write_script(const drawing *to, const whirl_table *table, co
     units_amplitude_label(&units, "amplitude", label, sizeof label);
     script_label(file.stream, "amplitude_label", label);
     fprintf(file.stream, "tori = '%s'\nvalue = %.15g\namplitude = %.15g\n", what->data[0],
-            1.0 / units_parameter(to->units, table->parameter).size, to->units->length * to->units->amplitude);
-    write_axis(file.stream, table, own, 1.0 / units_parameter(to->units, table->parameter).size);
+            1.0 / whirl_shown_parameter(to->units, table->parameter).size, to->units->length * to->units->amplitude);
+    write_axis(file.stream, table, own, 1.0 / whirl_shown_parameter(to->units, table->parameter).size);
     script_loop(file.stream);
     write_panels(file.stream, to, &range);
     script_end(file.stream);

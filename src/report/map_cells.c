@@ -29,9 +29,9 @@ static void find_edges(const double *values, size_t count, bool ratios, double *
 }
 
 /// The values along both axes, by the points that are there; of columns and rows without any point those beside.
-static void read_axes(map_cells *map, const shown_units *units, const whirl_table *table, double *x, double *y) {
-    const double across = units_parameter(units, table->parameter).size;
-    const double up = units_parameter(units, table->second).size;
+static void read_axes(map_cells *map, const whirl_shown_units *units, const whirl_table *table, double *x, double *y) {
+    const double across = whirl_shown_parameter(units, table->parameter).size;
+    const double up = whirl_shown_parameter(units, table->second).size;
     for (size_t i = 0; i < map->columns; i++) x[i] = NAN;
     for (size_t i = 0; i < map->rows; i++) y[i] = NAN;
     map->z = NAN;
@@ -42,7 +42,7 @@ static void read_axes(map_cells *map, const shown_units *units, const whirl_tabl
         if (!whirl_table_done(table, i)) continue;
         y[slot / map->columns % map->rows] = whirl_table_second(table, i) / up;
         if (table->plane > 0 && slot / table->plane == map->plane)
-            map->z = whirl_table_third(table, i) / units_parameter(units, table->third).size;
+            map->z = whirl_table_third(table, i) / whirl_shown_parameter(units, table->third).size;
     }
 }
 
@@ -89,7 +89,7 @@ static void fill_gaps(double *values, size_t count) {
     for (size_t k = first; k-- > 0;) values[k] = between(values[k + 2], values[k + 1], 2.0, ratios);
 }
 
-bool map_cells_make(const shown_units *units, const whirl_table *table, size_t plane, map_cells *map) {
+bool map_cells_make(const whirl_shown_units *units, const whirl_table *table, size_t plane, map_cells *map) {
     const size_t columns = table->row, rows = whirl_table_rows(table);
     *map = (map_cells){.plane = plane, .columns = columns, .rows = rows, .refined = table->refine > 0};
     double *x = map->memory = calloc(2 * (columns + rows) + 2, sizeof *x);

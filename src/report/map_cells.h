@@ -22,7 +22,7 @@ typedef struct map_cells {
 
 /// Lays out the cells of a plane of a table with rows; of a partial one, too. False without memory. Freed by
 /// map_cells_free.
-bool map_cells_make(const shown_units *units, const whirl_table *table, size_t plane, map_cells *cells);
+bool map_cells_make(const whirl_shown_units *units, const whirl_table *table, size_t plane, map_cells *cells);
 void map_cells_free(map_cells *cells);
 
 /// Writes cells that have one of the values [rows][columns], a line each: its middle, its edges and the value. Some

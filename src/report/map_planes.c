@@ -6,7 +6,7 @@
 #include "figures.h"
 #include "typeset.h"
 
-bool map_planes_make(const shown_units *units, const whirl_table *table, map_planes *planes) {
+bool map_planes_make(const whirl_shown_units *units, const whirl_table *table, map_planes *planes) {
     const size_t all = whirl_table_planes(table), count = all < MOST_PLANES ? all : MOST_PLANES;
     *planes = (map_planes){.units = units, .table = table, .count = count};
     for (size_t k = 0; k < count; k++) {
@@ -33,7 +33,7 @@ double map_planes_height(const map_planes *planes, double single) {
 /// The value of the third parameter in a plane, above its panel.
 static void write_value(FILE *script, const map_planes *planes, size_t k) {
     const whirl_table *table = planes->table;
-    const whirl_unit unit = units_parameter(planes->units, table->third);
+    const whirl_unit unit = whirl_shown_parameter(planes->units, table->third);
     char symbol[TYPESET_SIZE / 2], words[2 * WHIRL_NAME_SIZE], label[TYPESET_SIZE];
     typeset_symbol(table->third, symbol, sizeof symbol);
     typeset_text(unit.name, words, sizeof words);

@@ -7,7 +7,7 @@
 enum { MOST_PLANES = 16 }; ///< in a figure
 
 typedef struct map_planes {
-    const shown_units *units;
+    const whirl_shown_units *units;
     const whirl_table *table;
     size_t count;                 ///< that are shown: evenly chosen of all, the first and the last among them
     map_cells cells[MOST_PLANES]; ///< of each
@@ -19,7 +19,7 @@ typedef struct map_area {
 } map_area;
 
 /// Lays out the planes of a table with rows. False without memory. Freed by map_planes_free.
-bool map_planes_make(const shown_units *units, const whirl_table *table, map_planes *planes);
+bool map_planes_make(const whirl_shown_units *units, const whirl_table *table, map_planes *planes);
 void map_planes_free(map_planes *planes);
 
 /// Height of a figure, in cm, whose panels of the planes lie side by side and above each other in its width; `single`

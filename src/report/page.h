@@ -22,8 +22,8 @@ typedef struct page {
     const whirl_claims *claims;    ///< NULL: none
     const claim_outcome *outcomes; ///< [claims->count][count]
     const figure_list *figures;
-    const shown_units *units; ///< [count]
-    bool explorer;            ///< explorer.html stands beside the page
+    const whirl_shown_units *units; ///< [count]
+    bool explorer;                  ///< explorer.html stands beside the page
 } page;
 
 /// Writes the whole page.

@@ -8,7 +8,7 @@ enum { MOST_JUMPS = 24 };
 
 static void write_jump(const page *to, size_t index, const whirl_table *table, const whirl_jump *jump) {
     const whirl_verdict verdict = whirl_table_verdict(table, jump->from);
-    const double unit = units_parameter(&to->units[index], table->parameter).size;
+    const double unit = whirl_shown_parameter(&to->units[index], table->parameter).size;
     char name[WHIRL_NAME_SIZE];
     regime_name(&verdict, name, sizeof name);
     fputs("<tr><th scope=\"row\">", to->stream);

@@ -92,8 +92,8 @@ void page_intervals(const page *to, size_t index) {
     regime_interval *intervals = malloc(table->count * sizeof *intervals);
     if (!intervals) return;
     const size_t count = regime_intervals(table, result->contact_count, intervals, table->count);
-    const shown_units *units = &to->units[index];
-    const shown_table shown = {table, units_parameter(units, table->parameter).size};
+    const whirl_shown_units *units = &to->units[index];
+    const shown_table shown = {table, whirl_shown_parameter(units, table->parameter).size};
     char label[UNIT_LABEL_SIZE];
     units_parameter_label(units, table->parameter, label, sizeof label);
     if (count == 0) {
@@ -136,7 +136,7 @@ typedef struct point_page {
     FILE *stream;
     const whirl_result *result;
     const whirl_table *table;
-    const shown_units *units;
+    const whirl_shown_units *units;
     double unit;               ///< of the parameter, in SI
     const whirl_case *machine; ///< which tells the speed at a point; NULL where orders are shown, or it is not known
 } point_page;
@@ -278,7 +278,7 @@ static void write_place(const point_page *to, double order, double frequency) {
 static void write_lines(const point_page *to, size_t point, size_t station) {
     const numbers lines = point_lines(to->table, point, station);
     fputs("<td class=\"wide\">", to->stream);
-    const double amplitude = units_length(to->units, to->table, point) * to->units->amplitude;
+    const double amplitude = whirl_shown_length(to->units, to->table, point) * to->units->amplitude;
     const double clock = to->units->frequency > 0.0 ? machine_clock(to->machine, to->result, to->table, point) : 0.0;
     for (size_t i = 0; i < lines.rows && i < SHOWN_LINES; i++) {
         const double *line = &lines.at[5 * i];
@@ -302,7 +302,8 @@ static void write_size(const point_page *to, size_t point, size_t s) {
     const machine_walls walls = machine_walls_at(to->machine, to->result, to->table, point, s);
     const double radius = max_radius(to->table, point, s), none = (double)NAN;
     write_station_name(to, point, s);
-    write_number(to->stream, to->units->ratio ? "%.4f" : "%.4g", units_length(to->units, to->table, point) * radius);
+    write_number(to->stream, to->units->ratio ? "%.4f" : "%.4g",
+                 whirl_shown_length(to->units, to->table, point) * radius);
     if (has_bearing(to->result))
         write_number(to->stream, "%.4f", walls.clearance > 0.0 ? radius / walls.clearance : none);
     if (has_gap(to->result)) write_number(to->stream, "%.4f", walls.gap > 0.0 ? radius / walls.gap : none);
@@ -343,7 +344,7 @@ enum { SYNCHRONOUS_PARTS = 4 };
 static void write_synchronous(const point_page *to, size_t point, size_t station) {
     const double *amplitude = whirl_table_field(to->table, point, "spectrum/synchronous", station);
     const double *lag = whirl_table_field(to->table, point, "spectrum/synchronous_lag", station);
-    const double size = units_length(to->units, to->table, point) * to->units->amplitude;
+    const double size = whirl_shown_length(to->units, to->table, point) * to->units->amplitude;
     write_station_name(to, point, station);
     for (int i = 0; i < SYNCHRONOUS_PARTS && amplitude && lag; i++) {
         write_number(to->stream, "%.4g", size * amplitude[i]);
@@ -409,7 +410,7 @@ static void write_watched_head(const point_page *to, const whirl_field *field, s
 
 /// What a number of the field is multiplied by to be shown.
 static double watched_factor(const point_page *to, const whirl_field *field, size_t point) {
-    if (strcmp(field->unit, "length") == 0) return units_length(to->units, to->table, point);
+    if (strcmp(field->unit, "length") == 0) return whirl_shown_length(to->units, to->table, point);
     return strcmp(field->unit, "force") == 0 ? to->result->force_scale : 1.0;
 }
 
@@ -456,9 +457,9 @@ void page_points(const page *to, size_t index) {
     const whirl_result *result = to->results[index];
     const whirl_table *table = detail_table(result);
     if (!table || table->count == 0 || result->station_count == 0) return;
-    const shown_units *units = &to->units[index];
+    const whirl_shown_units *units = &to->units[index];
     whirl_case *const machine = machine_of(result);
-    const point_page points = {to->stream, result, table, units, units_parameter(units, table->parameter).size,
+    const point_page points = {to->stream, result, table, units, whirl_shown_parameter(units, table->parameter).size,
                                machine};
     fprintf(to->stream, "<h3 id=\"points-%zu\">Points in detail</h3>\n", index + 1);
     write_verdicts(&points);

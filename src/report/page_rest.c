@@ -66,7 +66,7 @@ void page_critical(const page *to, size_t index) {
         const double *row = whirl_table_field(table, point, "modes/critical", 0);
         for (size_t i = 0; row && whirl_table_done(table, point) && i < field->rows; i++, row += field->columns)
             if (row[0] >= 1.0 && row[0] <= 3.0)
-                write_row(to->stream, row, units_parameter(&to->units[index], table->parameter).size);
+                write_row(to->stream, row, whirl_shown_parameter(&to->units[index], table->parameter).size);
     }
     fputs("</tbody></table></div>\n", to->stream);
 }

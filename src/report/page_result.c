@@ -15,17 +15,17 @@ static void write_row(FILE *stream, const char *term, const char *text) {
 }
 
 /// Appends "r_k from 1 to 0.1".
-static void describe_axis(const shown_units *units, const char *parameter, double first, double last, char *text,
+static void describe_axis(const whirl_shown_units *units, const char *parameter, double first, double last, char *text,
                           size_t size) {
     const size_t used = strlen(text);
-    const double unit = units_parameter(units, parameter).size;
+    const double unit = whirl_shown_parameter(units, parameter).size;
     char label[UNIT_LABEL_SIZE];
     units_parameter_label(units, parameter, label, sizeof label);
     snprintf(text + used, size - used, "%s from %.6g to %.6g", label, first / unit, last / unit);
 }
 
 /// "r_k from 1 to 0.1 by rho from 0.04 to 0.12: 61 by 33, 2013 points"; "... in 3 planes, sigma from 1 to 2: ...".
-static void describe_plane(const shown_units *units, const whirl_table *table, const char *count, char *text,
+static void describe_plane(const whirl_shown_units *units, const whirl_table *table, const char *count, char *text,
                            size_t size) {
     const size_t last = table->count - 1;
     *text = '\0';
@@ -60,7 +60,7 @@ static void describe_starts(const whirl_table *view, char *text, size_t size) {
     if (table->neighbours > 0) snprintf(text + used, size - used, " and %zu from neighbours", beside);
 }
 
-static void describe_points(const shown_units *units, const whirl_table *table, char *text, size_t size) {
+static void describe_points(const whirl_shown_units *units, const whirl_table *table, char *text, size_t size) {
     char label[UNIT_LABEL_SIZE];
     char count[160];
     if (table->source)
@@ -75,7 +75,7 @@ static void describe_points(const shown_units *units, const whirl_table *table, 
         return;
     }
     units_parameter_label(units, table->parameter, label, sizeof label);
-    const double unit = units_parameter(units, table->parameter).size;
+    const double unit = whirl_shown_parameter(units, table->parameter).size;
     if (table->row > 0) {
         describe_plane(units, table, count, text, size);
         return;
@@ -100,7 +100,7 @@ static void describe_points(const shown_units *units, const whirl_table *table, 
                                                                  : "");
 }
 
-static void write_tables(FILE *stream, const whirl_result *result, const shown_units *units) {
+static void write_tables(FILE *stream, const whirl_result *result, const whirl_shown_units *units) {
     html_table(stream, "Parts of the study", "");
     fputs("<thead><tr><th>Part of the study</th><th>Points</th><th>Method</th>"
           "<th class=\"number\">Steps a revolution</th><th class=\"number\">Transient</th><th "
@@ -147,7 +147,7 @@ static void write_parameters(FILE *stream, const whirl_result *result) {
 }
 
 /// " (stator at 1.2 c)".
-static void append_gap(const shown_units *units, const whirl_probe *station, char *text, size_t size) {
+static void append_gap(const whirl_shown_units *units, const whirl_probe *station, char *text, size_t size) {
     const size_t used = strlen(text);
     snprintf(text + used, size - used, " (stator at %.4g %s)", units->length * station->gap, units->length_name);
 }
@@ -156,7 +156,7 @@ void page_computed(const page *to, size_t index) {
     const whirl_result *result = to->results[index];
     char text[1024];
     size_t done, total;
-    const shown_units *units = &to->units[index];
+    const whirl_shown_units *units = &to->units[index];
     fprintf(to->stream, "<h3 id=\"computed-%zu\">What was computed</h3>\n", index + 1);
     const bool partial = whirl_result_partial(result, &done, &total);
     if (partial && done < total)

@@ -147,7 +147,7 @@ void page_starts(const page *to, size_t index) {
         const whirl_table *table = &result->tables[t];
         char label[UNIT_LABEL_SIZE];
         if (!table->source || table->count == 0) continue;
-        const shown_view shown = {to->stream, table, units_parameter(&to->units[index], table->parameter).size};
+        const shown_view shown = {to->stream, table, whirl_shown_parameter(&to->units[index], table->parameter).size};
         units_parameter_label(&to->units[index], table->parameter, label, sizeof label);
         fprintf(to->stream, "<h3 id=\"attractors-%zu\">Attractors</h3>\n", index + 1);
         write_sentences(&shown);

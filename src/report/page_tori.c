@@ -27,7 +27,7 @@ static void write_stable(const tori_view *v) {
 
 /// The frequency of the largest line, as an order or in the unit of frequencies.
 static double shown_frequency(const tori_view *v, size_t point) {
-    const shown_units *units = &v->to->units[v->index];
+    const whirl_shown_units *units = &v->to->units[v->index];
     const double order = whirl_table_field(v->table, point, "torus/frequency", v->own.station)[v->own.axis];
     const double size = units_order(units, machine_clock(v->machine, v->result, v->table, point));
     return isfinite(size) ? order * size : order;
@@ -78,7 +78,7 @@ static void write_row(const tori_view *v) {
 
 static void write_head(const tori_view *v, const char *label) {
     FILE *stream = v->to->stream;
-    const shown_units *units = &v->to->units[v->index];
+    const whirl_shown_units *units = &v->to->units[v->index];
     html_table(stream, "Quasi-periodic motions", "");
     fputs("<thead><tr><th class=\"number\">Torus</th><th class=\"number\">Begins at ", stream);
     html_text(stream, label);
@@ -103,7 +103,7 @@ void page_tori(const page *to, size_t index) {
     }
     whirl_case *machine = machine_of(result);
     tori_view v = {.to = to, .index = index, .result = result, .table = table, .machine = machine};
-    v.unit = units_parameter(&to->units[index], table->parameter).size;
+    v.unit = whirl_shown_parameter(&to->units[index], table->parameter).size;
     units_parameter_label(&to->units[index], table->parameter, label, sizeof label);
     write_head(&v, label);
     for (size_t point = 0; point < table->count; point = v.own.last + 1) {

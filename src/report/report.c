@@ -15,7 +15,7 @@ typedef struct report {
     char (*paths)[FILE_PATH_SIZE];
     claim_outcome *outcomes;
     figure_list figures;
-    shown_units *units;
+    whirl_shown_units *units;
     whirl_result **views; ///< [count] in which every attractor stands once
     size_t count;
 } report;
@@ -148,9 +148,6 @@ whirl_status whirl_report_write(const whirl_result *const *results, const char *
     static const whirl_report_options none = {0};
     if (!options) options = &none;
     const size_t claims = options->claims ? options->claims->count : 0;
-    unit_choice choice;
-    whirl_status status = unit_choice_read(options->units ? options->units : "", &choice);
-    if (status.code != WHIRL_OK) return status;
     report made = {
         .folders = calloc(count + 1, sizeof *made.folders),
         .paths = calloc(count + 1, sizeof *made.paths),
@@ -159,10 +156,11 @@ whirl_status whirl_report_write(const whirl_result *const *results, const char *
         .views = calloc(count + 1, sizeof(whirl_result *)),
         .count = count,
     };
-    status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a report of %zu results", count);
+    whirl_status status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a report of %zu results", count);
     if (made.folders && made.paths && made.outcomes && made.units && made.views) status = view_results(&made, results);
+    for (size_t r = 0; r < count && status.code == WHIRL_OK; r++)
+        status = whirl_result_shown_units(results[r], options->units, &made.units[r]);
     if (status.code == WHIRL_OK) {
-        for (size_t r = 0; r < count; r++) made.units[r] = units_shown(results[r], &choice);
         name_folders(&made, names, count);
         status = make(&made, (const whirl_result *const *)made.views, names, count, directory, options);
     }

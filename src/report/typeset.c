@@ -57,8 +57,8 @@ void typeset_symbol(const char *name, char *markup, size_t size) {
         snprintf(markup, size, "{/:Italic %s}", symbol);
 }
 
-shown_units typeset_units(const shown_units *units) {
-    shown_units marked = *units;
+whirl_shown_units typeset_units(const whirl_shown_units *units) {
+    whirl_shown_units marked = *units;
     // "(0.2 mm)" is a number, "c" a symbol.
     if (units->ratio && *units->length_name != '(')
         typeset_symbol(units->length_name, marked.length_name, sizeof marked.length_name);
@@ -67,8 +67,8 @@ shown_units typeset_units(const shown_units *units) {
     return marked;
 }
 
-void typeset_parameter(const shown_units *units, const char *name, char *markup, size_t size) {
-    const whirl_unit unit = units_parameter(units, name);
+void typeset_parameter(const whirl_shown_units *units, const char *name, char *markup, size_t size) {
+    const whirl_unit unit = whirl_shown_parameter(units, name);
     char symbol[TYPESET_SIZE / 2], words[WHIRL_NAME_SIZE * 2];
     typeset_symbol(name, symbol, sizeof symbol);
     typeset_text(unit.name, words, sizeof words);

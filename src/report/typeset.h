@@ -16,9 +16,9 @@ void typeset_text(const char *text, char *markup, size_t size);
 void typeset_symbol(const char *name, char *markup, size_t size);
 
 /// The same units with the scale of lengths in markup, for labels in figures.
-shown_units typeset_units(const shown_units *units);
+whirl_shown_units typeset_units(const whirl_shown_units *units);
 
 /// The axis of a parameter: symbol and unit.
-void typeset_parameter(const shown_units *units, const char *name, char *markup, size_t size);
+void typeset_parameter(const whirl_shown_units *units, const char *name, char *markup, size_t size);
 
 #endif

@@ -5,6 +5,7 @@
 #include "h5file.h"
 #include "items.h"
 #include "room.h"
+#include "whirl/shown.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -15,6 +16,20 @@
 
 static texts texts_of(const char *first, size_t stride, size_t count) {
     return (texts){first, stride, count};
+}
+
+/// In which units figures show numbers, for people who draw their own.
+static void put_shown(whirl_status *status, hid_t group, const whirl_result *result) {
+    whirl_shown_units units;
+    if (status->code == WHIRL_OK) *status = whirl_result_shown_units(result, NULL, &units);
+    if (status->code != WHIRL_OK) return;
+    put_number_attribute(status, group, "shown_length", units.length);
+    put_text_attribute(status, group, "shown_length_unit", units.length_name);
+    put_whole_attribute(status, group, "shown_length_over", units.ratio);
+    put_number_attribute(status, group, "shown_amplitude", units.amplitude);
+    put_text_attribute(status, group, "shown_amplitude_unit", units.amplitude_name);
+    put_number_attribute(status, group, "shown_frequency", units.frequency);
+    put_text_attribute(status, group, "shown_frequency_unit", units.frequency_name);
 }
 
 static void put_case(whirl_status *status, hid_t file, const whirl_result *result) {
@@ -33,25 +48,33 @@ static void put_case(whirl_status *status, hid_t file, const whirl_result *resul
     put_text_attribute(status, group, "length_scale_unit", "m");
     put_number_attribute(status, group, "force_scale", result->force_scale);
     put_text_attribute(status, group, "force_scale_unit", "N");
+    put_shown(status, group, result);
     close_group(group);
 }
 
 static void put_parameters(whirl_status *status, hid_t file, const whirl_result *result) {
     const size_t count = result->parameter_count, stride = sizeof *result->parameters;
     const whirl_parameter *parameters = result->parameters;
-    double *values = malloc((count ? count : 1) * sizeof *values);
-    if (!values) {
-        *status = whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu parameters", count);
-        return;
+    double *values = malloc((2 * count + 1) * sizeof *values), *sizes = values ? values + count : NULL;
+    whirl_unit *shown = calloc(count + 1, sizeof *shown);
+    whirl_shown_units units = {0};
+    if (!values || !shown) *status = whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu parameters", count);
+    if (status->code == WHIRL_OK) *status = whirl_result_shown_units(result, NULL, &units);
+    for (size_t i = 0; i < count && status->code == WHIRL_OK; ++i) {
+        values[i] = parameters[i].value;
+        shown[i] = whirl_shown_parameter(&units, parameters[i].name);
+        sizes[i] = shown[i].size;
     }
-    for (size_t i = 0; i < count; ++i) values[i] = parameters[i].value;
     const hid_t group = put_group(status, file, "parameters");
     put_texts(status, group, "name", texts_of(count ? parameters->name : "", stride, count));
     put_numbers(status, group, "value", values, list_of(count), "/parameters/unit");
     put_texts(status, group, "unit", texts_of(count ? parameters->unit : "", stride, count));
     put_texts(status, group, "text", texts_of(count ? parameters->text : "", stride, count));
+    put_texts(status, group, "shown_unit", texts_of(shown ? shown->name : "", sizeof *shown, count));
+    put_numbers(status, group, "shown_size", sizes, list_of(count), "/parameters/unit");
     close_group(group);
     free(values);
+    free(shown);
 }
 
 static void put_stations(whirl_status *status, hid_t file, const whirl_result *result) {

@@ -3,6 +3,7 @@
 
 #include "attractors.h"
 #include "whirl/result.h"
+#include "whirl/shown.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -85,10 +86,42 @@ double whirl_result_number(const whirl_result *result, whirl_list list, size_t i
                                                        : (double)NAN;
 }
 
+whirl_status whirl_result_show_in(whirl_result *result, const char *units) {
+    whirl_shown_units shown;
+    const whirl_status status = whirl_result_shown_units(result, units, &shown);
+    return status.code == WHIRL_OK ? whirl_result_add_fact(result, "units", units) : status;
+}
+
+static whirl_shown_units shown(const whirl_result *result) {
+    whirl_shown_units units = {0};
+    whirl_result_shown_units(result, NULL, &units); // which nothing asked for cannot be wrong
+    return units;
+}
+
 double whirl_result_shown_unit(const whirl_result *result, const char *parameter, char *name, size_t size) {
-    const whirl_unit unit = *parameter ? whirl_result_unit(result, parameter) : whirl_result_length_unit(result);
+    const whirl_shown_units units = shown(result);
+    const whirl_unit unit = whirl_shown_parameter(&units, parameter);
     snprintf(name, size, "%s", unit.name);
     return unit.size;
+}
+
+double whirl_result_shown_length(const whirl_result *result, char *name, size_t size, bool *over) {
+    const whirl_shown_units units = shown(result);
+    snprintf(name, size, "%s", units.length_name);
+    *over = units.ratio;
+    return units.length;
+}
+
+double whirl_result_shown_amplitude(const whirl_result *result, char *name, size_t size) {
+    const whirl_shown_units units = shown(result);
+    snprintf(name, size, "%s", units.amplitude_name);
+    return units.amplitude;
+}
+
+double whirl_result_shown_frequency(const whirl_result *result, char *name, size_t size) {
+    const whirl_shown_units units = shown(result);
+    snprintf(name, size, "%s", units.frequency_name);
+    return units.frequency;
 }
 
 // ---------------------------------------------------------------- tables

@@ -34,19 +34,33 @@ def test_a_diagram_has_all_points_of_its_sections(good):
     section = good["sweep"]["poincare/section"][:, 0, :, 1]
     expected = np.column_stack([np.repeat(good["sweep"].values, section.shape[1]), section.ravel()])
     assert np.array_equal(points_of(ax), expected[np.lexsort(expected.T)])
-    assert (ax.get_xlabel(), ax.get_ylabel()) == ("omega / rad/s", "y of disc / m")
+    assert (ax.get_xlabel(), ax.get_ylabel()) == ("omega (rad/s)", "y of disc (m)")
 
 
-def test_lengths_and_parameters_are_in_the_units_of_the_case():
-    case = whirl.Case(text=MILLIMETRES)
-    result = whirl.run(case, progress=False)
-    ax = result.plot.bifurcation()
-    assert (ax.get_xlabel(), ax.get_ylabel()) == ("speed / rpm", "x of disc / mm")
-    table = result["sweep"]
-    drawn = points_of(ax)
-    assert np.allclose(np.unique(drawn[:, 0]), [600.0, 900.0, 1200.0], rtol=1e-12)
-    lengths = np.sort((table["poincare/section"][:, 0, :, 0] * 0.2).ravel())
-    assert np.allclose(np.sort(drawn[:, 1]), lengths, rtol=1e-12, atol=1e-15)
+CHOICES = [
+    ("", "speed (rpm)", "x of disc / c", 600.0, 1.0),  # as reports do: over the scale where that has a name
+    ("mm", "speed (rpm)", "x of disc (mm)", 600.0, 0.2),
+    ("um, rad/s, p-p", "speed (rad/s)", "x of disc (µm)", 20 * np.pi, 200.0),
+    ("mil", "speed (rpm)", "x of disc (mil)", 600.0, 0.2e-3 / 25.4e-6),
+]
+
+
+@pytest.mark.parametrize("units, xlabel, ylabel, first, length", CHOICES)
+def test_units_are_those_of_reports(units, xlabel, ylabel, first, length, tmp_path):
+    own = MILLIMETRES + (f'  units: "{units}"\n' if units else "")
+    chosen = whirl.run(whirl.Case(text=own), progress=False)
+    chosen.save(tmp_path / "chosen.h5")
+    whirl.run(whirl.Case(text=MILLIMETRES), progress=False).save(tmp_path / "plain.h5")
+    later = whirl.open(tmp_path / "plain.h5").show_in(units)
+    for result in (chosen, whirl.open(tmp_path / "chosen.h5"), whirl.read(tmp_path / "chosen.h5"), later):
+        ax = result.plot.bifurcation()
+        assert (ax.get_xlabel(), ax.get_ylabel()) == (xlabel, ylabel)
+        table, drawn = result["sweep"], points_of(ax)
+        assert np.allclose(np.unique(drawn[:, 0]), first * np.array([1.0, 1.5, 2.0]), rtol=1e-12)
+        lengths = np.sort((table["poincare/section"][:, 0, :, 0] * length).ravel())
+        assert np.allclose(np.sort(drawn[:, 1]), lengths, rtol=1e-12, atol=1e-15)
+    with pytest.raises(whirl.BadInput, match="did you mean rpm"):
+        later.show_in("rpn")
 
 
 MILLIMETRES = """
@@ -92,7 +106,7 @@ def test_an_orbit_passes_through_its_sections():
     result = whirl.run(whirl.Case(text=text), progress=False)
     path, marks = result.plot.orbit(1).get_lines()
     samples = result["sweep"]["waveform/samples"][1, 0]
-    assert np.allclose(path.get_xydata(), samples * 0.2, rtol=1e-12) and len(marks.get_xdata()) == 4
+    assert np.allclose(path.get_xydata(), samples, rtol=1e-12) and len(marks.get_xdata()) == 4
     from_path = np.abs(marks.get_xydata()[:, None] - path.get_xydata()[None]).max(axis=2).min(axis=1)
     assert (from_path[:-1] < 1e-12).all()  # the last revolution ends one sample beyond the path
 
@@ -105,6 +119,29 @@ def test_a_full_spectrum_has_backward_lines_below_zero(good):
     assert np.array_equal(ends, lines[:, [0, 3]])
     ends = np.array([path[1] for path in backward.get_segments()])
     assert np.array_equal(ends, lines[:, [0, 4]] * [-1, 1])
+
+
+def test_a_waterfall_has_the_lines_of_all_spectra(good):
+    drawn = good.plot.waterfall().collections[0]
+    lines, values = good["sweep"]["spectrum/lines"][:, 0], good["sweep"].values
+    at = np.broadcast_to(values[:, None], lines.shape[:2])
+    forward = np.column_stack([lines[..., 0].ravel(), at.ravel(), lines[..., 3].ravel()])
+    backward = np.column_stack([-lines[..., 0].ravel(), at.ravel(), lines[..., 4].ravel()])
+    expected = np.concatenate([forward, backward])
+    expected = expected[expected[:, 2] > 1e-3 * np.nanmax(expected[:, 2])]
+    found = np.column_stack([drawn.get_offsets(), drawn.get_array()])
+    assert np.array_equal(found[np.lexsort(found.T)], expected[np.lexsort(expected.T)])
+
+
+def test_amplitudes_are_counted_as_the_case_says():
+    text = MILLIMETRES.replace("[poincare]", "[poincare, spectrum]") + "  units: um, p-p\n"
+    result = whirl.run(whirl.Case(text=text), progress=False)
+    lines = result["sweep"]["spectrum/lines"][1, 0]
+    ax = result.plot.spectrum(1, full=False)
+    ends = np.array([path[1] for path in ax.collections[0].get_segments()])
+    assert np.allclose(ends[:, 1], 400.0 * lines[np.isfinite(lines[:, 0]), 1], rtol=1e-12)
+    assert ax.get_ylabel() == "amplitude of disc (µm p-p)"
+    assert ax.get_title() == "speed = 900 rpm"
 
 
 def test_branches_are_dashed_where_they_are_unstable(branches):
@@ -124,7 +161,7 @@ def test_maps_show_regimes_and_numbers(map_files):
     ax = result.plot.map("orbit/max_radius")
     drawn = np.asarray(ax.collections[0].get_array()).reshape(3, 5)
     assert np.allclose(drawn, table["orbit/max_radius"][:, :, 0] * table.length_scale * 1e3, rtol=1e-12)
-    assert ax.get_ylabel() == "c / mm"
+    assert ax.get_ylabel() == "c (mm)"
     colours = result.plot.map().collections[0].get_facecolor().reshape(3, 5, 4)
     from whirl.plot import REGIMES, classes
 
@@ -193,7 +230,7 @@ def test_machines_at_rest_are_drawn(tmp_path):
     once = np.column_stack([table.values / rpm, table.values / rpm])
     expected = np.concatenate([expected, once])
     assert np.allclose(drawn, expected[np.lexsort(expected.T)], rtol=1e-12)
-    assert (ax.get_xlabel(), ax.get_ylabel()) == ("omega / rpm", "damped frequency / rpm")
+    assert (ax.get_xlabel(), ax.get_ylabel()) == ("omega (rpm)", "damped frequency (rpm)")
     # Both springs are in tune with the speed where it is their own frequency: sqrt(k/m).
     critical = np.sort(np.concatenate([c.get_offsets()[:, 0] for c in ax.collections]))
     assert np.allclose(critical, np.sqrt([80e3 / 2, 200e3 / 2]) / rpm, rtol=1e-9)
@@ -203,7 +240,7 @@ def test_machines_at_rest_are_drawn(tmp_path):
     speed, amplitude = above.get_lines()[0].get_data()
     turns = speed * rpm
     assert np.allclose(amplitude, 0.01 * turns**2 / np.abs(80e3 / 2 - turns**2), rtol=1e-9)  # e r^2/(1 - r^2), mm
-    assert above.get_ylabel() == "amplitude of disc / mm" and below.get_ylabel() == "lag / degrees"
+    assert above.get_ylabel() == "amplitude of disc (mm)" and below.get_ylabel() == "lag (degrees)"
 
 
 def test_a_waterfall_has_the_lines_of_all_spectra(good):

@@ -226,13 +226,13 @@ def test_figures_show_the_numbers(record):
     ax = record.plot.section()
     displacements = record.displacements()
     points = ax.get_lines()[0].get_xydata()
-    assert (ax.get_xlabel(), ax.get_ylabel()) == ("x / µm", "y / µm") and len(points) == 233
+    assert (ax.get_xlabel(), ax.get_ylabel()) == ("x (µm)", "y (µm)") and len(points) == 233
     assert (np.abs(points - displacements.mean(axis=1)) <= np.ptp(displacements, axis=1)).all()
     path, marks = record.plot.orbit(revolutions=4).get_lines()
     assert np.array_equal(marks.get_xydata(), points[-5:]) and 4 * 83 < len(path.get_xdata()) < 4 * 88
     assert np.array_equal(record.plot.spectrum("135°").get_lines()[0].get_ydata(), record.spectrum().amplitude[1])
     speed = record.plot.speed()
-    assert speed.get_ylabel() == "speed / rpm"
+    assert speed.get_ylabel() == "speed (rpm)"
     assert np.allclose(speed.get_lines()[0].get_ydata(), record.speed * 30 / np.pi, rtol=1e-15)
 
 

@@ -4,6 +4,7 @@ import numpy as np
 
 from . import errors
 from ._library import CONTACTS, FACTS, PARAMETERS, STATIONS, TABLES, check, ffi, lib, path_bytes, text
+from ._shown import Shown
 
 _STATION_NUMBERS = ("clearance", "gap", "position")
 _STATION_WHOLES = ("x", "y", "vx", "vy", "shaft")
@@ -43,6 +44,13 @@ class MemorySource:
         out = ffi.new("whirl_result **")
         check(lib.whirl_result_read(path_bytes(path), out))
         return cls(out[0])
+
+    @classmethod
+    def outline(cls, path):
+        """All of a file but the numbers of its points."""
+        out = ffi.new("whirl_result **")
+        check(lib.whirl_result_read_outline(path_bytes(path), out))
+        return cls(out[0], computed=False)
 
     def _names(self, which):
         return [
@@ -90,6 +98,26 @@ class MemorySource:
 
     def facts(self):
         return {name: self._text(FACTS, i, "value") for i, name in enumerate(self._names(FACTS))}
+
+    def shown(self):
+        """The units in which figures show the numbers."""
+        name, over = ffi.new("char[128]"), ffi.new("bool *")
+
+        def told(size):
+            return text(name), size
+
+        parameters = {
+            parameter: told(lib.whirl_result_shown_unit(self.handle, parameter.encode(), name, 128))
+            for parameter in self._names(PARAMETERS)
+        }
+        length_unit, length = told(lib.whirl_result_shown_length(self.handle, name, 128, over))
+        amplitude_unit, amplitude = told(lib.whirl_result_shown_amplitude(self.handle, name, 128))
+        return Shown(parameters, length, length_unit, bool(over[0]), amplitude, amplitude_unit)
+
+    def show_in(self, units):
+        """Chooses these units, and tells them as :meth:`shown` does."""
+        check(lib.whirl_result_show_in(self.handle, units.encode()))
+        return self.shown()
 
     def tables(self):
         return {name: MemoryTable(self, name) for name in self._names(TABLES)}

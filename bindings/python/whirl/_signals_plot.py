@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from .plot import _SHOWN, REGIMES, _axes
+from .plot import REGIMES, _axes
 
 
 class Plots:
@@ -16,8 +16,8 @@ class Plots:
         self._record = record
 
     def _label(self, what):
-        unit = _SHOWN.get(self._record.unit, self._record.unit)
-        return f"{what} / {unit}" if unit else what
+        unit = {"um": "µm", "1": ""}.get(self._record.unit, self._record.unit)
+        return f"{what} ({unit})" if unit else what
 
     def speed(self, ax=None, **style):
         """The speed between pulses over time: in rpm where time is in seconds."""
@@ -26,8 +26,8 @@ class Plots:
         middles = 0.5 * (record.pulses[1:] + record.pulses[:-1])
         speed = record.speed * (30.0 / np.pi if seconds else 1.0)
         ax.plot(middles, speed, **{"color": "black", "linewidth": 0.8, **style})
-        unit = "rpm" if seconds else f"(rad/{record.time_unit})"
-        ax.set(xlabel=f"time / {record.time_unit}", ylabel=f"speed / {unit}")
+        unit = "rpm" if seconds else f"rad/{record.time_unit}"
+        ax.set(xlabel=f"time ({record.time_unit})", ylabel=f"speed ({unit})")
         return ax
 
     def orbit(self, revolutions=4, x=0, y=1, ax=None, **style):

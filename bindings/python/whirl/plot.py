@@ -1,32 +1,16 @@
 """Figures in Matplotlib as the report draws them, fit for a paper.
 
 Every function takes the axes to draw into, or makes a figure; it returns the axes, and passes further keywords on to
-Matplotlib. Lengths and parameters are in the units in which the case wrote them.
+Matplotlib. Lengths, amplitudes and parameters are in the units of reports: those of the case, or of
+:meth:`whirl.Result.show_in`.
 """
-
-import re
-from dataclasses import dataclass
 
 import numpy as np
 
+from ._kinds import ATTRACTORS, REGIMES, attractor_colour, classes, kinds_of, points_once  # noqa: F401 (public here)
+from ._planes import axis_of, cover_of, spread
 from .errors import BadInput
 
-# Of the report and the explorer: told apart by readers of any colour vision.
-REGIMES = {
-    "P-1": "#366EFB",
-    "P-2": "#1FBADD",
-    "P-4": "#1D7257",
-    "other P-k": "#664406",
-    "quasi-periodic": "#CC0892",
-    "chaotic": "#000000",
-    "undetermined": "#9A9F95",
-    "diverged": "#FB8D41",
-}
-# Of attractors, over and over: Okabe and Ito's colours, in an order in which neighbours differ in lightness, too.
-ATTRACTORS = ("#0072B2", "#E69F00", "#56B4E9", "#009E73", "#CC79A7", "#D55E00", "#F0E442", "#000000")
-_NO_ATTRACTOR = "#9A9F95"
-_UNDETERMINED, _PERIODIC, _QUASI_PERIODIC, _CHAOTIC, _DIVERGED = range(5)
-_OPACITY = (0.4, 0.7, 1.0)  # of low, fair and high confidence
 _SPECIAL = {
     1: ("fold", "s"),
     2: ("crossing", "D"),
@@ -35,8 +19,6 @@ _SPECIAL = {
     5: ("Hopf", "v"),
     6: ("grazing", "x"),
 }
-_SMALLER = (("m", 1.0), ("mm", 1e-3), ("um", 1e-6))
-_SHOWN = {"um": "µm", "rad": "rad", "1": ""}
 
 
 def _axes(ax):
@@ -45,36 +27,6 @@ def _axes(ax):
     import matplotlib.pyplot as plt
 
     return plt.subplots(figsize=(7.0, 4.2), layout="constrained")[1]
-
-
-def classes(table):
-    """The class of every point's verdict, as an index into :data:`REGIMES`."""
-    code, period = (np.nan_to_num(table[name]).astype(int) for name in ("regime/code", "regime/period"))
-    found = np.full(code.shape, 6)
-    found[code == _QUASI_PERIODIC], found[code == _CHAOTIC], found[code == _DIVERGED] = 4, 5, 7
-    periodic = code == _PERIODIC
-    found[periodic] = 3
-    for index, k in enumerate((1, 2, 4)):
-        found[periodic & (period == k)] = index
-    return found
-
-
-def attractor_colour(number):
-    """The colour of an attractor by its number, from 1; 0 is none."""
-    return ATTRACTORS[(number - 1) % len(ATTRACTORS)] if number > 0 else _NO_ATTRACTOR
-
-
-def _attractor_titles(table):
-    """dict of int to str: what each attractor is called in a legend, where the starts of all places are taken
-    together: "1: P-5 (31 %)" of a basin, "1" where its verdict and share change from place to place."""
-    numbers = table.attractors.ravel()
-    first = dict(zip(*np.unique(numbers, return_index=True)))
-    titles = {}
-    for number, at in sorted(first.items(), key=lambda item: item[0] or np.inf):  # 0 last
-        told = table.name == "basin" and "regime/code" in table
-        words = f": {table.verdicts.ravel()[at]} ({100.0 * table.shares.ravel()[at]:.3g} %)" if told else ""
-        titles[int(number)] = f"{number}{words}" if number > 0 else "no verdict"
-    return titles
 
 
 def _degrees():
@@ -104,41 +56,25 @@ class Plots:
                 return candidate
         raise BadInput(f"no table of the result has '{needs}': add {analysis} to what the case analyses")
 
-    def _unit(self, name):
-        """The unit in which the case wrote a parameter: its name and its size in SI."""
-        result = self._result
-        said = re.fullmatch(r"(.+?) = (\S+) .*", result.facts.get(f"unit of {name}", ""))
-        if said:
-            return said[1], float(said[2])
-        parameter = result.parameters.get(name)
-        if parameter is None or parameter.unit == "1":
-            return "", 1.0
-        written = re.fullmatch(r"\s*([-+0-9.eE]+)\s*([A-Za-z].*?)\s*", parameter.text)
-        try:
-            number = float(written[1]) if written else 0.0
-        except ValueError:
-            number = 0.0
-        if number == 0.0 or parameter.unit == "K":
-            return parameter.unit, 1.0
-        return written[2], parameter.value / number
-
-    def _length(self, table):
-        """What a length of the table is in the unit of lengths, for every point, and that unit's name."""
-        scale = self._result.length_scale
-        for name, parameter in self._result.parameters.items():
-            if parameter.unit == "m" and abs(parameter.value - scale) <= 1e-12 * scale:
-                unit, size = self._unit(name)
-                break
-        else:
-            unit, size = next((u for u in _SMALLER[:2] if scale >= 0.0999 * u[1]), _SMALLER[2])
-        return table.length_scale.ravel() / size, _SHOWN.get(unit, unit)
+    def _lengths(self, table):
+        """What lengths of every point of the table are multiplied by."""
+        return self._result._shown.lengths(table, self._result.length_scale)
 
     def _parameter(self, table, second=False):
         """Values of the parameter in its unit, and a label."""
-        name = table.second if second else table.parameter
-        unit, size = self._unit(name)
+        shown, name = self._result._shown, table.second if second else table.parameter
         values = table.second_values if second else table.values
-        return values / size, f"{name} / {_SHOWN.get(unit, unit)}" if unit else name or "point"
+        return values / shown.size(name), shown.parameter_label(name)
+
+    def _displacement(self, what):
+        return self._result._shown.length_label(what)
+
+    def _amplitude(self, station):
+        return self._result._shown.amplitude_label(f"amplitude of {station}")
+
+    def _amplitudes(self, table):
+        """What amplitudes of every point of the table are multiplied by."""
+        return self._lengths(table) * self._result._shown.amplitude
 
     def _station(self, table, station):
         """Its index and its name; the first one where none is named."""
@@ -166,7 +102,7 @@ class Plots:
         """
         table, ax = self._table(table, "poincare/section", "poincare"), _axes(ax)
         index, name = self._station(table, station)
-        factors, unit = self._length(table)
+        factors = self._lengths(table)
         section = _flat(table, "poincare/section")
         sizes = section[:, index, :, {"x": 0, "y": 1}[coordinate]] * factors[:, None]
         values, label = self._parameter(table)
@@ -179,8 +115,8 @@ class Plots:
             "rasterized": True,
             **style,
         }
-        chosen = _once(table)
-        kinds = _kinds(table)
+        chosen = points_once(table)
+        kinds = kinds_of(table)
         if kinds is None or "color" in style:
             ax.plot(places[chosen].ravel(), sizes[chosen].ravel(), **{"color": "black", **style})
         else:
@@ -188,7 +124,7 @@ class Plots:
                 of = chosen[kinds.of[chosen] == kind]
                 ax.plot(places[of].ravel(), sizes[of].ravel(), **{"color": colour, "label": title, **style})
             ax.legend(loc="best", frameon=False, fontsize="small", title=kinds.title, **_large_markers())
-        ax.set(xlabel=label, ylabel=f"{coordinate} of {name} / {unit}")
+        ax.set(xlabel=label, ylabel=self._displacement(f"{coordinate} of {name}"))
         return ax
 
     def shares(self, table=None, ax=None, **style):
@@ -196,7 +132,7 @@ class Plots:
         it is 0: an attractor that was found from a neighbour alone."""
         table, ax = self._starts(table), _axes(ax)
         values, label = self._parameter(table)
-        at, number = _once(table), table.attractors.ravel()
+        at, number = points_once(table), table.attractors.ravel()
         share, error = 100.0 * table.shares.ravel(), 100.0 * table.share_errors.ravel()
         for kind in np.unique(number[at]):
             of = at[(number[at] == kind) & np.isfinite(share[at])]
@@ -206,7 +142,7 @@ class Plots:
             held, found = of[share[of] > 0], of[share[of] == 0]
             ax.errorbar(values.ravel()[held], share[held], error[held], label=str(kind), elinewidth=0.6, **own)
             ax.plot(values.ravel()[found], share[found], **{**own, "markerfacecolor": "none"})
-        ax.set(xlabel=label, ylabel="share of the starts / %")
+        ax.set(xlabel=label, ylabel="share of the starts (%)")
         ax.legend(loc="best", frameon=False, fontsize="small", title="attractor")
         return ax
 
@@ -230,14 +166,14 @@ class Plots:
         (line,) = ax.plot(at, size, **{"color": "black", "linewidth": 0.8, **style})
         ax.fill_between(at, size - error, size + error, color=line.get_color(), alpha=0.2, linewidth=0)
         ax.axhline(0.0, color="0.6", linewidth=0.6, zorder=0)
-        ax.set(xlabel=label, ylabel="largest exponent / (1/revolution)")
+        ax.set(xlabel=label, ylabel="largest exponent (1/revolution)")
         return ax
 
     def branches(self, table="branch", station=None, coordinate="x", ax=None, **style):
         """Branches of orbits: the largest displacement, stable solid, unstable dashed, special points by their kinds."""
         table, ax = self._table(table, "trace/high", "branch"), _axes(ax)
         index, name = self._station(table, station)
-        factors, unit = self._length(table)
+        factors = self._lengths(table)
         values, label = self._parameter(table)
         highs = table["trace/high"][:, index, {"x": 0, "y": 1}[coordinate]] * factors
         number, stable = table["trace/number"], table["trace/unstable"] == 0
@@ -249,7 +185,7 @@ class Plots:
                 line = "-" if stable[own[first]] else "--"
                 ax.plot(values[piece], highs[piece], **{"linestyle": line, "color": colours[branch - 1], **style})
         self._special(ax, table, values, highs)
-        ax.set(xlabel=label, ylabel=f"largest {coordinate} of {name} / {unit}")
+        ax.set(xlabel=label, ylabel=self._displacement(f"largest {coordinate} of {name}"))
         return ax
 
     @staticmethod
@@ -271,22 +207,22 @@ class Plots:
 
     # ---------------------------------------------------------------- machines at rest
 
-    def _speed(self, table):
-        """The unit of speeds: that of the parameter where it is one, else rad/s; its name and its size in SI."""
-        parameter = self._result.parameters.get(table.parameter)
-        if parameter is None or parameter.unit not in ("rad/s", "rad.s-1", "rad s-1"):
-            return "rad/s", 1.0
-        return self._unit(table.parameter)
+    def _frequency(self, table):
+        """The unit of frequencies: that of the parameter where it is the speed of the shaft, else Hz; and its size."""
+        speed = table["modes/speed"]
+        if not np.allclose(speed, table.values, rtol=1e-9, atol=0.0, equal_nan=True):
+            return "Hz", 2.0 * np.pi
+        return self._result._shown.unit(table.parameter) or "rad/s", self._result._shown.size(table.parameter)
 
     def campbell(self, table=None, ax=None, **style):
-        """Natural frequencies over the parameter, in the unit of speeds: forward blue, backward vermilion.
+        """Natural frequencies over the parameter, in the unit of the speed, or in Hz: forward blue, backward vermilion.
 
         Critical speeds (circles) and thresholds of stability (crosses) have their values beside them; the dashed line
         is once a revolution.
         """
         table, ax = self._table(table, "modes/frequency", "modes"), _axes(ax)
         values, label = self._parameter(table)
-        unit, size = self._speed(table)
+        unit, size = self._frequency(table)
         frequency, direction = table["modes/frequency"] / size, table["modes/direction"]
         places = np.broadcast_to(values[:, None], frequency.shape)
         for title, colour, marker, of in (
@@ -300,7 +236,7 @@ class Plots:
                 ax.plot(places[of], frequency[of], **own)
         ax.plot(values, table["modes/speed"] / size, color="0.6", linewidth=0.8, linestyle="--", label="1X", zorder=0)
         self._critical(ax, table, size)
-        ax.set(xlabel=label, ylabel=f"damped frequency / {unit}")
+        ax.set(xlabel=label, ylabel=f"damped frequency ({unit})")
         # Modes far above all speeds would press the others together.
         once = 2.0 * np.nanmax(table["modes/speed"]) / size
         ax.set_ylim(0.0, min(ax.get_ylim()[1], once) if once > 0.0 else None)
@@ -309,7 +245,7 @@ class Plots:
 
     def _critical(self, ax, table, size):
         """Marks of critical speeds and thresholds, with their values."""
-        _, own = self._unit(table.parameter)
+        own = self._result._shown.size(table.parameter)
         rows = table["modes/critical"].reshape(-1, 6)
         rows = rows[np.isfinite(rows[:, 1]) & (rows[:, 0] > 0)]
         for title, marker, chosen in (("critical speed", "o", rows[:, 0] == 1), ("threshold", "x", rows[:, 0] > 1)):
@@ -334,16 +270,16 @@ class Plots:
             ax = plt.subplots(2, sharex=True, figsize=(7.0, 5.6), layout="constrained")[1]
         above, below = ax
         index, name = self._station(table, station)
-        factors, unit = self._length(table)
+        factors = self._amplitudes(table)
         values, label = self._parameter(table)
         for axis, colour in enumerate(("#0072B2", "#D55E00")):
             own = {"color": colour, "linewidth": 1.0, "label": "xy"[axis], **style}
             above.plot(values, table["unbalance/amplitude"][:, index, axis] * factors, **own)
             below.plot(values, table["unbalance/lag"][:, index, axis], **own)
-        above.set(ylabel=f"amplitude of {name} / {unit}")
+        above.set(ylabel=self._amplitude(name))
         above.set_ylim(bottom=0.0)
         above.legend(loc="best", frameon=False, fontsize="small")
-        below.set(xlabel=label, ylabel="lag / degrees")
+        below.set(xlabel=label, ylabel="lag (degrees)")
         below.yaxis.set_major_locator(_degrees())
         return above, below
 
@@ -357,12 +293,12 @@ class Plots:
         table, ax = self._table(table, "poincare/section", "poincare"), _axes(ax)
         index, name = self._station(table, station)
         at = _index(table, point)
-        factors, unit = self._length(table)
+        factors = self._lengths(table)
         section = _flat(table, "poincare/section")[at, index]
         ax.plot(
             section[:, 0] * factors[at], section[:, 1] * factors[at], **{"marker": ".", "ls": "none", "c": "k", **style}
         )
-        ax.set(xlabel=f"x of {name} / {unit}", ylabel=f"y of {name} / {unit}", aspect="equal")
+        ax.set(xlabel=self._displacement(f"x of {name}"), ylabel=self._displacement(f"y of {name}"), aspect="equal")
         ax.set_title(self._title(table, at), fontsize="medium")
         return ax
 
@@ -371,7 +307,7 @@ class Plots:
         table, ax = self._table(table, "waveform/samples", "waveform", every=True), _axes(ax)
         index, name = self._station(table, station)
         at = _index(table, point)
-        factors, unit = self._length(table)
+        factors = self._lengths(table)
         path = _flat(table, "waveform/samples")[at, index] * factors[at]
         ax.plot(path[:, 0], path[:, 1], **{"color": "black", "linewidth": 0.8, **style})
         if "poincare/section" in table:
@@ -380,7 +316,7 @@ class Plots:
             ax.plot(
                 marks[:, 0], marks[:, 1], linestyle="none", marker="o", markersize=3, color=REGIMES["quasi-periodic"]
             )
-        ax.set(xlabel=f"x of {name} / {unit}", ylabel=f"y of {name} / {unit}", aspect="equal")
+        ax.set(xlabel=self._displacement(f"x of {name}"), ylabel=self._displacement(f"y of {name}"), aspect="equal")
         ax.set_title(self._title(table, at), fontsize="medium")
         return ax
 
@@ -389,7 +325,7 @@ class Plots:
         table, ax = self._table(table, "spectrum/lines", "spectrum"), _axes(ax)
         index, name = self._station(table, station)
         at = _index(table, point)
-        factors, unit = self._length(table)
+        factors = self._amplitudes(table)
         lines = _flat(table, "spectrum/lines")[at, index]
         lines = lines[np.isfinite(lines[:, 0])]
         order, amplitudes = lines[:, 0], lines[:, 1:] * factors[at]
@@ -400,7 +336,7 @@ class Plots:
             ax.axvline(0.0, color="0.6", linewidth=0.6, zorder=0)
         else:
             ax.vlines(order, 0.0, amplitudes[:, 0], **style)
-        ax.set(xlabel="order, backward below 0" if full else "order", ylabel=f"amplitude of {name} / {unit}")
+        ax.set(xlabel="order, backward below 0" if full else "order", ylabel=self._amplitude(name))
         ax.set_ylim(bottom=0.0)
         ax.set_title(self._title(table, at), fontsize="medium")
         return ax
@@ -409,11 +345,11 @@ class Plots:
         """The lines of all spectra over order and parameter: the darker, the larger, to a thousandth of the largest."""
         table, ax = self._table(table, "spectrum/lines", "spectrum"), _axes(ax)
         index, name = self._station(table, station)
-        factors, unit = self._length(table)
+        factors = self._amplitudes(table)
         values, label = self._parameter(table)
         lines = _flat(table, "spectrum/lines")[:, index]
         order = lines[:, :, 0]
-        sides = ((order, lines[:, :, 2]), (-order, lines[:, :, 3])) if full else ((order, lines[:, :, 1]),)
+        sides = ((order, lines[:, :, 3]), (-order, lines[:, :, 4])) if full else ((order, lines[:, :, 1]),)
         places = np.broadcast_to(values.ravel()[:, None], order.shape)
         at = np.concatenate([side[0].ravel() for side in sides])
         height = np.concatenate([places.ravel()] * len(sides))
@@ -428,16 +364,14 @@ class Plots:
             c=size[keep][first],
             **{"s": 6, "norm": "log", "cmap": "viridis_r", "linewidths": 0, "rasterized": True, **style},
         )
-        ax.figure.colorbar(drawn, ax=ax, label=f"amplitude of {name} / {unit}")
+        ax.figure.colorbar(drawn, ax=ax, label=self._amplitude(name))
         ax.set(xlabel="order, backward below 0" if full else "order", ylabel=label)
         return ax
 
     def _title(self, table, at):
-        values, label = self._parameter(table)
+        value = table.values.ravel()[at]
+        where = self._result._shown.value(table.parameter, value) if table.parameter else table.name
         verdict = table.verdicts.ravel()[at] if "regime/code" in table else ""
-        where = f"{label.split(' / ')[0]} = {values.ravel()[at]:.6g}" + (
-            f" {label.split(' / ')[1]}" if " / " in label else ""
-        )
         return f"{where}: {verdict}" if verdict else where
 
     # ---------------------------------------------------------------- planes
@@ -460,25 +394,22 @@ class Plots:
         table = self._plane(table)
         if not 0 <= plane < table.planes:
             raise BadInput(f"the table '{table.name}' has {table.planes} planes, from 0, and no plane {plane}")
-        kinds = _kinds(table, attractors=table.name == "basin") if field is None else None
+        kinds = kinds_of(table, attractors=table.name == "basin") if field is None else None
         if kinds is None and field is None:
             raise BadInput(f"the table '{table.name}' has no verdicts: add regime to what the case analyses")
-        ax, cover = _axes(ax), _cover(table, plane)
+        ax, cover = _axes(ax), cover_of(table, plane)
         (x, xlabel), (y, ylabel) = self._parameter(table), self._parameter(table, second=True)
-        x, y = _axis(x, cover, 0), _axis(y, cover, 1)
+        x, y = axis_of(x, cover, 0), axis_of(y, cover, 1)
         if field is None:
             self._regimes(ax, x, y, kinds, cover, style)
         else:
             numbers, name = self._numbers(table, field, which)
-            mesh = ax.pcolormesh(x, y, _spread(numbers, cover), **{"rasterized": True, "shading": "nearest", **style})
+            mesh = ax.pcolormesh(x, y, spread(numbers, cover), **{"rasterized": True, "shading": "nearest", **style})
             ax.figure.colorbar(mesh, ax=ax, label=name)
         ax.set(xlabel=xlabel, ylabel=ylabel)
         if table.third:
-            unit, size = self._unit(table.third)
-            value = table.third_values.ravel()[cover[cover >= 0][:1]] / size
-            ax.set_title(
-                " ".join([f"{table.third} =", *(f"{each:.6g}" for each in value), _SHOWN.get(unit, unit)]).strip()
-            )
+            there = table.third_values.ravel()[cover[cover >= 0][:1]]
+            ax.set_title(" ".join(self._result._shown.value(table.third, value) for value in there))
         return ax
 
     def _plane(self, table):
@@ -497,12 +428,10 @@ class Plots:
             index = self._result.contacts.index(which) if isinstance(which, str) else which
             name = self._result.contacts[index] if about.extent == "contact" else ""
         numbers = numbers.reshape(int(np.prod(table.shape)), -1)[:, index if about.extent != "point" else 0]
-        unit = "" if about.unit == "1" else about.unit
+        title = about.meaning.split(" (")[0] + (f" of {name}" if name else "")
         if about.unit == "length":
-            factors, unit = self._length(table)
-            numbers = numbers * factors
-        title = about.meaning.split(" (")[0] + (f", {name}" if name else "")
-        return numbers, f"{title} / {unit}" if unit else title
+            return numbers * self._lengths(table), self._displacement(title)
+        return numbers, title if about.unit == "1" else f"{title} ({about.unit})"
 
     @staticmethod
     def _regimes(ax, x, y, kinds, cover, style):
@@ -521,38 +450,6 @@ class Plots:
         shown = [Patch(color=colour, label=title) for kind, colour, title in kinds.shown if kind in there]
         look = {"loc": "center left", "bbox_to_anchor": (1.01, 0.5), "frameon": False, "fontsize": "small"}
         ax.legend(handles=shown, title=kinds.title, **look)
-
-
-@dataclass(frozen=True)
-class _Kinds:
-    """What points are told apart by in a figure: regimes or attractors."""
-
-    of: np.ndarray  #: [points]
-    opacity: np.ndarray  #: [points]
-    shown: list  #: (kind, colour, title) of those that are there, in the order of a legend
-    title: str = None
-
-
-def _kinds(table, attractors=None):
-    """Those of a table, attractors where it has any unless it is said; None where there are neither."""
-    if table.has_attractors if attractors is None else attractors:
-        numbers = table.attractors.ravel()
-        shown = [(number, attractor_colour(number), title) for number, title in _attractor_titles(table).items()]
-        return _Kinds(numbers, np.ones(len(numbers)), shown, "attractor")
-    if "regime/code" not in table:
-        return None
-    kinds, confidence = classes(table).ravel(), np.nan_to_num(table["regime/confidence"]).ravel().astype(int)
-    shown = [(kind, list(REGIMES.values())[kind], list(REGIMES)[kind]) for kind in np.unique(kinds)]
-    return _Kinds(kinds, np.take(_OPACITY, confidence), shown)
-
-
-def _once(table):
-    """Points to be drawn: all, but of several starts of a place the first that leads to each attractor."""
-    if not table.has_attractors or table.name == "basin":
-        return np.arange(int(np.prod(table.shape)))
-    number = table.attractors
-    pairs = np.column_stack([table.place, np.where(number > 0, number, -1 - np.arange(len(number)))])
-    return np.sort(np.unique(pairs, axis=0, return_index=True)[1])
 
 
 def _large_markers():
@@ -592,41 +489,3 @@ def _runs(flags):
         return []
     ends = np.flatnonzero(np.diff(flags.astype(int)))
     return list(zip(np.concatenate(([0], ends + 1)), np.concatenate((ends, [len(flags) - 1]))))
-
-
-def _cover(table, plane=0):
-    """The point that stands for each cell of a plane [rows][columns], -1 where none is there: of a refined map the
-    first corner of the square around it (docs/result-file.md), of several starts one that goes where most do."""
-    if len(table.shape) > 1:
-        return np.arange(np.prod(table.shape)).reshape((-1, *table.grid))[plane]
-    slot, (rows, row) = table.place, table.grid
-    found = np.full((rows * table.planes, row), -1)
-    width = table["map/width"].astype(int) if "map/width" in table else np.ones(len(slot), int)
-    for i in np.flatnonzero(width > 1):
-        r, c = divmod(slot[i], row)
-        ends = r + width[i] + (r + width[i] >= found.shape[0] - 1), c + width[i] + (c + width[i] >= row - 1)
-        found[r : ends[0], c : ends[1]] = i
-    order = np.arange(len(slot))
-    if table.has_attractors and table.name != "basin":  # what most starts of the place lead to is put there last
-        order = np.lexsort((-order, np.nan_to_num(table.shares, nan=-1.0)))
-    found.flat[slot[order]] = order
-    return found[plane * rows : (plane + 1) * rows]
-
-
-def _axis(values, cover, along):
-    """Values along one axis of a grid, those that no point has between their neighbours."""
-    if values.ndim > 1:
-        plane = values.reshape((-1, *values.shape[-2:]))[0]
-        return plane[0] if along == 0 else plane[:, 0]
-    count = cover.shape[1] if along == 0 else cover.shape[0]
-    known = np.full(count, np.nan)
-    rows, columns = np.nonzero(cover >= 0)
-    own = cover[rows, columns]
-    first = np.unique(own, return_index=True)[1]  # a point lies at the first cell that it stands for
-    known[(columns if along == 0 else rows)[first]] = values[own[first]]
-    places = np.flatnonzero(np.isfinite(known))
-    return np.interp(np.arange(count), places, known[places])
-
-
-def _spread(numbers, cover):
-    return np.where(cover >= 0, numbers[cover], np.nan)

@@ -375,6 +375,28 @@ class Result:
 
         return Case(text=self.case_text, name=self.case_name)
 
+    @cached_property
+    def _shown(self):
+        return self._source.shown()
+
+    def show_in(self, units):
+        """Chooses the units of figures, as ``whirl report --units`` does; those of the case without it.
+
+        Parameters
+        ----------
+        units : str
+            One word each, in any order, of a length (scale, m, mm, um, in, mil), a speed (rad/s, rpm), and a way to count
+            amplitudes (0-p, p-p, rms): "um, rpm, p-p". Frequencies (order, Hz, cpm) are taken, and change nothing here:
+            spectra stand over orders. "" goes back to units without any choice.
+
+        Returns
+        -------
+        Result
+            This one: ``result.show_in("mil, rpm").plot.bode()``.
+        """
+        self._shown = self._source.show_in(units)
+        return self
+
     def parameter_unit(self, name):
         """The SI unit of a parameter, "1" for what is none."""
         return self.parameters[name].unit if name in self.parameters else "1"

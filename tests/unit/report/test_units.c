@@ -12,13 +12,13 @@
 #include "typeset.h"
 #include "units.h"
 
-static shown_units units_for(const whirl_result *result, const char *asked) {
-    unit_choice choice;
-    assert_int_equal(unit_choice_read(asked, &choice).code, WHIRL_OK);
-    return units_shown(result, &choice);
+static whirl_shown_units units_for(const whirl_result *result, const char *asked) {
+    whirl_shown_units units;
+    assert_int_equal(whirl_result_shown_units(result, asked, &units).code, WHIRL_OK);
+    return units;
 }
 
-static void assert_labels(const shown_units *units, const char *length, const char *amplitude) {
+static void assert_labels(const whirl_shown_units *units, const char *length, const char *amplitude) {
     char label[UNIT_LABEL_SIZE];
     units_length_label(units, "x", label, sizeof label);
     assert_string_equal(label, length);
@@ -30,7 +30,7 @@ static void assert_labels(const shown_units *units, const char *length, const ch
 static void lengths(void **state) {
     (void)state;
     whirl_result *result = sample_result();
-    shown_units units = units_for(result, "");
+    whirl_shown_units units = units_for(result, "");
     assert_labels(&units, "x / c", "amplitude / c");
     units = units_for(result, "p-p");
     assert_labels(&units, "x / c", "amplitude / c (p-p)");
@@ -55,7 +55,7 @@ static void who_asks(void **state) {
     (void)state;
     whirl_result *result = sample_result();
     assert_int_equal(whirl_result_add_fact(result, "units", "um, Hz").code, WHIRL_OK);
-    shown_units units = units_for(result, "mil, rms");
+    whirl_shown_units units = units_for(result, "mil, rms");
     assert_labels(&units, "x (mil)", "amplitude (mil rms)");
     assert_true(fabs(units_order(&units, 100.0 * acos(-1.0)) - 50.0) < 1e-12); // 50 turns a second
     assert_true(isnan(units_order(&units, (double)NAN)));
@@ -74,7 +74,7 @@ static void parameters(void **state) {
     snprintf(detail->parameter, sizeof detail->parameter, "omega");
     result->parameters[0] = (whirl_parameter){"omega", "rad/s", "6000 rpm", 200.0 * acos(-1.0)};
     detail->values[0] = 100.0 * acos(-1.0);
-    shown_units units = units_for(result, "");
+    whirl_shown_units units = units_for(result, "");
     units_point_label(&units, detail, 0, label, sizeof label);
     assert_string_equal(label, "omega = 3000 rpm");
     units = units_for(result, "rad/s");
@@ -93,17 +93,17 @@ static void points_have_scales(void **state) {
     detail->length_scales = sample_take(detail->count, sizeof *detail->length_scales);
     for (size_t i = 0; i < detail->count; i++)
         detail->length_scales[i] = detail->values[i] = 2e-4 + 1e-4 * (double)(i + 1);
-    shown_units units = units_for(result, "um");
+    whirl_shown_units units = units_for(result, "um");
     assert_labels(&units, "x (\u00b5m)", "amplitude (\u00b5m)");
-    assert_true(fabs(units_length(&units, NULL, 0) - 200.0) < 1e-9);
-    assert_true(fabs(units_length(&units, &result->tables[0], 0) - 200.0) < 1e-9);
-    assert_true(fabs(units_length(&units, detail, 0) - 300.0) < 1e-9);
-    assert_false(units_one_length(&units, detail));
+    assert_true(fabs(whirl_shown_length(&units, NULL, 0) - 200.0) < 1e-9);
+    assert_true(fabs(whirl_shown_length(&units, &result->tables[0], 0) - 200.0) < 1e-9);
+    assert_true(fabs(whirl_shown_length(&units, detail, 0) - 300.0) < 1e-9);
+    assert_false(whirl_shown_one_length(&units, detail));
     units_parameter_label(&units, "c", label, sizeof label);
     assert_string_equal(label, "c (\u00b5m)");
     units = units_for(result, "");
     assert_labels(&units, "x / c", "amplitude / c");
-    assert_true(units_length(&units, detail, 0) == 1.0);
+    assert_true(whirl_shown_length(&units, detail, 0) == 1.0);
     detail->values[0] = 7e-4; // c varies by itself
     units = units_for(result, "");
     assert_true(units_for(result, "").ratio == false);

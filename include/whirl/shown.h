@@ -1,0 +1,50 @@
+/// In which units figures, pages and files for people show the numbers of a result: as asked for, else as the case has
+/// them, else those of the result.
+#ifndef WHIRL_SHOWN_H
+#define WHIRL_SHOWN_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "whirl/result.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct whirl_shown_units {
+    const whirl_result *result;
+    whirl_unit speed; ///< of parameters in rad/s; of size 0: as the case writes each
+    whirl_unit size;  ///< of parameters in m; likewise
+    /// Displacements: `length` times what the result holds in the case's own length scale; see whirl_shown_length.
+    double length;
+    char length_name[2 * WHIRL_NAME_SIZE]; ///< "um" shown, or the symbol of the scale that they are given over
+    bool ratio;                            ///< they are given over a scale: "x / c", not "x (mm)"
+    double amplitude;                      ///< times what the result holds, zero to peak; `length` not included
+    const char *amplitude_name;            ///< "p-p"; "" where nobody asked and zero to peak is meant; static
+    double frequency;                      ///< size of the unit of frequencies in Hz; 0: orders of the running speed
+    const char *frequency_name;            ///< static
+} whirl_shown_units;
+
+/// What `asked` ("um, rpm, Hz, p-p"; words as in a case's `units`, NULL or "" for none) says, where it says nothing
+/// what the result's fact "units" says, else: lengths over their scale where that is a named parameter, in m, mm or um
+/// where it is not; parameters as the case writes them; orders; zero to peak. WHIRL_BAD_INPUT for words that are no
+/// units.
+/// `*units` borrows the result.
+whirl_status whirl_result_shown_units(const whirl_result *result, const char *asked, whirl_shown_units *units);
+
+/// What lengths of a point of the table are multiplied by to be shown.
+double whirl_shown_length(const whirl_shown_units *units, const whirl_table *table, size_t point);
+
+/// Whether one factor shows all lengths of the table (NULL: those of the case as it stands), the stations' clearances
+/// and gaps included.
+bool whirl_shown_one_length(const whirl_shown_units *units, const whirl_table *table);
+
+/// The unit of a parameter: shown number = value in SI over its size.
+whirl_unit whirl_shown_parameter(const whirl_shown_units *units, const char *name);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
