@@ -121,6 +121,10 @@ size_t whirl_table_slot(const whirl_table *table, size_t point);
 /// refined map all of its grid, whether they are computed or not.
 size_t whirl_table_places(const whirl_table *table);
 
+/// rad/s of the phase by which sections are taken, at a point: revolutions are turns of it, and orders multiples of its
+/// rate. NaN where that changes from point to point in a way that is not told.
+double whirl_table_clock(const whirl_result *result, const whirl_table *table, size_t point);
+
 /// The place of a point, from 0, in the order of the values: of a map row by row, plane by plane.
 size_t whirl_table_place(const whirl_table *table, size_t point);
 

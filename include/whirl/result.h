@@ -59,7 +59,11 @@ struct whirl_table {
     double *values; ///< [count] of the parameter in SI (NaN when nothing varies)
     /// [count] m per unit of length, where the parameter changes it; NULL: that of the result holds for all.
     double *length_scales;
-    int *branch; ///< [count] +1 carried from the first value on, -1 carried from the last, 0 not carried
+    /// By what the clock (whirl_result_clock) varies from point to point: 0 nothing, 1 to 3 the parameter, the second
+    /// or the third one, times `clock_factor`; WHIRL_CLOCK_UNKNOWN in another way. See whirl_table_clock.
+    int clock_of;
+    double clock_factor; ///< 1 where nothing varies
+    int *branch;         ///< [count] +1 carried from the first value on, -1 carried from the last, 0 not carried
     /// [count][layout.size], NaN where a point is not done; NULL in an outline, and where the blocks are `kept`.
     double *blocks;
     whirl_kept_blocks *kept; ///< NULL, or where the blocks are
@@ -74,6 +78,8 @@ struct whirl_table {
     whirl_coexisting *attractors;      ///< [count] what they came to rest on
     whirl_room *room;                  ///< NULL, or what those of these arrays lie in that a run made large
 };
+
+enum { WHIRL_CLOCK_UNKNOWN = 4 };
 
 /// A named parameter of the case with the value that the run used, in SI.
 typedef struct whirl_parameter {
@@ -255,7 +261,8 @@ whirl_unit whirl_result_length_unit(const whirl_result *result);
 
 /// What one unit of a field's numbers is in SI: of "length" and "force" the scales of the result, of revolutions and
 /// orders what its clock says, of any other unit itself. NaN for lengths where the parameter of the table changes the
-/// scale (whirl_result_length_scale); a table NULL has the scale of the result.
+/// scale (whirl_result_length_scale), for revolutions and orders where it changes the clock (whirl_table_clock); a
+/// table NULL has the scale and the clock of the result.
 whirl_unit whirl_result_si(const whirl_result *result, const whirl_table *table, const char *unit);
 
 /// The same of a field's numbers: of the second and third parameters of a map their own units.

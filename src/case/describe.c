@@ -140,6 +140,64 @@ static whirl_status describe_scales(const case_content *content, const whirl_res
     return status;
 }
 
+/// The values that an axis of a table takes; of branches the ends of its range.
+typedef struct axis_values {
+    const char *name;
+    const double *values;
+    size_t count;
+} axis_values;
+
+/// Whether the speed of the shaft is the value of the axis times one factor, whatever that value is.
+static whirl_status find_factor(const case_content *content, const axis_values *axis, double *factor, bool *found) {
+    const number_formula *formula = &settings_find(&content->machine.rotor, "speed")->value;
+    *found = axis->count > 0;
+    *factor = (double)NAN;
+    whirl_status status = whirl_ok();
+    for (size_t i = 0; i < axis->count && *found && status.code == WHIRL_OK; i++) {
+        const given_value given = {axis->name, axis->values[i]};
+        double speed = 0.0;
+        valuation v;
+        status = valuation_open(&v, &content->parameters, &given, 1);
+        if (status.code == WHIRL_OK) status = valuation_number(&v, formula, &speed);
+        valuation_close(&v);
+        if (isnan(*factor) && given.value != 0.0) *factor = speed / given.value;
+        *found = fabs(speed - (isnan(*factor) ? 0.0 : *factor) * given.value) <= 1e-12 * fabs(speed);
+    }
+    *found = *found && isfinite(*factor);
+    return status;
+}
+
+/// How the clock of every point of a table follows from its parameters.
+static whirl_status describe_clock(const case_content *content, const whirl_result *result, whirl_table *table) {
+    const setting *given = settings_find(&content->machine.rotor, "speed");
+    const char *expression = given ? given->value.expression : NULL;
+    const size_t index = plan_batch(&content->plan, table->name);
+    table->clock_of = 0;
+    table->clock_factor = 1.0;
+    if (!*table->parameter || index >= content->plan.batch_count) return whirl_ok();
+    const whirl_batch *batch = &content->plan.batches[index];
+    const bool traced = batch->values == NULL;
+    const axis_values axes[] = {{batch->parameter, traced ? batch->bounds : batch->values, traced ? 2 : batch->count},
+                                {batch->second, batch->second_values ? batch->second_values : batch->second_bounds,
+                                 batch->second_values ? batch->count : 2},
+                                {batch->third, batch->third_values, batch->count}};
+    for (int i = 0; i < 3; i++) {
+        const bool there = *axes[i].name != '\0', other = *whirl_result_keyphasor(result) != '\0';
+        if (there && other && case_machine_use(content, axes[i].name)) table->clock_of = WHIRL_CLOCK_UNKNOWN;
+        if (there && expression && case_depends(content, expression, axes[i].name))
+            table->clock_of = table->clock_of ? WHIRL_CLOCK_UNKNOWN : i + 1;
+    }
+    if (table->clock_of == 0 || table->clock_of == WHIRL_CLOCK_UNKNOWN) return whirl_ok();
+    const axis_values *axis = &axes[table->clock_of - 1];
+    bool found = strcmp(expression, axis->name) == 0; // the usual case, also of maps with a million points
+    const whirl_status status = found ? whirl_ok() : find_factor(content, axis, &table->clock_factor, &found);
+    if (!found) {
+        table->clock_of = WHIRL_CLOCK_UNKNOWN;
+        table->clock_factor = 1.0;
+    }
+    return status;
+}
+
 static void forget(whirl_result *result) {
     for (size_t i = 0; i < result->table_count; i++) {
         free(result->tables[i].length_scales);
@@ -178,6 +236,8 @@ whirl_status whirl_case_describe_result(const whirl_case *object, whirl_result *
     if (status.code == WHIRL_OK) status = describe_rotor(object, result);
     for (size_t i = 0; i < result->table_count && status.code == WHIRL_OK; i++)
         status = describe_scales(&object->content, result, &result->tables[i]);
+    for (size_t i = 0; i < result->table_count && status.code == WHIRL_OK; i++)
+        status = describe_clock(&object->content, result, &result->tables[i]);
     if (status.code == WHIRL_OK) status = describe_sweep(&object->content, result);
     if (status.code == WHIRL_OK && *object->content.units)
         status = whirl_result_add_fact(result, "units", object->content.units);

@@ -392,8 +392,9 @@ static void get_plane(whirl_status *status, hid_t group, shape points, whirl_tab
     const bool is_map = whirl_layout_field(&table->layout, "map/second");
     if (status->code == WHIRL_OK && points.rank > 1 && (!is_map || table->grid > 0))
         *status = whirl_fail(WHIRL_BAD_INPUT, "/%s has rows of points, expected a list", table->name);
+    if (is_map || strcmp(table->name, "curves") == 0)
+        get_text_attribute(status, group, "second", table->second, sizeof table->second);
     if (status->code != WHIRL_OK || !is_map) return;
-    get_text_attribute(status, group, "second", table->second, sizeof table->second);
     table->row = (size_t)get_whole_attribute(status, group, "row", 1, planned > 0 ? (int64_t)planned : 1);
     if (status->code == WHIRL_OK && planned % table->row != 0)
         *status = whirl_fail(WHIRL_BAD_INPUT, "/%s has %zu points in rows of %zu, expected whole rows", table->name,
@@ -425,6 +426,8 @@ static void get_table(whirl_status *status, hid_t file, const whirl_result *resu
     check_starts(status, table);
     get_plane(status, group, points, table);
     get_length_scales(status, group, result, points, table);
+    table->clock_of = (int)get_whole_attribute(status, group, "clock_of", 0, WHIRL_CLOCK_UNKNOWN);
+    get_number_attribute(status, group, "clock_factor", &table->clock_factor);
     for (size_t i = 0; status->code == WHIRL_OK && i < layout->field_count; ++i) {
         get_field(status, group, result, table->count, how->limit, layout, &layout->fields[i], &words[i]);
         check_known(status, &how->known, &layout->fields[i]);

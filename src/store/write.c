@@ -391,10 +391,10 @@ static void put_table(whirl_status *status, hid_t file, const whirl_result *resu
     const hid_t group = put_group(status, file, table->name);
     const whirl_layout *layout = &table->layout;
     put_text_attribute(status, group, "parameter", table->parameter);
-    if (table->row > 0) {
-        put_text_attribute(status, group, "second", table->second);
-        put_whole_attribute(status, group, "row", (int64_t)table->row);
-    }
+    put_whole_attribute(status, group, "clock_of", table->clock_of);
+    put_number_attribute(status, group, "clock_factor", table->clock_factor);
+    if (*table->second) put_text_attribute(status, group, "second", table->second);
+    if (table->row > 0) put_whole_attribute(status, group, "row", (int64_t)table->row);
     if (table->plane > 0) {
         put_text_attribute(status, group, "third", table->third);
         put_whole_attribute(status, group, "plane", (int64_t)table->plane);

@@ -59,6 +59,22 @@ double whirl_result_length_scale(const whirl_result *result, const whirl_table *
     return table && table->length_scales && point < table->count ? table->length_scales[point] : result->length_scale;
 }
 
+double whirl_table_clock(const whirl_result *result, const whirl_table *table, size_t point) {
+    if (point >= table->count) return (double)NAN;
+    switch (table->clock_of) {
+    case 0:
+        return whirl_result_clock(result);
+    case 1:
+        return table->clock_factor * table->values[point];
+    case 2:
+        return table->clock_factor * whirl_table_second(table, point);
+    case 3:
+        return table->clock_factor * whirl_table_third(table, point);
+    default:
+        return (double)NAN;
+    }
+}
+
 size_t whirl_table_slot(const whirl_table *table, size_t point) {
     return table->slots && point < table->count ? table->slots[point] : point;
 }

@@ -39,8 +39,9 @@ static whirl_status make_table(const whirl_study *study, const whirl_batch *batc
     if (status.code != WHIRL_OK) return status;
     memcpy(table->name, batch->name, sizeof table->name);
     memcpy(table->parameter, batch->parameter, sizeof table->parameter);
-    if (batch->second_values) memcpy(table->second, batch->second, sizeof table->second);
+    memcpy(table->second, batch->second, sizeof table->second);
     if (batch->third_values) memcpy(table->third, batch->third, sizeof table->third);
+    table->clock_factor = 1.0;
     table->row = batch->row;
     table->plane = batch->plane;
     table->starts = batch->starts > 1 ? batch->starts : 0;

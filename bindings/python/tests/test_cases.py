@@ -85,3 +85,27 @@ def test_wrong_types():
 )
 def test_texts_with_signs_of_yaml_come_back(title):
     assert whirl.Case({**BUILT, "title": title}).title == title
+
+
+def test_numbers_of_numpy_and_pandas():
+    rotor = {"speed": "= omega", "length_scale": "1 m", "stations": {"disc": {"mass": np.float32(1)}}}
+    rotor["elements"] = [{"shaft": {"between": ["disc", "ground"], "k1": np.int64(1)}}]
+    for values in (range(1, 4), np.arange(1, 4), np.arange(1.0, 4.0), [np.longdouble(1), 2, 3]):
+        study = {"sweep": {"parameter": "omega", "values": values, "start": "rest"}, "confirm": np.bool_(False)}
+        study["integrate"] = {"settle": np.True_}
+        case = whirl.Case({"title": None, "parameters": {"omega": np.array(1.5)}, "rotor": rotor, "study": study})
+        assert list(case.outline()["sweep"].values) == [1.0, 2.0, 3.0] and case.title == ""
+
+
+@pytest.mark.parametrize("call", [lambda: whirl.Case("a\0b"), lambda: whirl.Case(text="\ud800: 1")])
+def test_texts_that_are_none(call):
+    with pytest.raises(whirl.BadInput):
+        call()
+    with pytest.raises(TypeError, match="expected a str"):
+        whirl.Case(text=5)
+    own = {}
+    own["rotor"] = own
+    with pytest.raises(whirl.BadInput, match="holds itself"):
+        whirl.Case(own)
+    with pytest.raises(whirl.BadInput, match="NUL"):
+        whirl.Case(GOOD).set("kappa", "7\0junk")

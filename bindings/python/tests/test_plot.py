@@ -286,5 +286,5 @@ def test_refined_maps_are_filled(map_files, tmp_path):
 def test_what_was_not_analysed_is_said(good):
     with pytest.raises(whirl.BadInput, match="has no map"):
         good.plot.map()
-    with pytest.raises(whirl.BadInput, match="'trace/high': add branch"):
+    with pytest.raises(whirl.BadInput, match="follows branches"):
         good.plot.branches("sweep")

@@ -258,3 +258,88 @@ def test_the_explorer_holds_the_result(good, good_file, tmp_path):
     assert good.title in page and len(page) > 1000
     whirl.open(good_file).explorer(tmp_path / "page.html", template=tmp_path / "template.html")
     assert good.title in (tmp_path / "page.html").read_text()
+
+
+SPEEDS = """
+whirl: 1
+parameters: {n: 50, omega: = 2*pi*n, order: 1}
+rotor:
+  speed: = %s
+  length_scale: 0.2 mm
+  stations:
+    disc: {mass: 4 kg, damping: 20 N.s/m, eccentricity: 0.02 mm}
+  elements:
+    - shaft: {between: [disc, ground], k1: 100 kN/m, k2: 100 kN/m}
+study:
+  sweep: {parameter: n, values: [20, 35, 50]}
+  integrate: {method: dop853, rtol: 1e-10, transient: 60, record: 400}
+  analyze: [poincare, lyapunov]
+"""
+
+
+@pytest.mark.parametrize("speed, hertz", [("omega", [20, 35, 50]), ("2*pi*50", 50), ("omega+n^2", np.nan)])
+def test_si_where_the_speed_changes(speed, hertz, tmp_path):
+    result = whirl.run(whirl.Case(text=SPEEDS % speed), progress=False)
+    result.save(tmp_path / "speeds.h5")
+    with whirl.open(tmp_path / "speeds.h5") as opened:
+        for table in (result["sweep"], opened["sweep"], whirl.read(tmp_path / "speeds.h5")["sweep"]):
+            assert np.allclose(table.clock / (2 * np.pi), hertz, rtol=1e-14, equal_nan=True)
+            exponent, unit = table.si("lyapunov/largest")
+            assert unit == "1/s" and np.allclose(exponent, table["lyapunov/largest"] * hertz, equal_nan=True)
+            if np.isfinite(hertz).all() and speed == "omega":
+                # The disturbance of a linear rotor dies as exp(-d t/(2 m)), whatever the speed; its size, which counts
+                # velocities too, swings by the ratio of both frequencies meanwhile: log(2) in 8 s or more.
+                assert np.allclose(exponent, -2.5, atol=np.log(2) / 8 + 0.02)
+
+
+def test_orders_are_no_lengths(good):
+    lines, unit = good["sweep"].si("spectrum/lines")
+    plain = good["sweep"]["spectrum/lines"]
+    assert unit == "m" and np.array_equal(lines[..., 0], plain[..., 0], equal_nan=True)
+    assert np.allclose(lines[..., 1:], plain[..., 1:] * good.length_scale, equal_nan=True)
+
+
+def test_numbers_that_are_kept_are_not_written_to(good, good_file):
+    with whirl.open(good_file) as opened:
+        for table in (good["sweep"], opened["sweep"]):
+            for array in (table.values, table.length_scale, table.point, table.branch, table.verdicts, table.clock):
+                with pytest.raises(ValueError, match="read-only"):
+                    array[0] = array[1]
+
+
+@pytest.mark.parametrize("name", ["branch", "point", "verdict", "station", "x"])
+def test_parameters_may_be_called_as_columns(name):
+    text = (
+        SPEEDS.replace("n: 50", f"{name}: 50")
+        .replace("2*pi*n", f"2*pi*{name}")
+        .replace("parameter: n", f"parameter: {name}")
+    )
+    table = whirl.run(whirl.Case(text=text % "omega"), progress=False)["sweep"]
+    frame = table.to_pandas()
+    assert list(frame[f"parameter {name}"]) == [20, 35, 50] and list(frame["point"]) == [1, 2, 3]
+    assert list(table.to_xarray()[f"parameter {name}"].values) == [20, 35, 50]
+
+
+def test_errors_of_files_are_sentences(good_file, tmp_path):
+    opened = whirl.open(good_file)
+    opened.close()
+    with pytest.raises(whirl.BadInput, match="was closed"):
+        opened["sweep"]
+    with pytest.raises(TypeError):
+        whirl.open(5)
+    with pytest.raises(whirl.BadInput, match="cannot read"):
+        whirl.open("a\0b.h5")
+    with whirl.open(good_file) as opened:
+        with pytest.raises(whirl.FileFailure, match="cannot write"):
+            opened.save(tmp_path / "nowhere" / "a.h5")
+        with pytest.raises(whirl.FileFailure, match="cannot write"):
+            opened.save(tmp_path)
+        with pytest.raises(KeyError, match="by their names"):
+            opened["sweep"][5]
+        with pytest.raises(whirl.BadInput, match="near nan"):
+            opened["sweep"].at(np.nan)
+        opened.save(tmp_path / "copy.h5")
+    assert [path.name for path in tmp_path.iterdir()] == ["copy.h5"]
+    assert (tmp_path / "copy.h5").read_bytes() == good_file.read_bytes()
+    with pytest.raises(whirl.BadInput, match="NUL"):
+        whirl.read(good_file).save("a\0b.h5")

@@ -1,9 +1,12 @@
 """Runs: progress, journals, and Ctrl-C."""
 
+import copy
 import os
+import pickle
 import subprocess
 import sys
 import warnings
+import weakref
 
 import numpy as np
 import pytest
@@ -106,3 +109,53 @@ def test_importing_takes_no_other_package():
 def test_outlines_have_parameters_and_values():
     outline = whirl.Case(GOOD).outline()
     assert np.allclose(outline["sweep"].values, [1.0, 1.75, 2.5, 3.25, 4.0])
+
+
+ALARM = """
+import gc, signal, sys, whirl
+
+def boom(*_):
+    raise TimeoutError
+
+case = whirl.Case(sys.argv[1])
+case.set("integrate.transient", 400000).set("integrate.steps_per_revolution", 8192)
+signal.signal(signal.SIGALRM, boom)
+signal.setitimer(signal.ITIMER_REAL, 0.5)
+try:
+    whirl.run(case, threads=1, progress=lambda *told: None, journal=sys.argv[2])
+except TimeoutError:
+    del case
+    gc.collect()
+    print("well")
+"""
+
+
+def test_a_signal_whose_handler_raises_ends_the_run(tmp_path):
+    words = [sys.executable, "-c", ALARM, GOOD, tmp_path / "journal"]
+    told = subprocess.run(words, capture_output=True, text=True, timeout=60)
+    assert (told.returncode, told.stdout) == (0, "well\n"), told.stderr
+
+
+def test_results_are_freed_at_once():
+    result = whirl.run(whirl.Case(GOOD), progress=False)
+    result.plot  # which is a view of it
+    gone, array = weakref.ref(result), result["sweep"]["poincare/section"]
+    owner = weakref.ref(result._source)
+    del result
+    assert gone() is None and array.shape[0] == 5 and owner() is None
+    assert np.isfinite(array).any()
+
+
+@pytest.mark.parametrize("threads", [None, "2", 2.5])
+def test_threads_are_whole(threads):
+    with pytest.raises(whirl.BadInput, match="expected a whole number"):
+        whirl.run(whirl.Case(GOOD), threads=threads)
+
+
+def test_cases_are_pickled_and_copied():
+    case = whirl.Case(GOOD).set("kappa", 7)
+    for other in (pickle.loads(pickle.dumps(case)), copy.copy(case), copy.deepcopy(case)):
+        other.set("kappa", 9)
+        assert (case.parameters["kappa"].value, other.parameters["kappa"].value) == (7.0, 9.0)
+    with pytest.raises(TypeError, match="save"):
+        pickle.dumps(case.outline())

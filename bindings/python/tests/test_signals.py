@@ -296,3 +296,21 @@ def test_what_means_nothing_is_said_in_a_sentence(make, words):
     with pytest.raises(whirl.BadInput) as failure:
         make()
     assert words in str(failure.value) and "\n" not in str(failure.value)
+
+
+def test_a_record_stays_as_it_was_made():
+    turns = np.arange(0, 20, 0.01)
+    record = signals.Record(turns, np.sin(turns), np.cos(turns), pulses=np.arange(1.0, 19.0), unit="um")
+    for name, value in (("channels", record.channels.astype("float32")), ("names", ["a"]), ("time", turns[:10])):
+        with pytest.raises(AttributeError, match="make another one"):
+            setattr(record, name, value)
+    record.unit = "mm"
+    assert record.section().shape == (18, 2)
+
+
+@pytest.mark.parametrize("wrong", [np.arange(2000) * 1j, np.arange(2000).astype("datetime64[ns]")])
+def test_what_is_no_number_is_refused(wrong):
+    with pytest.raises(whirl.BadInput, match="expected numbers"):
+        signals.Record(100.0, wrong, pulses=[1.0, 2.0])
+    with pytest.raises(whirl.BadInput, match="expected numbers"):
+        signals.Record(wrong, np.arange(2000.0), pulses=[1.0, 2.0])

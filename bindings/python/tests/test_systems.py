@@ -202,7 +202,16 @@ def test_what_is_wrong_is_said():
         ("expected a function", lambda: System(3.5, [0], {}, period=1)),
         ("no coordinate 5", lambda: make(period=1, stations={"s": (0, 5)})),
         ("no parameter c that has a unit", lambda: make(period=1, units={"c": "m"})),
-        ("as a word of Python", lambda: System(oscillator, [0, 0], {"lambda": 1}, period=1)),
+        ("cannot have as an attribute", lambda: System(oscillator, [0, 0], {"lambda": 1}, period=1)),
+        ("cannot have as an attribute", lambda: System(oscillator, [0, 0], {"_a": 1}, period=1)),
+        ("rates is True, expected a function", lambda: System(True, [0], {}, period=1)),
+        ("rates is None, expected a function", lambda: System(None, [0], {}, period=1)),
+        ("rates is 0, expected a function", lambda: System(0, [0], {}, period=1)),
+        ("displacements is -5", lambda: make(period=1, displacements=-5)),
+        ("displacements is 1.7", lambda: make(period=1, displacements=1.7)),
+        ("a coordinate of the station 's' is -1", lambda: make(period=1, stations={"s": (-1, 0)})),
+        ("expected a pair", lambda: make(period=1, stations={"s": (0, 1, 2)})),
+        ("expected different parameters", lambda: make(period=1).map(("F", [1, 2]), ("F", [1, 2]))),
         ("0 coordinates", lambda: System(oscillator, [], {}, period=1)),
         ("no option rtoll, did you mean rtol", lambda: make(period=1).response(rtoll=1)),
         ("no analysis poincar", lambda: make(period=1).response(analyze=["poincar"])),
@@ -221,3 +230,15 @@ def test_the_documentation_is_true():
     assert names["motion"]["response"].verdicts[0] == "P-5"
     assert len(names["result"]["sweep"].values) == 64 and len(names["fine"]["sweep"].values) == 512
     assert {"P-1", "P-2", "chaotic"} <= set(names["fine"]["sweep"].verdicts)
+
+
+def test_functions_may_keep_what_they_were_given():
+    kept = []
+
+    def slopes(t, x, p):
+        kept.append((t, x, x.copy()))
+        return [np.cos(t) - x[0]]
+
+    System(slopes, [0.25], {}, period=2 * np.pi).response(method="dop853", transient=1, record=2, analyze="poincare")
+    assert len(kept) > 50 and all(np.array_equal(x, copy) for _, x, copy in kept)
+    assert len({float(x[0]) for _, x, _ in kept}) > 50

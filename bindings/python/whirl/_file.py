@@ -2,6 +2,8 @@
 
 import functools
 import os
+import shutil
+import tempfile
 
 import h5py
 import numpy as np
@@ -35,6 +37,8 @@ def _guarded(own):
             except errors.Error:
                 raise
             except (KeyError, TypeError, ValueError, AttributeError, IndexError, RuntimeError, OSError) as failure:
+                if not (self.file if hasattr(self, "file") else self.group):  # h5py's handles are false once closed
+                    raise errors.BadInput(f"the result '{self.path}' was closed: open it again") from None
                 raise errors.FileFailure(
                     f"the result '{self.path}' is damaged or was changed ({failure}): whirl.read() says what is wrong"
                 ) from failure
@@ -54,9 +58,11 @@ class FileSource:
     """A file of `whirl run` through h5py. It stays open; `close` closes it."""
 
     def __init__(self, path):
-        self.path = os.fspath(path)
+        self.path, self.file = path, None
         try:
-            self.file = h5py.File(self.path, "r")
+            self.file = h5py.File(path, "r")
+        except ValueError as failure:  # a NUL in the name
+            raise errors.BadInput(f"cannot read the result '{path!r}': {failure}") from None
         except OSError as failure:
             reason = os.strerror(failure.errno) if failure.errno else "it is no HDF5 file"
             raise errors.BadInput(f"cannot read the result '{self.path}': {reason}") from None
@@ -118,6 +124,26 @@ class FileSource:
     def tables(self):
         return {name: FileTable(self.path, self.file[name], name) for name in map(_word, self.file.attrs["tables"])}
 
+    def write(self, path):
+        """Copies the file, to another name first."""
+        path = os.fspath(path)
+        if os.path.exists(path) and os.path.samefile(self.path, path):
+            return
+        folder, name = os.path.split(path)
+        try:
+            with tempfile.NamedTemporaryFile(dir=folder or ".", prefix=f".{name}.", delete=False) as copy:
+                try:
+                    shutil.copyfile(self.path, copy.name)
+                    shutil.copymode(self.path, copy.name)
+                    os.replace(copy.name, path)
+                except OSError:
+                    os.unlink(copy.name)
+                    raise
+        except (OSError, ValueError) as failure:
+            raise errors.FileFailure(
+                f"cannot write the result '{path}': {getattr(failure, 'strerror', failure)}"
+            ) from None
+
     def close(self):
         self.file.close()
 
@@ -171,6 +197,14 @@ class FileTable:
     def length_scale(self):
         return self.group["length_scale"][()]
 
+    def clock(self, fixed, *values):
+        """Of every point, from that of the case and the values of up to three parameters."""
+        of, factor = int(self.group.attrs["clock_of"]), float(self.group.attrs["clock_factor"])
+        if of == 0:
+            return np.full(self.shape, fixed)
+        known = of <= len(values) and values[of - 1] is not None
+        return factor * values[of - 1] if known else np.full(self.shape, np.nan)
+
     def fields(self):
         return [self._field(_word(name)) for name in self.group.attrs["fields"]]
 
@@ -210,6 +244,6 @@ class FileTable:
         return self.group["attractor"][()], *(unknown if share is None else share for share in shares)
 
     def options(self):
-        axes = ("parameter", "second", "third", "row", "plane", "grid")
+        axes = ("parameter", "second", "third", "row", "plane", "grid", "clock_of", "clock_factor")
         about = axes + ("points", "analyses", "fields", "refine", "starts")
         return {name: _plain(value) for name, value in self.group.attrs.items() if name not in about}

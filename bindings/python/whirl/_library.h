@@ -92,6 +92,7 @@ const char *whirl_table_varied(const whirl_table *table);
 const char *whirl_table_stacked(const whirl_table *table);
 size_t whirl_table_points(const whirl_table *table);
 size_t whirl_table_places(const whirl_table *table);
+double whirl_table_clock(const whirl_result *result, const whirl_table *table, size_t point);
 size_t whirl_table_place(const whirl_table *table, size_t point);
 size_t whirl_table_row(const whirl_table *table);
 size_t whirl_table_grid(const whirl_table *table);

@@ -63,8 +63,23 @@ def check(status):
         raise _EXCEPTIONS.get(status.code, errors.Error)(text(status.message))
 
 
+def word_bytes(word):
+    """A text as the library takes it, which ends at the first NUL: none may be within."""
+    try:
+        data = word.encode()
+    except UnicodeEncodeError:
+        raise errors.BadInput(f"{word!r} is no text that UTF-8 could hold") from None
+    if b"\0" in data:
+        raise errors.BadInput(f"{word!r} has a NUL in it, which no text of the library may have")
+    return data
+
+
 def path_bytes(path):
-    return os.fsencode(os.fspath(path))
+    """The name of a file, likewise."""
+    data = os.fsencode(os.fspath(path))
+    if b"\0" in data:
+        raise errors.BadInput(f"the name of a file has a NUL in it: {path!r}")
+    return data
 
 
 check(lib.whirl_version_check(*_OLDEST))

@@ -3,7 +3,7 @@
 import numpy as np
 
 from . import errors
-from ._library import CONTACTS, FACTS, PARAMETERS, STATIONS, TABLES, check, ffi, lib, path_bytes, text
+from ._library import CONTACTS, FACTS, PARAMETERS, STATIONS, TABLES, check, ffi, lib, path_bytes, text, word_bytes
 from ._shown import Shown
 
 _STATION_NUMBERS = ("clearance", "gap", "position")
@@ -116,7 +116,7 @@ class MemorySource:
 
     def show_in(self, units):
         """Chooses these units, and tells them as :meth:`shown` does."""
-        check(lib.whirl_result_show_in(self.handle, units.encode()))
+        check(lib.whirl_result_show_in(self.handle, word_bytes(units)))
         return self.shown()
 
     def tables(self):
@@ -190,6 +190,10 @@ class MemoryTable:
     def length_scale(self):
         scales = (lib.whirl_result_length_scale(self.result, self.handle, i) for i in range(self._count))
         return self._pick(np.fromiter(scales, float, self._count))
+
+    def clock(self, _fixed, _values, _second, _third):
+        clocks = (lib.whirl_table_clock(self.result, self.handle, i) for i in range(self._count))
+        return self._pick(np.fromiter(clocks, float, self._count))
 
     def fields(self):
         return [self._field(i) for i in range(lib.whirl_table_field_count(self.handle))]

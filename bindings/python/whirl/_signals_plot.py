@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from .plot import REGIMES, _axes
+from ._kinds import REGIMES
+from ._marks import new_axes
 
 
 class Plots:
@@ -21,7 +22,7 @@ class Plots:
 
     def speed(self, ax=None, **style):
         """The speed between pulses over time: in rpm where time is in seconds."""
-        record, ax = self._record, _axes(ax)
+        record, ax = self._record, new_axes(ax)
         seconds = record.time_unit == "s"
         middles = 0.5 * (record.pulses[1:] + record.pulses[:-1])
         speed = record.speed * (30.0 / np.pi if seconds else 1.0)
@@ -32,7 +33,7 @@ class Plots:
 
     def orbit(self, revolutions=4, x=0, y=1, ax=None, **style):
         """The path of the last revolutions, with a mark at every pulse."""
-        record, ax = self._record, _axes(ax)
+        record, ax = self._record, new_axes(ax)
         path = record.displacements(x, y)
         inside = (record.time >= record.pulses[-1 - min(revolutions, len(record.speed))]) & (
             record.time <= record.pulses[-1]
@@ -51,14 +52,14 @@ class Plots:
 
     def section(self, phase=0.0, x=0, y=1, ax=None, **style):
         """The section of two probes: where the shaft is once a revolution."""
-        ax = _axes(ax)
+        ax = new_axes(ax)
         ax.plot(*self._marks(x, y, phase).T, **{"marker": ".", "ls": "none", "c": "k", **style})
         ax.set(xlabel=self._label("x"), ylabel=self._label("y"), aspect="equal")
         return ax
 
     def spectrum(self, channel=0, highest_order=10.0, ax=None, **style):
         """The order spectrum of a channel."""
-        record, ax = self._record, _axes(ax)
+        record, ax = self._record, new_axes(ax)
         index = record.channel(channel)
         spectrum = record.spectrum(highest_order)
         ax.plot(spectrum.orders, spectrum.amplitude[index], **{"color": "black", "linewidth": 0.8, **style})
@@ -69,7 +70,7 @@ class Plots:
 
     def full_spectrum(self, highest_order=5.0, x=0, y=1, ax=None, **style):
         """The full spectrum of two probes: forward whirl at orders above 0, backward whirl below."""
-        spectrum, ax = self._record.full_spectrum(highest_order, x, y), _axes(ax)
+        spectrum, ax = self._record.full_spectrum(highest_order, x, y), new_axes(ax)
         style = {"color": "black", "linewidth": 0.8, **style}
         ax.plot(spectrum.orders, spectrum.forward, **style)
         ax.plot(-spectrum.orders, spectrum.backward, **style)

@@ -4,8 +4,10 @@ import json
 import re
 from pathlib import Path
 
+import numpy as np
+
 from . import errors
-from ._library import BAD_INPUT, check, ffi, lib, path_bytes, text
+from ._library import BAD_INPUT, check, ffi, lib, path_bytes, text, word_bytes
 
 _PROBLEMS = 1 << 16
 _PLAIN = re.compile(r"[A-Za-z0-9_=][A-Za-z0-9_ .+*/()^=-]*\Z")
@@ -13,17 +15,17 @@ _PLAIN = re.compile(r"[A-Za-z0-9_=][A-Za-z0-9_ .+*/()^=-]*\Z")
 
 def _scalar(value):
     """A YAML scalar: plain where that is safe, else in the quotes of JSON, which YAML reads too."""
+    if isinstance(value, str):
+        plain = _PLAIN.match(value) and value == value.strip()
+        return value if plain else json.dumps(value, ensure_ascii=False)
+    if hasattr(value, "item"):  # a number or a truth of NumPy
+        value = value.item()
     if value is None:
         return "null"
     if isinstance(value, bool):
         return "yes" if value else "no"
-    if isinstance(value, str):
-        plain = _PLAIN.match(value) and value == value.strip()
-        return value if plain else json.dumps(value, ensure_ascii=False)
-    if hasattr(value, "item"):  # a NumPy number
-        value = value.item()
-    if isinstance(value, (int, float)):
-        return repr(value)
+    if isinstance(value, (int, float, np.floating)):  # long doubles of NumPy stay such
+        return repr(value if isinstance(value, int) else float(value))
     raise TypeError(f"{value!r} cannot stand in a case: expected a text, a number, a list or a dict")
 
 
@@ -31,7 +33,7 @@ def _flow(value):
     """A value on one line."""
     if isinstance(value, dict):
         return "{" + ", ".join(f"{_scalar(str(key))}: {_flow(item)}" for key, item in value.items()) + "}"
-    if isinstance(value, (list, tuple)) or type(value).__name__ == "ndarray":
+    if isinstance(value, (list, tuple, range)) or getattr(value, "ndim", 0) == 1:  # a list, an array, a Series
         return "[" + ", ".join(_flow(item) for item in value) + "]"
     return _scalar(value)
 
@@ -58,6 +60,13 @@ def _item(mapping):
     return _flow(mapping)
 
 
+def _encoded(text):
+    try:
+        return text.encode() if isinstance(text, str) else bytes(text)
+    except UnicodeEncodeError as failure:
+        raise errors.BadInput(f"the text of a case cannot be written as UTF-8: {failure.reason}") from None
+
+
 class Case:
     """A rotor, its parameters and a study, as a case file describes them.
 
@@ -78,7 +87,7 @@ class Case:
     Examples
     --------
     >>> case = whirl.Case("paper.yaml")
-    >>> case.set("r_k", 0.5)
+    >>> case.set("omega", "600 rad/s")
     >>> result = whirl.run(case)
     """
 
@@ -86,14 +95,22 @@ class Case:
         if (source is None) == (text is None):
             raise TypeError("Case() takes a file, a dict, or text=..., one of them")
         if isinstance(source, dict):
-            text, name = _block({"whirl": 1, **source}) + "\n", name or "case.yaml"
+            source = {key: value for key, value in source.items() if value is not None}
+            try:
+                text, name = _block({"whirl": 1, **source}) + "\n", name or "case.yaml"
+            except RecursionError:
+                raise errors.BadInput("the dict of a case holds itself") from None
         elif source is not None:
             name = name or str(source)
             try:
                 text = Path(source).read_bytes()
             except OSError as failure:
                 raise errors.BadInput(f"cannot read the case {name}: {failure.strerror}") from None
-        self._handle = self._check(text.encode() if isinstance(text, str) else bytes(text), name or "case.yaml")
+            except ValueError as failure:  # a NUL in the name
+                raise errors.BadInput(f"cannot read the case {name!r}: {failure}") from None
+        if not isinstance(text, (str, bytes, bytearray)):
+            raise TypeError(f"the text of a case is {text!r}, expected a str")
+        self._handle = self._check(_encoded(text), name or "case.yaml")
         self.name = name or "case.yaml"
 
     @staticmethod
@@ -138,9 +155,8 @@ class Case:
         BadInput
             The case is then as it was.
         """
-        check(
-            lib.whirl_case_set(self._handle, f"{name}={value if isinstance(value, str) else _scalar(value)}".encode())
-        )
+        value = value if isinstance(value, str) else _scalar(value)
+        check(lib.whirl_case_set(self._handle, word_bytes(f"{name}={value}")))
         return self
 
     def spend(self, revolutions=0.0, seconds=0.0):
@@ -162,5 +178,18 @@ class Case:
         """Another case of the same text."""
         return Case(text=self.text, name=self.name)
 
+    __copy__ = copy
+
+    def __deepcopy__(self, _memo):
+        return self.copy()
+
+    def __reduce__(self):
+        return _case_of, (self.text, self.name)
+
     def __repr__(self):
         return f"<whirl.Case {self.name!r}: {self.title}>"
+
+
+def _case_of(text, name):
+    """What pickle makes a case of."""
+    return Case(text=text, name=name)

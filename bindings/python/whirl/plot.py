@@ -5,11 +5,23 @@ Matplotlib. Lengths, amplitudes and parameters are in the units of reports: thos
 :meth:`whirl.Result.show_in`.
 """
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
 import numpy as np
 
-from ._kinds import ATTRACTORS, REGIMES, attractor_colour, classes, kinds_of, points_once  # noqa: F401 (public here)
+from ._kinds import ATTRACTORS, REGIMES, attractor_colour, classes, kinds_of, points_once
+from ._marks import broken, keep_span, label_values, legend, mark_size, new_axes, runs
 from ._planes import axis_of, cover_of, spread
 from .errors import BadInput
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from .result import Result
+
+__all__ = ["ATTRACTORS", "REGIMES", "Plots", "attractor_colour", "classes"]
 
 _SPECIAL = {
     1: ("fold", "s"),
@@ -19,46 +31,43 @@ _SPECIAL = {
     5: ("Hopf", "v"),
     6: ("grazing", "x"),
 }
-
-
-def _axes(ax):
-    if ax is not None:
-        return ax
-    import matplotlib.pyplot as plt
-
-    return plt.subplots(figsize=(7.0, 4.2), layout="constrained")[1]
-
-
-def _degrees():
-    from matplotlib.ticker import MaxNLocator
-
-    return MaxNLocator(steps=[1, 1.5, 3, 4.5, 9, 10])
+_ADVICE = {
+    "trace/high": "'study: {branch: ...}' in a case follows branches",
+    "trace/second": "'study: {branch: {..., curves: {...}}}' in a case follows them",
+    "modes/frequency": "add modes to what the case analyses",
+    "unbalance/amplitude": "add unbalance to what the case analyses",
+}
+_DIRECTIONS = (("forward", "#0072B2", "^"), ("backward", "#D55E00", "v"), ("neither", "#606060", "o"))
 
 
 class Plots:
     """Figures of a result: ``result.plot.bifurcation()``."""
 
-    def __init__(self, result):
+    def __init__(self, result: Result):
         self._result = result
 
     # ---------------------------------------------------------------- what is drawn, and its units
 
-    def _table(self, table, needs, analysis, every=False):
+    def _table(self, table, needs, every=False):
         """The table of that name, or the first that has a field."""
-        tables = self._result.tables
+        advice = _ADVICE.get(needs, f"add {needs.split('/')[0]} to what the case analyses")
         if table is not None:
             chosen = self._result[table]
             if needs not in chosen:
-                raise BadInput(f"the table '{table}' has no '{needs}': add {analysis} to what the case analyses")
+                raise BadInput(f"the table '{table}' has no '{needs}': {advice}")
             return chosen
-        for candidate in tables.values():
+        for candidate in self._result.tables.values():
             if needs in candidate and (every or candidate.name != "detail"):
                 return candidate
-        raise BadInput(f"no table of the result has '{needs}': add {analysis} to what the case analyses")
+        raise BadInput(f"no table of the result has '{needs}': {advice}")
 
     def _lengths(self, table):
         """What lengths of every point of the table are multiplied by."""
         return self._result._shown.lengths(table, self._result.length_scale)
+
+    def _amplitudes(self, table):
+        """What amplitudes of every point of the table are multiplied by."""
+        return self._lengths(table) * self._result._shown.amplitude
 
     def _parameter(self, table, second=False):
         """Values of the parameter in its unit, and a label."""
@@ -72,10 +81,6 @@ class Plots:
     def _amplitude(self, station):
         return self._result._shown.amplitude_label(f"amplitude of {station}")
 
-    def _amplitudes(self, table):
-        """What amplitudes of every point of the table are multiplied by."""
-        return self._lengths(table) * self._result._shown.amplitude
-
     def _station(self, table, station):
         """Its index and its name; the first one where none is named."""
         index = table.station(station if station is not None else 0)
@@ -83,9 +88,16 @@ class Plots:
 
     # ---------------------------------------------------------------- along a parameter
 
-    def bifurcation(self, table=None, station=None, coordinate="x", ax=None, **style):
+    def bifurcation(
+        self,
+        table: str | None = None,
+        station: str | int | None = None,
+        coordinate: str = "x",
+        ax: Axes | None = None,
+        **style,
+    ) -> Axes:
         """Sections over the parameter, a point a revolution, in the colours of their regimes; where points have several
-        starts, every attractor once, in a colour of its own.
+        starts, every attractor once, in a colour of its own. Points that were carried down have crosses.
 
         Parameters
         ----------
@@ -100,39 +112,37 @@ class Plots:
         style
             For ``Axes.plot``.
         """
-        table, ax = self._table(table, "poincare/section", "poincare"), _axes(ax)
+        table = self._table(table, "poincare/section")
         index, name = self._station(table, station)
         factors = self._lengths(table)
-        section = _flat(table, "poincare/section")
-        sizes = section[:, index, :, {"x": 0, "y": 1}[coordinate]] * factors[:, None]
+        sizes = _flat(table, "poincare/section")[:, index, :, _axis(coordinate)] * factors[:, None]
         values, label = self._parameter(table)
         places = np.broadcast_to(values.ravel()[:, None], sizes.shape)
-        style = {
-            "marker": ".",
-            "markersize": 1.2,
-            "markeredgewidth": 0,
-            "linestyle": "none",
-            "rasterized": True,
-            **style,
-        }
-        chosen = points_once(table)
-        kinds = kinds_of(table)
+        chosen, kinds, ax = points_once(table), kinds_of(table), new_axes(ax)
+        size = mark_size(len(chosen) * sizes.shape[1])
+        look = {"marker": ".", "markersize": size, "markeredgewidth": 0, "linestyle": "none", "rasterized": True}
         if kinds is None or "color" in style:
-            ax.plot(places[chosen].ravel(), sizes[chosen].ravel(), **{"color": "black", **style})
+            ax.plot(places[chosen].ravel(), sizes[chosen].ravel(), **{"color": "black", **look, **style})
         else:
             for kind, colour, title in kinds.shown:
                 of = chosen[kinds.of[chosen] == kind]
-                ax.plot(places[of].ravel(), sizes[of].ravel(), **{"color": colour, "label": title, **style})
-            ax.legend(loc="best", frameon=False, fontsize="small", title=kinds.title, **_large_markers())
+                down = table.branch.ravel()[of] < 0 if not table.has_attractors else np.zeros(len(of), bool)
+                for own, what, mark in ((of[~down], title, "."), (of[down], f"{title}, carried down", "x")):
+                    if len(own):
+                        more = {"color": colour, "label": what, **look, "marker": mark}
+                        more.update({"markeredgewidth": 0.4, "markersize": 1.5 * size} if mark == "x" else {})
+                        ax.plot(places[own].ravel(), sizes[own].ravel(), **{**more, **style})
+            legend(ax, title=kinds.title)
+        keep_span(ax, sizes)
         ax.set(xlabel=label, ylabel=self._displacement(f"{coordinate} of {name}"))
         return ax
 
-    def shares(self, table=None, ax=None, **style):
+    def shares(self, table: str | None = None, ax: Axes | None = None, **style) -> Axes:
         """Of several starts a point, the share that leads to each attractor, with its standard error; open circles where
         it is 0: an attractor that was found from a neighbour alone."""
-        table, ax = self._starts(table), _axes(ax)
+        table = self._starts(table)
         values, label = self._parameter(table)
-        at, number = points_once(table), table.attractors.ravel()
+        at, number, ax = points_once(table), table.attractors.ravel(), new_axes(ax)
         share, error = 100.0 * table.shares.ravel(), 100.0 * table.share_errors.ravel()
         for kind in np.unique(number[at]):
             of = at[(number[at] == kind) & np.isfinite(share[at])]
@@ -143,7 +153,7 @@ class Plots:
             ax.errorbar(values.ravel()[held], share[held], error[held], label=str(kind), elinewidth=0.6, **own)
             ax.plot(values.ravel()[found], share[found], **{**own, "markerfacecolor": "none"})
         ax.set(xlabel=label, ylabel="share of the starts (%)")
-        ax.legend(loc="best", frameon=False, fontsize="small", title="attractor")
+        legend(ax, title="attractor")
         return ax
 
     def _starts(self, table):
@@ -156,37 +166,69 @@ class Plots:
             "no points have several starts: 'study: {starts: {count: ..., within: ...}}' in a case gives them"
         )
 
-    def lyapunov(self, table=None, ax=None, **style):
-        """The largest Lyapunov exponent over the parameter, with its error as a band."""
-        table, ax = self._table(table, "lyapunov/largest", "lyapunov"), _axes(ax)
+    def lyapunov(self, table: str | None = None, ax: Axes | None = None, **style) -> Axes:
+        """The largest Lyapunov exponent over the parameter with its standard error, in the colours of the regimes."""
+        table = self._table(table, "lyapunov/largest")
         values, label = self._parameter(table)
-        order = np.argsort(values.ravel(), kind="stable")
-        at, size = values.ravel()[order], table["lyapunov/largest"].ravel()[order]
-        error = table["lyapunov/error"].ravel()[order]
-        (line,) = ax.plot(at, size, **{"color": "black", "linewidth": 0.8, **style})
-        ax.fill_between(at, size - error, size + error, color=line.get_color(), alpha=0.2, linewidth=0)
+        size, error = table["lyapunov/largest"].ravel(), table["lyapunov/error"].ravel()
+        chosen, kinds, ax = points_once(table), kinds_of(table), new_axes(ax)
+        look = {"linestyle": "none", "marker": ".", "markersize": mark_size(len(chosen)), "elinewidth": 0.5}
+        plain = kinds is None or "color" in style
+        for kind, colour, title in [(None, "black", None)] if plain else kinds.shown:
+            of = chosen if plain else chosen[kinds.of[chosen] == kind]
+            own = {"color": colour, "label": title, **look, **style}
+            ax.errorbar(values.ravel()[of], size[of], error[of], **own)
+        if not plain:
+            legend(ax, title=kinds.title)
         ax.axhline(0.0, color="0.6", linewidth=0.6, zorder=0)
         ax.set(xlabel=label, ylabel="largest exponent (1/revolution)")
         return ax
 
-    def branches(self, table="branch", station=None, coordinate="x", ax=None, **style):
-        """Branches of orbits: the largest displacement, stable solid, unstable dashed, special points by their kinds."""
-        table, ax = self._table(table, "trace/high", "branch"), _axes(ax)
+    # ---------------------------------------------------------------- branches
+
+    def branches(
+        self,
+        table: str | None = None,
+        station: str | int | None = None,
+        coordinate: str = "x",
+        ax: Axes | None = None,
+        **style,
+    ) -> Axes:
+        """Branches of orbits: the largest displacement, stable solid, unstable dashed, special points by their kinds.
+
+        Tori that begin along them are broad green lines.
+        """
+        table = self._table(table, "trace/high")
         index, name = self._station(table, station)
-        factors = self._lengths(table)
+        axis = _axis(coordinate)
         values, label = self._parameter(table)
-        highs = table["trace/high"][:, index, {"x": 0, "y": 1}[coordinate]] * factors
-        number, stable = table["trace/number"], table["trace/unstable"] == 0
-        colours = [f"C{i % 10}" for i in range(int(number.max()))] if len(number) else []
-        for branch in np.unique(number).astype(int):
+        highs = table["trace/high"][:, index, axis] * self._lengths(table)
+        number, stable, ax = table["trace/number"].astype(int), table["trace/unstable"] == 0, new_axes(ax)
+        for branch in np.unique(number):
             own = np.flatnonzero(number == branch)
-            for first, last in _runs(stable[own]):
+            for first, last in runs(stable[own]):
                 piece = own[first : last + 2]  # up to the point where stability has changed
                 line = "-" if stable[own[first]] else "--"
-                ax.plot(values[piece], highs[piece], **{"linestyle": line, "color": colours[branch - 1], **style})
+                look = {"linestyle": line, "color": f"C{(branch - 1) % 10}", **style}
+                ax.plot(values[piece], highs[piece], **look)
+        self._tori(ax, index, axis)
         self._special(ax, table, values, highs)
         ax.set(xlabel=label, ylabel=self._displacement(f"largest {coordinate} of {name}"))
         return ax
+
+    def _tori(self, ax, index, axis):
+        """The largest displacement on tori, solid where they are stable."""
+        tori = self._result.tables.get("tori")
+        if tori is None or "torus/high" not in tori:
+            return
+        values, highs = self._parameter(tori)[0], tori["torus/high"][:, index, axis] * self._lengths(tori)
+        number, unstable = tori["torus/number"].astype(int), tori["torus/unstable"] > 0
+        for torus in np.unique(number):
+            own = np.flatnonzero(number == torus)
+            own = own[np.argsort(values[own], kind="stable")]
+            look = {"color": "#009E73", "linewidth": 2.5, "alpha": 0.6, "marker": "." if len(own) == 1 else ""}
+            title = "torus" if torus == number.min() else None
+            ax.plot(values[own], highs[own], "--" if unstable[own].any() else "-", label=title, **look)
 
     @staticmethod
     def _special(ax, table, values, highs):
@@ -194,16 +236,31 @@ class Plots:
         special = table["trace/special"]
         for kind, (title, marker) in _SPECIAL.items():
             chosen = np.flatnonzero(special == kind)
-            if len(chosen) == 0:
-                continue
-            look = {"color": "black"} if marker == "x" else {"facecolor": "white", "edgecolor": "black"}
-            ax.scatter(values[chosen], highs[chosen], marker=marker, s=28, zorder=3, label=title, **look)
-            for point in chosen:
-                place = (values[point], highs[point])
-                text = f"{values[point]:.6g}"
-                ax.annotate(text, place, xytext=(4, 4), textcoords="offset points", fontsize="x-small")
-        if (special > 0).any():
-            ax.legend(loc="best", frameon=False, fontsize="small")
+            if len(chosen):
+                look = {"color": "black"} if marker == "x" else {"facecolor": "white", "edgecolor": "black"}
+                ax.scatter(values[chosen], highs[chosen], marker=marker, s=28, zorder=3, label=title, **look)
+        chosen = np.flatnonzero(special > 0)
+        label_values(ax, values[chosen], highs[chosen], [f"{value:.6g}" for value in values[chosen]])
+        if len(chosen):
+            legend(ax)
+
+    def curves(self, ax: Axes | None = None, **style) -> Axes:
+        """Curves of special points over two parameters, by their kinds."""
+        if "curves" not in self._result.tables:
+            raise BadInput(f"the result has no curves: {_ADVICE['trace/second']}")
+        table = self._result["curves"]
+        (x, xlabel), (y, ylabel) = self._parameter(table), self._parameter(table, second=True)
+        number, special, ax = table["trace/number"].astype(int), table["trace/special"], new_axes(ax)
+        kinds = {}
+        for curve in np.unique(number):
+            own = np.flatnonzero(number == curve)
+            kind = int(special[own][special[own] > 0][0]) if (special[own] > 0).any() else 0
+            title, _ = _SPECIAL.get(kind, ("other", ""))
+            look = {"color": f"C{kind % 10}", "linewidth": 1.0, "label": None if kind in kinds else title, **style}
+            kinds[kind] = ax.plot(x[own], y[own], **look)
+        ax.set(xlabel=xlabel, ylabel=ylabel)
+        legend(ax)
+        return ax
 
     # ---------------------------------------------------------------- machines at rest
 
@@ -214,33 +271,30 @@ class Plots:
             return "Hz", 2.0 * np.pi
         return self._result._shown.unit(table.parameter) or "rad/s", self._result._shown.size(table.parameter)
 
-    def campbell(self, table=None, ax=None, **style):
+    def campbell(self, table: str | None = None, ax: Axes | None = None, **style) -> Axes:
         """Natural frequencies over the parameter, in the unit of the speed, or in Hz: forward blue, backward vermilion.
 
         Critical speeds (circles) and thresholds of stability (crosses) have their values beside them; the dashed line
         is once a revolution.
         """
-        table, ax = self._table(table, "modes/frequency", "modes"), _axes(ax)
+        table = self._table(table, "modes/frequency")
         values, label = self._parameter(table)
         unit, size = self._frequency(table)
-        frequency, direction = table["modes/frequency"] / size, table["modes/direction"]
+        frequency, direction, ax = table["modes/frequency"] / size, table["modes/direction"], new_axes(ax)
         places = np.broadcast_to(values[:, None], frequency.shape)
-        for title, colour, marker, of in (
-            ("forward", "#0072B2", "^", direction > 0.05),
-            ("backward", "#D55E00", "v", direction < -0.05),
-            ("neither", "#606060", "o", np.abs(direction) <= 0.05),
-        ):
-            of = of & np.isfinite(frequency)
+        sides = direction > 0.05, direction < -0.05, np.abs(direction) <= 0.05
+        for (title, colour, marker), side in zip(_DIRECTIONS, sides):
+            of = side & np.isfinite(frequency)
             if of.any():
                 own = {"linestyle": "none", "marker": marker, "markersize": 3, "color": colour, "label": title, **style}
                 ax.plot(places[of], frequency[of], **own)
         ax.plot(values, table["modes/speed"] / size, color="0.6", linewidth=0.8, linestyle="--", label="1X", zorder=0)
-        self._critical(ax, table, size)
-        ax.set(xlabel=label, ylabel=f"damped frequency ({unit})")
         # Modes far above all speeds would press the others together.
         once = 2.0 * np.nanmax(table["modes/speed"]) / size
         ax.set_ylim(0.0, min(ax.get_ylim()[1], once) if once > 0.0 else None)
-        ax.legend(loc="best", frameon=False, fontsize="small")
+        self._critical(ax, table, size)
+        ax.set(xlabel=label, ylabel=f"damped frequency ({unit})")
+        legend(ax)
         return ax
 
     def _critical(self, ax, table, size):
@@ -248,122 +302,148 @@ class Plots:
         own = self._result._shown.size(table.parameter)
         rows = table["modes/critical"].reshape(-1, 6)
         rows = rows[np.isfinite(rows[:, 1]) & (rows[:, 0] > 0)]
-        for title, marker, chosen in (("critical speed", "o", rows[:, 0] == 1), ("threshold", "x", rows[:, 0] > 1)):
-            at, height = rows[chosen, 1] / own, rows[chosen, 3] / size
-            if len(at) == 0:
-                continue
-            look = {"facecolor": "none", "edgecolor": "black"} if marker == "o" else {"color": "#CC0000"}
-            ax.scatter(at, height, marker=marker, s=36, zorder=3, label=title, **look)
-            for place in zip(at, height):
-                text = f"{place[0]:.5g}"
-                ax.annotate(text, place, xytext=(5, -8), textcoords="offset points", fontsize="x-small")
+        at, height = rows[:, 1] / own, rows[:, 3] / size
+        for title, marker, of in (("critical speed", "o", rows[:, 0] == 1), ("threshold", "x", rows[:, 0] > 1)):
+            if of.any():
+                look = {"facecolor": "none", "edgecolor": "black"} if marker == "o" else {"color": "#CC0000"}
+                ax.scatter(at[of], height[of], marker=marker, s=36, zorder=3, label=title, **look)
+        label_values(ax, at, height, [f"{value:.5g}" for value in at], offset=(5, -8))
 
-    def bode(self, table=None, station=None, ax=None, **style):
+    def bode(
+        self, table: str | None = None, station: str | int | None = None, ax: tuple[Axes, Axes] | None = None, **style
+    ) -> tuple[Axes, Axes]:
         """The response to unbalance: amplitude along x and y over the parameter, and its lag below.
 
         ``ax`` is a pair of axes; the pair is returned.
         """
-        table = self._table(table, "unbalance/amplitude", "unbalance")
+        table = self._table(table, "unbalance/amplitude")
+        index, name = self._station(table, station)
+        factors = self._amplitudes(table)
+        values, label = self._parameter(table)
         if ax is None:
             import matplotlib.pyplot as plt
 
             ax = plt.subplots(2, sharex=True, figsize=(7.0, 5.6), layout="constrained")[1]
         above, below = ax
-        index, name = self._station(table, station)
-        factors = self._amplitudes(table)
-        values, label = self._parameter(table)
         for axis, colour in enumerate(("#0072B2", "#D55E00")):
             own = {"color": colour, "linewidth": 1.0, "label": "xy"[axis], **style}
             above.plot(values, table["unbalance/amplitude"][:, index, axis] * factors, **own)
-            below.plot(values, table["unbalance/lag"][:, index, axis], **own)
+            lag, jumps = broken(table["unbalance/lag"][:, index, axis])
+            below.plot(np.insert(values, jumps, np.nan), lag, **own)
         above.set(ylabel=self._amplitude(name))
         above.set_ylim(bottom=0.0)
-        above.legend(loc="best", frameon=False, fontsize="small")
+        legend(above)
         below.set(xlabel=label, ylabel="lag (degrees)")
         below.yaxis.set_major_locator(_degrees())
         return above, below
 
     # ---------------------------------------------------------------- one point
 
-    def poincare(self, point, table=None, station=None, ax=None, **style):
+    def poincare(
+        self,
+        point: int | float,
+        table: str | None = None,
+        station: str | int | None = None,
+        ax: Axes | None = None,
+        **style,
+    ) -> Axes:
         """The section of a point: where the station is once a revolution.
 
         ``point`` is an index, or the value of the parameter in SI, of which the nearest point is taken.
         """
-        table, ax = self._table(table, "poincare/section", "poincare"), _axes(ax)
-        index, name = self._station(table, station)
-        at = _index(table, point)
-        factors = self._lengths(table)
-        section = _flat(table, "poincare/section")[at, index]
-        ax.plot(
-            section[:, 0] * factors[at], section[:, 1] * factors[at], **{"marker": ".", "ls": "none", "c": "k", **style}
-        )
-        ax.set(xlabel=self._displacement(f"x of {name}"), ylabel=self._displacement(f"y of {name}"), aspect="equal")
-        ax.set_title(self._title(table, at), fontsize="medium")
-        return ax
+        table = self._table(table, "poincare/section")
+        index, at = self._station(table, station)[0], _index(table, point)
+        section = _flat(table, "poincare/section")[at, index] * self._lengths(table)[at]
+        ax = new_axes(ax)
+        ax.plot(section[:, 0], section[:, 1], **{"marker": ".", "ls": "none", "c": "k", **style})
+        return self._plane_of_motion(ax, table, index, at)
 
-    def orbit(self, point, table=None, station=None, ax=None, **style):
+    def orbit(
+        self,
+        point: int | float,
+        table: str | None = None,
+        station: str | int | None = None,
+        ax: Axes | None = None,
+        **style,
+    ) -> Axes:
         """The path of a station at a point, with a mark at every revolution where sections were taken."""
-        table, ax = self._table(table, "waveform/samples", "waveform", every=True), _axes(ax)
-        index, name = self._station(table, station)
-        at = _index(table, point)
-        factors = self._lengths(table)
-        path = _flat(table, "waveform/samples")[at, index] * factors[at]
+        table = self._table(table, "waveform/samples", every=True)
+        index, at = self._station(table, station)[0], _index(table, point)
+        factor = self._lengths(table)[at]
+        path, ax = _flat(table, "waveform/samples")[at, index] * factor, new_axes(ax)
         ax.plot(path[:, 0], path[:, 1], **{"color": "black", "linewidth": 0.8, **style})
         if "poincare/section" in table:
             revolutions = max(1, len(path) // int(table.options["samples_per_revolution"]))
-            marks = _flat(table, "poincare/section")[at, index, -revolutions:, :2] * factors[at]
-            ax.plot(
-                marks[:, 0], marks[:, 1], linestyle="none", marker="o", markersize=3, color=REGIMES["quasi-periodic"]
-            )
-        ax.set(xlabel=self._displacement(f"x of {name}"), ylabel=self._displacement(f"y of {name}"), aspect="equal")
+            marks = _flat(table, "poincare/section")[at, index, -revolutions:, :2] * factor
+            look = {"linestyle": "none", "marker": "o", "markersize": 3, "color": REGIMES["quasi-periodic"]}
+            ax.plot(marks[:, 0], marks[:, 1], **look)
+        return self._plane_of_motion(ax, table, index, at)
+
+    def _plane_of_motion(self, ax, table, index, at):
+        """Labels of the plane in which a station moves."""
+        x, y = (self._displacement(f"{axis} of {self._result.stations[index].name}") for axis in "xy")
+        ax.set(xlabel=x, ylabel=y, aspect="equal")
         ax.set_title(self._title(table, at), fontsize="medium")
         return ax
 
-    def spectrum(self, point, table=None, station=None, full=True, ax=None, **style):
+    def spectrum(
+        self,
+        point: int | float,
+        table: str | None = None,
+        station: str | int | None = None,
+        full: bool = True,
+        ax: Axes | None = None,
+        **style,
+    ) -> Axes:
         """The lines of a point's spectrum over the order: forward and backward whirl, or x alone (``full=False``)."""
-        table, ax = self._table(table, "spectrum/lines", "spectrum"), _axes(ax)
+        table = self._table(table, "spectrum/lines")
         index, name = self._station(table, station)
-        at = _index(table, point)
-        factors = self._amplitudes(table)
+        at, ax = _index(table, point), new_axes(ax)
         lines = _flat(table, "spectrum/lines")[at, index]
         lines = lines[np.isfinite(lines[:, 0])]
-        order, amplitudes = lines[:, 0], lines[:, 1:] * factors[at]
+        order, (x, _, forward, backward) = lines[:, 0], lines[:, 1:].T * self._amplitudes(table)[at]
         style = {"color": "black", "linewidth": 1.2, **style}
         if full:
-            ax.vlines(order, 0.0, amplitudes[:, 2], **style)
-            ax.vlines(-order, 0.0, amplitudes[:, 3], **style)
+            ax.vlines(order, 0.0, forward, **style)
+            ax.vlines(-order, 0.0, backward, **style)
             ax.axvline(0.0, color="0.6", linewidth=0.6, zorder=0)
         else:
-            ax.vlines(order, 0.0, amplitudes[:, 0], **style)
+            ax.vlines(order, 0.0, x, **style)
         ax.set(xlabel="order, backward below 0" if full else "order", ylabel=self._amplitude(name))
         ax.set_ylim(bottom=0.0)
         ax.set_title(self._title(table, at), fontsize="medium")
         return ax
 
-    def waterfall(self, table=None, station=None, full=True, highest_order=None, ax=None, **style):
+    def waterfall(
+        self,
+        table: str | None = None,
+        station: str | int | None = None,
+        full: bool = True,
+        highest_order: float | None = None,
+        ax: Axes | None = None,
+        **style,
+    ) -> Axes:
         """The lines of all spectra over order and parameter: the darker, the larger, to a thousandth of the largest."""
-        table, ax = self._table(table, "spectrum/lines", "spectrum"), _axes(ax)
+        table = self._table(table, "spectrum/lines")
         index, name = self._station(table, station)
-        factors = self._amplitudes(table)
         values, label = self._parameter(table)
-        lines = _flat(table, "spectrum/lines")[:, index]
-        order = lines[:, :, 0]
-        sides = ((order, lines[:, :, 3]), (-order, lines[:, :, 4])) if full else ((order, lines[:, :, 1]),)
+        order, x, _, forward, backward = np.moveaxis(_flat(table, "spectrum/lines")[:, index], -1, 0)
+        sides = ((order, forward), (-order, backward)) if full else ((order, x),)
         places = np.broadcast_to(values.ravel()[:, None], order.shape)
         at = np.concatenate([side[0].ravel() for side in sides])
         height = np.concatenate([places.ravel()] * len(sides))
-        size = np.concatenate([(side[1] * factors[:, None]).ravel() for side in sides])
-        keep = np.isfinite(at) & (size > 1e-3 * np.nanmax(size))
+        size = np.concatenate([(side[1] * self._amplitudes(table)[:, None]).ravel() for side in sides])
+        keep = np.isfinite(at) & (size > 0.0)
+        keep &= size > 1e-3 * np.max(size[keep], initial=0.0)
         if highest_order is not None:
             keep &= np.abs(at) <= highest_order
-        first = np.argsort(size[keep], kind="stable")  # the largest above all others
-        drawn = ax.scatter(
-            at[keep][first],
-            height[keep][first],
-            c=size[keep][first],
-            **{"s": 6, "norm": "log", "cmap": "viridis_r", "linewidths": 0, "rasterized": True, **style},
-        )
+        first, ax = np.argsort(size[keep], kind="stable"), new_axes(ax)  # the largest above all others
+        at, height, size = (each[keep][first] for each in (at, height, size))
+        flat = size.size == 0 or size[0] > 0.999 * size[-1]  # a scale of equal numbers would have equal labels
+        look = {"s": 6, "norm": "linear" if flat else "log", "cmap": "viridis_r", "linewidths": 0, "rasterized": True}
+        if flat:
+            look.update(vmin=0.0, vmax=1.1 * np.max(size, initial=1e-300))
+        drawn = ax.scatter(at, height, c=size, **{**look, **style})
         ax.figure.colorbar(drawn, ax=ax, label=self._amplitude(name))
         ax.set(xlabel="order, backward below 0" if full else "order", ylabel=label)
         return ax
@@ -376,7 +456,16 @@ class Plots:
 
     # ---------------------------------------------------------------- planes
 
-    def map(self, field=None, table=None, which=0, plane=0, ax=None, **style):
+    def map(
+        self,
+        field: str | None = None,
+        table: str | None = None,
+        which: int | str = 0,
+        column: int | str = 0,
+        plane: int = 0,
+        ax: Axes | None = None,
+        **style,
+    ) -> Axes:
         """Regimes over two parameters, paler where confidence is low; or a field's numbers. Of a basin the attractors
         that its starts lead to. Where points have several starts, what most of them lead to.
 
@@ -388,6 +477,8 @@ class Plots:
             "map" or "basin"; the first that has two parameters.
         which : int or str
             Station or contact of the field.
+        column : int or str
+            Of a field with several columns: "y" of "orbit/mean".
         plane : int
             Of a map over three parameters, from 0 in the order of the third one's values.
         """
@@ -397,13 +488,15 @@ class Plots:
         kinds = kinds_of(table, attractors=table.name == "basin") if field is None else None
         if kinds is None and field is None:
             raise BadInput(f"the table '{table.name}' has no verdicts: add regime to what the case analyses")
-        ax, cover = _axes(ax), cover_of(table, plane)
+        numbers, name = (None, None) if field is None else self._numbers(table, field, which, column)
+        cover = cover_of(table, plane)
+        if not (cover >= 0).any():
+            raise BadInput(f"the table '{table.name}' has no point that is done")
         (x, xlabel), (y, ylabel) = self._parameter(table), self._parameter(table, second=True)
-        x, y = axis_of(x, cover, 0), axis_of(y, cover, 1)
+        x, y, ax = axis_of(x, cover, 0), axis_of(y, cover, 1), new_axes(ax)
         if field is None:
             self._regimes(ax, x, y, kinds, cover, style)
         else:
-            numbers, name = self._numbers(table, field, which)
             mesh = ax.pcolormesh(x, y, spread(numbers, cover), **{"rasterized": True, "shading": "nearest", **style})
             ax.figure.colorbar(mesh, ax=ax, label=name)
         ax.set(xlabel=xlabel, ylabel=ylabel)
@@ -413,25 +506,30 @@ class Plots:
         return ax
 
     def _plane(self, table):
-        if table is not None:
-            return self._result[table]
-        for candidate in self._result.tables.values():
+        for candidate in self._result.tables.values() if table is None else [self._result[table]]:
             if candidate.name in ("map", "basin"):
                 return candidate
         raise BadInput("the result has no map: 'study: {map: {x: ..., y: ...}}' in a case computes one")
 
-    def _numbers(self, table, field, which):
-        about, numbers = table.fields.get(field), table[field]
+    def _numbers(self, table, field, which, column):
+        """A number of every point, in the unit that is shown, and what it is called."""
+        about, numbers = table._field(field), table[field]
+        if about.rows != 1:
+            raise BadInput(f"'{field}' has {about.rows} rows at every point, expected a field with one")
+        owner, name = 0, ""
         if about.extent == "station":
-            index, name = self._station(table, which)
-        else:
-            index = self._result.contacts.index(which) if isinstance(which, str) else which
-            name = self._result.contacts[index] if about.extent == "contact" else ""
-        numbers = numbers.reshape(int(np.prod(table.shape)), -1)[:, index if about.extent != "point" else 0]
-        title = about.meaning.split(" (")[0] + (f" of {name}" if name else "")
-        if about.unit == "length":
+            owner, name = self._station(table, which)
+        elif about.extent == "contact":
+            owner = _chosen(which, self._result.contacts, "contact")
+            name = self._result.contacts[owner]
+        columns = about.column_names or [str(i) for i in range(about.columns)]
+        column = _chosen(column, columns, f"column of '{field}'")
+        numbers = numbers.reshape(int(np.prod(table.shape)), about.repeat, about.columns)[:, owner, column]
+        what = columns[column] if about.columns > 1 else about.meaning.split(" (")[0]
+        title = " ".join([what, *(["of", name] if name else [])])
+        if about.unit == "length" and what != "order":
             return numbers * self._lengths(table), self._displacement(title)
-        return numbers, title if about.unit == "1" else f"{title} ({about.unit})"
+        return numbers, title if about.unit in ("1", "length") else f"{title} ({about.unit})"
 
     @staticmethod
     def _regimes(ax, x, y, kinds, cover, style):
@@ -452,40 +550,38 @@ class Plots:
         ax.legend(handles=shown, title=kinds.title, **look)
 
 
-def _large_markers():
-    """Pixels of a diagram are too small for a legend."""
-    from matplotlib.legend_handler import HandlerLine2D
+def _axis(coordinate):
+    if coordinate not in ("x", "y"):
+        raise BadInput(f"the coordinate is {coordinate!r}, expected 'x' or 'y'")
+    return "xy".index(coordinate)
 
-    class Larger(HandlerLine2D):
-        def create_artists(self, *arguments):
-            artists = super().create_artists(*arguments)
-            for artist in artists:
-                artist.set_marker("o")
-                artist.set_markersize(4)
-            return artists
 
-    from matplotlib.lines import Line2D
+def _chosen(which, names, what):
+    """The index of a name, or an index that there is."""
+    if isinstance(which, str) and which in names:
+        return names.index(which)
+    if isinstance(which, (int, np.integer)) and 0 <= which < len(names):
+        return int(which)
+    raise BadInput(f"there is no {what} {which!r}, expected one of: {', '.join(names) or 'none'}")
 
-    return {"handler_map": {Line2D: Larger(numpoints=1)}}
+
+def _degrees():
+    from matplotlib.ticker import MaxNLocator
+
+    return MaxNLocator(steps=[1, 1.5, 3, 4.5, 9, 10])
 
 
 def _index(table, point):
     """The index of a point; a float is a value of the parameter in SI."""
-    at = table.at(point) if isinstance(point, (float, np.floating)) else int(point)
-    if not 0 <= at < int(np.prod(table.shape)):
-        raise BadInput(f"the table '{table.name}' has no point {at}, expected 0 to {int(np.prod(table.shape)) - 1}")
-    return at
+    count = int(np.prod(table.shape))
+    if isinstance(point, (float, np.floating)):
+        return table.at(point)
+    if isinstance(point, (int, np.integer)) and 0 <= point < count:
+        return int(point)
+    raise BadInput(f"the table '{table.name}' has no point {point}, expected 0 to {count - 1}")
 
 
 def _flat(table, field):
     """A field with its points in one list, also of a map."""
     numbers = table[field]
     return numbers.reshape((-1,) + numbers.shape[len(table.shape) :])
-
-
-def _runs(flags):
-    """First and last index of every run of equal flags."""
-    if len(flags) == 0:
-        return []
-    ends = np.flatnonzero(np.diff(flags.astype(int)))
-    return list(zip(np.concatenate(([0], ends + 1)), np.concatenate((ends, [len(flags) - 1]))))

@@ -64,6 +64,13 @@ class Field:
         return tuple(name for name, there in sizes if there)
 
 
+def _fixed(numbers):
+    """An array that is kept, and so is not to be written to."""
+    if numbers is not None:
+        numbers.flags.writeable = False
+    return numbers
+
+
 class Table(Mapping):
     """The points of one part of a study: ``table["orbit/max_radius"]`` is an array of a field, points first.
 
@@ -73,8 +80,8 @@ class Table(Mapping):
     these.
     """
 
-    def __init__(self, result, source):
-        self._result, self._source = result, source
+    def __init__(self, about, source):
+        self._about, self._source = about, source
         self.name = source.name
         self.parameter = source.parameter  #: what varies, "" for a single point
         self.second = source.second  #: what varies besides, in a map or curves, else ""
@@ -91,7 +98,7 @@ class Table(Mapping):
     @cached_property
     def values(self):
         """The parameter at every point, in SI; NaN where nothing varies."""
-        return self._source.values()
+        return _fixed(self._source.values())
 
     @cached_property
     def second_values(self):
@@ -107,26 +114,32 @@ class Table(Mapping):
     @cached_property
     def branch(self):
         """+1 at points carried from the first value on, -1 from the last, 0 not carried."""
-        return self._source.branch()
+        return _fixed(self._source.branch())
 
     @cached_property
     def point(self):
         """Which point of the study each is, from 1: all of them, but where the run was stopped."""
-        return self._source.point()
+        return _fixed(self._source.point())
 
     @cached_property
     def place(self):
         """Where in the study each point is, from 0, row by row and plane by plane of a map: one for several starts."""
-        return self._source.place()
+        return _fixed(self._source.place())
 
     @cached_property
     def length_scale(self):
         """m per unit of length at every point."""
-        return self._source.length_scale()
+        return _fixed(self._source.length_scale())
+
+    @cached_property
+    def clock(self):
+        """rad/s at every point of the phase by which sections are taken, a turn of which is a revolution: the speed of
+        the shaft, unless the case has another keyphasor. NaN where that is not told."""
+        return _fixed(self._source.clock(self._about.clock, self.values, self.second_values, self.third_values))
 
     @cached_property
     def _words(self):
-        return self._source.words()
+        return tuple(_fixed(words) for words in self._source.words())
 
     @property
     def verdicts(self):
@@ -140,7 +153,7 @@ class Table(Mapping):
 
     @cached_property
     def _attractors(self):
-        return self._source.attractors() if self.has_attractors else (None, None, None)
+        return tuple(map(_fixed, self._source.attractors())) if self.has_attractors else (None, None, None)
 
     @property
     def has_attractors(self):
@@ -170,6 +183,8 @@ class Table(Mapping):
         return self._source.options()
 
     def _field(self, name):
+        if not isinstance(name, str):
+            raise KeyError(f"a table has fields by their names, such as 'orbit/max_radius', and no {name!r}")
         if name in self.fields:
             return self.fields[name]
         from difflib import get_close_matches
@@ -197,20 +212,34 @@ class Table(Mapping):
         return self._field(name).unit
 
     def si(self, name):
-        """The numbers of a field in SI, and the name of the unit: ``radius, unit = table.si("orbit/max_radius")``."""
+        """The numbers of a field in SI, and the name of the unit: ``radius, unit = table.si("orbit/max_radius")``.
+
+        A column of orders beside lengths (``spectrum/lines``) stays as it is.
+        """
         field, numbers = self._field(name), self[name]
         factor = np.asarray(field.si_factor)
         if np.isnan(factor):
-            factor = self.length_scale.reshape(self.shape + (1,) * (numbers.ndim - len(self.shape)))
+            factor = self._si_factors(field.unit).reshape(self.shape + (1,) * (numbers.ndim - len(self.shape)))
+        if field.unit == "length" and "order" in field.column_names:
+            factor = np.where(np.array(field.column_names) == "order", 1.0, factor)
         return numbers * factor, field.si_unit
+
+    def _si_factors(self, unit):
+        """Of every point, where these differ."""
+        if unit == "length":
+            return self.length_scale
+        return 2.0 * np.pi / self.clock if unit == "revolution" else self.clock / (2.0 * np.pi)
 
     def at(self, value):
         """Index of the point whose parameter is nearest to a value in SI."""
-        return int(np.nanargmin(np.abs(self.values.ravel() - value)))
+        distance = np.abs(self.values.ravel() - float(value))
+        if not np.isfinite(distance).any():
+            raise errors.BadInput(f"no point of the table '{self.name}' is near {value}")
+        return int(np.nanargmin(distance))
 
     def station(self, name):
         """Index of a station by its name, or by its index."""
-        names = [station.name for station in self._result.stations]
+        names = [station.name for station in self._about.stations]
         if isinstance(name, (int, np.integer)) and 0 <= name < len(names):
             return int(name)
         if name in names:
@@ -220,16 +249,17 @@ class Table(Mapping):
     def to_pandas(self):
         """A DataFrame with a line a point: the parameters, the verdict, and every field of one row.
 
-        Names are those of the CSV files without units ("orbit/max_radius disc", "orbit/mean disc x");
+        Names are those of the CSV files without units ("orbit/max_radius disc", "orbit/mean disc x"); parameters that
+        are called as a column of every table is ("point", "branch", "verdict", ...) are "parameter point".
         ``frame.attrs["units"]`` has the unit of every column.
         """
         import pandas as pd
 
-        columns, units = {"point": self.point.ravel(), self.parameter or "value": self.values.ravel()}, {}
-        if self.second_values is not None:
-            columns[self.second] = self.second_values.ravel()
-        if self.third_values is not None:
-            columns[self.third] = self.third_values.ravel()
+        columns, units = {"point": self.point.ravel()}, {}
+        axes = ((self.parameter or "value", self.values), (self.second, self.second_values))
+        for name, values in (*axes, (self.third, self.third_values)):
+            if values is not None:
+                columns[_apart(name)] = values.ravel()
         columns["branch"] = self.branch.ravel()
         if "regime/code" in self.fields:
             columns["verdict"] = self.verdicts.ravel()
@@ -240,7 +270,7 @@ class Table(Mapping):
                 columns.update(self._columns(name, field, units))
         frame = pd.DataFrame(columns)
         frame.attrs["units"] = {
-            **{name: self._result.parameter_unit(name) for name in (self.parameter, self.second, self.third) if name},
+            **{_apart(n): self._about.parameter_unit(n) for n in (self.parameter, self.second, self.third) if n},
             **units,
         }
         return frame
@@ -248,7 +278,7 @@ class Table(Mapping):
     def _columns(self, name, field, units):
         """One-dimensional columns of a field of one row."""
         numbers = self[name].reshape(int(np.prod(self.shape)), field.repeat, field.columns)
-        owners = {"station": [s.name for s in self._result.stations], "contact": self._result.contacts, "point": [""]}
+        owners = {"station": [s.name for s in self._about.stations], "contact": self._about.contacts, "point": [""]}
         parts = (
             field.column_names if field.columns > 1 and field.column_names else [str(i) for i in range(field.columns)]
         )
@@ -285,20 +315,20 @@ class Table(Mapping):
             data["verdict"] = (dims, self._lazy_verdicts())
         if self.has_attractors:
             data["attractor"], data["share"] = (dims, self.attractors), (dims, self.shares)
-        return xr.Dataset(data, coords, {"title": self._result.title, "table": self.name, **self.options})
+        return xr.Dataset(data, coords, {"title": self._about.title, "table": self.name, **self.options})
 
     def _coordinates(self, dims):
-        names = [station.name for station in self._result.stations]
-        coords = {"station": names, "contact": self._result.contacts}
+        names = [station.name for station in self._about.stations]
+        coords = {"station": names, "contact": self._about.contacts}
         if len(dims) > 1:
             names = self.parameter, self.second, self.third
             values = self.values, self.second_values, self.third_values
             for along, axis in enumerate(reversed(dims)):
                 own = np.moveaxis(values[along], -1 - along, 0).reshape(self.shape[-1 - along], -1)[:, 0]
-                about = {"unit": self._result.parameter_unit(names[along]), "parameter": names[along]}
+                about = {"unit": self._about.parameter_unit(names[along]), "parameter": names[along]}
                 coords[axis] = (axis, own, about)
         elif self.parameter:
-            coords[self.parameter] = (dims, self.values, {"unit": self._result.parameter_unit(self.parameter)})
+            coords[_apart(self.parameter)] = (dims, self.values, {"unit": self._about.parameter_unit(self.parameter)})
         return coords
 
     def _lazy(self, name, field):
@@ -329,11 +359,56 @@ class Table(Mapping):
         )
 
 
+_TAKEN = {"point", "branch", "verdict", "attractor", "share", "station", "contact", "x", "y", "z"}
+
+
+def _apart(name):
+    """The name of a parameter among columns and dimensions, which have names of their own."""
+    return f"parameter {name}" if name in _TAKEN else name
+
+
+class _About:
+    """What tables know of their result; they do not hold it, so that memory is free as soon as nobody does."""
+
+    def __init__(self, source):
+        self._source = source
+
+    title = property(lambda self: self._source.title)
+
+    @cached_property
+    def parameters(self):
+        return {name: Parameter(name, *rest) for name, *rest in self._source.parameters()}
+
+    @cached_property
+    def stations(self):
+        return [Station(**about) for about in self._source.stations()]
+
+    @cached_property
+    def contacts(self):
+        return self._source.contacts()
+
+    @cached_property
+    def facts(self):
+        return self._source.facts()
+
+    @property
+    def clock(self):
+        """rad/s, of the case as it stands."""
+        try:
+            rate = float(self.facts.get("keyphasor rate", "").split(" ")[0])
+        except ValueError:
+            rate = 0.0
+        return rate if 0.0 < rate < np.inf else self._source.speed
+
+    def parameter_unit(self, name):
+        return self.parameters[name].unit if name in self.parameters else "1"
+
+
 class Result:
     """What a run found, with the case it came from and how it was computed."""
 
     def __init__(self, source):
-        self._source = source
+        self._source, self._about = source, _About(source)
 
     title = property(lambda self: self._source.title, doc="The title of the case.")
     case_name = property(lambda self: self._source.case_name, doc="The name of the case file.")
@@ -343,30 +418,23 @@ class Result:
     force_scale = property(lambda self: self._source.force_scale, doc="N per unit of force.")
     partial = property(lambda self: self._source.partial, doc="Whether the run was stopped before its end.")
 
-    @cached_property
-    def parameters(self):
-        """dict of str to :class:`Parameter`."""
-        return {name: Parameter(name, *rest) for name, *rest in self._source.parameters()}
-
-    @cached_property
-    def stations(self):
-        """list of :class:`Station`, in the order of the station dimension of fields."""
-        return [Station(**about) for about in self._source.stations()]
-
-    @cached_property
-    def contacts(self):
-        """list of str: names of the contacts, in the order of the contact dimension of fields."""
-        return self._source.contacts()
-
-    @cached_property
-    def facts(self):
-        """dict of str to str: how, where and with what it was computed."""
-        return self._source.facts()
+    parameters = property(lambda self: self._about.parameters, doc="dict of str to :class:`Parameter`.")
+    stations = property(
+        lambda self: self._about.stations,
+        doc="list of :class:`Station`, in the order of the station dimension of fields.",
+    )
+    contacts = property(
+        lambda self: self._about.contacts,
+        doc="list of str, names of the contacts, in the order of the contact dimension of fields.",
+    )
+    facts = property(
+        lambda self: self._about.facts, doc="dict of str to str that says how, where and with what it was computed."
+    )
 
     @cached_property
     def tables(self):
         """dict of str to :class:`Table`: "sweep", "map", "branch", ..."""
-        return {name: Table(self, table) for name, table in self._source.tables().items()}
+        return {name: Table(self._about, table) for name, table in self._source.tables().items()}
 
     @property
     def case(self):
@@ -399,14 +467,14 @@ class Result:
 
     def parameter_unit(self, name):
         """The SI unit of a parameter, "1" for what is none."""
-        return self.parameters[name].unit if name in self.parameters else "1"
+        return self._about.parameter_unit(name)
 
     def __getitem__(self, name):
         if name in self.tables:
             return self.tables[name]
         raise KeyError(f"the result has no table '{name}', expected one of: {', '.join(self.tables)}")
 
-    @cached_property
+    @property
     def plot(self):
         """Figures in Matplotlib as the report draws them: ``result.plot.bifurcation()``, ..."""
         from .plot import Plots
@@ -415,11 +483,10 @@ class Result:
 
     def save(self, path):
         """Writes the result as the file that `whirl run` writes: to another name first, so that none is left half."""
-        if hasattr(self._source, "write"):
-            self._source.write(path)
-        elif not os.path.exists(path) or not os.path.samefile(self._source.path, path):
-            shutil.copyfile(self._source.path, f"{os.fspath(path)}.tmp")
-            os.replace(f"{os.fspath(path)}.tmp", path)
+        self._source.write(path)
+
+    def __reduce__(self):
+        raise TypeError("a result cannot be pickled: save() writes it to a file, and whirl.open() reads that")
 
     def close(self):
         """Closes the file of a result that was opened; nothing more can be read then."""
@@ -508,7 +575,7 @@ def open(path):  # noqa: A001 (whirl.open reads as one says it)
     """
     from ._file import FileSource
 
-    return Result(FileSource(path))
+    return Result(FileSource(os.fspath(path)))
 
 
 def read(path):

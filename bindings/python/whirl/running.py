@@ -1,6 +1,7 @@
 """Runs: from a case to its result, with progress, stopped by Ctrl-C without losing what is done."""
 
 import datetime
+import operator
 import os
 import signal
 import sys
@@ -11,6 +12,7 @@ from contextlib import contextmanager
 from ._library import STOPPED, check, ffi, lib, path_bytes, text
 from ._memory import MemorySource
 from .case import Case
+from .errors import BadInput
 from .result import Result
 
 
@@ -96,9 +98,22 @@ def _wait(job, outcome):
     with _stopped_by_ctrl_c(job, outcome):
         worker = threading.Thread(target=work, name="whirl.run")
         worker.start()
-        while not ended.wait(0.2):
-            pass
+        try:
+            while not ended.wait(0.2):
+                pass
+        except BaseException:  # of a handler of another signal, say: nothing may be freed that the job works with
+            lib.whirl_job_stop(job)
+            worker.join()
+            lib.whirl_result_free(outcome["result"])
+            raise
         worker.join()
+
+
+def _whole(number, what):
+    try:
+        return operator.index(number)
+    except TypeError:
+        raise BadInput(f"{what} is {number!r}, expected a whole number") from None
 
 
 def _now():
@@ -166,8 +181,8 @@ def compute(new_job, describe, *, threads, progress, journal, resume):
     out = ffi.new("whirl_job **")
     check(new_job(out))
     job = ffi.gc(out[0], lib.whirl_job_free)
-    check(lib.whirl_job_threads(job, max(-1, min(int(threads), 1 << 30))))
-    bar = _Bar() if progress is True or (progress is None and sys.stderr.isatty()) else None
+    check(lib.whirl_job_threads(job, max(-1, min(_whole(threads, "the number of threads"), 1 << 30))))
+    bar = _Bar() if (progress and not callable(progress)) or (progress is None and sys.stderr.isatty()) else None
     tell = progress if callable(progress) else bar.show if bar else None
     told = _teller(tell, job, outcome) if tell else ffi.NULL
     lib.whirl_job_progress(job, told, ffi.NULL)
@@ -182,7 +197,7 @@ def compute(new_job, describe, *, threads, progress, journal, resume):
         if bar:
             bar.close()
     if result.partial:
-        warnings.warn(f"{outcome['message']}: the result is partial", stacklevel=2)
+        warnings.warn(f"{outcome['message']}: the result is partial", stacklevel=3)
     return result
 
 

@@ -65,6 +65,10 @@ class Recurrence(NamedTuple):
 
 def _numbers(values: ArrayLike, what: str, dimensions: int = 1) -> np.ndarray:
     """Doubles side by side in memory; what is masked is a gap."""
+    kind = getattr(getattr(values, "dtype", None), "kind", None) or np.asarray(values, dtype=object).dtype.kind
+    if kind in "mMc" or np.iscomplexobj(values):
+        found = "complex numbers" if kind == "c" or np.iscomplexobj(values) else "dates or spans of time"
+        raise BadInput(f"{what} has {found}, expected numbers")
     try:
         numbers = np.ma.filled(np.ma.asarray(values, dtype=float), np.nan)
     except (TypeError, ValueError) as failure:
@@ -268,6 +272,11 @@ class Record:
         )
         self.speed = np.empty(max(0, len(self.pulses) - 1))  #: [pulses - 1] mean between them, rad per unit of time
         check(lib.whirl_signals_speed(_at(self.pulses), len(self.pulses), _at(self.speed)))
+
+    def __setattr__(self, name: str, value) -> None:
+        if name in self.__dict__ and name not in ("unit", "time_unit"):
+            raise AttributeError(f"{name} of a record stays: make another one, Record(...), of other signals")
+        super().__setattr__(name, value)
 
     @property
     def size(self) -> float:

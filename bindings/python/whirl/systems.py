@@ -23,7 +23,7 @@ from pathlib import Path
 import numpy as np
 
 from . import errors
-from ._library import check, ffi, lib
+from ._library import check, ffi, lib, word_bytes
 from .running import compute
 
 _ONE = "int(double, const double *, const double *, double *, void *)"
@@ -80,7 +80,8 @@ def compile_c(source, name="rates", flags=("-O3", "-march=native")):
     MissingProgram
         Where there is no compiler.
     """
-    compiler = shlex.split(os.environ.get("CC", "cc"))
+    compiler = shlex.split(os.environ.get("CC") or "cc")
+    flags = shlex.split(flags) if isinstance(flags, str) else flags
     if not shutil.which(compiler[0]):
         raise errors.MissingProgram(f"there is no C compiler '{compiler[0]}' (CC names another)")
     folder = tempfile.TemporaryDirectory(prefix="whirl-")
@@ -91,6 +92,21 @@ def compile_c(source, name="rates", flags=("-O3", "-march=native")):
     if told.returncode != 0:
         raise errors.BadInput(f"the C text does not compile:\n{told.stderr.strip()}")
     return CFunction(ctypes.CDLL(str(library)), name, folder)
+
+
+def _count(number, what):
+    """A whole number from 0 on."""
+    whole = -1 if isinstance(number, (bool, np.bool_)) else number
+    if not isinstance(whole, (int, np.integer)) or not 0 <= whole < 1 << 31:
+        raise errors.BadInput(f"{what} is {number!r}, expected a whole number from 0 on")
+    return int(whole)
+
+
+def _pair(name, pair):
+    """The two coordinates of a station."""
+    if not isinstance(pair, (Sequence, np.ndarray)) or len(pair) != 2:
+        raise errors.BadInput(f"the station '{name}' is {pair!r}, expected a pair of coordinates")
+    return tuple(_count(coordinate, f"a coordinate of the station '{name}'") for coordinate in pair)
 
 
 def _address(function):
@@ -127,7 +143,8 @@ class System:
         The first so many coordinates are displacements whose slopes are the next so many. Machines then go side by side,
         which is what makes ``lanes`` quick.
     stations : mapping of str to pairs, optional
-        Pairs of coordinates that are looked at together: ``{"disc": (0, 1)}``. The first two without it.
+        Pairs of coordinates that are looked at together: ``{"disc": (0, 1)}``. The first two without it. Of one
+        displacement alone there is no second one: it is looked at twice, so that radii are sqrt(2) times as large.
     tangent : optional
         The derivative of the slopes applied to a disturbance: ``f(t, x, p, dx)``, or compiled with one more pointer
         after p. Differences are taken without it.
@@ -159,17 +176,22 @@ class System:
             raise errors.BadInput("a system has a period, or a parameter that is its speed: give one of both")
         self.start = np.array(start, dtype=float).ravel()
         self.parameters = {str(name): float(value) for name, value in (parameters or {}).items()}
-        self.speed, self.period, self.lanes, self.displacements = speed, period, bool(lanes), int(displacements)
+        self.speed, self.period, self.lanes = speed, period, bool(lanes)
+        self.displacements = _count(displacements, "displacements")
         self.stations, self.kinked, self.title = dict(stations or {}), bool(kinked), str(title)
         self.units, self.rates, self.tangent = dict(units or {}), rates, tangent
         unknown = set(self.units) - set(self.parameters)
         if unknown:
             raise errors.BadInput(f"there is no parameter {sorted(unknown)[0]} that has a unit")
         for what, function in (("rates", rates), ("tangent", tangent)):
-            if function is not None and _address(function) is None and not callable(function):
+            if function is None and what == "tangent":
+                continue
+            wrong = isinstance(function, (bool, np.bool_)) or _address(function) == 0
+            if wrong or (_address(function) is None and not callable(function)):
                 raise errors.BadInput(f"{what} is {function!r}, expected a function")
-        if _address(rates) is None and any(iskeyword(name) for name in self.parameters):
-            raise errors.BadInput("a parameter is called as a word of Python, which p cannot have as an attribute")
+        for name in self.parameters if _address(rates) is None else ():
+            if iskeyword(name) or name.startswith("_") or not name.isidentifier():
+                raise errors.BadInput(f"a parameter is called '{name}', which p cannot have as an attribute in Python")
         self._build({}, [], {})[0]  # what is wrong is said here
 
     # ---------------------------------------------------------------- functions
@@ -178,6 +200,10 @@ class System:
         size = rows if count is None else rows * count
         values = np.frombuffer(ffi.buffer(pointer, 8 * size), float) if size else np.empty(0)
         return values if count is None else values.reshape(rows, count)
+
+    def _copied(self, pointer, rows, count=None):
+        """Numbers that a function may keep: the library's own are gone when it is done."""
+        return self._state(pointer, rows, count).copy()
 
     def _python_rates(self, raised):
         n, names = len(self.start), namedtuple("Parameters", self.parameters)
@@ -194,7 +220,7 @@ class System:
 
         @ffi.callback(_ONE, onerror=keep, error=1)
         def one(t, x, p, out, _context):
-            state, values = self._state(x, n), self._state(p, count_p)
+            state, values = self._copied(x, n), self._copied(p, count_p)
             if many:
                 slopes = function(np.array([t]), state.reshape(n, 1), names(*values.reshape(count_p, 1)))
                 put(slopes, self._state(out, n, 1), (n, 1))
@@ -204,8 +230,8 @@ class System:
 
         @ffi.callback(_MANY, onerror=keep, error=1)
         def lanes(count, row, t, x, p, out, _context):
-            times, states = self._state(t, count), self._state(x, n, row)[:, :count]
-            values = names(*self._state(p, count_p, row)[:, :count])
+            times, states = self._copied(t, count), self._copied(x, n, row)[:, :count]
+            values = names(*self._copied(p, count_p, row)[:, :count])
             put(function(times, states, values), self._state(out, n, row)[:, :count], (n, count))
             return 0
 
@@ -220,7 +246,7 @@ class System:
         @ffi.callback(_TANGENT, onerror=keep, error=1)
         def tangent(t, x, p, dx, out, _context):
             slopes = np.asarray(
-                self.tangent(t, self._state(x, n), names(*self._state(p, count_p)), self._state(dx, n)), dtype=float
+                self.tangent(t, self._copied(x, n), names(*self._copied(p, count_p)), self._copied(dx, n)), dtype=float
             )
             if slopes.shape != (n,):
                 raise errors.BadInput(f"tangent gave an array of shape {slopes.shape}, expected ({n},)")
@@ -249,20 +275,21 @@ class System:
     def _build(self, vary, analyze, options):
         """The library's system, with what it borrows: (handle, functions, raised)."""
         out, raised = ffi.new("whirl_user_system **"), {}
-        check(lib.whirl_user_system_new(self.title.encode(), len(self.start), out))
+        check(lib.whirl_user_system_new(word_bytes(self.title), len(self.start), out))
         handle = ffi.gc(out[0], lib.whirl_user_system_free)
         for name, value in self.parameters.items():
             unit = self.units.get(name, "1")
             text = f"{value:.17g}" + (f" {unit}" if unit != "1" else "")
-            check(lib.whirl_user_system_parameter(handle, name.encode(), value, unit.encode(), text.encode()))
+            check(lib.whirl_user_system_parameter(handle, word_bytes(name), value, word_bytes(unit), word_bytes(text)))
         for index, value in enumerate(self.start):
             check(lib.whirl_user_system_start(handle, index, value))
-        check(lib.whirl_user_system_oscillates(handle, max(self.displacements, 0)))
-        for name, (x, y) in self.stations.items():
+        check(lib.whirl_user_system_oscillates(handle, self.displacements))
+        for name, pair in self.stations.items():
+            x, y = _pair(name, pair)
             velocities = (x + self.displacements, y + self.displacements)
-            check(lib.whirl_user_system_station(handle, str(name).encode(), int(x), int(y), *map(int, velocities)))
+            check(lib.whirl_user_system_station(handle, word_bytes(str(name)), x, y, *velocities))
         if self.speed is not None:
-            check(lib.whirl_user_system_speed(handle, self.speed.encode()))
+            check(lib.whirl_user_system_speed(handle, word_bytes(self.speed)))
         else:
             check(lib.whirl_user_system_period(handle, float(self.period)))
         if self.kinked:
@@ -270,12 +297,12 @@ class System:
         for name, values in vary.items():
             values = np.ascontiguousarray(values, dtype=float).ravel()
             pointer = ffi.cast("double *", values.ctypes.data)
-            check(lib.whirl_user_system_vary(handle, name.encode(), pointer, len(values)))
-        for name in analyze:
-            check(lib.whirl_user_system_analyze(handle, name.encode()))
+            check(lib.whirl_user_system_vary(handle, word_bytes(name), pointer, len(values)))
+        for name in [analyze] if isinstance(analyze, str) else analyze:
+            check(lib.whirl_user_system_analyze(handle, word_bytes(name)))
         for name, value in options.items():
-            word = {True: "yes", False: "no"}.get(value, value) if isinstance(value, bool) else value
-            check(lib.whirl_user_system_set(handle, name.encode(), str(word).encode()))
+            word = ("no", "yes")[bool(value)] if isinstance(value, (bool, np.bool_)) else value
+            check(lib.whirl_user_system_set(handle, word_bytes(name), word_bytes(str(word))))
         return handle, self._put_functions(handle, raised), raised
 
     def run(self, vary=None, analyze=(), *, threads=None, progress=None, journal=None, resume=False, **options):
@@ -332,4 +359,7 @@ class System:
 
     def map(self, x, y, z=None, **more):
         """Motions over two parameters or three, each (name, values): rows along x; see :meth:`run`."""
-        return self.run(dict([x, y] + ([z] if z else [])), **more)
+        axes = [x, y] + ([z] if z is not None else [])
+        if len({name for name, _ in axes}) < len(axes):
+            raise errors.BadInput(f"a map over {' and '.join(name for name, _ in axes)}, expected different parameters")
+        return self.run(dict(axes), **more)

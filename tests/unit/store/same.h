@@ -42,7 +42,8 @@ static inline bool same_slots(const whirl_table *a, const whirl_table *b) {
 static inline bool same_table(const whirl_table *a, const whirl_table *b) {
     return strcmp(a->name, b->name) == 0 && strcmp(a->parameter, b->parameter) == 0 &&
            strcmp(a->second, b->second) == 0 && a->row == b->row && strcmp(a->third, b->third) == 0 &&
-           a->plane == b->plane && a->count == b->count && same_slots(a, b) && a->analyses == b->analyses &&
+           a->plane == b->plane && a->count == b->count && a->clock_of == b->clock_of &&
+           same_bits(&a->clock_factor, &b->clock_factor, 1) && same_slots(a, b) && a->analyses == b->analyses &&
            same_members(whirl_integrate_members(), &a->integrate, &b->integrate) &&
            same_members(whirl_record_members(), &a->record, &b->record) && same_layout(&a->layout, &b->layout) &&
            same_bits(a->values, b->values, a->count) && !a->length_scales == !b->length_scales &&

@@ -95,7 +95,8 @@ whirl_unit whirl_result_length_unit(const whirl_result *result) {
 }
 
 whirl_unit whirl_result_si(const whirl_result *result, const whirl_table *table, const char *unit) {
-    const double two_pi = 2.0 * acos(-1.0), clock = whirl_result_clock(result);
+    const double two_pi = 2.0 * acos(-1.0);
+    const double clock = table && table->clock_of ? (double)NAN : whirl_result_clock(result);
     const double length = table && table->length_scales ? (double)NAN : result->length_scale;
     whirl_unit si = {.size = 1.0};
     if (strcmp(unit, "length") == 0) return (whirl_unit){"m", length};
