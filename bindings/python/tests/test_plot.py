@@ -2,9 +2,10 @@
 
 import numpy as np
 import pytest
-from conftest import GOOD, ROOT, command
+from conftest import GOOD, MAP, ROOT, command
 
 import whirl
+import whirl._marks
 
 plt = pytest.importorskip("matplotlib.pyplot")
 to_rgba = pytest.importorskip("matplotlib.colors").to_rgba
@@ -288,3 +289,77 @@ def test_what_was_not_analysed_is_said(good):
         good.plot.map()
     with pytest.raises(whirl.BadInput, match="follows branches"):
         good.plot.branches("sweep")
+
+
+def test_a_lag_is_broken_where_it_jumps():
+    lag, at = whirl._marks.broken([350.0, 359.0, 1.0, 10.0, 190.0])
+    assert np.array_equal(lag, [350.0, 359.0, np.nan, 1.0, 10.0, np.nan, 190.0], equal_nan=True)
+    assert np.array_equal(np.insert([1.0, 2.0, 3.0, 4.0, 5.0], at, np.nan), [1, 2, np.nan, 3, 4, np.nan, 5], True)
+
+
+def test_a_map_takes_the_column_and_the_station_that_are_asked_for():
+    case = whirl.Case(text=MAP.replace("    disc:", "    other: {mass: 1 kg, damping: 5 N.s/m}\n    disc:"))
+    result = whirl.run(case, progress=False)
+    table = result["map"]
+    mean = table["orbit/mean"]
+    assert len(np.unique(mean[..., 1, :2])) == 10
+    for which, column, label in (
+        ("disc", "y", "y of disc (mm)"),
+        (1, 0, "x of disc (mm)"),
+        ("other", 1, "y of other (mm)"),
+    ):
+        ax = result.show_in("mm").plot.map("orbit/mean", which=which, column=column)
+        drawn = np.asarray(ax.collections[0].get_array()).reshape(3, 5)
+        own = mean[..., 1 if which != "other" else 0, 0 if column == 0 else 1]
+        assert np.allclose(drawn, own * table.length_scale * 1e3, rtol=1e-12)
+        assert ax.figure.axes[1].get_ylabel() == label
+    wrongs = (
+        ({"field": "orbit/mean", "which": 5}, "no station '5'"),
+        ({"field": "orbit/mean", "column": "z"}, "no column of 'orbit/mean' 'z'"),
+        ({"field": "poincare/section"}, "10 rows"),
+        ({"plane": 1}, "no plane 1"),
+    )
+    for more, words in wrongs:
+        with pytest.raises(whirl.BadInput, match=words):
+            result.plot.map(**more)
+    assert len(plt.get_fignums()) == 3  # none of those that failed
+
+
+def test_curves_are_drawn_over_both_parameters():
+    text = (
+        (ROOT / "tests/cli/branch.yaml")
+        .read_text()
+        .replace("from: 1.05, to: 3.3, at: [1.5]", "from: 3.27, to: 3.29, at: [3.271]")
+    )
+    text = text.replace("switches: 1}", "switches: 0, points: 60}\n  curves: {parameter: kappa, from: 9, to: 11}")
+    result = whirl.run(whirl.Case(text=text), progress=False)
+    table, ax = result["curves"], result.plot.curves()
+    drawn = np.concatenate([line.get_xydata() for line in ax.get_lines()])
+    assert table.second == "kappa" and np.array_equal(drawn, np.column_stack([table.values, table.second_values]))
+    assert [text.get_text() for text in ax.get_legend().get_texts()] == ["fold"]
+    fold = result["branch"].values[result["branch"]["trace/special"] == 1]
+    order = np.argsort(drawn[:, 1])
+    assert np.isclose(np.interp(10.0, drawn[order, 1], drawn[order, 0]), fold[0], rtol=1e-6)
+    with pytest.raises(whirl.BadInput, match="follows them"):
+        whirl.Case(GOOD).outline().plot.curves()
+
+
+def test_tori_are_drawn_with_their_branches():
+    result = whirl.run(whirl.Case(ROOT / "tests/cli/tori.yaml"), progress=False)
+    table = result["tori"]
+    lines = [line for line in result.plot.branches().get_lines() if line.get_color() == "#009E73"]
+    drawn = np.concatenate([line.get_xydata() for line in lines])
+    expected = np.column_stack([table.values, table["torus/high"][:, 0, 0]])
+    assert np.array_equal(drawn[np.lexsort(drawn.T)], expected[np.lexsort(expected.T)])
+
+
+def test_what_is_carried_down_is_told_apart():
+    text = GOOD.read_text().replace("points: 5, start: state", "points: 5, start: carry, direction: both")
+    result = whirl.run(whirl.Case(text=text), progress=False)
+    table = result["sweep"]
+    crosses = [line for line in result.plot.bifurcation().get_lines() if line.get_marker() == "x"]
+    drawn = np.concatenate([line.get_xydata() for line in crosses])
+    down = table["poincare/section"][table.branch < 0, 0, :, 0]
+    assert len(drawn) == down.size > 0 and np.array_equal(np.sort(drawn[:, 1]), np.sort(down.ravel()))
+    with pytest.raises(whirl.BadInput, match="coordinate is 'z'"):
+        result.plot.bifurcation(coordinate="z")

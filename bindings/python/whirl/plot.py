@@ -33,7 +33,7 @@ _SPECIAL = {
 }
 _ADVICE = {
     "trace/high": "'study: {branch: ...}' in a case follows branches",
-    "trace/second": "'study: {branch: {..., curves: {...}}}' in a case follows them",
+    "trace/second": "'study: {branch: ..., curves: ...}' in a case follows them",
     "modes/frequency": "add modes to what the case analyses",
     "unbalance/amplitude": "add unbalance to what the case analyses",
 }
@@ -127,11 +127,14 @@ class Plots:
             for kind, colour, title in kinds.shown:
                 of = chosen[kinds.of[chosen] == kind]
                 down = table.branch.ravel()[of] < 0 if not table.has_attractors else np.zeros(len(of), bool)
-                for own, what, mark in ((of[~down], title, "."), (of[down], f"{title}, carried down", "x")):
-                    if len(own):
-                        more = {"color": colour, "label": what, **look, "marker": mark}
-                        more.update({"markeredgewidth": 0.4, "markersize": 1.5 * size} if mark == "x" else {})
-                        ax.plot(places[own].ravel(), sizes[own].ravel(), **{**more, **style})
+                if not down.all():
+                    own = {"color": colour, "label": title, **look, **style}
+                    ax.plot(places[of[~down]].ravel(), sizes[of[~down]].ravel(), **own)
+                if down.any():
+                    own = {**look, "color": colour, "marker": "x", "markeredgewidth": 0.4, "markersize": 1.5 * size}
+                    ax.plot(places[of[down]].ravel(), sizes[of[down]].ravel(), **{**own, **style})
+            if (table.branch < 0).any() and not table.has_attractors:
+                ax.plot([], [], linestyle="none", marker="x", color="0.4", markersize=4, label="carried down")
             legend(ax, title=kinds.title)
         keep_span(ax, sizes)
         ax.set(xlabel=label, ylabel=self._displacement(f"{coordinate} of {name}"))
@@ -249,6 +252,8 @@ class Plots:
         if "curves" not in self._result.tables:
             raise BadInput(f"the result has no curves: {_ADVICE['trace/second']}")
         table = self._result["curves"]
+        if table.values.size == 0:
+            raise BadInput("the table 'curves' has no point: no special point was found to begin a curve")
         (x, xlabel), (y, ylabel) = self._parameter(table), self._parameter(table, second=True)
         number, special, ax = table["trace/number"].astype(int), table["trace/special"], new_axes(ax)
         kinds = {}
