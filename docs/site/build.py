@@ -16,6 +16,7 @@ from pathlib import Path
 
 import headers
 import pages
+import theme
 import tutorials
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -146,6 +147,7 @@ def lay_out_static(source):
             shutil.copytree(MATHJAX / part, target, dirs_exist_ok=True)
         else:
             shutil.copy(MATHJAX / part, target)
+    theme.lay_out(source / "static")
     shutil.copy(ROOT / "docs/site/site.css", source / "static")
     shutil.copy(ROOT / "docs/site/conf.py", source)
 

@@ -38,5 +38,6 @@ html_css_files = ["site.css"]
 html_copy_source = False
 html_show_sphinx = False
 html_theme_options = {"navigation_with_keys": True}
-pygments_style = "friendly"
-pygments_dark_style = "monokai"
+# Of those that Pygments has, two whose comments can be read: a contrast above 4.5.
+pygments_style = "default"
+pygments_dark_style = "github-dark"

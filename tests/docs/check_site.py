@@ -1,6 +1,8 @@
 #!/usr/bin/python3
-"""Links and pictures of a site lead somewhere, and it loads nothing from elsewhere:  check_site.py SITE"""
+"""Links and pictures of a site lead somewhere, and it loads nothing from elsewhere, nor what browsers load from no file
+(modules of JavaScript):  check_site.py SITE"""
 
+import re
 import sys
 from html.parser import HTMLParser
 from pathlib import Path
@@ -42,11 +44,22 @@ def problems(site, pages):
                 yield f"{path.relative_to(site)}: no place {target}"
 
 
+def problems_of_parts(site):
+    """What style sheets and scripts load in their turn."""
+    for path in site.glob("_static/**/*.css"):
+        for target in re.findall(r"url\(['\"]?(?!data:)([^'\")]+)", path.read_text(encoding="utf-8")):
+            if urlsplit(target).netloc or target.startswith("/") or not (path.parent / target).is_file():
+                yield f"{path.relative_to(site)}: no file {target}"
+    for path in [*site.glob("_static/*.js"), *site.glob("_static/scripts/*.js")]:
+        if re.search(r"^(import|export) ", path.read_text(encoding="utf-8"), re.MULTILINE):
+            yield f"{path.relative_to(site)} is a module"
+
+
 def main():
     site = Path(sys.argv[1]).resolve()
     # Explorers are pages of their own, with tests of their own.
     pages = {path: Page(path) for path in site.rglob("*.html") if "_downloads" not in path.parts}
-    found = sorted(set(problems(site, pages)))
+    found = sorted({*problems(site, pages), *problems_of_parts(site)})
     print("\n".join(found))
     print(f"{len(pages)} pages, {sum(len(page.links) for page in pages.values())} links, {len(found)} problems")
     return 1 if found or len(pages) < 20 else 0
