@@ -27,6 +27,8 @@ from nbclient.exceptions import CellExecutionError
 ROOT = Path(__file__).resolve().parents[2]
 FENCE = re.compile(r"^```(python|sh|octave|yaml)\n(.*?)^```\n", re.MULTILINE | re.DOTALL)
 PICTURE = re.compile(r"^!\[[^\]]*\]\(\.\./images/tutorials/[^)]*\)\n", re.MULTILINE)
+# Octave 7.3 says this of itself as it ends, whatever it was told to do.
+OCTAVE_EXIT = "error: ignoring const execution_exception& while preparing to exit\n"
 COLOUR = re.compile(r"\x1b\[[0-9;]*m")
 MAGIC = {"python": "", "sh": "%%bash -e\n", "octave": "%%script octave-cli --no-gui --quiet\n"}
 
@@ -80,10 +82,13 @@ def execute(notebook):
         client = NotebookClient(notebook, timeout=300, kernel_name="python3",
                                 resources={"metadata": {"path": folder}})
         client.execute()
+    for cell in notebook.cells:
+        if cell.cell_type == "code":
+            cell.outputs = [output for output in together(cell.outputs) if output.get("text", "none").strip()]
 
 
 def together(outputs):
-    """Outputs where what was printed in pieces is one."""
+    """Outputs where what was printed in pieces is one, without what no cell has printed."""
     joined = []
     for output in outputs:
         last = joined[-1] if joined else None
@@ -91,6 +96,9 @@ def together(outputs):
             last.text += output.text
         else:
             joined.append(output.copy())
+    for output in joined:
+        if output.output_type == "stream":
+            output.text = output.text.replace(OCTAVE_EXIT, "")
     return joined
 
 
@@ -131,7 +139,7 @@ def page(notebook, folder, name):
             parts.append(cell.source + "\n")
             continue
         parts.append(block(cell))
-        for k, output in enumerate(together(cell.outputs)):
+        for k, output in enumerate(cell.outputs):
             if not cell.source.startswith("%%writefile"):
                 parts.append(shown(output, folder / f"{name}-{number}-{k}.png"))
     nbformat.write(notebook, folder / f"{name}.ipynb")
