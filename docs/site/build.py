@@ -15,6 +15,7 @@ import sys
 from pathlib import Path
 
 import headers
+import keys
 import pages
 import theme
 import tutorials
@@ -52,6 +53,7 @@ def lay_out_markdown(source):
         name = path.relative_to(ROOT)
         if str(name) != "README.md":
             write(source / name, adapted(path.read_text()))
+    write(source / "docs/reference/keys.md", keys.page(adapted((ROOT / "docs/reference/keys.md").read_text())))
     for name in ("docs/images", "examples/slurm"):
         shutil.copytree(ROOT / name, source / name, dirs_exist_ok=True)
     for name in ("LICENSE", "CITATION.cff"):

@@ -1,0 +1,69 @@
+"""The reference of elements and keys (docs/reference/keys.md), what `whirl describe NAME` prints there as tables."""
+
+import re
+
+BLOCK = re.compile(r"^## (\S+)\n\n```\n(.*?)^```\n", re.MULTILINE | re.DOTALL)
+COLUMNS = ["name", "symbol", "unit", "default", "range"]
+
+
+def escaped(text):
+    """Words as Markdown: signs mean themselves, but for those around names."""
+    parts = text.split("`")
+    parts[::2] = [re.sub(r"([*_$<\[\]\\|])", r"\\\1", part) for part in parts[::2]]
+    return "`".join(parts)
+
+
+def cells(line, starts):
+    """The words of a row that begin where those of the heading do."""
+    ends = [*starts[1:], None]
+    return [line[start:end].strip() for start, end in zip(starts, ends)]
+
+
+def row(values, meaning):
+    name, symbol, unit, default, bounds = values
+    # With blanks at which no line is broken: "N s/m".
+    words = [f"`{name}`", *(escaped(word).replace(" ", "\u00a0") for word in (symbol, unit, default))]
+    words.append(", ".join(f"`{word}`" for word in bounds.split("|")) if "|" in bounds else escaped(bounds))
+    return "| " + " | ".join([*words, escaped(meaning)]) + " |"
+
+
+def table(lines):
+    """A heading and rows of two or more lines each: the columns, then what the key means."""
+    starts = [lines[0].index(title) for title in COLUMNS]
+    keys = []
+    for line in lines[1:]:
+        if line.startswith("      "):
+            keys[-1][1].append(line.strip())
+        else:
+            keys.append((cells(line, starts), []))
+    heading = "| key | symbol | unit | default | range | meaning |\n|---|---|---|---|---|---|\n"
+    return heading + "\n".join(row(values, " ".join(meaning)) for values, meaning in keys)
+
+
+def paragraphs(lines, name):
+    """What stands before the keys: a line each, that may go on with two blanks before it."""
+    joined = []
+    for line in lines:
+        if line.startswith("  "):
+            joined[-1] += " " + line.strip()
+        else:
+            joined.append(line)
+    words = [line.removeprefix(f"{name}: ") for line in joined]
+    return "\n\n".join(escaped(line[:1].upper() + line[1:]) for line in words)
+
+
+def described(block):
+    """A name with its keys; one that is two things, such as an element and an analysis, has both."""
+    out, name = [f"## {block[1]}"], block[1]
+    for part in block[2].strip("\n").split("\n\n"):
+        lines = part.split("\n")
+        out.append(table(lines) if lines[0].split() == COLUMNS else paragraphs(lines, name))
+    return "\n\n".join(out) + "\n"
+
+
+def page(text):
+    """docs/reference/keys.md as the site has it."""
+    made, count = BLOCK.subn(described, text)
+    if count == 0 or "```" in made:
+        raise RuntimeError("docs/reference/keys.md is not as docs/site/keys.py expects it")
+    return made
