@@ -24,6 +24,8 @@ ROOT = Path(__file__).resolve().parents[2]
 MATHJAX = Path("/usr/share/javascript/mathjax")
 MATHJAX_PARTS = ["MathJax.js", "config/TeX-AMS_CHTML.js", "extensions", "jax/element", "jax/input/TeX",
                  "jax/output/CommonHTML", "fonts/HTML-CSS/TeX/woff"]
+# In the first line of a block: what tests/docs/examples.sh does with it.
+TESTED = re.compile(r"^(```\w+\n)(?:#|//|%) tested\b.*\n", re.MULTILINE)
 PARTS = {
     "Using whirl": ["docs/user-guide", "docs/tutorials/README", "docs/gallery", "docs/python", "docs/octave",
                     "docs/cluster",
@@ -41,7 +43,8 @@ def write(path, text):
 
 
 def adapted(text):
-    """Markdown of a forge as that of the site: formulas, and links to what is a page here."""
+    """Markdown of a forge as that of the site: formulas, and links to what is a page here; no marks for tests."""
+    text = TESTED.sub(r"\1", text)
     text = text.replace("```math\n", "```{math}\n")
     text = re.sub(r"\]\(((?:\.\./)*cases/[\w-]+)\.yaml\)", r"](\1.md)", text)
     text = re.sub(r"\]\(((?:\.\./)*(?:examples|cases))/?\)", r"](\1/index.md)", text)
