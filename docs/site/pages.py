@@ -3,19 +3,34 @@
 import re
 import shlex
 
+import yaml
+
+LONG_TITLE = 80
+
 
 def listing(path, language, title):
     return f"# {title}\n\n[{path.name}]({path.name}) as a file.\n\n```{language}\n{path.read_text().rstrip()}\n```\n"
 
 
 def case_page(path):
-    title = re.search(r"^title: *(.*)$", path.read_text(), re.MULTILINE)
-    return listing(path, "yaml", f"{path.stem}: {title[1].strip(chr(39) + chr(34))}" if title else path.stem)
+    """Cases have titles; claims of others have whose they are."""
+    said = yaml.safe_load(path.read_text())
+    return listing(path, "yaml", f"{path.stem}: {said.get('title') or said['source']}")
+
+
+def first_sentence(text):
+    """What a file of C says of itself first."""
+    comment = re.match(r"(?://.*\n)*", text)[0]
+    words = " ".join(line.lstrip("/").strip() for line in comment.splitlines())
+    return re.match(r".*?(?:\.(?= |$)|$)", words)[0]
 
 
 def program_page(path):
-    subject = re.match(r"(?:///|//|/\*) *(.*?)[.:]?\n", path.read_text())
-    return listing(path, "c", f"{path.name}: {subject[1]}" if subject else path.name)
+    """A long sentence names the program by what stands before its colon."""
+    subject = first_sentence(path.read_text()).rstrip(".")
+    if len(subject) > LONG_TITLE:
+        subject = subject.partition(":")[0]
+    return listing(path, "c", f"{path.name}: {subject}" if subject else path.name)
 
 
 def contents(title, words, names):
