@@ -26,15 +26,17 @@ MATHJAX_PARTS = ["MathJax.js", "config/TeX-AMS_CHTML.js", "extensions", "jax/ele
                  "jax/output/CommonHTML", "fonts/HTML-CSS/TeX/woff"]
 # In the first line of a block: what tests/docs/examples.sh does with it.
 TESTED = re.compile(r"^(```\w+\n)(?:#|//|%) tested\b.*\n", re.MULTILINE)
+# Pages of the navigation; some with a name that tells them from others there, in the place of their title.
 PARTS = {
-    "Using whirl": ["docs/user-guide", "docs/tutorials/README", "docs/gallery", "docs/python", "docs/octave",
-                    "docs/cluster",
-                    "docs/elements"],
-    "Reference": ["docs/reference/keys", "docs/whirl", "api/index", "api/python", "docs/result-file", "docs/journal",
-                  "cases/index", "examples/index"],
+    "Using whirl": ["docs/user-guide", "docs/tutorials/README", "docs/gallery", "Python guide <docs/python>",
+                    "docs/octave", "Studies on a cluster <docs/cluster>", "Elements of your own <docs/elements>"],
+    "Reference": ["docs/reference/keys", "whirl(1) <docs/whirl>", "C API <api/index>", "Python API <api/python>",
+                  "docs/result-file", "docs/journal", "cases/index", "examples/index", "ABI of libwhirl <docs/abi>"],
     "What it rests on": ["docs/theory", "docs/verification-manual", "docs/benchmarks"],
-    "The project": ["ARCHITECTURE", "CONTRIBUTING", "CHANGELOG"],
+    "The project": ["ARCHITECTURE", "CONTRIBUTING", "Portability <docs/portability>", "CHANGELOG"],
 }
+# The lesson to begin with; the others follow as their list has them.
+FIRST_LESSON = "first-rotor"
 
 
 def write(path, text):
@@ -110,14 +112,14 @@ def lay_out_python(source):
     sys.path.insert(0, str(package.parent))
     modules = ["whirl", *(f"whirl.{name}" for name in importlib.import_module("whirl").__all__
                           if (package / f"{name}.py").exists() or (package / name).is_dir())]
-    text = "The Python package\n==================\n\n"
+    text = "Python API\n==========\n\n"
     for module in modules:
         text += f"{module}\n{'-' * len(module)}\n\n.. automodule:: {module}\n   :members:\n   :undoc-members:\n\n"
     write(source / "api/python.rst", text)
 
 
 def lay_out_tutorials(source, runs):
-    """In the order in which their list names them."""
+    """In the order in which their list names them, behind the one to begin with."""
     text = (ROOT / "docs/tutorials/README.md").read_text()
     names = re.findall(r"\]\(([\w-]+)\.md\)", text)
     folder = source / "docs/tutorials"
@@ -128,17 +130,22 @@ def lay_out_tutorials(source, runs):
             print(f"running {name}", flush=True)
             tutorials.execute(notebook)
         write(folder / f"{name}.md", tutorials.page(notebook, folder, name))
-    entries = "\n".join(names)
+    entries = "\n".join(sorted(names, key=lambda name: name != FIRST_LESSON))
     write(folder / "README.md", f"{adapted(text)}\n```{{toctree}}\n:hidden:\n\n{entries}\n```\n")
+
+
+def page_of(entry):
+    """The page of an entry of PARTS."""
+    return re.sub(r".*<(.*)>$", r"\1", entry)
 
 
 def lay_out_front(source):
     """README is the front page; the parts of the site hang on it."""
     text = adapted((ROOT / "README.md").read_text())
-    listed = {name for names in PARTS.values() for name in names}
+    listed = {page_of(entry) for entries in PARTS.values() for entry in entries}
     others = [f"docs/{path.stem}" for path in sorted(source.glob("docs/*.md")) if f"docs/{path.stem}" not in listed]
-    for title, names in PARTS.items():
-        there = [name for name in names if list(source.glob(f"{name}.*"))]
+    for title, entries in PARTS.items():
+        there = [entry for entry in entries if list(source.glob(f"{page_of(entry)}.*"))]
         entries = "\n".join(there + (others if title == "Reference" else []))
         text += f"\n```{{toctree}}\n:hidden:\n:caption: {title}\n\n{entries}\n```\n"
     write(source / "index.md", text)

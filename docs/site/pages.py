@@ -66,7 +66,7 @@ def in_fonts(macro, line):
 
 def manual_page(text):
     """The man page (docs/whirl.1) as Markdown: the macros of man(7) that it uses."""
-    out, tagged = ["# The man page\n"], None
+    out, tagged = ["# whirl(1), the man page\n"], None
     for line in text.splitlines():
         macro, _, rest = line.partition(" ")
         if macro in (".TH", ""):
