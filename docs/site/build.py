@@ -94,14 +94,27 @@ def lay_out_gallery(build, source):
     write(source / "docs/gallery.md", adapted(text))
 
 
-def lay_out_reference(work, source):
-    headers.run_doxygen(ROOT / "include/whirl", work / "doxygen")
+def lay_out_reference(build, work, source):
+    """The C reference, also of the header that CMake makes, and the Python reference."""
+    headers.run_doxygen([ROOT / "include", build / "include"], work / "doxygen")
     (source / "api").mkdir(exist_ok=True)
-    names = headers.write_pages(work / "doxygen/xml", source / "api")
-    write(source / "api/index.md", pages.contents(
-        "The C library", "One page a public header, `#include <whirl/whirl.h>` has them all. What fails gives a "
-        "`whirl_status` with a sentence.", names))
+    told = headers.write_pages(work / "doxygen/xml", source / "api")
+    page = headers.index_page(headers.INDEX, ["what it has", "interface"], told)
+    write(source / "api/index.md", page + "\n```{toctree}\n:hidden:\n\nelement/index\n```\n")
+    lay_out_element_headers(source / "api/element")
     lay_out_python(source)
+
+
+def lay_out_element_headers(folder):
+    """The headers that are installed for elements of one's own, as they are: macros of theirs are no plain C."""
+    installed = re.search(r"install\(FILES ([^)]*)\n\s*DESTINATION \S*/whirl/element\)",
+                          (ROOT / "cmake/install.cmake").read_text())[1].split()
+    told = []
+    for path in sorted((ROOT / name for name in installed), key=lambda path: path.name):
+        write(folder / f"{path.stem}.md", pages.header_page(path))
+        shutil.copy(path, folder)
+        told.append((f"element/{path.stem}", pages.first_sentence(path.read_text())))
+    write(folder / "index.md", headers.index_page(headers.ELEMENTS, ["what it has"], told))
 
 
 def lay_out_python(source):
@@ -181,15 +194,15 @@ def main():
     lay_out_markdown(source)
     lay_out_listings(source)
     lay_out_gallery(build, source)
-    lay_out_reference(work, source)
+    lay_out_reference(build, work, source)
     lay_out_tutorials(source, runs)
     lay_out_front(source)
     lay_out_static(source)
     os.environ.update(WHIRL_VERSION=version(), WHIRL_DOXYGEN_XML=str(work / "doxygen/xml"))
     site = build / "docs" if runs else work / "site"
     shutil.rmtree(site, ignore_errors=True)
-    command = [sys.executable, "-m", "sphinx", "-W", "--keep-going", "-q", "-d", str(work / "doctrees"), str(source), str(site)]
-    return subprocess.run(command).returncode
+    options = ["-W", "--keep-going", "-q", "-d", str(work / "doctrees")]
+    return subprocess.run([sys.executable, "-m", "sphinx", *options, str(source), str(site)]).returncode
 
 
 if __name__ == "__main__":

@@ -1,5 +1,6 @@
 """The C reference: one page a public header, its symbols in the order in which they stand there."""
 
+import re
 import subprocess
 import sys
 import xml.etree.ElementTree as ElementTree
@@ -10,11 +11,12 @@ DIRECTIVES = {"function": "doxygenfunction", "typedef": "doxygentypedef", "enum"
               "define": "doxygendefine", "variable": "doxygenvariable"}
 
 
-def run_doxygen(include, folder):
-    """Writes folder/xml; raises an error that holds what Doxygen found undocumented."""
+def run_doxygen(folders, folder):
+    """Writes folder/xml of the headers in whirl/ of `folders`; raises an error with what Doxygen found missing."""
     folder.mkdir(parents=True, exist_ok=True)
+    inputs = " ".join(f'"{include}/whirl"' for include in folders)
     settings = (HERE / "Doxyfile").read_text() + (
-        f'INPUT = "{include}"\nOUTPUT_DIRECTORY = "{folder}"\n'
+        f'INPUT = {inputs}\nOUTPUT_DIRECTORY = "{folder}"\n'
         f'INPUT_FILTER = "{sys.executable} {HERE / "header_filter.py"}"\n')
     done = subprocess.run(["doxygen", "-"], input=settings, capture_output=True, text=True)
     if done.returncode != 0 or done.stderr:
@@ -69,7 +71,7 @@ def constants(enumeration):
 
 
 def symbols(xml, header, told):
-    """Line and reStructuredText of every symbol of a header that is not told of yet: `told` are names, and gets these."""
+    """Line and reStructuredText of every symbol of a header that is not in `told`, names, to which these are added."""
     for inner in header.findall("innerclass"):
         compound = ElementTree.parse(xml / f"{inner.get('refid')}.xml").getroot()[0]
         line = int(compound.find("location").get("line"))
@@ -89,15 +91,40 @@ def symbols(xml, header, told):
             yield line, f".. {DIRECTIVES[kind]}:: {name}"
 
 
+INDEX = """# C API
+
+One page a public header; `#include <whirl/whirl.h>` has them all. What fails gives a `whirl_status` with a sentence.
+
+Headers that are *stable* serve programs that were compiled with the headers of another version; structs of the others
+grow, and a program that uses them runs with libraries of the same minor version ([the ABI](../docs/abi.md)).
+What elements of your own are compiled with has [pages of its own](element/index.md).
+"""
+ELEMENTS = """# Headers for elements
+
+What [an element of your own](../../docs/elements.md) is compiled with, as it is installed in `whirl/element`. These
+headers are the library's own, and no more stable than an element is.
+"""
+
+
+def index_page(words, titles, entries):
+    """The words and a table of headers: its page, then what stands in the columns behind it."""
+    heading = f"| {' | '.join(['header', *titles])} |\n|{'---|' * (len(titles) + 1)}\n"
+    rows = "".join(f"| {{doc}}`whirl/{page}.h </api/{page}>` | {' | '.join(columns)} |\n" for page, *columns in entries)
+    names = "\n".join(f"/api/{page}" for page, *_ in entries)
+    return f"{words}\n{heading}{rows}\n```{{toctree}}\n:hidden:\n:maxdepth: 1\n\n{names}\n```\n"
+
+
 def write_pages(xml, folder):
-    """Gives the names of the pages, without their suffix."""
-    names, told = [], set()
+    """Gives the pages, without their suffix, each with its first sentence and "stable" where its interface is that."""
+    pages, told = [], set()
     for path in sorted(xml.glob("*_8h.xml")):
         header = ElementTree.parse(path).getroot()[0]
         name = header.findtext("compoundname")
         title = f"whirl/{name}"
         body = [text for _, text in sorted(symbols(xml, header, told), key=lambda symbol: symbol[0])]
-        page = f"{title}\n{'=' * len(title)}\n\n{description(header)}\n\n" + "\n\n".join(body) + "\n"
-        names.append(name[:-2])
+        words = description(header)
+        page = f"{title}\n{'=' * len(title)}\n\n{words}\n\n" + "\n\n".join(body) + "\n"
+        first = re.match(r".*?\.(?=\s|$)|.*", words, re.DOTALL)[0]
+        pages.append((name[:-2], " ".join(first.split()), "stable" if "Stable interface" in words else ""))
         (folder / f"{name[:-2]}.rst").write_text(page)
-    return names
+    return pages

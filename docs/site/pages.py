@@ -1,4 +1,4 @@
-"""Pages that are made of what is no Markdown: cases, example programs, the man page."""
+"""Pages that are made of what is no Markdown: cases, programs and headers of C, the man page."""
 
 import re
 import shlex
@@ -31,6 +31,10 @@ def program_page(path):
     if len(subject) > LONG_TITLE:
         subject = subject.partition(":")[0]
     return listing(path, "c", f"{path.name}: {subject}" if subject else path.name)
+
+
+def header_page(path):
+    return listing(path, "c", f"whirl/element/{path.name}")
 
 
 def contents(title, words, names):
