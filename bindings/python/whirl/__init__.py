@@ -9,6 +9,14 @@ Everything is computed by the library libwhirl; numbers are those of the command
 
 from importlib import import_module
 
+TYPE_CHECKING = False  # that of typing, without its import; checkers of types know the name
+if TYPE_CHECKING:
+    from . import plot, signals, systems
+    from .case import Case
+    from .errors import BadInput, Error, FileFailure, MissingProgram, NumericalFailure, OutOfMemory, Stopped
+    from .result import Field, Parameter, Result, Station, Table, open, read
+    from .running import run
+
 _HOMES = {
     "Case": "case",
     "Result": "result",
@@ -33,7 +41,7 @@ __all__ = [*_HOMES, *_MODULES, "library_version"]
 __version__ = "0.2.0"
 
 
-def __getattr__(name):
+def __getattr__(name: str) -> object:
     """Modules are imported when they are first asked for, so that ``import whirl`` takes no time."""
     if name in _HOMES:
         value = getattr(import_module("." + _HOMES[name], __name__), name)
@@ -45,11 +53,11 @@ def __getattr__(name):
     return value
 
 
-def __dir__():
+def __dir__() -> list[str]:
     return sorted([*globals(), *__all__])
 
 
-def library_version():
+def library_version() -> str:
     """The version of libwhirl that computes, such as "0.2.0"."""
     from ._library import lib, text
 

@@ -1,9 +1,20 @@
 """Figures of measured signals, in the manner of whirl.plot."""
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
 
 from ._kinds import REGIMES
 from ._marks import new_axes
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from .signals import Record
+
+__all__ = ["Plots"]
 
 
 class Plots:
@@ -13,14 +24,14 @@ class Plots:
     Matplotlib.
     """
 
-    def __init__(self, record):
+    def __init__(self, record: Record) -> None:
         self._record = record
 
     def _label(self, what):
         unit = {"um": "µm", "1": ""}.get(self._record.unit, self._record.unit)
         return f"{what} ({unit})" if unit else what
 
-    def speed(self, ax=None, **style):
+    def speed(self, ax: Axes | None = None, **style: Any) -> Axes:
         """The speed between pulses over time: in rpm where time is in seconds."""
         record, ax = self._record, new_axes(ax)
         seconds = record.time_unit == "s"
@@ -31,7 +42,9 @@ class Plots:
         ax.set(xlabel=f"time ({record.time_unit})", ylabel=f"speed ({unit})")
         return ax
 
-    def orbit(self, revolutions=4, x=0, y=1, ax=None, **style):
+    def orbit(
+        self, revolutions: int = 4, x: str | int = 0, y: str | int = 1, ax: Axes | None = None, **style: Any
+    ) -> Axes:
         """The path of the last revolutions, with a mark at every pulse."""
         record, ax = self._record, new_axes(ax)
         path = record.displacements(x, y)
@@ -50,14 +63,18 @@ class Plots:
         section = np.ascontiguousarray(record.section(phase)[:, [record.channel(x), record.channel(y)]].T)
         return (section if record.angles is None else record._turned(section, x, y)).T
 
-    def section(self, phase=0.0, x=0, y=1, ax=None, **style):
+    def section(
+        self, phase: float = 0.0, x: str | int = 0, y: str | int = 1, ax: Axes | None = None, **style: Any
+    ) -> Axes:
         """The section of two probes: where the shaft is once a revolution."""
         ax = new_axes(ax)
         ax.plot(*self._marks(x, y, phase).T, **{"marker": ".", "ls": "none", "c": "k", **style})
         ax.set(xlabel=self._label("x"), ylabel=self._label("y"), aspect="equal")
         return ax
 
-    def spectrum(self, channel=0, highest_order=10.0, ax=None, **style):
+    def spectrum(
+        self, channel: str | int = 0, highest_order: float = 10.0, ax: Axes | None = None, **style: Any
+    ) -> Axes:
         """The order spectrum of a channel."""
         record, ax = self._record, new_axes(ax)
         index = record.channel(channel)
@@ -68,7 +85,9 @@ class Plots:
         ax.set_ylim(bottom=0.0)
         return ax
 
-    def full_spectrum(self, highest_order=5.0, x=0, y=1, ax=None, **style):
+    def full_spectrum(
+        self, highest_order: float = 5.0, x: str | int = 0, y: str | int = 1, ax: Axes | None = None, **style: Any
+    ) -> Axes:
         """The full spectrum of two probes: forward whirl at orders above 0, backward whirl below."""
         spectrum, ax = self._record.full_spectrum(highest_order, x, y), new_axes(ax)
         style = {"color": "black", "linewidth": 0.8, **style}

@@ -1,13 +1,22 @@
 """Cases: one YAML text that describes a rotor, its parameters and a study."""
 
+from __future__ import annotations
+
 import json
+import os
 import re
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from . import errors
 from ._library import BAD_INPUT, check, ffi, lib, path_bytes, text, word_bytes
+
+if TYPE_CHECKING:
+    from .result import Parameter, Result
+
+__all__ = ["Case"]
 
 _PROBLEMS = 1 << 16
 _PLAIN = re.compile(r"[A-Za-z0-9_=][A-Za-z0-9_ .+*/()^=-]*\Z")
@@ -91,7 +100,13 @@ class Case:
     >>> result = whirl.run(case)
     """
 
-    def __init__(self, source=None, *, text=None, name=None):
+    def __init__(
+        self,
+        source: str | os.PathLike | dict | None = None,
+        *,
+        text: str | bytes | None = None,
+        name: str | None = None,
+    ) -> None:
         if (source is None) == (text is None):
             raise TypeError("Case() takes a file, a dict, or text=..., one of them")
         if isinstance(source, dict):
@@ -111,7 +126,7 @@ class Case:
         if not isinstance(text, (str, bytes, bytearray)):
             raise TypeError(f"the text of a case is {text!r}, expected a str")
         self._handle = self._check(_encoded(text), name or "case.yaml")
-        self.name = name or "case.yaml"
+        self.name = name or "case.yaml"  #: stands for the file in messages
 
     @staticmethod
     def _check(data, name):
@@ -124,23 +139,23 @@ class Case:
         return ffi.gc(out[0], lib.whirl_case_free)
 
     @property
-    def text(self):
+    def text(self) -> str:
         """The text of the case as it is now, as :meth:`set` changed it."""
         length = ffi.new("size_t *")
         found = lib.whirl_case_text(self._handle, length)
         return ffi.buffer(found, length[0])[:].decode("utf-8", "replace")
 
     @property
-    def title(self):
+    def title(self) -> str:
         """The title that the case gives itself, "" where it has none."""
         return text(lib.whirl_case_title(self._handle))
 
     @property
-    def parameters(self):
-        """dict of str to :class:`Parameter`: the parameters with the values that a run would use."""
+    def parameters(self) -> dict[str, Parameter]:
+        """The parameters by their names, with the values that a run would use."""
         return self.outline().parameters
 
-    def set(self, name, value):
+    def set(self, name: str, value: str | float) -> Case:
         """Sets a parameter, or a key of the case by its path, as ``--set NAME=VALUE`` of the command does.
 
         Parameters
@@ -159,13 +174,13 @@ class Case:
         check(lib.whirl_case_set(self._handle, word_bytes(f"{name}={value}")))
         return self
 
-    def spend(self, revolutions=0.0, seconds=0.0):
+    def spend(self, revolutions: float = 0.0, seconds: float = 0.0) -> Case:
         """Lets runs do points in doubt again, within so many revolutions or seconds; without any number as many
         revolutions as the study itself (``--refine`` of the command)."""
         check(lib.whirl_case_spend(self._handle, revolutions, seconds))
         return self
 
-    def outline(self):
+    def outline(self) -> Result:
         """The :class:`Result` before any point is computed: parameters, stations, the values of every table."""
         from .result import Result
         from ._memory import MemorySource
@@ -174,7 +189,7 @@ class Case:
         check(lib.whirl_case_outline(self._handle, out))
         return Result(MemorySource(out[0], computed=False))
 
-    def copy(self):
+    def copy(self) -> Case:
         """Another case of the same text."""
         return Case(text=self.text, name=self.name)
 
@@ -186,7 +201,7 @@ class Case:
     def __reduce__(self):
         return _case_of, (self.text, self.name)
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return f"<whirl.Case {self.name!r}: {self.title}>"
 
 

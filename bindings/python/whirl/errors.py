@@ -1,5 +1,11 @@
 """What the library refuses, as exceptions: each carries the library's own sentence."""
 
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+__all__ = ["Error", "BadInput", "OutOfMemory", "FileFailure", "NumericalFailure", "Stopped", "MissingProgram"]
+
 
 class Error(Exception):
     """A call of libwhirl failed; ``str`` of it is one sentence that says where, what was found and what is expected."""
@@ -14,7 +20,7 @@ class BadInput(Error, ValueError):
         All that is wrong with a case, "paper.yaml:12:7: rotor.stations.disc.mass: is -3 kg, expected ...".
     """
 
-    def __init__(self, message, problems=()):
+    def __init__(self, message: str, problems: Sequence[str] = ()) -> None:
         super().__init__(message)
         self.problems = list(problems)
 

@@ -1,17 +1,29 @@
 """Results: the tables of a study with every number, in memory or in a file, in one way."""
 
+from __future__ import annotations
+
 import html
 import os
 import shutil
 import tempfile
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from . import errors
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+
+    from .case import Case
+    from .plot import Plots
+
+__all__ = ["Parameter", "Station", "Field", "Table", "Result", "open", "read"]
 
 
 @dataclass(frozen=True)
@@ -23,7 +35,7 @@ class Parameter:
     unit: str  #: of SI, "1" for a plain number
     text: str  #: as the case wrote it
 
-    def __float__(self):
+    def __float__(self) -> float:
         return self.value
 
 
@@ -32,13 +44,13 @@ class Station:
     """A place of the machine whose motion is observed."""
 
     name: str
-    clearance: float  #: of the bearing there, in length scales; 0: none
-    gap: float  #: radius at which it touches a stator, in length scales; 0: none
+    clearance: float  #: of the bearing there, in length scales; 0 where there is none
+    gap: float  #: radius at which it touches a stator, in length scales; 0 where there is none
     x: int  #: index of the coordinate in the state
-    y: int
-    vx: int
-    vy: int
-    shaft: int = 0  #: number of the shaft of finite elements it lies on, from 1; 0: none
+    y: int  #: likewise
+    vx: int  #: index of the velocity along x
+    vy: int  #: likewise along y
+    shaft: int = 0  #: number of the shaft of finite elements it lies on, from 1; 0 for none
     position: float = 0.0  #: along that shaft, m
 
 
@@ -48,17 +60,17 @@ class Field:
 
     name: str  #: "orbit/max_radius"
     unit: str  #: "length" and "force" (in the scales of the result), "1", "revolution", "order", ...
-    meaning: str
-    extent: str  #: "point", "station" or "contact": what it stands once for
-    repeat: int
-    rows: int
-    columns: int
+    meaning: str  #: in words
+    extent: str  #: what it stands once for, a "point", "station" or "contact"
+    repeat: int  #: how many of these there are
+    rows: int  #: of each; 1 for plain numbers
+    columns: int  #: of each row
     si_factor: float  #: times a number gives SI; NaN for lengths where the parameter changes the scale
-    si_unit: str
-    column_names: list
+    si_unit: str  #: the name of that unit
+    column_names: list[str]  #: "x", "y", ...; empty where columns have no names
 
     @property
-    def dimensions(self):
+    def dimensions(self) -> tuple[str, ...]:
         """Names of the dimensions behind those of the points."""
         sizes = (self.extent, self.extent != "point"), ("row", self.rows != 1), ("column", self.columns != 1)
         return tuple(name for name, there in sizes if there)
@@ -80,9 +92,9 @@ class Table(Mapping):
     these.
     """
 
-    def __init__(self, about, source):
+    def __init__(self, about: Any, source: Any) -> None:
         self._about, self._source = about, source
-        self.name = source.name
+        self.name = source.name  #: "sweep", "map", "branch", ...
         self.parameter = source.parameter  #: what varies, "" for a single point
         self.second = source.second  #: what varies besides, in a map or curves, else ""
         self.third = source.third  #: what varies from plane to plane of a map, else ""
@@ -91,50 +103,50 @@ class Table(Mapping):
         self.planes = source.planes  #: of a map, 1 where it has no third parameter; 0 of other tables
 
     @cached_property
-    def fields(self):
-        """dict of str to :class:`Field`, in the order of the file."""
+    def fields(self) -> dict[str, Field]:
+        """The fields by their names, in the order of the file."""
         return {about["name"]: Field(**about) for about in self._source.fields()}
 
     @cached_property
-    def values(self):
+    def values(self) -> np.ndarray:
         """The parameter at every point, in SI; NaN where nothing varies."""
         return _fixed(self._source.values())
 
     @cached_property
-    def second_values(self):
+    def second_values(self) -> np.ndarray | None:
         """The second parameter at every point of a map, in SI; of curves "trace/second"; None where there is none."""
         name = "map/second" if "map/second" in self.fields else "trace/second" if self.second else None
         return self[name] if name in self.fields else None
 
     @cached_property
-    def third_values(self):
+    def third_values(self) -> np.ndarray | None:
         """The third parameter at every point of a map with planes, in SI; None where there is none."""
         return self["map/third"] if "map/third" in self.fields else None
 
     @cached_property
-    def branch(self):
+    def branch(self) -> np.ndarray:
         """+1 at points carried from the first value on, -1 from the last, 0 not carried."""
         return _fixed(self._source.branch())
 
     @cached_property
-    def point(self):
-        """Which point of the study each is, from 1: all of them, but where the run was stopped."""
+    def point(self) -> np.ndarray:
+        """Which point of the study each is, from 1. All of them are there, but where the run was stopped."""
         return _fixed(self._source.point())
 
     @cached_property
-    def place(self):
-        """Where in the study each point is, from 0, row by row and plane by plane of a map: one for several starts."""
+    def place(self) -> np.ndarray:
+        """Where in the study each point is, from 0, row by row and plane by plane of a map; one for several starts."""
         return _fixed(self._source.place())
 
     @cached_property
-    def length_scale(self):
+    def length_scale(self) -> np.ndarray:
         """m per unit of length at every point."""
         return _fixed(self._source.length_scale())
 
     @cached_property
-    def clock(self):
-        """rad/s at every point of the phase by which sections are taken, a turn of which is a revolution: the speed of
-        the shaft, unless the case has another keyphasor. NaN where that is not told."""
+    def clock(self) -> np.ndarray:
+        """rad/s at every point of the phase by which sections are taken, a turn of which is a revolution. That is the
+        speed of the shaft, unless the case has another keyphasor. NaN where that is not told."""
         return _fixed(self._source.clock(self._about.clock, self.values, self.second_values, self.third_values))
 
     @cached_property
@@ -142,12 +154,12 @@ class Table(Mapping):
         return tuple(_fixed(words) for words in self._source.words())
 
     @property
-    def verdicts(self):
+    def verdicts(self) -> np.ndarray:
         """The verdict on every point in words ("P-2", "chaotic", ...); "" without the analysis regime."""
         return self._words[0]
 
     @property
-    def reasons(self):
+    def reasons(self) -> np.ndarray:
         """Why, in a sentence from the evidence."""
         return self._words[1]
 
@@ -156,30 +168,30 @@ class Table(Mapping):
         return tuple(map(_fixed, self._source.attractors())) if self.has_attractors else (None, None, None)
 
     @property
-    def has_attractors(self):
-        """Whether the points are different starts of one machine: a basin, or several starts a place."""
+    def has_attractors(self) -> bool:
+        """Whether the points are different starts of one machine, as those of a basin or of several starts a place."""
         return self.name == "basin" or "starts/number" in self.fields
 
     @property
-    def attractors(self):
+    def attractors(self) -> np.ndarray | None:
         """The number of the attractor that every point came to rest on, from 1, that of most starts; 0 without a
         verdict. None where :attr:`has_attractors` is not true."""
         return self._attractors[0]
 
     @property
-    def shares(self):
-        """Of the starts (of the basin, or of the point's place), those that lead to the attractor of the point: 0 to 1,
-        NaN where it has none. None where :attr:`has_attractors` is not true."""
+    def shares(self) -> np.ndarray | None:
+        """The share, from 0 to 1, of the starts (of the basin, or of the point's place) that lead to the attractor of
+        the point; NaN where it has none. None where :attr:`has_attractors` is not true."""
         return self._attractors[1]
 
     @property
-    def share_errors(self):
+    def share_errors(self) -> np.ndarray | None:
         """The standard errors of :attr:`shares`, were the starts drawn at random."""
         return self._attractors[2]
 
     @cached_property
-    def options(self):
-        """How the points were computed: method, tolerances, revolutions, ..."""
+    def options(self) -> dict:
+        """Method, tolerances, revolutions and all else that says how the points were computed."""
         return self._source.options()
 
     def _field(self, name):
@@ -194,24 +206,24 @@ class Table(Mapping):
             f"the table '{self.name}' has no field '{name}'" + (f", did you mean '{near[0]}'?" if near else "")
         )
 
-    def __getitem__(self, name):
+    def __getitem__(self, name: str) -> np.ndarray:
         field = self._field(name)
         return self._source.numbers(list(self.fields).index(name), field)
 
-    def __iter__(self):
+    def __iter__(self) -> Iterator[str]:
         return iter(self.fields)
 
-    def __len__(self):
+    def __len__(self) -> int:
         return len(self.fields)
 
-    def __contains__(self, name):
+    def __contains__(self, name: object) -> bool:
         return name in self.fields
 
-    def unit(self, name):
+    def unit(self, name: str) -> str:
         """The unit of a field's numbers as they stand: "length", "force", "1", "order", ..."""
         return self._field(name).unit
 
-    def si(self, name):
+    def si(self, name: str) -> tuple[np.ndarray, str]:
         """The numbers of a field in SI, and the name of the unit: ``radius, unit = table.si("orbit/max_radius")``.
 
         A column of orders beside lengths (``spectrum/lines``) stays as it is.
@@ -230,14 +242,14 @@ class Table(Mapping):
             return self.length_scale
         return 2.0 * np.pi / self.clock if unit == "revolution" else self.clock / (2.0 * np.pi)
 
-    def at(self, value):
+    def at(self, value: float) -> int:
         """Index of the point whose parameter is nearest to a value in SI."""
         distance = np.abs(self.values.ravel() - float(value))
         if not np.isfinite(distance).any():
             raise errors.BadInput(f"no point of the table '{self.name}' is near {value}")
         return int(np.nanargmin(distance))
 
-    def station(self, name):
+    def station(self, name: str | int) -> int:
         """Index of a station by its name, or by its index."""
         names = [station.name for station in self._about.stations]
         if isinstance(name, (int, np.integer)) and 0 <= name < len(names):
@@ -246,7 +258,7 @@ class Table(Mapping):
             return names.index(name)
         raise errors.BadInput(f"there is no station '{name}', expected one of: {', '.join(names)}")
 
-    def to_pandas(self):
+    def to_pandas(self) -> pandas.DataFrame:
         """A DataFrame with a line a point: the parameters, the verdict, and every field of one row.
 
         Names are those of the CSV files without units ("orbit/max_radius disc", "orbit/mean disc x"); parameters that
@@ -291,7 +303,7 @@ class Table(Mapping):
                 units[title] = field.unit
         return found
 
-    def to_xarray(self):
+    def to_xarray(self) -> xarray.Dataset:
         """A Dataset with the fields by their names, dimensions as in the file, units as attributes.
 
         Fields of a file stay there until they are used, where dask is installed.
@@ -352,7 +364,7 @@ class Table(Mapping):
         words = da.from_array(dataset())
         return words.map_blocks(np.char.decode, "utf-8", dtype=f"U{words.dtype.itemsize}")
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         size = " x ".join(map(str, self.shape))
         return (
             f"<whirl.Table '{self.name}': {size} points over {self.parameter or 'nothing'}, {len(self.fields)} fields>"
@@ -370,29 +382,29 @@ def _apart(name):
 class _About:
     """What tables know of their result; they do not hold it, so that memory is free as soon as nobody does."""
 
-    def __init__(self, source):
+    def __init__(self, source: Any) -> None:
         self._source = source
 
     title = property(lambda self: self._source.title)
 
     @cached_property
-    def parameters(self):
+    def parameters(self) -> dict[str, Parameter]:
         return {name: Parameter(name, *rest) for name, *rest in self._source.parameters()}
 
     @cached_property
-    def stations(self):
+    def stations(self) -> list[Station]:
         return [Station(**about) for about in self._source.stations()]
 
     @cached_property
-    def contacts(self):
+    def contacts(self) -> list[str]:
         return self._source.contacts()
 
     @cached_property
-    def facts(self):
+    def facts(self) -> dict[str, str]:
         return self._source.facts()
 
     @property
-    def clock(self):
+    def clock(self) -> float:
         """rad/s, of the case as it stands."""
         try:
             rate = float(self.facts.get("keyphasor rate", "").split(" ")[0])
@@ -400,44 +412,78 @@ class _About:
             rate = 0.0
         return rate if 0.0 < rate < np.inf else self._source.speed
 
-    def parameter_unit(self, name):
+    def parameter_unit(self, name: str) -> str:
         return self.parameters[name].unit if name in self.parameters else "1"
 
 
 class Result:
     """What a run found, with the case it came from and how it was computed."""
 
-    def __init__(self, source):
+    def __init__(self, source: Any) -> None:
         self._source, self._about = source, _About(source)
 
-    title = property(lambda self: self._source.title, doc="The title of the case.")
-    case_name = property(lambda self: self._source.case_name, doc="The name of the case file.")
-    case_text = property(lambda self: self._source.case_text, doc="The case file, byte for byte.")
-    speed = property(lambda self: self._source.speed, doc="Of the shaft, rad/s, of the case as it stands.")
-    length_scale = property(lambda self: self._source.length_scale, doc="m per unit of length.")
-    force_scale = property(lambda self: self._source.force_scale, doc="N per unit of force.")
-    partial = property(lambda self: self._source.partial, doc="Whether the run was stopped before its end.")
+    @property
+    def title(self) -> str:
+        """The title of the case."""
+        return self._source.title
 
-    parameters = property(lambda self: self._about.parameters, doc="dict of str to :class:`Parameter`.")
-    stations = property(
-        lambda self: self._about.stations,
-        doc="list of :class:`Station`, in the order of the station dimension of fields.",
-    )
-    contacts = property(
-        lambda self: self._about.contacts,
-        doc="list of str, names of the contacts, in the order of the contact dimension of fields.",
-    )
-    facts = property(
-        lambda self: self._about.facts, doc="dict of str to str that says how, where and with what it was computed."
-    )
+    @property
+    def case_name(self) -> str:
+        """The name of the case file."""
+        return self._source.case_name
+
+    @property
+    def case_text(self) -> str:
+        """The case file, byte for byte."""
+        return self._source.case_text
+
+    @property
+    def speed(self) -> float:
+        """Of the shaft, rad/s, of the case as it stands."""
+        return self._source.speed
+
+    @property
+    def length_scale(self) -> float:
+        """m per unit of length."""
+        return self._source.length_scale
+
+    @property
+    def force_scale(self) -> float:
+        """N per unit of force."""
+        return self._source.force_scale
+
+    @property
+    def partial(self) -> bool:
+        """Whether the run was stopped before its end."""
+        return self._source.partial
+
+    @property
+    def parameters(self) -> dict[str, Parameter]:
+        """The parameters of the case by their names."""
+        return self._about.parameters
+
+    @property
+    def stations(self) -> list[Station]:
+        """The stations, in the order of the station dimension of fields."""
+        return self._about.stations
+
+    @property
+    def contacts(self) -> list[str]:
+        """Names of the contacts, in the order of the contact dimension of fields."""
+        return self._about.contacts
+
+    @property
+    def facts(self) -> dict[str, str]:
+        """How, where and with what it was computed."""
+        return self._about.facts
 
     @cached_property
-    def tables(self):
-        """dict of str to :class:`Table`: "sweep", "map", "branch", ..."""
+    def tables(self) -> dict[str, Table]:
+        """The tables by their names, such as "sweep", "map", "branch"."""
         return {name: Table(self._about, table) for name, table in self._source.tables().items()}
 
     @property
-    def case(self):
+    def case(self) -> Case:
         """The case, ready to be run again or changed."""
         from .case import Case
 
@@ -447,7 +493,7 @@ class Result:
     def _shown(self):
         return self._source.shown()
 
-    def show_in(self, units):
+    def show_in(self, units: str) -> Result:
         """Chooses the units of figures, as ``whirl report --units`` does; those of the case without it.
 
         Parameters
@@ -465,40 +511,40 @@ class Result:
         self._shown = self._source.show_in(units)
         return self
 
-    def parameter_unit(self, name):
+    def parameter_unit(self, name: str) -> str:
         """The SI unit of a parameter, "1" for what is none."""
         return self._about.parameter_unit(name)
 
-    def __getitem__(self, name):
+    def __getitem__(self, name: str) -> Table:
         if name in self.tables:
             return self.tables[name]
         raise KeyError(f"the result has no table '{name}', expected one of: {', '.join(self.tables)}")
 
     @property
-    def plot(self):
-        """Figures in Matplotlib as the report draws them: ``result.plot.bifurcation()``, ..."""
+    def plot(self) -> Plots:
+        """Figures in Matplotlib as the report draws them, such as ``result.plot.bifurcation()``."""
         from .plot import Plots
 
         return Plots(self)
 
-    def save(self, path):
+    def save(self, path: str | os.PathLike) -> None:
         """Writes the result as the file that `whirl run` writes: to another name first, so that none is left half."""
         self._source.write(path)
 
     def __reduce__(self):
         raise TypeError("a result cannot be pickled: save() writes it to a file, and whirl.open() reads that")
 
-    def close(self):
+    def close(self) -> None:
         """Closes the file of a result that was opened; nothing more can be read then."""
         getattr(self._source, "close", lambda: None)()
 
-    def __enter__(self):
+    def __enter__(self) -> Result:
         return self
 
-    def __exit__(self, *_exception):
+    def __exit__(self, *_exception: object) -> None:
         self.close()
 
-    def explorer(self, path=None, template=None):
+    def explorer(self, path: str | os.PathLike | None = None, template: str | os.PathLike | None = None) -> str | None:
         """The explorer: a page that shows the result and computes on in the browser.
 
         Parameters
@@ -531,7 +577,7 @@ class Result:
                 return page.read_text(encoding="utf-8")
             shutil.copyfile(page, path)
 
-    def _repr_html_(self):
+    def _repr_html_(self) -> str:
         """In a notebook: the explorer, where its template is there and the page is not too large; else a table."""
         if find_template() is not None and self._source.bytes() <= _LARGEST_SHOWN:
             return (
@@ -548,7 +594,7 @@ class Result:
             f"<table><tr><th>table</th><th>points</th><th>over</th></tr>{''.join(lines)}</table>"
         )
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         tables = ", ".join(f"{t.name} ({' x '.join(map(str, t.shape))})" for t in self.tables.values())
         return f"<whirl.Result {self.title!r}: {tables}{', partial' if self.partial else ''}>"
 
@@ -556,7 +602,7 @@ class Result:
 _LARGEST_SHOWN = 64 << 20  # bytes of a result: notebooks keep the page in their file
 
 
-def find_template():
+def find_template() -> str | os.PathLike | None:
     """The explorer's template: as WHIRL_EXPLORER says, in the package, or where the system has it; None."""
     places = (
         os.environ.get("WHIRL_EXPLORER"),
@@ -567,7 +613,7 @@ def find_template():
     return next((place for place in places if place and os.path.exists(place)), None)
 
 
-def open(path):  # noqa: A001 (whirl.open reads as one says it)
+def open(path: str | os.PathLike) -> Result:  # noqa: A001 (whirl.open reads as one says it)
     """Opens a result file. Nothing but its outline is read before it is asked for, however large it is.
 
     The file is read by h5py as it stands. For files of strangers there is :func:`read`, which has libwhirl check every
@@ -578,7 +624,7 @@ def open(path):  # noqa: A001 (whirl.open reads as one says it)
     return Result(FileSource(os.fspath(path)))
 
 
-def read(path):
+def read(path: str | os.PathLike) -> Result:
     """Reads all of a result file into memory, checked by the library before a number of it is believed."""
     from ._memory import MemorySource
 

@@ -1,5 +1,7 @@
 """Runs: from a case to its result, with progress, stopped by Ctrl-C without losing what is done."""
 
+from __future__ import annotations
+
 import datetime
 import operator
 import os
@@ -7,6 +9,7 @@ import signal
 import sys
 import threading
 import warnings
+from collections.abc import Callable
 from contextlib import contextmanager
 
 from ._library import STOPPED, check, ffi, lib, path_bytes, text
@@ -14,6 +17,8 @@ from ._memory import MemorySource
 from .case import Case
 from .errors import BadInput
 from .result import Result
+
+__all__ = ["run"]
 
 
 class _Bar:
@@ -135,7 +140,14 @@ def _teller(tell, job, outcome):
     return told
 
 
-def run(case, *, threads=0, progress=None, journal=None, resume=False):
+def run(
+    case: Case | str | os.PathLike | dict,
+    *,
+    threads: int = 0,
+    progress: bool | Callable[[str, float, float, float, float], object] | None = None,
+    journal: str | os.PathLike | None = None,
+    resume: bool = False,
+) -> Result:
     """Computes the study of a case.
 
     Ctrl-C ends a run cleanly: what is done comes back as a partial result (``result.partial``) with a warning.
@@ -175,7 +187,15 @@ def run(case, *, threads=0, progress=None, journal=None, resume=False):
     )
 
 
-def compute(new_job, describe, *, threads, progress, journal, resume):
+def compute(
+    new_job: Callable,
+    describe: Callable,
+    *,
+    threads: int,
+    progress: bool | Callable[[str, float, float, float, float], object] | None,
+    journal: str | os.PathLike | None,
+    resume: bool,
+) -> Result:
     """The result of a job that ``new_job`` makes, and of which ``describe`` gives the outline; the rest as for run."""
     started, outcome = _now(), {}
     out = ffi.new("whirl_job **")

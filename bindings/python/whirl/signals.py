@@ -21,6 +21,8 @@ from numpy.typing import ArrayLike
 from ._library import check, ffi, lib
 from .errors import BadInput
 
+__all__ = ["Spectrum", "FullSpectrum", "Recurrence", "find_pulses", "motion_size", "zero_one", "recurrence", "Record"]
+
 _LINES, _COLUMNS = 16, 5  # WHIRL_SIGNALS_LINES, WHIRL_SIGNALS_COLUMNS
 
 
@@ -252,7 +254,7 @@ class Record:
         names: Optional[Sequence[str]] = None,
         unit: str = "",
         time_unit: str = "s",
-    ):
+    ) -> None:
         if not channels:
             raise BadInput("there is no channel, expected at least one")
         self.angles = None if angles is None else _numbers(angles, "angles")  #: [channels] rad, or None

@@ -9,6 +9,8 @@
 Such a system gets the analyses, verdicts, files and figures of a rotor.
 """
 
+from __future__ import annotations
+
 import ctypes
 import os
 import shlex
@@ -16,9 +18,10 @@ import shutil
 import subprocess
 import tempfile
 from collections import namedtuple
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from keyword import iskeyword
 from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -26,12 +29,20 @@ from . import errors
 from ._library import check, ffi, lib, word_bytes
 from .running import compute
 
+if TYPE_CHECKING:
+    from numba.core.typing.templates import Signature
+    from numpy.typing import ArrayLike
+
+    from .result import Result
+
+__all__ = ["signature", "CFunction", "compile_c", "System"]
+
 _ONE = "int(double, const double *, const double *, double *, void *)"
 _MANY = "int(size_t, size_t, const double *, const double *, const double *, double *, void *)"
 _TANGENT = "int(double, const double *, const double *, const double *, double *, void *)"
 
 
-def signature(lanes=False):
+def signature(lanes: bool = False) -> Signature:
     """The signature of a Numba ``cfunc`` for slopes: of one machine, or of many in lanes.
 
     One machine: ``f(t, x, p, slopes, context)``; many: ``f(count, row, t, x, p, slopes, context)``, where number k of
@@ -48,15 +59,16 @@ def signature(lanes=False):
 class CFunction:
     """A function of C that was compiled from its text; see :func:`compile_c`."""
 
-    def __init__(self, library, name, folder):
+    def __init__(self, library: ctypes.CDLL, name: str, folder: tempfile.TemporaryDirectory) -> None:
         self._library, self._folder = library, folder  # both live as long as the function
         try:
+            #: where it lies in memory
             self.address = ctypes.cast(getattr(library, name), ctypes.c_void_p).value
         except AttributeError:
             raise errors.BadInput(f"the C text defines no function '{name}'") from None
 
 
-def compile_c(source, name="rates", flags=("-O3", "-march=native")):
+def compile_c(source: str, name: str = "rates", flags: Sequence[str] = ("-O3", "-march=native")) -> CFunction:
     """Compiles the text of a C function with the system's compiler (``$CC``, or ``cc``).
 
     Parameters
@@ -158,8 +170,8 @@ class System:
 
     def __init__(
         self,
-        rates,
-        start,
+        rates: Callable | CFunction | int | Any,
+        start: ArrayLike,
         parameters: Mapping[str, float] | None = None,
         *,
         speed: str | None = None,
@@ -167,11 +179,11 @@ class System:
         lanes: bool = False,
         displacements: int = 0,
         stations: Mapping[str, Sequence[int]] | None = None,
-        tangent=None,
+        tangent: Callable | CFunction | int | Any = None,
         kinked: bool = False,
         units: Mapping[str, str] | None = None,
         title: str = "",
-    ):
+    ) -> None:
         if (speed is None) == (period is None):
             raise errors.BadInput("a system has a period, or a parameter that is its speed: give one of both")
         self.start = np.array(start, dtype=float).ravel()
@@ -305,7 +317,17 @@ class System:
             check(lib.whirl_user_system_set(handle, word_bytes(name), word_bytes(str(word))))
         return handle, self._put_functions(handle, raised), raised
 
-    def run(self, vary=None, analyze=(), *, threads=None, progress=None, journal=None, resume=False, **options):
+    def run(
+        self,
+        vary: Mapping[str, ArrayLike] | None = None,
+        analyze: Sequence[str] = (),
+        *,
+        threads: int | None = None,
+        progress: bool | Callable[[str, float, float, float, float], object] | None = None,
+        journal: str | os.PathLike | None = None,
+        resume: bool = False,
+        **options: str | float | bool,
+    ) -> Result:
         """Computes motions of the system.
 
         Parameters
@@ -349,15 +371,21 @@ class System:
         finally:
             del functions
 
-    def response(self, **more):
+    def response(self, **more: Any) -> Result:
         """One motion, with the parameters as they are; see :meth:`run`."""
         return self.run(**more)
 
-    def sweep(self, parameter, values, **more):
+    def sweep(self, parameter: str, values: ArrayLike, **more: Any) -> Result:
         """Motions along a parameter; see :meth:`run`."""
         return self.run({parameter: values}, **more)
 
-    def map(self, x, y, z=None, **more):
+    def map(
+        self,
+        x: tuple[str, ArrayLike],
+        y: tuple[str, ArrayLike],
+        z: tuple[str, ArrayLike] | None = None,
+        **more: Any,
+    ) -> Result:
         """Motions over two parameters or three, each (name, values): rows along x; see :meth:`run`."""
         axes = [x, y] + ([z] if z is not None else [])
         if len({name for name, _ in axes}) < len(axes):
