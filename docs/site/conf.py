@@ -25,8 +25,9 @@ breathe_default_project = "whirl"
 breathe_domain_by_extension = {"h": "c"}
 
 autodoc_member_order = "bysource"
-autodoc_typehints = "description"
-autodoc_typehints_description_target = "documented"
+autodoc_typehints = "signature"
+autodoc_typehints_format = "short"
+autodoc_type_aliases = {"ArrayLike": "ArrayLike"}  # and not all that NumPy takes for an array
 
 smartquotes = False
 c_extra_keywords = ["bool"]  # "imaginary" is the name of a member
