@@ -12,10 +12,11 @@
 extern "C" {
 #endif
 
+/// The units, and what quantities are multiplied by; made by whirl_result_shown_units.
 typedef struct whirl_shown_units {
-    const whirl_result *result;
-    whirl_unit speed; ///< of parameters in rad/s; of size 0: as the case writes each
-    whirl_unit size;  ///< of parameters in m; likewise
+    const whirl_result *result; ///< whose numbers are shown; borrowed
+    whirl_unit speed;           ///< of parameters in rad/s; of size 0: as the case writes each
+    whirl_unit size;            ///< of parameters in m; likewise
     /// Displacements: `length` times what the result holds in the case's own length scale; see whirl_shown_length.
     double length;
     char length_name[2 * WHIRL_NAME_SIZE]; ///< "um" shown, or the symbol of the scale that they are given over

@@ -616,7 +616,7 @@ def find_template() -> str | os.PathLike | None:
 def open(path: str | os.PathLike) -> Result:  # noqa: A001 (whirl.open reads as one says it)
     """Opens a result file. Nothing but its outline is read before it is asked for, however large it is.
 
-    The file is read by h5py as it stands. For files of strangers there is :func:`read`, which has libwhirl check every
+    The file is read by h5py as it stands. For files from untrusted sources there is :func:`read`, which has libwhirl check every
     part of it first.
     """
     from ._file import FileSource
