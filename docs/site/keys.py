@@ -22,8 +22,10 @@ def cells(line, starts):
 def row(values, meaning):
     name, symbol, unit, default, bounds = values
     # With blanks at which no line is broken: "N s/m".
-    words = [f"`{name}`", *(escaped(word).replace(" ", "\u00a0") for word in (symbol, unit, default))]
-    words.append(", ".join(f"`{word}`" for word in bounds.split("|")) if "|" in bounds else escaped(bounds))
+    unbroken = [escaped(word).replace(" ", "\u00a0") for word in (symbol, unit, default, bounds)]
+    if "|" in bounds:
+        unbroken[-1] = ", ".join(f"`{word}`" for word in bounds.split("|"))
+    words = [f"`{name}`", *unbroken]
     return "| " + " | ".join([*words, escaped(meaning)]) + " |"
 
 
