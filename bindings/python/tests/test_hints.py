@@ -1,0 +1,36 @@
+"""Whatever the package offers says its types and what it is."""
+
+import importlib
+import inspect
+
+import pytest
+
+MODULES = ("case", "errors", "result", "running", "systems", "signals", "plot", "_signals_plot")
+
+
+def functions(module):
+    """The public functions of a module and of its classes, by their names."""
+    for name in module.__all__:
+        offered = getattr(module, name)
+        yield name, offered
+        for own, member in vars(offered).items() if inspect.isclass(offered) else ():
+            if not own.startswith("_") or own == "__init__":
+                yield f"{name}.{own}", getattr(member, "fget", None) or getattr(member, "func", member)
+
+
+@pytest.mark.parametrize("name", MODULES)
+def test_public_functions_have_hints(name):
+    module = importlib.import_module(f"whirl.{name}")
+    seen = 0
+    for title, function in functions(module):
+        if not inspect.isfunction(function) or function.__module__ != module.__name__:
+            continue
+        signature = inspect.signature(function)
+        for parameter in signature.parameters.values():
+            free = parameter.name == "self" or parameter.kind is parameter.VAR_KEYWORD
+            assert free or parameter.annotation is not parameter.empty, f"{title}: {parameter.name}"
+        if not title.endswith("__init__"):
+            assert signature.return_annotation is not signature.empty, title
+            assert function.__doc__, title
+        seen += 1
+    assert seen > 0
