@@ -158,7 +158,7 @@ lint: dependencies-build-test-lint ## formats, long lines, clang-tidy and cppche
 packages: all   ## Debian packages of HEAD in build/package, with lintian; scripts/package-check.sh tries them
 	@$(INSTALL) build package explorer
 	$(EXPLORER)
-	JOBS=$(JOBS) scripts/package.sh $(BUILD)/package $(wildcard $(BUILD)/explorer/template.html)
+	JOBS=$(JOBS) scripts/package.sh $(BUILD)/package $$(find $(BUILD)/explorer -name template.html)
 
 clean:          ## removes what was built
 	rm -rf $(BUILD)

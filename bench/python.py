@@ -107,6 +107,7 @@ def main():
             "PYTHONPATH": str(ROOT / "bindings/python"),
             "PYTHONPYCACHEPREFIX": f"{folder}/compiled",  # kept, as those of an installed package are
         }
+        environment.pop("PYTHONDONTWRITEBYTECODE", None)
         import_times(5 * options.rounds, environment)
         sweep_overhead(options.rounds, command, pathlib.Path(folder), environment)
         opening_times(options.rounds, command, pathlib.Path(folder), environment)
