@@ -8,5 +8,5 @@ function force = whirl_element(name, machine, t, x)
 if nargin ~= 4
     error('whirl:badInput', 'whirl_element takes the name of an element, a machine, t and x');
 end
-force = whirl_mex('element', number_of(machine), name, t, x);
+force = whirl_mex('element', number_of(machine), text_of(name), t, x);
 end

@@ -7,6 +7,9 @@ function machine = whirl_machine(given_case, varargin)
 %   WHIRL_MACHINE('clear', M) frees a machine, WHIRL_MACHINE('clear') all of them; 64 live at a time.
 %
 %   See also WHIRL_RHS, WHIRL_ELEMENT.
+if nargin > 0
+    given_case = text_of(given_case);
+end
 if nargin < 1 || ~ischar(given_case)
     error('whirl:badInput', 'whirl_machine takes a case and pairs of names and values');
 end

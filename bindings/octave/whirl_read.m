@@ -15,6 +15,9 @@ function result = whirl_read(file)
 %   Errors: whirl:badInput for a file that is no result, whirl:noCommand where the command is not found.
 %
 %   See also WHIRL_RUN, WHIRL_PLOT_BIFURCATION.
+if nargin > 0
+    file = text_of(file);
+end
 if nargin ~= 1 || ~ischar(file)
     error('whirl:badInput', 'whirl_read takes the name of a file');
 end

@@ -13,6 +13,9 @@ function result = whirl_run(given_case, varargin)
 %   gives a partial result and the warning whirl:unfinished.
 %
 %   See also WHIRL_READ, WHIRL_MACHINE.
+if nargin > 0
+    given_case = text_of(given_case);
+end
 if nargin < 1 || ~ischar(given_case) || mod(numel(varargin), 2) ~= 0
     error('whirl:badInput', 'whirl_run takes a case and pairs of names and values');
 end
@@ -20,8 +23,8 @@ output = '';
 shown = true;
 arguments = '';
 for i = 1:2:numel(varargin)
-    name = varargin{i};
-    value = varargin{i + 1};
+    name = text_of(varargin{i});
+    value = text_of(varargin{i + 1});
     if strcmp(name, 'output')
         output = value;
     elseif strcmp(name, 'progress')

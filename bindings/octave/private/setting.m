@@ -1,5 +1,7 @@
 function text = setting(name, value)
 % SETTING  'NAME=VALUE' for the command; numbers to the bit, texts ('0.45', '600 rpm') as they are.
+name = text_of(name);
+value = text_of(value);
 if ~ischar(name) || isempty(name)
     error('whirl:badInput', 'settings are pairs of a name and a value, and a name is a text');
 end
