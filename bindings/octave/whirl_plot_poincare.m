@@ -1,19 +1,19 @@
 function handle = whirl_plot_poincare(result, varargin)
 % WHIRL_PLOT_POINCARE  Draws the Poincare section of a station at a point of a study.
-%   WHIRL_PLOT_POINCARE(RESULT, POINT, STATION) draws y over x once per revolution, in length scales; POINT counts
-%   from 1, STATION is a name or a number. Gives the handle.
+%   WHIRL_PLOT_POINCARE(RESULT, POINT, STATION) draws y over x once per revolution; POINT counts from 1, STATION is a
+%   name or a number.
+%   WHIRL_PLOT_POINCARE(RESULT, [], STATION, 'at', VALUE) draws the point whose parameter is nearest to a value in SI,
+%   or to a text with the unit of the figure: '600 rpm'.
+%   WHIRL_PLOT_POINCARE(..., 'table', NAME) draws that table, and not the first with sections.
+%
+%   Gives the handle.
 %
 %   See also WHIRL_PLOT_ORBIT, WHIRL_PLOT_BIFURCATION.
-if ischar(result)
-    result = whirl_read(result);
-end
-table = table_with(result, 'poincare', {'detail', 'sweep', 'response'});
-point = point_index(table, given(varargin, 1, []));
-station = station_index(result, given(varargin, 2, []));
-x = reshape(table.poincare.section(point, station, :, 1), [], 1);
-y = reshape(table.poincare.section(point, station, :, 2), [], 1);
-handle = plot(x, y, 'k.', 'MarkerSize', 6);
-xlabel(['x of ' plain_text(result.stations.name{station})]);
-ylabel(['y of ' plain_text(result.stations.name{station})]);
-title(sprintf('point %d', point));
+[places, options] = arguments_of(varargin, {[], []}, struct('at', [], 'table', []));
+subject = subject_of(result, 'poincare/section', 'poincare', options.table, places{2});
+point = point_index(subject, places{1}, options.at);
+section = section_of(subject, point);
+[axes_handle, held] = begin_figure();
+handle = draw_marks(axes_handle, section(:, 1), section(:, 2), 'o', mark_size(size(section, 1)), [0, 0, 0]);
+plane_axes(axes_handle, held, subject, point, section);
 end

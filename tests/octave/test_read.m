@@ -46,7 +46,7 @@ wrong(@() whirl_run(good, 'kappa'), 'whirl:badInput', 'pairs');
 wrong(@() whirl_run(good, 'kappa', [1 2]), 'whirl:badInput', 'neither a number nor a text');
 wrong(@() whirl_read('nowhere.h5'), 'whirl:badInput', 'nowhere.h5');
 wrong(@() whirl_read(3), 'whirl:badInput', 'name of a file');
-wrong(@() whirl_plot_map(result), 'whirl:badInput', 'no table with ''regime''');
+wrong(@() whirl_plot_map(result), 'whirl:badInput', 'no such map');
 wrong(@() whirl_plot_orbit(result), 'whirl:badInput', 'waveform');
 setenv('WHIRL', 'no-such-command');
 wrong(@() whirl_read('a.h5'), 'whirl:noCommand', 'setenv');

@@ -1,11 +1,42 @@
-function check_index = point_index(table, point)
-% POINT_INDEX  The number of a point of a table; [] for the first.
-check_index = point;
-if isempty(point)
-    check_index = 1;
+function index = point_index(subject, point, at)
+% POINT_INDEX  The number of a point of a table: POINT itself, or the one whose parameter is nearest to AT; without
+%   either the first. AT is a number in SI, or a text with a unit ('600 rpm').
+values = flat(subject.table, subject.table.values);
+index = point;
+if ~isempty(at)
+    if ~isempty(point)
+        error('whirl:badInput', 'a point is told by its number or by ''at'', not by both');
+    end
+    [ignored, index] = min(abs(values - value_of(subject, at))); %#ok<ASGLU>
+elseif isempty(point)
+    index = 1;
 end
-count = numel(table.values);
-if numel(check_index) ~= 1 || check_index < 1 || check_index > count || check_index ~= floor(check_index)
-    error('whirl:badInput', 'there is no such point, expected a number from 1 to %d', count);
+if ~isnumeric(index) || numel(index) ~= 1 || index < 1 || index > numel(values) || index ~= floor(index)
+    error('whirl:badInput', 'there is no such point, expected a number from 1 to %d', numel(values));
+end
+end
+
+function value = value_of(subject, at)
+% A value of the parameter, in SI.
+at = text_of(at);
+if isnumeric(at) && numel(at) == 1 && isreal(at)
+    value = double(at);
+    return
+end
+name = subject.table.attributes.parameter;
+[size_in_si, unit] = parameter_unit(subject.result, name);
+parts = {};
+if is_text(at)
+    parts = regexp(at, '^\s*([-+]?[\d.]+(?:[eE][-+]?\d+)?)\s*(.*?)\s*$', 'tokens', 'once');
+end
+own = subject.result.parameters.unit(strcmp(subject.result.parameters.name, name));
+if numel(parts) == 2 && strcmp(parts{2}, unit)
+    value = str2double(parts{1}) * size_in_si;
+elseif numel(parts) == 2 && any(strcmp(parts{2}, own))
+    value = str2double(parts{1});
+else
+    error('whirl:badInput', ...
+        '''at'' takes a value of %s: a number in SI, or a text with the unit of the figure, ''%s''', ...
+        name, strtrim(['1 ' unit]));
 end
 end

@@ -1,18 +1,25 @@
-function [table, name] = table_with(result, group, names)
-% TABLE_WITH  The first of the tables NAMES that has a member GROUP, and its name.
-if ischar(result)
-    result = whirl_read(result);
+function [table, name] = table_with(result, field, analysis, wanted, every)
+% TABLE_WITH  The table WANTED, or without one the first that has a field ('orbit/max_radius'), and its name.
+%   ANALYSIS is what gives the field. Details are taken where they are named, or with EVERY.
+if ~isempty(wanted)
+    name = text_of(wanted);
+    if ~is_text(name) || ~any(strcmp(name, result.attributes.tables))
+        error('whirl:badInput', 'the result has no such table, expected one of: %s', ...
+            strtrim(sprintf('%s ', result.attributes.tables{:})));
+    end
+    table = result.(name);
+    if ~has_field(table, field)
+        error('whirl:badInput', 'the table ''%s'' has no ''%s'': add %s to what the case analyses', name, field, ...
+            analysis);
+    end
+    return
 end
-if ~isstruct(result)
-    error('whirl:badInput', 'expected a result: the name of a file, or what whirl_read gives');
-end
-for i = 1:numel(names)
-    name = names{i};
-    if isfield(result, name) && isfield(result.(name), group)
-        table = result.(name);
+for i = 1:numel(result.attributes.tables)
+    name = result.attributes.tables{i};
+    table = result.(name);
+    if has_field(table, field) && (every || ~strcmp(name, 'detail'))
         return
     end
 end
-error('whirl:badInput', 'the result has no table with ''%s'' (expected one of: %s)', group, ...
-    strtrim(sprintf('%s ', names{:})));
+error('whirl:badInput', 'no table of the result has ''%s'': add %s to what the case analyses', field, analysis);
 end
