@@ -1,0 +1,3 @@
+function characters = char(text)
+characters = text.characters;
+end
