@@ -73,6 +73,11 @@ assert(unique(vertices(:, 1)), (0.8125:0.375:4.1875)', 1e-12);
 assert(axis(), [0.8125, 4.1875, 4.5, 25], 1e-12);
 draw('map.png');
 
+% Points of a map are numbered row by row.
+handle = whirl_plot_poincare(map, 11);
+assert(get(handle, 'xdata')(:), squeeze(map.map.poincare.section(2, 2, 1, :, 1)));
+assert(get(get(gca(), 'title'), 'string'), ['omega = 1.375 rad/s: ' map.map.verdict.name{2, 2}]);
+
 % Numbers, in their unit, with a colour bar.
 handle = whirl_plot_map(map, 1, 'orbit/max_radius', 'disc');
 numbers = get(handle, 'facevertexcdata');
@@ -225,6 +230,12 @@ for omega = [120, 180, 220]
 end
 assert(all(seen > 0));
 draw('map-starts.png');
+
+% A number without a unit is told as a text, too.
+text = regexprep(good, '  sweep: [^\n]*', '  sweep: {parameter: kappa, values: [5, 10]}');
+kappa = whirl_run(text, 'progress', false);
+whirl_plot_poincare(kappa, 'at', '9.5');
+assert(strncmp(get(get(gca(), 'title'), 'string'), 'kappa = 10: ', 12));
 
 wrong(@() whirl_plot_map(map, 2), 'from 1 to 1');
 wrong(@() whirl_plot_map(planes, 3), 'from 1 to 2');

@@ -159,7 +159,7 @@ for choice = choices'
   assert(unique(drawn(:, 1)), choice{4} * [1; 1.5; 2], 1e-12 * choice{4});
   section = squeeze(chosen.sweep.poincare.section(:, 1, :, 1));
   assert(sort(drawn(:, 2)), sort(section(:)) * choice{5}, 1e-12);
-  handle = whirl_plot_spectrum(chosen, 2, 'disc', 'full', false);
+  handle = whirl_plot_spectrum(chosen, 'at', sprintf('%.17g%s', choice{4} * 1.5, choice{2}(8:end - 1)), 'full', false);
   lines_of = squeeze(chosen.sweep.spectrum.lines(2, 1, :, 1:2));
   assert(tips(handle)(:, 2), lines_of(~isnan(lines_of(:, 1)), 2) * choice{7}, 1e-12);
   labels('order', choice{6});
@@ -208,6 +208,11 @@ for number = 1:2
   end
 end
 draw('shares.png');
+unsure = starts;
+unsure.sweep.attractor(find(sweep.values == 260, 3)) = 0;   % motions without a verdict are like no other
+handle_of_unsure = whirl_plot_lyapunov(unsure);
+assert(legend_names(), {'attractor 1', 'attractor 2', 'no verdict'});
+assert(get(handle_of_unsure(3, 1), 'xdata')(:), [260; 260; 260]);
 handle = whirl_plot_lyapunov(starts);
 assert(legend_names(), {'attractor 1', 'attractor 2'});
 assert(numel(unique(sweep.values(sweep.attractor == 2))), numel(get(handle(2, 1), 'xdata')));
@@ -298,11 +303,23 @@ whirl_plot_poincare(result, 5);
 assert(numel(get(gca(), 'children')) == 2 && ishold());
 hold('off');
 
+% A single point stands over its number.
+single = whirl_run(regexprep(good, '  sweep: [^\n]*', '  response: {}'), 'progress', false);
+section = squeeze(single.response.poincare.section(1, 1, :, 1));
+assert(points_of(whirl_plot_bifurcation(single)), sortrows([ones(size(section)), section]));
+labels('point', 'x of disc (m)');
+handle = whirl_plot_poincare(single);
+assert(get(handle, 'xdata')(:), section);
+assert(get(get(gca(), 'title'), 'string'), ['response: ' single.response.verdict.name{1}]);
+wrong(@() whirl_plot_poincare(single, 'at', 1.5), 'nothing varies in the table ''response''');
+
 wrong(@() whirl_plot_orbit(result, 32), 'from 1 to 31');
 wrong(@() whirl_plot_orbit(result, 1.5), 'from 1 to 31');
 wrong(@() whirl_plot_orbit(result, 3, 'dsic'), 'one of: disc');
 wrong(@() whirl_plot_orbit(result, 3, 'disc', 'at', 2), 'not by both');
 wrong(@() whirl_plot_poincare(result, 'at', '2 rpm'), 'unit of the figure, ''1 rad/s''');
+wrong(@() whirl_plot_poincare(result, 'at', '1.2.3 rad/s'), 'unit of the figure');
+wrong(@() whirl_plot_poincare(result, 'at', NaN), 'unit of the figure');
 wrong(@() whirl_plot_poincare(result, 'at'), '''at'' has no value');
 wrong(@() whirl_plot_poincare(result, 3, 'disc', 'color', 'r'), 'argument 4 is no option, expected one of: at table');
 wrong(@() whirl_plot_poincare(result, 3, 'disc', 'table', 'map'), 'expected one of: sweep');

@@ -18,23 +18,26 @@ end
 
 function value = value_of(subject, at)
 % A value of the parameter, in SI.
+name = subject.table.attributes.parameter;
+if isempty(name)
+    error('whirl:badInput', 'nothing varies in the table ''%s'': a point is told by its number there', subject.name);
+end
+[size_in_si, unit] = parameter_unit(subject.result, name);
 at = text_of(at);
+value = NaN;
 if isnumeric(at) && numel(at) == 1 && isreal(at)
     value = double(at);
-    return
+elseif is_text(at)
+    number = regexp(at, '^\s*[-+]?[\d.]+([eE][-+]?\d+)?', 'match', 'once');
+    given = strtrim(at(numel(number) + 1:end));
+    own = subject.result.parameters.unit(strcmp(subject.result.parameters.name, name));
+    if strcmp(given, unit)
+        value = str2double(number) * size_in_si;
+    elseif any(strcmp(given, own))
+        value = str2double(number);
+    end
 end
-name = subject.table.attributes.parameter;
-[size_in_si, unit] = parameter_unit(subject.result, name);
-parts = {};
-if is_text(at)
-    parts = regexp(at, '^\s*([-+]?[\d.]+(?:[eE][-+]?\d+)?)\s*(.*?)\s*$', 'tokens', 'once');
-end
-own = subject.result.parameters.unit(strcmp(subject.result.parameters.name, name));
-if numel(parts) == 2 && strcmp(parts{2}, unit)
-    value = str2double(parts{1}) * size_in_si;
-elseif numel(parts) == 2 && any(strcmp(parts{2}, own))
-    value = str2double(parts{1});
-else
+if isnan(value)
     error('whirl:badInput', ...
         '''at'' takes a value of %s: a number in SI, or a text with the unit of the figure, ''%s''', ...
         name, strtrim(['1 ' unit]));

@@ -9,6 +9,10 @@ subject.index = station_index(subject.result, station);
 subject.station = subject.result.stations.name{subject.index};
 parameter = subject.table.attributes.parameter;
 subject.values = flat(subject.table, subject.table.values) / parameter_unit(subject.result, parameter);
+if isempty(parameter)
+    % Where nothing varies points stand over their numbers.
+    subject.values = flat(subject.table, double(subject.table.point));
+end
 subject.label = parameter_label(subject.result, parameter);
 subject.lengths = length_factors(subject.result, subject.table);
 end
