@@ -208,6 +208,12 @@ for number = 1:2
   end
 end
 draw('shares.png');
+found = starts;   % had none of the place's own starts led to the second attractor at 180 rad/s
+found.sweep.share(sweep.attractor == 2 & sweep.values == 180) = 0;
+handle = whirl_plot_shares(found);
+assert([get(handle(2, 2), 'xdata'), get(handle(2, 2), 'ydata')], [180, 0]);
+assert(get(handle(2, 2), 'markerfacecolor'), 'none');
+assert(get(handle(2, 1), 'xdata')(:), [220; 260]);
 unsure = starts;
 unsure.sweep.attractor(find(sweep.values == 260, 3)) = 0;   % motions without a verdict are like no other
 handle_of_unsure = whirl_plot_lyapunov(unsure);
