@@ -534,6 +534,8 @@ class Plots:
         title = " ".join([what, *(["of", name] if name else [])])
         if about.unit == "length" and what != "order":
             return numbers * self._lengths(table), self._displacement(title)
+        if about.unit == "force":
+            return numbers * self._result.force_scale, f"{title} (N)"
         return numbers, title if about.unit in ("1", "length") else f"{title} ({about.unit})"
 
     @staticmethod
