@@ -14,14 +14,15 @@ if TYPE_CHECKING:
     from . import plot, signals, systems
     from .case import Case
     from .errors import BadInput, Error, FileFailure, MissingProgram, NumericalFailure, OutOfMemory, Stopped
-    from .result import Field, Parameter, Result, Station, Table, open, read
+    from .result import Parameter, Result, Station, open, read
     from .running import run
+    from .table import Field, Table
 
 _HOMES = {
     "Case": "case",
     "Result": "result",
-    "Table": "result",
-    "Field": "result",
+    "Table": "table",
+    "Field": "table",
     "Station": "result",
     "Parameter": "result",
     "open": "result",

@@ -13,13 +13,16 @@ channels and pulses are counted from 0.
 
 from __future__ import annotations
 
-from typing import NamedTuple, Optional, Sequence
+from typing import TYPE_CHECKING, NamedTuple, Optional, Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from ._library import check, ffi, lib
 from .errors import BadInput
+
+if TYPE_CHECKING:
+    from ._signals_plot import Plots
 
 __all__ = ["Spectrum", "FullSpectrum", "Recurrence", "find_pulses", "motion_size", "zero_one", "recurrence", "Record"]
 

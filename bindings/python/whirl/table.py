@@ -1,0 +1,342 @@
+"""A table of a result: the points of one part of a study, with every number of each."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from . import errors
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+
+__all__ = ["Field", "Table"]
+
+_TAKEN = {"point", "branch", "verdict", "attractor", "share", "station", "contact", "x", "y", "z"}
+
+
+def _apart(name):
+    """The name of a parameter among columns and dimensions, which have names of their own."""
+    return f"parameter {name}" if name in _TAKEN else name
+
+
+@dataclass(frozen=True)
+class Field:
+    """What an analysis says of every point of a table."""
+
+    name: str  #: "orbit/max_radius"
+    unit: str  #: "length" and "force" (in the scales of the result), "1", "revolution", "order", ...
+    meaning: str  #: in words
+    extent: str  #: what it stands once for, a "point", "station" or "contact"
+    repeat: int  #: how many of these there are
+    rows: int  #: of each; 1 for plain numbers
+    columns: int  #: of each row
+    si_factor: float  #: times a number gives SI; NaN for lengths where the parameter changes the scale
+    si_unit: str  #: the name of that unit
+    column_names: list[str]  #: "x", "y", ...; empty where columns have no names
+
+    @property
+    def dimensions(self) -> tuple[str, ...]:
+        """Names of the dimensions behind those of the points."""
+        sizes = (self.extent, self.extent != "point"), ("row", self.rows != 1), ("column", self.columns != 1)
+        return tuple(name for name, there in sizes if there)
+
+
+def _fixed(numbers):
+    """An array that is kept, and so is not to be written to."""
+    if numbers is not None:
+        numbers.flags.writeable = False
+    return numbers
+
+
+class Table(Mapping):
+    """The points of one part of a study: ``table["orbit/max_radius"]`` is an array of a field, points first.
+
+    Arrays of a result in memory are read-only views of the library's own numbers, which live as long as they do; those
+    of a file are read when they are asked for. Numbers are in the scaling of the result (:meth:`si` converts). A map
+    whose points are all there has two dimensions of points, rows and columns; with a third parameter, planes before
+    these.
+    """
+
+    def __init__(self, about: Any, source: Any) -> None:
+        self._about, self._source = about, source
+        self.name = source.name  #: "sweep", "map", "branch", ...
+        self.parameter = source.parameter  #: what varies, "" for a single point
+        self.second = source.second  #: what varies besides, in a map or curves, else ""
+        self.third = source.third  #: what varies from plane to plane of a map, else ""
+        self.shape = source.shape  #: (points,), or ([planes,] rows, columns) of a whole map
+        self.grid = source.grid  #: (rows, columns) of a map, also where points are missing or it is refined; else None
+        self.planes = source.planes  #: of a map, 1 where it has no third parameter; 0 of other tables
+
+    @cached_property
+    def fields(self) -> dict[str, Field]:
+        """The fields by their names, in the order of the file."""
+        return {about["name"]: Field(**about) for about in self._source.fields()}
+
+    @cached_property
+    def values(self) -> np.ndarray:
+        """The parameter at every point, in SI; NaN where nothing varies."""
+        return _fixed(self._source.values())
+
+    @cached_property
+    def second_values(self) -> np.ndarray | None:
+        """The second parameter at every point of a map, in SI; of curves "trace/second"; None where there is none."""
+        name = "map/second" if "map/second" in self.fields else "trace/second" if self.second else None
+        return self[name] if name in self.fields else None
+
+    @cached_property
+    def third_values(self) -> np.ndarray | None:
+        """The third parameter at every point of a map with planes, in SI; None where there is none."""
+        return self["map/third"] if "map/third" in self.fields else None
+
+    @cached_property
+    def branch(self) -> np.ndarray:
+        """+1 at points carried from the first value on, -1 from the last, 0 not carried."""
+        return _fixed(self._source.branch())
+
+    @cached_property
+    def point(self) -> np.ndarray:
+        """Which point of the study each is, from 1. All of them are there, but where the run was stopped."""
+        return _fixed(self._source.point())
+
+    @cached_property
+    def place(self) -> np.ndarray:
+        """Where in the study each point is, from 0, row by row and plane by plane of a map; one for several starts."""
+        return _fixed(self._source.place())
+
+    @cached_property
+    def length_scale(self) -> np.ndarray:
+        """m per unit of length at every point."""
+        return _fixed(self._source.length_scale())
+
+    @cached_property
+    def clock(self) -> np.ndarray:
+        """rad/s at every point of the phase by which sections are taken, a turn of which is a revolution. That is the
+        speed of the shaft, unless the case has another keyphasor. NaN where that is not told."""
+        return _fixed(self._source.clock(self._about.clock, self.values, self.second_values, self.third_values))
+
+    @cached_property
+    def _words(self):
+        return tuple(_fixed(words) for words in self._source.words())
+
+    @property
+    def verdicts(self) -> np.ndarray:
+        """The verdict on every point in words ("P-2", "chaotic", ...); "" without the analysis regime."""
+        return self._words[0]
+
+    @property
+    def reasons(self) -> np.ndarray:
+        """Why, in a sentence from the evidence."""
+        return self._words[1]
+
+    @cached_property
+    def _attractors(self):
+        return tuple(map(_fixed, self._source.attractors())) if self.has_attractors else (None, None, None)
+
+    @property
+    def has_attractors(self) -> bool:
+        """Whether the points are different starts of one machine, as those of a basin or of several starts a place."""
+        return self.name == "basin" or "starts/number" in self.fields
+
+    @property
+    def attractors(self) -> np.ndarray | None:
+        """The number of the attractor that every point came to rest on, from 1, that of most starts; 0 without a
+        verdict. None where :attr:`has_attractors` is not true."""
+        return self._attractors[0]
+
+    @property
+    def shares(self) -> np.ndarray | None:
+        """The share, from 0 to 1, of the starts (of the basin, or of the point's place) that lead to the attractor of
+        the point; NaN where it has none. None where :attr:`has_attractors` is not true."""
+        return self._attractors[1]
+
+    @property
+    def share_errors(self) -> np.ndarray | None:
+        """The standard errors of :attr:`shares`, were the starts drawn at random."""
+        return self._attractors[2]
+
+    @cached_property
+    def options(self) -> dict:
+        """Method, tolerances, revolutions and all else that says how the points were computed."""
+        return self._source.options()
+
+    def _field(self, name):
+        if not isinstance(name, str):
+            raise KeyError(f"a table has fields by their names, such as 'orbit/max_radius', and no {name!r}")
+        if name in self.fields:
+            return self.fields[name]
+        from difflib import get_close_matches
+
+        near = get_close_matches(name, self.fields, 1)
+        raise KeyError(
+            f"the table '{self.name}' has no field '{name}'" + (f", did you mean '{near[0]}'?" if near else "")
+        )
+
+    def __getitem__(self, name: str) -> np.ndarray:
+        field = self._field(name)
+        return self._source.numbers(list(self.fields).index(name), field)
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.fields)
+
+    def __len__(self) -> int:
+        return len(self.fields)
+
+    def __contains__(self, name: object) -> bool:
+        return name in self.fields
+
+    def unit(self, name: str) -> str:
+        """The unit of a field's numbers as they stand: "length", "force", "1", "order", ..."""
+        return self._field(name).unit
+
+    def si(self, name: str) -> tuple[np.ndarray, str]:
+        """The numbers of a field in SI, and the name of the unit: ``radius, unit = table.si("orbit/max_radius")``.
+
+        A column of orders beside lengths (``spectrum/lines``) stays as it is.
+        """
+        field, numbers = self._field(name), self[name]
+        factor = np.asarray(field.si_factor)
+        if np.isnan(factor):
+            factor = self._si_factors(field.unit).reshape(self.shape + (1,) * (numbers.ndim - len(self.shape)))
+        if field.unit == "length" and "order" in field.column_names:
+            factor = np.where(np.array(field.column_names) == "order", 1.0, factor)
+        return numbers * factor, field.si_unit
+
+    def _si_factors(self, unit):
+        """Of every point, where these differ."""
+        if unit == "length":
+            return self.length_scale
+        return 2.0 * np.pi / self.clock if unit == "revolution" else self.clock / (2.0 * np.pi)
+
+    def at(self, value: float) -> int:
+        """Index of the point whose parameter is nearest to a value in SI."""
+        distance = np.abs(self.values.ravel() - float(value))
+        if not np.isfinite(distance).any():
+            raise errors.BadInput(f"no point of the table '{self.name}' is near {value}")
+        return int(np.nanargmin(distance))
+
+    def station(self, name: str | int) -> int:
+        """Index of a station by its name, or by its index."""
+        names = [station.name for station in self._about.stations]
+        if isinstance(name, (int, np.integer)) and 0 <= name < len(names):
+            return int(name)
+        if name in names:
+            return names.index(name)
+        raise errors.BadInput(f"there is no station '{name}', expected one of: {', '.join(names)}")
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """A DataFrame with a line a point: the parameters, the verdict, and every field of one row.
+
+        Names are those of the CSV files without units ("orbit/max_radius disc", "orbit/mean disc x"); parameters that
+        are called as a column of every table is ("point", "branch", "verdict", ...) are "parameter point".
+        ``frame.attrs["units"]`` has the unit of every column.
+        """
+        import pandas as pd
+
+        columns, units = {"point": self.point.ravel()}, {}
+        axes = ((self.parameter or "value", self.values), (self.second, self.second_values))
+        for name, values in (*axes, (self.third, self.third_values)):
+            if values is not None:
+                columns[_apart(name)] = values.ravel()
+        columns["branch"] = self.branch.ravel()
+        if "regime/code" in self.fields:
+            columns["verdict"] = self.verdicts.ravel()
+        if self.has_attractors:
+            columns.update(attractor=self.attractors.ravel(), share=self.shares.ravel())
+        for name, field in self.fields.items():
+            if field.rows == 1 and name not in ("map/second", "map/third"):
+                columns.update(self._columns(name, field, units))
+        frame = pd.DataFrame(columns)
+        frame.attrs["units"] = {
+            **{_apart(n): self._about.parameter_unit(n) for n in (self.parameter, self.second, self.third) if n},
+            **units,
+        }
+        return frame
+
+    def _columns(self, name, field, units):
+        """One-dimensional columns of a field of one row."""
+        numbers = self[name].reshape(int(np.prod(self.shape)), field.repeat, field.columns)
+        owners = {"station": [s.name for s in self._about.stations], "contact": self._about.contacts, "point": [""]}
+        parts = (
+            field.column_names if field.columns > 1 and field.column_names else [str(i) for i in range(field.columns)]
+        )
+        found = {}
+        for i in range(field.repeat):
+            for k in range(field.columns):
+                words = [name, owners[field.extent][i], parts[k] if field.columns > 1 else ""]
+                title = " ".join(word for word in words if word)
+                found[title] = numbers[:, i, k]
+                units[title] = field.unit
+        return found
+
+    def to_xarray(self) -> xarray.Dataset:
+        """A Dataset with the fields by their names, dimensions as in the file, units as attributes.
+
+        Fields of a file stay there until they are used, where dask is installed.
+        """
+        import xarray as xr
+
+        dims = ("z", "y", "x")[-len(self.shape) :] if len(self.shape) > 1 else ("point",)
+        data, coords = {}, self._coordinates(dims)
+        for name, field in self.fields.items():
+            own = tuple(d if d in ("station", "contact") else f"{name} {d}" for d in field.dimensions)
+            about = {
+                "unit": field.unit,
+                "SI_factor": field.si_factor,
+                "SI_unit": field.si_unit,
+                "meaning": field.meaning,
+            }
+            data[name] = (dims + own, self._lazy(name, field), about)
+            if field.columns > 1 and field.column_names:
+                coords[f"{name} column"] = field.column_names
+        if "regime/code" in self.fields:
+            data["verdict"] = (dims, self._lazy_verdicts())
+        if self.has_attractors:
+            data["attractor"], data["share"] = (dims, self.attractors), (dims, self.shares)
+        return xr.Dataset(data, coords, {"title": self._about.title, "table": self.name, **self.options})
+
+    def _coordinates(self, dims):
+        names = [station.name for station in self._about.stations]
+        coords = {"station": names, "contact": self._about.contacts}
+        if len(dims) > 1:
+            names = self.parameter, self.second, self.third
+            values = self.values, self.second_values, self.third_values
+            for along, axis in enumerate(reversed(dims)):
+                own = np.moveaxis(values[along], -1 - along, 0).reshape(self.shape[-1 - along], -1)[:, 0]
+                about = {"unit": self._about.parameter_unit(names[along]), "parameter": names[along]}
+                coords[axis] = (axis, own, about)
+        elif self.parameter:
+            coords[_apart(self.parameter)] = (dims, self.values, {"unit": self._about.parameter_unit(self.parameter)})
+        return coords
+
+    def _lazy(self, name, field):
+        dataset = getattr(self._source, "dataset", None)
+        if dataset is None:
+            return self[name]
+        try:
+            import dask.array as da
+        except ImportError:
+            return self[name]
+        return da.from_array(dataset(field))
+
+    def _lazy_verdicts(self):
+        dataset = getattr(self._source, "verdict_dataset", None)
+        try:
+            import dask.array as da
+        except ImportError:
+            dataset = None
+        if dataset is None:
+            return self.verdicts
+        words = da.from_array(dataset())
+        return words.map_blocks(np.char.decode, "utf-8", dtype=f"U{words.dtype.itemsize}")
+
+    def __repr__(self) -> str:
+        size = " x ".join(map(str, self.shape))
+        return (
+            f"<whirl.Table '{self.name}': {size} points over {self.parameter or 'nothing'}, {len(self.fields)} fields>"
+        )
