@@ -80,7 +80,7 @@ const char *whirl_result_text(const whirl_result *result, whirl_list list, size_
 double whirl_result_number(const whirl_result *result, whirl_list list, size_t index, const char *what);
 
 /// Chooses the units in which figures show the result's numbers, in the words of `units` in a case: "um, rpm, Hz, p-p".
-/// "" takes the choice back, also the case's own. WHIRL_BAD_INPUT for words that are no units.
+/// "" or NULL takes the choice back, also the case's own. WHIRL_BAD_INPUT for words that are no units.
 whirl_status whirl_result_show_in(whirl_result *result, const char *units);
 
 /// The unit in which figures show a parameter: its name, at most `size` bytes ("" of plain numbers); gives its size in

@@ -167,8 +167,26 @@ static whirl_status find_factor(const case_content *content, const axis_values *
     return status;
 }
 
+/// Whether the axis changes the rate of an element that is the keyphasor: it is asked at both ends and between.
+static whirl_status find_change(const whirl_case *object, const axis_values *axis, bool *found) {
+    double first = 0.0;
+    whirl_status status = whirl_ok();
+    *found = false;
+    for (size_t i = 0; i < 3 && axis->count > 0 && status.code == WHIRL_OK; i++) {
+        whirl_rotor *rotor;
+        status = whirl_case_rotor(object, axis->name, axis->values[i * (axis->count - 1) / 2], &rotor);
+        if (status.code != WHIRL_OK) break;
+        const double clock = whirl_rotor_clock(rotor);
+        if (i == 0) first = clock;
+        *found = *found || clock != first;
+        whirl_rotor_free(rotor);
+    }
+    return status;
+}
+
 /// How the clock of every point of a table follows from its parameters.
-static whirl_status describe_clock(const case_content *content, const whirl_result *result, whirl_table *table) {
+static whirl_status describe_clock(const whirl_case *object, const whirl_result *result, whirl_table *table) {
+    const case_content *content = &object->content;
     const setting *given = settings_find(&content->machine.rotor, "speed");
     const char *expression = given ? given->value.expression : NULL;
     const size_t index = plan_batch(&content->plan, table->name);
@@ -176,21 +194,22 @@ static whirl_status describe_clock(const case_content *content, const whirl_resu
     table->clock_factor = 1.0;
     if (!*table->parameter || index >= content->plan.batch_count) return whirl_ok();
     const whirl_batch *batch = &content->plan.batches[index];
-    const bool traced = batch->values == NULL;
+    const bool traced = batch->values == NULL, keyphasor = *whirl_result_keyphasor(result) != '\0';
     const axis_values axes[] = {{batch->parameter, traced ? batch->bounds : batch->values, traced ? 2 : batch->count},
                                 {batch->second, batch->second_values ? batch->second_values : batch->second_bounds,
                                  batch->second_values ? batch->count : 2},
                                 {batch->third, batch->third_values, batch->count}};
-    for (int i = 0; i < 3; i++) {
-        const bool there = *axes[i].name != '\0', other = *whirl_result_keyphasor(result) != '\0';
-        if (there && other && case_machine_use(content, axes[i].name)) table->clock_of = WHIRL_CLOCK_UNKNOWN;
-        if (there && expression && case_depends(content, expression, axes[i].name))
-            table->clock_of = table->clock_of ? WHIRL_CLOCK_UNKNOWN : i + 1;
+    whirl_status status = whirl_ok();
+    for (int i = 0; i < 3 && status.code == WHIRL_OK; i++) {
+        if (!*axes[i].name) continue;
+        bool changes = expression && case_depends(content, expression, axes[i].name);
+        if (keyphasor) status = find_change(object, &axes[i], &changes);
+        if (changes) table->clock_of = keyphasor || table->clock_of ? WHIRL_CLOCK_UNKNOWN : i + 1;
     }
-    if (table->clock_of == 0 || table->clock_of == WHIRL_CLOCK_UNKNOWN) return whirl_ok();
+    if (status.code != WHIRL_OK || table->clock_of == 0 || table->clock_of == WHIRL_CLOCK_UNKNOWN) return status;
     const axis_values *axis = &axes[table->clock_of - 1];
     bool found = strcmp(expression, axis->name) == 0; // the usual case, also of maps with a million points
-    const whirl_status status = found ? whirl_ok() : find_factor(content, axis, &table->clock_factor, &found);
+    if (!found) status = find_factor(content, axis, &table->clock_factor, &found);
     if (!found) {
         table->clock_of = WHIRL_CLOCK_UNKNOWN;
         table->clock_factor = 1.0;
@@ -237,7 +256,7 @@ whirl_status whirl_case_describe_result(const whirl_case *object, whirl_result *
     for (size_t i = 0; i < result->table_count && status.code == WHIRL_OK; i++)
         status = describe_scales(&object->content, result, &result->tables[i]);
     for (size_t i = 0; i < result->table_count && status.code == WHIRL_OK; i++)
-        status = describe_clock(&object->content, result, &result->tables[i]);
+        status = describe_clock(object, result, &result->tables[i]);
     if (status.code == WHIRL_OK) status = describe_sweep(&object->content, result);
     if (status.code == WHIRL_OK && *object->content.units)
         status = whirl_result_add_fact(result, "units", object->content.units);

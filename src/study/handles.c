@@ -89,7 +89,7 @@ double whirl_result_number(const whirl_result *result, whirl_list list, size_t i
 whirl_status whirl_result_show_in(whirl_result *result, const char *units) {
     whirl_shown_units shown;
     const whirl_status status = whirl_result_shown_units(result, units, &shown);
-    return status.code == WHIRL_OK ? whirl_result_add_fact(result, "units", units) : status;
+    return status.code == WHIRL_OK ? whirl_result_add_fact(result, "units", units ? units : "") : status;
 }
 
 static whirl_shown_units shown(const whirl_result *result) {

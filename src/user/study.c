@@ -142,6 +142,8 @@ static whirl_status describe(const whirl_user_system *system, whirl_result *resu
     memcpy(result->stations, system->stations, system->station_count * sizeof *result->stations);
     result->parameter_count = system->parameter_count;
     result->station_count = system->station_count;
+    for (size_t i = 0; i < system->axis_count && result->table_count > 0; i++)
+        if (system->axes[i].parameter == system->speed) result->tables[0].clock_of = (int)i + 1;
     status = whirl_result_add_fact(result, "system", "a function of the user's own");
     return status.code == WHIRL_OK ? whirl_result_add_provenance(result) : status;
 }

@@ -73,7 +73,8 @@ assert(difference < 1e-8);
 print('-dpngcairo', 'film.png');
 
 % ... and beside the command's own motion: sections by dop853 at 1e-11 of 8 revolutions from the same start.
-one = strrep(fileread(given_case), 'integrate: {method: rk4, steps_per_revolution: 512, transient: 600, record: 200}', ...
+one = strrep(fileread(given_case), ...
+  'integrate: {method: rk4, steps_per_revolution: 512, transient: 600, record: 200}', ...
   'integrate: {method: dop853, rtol: 1e-11, atol: 1e-13, transient: 0, record: 8}');
 one = regexprep(one, '  sweep: [^\n]*', '  response: {}');
 one = regexprep(one, '  detail: [^\n]*', '');

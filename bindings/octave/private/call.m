@@ -15,7 +15,8 @@ if exist(complaints, 'file')
 end
 if status == 127
     error('whirl:noCommand', ...
-        'the command whirl is not found: put its folder on the PATH, or its name into the environment by setenv(''WHIRL'', ...)');
+        ['the command whirl is not found: put its folder on the PATH, or its name into the environment by ' ...
+         'setenv(''WHIRL'', ...)']);
 elseif status == 2
     error('whirl:badInput', '%s', sentence);
 elseif status ~= 0 && status ~= 3

@@ -60,8 +60,11 @@ def test_units_are_those_of_reports(units, xlabel, ylabel, first, length, tmp_pa
         assert np.allclose(np.unique(drawn[:, 0]), first * np.array([1.0, 1.5, 2.0]), rtol=1e-12)
         lengths = np.sort((table["poincare/section"][:, 0, :, 0] * length).ravel())
         assert np.allclose(np.sort(drawn[:, 1]), lengths, rtol=1e-12, atol=1e-15)
-    with pytest.raises(whirl.BadInput, match="did you mean rpm"):
-        later.show_in("rpn")
+    assert chosen.show_in("mil").facts["units"] == "mil"
+    for wrong, words in (("rpn", "did you mean rpm"), (None, "expected words")):
+        for result in (later, chosen):
+            with pytest.raises(whirl.BadInput, match=words):
+                result.show_in(wrong)
 
 
 MILLIMETRES = """

@@ -292,6 +292,34 @@ def test_si_where_the_speed_changes(speed, hertz, tmp_path):
                 assert np.allclose(exponent, -2.5, atol=np.log(2) / 8 + 0.02)
 
 
+def test_clocks_of_keyphasors_and_of_own_systems(map_files):
+    text = (SPEEDS % "omega").replace(
+        "    - shaft", "    - force: {at: disc, amplitude: 1 N, ratio: %s, keyphasor: yes}\n    - shaft"
+    )
+    for ratio, varied, clock in (("1.5", "order", 150 * np.pi), ("= order", "order", np.nan), ("1.5", "n", np.nan)):
+        case = text.replace("parameter: n, values: [20, 35, 50]", f"parameter: {varied}, values: [1, 2]") % ratio
+        if varied == "order" and ratio != "= order":
+            case = case.replace("damping: 20 N.s/m", "damping: = 20*order")
+        assert np.allclose(whirl.Case(text=case).outline()["sweep"].clock, clock, equal_nan=True), (ratio, varied)
+    own = whirl.systems.System(lambda t, x, p: [-x[0]], [1.0], {"w": 1.0}, speed="w")
+    table = own.sweep("w", [1.0, 1.2, 2.0], transient=1, record=2, analyze="poincare")["sweep"]
+    assert np.array_equal(table.clock, [1.0, 1.2, 2.0])
+    with whirl.open(map_files[1]) as opened:
+        assert np.array_equal(opened["map"].clock, opened["map"].values)
+        with pytest.raises(ValueError, match="read-only"):
+            opened["map"].second_values[0] = 1.0
+    assert np.array_equal(np.unique(whirl.Case(map_files[0]).outline()["map"].clock), np.linspace(50, 400, 5))
+
+
+@pytest.mark.parametrize("name, value", [("plane", 0), ("starts", 0), ("clock_of", -1), ("clock_of", 5)])
+def test_attributes_that_cannot_be(map_files, tmp_path, name, value):
+    (tmp_path / "bad.h5").write_bytes(map_files[1].read_bytes())
+    with h5py.File(tmp_path / "bad.h5", "r+") as file:
+        file["map"].attrs[name] = value
+    with pytest.raises(whirl.FileFailure, match="damaged"):
+        whirl.open(tmp_path / "bad.h5")["map"].clock
+
+
 def test_orders_are_no_lengths(good):
     lines, unit = good["sweep"].si("spectrum/lines")
     plain = good["sweep"]["spectrum/lines"]

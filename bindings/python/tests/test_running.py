@@ -120,10 +120,11 @@ def boom(*_):
 case = whirl.Case(sys.argv[1])
 case.set("integrate.transient", 400000).set("integrate.steps_per_revolution", 8192)
 signal.signal(signal.SIGALRM, boom)
-signal.setitimer(signal.ITIMER_REAL, 0.5)
+signal.setitimer(signal.ITIMER_REAL, 0.5, 0.002)
 try:
     whirl.run(case, threads=1, progress=lambda *told: None, journal=sys.argv[2])
 except TimeoutError:
+    signal.signal(signal.SIGALRM, signal.SIG_IGN)
     del case
     gc.collect()
     print("well")

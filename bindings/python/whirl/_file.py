@@ -26,6 +26,9 @@ def _plain(value):
     return value.item() if hasattr(value, "item") and np.ndim(value) == 0 else value
 
 
+_FAILURES = (LookupError, TypeError, ValueError, AttributeError, ArithmeticError, RuntimeError, OSError)
+
+
 def _guarded(own):
     """A class whose methods say in a sentence that the file is not what it should be, whatever h5py stumbles over."""
 
@@ -36,7 +39,7 @@ def _guarded(own):
                 return method(self, *arguments)
             except errors.Error:
                 raise
-            except (KeyError, TypeError, ValueError, AttributeError, IndexError, RuntimeError, OSError) as failure:
+            except _FAILURES as failure:
                 if not (self.file if hasattr(self, "file") else self.group):  # h5py's handles are false once closed
                     raise errors.BadInput(f"the result '{self.path}' was closed: open it again") from None
                 raise errors.FileFailure(
@@ -197,13 +200,15 @@ class FileTable:
     def length_scale(self):
         return self.group["length_scale"][()]
 
-    def clock(self, fixed, *values):
-        """Of every point, from that of the case and the values of up to three parameters."""
+    def clock(self, table, fixed):
+        """Of every point, from that of the case or the values of a parameter."""
         of, factor = int(self.group.attrs["clock_of"]), float(self.group.attrs["clock_factor"])
         if of == 0:
             return np.full(self.shape, fixed)
-        known = of <= len(values) and values[of - 1] is not None
-        return factor * values[of - 1] if known else np.full(self.shape, np.nan)
+        if not 1 <= of <= 4:
+            raise ValueError(f"clock_of is {of}")
+        values = (None, table.values, table.second_values, table.third_values, None)[of]
+        return np.full(self.shape, np.nan) if values is None else factor * values
 
     def fields(self):
         return [self._field(_word(name)) for name in self.group.attrs["fields"]]
@@ -239,9 +244,7 @@ class FileTable:
         return tuple(self.group["verdict"][what].asstr("utf-8")[()].astype(str) for what in ("name", "reason"))
 
     def attractors(self):
-        shares = (self.group[name][()] if name in self.group else None for name in ("share", "share_error"))
-        unknown = np.full(self.shape, np.nan)  # files of 0.1 have no shares of basins
-        return self.group["attractor"][()], *(unknown if share is None else share for share in shares)
+        return tuple(self.group[name][()] for name in ("attractor", "share", "share_error"))
 
     def options(self):
         axes = ("parameter", "second", "third", "row", "plane", "grid", "clock_of", "clock_factor")

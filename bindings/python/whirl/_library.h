@@ -95,7 +95,6 @@ size_t whirl_table_places(const whirl_table *table);
 double whirl_table_clock(const whirl_result *result, const whirl_table *table, size_t point);
 size_t whirl_table_place(const whirl_table *table, size_t point);
 size_t whirl_table_row(const whirl_table *table);
-size_t whirl_table_grid(const whirl_table *table);
 size_t whirl_table_rows(const whirl_table *table);
 size_t whirl_table_planes(const whirl_table *table);
 size_t whirl_table_slot(const whirl_table *table, size_t point);

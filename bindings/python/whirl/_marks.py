@@ -20,7 +20,8 @@ def mark_size(count):
 def legend(ax, **more):
     """A legend whose marks are large enough to be told apart, whatever those of the figure are."""
     look = {"loc": "best", "frameon": False, "fontsize": "small", "numpoints": 1, **more}
-    for handle in ax.legend(**look).legendHandles:
+    made = ax.legend(**look)
+    for handle in getattr(made, "legend_handles", None) or made.legendHandles:  # its name up to Matplotlib 3.6
         if getattr(handle, "get_marker", lambda: "")() == ".":
             handle.set_marker("o")
             handle.set_markersize(4)

@@ -191,7 +191,7 @@ class MemoryTable:
         scales = (lib.whirl_result_length_scale(self.result, self.handle, i) for i in range(self._count))
         return self._pick(np.fromiter(scales, float, self._count))
 
-    def clock(self, _fixed, _values, _second, _third):
+    def clock(self, _table, _fixed):
         clocks = (lib.whirl_table_clock(self.result, self.handle, i) for i in range(self._count))
         return self._pick(np.fromiter(clocks, float, self._count))
 

@@ -20,8 +20,8 @@ __all__ = ["Plots"]
 class Plots:
     """Figures of a record: ``record.plot.orbit()``.
 
-    Every function takes the axes to draw into, or makes a figure; it returns the axes, and passes further keywords on to
-    Matplotlib.
+    Every function takes the axes to draw into, or makes a figure; it returns the axes, and passes further keywords on
+    to Matplotlib.
     """
 
     def __init__(self, record: Record) -> None:

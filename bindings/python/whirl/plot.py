@@ -141,8 +141,8 @@ class Plots:
         return ax
 
     def shares(self, table: str | None = None, ax: Axes | None = None, **style) -> Axes:
-        """Of several starts a point, the share that leads to each attractor, with its standard error; open circles where
-        it is 0: an attractor that was found from a neighbour alone."""
+        """Of several starts a point, the share that leads to each attractor, with its standard error; open circles
+        where it is 0: an attractor that was found from a neighbour alone."""
         table = self._starts(table)
         values, label = self._parameter(table)
         at, number, ax = points_once(table), table.attractors.ravel(), new_axes(ax)

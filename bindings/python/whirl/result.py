@@ -171,16 +171,20 @@ class Result:
         Parameters
         ----------
         units : str
-            One word each, in any order, of a length (scale, m, mm, um, in, mil), a speed (rad/s, rpm), and a way to count
-            amplitudes (0-p, p-p, rms): "um, rpm, p-p". Frequencies (order, Hz, cpm) are taken, and change nothing here:
-            spectra stand over orders. "" goes back to units without any choice.
+            One word each, in any order, of a length (scale, m, mm, um, in, mil), a speed (rad/s, rpm), and a way to
+            count amplitudes (0-p, p-p, rms): "um, rpm, p-p". Frequencies (order, Hz, cpm) are taken, and change nothing
+            here: spectra stand over orders. "" goes back to units without any choice. A result in memory is saved with
+            its choice; a file that was opened stays as it is.
 
         Returns
         -------
         Result
             This one: ``result.show_in("mil, rpm").plot.bode()``.
         """
+        if not isinstance(units, str):
+            raise errors.BadInput(f"the units are {units!r}, expected words such as 'um, rpm, p-p'")
         self._shown = self._source.show_in(units)
+        self._about.__dict__.pop("facts", None)  # which say the units of a result in memory
         return self
 
     def parameter_unit(self, name: str) -> str:
@@ -288,8 +292,8 @@ def find_template() -> str | os.PathLike | None:
 def open(path: str | os.PathLike) -> Result:  # noqa: A001 (whirl.open reads as one says it)
     """Opens a result file. Nothing but its outline is read before it is asked for, however large it is.
 
-    The file is read by h5py as it stands. For files from untrusted sources there is :func:`read`, which has libwhirl check every
-    part of it first.
+    The file is read by h5py as it stands. For files from untrusted sources there is :func:`read`, which has libwhirl
+    check every part of it first.
     """
     from ._file import FileSource
 

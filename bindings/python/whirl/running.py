@@ -96,22 +96,33 @@ def _wait(job, outcome):
     out, ended = ffi.new("whirl_result **"), threading.Event()
 
     def work():
-        status = lib.whirl_job_run(job, out)
-        outcome.update(code=status.code, message=text(status.message), result=out[0])
-        ended.set()
-
-    with _stopped_by_ctrl_c(job, outcome):
-        worker = threading.Thread(target=work, name="whirl.run")
-        worker.start()
         try:
+            status = lib.whirl_job_run(job, out)
+            outcome.update(code=status.code, message=text(status.message), result=out[0])
+        finally:
+            ended.set()
+
+    worker = threading.Thread(target=work, name="whirl.run")
+    try:
+        with _stopped_by_ctrl_c(job, outcome):
+            worker.start()
             while not ended.wait(0.2):
                 pass
-        except BaseException:  # of a handler of another signal, say: nothing may be freed that the job works with
-            lib.whirl_job_stop(job)
+    except BaseException:  # of a handler of another signal, say: nothing may be freed that the job works with
+        lib.whirl_job_stop(job)
+        _join(worker)
+        lib.whirl_result_free(out[0])
+        raise
+    _join(worker)
+
+
+def _join(worker):
+    """Waits for the end of a thread, whatever handlers of signals raise meanwhile."""
+    while worker.is_alive():
+        try:
             worker.join()
-            lib.whirl_result_free(outcome["result"])
-            raise
-        worker.join()
+        except BaseException:  # noqa: B036 (the first one, or the result, is what counts)
+            pass
 
 
 def _whole(number, what):

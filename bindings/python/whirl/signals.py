@@ -7,8 +7,8 @@
 >>> record.plot.full_spectrum()
 
 Everything is computed by libwhirl (``whirl/signals.h`` says how). Signals keep their unit, time has any; angles are in
-rad. Gaps, times that do not grow and signals that are too short raise :class:`whirl.BadInput` with one sentence; samples,
-channels and pulses are counted from 0.
+rad. Gaps, times that do not grow and signals that are too short raise :class:`whirl.BadInput` with one sentence;
+samples, channels and pulses are counted from 0.
 """
 
 from __future__ import annotations
@@ -156,7 +156,8 @@ def motion_size(channels: ArrayLike) -> float:
 
 
 def zero_one(points: ArrayLike, size: Optional[float] = None) -> float:
-    """K of the 0-1 test for chaos (Gottwald and Melbourne 2009) of a section: near 1 in chaos, near 0 in regular motion.
+    """K of the 0-1 test for chaos (Gottwald and Melbourne 2009) of a section: near 1 in chaos, near 0 in regular
+    motion.
 
     Parameters
     ----------
@@ -338,8 +339,8 @@ class Record:
         Parameters
         ----------
         samples : int, optional
-            Of a revolution; as many as lose none of the record's. With fewer, what is above the order samples/2 folds to
-            lower ones.
+            Of a revolution; as many as lose none of the record's. With fewer, what is above the order samples/2 folds
+            to lower ones.
         order : int
             Of the polynomials between samples: 1, 3, 5, 7 or 9.
         """

@@ -138,8 +138,8 @@ class System:
     Parameters
     ----------
     rates : callable, Numba cfunc, CFunction, ctypes or cffi pointer, or address
-        A Python callable ``f(t, x, p)`` gives the slopes, a sequence; x is an array, p has the parameters by their names
-        (``p.gamma``). Anything compiled has the form of :func:`signature`.
+        A Python callable ``f(t, x, p)`` gives the slopes, a sequence; x is an array, p has the parameters by their
+        names (``p.gamma``). Anything compiled has the form of :func:`signature`.
     start : sequence of float
         The state that motions start from.
     parameters : mapping of str to float
@@ -152,8 +152,8 @@ class System:
         Whether ``rates`` takes many machines at once: a Python callable is then given t [count], x [n][count] and
         parameters [count]; a compiled one has ``signature(lanes=True)``.
     displacements : int
-        The first so many coordinates are displacements whose slopes are the next so many. Machines then go side by side,
-        which is what makes ``lanes`` quick.
+        The first so many coordinates are displacements whose slopes are the next so many. Machines then go side by
+        side, which is what makes ``lanes`` quick.
     stations : mapping of str to pairs, optional
         Pairs of coordinates that are looked at together: ``{"disc": (0, 1)}``. The first two without it. Of one
         displacement alone there is no second one: it is looked at twice, so that radii are sqrt(2) times as large.
@@ -204,7 +204,7 @@ class System:
         for name in self.parameters if _address(rates) is None else ():
             if iskeyword(name) or name.startswith("_") or not name.isidentifier():
                 raise errors.BadInput(f"a parameter is called '{name}', which p cannot have as an attribute in Python")
-        self._build({}, [], {})[0]  # what is wrong is said here
+        self._build({}, [], {})  # what is wrong is said here
 
     # ---------------------------------------------------------------- functions
 
@@ -335,7 +335,8 @@ class System:
         vary : mapping of str to sequences of float, optional
             Parameters that vary, up to three: a sweep, a map, a map with planes.
         analyze : sequence of str
-            "poincare", "regime", "lyapunov", "orbit" without it; also "spectrum", "exponents", "floquet", "waveform", ...
+            "poincare", "regime", "lyapunov", "orbit" without it; also "spectrum", "exponents", "floquet", "waveform",
+            ...
         threads : int, optional
             0: all cores, which is what compiled functions have without it; Python callables have one.
         options

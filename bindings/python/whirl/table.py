@@ -87,12 +87,12 @@ class Table(Mapping):
     def second_values(self) -> np.ndarray | None:
         """The second parameter at every point of a map, in SI; of curves "trace/second"; None where there is none."""
         name = "map/second" if "map/second" in self.fields else "trace/second" if self.second else None
-        return self[name] if name in self.fields else None
+        return _fixed(self[name]) if name in self.fields else None
 
     @cached_property
     def third_values(self) -> np.ndarray | None:
         """The third parameter at every point of a map with planes, in SI; None where there is none."""
-        return self["map/third"] if "map/third" in self.fields else None
+        return _fixed(self["map/third"]) if "map/third" in self.fields else None
 
     @cached_property
     def branch(self) -> np.ndarray:
@@ -118,7 +118,7 @@ class Table(Mapping):
     def clock(self) -> np.ndarray:
         """rad/s at every point of the phase by which sections are taken, a turn of which is a revolution. That is the
         speed of the shaft, unless the case has another keyphasor. NaN where that is not told."""
-        return _fixed(self._source.clock(self._about.clock, self.values, self.second_values, self.third_values))
+        return _fixed(self._source.clock(self, self._about.clock))
 
     @cached_property
     def _words(self):
