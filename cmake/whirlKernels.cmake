@@ -11,14 +11,19 @@ endif()
 # Every product is rounded where it is written (no contraction), so that compilers and widths agree to the bit.
 set(WHIRL_ROUNDING -ffp-contract=off -fno-math-errno -fno-trapping-math)
 
-# Writes for every instruction set a file into `folder` that includes `source`, and adds them to the list `result`.
+# Writes for every instruction set a file into `folder` that includes `source`, and adds them to the list `result`. What is
+# compiled must find `source` by the name of its folder and its own: paths that say where a tree lies would keep
+# compilers' caches from serving several trees.
 function(whirl_kernel source folder result)
   get_filename_component(stem ${source} NAME_WE)
+  get_filename_component(kernels ${source} DIRECTORY)
+  get_filename_component(layer ${kernels} DIRECTORY)
+  file(RELATIVE_PATH included ${layer} ${source})
   foreach(isa ${WHIRL_ISAS})
     separate_arguments(isa)
     list(POP_FRONT isa suffix number)
     set(file ${folder}/${stem}_${suffix}.c)
-    file(CONFIGURE OUTPUT ${file} CONTENT "#define VECTOR_ISA ${number}\n#include \"${source}\"\n")
+    file(CONFIGURE OUTPUT ${file} CONTENT "#define VECTOR_ISA ${number}\n#include \"${included}\"\n")
     set_source_files_properties(${file} PROPERTIES COMPILE_OPTIONS "${isa}")
     list(APPEND ${result} ${file})
   endforeach()
@@ -32,6 +37,7 @@ function(whirl_element target source)
   get_filename_component(folder ${source} DIRECTORY)
   whirl_kernel(${source} ${CMAKE_CURRENT_BINARY_DIR}/kernels/${target} files)
   set_property(SOURCE ${files} APPEND PROPERTY COMPILE_OPTIONS ${WHIRL_ROUNDING})
-  set_source_files_properties(${files} PROPERTIES INCLUDE_DIRECTORIES ${folder} OBJECT_DEPENDS ${source})
+  get_filename_component(above ${folder} DIRECTORY)
+  set_source_files_properties(${files} PROPERTIES INCLUDE_DIRECTORIES "${folder};${above}" OBJECT_DEPENDS ${source})
   target_sources(${target} PRIVATE ${files})
 endfunction()
