@@ -11,12 +11,10 @@ INSTALL  := scripts/install-dependencies.sh
 # A build that exists keeps its options: `make` after `make test` does not throw the tests out.
 CONFIGURE = test -f $(BUILD)/CMakeCache.txt || cmake --preset release -DWHIRL_TESTS=OFF
 COMPILE   = cmake --build $(BUILD) --parallel $(JOBS) --target whirl
-SOURCES   = $(shell git ls-files --cached --others --exclude-standard '*.c' '*.cc' '*.h')
-SCRIPTS   = $(shell git ls-files --cached --others --exclude-standard 'explorer/*.ts' 'explorer/*.mjs')
-PRETTIER  = explorer/node_modules/.bin/prettier --log-level warn
-FUZZERS   = $(patsubst tests/fuzz/%.c,%,$(wildcard tests/fuzz/fuzz_*.c))
 
-.PHONY: all help test check sanitize paper explorer gallery docs bench soak install packages format lint asan tsan clang fuzz clean
+.PHONY: all help test test-all check sanitize ci soak clang fuzz paper explorer gallery docs bench install packages format lint \
+        clean test-steps check-steps sanitize-steps sanitize-build sanitize-matrix thread-steps changed-steps
+.NOTPARALLEL:
 .DEFAULT_GOAL := all
 
 all:            ## build/whirl
@@ -25,7 +23,7 @@ all:            ## build/whirl
 	@$(COMPILE)
 
 help:           ## these lines
-	@sed -n 's/^\([a-z ]*\):.*##/  make \1  /p' Makefile
+	@sed -n 's/^\([a-z -]*\):.*##/  make \1  /p' Makefile
 
 dependencies-%:
 	@$(INSTALL) $(subst -, ,$*)
@@ -34,32 +32,71 @@ dependencies-%:
 
 # Where tests run by themselves nothing may be left out; a person without a network still gets the rest.
 EXPLORER = scripts/explorer.sh $(if $(CI),,--if-possible) $(BUILD)/explorer
+# A proof is made of phases, which a table at its end tells the time of. Long tests run by turns: scripts/quarter.sh.
+export PHASES := $(CURDIR)/$(BUILD)/phases.txt
+PHASE   := scripts/phase.sh
+prove    = @$(PHASE) --begin && $(MAKE) --no-print-directory $(1) && $(PHASE) --table
+QUARTERS = -LE "$$(scripts/quarter.sh --others)"
 
-test:           ## everything is built, run and proved (about 11 minutes on two cores, 5 more where packages are missing)
-	@echo "make test: about 11 minutes on two cores, and 5 more for packages where they are missing"
-	@$(INSTALL) build report python test explorer browser docs octave
-	cmake --preset release -DWHIRL_TESTS=ON
-	cmake --build $(BUILD) --parallel $(JOBS)
-	$(EXPLORER)
-	ctest --test-dir $(BUILD) -j $(JOBS)
+test:           ## everything is built, run and proved, a quarter of the long tests by turns (10 minutes on two cores)
+	@echo "make test: 10 minutes on two cores, and 5 more for packages where they are missing"
+	$(call prove,test-steps)
+
+test-all:       ## all quarters of the long tests, under the sanitizers with all instruction sets, too (an hour)
+	$(call prove,test-steps sanitize-steps QUARTER=all)
 
 check:          ## the tests of daily work, under a minute once things are built
+	$(call prove,check-steps)
+
+sanitize:       ## units and commands under the sanitizers, a minute of fuzzing, a threaded study
+	$(call prove,sanitize-steps)
+
+ci:             ## what continuous integration runs: test, sanitize, and lint of what has changed (20 minutes)
+	$(call prove,test-steps sanitize-steps changed-steps)
+
+test-steps:
+	@$(PHASE) packages $(INSTALL) build report python test explorer browser docs octave
+	@$(PHASE) "build: configure" cmake --preset release -DWHIRL_TESTS=ON
+	@$(PHASE) "build: compile" cmake --build $(BUILD) --parallel $(JOBS)
+	@$(PHASE) "build: explorer" $(EXPLORER)
+	@rm -f $(BUILD)/tests.log
+	@$(PHASE) "tests, quarter $$(scripts/quarter.sh)" ctest --test-dir $(BUILD) -j $(JOBS) $(QUARTERS)
+
+check-steps:
 	@$(INSTALL) --check build report python test
-	cmake --preset release -DWHIRL_TESTS=ON
-	cmake --build $(BUILD) --parallel $(JOBS)
-	ctest --test-dir $(BUILD) -j $(JOBS) -L 'unit|cli' -LE slow --output-on-failure
+	@$(PHASE) "build: configure" cmake --preset release -DWHIRL_TESTS=ON
+	@$(PHASE) "build: compile" cmake --build $(BUILD) --parallel $(JOBS)
+	@rm -f $(BUILD)/tests.log
+	@$(PHASE) "tests: units and commands" ctest --test-dir $(BUILD) -j $(JOBS) -L 'unit|cli' -LE slow
 
-sanitize: dependencies-build-report-test tsan ## units and commands under the sanitizers, a minute of fuzzing
-	cmake --preset asan
-	cmake --build $(BUILD)/asan --parallel $(JOBS)
-	cmake --preset fuzz
-	cmake --build $(BUILD)/fuzz --parallel $(JOBS) --target $(FUZZERS)
-	scripts/fuzz.sh $(BUILD)/fuzz 60
-	ctest --test-dir $(BUILD)/asan -j $(JOBS) -L 'unit|cli' --no-tests=error
+sanitize-steps: sanitize-build thread-steps
+	@$(PHASE) "sanitized: a minute of fuzzing" scripts/fuzz.sh $(BUILD)/sanitize 60
+	@rm -f $(BUILD)/sanitize/tests.log
+	@$(PHASE) "sanitized: tests, quarter $$(scripts/quarter.sh)" ctest --test-dir $(BUILD)/sanitize -j $(JOBS) -L 'unit|cli' \
+	    $(QUARTERS) --no-tests=error
 
-soak: test sanitize clang ## what takes longer: long fuzzing, all tests under the sanitizers, both compilers
-	ctest --test-dir $(BUILD)/asan --timeout 7200 -j $(JOBS)
-	scripts/fuzz.sh $(BUILD)/fuzz 1800
+# Eigen's part of the library is taken as the release has compiled it.
+MATRIX := $(BUILD)/CMakeFiles/whirl_base.dir/src/base/matrix.cc.o
+sanitized = -DWHIRL_MATRIX=$(CURDIR)/$(MATRIX)
+
+sanitize-matrix:
+	@$(PHASE) packages $(INSTALL) build report test
+	@$(CONFIGURE)
+	@cmake --build $(BUILD) --target whirl_base >/dev/null
+
+sanitize-build: sanitize-matrix
+	@$(PHASE) "sanitized: configure" cmake --preset sanitize $(sanitized) -DWHIRL_WIDE=$$(scripts/quarter.sh --wide)
+	@$(PHASE) "sanitized: compile" cmake --build $(BUILD)/sanitize --parallel $(JOBS)
+
+thread-steps: sanitize-matrix
+	@$(PHASE) "threads: configure" cmake --preset threads $(sanitized)
+	@$(PHASE) "threads: compile" cmake --build $(BUILD)/threads --parallel $(JOBS) --target whirl
+	@$(PHASE) "threads: studies under the thread sanitizer" scripts/thread-check.sh $(BUILD)/threads
+
+soak: test-all clang ## what takes longer: long fuzzing, all tests under the sanitizers, both compilers
+	cmake --build $(BUILD)/sanitize --parallel $(JOBS) --target validation determinism
+	ctest --test-dir $(BUILD)/sanitize --timeout 7200 -j $(JOBS)
+	scripts/fuzz.sh $(BUILD)/sanitize 1800
 	tests/soak/kills.sh $(BUILD)/whirl tests/cli/good.yaml 1000
 	tests/soak/shards.sh $(BUILD)/whirl cases 1000
 	tests/mpi.sh tests/soak/ranks.sh $(BUILD)/whirl cases 300
@@ -67,20 +104,13 @@ soak: test sanitize clang ## what takes longer: long fuzzing, all tests under th
 	tests/soak/long_points.sh $(BUILD)/whirl tests/cli/good.yaml 10
 	WHIRL_SOAK=1 ctest --test-dir $(BUILD) --timeout 7200 -j $(JOBS) -R 'verdicts|grazes|readings|model_points|faults|changes'
 
-asan clang: %: dependencies-build-report-test ## all tests in that build
-	cmake --preset $*
-	cmake --build $(BUILD)/$* --parallel $(JOBS)
-	ctest --test-dir $(BUILD)/$* -j $(JOBS) --timeout 3600
+clang: dependencies-build-report-test ## all tests in a build by clang
+	cmake --preset clang
+	cmake --build $(BUILD)/clang --parallel $(JOBS)
+	ctest --test-dir $(BUILD)/clang -j $(JOBS) --timeout 3600
 
-tsan: dependencies-build-test ## a threaded study under the thread sanitizer
-	cmake --preset tsan -DWHIRL_TESTS=OFF
-	cmake --build $(BUILD)/tsan --parallel $(JOBS) --target whirl
-	scripts/thread-check.sh $(BUILD)/tsan
-
-fuzz: dependencies-build-test ## the readers are fuzzed for ten minutes
-	cmake --preset fuzz
-	cmake --build $(BUILD)/fuzz --parallel $(JOBS) --target $(FUZZERS)
-	scripts/fuzz.sh $(BUILD)/fuzz 600
+fuzz: sanitize-build ## the readers are fuzzed for ten minutes
+	scripts/fuzz.sh $(BUILD)/sanitize 600
 
 # ---------------------------------------------------------------- the paper
 
@@ -127,33 +157,37 @@ gallery: explorer ## explorers of the example cases: build/gallery
 
 docs: dependencies-build-report-python-docs ## the documentation as a site that needs no network: build/docs (some three minutes)
 	@$(CONFIGURE)
-	@$(COMPILE)
+	@$(COMPILE) whirl_shared
 	docs/site/build.py $(BUILD)
 	@echo "The site is $(BUILD)/docs/index.html"
 
 bench: dependencies-build-report-bench ## measured speed beside other programs; writes docs/benchmarks.md and its picture
-	cmake --preset release -DWHIRL_BENCH=ON
+	@$(CONFIGURE)
+	cmake $(BUILD) -DWHIRL_BENCH=ON
 	cmake --build $(BUILD) --parallel $(JOBS) --target bench
-	bench/run.py $(BUILD) --docs docs
+	bench/run.py $(BUILD) --docs docs $(BENCH_OPTIONS)
 
 install: all    ## into PREFIX (/usr/local)
 	cmake --build $(BUILD) --parallel $(JOBS)
 	cmake --install $(BUILD) --prefix $(abspath $(PREFIX))
 
 format: dependencies-lint ## the sources, by clang-format, prettier and black
-	clang-format -i $(SOURCES)
+	git ls-files '*.c' '*.cc' '*.h' | xargs clang-format -i
 	scripts/node-packages.sh
-	$(PRETTIER) --write $(SCRIPTS)
+	git ls-files 'explorer/*.ts' 'explorer/*.mjs' | xargs explorer/node_modules/.bin/prettier --log-level warn --write
 	black --quiet bindings/python
 
-lint: dependencies-build-test-lint ## formats, long lines, clang-tidy and cppcheck, without changing anything
-	cmake --preset release -DWHIRL_TESTS=ON
-	cmake --build $(BUILD) --target build_revision
-	scripts/node-packages.sh
-	$(PRETTIER) --check $(SCRIPTS)
-	black --quiet --check bindings/python
-	scripts/long-lines.sh
-	scripts/lint.sh $(BUILD) $(SOURCES)
+# The sources as they are read by compilers and linters alike; ALL, or those that have changed since all were seen.
+linted = @$(INSTALL) build test lint && cmake --preset release -DWHIRL_TESTS=ON >/dev/null && \
+         cmake --build $(BUILD) --target build_revision >/dev/null && scripts/node-packages.sh
+
+lint:           ## formats, long lines, clang-tidy and cppcheck of all sources, without changing anything
+	$(linted)
+	scripts/lint.sh $(BUILD) --all
+
+changed-steps:
+	$(linted)
+	@$(PHASE) "lint of what has changed" scripts/lint.sh $(BUILD)
 
 packages: all   ## Debian packages of HEAD in build/package, with lintian; scripts/package-check.sh tries them
 	@$(INSTALL) build package explorer

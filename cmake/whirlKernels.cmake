@@ -5,7 +5,13 @@
 # 3 percent.
 set(WHIRL_ISAS "scalar 0" "128 1")
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND NOT WHIRL_PORTABLE)
-  list(APPEND WHIRL_ISAS "fma 2 -mfma" "avx2 3 -mavx2 -mfma" "avx512 4 -mavx512f -mfma -mtune=icelake-server")
+  set(wide "fma 2 -mfma" "avx2 3 -mavx2 -mfma" "avx512 4 -mavx512f -mfma -mtune=icelake-server")
+  if(WHIRL_WIDE)
+    list(FILTER wide INCLUDE REGEX "^${WHIRL_WIDE} ")
+    string(REGEX REPLACE "^[a-z0-9]+ ([0-9]).*" "\\1" number "${wide}")
+    add_compile_definitions(WHIRL_WIDE=${WHIRL_WIDE} WHIRL_WIDE_ISA=${number})
+  endif()
+  list(APPEND WHIRL_ISAS ${wide})
 endif()
 
 # Every product is rounded where it is written (no contraction), so that compilers and widths agree to the bit.

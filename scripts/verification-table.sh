@@ -1,9 +1,9 @@
 #!/bin/bash
-# Writes the tables of docs/verification-manual.md:  scripts/verification-table.sh BUILD [PROGRAM...]
+# Writes the tables of docs/verification-manual.md:  scripts/verification-table.sh BUILD [TEST...]
 #
-# Runs the validation programs of the build, all motions of the verdicts included, and says which test of how many is running.
-# With names (validation_test_rub ...) only these run; of the others the logs of the last time are taken, from
-# BUILD/verification, as long as they are not older than their programs. The logs have a line for every number compared,
+# Runs the validation tests of the build, all motions of the verdicts included, and says which test of how many is running.
+# With names (test_rub ...) only these run; of the others the logs of the last time are taken, from BUILD/verification, as
+# long as they are not older than the program. The logs have a line for every number compared,
 #     A3 | what | expected | obtained | difference | tolerance
 # and what stands between `<!-- table A3 -->` and `<!-- end -->` in the manual is replaced by the lines of A3. Where a test
 # fails, a log is not whole or lacks a row that the manual has, that is said and the manual stays as it is.
@@ -17,14 +17,15 @@ trap 'rm -f "$fresh"' EXIT
 
 say() { echo "verification table: $*" >&2; }
 
-mapfile -t programs < <(find "$build/tests" -maxdepth 1 -name 'validation_test_*' -type f -executable | LC_ALL=C sort)
-if [ ${#programs[@]} -eq 0 ]; then
-    say "no validation program was found in $build/tests"
+program=$build/tests/validation
+if ! [ -x "$program" ]; then
+    say "$program is not built (make test)"
     exit 1
 fi
+mapfile -t tests < <("$program" | LC_ALL=C sort)
 for name in "$@"; do
-    [ -x "$build/tests/$name" ] && continue
-    say "there is no program $name in $build/tests"
+    [[ " ${tests[*]} " == *" $name "* ]] && continue
+    say "$program has no tests $name"
     exit 1
 done
 
@@ -48,9 +49,9 @@ show_progress() { # what the lines of the program's log begin with
     done
 }
 
-run_program() { # PROGRAM LOG PLACE
-    if ! WHIRL_SOAK=1 "$1" 2>"$2.errors" | tee "$2" | show_progress "$3"; then
-        fail "$(basename "$1") failed:"
+run_test() { # NAME LOG PLACE
+    if ! WHIRL_SOAK=1 "$program" "$1" 2>"$2.errors" | tee "$2" | show_progress "$3"; then
+        fail "$1 failed:"
         cat "$2.errors" >&2
         rm -f "$2"
     fi
@@ -58,37 +59,36 @@ run_program() { # PROGRAM LOG PLACE
 }
 
 # Whole: as many tests were run as were begun with, and something was compared.
-check_log() { # PROGRAM LOG
+check_log() { # NAME LOG
     local begun ended
     begun=$(sed -nE 's/^\[=+\].* ([0-9]+) test\(s\)\.$/\1/p' "$2" | head -1)
     ended=$(sed -nE 's/^\[=+\].* ([0-9]+) test\(s\) run\.$/\1/p' "$2" | head -1)
     if [ -z "$begun" ] || [ "$begun" != "$ended" ]; then
         fail "$2 ends early: ${ended:-0} of ${begun:-?} tests were run to their end"
     elif ! grep -q ' | ' "$2"; then
-        fail "$2 has no row: $(basename "$1") compared nothing"
+        fail "$2 has no row: $1 compared nothing"
     fi
 }
 
 mkdir -p "$logs"
 place=0
-for program in "${programs[@]}"; do
-    name=$(basename "$program")
+for name in "${tests[@]}"; do
     log=$logs/$name.log
     place=$((place + 1))
     if [ $# -eq 0 ] || [[ " $* " == *" $name "* ]]; then
-        run_program "$program" "$log" "program $place of ${#programs[@]}, $name"
+        run_test "$name" "$log" "$place of ${#tests[@]}, $name"
         [ -e "$log" ] || continue
     elif [ ! -e "$log" ] || [ "$log" -ot "$program" ]; then
         fail "$name has no log of this build: name it, too, or none"
         continue
     fi
-    check_log "$program" "$log"
+    check_log "$name" "$log"
 done
 [ $failures -eq 0 ] || exit 1
 
 # ---- the manual
 
-for program in "${programs[@]}"; do cat "$logs/$(basename "$program").log"; done | awk '
+for name in "${tests[@]}"; do cat "$logs/$name.log"; done | awk '
     function trim(text) { gsub(/^ +| +$/, "", text); return text }
     function complain(text) { print "verification table: " text > "/dev/stderr"; bad = 1 }
     function write_table(id) {

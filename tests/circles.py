@@ -12,14 +12,16 @@ import sys
 def symbols_of(folder):
     """Symbols that files define, {symbol: file}, and use, {file: {symbol}}."""
     defined, used = {}, {}
-    for path in sorted(folder.glob("*.o")):
-        name = re.sub(r"_(scalar|128|fma|avx2|avx512)$", "", re.sub(r"\.cc?\.o$", "", path.name))
-        for line in subprocess.check_output(["nm", path], text=True).splitlines():
-            *_, kind, symbol = line.split()
-            if kind == "U":
-                used.setdefault(name, set()).add(symbol)
-            elif kind in "TDBRV":
-                defined[symbol] = name
+    objects = sorted(folder.glob("*.o"))
+    listing = subprocess.check_output(["nm", "-A", *objects], text=True) if objects else ""
+    for line in listing.splitlines():
+        path, _, entry = line.partition(":")
+        name = re.sub(r"_(scalar|128|fma|avx2|avx512)$", "", re.sub(r"\.cc?\.o$", "", pathlib.Path(path).name))
+        *_, kind, symbol = entry.split()
+        if kind == "U":
+            used.setdefault(name, set()).add(symbol)
+        elif kind in "TDBRV":
+            defined[symbol] = name
     return defined, used
 
 

@@ -37,7 +37,7 @@ look_at() { # BINARY
 }
 while IFS= read -r file; do look_at "$file"; done < <(
     find "$@" -type f \( -perm -u+x -o -name '*.so*' \) -not -path '*/CMakeFiles/*' -not -path '*/compared/*' \
-        -not -path '*/asan/*' -not -path '*/fuzz/*' -not -path '*/tsan/*' -not -path '*/clang/*' -not -path '*/explorer/*' |
+        -not -path '*/sanitize/*' -not -path '*/threads/*' -not -path '*/clang/*' -not -path '*/explorer/*' |
         sort)
 [ $seen -gt 0 ] || fail "no binary in $*"
 

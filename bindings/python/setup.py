@@ -10,7 +10,17 @@ from pathlib import Path
 from setuptools import setup
 from setuptools.command.build_py import build_py
 from setuptools.dist import Distribution
-from wheel.bdist_wheel import bdist_wheel
+
+try:  # setuptools has it of its own since 70.1, and the package wheel no longer in its latest versions
+    from setuptools.command.bdist_wheel import bdist_wheel
+except ImportError:
+    try:
+        from wheel.bdist_wheel import bdist_wheel
+    except ImportError:
+        raise SystemExit(
+            f"{sys.executable} has setuptools before 70.1 and no package 'wheel': install either, leave out"
+            " --no-build-isolation so that pip fetches it, or call Debian's own: /usr/bin/python3 -m pip"
+        ) from None
 
 SONAME = "libwhirl.so.1"
 HERE = Path(__file__).resolve().parent

@@ -1,10 +1,11 @@
 #!/bin/bash
-# The tests of the explorer's page in real browsers:  run.sh WHIRL TEMPLATE
+# The tests of the explorer's page in real browsers:  run.sh WHIRL TEMPLATE [FILE.test.mjs...]
 # Exit status 77, with one line, where something that they need is missing.
 set -u
 WHIRL=$(realpath "$1") || exit 1
 TEMPLATE=$(realpath -m "$2") || exit 1
 export WHIRL TEMPLATE
+shift 2
 cd "$(dirname "$0")/.." || exit 1
 
 skip() {
@@ -21,4 +22,5 @@ for browser in "${FIREFOX:-}" firefox-esr firefox; do
     [ -n "$browser" ] && FIREFOX=$(command -v "$browser") && break
 done
 export FIREFOX
-exec node --test tests/page*.test.mjs
+[ $# -gt 0 ] || set -- tests/page*.test.mjs
+exec node --test "$@"

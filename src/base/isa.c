@@ -15,7 +15,8 @@ static const isa known[VECTOR_ISAS] = {
 
 /// What the processor and the system under it can do; the compiler asks cpuid for us.
 static bool present(int number) {
-#if VECTOR_X86
+#if defined(__x86_64__)
+    if (!VECTOR_BUILT(number)) return false;
     switch (number) {
     case VECTOR_SCALAR:
     case VECTOR_128:
@@ -30,7 +31,7 @@ static bool present(int number) {
         return false;
     }
 #else
-    return number == VECTOR_SCALAR || number == VECTOR_128;
+    return VECTOR_BUILT(number);
 #endif
 }
 

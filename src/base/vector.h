@@ -40,20 +40,30 @@
 #define ISA_NAME(name, set) ISA_JOIN(name, set)
 #define ISA(name) ISA_NAME(name, ISA_SUFFIX)
 
-/// Whether the build has the instruction sets of x86 beyond 128 bits.
-#if defined(__x86_64__) && !defined(WHIRL_PORTABLE)
-#define VECTOR_X86 1
+/// Which of them a build has: all of its processor; those of every processor, where WHIRL_PORTABLE is defined; or these and
+/// one more, WHIRL_WIDE, with the number WHIRL_WIDE_ISA: builds that are slow to compile take turns.
+#if !defined(__x86_64__) || defined(WHIRL_PORTABLE)
+#define VECTOR_BUILT(number) ((number) <= VECTOR_128)
+#elif defined(WHIRL_WIDE)
+#define VECTOR_BUILT(number) ((number) <= VECTOR_128 || (number) == WHIRL_WIDE_ISA)
 #else
-#define VECTOR_X86 0
+#define VECTOR_BUILT(number) ((number) < VECTOR_ISAS)
 #endif
 
 /// Declares all of them; the table of them by number, NULL where this build has none.
-#if VECTOR_X86
+#if VECTOR_BUILT(VECTOR_FMA) && VECTOR_BUILT(VECTOR_AVX2)
 #define FOR_EVERY_ISA(type, name) extern type name##_scalar, name##_128, name##_fma, name##_avx2, name##_avx512
 #define EVERY_ISA(address, name)                                                                                       \
     {                                                                                                                  \
         [VECTOR_SCALAR] = address name##_scalar, [VECTOR_128] = address name##_128, [VECTOR_FMA] = address name##_fma, \
         [VECTOR_AVX2] = address name##_avx2, [VECTOR_AVX512] = address name##_avx512                                   \
+    }
+#elif defined(WHIRL_WIDE)
+#define FOR_EVERY_ISA(type, name) extern type name##_scalar, name##_128, ISA_NAME(name, WHIRL_WIDE)
+#define EVERY_ISA(address, name)                                                                                       \
+    {                                                                                                                  \
+        [VECTOR_SCALAR] = address name##_scalar, [VECTOR_128] = address name##_128,                                    \
+        [WHIRL_WIDE_ISA] = address ISA_NAME(name, WHIRL_WIDE)                                                          \
     }
 #else
 #define FOR_EVERY_ISA(type, name) extern type name##_scalar, name##_128

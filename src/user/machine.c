@@ -284,9 +284,13 @@ static void flow(const lanes_view *view, size_t lanes) {
     }
 OF_ISA(scalar, 1)
 OF_ISA(128, 2)
-#if VECTOR_X86
+#if VECTOR_BUILT(VECTOR_FMA)
 OF_ISA(fma, 1)
+#endif
+#if VECTOR_BUILT(VECTOR_AVX2)
 OF_ISA(avx2, 4)
+#endif
+#if VECTOR_BUILT(VECTOR_AVX512)
 OF_ISA(avx512, 8)
 #endif
 

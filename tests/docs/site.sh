@@ -1,8 +1,8 @@
 #!/bin/bash
-# The documentation as a site:  site.sh ROOT BUILD site|tutorials
-#   site       builds without a warning, from headers of which no symbol lacks a comment; its links and pictures lead
-#              somewhere, and it asks no other computer for anything (the tutorials stand there without what they print)
-#   tutorials  the code of every tutorial runs, and what its text claims holds
+# The documentation as a site:  site.sh ROOT BUILD site | tutorial NAME
+#   site      builds without a warning, from headers of which no symbol lacks a comment; its links and pictures lead
+#             somewhere, and it asks no other computer for anything (the tutorials stand there without what they print)
+#   tutorial  the code of docs/tutorials/NAME.md runs, and what its text claims holds
 # Skipped where packages are missing (scripts/install-dependencies.sh docs), but not in continuous integration.
 set -euo pipefail
 root=$(realpath "$1")
@@ -10,7 +10,7 @@ build=$(realpath "$2")
 
 case $3 in
 site) needs="sphinx, myst_parser, breathe, furo, nbformat, nbclient" programs="doxygen" ;;
-tutorials) needs="nbformat, nbclient, ipykernel, matplotlib, h5py" programs="octave-cli" ;;
+tutorial) needs="nbformat, nbclient, ipykernel, matplotlib, h5py" programs="octave-cli" ;;
 esac
 missing=$(/usr/bin/python3 -c "import $needs" 2>&1 | tail -n 1)
 for program in $programs; do
@@ -26,8 +26,8 @@ site)
     "$root/docs/site/build.py" "$build" --without-runs
     "$root/tests/docs/check_site.py" "$build/docs-quick/site"
     ;;
-tutorials)
+tutorial)
     cd "$root/docs/tutorials"
-    "$root/docs/site/tutorials.py" "$build" ./[a-z]*.md
+    "$root/docs/site/tutorials.py" "$build" "./$4.md"
     ;;
 esac

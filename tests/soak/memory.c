@@ -78,7 +78,7 @@ static void write_case(const places *at, const char *text, size_t points) {
 /// The largest resident size in bytes of a process that does this.
 static double resident(void (*work)(const places *), const places *at) {
     struct rusage used;
-    int outcome;
+    int outcome = 0;
     const pid_t child = fork();
     if (child == 0) {
         work(at);

@@ -39,7 +39,7 @@ whirl_result *run_case_at(const char *file, size_t batches, const double *values
     return result;
 }
 
-double field_number(const whirl_table *table, size_t point, const char *field, size_t which) {
+double table_number(const whirl_table *table, size_t point, const char *field, size_t which) {
     const double *value = whirl_table_field(table, point, field, which);
     if (!value) fail_msg("the result has no field %s", field);
     return value ? *value : NAN;

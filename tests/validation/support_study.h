@@ -12,6 +12,6 @@ whirl_result *run_case_at(const char *file, size_t batches, const double *values
                           void (*change)(whirl_batch *batch, const void *context), const void *context);
 
 /// Number `which` of a field of a point; fails the test where the result has no such field.
-double field_number(const whirl_table *table, size_t point, const char *field, size_t which);
+double table_number(const whirl_table *table, size_t point, const char *field, size_t which);
 
 #endif

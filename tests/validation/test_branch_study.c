@@ -34,14 +34,14 @@ static whirl_result *run_text(const char *text) {
 }
 
 static double number(const whirl_table *table, size_t point, const char *field) {
-    return field_number(table, point, field, 0);
+    return table_number(table, point, field, 0);
 }
 
 /// The row of a kind of special point, counted from 0, on a branch (0: any); the test ends where there is none.
 static size_t special_row(const whirl_table *table, size_t branch, whirl_special kind, size_t which) {
     for (size_t i = 0; i < table->count; i++)
         if ((branch == 0 || number(table, i, "trace/number") == (double)branch) &&
-            number(table, i, "trace/special") == kind && which-- == 0)
+            (int)number(table, i, "trace/special") == (int)kind && which-- == 0)
             return i;
     fail_msg("branch %zu has no further special point of kind %d", branch, kind);
     return 0;
@@ -49,7 +49,7 @@ static size_t special_row(const whirl_table *table, size_t branch, whirl_special
 
 static size_t count_kind(const whirl_table *table, whirl_special kind) {
     size_t count = 0;
-    for (size_t i = 0; i < table->count; i++) count += number(table, i, "trace/special") == kind;
+    for (size_t i = 0; i < table->count; i++) count += (int)number(table, i, "trace/special") == (int)kind;
     return count;
 }
 

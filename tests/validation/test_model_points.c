@@ -238,17 +238,17 @@ static void check_evidence(const whirl_table *table, size_t point, const whirl_v
     put_evidence(k->r_k, "digits to which averages of two halves agree", verdict->regularity);
     put_evidence(k->r_k, "K of the 0-1 test", verdict->chaos);
     put_evidence(k->r_k, "largest correlation of points 1/8 to 1/4 of the watched ones apart",
-                 field_number(table, point, "evidence/correlation", 0));
+                 table_number(table, point, "evidence/correlation", 0));
     put_evidence(k->r_k, "turns of the disc round its mean position a revolution",
-                 field_number(table, point, "winding/winding", DISC));
+                 table_number(table, point, "winding/winding", DISC));
     if (verdict->regime == WHIRL_QUASI_PERIODIC)
         check_within("evidence", words("r_k = %.2f, rotation number against the printed line", k->r_k),
                      strtod(k->lines[0].order, NULL), verdict->rotation, 5e-4);
     if (verdict->regime == WHIRL_PERIODIC) {
         const double modulus = exp(k->exponent * verdict->period);
-        const double error = 3.0 * hypot(k->error, field_number(table, point, "lyapunov/error", 0));
+        const double error = 3.0 * hypot(k->error, table_number(table, point, "lyapunov/error", 0));
         check_within("evidence", words("r_k = %.2f, modulus of the largest multiplier", k->r_k), modulus,
-                     field_number(table, point, "evidence/modulus", 0), modulus * expm1(error * verdict->period));
+                     table_number(table, point, "evidence/modulus", 0), modulus * expm1(error * verdict->period));
     }
 }
 
@@ -259,16 +259,16 @@ static void check_point(const whirl_table *table, size_t point) {
     whirl_verdict_name(&verdict, name, sizeof name);
     check_text("model", words("r_k = %.2f, regime", k->r_k), k->regime, name);
     check_evidence(table, point, &verdict);
-    const double error = field_number(table, point, "lyapunov/error", 0);
+    const double error = table_number(table, point, "lyapunov/error", 0);
     check_within("model", words("r_k = %.2f, largest exponent per revolution", k->r_k), k->exponent,
-                 field_number(table, point, "lyapunov/largest", 0), 3.0 * hypot(k->error, error));
+                 table_number(table, point, "lyapunov/largest", 0), 3.0 * hypot(k->error, error));
     check_scattered(words("r_k = %.2f, max r1", k->r_k), k->max_radius, k->radius_scatter,
-                    field_number(table, point, "orbit/max_radius", DISC));
+                    table_number(table, point, "orbit/max_radius", DISC));
     check_scattered(words("r_k = %.2f, max e", k->r_k), k->max_eccentricity, k->eccentricity_scatter,
-                    field_number(table, point, "orbit/eccentricity", JOURNAL));
+                    table_number(table, point, "orbit/eccentricity", JOURNAL));
     if (k->rub_share) {
         const char *what = words("r_k = %.2f, share of rub, percent", k->r_k);
-        const double share = 100.0 * field_number(table, point, "rub/share", 0);
+        const double share = 100.0 * table_number(table, point, "rub/share", 0);
         if (strcmp(k->rub_share, "0") == 0)
             check_within("model", what, 0.0, share, 0.0);
         else

@@ -64,9 +64,9 @@ static cost compare(const whirl_table *whole, const whirl_table *early) {
         sum.less_trusted += verdict.confidence < expected.confidence;
         if (expected.regime != WHIRL_PERIODIC) continue;
         sum.periodic++;
-        sum.ended += field_number(early, i, "floquet/set_at", 0) > 0.0;
-        sum.motion += field_number(early, i, "regime/revolutions", 0);
-        sum.newton += field_number(early, i, "floquet/revolutions", 0);
+        sum.ended += table_number(early, i, "floquet/set_at", 0) > 0.0;
+        sum.motion += table_number(early, i, "regime/revolutions", 0);
+        sum.newton += table_number(early, i, "floquet/revolutions", 0);
     }
     return sum;
 }

@@ -36,10 +36,10 @@ static void put_verdict(const char *who, const whirl_verdict *verdict) {
 
 static void put_numbers(const char *who, const whirl_table *table, size_t i, const whirl_verdict *verdict) {
     printf("readings | %s, by RK4: exponent per revolution | - | %.4f +- %.4f | - | -\n", who,
-           field_number(table, i, "lyapunov/largest", 0), field_number(table, i, "lyapunov/error", 0));
+           table_number(table, i, "lyapunov/largest", 0), table_number(table, i, "lyapunov/error", 0));
     printf("readings | %s, by RK4: max r1, max e, share of rub | - | %.4f, %.4f, %.3f | - | -\n", who,
-           field_number(table, i, "orbit/max_radius", DISC), field_number(table, i, "orbit/eccentricity", JOURNAL),
-           field_number(table, i, "rub/share", 0));
+           table_number(table, i, "orbit/max_radius", DISC), table_number(table, i, "orbit/eccentricity", JOURNAL),
+           table_number(table, i, "rub/share", 0));
     printf("readings | %s, by RK4: distance of returns, digits of averages | - | %.2g, %.3g | - | -\n", who,
            verdict->recurrence, verdict->regularity);
     if (!isnan(verdict->chaos))

@@ -143,7 +143,7 @@ typedef struct expected {
 static void check_orbit(const expected *at, const whirl_table *table, const whirl_attractor *found) {
     double z[N], first[N], away = 0.0;
     const int period = whirl_table_verdict(table, found->first).period;
-    const double radius = field_number(table, found->first, "orbit/max_radius", 0);
+    const double radius = table_number(table, found->first, "orbit/max_radius", 0);
     end_of(table, found->first, z);
     z[0] += 1e-4;
     const double again = radius_after(at->r_k, z, FINE, LONG);
@@ -169,7 +169,7 @@ static void check_shares(const expected *at, const whirl_table *table, const whi
                          const grid *g) {
     double radii[MOST];
     size_t reached[MOST + 1] = {0};
-    for (size_t k = 0; k < attractors; k++) radii[k] = field_number(table, found[k].first, "orbit/max_radius", 0);
+    for (size_t k = 0; k < attractors; k++) radii[k] = table_number(table, found[k].first, "orbit/max_radius", 0);
     for (size_t i = 0; i < g->count; i++) {
         double z[N] = {g->x[i], g->y[i], [7] = -1e-12}; // the film's angle wants a journal that moves
         reached[nearest_of(radii, attractors, radius_after(at->r_k, z, COARSE, SETTLE))]++;

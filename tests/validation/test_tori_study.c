@@ -18,7 +18,7 @@
 static const double pi = 3.14159265358979323846;
 
 static double number(const whirl_table *table, size_t point, const char *field) {
-    return field_number(table, point, field, 0);
+    return table_number(table, point, field, 0);
 }
 
 // ---------------------------------------------------------------- a circle in closed form

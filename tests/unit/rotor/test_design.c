@@ -142,11 +142,11 @@ static void test_own_types(void **state) {
 static void test_own_types_too_large(void **state) {
     static const whirl_key keys[65] = {
         {"at", "", "", WHIRL_KEY_STATION, true, "", WHIRL_ANY, NULL, "where it is of no use", ""}};
-    static const element_kernels idle = {NULL};
+    static const element_kernels idle = {0};
     static const element_kernels *const kernels[VECTOR_ISAS] = {&idle, &idle, &idle, &idle, &idle};
-    static const element_type wordy = {.group = {"wordy", "an element of 65 keys", "", keys, 65, NULL},
+    static const element_type wordy = {.group = {"wordy", "an element of 65 keys", "", keys, 65, NULL, NULL},
                                        .build = build_nothing};
-    static const element_type memory = {.group = {"memory", "an element of 2000 states", "", keys, 1, NULL},
+    static const element_type memory = {.group = {"memory", "an element of 2000 states", "", keys, 1, NULL, NULL},
                                         .state_count = 2000,
                                         .kernels = kernels,
                                         .build = build_nothing};

@@ -168,7 +168,7 @@ static void test_what_is_known_is_not_dealt(void **state) {
 static void test_a_stop_of_the_one_that_gathers(void **state) {
     const volatile bool stop = true;
     double values[POINTS];
-    size_t done, total;
+    size_t done = 0, total = 0;
     (void)state;
     const whirl_study s = study(values, WHIRL_CARRY_NONE, true);
     whirl_result *whole = run(&s, 1);

@@ -1,0 +1,47 @@
+#!/bin/bash
+# What a proof of the project takes, phase by phase:
+#
+#   scripts/phase.sh NAME COMMAND...    runs the command and notes what it took; where it fails, the table follows
+#   scripts/phase.sh --table            prints the phases so far and the twenty slowest tests
+#
+# Notes are in the file $PHASES; tests note their own seconds in the file tests.log of their build (tests/budget.c).
+set -euo pipefail
+phases=${PHASES:?}
+
+print_table() {
+    printf '\n%-44s %10s %10s\n' "phase" "clock s" "CPU s"
+    awk -F '\t' '{ printf "%-44s %10.0f %10.0f\n", $1, $2, $3; clock += $2; spent += $3 }
+                 END { printf "%-44s %10.0f %10.0f\n", "all", clock, spent }' "$phases"
+    local log
+    for log in "$(dirname "$phases")"/{,sanitize/}tests.log; do
+        [ -s "$log" ] && [ ! "$log" -ot "$phases.begun" ] || continue
+        printf '\n%-44s %10s %10s\n' "slowest tests of $log" "clock s" "CPU s"
+        sort -rn "$log" | awk 'NR <= 20 { printf "%-44s %10.1f %10.1f\n", $4, $2, $1 }'
+    done
+}
+
+case $1 in
+--begin)
+    mkdir -p "$(dirname "$phases")"
+    : >"$phases"
+    touch "$phases.begun"
+    exit
+    ;;
+--table)
+    print_table
+    exit
+    ;;
+esac
+name=$1
+shift
+status=0
+exec 3>&1 4>&2
+TIMEFORMAT='%R %U %S'
+spent=$({ time "$@" >&3 2>&4; } 2>&1) || status=$?
+read -r clock user system <<<"$spent"
+printf '%s\t%s\t%s\n' "$name" "$clock" "$(awk "BEGIN { print $user + $system }")" >>"$phases"
+if [ $status -ne 0 ]; then
+    print_table
+    echo "FAILED: $name" >&2
+fi
+exit $status

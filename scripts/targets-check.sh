@@ -1,0 +1,42 @@
+#!/bin/bash
+# Tries documented make targets, each by itself in a fresh clone on a fresh Debian 12:
+#
+#   scripts/targets-check.sh [TARGET...]
+#
+# Without names all that bring something about: the command, explorer, gallery, documents, benchmarks, installation, packages
+# and the paper. Clones HEAD. Needs root, mmdebstrap and a mirror ($MIRROR, else Debian's); a log of each is in build/targets.
+# Minutes each, so it is no part of any test.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+targets=("$@")
+[ $# -gt 0 ] || targets=(all explorer gallery docs bench install packages paper)
+out=$(mkdir -p build/targets && realpath build/targets)
+bundle=$out/whirl.bundle
+git bundle create --quiet "$bundle" HEAD
+
+# What a person types there.
+commands_of() { # TARGET
+    echo "set -e; cd /root; export HOME=/root DEBIAN_FRONTEND=noninteractive
+git clone -q whirl.bundle whirl; cd whirl
+scripts/install-dependencies.sh build
+make $1"
+    # A benchmark of everything takes most of an hour; that it runs is seen in less.
+    [ "$1" != bench ] || echo "test -s docs/benchmarks.md"
+}
+
+failed=0
+for target in "${targets[@]}"; do
+    commands_of "$target" >"$out/$target.sh"
+    begun=$SECONDS
+    # shellcheck disable=SC2016 # $1 is the folder of the system, which mmdebstrap says.
+    if mmdebstrap --quiet --variant=apt --include=make,git,ca-certificates \
+        --customize-hook="copy-in $bundle /root" --customize-hook="copy-in $out/$target.sh /root" \
+        --customize-hook='chroot "$1" bash /root/'"$target.sh >'$out/$target.log' 2>&1" \
+        bookworm /dev/null ${MIRROR:+"$MIRROR"} 2>>"$out/$target.log"; then
+        echo "make $target: works, $((SECONDS - begun)) s"
+    else
+        echo "make $target: FAILED after $((SECONDS - begun)) s, see $out/$target.log"
+        failed=1
+    fi
+done
+exit $failed
