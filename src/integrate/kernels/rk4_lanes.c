@@ -50,12 +50,15 @@ static void accelerate(const rk4_lanes *lanes, const double *forcing, const vec 
         ENTER_SET(stage, beside)                                                                                       \
     }
 
+/// A place in an array; an array that is not there has none.
+static inline vec *place_in(void *array, size_t offset) { return array ? (vec *)array + offset : NULL; }
+
 /// The scheme with the arrays of the state (n = 0) or a disturbance.
 static inline scheme scheme_of_set(const rk4_lanes *lanes, const scheme *constants, size_t n) {
     const size_t place = n * lanes->degrees * lanes->stride, rate = n * lanes->rates * lanes->stride;
-    return scheme_at(constants, (vec *)lanes->q + place, (vec *)lanes->v + rate, (vec *)lanes->k[0] + rate,
-                     (vec *)lanes->k[1] + rate, (vec *)lanes->k[2] + rate, (vec *)lanes->stage_q + place,
-                     (vec *)lanes->stage_v + rate);
+    return scheme_at(constants, place_in(lanes->q, place), place_in(lanes->v, rate), place_in(lanes->k[0], rate),
+                     place_in(lanes->k[1], rate), place_in(lanes->k[2], rate), place_in(lanes->stage_q, place),
+                     place_in(lanes->stage_v, rate));
 }
 
 /// The integral of the divergence over the step.
