@@ -45,6 +45,7 @@ void building_end(building *b) {
     assembly_clear(&b->assembly);
     free(b->elements);
     free(b->numbers);
+    free(b->between);
 }
 
 /// All inertia; after it coordinates can be numbered. And the unit of time: the phase by which sections are taken.
@@ -125,5 +126,6 @@ whirl_status building_finish(building *b) {
     if (b->keyphasor) b->state_count++; // the shaft's phase
     if (status.code == WHIRL_OK && !assembly_finish(&b->assembly))
         status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a rotor of %zu elements", b->design->element_count);
-    return status;
+    if (status.code != WHIRL_OK) return status;
+    return between_stations(&b->mesh, &b->assembly, b->reductions, &b->between, &b->between_count);
 }
