@@ -132,6 +132,12 @@ void whirl_rotor_free(whirl_rotor *rotor);
 /// The rotor as a system of first order; borrowed, lives as long as the rotor. One probe a station.
 const whirl_system *whirl_rotor_system(const whirl_rotor *rotor);
 
+/// Completes a state [dimension] that says displacements and velocities of stations: what shafts of finite elements
+/// have between these (tilts, nodes, coordinates of modes) is written as the shaft gives way statically, so that a
+/// straight one stays straight; all else stays. With zeros there, the coordinates of modes would bend it
+/// (docs/theory.md).
+void whirl_rotor_complete(const whirl_rotor *rotor, double *x);
+
 double whirl_rotor_speed(const whirl_rotor *rotor); ///< rad/s
 /// rad/s of the phase that sections are taken by, once a turn: 2 pi of tau, a revolution. The speed but for a
 /// keyphasor.

@@ -7,6 +7,7 @@
 #include "analysis.h"
 #include "birkhoff.h"
 #include "section.h"
+#include "turns.h"
 
 /// A disturbance that vanished altogether has shrunk at least to the smallest double.
 static const double strongest_decay = -745.0;
@@ -94,6 +95,17 @@ bool follows_all(const whirl_record *record) {
     return record->growths && record->growth_count > 0 && record->motion == WHIRL_BOUNDED;
 }
 
+/// What turns stays behind: its exponents, zeros, are none of the motion's.
+static void sort_exponents(const whirl_record *record, whirl_estimate *exponents) {
+    const size_t steady = record->dimension - turns_count(record->turns, record->dimension);
+    for (size_t k = 1; k < steady; k++)
+        for (size_t j = k; j > 0 && exponents[j].value > exponents[j - 1].value; j--) {
+            const whirl_estimate larger = exponents[j];
+            exponents[j] = exponents[j - 1];
+            exponents[j - 1] = larger;
+        }
+}
+
 growth_balance gather_exponents(const whirl_record *record, whirl_estimate *exponents, double *values) {
     const double least_share = 1e-3;
     growth_balance b = {.exact = mean_volume(record)};
@@ -104,6 +116,7 @@ growth_balance gather_exponents(const whirl_record *record, whirl_estimate *expo
         sizes += fabs(exponents[k].value);
         errors += isnan(exponents[k].error) ? 0.0 : exponents[k].error; // of a single revolution
     }
+    sort_exponents(record, exponents);
     if (isfinite(b.exact)) b.miss = fabs(b.sum - b.exact);
     b.failed = !(b.miss <= fmax(errors, least_share * sizes));
     return b;

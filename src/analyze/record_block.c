@@ -163,16 +163,17 @@ void record_close_turns(whirl_record *record) {
 }
 
 void record_place_disturbances(const whirl_record *record, size_t count, double *disturbances) {
-    const size_t n = record->dimension;
-    const double *turns = record->turns;
-    size_t placed = 0;
+    const double pi = 3.14159265358979323846;
+    const size_t n = record->dimension, steady = n - turns_count(record->turns, n);
     memset(disturbances, 0, count * n * sizeof *disturbances);
-    for (int turning = 0; turning < 2; turning++)
-        for (size_t i = 0; i < n; i++) {
-            if (turns_on(turns, i) != turning) continue;
-            if (count == n)
-                disturbances[placed++ * n + i] = 1.0;
-            else if (!turning)
-                disturbances[i] = 1.0 / sqrt((double)n);
-        }
+    for (size_t i = 0, at = 0, last = steady; i < n; i++) {
+        const bool turning = turns_on(record->turns, i);
+        if (count < n) disturbances[i] = turning ? 0.0 : 1.0 / sqrt((double)n);
+        if (count < n) continue;
+        if (turning) disturbances[last++ * n + i] = 1.0;
+        if (turning) continue;
+        const double angle = pi * (double)++at / (double)(steady + 1);
+        for (size_t k = 0; k < steady; k++)
+            disturbances[k * n + i] = sqrt(2.0 / (double)(steady + 1)) * sin((double)(k + 1) * angle);
+    }
 }

@@ -11,6 +11,13 @@ static inline bool turns_on(const double *turns, size_t i) {
     return turns && turns[i] > 0.0;
 }
 
+/// How many of the n parts are.
+static inline size_t turns_count(const double *turns, size_t n) {
+    size_t count = 0;
+    for (size_t i = 0; i < n; i++) count += turns_on(turns, i);
+    return count;
+}
+
 /// An angle brought back into its first turn.
 static inline double in_first_turn(double angle, double turn) {
     return angle - turn * floor(angle / turn);

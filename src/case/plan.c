@@ -646,8 +646,10 @@ whirl_status plan_start_state(const study_plan *plan, size_t batch, size_t start
                               const whirl_rotor *rotor, double *state) {
     memset(state, 0, whirl_rotor_system(rotor)->dimension * sizeof *state);
     const bool rest = batch < plan->batch_count && plan->rest[batch];
-    const whirl_status status = rest ? whirl_ok() : initial_state(plan, v, rotor, state);
-    return status.code == WHIRL_OK && start > 0 ? start_in_ranges(plan, start, v, rotor, state) : status;
+    whirl_status status = rest ? whirl_ok() : initial_state(plan, v, rotor, state);
+    if (status.code == WHIRL_OK && start > 0) status = start_in_ranges(plan, start, v, rotor, state);
+    whirl_rotor_complete(rotor, state);
+    return status;
 }
 
 whirl_status plan_check_speed(const whirl_batch *batch, double speed) {

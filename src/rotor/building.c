@@ -45,6 +45,7 @@ void building_end(building *b) {
     assembly_clear(&b->assembly);
     free(b->elements);
     free(b->numbers);
+    free(b->between);
 }
 
 /// All inertia; after it coordinates can be numbered. And the unit of time: the phase by which sections are taken.
@@ -79,11 +80,22 @@ static whirl_status check_aside(const building *b) {
                       b->assembly.aside);
 }
 
-static whirl_status check_spin(const building *b, const element *own) {
-    if (!own->type->spun || b->assembly.stations[own->station].ratio == 1.0) return whirl_ok();
-    return whirl_fail(WHIRL_BAD_INPUT,
-                      "acts at station '%s' on a shaft of another speed, and its force goes with that of the rotor",
-                      b->assembly.stations[own->station].name);
+/// What goes with the rotor's speed has no end on a shaft of another one.
+static whirl_status check_spin(const building *b, const design_element *own) {
+    const whirl_group *group = &own->type->group;
+    for (size_t k = 0; own->type->spun && k < group->key_count; k++) {
+        const whirl_key_kind kind = group->keys[k].kind;
+        const size_t ends = kind == WHIRL_KEY_STATION ? 1 : kind == WHIRL_KEY_STATIONS ? 2 : 0;
+        for (size_t i = 0; i < ends && own->values[k].given; i++) {
+            const size_t station = own->values[k].station[i];
+            if (station == GROUND || b->assembly.stations[station].ratio == 1.0) continue;
+            return whirl_fail(WHIRL_BAD_INPUT,
+                              "acts at station '%s' on a shaft of another speed, and its force goes with that of the "
+                              "rotor",
+                              b->assembly.stations[station].name);
+        }
+    }
+    return whirl_ok();
 }
 
 /// Builds the elements of one type, in the order of the design.
@@ -96,7 +108,7 @@ static whirl_status add_elements(building *b, const element_type *type) {
         own->state = b->assembly.degrees + b->state_count;
         for (size_t port = 0; port < MAX_PORTS; port++) own->port[port] = NO_COORDINATE;
         status = type->build(b->design->elements[i].values, &b->assembly, own);
-        if (status.code == WHIRL_OK) status = check_spin(b, own);
+        if (status.code == WHIRL_OK) status = check_spin(b, &b->design->elements[i]);
         status = with_element(b, i, status);
         if (!type->kernels || own->lumped) continue;
         b->number_count += type->number_count;
@@ -125,5 +137,6 @@ whirl_status building_finish(building *b) {
     if (b->keyphasor) b->state_count++; // the shaft's phase
     if (status.code == WHIRL_OK && !assembly_finish(&b->assembly))
         status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a rotor of %zu elements", b->design->element_count);
-    return status;
+    if (status.code != WHIRL_OK) return status;
+    return between_stations(&b->mesh, &b->assembly, b->reductions, &b->between, &b->between_count);
 }

@@ -2,6 +2,7 @@
 #ifndef ROTOR_BUILDING_H
 #define ROTOR_BUILDING_H
 
+#include "between.h"
 #include "design.h"
 #include "mesh.h"
 #include "reduction.h"
@@ -18,6 +19,8 @@ typedef struct building {
     void *context;
     size_t problems;
     reduction reductions[WHIRL_MAX_SHAFTS];
+    between_term *between; ///< [between_count]
+    size_t between_count;
     body_panels panels;              ///< how many there are
     const design_element *keyphasor; ///< by which sections are taken; NULL: by the shaft
 } building;
@@ -27,7 +30,7 @@ typedef struct building {
 /// in any case.
 whirl_status building_assemble(building *b, const whirl_design *design, const size_t *order);
 
-/// Reduces the shafts and puts the assembly in order.
+/// Reduces the shafts, puts the assembly in order, and finds what lies between stations.
 whirl_status building_finish(building *b);
 
 void building_end(building *b);

@@ -2,6 +2,7 @@
 #ifndef ROTOR_MACHINE_H
 #define ROTOR_MACHINE_H
 
+#include "between.h"
 #include "coupling.h"
 #include "element.h"
 #include "lanes.h"
@@ -20,9 +21,11 @@ struct whirl_rotor {
     linear_term *terms;
     coupling coupled; ///< by masses; the same in all machines of a block
     /// Terms that shafts of finite elements are; the same in all machines of a block.
-    body_panels body;  ///< numbers scaled but for their rates
-    size_t first_rate; ///< where the machine's rates are among its numbers
-    size_t begun;      ///< coordinates from there on are begun by the body, those before by stations or at zero
+    body_panels body;      ///< numbers scaled but for their rates
+    size_t first_rate;     ///< where the machine's rates are among its numbers
+    size_t begun;          ///< coordinates from there on are begun by the body, those before by stations or at zero
+    between_term *between; ///< [between_count] what lies between stations, of displacements of these
+    size_t between_count;
     element *elements; ///< [element_count] those that have kernels, in the registry's order
     double *numbers;   ///< [plane_count][STATION_NUMBERS], those of the terms, then those of the elements
     size_t *places;    ///< [plane_count + element_count] as whirl_lanes has them

@@ -81,7 +81,8 @@ static size_t lay_out(whirl_rotor *rotor, char *block, const building *b) {
                            cut(block, &used, shafts->count * sizeof *shafts->panels),
                            cut(block, &used, shafts->part_count * sizeof *shafts->parts),
                            cut(block, &used, shafts->column_count * sizeof *shafts->columns),
-                           cut(block, &used, shafts->number_count * sizeof *shafts->numbers)};
+                           cut(block, &used, shafts->number_count * sizeof *shafts->numbers),
+                           cut(block, &used, b->between_count * sizeof *rotor->between)};
     if (!rotor) return used;
     rotor->elements = parts[0];
     rotor->numbers = parts[1];
@@ -101,6 +102,7 @@ static size_t lay_out(whirl_rotor *rotor, char *block, const building *b) {
     rotor->body.parts = parts[15];
     rotor->body.columns = parts[16];
     rotor->body.numbers = parts[17];
+    rotor->between = parts[18];
     return used;
 }
 
@@ -251,6 +253,8 @@ static whirl_rotor *finish(building *b) {
     rotor->element_count = b->element_count;
     memcpy(rotor->terms, b->assembly.terms ? b->assembly.terms : rotor->terms,
            rotor->term_count * sizeof *rotor->terms);
+    rotor->between_count = b->between_count;
+    if (b->between) memcpy(rotor->between, b->between, b->between_count * sizeof *b->between);
     add_probes(rotor, b);
     add_groups(rotor, &b->assembly);
     add_numbers(rotor, b);
@@ -326,6 +330,16 @@ whirl_status whirl_rotor_new(const whirl_design *design, whirl_rotor **out) {
 
 void whirl_rotor_free(whirl_rotor *rotor) {
     free(rotor);
+}
+
+void whirl_rotor_complete(const whirl_rotor *rotor, double *x) {
+    const size_t planes[] = {0, 1, rotor->lanes.degrees, rotor->lanes.degrees + 1};
+    for (size_t k = 0; k < sizeof planes / sizeof *planes; k++) {
+        double *of = x + planes[k];
+        for (size_t i = 0; i < rotor->between_count; i++) of[rotor->between[i].row] = 0.0;
+        for (size_t i = 0; i < rotor->between_count; i++)
+            of[rotor->between[i].row] += rotor->between[i].share * of[rotor->between[i].column];
+    }
 }
 
 const whirl_system *whirl_rotor_system(const whirl_rotor *rotor) {

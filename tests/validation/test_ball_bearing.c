@@ -5,6 +5,8 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include <cmocka.h>
@@ -145,6 +147,84 @@ static void what_fits(void **unused) {
     }
 }
 
+/// Speed of the cage over the rotor's between a low shaft and a high one of that ratio, from the keys of the bearing
+/// and of the stations that it joins; NAN where the machine is refused, with *why.
+static double cage_of(double ratio, const char *at, const char *from, const char *keys, whirl_status *why) {
+    char text[2048];
+    whirl_case *object;
+    whirl_rotor *rotor = NULL;
+    snprintf(text, sizeof text,
+             "whirl: 1\nrotor:\n  speed: 3000 rpm\n  length_scale: 1 um\n  shafts: {low: {}, high: {ratio: %.17g}}\n"
+             "  stations:\n    l0: {shaft: low, position: 0 m}\n    l1: {shaft: low, position: 0.5 m}\n"
+             "    h0: {shaft: high, position: 0 m}\n    h1: {shaft: high, position: 0.2 m}\n    block: {mass: 5}\n"
+             "  elements:\n    - segment: {shaft: low, length: 0.5 m, outer: 36 mm, elements: 2}\n"
+             "    - segment: {shaft: high, length: 0.2 m, outer: 80 mm, inner: 56 mm}\n    - %s: {at: %s%s%s, %s}\n"
+             "study: {response: {}}\n",
+             ratio,
+             strstr(keys, "balls")       ? "ball_bearing"
+             : strstr(keys, "clearance") ? "seal"
+                                         : "bearing",
+             at, from ? ", from: " : "", from ? from : "", keys);
+    *why = whirl_case_parse(text, strlen(text), "text", NULL, &object);
+    if (why->code != WHIRL_OK) return NAN;
+    *why = whirl_case_rotor(object, NULL, 0.0, &rotor);
+    whirl_case_free(object);
+    if (why->code != WHIRL_OK) return NAN;
+    const whirl_system *system = whirl_rotor_system(rotor);
+    double *x = calloc(2 * system->dimension, sizeof *x), *slope = x + system->dimension;
+    evaluate_rhs(system, 0.0, x, slope);
+    const double cage = slope[system->dimension - 1];
+    free(x);
+    whirl_rotor_free(rotor);
+    return cage;
+}
+
+/// public/intershaft-cage (spools, cage, at-fast), and its brothers: (nu_i r_i + nu_o r_o)/(r_i + r_o), by which 8
+/// balls pass the load at order 10.4348 between the spools; the cages of the low shaft alone stay as they were.
+static void intershaft_cage(void **unused) {
+    (void)unused;
+    static const char *const radii = "balls: 8, stiffness: 1.3e10, clearance: 5 um, inner: 18 mm, outer: 28 mm";
+    static const char *const said = "balls: 8, stiffness: 1.3e10, clearance: 5 um, cage: 1.3043478";
+    static const struct {
+        double ratio;
+        const char *at, *from, *keys;
+        double cage;
+    } rows[] = {{1.5, "l1", "h1", radii, (18.0 + 1.5 * 28.0) / 46.0},
+                {1.5, "h1", "l1", radii, (1.5 * 18.0 + 28.0) / 46.0},
+                {1.5, "l1", "h1", said, 1.3043478},
+                {1.6, "h1", NULL, radii, 1.6 * 18.0 / 46.0},
+                {1.5, "l1", NULL, radii, 18.0 / 46.0},
+                {1.5, "l1", "block", radii, 18.0 / 46.0},
+                {1.5, "h1", "block", radii, 1.5 * 18.0 / 46.0},
+                {-1.5, "l1", "h1", radii, (18.0 - 1.5 * 28.0) / 46.0}};
+    whirl_status why;
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        const double found = cage_of(rows[i].ratio, rows[i].at, rows[i].from, rows[i].keys, &why);
+        require_ok(why);
+        if (!(fabs(found - rows[i].cage) <= 1e-14)) fail_msg("row %zu: %.17g, not %.17g", i, found, rows[i].cage);
+    }
+    assert_true(fabs(8.0 * rows[0].cage - 10.4348) < 5e-5);
+}
+
+/// A cage that is faster than both races, a seal whose housing is on a shaft of another speed, and coefficients over
+/// speeds that are not those of their shaft.
+static void other_ends_are_looked_at(void **unused) {
+    (void)unused;
+    static const struct {
+        const char *at, *from, *keys, *words;
+    } rows[] = {
+        {"l1", NULL, "balls: 8, stiffness: 1.3e10, cage: 1.3", "between its races, above 0 and below 1"},
+        {"l1", "h1", "balls: 8, stiffness: 1.3e10, cage: 0.4", "above 1 and below 1.5"},
+        {"l1", "h1", "clearance: 0.1 mm, stiffness: 1e6, damping: 100, ratio: 0.4", "acts at station 'h1' on a"},
+        {"l1", "h1", "kxx: [1e6, 2e6], speeds: [1, 1000]", "acts at station 'h1' on a shaft of another speed"},
+        {"h1", NULL, "kxx: [1e6, 2e6], speeds: [1, 1000]", "acts at station 'h1' on a shaft of another speed"}};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        whirl_status why;
+        assert_true(isnan(cage_of(1.5, rows[i].at, rows[i].from, rows[i].keys, &why)));
+        if (!strstr(why.message, rows[i].words)) fail_msg("row %zu: %s", i, why.message);
+    }
+}
+
 /// The derivative by duals against the force's own in closed form: dF/dd = -3/2 C sqrt(delta) n n^T summed.
 static void the_derivative(void **unused) {
     (void)unused;
@@ -246,6 +326,8 @@ int main(void) {
                                        cmocka_unit_test(varying_compliance),
                                        cmocka_unit_test(cage_as_a_state),
                                        cmocka_unit_test(what_fits),
+                                       cmocka_unit_test(intershaft_cage),
+                                       cmocka_unit_test(other_ends_are_looked_at),
                                        cmocka_unit_test(the_derivative),
                                        cmocka_unit_test(cages_in_lanes),
                                        cmocka_unit_test(disturbances_beside_a_cage)};

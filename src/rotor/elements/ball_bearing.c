@@ -31,15 +31,9 @@ static const whirl_key keys[KEY_COUNT] = {
                    "radial play of a ball, half the bearing's internal clearance; below zero for a preload", ""},
     [INNER] = {"inner", "r_i", "m", WHIRL_KEY_NUMBER, false, "", WHIRL_POSITIVE, NULL, "radius of the inner race", ""},
     [OUTER] = {"outer", "r_o", "m", WHIRL_KEY_NUMBER, false, "", WHIRL_POSITIVE, NULL, "radius of the outer race", ""},
-    [CAGE] = {"cage",
-              "",
-              "1",
-              WHIRL_KEY_NUMBER,
-              false,
-              "",
-              {0, 1, true, true},
-              NULL,
-              "speed of the cage over the shaft's, in place of the radii: r_i/(r_i + r_o)",
+    [CAGE] = {"cage", "", "1", WHIRL_KEY_NUMBER, false, "", WHIRL_ANY, NULL,
+              "speed of the cage over the rotor's, between those of its races, in place of the radii: r_i/(r_i + r_o) "
+              "where the outer race stands",
               "Harris 2001, ch. 8"},
     [ANGLE] = {"angle", "theta_0", "rad", WHIRL_KEY_NUMBER, false, "0", WHIRL_ANY, NULL,
                "where a ball stands at t = 0, from the x axis towards y", ""},
@@ -47,17 +41,32 @@ static const whirl_key keys[KEY_COUNT] = {
                  "viscous damping between the races", ""},
 };
 
-static whirl_status cage_ratio(const key_value *values, double *ratio) {
+/// Speeds of both races over the rotor's. A housing that is no station of a shaft stands.
+static void find_races(const key_value *values, const assembly *to, double races[2]) {
+    const assembly_station *housing = values[FROM].given ? &to->stations[values[FROM].station[0]] : NULL;
+    races[0] = to->stations[values[AT].station[0]].ratio;
+    races[1] = housing && housing->shaft != NO_SHAFT ? housing->ratio : 0.0;
+}
+
+/// Of its balls that roll: the mean of both races' velocities over the mean of their radii.
+static whirl_status cage_ratio(const key_value *values, const double races[2], double *ratio) {
     const bool radii = values[INNER].given && values[OUTER].given;
+    const double inner = values[INNER].number, outer = values[OUTER].number;
+    const double low = fmin(races[0], races[1]), high = fmax(races[0], races[1]);
     *ratio = values[CAGE].number;
     if (values[CAGE].given && (values[INNER].given || values[OUTER].given))
         return whirl_fail(WHIRL_BAD_INPUT, "has both cage and inner or outer, expected one way");
+    if (values[CAGE].given && !(low < *ratio && *ratio < high))
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "has a cage at %.10g of the rotor's speed, expected one between its races, above %.10g and "
+                          "below %.10g",
+                          *ratio, low, high);
     if (values[CAGE].given) return whirl_ok();
     if (!radii) return whirl_fail(WHIRL_BAD_INPUT, "has no speed of its cage, expected cage, or inner and outer");
-    if (!(values[INNER].number < values[OUTER].number))
+    if (!(inner < outer))
         return whirl_fail(WHIRL_BAD_INPUT, "has an inner race of %g m in an outer one of %g m, expected a smaller one",
-                          values[INNER].number, values[OUTER].number);
-    *ratio = values[INNER].number / (values[INNER].number + values[OUTER].number);
+                          inner, outer);
+    *ratio = (races[0] * inner + races[1] * outer) / (inner + outer);
     return whirl_ok();
 }
 
@@ -71,9 +80,11 @@ static const element_kernels *const kernels[VECTOR_ISAS] = EVERY_ISA(&, ball_bea
 
 static whirl_status build(const key_value *values, assembly *to, element *out) {
     const double balls = values[BALLS].number, length = to->length, apart = 6.283185307179586476925 / balls;
-    double ratio;
-    whirl_status status = cage_ratio(values, &ratio);
-    if (status.code == WHIRL_OK) status = element_in_housing(&values[AT], &values[FROM], to, out);
+    double ratio, races[2];
+    whirl_status status = element_in_housing(&values[AT], &values[FROM], to, out);
+    if (status.code != WHIRL_OK) return status;
+    find_races(values, to, races);
+    status = cage_ratio(values, races, &ratio);
     if (status.code != WHIRL_OK) return status;
     out->law = (int)balls;
     out->number[BALL_STIFFNESS] = values[STIFFNESS].number * length * sqrt(length);
@@ -92,7 +103,6 @@ const element_type ball_bearing_element = {
     .group = {"ball_bearing",
               "a ball bearing with Hertz contacts, clearance, and a stiffness that varies as balls pass",
               "Sunnersjo 1978; Fukata et al. 1985", keys, KEY_COUNT, NULL, NULL},
-    .spun = true,
     .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
     .state_count = KERNEL_STATES,
     .turning = 1,

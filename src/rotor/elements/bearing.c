@@ -89,6 +89,19 @@ static whirl_status find_at_speed(const key_value *values, int key, double speed
     return whirl_ok();
 }
 
+/// Coefficients over speeds are looked up at the rotor's.
+static whirl_status check_ends(const key_value *values, const assembly *to) {
+    for (int end = AT; end <= FROM && values[SPEEDS].given; end++) {
+        const size_t station = values[end].given ? values[end].station[0] : GROUND;
+        if (station == GROUND || to->stations[station].ratio == 1.0) continue;
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "has speeds, which are the rotor's, and acts at station '%s' on a shaft of another speed, "
+                          "expected coefficients without speeds",
+                          to->stations[station].name);
+    }
+    return whirl_ok();
+}
+
 static whirl_status build(const key_value *values, assembly *to, element *out) {
     double at[KEY_COUNT];
     whirl_status status = check_speeds(&values[SPEEDS], to->speed);
@@ -97,7 +110,8 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     if (status.code != WHIRL_OK) return status;
     const double stiffness[2][2] = {{at[KXX], at[KXY]}, {at[KYX], at[values[KYY].given ? KYY : KXX]}};
     const double damping[2][2] = {{at[CXX], at[CXY]}, {at[CYX], at[values[CYY].given ? CYY : CXX]}};
-    status = element_in_housing(&values[AT], &values[FROM], to, out);
+    status = check_ends(values, to);
+    if (status.code == WHIRL_OK) status = element_in_housing(&values[AT], &values[FROM], to, out);
     if (status.code != WHIRL_OK) return status;
     add_block(to, assembly_stiffness, out->port, stiffness);
     add_block(to, assembly_damping, out->port, damping);
