@@ -1,4 +1,5 @@
-// What holds of studies of every kind: their files are recognised when a run goes on.
+// What holds of studies of every kind: files of finished runs, and of runs that were stopped before their
+// first point.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -55,10 +56,11 @@ static const char films[] = "whirl: 1\n"
 static const struct {
     const char *machine, *study;
 } studies[] = {
-    {machine, "  response: {}\n" MOTION "  keep: {waveform: 10}\n  analyze: [poincare, regime, waveform]\n"},
+    {machine, "  response: {}\n  initial: {disc: {x: = x0, y: = y0}}\n  integrate: {method: rk4, steps_per_revolution: "
+              "64, transient: 20, record: 300}\n  keep: {waveform: 300}\n  analyze: [poincare, regime, waveform]\n"},
     {machine, "  sweep: {parameter: omega, from: 1, to: 4, points: 3}\n" MOTION},
     {machine, "  sweep: {parameter: omega, from: 1, to: 4, points: 3, start: carry, direction: both}\n  confirm: yes\n"
-              "  detail: {at: [2, 3], waveform: 10}\n" MOTION},
+              "  detail: {at: [2, 3], record: 300, waveform: 300}\n" MOTION},
     {machine, "  sweep: {parameter: omega, from: 1, to: 4, points: 3}\n"
               "  starts: {count: 3, within: {disc: {x: [-1, 1]}}, neighbours: 2}\n" MOTION},
     {machine,
@@ -151,10 +153,36 @@ static void finished_files_are_recognised(void **state) {
     }
 }
 
+/// A run that was stopped before its first point, as one that gathers what nobody has computed, leaves a file that says
+/// so.
+static void stopped_before_the_first_point(void **state) {
+    (void)state;
+    for (size_t i = 0; i < STUDIES; i++) {
+        size_t done, total;
+        whirl_case *object = case_of(i);
+        whirl_result *result;
+        const whirl_status status = whirl_case_run(object, &(whirl_run_options){.threads = 1, .gather = true}, &result);
+        assert_int_equal(status.code, WHIRL_STOPPED);
+        whirl_result *read = written(result);
+        assert_true(whirl_result_partial(read, &done, &total));
+        assert_int_equal(done, 0);
+        assert_true(total > 0);
+        assert_int_equal(read->table_count, result->table_count);
+        for (size_t t = 0; t < read->table_count; t++) {
+            assert_int_equal(read->tables[t].count, 0);
+            assert_int_equal(read->tables[t].layout.size, result->tables[t].layout.size);
+        }
+        whirl_result_free(read);
+        whirl_result_free(result);
+        whirl_case_free(object);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_kind_is_looked_at),
         cmocka_unit_test(finished_files_are_recognised),
+        cmocka_unit_test(stopped_before_the_first_point),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
