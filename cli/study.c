@@ -143,7 +143,8 @@ static int deliver(const study_arguments *arguments, const whirl_result *result,
     const int saved = arguments->output ? save(arguments, result) : EXIT_DONE;
     const bool partial = whirl_result_partial(result, &done, &total);
     const int told = saved == EXIT_DONE ? show(arguments, result) : saved;
-    if (saved == EXIT_DONE && partial && arguments->output) complain("'%s' is partial and says so", arguments->output);
+    if (saved == EXIT_DONE && partial && arguments->output)
+        complain("'%s' %s and says so", arguments->output, done > 0 ? "is partial" : "has no points yet");
     if (saved == EXIT_DONE && !partial)
         remove_journal(journal);
     else

@@ -533,7 +533,9 @@ void summarize_result(const whirl_result *result) {
     const char *const keyphasor = whirl_result_keyphasor(result);
     if (*keyphasor) tell_keyphasor(keyphasor, whirl_result_clock(result));
     if (whirl_result_partial(result, &done, &total)) {
-        if (done < total)
+        if (done == 0)
+            printf("partial: stopped before the first of %zu point%s\n", total, plural((double)total));
+        else if (done < total)
             printf("partial: stopped after %zu of %zu point%s\n", done, total, plural((double)total));
         else
             puts("partial: stopped when all points were done, before all were confirmed or refined");

@@ -174,11 +174,25 @@ static void read_map(case_reader *reader, const whirl_group *group, plan_parts *
     check_other_axis(reader, &parts->planes, &parts->across, "y");
 }
 
+static const char *const kinds[] = {"response", "sweep", "map", "basin", "branch", "modes", "unbalance"};
+enum { KINDS = sizeof kinds / sizeof *kinds };
+
+/// The list of kinds is that of the message.
+static void tell_kinds(case_reader *reader, const file_node *study) {
+    char names[WHY_SIZE] = "";
+    for (size_t i = 0, used = 0; i < KINDS; i++)
+        used += (size_t)snprintf(names + used, sizeof names - used, "%s%s",
+                                 i == 0           ? ""
+                                 : i + 1 == KINDS ? " and "
+                                                  : ", ",
+                                 kinds[i]);
+    problem_at(reader->problems, study, "has none of %s, expected one of them", names);
+}
+
 /// What a study is of: one point, points along a parameter or two, or machines at rest. The first that is given counts.
 static const setting *find_kind(case_reader *reader, const setting_list *study) {
-    static const char *const kinds[] = {"response", "sweep", "map", "basin", "modes", "unbalance", "branch"};
     const setting *found = NULL;
-    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
+    for (size_t i = 0; i < KINDS; i++) {
         const setting *given = settings_find(study, kinds[i]);
         if (given && found && strcmp(kinds[i], "branch") == 0 && strcmp(found->key->name, "sweep") == 0) continue;
         if (given && found)
@@ -187,9 +201,7 @@ static const setting *find_kind(case_reader *reader, const setting_list *study) 
         else if (given)
             found = given;
     }
-    if (!found)
-        problem_at(reader->problems, study->place,
-                   "has none of response, sweep, map, basin, branch, modes and unbalance, expected one of them");
+    if (!found) tell_kinds(reader, study->place);
     return found;
 }
 

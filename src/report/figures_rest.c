@@ -48,7 +48,7 @@ static whirl_status write_modes(const drawing *to, const whirl_table *table, con
     if (status.code != WHIRL_OK) return status;
     const whirl_field *field = whirl_layout_field(&table->layout, "modes/frequency");
     fputs("# value, frequency, damping ratio, logarithmic decrement, direction of whirl, speed\n", file.stream);
-    for (size_t mode = 0; mode < field->rows; mode++) {
+    for (size_t mode = 0; table->count > 0 && mode < field->rows; mode++) {
         for (size_t point = 0; point < table->count; point++) {
             const double *block = whirl_table_done(table, point) ? whirl_table_block(table, point) : NULL;
             if (!block) continue;

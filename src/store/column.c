@@ -18,12 +18,18 @@ static size_t step_of(const column *of, int axis) {
     return step;
 }
 
+static bool has_points(const column *of) {
+    size_t count = 1;
+    for (int i = 0; i < of->axes; ++i) count *= (size_t)of->dimensions[i];
+    return count > 0;
+}
+
 bool column_buffer(column *of, const hsize_t *chunk) {
     of->divided = of->axes - 1;
     while (of->divided > 0 && chunk[of->divided] == of->dimensions[of->divided]) --of->divided;
     of->most = (size_t)chunk[of->divided] * step_of(of, of->divided);
     if (of->most == 0) of->most = 1;
-    of->buffer = malloc(of->most * of->size + 1);
+    of->buffer = malloc((has_points(of) ? of->most * of->size : 0) + 1);
     return of->buffer;
 }
 

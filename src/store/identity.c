@@ -48,9 +48,9 @@ static void put_budget(FILE *out, const whirl_result *outline) {
 }
 
 /// Which points a refined map has follows from what was found: the corners of its first squares tell what it is of.
-/// So do the starts that are not from neighbours.
+/// So do the starts that are not from neighbours. Of branches, curves and tori no point is known beforehand.
 static bool is_planned(const whirl_table *table, size_t point) {
-    if (whirl_table_from_neighbour(table, point)) return false;
+    if (whirl_analysis_is_traced(table->analyses) || whirl_table_from_neighbour(table, point)) return false;
     if (table->refine == 0) return true;
     const size_t slot = whirl_table_slot(table, point), x = slot % table->row, y = slot / table->row;
     return (x % table->refine == 0 || x + 1 == table->row) &&
@@ -70,8 +70,12 @@ static void put_points(FILE *out, const whirl_table *table) {
         const int length = snprintf(both, sizeof both, "%a %d;", table->values[i], table->branch[i]);
         sum = crc32c(sum, both, (size_t)length);
     }
-    fprintf(out, "points of the %s\t%zu", table->name, table->refine > 0 ? table->grid : count);
-    if (table->parameter[0] && table->count > 0)
+    fprintf(out, "points of the %s\t", table->name);
+    if (whirl_analysis_is_traced(table->analyses))
+        fprintf(out, "those that are found along %s", table->parameter);
+    else
+        fprintf(out, "%zu", table->refine > 0 ? table->grid : count);
+    if (table->parameter[0] && count > 0)
         fprintf(out, ", %s from %s to %s (%08x)", table->parameter, exact(table->values[0], first),
                 exact(table->values[end], last), (unsigned)sum);
     if (table->row > 0) fprintf(out, ", in rows of %zu, each with a %s of its own", table->row, table->second);

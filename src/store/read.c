@@ -183,10 +183,11 @@ static void get_field(whirl_status *status, hid_t group, const whirl_result *res
     field->columns = (size_t)get_whole_attribute(status, dataset, "columns", 1, INT_MAX);
     close_dataset(dataset);
     if (status->code != WHIRL_OK) return;
-    // Two factors below 2^31 and one of at most 256: no overflow in double, and none in size_t once it is small. Rows
-    // are gone through also where there are no points or no stations.
+    // Two factors below 2^31 and one of at most 256: no overflow in double, and none in size_t once it is small. A
+    // table without points has no numbers: then nothing takes room, or time, for the rows of a point.
     const double numbers = (double)field->rows * (double)field->columns * (double)(field->repeat ? field->repeat : 1);
-    if (numbers * (double)(count ? count : 1) > (double)(limit / sizeof(double))) {
+    const double most = count ? (double)(limit / sizeof(double)) / (double)count : 0x1p31;
+    if (numbers > most) {
         *status = whirl_fail(WHIRL_BAD_INPUT, "%s claims more numbers than the file has", field->name);
         return;
     }
@@ -334,7 +335,7 @@ static void get_blocks(whirl_status *status, hid_t group, shape points, whirl_ta
                        const block_taker *taker) {
     column columns[WHIRL_MAX_FIELDS];
     const whirl_layout *layout = &table->layout;
-    double *block = take(status, layout->size, sizeof *block);
+    double *block = take(status, table->count > 0 ? layout->size : 0, sizeof *block);
     if (!taker) table->blocks = take(status, table->count * layout->size, sizeof *table->blocks);
     for (size_t i = 0; i < layout->field_count; ++i) {
         size_t dimensions[SHAPE_MAX_RANK];

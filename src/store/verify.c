@@ -99,19 +99,20 @@ static whirl_status differs(const char *path, const whirl_table *table, size_t p
                       point + 1, table->name);
 }
 
-/// The same points of the study, with the same scales? There are as many.
+/// As many points, and the same ones of the study, with the same values and scales?
 static whirl_status compare_slots(const comparison *with, const whirl_result *there) {
     for (size_t i = 0; i < there->table_count; ++i) {
         const whirl_table *own = &with->tables[i], *found = &there->tables[i];
         const size_t planned = whirl_table_planned(found);
-        if (planned != own->planned || found->grid != own->grid || found->refine != own->refine ||
-            found->neighbours != own->neighbours || found->places != own->places || found->clock_of != own->clock_of ||
-            !same_number(found->clock_factor, own->clock_factor))
+        if (planned != own->planned || found->count != own->count || found->grid != own->grid ||
+            found->refine != own->refine || found->neighbours != own->neighbours || found->places != own->places ||
+            found->clock_of != own->clock_of || !same_number(found->clock_factor, own->clock_factor))
             return differs(with->path, own, planned < own->planned ? planned : own->planned);
         for (size_t point = 0; point < own->count; ++point) {
             room_pass(own->room, point);
             room_pass(found->room, point);
             if (whirl_table_slot(own, point) != whirl_table_slot(found, point) || !whirl_table_done(found, point) ||
+                !same_number(own->values[point], found->values[point]) || own->branch[point] != found->branch[point] ||
                 !same_number(whirl_result_length_scale(with->result, own, point),
                              whirl_result_length_scale(there, found, point)))
                 return differs(with->path, own, whirl_table_slot(own, point));
@@ -120,8 +121,8 @@ static whirl_status compare_slots(const comparison *with, const whirl_result *th
     return whirl_ok();
 }
 
-/// Signs of zeros and the bits of a NaN are part of a result. Values need no bits: they are in the identity. The file
-/// may be another than the one whose outline was compared.
+/// Signs of zeros and the bits of a NaN are part of a result. The file may be another than the one whose outline was
+/// compared.
 static whirl_status compare_block(void *context, const whirl_table *there, size_t table, size_t point,
                                   const double *block) {
     const comparison *with = context;

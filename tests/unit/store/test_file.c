@@ -237,6 +237,36 @@ static void same_results_are_same_files(void **state) {
     free(first);
 }
 
+/// How many points branches and tori have, and where, is found; it does not tell what was studied, but a file has it.
+static void branches_are_known_by_their_study(void **state) {
+    static const char *const analyses[] = {"trace", "torus"};
+    for (size_t i = 0; i < 2; ++i) {
+        fixture *f = *state;
+        whirl_result found = *f->made, outline = *f->made;
+        whirl_table table = {0}, room;
+        char difference[WHIRL_MESSAGE_SIZE];
+        synthetic_traced(&table, f->made, analyses[i]);
+        room = table;
+        room.count = 4000;
+        room.values = NULL;
+        found.table_count = outline.table_count = 1;
+        found.tables = &table;
+        outline.tables = &room;
+        assert_true(whirl_result_same_study(&found, &outline, difference, sizeof difference));
+        check(whirl_result_write(&found, f->path));
+        check(whirl_result_verify(&found, f->path));
+        table.values[1] += 1e-9;
+        assert_int_equal(whirl_result_verify(&found, f->path).code, WHIRL_IO_ERROR);
+        assert_non_null(strstr(whirl_result_verify(&found, f->path).message, "point 2 of the"));
+        table.values[1] = 0.2;
+        table.count = 1;
+        assert_int_equal(whirl_result_verify(&found, f->path).code, WHIRL_IO_ERROR);
+        snprintf(room.parameter, sizeof room.parameter, "rho");
+        assert_false(whirl_result_same_study(&found, &outline, difference, sizeof difference));
+        free(table.values), free(table.branch), free(table.blocks);
+    }
+}
+
 static void replaces_a_file(void **state) {
     fixture *f = *state;
     whirl_result *read = NULL;
@@ -544,6 +574,7 @@ int main(void) {
         IN_FOLDER(reads_maps),
         IN_FOLDER(reads_what_is_left_of_a_map),
         IN_FOLDER(same_results_are_same_files),
+        IN_FOLDER(branches_are_known_by_their_study),
         IN_FOLDER(replaces_a_file),
         IN_FOLDER(says_where_it_cannot_write),
         IN_FOLDER(a_full_disk_leaves_the_old_file),
