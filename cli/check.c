@@ -127,12 +127,14 @@ static whirl_status warn_of_steps(const char *path, const whirl_study *study, co
     return status;
 }
 
-/// Says where the steps of a sweep do not meet its end.
-static whirl_status tell_end(const whirl_case *object, const whirl_batch *batch) {
+/// Says where the steps of a sweep do not meet its end, and what a result of the case would warn of.
+static whirl_status tell_result(const char *path, const whirl_case *object, const whirl_batch *batch) {
     whirl_result *const told = calloc(1, sizeof *told);
     if (!told) return whirl_fail(WHIRL_NO_MEMORY, "%s", whirl_code_text(WHIRL_NO_MEMORY));
     const whirl_status status = whirl_case_describe_result(object, told);
     if (status.code == WHIRL_OK && batch->values) summarize_end(told, batch->parameter, batch->values[0]);
+    for (size_t i = 0; *whirl_result_warning(told, i); i++)
+        fprintf(stderr, "%s: warning: %s\n", path, whirl_result_warning(told, i));
     whirl_result_free(told);
     return status;
 }
@@ -181,7 +183,7 @@ static whirl_status describe_case(const char *path, const whirl_case *object) {
         putchar('\n');
         status = tell_shafts(object);
         summarize_study(&study);
-        if (status.code == WHIRL_OK) status = tell_end(object, &study.batches[0]);
+        if (status.code == WHIRL_OK) status = tell_result(path, object, &study.batches[0]);
         if (status.code == WHIRL_OK) status = tell_phases(&study, &study.batches[0], rotor);
         for (size_t i = 0; i < study.batch_count && status.code == WHIRL_OK; i++)
             status = warn_of_steps(path, &study, &study.batches[i]);

@@ -296,6 +296,14 @@ whirl_status machine_build(const machine_parts *machine, valuation *v, whirl_rot
     return status;
 }
 
+whirl_status machine_doubts(const machine_parts *machine, valuation *v, whirl_design_tell *tell, void *context) {
+    whirl_design *design;
+    const whirl_status status = make_design(machine, v, &design);
+    if (status.code == WHIRL_OK) whirl_design_doubts(design, tell, context);
+    whirl_design_free(design);
+    return status;
+}
+
 /// Index of an element by its kind and its number among these, "film[2]"; the count of elements where there is none.
 static size_t find_element(const machine_parts *machine, const char *element) {
     const size_t length = strcspn(element, "[");

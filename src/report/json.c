@@ -564,6 +564,15 @@ static bool dump_keyphasor(const whirl_result *result, FILE *stream) {
                            dump_member(",\n", "keyphasor_rate", document_number(whirl_result_clock(result)), stream));
 }
 
+/// What the case says and likely does not mean.
+static bool dump_warnings(const whirl_result *result, FILE *stream) {
+    bool well = true;
+    json_t *warnings = json_array();
+    for (size_t i = 0; *whirl_result_warning(result, i); ++i)
+        document_append(&well, warnings, document_text(whirl_result_warning(result, i)));
+    return dump_member(",\n", "warnings", warnings, stream) && well;
+}
+
 static bool dump_head(const whirl_result *result, FILE *stream) {
     const whirl_table *first = result->table_count ? &result->tables[0] : NULL;
     size_t done, total;
@@ -574,16 +583,17 @@ static bool dump_head(const whirl_result *result, FILE *stream) {
            dump_member(",\n", "speed", document_number(result->speed), stream) && dump_keyphasor(result, stream) &&
            dump_member(",\n", "length_scale", document_number(result->length_scale), stream) &&
            dump_member(",\n", "force_scale", document_number(result->force_scale), stream) &&
-           dump_member(",\n", "partial", json_boolean(partial), stream) &&
+           dump_member(",\n", "partial", json_boolean(partial), stream) && dump_warnings(result, stream) &&
            dump_member(",\n", "table", first ? document_text(first->name) : json_null(), stream) &&
            dump_methods(result, stream);
 }
 
 // Names of tables become keys beside these.
 static whirl_status check_names(const whirl_result *result) {
-    static const char *const taken[] = {
-        "whirl",  "title",      "case",  "speed",      "length_scale", "force_scale",    "partial",    "table",
-        "points", "parameters", "jumps", "integrated", "keyphasor",    "keyphasor_rate", "attractors", "refined"};
+    static const char *const taken[] = {"whirl",       "title",      "case",      "speed",          "length_scale",
+                                        "force_scale", "partial",    "table",     "points",         "parameters",
+                                        "jumps",       "integrated", "keyphasor", "keyphasor_rate", "attractors",
+                                        "refined",     "warnings"};
     for (size_t t = 0; t < result->table_count; ++t)
         for (size_t i = 0; i < sizeof taken / sizeof *taken; ++i)
             if (strcmp(result->tables[t].name, taken[i]) == 0 || strpbrk(result->tables[t].name, "\"\\\n"))

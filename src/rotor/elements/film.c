@@ -1,5 +1,6 @@
 // The film of a short journal bearing: its pass over vectors, its keys and the numbers of its kernel.
 #include "block.h"
+#include "doubts.h"
 #include "film_tangent.h"
 #include "registry.h"
 #include "whirl/rotor.h"
@@ -94,6 +95,14 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     return whirl_ok();
 }
 
+static void doubt(const key_value *values, double speed, const doubt_teller *to) {
+    const double radius = values[RADIUS].number;
+    (void)speed;
+    if (!values[RADIUS].given) return;
+    doubt_length(to, values[LENGTH].number, radius);
+    doubt_clearance(to, values[CLEARANCE].number, radius);
+}
+
 static double bearing_clearance(const element *own) {
     return own->number[FILM_CLEARANCE];
 }
@@ -117,5 +126,6 @@ const element_type film_element = {
     .kernels = kernels,
     .build = build,
     .bearing_clearance = bearing_clearance,
+    .doubt = doubt,
 };
 #endif

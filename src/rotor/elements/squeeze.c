@@ -11,6 +11,7 @@ enum { SQUEEZE_OVER_CLEARANCE, SQUEEZE_STRENGTH, SQUEEZE_NUMBERS };
 /// What a law is made of; without them the short damper with half a film.
 enum { SQUEEZE_LONG = 1, SQUEEZE_FULL = 2 };
 
+#include "doubts.h"
 #include "generic.h"
 #include "registry.h"
 
@@ -64,6 +65,13 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     return whirl_ok();
 }
 
+/// Of the long law, whose ends are sealed, any length will do.
+static void doubt(const key_value *values, double speed, const doubt_teller *to) {
+    (void)speed;
+    if (values[LAW].choice == 0) doubt_length(to, values[LENGTH].number, values[RADIUS].number);
+    doubt_clearance(to, values[CLEARANCE].number, values[RADIUS].number);
+}
+
 /// Around a place that does not move.
 static double bearing_clearance(const element *own) {
     return own->port[KERNEL_AXES] == NO_COORDINATE ? 1.0 / own->number[SQUEEZE_OVER_CLEARANCE] : 0.0;
@@ -79,5 +87,6 @@ const element_type squeeze_element = {
     .kernels = kernels,
     .build = build,
     .bearing_clearance = bearing_clearance,
+    .doubt = doubt,
 };
 #endif
