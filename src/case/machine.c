@@ -171,7 +171,7 @@ static void read_element(case_reader *reader, const file_node *item, machine_par
     char shown[SHOWN_SIZE];
     const bool bare = item->kind == NODE_TEXT && !item->quoted && whirl_element_group(item->text);
     if (!bare && (item->kind != NODE_MAPPING || item->count != 1)) {
-        problem_at(reader->problems, item, "is %s, expected one element: a kind with its keys",
+        problem_at(reader->problems, item, "is %s, expected one element behind every '- ': a kind with its keys",
                    item->kind == NODE_MAPPING ? item->count ? "more than one element" : "empty"
                                               : node_shown(item, shown));
         return;

@@ -270,6 +270,9 @@ static bool read_quantity(const char *text, const char *expected, quantity *resu
         done = read_unit(text, end + strspn(end, " "), expected, result, why);
         if (no_memory) errno = ENOMEM;
         lock_leave(&units_lock);
+    } else if (*end == ',' && isdigit((unsigned char)end[1])) {
+        snprintf(why, WHY_SIZE, "is %s, expected %s, with a point in place of the comma", shown, expectation);
+        done = false;
     } else if (*end) {
         snprintf(why, WHY_SIZE, "is %s, expected %s, with a space before the unit", shown, expectation);
         done = false;
