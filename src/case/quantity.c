@@ -171,14 +171,17 @@ static void describe_expected(const char *expected, char text[WHY_SIZE / 2]) {
 
 /// What to say of a unit that does not fit. A frequency is no angular speed, and nobody should have to guess 2 pi.
 static void describe_misfit(const ut_unit *unit, const char *expected, char text[WHY_SIZE / 2]) {
-    ut_unit *hertz = ut_parse(units, "1/s", UT_ASCII);
+    ut_unit *hertz = ut_parse(units, "1/s", UT_ASCII), *kinematic = ut_parse(units, "m2/s", UT_ASCII);
     if (hertz && strcmp(expected, "rad/s") == 0 && same_dimension(unit, hertz))
         snprintf(text, WHY_SIZE / 2, "expected a unit of rad/s, such as rpm (1 Hz = 60 rpm)");
+    else if (kinematic && strcmp(expected, "Pa s") == 0 && same_dimension(unit, kinematic))
+        snprintf(text, WHY_SIZE / 2, "expected a unit of Pa s; in cSt it is kinematic_viscosity, beside density");
     else if (strcmp(expected, "1") == 0)
         snprintf(text, WHY_SIZE / 2, "expected a plain number");
     else
         snprintf(text, WHY_SIZE / 2, "expected a unit of %.60s", expected);
     ut_free(hertz);
+    ut_free(kinematic);
 }
 
 bool quantity_number(const char *text, double *value, const char **end) {
