@@ -4,6 +4,7 @@
 
 #include <errno.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "files.h"
 
@@ -18,6 +19,12 @@ static void take_override(case_arguments *arguments, char *text, const struct ar
     if (arguments->override_count == MAX_OVERRIDES)
         bad_argument(state, "--set is given more than %d times", MAX_OVERRIDES);
     arguments->overrides[arguments->override_count++] = text;
+}
+
+bool parse_json(const char *argument, const struct argp_state *state) {
+    if (argument && strcmp(argument, "full") != 0)
+        bad_argument(state, "--json is '%s', expected full, or nothing after it", argument);
+    return argument != NULL;
 }
 
 int take_whole(const char *option, const char *text, int most, const struct argp_state *state) {
@@ -61,7 +68,7 @@ int apply_settings(const case_arguments *arguments, whirl_case *object) {
 
 int load_case(const case_arguments *arguments, whirl_case **object) {
     whirl_problems problems = {0};
-    if (is_result_for_case(arguments->path)) return EXIT_BAD_INPUT;
+    if (is_other_than_case(arguments->path)) return EXIT_BAD_INPUT;
     const whirl_status status = whirl_case_load(arguments->path, &problems, object);
     if (status.code != WHIRL_OK) return complain_of_problems(&problems, &status);
     return apply_settings(arguments, *object);

@@ -2,6 +2,8 @@
 #ifndef CLI_CASE_ARGUMENTS_H
 #define CLI_CASE_ARGUMENTS_H
 
+#include <stdbool.h>
+
 #include "command.h"
 
 enum { MAX_OVERRIDES = 64 };
@@ -24,6 +26,16 @@ enum { KEY_SET = 256, KEY_THREADS, KEY_OWN };
             "Give a parameter of the case another value, as in --set r_k=0.45 or --set 'omega=6000 rpm', or a key of " \
             "it, as in --set disc.mass=41; may be repeated"                                                            \
     }
+
+/// The row of --json, whose key is the command's own.
+#define JSON_OPTION(json_key, text)                                                                                    \
+    {                                                                                                                  \
+        .name = "json", .key = (json_key), .arg = "full", .flags = OPTION_ARG_OPTIONAL,                                \
+        .doc = text "; with --json=full sections, curves and nodes as well"                                            \
+    }
+
+/// Whether all is asked for; complains of anything else behind --json.
+bool parse_json(const char *argument, const struct argp_state *state);
 
 /// The part of an argp parser that takes these arguments, the case among them, without which it complains in the end.
 error_t parse_case_argument(case_arguments *arguments, int key, char *argument, struct argp_state *state);

@@ -9,8 +9,11 @@
 #include <string.h>
 
 #include "case_arguments.h"
+#include "cores.h"
+#include "estimate.h"
 #include "files.h"
 #include "phases.h"
+#include "progress.h"
 #include "summary.h"
 
 typedef struct check_arguments {
@@ -127,12 +130,50 @@ static whirl_status warn_of_steps(const char *path, const whirl_study *study, co
     return status;
 }
 
-/// Says where the steps of a sweep do not meet its end.
-static whirl_status tell_end(const whirl_case *object, const whirl_batch *batch) {
+/// "omega from 2000 to 12000 rpm"
+static void print_range(const whirl_result *told, const char *name, double from, double to) {
+    const whirl_unit unit = whirl_result_unit(told, name);
+    printf("%s from %.6g to %.6g%s%s", name, from / unit.size, to / unit.size, *unit.name ? " " : "", unit.name);
+}
+
+/// "about 12 s on 2 cores"
+static void print_time(double seconds, bool settle, int cores) {
+    char text[32];
+    duration_text(fmax(seconds, 1.0), text, sizeof text);
+    printf("%sabout %s on %d core%s", settle ? "at most " : "", text, cores, cores == 1 ? "" : "s");
+}
+
+/// "  sweep: omega from 2000 to 12000 rpm; about 12 s on 2 cores"
+static void tell_extent(const whirl_result *told, const whirl_study *study, const whirl_batch *batch) {
+    const bool traced = whirl_analysis_is_traced(batch->analyses);
+    const double *const axes[] = {traced ? batch->bounds : batch->values, batch->second_values, batch->third_values};
+    const char *const names[] = {batch->parameter, batch->second, batch->third};
+    const size_t last = traced ? 1 : batch->count - 1;
+    const int cores = available_cores();
+    const double seconds = estimate_seconds(study, batch, cores);
+    if (!axes[0] && isnan(seconds)) return;
+    printf("  %s: ", batch->name);
+    for (size_t i = 0; i < 3 && axes[i]; i++) {
+        if (i > 0) fputs(", ", stdout);
+        print_range(told, names[i], axes[i][0], axes[i][last]);
+    }
+    if (axes[0] && !isnan(seconds)) fputs("; ", stdout);
+    if (!isnan(seconds)) print_time(seconds, batch->record.settle, cores);
+    putchar('\n');
+}
+
+/// Says how far a study goes, where the steps of a sweep do not meet its end, and what a result of the case would warn
+/// of.
+static whirl_status tell_result(const char *path, const whirl_case *object, const whirl_study *study) {
+    const whirl_batch *const batch = &study->batches[0];
     whirl_result *const told = calloc(1, sizeof *told);
     if (!told) return whirl_fail(WHIRL_NO_MEMORY, "%s", whirl_code_text(WHIRL_NO_MEMORY));
     const whirl_status status = whirl_case_describe_result(object, told);
+    for (size_t i = 0; i < study->batch_count && status.code == WHIRL_OK; i++)
+        tell_extent(told, study, &study->batches[i]);
     if (status.code == WHIRL_OK && batch->values) summarize_end(told, batch->parameter, batch->values[0]);
+    for (size_t i = 0; *whirl_result_warning(told, i); i++)
+        fprintf(stderr, "%s: warning: %s\n", path, whirl_result_warning(told, i));
     whirl_result_free(told);
     return status;
 }
@@ -181,7 +222,7 @@ static whirl_status describe_case(const char *path, const whirl_case *object) {
         putchar('\n');
         status = tell_shafts(object);
         summarize_study(&study);
-        if (status.code == WHIRL_OK) status = tell_end(object, &study.batches[0]);
+        if (status.code == WHIRL_OK) status = tell_result(path, object, &study);
         if (status.code == WHIRL_OK) status = tell_phases(&study, &study.batches[0], rotor);
         for (size_t i = 0; i < study.batch_count && status.code == WHIRL_OK; i++)
             status = warn_of_steps(path, &study, &study.batches[i]);
@@ -208,7 +249,7 @@ static int check_file(const case_arguments *given, const char *argument) {
     const char *const path = input ? "standard input" : argument;
     whirl_problems problems = {0};
     whirl_case *object = NULL;
-    if (!input && is_result_for_case(path)) return EXIT_BAD_INPUT;
+    if (!input && is_other_than_case(path)) return EXIT_BAD_INPUT;
     whirl_status status = input ? load_input(path, &problems, &object) : whirl_case_load(path, &problems, &object);
     if (status.code != WHIRL_OK) return complain_of_problems(&problems, &status);
     const int set = apply_settings(given, object);

@@ -74,13 +74,13 @@ _whirl_options() {
     case $1 in
     new | import) echo '-o --output= --force --help' ;;
     run)
-        echo '-o --output= --set= --threads= --json --resume --force --refine --refine= --shard= --max-time= --quiet' \
+        echo '-o --output= --set= --threads= --json --json=full --resume --force --refine --refine= --shard= --max-time= --quiet' \
             '--help'
         ;;
-    merge) echo '-o --output= --set= --threads= --json --force --refine --refine= --max-time= --quiet --help' ;;
+    merge) echo '-o --output= --set= --threads= --json --json=full --force --refine --refine= --max-time= --quiet --help' ;;
     verify) echo '--points= --method= --revolutions= --set= --threads= --json --quiet --help' ;;
     report) echo '-o --output= --claims= --gnuplot= --explorer= --units= --quiet --help' ;;
-    show) echo '--json --help' ;;
+    show) echo '--json --json=full --help' ;;
     export) echo '--csv= --mat= --npz= --force --help' ;;
     check) echo '--set= --help' ;;
     describe | help) echo '--help' ;;

@@ -22,14 +22,23 @@ static size_t read_head(const char *path, char head[HEAD_SIZE]) {
     return length;
 }
 
-bool is_result_for_case(const char *path) {
+/// Among the first lines of what Rotor.save writes, as TOML or JSON.
+static bool is_rotor_of_ross(const char *head) {
+    return strstr(head, "ross_version") || strstr(head, "\"ShaftElement");
+}
+
+bool is_other_than_case(const char *path) {
     static const char signature[] = "\211HDF\r\n\032\n"; // HDF5 file format specification, III.A
     char head[HEAD_SIZE];
-    if (read_head(path, head) < sizeof signature - 1 || memcmp(head, signature, sizeof signature - 1) != 0)
+    const size_t length = read_head(path, head);
+    if (length >= sizeof signature - 1 && memcmp(head, signature, sizeof signature - 1) == 0)
+        complain(
+            "'%s' is a result, expected a case: 'whirl show %s' says what was found, 'whirl report %s -o DIR' draws it",
+            path, path, path);
+    else if (length > 0 && is_rotor_of_ross(head))
+        complain("'%s' is a rotor of ROSS, expected a case: 'whirl import %s -o CASE.yaml' makes one", path, path);
+    else
         return false;
-    complain(
-        "'%s' is a result, expected a case: 'whirl show %s' says what was found, 'whirl report %s -o DIR' draws it",
-        path, path, path);
     return true;
 }
 

@@ -6,8 +6,9 @@
 
 #include "whirl/result.h"
 
-/// True when the file is a result, by its first bytes; complains then, and says what can be done with it.
-bool is_result_for_case(const char *path);
+/// True when the file is a result, by its first bytes, or a rotor that ROSS has saved; complains then, and says what
+/// can be done with it.
+bool is_other_than_case(const char *path);
 
 /// Reads a result; gives the exit status, after complaining of what cannot be read. A case is named for what it is.
 int load_result(const char *path, whirl_result **result);

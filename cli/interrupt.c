@@ -12,6 +12,7 @@ static volatile bool stopped;
 static volatile sig_atomic_t received;
 
 static volatile double first; ///< seconds, when the first one came
+static double last;           ///< seconds, when the time is over; 0: never
 
 static double now(void) {
     struct timespec time;
@@ -58,8 +59,13 @@ void interrupt_after(double seconds) {
     const double whole = floor(fmin(seconds, 1e9)); // 30 years
     const struct itimerval timer = {
         .it_value = {.tv_sec = (time_t)whole, .tv_usec = (suseconds_t)(1e6 * (fmin(seconds, 1e9) - whole)) + 1}};
+    last = now() + seconds;
     handle(SIGALRM, on_announcement);
     setitimer(ITIMER_REAL, &timer, NULL);
+}
+
+double interrupt_left(void) {
+    return last > 0.0 ? last - now() : (double)INFINITY;
 }
 
 int interrupt_signal(void) {

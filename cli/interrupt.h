@@ -11,6 +11,9 @@ const volatile bool *interrupt_watch(void);
 /// Sets the flag in so many seconds from now.
 void interrupt_after(double seconds);
 
+/// Seconds until then; infinite where none were set.
+double interrupt_left(void);
+
 /// The signal that came, 0 where none did; sets the flag as a signal does that came to another process.
 int interrupt_signal(void);
 void interrupt_pass_on(int number);

@@ -50,13 +50,25 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     }
 }
 
+/// What commands of other programs are called.
+static const char *usual_name(const char *name) {
+    static const char *const names[][2] = {
+        {"plot", "report"}, {"draw", "report"}, {"graph", "report"},   {"solve", "run"},      {"simulate", "run"},
+        {"compute", "run"}, {"lint", "check"},  {"validate", "check"}, {"convert", "import"}, {"print", "show"},
+        {"list", "show"},   {"init", "new"},    {"create", "new"}};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+        if (strcmp(name, names[i][0]) == 0) return names[i][1];
+    return NULL;
+}
+
 static const command *find_command(const char *name) {
     const char *names[COMMAND_COUNT];
     for (int i = 0; i < COMMAND_COUNT; i++) {
         if (strcmp(name, commands[i]->name) == 0) return commands[i];
         names[i] = commands[i]->name;
     }
-    const char *nearest = whirl_nearest_name(name, names, COMMAND_COUNT);
+    const char *nearest = usual_name(name);
+    if (!nearest) nearest = whirl_nearest_name(name, names, COMMAND_COUNT);
     if (nearest)
         complain("there is no command '%s', did you mean '%s'?", name, nearest);
     else

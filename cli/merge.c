@@ -11,7 +11,7 @@ static const struct argp_option options[] = {
      .key = KEY_THREADS,
      .arg = "N",
      .doc = "Compute what needs all points on N threads (default: all cores); the result is the same for every N"},
-    {.name = "json", .key = KEY_JSON, .doc = "Print the points as one JSON document on standard output, too"},
+    JSON_OPTION(KEY_JSON, "Print the points as one JSON document on standard output, too"),
     {.name = "force", .key = KEY_FORCE, .doc = "Replace a result that is there already; without it a result is kept"},
     REFINE_OPTION,
     {.name = "max-time",

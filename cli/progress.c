@@ -5,6 +5,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "interrupt.h"
 #include "terminal.h"
 
 enum { MOST_COLUMNS = 120, MAX_BAR = 40 };
@@ -13,8 +14,7 @@ progress_view progress_begin(void) {
     return (progress_view){.terminal = is_terminal(STDERR_FILENO)};
 }
 
-/// "12 s", "3:05 min", "2:10 h".
-static void duration_text(double seconds, char *text, size_t size) {
+void duration_text(double seconds, char *text, size_t size) {
     const long whole = lround(fmin(fmax(seconds, 0), 1e8));
     if (whole < 60)
         snprintf(text, size, "%ld s", whole);
@@ -34,7 +34,12 @@ static void state_text(const whirl_progress *progress, char *text, size_t size) 
     const double computed = progress->revolutions_done - progress->revolutions_recalled;
     const double rate = progress->seconds > 0 ? computed / progress->seconds : 0;
     char left[32] = "?", round[48] = "";
-    if (rate > 0) duration_text((progress->revolutions_total - progress->revolutions_done) / rate, left, sizeof left);
+    // The first revolutions of all lanes are told of late.
+    const bool known =
+        rate > 0 && (progress->seconds >= 1.0 || progress->revolutions_done >= progress->revolutions_total);
+    const double needed = known ? (progress->revolutions_total - progress->revolutions_done) / rate : (double)INFINITY;
+    const double seconds = fmin(needed, interrupt_left());
+    if (isfinite(seconds)) duration_text(seconds, left, sizeof left);
     if (progress->round > 0)
         snprintf(round, sizeof round,
                  "%s, round %d: ", progress->stage == WHIRL_STAGE_NEIGHBOURS ? "from neighbours" : "refining",

@@ -16,6 +16,9 @@ typedef struct progress_view {
     bool drawn;     ///< a bar stands on the current line
 } progress_view;
 
+/// "12 s", "3:05 min", "2:10 h".
+void duration_text(double seconds, char *text, size_t size);
+
 /// A view that suits standard error.
 progress_view progress_begin(void);
 

@@ -13,9 +13,8 @@ static const struct argp_option options[] = {
      .key = KEY_THREADS,
      .arg = "N",
      .doc = "Compute on N threads (default: all cores, or a rank's part of them); the result is the same for every N"},
-    {.name = "json",
-     .key = KEY_JSON,
-     .doc = "Print the points as one JSON document on standard output; a result file is then written only with -o"},
+    JSON_OPTION(KEY_JSON,
+                "Print the points as one JSON document on standard output; a result file is then written only with -o"),
     {.name = "resume",
      .key = KEY_RESUME,
      .doc = "Go on with a run that did not finish, from RESULT.h5.journal and what shards have left beside it; the "

@@ -4,27 +4,28 @@
 #include <stdbool.h>
 #include <stdio.h>
 
+#include "case_arguments.h"
 #include "files.h"
 #include "summary.h"
 
 typedef struct show_arguments {
     int first; ///< of the results in argv
-    bool json;
+    bool json, full;
 } show_arguments;
 
-enum { KEY_JSON = 256 };
+enum { KEY_JSON = KEY_OWN };
 
 static const struct argp_option options[] = {
-    {.name = "json", .key = KEY_JSON, .doc = "Print the points of one result as a JSON document, as `run` does"},
+    JSON_OPTION(KEY_JSON, "Print the points of one result as a JSON document, as `run` does"),
     {0},
 };
 
 static error_t parse(int key, char *argument, struct argp_state *state) {
     show_arguments *arguments = state->input;
-    (void)argument;
     switch (key) {
     case KEY_JSON:
         arguments->json = true;
+        arguments->full = parse_json(argument, state);
         return 0;
     case ARGP_KEY_ARG:
         return ARGP_ERR_UNKNOWN; // all of them at once, below
@@ -41,12 +42,13 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     }
 }
 
-static int show(const char *path, bool json) {
+static int show(const char *path, const show_arguments *how) {
     whirl_result *result;
     int outcome = load_result(path, &result);
     if (outcome != EXIT_DONE) return outcome;
-    if (json) {
-        const whirl_status status = whirl_result_write_json(result, stdout);
+    if (how->json) {
+        const whirl_status status =
+            how->full ? whirl_result_write_json(result, stdout) : whirl_result_write_json_summary(result, stdout);
         outcome = complain_of(&status);
     } else {
         summarize_result(result);
@@ -69,7 +71,7 @@ static int run(int argc, char **argv) {
     int outcome = EXIT_DONE;
     for (int i = arguments.first; i < argc; i++) {
         if (i > arguments.first) putchar('\n');
-        const int shown = show(argv[i], arguments.json);
+        const int shown = show(argv[i], &arguments);
         if (shown != EXIT_DONE) outcome = shown;
     }
     const int written = finish_output();

@@ -111,7 +111,8 @@ static int save(const study_arguments *arguments, const whirl_result *result) {
 
 static int show(const study_arguments *arguments, const whirl_result *result) {
     if (arguments->json) {
-        const whirl_status status = whirl_result_write_json(result, stdout);
+        const whirl_status status = arguments->json_full ? whirl_result_write_json(result, stdout)
+                                                         : whirl_result_write_json_summary(result, stdout);
         if (status.code != WHIRL_OK) return complain_of(&status);
     } else if (!arguments->quiet) {
         summarize_result(result);

@@ -78,6 +78,7 @@ error_t parse_study_argument(study_arguments *arguments, int key, char *argument
         return 0;
     case KEY_JSON:
         arguments->json = true;
+        arguments->json_full = parse_json(argument, state);
         return 0;
     case KEY_REFINE:
         arguments->refine = true;

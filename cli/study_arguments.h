@@ -11,7 +11,7 @@ enum { STUDY_PATH_SIZE = 4096, COMMAND_LINE_SIZE = 256, MOST_JOURNALS = 4096 };
 typedef struct study_arguments {
     case_arguments given;
     const char *output; ///< NULL: no file
-    bool json, quiet, resume, force, refine, merge;
+    bool json, json_full, quiet, resume, force, refine, merge;
     double max_time;     ///< seconds; 0: as long as it takes
     whirl_budget budget; ///< of refinement; all zero: as many revolutions as the study has
     whirl_share share;   ///< all zero: the whole study

@@ -530,6 +530,7 @@ void summarize_result(const whirl_result *result) {
     size_t done, total;
     whirl_result *view;
     puts(result->title[0] ? result->title : result->case_name);
+    for (size_t i = 0; *whirl_result_warning(result, i); i++) printf("warning: %s\n", whirl_result_warning(result, i));
     const char *const keyphasor = whirl_result_keyphasor(result);
     if (*keyphasor) tell_keyphasor(keyphasor, whirl_result_clock(result));
     if (whirl_result_partial(result, &done, &total)) {

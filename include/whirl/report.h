@@ -4,6 +4,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdio.h>
 
 #include "whirl/claims.h"
 #include "whirl/result.h"
@@ -34,6 +35,10 @@ whirl_status whirl_report_write(const whirl_result *const *results, const char *
 /// its mark. The directory is there. WHIRL_BAD_INPUT with a sentence for a template that cannot be read or has no mark.
 whirl_status whirl_explorer_write(const char *template_path, const whirl_result *const *results,
                                   const char *const *names, size_t count, const char *directory);
+
+/// Writes the points as whirl_result_write_json does, without what has a row for every revolution or node: sections,
+/// curves of tori, nodes of orbits.
+whirl_status whirl_result_write_json_summary(const whirl_result *result, FILE *stream);
 
 #ifdef __cplusplus
 }

@@ -274,6 +274,10 @@ const char *whirl_result_parameter_unit(const whirl_result *result, const char *
 /// The value of a fact, "" where there is none of that name. Borrowed.
 const char *whirl_result_fact(const whirl_result *result, const char *name);
 
+/// A warning that the result carries, by index from 0: values of the case that a law is not for or that no machine has,
+/// ranges without extent. "" past the last. Borrowed.
+const char *whirl_result_warning(const whirl_result *result, size_t index);
+
 /// Appends the facts of this build and host: version, revision, compiler, flags, libraries, host, processor,
 /// instruction set.
 whirl_status whirl_result_add_provenance(whirl_result *result);

@@ -92,6 +92,13 @@ whirl_status whirl_design_element(whirl_design *design, const char *kind, const 
 /// Frees a design; NULL is none.
 void whirl_design_free(whirl_design *design);
 
+/// Is told of a value that is likely not meant, or beyond what the law of its element is for: of which element, of
+/// which key, and a sentence that begins behind these ("is 2 times the diameter: ..."). All borrowed for the call.
+typedef void whirl_design_tell(void *context, size_t element, const char *key, const char *sentence);
+
+/// Tells of all such values. They are no errors: the machine is computed as it is given.
+void whirl_design_doubts(const whirl_design *design, whirl_design_tell *tell, void *context);
+
 /// What a rotor makes of a shaft of finite elements.
 typedef struct whirl_shaft_summary {
     char name[WHIRL_NAME_SIZE]; ///< of the shaft

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "content.h"
+#include "warn.h"
 
 static whirl_status describe_parameters(const case_content *content, whirl_result *result) {
     const parameter_table *parameters = &content->parameters;
@@ -260,6 +261,7 @@ whirl_status whirl_case_describe_result(const whirl_case *object, whirl_result *
     if (status.code == WHIRL_OK) status = describe_sweep(&object->content, result);
     if (status.code == WHIRL_OK && *object->content.units)
         status = whirl_result_add_fact(result, "units", object->content.units);
+    if (status.code == WHIRL_OK) status = case_warn(&object->content, result);
     return status;
 }
 

@@ -171,7 +171,7 @@ static void read_element(case_reader *reader, const file_node *item, machine_par
     char shown[SHOWN_SIZE];
     const bool bare = item->kind == NODE_TEXT && !item->quoted && whirl_element_group(item->text);
     if (!bare && (item->kind != NODE_MAPPING || item->count != 1)) {
-        problem_at(reader->problems, item, "is %s, expected one element: a kind with its keys",
+        problem_at(reader->problems, item, "is %s, expected one element behind every '- ': a kind with its keys",
                    item->kind == NODE_MAPPING ? item->count ? "more than one element" : "empty"
                                               : node_shown(item, shown));
         return;
@@ -292,6 +292,14 @@ whirl_status machine_build(const machine_parts *machine, valuation *v, whirl_rot
     *rotor = NULL;
     whirl_status status = make_design(machine, v, &design);
     if (status.code == WHIRL_OK) status = whirl_rotor_new(design, rotor);
+    whirl_design_free(design);
+    return status;
+}
+
+whirl_status machine_doubts(const machine_parts *machine, valuation *v, whirl_design_tell *tell, void *context) {
+    whirl_design *design;
+    const whirl_status status = make_design(machine, v, &design);
+    if (status.code == WHIRL_OK) whirl_design_doubts(design, tell, context);
     whirl_design_free(design);
     return status;
 }

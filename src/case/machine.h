@@ -32,6 +32,9 @@ void machine_settle(valuation *v, machine_parts *machine);
 /// Builds a rotor with the values of `valuation`.
 whirl_status machine_build(const machine_parts *machine, valuation *v, whirl_rotor **rotor);
 
+/// Tells of its doubts, as whirl_design_doubts does.
+whirl_status machine_doubts(const machine_parts *machine, valuation *v, whirl_design_tell *tell, void *context);
+
 /// Builds what whirl_case_element gives.
 whirl_status machine_build_element(const machine_parts *machine, valuation *v, const char *element,
                                    whirl_rotor **rotor);

@@ -185,17 +185,24 @@ whirl_unit formula_unit(const parameter_table *parameters, const char *text, con
     return unit;
 }
 
+/// Which way a rotor turns is a matter of the end that it is seen from.
+static whirl_status with_direction(const whirl_key *key, double value, whirl_status status) {
+    if (status.code == WHIRL_OK || !(value < 0.0) || strcmp(key->name, "speed") != 0) return status;
+    return whirl_fail(status.code, "%s; what turns clockwise turns counter-clockwise seen from its other end",
+                      status.message);
+}
+
 static whirl_status check_as_written(const whirl_key *key, double value, const char *text) {
     char unit[WHIRL_NAME_SIZE];
     const whirl_status status = whirl_key_check_number(key, value);
     const double size = status.code == WHIRL_OK ? 0.0 : size_of_unit(text, key->unit, unit);
-    if (size == 0.0) return status;
+    if (size == 0.0) return with_direction(key, value, status);
     whirl_key spoken = *key;
     spoken.unit = unit;
     spoken.range.low /= size;
     spoken.range.high /= size;
     const whirl_status told = whirl_key_check_number(&spoken, value / size);
-    return told.code == WHIRL_OK ? status : told;
+    return with_direction(key, value, told.code == WHIRL_OK ? status : told);
 }
 
 whirl_status formula_check(const parameter_table *parameters, const whirl_key *key, const number_formula *formula,

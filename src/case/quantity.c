@@ -171,14 +171,17 @@ static void describe_expected(const char *expected, char text[WHY_SIZE / 2]) {
 
 /// What to say of a unit that does not fit. A frequency is no angular speed, and nobody should have to guess 2 pi.
 static void describe_misfit(const ut_unit *unit, const char *expected, char text[WHY_SIZE / 2]) {
-    ut_unit *hertz = ut_parse(units, "1/s", UT_ASCII);
+    ut_unit *hertz = ut_parse(units, "1/s", UT_ASCII), *kinematic = ut_parse(units, "m2/s", UT_ASCII);
     if (hertz && strcmp(expected, "rad/s") == 0 && same_dimension(unit, hertz))
         snprintf(text, WHY_SIZE / 2, "expected a unit of rad/s, such as rpm (1 Hz = 60 rpm)");
+    else if (kinematic && strcmp(expected, "Pa s") == 0 && same_dimension(unit, kinematic))
+        snprintf(text, WHY_SIZE / 2, "expected a unit of Pa s; in cSt it is kinematic_viscosity, beside density");
     else if (strcmp(expected, "1") == 0)
         snprintf(text, WHY_SIZE / 2, "expected a plain number");
     else
         snprintf(text, WHY_SIZE / 2, "expected a unit of %.60s", expected);
     ut_free(hertz);
+    ut_free(kinematic);
 }
 
 bool quantity_number(const char *text, double *value, const char **end) {
@@ -270,6 +273,9 @@ static bool read_quantity(const char *text, const char *expected, quantity *resu
         done = read_unit(text, end + strspn(end, " "), expected, result, why);
         if (no_memory) errno = ENOMEM;
         lock_leave(&units_lock);
+    } else if (*end == ',' && isdigit((unsigned char)end[1])) {
+        snprintf(why, WHY_SIZE, "is %s, expected %s, with a point in place of the comma", shown, expectation);
+        done = false;
     } else if (*end) {
         snprintf(why, WHY_SIZE, "is %s, expected %s, with a space before the unit", shown, expectation);
         done = false;

@@ -1,5 +1,6 @@
 #include "settings.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -39,6 +40,12 @@ static size_t key_names(const whirl_group *group, const char *names[SETTINGS_MAX
 static void report_unknown(case_reader *reader, const file_node *member, const whirl_group *group) {
     const char *names[SETTINGS_MAX];
     char advice[WHY_SIZE], shown[SHOWN_SIZE];
+    if (isdigit((unsigned char)*member->key) && node_is_null(member)) { // {gap: 0,9 mm, ...}
+        problem_at_key(reader->problems, member,
+                       "stands behind a comma, which begins another key, expected a point "
+                       "before decimals");
+        return;
+    }
     describe_names(member->key, names, key_names(group, names), advice);
     problem_at_key(reader->problems, member, "%s has no key %s, %s", group->name, text_shown(member->key, shown),
                    advice);

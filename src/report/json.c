@@ -8,6 +8,7 @@
 
 #include "document.h"
 #include "quantities.h"
+#include "whirl/report.h"
 #include "whirl/result.h"
 #include "whirl/version.h"
 
@@ -374,6 +375,19 @@ static json_t *point_object(bool *well, const whirl_result *result, const whirl_
     return object;
 }
 
+/// Takes out what has a row for every revolution or node: most of a document.
+static void leave_out_rows(json_t *point) {
+    static const char *const rows[] = {"section", "section_low", "section_high"};
+    const char *name;
+    json_t *station;
+    json_object_del(point, "poincare");
+    json_object_del(point, "nodes");
+    json_object_del(json_object_get(point, "torus"), "nodes");
+    json_object_foreach(json_object_get(point, "stations"), name, station) for (size_t i = 0;
+                                                                                i < sizeof rows / sizeof *rows; ++i)
+        json_object_del(station, rows[i]);
+}
+
 // ---------------------------------------------------------------- the document
 
 // Writes "key": value, with what goes before.
@@ -405,13 +419,14 @@ static void put_start(bool *well, json_t *object, const whirl_result *result, co
 }
 
 static bool dump_table(const char *key, const whirl_result *result, const whirl_table *table,
-                       const whirl_coexistence *found, FILE *stream) {
+                       const whirl_coexistence *found, bool full, FILE *stream) {
     fprintf(stream, ",\n\"%s\": [", key);
     bool first = true;
     for (size_t point = 0; point < table->count; ++point) {
         bool well = true;
         if (!whirl_table_done(table, point)) continue;
         json_t *object = point_object(&well, result, table, point);
+        if (!full) leave_out_rows(object);
         if (found->labels) put_start(&well, object, result, table, point, found);
         fputs(first ? "\n" : ",\n", stream);
         if (!document_write(well, object, stream)) return false;
@@ -421,10 +436,11 @@ static bool dump_table(const char *key, const whirl_result *result, const whirl_
     return true;
 }
 
-static bool dump_points(const char *key, const whirl_result *result, const whirl_table *table, FILE *stream) {
+static bool dump_points(const char *key, const whirl_result *result, const whirl_table *table, bool full,
+                        FILE *stream) {
     whirl_coexistence found = {.labels = NULL};
     if (table->starts > 1 && whirl_table_coexistence(table, &found).code != WHIRL_OK) return false;
-    const bool well = dump_table(key, result, table, &found, stream);
+    const bool well = dump_table(key, result, table, &found, full, stream);
     whirl_coexistence_free(&found);
     return well;
 }
@@ -564,6 +580,15 @@ static bool dump_keyphasor(const whirl_result *result, FILE *stream) {
                            dump_member(",\n", "keyphasor_rate", document_number(whirl_result_clock(result)), stream));
 }
 
+/// What the case says and likely does not mean.
+static bool dump_warnings(const whirl_result *result, FILE *stream) {
+    bool well = true;
+    json_t *warnings = json_array();
+    for (size_t i = 0; *whirl_result_warning(result, i); ++i)
+        document_append(&well, warnings, document_text(whirl_result_warning(result, i)));
+    return dump_member(",\n", "warnings", warnings, stream) && well;
+}
+
 static bool dump_head(const whirl_result *result, FILE *stream) {
     const whirl_table *first = result->table_count ? &result->tables[0] : NULL;
     size_t done, total;
@@ -574,16 +599,17 @@ static bool dump_head(const whirl_result *result, FILE *stream) {
            dump_member(",\n", "speed", document_number(result->speed), stream) && dump_keyphasor(result, stream) &&
            dump_member(",\n", "length_scale", document_number(result->length_scale), stream) &&
            dump_member(",\n", "force_scale", document_number(result->force_scale), stream) &&
-           dump_member(",\n", "partial", json_boolean(partial), stream) &&
+           dump_member(",\n", "partial", json_boolean(partial), stream) && dump_warnings(result, stream) &&
            dump_member(",\n", "table", first ? document_text(first->name) : json_null(), stream) &&
            dump_methods(result, stream);
 }
 
 // Names of tables become keys beside these.
 static whirl_status check_names(const whirl_result *result) {
-    static const char *const taken[] = {
-        "whirl",  "title",      "case",  "speed",      "length_scale", "force_scale",    "partial",    "table",
-        "points", "parameters", "jumps", "integrated", "keyphasor",    "keyphasor_rate", "attractors", "refined"};
+    static const char *const taken[] = {"whirl",       "title",      "case",      "speed",          "length_scale",
+                                        "force_scale", "partial",    "table",     "points",         "parameters",
+                                        "jumps",       "integrated", "keyphasor", "keyphasor_rate", "attractors",
+                                        "refined",     "warnings"};
     for (size_t t = 0; t < result->table_count; ++t)
         for (size_t i = 0; i < sizeof taken / sizeof *taken; ++i)
             if (strcmp(result->tables[t].name, taken[i]) == 0 || strpbrk(result->tables[t].name, "\"\\\n"))
@@ -591,17 +617,25 @@ static whirl_status check_names(const whirl_result *result) {
     return whirl_ok();
 }
 
-whirl_status whirl_result_write_json(const whirl_result *result, FILE *stream) {
+static whirl_status write_document(const whirl_result *result, bool full, FILE *stream) {
     const whirl_status names = check_names(result);
     if (names.code != WHIRL_OK) return names;
     errno = 0;
     bool well = dump_head(result, stream);
     if (result->table_count == 0) fputs(",\n\"points\": []", stream);
     for (size_t i = 0; well && i < result->table_count; ++i)
-        well = dump_points(i == 0 ? "points" : result->tables[i].name, result, &result->tables[i], stream);
+        well = dump_points(i == 0 ? "points" : result->tables[i].name, result, &result->tables[i], full, stream);
     well = well && dump_jumps(result, stream) && dump_attractors(result, stream) && dump_refined(result, stream);
     fputs("}\n", stream);
     if (fflush(stream) != 0 || ferror(stream))
         return whirl_fail(WHIRL_IO_ERROR, "cannot write JSON: %s", strerror(errno ? errno : EIO));
     return well ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory to write JSON");
+}
+
+whirl_status whirl_result_write_json(const whirl_result *result, FILE *stream) {
+    return write_document(result, true, stream);
+}
+
+whirl_status whirl_result_write_json_summary(const whirl_result *result, FILE *stream) {
+    return write_document(result, false, stream);
 }

@@ -168,6 +168,11 @@ void page_computed(const page *to, size_t index) {
         fputs("<p><strong>This result is partial:</strong> the run was stopped when all points were done, but before "
               "all verdicts were confirmed or refined.</p>\n",
               to->stream);
+    for (size_t i = 0; *whirl_result_warning(result, i); i++) {
+        fputs("<p><strong>Warning:</strong> ", to->stream);
+        html_text(to->stream, whirl_result_warning(result, i));
+        fputs("</p>\n", to->stream);
+    }
     fputs("<dl>\n", to->stream);
     if (*result->case_name) write_row(to->stream, "Case", result->case_name);
     snprintf(text, sizeof text, "%.6g rad/s (%.6g revolutions a minute)", result->speed,

@@ -12,12 +12,14 @@
 #include "assembly.h"
 #include "vector.h"
 #include "whirl/descriptor.h"
+#include "whirl/rotor.h"
 #include "whirl/status.h"
 
 // Elements outside the library find these by names of the library.
 #define element_on whirl_element_on
 #define element_between whirl_element_between
 #define element_in_housing whirl_element_in_housing
+#define doubt_value whirl_doubt_value
 
 /// Station index of the ground.
 #define GROUND ((size_t)-1)
@@ -52,6 +54,13 @@ typedef struct element {
 } element;
 
 struct block;
+
+/// Who is told of doubts, and the element that they are in.
+typedef struct doubt_teller {
+    whirl_design_tell *tell;
+    void *context;
+    size_t element;
+} doubt_teller;
 
 /// What an element does in lanes; one for every instruction set. NULL for what it has not.
 typedef struct element_kernels {
@@ -110,7 +119,14 @@ typedef struct whirl_element_type {
 
     /// For bearings: the clearance in length scales around its station; 0 where the housing moves.
     double (*bearing_clearance)(const element *own);
+
+    /// Optional: raises a doubt for every value that its law is not for, or that no such part has.
+    void (*doubt)(const key_value *values, double speed, const doubt_teller *to);
 } element_type;
+
+/// Raises a doubt in the value of a key, in a sentence that begins behind its name: "is 2 times the diameter: ...".
+void doubt_value(const doubt_teller *to, const char *key, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
 
 /// The ports of an element at the station of its key `at`: its coordinates along x and y (`first` is AXIS_X) or both
 /// tilts (AXIS_TILT_X), NO_COORDINATE where it does not move so.

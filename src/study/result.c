@@ -173,6 +173,12 @@ const char *whirl_result_fact(const whirl_result *result, const char *name) {
     return "";
 }
 
+const char *whirl_result_warning(const whirl_result *result, size_t index) {
+    char name[WHIRL_NAME_SIZE];
+    snprintf(name, sizeof name, "warning %zu", index + 1);
+    return whirl_result_fact(result, name);
+}
+
 whirl_status whirl_result_add_fact(whirl_result *result, const char *name, const char *value) {
     for (size_t i = 0; i < result->fact_count; ++i)
         if (strncmp(result->facts[i].name, name, sizeof result->facts[i].name - 1) == 0) {

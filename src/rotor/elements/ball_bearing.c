@@ -99,6 +99,14 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     return whirl_ok();
 }
 
+static void doubt(const key_value *values, double speed, const doubt_teller *to) {
+    const double ball = values[OUTER].number - values[INNER].number, most = 0.01;
+    (void)speed;
+    if (values[INNER].given && fabs(values[CLEARANCE].number) > most * ball)
+        doubt_value(to, keys[CLEARANCE].name, "is %.3g times a ball's diameter, and bearings have up to %g times",
+                    values[CLEARANCE].number / ball, most);
+}
+
 const element_type ball_bearing_element = {
     .group = {"ball_bearing",
               "a ball bearing with Hertz contacts, clearance, and a stiffness that varies as balls pass",
@@ -110,5 +118,6 @@ const element_type ball_bearing_element = {
     .kinked = true,
     .kernels = kernels,
     .build = build,
+    .doubt = doubt,
 };
 #endif

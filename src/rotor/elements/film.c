@@ -1,6 +1,8 @@
 // The film of a short journal bearing: its pass over vectors, its keys and the numbers of its kernel.
 #include "block.h"
+#include "doubts.h"
 #include "film_tangent.h"
+#include "oil.h"
 #include "registry.h"
 #include "whirl/rotor.h"
 
@@ -37,8 +39,9 @@ static void flow(const element *first, size_t count, const block *b) {
 const element_kernels ISA(film_kernels) = {.flow = flow};
 
 #if VECTOR_ISA == VECTOR_SCALAR
+#include <math.h>
 
-enum { AT, COUNT, LAW, CLEARANCE, LOAD, VISCOSITY, RADIUS, LENGTH, KEY_COUNT };
+enum { AT, COUNT, LAW, CLEARANCE, LOAD, VISCOSITY, KINEMATIC, DENSITY, RADIUS, LENGTH, KEY_COUNT };
 
 static const whirl_key keys[KEY_COUNT] = {
     [AT] = {"at", "", "", WHIRL_KEY_STATION, true, "", WHIRL_ANY, NULL, "station of the journal", ""},
@@ -57,25 +60,32 @@ static const whirl_key keys[KEY_COUNT] = {
     [CLEARANCE] = {"clearance", "c", "m", WHIRL_KEY_NUMBER, true, "", WHIRL_POSITIVE, NULL, "radial clearance", ""},
     [LOAD] = {"load", "F0", "N", WHIRL_KEY_NUMBER, false, "", WHIRL_NOT_NEGATIVE, NULL,
               "scale F0 of the film force of one bearing, in place of viscosity, radius and length", "Capone 1991"},
-    [VISCOSITY] = {"viscosity", "mu", "Pa s", WHIRL_KEY_NUMBER, false, "", WHIRL_POSITIVE, NULL,
-                   "dynamic viscosity of the oil", ""},
+    [VISCOSITY] = OIL_DYNAMIC("dynamic viscosity of the oil"),
+    [KINEMATIC] = OIL_KINEMATIC,
+    [DENSITY] = OIL_DENSITY,
     [RADIUS] = {"radius", "R", "m", WHIRL_KEY_NUMBER, false, "", WHIRL_POSITIVE, NULL, "radius of the journal", ""},
     [LENGTH] = {"length", "L", "m", WHIRL_KEY_NUMBER, false, "", WHIRL_POSITIVE, NULL, "length of the bearing", ""},
 };
 
+static oil oil_of(const key_value *values) {
+    return (oil){&values[VISCOSITY], &values[KINEMATIC], &values[DENSITY]};
+}
+
 static whirl_status load_scale(const key_value *values, double speed, double *load) {
-    const bool design = values[VISCOSITY].given || values[RADIUS].given || values[LENGTH].given;
-    if (values[LOAD].given && design)
+    const oil own = oil_of(values);
+    const bool viscous = values[VISCOSITY].given || values[KINEMATIC].given;
+    double viscosity = 0.0;
+    if (values[LOAD].given && (viscous || values[DENSITY].given || values[RADIUS].given || values[LENGTH].given))
         return whirl_fail(WHIRL_BAD_INPUT, "has both load and viscosity, radius or length, expected one way");
     *load = values[LOAD].number;
     if (values[LOAD].given) return whirl_ok();
-    if (!values[VISCOSITY].given || !values[RADIUS].given || !values[LENGTH].given)
+    if (!viscous || !values[RADIUS].given || !values[LENGTH].given)
         return whirl_fail(WHIRL_BAD_INPUT,
                           "has no complete film strength, expected load, or viscosity, radius and length");
+    const whirl_status status = oil_viscosity(&own, &viscosity);
     const double length = values[LENGTH].number, clearance = values[CLEARANCE].number;
-    *load = values[VISCOSITY].number * speed * values[RADIUS].number * length * length * length /
-            (4.0 * clearance * clearance);
-    return whirl_ok();
+    *load = viscosity * speed * values[RADIUS].number * length * length * length / (4.0 * clearance * clearance);
+    return status;
 }
 
 static whirl_status build(const key_value *values, assembly *to, element *out) {
@@ -92,6 +102,20 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
         FILM_STRENGTH_OF_1 * square * values[COUNT].number * load / assembly_force_scale(to, out->port[0]);
     out->number[FILM_TWICE] = 2.0 / to->turn;
     return whirl_ok();
+}
+
+static void doubt(const key_value *values, double speed, const doubt_teller *to) {
+    const oil own = oil_of(values);
+    const double radius = values[RADIUS].number, clearance = values[CLEARANCE].number;
+    if (!values[RADIUS].given) return;
+    doubt_length(to, values[LENGTH].number, radius);
+    doubt_clearance(to, clearance, radius);
+    // Between cylinders, rho omega R c/mu up to which there are no vortices: Taylor 1923.
+    const double reynolds = oil_reynolds(&own, speed, sqrt(radius * clearance)), most = 41.2 * sqrt(radius / clearance);
+    if (reynolds > most)
+        doubt_value(to, keys[DENSITY].name,
+                    "is so high that the flow is not laminar, as the law has it: Reynolds number %.3g, up to %.3g",
+                    reynolds, most);
 }
 
 static double bearing_clearance(const element *own) {
@@ -117,5 +141,6 @@ const element_type film_element = {
     .kernels = kernels,
     .build = build,
     .bearing_clearance = bearing_clearance,
+    .doubt = doubt,
 };
 #endif

@@ -100,6 +100,13 @@ static bool contact_damped(const element *own) {
     return rub_damped(own);
 }
 
+static void doubt(const key_value *values, double speed, const doubt_teller *to) {
+    const double share = values[GAP].number / values[RADIUS].number, most = 0.1;
+    (void)speed;
+    if (values[RADIUS].given && share > most)
+        doubt_value(to, keys[GAP].name, "is %.3g times the radius, and stators are up to %g times away", share, most);
+}
+
 FOR_EVERY_ISA(const element_kernels, rub_kernels);
 static const element_kernels *const kernels[VECTOR_ISAS] = EVERY_ISA(&, rub_kernels);
 
@@ -116,5 +123,6 @@ const element_type rub_element = {
     .slides = slides,
     .contact_gap = contact_gap,
     .contact_damped = contact_damped,
+    .doubt = doubt,
 };
 #endif

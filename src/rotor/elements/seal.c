@@ -69,6 +69,19 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     return whirl_ok();
 }
 
+/// Beyond what was measured (theory.md, "Annular seal").
+static void doubt(const key_value *values, double speed, const doubt_teller *to) {
+    static const struct {
+        int key;
+        double most;
+    } known[] = {{RATIO, 0.5}, {GROWTH, 3.0}, {SLOWING, 1.0}};
+    (void)speed;
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++)
+        if (values[known[i].key].number > known[i].most)
+            doubt_value(to, keys[known[i].key].name, "is %g, and seals have up to %g as a rule",
+                        values[known[i].key].number, known[i].most);
+}
+
 static double bearing_clearance(const element *own) {
     return own->port[KERNEL_AXES] == NO_COORDINATE ? 1.0 / sqrt(own->number[SEAL_OVER_CLEARANCE_SQUARE]) : 0.0;
 }
@@ -85,5 +98,6 @@ const element_type seal_element = {
     .inertia = inertia,
     .build = build,
     .bearing_clearance = bearing_clearance,
+    .doubt = doubt,
 };
 #endif

@@ -11,14 +11,16 @@ enum { SQUEEZE_OVER_CLEARANCE, SQUEEZE_STRENGTH, SQUEEZE_NUMBERS };
 /// What a law is made of; without them the short damper with half a film.
 enum { SQUEEZE_LONG = 1, SQUEEZE_FULL = 2 };
 
+#include "doubts.h"
 #include "generic.h"
+#include "oil.h"
 #include "registry.h"
 
 const element_kernels ISA(squeeze_kernels) = GENERIC_KERNELS;
 
 #if VECTOR_ISA == VECTOR_SCALAR
 
-enum { AT, FROM, COUNT, LAW, FILM, CLEARANCE, VISCOSITY, RADIUS, LENGTH, KEY_COUNT };
+enum { AT, FROM, COUNT, LAW, FILM, CLEARANCE, VISCOSITY, KINEMATIC, DENSITY, RADIUS, LENGTH, KEY_COUNT };
 
 static const whirl_key keys[KEY_COUNT] = {
     [AT] = {"at", "", "", WHIRL_KEY_STATION, true, "", WHIRL_ANY, NULL, "station that it damps", ""},
@@ -41,27 +43,49 @@ static const whirl_key keys[KEY_COUNT] = {
               "half: no pressure below that around it (pi film); full: negative pressures, too (2 pi film)",
               "Vance, Zeidan, Murphy 2010"},
     [CLEARANCE] = {"clearance", "c", "m", WHIRL_KEY_NUMBER, true, "", WHIRL_POSITIVE, NULL, "radial clearance", ""},
-    [VISCOSITY] = {"viscosity", "mu", "Pa s", WHIRL_KEY_NUMBER, true, "", WHIRL_POSITIVE, NULL,
-                   "dynamic viscosity of the oil", ""},
+    [VISCOSITY] = OIL_DYNAMIC("dynamic viscosity of the oil; required without kinematic_viscosity"),
+    [KINEMATIC] = OIL_KINEMATIC,
+    [DENSITY] = OIL_DENSITY,
     [RADIUS] = {"radius", "R", "m", WHIRL_KEY_NUMBER, true, "", WHIRL_POSITIVE, NULL, "radius of the damper", ""},
     [LENGTH] = {"length", "L", "m", WHIRL_KEY_NUMBER, true, "", WHIRL_POSITIVE, NULL, "length of the film", ""},
 };
 
+static oil oil_of(const key_value *values) {
+    return (oil){&values[VISCOSITY], &values[KINEMATIC], &values[DENSITY]};
+}
+
 /// mu omega R L^3/c^2 or 12 mu omega L R^3/c^2, in N.
-static double strength(const key_value *values, double speed) {
+static double strength(const key_value *values, double viscosity, double speed) {
     const double radius = values[RADIUS].number, length = values[LENGTH].number, clearance = values[CLEARANCE].number;
     const double shape = values[LAW].choice ? 12.0 * radius * radius : length * length;
-    return values[COUNT].number * values[VISCOSITY].number * speed * radius * length * shape / (clearance * clearance);
+    return values[COUNT].number * viscosity * speed * radius * length * shape / (clearance * clearance);
 }
 
 static whirl_status build(const key_value *values, assembly *to, element *out) {
     out->law = (values[LAW].choice ? SQUEEZE_LONG : 0) | (values[FILM].choice ? SQUEEZE_FULL : 0);
-    const whirl_status status = element_in_housing(&values[AT], &values[FROM], to, out);
+    double viscosity;
+    const oil own = oil_of(values);
+    whirl_status status = oil_viscosity(&own, &viscosity);
+    if (status.code == WHIRL_OK) status = element_in_housing(&values[AT], &values[FROM], to, out);
     if (status.code != WHIRL_OK) return status;
     out->number[SQUEEZE_OVER_CLEARANCE] = to->length / values[CLEARANCE].number;
-    out->number[SQUEEZE_STRENGTH] = strength(values, to->clock);
+    out->number[SQUEEZE_STRENGTH] = strength(values, viscosity, to->clock);
     generic_scale(out, to, 1.0);
     return whirl_ok();
+}
+
+/// Of the long law, whose ends are sealed, any length will do.
+static void doubt(const key_value *values, double speed, const doubt_teller *to) {
+    const oil own = oil_of(values);
+    const double reynolds = oil_reynolds(&own, speed, values[CLEARANCE].number), most = 1.0; // San Andres 2010
+    if (values[LAW].choice == 0) doubt_length(to, values[LENGTH].number, values[RADIUS].number);
+    doubt_clearance(to, values[CLEARANCE].number, values[RADIUS].number);
+    if (reynolds > most)
+        doubt_value(
+            to, keys[DENSITY].name,
+            "is so high that the oil's inertia counts, which the law leaves out: squeeze Reynolds number %.3g, up "
+            "to %g",
+            reynolds, most);
 }
 
 /// Around a place that does not move.
@@ -79,5 +103,6 @@ const element_type squeeze_element = {
     .kernels = kernels,
     .build = build,
     .bearing_clearance = bearing_clearance,
+    .doubt = doubt,
 };
 #endif

@@ -1,0 +1,70 @@
+#include "estimate.h"
+
+#include <math.h>
+#include <string.h>
+#include <time.h>
+
+#include "whirl/ensemble.h"
+
+/// Seconds of processor time.
+static double now(void) {
+    struct timespec time;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time); // whatever else the computer is busy with
+    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
+}
+
+/// Seconds of a revolution of so many copies of a machine side by side; NaN where it cannot be told.
+static double time_lanes(const whirl_machine *machine, const whirl_integrate_options *how, size_t lanes) {
+    enum { MOST = 50 };
+    const double enough = 0.02;
+    whirl_ensemble *ensemble;
+    const whirl_status made = whirl_ensemble_takes(machine->system, how)
+                                  ? whirl_ensemble_new(machine->system, how, lanes, &ensemble)
+                                  : whirl_ensemble_alone(machine->system, how, lanes, 0, &ensemble);
+    if (made.code != WHIRL_OK) return (double)NAN;
+    for (size_t i = 0; i < lanes; i++)
+        if (whirl_ensemble_load(ensemble, i, machine->system, machine->start).code != WHIRL_OK) lanes = i;
+    const double begun = now();
+    double passed = 0.0;
+    int done = 0;
+    while (lanes > 0 && done < MOST && passed < enough) {
+        whirl_ensemble_revolve(ensemble, lanes, NULL);
+        passed = now() - begun;
+        done++;
+    }
+    whirl_ensemble_free(ensemble);
+    return done > 0 ? passed / done : (double)NAN;
+}
+
+/// Seconds of a revolution of each of `motions` motions on so many cores, as many side by side as is usual. One that
+/// takes long is not tried in lanes: they gain less where a machine is large.
+static double time_motions(const whirl_machine *machine, const whirl_integrate_options *how, double motions,
+                           int cores) {
+    const double usual = 32.0, long_one = 0.01, threads = fmin(motions, cores);
+    const double lanes = fmin(ceil(motions / threads), usual);
+    const double one = time_lanes(machine, how, 1);
+    const double all = lanes > 1.0 && one < long_one ? time_lanes(machine, how, (size_t)lanes) : one * lanes;
+    return all * motions / (lanes * threads);
+}
+
+double estimate_seconds(const whirl_study *study, const whirl_batch *batch, int cores) {
+    const double points = (double)batch->count, starts = batch->starts > 1 ? (double)batch->starts : 1.0;
+    const bool both = batch->carry == WHIRL_CARRY_BOTH, carried = batch->carry != WHIRL_CARRY_NONE;
+    const double motions = points * starts * (both ? 2.0 : 1.0), chains = carried ? motions / points : motions;
+    const double whole = (double)batch->record.transient + batch->record.record;
+    // The twin that tells how a disturbance grows goes along while a motion is watched.
+    const bool twin = batch->record.growth == WHIRL_GROWTH_LARGEST;
+    const double revolutions = whole + (twin ? (double)whirl_record_watch(&batch->record) : 0.0);
+    whirl_machine machine;
+    if (whirl_analysis_is_traced(batch->analyses) || whirl_analysis_is_resting(batch->analyses)) return (double)NAN;
+    if (whirl_study_machine(study, batch, batch->count / 2, &machine).code != WHIRL_OK) return (double)NAN;
+    double seconds = time_motions(&machine, &batch->integrate, chains, cores) * motions / chains * revolutions;
+    if (batch->confirm) {
+        // Twice the steps, or tolerances 16 times smaller by order 8 or 5.
+        const double order = strcmp(batch->integrate.method, "rodas5p") == 0 ? 5.0 : 8.0;
+        const double weight = whirl_method_is_adaptive(batch->integrate.method) ? pow(16.0, 1.0 / order) : 2.0;
+        seconds += weight * revolutions * time_motions(&machine, &batch->integrate, motions, cores);
+    }
+    if (machine.release) machine.release(machine.owner);
+    return seconds;
+}

@@ -1,0 +1,122 @@
+// What a case may say and likely does not mean: values beyond a law, ranges without extent.
+#include "warn.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "whirl/result.h"
+
+/// A place of a study that stands for others, and whom its warnings are told to.
+typedef struct warner {
+    const case_content *content;
+    whirl_result *result;
+    size_t count; ///< of warnings so far
+    const given_value *given;
+    size_t given_count;
+    whirl_status status;
+} warner;
+
+/// Each place of the file is warned of once: of what `path` begins with no second time.
+static bool is_warned_of(const warner *w, const char *path) {
+    for (size_t i = 0; i < w->count; i++)
+        if (strncmp(whirl_result_warning(w->result, i), path, strlen(path)) == 0) return true;
+    return false;
+}
+
+static void warn(warner *w, const char *path, const char *sentence) {
+    char name[WHIRL_NAME_SIZE], text[WHIRL_MESSAGE_SIZE];
+    snprintf(text, sizeof text, "%s: ", path);
+    if (w->status.code != WHIRL_OK || is_warned_of(w, text)) return;
+    snprintf(name, sizeof name, "warning %zu", ++w->count);
+    snprintf(text, sizeof text, "%s: %s", path, sentence);
+    w->status = whirl_result_add_fact(w->result, name, text);
+}
+
+// ---------------------------------------------------------------- machines
+
+/// Whether an element depends on what the study varies.
+static bool varies(const warner *w, const setting_list *element) {
+    for (size_t i = 0; i < element->count; i++)
+        for (size_t k = 0; k < w->given_count; k++)
+            if (element->items[i].value.expression &&
+                case_depends(w->content, element->items[i].value.expression, w->given[k].name))
+                return true;
+    return false;
+}
+
+static void take_doubt(void *context, size_t index, const char *key, const char *sentence) {
+    warner *w = context;
+    const setting_list *element = &w->content->machine.elements[index];
+    char path[160], text[WHIRL_MESSAGE_SIZE], at[3 * (WHIRL_NAME_SIZE + 32)] = "";
+    node_path(element->place, path, sizeof path);
+    snprintf(path + strlen(path), sizeof path - strlen(path), ".%s", key);
+    if (varies(w, element)) given_text(w->given, w->given_count, at, sizeof at);
+    snprintf(text, sizeof text, "%s%s%s", sentence, *at ? ", at " : "", at);
+    warn(w, path, text);
+}
+
+static void warn_of_machine(warner *w, const given_value *given, size_t count) {
+    valuation v;
+    w->given = given;
+    w->given_count = count;
+    whirl_status status = valuation_open(&v, &w->content->parameters, given, count);
+    if (status.code == WHIRL_OK) status = machine_doubts(&w->content->machine, &v, take_doubt, w);
+    valuation_close(&v);
+    // What cannot be built at these values is told by whoever builds it.
+    if (status.code == WHIRL_NO_MEMORY) w->status = status;
+}
+
+/// Point `point` of a batch, or an end of a branch.
+static void warn_of_point(warner *w, const whirl_batch *batch, size_t point) {
+    const double *const values[] = {batch->values, batch->second_values, batch->third_values};
+    const char *const names[] = {batch->parameter, batch->second, batch->third};
+    const bool traced = whirl_analysis_is_traced(batch->analyses);
+    given_value given[3];
+    size_t count = 0;
+    for (; count < 3 && values[count]; count++) given[count] = (given_value){names[count], values[count][point]};
+    if (traced) given[0].value = batch->bounds[point > 0];
+    warn_of_machine(w, given, count);
+}
+
+// ---------------------------------------------------------------- ranges
+
+/// Of `count` values, one every `stride`, that are one and the same.
+static void warn_of_range(warner *w, const char *batch, const char *name, const double *values, size_t stride,
+                          size_t count) {
+    char path[2 * WHIRL_NAME_SIZE], text[WHIRL_MESSAGE_SIZE];
+    for (size_t i = 1; i < count; i++)
+        if (values[i * stride] != values[0]) return;
+    if (count < 2) return;
+    snprintf(path, sizeof path, "study.%s.%s", batch, name);
+    snprintf(text, sizeof text, "all %zu values are %.10g: the range is empty", count, values[0]);
+    warn(w, path, text);
+}
+
+static void warn_of_ranges(warner *w, const whirl_batch *batch) {
+    const size_t row = batch->row > 0 ? batch->row : batch->count,
+                 plane = batch->plane > 0 ? batch->plane : batch->count;
+    warn_of_range(w, batch->name, batch->parameter, batch->values, 1, row);
+    if (batch->second_values) warn_of_range(w, batch->name, batch->second, batch->second_values, row, plane / row);
+    if (batch->third_values)
+        warn_of_range(w, batch->name, batch->third, batch->third_values, plane, batch->count / plane);
+}
+
+// ---------------------------------------------------------------- the whole
+
+whirl_status case_warn(const case_content *content, whirl_result *result) {
+    warner w = {.content = content, .result = result, .status = whirl_ok()};
+    for (size_t i = 0; i < content->plan.batch_count; i++) {
+        const whirl_batch *batch = &content->plan.batches[i];
+        if (!batch->values) {
+            warn_of_machine(&w, NULL, 0);
+            continue;
+        }
+        const size_t row = batch->row > 0 ? batch->row : batch->count;
+        const size_t corners[] = {0, row - 1, batch->count - row, batch->count - 1};
+        const bool traced = whirl_analysis_is_traced(batch->analyses);
+        for (size_t k = 0; k < 4; k++) warn_of_point(&w, batch, traced ? k : corners[k]);
+        if (!traced) warn_of_ranges(&w, batch);
+    }
+    return w.status;
+}

@@ -1,0 +1,14 @@
+/// Doubts that several elements have.
+#ifndef ROTOR_DOUBTS_H
+#define ROTOR_DOUBTS_H
+
+#include "element.h"
+
+/// Of what turns or moves in a film of oil: of a clearance that is far from a thousandth of the radius,
+/// and of a radius that none has.
+void doubt_clearance(const doubt_teller *to, double clearance, double radius);
+
+/// Of a film whose law leaves out the flow around it: of one that is longer than its radius.
+void doubt_length(const doubt_teller *to, double length, double radius);
+
+#endif

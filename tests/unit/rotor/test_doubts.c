@@ -1,0 +1,110 @@
+// Values that a law is not for, or that no such part has: what each element doubts, and what it does not.
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "whirl/rotor.h"
+
+enum { MOST = 6 };
+
+/// An element with values, and the keys that are doubted, in order.
+typedef struct example {
+    const char *kind;
+    whirl_setting values[MOST];
+    const char *doubted;
+} example;
+
+static void note(void *context, size_t element, const char *key, const char *sentence) {
+    char *const keys = context;
+    assert_int_equal(element, 0);
+    assert_true(strncmp(sentence, "is ", 3) == 0);
+    snprintf(keys + strlen(keys), 64 - strlen(keys), "%s%s", *keys ? " " : "", key);
+}
+
+static void check(const example *of) {
+    const whirl_setting mass = {.key = "mass", .number = 1.0};
+    whirl_design *design;
+    char doubted[64] = "";
+    size_t count = 0;
+    while (count < MOST && of->values[count].key) count++;
+    assert_int_equal(whirl_design_new(300.0, 1e-4, &design).code, WHIRL_OK);
+    assert_int_equal(whirl_design_station(design, "disc", &mass, 1).code, WHIRL_OK);
+    const whirl_status added = whirl_design_element(design, of->kind, of->values, count);
+    if (added.code != WHIRL_OK) fail_msg("%s", added.message);
+    whirl_design_doubts(design, note, doubted);
+    if (strcmp(doubted, of->doubted) != 0) fail_msg("%s doubts '%s', expected '%s'", of->kind, doubted, of->doubted);
+    whirl_design_free(design);
+}
+
+#define FILM(c, r, l)                                                                                                  \
+    {                                                                                                                  \
+        {"at", 0, "disc"}, {"clearance", c, NULL}, {"viscosity", 0.02, NULL}, {"radius", r, NULL}, {                   \
+            "length", l, NULL                                                                                          \
+        }                                                                                                              \
+    }
+#define DAMPER(law, l)                                                                                                 \
+    {                                                                                                                  \
+        {"at", 0, "disc"}, {"law", 0, law}, {"clearance", 1e-4, NULL}, {"viscosity", 0.02, NULL},                      \
+            {"radius", 0.05, NULL}, {                                                                                  \
+            "length", l, NULL                                                                                          \
+        }                                                                                                              \
+    }
+#define SEAL(r, n, b)                                                                                                  \
+    {                                                                                                                  \
+        {"at", 0, "disc"}, {"clearance", 1e-3, NULL}, {"ratio", r, NULL}, {"growth", n, NULL}, {                       \
+            "slowing", b, NULL                                                                                         \
+        }                                                                                                              \
+    }
+#define RUB(gap)                                                                                                       \
+    {                                                                                                                  \
+        {"at", 0, "disc"}, {"gap", gap, NULL}, {"stiffness", 1e6, NULL}, {"law", 0, "slip"}, {                         \
+            "radius", 0.1, NULL                                                                                        \
+        }                                                                                                              \
+    }
+#define BALLS(c)                                                                                                       \
+    {                                                                                                                  \
+        {"at", 0, "disc"}, {"balls", 8, NULL}, {"stiffness", 1e10, NULL}, {"clearance", c, NULL},                      \
+            {"inner", 0.02, NULL}, {                                                                                   \
+            "outer", 0.03, NULL                                                                                        \
+        }                                                                                                              \
+    }
+
+static void every_element_doubts_what_it_is_not_for(void **unused) {
+    (void)unused;
+    static const example examples[] = {
+        {"film", FILM(5e-5, 0.025, 0.025), ""}, // L/D = 0.5 itself is within
+        {"film", FILM(5e-5, 0.025, 0.026), "length"},
+        {"film", FILM(70.0, 35.0, 1.0), "clearance radius"}, // mm left out
+        {"film", FILM(0.07, 35.0, 1.0), "radius"},           // ... of all but the clearance
+        {"film", FILM(5e-5, 35.0, 1.0), "clearance radius"},
+        {"film", FILM(1e-3, 0.025, 0.2), "length clearance"},
+        {"squeeze", DAMPER("short", 0.05), ""},
+        {"squeeze", DAMPER("short", 0.06), "length"},
+        {"squeeze", DAMPER("long", 0.2), ""}, // sealed ends
+        {"seal", SEAL(0.48, 3.0, 1.0), ""},
+        {"seal", SEAL(0.6, 2.0, 0.5), "ratio"},
+        {"seal", SEAL(0.4, 4.0, 1.5), "growth slowing"},
+        {"rub", RUB(1e-3), ""},
+        {"rub", RUB(0.2), "gap"},
+        {"ball_bearing", BALLS(1e-5), ""},
+        {"ball_bearing", BALLS(-1e-3), "clearance"},
+    };
+    for (size_t i = 0; i < sizeof examples / sizeof *examples; i++) check(&examples[i]);
+}
+
+/// Without a radius nothing is known of the length.
+static void a_film_by_its_load_is_not_doubted(void **unused) {
+    (void)unused;
+    const example by_load = {"film", {{"at", 0, "disc"}, {"clearance", 1.0, NULL}, {"load", 100.0, NULL}}, ""};
+    check(&by_load);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(every_element_doubts_what_it_is_not_for),
+                                       cmocka_unit_test(a_film_by_its_load_is_not_doubted)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
