@@ -62,8 +62,9 @@ static void sample(void *context, double t, const double *x) {
     (void)t;
     if (++m->instants % m->stride != 0) return;
     memcpy(m->states, x, system->dimension * sizeof *x);
-    if (system->contact_count > 0) system->contacts(system->model, x, m->forces);
     m->states += system->dimension;
+    if (system->contact_count == 0) return;
+    system->contacts(system->model, x, m->forces);
     m->forces += system->contact_count;
 }
 
