@@ -3,6 +3,7 @@
 import { Branches } from '../data/branches';
 import { Tori } from '../data/tori';
 import { Diagram } from '../data/diagram';
+import { isWhole, storedMotion } from '../data/opening';
 import type { OrbitOfBranch } from '../data/orbit';
 import { MapPlanes, type ParameterMap } from '../data/parameter_map';
 import { AtRest } from '../data/rest';
@@ -302,6 +303,8 @@ export class Session {
 
   /// Where the cursor begins.
   get firstValue(): number {
+    const opening = this.machine.run?.opening;
+    if (opening?.parameter && opening.parameter === this.address.parameter && !this.map) return opening.value!;
     return firstValue(this.original, this.address.parameter, this.whole);
   }
 
@@ -346,6 +349,29 @@ export class Session {
       [y.parameter, y.values[row]!],
     ]);
     this.enterPlane(a);
+  }
+
+  /// Shows the motion that the run has stored of where the page opens, unless another one is asked for.
+  openStored(): void {
+    const { run } = this.machine;
+    if (!run?.opening || this.atRest) return;
+    const { a } = this.sides;
+    if (run.opening.parameter && run.opening.parameter === this.address.parameter) this.chooseValue();
+    if (this.isOpening(a)) a.showStored(storedMotion(run, run.opening));
+  }
+
+  /// Whether a side is where the page opens, of the machine and by the method of the run.
+  private isOpening({ choice }: SideModel): boolean {
+    const { opening } = this.machine.run ?? {};
+    const own = choice.assignments.size === 0 && choice.orbit === undefined;
+    if (!opening || !own || Object.keys(this.address.computation).length > 0) return false;
+    if (!opening.parameter) return Number.isNaN(choice.value) || choice.value === this.ownValue(this.address.parameter);
+    return opening.parameter === this.address.parameter && choice.value === opening.value;
+  }
+
+  /// Whether what is stored of a side's motion is all that there is to show.
+  needsNothing(side: SideModel): boolean {
+    return side.stored && !side.busy && side.result !== undefined && isWhole(side.result) && this.isOpening(side);
   }
 
   /// Gives a side the third parameter of the plane that is shown, unless it has it.
