@@ -24,7 +24,10 @@ test('it opens at the point nearest to the middle that the run is sure of', () =
   const sure = ({ regime, confidence }) => regime !== 'undetermined' && confidence !== 'low';
   const away = ({ parameters }) => Math.abs(parameters.omega - 2.5);
   const wanted = points.filter(sure).sort((a, b) => away(a) - away(b))[0];
-  assert.ok(points.some((point) => !sure(point)), 'there are points that it is not sure of');
+  assert.ok(
+    points.some((point) => !sure(point)),
+    'there are points that it is not sure of',
+  );
   assert.equal(opening.value, wanted.parameters.omega);
   assert.equal(opening.verdict.name, wanted.verdict);
   assert.equal(opening.verdict.reason, wanted.reason);
@@ -39,7 +42,9 @@ test('its motion is there without the engine', async () => {
   assert.equal(await page.textContent('.pane-a .verdict'), opening.verdict.name);
   assert.match(await page.textContent('.pane-a .how'), /^Stored by the run: 150 \+ 60 revolutions, rk4/);
   const point = points.find(({ parameters }) => parameters.omega === opening.value).stations.disc;
-  const size = Number(/([\d.]+) \S+ 0-p from the centre/.exec(await page.textContent('.pane-a [class*=panel-orbit] .panel-note'))[1]);
+  const size = Number(
+    /([\d.]+) \S+ 0-p from the centre/.exec(await page.textContent('.pane-a [class*=panel-orbit] .panel-note'))[1],
+  );
   assert.ok(Math.abs(size / point.max_radius - 1) < 1e-2, `${size}, the run says ${point.max_radius}`);
   await close();
 });

@@ -1,4 +1,4 @@
-#include "whirl/report.h"
+#include "explorer.h"
 
 #include <errno.h>
 #include <math.h>
@@ -628,7 +628,7 @@ static void write_opening(FILE *stream, const whirl_result *result) {
     whirl_case_free(machine);
 }
 
-static bool write_run(FILE *stream, const whirl_result *result, const char *name) {
+static bool write_run(FILE *stream, const whirl_result *result, const char *name, const char *units) {
     bool well = true;
     text_member(stream, '{', "name", name);
     text_member(stream, ',', "title", result->title);
@@ -640,34 +640,36 @@ static bool write_run(FILE *stream, const whirl_result *result, const char *name
     write_parameters(stream, result);
     write_stations(stream, result);
     write_facts(stream, result);
-    write_opening(stream, result);
+    text_member(stream, ',', "units", units ? units : "");
     member(stream, ',', "tables");
     fputc('[', stream);
     for (size_t t = 0; t < result->table_count; t++) {
         if (t > 0) fputc(',', stream);
         well = write_table(stream, &result->tables[t], t == 0) && well;
     }
-    fputs("]}", stream);
+    fputc(']', stream);
+    write_opening(stream, result);
+    fputc('}', stream);
     return well;
 }
 
 /// The template up to `place`, the runs, and what follows the mark; false without memory.
 static bool write_page(FILE *stream, const char *page, const char *place, const whirl_result *const *results,
-                       const char *const *names, size_t count) {
+                       const char *const *names, size_t count, const char *units) {
     bool well = true;
     fwrite(page, 1, (size_t)(place - page), stream);
     fputc('[', stream);
     for (size_t r = 0; r < count; r++) {
         if (r > 0) fputs(",\n", stream);
-        well = write_run(stream, results[r], names[r]) && well;
+        well = write_run(stream, results[r], names[r], units) && well;
     }
     fputc(']', stream);
     fputs(place + strlen(mark), stream);
     return well;
 }
 
-whirl_status whirl_explorer_write(const char *template_path, const whirl_result *const *results,
-                                  const char *const *names, size_t count, const char *directory) {
+whirl_status explorer_write(const char *template_path, const whirl_result *const *results, const char *const *names,
+                            size_t count, const char *directory, const char *units) {
     char *page;
     whirl_status status = read_template(template_path, &page);
     if (status.code != WHIRL_OK) return status;
@@ -676,7 +678,7 @@ whirl_status whirl_explorer_write(const char *template_path, const whirl_result 
         report_file file = {0};
         status = report_file_open(&file, directory, "explorer.html");
         if (status.code == WHIRL_OK) {
-            const bool well = write_page(file.stream, page, place, results, names, count);
+            const bool well = write_page(file.stream, page, place, results, names, count, units);
             status = report_file_close(&file);
             if (!well) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the axes of a map");
         }
@@ -684,4 +686,9 @@ whirl_status whirl_explorer_write(const char *template_path, const whirl_result 
         status = unreadable(template_path, "has no place for results: it is no template of the explorer");
     free(page);
     return status;
+}
+
+whirl_status whirl_explorer_write(const char *template_path, const whirl_result *const *results,
+                                  const char *const *names, size_t count, const char *directory) {
+    return explorer_write(template_path, results, names, count, directory, NULL);
 }

@@ -113,6 +113,8 @@ export interface Run {
   readonly stations: readonly StationInfo[];
   readonly contacts: readonly string[];
   readonly facts: readonly { readonly name: string; readonly value: string }[];
+  /// That the report was asked for, "um, rpm, Hz, p-p"; they go before the fact "units", which is the case's.
+  readonly units: string;
   /// Absent where no point may be shown first.
   readonly opening?: StoredOpening;
   readonly tables: readonly StoredTable[];

@@ -16,7 +16,7 @@ import { firstValue, plannedRange, sweptParameter } from './original';
 import { assignmentTexts, computationOptions, readAddress, type Address, type Side } from './setting';
 import { SideModel, troubleOf } from './side';
 import { howOf, Sights, type Sight } from './sights';
-import { unitsFor, type Scales } from './units';
+import { unitsFor, unitsOfWords, type Scales } from './units';
 
 type Range = readonly [number, number];
 
@@ -448,10 +448,13 @@ export class Session {
     if (!location.hash.includes('units=')) this.suitUnits(this.machine.run?.length_scale);
   }
 
-  /// Units that suit a length scale [m]; of a machine whose scale is not known they are chosen when it is.
+  /// Units that the run asks for, else those that suit a length scale [m]; of a machine whose scale is not known they are chosen when it is.
   suitUnits(lengthScale: number | undefined): void {
     this.unitsAwaited = lengthScale === undefined;
-    if (lengthScale !== undefined) this.address.units = unitsFor(lengthScale, this.address.units);
+    if (lengthScale === undefined) return;
+    const { run } = this.machine;
+    const words = [run?.facts.find(({ name }) => name === 'units')?.value, run?.units].filter(Boolean).join(',');
+    this.address.units = { ...unitsFor(lengthScale, this.address.units), ...unitsOfWords(words) };
   }
 
   /// As it stands in the address of the page.
