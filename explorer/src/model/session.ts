@@ -448,7 +448,8 @@ export class Session {
     if (!location.hash.includes('units=')) this.suitUnits(this.machine.run?.length_scale);
   }
 
-  /// Units that the run asks for, else those that suit a length scale [m]; of a machine whose scale is not known they are chosen when it is.
+  /// Units that the run asks for, else those that suit a length scale [m]; of a machine whose scale is not known they
+  /// are chosen when it is.
   suitUnits(lengthScale: number | undefined): void {
     this.unitsAwaited = lengthScale === undefined;
     if (lengthScale === undefined) return;
