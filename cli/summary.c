@@ -9,6 +9,7 @@
 #include "phases.h"
 #include "summary_starts.h"
 #include "summary_tori.h"
+#include "whirl/shown.h"
 
 enum { LONGEST_LIST = 12, MAX_VERDICTS = WHIRL_MAX_PERIOD + 8, VERDICT_SIZE = 96 };
 
@@ -47,31 +48,48 @@ static void print_rubs(const whirl_result *result, const whirl_table *table, siz
     }
 }
 
-/// "largest radius: disc 1.154, journal 0.957 (in 0.2 mm)", in the unit that the case writes lengths in.
+/// The unit of lengths: the one that the case asks for, else the one that it writes them in.
+static whirl_unit length_unit(const whirl_shown_units *units) {
+    return units->size.size > 0.0 ? units->size : whirl_result_length_unit(units->result);
+}
+
+static whirl_shown_units shown_units(const whirl_result *result) {
+    whirl_shown_units units;
+    whirl_result_shown_units(result, NULL, &units); // what a file says that is no unit chooses nothing
+    return units;
+}
+
+/// "largest radius: disc 1.154, journal 0.957 (in 0.2 mm)", or "disc 231, journal 191 µm" where the case asks for a
+/// unit.
 static void print_radii(const whirl_result *result, const whirl_table *table, size_t point) {
     if (!whirl_layout_field(&table->layout, "orbit/max_radius")) return;
+    const whirl_shown_units units = shown_units(result);
+    const whirl_unit unit = length_unit(&units);
+    const double scale = whirl_result_length_scale(result, table, point),
+                 size = units.size.size > 0.0 ? scale / unit.size : 1.0;
     fputs("  largest radius:", stdout);
     for (size_t i = 0; i < result->station_count; i++)
         printf("%s %s %.4g", i ? "," : "", result->stations[i].name,
-               whirl_table_number(table, point, "orbit/max_radius", i));
-    const whirl_unit unit = whirl_result_length_unit(result);
-    if (result->length_scale == unit.size)
+               size * whirl_table_number(table, point, "orbit/max_radius", i));
+    if (size != 1.0 || scale == unit.size)
         printf(" %s\n", unit.name);
     else
-        printf(" (in %.6g %s)\n", result->length_scale / unit.size, unit.name);
+        printf(" (in %.6g %s)\n", scale / unit.size, unit.name);
 }
 
-/// "at 1X: disc x 0.0225 mm lag 86.6 deg, y 0.0193 mm lag 128 deg", a line a station; phases as whirl_synchronous has
-/// them.
+/// "at 1X: disc x 0.0225 mm 0-p lag 86.6 deg, y 0.0193 mm 0-p lag 128 deg", a line a station; phases as
+/// whirl_synchronous has them.
 static void print_synchronous(const whirl_result *result, const whirl_table *table, size_t point) {
-    const whirl_unit unit = whirl_result_length_unit(result);
-    const double size = result->length_scale / unit.size;
+    const whirl_shown_units units = shown_units(result);
+    const whirl_unit unit = length_unit(&units);
+    const double size = units.amplitude * whirl_result_length_scale(result, table, point) / unit.size;
+    const char *way = units.amplitude_name;
     for (size_t i = 0; i < result->station_count; i++) {
         const double *amplitude = whirl_table_field(table, point, "spectrum/synchronous", i);
         const double *lag = whirl_table_field(table, point, "spectrum/synchronous_lag", i);
         if (!amplitude || !lag || !isfinite(lag[0]) || !isfinite(lag[1])) continue;
-        printf("  at 1X: %s x %.4g %s lag %.1f deg, y %.4g %s lag %.1f deg\n", result->stations[i].name,
-               size * amplitude[0], unit.name, lag[0], size * amplitude[1], unit.name, lag[1]);
+        printf("  at 1X: %s x %.4g %s %s lag %.1f deg, y %.4g %s %s lag %.1f deg\n", result->stations[i].name,
+               size * amplitude[0], unit.name, way, lag[0], size * amplitude[1], unit.name, way, lag[1]);
     }
 }
 
@@ -184,7 +202,8 @@ static void print_critical(const whirl_result *result, const whirl_table *table)
 
 /// The largest response of every station, and where.
 static void print_peaks(const whirl_result *result, const whirl_table *table) {
-    const whirl_unit unit = whirl_result_unit(result, table->parameter), length = whirl_result_length_unit(result);
+    const whirl_shown_units units = shown_units(result);
+    const whirl_unit unit = whirl_shown_parameter(&units, table->parameter), length = length_unit(&units);
     for (size_t station = 0; station < result->station_count; station++) {
         double largest = 0.0;
         size_t where = 0;
@@ -194,8 +213,9 @@ static void print_peaks(const whirl_result *result, const whirl_table *table) {
             largest = axes[0];
             where = point;
         }
-        printf("  %s: largest response %.4g %s", result->stations[station].name,
-               largest * whirl_result_length_scale(result, table, where) / length.size, length.name);
+        printf("  %s: largest response %.4g %s %s", result->stations[station].name,
+               units.amplitude * largest * whirl_result_length_scale(result, table, where) / length.size, length.name,
+               units.amplitude_name);
         if (table->parameter[0])
             printf(" at %.6g%s%s", table->values[where] / unit.size, *unit.name ? " " : "", unit.name);
         putchar('\n');

@@ -192,6 +192,7 @@ export class App {
         session.address.parameter === stored ||
         session.map?.axis(session.address.parameter) !== undefined);
     if (early) session.openParameter();
+    session.openStored();
     if (session.atRest) session.address.b = undefined;
     if (session.engine && !session.original && !session.atRest) {
       const outcome = await session.engine.describe(
@@ -272,7 +273,7 @@ export class App {
 
   private want(side: SideModel, settled: boolean): void {
     const { session } = this;
-    if (session.atRest) return;
+    if (session.atRest || (settled && session.needsNothing(side))) return;
     const orbit = session.orbitOf(side.choice);
     if (orbit) {
       side.wantOrbit(session.orbitRequest(orbit));

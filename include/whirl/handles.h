@@ -91,7 +91,7 @@ double whirl_result_shown_unit(const whirl_result *result, const char *parameter
 /// most `size` bytes. Sets `*over` where that is the symbol of a length which they are divided by ("x / c").
 double whirl_result_shown_length(const whirl_result *result, char *name, size_t size, bool *over);
 
-/// What amplitudes, which results hold zero to peak, are multiplied by besides, and how they are counted ("p-p", ""
+/// What amplitudes, which results hold zero to peak, are multiplied by besides, and how they are counted ("p-p", "0-p"
 /// where nobody asked).
 double whirl_result_shown_amplitude(const whirl_result *result, char *name, size_t size);
 

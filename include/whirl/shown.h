@@ -22,7 +22,7 @@ typedef struct whirl_shown_units {
     char length_name[2 * WHIRL_NAME_SIZE]; ///< "um" shown, or the symbol of the scale that they are given over
     bool ratio;                            ///< they are given over a scale: "x / c", not "x (mm)"
     double amplitude;                      ///< times what the result holds, zero to peak; `length` not included
-    const char *amplitude_name;            ///< "p-p"; "" where nobody asked and zero to peak is meant; static
+    const char *amplitude_name;            ///< "p-p"; "0-p" where nobody asked; static
     double frequency;                      ///< size of the unit of frequencies in Hz; 0: orders of the running speed
     const char *frequency_name;            ///< static
 } whirl_shown_units;

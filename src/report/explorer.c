@@ -1,4 +1,4 @@
-#include "whirl/report.h"
+#include "explorer.h"
 
 #include <errno.h>
 #include <math.h>
@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "machine_at.h"
 #include "regimes.h"
 #include "report_file.h"
 #include "script_data.h"
@@ -21,7 +22,8 @@ enum {
     MOST_CELLS = 1 << 20,
     MOST_CELLS_IN_FULL = 1 << 14,
     MOST_SECTION = 1 << 20,
-    LEAST_ROWS = 8, ///< of the section of such a map, else it has none
+    LEAST_ROWS = 8,   ///< of the section of such a map, else it has none
+    MOST_ROWS = 4096, ///< of a field of the motion that is told in full
     MOST_AT_REST = 1 << 22,
     MOST_NUMBERED = 127, ///< attractors that the page tells apart
     MOST_NODES = 1 << 20,
@@ -134,8 +136,10 @@ static void write_facts(FILE *stream, const whirl_result *result) {
 typedef struct selection {
     const whirl_table *table;
     size_t stride, count;
+    size_t first; ///< below `stride`
     bool sections, resting;
-    bool lean; ///< a map that is not told in full
+    bool lean;  ///< a map that is not told in full
+    bool whole; ///< all fields, with all of their rows
 } selection;
 
 /// The first chosen point from one on; the table's count where there is none.
@@ -146,7 +150,7 @@ static size_t chosen_from(const selection *chosen, size_t point) {
         const size_t column = table->row ? slot % table->row : point;
         const size_t row = table->row ? slot / table->row % whirl_table_rows(table) : 0;
         if (table->row && !whirl_table_done(table, point)) continue;
-        if (column % chosen->stride == 0 && row % chosen->stride == 0) break;
+        if (column % chosen->stride == chosen->first && row % chosen->stride == 0) break;
     }
     return point;
 }
@@ -394,7 +398,15 @@ static bool is_looked_at_most(const whirl_field *field) {
     return false;
 }
 
+/// Of a section the last rows, of a spectrum the lowest orders.
+static kept_part whole_part_of(const whirl_field *field) {
+    const size_t rows = field->rows < MOST_ROWS ? field->rows : MOST_ROWS;
+    const bool section = strcmp(field->name, "poincare/section") == 0;
+    return (kept_part){section ? field->rows - rows : 0, rows, field->columns};
+}
+
 static kept_part part_of(const whirl_field *field, const selection *chosen) {
+    if (chosen->whole) return whole_part_of(field);
     const bool section = strcmp(field->name, "poincare/section") == 0 && chosen->count <= MOST_SECTION / LEAST_ROWS;
     if (chosen->lean && !section && !is_looked_at_most(field)) return (kept_part){0};
     if (field->rows == 1 || chosen->resting) return (kept_part){0, field->rows, field->columns};
@@ -539,7 +551,84 @@ static bool write_table(FILE *stream, const whirl_table *table, bool sections) {
     return well;
 }
 
-static bool write_run(FILE *stream, const whirl_result *result, const char *name) {
+// ---------------------------------------------------------------- where the page opens
+
+static bool is_sure(const whirl_table *table, size_t point) {
+    const whirl_verdict verdict = whirl_table_verdict(table, point);
+    return verdict.regime != WHIRL_UNDETERMINED && verdict.confidence != WHIRL_LOW;
+}
+
+/// The nearest point, or the nearest one of which the run is sure; the table's count where there is none.
+static size_t nearest_point(const whirl_table *table, double wanted, bool sure) {
+    size_t best = table->count;
+    for (size_t p = 0; p < table->count; p++) {
+        if (!whirl_table_done(table, p) || (sure && !is_sure(table, p))) continue;
+        if (best == table->count || fabs(table->values[p] - wanted) < fabs(table->values[best] - wanted)) best = p;
+    }
+    return best;
+}
+
+/// The point that is shown first: what the case looks at closely, else the middle of its sweep, or the nearest of which
+/// the run is sure where there is one. NULL where nothing is done.
+static const whirl_table *find_opening(const whirl_result *result, size_t *point) {
+    const whirl_table *diagram = &result->tables[0], *table = diagram;
+    *point = 0;
+    if (result->table_count == 0 || diagram->count == 0 || diagram->row > 0 ||
+        !whirl_layout_has_verdict(&diagram->layout))
+        return NULL;
+    if (!*diagram->parameter) return whirl_table_done(diagram, 0) ? diagram : NULL;
+    double wanted = 0.5 * (diagram->values[0] + diagram->values[diagram->count - 1]);
+    for (size_t t = 1; t < result->table_count && table == diagram; t++)
+        if (strcmp(result->tables[t].name, "detail") == 0 &&
+            strcmp(result->tables[t].parameter, diagram->parameter) == 0)
+            table = &result->tables[t];
+    if (table != diagram) wanted = table->values[0];
+    *point = nearest_point(table, wanted, true);
+    if (*point == table->count) *point = nearest_point(table = diagram, wanted, true);
+    if (*point == table->count) *point = nearest_point(table, wanted, false);
+    return *point < table->count ? table : NULL;
+}
+
+static void write_verdict(FILE *stream, const whirl_verdict *verdict) {
+    char name[WHIRL_NAME_SIZE], text[WHIRL_MESSAGE_SIZE];
+    whirl_verdict_name(verdict, name, sizeof name);
+    text_member(stream, '{', "regime", whirl_regime_name(verdict->regime));
+    text_member(stream, ',', "name", name);
+    whirl_verdict_reason(verdict, text, sizeof text);
+    text_member(stream, ',', "reason", text);
+    whirl_verdict_advice(verdict, text, sizeof text);
+    text_member(stream, ',', "advice", text);
+    text_member(stream, ',', "confidence", whirl_confidence_name(verdict->confidence));
+    fprintf(stream, ",\"period\":%d,\"curves\":%d", verdict->period, verdict->curves);
+    number_member(stream, ',', "exponent", verdict->exponent.value);
+    number_member(stream, ',', "exponentError", verdict->exponent.error);
+    fputc('}', stream);
+}
+
+/// All that the run knows of the motion where the page opens, so that it is seen before anything is computed.
+static void write_opening(FILE *stream, const whirl_result *result) {
+    size_t point;
+    const whirl_table *table = find_opening(result, &point);
+    if (!table) return;
+    const selection chosen = {.table = table, .stride = table->count, .first = point, .count = 1, .whole = true};
+    const whirl_verdict verdict = whirl_table_verdict(table, point);
+    whirl_case *machine = machine_of(result);
+    member(stream, ',', "opening");
+    text_member(stream, '{', "parameter", table->parameter);
+    number_member(stream, ',', "value", *table->parameter ? table->values[point] : (double)NAN);
+    number_member(stream, ',', "speed", machine_clock(machine, result, table, point));
+    number_member(stream, ',', "length_scale", whirl_result_length_scale(result, table, point));
+    text_member(stream, ',', "keyphasor", whirl_result_keyphasor(result));
+    script_members(stream, whirl_integrate_members(), &table->integrate);
+    script_members(stream, whirl_record_members(), &table->record);
+    member(stream, ',', "verdict");
+    write_verdict(stream, &verdict);
+    write_fields(stream, &chosen);
+    fputc('}', stream);
+    whirl_case_free(machine);
+}
+
+static bool write_run(FILE *stream, const whirl_result *result, const char *name, const char *units) {
     bool well = true;
     text_member(stream, '{', "name", name);
     text_member(stream, ',', "title", result->title);
@@ -551,33 +640,36 @@ static bool write_run(FILE *stream, const whirl_result *result, const char *name
     write_parameters(stream, result);
     write_stations(stream, result);
     write_facts(stream, result);
+    text_member(stream, ',', "units", units ? units : "");
     member(stream, ',', "tables");
     fputc('[', stream);
     for (size_t t = 0; t < result->table_count; t++) {
         if (t > 0) fputc(',', stream);
         well = write_table(stream, &result->tables[t], t == 0) && well;
     }
-    fputs("]}", stream);
+    fputc(']', stream);
+    write_opening(stream, result);
+    fputc('}', stream);
     return well;
 }
 
 /// The template up to `place`, the runs, and what follows the mark; false without memory.
 static bool write_page(FILE *stream, const char *page, const char *place, const whirl_result *const *results,
-                       const char *const *names, size_t count) {
+                       const char *const *names, size_t count, const char *units) {
     bool well = true;
     fwrite(page, 1, (size_t)(place - page), stream);
     fputc('[', stream);
     for (size_t r = 0; r < count; r++) {
         if (r > 0) fputs(",\n", stream);
-        well = write_run(stream, results[r], names[r]) && well;
+        well = write_run(stream, results[r], names[r], units) && well;
     }
     fputc(']', stream);
     fputs(place + strlen(mark), stream);
     return well;
 }
 
-whirl_status whirl_explorer_write(const char *template_path, const whirl_result *const *results,
-                                  const char *const *names, size_t count, const char *directory) {
+whirl_status explorer_write(const char *template_path, const whirl_result *const *results, const char *const *names,
+                            size_t count, const char *directory, const char *units) {
     char *page;
     whirl_status status = read_template(template_path, &page);
     if (status.code != WHIRL_OK) return status;
@@ -586,7 +678,7 @@ whirl_status whirl_explorer_write(const char *template_path, const whirl_result 
         report_file file = {0};
         status = report_file_open(&file, directory, "explorer.html");
         if (status.code == WHIRL_OK) {
-            const bool well = write_page(file.stream, page, place, results, names, count);
+            const bool well = write_page(file.stream, page, place, results, names, count, units);
             status = report_file_close(&file);
             if (!well) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the axes of a map");
         }
@@ -594,4 +686,9 @@ whirl_status whirl_explorer_write(const char *template_path, const whirl_result 
         status = unreadable(template_path, "has no place for results: it is no template of the explorer");
     free(page);
     return status;
+}
+
+whirl_status whirl_explorer_write(const char *template_path, const whirl_result *const *results,
+                                  const char *const *names, size_t count, const char *directory) {
+    return explorer_write(template_path, results, names, count, directory, NULL);
 }

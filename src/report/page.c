@@ -45,8 +45,9 @@ static void write_entry(FILE *stream, const char *anchor, size_t number, const c
 static bool has_figures(const page *to, size_t result, bool diagrams) {
     bool found = false;
     for (size_t i = 0; i < to->figures->count; i++)
-        found =
-            found || (to->figures->items[i].result == result && (to->figures->items[i].point == NO_POINT) == diagrams);
+        found = found ||
+                (to->figures->items[i].result == result && &to->figures->items[i] != page_main_figure(to, result) &&
+                 (to->figures->items[i].point == NO_POINT) == diagrams);
     return found;
 }
 
@@ -63,7 +64,6 @@ static void write_result_contents(const page *to, size_t r) {
     fprintf(to->stream, "<li><a href=\"#result-%zu\">", r + 1);
     html_text(to->stream, to->names[r]);
     fputs("</a>\n<ul>\n", to->stream);
-    write_entry(to->stream, "computed", r + 1, "What was computed");
     if (sweep && sweep->count > 0) write_entry(to->stream, "regimes", r + 1, "Regimes");
     if (whirl_result_table(result, "branch"))
         write_entry(to->stream, "branches", r + 1, "Where and why motions change");
@@ -74,6 +74,7 @@ static void write_result_contents(const page *to, size_t r) {
         write_entry(to->stream, "points", r + 1, "Points in detail");
     if (has_figures(to, r, true)) write_entry(to->stream, "diagrams", r + 1, page_diagrams_title(result));
     if (has_figures(to, r, false)) write_entry(to->stream, "motions", r + 1, "Single points");
+    write_entry(to->stream, "computed", r + 1, "What was computed");
     if (result->fact_count > 0) write_entry(to->stream, "provenance", r + 1, "Provenance");
     fputs("</ul></li>\n", to->stream);
 }
@@ -92,7 +93,7 @@ static void write_result(const page *to, size_t result) {
     fputs(" <span class=\"soft small\">", to->stream);
     html_text(to->stream, to->names[result]);
     fputs("</span></h2>\n", to->stream);
-    page_computed(to, result);
+    page_found(to, result);
     page_intervals(to, result);
     page_branches(to, result);
     page_tori(to, result);
@@ -102,6 +103,7 @@ static void write_result(const page *to, size_t result) {
     page_jumps(to, result);
     page_points(to, result);
     page_figures(to, result);
+    page_computed(to, result);
     page_provenance(to, result);
     fputs("</section>\n", to->stream);
 }

@@ -32,6 +32,7 @@ void page_write(const page *to);
 /// Sections.
 void page_style(FILE *stream);
 void page_claims(const page *to);                  ///< the table of claims and what was not reproduced
+void page_found(const page *to, size_t result);    ///< verdicts in numbers, and the main figure
 void page_computed(const page *to, size_t result); ///< what was computed, parameters
 void page_provenance(const page *to, size_t result);
 void page_intervals(const page *to, size_t result);          ///< regimes along the sweep
@@ -43,6 +44,8 @@ void page_attractors(const page *to, size_t result);         ///< of a basin
 void page_starts(const page *to, size_t result);             ///< attractors of places with several starts
 void page_points(const page *to, size_t result);             ///< the table of points
 const char *page_diagrams_title(const whirl_result *result); ///< what its diagrams over parameters are; static text
-void page_figures(const page *to, size_t result);
+void page_figures(const page *to, size_t result);            ///< all but the main one
+void page_figure(const page *to, const figure *what);
+const figure *page_main_figure(const page *to, size_t result); ///< that of its first diagram; NULL where it has none
 
 #endif

@@ -12,7 +12,7 @@ static void write_links(const page *to, const figure *what) {
     fputs("</span>", to->stream);
 }
 
-static void write_figure(const page *to, const figure *what) {
+void page_figure(const page *to, const figure *what) {
     const char *folder = to->folders[what->result];
     fputs("<figure>\n", to->stream);
     if (what->drawn) {
@@ -30,6 +30,13 @@ static void write_figure(const page *to, const figure *what) {
     fputs("</figcaption>\n</figure>\n", to->stream);
 }
 
+const figure *page_main_figure(const page *to, size_t index) {
+    for (size_t i = 0; i < to->figures->count; i++)
+        if (to->figures->items[i].result == index && to->figures->items[i].point == NO_POINT)
+            return &to->figures->items[i];
+    return NULL;
+}
+
 const char *page_diagrams_title(const whirl_result *result) {
     return whirl_result_table(result, "sweep")   ? "Bifurcation diagrams"
            : whirl_result_table(result, "map")   ? "Maps"
@@ -41,7 +48,7 @@ void page_figures(const page *to, size_t index) {
     bool points = false, diagrams = false;
     for (size_t i = 0; i < to->figures->count; i++) {
         const figure *what = &to->figures->items[i];
-        if (what->result != index) continue;
+        if (what->result != index || what == page_main_figure(to, index)) continue;
         if (what->point == NO_POINT) {
             if (!diagrams)
                 fprintf(to->stream, "<h3 id=\"diagrams-%zu\">%s</h3>\n<div class=\"pair\">\n", index + 1,
@@ -57,7 +64,7 @@ void page_figures(const page *to, size_t index) {
                         index + 1);
             points = true;
         }
-        write_figure(to, what);
+        page_figure(to, what);
     }
     if (points || diagrams) fputs("</div>\n", to->stream);
 }

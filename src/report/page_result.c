@@ -100,6 +100,29 @@ static void describe_points(const whirl_shown_units *units, const whirl_table *t
                                                                  : "");
 }
 
+/// Method, steps a revolution (or the tolerance that chooses them), transient and record, as far as a part has such: at
+/// rest no motion is followed, and along branches each orbit for itself.
+static void write_way(FILE *stream, const whirl_table *table) {
+    const whirl_integrate_options *how = &table->integrate;
+    const bool resting = whirl_analysis_is_resting(table->analyses), traced = whirl_analysis_is_traced(table->analyses);
+    fputs("<td>", stream);
+    html_text(stream, resting ? "linear, about rest" : how->method);
+    if (how->chosen && !resting) fputs(" (by auto)", stream);
+    if (traced) fputs(", followed by continuation", stream);
+    if (resting || traced) {
+        fputs("</td><td class=\"number\">\u2013</td><td class=\"number\">\u2013</td>"
+              "<td class=\"number\">\u2013</td>",
+              stream);
+        return;
+    }
+    if (whirl_method_is_adaptive(how->method))
+        fprintf(stream, "</td><td class=\"number\">tolerance %.0e</td>", how->rtol);
+    else
+        fprintf(stream, "</td><td class=\"number\">%d</td>", how->steps_per_revolution);
+    fprintf(stream, "<td class=\"number\">%d revolutions</td><td class=\"number\">%d revolutions</td>",
+            table->record.transient, table->record.record);
+}
+
 static void write_tables(FILE *stream, const whirl_result *result, const whirl_shown_units *units) {
     html_table(stream, "Parts of the study", "");
     fputs("<thead><tr><th>Part of the study</th><th>Points</th><th>Method</th>"
@@ -116,13 +139,9 @@ static void write_tables(FILE *stream, const whirl_result *result, const whirl_s
         html_text(stream, table->name);
         fputs("</th><td class=\"wide\">", stream);
         html_text(stream, points);
-        fputs("</td><td>", stream);
-        html_text(stream, table->integrate.method);
-        if (table->integrate.chosen) fputs(" (by auto)", stream);
-        fprintf(stream,
-                "</td><td class=\"number\">%d</td><td class=\"number\">%d revolutions</td>"
-                "<td class=\"number\">%d revolutions</td></tr>\n",
-                table->integrate.steps_per_revolution, table->record.transient, table->record.record);
+        fputs("</td>", stream);
+        write_way(stream, table);
+        fputs("</tr>\n", stream);
     }
     fputs("</tbody></table></div>\n", stream);
 }

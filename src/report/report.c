@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "explorer.h"
 #include "figures.h"
 #include "gnuplot.h"
 #include "machine_at.h"
@@ -131,7 +132,7 @@ static whirl_status make(report *made, const whirl_result *const *results, const
     if (options->claims) compare(made, results, count, options->claims);
     status = write_page(made, results, names, count, directory, options);
     if (status.code == WHIRL_OK && options->explorer)
-        status = whirl_explorer_write(options->explorer, results, names, count, directory);
+        status = explorer_write(options->explorer, results, names, count, directory, options->units);
     return status.code == WHIRL_OK ? drawn : status;
 }
 

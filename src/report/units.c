@@ -13,11 +13,8 @@ void units_length_label(const whirl_shown_units *units, const char *quantity, ch
 }
 
 void units_amplitude_label(const whirl_shown_units *units, const char *quantity, char *label, size_t size) {
-    const char *name = units->amplitude_name, *gap = *name ? " " : "";
-    if (units->ratio)
-        snprintf(label, size, *name ? "%s / %s (%s)" : "%s / %s%s", quantity, units->length_name, name);
-    else
-        snprintf(label, size, "%s (%s%s%s)", quantity, units->length_name, gap, name);
+    snprintf(label, size, units->ratio ? "%s / %s (%s)" : "%s (%s %s)", quantity, units->length_name,
+             units->amplitude_name);
 }
 
 void units_parameter_label(const whirl_shown_units *units, const char *name, char *label, size_t size) {

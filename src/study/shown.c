@@ -87,7 +87,7 @@ whirl_status whirl_result_shown_units(const whirl_result *result, const char *as
                                  .speed = chosen(choice.of[UNIT_SPEED]),
                                  .size = chosen(choice.of[UNIT_LENGTH]),
                                  .amplitude = amplitude ? amplitude->size : 1.0,
-                                 .amplitude_name = amplitude ? amplitude->shown : "",
+                                 .amplitude_name = amplitude ? amplitude->shown : "0-p",
                                  .frequency = frequency ? frequency->size : 0.0,
                                  .frequency_name = frequency ? frequency->shown : ""};
     choose_length(units, choice.of[UNIT_LENGTH]);

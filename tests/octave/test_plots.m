@@ -117,11 +117,11 @@ handle = whirl_plot_spectrum(result, 29);
 assert(tips(handle(1)), lines_of(:, [1 4]));
 assert(tips(handle(2)), [-lines_of(:, 1), lines_of(:, 5)]);
 assert(get(handle(1), 'ydata')(1:3:end)(:), zeros(size(lines_of, 1), 1));
-labels('order, backward below 0', 'amplitude of disc (m)');
+labels('order, backward below 0', 'amplitude of disc (m 0-p)');
 draw('spectrum.png');
 handle = whirl_plot_spectrum(result, 29, 'disc', 'full', false);
 assert(tips(handle), lines_of(:, 1:2));
-labels('order', 'amplitude of disc (m)');
+labels('order', 'amplitude of disc (m 0-p)');
 all_lines = reshape(sweep.spectrum.lines(:, 1, :, :), [], 5);
 at = repmat(sweep.values, size(sweep.spectrum.lines, 3), 1);
 expected = [all_lines(:, 1), at, all_lines(:, 4); -all_lines(:, 1), at, all_lines(:, 5)];
@@ -143,11 +143,11 @@ own = sprintf(['whirl: 1\nparameters: {speed: 600 rpm, c: 0.2 mm}\nrotor:\n  spe
   '  sweep: {parameter: speed, from: 600 rpm, to: 1200 rpm, points: 3}\n' ...
   '  integrate: {method: rk4, steps_per_revolution: 64, transient: 20, record: 10}\n' ...
   '  analyze: [poincare, spectrum]\n']);
-choices = {'', 'speed (rpm)', 'x of disc / c', 600, 1, 'amplitude of disc / c', 1
-  'mm', 'speed (rpm)', 'x of disc (mm)', 600, 0.2, 'amplitude of disc (mm)', 0.2
+choices = {'', 'speed (rpm)', 'x of disc / c', 600, 1, 'amplitude of disc / c (0-p)', 1
+  'mm', 'speed (rpm)', 'x of disc (mm)', 600, 0.2, 'amplitude of disc (mm 0-p)', 0.2
   'um, rad/s, p-p', 'speed (rad/s)', 'x of disc (µm)', 20 * pi, 200, 'amplitude of disc (µm p-p)', 400
   'scale, p-p', 'speed (rpm)', 'x of disc / c', 600, 1, 'amplitude of disc / c (p-p)', 2
-  'mil', 'speed (rpm)', 'x of disc (mil)', 600, 0.2e-3 / 25.4e-6, 'amplitude of disc (mil)', 0.2e-3 / 25.4e-6};
+  'mil', 'speed (rpm)', 'x of disc (mil)', 600, 0.2e-3 / 25.4e-6, 'amplitude of disc (mil 0-p)', 0.2e-3 / 25.4e-6};
 for choice = choices'
   text = own;
   if ~isempty(choice{1})

@@ -244,7 +244,7 @@ def test_machines_at_rest_are_drawn(tmp_path):
     speed, amplitude = above.get_lines()[0].get_data()
     turns = speed * rpm
     assert np.allclose(amplitude, 0.01 * turns**2 / np.abs(80e3 / 2 - turns**2), rtol=1e-9)  # e r^2/(1 - r^2), mm
-    assert above.get_ylabel() == "amplitude of disc (mm)" and below.get_ylabel() == "lag (degrees)"
+    assert above.get_ylabel() == "amplitude of disc (mm 0-p)" and below.get_ylabel() == "lag (degrees)"
 
 
 def test_a_waterfall_has_the_lines_of_all_spectra(good):

@@ -14,7 +14,7 @@ class Shown:
     length_unit: str
     length_over: bool  #: lengths stand over that unit, the symbol of a length: "x / c"
     amplitude: float  #: times amplitudes from zero to peak
-    amplitude_unit: str  #: "p-p", "" where nobody asked
+    amplitude_unit: str  #: "p-p", "0-p" where nobody asked
 
     def size(self, name):
         """What the unit of a parameter is in SI."""
@@ -41,5 +41,5 @@ class Shown:
 
     def amplitude_label(self, what):
         if self.length_over:
-            return f"{what} / {self.length_unit}" + (f" ({self.amplitude_unit})" if self.amplitude_unit else "")
-        return f"{what} ({f'{self.length_unit} {self.amplitude_unit}'.strip()})"
+            return f"{what} / {self.length_unit}" + f" ({self.amplitude_unit})"
+        return f"{what} ({self.length_unit} {self.amplitude_unit})"

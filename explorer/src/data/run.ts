@@ -1,5 +1,5 @@
 // The runs that `whirl report` put into the page (src/report/explorer.c writes them).
-import type { Field, StationInfo } from '../engine/protocol';
+import type { Field, StationInfo, Verdict } from '../engine/protocol';
 
 export interface StoredField extends Omit<Field, 'offset'> {
   /// float32, little-endian, base64: [repeat][columns][points][rows].
@@ -74,6 +74,26 @@ export interface StoredTable {
   readonly orbits?: string;
 }
 
+/// The motion that the page opens with, as its run has stored it.
+export interface StoredOpening {
+  /// "", and null, of a run of one point.
+  readonly parameter: string;
+  readonly value: number | null;
+  readonly speed: number;
+  readonly length_scale: number;
+  readonly keyphasor: string;
+  readonly method: string;
+  readonly method_chosen: boolean;
+  readonly steps_per_revolution: number;
+  readonly transient: number;
+  readonly record: number;
+  readonly watch: number;
+  readonly waveform_revolutions: number;
+  readonly verdict: Omit<Verdict, 'provisional' | 'divergedAt'>;
+  /// Of this one point.
+  readonly fields: readonly StoredField[];
+}
+
 export interface StoredParameter {
   readonly name: string;
   readonly unit: string;
@@ -93,6 +113,10 @@ export interface Run {
   readonly stations: readonly StationInfo[];
   readonly contacts: readonly string[];
   readonly facts: readonly { readonly name: string; readonly value: string }[];
+  /// That the report was asked for, "um, rpm, Hz, p-p"; they go before the fact "units", which is the case's.
+  readonly units: string;
+  /// Absent where no point may be shown first.
+  readonly opening?: StoredOpening;
   readonly tables: readonly StoredTable[];
 }
 

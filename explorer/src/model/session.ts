@@ -3,6 +3,7 @@
 import { Branches } from '../data/branches';
 import { Tori } from '../data/tori';
 import { Diagram } from '../data/diagram';
+import { isWhole, storedMotion } from '../data/opening';
 import type { OrbitOfBranch } from '../data/orbit';
 import { MapPlanes, type ParameterMap } from '../data/parameter_map';
 import { AtRest } from '../data/rest';
@@ -15,7 +16,7 @@ import { firstValue, plannedRange, sweptParameter } from './original';
 import { assignmentTexts, computationOptions, readAddress, type Address, type Side } from './setting';
 import { SideModel, troubleOf } from './side';
 import { howOf, Sights, type Sight } from './sights';
-import { unitsFor, type Scales } from './units';
+import { unitsFor, unitsOfWords, type Scales } from './units';
 
 type Range = readonly [number, number];
 
@@ -302,6 +303,8 @@ export class Session {
 
   /// Where the cursor begins.
   get firstValue(): number {
+    const opening = this.machine.run?.opening;
+    if (opening?.parameter && opening.parameter === this.address.parameter && !this.map) return opening.value!;
     return firstValue(this.original, this.address.parameter, this.whole);
   }
 
@@ -346,6 +349,29 @@ export class Session {
       [y.parameter, y.values[row]!],
     ]);
     this.enterPlane(a);
+  }
+
+  /// Shows the motion that the run has stored of where the page opens, unless another one is asked for.
+  openStored(): void {
+    const { run } = this.machine;
+    if (!run?.opening || this.atRest) return;
+    const { a } = this.sides;
+    if (run.opening.parameter && run.opening.parameter === this.address.parameter) this.chooseValue();
+    if (this.isOpening(a)) a.showStored(storedMotion(run, run.opening));
+  }
+
+  /// Whether a side is where the page opens, of the machine and by the method of the run.
+  private isOpening({ choice }: SideModel): boolean {
+    const { opening } = this.machine.run ?? {};
+    const own = choice.assignments.size === 0 && choice.orbit === undefined;
+    if (!opening || !own || Object.keys(this.address.computation).length > 0) return false;
+    if (!opening.parameter) return Number.isNaN(choice.value) || choice.value === this.ownValue(this.address.parameter);
+    return opening.parameter === this.address.parameter && choice.value === opening.value;
+  }
+
+  /// Whether what is stored of a side's motion is all that there is to show.
+  needsNothing(side: SideModel): boolean {
+    return side.stored && !side.busy && side.result !== undefined && isWhole(side.result) && this.isOpening(side);
   }
 
   /// Gives a side the third parameter of the plane that is shown, unless it has it.
@@ -422,10 +448,14 @@ export class Session {
     if (!location.hash.includes('units=')) this.suitUnits(this.machine.run?.length_scale);
   }
 
-  /// Units that suit a length scale [m]; of a machine whose scale is not known they are chosen when it is.
+  /// Units that the run asks for, else those that suit a length scale [m]; of a machine whose scale is not known they
+  /// are chosen when it is.
   suitUnits(lengthScale: number | undefined): void {
     this.unitsAwaited = lengthScale === undefined;
-    if (lengthScale !== undefined) this.address.units = unitsFor(lengthScale, this.address.units);
+    if (lengthScale === undefined) return;
+    const { run } = this.machine;
+    const words = [run?.facts.find(({ name }) => name === 'units')?.value, run?.units].filter(Boolean).join(',');
+    this.address.units = { ...unitsFor(lengthScale, this.address.units), ...unitsOfWords(words) };
   }
 
   /// As it stands in the address of the page.

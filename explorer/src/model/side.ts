@@ -17,6 +17,8 @@ export class SideModel {
   result: MotionResult | undefined;
   /// The result is of a shortened motion.
   preview = false;
+  /// The result is what the run has stored.
+  stored = false;
   /// What the result is of.
   resultOf: Side | undefined;
   trouble = '';
@@ -89,6 +91,14 @@ export class SideModel {
     this.listener.changed();
   }
 
+  /// Shows what the run has stored of the present choice.
+  showStored(result: MotionResult): void {
+    this.result = result;
+    this.resultOf = this.choice;
+    this.stored = true;
+    this.listener.changed();
+  }
+
   /// The engine is gone; what it has found stays.
   lose(): void {
     this.engine = this.live = undefined;
@@ -98,6 +108,7 @@ export class SideModel {
   forget(): void {
     this.live?.stop();
     this.result = undefined;
+    this.stored = false;
     this.info = undefined;
     this.resultOf = undefined;
     this.trouble = '';
@@ -110,6 +121,7 @@ export class SideModel {
       this.result = outcome.value;
       this.resultOf = wish.of;
       this.preview = wish.preview;
+      this.stored = false;
       this.outdated = this.bad;
     } else if (outcome.why !== 'stale') {
       this.trouble = troubleOf(outcome);

@@ -36,6 +36,23 @@ export function unitsFor(
     : { length: 'um', speed: 'rpm', frequency, amplitude };
 }
 
+/// What the words of a case or a report choose ("um, rpm, Hz, p-p"); of units that the page does not have the nearest.
+const WORDS: Readonly<Record<string, Partial<Units>>> = {
+  scale: { length: 'scale' },
+  ...Object.fromEntries(['m', 'mm', 'um'].map((word) => [word, { length: 'um' }])),
+  ...Object.fromEntries(['in', 'mil'].map((word) => [word, { length: 'mil' }])),
+  rpm: { speed: 'rpm' },
+  'rad/s': { speed: 'rad/s' },
+  order: { frequency: 'order' },
+  ...Object.fromEntries(['Hz', 'cpm'].map((word) => [word, { frequency: 'Hz' }])),
+  ...Object.fromEntries(['0-p', 'p-p', 'rms'].map((word) => [word, { amplitude: word }])),
+};
+
+/// Later words go before earlier ones.
+export function unitsOfWords(words: string): Partial<Units> {
+  return Object.assign({}, ...words.split(',').map((word) => WORDS[word.trim()])) as Partial<Units>;
+}
+
 export interface Measure {
   readonly factor: number;
   readonly unit: string;

@@ -219,11 +219,14 @@ export class Page {
   private howOf(side: SideModel, orbit: OrbitOfBranch | undefined): string {
     const { result, preview, choice } = side;
     if (!result) return orbit ? '' : this.storedVerdict(choice.value);
+    const { options } = result;
+    if (side.stored)
+      return `Stored by the run: ${options.transient} + ${options.record} revolutions, ${methodText(options)}`;
     const time = `${Math.round(result.seconds * 1000)} ms`;
     if (orbit) return `The orbit as the run has stored it, followed from its own states, ${time}`;
     return (
-      `${preview ? 'A quick look: ' : ''}${result.options.transient} + ${result.options.record} revolutions ` +
-      `by ${methodText(result.options)} of ${result.options.steps_per_revolution} steps, ${time}`
+      `${preview ? 'A quick look: ' : ''}${options.transient} + ${options.record} revolutions ` +
+      `by ${methodText(options)} of ${options.steps_per_revolution} steps, ${time}`
     );
   }
 

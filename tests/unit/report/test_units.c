@@ -31,7 +31,7 @@ static void lengths(void **state) {
     (void)state;
     whirl_result *result = sample_result();
     whirl_shown_units units = units_for(result, "");
-    assert_labels(&units, "x / c", "amplitude / c");
+    assert_labels(&units, "x / c", "amplitude / c (0-p)");
     units = units_for(result, "p-p");
     assert_labels(&units, "x / c", "amplitude / c (p-p)");
     assert_true(units.amplitude == 2.0);
@@ -42,10 +42,10 @@ static void lengths(void **state) {
     assert_true(fabs(units.length * 25.4e-6 - 200e-6) < 1e-18);
     result->parameter_count = 1; // the scale has no name any more
     units = units_for(result, "");
-    assert_labels(&units, "x (mm)", "amplitude (mm)");
+    assert_labels(&units, "x (mm)", "amplitude (mm 0-p)");
     assert_true(fabs(units.length - 0.2) < 1e-15);
     units = units_for(result, "scale");
-    assert_labels(&units, "x / (0.2 mm)", "amplitude / (0.2 mm)");
+    assert_labels(&units, "x / (0.2 mm)", "amplitude / (0.2 mm) (0-p)");
     whirl_result_free(result);
 }
 
@@ -61,7 +61,7 @@ static void who_asks(void **state) {
     assert_true(isnan(units_order(&units, (double)NAN)));
     assert_int_equal(whirl_result_add_fact(result, "units", "um, <b>").code, WHIRL_OK);
     units = units_for(result, "");
-    assert_labels(&units, "x / c", "amplitude / c");
+    assert_labels(&units, "x / c", "amplitude / c (0-p)");
     assert_true(isnan(units_order(&units, 100.0)));
     whirl_result_free(result);
 }
@@ -94,7 +94,7 @@ static void points_have_scales(void **state) {
     for (size_t i = 0; i < detail->count; i++)
         detail->length_scales[i] = detail->values[i] = 2e-4 + 1e-4 * (double)(i + 1);
     whirl_shown_units units = units_for(result, "um");
-    assert_labels(&units, "x (\u00b5m)", "amplitude (\u00b5m)");
+    assert_labels(&units, "x (\u00b5m)", "amplitude (\u00b5m 0-p)");
     assert_true(fabs(whirl_shown_length(&units, NULL, 0) - 200.0) < 1e-9);
     assert_true(fabs(whirl_shown_length(&units, &result->tables[0], 0) - 200.0) < 1e-9);
     assert_true(fabs(whirl_shown_length(&units, detail, 0) - 300.0) < 1e-9);
@@ -102,7 +102,7 @@ static void points_have_scales(void **state) {
     units_parameter_label(&units, "c", label, sizeof label);
     assert_string_equal(label, "c (\u00b5m)");
     units = units_for(result, "");
-    assert_labels(&units, "x / c", "amplitude / c");
+    assert_labels(&units, "x / c", "amplitude / c (0-p)");
     assert_true(whirl_shown_length(&units, detail, 0) == 1.0);
     detail->values[0] = 7e-4; // c varies by itself
     units = units_for(result, "");
