@@ -102,7 +102,12 @@ whirl_status whirl_user_system_set(whirl_user_system *system, const char *option
 /// A job of the system, as whirl_job_new gives one of a case.
 whirl_status whirl_job_of_user_system(const whirl_user_system *system, whirl_job **job);
 
-/// The result before any point is computed, for a journal (whirl_case_outline).
+/// Says what tells the functions of this system from others: a name and a version, or a checksum of their source. A
+/// journal goes on with the functions that it was begun with and with no others. WHIRL_BAD_INPUT for "".
+whirl_status whirl_user_system_identity(whirl_user_system *system, const char *identity);
+
+/// The result before any point is computed, for a journal (whirl_case_outline). WHIRL_BAD_INPUT where the system has no
+/// identity: a journal of other functions would pass for its own.
 whirl_status whirl_user_system_outline(const whirl_user_system *system, whirl_result **outline);
 
 #ifdef __cplusplus

@@ -144,7 +144,7 @@ static whirl_status describe(const whirl_user_system *system, whirl_result *resu
     result->station_count = system->station_count;
     for (size_t i = 0; i < system->axis_count && result->table_count > 0; i++)
         if (system->axes[i].parameter == system->speed) result->tables[0].clock_of = (int)i + 1;
-    status = whirl_result_add_fact(result, "system", "a function of the user's own");
+    status = user_add_equations(system, result);
     return status.code == WHIRL_OK ? whirl_result_add_provenance(result) : status;
 }
 
@@ -202,6 +202,9 @@ static whirl_status run(const void *subject, const whirl_run_options *options, w
 whirl_status whirl_user_system_outline(const whirl_user_system *system, whirl_result **outline) {
     prepared p;
     *outline = NULL;
+    if (!system->identity)
+        return whirl_fail(WHIRL_BAD_INPUT, "the system has no identity, by which a journal would know its functions "
+                                           "again, expected a name and a version (whirl_user_system_identity)");
     whirl_status status = prepare(system, &p);
     if (status.code == WHIRL_OK) {
         status = whirl_study_outline(&p.study, outline);

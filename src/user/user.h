@@ -29,6 +29,7 @@ typedef struct user_failure {
 
 struct whirl_user_system {
     char title[256];
+    char *identity; ///< of its functions; NULL: not known
     size_t dimension, displacements;
     double *start; ///< [dimension]
     size_t parameter_count, station_count, axis_count;
@@ -49,6 +50,9 @@ struct whirl_user_system {
     whirl_batch options; ///< of which whirl_batch_members alone count
     user_failure *failure;
 };
+
+/// Facts of a result that tell the equations from others.
+whirl_status user_add_equations(const whirl_user_system *system, whirl_result *result);
 
 /// The period of the system with these parameters [parameter_count]. WHIRL_BAD_INPUT where it is no number above 0.
 whirl_status user_period(const whirl_user_system *system, const double *parameters, double *period);

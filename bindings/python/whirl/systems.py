@@ -12,6 +12,7 @@ Such a system gets the analyses, verdicts, files and figures of a rotor.
 from __future__ import annotations
 
 import ctypes
+import hashlib
 import os
 import shlex
 import shutil
@@ -25,7 +26,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import errors
+from . import _identity, errors
 from ._library import check, ffi, lib, word_bytes
 from .running import compute
 
@@ -59,8 +60,10 @@ def signature(lanes: bool = False) -> Signature:
 class CFunction:
     """A function of C that was compiled from its text; see :func:`compile_c`."""
 
-    def __init__(self, library: ctypes.CDLL, name: str, folder: tempfile.TemporaryDirectory) -> None:
+    def __init__(self, library: ctypes.CDLL, name: str, folder: tempfile.TemporaryDirectory, identity: str) -> None:
         self._library, self._folder = library, folder  # both live as long as the function
+        #: a checksum of its text, of what that includes, of the compiler and its flags
+        self.identity = identity
         try:
             #: where it lies in memory
             self.address = ctypes.cast(getattr(library, name), ctypes.c_void_p).value
@@ -99,11 +102,17 @@ def compile_c(source: str, name: str = "rates", flags: Sequence[str] = ("-O3", "
     folder = tempfile.TemporaryDirectory(prefix="whirl-")
     text, library = Path(folder.name) / "system.c", Path(folder.name) / "system.so"
     text.write_text("#include <math.h>\n#include <stddef.h>\n#line 1\n" + source)
-    words = [*compiler, "-std=c17", "-shared", "-fPIC", *flags, str(text), "-o", str(library), "-lm"]
-    told = subprocess.run(words, capture_output=True, text=True)
-    if told.returncode != 0:
-        raise errors.BadInput(f"the C text does not compile:\n{told.stderr.strip()}")
-    return CFunction(ctypes.CDLL(str(library)), name, folder)
+
+    def compiled(*words):
+        told = subprocess.run([*compiler, *words], capture_output=True, text=True)
+        if told.returncode != 0:
+            raise errors.BadInput(f"the C text does not compile:\n{told.stderr.strip()}")
+        return told.stdout
+
+    compiled("-std=c17", "-shared", "-fPIC", *flags, str(text), "-o", str(library), "-lm")
+    parts = compiled("-std=c17", *flags, "-E", "-P", str(text)), compiled("--version"), repr((name, *flags))
+    identity = hashlib.sha256("\0".join(parts).encode()).hexdigest()
+    return CFunction(ctypes.CDLL(str(library)), name, folder, identity)
 
 
 def _count(number, what):
@@ -130,6 +139,19 @@ def _address(function):
     if isinstance(function, ffi.CData):
         return int(ffi.cast("intptr_t", function))
     return getattr(function, "address", None)
+
+
+def _identity_of(what, function):
+    """A checksum of a function, or what a user has to say in its place."""
+    try:
+        if isinstance(function, (int, ctypes._CFuncPtr, ffi.CData)):
+            raise _identity.Unknown("it is an address")
+        return getattr(function, "identity", None) or _identity.checksum(function)
+    except _identity.Unknown as reason:
+        raise errors.BadInput(
+            f"a journal could not tell {what} from other functions ({reason}), expected a name and version of what is "
+            'computed: System(..., identity="my rotor 1")'
+        ) from None
 
 
 class System:
@@ -166,6 +188,9 @@ class System:
         Of parameters, as UDUNITS has them.
     title : str
         For results.
+    identity : str, optional
+        A name and version of what ``rates`` and ``tangent`` compute, by which a journal tells them from others. Without
+        it: checksums of C texts, and of Python's functions with all that they close over.
     """
 
     def __init__(
@@ -183,6 +208,7 @@ class System:
         kinked: bool = False,
         units: Mapping[str, str] | None = None,
         title: str = "",
+        identity: str | None = None,
     ) -> None:
         if (speed is None) == (period is None):
             raise errors.BadInput("a system has a period, or a parameter that is its speed: give one of both")
@@ -192,6 +218,7 @@ class System:
         self.displacements = _count(displacements, "displacements")
         self.stations, self.kinked, self.title = dict(stations or {}), bool(kinked), str(title)
         self.units, self.rates, self.tangent = dict(units or {}), rates, tangent
+        self.identity = None if identity is None else str(identity)
         unknown = set(self.units) - set(self.parameters)
         if unknown:
             raise errors.BadInput(f"there is no parameter {sorted(unknown)[0]} that has a unit")
@@ -282,6 +309,14 @@ class System:
         check(lib.whirl_user_system_tangent(handle, ffi.cast("whirl_user_tangent_fn", tangent), ffi.NULL))
         return rates, tangent
 
+    def _known(self):
+        """What a journal knows the functions by."""
+        if self.identity is not None:
+            return self.identity
+        functions = {"rates": self.rates} | ({} if self.tangent is None else {"tangent": self.tangent})
+        parts = " ".join(_identity_of(what, function) for what, function in functions.items())
+        return f"{'lanes' if self.lanes else 'one machine'} {hashlib.sha256(parts.encode()).hexdigest()}"
+
     # ---------------------------------------------------------------- runs
 
     def _build(self, vary, analyze, options):
@@ -306,6 +341,8 @@ class System:
             check(lib.whirl_user_system_period(handle, float(self.period)))
         if self.kinked:
             check(lib.whirl_user_system_kinked(handle))
+        if self.identity is not None:
+            check(lib.whirl_user_system_identity(handle, word_bytes(self.identity)))
         for name, values in vary.items():
             values = np.ascontiguousarray(values, dtype=float).ravel()
             pointer = ffi.cast("double *", values.ctypes.data)
@@ -356,6 +393,8 @@ class System:
         if threads is None:
             threads = 1 if _address(self.rates) is None or (self.tangent and _address(self.tangent) is None) else 0
         handle, functions, raised = self._build(vary or {}, analyze, options)
+        if journal is not None:
+            check(lib.whirl_user_system_identity(handle, word_bytes(self._known())))
         try:
             return compute(
                 lambda out: lib.whirl_job_of_user_system(handle, out),

@@ -207,7 +207,12 @@ static void results_are_described(void **state) {
     assert_string_equal("Linear oscillator", whirl_result_title(result));
     assert_string_equal("1.3 rad/s", whirl_result_text(result, WHIRL_LIST_PARAMETERS, 0, "text"));
     assert_string_equal("state", whirl_result_name(result, WHIRL_LIST_STATIONS, 0));
+    refused(whirl_user_system_outline(system, &outline), "no identity, by which a journal would know its functions");
+    refused(whirl_user_system_identity(system, ""), "the identity of a system is empty");
+    good(whirl_user_system_identity(system, "oscillator 1"));
     good(whirl_user_system_outline(system, &outline));
+    assert_string_equal("oscillator 1", whirl_result_fact(outline, "equations"));
+    assert_string_equal("0.3, 0", whirl_result_fact(outline, "equations: start"));
     assert_true(outline->tables[0].count == SPEEDS && !outline->tables[0].blocks);
     assert_string_equal("Linear oscillator", whirl_result_title(outline));
     whirl_result_free(outline);
