@@ -81,8 +81,10 @@ whirl_status whirl_user_system_period(whirl_user_system *system, double period);
 /// ... or 2 pi over a parameter, the angular frequency of what forces the system.
 whirl_status whirl_user_system_speed(whirl_user_system *system, const char *parameter);
 
-/// Says that slopes have kinks (contacts, dry friction smoothed over a short way): the growth of disturbances then
-/// follows the derivative, for two motions side by side would be told apart by the lengths of their steps.
+/// Says that slopes have kinks (contacts of springs, dry friction smoothed over a short way): the growth of
+/// disturbances then follows the derivative, for two motions side by side would be told apart by the lengths of their
+/// steps. Slopes that jump (contacts with dampers) have none: where differences meet a jump of such a system, or of one
+/// whose exponents are asked for, the run ends with WHIRL_NUMERICAL_FAILURE, which says where.
 whirl_status whirl_user_system_kinked(whirl_user_system *system);
 
 /// Varies a parameter over values [count], which are copied: called once it makes a sweep, twice a map with the second

@@ -116,6 +116,7 @@ static whirl_status prepare(const whirl_user_system *system, prepared *p) {
     for (size_t i = 0; system->analyses == 0 && i < sizeof usual / sizeof *usual; i++)
         whirl_analysis_add(&batch->analyses, usual[i]);
     whirl_analysis_needs(batch->analyses, &batch->record);
+    p->system.smooth = system->kinked || batch->record.growth == WHIRL_GROWTH_ALL;
     p->study.batch_count = 1;
     p->study.machine = machine_at;
     p->study.family = &p->system;
@@ -171,7 +172,13 @@ static whirl_status restore_velocities(const whirl_user_system *system, whirl_ta
 /// What became of the functions: a result of slopes that failed is none.
 static whirl_status outcome(const whirl_user_system *system, whirl_status status, whirl_result **result) {
     const int code = atomic_load(&system->failure->code);
-    if (code != 0)
+    if (code == USER_JUMP)
+        status = whirl_fail(WHIRL_NUMERICAL_FAILURE,
+                            "slope %zu of the system jumps by %.3g at t = %.10g, expected slopes without jumps where "
+                            "the derivative is followed, as kinked systems, exponents and multipliers have it: leave "
+                            "these out (a damped contact is not kinked)",
+                            system->failure->slope, system->failure->jump, system->failure->time);
+    else if (code != 0)
         status = whirl_fail(WHIRL_NUMERICAL_FAILURE, "a function of the system gave %d at t = %.10g, expected 0", code,
                             atomic_load(&system->failure->told) ? system->failure->time : (double)NAN);
     if (*result && code == 0) {

@@ -370,3 +370,52 @@ def test_functions_that_cannot_be_known_again_need_a_name(tmp_path):
     with pytest.raises(whirl.BadInput, match="equations was 'a 1' and is 'a 2'"):
         gone_on(names[1], tmp_path / "journal", resume=True)
     gone_on(names[0], tmp_path / "journal", resume=True)
+
+
+# ---------------------------------------------------------------- contacts
+
+BOUNCE = """
+int rates(double t, const double *x, const double *p, double *dxdt, void *context) {
+    (void)context;
+    double h = 0.004 * cos(p[0] * t), speed = -0.004 * p[0] * sin(p[0] * t), force = 0;
+    if (x[0] < h) { force = 1e5 * (h - x[0]) + p[1] * (speed - x[1]); if (force < 0) force = 0; }
+    dxdt[0] = x[1];
+    dxdt[1] = force - 9.81;
+    return 0;
+}
+"""
+
+
+@compiler
+def test_kinked_jump():
+    """A mass that bounces on a floor that shakes. The section after a revolution is that of SciPy's DOP853 at 1e-12
+    with flight and contact integrated apart; a floor with a damper is no kink, and is refused as one by its place."""
+    slopes = compile_c(BOUNCE)
+
+    def section(damper, **more):
+        system = System(slopes, [0.05, 0], {"w": 55.0, "damper": damper}, speed="w", **more)
+        options = {"method": "dop853", "rtol": 1e-9, "transient": 0, "record": 4, "progress": False}
+        return system.response(**options)["response"]["poincare/section"][0, 0, 0]
+
+    assert np.abs(section(30.0)[:2] - [0.009919727, 1.000188879]).max() < 2e-8
+    assert np.abs(section(30.0, displacements=1)[[0, 2]] - [0.009919727, 1.000188879]).max() < 1e-7
+    for displacements in (0, 1):
+        with pytest.raises(whirl.NumericalFailure, match=r"slope 1 of the system jumps by 3\d.* at t = 0.0983.*damped"):
+            section(30.0, kinked=True, displacements=displacements)
+        spring = [section(0.0, kinked=kinked, displacements=displacements) for kinked in (False, True)]
+        assert np.abs(spring[0] - spring[1]).max() < 1e-6
+
+
+def test_motions_that_could_not_be_followed_are_said():
+    """Slopes that are another number at every call: no step is short enough."""
+
+    def system(rough):
+        calls = iter(range(1, 10**9))
+        return System(lambda t, x, p: [rough(p) * (-1) ** next(calls) * 1e20 - x[0]], [1], {"a": 1.0}, period=1.0)
+
+    options = {"method": "dop853", "transient": 2, "record": 3, "progress": False}
+    with pytest.raises(whirl.NumericalFailure, match="1 of 1 motions could not be followed"):
+        system(lambda p: 1.0).response(**options)
+    with pytest.warns(UserWarning, match="1 of 3 motions could not be followed"):
+        result = system(lambda p: p.a > 2.5).sweep("a", [1.0, 2.0, 3.0], **options)
+    assert np.isfinite(result["sweep"]["poincare/section"][:2]).all()

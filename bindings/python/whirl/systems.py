@@ -18,6 +18,7 @@ import shlex
 import shutil
 import subprocess
 import tempfile
+import warnings
 from collections import namedtuple
 from collections.abc import Callable, Mapping, Sequence
 from keyword import iskeyword
@@ -154,6 +155,28 @@ def _identity_of(what, function):
         ) from None
 
 
+def _followed(result):
+    """A result some motions of which have numbers; what could not be followed is said."""
+    for table in result.tables.values():
+        if "regime/diverged_at" in table:
+            lost = (table["regime/code"] == 0) & (table["regime/diverged_at"] > 0)
+        elif "poincare/section" in table:
+            section = table["poincare/section"]
+            lost = np.isnan(section).reshape(*table.shape, -1).all(axis=-1)
+        else:
+            continue
+        if not lost.any():
+            continue
+        words = (
+            f"{lost.sum()} of {lost.size} motions could not be followed: the solver went on in ever shorter steps, as it "
+            "does where slopes jump time and again, grow without bounds, or are rough or no numbers"
+        )
+        if lost.all():
+            raise errors.NumericalFailure(words)
+        warnings.warn(words, stacklevel=3)
+    return result
+
+
 class System:
     """A system dx/dt = f(t, x, p) with a period in t, which is called a revolution.
 
@@ -183,7 +206,8 @@ class System:
         The derivative of the slopes applied to a disturbance: ``f(t, x, p, dx)``, or compiled with one more pointer
         after p. Differences are taken without it.
     kinked : bool
-        Whether slopes have kinks (contacts, friction).
+        Whether slopes have kinks without jumps, as springs have that touch. Where slopes jump (a contact with a damper,
+        dry friction) it is not set: motions are right without it, and slopes that jump are refused with it.
     units : mapping of str to str, optional
         Of parameters, as UDUNITS has them.
     title : str
@@ -390,9 +414,12 @@ class System:
         BadInput, OutOfMemory, FileFailure, NumericalFailure
             With the library's sentence; what a Python callable raises comes through.
         """
+        return _followed(self._run(vary or {}, analyze, threads, progress, journal, resume, options))
+
+    def _run(self, vary, analyze, threads, progress, journal, resume, options):
         if threads is None:
             threads = 1 if _address(self.rates) is None or (self.tangent and _address(self.tangent) is None) else 0
-        handle, functions, raised = self._build(vary or {}, analyze, options)
+        handle, functions, raised = self._build(vary, analyze, options)
         if journal is not None:
             check(lib.whirl_user_system_identity(handle, word_bytes(self._known())))
         try:
