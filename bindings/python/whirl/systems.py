@@ -249,8 +249,9 @@ class System:
         for what, function in (("rates", rates), ("tangent", tangent)):
             if function is None and what == "tangent":
                 continue
-            wrong = isinstance(function, (bool, np.bool_)) or _address(function) == 0
-            if wrong or (_address(function) is None and not callable(function)):
+            address = _address(function)
+            wrong = isinstance(function, (bool, np.bool_)) or not 0 < (1 if address is None else address) < 1 << 64
+            if wrong or (address is None and not callable(function)):
                 raise errors.BadInput(f"{what} is {function!r}, expected a function")
         for name in self.parameters if _address(rates) is None else ():
             if iskeyword(name) or name.startswith("_") or not name.isidentifier():
