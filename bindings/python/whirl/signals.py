@@ -265,8 +265,8 @@ def check_pulses(pulses: ArrayLike) -> None:
         ratio, after = gaps[bad[0]] / usual[bad[0]], bad[0] + 1
         raise BadInput(
             f"pulse {after}, at {pulses[after]:.6g}, comes {ratio:.3g} of the usual revolution after the one before: "
-            f"{'pulses were missed' if ratio > 1 else 'one of them is false'}, expected one a revolution: see threshold, "
-            "hysteresis and edge, or say uneven=True where the shaft did turn so"
+            f"{'pulses were missed' if ratio > 1 else 'one of them is false'}, expected one a revolution: see "
+            "threshold, hysteresis and edge, or say uneven=True where the shaft did turn so"
         )
 
 

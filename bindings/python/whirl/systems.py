@@ -168,8 +168,8 @@ def _followed(result):
         if not lost.any():
             continue
         words = (
-            f"{lost.sum()} of {lost.size} motions could not be followed: the solver went on in ever shorter steps, as it "
-            "does where slopes jump time and again, grow without bounds, or are rough or no numbers"
+            f"{lost.sum()} of {lost.size} motions could not be followed: the solver went on in ever shorter steps, as "
+            "it does where slopes jump time and again, grow without bounds, or are rough or no numbers"
         )
         if lost.all():
             raise errors.NumericalFailure(words)
