@@ -10,6 +10,9 @@
 ///     whirl_case_run(object, &options, &result);
 ///     whirl_result_write(result, "paper.h5");  whirl_result_verify(result, "paper.h5");
 ///     whirl_journal_remove(journal);                                  or whirl_journal_close
+///
+/// The outline of a study that no case describes has to say what tells its machines from others: the fact "equations"
+/// (whirl_result_add_fact).
 #ifndef WHIRL_JOURNAL_H
 #define WHIRL_JOURNAL_H
 

@@ -81,8 +81,10 @@ whirl_status whirl_user_system_period(whirl_user_system *system, double period);
 /// ... or 2 pi over a parameter, the angular frequency of what forces the system.
 whirl_status whirl_user_system_speed(whirl_user_system *system, const char *parameter);
 
-/// Says that slopes have kinks (contacts, dry friction smoothed over a short way): the growth of disturbances then
-/// follows the derivative, for two motions side by side would be told apart by the lengths of their steps.
+/// Says that slopes have kinks (contacts of springs, dry friction smoothed over a short way): the growth of
+/// disturbances then follows the derivative, for two motions side by side would be told apart by the lengths of their
+/// steps. Slopes that jump (contacts with dampers) have none: where differences meet a jump of such a system, or of one
+/// whose exponents are asked for, the run ends with WHIRL_NUMERICAL_FAILURE, which says where.
 whirl_status whirl_user_system_kinked(whirl_user_system *system);
 
 /// Varies a parameter over values [count], which are copied: called once it makes a sweep, twice a map with the second
@@ -102,7 +104,12 @@ whirl_status whirl_user_system_set(whirl_user_system *system, const char *option
 /// A job of the system, as whirl_job_new gives one of a case.
 whirl_status whirl_job_of_user_system(const whirl_user_system *system, whirl_job **job);
 
-/// The result before any point is computed, for a journal (whirl_case_outline).
+/// Says what tells the functions of this system from others: a name and a version, or a checksum of their source. A
+/// journal goes on with the functions that it was begun with and with no others. WHIRL_BAD_INPUT for "".
+whirl_status whirl_user_system_identity(whirl_user_system *system, const char *identity);
+
+/// The result before any point is computed, for a journal (whirl_case_outline). WHIRL_BAD_INPUT where the system has no
+/// identity: a journal of other functions would pass for its own.
 whirl_status whirl_user_system_outline(const whirl_user_system *system, whirl_result **outline);
 
 #ifdef __cplusplus

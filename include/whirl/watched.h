@@ -17,7 +17,7 @@ typedef enum whirl_fold {
 
 /// X(array, extent, columns, fold, square, name, unit, meaning): an array [stations or contacts][columns] and its
 /// field, with name, unit and meaning as whirl_field has them; square: instants give squares, whose root is taken in
-/// the end.
+/// the end, of the largest or the smallest: no sum or mean has it.
 #define WHIRL_WATCHED_OF_STATIONS(X)                                                                                   \
     X(max_radius, WHIRL_PER_STATION, 1, WHIRL_LARGEST, true, "max_radius", "length",                                   \
       "largest distance from the centre")                                                                              \

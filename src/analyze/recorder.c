@@ -419,6 +419,14 @@ static void close_orbit(const whirl_recorder *r, const motion *m) {
     record_repeat_orbit(m->record, r->options);
 }
 
+// Ensembles give roots of what they have folded, and the root of a sum is no mean of roots: what instants give as
+// squares has to be the largest or the smallest of them.
+#define NO_SUM_OF_SQUARES(array, extent, columns, fold, square, ...)                                                   \
+    _Static_assert(!(square) || (fold) == WHIRL_LARGEST || (fold) == WHIRL_SMALLEST,                                   \
+                   #array " is a mean or sum of squares, which no record closes");
+WHIRL_WATCHED(NO_SUM_OF_SQUARES)
+#undef NO_SUM_OF_SQUARES
+
 static void close_record(const whirl_recorder *r, const motion *m) {
     whirl_record *record = m->record;
 #define SEEN(array, ...) .array = record->array,

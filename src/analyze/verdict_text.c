@@ -113,10 +113,12 @@ static void undetermined_reason(const whirl_verdict *v, const char *exponent, ch
                  "to %.1f digits, %s",
                  unreturned, v->regularity, exponent);
     } else {
+        char chaos[32] = ""; // which is not known of few points
+        if (!isnan(v->chaos)) snprintf(chaos, sizeof chaos, "0-1 test %.2f, ", v->chaos);
         snprintf(text, size,
                  "the evidence is not clear: best return %.1e of its size, averages of two halves agree to %.1f "
-                 "digits, 0-1 test %.2f, %s",
-                 v->recurrence, v->regularity, v->chaos, exponent);
+                 "digits, %s%s",
+                 v->recurrence, v->regularity, chaos, exponent);
     }
 }
 

@@ -40,11 +40,16 @@ static void put_parameters(FILE *out, const whirl_result *outline) {
     }
 }
 
-/// What a run may spend on points in doubt decides which of them are done again.
-static void put_budget(FILE *out, const whirl_result *outline) {
-    for (size_t i = 0; i < outline->fact_count; ++i)
-        if (strcmp(outline->facts[i].name, "refine") == 0)
-            fprintf(out, "budget of refinement\t%s\n", outline->facts[i].value);
+/// What a run may spend on points in doubt decides which of them are done again; equations of a user's own are told by
+/// facts alone.
+static void put_facts(FILE *out, const whirl_result *outline) {
+    for (size_t i = 0; i < outline->fact_count; ++i) {
+        const whirl_fact *fact = &outline->facts[i];
+        if (strcmp(fact->name, "refine") == 0)
+            fprintf(out, "budget of refinement\t%s\n", fact->value);
+        else if (strncmp(fact->name, "equations", strlen("equations")) == 0)
+            fprintf(out, "%s\t%s\n", fact->name, fact->value);
+    }
 }
 
 /// Which points a refined map has follows from what was found: the corners of its first squares tell what it is of.
@@ -136,7 +141,7 @@ whirl_status identity_text(const whirl_result *outline, bool build, char **text,
     if (!out) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the text of a case");
     put_case(out, outline->case_text ? outline->case_text : "");
     put_parameters(out, outline);
-    put_budget(out, outline);
+    put_facts(out, outline);
     for (size_t i = 0; i < outline->station_count; ++i)
         fprintf(out, "station %zu\t%s\n", i + 1, outline->stations[i].name);
     for (size_t i = 0; i < outline->table_count; ++i) {

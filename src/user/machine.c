@@ -90,12 +90,15 @@ static void to_own(const member *own, const double *x, double *out) {
     for (size_t k = 0; k < own->from->dimension; k++) out[k] = is_velocity(own->from, k) ? x[k] / own->scale : x[k];
 }
 
-static bool own_slopes(const member *own, double t, const double *x, double *slopes) {
-    const whirl_user_system *from = own->from;
+static bool slopes_at(const whirl_user_system *from, double t, const double *x, const double *p, double *slopes) {
     if (atomic_load(&from->failure->code) != 0) return false;
-    const int code = from->lanes ? from->lanes(1, 1, &t, x, own->parameters, slopes, from->context)
-                                 : from->rates(t, x, own->parameters, slopes, from->context);
+    const int code =
+        from->lanes ? from->lanes(1, 1, &t, x, p, slopes, from->context) : from->rates(t, x, p, slopes, from->context);
     return note(from, code, t);
+}
+
+static bool own_slopes(const member *own, double t, const double *x, double *slopes) {
+    return slopes_at(own->from, t, x, own->parameters, slopes);
 }
 
 static void rhs(const void *model, double s, const double *forcing, const double *x, double *dxdt) {
@@ -119,6 +122,50 @@ static double difference_step(double size, double length) {
     return length > 0.0 ? 6.06e-6 * fmax(size, 1e-3) / length : 1.0;
 }
 
+// ---------------------------------------------------------------- slopes that jump
+
+enum { HALVINGS = 20 };
+
+/// Which of the slopes differ most in two states, and by how much.
+static double largest_change(size_t n, const double *lower, const double *upper, size_t *which) {
+    double most = 0.0;
+    for (size_t k = 0; k < n; k++)
+        if (fabs(upper[k] - lower[k]) > most) most = fabs(upper[k] - lower[k]), *which = k;
+    return most;
+}
+
+/// Whether the slopes jump between x - step d and x + step d, where they are `lower` and `upper`: their change is
+/// followed into halves, a millionth of the way apart in the end. That of slopes that are continuous goes with it. No
+/// derivative tells what such a jump does to a disturbance.
+static bool jumps(const whirl_user_system *from, double t, const double *p, const double *x, const double *d,
+                  double step, const double *lower, const double *upper) {
+    double ends[2][USER_MOST_STATES], between[USER_MOST_STATES], place[USER_MOST_STATES], low = -step, high = step;
+    const size_t n = from->dimension;
+    size_t which = 0;
+    const double all = from->smooth ? largest_change(n, lower, upper, &which) : 0.0;
+    if (!(all > 0.01 * length_of(upper, n)) || !isfinite(all)) return false;
+    memcpy(ends[0], lower, n * sizeof *lower);
+    memcpy(ends[1], upper, n * sizeof *upper);
+    for (int i = 0; i < HALVINGS; i++) {
+        const double middle = 0.5 * (low + high);
+        size_t first, second;
+        for (size_t k = 0; k < n; k++) place[k] = x[k] + middle * d[k];
+        if (!slopes_at(from, t, place, p, between)) return false;
+        const bool above = largest_change(n, between, ends[1], &second) > largest_change(n, ends[0], between, &first);
+        *(above ? &low : &high) = middle;
+        memcpy(ends[above ? 0 : 1], between, n * sizeof *between);
+    }
+    const double left = largest_change(n, ends[0], ends[1], &which);
+    if (!(left > 0.25 * all)) return false;
+    int expected = 0;
+    if (atomic_compare_exchange_strong(&from->failure->code, &expected, USER_JUMP)) {
+        from->failure->time = t;
+        from->failure->slope = which;
+        from->failure->jump = left;
+    }
+    return true;
+}
+
 /// The derivative along d, both in the user's own units, by differences to both sides.
 static bool own_difference(const member *own, double t, const double *x, const double *d, double *out) {
     double beside[USER_MOST_STATES], lower[USER_MOST_STATES];
@@ -128,6 +175,7 @@ static bool own_difference(const member *own, double t, const double *x, const d
     if (!own_slopes(own, t, beside, lower)) return false;
     for (size_t k = 0; k < n; k++) beside[k] = x[k] + step * d[k];
     if (!own_slopes(own, t, beside, out)) return false;
+    if (jumps(own->from, t, own->parameters, x, d, step, lower, out)) return false;
     for (size_t k = 0; k < n; k++) out[k] = (out[k] - lower[k]) / (2.0 * step);
     return true;
 }
@@ -208,6 +256,21 @@ static void put_slopes(const part *p, size_t set, double sign, const double *fac
     }
 }
 
+/// Whether the slopes of lane i jump between the states on both sides of its own, where they are `lower` and the
+/// block's.
+static void look_for_jump(const part *p, size_t set, const block *b, size_t i, double step, const double *lower) {
+    double x[MOST_IN_LANES], d[MOST_IN_LANES], q[USER_MOST_PARAMETERS], below[MOST_IN_LANES], above[MOST_IN_LANES];
+    for (size_t k = 0; k < p->from->dimension; k++) {
+        const double unit = is_velocity(p->from, k) ? 1.0 / b->scale[i] : 1.0;
+        x[k] = coordinate(p, 0, k)[i] * unit;
+        d[k] = coordinate(p, set, k)[i] * unit;
+        below[k] = lower[k * b->row + i];
+        above[k] = b->slopes[k * b->row + i];
+    }
+    for (size_t k = 0; k < p->from->parameter_count; k++) q[k] = b->p[k * b->row + i];
+    jumps(p->from, b->t[i], q, x, d, step, below, above);
+}
+
 /// The derivative along a disturbance by differences, lane by lane with a step of its own.
 static void flow_beside(const part *p, size_t set, block *b) {
     double step[MOST_LANES], half[MOST_LANES], size[MOST_LANES], length[MOST_LANES];
@@ -225,12 +288,15 @@ static void flow_beside(const part *p, size_t set, block *b) {
         step[i] = difference_step(sqrt(size[i]), sqrt(length[i]));
         half[i] = 0.5 / step[i];
     }
+    double lower[BLOCK];
     fill_states(p, set, -1.0, step, b);
     take_slopes(p->from, b);
     put_slopes(p, set, -1.0, half, false, b);
+    memcpy(lower, b->slopes, p->from->dimension * b->row * sizeof *lower);
     fill_states(p, set, 1.0, step, b);
     take_slopes(p->from, b);
     put_slopes(p, set, 1.0, half, true, b);
+    for (size_t i = 0; p->from->smooth && i < b->count; i++) look_for_jump(p, set, b, i, step[i], lower);
 }
 
 /// The derivative along a disturbance by the user's own function, one lane at a time.

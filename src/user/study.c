@@ -116,6 +116,7 @@ static whirl_status prepare(const whirl_user_system *system, prepared *p) {
     for (size_t i = 0; system->analyses == 0 && i < sizeof usual / sizeof *usual; i++)
         whirl_analysis_add(&batch->analyses, usual[i]);
     whirl_analysis_needs(batch->analyses, &batch->record);
+    p->system.smooth = system->kinked || batch->record.growth == WHIRL_GROWTH_ALL;
     p->study.batch_count = 1;
     p->study.machine = machine_at;
     p->study.family = &p->system;
@@ -144,7 +145,7 @@ static whirl_status describe(const whirl_user_system *system, whirl_result *resu
     result->station_count = system->station_count;
     for (size_t i = 0; i < system->axis_count && result->table_count > 0; i++)
         if (system->axes[i].parameter == system->speed) result->tables[0].clock_of = (int)i + 1;
-    status = whirl_result_add_fact(result, "system", "a function of the user's own");
+    status = user_add_equations(system, result);
     return status.code == WHIRL_OK ? whirl_result_add_provenance(result) : status;
 }
 
@@ -171,7 +172,13 @@ static whirl_status restore_velocities(const whirl_user_system *system, whirl_ta
 /// What became of the functions: a result of slopes that failed is none.
 static whirl_status outcome(const whirl_user_system *system, whirl_status status, whirl_result **result) {
     const int code = atomic_load(&system->failure->code);
-    if (code != 0)
+    if (code == USER_JUMP)
+        status = whirl_fail(WHIRL_NUMERICAL_FAILURE,
+                            "slope %zu of the system jumps by %.3g at t = %.10g, expected slopes without jumps where "
+                            "the derivative is followed, as kinked systems, exponents and multipliers have it: leave "
+                            "these out (a damped contact is not kinked)",
+                            system->failure->slope, system->failure->jump, system->failure->time);
+    else if (code != 0)
         status = whirl_fail(WHIRL_NUMERICAL_FAILURE, "a function of the system gave %d at t = %.10g, expected 0", code,
                             atomic_load(&system->failure->told) ? system->failure->time : (double)NAN);
     if (*result && code == 0) {
@@ -202,6 +209,9 @@ static whirl_status run(const void *subject, const whirl_run_options *options, w
 whirl_status whirl_user_system_outline(const whirl_user_system *system, whirl_result **outline) {
     prepared p;
     *outline = NULL;
+    if (!system->identity)
+        return whirl_fail(WHIRL_BAD_INPUT, "the system has no identity, by which a journal would know its functions "
+                                           "again, expected a name and a version (whirl_user_system_identity)");
     whirl_status status = prepare(system, &p);
     if (status.code == WHIRL_OK) {
         status = whirl_study_outline(&p.study, outline);

@@ -37,6 +37,7 @@ whirl_status whirl_user_system_new(const char *title, size_t dimension, whirl_us
 void whirl_user_system_free(whirl_user_system *system) {
     if (!system) return;
     for (size_t i = 0; i < system->axis_count; i++) free(system->axes[i].values);
+    free(system->identity);
     free(system->start);
     free(system->parameters);
     free(system->stations);

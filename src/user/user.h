@@ -2,6 +2,7 @@
 #ifndef USER_USER_H
 #define USER_USER_H
 
+#include <limits.h>
 #include <stdatomic.h>
 #include <stdbool.h>
 
@@ -20,15 +21,21 @@ typedef struct user_axis {
     double *values; ///< [count]
 } user_axis;
 
+/// A slope that jumps where its derivative was asked for, in place of what a function gave.
+enum { USER_JUMP = INT_MIN };
+
 /// What failed first: no motion is computed after that.
 typedef struct user_failure {
-    atomic_int code; ///< that a function gave; 0: none failed
-    atomic_int told; ///< one thread writes the time
+    atomic_int code; ///< that a function gave, or USER_JUMP; 0: none failed
+    atomic_int told; ///< one thread writes what follows
     double time;
+    size_t slope; ///< of a jump: which
+    double jump;  ///< by how much
 } user_failure;
 
 struct whirl_user_system {
     char title[256];
+    char *identity; ///< of its functions; NULL: not known
     size_t dimension, displacements;
     double *start; ///< [dimension]
     size_t parameter_count, station_count, axis_count;
@@ -40,7 +47,7 @@ struct whirl_user_system {
     void *context, *tangent_context;
     double period;
     size_t speed; ///< index of the parameter that is the angular frequency; parameter_count or beyond: `period` counts
-    bool kinked;
+    bool kinked, smooth; ///< of slopes; `smooth`: a derivative is followed that knows of no jump
     user_axis axes[USER_AXES];
     whirl_carry carry;
     whirl_analysis_set analyses;
@@ -49,6 +56,9 @@ struct whirl_user_system {
     whirl_batch options; ///< of which whirl_batch_members alone count
     user_failure *failure;
 };
+
+/// Facts of a result that tell the equations from others.
+whirl_status user_add_equations(const whirl_user_system *system, whirl_result *result);
 
 /// The period of the system with these parameters [parameter_count]. WHIRL_BAD_INPUT where it is no number above 0.
 whirl_status user_period(const whirl_user_system *system, const double *parameters, double *period);

@@ -91,6 +91,12 @@ def test_axes_and_styles_are_taken(good):
     assert ax.get_lines()[0].get_marker() == "x"
 
 
+def test_axes_may_be_logarithmic(good):
+    ax = good.plot.bifurcation(yscale="log", xscale="log")
+    assert (ax.get_yscale(), ax.get_xscale()) == ("log", "log") and ax.get_ylim()[0] > 0
+    assert good.plot.lyapunov.__doc__
+
+
 def test_exponents(good):
     line = good.plot.lyapunov().get_lines()[0]
     assert np.array_equal(line.get_ydata(), good["sweep"]["lyapunov/largest"])

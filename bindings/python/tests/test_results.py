@@ -244,6 +244,22 @@ def test_xarray(good, map_files):
         assert not isinstance(lazy["orbit/max_radius"].data, np.ndarray)
 
 
+def test_points_of_xarray_are_chosen_by_the_parameter(good):
+    xarray = pytest.importorskip("xarray")
+    if not hasattr(xarray.Dataset, "set_xindex"):
+        pytest.skip("an xarray before 2022.11")
+    table, data = good["sweep"], good["sweep"].to_xarray()
+    near = data.sel({table.parameter: table.values[3] * 1.0001}, method="nearest")
+    assert float(near["orbit/max_radius"][0]) == table["orbit/max_radius"][3, 0]
+
+
+def test_results_and_tables_are_as_dictionaries(good):
+    assert "sweep" in good and "map" not in good and bool(good)
+    assert list(good) == list(good.keys()) == ["sweep"] and len(good) == 1
+    assert dict(good.items())["sweep"] is good["sweep"] and list(good.values()) == [good["sweep"]]
+    assert list(good["sweep"].keys()) == list(good["sweep"])
+
+
 def test_a_notebook_shows_something(good, monkeypatch):
     monkeypatch.setattr("whirl.result.find_template", lambda: None)
     assert "<td>sweep</td><td>5</td><td>omega</td>" in good._repr_html_()

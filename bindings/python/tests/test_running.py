@@ -29,8 +29,8 @@ def test_threads_change_no_bit(good):
 
 
 def test_threads_are_a_number():
-    for threads in (-1, 2000, 10**12):
-        with pytest.raises(whirl.BadInput, match="threads is .*, expected 0"):
+    for threads in (-1, 2000, 2**31, 10**12):
+        with pytest.raises(whirl.BadInput, match=f"threads is {threads}, expected 0"):
             whirl.run(whirl.Case(GOOD), threads=threads, progress=False)
 
 
@@ -160,3 +160,28 @@ def test_cases_are_pickled_and_copied():
         assert (case.parameters["kappa"].value, other.parameters["kappa"].value) == (7.0, 9.0)
     with pytest.raises(TypeError, match="save"):
         pickle.dumps(case.outline())
+
+
+LEAVING = """
+import atexit, sys, threading, time
+
+def look():
+    names = [thread.name for thread in threading.enumerate() if thread.name == "whirl.run"]
+    print("left with", len(names), "runs")
+
+atexit.register(look)  # before that of whirl, so that it is called after it
+import whirl
+case = whirl.Case(sys.argv[1])
+case.set("integrate.transient", 5000000)
+told = threading.Event()
+work = lambda: whirl.run(case, threads=1, progress=lambda *about: told.set())
+threading.Thread(target=work, daemon=True).start()
+told.wait()
+"""
+
+
+def test_python_exit():
+    """A run in a daemon thread is stopped, and has ended, before Python goes."""
+    for _ in range(3):
+        told = subprocess.run([sys.executable, "-c", LEAVING, GOOD], capture_output=True, text=True, timeout=60)
+        assert (told.returncode, told.stdout) == (0, "left with 0 runs\n"), told.stderr

@@ -314,3 +314,75 @@ def test_what_is_no_number_is_refused(wrong):
         signals.Record(100.0, wrong, pulses=[1.0, 2.0])
     with pytest.raises(whirl.BadInput, match="expected numbers"):
         signals.Record(wrong, np.arange(2000.0), pulses=[1.0, 2.0])
+
+
+# ---------------------------------------------------------------- pulses and angles that cannot be
+
+
+def turning():
+    """A shaft from 1500 to 1620 rpm that whirls with 40 along x: rate, angle, x, y, keyphasor."""
+    rate = 5120.0
+    time = np.arange(int(rate * 6)) / rate
+    angle = np.cumsum(2 * np.pi * (25 + 2 * time / 6)) / rate
+    return rate, angle, 40 * np.cos(angle - 0.9), 30 * np.sin(angle - 0.9), 5.0 * (np.cos(angle) > 0.97)
+
+
+@pytest.mark.filterwarnings("error")
+def test_missed_pulse():
+    """One pulse missed or false is refused by its number, wherever it is; of many teeth every so many-th counts."""
+    rate, angle, x, y, key = turning()
+    good = signals.Record(rate, x, y, keyphasor=key)
+    assert abs(good.full_spectrum().synchronous[0] - 40) < 2e-3
+    for at in [1, 2, 3, 50, len(good.pulses) - 3]:
+        with pytest.raises(whirl.BadInput, match=f"^pulse {at},.* comes (1.9|2) ?.* pulses were missed"):
+            signals.Record(rate, x, y, pulses=np.delete(good.pulses, at))
+    for at in [1, 2, 50, len(good.pulses) - 2]:
+        false = 0.7 * good.pulses[at - 1] + 0.3 * good.pulses[at]
+        with pytest.raises(whirl.BadInput, match=f"^pulse {at},.* comes 0.*one of them is false"):
+            signals.Record(rate, x, y, pulses=np.insert(good.pulses, at, false))
+    index = int(good.pulses[51] * rate)
+    for change, words in (((index - 60, index + 60, 0.0), "missed"), ((index + 80, index + 85, 5.0), "false")):
+        bad = key.copy()
+        bad[change[0] : change[1]] = change[2]
+        with pytest.raises(whirl.BadInput, match=words):
+            signals.Record(rate, x, y, keyphasor=bad)
+        assert len(signals.Record(rate, x, y, keyphasor=bad, uneven=True).speed) in (154, 156)
+
+
+def test_pulses_of_a_wheel():
+    rate, angle, x, y, _ = turning()
+    teeth = 5.0 * (np.cos(30 * angle) > 0.5)
+    with pytest.warns(UserWarning, match="once in 30 pulses.*say per_revolution=30"):
+        signals.Record(rate, x, y, keyphasor=teeth)
+    record = signals.Record(rate, x, y, keyphasor=teeth, per_revolution=30)
+    assert abs(record.full_spectrum().synchronous[0] - 40) < 0.02
+    assert 1490 < record.speed.min() * 30 / np.pi < record.speed.max() * 30 / np.pi < 1630
+    with pytest.raises(whirl.BadInput, match="0 pulses a revolution"):
+        signals.Record(rate, x, y, keyphasor=teeth, per_revolution=0)
+
+
+def test_a_short_record_with_a_missed_pulse():
+    """Fifty samples: three pulses, after 8.1 and 16.8 of them."""
+    voltage = np.cos(2 * np.pi * (np.arange(50.0) - 1) / 8.3)
+    voltage[30:37] = -1.0
+    samples = 50.0, np.sin(np.arange(50.0))
+    assert len(signals.Record(*samples, keyphasor=voltage, uneven=True).pulses) == 5
+    with pytest.raises(whirl.BadInput, match="pulse 3, .* comes 2 of the usual revolution.*missed"):
+        signals.Record(*samples, keyphasor=voltage)
+    with pytest.raises(whirl.BadInput, match="pulse 1.* of the usual revolution"):
+        signals.Record(*samples, pulses=np.array([8.0, 16.1, 32.9]) / 50)
+
+
+@pytest.mark.parametrize("order", [1, -1])
+def test_a_shaft_may_start_from_rest_and_run_down(order):
+    """Revolutions of a constant acceleration from rest: the first is 2.4 times as long as the second."""
+    pulses = np.sqrt(np.arange(40.0))
+    signals.check_pulses(pulses if order > 0 else pulses[-1] - pulses[::-1])
+    signals.check_pulses(pulses[:4] if order > 0 else pulses[3] - pulses[3::-1])
+
+
+def test_angles_in_degrees_are_refused():
+    for angles in ([45, 135], [0, 90], [-45.0, 45.0]):
+        with pytest.raises(whirl.BadInput, match=r"expected rad.*degrees are numpy.radians\("):
+            signals.Record(100.0, np.sin(np.arange(99.0)), np.cos(np.arange(99.0)), pulses=[0.1, 0.5], angles=angles)
+    signals.Record(100.0, np.arange(99.0), np.arange(99.0), pulses=[0.1, 0.5], angles=[0, 2 * np.pi])

@@ -1,7 +1,9 @@
 """Systems of one's own: every way to give the slopes leads to the closed form, and what goes wrong is said."""
 
+import functools
 import os
 import shutil
+import threading
 
 import numpy as np
 import pytest
@@ -206,6 +208,9 @@ def test_what_is_wrong_is_said():
         ("cannot have as an attribute", lambda: System(oscillator, [0, 0], {"_a": 1}, period=1)),
         ("rates is True, expected a function", lambda: System(True, [0], {}, period=1)),
         ("rates is None, expected a function", lambda: System(None, [0], {}, period=1)),
+        ("rates is -1, expected a function", lambda: System(-1, [0], {}, period=1)),
+        (f"rates is {1 << 70}, expected a function", lambda: System(1 << 70, [0], {}, period=1)),
+        ("tangent is -1, expected a function", lambda: make(period=1, tangent=-1)),
         ("rates is 0, expected a function", lambda: System(0, [0], {}, period=1)),
         ("displacements is -5", lambda: make(period=1, displacements=-5)),
         ("displacements is 1.7", lambda: make(period=1, displacements=1.7)),
@@ -242,3 +247,178 @@ def test_functions_may_keep_what_they_were_given():
     System(slopes, [0.25], {}, period=2 * np.pi).response(method="dop853", transient=1, record=2, analyze="poincare")
     assert len(kept) > 50 and all(np.array_equal(x, copy) for _, x, copy in kept)
     assert len({float(x[0]) for _, x, _ in kept}) > 50
+
+
+# ---------------------------------------------------------------- journals know their equations again
+
+
+def stopped(system, journal):
+    """Leaves a journal."""
+
+    def stop(*told):
+        raise KeyError("enough")
+
+    with pytest.raises(KeyError, match="enough"):
+        gone_on(system, journal, progress=stop)
+
+
+def gone_on(system, journal, **more):
+    options = {"method": "rk4", "steps_per_revolution": 16, "transient": 2, "record": 5, "settle": False}
+    return system.sweep("F", np.linspace(0.2, 0.6, 5), journal=journal, **{**options, "progress": False, **more})
+
+
+def stiffer(k, numbers=(0.3, 0.1), **more):
+    """A function that closes over numbers."""
+    table = np.array(numbers)
+
+    def slopes(t, x, p):
+        return x[1], p.F * np.cos(p.omega * t) - table[0] * x[1] - k * x[0] + HELD * cubed(x[0])
+
+    return System(slopes, more.pop("start", [0.3, 0]), PARAMETERS, speed="omega", **more)
+
+
+HELD = 0.0
+
+
+def cubed(x):
+    return -(x**3)
+
+
+def test_python_journal_of_another_function(tmp_path, monkeypatch):
+    """A journal goes on with the same equations alone: text, what it closes over, and how they are started."""
+    journal = tmp_path / "journal"
+    stopped(stiffer(1.0), journal)
+    others = {
+        "another number": stiffer(1.5),
+        "another array": stiffer(1.0, (0.2, 0.1)),
+        "another start": stiffer(1.0, start=[0.3, 0.1]),
+        "another form": stiffer(1.0, displacements=1),
+        "kinks": stiffer(1.0, kinked=True),
+        "another station": stiffer(1.0, stations={"state": (1, 0)}),
+        "a derivative": stiffer(1.0, tangent=lambda t, x, p, dx: [dx[1], -0.3 * dx[1] - dx[0]]),
+        "another function": System(oscillator, [0.3, 0], PARAMETERS, speed="omega"),
+        "a partial one": System(functools.partial(stiffer(1.0).rates), [0.3, 0], PARAMETERS, speed="omega"),
+        "a name": stiffer(1.0, identity="stiffer 1"),
+    }
+    for what, other in others.items():
+        with pytest.raises(whirl.BadInput, match="is of another study: equations"):
+            gone_on(other, journal, resume=True), what
+    for name, value in (("HELD", 0.1), ("cubed", lambda x: x**2)):
+        with monkeypatch.context() as changed:
+            changed.setitem(globals(), name, value)
+            with pytest.raises(whirl.BadInput, match="is of another study: equations"):
+                gone_on(stiffer(1.0), journal, resume=True)
+    result = gone_on(stiffer(1.0), journal, resume=True)
+    plain = gone_on(stiffer(1.0), None)
+    assert np.array_equal(result["sweep"]["orbit/max_radius"], plain["sweep"]["orbit/max_radius"])
+    assert not journal.exists()
+
+
+def test_a_period_and_a_long_start_are_known_again(tmp_path):
+    def slopes(t, x, p):
+        return p.F * np.cos(t) - x
+
+    def system(period=6.0, last=0.0):
+        return System(slopes, [0.1] * 59 + [last], {"F": 1.0}, period=period)
+
+    stopped(system(), tmp_path / "journal")
+    for other in (system(period=6.5), system(last=1e-9)):
+        with pytest.raises(whirl.BadInput, match="is of another study: equations"):
+            gone_on(other, tmp_path / "journal", resume=True)
+    gone_on(system(), tmp_path / "journal", resume=True)
+
+
+@compiler
+def test_c_texts_are_known_again(tmp_path):
+    def system(text, **more):
+        return System(compile_c(text, **more), [0.3, 0], PARAMETERS, speed="omega")
+
+    for path in (tmp_path / "law.h", tmp_path / "one", tmp_path / "two"):
+        path.parent.mkdir(exist_ok=True)
+    (tmp_path / "law.h").write_text("#define DAMPING 0.04\n")
+    text = C_ONE.replace("2.0 * 0.04", "2.0 * DAMPING").replace("\nint", f'\n#include "{tmp_path}/law.h"\nint', 1)
+    stopped(system(text), tmp_path / "journal")
+    for other in (system(text + " "), system("// a word\n" + text)):
+        assert other.rates.identity == system(text).rates.identity
+    (tmp_path / "law.h").write_text("#define DAMPING 0.05\n")
+    for other in (system(text), system(C_ONE, flags="-O1")):
+        with pytest.raises(whirl.BadInput, match="is of another study: equations"):
+            gone_on(other, tmp_path / "journal", resume=True)
+    (tmp_path / "law.h").write_text("#define DAMPING 0.04\n")
+    gone_on(system(text), tmp_path / "journal", resume=True)
+
+
+@compiler
+def test_functions_that_cannot_be_known_again_need_a_name(tmp_path):
+    lock, function = threading.Lock(), compile_c(C_ONE)
+
+    def locked(t, x, p):
+        with lock:
+            return oscillator(t, x, p)
+
+    def evaluated(t, x, p):
+        return eval("oscillator(t, x, p)")
+
+    for rates, words in [
+        (function.address, "it is an address"),
+        (locked, "a lock, whose content is not known"),
+        (evaluated, r"it calls eval\(\)"),
+    ]:
+        system = System(rates, [0.3, 0], PARAMETERS, speed="omega")
+        with pytest.raises(whirl.BadInput, match=words + '.*identity="my rotor 1"'):
+            gone_on(system, tmp_path / "journal")
+        assert not (tmp_path / "journal").exists()
+    names = [System(function.address, [0.3, 0], PARAMETERS, speed="omega", identity=name) for name in ("a 1", "a 2")]
+    stopped(names[0], tmp_path / "journal")
+    with pytest.raises(whirl.BadInput, match="equations was 'a 1' and is 'a 2'"):
+        gone_on(names[1], tmp_path / "journal", resume=True)
+    gone_on(names[0], tmp_path / "journal", resume=True)
+
+
+# ---------------------------------------------------------------- contacts
+
+BOUNCE = """
+int rates(double t, const double *x, const double *p, double *dxdt, void *context) {
+    (void)context;
+    double h = 0.004 * cos(p[0] * t), speed = -0.004 * p[0] * sin(p[0] * t), force = 0;
+    if (x[0] < h) { force = 1e5 * (h - x[0]) + p[1] * (speed - x[1]); if (force < 0) force = 0; }
+    dxdt[0] = x[1];
+    dxdt[1] = force - 9.81;
+    return 0;
+}
+"""
+
+
+@compiler
+def test_kinked_jump():
+    """A mass that bounces on a floor that shakes. The section after a revolution is that of SciPy's DOP853 at 1e-12
+    with flight and contact integrated apart; a floor with a damper is no kink, and is refused as one by its place."""
+    slopes = compile_c(BOUNCE)
+
+    def section(damper, **more):
+        system = System(slopes, [0.05, 0], {"w": 55.0, "damper": damper}, speed="w", **more)
+        options = {"method": "dop853", "rtol": 1e-9, "transient": 0, "record": 4, "progress": False}
+        return system.response(**options)["response"]["poincare/section"][0, 0, 0]
+
+    assert np.abs(section(30.0)[:2] - [0.009919727, 1.000188879]).max() < 2e-8
+    assert np.abs(section(30.0, displacements=1)[[0, 2]] - [0.009919727, 1.000188879]).max() < 1e-7
+    for displacements in (0, 1):
+        with pytest.raises(whirl.NumericalFailure, match=r"slope 1 of the system jumps by 3\d.* at t = 0.0983.*damped"):
+            section(30.0, kinked=True, displacements=displacements)
+        spring = [section(0.0, kinked=kinked, displacements=displacements) for kinked in (False, True)]
+        assert np.abs(spring[0] - spring[1]).max() < 1e-6
+
+
+def test_motions_that_could_not_be_followed_are_said():
+    """Slopes that are another number at every call: no step is short enough."""
+
+    def system(rough):
+        calls = iter(range(1, 10**9))
+        return System(lambda t, x, p: [rough(p) * (-1) ** next(calls) * 1e20 - x[0]], [1], {"a": 1.0}, period=1.0)
+
+    options = {"method": "dop853", "transient": 2, "record": 3, "progress": False}
+    with pytest.raises(whirl.NumericalFailure, match="1 of 1 motions could not be followed"):
+        system(lambda p: 1.0).response(**options)
+    with pytest.warns(UserWarning, match="1 of 3 motions could not be followed"):
+        result = system(lambda p: p.a > 2.5).sweep("a", [1.0, 2.0, 3.0], **options)
+    assert np.isfinite(result["sweep"]["poincare/section"][:2]).all()

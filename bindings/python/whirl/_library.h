@@ -53,6 +53,7 @@ whirl_status whirl_user_system_vary(whirl_user_system *system, const char *param
                                     size_t count);
 whirl_status whirl_user_system_analyze(whirl_user_system *system, const char *analysis);
 whirl_status whirl_user_system_set(whirl_user_system *system, const char *option, const char *value);
+whirl_status whirl_user_system_identity(whirl_user_system *system, const char *identity);
 whirl_status whirl_job_of_user_system(const whirl_user_system *system, whirl_job **job);
 whirl_status whirl_user_system_outline(const whirl_user_system *system, whirl_result **outline);
 

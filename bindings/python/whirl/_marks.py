@@ -1,5 +1,7 @@
 """What all figures need of Matplotlib: axes, marks that few and many points can be seen by, labels that stay apart."""
 
+import functools
+
 import numpy as np
 
 
@@ -62,3 +64,26 @@ def broken(angles):
     angles = np.asarray(angles, dtype=float)
     jumps = np.flatnonzero(np.abs(np.diff(angles)) >= 180.0) + 1
     return np.insert(angles, jumps, np.nan), jumps
+
+
+def scaled(figures):
+    """A class whose figures take ``xscale`` and ``yscale`` ("log", ...) for the axes that they return."""
+
+    def with_scales(draw):
+        @functools.wraps(draw)
+        def figure(*given, **style):
+            scales = {axis: style.pop(f"{axis}scale") for axis in "xy" if f"{axis}scale" in style}
+            drawn = draw(*given, **style)
+            for ax in drawn if isinstance(drawn, tuple) else (drawn,):
+                for axis, scale in scales.items():
+                    getattr(ax, f"set_{axis}scale")(scale)
+                if scales.get("y") == "log" and ax.dataLim.minposy > 0:
+                    ax.set_ylim(bottom=0.5 * ax.dataLim.minposy)
+            return drawn
+
+        return figure
+
+    for name, draw in list(vars(figures).items()):
+        if callable(draw) and not name.startswith("_"):
+            setattr(figures, name, with_scales(draw))
+    return figures

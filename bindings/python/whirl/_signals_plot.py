@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ._kinds import REGIMES
-from ._marks import new_axes
+from ._marks import new_axes, scaled
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -17,11 +17,12 @@ if TYPE_CHECKING:
 __all__ = ["Plots"]
 
 
+@scaled
 class Plots:
     """Figures of a record: ``record.plot.orbit()``.
 
     Every function takes the axes to draw into, or makes a figure; it returns the axes, and passes further keywords on
-    to Matplotlib.
+    to Matplotlib, ``yscale="log"`` to the axes.
     """
 
     def __init__(self, record: Record) -> None:

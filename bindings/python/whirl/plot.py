@@ -1,7 +1,7 @@
 """Figures in Matplotlib as the report draws them, fit for a paper.
 
 Every function takes the axes to draw into, or makes a figure; it returns the axes, and passes further keywords on to
-Matplotlib. Lengths, amplitudes and parameters are in the units of reports: those of the case, or of
+Matplotlib, ``yscale="log"`` to the axes. Lengths, amplitudes and parameters are in the units of reports: those of the case, or of
 :meth:`whirl.Result.show_in`.
 """
 
@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ._kinds import ATTRACTORS, REGIMES, attractor_colour, classes, kinds_of, points_once
-from ._marks import broken, keep_span, label_values, legend, mark_size, new_axes, runs
+from ._marks import broken, keep_span, label_values, legend, mark_size, new_axes, runs, scaled
 from ._planes import axis_of, cover_of, spread
 from .errors import BadInput
 
@@ -40,6 +40,7 @@ _ADVICE = {
 _DIRECTIONS = (("forward", "#0072B2", "^"), ("backward", "#D55E00", "v"), ("neither", "#606060", "o"))
 
 
+@scaled
 class Plots:
     """Figures of a result: ``result.plot.bifurcation()``."""
 

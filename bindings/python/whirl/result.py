@@ -6,6 +6,7 @@ import html
 import os
 import shutil
 import tempfile
+from collections.abc import ItemsView, Iterator, KeysView, ValuesView
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -195,6 +196,30 @@ class Result:
         if name in self.tables:
             return self.tables[name]
         raise KeyError(f"the result has no table '{name}', expected one of: {', '.join(self.tables)}")
+
+    def __contains__(self, name: object) -> bool:
+        return name in self.tables
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.tables)
+
+    def __len__(self) -> int:
+        return len(self.tables)
+
+    def __bool__(self) -> bool:
+        return True
+
+    def keys(self) -> KeysView[str]:
+        """The names of the tables."""
+        return self.tables.keys()
+
+    def values(self) -> ValuesView[Table]:
+        """The tables."""
+        return self.tables.values()
+
+    def items(self) -> ItemsView[str, Table]:
+        """Both: ``for name, table in result.items(): ...``"""
+        return self.tables.items()
 
     @property
     def plot(self) -> Plots:

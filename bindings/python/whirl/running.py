@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import atexit
 import datetime
 import operator
 import os
@@ -19,6 +20,20 @@ from .errors import BadInput
 from .result import Result
 
 __all__ = ["run"]
+
+_MOST_THREADS = 1024  # as whirl_job_threads has it
+
+
+_underway: dict[threading.Event, object] = {}  # jobs, by what is set when all of a run has ended
+
+
+@atexit.register
+def _stop_all() -> None:
+    """Runs of threads that do not outlive Python (daemons) end before it does: it would take the library from them."""
+    for job in list(_underway.values()):
+        lib.whirl_job_stop(job)
+    for ended in list(_underway):
+        ended.wait()
 
 
 class _Bar:
@@ -212,11 +227,16 @@ def compute(
     out = ffi.new("whirl_job **")
     check(new_job(out))
     job = ffi.gc(out[0], lib.whirl_job_free)
-    check(lib.whirl_job_threads(job, max(-1, min(_whole(threads, "the number of threads"), 1 << 30))))
+    threads = _whole(threads, "the number of threads")
+    if not 0 <= threads <= _MOST_THREADS:
+        raise BadInput(f"the number of threads is {threads}, expected 0 (all cores) to {_MOST_THREADS}")
+    check(lib.whirl_job_threads(job, threads))
     bar = _Bar() if (progress and not callable(progress)) or (progress is None and sys.stderr.isatty()) else None
     tell = progress if callable(progress) else bar.show if bar else None
     told = _teller(tell, job, outcome) if tell else ffi.NULL
     lib.whirl_job_progress(job, told, ffi.NULL)
+    over = threading.Event()
+    _underway[over] = job
     try:
         with _journal(describe, journal, resume) as (keeper, ended):
             lib.whirl_job_keep(job, keeper)
@@ -225,6 +245,8 @@ def compute(
             if not result.partial:
                 ended()
     finally:
+        del _underway[over]
+        over.set()
         if bar:
             bar.close()
     if result.partial:

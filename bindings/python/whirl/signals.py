@@ -13,6 +13,7 @@ samples, channels and pulses are counted from 0.
 
 from __future__ import annotations
 
+import warnings
 from typing import TYPE_CHECKING, NamedTuple, Optional, Sequence
 
 import numpy as np
@@ -24,7 +25,7 @@ from .errors import BadInput
 if TYPE_CHECKING:
     from ._signals_plot import Plots
 
-__all__ = ["Spectrum", "FullSpectrum", "Recurrence", "find_pulses", "motion_size", "zero_one", "recurrence", "Record"]
+__all__ = ["Spectrum", "FullSpectrum", "Recurrence", "find_pulses", "motion_size", "zero_one", "recurrence", "check_pulses", "Record"]
 
 _LINES, _COLUMNS = 16, 5  # WHIRL_SIGNALS_LINES, WHIRL_SIGNALS_COLUMNS
 
@@ -208,6 +209,25 @@ def recurrence(
     return Recurrence(period[0], *numbers, longest[0])
 
 
+def _doubt_teeth(time: np.ndarray, channels: np.ndarray, pulses: np.ndarray) -> None:
+    """Warns where a motion goes once in many pulses and not with each: of a wheel with so many teeth."""
+    first = min(len(pulses), 1024)
+    turned, samples = np.empty((len(channels), first - 1, 8)), 8
+    arrays = _at(time), _at(channels), time.size, len(channels), _at(pulses), first
+    if first < 64 or lib.whirl_signals_resample(*arrays, samples, 3, _at(turned)).code != 0:
+        return  # too few to tell; what is wrong is said where it is asked for
+    lines = np.vstack([_spectrum(channel.ravel(), None, samples, 2.0)[1][:, :2] for channel in turned])
+    order, most = lines[np.argmax(lines[:, 1])] if len(lines) > 0 else (1.0, 0.0)
+    teeth = round(1.0 / order) if order > 0 else 0
+    with_pulse = lines[np.abs(lines[:, 0] - 1.0) < 0.1, 1].max(initial=0.0)
+    if teeth > 3 and abs(teeth * order - 1.0) < 0.02 and with_pulse < 0.05 * most:
+        warnings.warn(
+            f"the motion comes once in {teeth} pulses, and hardly with each of them: of {teeth} teeth a revolution say "
+            f"per_revolution={teeth}",
+            stacklevel=3,
+        )
+
+
 def _spectrum(x: np.ndarray, y: Optional[np.ndarray], samples: int, highest_order: float):
     """Rows of orders and of lines, and the synchronous part [2][4], of turned signals [count]."""
     count = lib.whirl_signals_orders(x.size, samples, highest_order)
@@ -216,6 +236,38 @@ def _spectrum(x: np.ndarray, y: Optional[np.ndarray], samples: int, highest_orde
     arrays = _at(orders), _at(lines), found, _at(synchronous)
     check(lib.whirl_signals_spectrum(_at(x), second, x.size, samples, highest_order, *arrays))
     return orders, lines[: found[0]], synchronous
+
+
+# ---------------------------------------------------------------- what pulses tell
+
+_WINDOW, _UNLIKE, _STEADY = 3, 1.5, 0.1
+
+
+def check_pulses(pulses: ArrayLike) -> None:
+    """Raises :class:`whirl.BadInput` where a pulse was missed, or one is false.
+
+    The time between two pulses is compared with the median of seven around it, which is itself where the speed rises or
+    falls: no shaft turns one and a half times as fast for one revolution as for those before and after. At the ends of
+    a record, where there are fewer on one side, two thirds of them must be within a tenth of their median to say so.
+    """
+    gaps = np.diff(_numbers(pulses, "pulses"))
+    usual, inner = gaps.copy(), range(_WINDOW, len(gaps) - _WINDOW)
+    if len(inner) > 0:
+        windows = np.lib.stride_tricks.sliding_window_view(gaps, 2 * _WINDOW + 1)
+        usual[_WINDOW:-_WINDOW] = np.median(windows, axis=1)
+    for i in set(range(len(gaps))) - set(inner):
+        first = max(0, i - 2 * _WINDOW)
+        near = np.delete(gaps[first : i + 2 * _WINDOW + 1], i - first)
+        alike = np.abs(near / np.median(near) - 1.0) < _STEADY if len(near) > 0 else np.zeros(1)
+        usual[i] = np.median(near) if np.mean(alike) >= 2 / 3 else gaps[i]
+    bad = np.flatnonzero((gaps > _UNLIKE * usual) | (_UNLIKE * gaps < usual))
+    if len(bad) > 0:
+        ratio, after = gaps[bad[0]] / usual[bad[0]], bad[0] + 1
+        raise BadInput(
+            f"pulse {after}, at {pulses[after]:.6g}, comes {ratio:.3g} of the usual revolution after the one before: "
+            f"{'pulses were missed' if ratio > 1 else 'one of them is false'}, expected one a revolution: see "
+            "threshold, hysteresis and edge, or say uneven=True where the shaft did turn so"
+        )
 
 
 # ---------------------------------------------------------------- a record
@@ -237,6 +289,11 @@ class Record:
         In its place: the times of the pulses, one a revolution, within those of the samples.
     angles : array_like, optional
         [channels] rad from the x axis in the sense of rotation at which probes stand: 0 and pi/2 in turn without it.
+    per_revolution : int
+        Pulses of the keyphasor in a revolution: of a toothed wheel its teeth, of which every so many-th counts.
+    uneven : bool
+        Whether the shaft may turn one and a half times as fast from one revolution to the next. Without it such pulses
+        are refused (:func:`check_pulses`).
     names : sequence of str, optional
         Of the channels; those of Series, else "x", "y" and numbers, or the angles of the probes in degrees.
     unit : str
@@ -255,6 +312,8 @@ class Record:
         hysteresis: Optional[float] = None,
         edge: str = "rising",
         angles: Optional[ArrayLike] = None,
+        per_revolution: int = 1,
+        uneven: bool = False,
         names: Optional[Sequence[str]] = None,
         unit: str = "",
         time_unit: str = "s",
@@ -264,20 +323,34 @@ class Record:
         self.angles = None if angles is None else _numbers(angles, "angles")  #: [channels] rad, or None
         if self.angles is not None and len(self.angles) != len(channels):
             raise BadInput(f"there are {len(self.angles)} angles, expected one for each of {len(channels)} channels")
+        for angle in () if self.angles is None else self.angles:
+            if abs(angle) > 2 * np.pi:
+                raise BadInput(
+                    f"an angle is {angle:g}, expected rad, at most a turn of 2 pi: {angle:g} degrees are "
+                    f"numpy.radians({angle:g})"
+                )
         self.names = _names(channels, names, self.angles)
         self.channels = _stacked(channels, self.names)  #: [channels][count]
         self.time = _times(time, self.channels.shape[1])  #: [count]
         self.unit, self.time_unit = unit, time_unit
         if (keyphasor is None) == (pulses is None):
             raise BadInput("expected either a keyphasor or pulses")
-        #: [pulses] instants at which the shaft has turned once more
-        self.pulses = (
+        pulses = (
             _numbers(pulses, "pulses")
             if keyphasor is None
             else find_pulses(self.time, keyphasor, threshold, hysteresis, edge)
         )
-        self.speed = np.empty(max(0, len(self.pulses) - 1))  #: [pulses - 1] mean between them, rad per unit of time
-        check(lib.whirl_signals_speed(_at(self.pulses), len(self.pulses), _at(self.speed)))
+        if _whole(per_revolution, "the pulses a revolution") < 1:
+            raise BadInput("there are 0 pulses a revolution, expected 1 or more")
+        every = self._speed_between(pulses)
+        if not uneven:
+            check_pulses(pulses)
+        if per_revolution == 1:
+            _doubt_teeth(self.time, self.channels, pulses)
+        #: [pulses] instants at which the shaft has turned once more
+        self.pulses = pulses[:: int(per_revolution)].copy()
+        #: [pulses - 1] mean between them, rad per unit of time
+        self.speed = every if per_revolution == 1 else self._speed_between(self.pulses)
 
     def __setattr__(self, name: str, value) -> None:
         if name in self.__dict__ and name not in ("unit", "time_unit"):
@@ -308,6 +381,12 @@ class Record:
         if not 0 <= name < len(self.names):
             raise BadInput(f"there is no channel {name}, expected 0 to {len(self.names) - 1}")
         return int(name)
+
+    @staticmethod
+    def _speed_between(pulses: np.ndarray) -> np.ndarray:
+        speed = np.empty(max(0, len(pulses) - 1))
+        check(lib.whirl_signals_speed(_at(pulses), len(pulses), _at(speed)))
+        return speed
 
     def _sampled(self):
         """What the library wants to know first."""

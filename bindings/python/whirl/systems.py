@@ -12,11 +12,13 @@ Such a system gets the analyses, verdicts, files and figures of a rotor.
 from __future__ import annotations
 
 import ctypes
+import hashlib
 import os
 import shlex
 import shutil
 import subprocess
 import tempfile
+import warnings
 from collections import namedtuple
 from collections.abc import Callable, Mapping, Sequence
 from keyword import iskeyword
@@ -25,7 +27,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import errors
+from . import _identity, errors
 from ._library import check, ffi, lib, word_bytes
 from .running import compute
 
@@ -59,8 +61,10 @@ def signature(lanes: bool = False) -> Signature:
 class CFunction:
     """A function of C that was compiled from its text; see :func:`compile_c`."""
 
-    def __init__(self, library: ctypes.CDLL, name: str, folder: tempfile.TemporaryDirectory) -> None:
+    def __init__(self, library: ctypes.CDLL, name: str, folder: tempfile.TemporaryDirectory, identity: str) -> None:
         self._library, self._folder = library, folder  # both live as long as the function
+        #: a checksum of its text, of what that includes, of the compiler and its flags
+        self.identity = identity
         try:
             #: where it lies in memory
             self.address = ctypes.cast(getattr(library, name), ctypes.c_void_p).value
@@ -99,11 +103,17 @@ def compile_c(source: str, name: str = "rates", flags: Sequence[str] = ("-O3", "
     folder = tempfile.TemporaryDirectory(prefix="whirl-")
     text, library = Path(folder.name) / "system.c", Path(folder.name) / "system.so"
     text.write_text("#include <math.h>\n#include <stddef.h>\n#line 1\n" + source)
-    words = [*compiler, "-std=c17", "-shared", "-fPIC", *flags, str(text), "-o", str(library), "-lm"]
-    told = subprocess.run(words, capture_output=True, text=True)
-    if told.returncode != 0:
-        raise errors.BadInput(f"the C text does not compile:\n{told.stderr.strip()}")
-    return CFunction(ctypes.CDLL(str(library)), name, folder)
+
+    def compiled(*words):
+        told = subprocess.run([*compiler, *words], capture_output=True, text=True)
+        if told.returncode != 0:
+            raise errors.BadInput(f"the C text does not compile:\n{told.stderr.strip()}")
+        return told.stdout
+
+    compiled("-std=c17", "-shared", "-fPIC", *flags, str(text), "-o", str(library), "-lm")
+    parts = compiled("-std=c17", *flags, "-E", "-P", str(text)), compiled("--version"), repr((name, *flags))
+    identity = hashlib.sha256("\0".join(parts).encode()).hexdigest()
+    return CFunction(ctypes.CDLL(str(library)), name, folder, identity)
 
 
 def _count(number, what):
@@ -130,6 +140,41 @@ def _address(function):
     if isinstance(function, ffi.CData):
         return int(ffi.cast("intptr_t", function))
     return getattr(function, "address", None)
+
+
+def _identity_of(what, function):
+    """A checksum of a function, or what a user has to say in its place."""
+    try:
+        if isinstance(function, (int, ctypes._CFuncPtr, ffi.CData)):
+            raise _identity.Unknown("it is an address")
+        return getattr(function, "identity", None) or _identity.checksum(function)
+    except _identity.Unknown as reason:
+        raise errors.BadInput(
+            f"a journal could not tell {what} from other functions ({reason}), expected a name and version of what is "
+            'computed: System(..., identity="my rotor 1")'
+        ) from None
+
+
+def _followed(result):
+    """A result some motions of which have numbers; what could not be followed is said."""
+    for table in result.tables.values():
+        if "regime/diverged_at" in table:
+            lost = (table["regime/code"] == 0) & (table["regime/diverged_at"] > 0)
+        elif "poincare/section" in table:
+            section = table["poincare/section"]
+            lost = np.isnan(section).reshape(*table.shape, -1).all(axis=-1)
+        else:
+            continue
+        if not lost.any():
+            continue
+        words = (
+            f"{lost.sum()} of {lost.size} motions could not be followed: the solver went on in ever shorter steps, as "
+            "it does where slopes jump time and again, grow without bounds, or are rough or no numbers"
+        )
+        if lost.all():
+            raise errors.NumericalFailure(words)
+        warnings.warn(words, stacklevel=3)
+    return result
 
 
 class System:
@@ -161,11 +206,15 @@ class System:
         The derivative of the slopes applied to a disturbance: ``f(t, x, p, dx)``, or compiled with one more pointer
         after p. Differences are taken without it.
     kinked : bool
-        Whether slopes have kinks (contacts, friction).
+        Whether slopes have kinks without jumps, as springs have that touch. Where slopes jump (a contact with a damper,
+        dry friction) it is not set: motions are right without it, and slopes that jump are refused with it.
     units : mapping of str to str, optional
         Of parameters, as UDUNITS has them.
     title : str
         For results.
+    identity : str, optional
+        A name and version of what ``rates`` and ``tangent`` compute, by which a journal tells them from others. Without
+        it: checksums of C texts, and of Python's functions with all that they close over.
     """
 
     def __init__(
@@ -183,6 +232,7 @@ class System:
         kinked: bool = False,
         units: Mapping[str, str] | None = None,
         title: str = "",
+        identity: str | None = None,
     ) -> None:
         if (speed is None) == (period is None):
             raise errors.BadInput("a system has a period, or a parameter that is its speed: give one of both")
@@ -192,14 +242,16 @@ class System:
         self.displacements = _count(displacements, "displacements")
         self.stations, self.kinked, self.title = dict(stations or {}), bool(kinked), str(title)
         self.units, self.rates, self.tangent = dict(units or {}), rates, tangent
+        self.identity = None if identity is None else str(identity)
         unknown = set(self.units) - set(self.parameters)
         if unknown:
             raise errors.BadInput(f"there is no parameter {sorted(unknown)[0]} that has a unit")
         for what, function in (("rates", rates), ("tangent", tangent)):
             if function is None and what == "tangent":
                 continue
-            wrong = isinstance(function, (bool, np.bool_)) or _address(function) == 0
-            if wrong or (_address(function) is None and not callable(function)):
+            address = _address(function)
+            wrong = isinstance(function, (bool, np.bool_)) or not 0 < (1 if address is None else address) < 1 << 64
+            if wrong or (address is None and not callable(function)):
                 raise errors.BadInput(f"{what} is {function!r}, expected a function")
         for name in self.parameters if _address(rates) is None else ():
             if iskeyword(name) or name.startswith("_") or not name.isidentifier():
@@ -282,6 +334,14 @@ class System:
         check(lib.whirl_user_system_tangent(handle, ffi.cast("whirl_user_tangent_fn", tangent), ffi.NULL))
         return rates, tangent
 
+    def _known(self):
+        """What a journal knows the functions by."""
+        if self.identity is not None:
+            return self.identity
+        functions = {"rates": self.rates} | ({} if self.tangent is None else {"tangent": self.tangent})
+        parts = " ".join(_identity_of(what, function) for what, function in functions.items())
+        return f"{'lanes' if self.lanes else 'one machine'} {hashlib.sha256(parts.encode()).hexdigest()}"
+
     # ---------------------------------------------------------------- runs
 
     def _build(self, vary, analyze, options):
@@ -306,6 +366,8 @@ class System:
             check(lib.whirl_user_system_period(handle, float(self.period)))
         if self.kinked:
             check(lib.whirl_user_system_kinked(handle))
+        if self.identity is not None:
+            check(lib.whirl_user_system_identity(handle, word_bytes(self.identity)))
         for name, values in vary.items():
             values = np.ascontiguousarray(values, dtype=float).ravel()
             pointer = ffi.cast("double *", values.ctypes.data)
@@ -353,9 +415,14 @@ class System:
         BadInput, OutOfMemory, FileFailure, NumericalFailure
             With the library's sentence; what a Python callable raises comes through.
         """
+        return _followed(self._run(vary or {}, analyze, threads, progress, journal, resume, options))
+
+    def _run(self, vary, analyze, threads, progress, journal, resume, options):
         if threads is None:
             threads = 1 if _address(self.rates) is None or (self.tangent and _address(self.tangent) is None) else 0
-        handle, functions, raised = self._build(vary or {}, analyze, options)
+        handle, functions, raised = self._build(vary, analyze, options)
+        if journal is not None:
+            check(lib.whirl_user_system_identity(handle, word_bytes(self._known())))
         try:
             return compute(
                 lambda out: lib.whirl_job_of_user_system(handle, out),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, KeysView, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -190,6 +190,10 @@ class Table(Mapping):
     def __contains__(self, name: object) -> bool:
         return name in self.fields
 
+    def keys(self) -> KeysView[str]:
+        """The names of the fields."""
+        return self.fields.keys()
+
     def unit(self, name: str) -> str:
         """The unit of a field's numbers as they stand: "length", "force", "1", "order", ..."""
         return self._field(name).unit
@@ -277,6 +281,9 @@ class Table(Mapping):
     def to_xarray(self) -> xarray.Dataset:
         """A Dataset with the fields by their names, dimensions as in the file, units as attributes.
 
+        Where every value of the parameter is there once, points are chosen by it:
+        ``data.sel(omega=3.3, method="nearest")``.
+
         Fields of a file stay there until they are used, where dask is installed.
         """
         import xarray as xr
@@ -298,7 +305,10 @@ class Table(Mapping):
             data["verdict"] = (dims, self._lazy_verdicts())
         if self.has_attractors:
             data["attractor"], data["share"] = (dims, self.attractors), (dims, self.shares)
-        return xr.Dataset(data, coords, {"title": self._about.title, "table": self.name, **self.options})
+        dataset = xr.Dataset(data, coords, {"title": self._about.title, "table": self.name, **self.options})
+        along = _apart(self.parameter) if len(dims) == 1 else ""
+        once = along in dataset.coords and len(np.unique(self.values)) == self.values.size
+        return dataset.set_xindex(along) if once and hasattr(dataset, "set_xindex") else dataset
 
     def _coordinates(self, dims):
         names = [station.name for station in self._about.stations]

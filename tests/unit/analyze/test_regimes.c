@@ -265,13 +265,34 @@ static void too_short(void **state) {
     }
 }
 
+/// What could not be told of few points stands in no sentence.
+static void reasons_have_numbers_alone(void **state) {
+    (void)state;
+    const map_system systems[] = {logistic(3.8), logistic(3.5), logistic(3.56994)};
+    for (size_t i = 0; i < sizeof systems / sizeof *systems; i++)
+        for (size_t watch = 1; watch < 130; watch++) {
+            whirl_record *record = record_map(&systems[i], 100, watch, 1);
+            const whirl_verdict verdict = whirl_judge(record);
+            char reason[256];
+            whirl_verdict_reason(&verdict, reason, sizeof reason);
+            if (strstr(reason, "nan")) fail_msg("%s", reason);
+            free(record);
+        }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(periodic),       cmocka_unit_test(chaotic),
-        cmocka_unit_test(quasi_periodic), cmocka_unit_test(several_curves),
-        cmocka_unit_test(spirals),        cmocka_unit_test(blind),
-        cmocka_unit_test(diverged),       cmocka_unit_test(diverged_at_once_or_apart),
-        cmocka_unit_test(too_short),      cmocka_unit_test(starts_on_unstable),
+        cmocka_unit_test(periodic),
+        cmocka_unit_test(chaotic),
+        cmocka_unit_test(quasi_periodic),
+        cmocka_unit_test(several_curves),
+        cmocka_unit_test(spirals),
+        cmocka_unit_test(blind),
+        cmocka_unit_test(diverged),
+        cmocka_unit_test(diverged_at_once_or_apart),
+        cmocka_unit_test(too_short),
+        cmocka_unit_test(starts_on_unstable),
+        cmocka_unit_test(reasons_have_numbers_alone),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

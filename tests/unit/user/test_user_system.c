@@ -207,7 +207,12 @@ static void results_are_described(void **state) {
     assert_string_equal("Linear oscillator", whirl_result_title(result));
     assert_string_equal("1.3 rad/s", whirl_result_text(result, WHIRL_LIST_PARAMETERS, 0, "text"));
     assert_string_equal("state", whirl_result_name(result, WHIRL_LIST_STATIONS, 0));
+    refused(whirl_user_system_outline(system, &outline), "no identity, by which a journal would know its functions");
+    refused(whirl_user_system_identity(system, ""), "the identity of a system is empty");
+    good(whirl_user_system_identity(system, "oscillator 1"));
     good(whirl_user_system_outline(system, &outline));
+    assert_string_equal("oscillator 1", whirl_result_fact(outline, "equations"));
+    assert_string_equal("0.3, 0", whirl_result_fact(outline, "equations: start"));
     assert_true(outline->tables[0].count == SPEEDS && !outline->tables[0].blocks);
     assert_string_equal("Linear oscillator", whirl_result_title(outline));
     whirl_result_free(outline);
@@ -244,6 +249,50 @@ static void a_function_that_fails_ends_the_run(void **state) {
         // The same system runs once its function is another.
         good(whirl_user_system_rates(system, oscillator, NULL));
         good(whirl_job_run(job, &result));
+        whirl_result_free(result);
+        whirl_job_free(job);
+        whirl_user_system_free(system);
+    }
+}
+
+/// A mass that a spring and a damper, p[1], stop at x = 0.
+static int stopped(double t, const double *x, const double *p, double *dxdt, void *context) {
+    oscillator(t, x, p, dxdt, context);
+    if (x[0] > 0.0) dxdt[1] -= 100.0 * x[0] + p[1] * x[1];
+    return 0;
+}
+
+/// No derivative tells what a jump does to a disturbance: jumps are refused by their place where it is followed, alone
+/// and in lanes, and are no harm where it is not. Kinks without jumps are followed.
+static void slopes_that_jump_are_refused_where_a_derivative_is_followed(void **state) {
+    static const double dampers[] = {0.0, 20.0};
+    (void)state;
+    for (int form = 0; form < 12; form++) {
+        const bool jumps = form & 1, kinked = form & 2, exponents = form / 4 == 1, lanes = form / 4 == 2;
+        whirl_user_system *system;
+        whirl_job *job;
+        whirl_result *result;
+        good(whirl_user_system_new("Stop", 2, &system));
+        good(whirl_user_system_parameter(system, "omega", 1.3, "rad/s", "1.3 rad/s"));
+        good(whirl_user_system_parameter(system, "damper", dampers[jumps], "1", "damper"));
+        good(whirl_user_system_speed(system, "omega"));
+        good(whirl_user_system_start(system, 1, 1.0));
+        good(whirl_user_system_rates(system, stopped, NULL));
+        good(whirl_user_system_oscillates(system, lanes));
+        if (kinked) good(whirl_user_system_kinked(system));
+        if (exponents || lanes) good(whirl_user_system_analyze(system, "exponents"));
+        good(whirl_user_system_set(system, "method", "dop853"));
+        good(whirl_user_system_set(system, "transient", "2"));
+        good(whirl_user_system_set(system, "record", "8"));
+        good(whirl_job_of_user_system(system, &job));
+        const whirl_status status = whirl_job_run(job, &result);
+        if (jumps && (kinked || exponents || lanes)) {
+            assert_int_equal(WHIRL_NUMERICAL_FAILURE, status.code);
+            if (!strstr(status.message, "slope 1 of the system jumps by")) fail_msg("%s", status.message);
+            assert_null(result);
+        } else {
+            good(status);
+        }
         whirl_result_free(result);
         whirl_job_free(job);
         whirl_user_system_free(system);
@@ -315,6 +364,7 @@ int main(void) {
         cmocka_unit_test(maps_have_rows),
         cmocka_unit_test(results_are_described),
         cmocka_unit_test(a_function_that_fails_ends_the_run),
+        cmocka_unit_test(slopes_that_jump_are_refused_where_a_derivative_is_followed),
         cmocka_unit_test(slopes_that_are_no_numbers_are_divergence),
         cmocka_unit_test(what_is_wrong_is_said),
     };

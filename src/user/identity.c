@@ -1,0 +1,82 @@
+// What tells a user's equations from others: facts of a result, by which a journal knows its study again.
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "number.h"
+#include "user.h"
+
+enum { MOST_SHOWN = 160 }; ///< letters of a fact
+
+whirl_status whirl_user_system_identity(whirl_user_system *system, const char *identity) {
+    if (!identity || !*identity)
+        return whirl_fail(WHIRL_BAD_INPUT, "the identity of a system is empty, expected a name and a version");
+    char *copy = strdup(identity);
+    if (!copy) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the identity of a system");
+    free(system->identity);
+    system->identity = copy;
+    return whirl_ok();
+}
+
+/// FNV-1a of 64 bits.
+static uint64_t checksum(const char *text) {
+    uint64_t sum = 0xcbf29ce484222325u;
+    for (; *text; text++) sum = (sum ^ (unsigned char)*text) * 0x100000001b3u;
+    return sum;
+}
+
+/// A fact, of a long text its beginning and its checksum.
+static whirl_status add(whirl_result *result, const char *name, const char *text) {
+    char plain[MOST_SHOWN + 32];
+    if (strlen(text) <= MOST_SHOWN)
+        snprintf(plain, sizeof plain, "%s", text);
+    else
+        snprintf(plain, sizeof plain, "%.*s ... (%016llx)", MOST_SHOWN, text, (unsigned long long)checksum(text));
+    whirl_make_plain(plain);
+    return whirl_result_add_fact(result, name, plain);
+}
+
+/// What stands in `stations` besides their names, which results have themselves.
+static void put_form(const whirl_user_system *system, FILE *out) {
+    char number[NUMBER_SIZE];
+    fprintf(out, "%zu coordinates, %zu of them displacements", system->dimension, system->displacements);
+    fprintf(out, "%s%s", system->kinked ? ", with kinks" : "", system->tangent ? ", with a derivative" : "");
+    number_text(system->period, number);
+    if (system->speed < system->parameter_count)
+        fprintf(out, "; a revolution of 2 pi/%s", system->parameters[system->speed].name);
+    else
+        fprintf(out, "; a revolution of %s", number);
+    for (size_t i = 0; i < system->station_count; i++) {
+        const whirl_probe *one = &system->stations[i];
+        fprintf(out, "; %s of %zu and %zu, %zu and %zu", one->name, one->x, one->y, one->vx, one->vy);
+    }
+}
+
+static void put_start(const whirl_user_system *system, FILE *out) {
+    char number[NUMBER_SIZE];
+    for (size_t k = 0; k < system->dimension; k++) {
+        number_text(system->start[k], number);
+        fprintf(out, "%s%s", k > 0 ? ", " : "", number);
+    }
+}
+
+whirl_status user_add_equations(const whirl_user_system *system, whirl_result *result) {
+    static const struct {
+        const char *name;
+        void (*put)(const whirl_user_system *system, FILE *out);
+    } facts[] = {{"equations: form", put_form}, {"equations: start", put_start}};
+    whirl_status status = add(result, "equations", system->identity ? system->identity : "functions of the user's own");
+    for (size_t i = 0; i < sizeof facts / sizeof *facts && status.code == WHIRL_OK; i++) {
+        char *text = NULL;
+        size_t size;
+        FILE *out = open_memstream(&text, &size);
+        if (out) facts[i].put(system, out);
+        if (!out || fclose(out) != 0 || !text)
+            status = whirl_fail(WHIRL_NO_MEMORY, "no memory for what a result says of its system");
+        else
+            status = add(result, facts[i].name, text);
+        free(text);
+    }
+    return status;
+}
