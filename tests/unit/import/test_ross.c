@@ -279,6 +279,37 @@ static void test_strange_numbers(void **state) {
     }
 }
 
+/// The good file as of ROSS 3, with this in the place of its table: a line of the case, or the message.
+static void expect_of_3(const char *table, const char *line, const char *message) {
+    static const char old[] = "frequency = [ 0.0, 100.0, 400.0,]\nkxx = [ 1e6, 2e6, 3e6,]";
+    char text[4096], whole[4096];
+    whirl_imported imported;
+    edit("2.3.0", "3.0.0", text, sizeof text);
+    const char *const place = strstr(text, old);
+    assert_non_null(place);
+    snprintf(whole, sizeof whole, "%.*s%s%s", (int)(place - text), text, table, place + strlen(old));
+    const whirl_status status = whirl_import_parse(whole, strlen(whole), "r.toml", &imported);
+    if (line ? status.code != WHIRL_OK : strcmp(status.message, message) != 0) fail_msg("%s", status.message);
+    if (line && (!strstr(imported.text, line) || imported.note_count > 0)) fail_msg("%s", imported.text);
+    whirl_imported_free(&imported);
+}
+
+/// From ROSS 3 on the speeds are called speed, and frequency is that of an excitation.
+static void test_version_3(void **state) {
+    (void)state;
+    expect_of_3("speed = [ 0.0, 100.0, 400.0,]\nkxx = [ 1e6, 2e6, 3e6,]", "        speeds: [0, 100, 400]\n", NULL);
+    expect_of_3("speed = [ 0, 100, 400,]\nfrequency = [ 50, 90,]\nkxx = [ [1e6, 1e6], [2e6, 2e6], [3e6, 3e6] ]",
+                "        kxx: [1000000, 2000000, 3000000]\n", NULL);
+    expect_of_3("speed = [ 0, 100, 400,]\nfrequency = [ 50, 90,]\nkxx = [ [1e6, 1e6], [2e6, 9e6], [3e6, 3e6] ]", NULL,
+                "r.toml:27: [BearingElement_Bearing 0] kxx: goes from 2000000 to 9000000 along the frequency of "
+                "excitation, expected coefficients that depend on the speed alone");
+    expect_of_3("speed = [ 0, 100,]\nkxx = [ 1e6, 2e6, 3e6,]", NULL,
+                "r.toml:26: [BearingElement_Bearing 0] kxx: has 3 numbers, expected one, or as many as speed has: 2");
+    expect_of_3("frequency = [ 0, 100, 400,]\nkxx = [ 1e6, 2e6, 3e6,]", NULL,
+                "r.toml:26: [BearingElement_Bearing 0] kxx: depends on frequency, which is that of an excitation from "
+                "ROSS 3 on, expected coefficients over speed");
+}
+
 static void test_no_machine(void **state) {
     (void)state;
     expect_refused(
@@ -447,6 +478,7 @@ int main(void) {
         cmocka_unit_test(test_broken_bytes),
         cmocka_unit_test(test_strange_numbers),
         cmocka_unit_test(test_no_machine),
+        cmocka_unit_test(test_version_3),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
