@@ -63,7 +63,7 @@ static int run(int argc, char **argv) {
         .parser = parse,
         .args_doc = "RESULT.h5...",
         .doc = "Says again what `whirl run` said of a result: regimes, radii, rubs and how far the verdicts can be "
-               "trusted.",
+               "trusted; modes, critical speeds and largest responses of machines at rest.",
     };
     show_arguments arguments = {.first = argc};
     const int read = read_arguments(&argp, argc, argv, 0, &arguments);

@@ -166,12 +166,11 @@ static void print_modes(const whirl_table *table, size_t point) {
     const double *frequency = whirl_table_field(table, point, "modes/frequency", 0);
     const double *ratio = whirl_table_field(table, point, "modes/damping_ratio", 0);
     const double *direction = whirl_table_field(table, point, "modes/direction", 0);
-    for (size_t i = 0; field && frequency && i < field->rows && isfinite(frequency[i]); i++)
-        printf("  %10.6g rad/s (%.6g Hz)  damping ratio %-10.4g %s\n", frequency[i], frequency[i] / 6.283185307179586,
-               ratio[i],
-               direction[i] > 0.05    ? "forward"
-               : direction[i] < -0.05 ? "backward"
-                                      : "");
+    for (size_t i = 0; field && frequency && i < field->rows && isfinite(frequency[i]); i++) {
+        const char *const whirls = direction[i] > 0.05 ? " forward" : direction[i] < -0.05 ? " backward" : "";
+        printf("  %10.6g rad/s (%.6g Hz)  damping ratio %-*.4g%s\n", frequency[i], frequency[i] / 6.283185307179586,
+               *whirls ? 10 : 0, ratio[i], whirls);
+    }
     const double stability = whirl_table_number(table, point, "modes/stability", 0);
     const double modulo = whirl_table_number(table, point, "modes/modulo", 0);
     if (isfinite(modulo))
@@ -253,6 +252,18 @@ static void print_heading(const whirl_table *table) {
     putchar('\n');
 }
 
+/// The modes at the first and the last value that are done.
+static void print_modes_at_ends(const whirl_result *result, const whirl_table *table) {
+    const whirl_unit unit = whirl_result_unit(result, table->parameter);
+    size_t first = 0, last = table->count;
+    while (first < table->count && !whirl_table_done(table, first)) first++;
+    while (last > first && !whirl_table_done(table, last - 1)) last--;
+    for (size_t point = first; point < last; point += point + 1 < last ? last - 1 - point : 1) {
+        printf(" modes at %.6g%s%s:\n", table->values[point] / unit.size, *unit.name ? " " : "", unit.name);
+        print_modes(table, point);
+    }
+}
+
 static void print_at_rest(const whirl_result *result, const whirl_table *table) {
     const size_t planned = whirl_table_planned(table);
     if (table->parameter[0])
@@ -261,9 +272,10 @@ static void print_at_rest(const whirl_result *result, const whirl_table *table) 
         printf("%s:\n", table->name);
     if (!has_modes(table))
         print_peaks(result, table);
-    else if (planned > 1)
+    else if (planned > 1) {
         print_critical(result, table);
-    else if (whirl_table_done(table, 0))
+        print_modes_at_ends(result, table);
+    } else if (whirl_table_done(table, 0))
         print_modes(table, 0);
 }
 

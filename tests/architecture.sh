@@ -26,7 +26,7 @@ declare -A below=(
     [case]="system.h ensemble.h rotor.h integrate.h analyze.h result.h study.h case.h claims.h job.h"
     [user]="system.h integrate.h analyze.h result.h handles.h study.h case.h job.h user_system.h"
     [store]="system.h integrate.h analyze.h result.h handles.h study.h journal.h shown.h"
-    [import]="system.h rotor.h import.h"
+    [import]="system.h rotor.h case.h import.h"
     [report]="system.h integrate.h analyze.h result.h handles.h study.h verify.h case.h claims.h job.h report.h shown.h"
 )
 for folder in src/*/; do

@@ -93,6 +93,18 @@ const char *field_text(field_section *section, const char *key, const char *fall
     return found && found->kind == VALUE_TEXT ? found->text : fallback;
 }
 
+/// A number, or the first of a row of equal ones: a table's over the frequency of excitation.
+static const value *one_of_row(field_section *section, const field_kind *kind, const value *item) {
+    if (item->kind != VALUE_LIST || !item->first) return item;
+    for (const value *one = item->first; one; one = one->next)
+        if (one->kind == VALUE_NUMBER && one->number != item->first->number)
+            field_refuse(section, kind->key, one,
+                         "goes from %.10g to %.10g along the frequency of excitation, expected coefficients that "
+                         "depend on the speed alone",
+                         item->first->number, one->number);
+    return item->first;
+}
+
 double *field_numbers(field_section *section, const field_kind *kind, size_t *count) {
     const value *const found = find(section, kind->key, false, "");
     *count = 0;
@@ -103,7 +115,7 @@ double *field_numbers(field_section *section, const field_kind *kind, size_t *co
     double *const numbers = field_memory(section->reader, (list ? found->count : 1) * sizeof *numbers);
     if (!numbers) return NULL;
     for (const value *item = list ? found->first : found; item && field_good(section->reader); item = item->next) {
-        numbers[(*count)++] = check_number(section, kind, item);
+        numbers[(*count)++] = check_number(section, kind, list ? one_of_row(section, kind, item) : item);
         if (!list) break;
     }
     return numbers;

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "ross.h"
+#include "whirl/case.h"
 
 enum { MOST_BYTES = 1 << 24, MOST_CASE_BYTES = 1 << 20 };
 
@@ -27,6 +28,19 @@ static whirl_status take_notes(const note_list *notes, whirl_imported *out) {
     return out->notes ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "%s", whirl_code_text(WHIRL_NO_MEMORY));
 }
 
+/// A case that is no good is none: what is wrong with the machine it is of, in the words of the case.
+static whirl_status check_case(const char *file, const whirl_imported *made) {
+    whirl_problems problems = {0};
+    whirl_case *object = NULL;
+    whirl_status status = whirl_case_parse(made->text, made->length, file, &problems, &object);
+    if (status.code == WHIRL_BAD_INPUT && problems.count > 0)
+        status = whirl_fail(WHIRL_BAD_INPUT, "%.120s: makes no machine: %.120s: %.240s", file, problems.items[0].key,
+                            problems.items[0].message);
+    whirl_problems_free(&problems);
+    whirl_case_free(object);
+    return status;
+}
+
 static whirl_status convert(import_reader *reader, value *root, whirl_imported *out) {
     ross_rotor rotor;
     ross_read(reader, root, &rotor);
@@ -38,6 +52,8 @@ static whirl_status convert(import_reader *reader, value *root, whirl_imported *
     if (out->length > MOST_CASE_BYTES)
         return whirl_fail(WHIRL_BAD_INPUT, "%.200s: makes a case of %zu bytes, expected at most %d", reader->file,
                           out->length, MOST_CASE_BYTES);
+    const whirl_status good = check_case(reader->file, out);
+    if (good.code != WHIRL_OK) return good;
     return take_notes(&reader->notes, out);
 }
 

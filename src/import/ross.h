@@ -1,6 +1,6 @@
 /// A rotor as ROSS saves it: what of a file is taken over, in SI and checked.
 ///
-/// The format after petrobras/ross, versions 0.x to 2.3: Rotor.save, Element.save. A section "Class_tag" is an element;
+/// The format after petrobras/ross, versions 0.x to 3.0: Rotor.save, Element.save. A section "Class_tag" is an element;
 /// node n of the shaft lies between elements n - 1 and n; elements on one node are layers; nodes beyond the shaft are
 /// supports, which move along x and y. Speeds turn from x to y, as here.
 #ifndef IMPORT_ROSS_H
@@ -61,6 +61,7 @@ extern const char *const ross_coefficient_units[COEFFICIENTS];
 typedef struct ross_bearing {
     const char *tag;
     long node, link;      ///< link: node of its housing, -1: the ground
+    const char *axis;     ///< key of the speeds: "frequency", from ROSS 3 on "speed"
     size_t speed_count;   ///< 0: constant
     const double *speeds; ///< rad/s, rising
     const double *values[COEFFICIENTS];
@@ -95,8 +96,8 @@ typedef struct ross_rotor {
 /// Reads all sections. Problems are in reader->status.
 void ross_read(import_reader *reader, value *root, ross_rotor *out);
 
-/// A bearing, seal, or any class that has coefficients.
-void ross_read_bearing(field_section *section, const char *tag, ross_bearing *out);
+/// A bearing, seal, or any class that has coefficients, of a file of this version.
+void ross_read_bearing(field_section *section, const char *tag, const char *version, ross_bearing *out);
 
 /// Notes keys that nobody has asked for.
 void ross_note_rest(field_section *section, const char *tag, bool computed);

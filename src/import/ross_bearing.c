@@ -2,6 +2,8 @@
 #include "ross.h"
 
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 const char *const ross_coefficient_names[COEFFICIENTS] = {"kxx", "kxy", "kyx", "kyy", "cxx", "cxy",
                                                           "cyx", "cyy", "mxx", "mxy", "myx", "myy"};
@@ -10,9 +12,13 @@ const char *const ross_coefficient_units[COEFFICIENTS] = {"N/m",   "N/m",   "N/m
 
 static const double nothing[1] = {0.0};
 
-/// Speeds that rise; one alone is none, for then all is constant.
-static void read_speeds(field_section *section, ross_bearing *out) {
-    const field_kind kind = {"frequency", "rad/s", WHIRL_NOT_NEGATIVE};
+/// Speeds that rise; one alone is none, for then all is constant. From ROSS 3 on they are called speed, and frequency
+/// is that of an excitation, on which nothing may depend.
+static void read_speeds(field_section *section, const char *version, ross_bearing *out) {
+    const bool named = value_member(section->table, "speed"), old = value_member(section->table, "frequency");
+    const bool new = strtol(version, NULL, 10) >= 3 || (named && !old);
+    out->axis = new ? "speed" : "frequency";
+    const field_kind kind = {out->axis, "rad/s", WHIRL_NOT_NEGATIVE};
     out->speeds = field_numbers(section, &kind, &out->speed_count);
     for (size_t i = 1; i < out->speed_count && field_good(section->reader); i++)
         if (!(out->speeds[i - 1] < out->speeds[i]))
@@ -34,9 +40,15 @@ static void read_coefficient(field_section *section, ross_coefficient which, ros
     double *const numbers = field_numbers(section, &kind, &count);
     out->values[which] = numbers ? numbers : nothing;
     if (!numbers || !field_good(section->reader)) return;
-    if (count > 1 && count != out->speed_count)
+    const bool excited = !value_member(section->table, "speed") && strcmp(out->axis, "speed") == 0 &&
+                         value_member(section->table, "frequency");
+    if (excited && !is_constant(numbers, count))
         field_refuse(section, kind.key, value_member(section->table, kind.key),
-                     "has %zu numbers, expected one, or as many as frequency has: %zu", count, out->speed_count);
+                     "depends on frequency, which is that of an excitation from ROSS 3 on, expected coefficients over "
+                     "speed");
+    else if (!excited && count > 1 && count != out->speed_count)
+        field_refuse(section, kind.key, value_member(section->table, kind.key),
+                     "has %zu numbers, expected one, or as many as %s has: %zu", count, out->axis, out->speed_count);
     out->varies[which] = !is_constant(numbers, count);
 }
 
@@ -101,12 +113,12 @@ static void note_axial(field_section *section, const char *tag) {
     if (found) note_of(&section->reader->notes, NOTE_AXIAL, tag);
 }
 
-void ross_read_bearing(field_section *section, const char *tag, ross_bearing *out) {
+void ross_read_bearing(field_section *section, const char *tag, const char *version, ross_bearing *out) {
     import_reader *const reader = section->reader;
     *out = (ross_bearing){.tag = tag, .section = *section};
     out->node = field_whole(section, "n", -2);
     out->link = field_whole(section, "n_link", -1);
-    read_speeds(section, out);
+    read_speeds(section, version, out);
     for (int which = KXX; which < COEFFICIENTS; which++) read_coefficient(section, (ross_coefficient)which, out);
     if (!field_good(reader)) return;
     if (!value_member(section->table, "kxx")) field_refuse(section, "kxx", NULL, "is missing, expected numbers in N/m");

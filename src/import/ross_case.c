@@ -34,7 +34,7 @@ static void find_known(const ross_rotor *rotor, double *low, double *high) {
     if (*low < *high) return;
     field_section section = lowest->section;
     field_refuse(
-        &section, "frequency", value_member(section.table, "frequency"),
+        &section, lowest->axis, value_member(section.table, lowest->axis),
         "begins at %.10g rad/s, where another table ends or has ended (%.10g rad/s), expected tables with speeds "
         "in common",
         *low, *high);

@@ -139,7 +139,7 @@ static void read_point(field_section *section, const char *tag, ross_rotor *out)
 
 static void read_bearing(field_section *section, const char *tag, ross_rotor *out) {
     ross_bearing *const bearing = &out->bearings[out->bearing_count];
-    ross_read_bearing(section, tag, bearing);
+    ross_read_bearing(section, tag, out->version, bearing);
     bool acts = false;
     for (int which = KXX; which < COEFFICIENTS; which++) acts = acts || ross_acts(bearing, (ross_coefficient)which);
     out->bearing_count += acts;

@@ -340,6 +340,44 @@ static void put_torus(bool *well, json_t *object, const whirl_table *table, size
     document_put(well, object, "torus", torus);
 }
 
+/// The object of that name within another, as new where there is none.
+static json_t *member(bool *well, json_t *object, const char *name) {
+    if (!json_object_get(object, name)) document_put(well, object, name, json_object());
+    return json_object_get(object, name);
+}
+
+/// The rows of a field up to the last that has a number: numbers, or rows of them.
+static json_t *whole_field(bool *well, const whirl_table *table, size_t point, const whirl_field *field, size_t which) {
+    const double *const values = whirl_table_field(table, point, field->name, which);
+    if (field->rows == 1 && field->columns == 1) return document_number(*values);
+    if (field->rows == 1) return numbers_array(well, values, field->columns);
+    size_t count = field->rows * field->columns;
+    while (count > 0 && isnan(values[count - 1])) count--;
+    json_t *array = json_array();
+    for (size_t n = 0; n < count; n += field->columns)
+        document_append(well, array,
+                        field->columns == 1 ? document_number(values[n])
+                                            : numbers_array(well, values + n, field->columns));
+    return array;
+}
+
+/// All of a machine at rest: "modes": {"frequency": [...], ..., "stations": {"disc": {"shape": [...]}}}.
+static void put_rest(bool *well, json_t *object, const whirl_result *result, const whirl_table *table, size_t point) {
+    for (size_t i = 0; i < table->layout.field_count; ++i) {
+        const whirl_field *const field = &table->layout.fields[i];
+        const char *const name = strchr(field->name, '/');
+        if (!name) continue;
+        char analysis[WHIRL_NAME_SIZE];
+        snprintf(analysis, sizeof analysis, "%.*s", (int)(name - field->name), field->name);
+        json_t *const part = member(well, object, analysis);
+        if (field->extent == WHIRL_PER_POINT)
+            document_put(well, part, name + 1, whole_field(well, table, point, field, 0));
+        for (size_t s = 0; field->extent == WHIRL_PER_STATION && s < result->station_count; ++s)
+            document_put(well, member(well, member(well, part, "stations"), result->stations[s].name), name + 1,
+                         whole_field(well, table, point, field, s));
+    }
+}
+
 static json_t *point_object(bool *well, const whirl_result *result, const whirl_table *table, size_t point) {
     json_t *object = json_object();
     document_put(well, object, "parameters", point_parameters(well, result, table, point));
@@ -353,6 +391,10 @@ static json_t *point_object(bool *well, const whirl_result *result, const whirl_
     if (whirl_analysis_is_traced(table->analyses)) {
         put_trace(well, object, table, point);
         put_stations(well, object, "stations", station_trace, result, table, point);
+        return object;
+    }
+    if (whirl_analysis_is_resting(table->analyses)) {
+        put_rest(well, object, result, table, point);
         return object;
     }
     if (table->refine > 0)

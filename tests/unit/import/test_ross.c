@@ -9,6 +9,7 @@
 
 #include <cmocka.h>
 
+#include "whirl/case.h"
 #include "whirl/import.h"
 
 /// Two elements, a disc in the middle, a bearing with a table and one on a support.
@@ -234,6 +235,91 @@ static void test_refused_by_name(void **state) {
                    "r.toml:18: [DiscElement_Disk 0]: is a DiscElement, expected DiskElement_...");
 }
 
+/// Refused with a sentence, or a case that is good.
+static void expect_good_or_refused(const char *text, size_t length) {
+    whirl_imported imported;
+    const whirl_status status = whirl_import_parse(text, length, "r.toml", &imported);
+    if (status.code != WHIRL_OK) {
+        assert_int_equal(status.code, WHIRL_BAD_INPUT);
+        assert_memory_equal(status.message, "r.toml:", 7);
+        return;
+    }
+    whirl_case *object = NULL;
+    const whirl_status read = whirl_case_parse(imported.text, imported.length, "case", NULL, &object);
+    if (read.code != WHIRL_OK) fail_msg("%s in\n%s", read.message, imported.text);
+    whirl_case_free(object);
+    whirl_imported_free(&imported);
+}
+
+/// Every byte left out or replaced by what means something to TOML.
+static void test_broken_bytes(void **state) {
+    static const char marks[] = "[]{}=.,\"'#\n\\ -";
+    char text[sizeof good];
+    (void)state;
+    for (size_t at = 0; at + 1 < sizeof good; at++) {
+        memcpy(text, good, sizeof good);
+        text[at] = marks[at % (sizeof marks - 1)];
+        expect_good_or_refused(text, sizeof good - 1);
+        memmove(text + at, good + at + 1, sizeof good - 1 - at);
+        expect_good_or_refused(text, sizeof good - 2);
+    }
+}
+
+/// Every value replaced by numbers that machines rarely have.
+static void test_strange_numbers(void **state) {
+    static const char *const numbers[] = {"0", "-1", "1e-30", "1e-9", "1e9", "1e30", "1e300", "nan"};
+    char text[sizeof good + 16];
+    (void)state;
+    for (const char *c = strstr(good, "= "); c; c = strstr(c + 1, "= ")) {
+        const char *const from = c + (c[2] == '[' ? 4 : 2), *const to = from + strcspn(from, ",\n");
+        for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) {
+            snprintf(text, sizeof text, "%.*s%s%s", (int)(from - good), good, numbers[i], to);
+            expect_good_or_refused(text, strlen(text));
+        }
+    }
+}
+
+/// The good file as of ROSS 3, with this in the place of its table: a line of the case, or the message.
+static void expect_of_3(const char *table, const char *line, const char *message) {
+    static const char old[] = "frequency = [ 0.0, 100.0, 400.0,]\nkxx = [ 1e6, 2e6, 3e6,]";
+    char text[4096], whole[4096];
+    whirl_imported imported;
+    edit("2.3.0", "3.0.0", text, sizeof text);
+    const char *const place = strstr(text, old);
+    assert_non_null(place);
+    snprintf(whole, sizeof whole, "%.*s%s%s", (int)(place - text), text, table, place + strlen(old));
+    const whirl_status status = whirl_import_parse(whole, strlen(whole), "r.toml", &imported);
+    if (line ? status.code != WHIRL_OK : strcmp(status.message, message) != 0) fail_msg("%s", status.message);
+    if (line && (!strstr(imported.text, line) || imported.note_count > 0)) fail_msg("%s", imported.text);
+    whirl_imported_free(&imported);
+}
+
+/// From ROSS 3 on the speeds are called speed, and frequency is that of an excitation.
+static void test_version_3(void **state) {
+    (void)state;
+    expect_of_3("speed = [ 0.0, 100.0, 400.0,]\nkxx = [ 1e6, 2e6, 3e6,]", "        speeds: [0, 100, 400]\n", NULL);
+    expect_of_3("speed = [ 0, 100, 400,]\nfrequency = [ 50, 90,]\nkxx = [ [1e6, 1e6], [2e6, 2e6], [3e6, 3e6] ]",
+                "        kxx: [1000000, 2000000, 3000000]\n", NULL);
+    expect_of_3("speed = [ 0, 100, 400,]\nfrequency = [ 50, 90,]\nkxx = [ [1e6, 1e6], [2e6, 9e6], [3e6, 3e6] ]", NULL,
+                "r.toml:27: [BearingElement_Bearing 0] kxx: goes from 2000000 to 9000000 along the frequency of "
+                "excitation, expected coefficients that depend on the speed alone");
+    expect_of_3("speed = [ 0, 100,]\nkxx = [ 1e6, 2e6, 3e6,]", NULL,
+                "r.toml:26: [BearingElement_Bearing 0] kxx: has 3 numbers, expected one, or as many as speed has: 2");
+    expect_of_3("frequency = [ 0, 100, 400,]\nkxx = [ 1e6, 2e6, 3e6,]", NULL,
+                "r.toml:26: [BearingElement_Bearing 0] kxx: depends on frequency, which is that of an excitation from "
+                "ROSS 3 on, expected coefficients over speed");
+}
+
+static void test_no_machine(void **state) {
+    (void)state;
+    expect_refused(
+        "L = 0.25\nidl = 0.01", "L = 1e-12\nidl = 0.01",
+        "r.toml: makes no machine: rotor: stations 'disk_0' and 'bearing_1' lie on the same place of a shaft");
+    expect_refused(
+        "n = 1\ntag", "n = 1\naxial_force = -1e9\ntag",
+        "r.toml: makes no machine: rotor: shaft 1 gives way between its stations: its axial force buckles it");
+}
+
 static void test_no_rotor(void **state) {
     static const struct {
         const char *text, *message;
@@ -252,6 +338,9 @@ static void test_no_rotor(void **state) {
     }
     static const char *const broken[][2] = {{"a = \n", "r.toml:1: is no TOML: "},
                                             {"[a]\n[a]\n", "r.toml:2: is no TOML: "},
+                                            {"[\n", "r.toml:1: is no TOML: "},
+                                            {"[}", "r.toml:1: is no TOML: "},
+                                            {"a = 1\n[[[1]]]\n", "r.toml:2: is no TOML: "},
                                             {"{\n\"a\": }", "r.toml:2: is no JSON: "},
                                             {"{\"a\": 1, \"a\": 2}", "r.toml:1: is no JSON: "}};
     for (size_t i = 0; i < sizeof broken / sizeof *broken; i++) {
@@ -375,12 +464,21 @@ static void test_deep_and_large(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_taken_over),     cmocka_unit_test(test_options_of_the_shaft),
-        cmocka_unit_test(test_refused),        cmocka_unit_test(test_refused_by_name),
-        cmocka_unit_test(test_no_rotor),       cmocka_unit_test(test_notes),
-        cmocka_unit_test(test_speeds),         cmocka_unit_test(test_names),
-        cmocka_unit_test(test_json),           cmocka_unit_test(test_long_tables),
+        cmocka_unit_test(test_taken_over),
+        cmocka_unit_test(test_options_of_the_shaft),
+        cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_refused_by_name),
+        cmocka_unit_test(test_no_rotor),
+        cmocka_unit_test(test_notes),
+        cmocka_unit_test(test_speeds),
+        cmocka_unit_test(test_names),
+        cmocka_unit_test(test_json),
+        cmocka_unit_test(test_long_tables),
         cmocka_unit_test(test_deep_and_large),
+        cmocka_unit_test(test_broken_bytes),
+        cmocka_unit_test(test_strange_numbers),
+        cmocka_unit_test(test_no_machine),
+        cmocka_unit_test(test_version_3),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
