@@ -408,7 +408,8 @@ static void note(whirl_recorder *r, motion *m) {
         memcpy(record->section + record->section_count++ * record->dimension, m->x, record->dimension * sizeof *m->x);
     }
     if (!m->settling || is_on_orbit(m)) return;
-    if (settling_note(m->settling, m->x)) m->revolution = record_skip(r->options, m->revolution);
+    const size_t period = settling_note(m->settling, m->x);
+    if (period > 0) m->revolution = record_skip(r->options, m->revolution, period);
     if (m->approach) approach_goes_on(m->approach, m->settling);
 }
 
