@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "approach.h"
+#include "at_rest.h"
 #include "orbits.h"
 #include "record_block.h"
 #include "settling.h"
@@ -445,6 +446,7 @@ static whirl_status complete(const whirl_recorder *r) {
         if (!is_over(r, m)) continue;
         if (m->record->motion == WHIRL_BOUNDED) close_record(r, m);
         status = steps_look(m->task.system, r->integrate, m->record);
+        if (status.code == WHIRL_OK) status = at_rest_look(m->task.system, r->integrate, m->record);
         record_close_turns(m->record);
     }
     return status;
