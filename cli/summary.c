@@ -96,7 +96,9 @@ static void print_synchronous(const whirl_result *result, const whirl_table *tab
 /// "confidence: fair (one tolerance only); to settle it, let it run 2 times as long".
 static void print_confidence(const whirl_verdict *verdict) {
     char other[VERDICT_SIZE], advice[WHIRL_MESSAGE_SIZE];
-    const whirl_verdict second = {.regime = verdict->other_regime, .period = verdict->other_period};
+    // A motion rests where it does at both tolerances.
+    const whirl_verdict second = {
+        .regime = verdict->other_regime, .period = verdict->other_period, .rests = verdict->rests};
     short_name(&second, other, sizeof other);
     whirl_verdict_advice(verdict, advice, sizeof advice);
     printf("  confidence: %s (", whirl_confidence_name(verdict->confidence));

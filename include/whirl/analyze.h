@@ -138,6 +138,15 @@ typedef struct whirl_record_orbit {
     double set_at;
 } whirl_record_orbit;
 
+/// The equilibrium at which a motion rests.
+typedef struct whirl_record_rest {
+    bool found;      ///< the motion stays within 1e-5 of the state's size of it; else the rest means nothing
+    double distance; ///< the farthest that the record is from it, over the state's size: its largest coordinate, or
+                     ///< what the steps resolve over 1e-5
+    double growth;   ///< exponent, per revolution, of the mode about it that decays most slowly, or grows
+    double order;    ///< frequency of that mode, 0 where it has none
+} whirl_record_rest;
+
 /// What was gathered of one motion. Lengths in the system's own; one block, freed by whirl_record_free.
 /// After a divergence only `diverged_at`, `motion`, `steps` and `end` mean anything.
 typedef struct whirl_record {
@@ -174,6 +183,7 @@ typedef struct whirl_record {
 
     whirl_step_quality steps; ///< of a fixed-step method
     whirl_record_orbit orbit; ///< unsought where the options do not ask for it
+    whirl_record_rest rest;   ///< not found where the motion moves, the system has phases that turn or no Jacobian
 } whirl_record;
 
 /// Called after every revolution of a motion; false asks for a stop.
@@ -317,6 +327,9 @@ typedef struct whirl_advice {
     double factor;       ///< above 1 where there is a remedy but another start, else 1
 } whirl_advice;
 
+/// whirl_verdict.refuge of an equilibrium.
+enum { WHIRL_REFUGE_AT_REST = -1 };
+
 /// A verdict with the evidence it rests on.
 typedef struct whirl_verdict {
     whirl_regime regime; ///< the kind of motion
@@ -360,13 +373,26 @@ typedef struct whirl_verdict {
     double orbit_residual, orbit_distance, orbit_modulus; ///< as whirl_record_orbit has them; NaN where there is none
     double step_growth; ///< whirl_step_quality.growth; NaN for methods with a tolerance
     double step_error;  ///< whirl_step_quality.error
+    double revolutions; ///< that were integrated
+    double swelling;    ///< per revolution, at which the section grows from half to half of the watched revolutions
+    bool sought;        ///< of a chaotic motion: whether it was looked for what else draws in where it goes, namely
+    int refuge;         ///< k of a stable P-k, WHIRL_REFUGE_AT_REST of a stable equilibrium; 0: none was found
+    bool rests;         ///< of P-1: it rests at a stable equilibrium; then the exponent is that of its slowest mode
+    double rest_distance, rest_order; ///< as whirl_record_rest has them; NaN where it does not rest
 } whirl_verdict;
 
 /// Judges the motion. See docs/theory.md, "Verdicts".
 whirl_verdict whirl_judge(const whirl_record *record);
 
+/// Looks for what draws motions in among the states that a chaotic motion goes through: stable equilibria near its
+/// section, and stable orbits that motions from 32 starts in the box of its record come near to within 200 revolutions.
+/// *refuge as whirl_verdict has it. WHIRL_BAD_INPUT where the system gives no Jacobian; WHIRL_NO_MEMORY.
+whirl_status whirl_record_refuge(const whirl_system *system, const whirl_integrate_options *integrate,
+                                 const whirl_record *record, int *refuge);
+
 /// Compares with the verdict on the same motion at another tolerance (whirl_integrate_tighter), which settles the
-/// confidence: high needs the same regime (and period) from both; where they differ it is low.
+/// confidence: high needs the same regime (and period) from both, and of chaos that no refuge was found from there;
+/// where they differ it is low.
 void whirl_verdict_confirm(whirl_verdict *verdict, const whirl_verdict *other);
 
 /// Sets beside a chaotic verdict what a copy of the motion was after `revolutions` more than the point's own `all`.
@@ -388,8 +414,8 @@ const char *whirl_regime_name(whirl_regime regime);
 /// "low", "fair", "high". Static text.
 const char *whirl_confidence_name(whirl_confidence confidence);
 
-/// "P-2", "quasi-periodic (1 curve)", "chaotic", "diverged at revolution 17", "undetermined". Writes at most `size`
-/// bytes.
+/// "P-2", "rests", "quasi-periodic (1 curve)", "chaotic", "diverged at revolution 17", "undetermined". Writes at most
+/// `size` bytes.
 void whirl_verdict_name(const whirl_verdict *verdict, char *text, size_t size);
 
 /// Why, in one sentence from the evidence. Writes at most `size` bytes.
@@ -621,6 +647,11 @@ void whirl_torus_end_text(double end, double p, double q, char *text, size_t siz
 
 /// The verdict that a block holds; regime WHIRL_UNDETERMINED with NaN evidence when it holds none.
 whirl_verdict whirl_block_verdict(const whirl_layout *layout, const double *block);
+
+/// Looks for a refuge (whirl_record_refuge) of the motion whose block this is, where that calls it chaotic by clear
+/// evidence, and notes it there. WHIRL_NO_MEMORY alone is an error.
+whirl_status whirl_block_seek_refuge(const whirl_layout *layout, double *block, const whirl_system *system,
+                                     const whirl_integrate_options *integrate, const whirl_record *record);
 
 /// Confirms (whirl_verdict_confirm) the verdict that a block holds with that at another tolerance.
 void whirl_block_confirm(const whirl_layout *layout, double *block, const whirl_verdict *other);

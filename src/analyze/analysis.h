@@ -7,7 +7,7 @@
 
 #include "whirl/analyze.h"
 
-enum { MAX_ANALYSIS_FIELDS = 32 };
+enum { MAX_ANALYSIS_FIELDS = 40 };
 
 /// What the sizes of the fields depend on.
 typedef struct block_shape {

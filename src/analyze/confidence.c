@@ -74,6 +74,22 @@ static whirl_confidence weigh_periodic(const whirl_verdict *v, const evidence *e
     return alone;
 }
 
+/// The exponent that a motion without a verdict settles by, where it is sharp; else NaN.
+static double settling_exponent(const evidence *e) {
+    if (e->growth_count == 0) return NAN;
+    const whirl_estimate sharp = estimate_regular_mean(e->growth, e->growth_count, 1);
+    return is_clear(sharp) && sharp.value < 0.0 ? sharp.value : NAN;
+}
+
+/// An equilibrium draws in all that is within a hundredth of what a revolution shortens; that a disturbance beside the
+/// motion dies out, too, excludes a small cycle there. (Rounding, and errors of steps, bound how fast it is seen to.)
+static whirl_confidence weigh_rest(const whirl_verdict *v, const evidence *e) {
+    const double slowest = fmax(0.5 * v->exponent.value, -0.1), sharp = settling_exponent(e);
+    const bool draws_in = -expm1(v->exponent.value) >= 100.0 * v->rest_distance;
+    const bool dies_out = sharp < slowest || (is_clear(e->exponent) && e->exponent.value < slowest);
+    return draws_in && dies_out ? WHIRL_HIGH : WHIRL_FAIR;
+}
+
 /// Whether there are signs that the motion comes to rest on a locked one.
 static bool slows_down(const whirl_verdict *v) {
     const double steady_trend = 0.95;
@@ -107,7 +123,7 @@ static whirl_confidence weigh_chaotic(const whirl_verdict *v, const evidence *e)
 static whirl_confidence weigh(const whirl_verdict *v, const evidence *e) {
     switch (v->regime) {
     case WHIRL_PERIODIC:
-        return weigh_periodic(v, e);
+        return v->rests ? weigh_rest(v, e) : weigh_periodic(v, e);
     case WHIRL_QUASI_PERIODIC:
         return weigh_quasi_periodic(v, e);
     case WHIRL_CHAOTIC:
@@ -121,13 +137,6 @@ static whirl_confidence weigh(const whirl_verdict *v, const evidence *e) {
 
 static double bounded_factor(double factor) {
     return fmin(fmax(factor, least_factor), largest_factor);
-}
-
-/// The exponent that a motion without a verdict settles by, where it is sharp; else NaN.
-static double settling_exponent(const evidence *e) {
-    if (e->growth_count == 0) return NAN;
-    const whirl_estimate sharp = estimate_regular_mean(e->growth, e->growth_count, 1);
-    return is_clear(sharp) && sharp.value < 0.0 ? sharp.value : NAN;
 }
 
 /// How many times as long the run must be for what is left of the transient to shrink to a tenth of what counts as
@@ -164,11 +173,18 @@ static bool stays_on_unstable(const whirl_verdict *v, const evidence *e) {
     return v->recurrence <= e->rounding && v->exponent.value > 0.0 && is_clear(v->exponent);
 }
 
+bool weigh_swelling(const whirl_verdict *v) {
+    const double share = 0.2, sigmas = 3.0, error = sigmas * v->exponent.error;
+    return v->exponent.value > error && fabs(v->swelling - v->exponent.value) <= share * v->exponent.value + error;
+}
+
 static whirl_advice advise(const whirl_verdict *v, const evidence *e, const whirl_record *record) {
     if (v->agreement == WHIRL_HIGH) return (whirl_advice){WHIRL_NO_REMEDY, 1.0};
     if (v->regime == WHIRL_CHAOTIC) return (whirl_advice){WHIRL_LONGER_WATCH, exponent_factor(v->exponent)};
     if (v->regime == WHIRL_QUASI_PERIODIC) return (whirl_advice){WHIRL_LONGER_WATCH, usual_factor};
+    if (v->rests) return (whirl_advice){WHIRL_LONGER_WATCH, usual_factor};
     if (stays_on_unstable(v, e)) return (whirl_advice){WHIRL_OTHER_START, 1.0};
+    if (weigh_swelling(v)) return (whirl_advice){WHIRL_LONGER_TRANSIENT, usual_factor};
     if (isnan(v->round) && still_settles(v, e))
         return (whirl_advice){WHIRL_LONGER_TRANSIENT, settling_factor(v, e, record)};
     return (whirl_advice){WHIRL_LONGER_WATCH, drift_factor(v, e)};
@@ -216,9 +232,17 @@ void whirl_verdict_confirm(whirl_verdict *verdict, const whirl_verdict *other) {
     verdict->confirmed = true;
     verdict->other_regime = other->regime;
     verdict->other_period = other->period;
+    verdict->rests = verdict->rests && other->rests;
+    verdict->sought = other->sought;
+    verdict->refuge = other->refuge;
     if (verdict->regime == WHIRL_UNDETERMINED) return;
     if (other->regime == verdict->regime && other->period == verdict->period) {
         verdict->confidence = joint_confidence(verdict, other);
+        if (verdict->confidence == WHIRL_HIGH && verdict->refuge != 0) {
+            verdict->confidence = WHIRL_FAIR;
+            verdict->advice = (whirl_advice){WHIRL_LONGER_TRANSIENT, usual_factor};
+            return;
+        }
         if (verdict->confidence == WHIRL_HIGH || verdict->confidence == verdict->agreement) return;
         verdict->advice = other->agreement == WHIRL_HIGH ? tighter : other->advice;
     } else {

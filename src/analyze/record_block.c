@@ -5,12 +5,14 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "section.h"
 #include "turns.h"
 
-int record_skip(const whirl_record_options *options, int revolution) {
+int record_skip(const whirl_record_options *options, int revolution, size_t period) {
     enum { STILL_WATCHED = 64 };
+    const int three = period > SHORT_PERIOD ? 3 * (int)period - options->record : 0;
     const int first_watched = options->transient + options->record - whirl_record_watch(options);
-    const int late = options->transient - STILL_WATCHED;
+    const int late = options->transient - (three > STILL_WATCHED ? three : STILL_WATCHED);
     const int target = late > first_watched ? late : first_watched;
     return revolution < target ? target : revolution;
 }

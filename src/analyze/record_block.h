@@ -5,9 +5,9 @@
 #include "archive.h"
 #include "whirl/analyze.h"
 
-/// Where a motion that has settled after `revolution` revolutions goes on: it leaves out what is left of the transient
-/// but for the last 64 revolutions.
-int record_skip(const whirl_record_options *options, int revolution);
+/// Where a motion that has settled on P-`period` after `revolution` revolutions goes on: it leaves out what is left of
+/// the transient but for the last 64 revolutions, or as many as three of a period beyond 64 need.
+int record_skip(const whirl_record_options *options, int revolution, size_t period);
 
 /// An empty record for a motion of the system, all zero; NULL without memory. Freed by whirl_record_free.
 whirl_record *record_new(const whirl_system *system, const whirl_integrate_options *integrate,

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "approach.h"
+#include "at_rest.h"
 #include "orbits.h"
 #include "record_block.h"
 #include "settling.h"
@@ -408,7 +409,8 @@ static void note(whirl_recorder *r, motion *m) {
         memcpy(record->section + record->section_count++ * record->dimension, m->x, record->dimension * sizeof *m->x);
     }
     if (!m->settling || is_on_orbit(m)) return;
-    if (settling_note(m->settling, m->x)) m->revolution = record_skip(r->options, m->revolution);
+    const size_t period = settling_note(m->settling, m->x);
+    if (period > 0) m->revolution = record_skip(r->options, m->revolution, period);
     if (m->approach) approach_goes_on(m->approach, m->settling);
 }
 
@@ -452,6 +454,7 @@ static whirl_status complete(const whirl_recorder *r) {
         if (!is_over(r, m)) continue;
         if (m->record->motion == WHIRL_BOUNDED) close_record(r, m);
         status = steps_look(m->task.system, r->integrate, m->record);
+        if (status.code == WHIRL_OK) status = at_rest_look(m->task.system, r->integrate, m->record);
         record_close_turns(m->record);
     }
     return status;

@@ -31,7 +31,7 @@ static double settling_trend(const section *all, size_t k, double size) {
     return (late + rounding) / (early + rounding);
 }
 
-enum { SHORT_PERIOD = 64, FEWEST_RETURNS = 4 };
+enum { FEWEST_RETURNS = 4 };
 
 /// The period up to 64 that returns within the tolerance, or best.
 static void try_short_periods(const section *all, double size, double tolerance, recurrence *found) {

@@ -34,6 +34,11 @@ enum {
     EXPONENT_ERROR,
     STEP_GROWTH,
     STEP_ERROR,
+    SWELLING,
+    REFUGE,
+    RESTS,
+    REST_DISTANCE,
+    REST_ORDER,
     REVOLUTIONS,
     FIELD_COUNT
 };
@@ -102,6 +107,19 @@ static const field_plan fields[FIELD_COUNT] = {
                      WHIRL_PER_POINT, 1, NULL},
     [STEP_ERROR] = {"step_error", "1", "evidence: error of a revolution by fixed steps, over the size of the motion",
                     WHIRL_PER_POINT, 1, NULL},
+    [SWELLING] = {"swelling", "1/revolution",
+                  "evidence: rate at which the section grows from half to half of the watched revolutions",
+                  WHIRL_PER_POINT, 1, NULL},
+    [REFUGE] = {"refuge", "revolution",
+                "k of a stable P-k among the states that a chaotic motion goes through, -1 for a stable equilibrium, 0 "
+                "where none was found, missing where none was looked for",
+                WHIRL_PER_POINT, 1, NULL},
+    [RESTS] = {"rests", "1", "1 where a P-1 rests at a stable equilibrium, else 0", WHIRL_PER_POINT, 1, NULL},
+    [REST_DISTANCE] = {"rest_distance", "1",
+                       "evidence: largest distance from that equilibrium over the largest coordinate", WHIRL_PER_POINT,
+                       1, NULL},
+    [REST_ORDER] = {"rest_order", "1", "evidence: frequency of the mode about it that decays most slowly, in orders",
+                    WHIRL_PER_POINT, 1, NULL},
     [REVOLUTIONS] = {"revolutions", "revolution", "revolutions integrated", WHIRL_PER_POINT, 1, NULL},
 };
 
@@ -135,6 +153,11 @@ static void put_verdict(const whirl_verdict *v, const block_view *view) {
         [EXPONENT_ERROR] = v->exponent.error,
         [STEP_GROWTH] = v->step_growth,
         [STEP_ERROR] = v->step_error,
+        [SWELLING] = v->swelling,
+        [REFUGE] = v->sought ? (double)v->refuge : (double)NAN,
+        [RESTS] = v->rests,
+        [REST_DISTANCE] = v->rest_distance,
+        [REST_ORDER] = v->rest_order,
     };
     for (size_t f = 0; f < REVOLUTIONS; f++) {
         double *number = view_numbers(view, f, 0);
@@ -216,6 +239,15 @@ whirl_verdict whirl_block_verdict(const whirl_layout *layout, const double *bloc
         .orbit_modulus = stored(layout, block, "floquet/modulus"),
         .step_growth = stored(layout, block, "regime/step_growth"),
         .step_error = stored(layout, block, "regime/step_error"),
+        .revolutions = fmax(stored(layout, block, "regime/revolutions"), 0.0),
+        .swelling = stored(layout, block, "regime/swelling"),
+        .sought = !isnan(stored(layout, block, "regime/refuge")),
+        .refuge = stored(layout, block, "regime/refuge") == WHIRL_REFUGE_AT_REST
+                      ? WHIRL_REFUGE_AT_REST
+                      : whole(stored(layout, block, "regime/refuge"), WHIRL_MAX_PERIOD),
+        .rests = stored(layout, block, "regime/rests") > 0.5,
+        .rest_distance = stored(layout, block, "regime/rest_distance"),
+        .rest_order = stored(layout, block, "regime/rest_order"),
     };
 }
 
@@ -228,6 +260,17 @@ static void store_verdict(const whirl_layout *layout, double *block, const whirl
         view.fields[f] = whirl_layout_field(layout, name);
     }
     put_verdict(verdict, &view);
+}
+
+whirl_status whirl_block_seek_refuge(const whirl_layout *layout, double *block, const whirl_system *system,
+                                     const whirl_integrate_options *integrate, const whirl_record *record) {
+    whirl_verdict verdict = whirl_block_verdict(layout, block);
+    if (verdict.regime != WHIRL_CHAOTIC || verdict.agreement != WHIRL_HIGH) return whirl_ok();
+    const whirl_status status = whirl_record_refuge(system, integrate, record, &verdict.refuge);
+    if (status.code != WHIRL_OK) return status.code == WHIRL_NO_MEMORY ? status : whirl_ok();
+    verdict.sought = true;
+    store_verdict(layout, block, &verdict);
+    return status;
 }
 
 void whirl_block_confirm(const whirl_layout *layout, double *block, const whirl_verdict *other) {

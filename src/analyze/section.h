@@ -38,6 +38,9 @@ typedef struct recurrence {
     double trend;      ///< largest |z(n+k) - z(n)| in the last quarter of the section over that in the first
 } recurrence;
 
+/// Periods up to this are compared by all returns of a window, longer ones where three of them were watched.
+enum { SHORT_PERIOD = 64 };
+
 /// A computed motion returns when it comes back within this share of its size.
 static const double recurrence_tolerance = 1e-6;
 

@@ -47,15 +47,15 @@ static bool close_to(const settling *s, const double *a, const double *b, double
     return sum <= square;
 }
 
-bool settling_note(settling *s, const double *x) {
+size_t settling_note(settling *s, const double *x) {
     double size = 0.0;
-    bool settled = false;
+    size_t settled = 0;
     for (size_t i = 0; i < s->dimension; i++) size += turns_on(s->turns, i) ? 0.0 : x[i] * x[i];
     for (size_t k = 1; k < KEPT && k <= s->count; k++) {
         const double *before = s->states + (s->count - k) % KEPT * s->dimension;
         const bool returned = close_to(s, x, before, tolerance * tolerance * size);
         s->returns[k] = returned ? s->returns[k] + 1 : 0;
-        settled = settled || s->returns[k] >= 3 * k + CALM;
+        if (settled == 0 && s->returns[k] >= 3 * k + CALM) settled = k;
     }
     memcpy(s->states + s->count % KEPT * s->dimension, x, s->dimension * sizeof *x);
     s->count++;

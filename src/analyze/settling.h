@@ -18,9 +18,9 @@ void settling_free(settling *settling);
 /// Goes over its state.
 void settling_archive(settling *settling, archive *a);
 
-/// Takes the state x [dimension] at the end of a revolution. True where the motion has returned after k revolutions,
-/// k <= 128, to 1e-11 of its size for three periods and 32 revolutions.
-bool settling_note(settling *settling, const double *x);
+/// Takes the state x [dimension] at the end of a revolution. The least k <= 128 after which the motion has returned to
+/// 1e-11 of its size for three periods and 32 revolutions; 0: none.
+size_t settling_note(settling *settling, const double *x);
 
 /// The state [dimension] so many revolutions before the last one; NULL where it is no longer, or was never, there. 129
 /// are kept.

@@ -112,7 +112,10 @@ static whirl_verdict verdict_on(const evidence *e, whirl_regime regime, whirl_es
                            .regularity = e->averages.digits,
                            .chaos = NAN,
                            .round = NAN,
-                           .rotation = NAN};
+                           .rotation = NAN,
+                           .swelling = log(e->averages.spread) / (0.5 * (double)e->points.count),
+                           .rest_distance = NAN,
+                           .rest_order = NAN};
 }
 
 static whirl_verdict open_verdict(const evidence *e) {
@@ -125,6 +128,23 @@ static whirl_verdict open_verdict(const evidence *e) {
 static whirl_verdict periodic_verdict(const evidence *e, whirl_estimate exponent) {
     whirl_verdict v = verdict_on(e, WHIRL_PERIODIC, exponent);
     v.period = e->returns.period;
+    return v;
+}
+
+/// Rest: the equilibrium draws in what is so near, and no disturbance beside the motion says otherwise. (Steps
+/// that do not carry disturbances may carry the motion no better.)
+static bool is_at_rest(const evidence *e, const whirl_record_rest *rest) {
+    const bool grows = e->growth_count > 0 && e->exponent.value > sigmas * e->exponent.error;
+    return rest->found && !e->exponents_failed && !grows && -expm1(rest->growth) > 10.0 * rest->distance;
+}
+
+static whirl_verdict resting_verdict(const evidence *e, const whirl_record_rest *rest) {
+    const double rounding = 1e-9; // of eigenvalues
+    whirl_verdict v = verdict_on(e, WHIRL_PERIODIC, (whirl_estimate){rest->growth, rounding * fabs(rest->growth)});
+    v.period = 1;
+    v.rests = true;
+    v.rest_distance = rest->distance;
+    v.rest_order = rest->order;
     return v;
 }
 
@@ -190,7 +210,9 @@ static whirl_verdict judge_bounded(const whirl_record *record) {
     const whirl_estimate returning = returning_exponent(&all);
     const evidence *e = &all;
     whirl_verdict verdict;
-    if (is_periodic(&all, returning)) {
+    if (is_at_rest(&all, &record->rest)) {
+        verdict = resting_verdict(&all, &record->rest);
+    } else if (is_periodic(&all, returning)) {
         verdict = periodic_verdict(&all, returning);
     } else if (is_chaotic(&all)) {
         verdict = chaotic_verdict(&all);
@@ -229,11 +251,15 @@ static whirl_verdict judge_unbounded(const whirl_record *record) {
                            .regularity = NAN,
                            .chaos = NAN,
                            .round = NAN,
-                           .rotation = NAN};
+                           .rotation = NAN,
+                           .swelling = NAN,
+                           .rest_distance = NAN,
+                           .rest_order = NAN};
 }
 
 whirl_verdict whirl_judge(const whirl_record *record) {
     whirl_verdict verdict = record->motion == WHIRL_BOUNDED ? judge_bounded(record) : judge_unbounded(record);
     steps_weigh(&verdict, &record->steps);
+    verdict.revolutions = record->revolutions;
     return verdict;
 }

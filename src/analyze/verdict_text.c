@@ -3,6 +3,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 
+#include "confidence.h"
 #include "section.h"
 #include "steps.h"
 #include "whirl/analyze.h"
@@ -41,7 +42,10 @@ static void quasi_periodic_name(const whirl_verdict *v, char *text, size_t size)
 void whirl_verdict_name(const whirl_verdict *verdict, char *text, size_t size) {
     switch (verdict->regime) {
     case WHIRL_PERIODIC:
-        snprintf(text, size, "P-%d", verdict->period);
+        if (verdict->rests)
+            snprintf(text, size, "rests");
+        else
+            snprintf(text, size, "P-%d", verdict->period);
         return;
     case WHIRL_QUASI_PERIODIC:
         quasi_periodic_name(verdict, text, size);
@@ -75,6 +79,20 @@ static void unreturned_text(const whirl_verdict *v, char *text, size_t size) {
              v->longest_period < WHIRL_MAX_PERIOD ? " (longer periods need three of them watched)" : "");
 }
 
+/// Times of escape are distributed exponentially: what lasted n revolutions excludes, at 95 %, mean times below n/3.
+static void chaotic_reason(const whirl_verdict *v, const char *exponent, char *text, size_t size) {
+    char refuge[128] = "", lasting[96] = "";
+    const double excluded = (v->revolutions + v->followed) / 3.0;
+    if (excluded >= 1.0)
+        snprintf(lasting, sizeof lasting, "; chaos of a mean lifetime below %.0f revolutions is excluded", excluded);
+    if (v->refuge == WHIRL_REFUGE_AT_REST)
+        snprintf(refuge, sizeof refuge, "; a stable equilibrium lies where it goes, on which it may end");
+    else if (v->refuge > 0)
+        snprintf(refuge, sizeof refuge, "; a stable P-%d lies where it goes, on which it may end", v->refuge);
+    snprintf(text, size, "small disturbances grow: %s; averages of two halves agree to %.1f digits only%s%s%s",
+             exponent, v->regularity, v->chaos <= 0.2 ? ", but the 0-1 test does not see chaos" : "", refuge, lasting);
+}
+
 /// Why it is open: where it stands, in the order in which verdicts are tried.
 static void undetermined_reason(const whirl_verdict *v, const char *exponent, char *text, size_t size) {
     char unreturned[96];
@@ -88,6 +106,11 @@ static void undetermined_reason(const whirl_verdict *v, const char *exponent, ch
         snprintf(text, size, "too few revolutions were watched to tell");
     } else if (v->advice.remedy == WHIRL_OTHER_START) {
         snprintf(text, size, "stays where it started, on an unstable motion that nothing pushes it off (%s)", exponent);
+    } else if (weigh_swelling(v)) {
+        snprintf(text, size,
+                 "grows: by %.4g per revolution, as disturbances do (%s); it leaves an unstable motion, and is lost or "
+                 "comes to another one",
+                 v->swelling, exponent);
     } else if (v->recurrence <= recurrence_tolerance) {
         snprintf(text, size,
                  "returns after %d revolution%s to %.1e of its size, but it is not certain that it has settled (%s)",
@@ -168,17 +191,28 @@ static void periodic_reason(const whirl_verdict *v, const char *exponent, char *
              v->recurrence, exponent, orbit);
 }
 
+static void rest_reason(const whirl_verdict *v, char *text, size_t size) {
+    char order[48] = "";
+    if (v->rest_order > 0.0) snprintf(order, sizeof order, " (at %.4g X)", v->rest_order);
+    snprintf(text, size,
+             "stays within %.1e of its largest coordinate at an equilibrium; the slowest mode about it%s dies out by "
+             "%.4g per revolution",
+             v->rest_distance, order, -v->exponent.value);
+}
+
 static void regime_reason(const whirl_verdict *v, const char *exponent, char *text, size_t size) {
     switch (v->regime) {
     case WHIRL_PERIODIC:
-        periodic_reason(v, exponent, text, size);
+        if (v->rests)
+            rest_reason(v, text, size);
+        else
+            periodic_reason(v, exponent, text, size);
         return;
     case WHIRL_QUASI_PERIODIC:
         quasi_periodic_reason(v, exponent, text, size);
         return;
     case WHIRL_CHAOTIC:
-        snprintf(text, size, "small disturbances grow: %s; averages of two halves agree to %.1f digits only%s",
-                 exponent, v->regularity, v->chaos <= 0.2 ? ", but the 0-1 test does not see chaos" : "");
+        chaotic_reason(v, exponent, text, size);
         return;
     case WHIRL_DIVERGING:
         snprintf(text, size, "the motion left its bounds in revolution %.0f", v->diverged_at);

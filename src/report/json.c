@@ -88,6 +88,10 @@ static void put_verdict(bool *well, json_t *object, const whirl_table *table, si
     document_put(well, evidence, "rotation", document_number(verdict.rotation));
     document_put(well, evidence, "neighbours", json_integer(verdict.neighbours));
     document_put(well, evidence, "followed", document_number(verdict.followed));
+    document_put(well, evidence, "swelling", document_number(verdict.swelling));
+    document_put(well, evidence, "refuge", verdict.sought ? json_integer(verdict.refuge) : json_null());
+    document_put(well, evidence, "rest_distance", document_number(verdict.rest_distance));
+    document_put(well, evidence, "rest_order", document_number(verdict.rest_order));
     document_put(well, object, "evidence", evidence);
 }
 

@@ -303,7 +303,11 @@ static whirl_status analyze(const worker *w, const chain *link, const whirl_reco
     const size_t slot = current_slot(link);
     const beginning start = {slot, pass_origin(c->run, p->batch, slot), link->from};
     double *block = block_of(w, slot);
-    if (pass_is_beside(p)) return whirl_analyze(record, &p->record, compared(p, c->batch), &c->other, w->other);
+    if (pass_is_beside(p)) {
+        const whirl_status beside = whirl_analyze(record, &p->record, compared(p, c->batch), &c->other, w->other);
+        if (beside.code != WHIRL_OK || !p->confirming) return beside;
+        return whirl_block_seek_refuge(&c->other, w->other, link->machine.system, &p->integrate, record);
+    }
     const double spent = p->round > 0 ? refine_spent(&c->table->layout, block) + c->weight * record->revolutions : 0.0;
     const whirl_status status = whirl_analyze(record, &p->record, c->batch->analyses, &c->table->layout, block);
     map_note(c->batch, slot % c->batch->count, &c->table->layout, block);

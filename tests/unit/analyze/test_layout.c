@@ -181,8 +181,8 @@ static void verdicts_come_back(void **state) {
     assert_false(whirl_analysis_add(&set, "regimes"));
     whirl_layout layout;
     assert_int_equal(whirl_layout_new(&machine, &integrate, &options, set, &layout).code, WHIRL_OK);
-    double block[32];
-    assert_true(layout.size <= 32);
+    double block[64];
+    assert_true(layout.size <= 64);
     assert_int_equal(whirl_analyze(record, &options, set, &layout, block).code, WHIRL_OK);
     const whirl_verdict judged = whirl_judge(record), back = whirl_block_verdict(&layout, block);
     assert_int_equal(judged.regime, WHIRL_PERIODIC);

@@ -1,0 +1,92 @@
+// Rest: a motion that stays, to what its steps resolve, where the equations let nothing move. Its size is that of the
+// errors of its steps, so that neither returns nor a disturbance beside it tell anything: the equilibrium does, and the
+// eigenvalues about it. See docs/theory.md, "Rest".
+#include "at_rest.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "section.h"
+#include "turns.h"
+
+/// A motion rests within this share of the state's size.
+static const double near_enough = 1e-5;
+
+/// No state counts as smaller: what is below near_enough of it is not resolved by the steps, or is rounding.
+static double least_scale(const whirl_integrate_options *integrate) {
+    const double tolerances = 100.0, rounding = 1e-12;
+    return fmax(whirl_method_is_adaptive(integrate->method) ? tolerances * integrate->atol : 0.0, rounding) /
+           near_enough;
+}
+
+/// The largest coordinate, at the least `scale`.
+static double scale_of(const whirl_record *record, double scale) {
+    for (size_t i = 0; i < record->dimension; i++)
+        scale = fmax(scale, fmax(fabs(record->low[i]), fabs(record->high[i])));
+    return scale;
+}
+
+/// The farthest that the record's bounds are from x.
+static double reach_from(const whirl_record *record, const double *x) {
+    double squares = 0.0;
+    for (size_t i = 0; i < record->dimension; i++) {
+        const double away = fmax(fabs(record->low[i] - x[i]), fabs(record->high[i] - x[i]));
+        squares += away * away;
+    }
+    return sqrt(squares);
+}
+
+static bool has_turns(const whirl_system *system) {
+    for (size_t i = 0; i < system->dimension; i++)
+        if (turns_on(system->turns, i)) return true;
+    return false;
+}
+
+/// Whether nothing pushes the system from x at any instant of a revolution: forces that go to and fro do no more than a
+/// displacement by 1e-10 of the scale would. `room` has dimension (dimension + 1)
+/// numbers, `forcing` those of the system.
+static bool stays_at(const whirl_system *system, const double *x, double scale, double *room, double *forcing) {
+    enum { INSTANTS = 16 };
+    const double unmoved = 1e-10;
+    const size_t d = system->dimension;
+    double *slope = room, *jacobian = room + d;
+    if (whirl_rest_slope(system, x, slope, jacobian).code != WHIRL_OK) return false;
+    for (int k = 0; k < INSTANTS; k++) {
+        const double t = system->period * k / INSTANTS;
+        if (system->forcing) system->forcing(system->model, t, forcing);
+        system->rhs(system->model, t, forcing, x, slope);
+        for (size_t i = 0; i < d; i++) {
+            double stiffness = 0.0;
+            for (size_t j = 0; j < d; j++) stiffness += fabs(jacobian[i * d + j]);
+            if (!(fabs(slope[i]) <= unmoved * scale * stiffness)) return false;
+        }
+    }
+    return true;
+}
+
+/// The mode that decays most slowly, or grows: by revolution, its frequency in orders.
+static void take_slowest(const whirl_modes *modes, double period, whirl_record_rest *rest) {
+    const double two_pi = 6.283185307179586;
+    rest->growth = modes->growth * period;
+    for (size_t i = 0; i < modes->count; i++)
+        if (modes->modes[i].real == modes->growth) rest->order = modes->modes[i].imaginary * period / two_pi;
+}
+
+whirl_status at_rest_look(const whirl_system *system, const whirl_integrate_options *integrate, whirl_record *record) {
+    const size_t d = record->dimension;
+    if (record->motion != WHIRL_BOUNDED || !system->tangent || has_turns(system)) return whirl_ok();
+    const double scale = scale_of(record, least_scale(integrate));
+    if (!(reach_from(record, record->end) <= 2.0 * near_enough * scale)) return whirl_ok();
+    whirl_modes *modes;
+    const whirl_status status = whirl_modes_new(system, record->end, &modes);
+    if (status.code != WHIRL_OK) return status.code == WHIRL_NO_MEMORY ? status : whirl_ok();
+    double *room = malloc((d * (d + 1) + system->forcing_count + 1) * sizeof *room);
+    const double away = reach_from(record, modes->rest) / scale;
+    if (room && away <= near_enough && stays_at(system, modes->rest, scale, room, room + d * (d + 1))) {
+        record->rest = (whirl_record_rest){.found = true, .distance = away};
+        take_slowest(modes, system->period, &record->rest);
+    }
+    whirl_modes_free(modes);
+    free(room);
+    return room ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory to look for where a motion rests");
+}

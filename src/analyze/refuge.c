@@ -1,0 +1,87 @@
+// What a chaotic motion may end on. Chaos that has lost its hold (a crisis) goes on for as long as it pleases among the
+// remains of its attractor; what it ends on is stable and lies where it goes. See docs/theory.md, "Chaos that ends".
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "whirl/analyze.h"
+
+/// Whether x [dimension] is in the box of the record, or by a tenth of it outside.
+static bool is_within(const whirl_record *record, const double *x) {
+    const double margin = 0.1;
+    for (size_t i = 0; i < record->dimension; i++) {
+        const double reach = margin * (record->high[i] - record->low[i]);
+        if (!(x[i] >= record->low[i] - reach && x[i] <= record->high[i] + reach)) return false;
+    }
+    return true;
+}
+
+/// Whether nothing drives the system in time; `room` has 2 dimension + forcing_count numbers.
+static bool is_free(const whirl_system *system, const double *x, double *room) {
+    enum { INSTANTS = 7 };
+    const size_t d = system->dimension;
+    for (int k = 0; k < INSTANTS; k++) {
+        const double t = system->period * k / INSTANTS;
+        if (system->forcing) system->forcing(system->model, t, room + 2 * d);
+        system->rhs(system->model, t, room + 2 * d, x, room + (k > 0 ? d : 0));
+        if (k > 0 && memcmp(room, room + d, d * sizeof *room) != 0) return false;
+    }
+    return true;
+}
+
+/// Looks for a stable equilibrium from some states of the section.
+static whirl_status seek_rest(const whirl_system *system, const whirl_record *record, int *refuge) {
+    enum { STATES = 8 };
+    const size_t d = record->dimension;
+    double *room = malloc((2 * d + system->forcing_count + 1) * sizeof *room);
+    const bool free_of_time = room && record->section_count >= STATES && is_free(system, record->section, room);
+    whirl_status status = room ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory to look for an equilibrium");
+    for (size_t k = 0; k < STATES && free_of_time && *refuge == 0 && status.code == WHIRL_OK; k++) {
+        whirl_modes *modes;
+        status = whirl_modes_new(system, record->section + k * (record->section_count / STATES) * d, &modes);
+        if (status.code == WHIRL_OK && modes->growth < 0.0 && is_within(record, modes->rest))
+            *refuge = WHIRL_REFUGE_AT_REST;
+        if (status.code == WHIRL_BAD_INPUT) status = whirl_ok(); // none from there
+        whirl_modes_free(modes);
+    }
+    free(room);
+    return status;
+}
+
+/// Orbits are followed by the motion's own method, or as well as tells a stable one.
+static whirl_collect_options how_to_seek(const whirl_integrate_options *integrate, const whirl_record *record) {
+    const whirl_method *method;
+    whirl_collect_options options = whirl_collect_default(record->low, record->high);
+    options.starts = 32;
+    options.settle = 40;
+    options.most_revolutions = 200;
+    options.longest = 16;
+    options.orbit.integrate = *integrate;
+    options.orbit.tolerance = 1e-9;
+    options.orbit.most_steps = 8;
+    whirl_integrate_options *own = &options.orbit.integrate;
+    const bool follows = whirl_method_find(own->method, &method).code == WHIRL_OK && method->follows;
+    if (!follows) snprintf(own->method, sizeof own->method, "auto");
+    if (!follows || whirl_method_is_adaptive(own->method)) own->rtol = fmin(own->rtol, 1e-10);
+    return options;
+}
+
+whirl_status whirl_record_refuge(const whirl_system *system, const whirl_integrate_options *integrate,
+                                 const whirl_record *record, int *refuge) {
+    *refuge = 0;
+    if (!system->tangent || system->turns || record->motion != WHIRL_BOUNDED)
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "a refuge of chaos is looked for by the Jacobian of a bounded motion without "
+                          "turning phases");
+    whirl_status status = seek_rest(system, record, refuge);
+    if (status.code != WHIRL_OK || *refuge != 0) return status;
+    const whirl_collect_options options = how_to_seek(integrate, record);
+    whirl_collection *found;
+    status = whirl_orbit_collect(system, &options, &found);
+    if (status.code != WHIRL_OK) return status;
+    for (size_t i = 0; i < found->count; i++)
+        if (*refuge == 0 || (int)found->orbits[i]->revolutions < *refuge) *refuge = (int)found->orbits[i]->revolutions;
+    whirl_collection_free(found);
+    return status;
+}
