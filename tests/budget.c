@@ -3,8 +3,8 @@
 ///     budget SECONDS LOG NAME COMMAND...
 ///
 /// Counted is processor time, of the command and of all that it starts and waits for, never the clock: a loaded machine
-/// makes no test late. SECONDS is the most of it, 0 for any. LOG gets a line, "SECONDS CLOCK STATUS NAME". The exit status
-/// is the command's, or 1 where its budget is overrun.
+/// makes no test late. SECONDS is the most of it, 0 for any. LOG gets a line, "SECONDS CLOCK STATUS NAME". The exit
+/// status is the command's, or 1 where its budget is overrun.
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -15,7 +15,9 @@
 #include <time.h>
 #include <unistd.h>
 
-static double seconds_of(struct timeval time) { return (double)time.tv_sec + 1e-6 * (double)time.tv_usec; }
+static double seconds_of(struct timeval time) {
+    return (double)time.tv_sec + 1e-6 * (double)time.tv_usec;
+}
 
 static double clock_now(void) {
     struct timespec now;
@@ -52,12 +54,14 @@ int main(int count, char **arguments) {
     getrusage(RUSAGE_CHILDREN, &used);
     const double spent = seconds_of(used.ru_utime) + seconds_of(used.ru_stime);
     FILE *log = fopen(arguments[2], "a");
-    if (!log || fprintf(log, "%.2f %.2f %d %s\n", spent, clock_now() - begun, status, arguments[3]) < 0 || fclose(log)) {
+    if (!log || fprintf(log, "%.2f %.2f %d %s\n", spent, clock_now() - begun, status, arguments[3]) < 0 ||
+        fclose(log)) {
         fprintf(stderr, "budget: %s: %s\n", arguments[2], strerror(errno));
         return 1;
     }
     if (most > 0 && spent > most) {
-        printf("budget: %s took %.1f s of processor time, and may take %g s: make it smaller, divide it, or say LONG where it "
+        printf("budget: %s took %.1f s of processor time, and may take %g s: make it smaller, divide it, or say LONG "
+               "where it "
                "is added (cmake/testing.cmake)\n",
                arguments[3], spent, most);
         return status ? status : 1;

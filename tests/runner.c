@@ -1,6 +1,6 @@
 /// The tests of a layer as one program:  PROGRAM [NAME[:TEST]...]
-/// Each file of tests is a main of its own, which the build renames; without a name their names are printed. With TEST that
-/// one of its tests runs alone.
+/// Each file of tests is a main of its own, which the build renames; without a name their names are printed. With TEST
+/// that one of its tests runs alone.
 #include "runner.h"
 
 #include <setjmp.h>

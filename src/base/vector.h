@@ -40,8 +40,8 @@
 #define ISA_NAME(name, set) ISA_JOIN(name, set)
 #define ISA(name) ISA_NAME(name, ISA_SUFFIX)
 
-/// Which of them a build has: all of its processor; those of every processor, where WHIRL_PORTABLE is defined; or these and
-/// one more, WHIRL_WIDE, with the number WHIRL_WIDE_ISA: builds that are slow to compile take turns.
+/// Which of them a build has: all of its processor; those of every processor, where WHIRL_PORTABLE is defined; or these
+/// and one more, WHIRL_WIDE, with the number WHIRL_WIDE_ISA: builds that are slow to compile take turns.
 #if !defined(__x86_64__) || defined(WHIRL_PORTABLE)
 #define VECTOR_BUILT(number) ((number) <= VECTOR_128)
 #elif defined(WHIRL_WIDE)

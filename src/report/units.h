@@ -12,7 +12,8 @@ enum { UNIT_LABEL_SIZE = 160 };
 /// speed is not known.
 double units_order(const whirl_shown_units *units, double speed);
 
-/// How an axis is called, for plain text: "x / c" or "x (um)"; "amplitude / c (0-p)" or "amplitude (um p-p)"; "omega (rpm)".
+/// How an axis is called, for plain text: "x / c" or "x (um)"; "amplitude / c (0-p)" or "amplitude (um p-p)"; "omega
+/// (rpm)".
 void units_length_label(const whirl_shown_units *units, const char *quantity, char *label, size_t size);
 void units_amplitude_label(const whirl_shown_units *units, const char *quantity, char *label, size_t size);
 void units_parameter_label(const whirl_shown_units *units, const char *name, char *label, size_t size);

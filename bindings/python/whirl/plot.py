@@ -1,8 +1,8 @@
 """Figures in Matplotlib as the report draws them, fit for a paper.
 
 Every function takes the axes to draw into, or makes a figure; it returns the axes, and passes further keywords on to
-Matplotlib, ``yscale="log"`` to the axes. Lengths, amplitudes and parameters are in the units of reports: those of the case, or of
-:meth:`whirl.Result.show_in`.
+Matplotlib, ``yscale="log"`` to the axes. Lengths, amplitudes and parameters are in the units of reports: those of the
+case, or of :meth:`whirl.Result.show_in`.
 """
 
 from __future__ import annotations

@@ -25,7 +25,17 @@ from .errors import BadInput
 if TYPE_CHECKING:
     from ._signals_plot import Plots
 
-__all__ = ["Spectrum", "FullSpectrum", "Recurrence", "find_pulses", "motion_size", "zero_one", "recurrence", "check_pulses", "Record"]
+__all__ = [
+    "Spectrum",
+    "FullSpectrum",
+    "Recurrence",
+    "find_pulses",
+    "motion_size",
+    "zero_one",
+    "recurrence",
+    "check_pulses",
+    "Record",
+]
 
 _LINES, _COLUMNS = 16, 5  # WHIRL_SIGNALS_LINES, WHIRL_SIGNALS_COLUMNS
 

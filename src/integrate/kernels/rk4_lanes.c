@@ -51,7 +51,9 @@ static void accelerate(const rk4_lanes *lanes, const double *forcing, const vec 
     }
 
 /// A place in an array; an array that is not there has none.
-static inline vec *place_in(void *array, size_t offset) { return array ? (vec *)array + offset : NULL; }
+static inline vec *place_in(void *array, size_t offset) {
+    return array ? (vec *)array + offset : NULL;
+}
 
 /// The scheme with the arrays of the state (n = 0) or a disturbance.
 static inline scheme scheme_of_set(const rk4_lanes *lanes, const scheme *constants, size_t n) {
