@@ -31,7 +31,7 @@ const CARD = '.parameter-map-card';
 let address, attractors, labels;
 before(() => {
   address = makePage('basin', CASE);
-  attractors = JSON.parse(command('run', 'basin.yaml', '-q', '--json', '-o', 'again.h5')).attractors;
+  attractors = JSON.parse(command('run', 'basin.yaml', '-q', '--json=full', '-o', 'again.h5')).attractors;
   command('export', 'basin.h5', '--csv', 'csv');
   const [heading, ...lines] = readFileSync(join(folder, 'csv', 'basin.csv'), 'utf8')
     .trim()

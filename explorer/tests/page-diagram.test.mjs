@@ -22,7 +22,7 @@ after(closeBrowser);
 function pointsOf(file) {
   process.env.WHIRL_ISA = 'simd128';
   try {
-    return JSON.parse(command('run', file, '--json', '-q')).points;
+    return JSON.parse(command('run', file, '--json=full', '-q')).points;
   } finally {
     delete process.env.WHIRL_ISA;
   }

@@ -86,7 +86,7 @@ test('Firefox follows a drag, and takes it back', options, async () => {
     join(folder, 'dragged.yaml'),
     CASE.replace(/from: 1.0, to: 4.0, points: 61/, `from: ${at}, to: 4.0, points: 2`).replace(/\n  detail:.*\n/, '\n'),
   );
-  assert.equal(verdict, JSON.parse(command('run', 'dragged.yaml', '--json', '-q')).points[0].verdict);
+  assert.equal(verdict, JSON.parse(command('run', 'dragged.yaml', '--json=full', '-q')).points[0].verdict);
   await page.keyboard.down('Control');
   await page.keyboard.press('z');
   await page.keyboard.up('Control');

@@ -14,7 +14,7 @@ const TEXT = CASE.replace(/\n  detail:.*\n/, '\n')
 let address, points, opening;
 before(() => {
   address = makePage('opening', TEXT);
-  points = JSON.parse(command('show', 'opening.h5', '--json')).points;
+  points = JSON.parse(command('show', 'opening.h5', '--json=full')).points;
   const html = readFileSync(fileURLToPath(address), 'utf8');
   opening = JSON.parse(/<script[^>]*id="whirl-runs"[^>]*>([^]*?)<\/script>/.exec(html)[1])[0].opening;
 });

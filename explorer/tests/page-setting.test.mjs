@@ -54,7 +54,7 @@ test('a stored diagram keeps its own length scale, on screen and in the file', a
   await settled(page);
   const before = [await csv(page, '.map-card'), await csv(page, '.panel-centreline')];
   const radius = (text, line) => Number(text.split('\r\n')[line].split(',')[6]);
-  const { points } = JSON.parse(command('run', 'bearing.yaml', '--json', '-q'));
+  const { points } = JSON.parse(command('run', 'bearing.yaml', '--json=full', '-q'));
   const told = points[0].stations.journal.max_radius * 200;
   assert.ok(Math.abs(radius(before[0], 1) - told) < 1e-5 * told, 'micrometres of a clearance of 0.2 mm');
   const [value, x, y, ratio] = before[1].split('\r\n')[2].split(',').map(Number);
@@ -121,7 +121,7 @@ test('a stored run along the clearance has the micrometres of each of its machin
   );
   const { page, complaints, close } = await open(`${along}#q=radius&units=um,rpm,order,0-p`);
   await settled(page);
-  const { points } = JSON.parse(command('run', 'along.yaml', '--json', '-q'));
+  const { points } = JSON.parse(command('run', 'along.yaml', '--json=full', '-q'));
   const read = async () =>
     (await csv(page, '.map-card'))
       .trim()
@@ -168,7 +168,7 @@ test('over another parameter no value of the first one stays in the case', async
   assert.match(text, /parameter: omega, from: 500 rad\/s, to: 700 rad\/s/);
   writeFileSync(join(folder, 'over-omega.yaml'), text);
   command('check', 'over-omega.yaml');
-  const result = JSON.parse(command('run', 'over-omega.yaml', '--json', '-q'));
+  const result = JSON.parse(command('run', 'over-omega.yaml', '--json=full', '-q'));
   assert.deepEqual(
     result.detail.map(({ parameters }) => parameters.omega),
     [650],
@@ -203,7 +203,7 @@ const SWEEPS = {
 for (const [name, sweep] of Object.entries(SWEEPS))
   test(`a saved case whose sweep was written as ${name} is one that the command takes`, async () => {
     const address = makePage(name, BEARING.replace(/sweep:.*/, `sweep: ${sweep}`).replace(/ {2}detail:.*\n/, ''));
-    const original = JSON.parse(command('run', `${name}.yaml`, '--json', '-q')).points.length;
+    const original = JSON.parse(command('run', `${name}.yaml`, '--json=full', '-q')).points.length;
     const at = {
       whole: '#at=0.15',
       nearer: '#at=0.15&range=0.1,0.2',
@@ -214,7 +214,7 @@ for (const [name, sweep] of Object.entries(SWEEPS))
       const text = await savedCase(address + hash);
       writeFileSync(join(folder, file), text);
       command('check', file);
-      const values = JSON.parse(command('run', file, '--json', '-q')).points.map(({ parameters }) =>
+      const values = JSON.parse(command('run', file, '--json=full', '-q')).points.map(({ parameters }) =>
         what === 'other' ? parameters.omega : parameters.e,
       );
       assert.equal(values.length, original, `${file}: ${text}`);

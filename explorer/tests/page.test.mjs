@@ -55,7 +55,7 @@ test('a click gives the motion at exactly that value, with the verdict of whirl 
     '\n',
   );
   writeFileSync(join(folder, 'one.yaml'), text);
-  const [point] = JSON.parse(command('run', 'one.yaml', '--json', '-q')).points;
+  const [point] = JSON.parse(command('run', 'one.yaml', '--json=full', '-q')).points;
   assert.equal(verdict, point.verdict);
   assert.match(point.reason, /exponent -?[\d.]+ \+- [\d.]+ per/);
   assert.match(await page.textContent('.pane-a .reason'), /exponent -?[\d.]+ \u00b1 [\d.]+ per/);
@@ -229,7 +229,7 @@ test('the diagram that is saved is the one of the run', async () => {
     .split('\r\n')
     .slice(1)
     .map((line) => line.split(','));
-  const { points } = JSON.parse(command('run', 'rub.yaml', '--json', '-q'));
+  const { points } = JSON.parse(command('run', 'rub.yaml', '--json=full', '-q'));
   assert.equal(lines.length, points.length);
   points.forEach((point, i) => {
     assert.ok(Math.abs(Number(lines[i][0]) - point.parameters.omega) < 1e-12);
@@ -250,7 +250,7 @@ test('a setting becomes a case that whirl checks and runs', async () => {
   assert.match(text, /# friction coefficient/, 'comments are kept');
   writeFileSync(join(folder, 'explored.yaml'), text);
   command('check', 'explored.yaml');
-  const result = JSON.parse(command('run', 'explored.yaml', '--json', '-q'));
+  const result = JSON.parse(command('run', 'explored.yaml', '--json=full', '-q'));
   assert.equal(result.points[0].parameters.mu, 0.12);
   assert.equal(result.points[0].parameters.omega, 3);
   assert.equal(result.points.at(-1).parameters.omega, 3.5);
@@ -272,7 +272,7 @@ test('the command that is copied computes the setting', async () => {
     cwd: folder,
     input: script.replace(/^whirl run.*$/m, `"$WHIRL" run rub-explored.yaml -q -o rub-explored.h5`),
   });
-  const { detail } = JSON.parse(command('run', 'rub-explored.yaml', '--json', '-q'));
+  const { detail } = JSON.parse(command('run', 'rub-explored.yaml', '--json=full', '-q'));
   assert.equal(detail[0].parameters.mu, 0.08);
   assert.equal(detail[0].parameters.omega, 1.5);
   assert.deepEqual(complaints, []);
@@ -435,7 +435,7 @@ test('a run of one point is shown at its own parameters', async () => {
   const text = CASE.replace(/  sweep:.*\n/, '  response: {}\n').replace(/  detail:.*\n/, '');
   const { page, complaints, close } = await open(makePage('point', text));
   const verdict = await settled(page);
-  const [point] = JSON.parse(command('run', 'point.yaml', '--json', '-q')).points;
+  const [point] = JSON.parse(command('run', 'point.yaml', '--json=full', '-q')).points;
   assert.equal(verdict, point.verdict);
   assert.equal(Number(await page.inputValue('#value-a')), 3.8);
   await page.waitForFunction(() => document.querySelectorAll('.legend-entry').length > 0, undefined, {

@@ -254,7 +254,7 @@ static void later_text(const whirl_verdict *v, char *text, size_t size) {
 }
 
 void whirl_verdict_reason(const whirl_verdict *verdict, char *text, size_t size) {
-    char exponent[96], reason[384], second[WHIRL_NAME_SIZE + 64] = "", later[WHIRL_NAME_SIZE + 96] = "";
+    char exponent[96], reason[768], second[WHIRL_NAME_SIZE + 64] = "", later[WHIRL_NAME_SIZE + 96] = "";
     exponent_text(verdict, exponent, sizeof exponent);
     regime_reason(verdict, exponent, reason, sizeof reason);
     const bool ended = verdict->followed > 0.0 && verdict->later_regime != WHIRL_CHAOTIC;

@@ -41,7 +41,7 @@ export function run(text, isa = '') {
       stdio: ['ignore', 'pipe', 'ignore'],
       env: { ...process.env, WHIRL_ISA: isa },
     };
-    return JSON.parse(execFileSync(WHIRL, ['run', file, '--json'], options));
+    return JSON.parse(execFileSync(WHIRL, ['run', file, '--json=full'], options));
   } finally {
     rmSync(folder, { recursive: true });
   }
