@@ -273,7 +273,7 @@ export class App {
 
   private want(side: SideModel, settled: boolean): void {
     const { session } = this;
-    if (session.atRest || (settled && session.needsNothing(side))) return;
+    if (session.atRest) return;
     const orbit = session.orbitOf(side.choice);
     if (orbit) {
       side.wantOrbit(session.orbitRequest(orbit));

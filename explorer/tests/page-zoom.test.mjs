@@ -79,7 +79,11 @@ test('a zoom fills its range with finer points, which stay', async () => {
         '\n',
       ),
     );
-    assert.equal(verdict, JSON.parse(command('run', 'fine.yaml', '--json=full', '-q')).points[0].verdict, `at ${value}`);
+    assert.equal(
+      verdict,
+      JSON.parse(command('run', 'fine.yaml', '--json=full', '-q')).points[0].verdict,
+      `at ${value}`,
+    );
   }
   // Back: they stay; again: nothing is computed twice.
   const count = await finer(page);

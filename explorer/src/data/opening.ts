@@ -35,10 +35,3 @@ export function storedMotion(run: Run, opening: StoredOpening): MotionResult {
     seconds: 0,
   };
 }
-
-/// Whether a page has nothing to add to it.
-export function isWhole({ layout }: MotionResult): boolean {
-  return ['poincare/section', 'orbit/high', 'waveform/samples', 'spectrum/lines', 'spectrum/amplitude'].every(
-    (name) => findField(layout, name) !== undefined,
-  );
-}

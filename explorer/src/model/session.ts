@@ -3,7 +3,7 @@
 import { Branches } from '../data/branches';
 import { Tori } from '../data/tori';
 import { Diagram } from '../data/diagram';
-import { isWhole, storedMotion } from '../data/opening';
+import { storedMotion } from '../data/opening';
 import type { OrbitOfBranch } from '../data/orbit';
 import { MapPlanes, type ParameterMap } from '../data/parameter_map';
 import { AtRest } from '../data/rest';
@@ -367,11 +367,6 @@ export class Session {
     if (!opening || !own || Object.keys(this.address.computation).length > 0) return false;
     if (!opening.parameter) return Number.isNaN(choice.value) || choice.value === this.ownValue(this.address.parameter);
     return opening.parameter === this.address.parameter && choice.value === opening.value;
-  }
-
-  /// Whether what is stored of a side's motion is all that there is to show.
-  needsNothing(side: SideModel): boolean {
-    return side.stored && !side.busy && side.result !== undefined && isWhole(side.result) && this.isOpening(side);
   }
 
   /// Gives a side the third parameter of the plane that is shown, unless it has it.

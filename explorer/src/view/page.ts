@@ -221,7 +221,7 @@ export class Page {
     if (!result) return orbit ? '' : this.storedVerdict(choice.value);
     const { options } = result;
     if (side.stored)
-      return `Stored by the run: ${options.transient} + ${options.record} revolutions by ${methodText(options)}`;
+      return `Stored by the run: ${options.transient} + ${options.record} revolutions, ${methodText(options)}`;
     const time = `${Math.round(result.seconds * 1000)} ms`;
     if (orbit) return `The orbit as the run has stored it, followed from its own states, ${time}`;
     return (
