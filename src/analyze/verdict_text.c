@@ -42,7 +42,7 @@ static void quasi_periodic_name(const whirl_verdict *v, char *text, size_t size)
 void whirl_verdict_name(const whirl_verdict *verdict, char *text, size_t size) {
     switch (verdict->regime) {
     case WHIRL_PERIODIC:
-        if (verdict->rests)
+        if (verdict->rests && verdict->period == 1)
             snprintf(text, size, "rests");
         else
             snprintf(text, size, "P-%d", verdict->period);
@@ -136,12 +136,12 @@ static void undetermined_reason(const whirl_verdict *v, const char *exponent, ch
                  "to %.1f digits, %s",
                  unreturned, v->regularity, exponent);
     } else {
-        char chaos[32] = ""; // which is not known of few points
+        char averages[64] = "", chaos[32] = ""; // which are not known of few points
+        if (!isnan(v->regularity))
+            snprintf(averages, sizeof averages, "averages of two halves agree to %.1f digits, ", v->regularity);
         if (!isnan(v->chaos)) snprintf(chaos, sizeof chaos, "0-1 test %.2f, ", v->chaos);
-        snprintf(text, size,
-                 "the evidence is not clear: best return %.1e of its size, averages of two halves agree to %.1f "
-                 "digits, %s%s",
-                 v->recurrence, v->regularity, chaos, exponent);
+        snprintf(text, size, "the evidence is not clear: best return %.1e of its size, %s%s%s", v->recurrence, averages,
+                 chaos, exponent);
     }
 }
 
@@ -203,7 +203,7 @@ static void rest_reason(const whirl_verdict *v, char *text, size_t size) {
 static void regime_reason(const whirl_verdict *v, const char *exponent, char *text, size_t size) {
     switch (v->regime) {
     case WHIRL_PERIODIC:
-        if (v->rests)
+        if (v->rests && v->period == 1)
             rest_reason(v, text, size);
         else
             periodic_reason(v, exponent, text, size);
