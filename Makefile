@@ -67,7 +67,7 @@ check-steps:
 	@$(PHASE) "build: configure" cmake --preset release -DWHIRL_TESTS=ON
 	@$(PHASE) "build: compile" cmake --build $(BUILD) --parallel $(JOBS)
 	@rm -f $(BUILD)/tests.log
-	@$(PHASE) "tests: units and commands" ctest --test-dir $(BUILD) -j $(JOBS) -L 'unit|cli' -LE slow
+	@$(PHASE) "tests: units and commands" ctest --test-dir $(BUILD) -j $(JOBS) -L 'unit|cli' -LE long
 
 sanitize-steps: sanitize-build thread-steps
 	@$(PHASE) "sanitized: a minute of fuzzing" scripts/fuzz.sh $(BUILD)/sanitize 60

@@ -16,9 +16,9 @@ endforeach()
 
 add_executable(budget ${PROJECT_SOURCE_DIR}/tests/budget.c)
 
-# Adds a test under a budget of processor time: 5 s, or 60 s for those that tests/costs.txt says to take more than 3.
+# Adds a test under a budget of processor time: 5 s, or 60 s for those that tests/costs.txt says to take 2 or more.
 #   whirl_test(<name> COMMAND <command...> [LABEL <label>] [SKIPS] [ENVIRONMENT <name=value...>])
-# SKIPS: exit status 77 says that something is missing here. Labels besides: slow, what costs.txt knows; long, what has 60 s;
+# SKIPS: exit status 77 says that something is missing here. Labels besides: long, what has 60 s;
 # quarter-N, what runs by turns. Sanitizers make all of this slower, and set no budget.
 function(whirl_test name)
   cmake_parse_arguments(TEST "SKIPS" "LABEL" "COMMAND;ENVIRONMENT" ${ARGN})
@@ -26,10 +26,9 @@ function(whirl_test name)
   set(labels ${TEST_LABEL})
   if(DEFINED cost_${name})
     set(seconds ${cost_${name}})
-    list(APPEND labels slow)
   endif()
   set(budget 5)
-  if(seconds GREATER 3)
+  if(seconds GREATER 1)
     list(APPEND labels long)
     set(budget 60)
   endif()

@@ -63,6 +63,8 @@ static void warn_of_machine(warner *w, const given_value *given, size_t count) {
     whirl_status status = valuation_open(&v, &w->content->parameters, given, count);
     if (status.code == WHIRL_OK) status = machine_doubts(&w->content->machine, &v, take_doubt, w);
     valuation_close(&v);
+    w->given = NULL;
+    w->given_count = 0;
     // What cannot be built at these values is told by whoever builds it.
     if (status.code == WHIRL_NO_MEMORY) w->status = status;
 }

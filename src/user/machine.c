@@ -264,7 +264,7 @@ static void look_for_jump(const part *p, size_t set, const block *b, size_t i, d
         const double unit = is_velocity(p->from, k) ? 1.0 / b->scale[i] : 1.0;
         x[k] = coordinate(p, 0, k)[i] * unit;
         d[k] = coordinate(p, set, k)[i] * unit;
-        below[k] = lower[k * b->row + i];
+        below[k] = lower[k * b->row + i]; // NOLINT(clang-analyzer-core.uninitialized.Assign): memcpy has filled it
         above[k] = b->slopes[k * b->row + i];
     }
     for (size_t k = 0; k < p->from->parameter_count; k++) q[k] = b->p[k * b->row + i];
