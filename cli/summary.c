@@ -168,6 +168,8 @@ static void print_modes(const whirl_table *table, size_t point) {
     const double *frequency = whirl_table_field(table, point, "modes/frequency", 0);
     const double *ratio = whirl_table_field(table, point, "modes/damping_ratio", 0);
     const double *direction = whirl_table_field(table, point, "modes/direction", 0);
+    const double rigid = whirl_table_number(table, point, "modes/rigid_body", 0);
+    if (rigid > 0) printf("  %10d rad/s: %g rigid-body mode%s, which nothing holds\n", 0, rigid, plural(rigid));
     for (size_t i = 0; field && frequency && i < field->rows && isfinite(frequency[i]); i++) {
         const char *const whirls = direction[i] > 0.05 ? " forward" : direction[i] < -0.05 ? " backward" : "";
         printf("  %10.6g rad/s (%.6g Hz)  damping ratio %-*.4g%s\n", frequency[i], frequency[i] / 6.283185307179586,
@@ -177,8 +179,9 @@ static void print_modes(const whirl_table *table, size_t point) {
     const double modulo = whirl_table_number(table, point, "modes/modulo", 0);
     if (isfinite(modulo))
         printf("  frequencies are known but for multiples of %.6g rad/s: coefficients turn with the shaft\n", modulo);
-    printf("  %s: the largest real part of all eigenvalues is %.4g 1/s\n", stability > 0 ? "unstable" : "stable",
-           stability);
+    if (isfinite(stability))
+        printf("  %s: the largest real part of all%s eigenvalues is %.4g 1/s\n", stability > 0 ? "unstable" : "stable",
+               rigid > 0 ? " other" : "", stability);
 }
 
 /// What was located along the parameter: "  critical speed at 2753.2 rpm: forward, damping ratio 0.02".

@@ -44,8 +44,9 @@ typedef struct whirl_modes {
     double *rest;                        ///< [dimension] the equilibrium, or where the periodic motion is at t = 0
     whirl_mode *modes;                   ///< [count] by rising imaginary part
     double *vectors; ///< [count][dimension][2] their shapes, real and imaginary parts; 0 of what turns on and on
-    double *reals;   ///< [real_count] eigenvalues without frequency, overdamped ones and free motions, largest first
+    double *reals;   ///< [real_count] eigenvalues without frequency, of overdamped motions, largest first
     double growth;   ///< the largest real part of all but free motions: stable below 0
+    size_t free;     ///< rigid-body modes: independent shapes that nothing holds, whose eigenvalues are 0
 } whirl_modes;
 
 /// The modes of a system, whose search for an equilibrium begins at start [dimension]. WHIRL_BAD_INPUT where none is

@@ -14,6 +14,7 @@ enum {
     DECREMENT,
     DIRECTION,
     OVERDAMPED,
+    RIGID_BODY,
     STABILITY,
     MODULO,
     CRITICAL,
@@ -42,6 +43,8 @@ static const field_plan fields[FIELD_COUNT] = {
     [DIRECTION] = {"direction", "1", "1: circles with the rotation, -1: against it, 0: neither", WHIRL_PER_POINT, 1,
                    kept},
     [OVERDAMPED] = {"overdamped", "1/s", "eigenvalues without a frequency, largest first", WHIRL_PER_POINT, 1, kept},
+    [RIGID_BODY] = {"rigid_body", "1", "number of rigid-body modes, which nothing holds: their frequency is 0",
+                    WHIRL_PER_POINT, 1, NULL},
     [STABILITY] = {"stability", "1/s", "largest real part of all eigenvalues: stable below 0", WHIRL_PER_POINT, 1,
                    NULL},
     [MODULO] = {"modulo", "rad/s", "frequencies are known but for multiples of it (coefficients turn with the shaft)",
@@ -107,6 +110,7 @@ static whirl_status compute(const whirl_resting *point, const whirl_record_optio
     const whirl_modes *modes = point->modes;
     const size_t most = (size_t)options->modes;
     *view_numbers(view, SPEED, 0) = point->speed;
+    *view_numbers(view, RIGID_BODY, 0) = (double)modes->free;
     *view_numbers(view, STABILITY, 0) = point->clock * modes->growth;
     if (modes->period > 0.0) *view_numbers(view, MODULO, 0) = point->clock * 6.283185307179586476925 / modes->period;
     for (size_t p = 0; p < point->system->probe_count; p++) {

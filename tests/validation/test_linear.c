@@ -44,7 +44,7 @@ typedef struct mounted {
 enum { MASS = 2 };
 static const double eccentricity = 1e-4, gravity = 9.81;
 
-static whirl_rotor *make_mounted(const mounted *m) {
+static whirl_rotor *make_massive(const mounted *m, double weight) {
     const whirl_setting disc[] = {{"mass", MASS, NULL}, {"eccentricity", eccentricity, NULL}};
     const whirl_setting along_x[] = {
         {"between", 0, "disc, ground"}, {"along", 0, "x"}, {"stiffness", m->kx, NULL}, {"damping", m->cx, NULL}};
@@ -55,8 +55,12 @@ static whirl_rotor *make_mounted(const mounted *m) {
     require_ok(whirl_design_station(design, "disc", disc, 2));
     require_ok(whirl_design_element(design, "spring", along_x, 4));
     require_ok(whirl_design_element(design, "spring", along_y, 4));
-    require_ok(whirl_design_element(design, "gravity", &(whirl_setting){"acceleration", gravity, NULL}, 1));
+    require_ok(whirl_design_element(design, "gravity", &(whirl_setting){"acceleration", weight, NULL}, 1));
     return build(design);
+}
+
+static whirl_rotor *make_mounted(const mounted *m) {
+    return make_massive(m, gravity);
 }
 
 /// Along each axis lambda = (-c +- sqrt(c^2 - 4 k m))/2m; to and fro, so without a direction; at rest m g/k below.
@@ -312,6 +316,21 @@ static void unequal_shaft_s_response(void **unused) {
 
 // ---------------------------------------------------------------- what has no equilibrium, or any number
 
+/// A disc that one spring and dampers hold: a rigid-body mode along the other axis, beside its decay at c/m.
+static void held_along_one_axis(void **unused) {
+    const mounted m = {300, 8e4, 0, 40, 90};
+    (void)unused;
+    whirl_rotor *rotor = make_massive(&m, 0.0);
+    whirl_modes *modes = modes_of(rotor);
+    check_within("Linear", "held along one axis: rigid-body modes", 1.0, (double)modes->free, 0.0);
+    assert_int_equal(modes->count, 1);
+    assert_int_equal(modes->real_count, 1);
+    check_within("Linear", "held along one axis: decay along the other, 1/s", -m.cy / MASS, m.speed * modes->reals[0],
+                 1e-11);
+    whirl_modes_free(modes);
+    whirl_rotor_free(rotor);
+}
+
 /// A free disc rests wherever it is; under its weight nowhere.
 static void free_discs(void **unused) {
     double x[4] = {0.3, 0.1, 0, 0};
@@ -341,6 +360,7 @@ int main(void) {
         cmocka_unit_test(unequal_shaft),
         cmocka_unit_test(unequal_shaft_s_range),
         cmocka_unit_test(unequal_shaft_s_response),
+        cmocka_unit_test(held_along_one_axis),
         cmocka_unit_test(free_discs),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

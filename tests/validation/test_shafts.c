@@ -394,6 +394,44 @@ static void a_coupling_joins_offsets_and_tilts(void **state) {
                  1e-12);
 }
 
+/// Checks the modes of a machine in free space: 4 rigid-body modes, and the lowest frequency of the others, rad/s.
+static void check_free(const char *what, const char *text, double lowest, double tolerance) {
+    whirl_modes *modes;
+    whirl_rotor *rotor = rotor_from(text);
+    const whirl_system *system = whirl_rotor_system(rotor);
+    double *start = calloc(system->dimension, sizeof *start);
+    require_ok(whirl_modes_new(system, start, &modes));
+    check_within("FE9", words("%s: rigid-body modes", what), 4.0, (double)modes->free, 0.0);
+    check_within("FE9", words("%s: lowest frequency of the others", what), 1.0,
+                 modes->modes[0].imaginary * whirl_rotor_clock(rotor) / lowest, tolerance);
+    whirl_modes_free(modes);
+    whirl_rotor_free(rotor);
+    free(start);
+}
+
+/// A shaft and coupled discs in free space move along and tilt about two axes at no frequency. The lowest mode of a
+/// free shaft has cosh(k L) cos(k L) = 1, k L = 4.730040745 (Rao 2007, 11.5); spinning discs' tilt together goes round
+/// at I_p/I_d times the speed, beside two tilts that rest.
+static void rigid_body_modes_are_told_apart(void **state) {
+    static const char *const reduced[] = {"no", "yes"};
+    const double area = pi / 4.0 * 0.08 * 0.08, ei = 2.11e11 * pi / 64.0 * pow(0.08, 4.0);
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        char text[1024];
+        snprintf(text, sizeof text,
+                 "  speed: 1\n  shafts: {main: {reduce: %s, shear: none, rotary_inertia: no}}\n"
+                 "  stations: {a: {position: 0}, b: {position: 1}}\n"
+                 "  elements:\n    - segment: {length: 1, outer: 0.08, elements: 16}\n",
+                 reduced[i]);
+        check_free(words("free shaft, reduce: %s", reduced[i]), text,
+                   pow(4.730040745, 2.0) * sqrt(ei / (7810.0 * area)), 1e-5);
+    }
+    check_free("coupled discs",
+               "  speed: 1000 rpm\n  stations: {a: {mass: 3, diametral: 0.02, polar: 0.01}, b: {mass: 3, diametral: "
+               "0.02, polar: 0.01}}\n  elements:\n    - coupling: {between: [a, b], radial: 6e5, tilt: 9e3}\n",
+               0.5 * 1000.0 * pi / 30.0, 1e-9);
+}
+
 static void two_shafts_are_reduced_side_by_side(void **state) {
     double complex full[MOST_MODES], reduced[MOST_MODES];
     (void)state;
@@ -523,6 +561,7 @@ int main(void) {
         cmocka_unit_test(static_displacements_are_exact),
         cmocka_unit_test(frequencies_come_nearer_as_more_is_kept),
         cmocka_unit_test(a_coupling_joins_offsets_and_tilts),
+        cmocka_unit_test(rigid_body_modes_are_told_apart),
         cmocka_unit_test(two_shafts_are_reduced_side_by_side),
         cmocka_unit_test(energy_is_kept_to_the_order_of_the_method),
         cmocka_unit_test(the_reduced_rotor_comes_nearer_to_the_full_one),
