@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "dop853_tableau.h"
+#include "stepper.h"
 #include "stiffest.h"
 
 /// Steps a revolution up to which nothing is gained by another method: rodas5p takes hundreds at the usual tolerances,
@@ -16,13 +17,27 @@ static const double crawl = 1000.0;
 
 enum { PROBED = 16, COUNTED = 4, PHASES = 16 };
 
+/// A probe takes so many steps of dop853 at most: in twice as many the motion crawls for another reason.
+static const double most_dop853 = 2.0 * PROBED * 1000.0;
+
+/// And so many multiplications of rodas5p, whose equations take n^3 a step: about a second.
+static const double most_rodas5p = 4e9;
+
 static whirl_status start(const whirl_system *system, const whirl_integrate_options *options, const char *name,
-                          whirl_integrator **integrator) {
+                          double most, whirl_integrator **integrator) {
     whirl_integrate_options own = *options;
     memset(own.method, 0, sizeof own.method);
     memcpy(own.method, name, strlen(name));
     own.steps_per_revolution = PHASES;
-    return whirl_integrator_new(system, &own, integrator);
+    const whirl_status status = whirl_integrator_new(system, &own, integrator);
+    if (status.code == WHIRL_OK) (*integrator)->most_steps = (size_t)most;
+    return status;
+}
+
+/// What a probe that has taken all its steps has come to of its last revolution, from 0 to 1; 1 where it has not.
+static double part_done(const whirl_integrator *integrator) {
+    const stepper *c = integrator->workspace;
+    return c->tried < integrator->most_steps ? 1.0 : fmin(c->t / integrator->system->period, 1.0);
 }
 
 /// Steps a revolution that keep dop853 stable at the stiffest phase seen, where they are more than what counts as
@@ -34,29 +49,37 @@ static double stable_steps(phase_search *search) {
     return steps > crawl ? steps : 0.0;
 }
 
-/// Carries x by a method, and looks at every phase; stops where dop853 would crawl. False where the motion could not go
-/// on.
-static bool carry(whirl_integrator *integrator, phase_search *search, int revolutions, bool until_stiff,
-                  double *steps) {
+/// Carries x by a method, and looks at every phase; stops where dop853 would crawl, or where no step is left. Gives how
+/// many revolutions that were, or -1 where the motion could not go on.
+static double carry(whirl_integrator *integrator, phase_search *search, int revolutions, bool until_stiff,
+                    double *steps) {
     for (int i = 0; i < revolutions; i++) {
-        if (whirl_integrator_revolve(integrator, search->x, phase_search_note, search) != WHIRL_BOUNDED) return false;
+        if (whirl_integrator_revolve(integrator, search->x, phase_search_note, search) != WHIRL_BOUNDED) return -1.0;
+        const double part = part_done(integrator);
+        if (part < 1.0) phase_search_note(search, part * search->system->period, search->x);
         *steps = stable_steps(search);
-        if (until_stiff && *steps > 0.0) return true;
+        if (part < 1.0 || (until_stiff && *steps > 0.0)) return i + part;
     }
-    return true;
+    return revolutions;
 }
 
-/// Counts the work of rodas5p over the last of a few revolutions more.
+/// Counts the work of rodas5p over the last of a few revolutions more; of a machine so large that the probe comes to
+/// its end before, over what there was.
 static whirl_status count_rodas5p(phase_search *search, const whirl_integrate_options *options, double *steps,
                                   double *count) {
     whirl_integrator *integrator;
     *count = INFINITY;
-    const whirl_status status = start(search->system, options, "rodas5p", &integrator);
+    const double most = fmax(64.0, most_rodas5p / pow((double)search->system->dimension, 3.0));
+    const whirl_status status = start(search->system, options, "rodas5p", fmin(most, 1e9), &integrator);
     if (status.code != WHIRL_OK) return status;
-    if (carry(integrator, search, COUNTED, false, steps)) {
-        const double before = integrator->method->work(integrator);
-        if (whirl_integrator_revolve(integrator, search->x, NULL, NULL) == WHIRL_BOUNDED)
-            *count = integrator->method->work(integrator) - before;
+    const double settled = carry(integrator, search, COUNTED, false, steps);
+    const double before = integrator->method->work(integrator);
+    if (settled >= COUNTED) {
+        const whirl_motion motion = whirl_integrator_revolve(integrator, search->x, NULL, NULL);
+        const double last = integrator->method->work(integrator) - before, part = part_done(integrator);
+        if (motion == WHIRL_BOUNDED) *count = part > 0.0 ? last / part : before / settled;
+    } else if (settled > 0.0) {
+        *count = before / settled;
     }
     whirl_integrator_free(integrator);
     return whirl_ok();
@@ -68,13 +91,13 @@ whirl_status whirl_method_probe(const whirl_system *system, const whirl_integrat
     whirl_integrator *integrator;
     double *block, steps = 0.0;
     *cost = (whirl_method_cost){0.0, (double)NAN};
-    whirl_status status = start(system, options, "dop853", &integrator);
+    whirl_status status = start(system, options, "dop853", most_dop853, &integrator);
     if (status.code != WHIRL_OK) return status;
     if (phase_search_begin(&search, system, &block)) {
         memcpy(search.x, from, system->dimension * sizeof *from);
         phase_search_note(&search, 0.0, search.x);
         steps = stable_steps(&search);
-        const bool bounded = steps > 0.0 || carry(integrator, &search, PROBED, true, &steps);
+        const bool bounded = steps > 0.0 || carry(integrator, &search, PROBED, true, &steps) >= 0.0;
         if (bounded && steps > 0.0) status = count_rodas5p(&search, options, &steps, &cost->rodas5p);
         cost->dop853 = DOP853_STAGES * steps;
         free(block);

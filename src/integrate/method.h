@@ -12,6 +12,7 @@ struct whirl_integrator {
     const struct method *method;
     void *workspace; ///< of the method
     size_t most_disturbances;
+    size_t most_steps; ///< that the adaptive methods of rotors try in all: then revolutions end early; 0: any number
     /// [method->rows][1 + most_disturbances][dimension], then [SPARE_ROWS][dimension]: workspace for the state and its
     /// disturbances
     double *slopes;

@@ -79,8 +79,11 @@ void phase_search_note(void *search, double t, const double *x) {
 
 bool phase_search_solve(phase_search *s) {
     const size_t n = s->system->dimension;
+    if (s->solved == s->norm && s->norm > 0.0) return true;
     memcpy(s->jacobian, s->stiffest, n * n * sizeof *s->jacobian);
-    return matrix_eigen(n, s->jacobian, s->real, s->imaginary, NULL);
+    if (!matrix_eigen(n, s->jacobian, s->real, s->imaginary, NULL)) return false;
+    s->solved = s->norm;
+    return true;
 }
 
 double phase_search_growth(const phase_search *s, double (*amplification)(double, double), double h) {

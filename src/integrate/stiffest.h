@@ -9,6 +9,7 @@
 typedef struct phase_search {
     const whirl_system *system;
     double norm;       ///< of the stiffest Jacobian so far
+    double solved;     ///< the norm of that whose eigenvalues are in real and imaginary
     double *stiffest;  ///< [dimension][dimension] balanced
     double *jacobian;  ///< [dimension][dimension] workspace
     double *unit;      ///< [dimension][dimension] workspace
