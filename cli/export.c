@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 
 #include "files.h"
+#include "guard.h"
 #include "output.h"
 
 enum { KEY_FORCE = 0x100 };
@@ -79,6 +80,7 @@ static int export_file(const char *result, const char *path, whirl_status (*writ
     const int outcome = load_outline(result, &outline);
     if (outcome != EXIT_DONE) return outcome;
     whirl_result_free(outline);
+    guard_output(path);
     const whirl_status status = write(result, path);
     return complain_of(&status);
 }

@@ -66,8 +66,8 @@ void guard_rest(void) {
     watching = 0;
 }
 
-void guard_file(const char *path) {
-    snprintf(half_written, sizeof half_written, "%s", path);
+void guard_output(const char *path) {
+    snprintf(half_written, sizeof half_written, "%s.tmp-%ld", path, (long)getpid());
 }
 
 void guard_note_exhausted(void) {

@@ -9,8 +9,9 @@ void guard_begin(void);
 /// The program ends of itself, as it may while arguments are read.
 void guard_rest(void);
 
-/// A file that is half written while the guard watches, to be removed where the program ends by a fault. Copied.
-void guard_file(const char *path);
+/// A file that is written whole or not at all while the guard watches: what is half written of it, under its temporary
+/// name, is removed where the program ends by a fault.
+void guard_output(const char *path);
 
 /// Memory ran out: at the end nothing is left to libraries, which may not be able to tidy up.
 void guard_note_exhausted(void);

@@ -51,7 +51,8 @@ static int show(const char *path, const show_arguments *how) {
             how->full ? whirl_result_write_json(result, stdout) : whirl_result_write_json_summary(result, stdout);
         outcome = complain_of(&status);
     } else {
-        summarize_result(result);
+        const whirl_status status = summarize_result(result);
+        outcome = complain_of(&status);
     }
     whirl_result_free(result);
     return outcome;

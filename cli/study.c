@@ -99,9 +99,7 @@ static whirl_status add_facts(whirl_result *result, const char *const facts[][2]
 
 /// Writes the result and makes sure of it.
 static int save(const study_arguments *arguments, const whirl_result *result) {
-    char half_written[PATH_SIZE + 32];
-    snprintf(half_written, sizeof half_written, "%s.tmp-%ld", arguments->output, (long)getpid());
-    guard_file(half_written);
+    guard_output(arguments->output);
     whirl_status status = whirl_result_write(result, arguments->output);
     if (status.code == WHIRL_OK) status = whirl_result_verify(result, arguments->output);
     if (status.code == WHIRL_OK) return EXIT_DONE;
@@ -115,7 +113,8 @@ static int show(const study_arguments *arguments, const whirl_result *result) {
                                                          : whirl_result_write_json_summary(result, stdout);
         if (status.code != WHIRL_OK) return complain_of(&status);
     } else if (!arguments->quiet) {
-        summarize_result(result);
+        const whirl_status status = summarize_result(result);
+        if (status.code != WHIRL_OK) return complain_of(&status);
         printf("%s\n", arguments->output);
     }
     return finish_output();

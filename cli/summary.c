@@ -470,11 +470,13 @@ static bool is_basin(const whirl_table *table) {
 }
 
 /// "attractor 1: P-1 at 1931 starts, 64.3 % +- 0.9 %", one line an attractor.
-static void print_attractors(const whirl_table *table) {
+static whirl_status print_attractors(const whirl_table *table) {
     enum { SHOWN = 16 };
     whirl_attractor found[SHOWN];
-    size_t count;
-    if (!is_basin(table) || whirl_table_attractors(table, NULL, found, SHOWN, &count).code != WHIRL_OK) return;
+    size_t count = 0;
+    const whirl_status status =
+        is_basin(table) ? whirl_table_attractors(table, NULL, found, SHOWN, &count) : whirl_ok();
+    if (!is_basin(table) || status.code != WHIRL_OK) return status.code == WHIRL_NO_MEMORY ? status : whirl_ok();
     for (size_t k = 0; k < count && k < SHOWN; k++) {
         const whirl_verdict verdict = whirl_table_verdict(table, found[k].first);
         char name[VERDICT_SIZE];
@@ -491,6 +493,7 @@ static void print_attractors(const whirl_table *table) {
     if (count <= SHOWN && told < done)
         printf("  without a verdict: %zu start%s, %.1f %%: a longer transient may tell\n", done - told,
                plural((double)(done - told)), 100.0 * (double)(done - told) / (double)done);
+    return weighed ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for the shares of attractors");
 }
 
 /// "refined: 5 points, 2 still in doubt".
@@ -530,8 +533,9 @@ void summarize_end(const whirl_result *result, const char *parameter, double fir
                gap, unit.name);
 }
 
-static void print_tables(const whirl_result *result) {
-    for (size_t i = 0; i < result->table_count; i++) {
+static whirl_status print_tables(const whirl_result *result) {
+    whirl_status status = whirl_ok();
+    for (size_t i = 0; i < result->table_count && status.code == WHIRL_OK; i++) {
         const whirl_table *const table = &result->tables[i];
         if (table->integrate.chosen) printf("method auto took %s for the %s\n", table->integrate.method, table->name);
         const size_t planned = whirl_table_planned(table);
@@ -556,14 +560,15 @@ static void print_tables(const whirl_result *result) {
             print_list(result, table);
         else
             print_counts(result, table);
-        print_attractors(table);
-        summarize_starts(result, table);
+        status = print_attractors(table);
+        if (status.code == WHIRL_OK) status = summarize_starts(result, table);
         print_refinement(table->source ? table->source : table);
         print_jumps(result, table);
     }
+    return status;
 }
 
-void summarize_result(const whirl_result *result) {
+whirl_status summarize_result(const whirl_result *result) {
     size_t done, total;
     whirl_result *view;
     puts(result->title[0] ? result->title : result->case_name);
@@ -578,9 +583,11 @@ void summarize_result(const whirl_result *result) {
         else
             puts("partial: stopped when all points were done, before all were confirmed or refined");
     }
-    const whirl_status status = whirl_result_by_attractor(result, &view);
-    print_tables(status.code == WHIRL_OK ? view : result);
+    whirl_status status = whirl_result_by_attractor(result, &view);
+    if (status.code != WHIRL_OK) return status;
+    status = print_tables(view);
     whirl_result_view_free(view);
+    return status;
 }
 
 /// What a batch along branches may find.

@@ -5,8 +5,9 @@
 #include "whirl/result.h"
 #include "whirl/study.h"
 
-/// What was found, on standard output: every point of a short table, counts of verdicts of a long one.
-void summarize_result(const whirl_result *result);
+/// What was found, on standard output: every point of a short table, counts of verdicts of a long one. WHIRL_NO_MEMORY
+/// where there is none to tell all of it.
+whirl_status summarize_result(const whirl_result *result);
 
 /// One line where the steps of the sweep do not meet its end (the fact "sweep ends at"); `first` is its first value.
 void summarize_end(const whirl_result *result, const char *parameter, double first);

@@ -67,13 +67,14 @@ static void print_range(const whirl_result *view, const whirl_table *table, size
 }
 
 /// "several side by side at 7 of 41 points: 0.29 to 0.31, 0.498"; of a map how many alone.
-static void print_coexisting(const whirl_result *view, const whirl_table *table) {
+static whirl_status print_coexisting(const whirl_result *view, const whirl_table *table) {
     const size_t places = whirl_table_planned(table);
     size_t several = 0, ranges = 0, *beside = count_beside(table, places);
-    for (size_t place = 0; beside && place < places; place++) several += beside[place] > 1;
+    if (!beside) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the attractors of %zu points", places);
+    for (size_t place = 0; place < places; place++) several += beside[place] > 1;
     if (several == 0 || places == 1) {
         free(beside);
-        return;
+        return whirl_ok();
     }
     printf("  several attractors side by side at %zu of %zu points", several, places);
     for (size_t place = 0; place < places && table->row == 0; place++) {
@@ -89,14 +90,16 @@ static void print_coexisting(const whirl_result *view, const whirl_table *table)
     if (ranges > MOST_RANGES) printf(" and %zu more ranges", ranges - MOST_RANGES);
     putchar('\n');
     free(beside);
+    return whirl_ok();
 }
 
-void summarize_starts(const whirl_result *view, const whirl_table *table) {
+whirl_status summarize_starts(const whirl_result *view, const whirl_table *table) {
     size_t done = 0, untold = 0;
-    if (!table->attractors) return;
+    if (!table->attractors) return whirl_ok();
     const whirl_table *source = table->source;
     if (table->row == 0 && whirl_table_planned(table) > 1) print_attractors(table);
-    print_coexisting(view, table);
+    const whirl_status status = print_coexisting(view, table);
+    if (status.code != WHIRL_OK) return status;
     for (size_t i = 0; i < source->count; i++) {
         done += whirl_table_done(source, i);
         untold += whirl_table_done(source, i) && whirl_table_verdict(source, i).regime == WHIRL_UNDETERMINED;
@@ -104,4 +107,5 @@ void summarize_starts(const whirl_result *view, const whirl_table *table) {
     if (untold > 0) printf("  without a verdict: %zu of %zu starts: a longer transient may tell\n", untold, done);
     printf("  %zu starts a point miss an attractor that %.2g %% of all lead to with a chance of 5 %%\n", source->starts,
            100.0 * whirl_missed_share(source->starts));
+    return whirl_ok();
 }

@@ -29,7 +29,7 @@ if numel(file) > 4 && strcmp(file(end - 3:end), '.mat')
     return
 end
 copy = [tempname() '.mat'];
-call(['export ' quoted(file) ' --mat ' quoted(copy)], false);
+call(['export ' quoted(file_of(file)) ' --mat ' quoted(copy)], false);
 result = load(copy);
 delete(copy);
 end

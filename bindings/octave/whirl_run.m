@@ -51,7 +51,7 @@ if ~shown
     arguments = [arguments ' --quiet'];
 end
 try
-    status = call(['run ' quoted(file) ' --force -o ' quoted(output) arguments], shown);
+    status = call(['run ' quoted(file_of(file)) ' --force -o ' quoted(file_of(output)) arguments], shown);
     result = whirl_read(output);
 catch problem
     remove(written, file);

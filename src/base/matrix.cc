@@ -15,6 +15,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/QR>
+#include <cerrno>
 #include <cmath>
 
 #include "balance.h"
@@ -40,6 +41,7 @@ template <typename Work> bool attempt(Work work) noexcept {
     try {
         return work();
     } catch (...) {
+        errno = ENOMEM; // nothing else is thrown
         return false;
     }
 }

@@ -24,7 +24,8 @@ bool matrix_symmetric_modes(size_t n, const double *k, const double *m, double *
 /// All eigenvalues of a [n][n], which is overwritten: real [n], imaginary [n], in no order but that the two of a pair
 /// stand together, the one with the positive imaginary part first. vectors, where not NULL: [value][n][2], real and
 /// imaginary parts, of Euclidean length 1, the first of their largest components real and positive. By balancing and
-/// Francis' double shifts (Golub, Van Loan 2013, 7.5). False where these do not converge.
+/// Francis' double shifts (Golub, Van Loan 2013, 7.5). False where these do not converge, or, with errno ENOMEM,
+/// without memory.
 bool matrix_eigen(size_t n, double *a, double *real, double *imaginary, double *vectors);
 
 /// Solves A x = b for `count` right-hand sides, b [count][n], by elimination with row exchanges; b becomes x. False

@@ -1,4 +1,5 @@
 // Modes: eigenvalues of the Jacobian at the equilibrium, or Floquet exponents of a periodic motion.
+#include <errno.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -145,6 +146,7 @@ static whirl_status solve(const mean_system *m, double *matrix, double period, c
     root *roots = calloc(3 * n + 1, sizeof *roots);
     double *real = numbers, *imaginary = numbers ? numbers + n : NULL;
     const bool room = numbers && roots;
+    errno = 0;
     const bool solved = room && matrix_eigen(n, matrix, real, imaginary, numbers + 2 * n);
     for (size_t i = 0; i < n && solved; i++) {
         if (period > 0.0) take_logarithm(&real[i], &imaginary[i], period);
@@ -155,7 +157,7 @@ static whirl_status solve(const mean_system *m, double *matrix, double period, c
     free(numbers);
     free(roots);
     *out = modes;
-    if (room && !solved)
+    if (room && !solved && errno != ENOMEM)
         return whirl_fail(WHIRL_BAD_INPUT, "the eigenvalues of the Jacobian where the machine rests were not found");
     return modes ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for the modes of %zu coordinates", n);
 }

@@ -58,6 +58,12 @@ static void add_tilts(assembly *to, assembly_station *station) {
 }
 
 static whirl_status check_inertia(const assembly_station *station) {
+    if (station->hidden && !(station->mass > 0.0 && station->diametral > 0.0))
+        return whirl_fail(
+            WHIRL_BAD_INPUT,
+            "a node of shaft %zu of finite elements has a mass of %.3g kg and a diametral inertia of %.3g "
+            "kg m2, expected more than 0: a segment beside it changes its diameter too steeply",
+            station->shaft + 1, station->mass, station->diametral);
     if (!(station->mass > 0.0))
         return whirl_fail(WHIRL_BAD_INPUT,
                           "station '%s' has no mass, expected its key mass or an element that brings one",

@@ -22,7 +22,10 @@ COMMANDS = {
     "json": ["run", "case.yaml", "--threads", "1", "-q", "--json"],
     "import": ["import", "supports.toml", "-o", "imported.yaml"],
     "import JSON": ["import", "layers.json", "-o", "imported.yaml"],
+    "show": ["show", "starts.h5"],
+    "modes": ["run", "modes.yaml", "--threads", "1", "-q", "-o", "made.h5"],
     "export": ["export", "there.h5", "--csv", "tables"],
+    "export MAT": ["export", "there.h5", "--mat", "made.mat"],
     "report": ["report", "there.h5", "-o", "report", "--gnuplot", "true", "--claims", "claims.yaml"],
 }
 CLAIMS = """claims: 1
@@ -85,6 +88,10 @@ def main():
         for rotor in ("supports.toml", "layers.json"):
             shutil.copy(pathlib.Path(__file__).parent.parent / "rotors" / rotor, template)
         assert execute(["run", "case.yaml", "-q", "-o", "there.h5"], template).returncode == 0
+        shutil.copy(pathlib.Path(good).parent / "modes.yaml", template)
+        starts = "study:\n  starts: {count: 3, within: {disc: {x: [-1, 1]}}}"
+        (template / "starts.yaml").write_text((template / "case.yaml").read_text().replace("study:", starts))
+        assert execute(["run", "starts.yaml", "-q", "-o", "starts.h5"], template).returncode == 0
         for name, arguments in COMMANDS.items():
             folder = pathlib.Path(place) / name
             shutil.copytree(template, folder)

@@ -40,6 +40,13 @@ fclose(stream);
 named = whirl_run('it''s $(a) case.yaml', 'progress', false);
 assert(named.sweep.values, result.sweep.values);
 
+% A name that begins with - is no option.
+stream = fopen('-case.yaml', 'w');
+fwrite(stream, good);
+fclose(stream);
+named = whirl_run('-case.yaml', 'output', '-r.h5', 'progress', false);
+assert(isequaln(whirl_read('-r.h5').sweep.values, named.sweep.values));
+
 wrong(@() whirl_run(good, 'kapa', 3, 'progress', false), 'whirl:badInput', 'kappa');
 wrong(@() whirl_run('nowhere.yaml', 'progress', false), 'whirl:badInput', 'nowhere.yaml');
 wrong(@() whirl_run(good, 'kappa'), 'whirl:badInput', 'pairs');
