@@ -31,7 +31,13 @@ typedef struct whirl_integrate_options {
     /// rk4: split steps at the zeros of the switching functions, located inside the step; other methods always do.
     bool located;
     double limit; ///< a state with a coordinate beyond +-limit counts as diverged, in the state's units
+    /// NULL, or becomes true, for good, when motions shall end at once, within their revolutions: what is computed from
+    /// then on means nothing, and is to be thrown away. Borrowed; no part of what is computed.
+    const volatile bool *stop;
 } whirl_integrate_options;
+
+/// Whether motions by these options shall end. Asked after a revolution, it tells whether that means anything.
+bool whirl_integrate_stopped(const whirl_integrate_options *options);
 
 /// Its members, as cases say them (part "integrate") and results have them; static, ended by one without a part.
 const whirl_member *whirl_integrate_members(void);

@@ -581,6 +581,8 @@ whirl_status whirl_recorder_revolve(whirl_recorder *r, size_t *turned) {
     if (status.code == WHIRL_OK) status = aim(r);
     if (status.code == WHIRL_OK) status = look_for_orbits(r);
     end_transients(r);
+    // What was computed since a stop means nothing: no record of it is handed over, and no state saved.
+    if (status.code == WHIRL_OK && whirl_integrate_stopped(r->integrate)) return whirl_fail(WHIRL_STOPPED, "stopped");
     if (status.code == WHIRL_OK) status = hand_over(r);
     if (status.code == WHIRL_OK) save_motions(r);
     return status;

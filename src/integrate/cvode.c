@@ -27,6 +27,7 @@ static const double disturbance_rtol = 1e-7, disturbance_atol = 1e-9;
 
 typedef struct cvode {
     const whirl_system *system;
+    const whirl_integrate_options *options;
     stepper *sides; ///< those that are held, with the state of the motion where it last met a switch; NULL: none are
     SUNContext context;
     void *memory;
@@ -44,6 +45,7 @@ static int right_hand_side(realtype t, N_Vector x, N_Vector slope, void *data) {
     cvode *work = data;
     const whirl_system *system = work->system;
     double forcing[WHIRL_MAX_FORCING], *out = NV_DATA_S(slope);
+    if (whirl_integrate_stopped(work->options)) return -1; // for good
     if (work->sides) {
         stepper_slope(work->sides, t, NV_DATA_S(x), out);
     } else {
@@ -133,6 +135,7 @@ static whirl_status start(whirl_integrator *integrator, int kind) {
     if (!work) return whirl_fail(WHIRL_NO_MEMORY, "no memory for CVODE");
     integrator->workspace = work;
     work->system = integrator->system;
+    work->options = &integrator->options;
     int code = prepare_sides(work, &integrator->options) ? SUNContext_Create(NULL, &work->context) : CV_MEM_FAIL;
     if (code == 0) work->state = N_VNew_Serial((sunindextype)integrator->system->dimension, work->context);
     if (work->state) work->memory = CVodeCreate(kind, work->context);

@@ -166,6 +166,7 @@ static void fill_lanes(whirl_ensemble *e, const whirl_integrate_options *options
     lanes->instance = system->lanes->instance;
     lanes->forcing_count = system->forcing_count;
     lanes->steps = options->steps_per_revolution;
+    lanes->stop = options->stop;
     lanes->step = system->period / options->steps_per_revolution;
     lanes->note = note_lengths;
     if (system->lanes->damped) lanes->observe.normal_force = system->lanes->contacts[e->isa->number];

@@ -41,6 +41,7 @@ static whirl_status start(whirl_integrator *integrator) {
     rk4_lanes *lanes = &work->one.lanes;
     lanes->forcing_count = count;
     lanes->steps = steps;
+    lanes->stop = integrator->options.stop;
     lanes->step = system->period / steps;
     lanes->forcing = work->numbers;
     lanes->now = work->numbers + instants * count;

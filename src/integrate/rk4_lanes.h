@@ -46,6 +46,7 @@ typedef struct rk4_lanes {
     size_t rates; ///< velocities, and states of first order after them
     int steps;
     double step;
+    const volatile bool *stop;        ///< as the options have it
     const double *forcing;            ///< [2 steps + 1][forcing_count]
     size_t disturbances;              ///< that go along: all states, slopes and stages are [1 + disturbances][...]
     size_t *places;                   ///< of numbers, as a view has them

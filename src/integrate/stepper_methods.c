@@ -40,9 +40,11 @@ static int tell(stepper *c, double period, int instants, int instant, whirl_obse
     return instant;
 }
 
-static bool is_spent(const whirl_integrator *integrator) {
+/// Whether a revolution ends before its time.
+static bool is_cut_short(const whirl_integrator *integrator) {
     const stepper *c = integrator->workspace;
-    return integrator->most_steps > 0 && c->tried >= integrator->most_steps;
+    return whirl_integrate_stopped(&integrator->options) ||
+           (integrator->most_steps > 0 && c->tried >= integrator->most_steps);
 }
 
 /// Steps of rk4 end at every instant, the others where they like.
@@ -54,7 +56,7 @@ static whirl_motion revolve(whirl_integrator *integrator, double *x, whirl_distu
     int instant = 1;
     c->observed = c->slot && observe;
     whirl_motion motion = begin(integrator, x, disturbances);
-    while (motion == WHIRL_BOUNDED && c->t < period && !is_spent(integrator)) {
+    while (motion == WHIRL_BOUNDED && c->t < period && !is_cut_short(integrator)) {
         motion = stepper_step(c, c->slot ? period : period * ((double)instant / instants));
         if (motion == WHIRL_BOUNDED && (observe || !c->slot))
             instant = tell(c, period, instants, instant, observe, observer);

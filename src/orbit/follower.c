@@ -132,6 +132,11 @@ whirl_status follower_find(follower *f, const double *u, const double *direction
 }
 
 whirl_status branch_add(whirl_branch *b, const whirl_branch_options *options, const whirl_branch_point *point) {
+    if (whirl_integrate_stopped(&options->orbit.integrate)) { // what was found since means nothing
+        whirl_orbit_free(point->orbit);
+        b->end = WHIRL_END_STOPPED;
+        return whirl_ok();
+    }
     if ((b->count & (b->count - 1)) == 0) { // there is room for the next power of two
         const size_t room = b->count > 0 ? 2 * b->count : 1;
         whirl_branch_point *points = realloc(b->points, room * sizeof *points);

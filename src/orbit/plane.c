@@ -243,6 +243,10 @@ static whirl_status follow(walk *w, const whirl_branch_point *start, int directi
         else
             status = go_on(w, &ended);
     }
+    if (w->branch && whirl_integrate_stopped(&w->options->orbit.integrate)) {
+        w->branch->end = WHIRL_END_STOPPED;
+        if (status.code != WHIRL_NO_MEMORY) status = whirl_ok();
+    }
     return status;
 }
 

@@ -33,6 +33,10 @@ static double value_at(const torus_follower *f, const torus_waypoint *p) {
 // ---------------------------------------------------------------- points
 
 static whirl_status add_point(const torus_follower *f, torus_walk *w, torus_waypoint *p, whirl_torus_branch *b) {
+    if (whirl_integrate_stopped(&f->options->torus.integrate)) { // what was found since means nothing
+        b->end = WHIRL_TORUS_STOPPED;
+        return whirl_ok();
+    }
     if (b->count == w->room) {
         const size_t room = 2 * w->room + 16;
         whirl_torus_point *points = realloc(b->points, room * sizeof *points);

@@ -77,6 +77,10 @@ static whirl_status compute(worker *w, size_t slot) {
                                        : w->run->study->machine(w->run->study->family, w->batch, value, &own.machine);
     if (status.code == WHIRL_OK && w->has_modes) status = locate(w, slot, &own);
     if (status.code == WHIRL_OK) status = analyze(w, slot, &own);
+    if (!tracker_advance(&w->run->tracker, 0.0, 0)) { // what was computed since a stop means nothing
+        resting_free(&own);
+        return whirl_ok();
+    }
     if (status.code == WHIRL_OK) status = keep(w, slot);
     resting_free(&w->before);
     w->before = own;

@@ -237,6 +237,7 @@ whirl_status whirl_study_run(const whirl_study *study, const whirl_run_options *
     whirl_status status = check_study(study);
     if (status.code == WHIRL_OK) status = whirl_study_choose_methods(&chosen);
     if (status.code == WHIRL_OK) status = whirl_study_outline(&chosen, &run.result);
+    for (size_t i = 0; i < chosen.batch_count; i++) chosen.batches[i].integrate.stop = options->stop;
     if (status.code == WHIRL_OK) status = make_ends(&run);
     if (status.code == WHIRL_OK) status = tables_fill(&run, options->memory);
     if (status.code == WHIRL_OK) status = run_stages(&run, options);

@@ -12,6 +12,7 @@ whirl_orbit_options whirl_batch_orbits(const whirl_batch *batch) {
     if (strcmp(batch->integrate.method, "rodas5p") == 0) strcpy(integrate->method, "rodas5p");
     integrate->atol *= trace->rtol / integrate->rtol;
     integrate->rtol = trace->rtol;
+    integrate->stop = batch->integrate.stop;
     options.segments = trace->segments;
     options.tolerance = fmax(options.tolerance, 10.0 * trace->rtol);
     return options;

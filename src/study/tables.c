@@ -52,6 +52,7 @@ static whirl_status make_table(const whirl_study *study, const whirl_batch *batc
     table->count = batch_room(batch);
     table->analyses = batch->analyses;
     table->integrate = batch->integrate;
+    table->integrate.stop = NULL;
     table->record = batch->record;
     table->values = room_take(&table->room, table->count, sizeof *table->values, ROOM_LEAST);
     table->branch = room_take(&table->room, table->count, sizeof *table->branch, ROOM_LEAST);

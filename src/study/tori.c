@@ -26,6 +26,7 @@ typedef struct leg {
     whirl_torus_branch *found;
     whirl_torus_view **views; ///< [found->count]
     double end;               ///< where nothing was found
+    bool stopped;             ///< on the way: then what was found means nothing
     first_error error;
 } leg;
 
@@ -170,8 +171,9 @@ static void work(tori *all, leg *one) {
     if (status.code != WHIRL_OK) return;
 #pragma omp critical(whirl_tori)
     needed = !all->ended && !is_taken(&all->rows, &one->start.point);
-    if (needed && !atomic_load(&all->rows.run->tracker.halt)) status = follow(all, one);
-    first_error_note(&one->error, &status);
+    if (needed && rows_go_on(&all->rows)) status = follow(all, one);
+    one->stopped = !rows_go_on(&all->rows);
+    if (!one->stopped) first_error_note(&one->error, &status);
 }
 
 // ---------------------------------------------------------------- rows
@@ -204,19 +206,17 @@ static whirl_status add_rows(tori *all, const leg *one) {
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < count && r->count < r->room && status.code == WHIRL_OK; i++)
         status = add_row(all, one, i, i + 1 == count);
-    const bool stopped = one->found && one->found->end == WHIRL_TORUS_STOPPED;
-    all->ended = stopped || r->count == r->room;
-    return status.code == WHIRL_OK ? rows_keep(r, first, !stopped) : status;
+    all->ended = r->count == r->room;
+    return status.code == WHIRL_OK ? rows_keep(r, first, true) : status;
 }
 
 /// Adds a leg whose place in the order has come, unless one before it ends where it begins.
 static void add(tori *all, const leg *one) {
-    const bool halted = atomic_load(&all->rows.run->tracker.halt) && !one->found;
 #pragma omp critical(whirl_tori)
     if (all->error.code == WHIRL_OK && !all->ended) {
         all->error = one->error;
-        all->ended = halted;
-        if (all->error.code == WHIRL_OK && !halted && !is_taken(&all->rows, &one->start.point)) {
+        all->ended = one->stopped;
+        if (all->error.code == WHIRL_OK && !one->stopped && !is_taken(&all->rows, &one->start.point)) {
             const whirl_status added = add_rows(all, one);
             first_error_note(&all->error, &added);
         }
@@ -247,6 +247,7 @@ whirl_status tori_work(study_run *run, const pass *p) {
         trace_tori(&all);
         status = first_error_status(&all.error);
     }
+    if (wanted) rows_go_on(&all.rows); // a stop until now is seen
     rows_close(&all.rows);
     free(all.points);
     if (status.code != WHIRL_OK && status.code != WHIRL_STOPPED) tracker_fail(&run->tracker, &status);

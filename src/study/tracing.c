@@ -121,14 +121,18 @@ static void follow(rows *r, size_t count, leg legs[MOST_LEGS]) {
     }
 }
 
-/// Adds the points of the branches that were found; legs that could not be followed are left out.
+/// Adds the points of the branches that were found; legs that could not be followed are left out. Behind one that was
+/// stopped nothing is added: it would be kept as if that one had not been found.
 static whirl_status add_found(rows *r, size_t count, size_t parent, const leg legs[MOST_LEGS]) {
+    const bool going = rows_go_on(r);
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < count && status.code == WHIRL_OK; i++) {
+        const bool whole = legs[i].branch && legs[i].branch->end != WHIRL_END_STOPPED;
         if (legs[i].branch)
             status = rows_add(r, legs[i].branch, r->next + i, parent);
         else if (legs[i].error.code == WHIRL_NO_MEMORY)
             status = first_error_status(&legs[i].error);
+        if (!going && !whole) break;
     }
     return status;
 }
@@ -151,7 +155,7 @@ static whirl_status follow_both(rows *r, size_t count, leg legs[MOST_LEGS]) {
     // A branch that closes is all there is: the other direction leads along the same one.
     if (legs[0].branch && legs[0].branch->end == WHIRL_END_CLOSED) count = 1;
     for (size_t i = 0; i < count; i++)
-        if (!legs[i].branch) return first_error_status(&legs[i].error);
+        if (!legs[i].branch && rows_go_on(r)) return first_error_status(&legs[i].error);
     return add_found(r, count, 0, legs);
 }
 
@@ -164,6 +168,7 @@ static whirl_status begin_at(rows *r, double value) {
     whirl_status status = whirl_ok();
     if (!rows_recall(r, count)) {
         status = settle(r, count, legs);
+        if (!rows_go_on(r)) status = whirl_fail(WHIRL_STOPPED, "stopped");
         if (status.code == WHIRL_OK && has_room(r, count) && !is_known(r, legs[0].orbit, value))
             status = follow_both(r, count, legs);
     }
@@ -228,7 +233,7 @@ static whirl_status begin_along(rows *r) {
 }
 
 static bool goes_on(const rows *r) {
-    return r->count < r->room && !atomic_load(&r->run->tracker.halt);
+    return r->count < r->room && rows_go_on(r);
 }
 
 static whirl_status trace_branches(rows *r) {
@@ -314,6 +319,7 @@ whirl_status tracing_work(study_run *run, const pass *p) {
     rows r;
     whirl_status status = rows_open(&r, run, p);
     if (status.code == WHIRL_OK && !r.left_out) status = r.batch->second[0] ? trace_curves(&r) : trace_branches(&r);
+    if (status.code == WHIRL_OK && !r.left_out) rows_go_on(&r); // a stop until now is seen
     rows_close(&r);
     if (status.code != WHIRL_OK && status.code != WHIRL_STOPPED) tracker_fail(&run->tracker, &status);
     return whirl_ok();
