@@ -1,5 +1,6 @@
 // Branches of periodic orbits by pseudo-arclength continuation (Keller 1977; Allgower, Georg 1990).
 #include "describe.h"
+#include "halved.h"
 #include "special.h"
 
 #include <math.h>
@@ -107,35 +108,6 @@ static bool is_within(const follower *f, const waypoint *p) {
     return value >= fmin(f->options->from, f->options->to) && value <= fmax(f->options->from, f->options->to);
 }
 
-/// By how much an orbit is elsewhere after half its time, out [dimension].
-static void apart(const whirl_orbit *orbit, double *out) {
-    const double *half = orbit->nodes + orbit->segment_count / 2 * orbit->dimension;
-    for (size_t i = 0; i < orbit->dimension; i++) out[i] = half[i] - orbit->nodes[i];
-}
-
-static double dot(size_t n, const double *a, const double *b) {
-    double sum = 0.0;
-    for (size_t i = 0; i < n; i++) sum += a[i] * b[i];
-    return sum;
-}
-
-/// Whether orbits of an even number of revolutions close after half of them between both waypoints: there the branch
-/// ends, at the doubling of another one, beyond which it is the same as before, half its time later. By how much they
-/// are elsewhere after half the time goes through 0 there, and only there it can turn round within a step.
-static whirl_status passes_doubling(const follower *f, const walk *w, bool *passed) {
-    const size_t n = f->equations.s->dimension;
-    *passed = false;
-    if (w->now.orbit->revolutions == 0 || w->now.orbit->revolutions % 2 != 0) return whirl_ok();
-    double *before = calloc(2 * n + 1, sizeof *before);
-    if (!before) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a point of a branch");
-    double *after = before + n;
-    apart(w->now.orbit, before);
-    apart(w->next.orbit, after);
-    *passed = dot(n, before, after) < -0.9 * sqrt(dot(n, before, before) * dot(n, after, after));
-    free(before);
-    return whirl_ok();
-}
-
 /// One point further.
 static whirl_status go_on(follower *f, walk *w, bool *ended) {
     bool good;
@@ -149,11 +121,14 @@ static whirl_status go_on(follower *f, walk *w, bool *ended) {
     if (status.code != WHIRL_OK) return status;
     *ended = !is_within(f, &w->next);
     if (*ended) return end_at_bound(f, w);
-    status = passes_doubling(f, w, ended);
-    if (*ended) f->branch->end = WHIRL_END_HALVED;
-    if (status.code == WHIRL_OK && !*ended && f->options->special) status = special_locate(f, &w->now, &w->next);
-    if (status.code == WHIRL_OK && !*ended) status = add_waypoint(f, &w->next);
-    if (status.code != WHIRL_OK || *ended) return status;
+    *ended = halved_between(&w->now, &w->next);
+    if (*ended) {
+        f->branch->end = WHIRL_END_HALVED;
+        return halved_add(f, &w->now, &w->next);
+    }
+    if (f->options->special) status = special_locate(f, &w->now, &w->next);
+    if (status.code == WHIRL_OK) status = add_waypoint(f, &w->next);
+    if (status.code != WHIRL_OK) return status;
     w->step = fmin(fmax(w->step * w->next.pace, f->options->least_step), f->options->most_step);
     exchange(&w->before, &w->next);
     exchange(&w->before, &w->now);

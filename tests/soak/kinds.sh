@@ -1,11 +1,11 @@
-# Studies of all kinds, in the folder where one is, with the results of runs that nobody disturbed (whole-NAME.h5) and how
-# long those took (span[NAME], milliseconds). Read by scripts that kill them: these have $whirl, $cases, $tests (tests/cli)
-# and fail.
+# Studies of all kinds, or of those in the array kinds, in the folder where one is, with the results of runs that nobody
+# disturbed (whole-NAME.h5) and how long those took (span[NAME], milliseconds). Read by scripts that kill them: these have
+# $whirl, $cases, $tests (tests/cli) and fail.
 # shellcheck shell=bash disable=SC2154
 
 # Points one by one, along a line and in a plane; carried up and down, and confirmed; refined; confirmed and followed; at
 # rest; along branches and on tori.
-kinds=(plain map carry refined followed modes branch tori)
+[ -n "${kinds[*]:-}" ] || kinds=(plain map carry refined followed modes branch tori)
 sed -e 's/points: 5/points: 2000/' -e 's/, spectrum//' "$tests/good.yaml" >plain.yaml
 sed -e 's/  sweep: .*/  map: {x: {parameter: omega, from: 1, to: 4, points: 60}, y: {parameter: kappa, from: 5, to: 20, points: 20}}/' \
     plain.yaml >map.yaml

@@ -1,5 +1,5 @@
 #!/bin/bash
-# Ranks of MPI, killed at random moments:  ranks.sh WHIRL CASES N        (by tests/mpi.sh)
+# Ranks of MPI, killed at random moments:  ranks.sh WHIRL CASES N [KIND...]        (by tests/mpi.sh)
 # Each run begins a study of another kind by some number of ranks, one of which is killed by SIGKILL, with which mpirun
 # kills the others; it is gone on with by other numbers of ranks, as a shard or as a whole, N kills in all. In the end ranks
 # of some number, or one run, do the rest: the result is that of a run that nobody disturbed, and nothing else is left.
@@ -18,6 +18,7 @@ fail() {
     echo "ranks: FAILED: $* (seed $seed)"
     exit 1
 }
+kinds=("${@:4}")
 . "$(dirname "$tests")/soak/kinds.sh"
 
 done_kills=0 stuck=0
