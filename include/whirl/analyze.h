@@ -321,6 +321,9 @@ typedef enum whirl_remedy {
     WHIRL_OTHER_START       ///< the motion stays on an unstable one: another start, beside it (no option of a run does)
 } whirl_remedy;
 
+/// Number of remedies.
+enum { WHIRL_REMEDIES = WHIRL_OTHER_START + 1 };
+
 /// What to do for a verdict that is more certain.
 typedef struct whirl_advice {
     whirl_remedy remedy; ///< what is to be changed

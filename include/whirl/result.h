@@ -157,6 +157,16 @@ bool whirl_result_partial(const whirl_result *result, size_t *done, size_t *tota
 /// The verdict on a point.
 whirl_verdict whirl_table_verdict(const whirl_table *table, size_t point);
 
+/// Undetermined motions of a table that the same remedy would tell.
+typedef struct whirl_doubt {
+    whirl_remedy remedy;  ///< which
+    double factor;        ///< of it, the largest that one of them needs
+    size_t points, first; ///< how many there are, and the first of them
+} whirl_doubt;
+
+/// Why motions of a table are undetermined, doubts [WHIRL_REMEDIES], in the order of the remedies; gives how many.
+size_t whirl_table_doubts(const whirl_table *table, whirl_doubt doubts[WHIRL_REMEDIES]);
+
 /// A point of a table of branches or curves; its orbit is freed by whirl_orbit_free. Errors as whirl_block_trace.
 whirl_status whirl_table_trace(const whirl_table *table, size_t point, whirl_trace *trace);
 

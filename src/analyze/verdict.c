@@ -44,16 +44,33 @@ static whirl_estimate returning_exponent(const evidence *e) {
     return estimate_regular_mean(e->growth + before, e->returns.window, period);
 }
 
+/// Whether disturbances die out alike in both halves.
+static bool dies_out_evenly(const evidence *e, size_t period) {
+    const double share = 0.2;
+    const size_t half = e->growth_count / 2;
+    if (half < 2 * period) return false;
+    const whirl_estimate early = estimate_regular_mean(e->growth, half, period),
+                         late = estimate_regular_mean(e->growth + e->growth_count - half, half, period);
+    return is_negative(early) && is_negative(late) &&
+           fabs(early.value - late.value) <= share * fabs(late.value) + sigmas * hypot(early.error, late.error);
+}
+
 /// P-k: the motion returns, disturbances die out, and the k points stand clearly further apart than they still have to
 /// go. The last tells a period from a slow spiral that is seen stroboscopically: with multipliers r e^(+-i 2 pi p/k)
 /// it returns after k revolutions to within 1 - r^k of its distance to the limit.
+///
+/// A motion that does not return as well yet is P-k, too, where a map that shortens all distances by so much cannot
+/// lead it further than this part of its size (Banach's fixed point), over which the map is the same: it shortens them
+/// alike in both halves of what was watched.
 static bool is_periodic(const evidence *e, whirl_estimate exponent) {
-    if (!(e->returns.distance <= recurrence_tolerance)) return false;
+    const double nearest = 1e-4;
     if (e->growth_count == 0) return e->returns.distance <= blind_tolerance;
-    if (!is_negative(exponent)) return false;
+    if (!(e->returns.distance <= nearest) || !is_negative(exponent)) return false;
     const double slowest = exponent.value + sigmas * exponent.error;
     const double left_to_go = e->returns.distance / -expm1(slowest * e->returns.period);
-    return e->returns.separation > 10.0 * left_to_go;
+    if (e->returns.distance <= recurrence_tolerance) return e->returns.separation > 10.0 * left_to_go;
+    return left_to_go <= nearest && e->returns.separation > 100.0 * left_to_go &&
+           dies_out_evenly(e, (size_t)e->returns.period);
 }
 
 /// Whether disturbances still grow, or at least do not clearly die out, in the last revolutions: a motion that was

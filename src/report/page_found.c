@@ -43,11 +43,35 @@ static void write_kinds(FILE *stream, const whirl_table *table) {
     fputs(".</p>\n", stream);
 }
 
+/// Why motions are undetermined, and what would tell them.
+static void write_doubts(const page *to, size_t index, const whirl_table *table) {
+    whirl_doubt doubts[WHIRL_REMEDIES];
+    const whirl_unit unit = whirl_shown_parameter(&to->units[index], table->parameter);
+    const size_t count = whirl_table_doubts(table, doubts);
+    for (size_t i = 0; i < count; i++) {
+        whirl_verdict verdict = whirl_table_verdict(table, doubts[i].first);
+        char text[1024];
+        fputs("<p>", to->stream);
+        html_printf(to->stream, "Undetermined at %zu point%s", doubts[i].points, doubts[i].points == 1 ? "" : "s");
+        if (table->parameter[0])
+            html_printf(to->stream, ", first at %.6g %s", table->values[doubts[i].first] / unit.size, unit.name);
+        whirl_verdict_reason(&verdict, text, sizeof text);
+        html_printf(to->stream, ": %s.", text);
+        verdict.advice.factor = doubts[i].factor;
+        whirl_verdict_advice(&verdict, text, sizeof text);
+        if (*text) html_printf(to->stream, " To settle it, %s", text);
+        if (*text && doubts[i].remedy != WHIRL_OTHER_START)
+            fputs("; <code>whirl run --refine</code> does so", to->stream);
+        fputs(*text ? ".</p>\n" : "</p>\n", to->stream);
+    }
+}
+
 void page_found(const page *to, size_t index) {
     const whirl_result *result = to->results[index];
     for (size_t t = 0; t < result->table_count; t++)
         if (whirl_layout_has_verdict(&result->tables[t].layout) && result->tables[t].count > 0) {
             write_kinds(to->stream, &result->tables[t]);
+            write_doubts(to, index, &result->tables[t]);
             break;
         }
     const figure *main = page_main_figure(to, index);
