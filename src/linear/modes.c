@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "balance.h"
 #include "matrix.h"
 #include "orbit.h"
 #include "rest.h"
@@ -72,41 +73,12 @@ static whirl_modes *allocate(size_t dimension, size_t count) {
     return modes;
 }
 
-/// Adds to `count` orthonormal shapes [count][n] what `shape` [n], real or imaginary parts, has beside them, and counts
-/// it.
-static size_t add_shape(size_t n, size_t count, double *shapes, const double *shape) {
-    // A free motion's eigenvalue 0 is double, a place and a rate, with one shape: the two that are found differ by the
-    // root of rounding.
-    static const double same = 1e-3;
-    double *added = shapes + count * n, square = 0.0;
-    for (size_t k = 0; k < n; k++) added[k] = shape[2 * k];
-    for (size_t i = 0; i < count; i++) {
-        const double *other = shapes + i * n;
-        double product = 0.0;
-        for (size_t k = 0; k < n; k++) product += other[k] * added[k];
-        for (size_t k = 0; k < n; k++) added[k] -= product * other[k];
-    }
-    for (size_t k = 0; k < n; k++) square += added[k] * added[k];
-    if (!(square > same * same)) return count;
-    for (size_t k = 0; k < n; k++) added[k] /= sqrt(square);
-    return count + 1;
-}
-
-/// How many of the shapes of `count` roots are independent; vectors [n][n][2]. shapes [n][n] is workspace.
-static size_t count_independent(size_t n, size_t count, const root *roots, const double *vectors, double *shapes) {
-    size_t found = 0;
-    for (size_t i = 0; i < 2 * count && found < n; i++)
-        found = add_shape(n, found, shapes, vectors + 2 * roots[i / 2].place * n + i % 2);
-    return found;
-}
-
-/// Those with a frequency apart from those without and free motions; of a pair the positive one. roots [3][n] and work
-/// [n][n] are workspace.
-static whirl_modes *sort_out(const mean_system *m, root *roots, double period, const double *vectors, double *work) {
+/// Those with a frequency apart from those without; of a pair the positive one. Free motions are left out.
+static whirl_modes *sort_out(const mean_system *m, root *roots, double period, const double *vectors) {
     const size_t n = m->count, d = m->system->dimension;
-    size_t waves = 0, reals = 0, zeros = 0;
+    size_t waves = 0, reals = 0;
     double largest = 0.0;
-    root *other = roots + n, *free_ones = other + n;
+    root *other = roots + n;
     whirl_modes *modes = allocate(d, n);
     if (!modes) return NULL;
     for (size_t i = 0; i < n; i++) largest = fmax(largest, hypot(roots[i].real, roots[i].imaginary));
@@ -114,10 +86,9 @@ static whirl_modes *sort_out(const mean_system *m, root *roots, double period, c
     modes->growth = -(double)INFINITY;
     for (size_t i = 0; i < n; i++) {
         const bool free_motion = period == 0.0 && hypot(roots[i].real, roots[i].imaginary) <= zero;
-        if (!free_motion) modes->growth = fmax(modes->growth, roots[i].real);
-        if (free_motion)
-            free_ones[zeros++] = roots[i];
-        else if (roots[i].imaginary > zero)
+        if (free_motion) continue;
+        modes->growth = fmax(modes->growth, roots[i].real);
+        if (roots[i].imaginary > zero)
             roots[waves++] = roots[i];
         else if (roots[i].imaginary >= -zero)
             other[reals++] = roots[i];
@@ -127,7 +98,6 @@ static whirl_modes *sort_out(const mean_system *m, root *roots, double period, c
     modes->count = waves;
     modes->real_count = reals;
     modes->period = period;
-    modes->free = count_independent(n, zeros, free_ones, vectors, work);
     for (size_t i = 0; i < reals; i++) modes->reals[i] = other[i].real;
     for (size_t i = 0; i < waves; i++) {
         double *shape = modes->vectors + 2 * i * d;
@@ -139,21 +109,39 @@ static whirl_modes *sort_out(const mean_system *m, root *roots, double period, c
 
 // ---------------------------------------------------------------- solving
 
+/// How many independent displacements no force answers: what the rank of the Jacobian [n][n] lacks, in coordinates of
+/// like sizes. Each has the eigenvalue 0 twice, as a place and as a rate, or, with damping, once. copy [n][n] and work
+/// [n] are workspace.
+static bool count_free(size_t n, const double *jacobian, double *copy, double *work, size_t *count) {
+    size_t rank;
+    memcpy(copy, jacobian, n * n * sizeof *copy);
+    memset(work, 0, n * sizeof *work);
+    matrix_balance(n, copy, NULL);
+    if (!matrix_solve_shortest(n, copy, zero_part, work, &rank)) return false;
+    *count = n - rank;
+    return true;
+}
+
 /// Of the Jacobian, or of the monodromy matrix over a period > 0.
 static whirl_status solve(const mean_system *m, double *matrix, double period, const double *rest, whirl_modes **out) {
     const size_t n = m->count;
     double *numbers = calloc(2 * n + 2 * n * n + 1, sizeof *numbers);
-    root *roots = calloc(3 * n + 1, sizeof *roots);
+    root *roots = calloc(2 * n + 1, sizeof *roots);
     double *real = numbers, *imaginary = numbers ? numbers + n : NULL;
     const bool room = numbers && roots;
     errno = 0;
-    const bool solved = room && matrix_eigen(n, matrix, real, imaginary, numbers + 2 * n);
+    size_t unheld = 0;
+    const bool solved = room && (period > 0.0 || count_free(n, matrix, numbers + 2 * n, real, &unheld)) &&
+                        matrix_eigen(n, matrix, real, imaginary, numbers + 2 * n);
     for (size_t i = 0; i < n && solved; i++) {
         if (period > 0.0) take_logarithm(&real[i], &imaginary[i], period);
         roots[i] = (root){real[i], imaginary[i], i};
     }
-    whirl_modes *modes = solved ? sort_out(m, roots, period, numbers + 2 * n, matrix) : NULL;
-    if (modes) memcpy(modes->rest, rest, m->system->dimension * sizeof *rest);
+    whirl_modes *modes = solved ? sort_out(m, roots, period, numbers + 2 * n) : NULL;
+    if (modes) {
+        modes->free = unheld;
+        memcpy(modes->rest, rest, m->system->dimension * sizeof *rest);
+    }
     free(numbers);
     free(roots);
     *out = modes;

@@ -43,6 +43,18 @@ static whirl_status add_waypoint(follower *f, const waypoint *p) {
     return status;
 }
 
+/// Whether the parameter turns round twice between two points, where it goes the same way at both: by the cubic along
+/// the branch through both with their tangents, whose slope has its extreme where it nears zero.
+static bool hides_folds(const follower *f, const waypoint *a, const waypoint *b, double *work) {
+    const size_t n = f->curve.count;
+    const double first = a->tangent[n], last = b->tangent[n], least = 0.1 * fmin(fabs(first), fabs(last));
+    for (size_t i = 0; i <= n; i++) work[i] = b->u[i] - a->u[i];
+    const double mean = work[n] / sqrt(curve_dot(&f->curve, work, work));
+    const double by_x = 2.0 * (3.0 * mean - 2.0 * first - last), by_square = 3.0 * (first + last - 2.0 * mean);
+    const double x = -0.5 * by_x / by_square, extreme = first + 0.5 * by_x * x;
+    return first * last > 0.0 && x > 0.0 && x < 1.0 && copysign(1.0, first) * extreme < least;
+}
+
 /// Tries a step; *good where it found a point that goes on from the present one.
 static whirl_status try_step(follower *f, walk *w, bool *good) {
     const waypoint *now = &w->now, *next = &w->next;
@@ -56,7 +68,8 @@ static whirl_status try_step(follower *f, walk *w, bool *good) {
     const bool leapt = (before > after ? before - after : after - before) > 2;
     for (size_t i = 0; i <= f->curve.count; i++) w->trial[i] -= next->u[i];
     const bool far = sqrt(curve_dot(&f->curve, w->trial, w->trial)) > 0.25 * w->step;
-    *good = !(turned || leapt || far) || w->step <= 8.0 * f->options->least_step;
+    const bool hides = f->options->special && hides_folds(f, now, next, w->across);
+    *good = !(turned || leapt || far || hides) || w->step <= 8.0 * f->options->least_step;
     return status;
 }
 

@@ -3,8 +3,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "bracket.h"
-
 /// By how much an orbit is elsewhere after half its time, in the direction in which another one is [dimension].
 static double apart(const whirl_orbit *orbit, const whirl_orbit *other) {
     const size_t n = orbit->dimension, later = orbit->segment_count / 2 * n;
@@ -20,57 +18,88 @@ bool halved_between(const waypoint *from, const waypoint *to) {
     return apart(a, b) < -0.9 * sqrt(apart(a, a) * apart(b, b));
 }
 
-/// A point near the end: by how much its orbit is elsewhere after half the time, over what it was at the first one, and
-/// the parameter there.
+/// A point near the end: where it is along the tangent, by how much its orbit is elsewhere after half the time, over
+/// what it was at the first one, and the parameter there.
 typedef struct look {
-    double apart, value;
+    double at, apart, value;
 } look;
 
+enum { NEAREST = 3 };
+
+/// Those that are nearest to the end, the nearest first.
+typedef struct looks {
+    look list[NEAREST];
+    int count;
+} looks;
+
+static look look_at(const follower *f, const waypoint *from, const waypoint *p, double at) {
+    return (look){at, apart(p->orbit, from->orbit) / apart(from->orbit, from->orbit), follower_value(f, p->u)};
+}
+
+static void note(looks *to, look one) {
+    int place = to->count < NEAREST ? to->count++ : NEAREST;
+    for (; place > 0 && fabs(to->list[place - 1].apart) > fabs(one.apart); place--)
+        if (place < NEAREST) to->list[place] = to->list[place - 1];
+    if (place < NEAREST) to->list[place] = one;
+}
+
 /// The parameter at the end: it is even in how far orbits are apart, for those on the other side are the same ones.
-static double value_at_end(const look *nearest, const look *other) {
-    const double a = nearest->apart * nearest->apart, b = other->apart * other->apart;
-    return a < 0.5 * b ? (nearest->value * b - other->value * a) / (b - a) : nearest->value;
+/// By the polynomial in the square of that (Neville).
+static double value_at_end(const looks *l) {
+    double value[NEAREST], square[NEAREST];
+    int count = 0;
+    for (int i = 0; i < l->count; i++) {
+        square[count] = l->list[i].apart * l->list[i].apart;
+        value[count] = l->list[i].value;
+        // Two of a size tell nothing but the errors of both.
+        if (count == 0 || square[count] > 2.0 * square[count - 1]) count++;
+    }
+    for (int order = 1; order < count; order++)
+        for (int i = 0; i + order < count; i++)
+            value[i] = (square[i + order] * value[i] - square[i] * value[i + 1]) / (square[i + order] - square[i]);
+    return value[0];
 }
 
-static look look_at(const follower *f, const waypoint *from, const waypoint *p) {
-    return (look){apart(p->orbit, from->orbit) / apart(from->orbit, from->orbit), follower_value(f, p->u)};
-}
-
-static void note(look looks[2], look one) {
-    const int place = fabs(one.apart) < fabs(looks[0].apart) ? 0 : 1;
-    if (place == 1 && fabs(one.apart) >= fabs(looks[1].apart)) return;
-    if (place == 0) looks[1] = looks[0];
-    looks[place] = one;
+/// Where to look next: where the straight line through the nearest points of both sides meets the end; where nothing
+/// was found there, half way back to one of them and to the other one by turns, and nearer to them.
+static double next_place(const look sides[2], int missed) {
+    const double slope = (sides[1].at - sides[0].at) / (sides[1].apart - sides[0].apart);
+    const double zero = sides[0].at - sides[0].apart * slope;
+    const double share = missed == 0 ? 0.0 : 1.0 - ldexp(1.0, -(missed + 1) / 2);
+    return zero + share * (sides[missed % 2].at - zero);
 }
 
 /// Closes in on the end from both sides; there the equations are singular, so that it is not met itself. p is the
-/// nearest point that was found, with an orbit, and looks the two nearest.
-static whirl_status close_in(follower *f, const waypoint *from, const waypoint *to, waypoint *p, look looks[2]) {
-    enum { MOST_LOOKS = 24 };
-    // The error of the parameter is of fourth order in this.
-    const double near = 1e-4;
+/// nearest point that was found, if any.
+static whirl_status close_in(follower *f, const waypoint *from, const waypoint *to, waypoint *p, looks *found) {
+    enum { MOST_LOOKS = 16 };
+    // The error of the parameter is of sixth order in the first; below the other lies the branch with the doubling.
+    const double near = 1e-2, same = 1e-6;
     const size_t all = f->curve.count + 1;
-    waypoint trial;
+    waypoint trial = {.u = NULL};
     double *work = malloc(2 * all * sizeof *work);
     whirl_status status = work ? waypoint_new(f, &trial) : whirl_fail(WHIRL_NO_MEMORY, "no memory for a branch");
-    if (!work || status.code != WHIRL_OK) {
-        free(work);
-        return status;
+    look sides[2] = {look_at(f, from, from, 0.0), look_at(f, from, to, NAN)};
+    if (status.code == WHIRL_OK) {
+        sides[1].at = follower_length(f, from, to, work);
+        note(found, sides[0]);
+        note(found, sides[1]);
     }
-    bracket r = bracket_between(0.0, 1.0, follower_length(f, from, to, work), look_at(f, from, to).apart);
-    for (int k = 0; k < MOST_LOOKS && fabs(looks[0].apart) > near; k++) {
-        const double at = bracket_next(&r);
+    for (int k = 0, missed = 0; k < MOST_LOOKS && status.code == WHIRL_OK && fabs(found->list[0].apart) > near; k++) {
+        const double at = next_place(sides, missed++);
         follower_predict(f, from, to, from, at, work);
         status = follower_find(f, work, follower_across(f, from, to, from, work + all), from->tangent, &trial);
-        if (status.code != WHIRL_OK || !trial.orbit) break;
-        const look one = look_at(f, from, &trial);
-        bracket_tell(&r, at, one.apart);
-        if (fabs(one.apart) < fabs(looks[0].apart)) {
+        if (status.code != WHIRL_OK || !trial.orbit) continue;
+        const look one = look_at(f, from, &trial, at);
+        if (fabs(one.apart) < same) continue;
+        missed = 0;
+        sides[one.apart < 0.0] = one;
+        if (fabs(one.apart) < fabs(found->list[0].apart)) {
             const waypoint kept = *p;
             *p = trial;
             trial = kept;
         }
-        note(looks, one);
+        note(found, one);
     }
     waypoint_free(&trial);
     free(work);
@@ -79,15 +108,15 @@ static whirl_status close_in(follower *f, const waypoint *from, const waypoint *
 
 whirl_status halved_add(follower *f, const waypoint *from, const waypoint *to) {
     waypoint p;
-    look looks[2] = {look_at(f, from, from), {INFINITY, NAN}};
+    looks found = {.count = 0};
     whirl_status status = waypoint_new(f, &p);
-    note(looks, look_at(f, from, to));
-    if (status.code == WHIRL_OK) status = close_in(f, from, to, &p, looks);
-    if (status.code == WHIRL_OK && p.orbit) {
+    if (status.code == WHIRL_OK) status = close_in(f, from, to, &p, &found);
+    if (status.code == WHIRL_OK) {
+        const whirl_orbit *orbit = p.orbit ? p.orbit : to->orbit;
         whirl_branch_point point = {
-            .value = value_at_end(&looks[0], &looks[1]), .second = NAN, .criticality = NAN, .orbit = p.orbit};
-        p.orbit = NULL;
-        status = branch_add(f->branch, f->options, &point);
+            .value = value_at_end(&found), .second = NAN, .criticality = NAN, .orbit = whirl_orbit_copy(orbit)};
+        status = point.orbit ? branch_add(f->branch, f->options, &point)
+                             : whirl_fail(WHIRL_NO_MEMORY, "no memory for a point of a branch");
         if (status.code != WHIRL_OK) whirl_orbit_free(point.orbit);
     }
     waypoint_free(&p);

@@ -1,8 +1,8 @@
 #!/bin/bash
 # Runs what the documents show:  examples.sh ROOT BUILD DOCUMENT...
 #
-# Of the user guide (user-guide) and of how to write an element (elements), in the order in which they stand and in one
-# fresh folder, with an installed whirl on the PATH:
+# Of the user guide (user-guide, or some of its chapters: user-guide:2-4) and of how to write an element (elements), in the
+# order in which they stand and in one fresh folder, with an installed whirl on the PATH:
 #   ```yaml, c, cmake  with "tested: FILE" in the first line are written to FILE; a case must pass `whirl check`,
 #                      unless ", not good" follows
 #   ```sh              with "# tested" in the first line are run; the exit status is 0, or the one said there:
@@ -11,6 +11,7 @@
 #   ```text            is what the block before prints: each of its lines must begin a line there, numbers within a
 #                      tolerance (compare.py); "# tested, numbers vary" before it leaves these out
 #   ```json            is what the last point.json holds
+# Blocks whose first line says "needed later" are run for the chapters behind theirs, too.
 # Of README.md (readme): every command that starts with build/whirl, with shorter cases, and every case.
 # Links of all documents to files of the repository (links) must lead somewhere.
 set -u
@@ -37,13 +38,15 @@ fail() {
     failures=$((failures + 1))
 }
 
-# Blocks of a document as files: NUMBER.LANGUAGE in the order in which they stand.
-extract() {
-    awk -v folder="$2" '
-        /^```/ && !inside { inside = 1; language = substr($0, 4); sub(/ .*/, "", language)
-                            file = sprintf("%s/%03d.%s", folder, ++count, language); printf "" >file; next }
+# Blocks of a document as files: NUMBER.LANGUAGE in the order in which they stand; of chapters, or needed by them.
+extract() { # DOCUMENT FOLDER [FIRST-CHAPTER LAST-CHAPTER]
+    awk -v folder="$2" -v first="${3:-0}" -v last="${4:-99}" '
+        /^## [0-9]+\. /   { chapter = substr($2, 1) + 0 }
+        /^```/ && !inside { inside = 1; language = substr($0, 4); sub(/ .*/, "", language); begun = 0
+                            file = sprintf("%s/%03d.%s", folder, ++count, language); next }
         /^```$/ && inside { inside = 0; close(file); next }
-        inside            { print >file }' "$1"
+        inside && !begun  { begun = 1; wanted = chapter <= last && (chapter >= first || /tested.*, needed later/) }
+        inside && wanted  { print >file }' "$1"
 }
 
 # Every line that the document shows begins a line that was printed.
@@ -74,9 +77,9 @@ write_block() { # FILE FIRST-LINE
     grep -q '^whirl:' "$target" && run_block "$1" 0 whirl check "$target"
 }
 
-page() { # NAME
+page() { # NAME [FIRST-CHAPTER LAST-CHAPTER]
     mkdir "$folder/$1" "$folder/$1-work"
-    extract "$root/docs/$1.md" "$folder/$1"
+    extract "$root/docs/$1.md" "$folder/$1" "${@:2}"
     cd "$folder/$1-work" || exit 1
     local block first before=
     for block in "$folder/$1"/*; do
@@ -138,6 +141,7 @@ for document in "${@:3}"; do
     before=$ran
     case $document in
     readme | links) "$document" ;;
+    *:*-*) page "${document%:*}" $(sed 's/.*:\(.*\)-/\1 /' <<<"$document") ;;
     *) page "$document" ;;
     esac
     [ "$document" = links ] || [ "$ran" -gt "$before" ] || fail "$document has nothing that was run"

@@ -1,7 +1,8 @@
 #!/bin/bash
 # The core (rotors, integrators, linear analyses, orbits, analyses: C without files, threads or processes) compiles
 # against musl, warnings being errors, and a program that is linked with it statically computes what it should:
-#   musl.sh ROOT BUILD
+#   musl.sh ROOT BUILD compile LAYER...    compiles layers, into BUILD/musl
+#   musl.sh ROOT BUILD run                 links what was compiled, and runs it
 # What needs libraries that are there for glibc alone stays out: C++ (matrix.cc), SUNDIALS, OpenMP and all that reads and
 # writes files (docs/portability.md).
 set -euo pipefail
@@ -12,9 +13,8 @@ if ! command -v musl-gcc >/dev/null; then
     [ -z "${CI:-}" ] && exit 77
     exit 1
 fi
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
+mkdir -p "$build/musl"
+cd "$build/musl"
 
 compile() { # SOURCE INSTRUCTIONS [LAYER]
     local layer=${1#"$root/src/"}
@@ -24,17 +24,21 @@ compile() { # SOURCE INSTRUCTIONS [LAYER]
 }
 export -f compile
 export root build
-for layer in base rotor integrate linear orbit analyze; do
-    printf 'compile %s 0\n' "$root/src/$layer"/*.c
-    for kernel in "$root/src/$layer"/{kernels,elements}/*.c; do
-        [ ! -e "$kernel" ] || printf 'compile %s\n' "$kernel 0" "$kernel 1"
-    done
-done | grep -v '/cvode.c ' >commands
-echo "compile $root/explorer/core/no_cvode.c 0 integrate" >>commands
-tr '\n' '\0' <commands | xargs -0 -P "$(nproc)" -I {} bash -c '{}'
+if [ "$3" = compile ]; then
+    for layer in "${@:4}"; do
+        rm -f ./*_src_"$layer"_*.o
+        printf 'compile %s 0\n' "$root/src/$layer"/*.c
+        for kernel in "$root/src/$layer"/{kernels,elements}/*.c; do
+            [ ! -e "$kernel" ] || printf 'compile %s\n' "$kernel 0" "$kernel 1"
+        done
+        [ $layer != integrate ] || echo "compile $root/explorer/core/no_cvode.c 0 integrate"
+    done | grep -v '/cvode.c ' | tr '\n' '\0' | xargs -0 -P "$(nproc)" -I {} bash -c '{}'
+    exit
+fi
+rm -f libcore.a
 ar rcs libcore.a ./*.o
 musl-gcc -std=c17 -static -I"$root/include" -I"$build/include" "$root/tests/portability/core.c" -L. -lcore -lm -o core
 file=$(readelf -d core 2>&1 || true)
 if grep -q NEEDED <<<"$file"; then echo "the program is not static"; exit 1; fi
 ./core
-echo "$(grep -c . commands) files were compiled against musl"
+echo "$(find . -name '*.o' | wc -l) files were compiled against musl"

@@ -1,0 +1,63 @@
+#!/usr/bin/python3
+"""Writes tests/costs.txt anew:  scripts/costs.py BUILD
+
+From what a run of all tests has measured on an idle computer (`make test QUARTER=all`), BUILD/tests.log. Tests that take
+SHARED seconds or more are dealt out to the quarters, the longest first to the quarter that has the least; those that need
+one another stay together. What that log does not know keeps its line.
+"""
+
+import math
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+COSTS = ROOT / "tests/costs.txt"
+SHARED = 4
+# The first that anyone tries, and what holds the sources together: always.
+ALWAYS = re.compile(r"docs\.readme|architecture.*|validation\.test_verdicts|cli\.branch|browser\.page")
+TOGETHER = re.compile(r"determinism\.compilers|portability\.musl")
+
+
+def measured(log):
+    """Seconds by names: of the processor, or most of those by the clock, which know of browsers what it does not."""
+    costs = {}
+    for line in log.read_text().splitlines():
+        seconds, clock, _, name = line.split()
+        costs[name] = max(float(seconds), 0.6 * float(clock) if name.startswith("browser.") else 0)
+    return costs
+
+
+def quarters_of(costs):
+    """The quarter of every test, 0: always."""
+    groups = {}
+    for name, seconds in costs.items():
+        group = TOGETHER.match(name)
+        groups.setdefault(group[0] if group else name, []).append((name, seconds))
+    load, quarters = [0.0] * 5, {}
+    for names in sorted(groups.values(), key=lambda names: -sum(seconds for _, seconds in names)):
+        total = sum(seconds for _, seconds in names)
+        shared = total >= SHARED and not any(ALWAYS.fullmatch(name) for name, _ in names)
+        quarter = min(range(1, 5), key=lambda q: load[q]) if shared else 0
+        load[quarter] += total
+        quarters.update({name: quarter for name, _ in names})
+    print("seconds of tests that always run, and of the quarters:", *(round(x) for x in load))
+    return quarters
+
+
+def main():
+    lines = COSTS.read_text().splitlines()
+    costs = {line.split()[0]: float(line.split()[1]) for line in lines if not line.startswith("#")}
+    costs.update(measured(Path(sys.argv[1]) / "tests.log"))
+    listed = subprocess.run(["ctest", "--test-dir", sys.argv[1], "-N"], check=True, capture_output=True, text=True).stdout
+    there = set(re.findall(r"Test +#\d+: (\S+)", listed))
+    quarters = quarters_of({name: seconds for name, seconds in costs.items() if name in there})
+    head = [line for line in lines if line.startswith("#")]
+    told = [f"{name:<52} {max(1, math.floor(costs[name] + 0.5)):>2} {quarters[name]}" for name in sorted(quarters)
+            if costs[name] >= 1 or quarters[name]]
+    COSTS.write_text("\n".join(head + told) + "\n")
+
+
+if __name__ == "__main__":
+    main()
