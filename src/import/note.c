@@ -22,6 +22,12 @@ static const char *const sentences[NOTE_KINDS] = {
     [NOTE_EXTRA] = "Keys that say how coefficients were found are left out, the coefficients are as they stand: %s.",
     [NOTE_UNKNOWN] = "Keys that are not known here are left out: %s.",
     [NOTE_AXIAL_DAMPING] = "Damping by beta is of the stiffness without the axial force here: %s.",
+    [NOTE_COUPLING_AXIAL] = "Axial and torsional coefficients of couplings (kt_z, kr_z, ct_z, cr_z) are left out, for "
+                            "motions here are lateral: %s.",
+    [NOTE_COUPLING_LENGTH] = "Lengths and diameters of couplings (L, o_d) are left out; no force depends on them, in "
+                             "ROSS neither: %s.",
+    [NOTE_COUPLING_LOOSE] =
+        "Couplings without lateral coefficients join nothing here, what they weigh is taken over: %s.",
 };
 
 static void add_text(note_list *to, char *text) {

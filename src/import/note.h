@@ -19,6 +19,9 @@ typedef enum note_kind {
     NOTE_EXTRA,
     NOTE_UNKNOWN,
     NOTE_AXIAL_DAMPING,
+    NOTE_COUPLING_AXIAL,
+    NOTE_COUPLING_LENGTH,
+    NOTE_COUPLING_LOOSE,
     NOTE_KINDS
 } note_kind;
 

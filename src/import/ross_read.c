@@ -146,6 +146,10 @@ static void read_bearing(field_section *section, const char *tag, ross_rotor *ou
     if (!acts && field_good(section->reader)) note_of(&section->reader->notes, NOTE_NOTHING_LATERAL, tag);
 }
 
+static void read_coupling(field_section *section, const char *tag, ross_rotor *out) {
+    ross_read_coupling(section, tag, &out->couplings[out->coupling_count++]);
+}
+
 // ---------------------------------------------------------------- sections
 
 typedef void read_section(field_section *section, const char *tag, ross_rotor *out);
@@ -162,7 +166,7 @@ static const ross_class classes[] = {
     {"BearingElement", read_bearing, NULL},
     {"SealElement", read_bearing, NULL},
     {"PointMass", read_point, NULL},
-    {"CouplingElement", NULL, "couplings are not taken over"},
+    {"CouplingElement", read_coupling, NULL},
     {"GearElement", NULL, "gears couple shafts and twist, which is not taken over"},
     {"GearElementTVMS", NULL, "gears couple shafts and twist, which is not taken over"},
     {"MagneticBearingElement", NULL, "magnetic bearings have a controller, which is not taken over"},
@@ -191,8 +195,8 @@ static void read_unknown(field_section *section, size_t length, const char *tag,
     const char *const nearest = whirl_nearest_name(word, names, CLASSES);
     field_refuse(section, NULL, section->table,
                  nearest ? "is a %s, expected %s_..."
-                         : "is a %s, expected ShaftElement, DiskElement, BearingElement, "
-                           "SealElement, PointMass, or a class with coefficients (kxx)",
+                         : "is a %s, expected ShaftElement, DiskElement, BearingElement, SealElement, PointMass, "
+                           "CouplingElement, or a class with coefficients (kxx)",
                  word, nearest);
 }
 
@@ -252,6 +256,7 @@ static bool make_room(import_reader *reader, const value *root, ross_rotor *out)
     out->discs = field_memory(reader, count * sizeof *out->discs);
     out->points = field_memory(reader, count * sizeof *out->points);
     out->bearings = field_memory(reader, count * sizeof *out->bearings);
+    out->couplings = field_memory(reader, count * sizeof *out->couplings);
     return field_good(reader);
 }
 

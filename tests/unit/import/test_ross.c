@@ -176,8 +176,8 @@ static void test_refused(void **state) {
                    "\"hutchinson\"");
     expect_refused(
         "n = 1\ntag", "n = 4\ntag",
-        "r.toml:16: [ShaftElement_Shaft Element 1] n: is 4 after 0, expected one shaft without a gap: rotors of "
-        "several shafts are not taken over");
+        "r.toml:16: [ShaftElement_Shaft Element 1] n: is 4 after 0, expected a shaft without a gap, or couplings from "
+        "node 1 to 4: other rotors of several shafts are not taken over");
     expect_refused(
         "n = 1\ntag", "n = 0\nodl2 = 3\ntag",
         "r.toml:31: [BearingElement_Bearing 1] n: is 2, expected a node of the shaft, 0 to 1, or of a point mass");
@@ -225,8 +225,6 @@ static void test_refused_by_name(void **state) {
         "bending in a way that is not modelled here");
     expect_refused("DiskElement_Disk 0", "GearElement_Gear 0",
                    "r.toml:18: [GearElement_Gear 0]: gears couple shafts and twist, which is not taken over");
-    expect_refused("DiskElement_Disk 0", "CouplingElement_Coupling 0",
-                   "r.toml:18: [CouplingElement_Coupling 0]: couplings are not taken over");
     expect_refused(
         "BearingElement_Support", "MagneticBearingElement_Support",
         "r.toml:35: [MagneticBearingElement_Support]: magnetic bearings have a controller, which is not taken "
