@@ -22,6 +22,9 @@ typedef enum note_kind {
     NOTE_COUPLING_AXIAL,
     NOTE_COUPLING_LENGTH,
     NOTE_COUPLING_LOOSE,
+    NOTE_HUTCHINSON,
+    NOTE_ROTARY,
+    NOTE_CONE,
     NOTE_KINDS
 } note_kind;
 

@@ -77,6 +77,15 @@ static bool read_method(field_section *section) {
     return hutchinson;
 }
 
+/// Where ROSS computes another shaft than whirl of the same numbers.
+static void note_differences(note_list *notes, const ross_piece *piece) {
+    const bool conical = piece->inner[0] != piece->inner[1] || piece->outer[0] != piece->outer[1];
+    if (piece->axial_force != 0.0 && piece->stiffness_damping != 0.0) note_of(notes, NOTE_AXIAL_DAMPING, piece->tag);
+    if (piece->shear && piece->hutchinson) note_of(notes, NOTE_HUTCHINSON, piece->tag);
+    if (!piece->rotary_inertia && piece->gyroscopic) note_of(notes, NOTE_ROTARY, piece->tag);
+    if (conical) note_of(notes, NOTE_CONE, piece->tag);
+}
+
 static void read_piece(field_section *section, const char *tag, ross_rotor *out) {
     const field_kind length = {"L", "m", WHIRL_POSITIVE}, torque = {"torque", "N m", WHIRL_ANY},
                      force = {"axial_force", "N", WHIRL_ANY}, alpha = {"alpha", "1/s", WHIRL_NOT_NEGATIVE},
@@ -97,8 +106,7 @@ static void read_piece(field_section *section, const char *tag, ross_rotor *out)
         field_refuse(
             section, "torque", value_member(section->table, "torque"),
             "is not 0, expected a shaft without torque: it couples bending in a way that is not modelled here");
-    if (piece->axial_force != 0.0 && piece->stiffness_damping != 0.0)
-        note_of(&section->reader->notes, NOTE_AXIAL_DAMPING, tag);
+    note_differences(&section->reader->notes, piece);
     piece->material = read_material(section, out);
     ross_note_rest(section, tag, false);
 }
