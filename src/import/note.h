@@ -19,6 +19,12 @@ typedef enum note_kind {
     NOTE_EXTRA,
     NOTE_UNKNOWN,
     NOTE_AXIAL_DAMPING,
+    NOTE_COUPLING_AXIAL,
+    NOTE_COUPLING_LENGTH,
+    NOTE_COUPLING_LOOSE,
+    NOTE_HUTCHINSON,
+    NOTE_ROTARY,
+    NOTE_CONE,
     NOTE_KINDS
 } note_kind;
 

@@ -1,10 +1,13 @@
 /// A rotor as ROSS saves it: what of a file is taken over, in SI and checked.
 ///
 /// The format after petrobras/ross, versions 0.x to 3.0: Rotor.save, Element.save. A section "Class_tag" is an element;
-/// node n of the shaft lies between elements n - 1 and n; elements on one node are layers; nodes beyond the shaft are
-/// supports, which move along x and y. Speeds turn from x to y, as here.
+/// node n of the shaft lies between elements n - 1 and n; elements on one node are layers; where couplings alone stand
+/// between two nodes, one shaft ends and another begins; nodes beyond the shafts are supports, which move along x and
+/// y. Speeds turn from x to y, as here.
 #ifndef IMPORT_ROSS_H
 #define IMPORT_ROSS_H
+
+#include <stdio.h>
 
 #include "field.h"
 
@@ -15,8 +18,10 @@ typedef struct ross_material {
 
 typedef struct ross_piece {
     const char *tag;
-    long node; ///< where it begins
-    double length, start, axial_force;
+    long node;            ///< where it begins
+    size_t shaft;         ///< that it is a part of
+    double length, start; ///< from the left end of its shaft
+    double axial_force;
     double inner[2], outer[2]; ///< at its left and right end
     size_t material;
     bool shear, rotary_inertia, gyroscopic, hutchinson;
@@ -69,26 +74,45 @@ typedef struct ross_bearing {
     field_section section;
 } ross_bearing;
 
+/// Springs and dampers between a node and the next one, and what both ends weigh.
+typedef struct ross_coupling {
+    const char *tag, *end_tag[2]; ///< ends: left and right
+    long node;                    ///< of the left end
+    double mass[2], diametral[2], polar[2];
+    double stiffness[2], damping[2]; ///< of displacements, along x and y
+    double tilt, tilt_damping;       ///< of slopes, in both planes
+    field_section section;
+} ross_coupling;
+
+/// A node of the row of shafts and couplings.
+typedef struct ross_node {
+    size_t shaft;    ///< ROSS_NO_SHAFT: between couplings, or at the end of one
+    double position; ///< m from the left end of its shaft
+} ross_node;
+#define ROSS_NO_SHAFT ((size_t)-1)
+
 /// A node that carries something: a station of the case.
 typedef struct ross_station {
     long node;
-    const char *name;  ///< valid and unique
-    const char *first; ///< tag that it is named after
-    bool on_shaft;
+    const char *name;                 ///< valid and unique
+    const char *first;                ///< tag that it is named after
+    const ross_node *place;           ///< NULL: a support
     double mass[2], diametral, polar; ///< of what it carries, along x and y
 } ross_station;
 
 typedef struct ross_rotor {
     const char *version;       ///< of ROSS, "" where the file does not say it
     double least, most, rated; ///< rad/s; NAN where the file does not say them
-    size_t material_count, piece_count, disc_count, point_count, bearing_count;
+    size_t material_count, piece_count, disc_count, point_count, bearing_count, coupling_count;
     ross_material *materials;
     ross_piece *pieces; ///< by their nodes, layers in the order of the file
     ross_disc *discs;
     ross_point *points;
     ross_bearing *bearings;
-    long first_node, last_node; ///< of the shaft
-    double *position;           ///< [last_node - first_node + 1] m from its left end
+    ross_coupling *couplings; ///< by their nodes
+    size_t shaft_count;
+    long first_node, last_node; ///< of the row of shafts and couplings
+    ross_node *nodes;           ///< [last_node - first_node + 1]
     size_t station_count;
     ross_station *stations; ///< by their nodes
 } ross_rotor;
@@ -99,10 +123,13 @@ void ross_read(import_reader *reader, value *root, ross_rotor *out);
 /// A bearing, seal, or any class that has coefficients, of a file of this version.
 void ross_read_bearing(field_section *section, const char *tag, const char *version, ross_bearing *out);
 
+/// A coupling.
+void ross_read_coupling(field_section *section, const char *tag, ross_coupling *out);
+
 /// Notes keys that nobody has asked for.
 void ross_note_rest(field_section *section, const char *tag, bool computed);
 
-/// Puts the shaft together, and checks that what sits on nodes has one.
+/// Puts the shafts together, and checks that what sits on nodes has one.
 void ross_join(import_reader *reader, ross_rotor *rotor);
 
 /// Makes stations of the nodes that carry something.
@@ -116,6 +143,9 @@ void ross_name(const char *tag, const char *fallback, char name[WHIRL_NAME_SIZE]
 
 /// The bearing's coefficients differ from 0 somewhere.
 bool ross_acts(const ross_bearing *bearing, ross_coefficient which);
+
+/// Writes the elements of a coupling: nothing where it resists no lateral motion.
+void ross_put_coupling(FILE *out, const ross_rotor *rotor, const ross_coupling *coupling);
 
 /// Writes the case into memory of its own.
 whirl_status ross_write(import_reader *reader, ross_rotor *rotor, char **text, size_t *length);

@@ -2,6 +2,7 @@
 #include "ross.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -63,20 +64,30 @@ bool ross_acts(const ross_bearing *bearing, ross_coefficient which) {
     return bearing->varies[which] || bearing->values[which][0] != 0.0;
 }
 
-/// Inertia is symmetric: of unequal cross terms the mean is taken.
+/// What is lost: "Seal 1, 0.5 kg".
+static void note_skew_mass(field_section *section, const char *tag, double lost) {
+    const size_t size = strlen(tag) + 32;
+    char *const text = field_memory(section->reader, size);
+    if (!text) return;
+    snprintf(text, size, "%s, %.6g kg", tag, lost);
+    note_of(&section->reader->notes, NOTE_SKEW_MASS, text);
+}
+
+/// Inertia is symmetric, as the mass matrix of whirl's bearings is by construction: of unequal cross terms the mean is
+/// taken.
 static void make_symmetric(field_section *section, const char *tag, ross_bearing *out) {
     const bool varies = out->varies[MXY] || out->varies[MYX];
     const size_t count = varies ? out->speed_count : 1;
-    bool equal = true;
+    double lost = 0.0;
     double *const mean = field_memory(section->reader, count * sizeof *mean);
     for (size_t i = 0; mean && i < count; i++) {
         const double one = out->values[MXY][out->varies[MXY] ? i : 0],
                      other = out->values[MYX][out->varies[MYX] ? i : 0];
         mean[i] = 0.5 * (one + other);
-        equal = equal && one == other;
+        lost = fmax(lost, fabs(0.5 * (one - other)));
     }
-    if (!mean || equal) return;
-    note_of(&section->reader->notes, NOTE_SKEW_MASS, tag);
+    if (!mean || lost == 0.0) return;
+    note_skew_mass(section, tag, lost);
     out->values[MXY] = out->values[MYX] = mean;
     out->varies[MXY] = out->varies[MYX] = !is_constant(mean, count);
 }

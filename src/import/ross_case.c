@@ -165,17 +165,38 @@ static void put_options(page_line *line, const ross_piece *own, const ross_piece
         page_item(line, "stiffness_damping: %s", text);
 }
 
-static void put_shaft(FILE *out, const ross_rotor *rotor, const char *material) {
-    page_line line = page_open(out, 6, "  shafts:\n    shaft: {");
-    if (rotor->material_count == 1) page_item(&line, "material: %s", material);
-    put_options(&line, &rotor->pieces[0], NULL);
-    page_close(&line, "}", NULL);
+/// "shaft", or "shaft_2" where there are several.
+static void shaft_name(const ross_rotor *rotor, size_t shaft, char name[WHIRL_NAME_SIZE]) {
+    snprintf(name, WHIRL_NAME_SIZE, "shaft");
+    if (rotor->shaft_count > 1) snprintf(name, WHIRL_NAME_SIZE, "shaft_%zu", shaft + 1);
+}
+
+/// The first piece of a shaft, whose options are the shaft's.
+static const ross_piece *first_piece(const ross_rotor *rotor, size_t shaft) {
+    const ross_piece *piece = rotor->pieces;
+    while (piece->shaft != shaft) piece++;
+    return piece;
+}
+
+static void put_shafts(FILE *out, const ross_rotor *rotor, const char *material) {
+    char name[WHIRL_NAME_SIZE], head[WHIRL_NAME_SIZE + 16];
+    fputs("  shafts:\n", out);
+    for (size_t i = 0; i < rotor->shaft_count; i++) {
+        shaft_name(rotor, i, name);
+        snprintf(head, sizeof head, "    %s: {", name);
+        page_line line = page_open(out, 6, head);
+        if (rotor->material_count == 1) page_item(&line, "material: %s", material);
+        put_options(&line, first_piece(rotor, i), NULL);
+        page_close(&line, "}", NULL);
+    }
 }
 
 static void put_piece(FILE *out, const ross_rotor *rotor, const ross_piece *piece, bool layer, const char *material) {
     static const char *const outer[] = {"outer", "outer_end"}, *const inner[] = {"inner", "inner_end"};
-    char text[QUANTITY_SIZE], comment[COMMENT_SIZE];
+    char text[QUANTITY_SIZE], comment[COMMENT_SIZE], shaft[WHIRL_NAME_SIZE];
     page_line line = page_open(out, 16, "    - segment: {");
+    shaft_name(rotor, piece->shaft, shaft);
+    if (rotor->shaft_count > 1) page_item(&line, "shaft: %s", shaft);
     page_quantity(piece->length, "m", text);
     page_item(&line, "length: %s", text);
     const bool conical = piece->outer[0] != piece->outer[1] || piece->inner[0] != piece->inner[1];
@@ -190,7 +211,7 @@ static void put_piece(FILE *out, const ross_rotor *rotor, const ross_piece *piec
     if (rotor->material_count > 1) page_item(&line, "material: %s", material);
     page_quantity(piece->axial_force, "N", text);
     if (piece->axial_force != 0.0) page_item(&line, "axial_force: %s", text);
-    put_options(&line, piece, &rotor->pieces[0]);
+    put_options(&line, piece, first_piece(rotor, piece->shaft));
     snprintf(comment, sizeof comment, "%.60s, node %ld", piece->tag, piece->node);
     whirl_make_plain(comment);
     page_close(&line, "}", comment);
@@ -199,11 +220,14 @@ static void put_piece(FILE *out, const ross_rotor *rotor, const ross_piece *piec
 // ---------------------------------------------------------------- stations and bearings
 
 static void put_station(FILE *out, const ross_rotor *rotor, const ross_station *at) {
-    char text[QUANTITY_SIZE], head[WHIRL_NAME_SIZE + 16], comment[COMMENT_SIZE];
+    char text[QUANTITY_SIZE], head[WHIRL_NAME_SIZE + 16], comment[COMMENT_SIZE], shaft[WHIRL_NAME_SIZE];
+    const bool on_shaft = at->place && at->place->shaft != ROSS_NO_SHAFT;
     snprintf(head, sizeof head, "    %s: {", at->name);
     page_line line = page_open(out, (int)strlen(head), head);
-    if (at->on_shaft) {
-        page_quantity(rotor->position[at->node - rotor->first_node], "m", text);
+    if (on_shaft) {
+        shaft_name(rotor, at->place->shaft, shaft);
+        if (rotor->shaft_count > 1) page_item(&line, "shaft: %s", shaft);
+        page_quantity(at->place->position, "m", text);
         page_item(&line, "position: %s", text);
     }
     const struct {
@@ -216,7 +240,10 @@ static void put_station(FILE *out, const ross_rotor *rotor, const ross_station *
         page_quantity(parts[i].number, parts[i].unit, text);
         if (parts[i].number != 0.0) page_item(&line, "%s: %s", parts[i].key, text);
     }
-    snprintf(comment, sizeof comment, "node %ld%s", at->node, at->on_shaft ? "" : ", a support");
+    snprintf(comment, sizeof comment, "node %ld%s", at->node,
+             on_shaft    ? ""
+             : at->place ? ", on no shaft"
+                         : ", a support");
     page_close(&line, "}", comment);
 }
 
@@ -300,7 +327,7 @@ static void put_rotor(FILE *out, const ross_rotor *rotor, char (*names)[WHIRL_NA
     page_quantity(1e6 * length_scale(rotor), "um", text);
     fprintf(out, "\nrotor:\n  speed: = speed\n  length_scale: %s    # near a thousandth of the shaft's radius\n", text);
     put_materials(out, rotor, names);
-    put_shaft(out, rotor, names[0]);
+    put_shafts(out, rotor, names[0]);
     fputs("  stations:    # those of a shaft may have eccentricity: ROSS saves no unbalance\n", out);
     for (size_t i = 0; i < rotor->station_count; i++) put_station(out, rotor, &rotor->stations[i]);
     fputs("  elements:    # plain numbers are in SI: rad/s, N/m, N s/m, kg\n", out);
@@ -309,6 +336,7 @@ static void put_rotor(FILE *out, const ross_rotor *rotor, char (*names)[WHIRL_NA
         put_piece(out, rotor, piece, i > 0 && piece[-1].node == piece->node, names[piece->material]);
     }
     for (size_t i = 0; i < rotor->bearing_count; i++) put_bearing(out, rotor, &rotor->bearings[i]);
+    for (size_t i = 0; i < rotor->coupling_count; i++) ross_put_coupling(out, rotor, &rotor->couplings[i]);
     for (size_t i = 0; i < rotor->station_count; i++) put_heavier_axis(out, &rotor->stations[i]);
 }
 

@@ -1,4 +1,4 @@
-// The shaft of ROSS's elements, and what sits on its nodes and beyond them.
+// The shafts of ROSS's elements, the couplings between them, and what sits on their nodes and beyond them.
 #include <math.h>
 
 #include "ross.h"
@@ -14,49 +14,92 @@ static void sort_pieces(ross_rotor *rotor) {
     }
 }
 
-static void join_pieces(ross_rotor *rotor) {
-    ross_piece *before = NULL;
-    double end = 0.0;
-    for (size_t i = 0; i < rotor->piece_count; i++) {
-        ross_piece *const piece = &rotor->pieces[i];
-        piece->start = end;
-        if (before && piece->node == before->node) {
-            piece->start = before->start;
-            if (fabs(piece->length - before->length) > 1e-9 * before->length)
-                field_refuse(&piece->section, "L", value_member(piece->section.table, "L"),
-                             "is %.10g m, expected %.10g m, the length of '%.60s' on the same node %ld", piece->length,
-                             before->length, before->tag, piece->node);
-        } else if (before && piece->node != before->node + 1) {
-            field_refuse(
-                &piece->section, "n", value_member(piece->section.table, "n"),
-                "is %ld after %ld, expected one shaft without a gap: rotors of several shafts are not taken over",
-                piece->node, before->node);
-        }
-        before = piece;
-        end = piece->start + piece->length;
+static void sort_couplings(ross_rotor *rotor) {
+    for (size_t i = 1; i < rotor->coupling_count; i++) {
+        const ross_coupling moved = rotor->couplings[i];
+        size_t j = i;
+        for (; j > 0 && rotor->couplings[j - 1].node > moved.node; j--) rotor->couplings[j] = rotor->couplings[j - 1];
+        rotor->couplings[j] = moved;
     }
+}
+
+/// Whether couplings lead from one node to a later one.
+static bool couplings_lead(const ross_rotor *rotor, long from, long to) {
+    for (long node = from; node < to; node++) {
+        size_t i = 0;
+        while (i < rotor->coupling_count && rotor->couplings[i].node != node) i++;
+        if (i == rotor->coupling_count) return false;
+    }
+    return true;
+}
+
+/// A layer of the piece before it, its continuation, or the beginning of the next shaft.
+static void join_piece(ross_rotor *rotor, const ross_piece *before, ross_piece *piece) {
+    piece->shaft = before->shaft;
+    if (piece->node == before->node) {
+        piece->start = before->start;
+        if (fabs(piece->length - before->length) > 1e-9 * before->length)
+            field_refuse(&piece->section, "L", value_member(piece->section.table, "L"),
+                         "is %.10g m, expected %.10g m, the length of '%.60s' on the same node %ld", piece->length,
+                         before->length, before->tag, piece->node);
+    } else if (piece->node == before->node + 1) {
+        piece->start = before->start + before->length;
+    } else {
+        piece->shaft = rotor->shaft_count++;
+        if (!couplings_lead(rotor, before->node + 1, piece->node))
+            field_refuse(&piece->section, "n", value_member(piece->section.table, "n"),
+                         "is %ld after %ld, expected a shaft without a gap, or couplings from node %ld to %ld: other "
+                         "rotors of several shafts are not taken over",
+                         piece->node, before->node, before->node + 1, piece->node);
+    }
+}
+
+static void join_pieces(ross_rotor *rotor) {
+    rotor->shaft_count = 1;
+    for (size_t i = 1; i < rotor->piece_count; i++) join_piece(rotor, &rotor->pieces[i - 1], &rotor->pieces[i]);
     rotor->first_node = rotor->pieces[0].node;
     rotor->last_node = rotor->pieces[rotor->piece_count - 1].node + 1;
 }
 
-static void find_positions(import_reader *reader, ross_rotor *rotor) {
-    join_pieces(rotor);
-    rotor->position =
-        field_memory(reader, (size_t)(rotor->last_node - rotor->first_node + 1) * sizeof *rotor->position);
-    for (size_t i = 0; i < rotor->piece_count && rotor->position; i++) {
-        const ross_piece *const piece = &rotor->pieces[i];
-        rotor->position[piece->node - rotor->first_node] = piece->start;
-        rotor->position[piece->node - rotor->first_node + 1] = piece->start + piece->length;
+static void refuse_apart(const ross_rotor *rotor, ross_coupling *coupling) {
+    field_refuse(&coupling->section, "n", value_member(coupling->section.table, "n"),
+                 "is %ld, expected a coupling between nodes of the shaft, %ld to %ld, or beside them", coupling->node,
+                 rotor->first_node, rotor->last_node);
+}
+
+/// Couplings may go on beyond the pieces of shaft: their free ends are weights.
+static void join_couplings(ross_rotor *rotor) {
+    ross_coupling *const all = rotor->couplings;
+    for (size_t i = rotor->coupling_count; i-- > 0;) {
+        if (all[i].node + 1 < rotor->first_node) refuse_apart(rotor, &all[i]);
+        if (all[i].node < rotor->first_node) rotor->first_node = all[i].node;
+    }
+    for (size_t i = 0; i < rotor->coupling_count; i++) {
+        if (all[i].node > rotor->last_node) refuse_apart(rotor, &all[i]);
+        if (all[i].node == rotor->last_node) rotor->last_node++;
     }
 }
 
-static bool on_shaft(const ross_rotor *rotor, long node) {
+static void find_nodes(import_reader *reader, ross_rotor *rotor) {
+    const size_t count = (size_t)(rotor->last_node - rotor->first_node + 1);
+    rotor->nodes = field_memory(reader, count * sizeof *rotor->nodes);
+    for (size_t i = 0; i < count && rotor->nodes; i++) rotor->nodes[i].shaft = ROSS_NO_SHAFT;
+    for (size_t i = 0; i < rotor->piece_count && rotor->nodes; i++) {
+        const ross_piece *const piece = &rotor->pieces[i];
+        ross_node *const left = &rotor->nodes[piece->node - rotor->first_node];
+        left[0] = (ross_node){piece->shaft, piece->start};
+        left[1] = (ross_node){piece->shaft, piece->start + piece->length};
+    }
+}
+
+/// Of shafts and couplings.
+static bool in_row(const ross_rotor *rotor, long node) {
     return node >= rotor->first_node && node <= rotor->last_node;
 }
 
-/// A node beyond the shaft is a support where there is a mass.
+/// A node beyond them is a support where there is a mass.
 static void check_node(ross_rotor *rotor, field_section *section, const char *key, long node) {
-    bool held = on_shaft(rotor, node);
+    bool held = in_row(rotor, node);
     for (size_t i = 0; i < rotor->point_count; i++) {
         if (rotor->points[i].node != node) continue;
         rotor->points[i].used = true;
@@ -69,7 +112,7 @@ static void check_node(ross_rotor *rotor, field_section *section, const char *ke
 }
 
 static void check_point(ross_rotor *rotor, ross_point *point) {
-    if (on_shaft(rotor, point->node)) return;
+    if (in_row(rotor, point->node)) return;
     if (!point->used)
         field_refuse(&point->section, "n", value_member(point->section.table, "n"),
                      "is %ld, expected a node of the shaft, %ld to %ld, or of a bearing", point->node,
@@ -83,12 +126,15 @@ static void check_point(ross_rotor *rotor, ross_point *point) {
 void ross_join(import_reader *reader, ross_rotor *rotor) {
     if (!field_good(reader)) return;
     sort_pieces(rotor);
-    find_positions(reader, rotor);
+    sort_couplings(rotor);
+    join_pieces(rotor);
+    join_couplings(rotor);
+    find_nodes(reader, rotor);
     if (rotor->last_node - rotor->first_node >= WHIRL_MAX_STATIONS && field_good(reader))
         reader->status = whirl_fail(WHIRL_BAD_INPUT, "%.200s: has a shaft of %ld nodes, expected at most %d",
                                     reader->file, rotor->last_node - rotor->first_node + 1, WHIRL_MAX_STATIONS);
     for (size_t i = 0; i < rotor->disc_count; i++)
-        if (!on_shaft(rotor, rotor->discs[i].node))
+        if (!in_row(rotor, rotor->discs[i].node))
             field_refuse(&rotor->discs[i].section, "n", value_member(rotor->discs[i].section.table, "n"),
                          "is %ld, expected a node of the shaft, %ld to %ld", rotor->discs[i].node, rotor->first_node,
                          rotor->last_node);

@@ -77,6 +77,15 @@ static bool read_method(field_section *section) {
     return hutchinson;
 }
 
+/// Where ROSS computes another shaft than whirl of the same numbers.
+static void note_differences(note_list *notes, const ross_piece *piece) {
+    const bool conical = piece->inner[0] != piece->inner[1] || piece->outer[0] != piece->outer[1];
+    if (piece->axial_force != 0.0 && piece->stiffness_damping != 0.0) note_of(notes, NOTE_AXIAL_DAMPING, piece->tag);
+    if (piece->shear && piece->hutchinson) note_of(notes, NOTE_HUTCHINSON, piece->tag);
+    if (!piece->rotary_inertia && piece->gyroscopic) note_of(notes, NOTE_ROTARY, piece->tag);
+    if (conical) note_of(notes, NOTE_CONE, piece->tag);
+}
+
 static void read_piece(field_section *section, const char *tag, ross_rotor *out) {
     const field_kind length = {"L", "m", WHIRL_POSITIVE}, torque = {"torque", "N m", WHIRL_ANY},
                      force = {"axial_force", "N", WHIRL_ANY}, alpha = {"alpha", "1/s", WHIRL_NOT_NEGATIVE},
@@ -97,8 +106,7 @@ static void read_piece(field_section *section, const char *tag, ross_rotor *out)
         field_refuse(
             section, "torque", value_member(section->table, "torque"),
             "is not 0, expected a shaft without torque: it couples bending in a way that is not modelled here");
-    if (piece->axial_force != 0.0 && piece->stiffness_damping != 0.0)
-        note_of(&section->reader->notes, NOTE_AXIAL_DAMPING, tag);
+    note_differences(&section->reader->notes, piece);
     piece->material = read_material(section, out);
     ross_note_rest(section, tag, false);
 }
@@ -146,6 +154,10 @@ static void read_bearing(field_section *section, const char *tag, ross_rotor *ou
     if (!acts && field_good(section->reader)) note_of(&section->reader->notes, NOTE_NOTHING_LATERAL, tag);
 }
 
+static void read_coupling(field_section *section, const char *tag, ross_rotor *out) {
+    ross_read_coupling(section, tag, &out->couplings[out->coupling_count++]);
+}
+
 // ---------------------------------------------------------------- sections
 
 typedef void read_section(field_section *section, const char *tag, ross_rotor *out);
@@ -162,7 +174,7 @@ static const ross_class classes[] = {
     {"BearingElement", read_bearing, NULL},
     {"SealElement", read_bearing, NULL},
     {"PointMass", read_point, NULL},
-    {"CouplingElement", NULL, "couplings are not taken over"},
+    {"CouplingElement", read_coupling, NULL},
     {"GearElement", NULL, "gears couple shafts and twist, which is not taken over"},
     {"GearElementTVMS", NULL, "gears couple shafts and twist, which is not taken over"},
     {"MagneticBearingElement", NULL, "magnetic bearings have a controller, which is not taken over"},
@@ -191,8 +203,8 @@ static void read_unknown(field_section *section, size_t length, const char *tag,
     const char *const nearest = whirl_nearest_name(word, names, CLASSES);
     field_refuse(section, NULL, section->table,
                  nearest ? "is a %s, expected %s_..."
-                         : "is a %s, expected ShaftElement, DiskElement, BearingElement, "
-                           "SealElement, PointMass, or a class with coefficients (kxx)",
+                         : "is a %s, expected ShaftElement, DiskElement, BearingElement, SealElement, PointMass, "
+                           "CouplingElement, or a class with coefficients (kxx)",
                  word, nearest);
 }
 
@@ -252,6 +264,7 @@ static bool make_room(import_reader *reader, const value *root, ross_rotor *out)
     out->discs = field_memory(reader, count * sizeof *out->discs);
     out->points = field_memory(reader, count * sizeof *out->points);
     out->bearings = field_memory(reader, count * sizeof *out->bearings);
+    out->couplings = field_memory(reader, count * sizeof *out->couplings);
     return field_good(reader);
 }
 

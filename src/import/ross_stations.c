@@ -48,9 +48,20 @@ static ross_station *station_of(ross_rotor *rotor, long node, const char *tag) {
     for (size_t i = 0; i < rotor->station_count; i++)
         if (rotor->stations[i].node == node) return &rotor->stations[i];
     ross_station *const added = &rotor->stations[rotor->station_count++];
-    const bool on_shaft = node >= rotor->first_node && node <= rotor->last_node;
-    *added = (ross_station){.node = node, .first = tag, .on_shaft = on_shaft};
+    const bool in_row = node >= rotor->first_node && node <= rotor->last_node;
+    *added = (ross_station){.node = node, .first = tag};
+    if (in_row) added->place = &rotor->nodes[node - rotor->first_node];
     return added;
+}
+
+static void collect_ends(ross_rotor *rotor, const ross_coupling *coupling) {
+    for (int end = 0; end < 2; end++) {
+        ross_station *const at = station_of(rotor, coupling->node + end, coupling->end_tag[end]);
+        at->mass[0] += coupling->mass[end];
+        at->mass[1] += coupling->mass[end];
+        at->diametral += coupling->diametral[end];
+        at->polar += coupling->polar[end];
+    }
 }
 
 static void collect(ross_rotor *rotor) {
@@ -71,9 +82,26 @@ static void collect(ross_rotor *rotor) {
         station_of(rotor, rotor->bearings[i].node, rotor->bearings[i].tag);
         if (rotor->bearings[i].link >= 0) station_of(rotor, rotor->bearings[i].link, "");
     }
+    for (size_t i = 0; i < rotor->coupling_count; i++) collect_ends(rotor, &rotor->couplings[i]);
     if (rotor->station_count > 0) return;
     station_of(rotor, rotor->first_node, "left end");
     station_of(rotor, rotor->last_node, "right end");
+}
+
+/// An end that no piece of shaft touches has the inertia of what is listed alone.
+static void check_free_ends(ross_rotor *rotor) {
+    static const char *const masses[] = {"m_l", "m_r"}, *const inertias[] = {"Ip_l", "Ip_r"};
+    for (size_t i = 0; i < 2 * rotor->coupling_count; i++) {
+        ross_coupling *const coupling = &rotor->couplings[i / 2];
+        const ross_station *const at = ross_station_at(rotor, coupling->node + (long)(i % 2));
+        if (at->place->shaft != ROSS_NO_SHAFT) continue;
+        const bool weighs = at->mass[0] > 0.0 && at->mass[1] > 0.0;
+        const char *const key = (weighs ? inertias : masses)[i % 2];
+        if (!weighs || !(at->diametral > 0.0))
+            field_refuse(&coupling->section, key, value_member(coupling->section.table, key),
+                         "is 0 %s at node %ld, where there is no shaft, expected a number above 0 %s",
+                         weighs ? "kg m2" : "kg", at->node, weighs ? "kg m2" : "kg");
+    }
 }
 
 static void sort_stations(ross_rotor *rotor) {
@@ -86,7 +114,8 @@ static void sort_stations(ross_rotor *rotor) {
 }
 
 void ross_find_stations(import_reader *reader, ross_rotor *rotor) {
-    const size_t most = rotor->disc_count + rotor->point_count + 2 * rotor->bearing_count + 2;
+    const size_t most =
+        rotor->disc_count + rotor->point_count + 2 * rotor->bearing_count + 2 * rotor->coupling_count + 2;
     rotor->stations = field_memory(reader, most * sizeof *rotor->stations);
     if (!rotor->stations) return;
     collect(rotor);
@@ -96,6 +125,7 @@ void ross_find_stations(import_reader *reader, ross_rotor *rotor) {
         return;
     }
     sort_stations(rotor);
+    check_free_ends(rotor);
     for (size_t i = 0; i < rotor->station_count && field_good(reader); i++) give_name(reader, rotor, i);
 }
 
