@@ -51,8 +51,8 @@ static bool dies_out_evenly(const evidence *e, size_t period) {
     if (half < 2 * period) return false;
     const whirl_estimate early = estimate_regular_mean(e->growth, half, period),
                          late = estimate_regular_mean(e->growth + e->growth_count - half, half, period);
-    return is_negative(early) && is_negative(late) &&
-           fabs(early.value - late.value) <= share * fabs(late.value) + sigmas * hypot(early.error, late.error);
+    // No share of their errors, which are large where a rate changes.
+    return is_negative(early) && is_negative(late) && fabs(early.value - late.value) <= share * fabs(late.value);
 }
 
 /// P-k: the motion returns, disturbances die out, and the k points stand clearly further apart than they still have to

@@ -155,6 +155,40 @@ static void listed_periods(void **state) {
     }
 }
 
+/// Two points by turns, and beside them what shrinks by p[0] a step, or passes where p[1] + y^2 nearly vanishes.
+static void approaching_map(const double *p, size_t step, double *z, double *v) {
+    const double slope = p[0] + 2.0 * z[1];
+    z[1] = p[2] > 0.0 ? z[1] + p[1] + z[1] * z[1] : p[0] * z[1];
+    v[1] *= p[2] > 0.0 ? slope : p[0];
+    v[0] = 0.0;
+    z[0] = (step % 2 ? 0.2 : 0.7) + p[3] * z[1];
+}
+
+/// What comes near P-2 at an even rate is told before it is there, with no more than fair confidence; what passes the
+/// place where two orbits have just vanished, which slows down as it nears, is not.
+static void convergence_is_foreseen(void **state) {
+    const map_system even = {.map = approaching_map,
+                             .dimension = 2,
+                             .section_dimension = 1,
+                             .parameters = {0.98, 0.0, 0.0, 1.0},
+                             .start = {0.7, 0.3}};
+    const map_system passing = {.map = approaching_map,
+                                .dimension = 2,
+                                .section_dimension = 1,
+                                .parameters = {1.0, 1e-7, 1.0, 0.004},
+                                .start = {0.7, -0.3}};
+    (void)state;
+    const whirl_verdict verdict = judge(&even, 0);
+    assert_true(verdict.recurrence > 1e-6);
+    assert_verdict(&even, 0, "P-2", "an even approach");
+    assert_int_equal(verdict.agreement, WHIRL_FAIR);
+    whirl_record *record = record_map(&passing, 0, 230, 100);
+    const whirl_verdict other = whirl_judge(record);
+    free(record);
+    assert_true(other.recurrence > 1e-6 && other.recurrence < 1e-4 && other.exponent.value < 0.0);
+    assert_int_equal(other.regime, WHIRL_UNDETERMINED);
+}
+
 static bool is_misiurewicz(double r, int count) {
     // 1/2 must land on the fixed point from elsewhere, which is so when f^(count - 1) lands on its other preimage.
     if (fabs(iterate(r, 0.5, count - 1) - fixed_point(r)) < 1e-8) return false;
@@ -387,6 +421,7 @@ int main(void) {
         cmocka_unit_test(superstable_cycles),
         cmocka_unit_test(long_periods),
         cmocka_unit_test(listed_periods),
+        cmocka_unit_test(convergence_is_foreseen),
         cmocka_unit_test(misiurewicz_points),
         cmocka_unit_test(lozi),
         cmocka_unit_test(cats),
